@@ -1,0 +1,322 @@
+//! Where a robot can stand, and which floor it can reach from there.
+
+use super::stamp::Stamp;
+use crate::{
+    floorplan::FloorPlan,
+    geometry::{Point, Pose},
+    grid::{Cell, Grid, clearance, reachable},
+    robot::RobotModel,
+};
+
+/// Side that fine cells should not exceed, m.
+const FINE_CELL: f64 = 0.05;
+/// Most cells of a fine grid; larger rooms are refined less.
+const MAX_FINE_CELLS: usize = 4_000_000;
+
+/// Why a robot can't be put into a room.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum FloorError {
+    /// No cell of the map is free.
+    #[error("the map has no free cell; it needs floor to clean (in images, light pixels are free)")]
+    NoFreeCell,
+    /// The robot doesn't fit anywhere.
+    #[error(
+        "the robot, {diameter:.2} m wide, fits nowhere in this room; choose a smaller robot or check the map's resolution"
+    )]
+    TooNarrow {
+        /// Diameter of the robot's body, m.
+        diameter: f64,
+    },
+    /// The start lies outside the map.
+    #[error(
+        "the start ({x:.2} m, {y:.2} m) lies outside the map, which is {width:.2} m x {height:.2} m; move it inside"
+    )]
+    StartOutside {
+        /// Start, m.
+        x: f64,
+        /// Start, m.
+        y: f64,
+        /// Size of the map, m.
+        width: f64,
+        /// Size of the map, m.
+        height: f64,
+    },
+    /// The start lies in a wall.
+    #[error(
+        "the start ({x:.2} m, {y:.2} m) is inside a wall; move it to free floor, e.g. ({free_x:.2} m, {free_y:.2} m)"
+    )]
+    StartInWall {
+        /// Start, m.
+        x: f64,
+        /// Start, m.
+        y: f64,
+        /// The nearest place where the robot fits, m.
+        free_x: f64,
+        /// The nearest place where the robot fits, m.
+        free_y: f64,
+    },
+}
+
+/// The standing places and the floor that one robot can reach from one start.
+#[derive(Debug, Clone)]
+pub struct ReachableFloor {
+    /// Metres per fine cell: the plan's resolution or a whole fraction of it.
+    pub resolution: f64,
+    /// Fine cells per map cell, in each direction.
+    pub refinement: usize,
+    /// Distance from each fine cell's centre to the nearest obstacle, m, up to a little more than the radius.
+    pub clearance: Grid<f32>,
+    /// Fine cells in whose centre the robot can stand, connected with the start.
+    pub standing: Grid<bool>,
+    /// Fine cells that the tool can sweep.
+    pub floor: Grid<bool>,
+    /// Number of cells of `floor`, at least 1.
+    pub floor_cells: usize,
+    /// Where the robot starts.
+    pub start: Pose,
+    /// Radius of the tool's disc, m.
+    pub tool_radius: f64,
+    /// Radius of the robot's body, m.
+    pub body_radius: f64,
+}
+
+impl ReachableFloor {
+    /// Works out the floor for `robot` in `plan` from `start`, or from the plan's own start, or from the first place
+    /// (from the lower left) in the largest connected part of the room.
+    pub fn new(plan: &FloorPlan, robot: &RobotModel, start: Option<Pose>) -> Result<Self, FloorError> {
+        let occupancy = &plan.occupancy;
+        if !occupancy.values().iter().any(|o| o.is_free()) {
+            return Err(FloorError::NoFreeCell);
+        }
+        let refinement = refinement(plan, robot);
+        let resolution = plan.resolution / refinement as f64;
+        let blocked = refine(&plan.blocked(), refinement);
+        // Two cells more than the radius: the simulator skips the contact test where there is that much room.
+        let field = clearance(&blocked, (robot.radius / resolution) as f32 + 2.0).map(|&c| c * resolution as f32);
+        let needed = robot.radius as f32 - 1e-5;
+        let free = field.map(|&c| c >= needed);
+        let fallback =
+            default_start(&free, resolution).ok_or(FloorError::TooNarrow { diameter: 2.0 * robot.radius })?;
+        let start = match start.or(plan.start) {
+            Some(pose) => check_start(plan, &free, resolution, pose, fallback)?,
+            None => fallback,
+        };
+        let standing = reachable(&free, cell_at(start.position(), resolution));
+        let tool_radius = 0.5 * robot.tool_width;
+        let floor = sweepable(&standing, &blocked, tool_radius / resolution);
+        let floor_cells = floor.count();
+        Ok(Self {
+            resolution,
+            refinement,
+            clearance: field,
+            standing,
+            floor,
+            floor_cells,
+            start,
+            tool_radius,
+            body_radius: robot.radius,
+        })
+    }
+
+    /// The fine cell that holds a point; may lie outside.
+    #[inline]
+    pub fn cell_at(&self, point: Point) -> Cell {
+        cell_at(point, self.resolution)
+    }
+
+    /// Centre of a fine cell in metres.
+    #[inline]
+    pub fn centre(&self, cell: Cell) -> Point {
+        centre(cell, self.resolution)
+    }
+
+    /// Reachable floor in m².
+    pub fn area(&self) -> f64 {
+        self.floor_cells as f64 * self.resolution * self.resolution
+    }
+
+    /// Whether the robot can drive from `from` straight to `to`, judged at steps of half a fine cell.
+    pub fn is_straight_free(&self, from: Point, to: Point) -> bool {
+        let steps = ((to - from).norm() / (0.5 * self.resolution)).ceil().max(1.0);
+        (0..=steps as u32).all(|i| {
+            let point = from + (to - from) * (f64::from(i) / steps);
+            self.standing.is_set(self.cell_at(point))
+        })
+    }
+}
+
+/// Fine cells per map cell: enough to resolve the tool, as far as memory allows.
+fn refinement(plan: &FloorPlan, robot: &RobotModel) -> usize {
+    // A tool of one map cell sweeps exactly the cells it visits: nothing would be gained.
+    if (robot.tool_width - plan.resolution).abs() < 1e-9 {
+        return 1;
+    }
+    let wanted = (plan.resolution / FINE_CELL - 1e-9).ceil().max(1.0) as usize;
+    let affordable = ((MAX_FINE_CELLS / plan.occupancy.len().max(1)) as f64).sqrt() as usize;
+    wanted.min(affordable.max(1))
+}
+
+/// The same picture with every cell split into `factor` x `factor`.
+fn refine(grid: &Grid<bool>, factor: usize) -> Grid<bool> {
+    if factor == 1 {
+        return grid.clone();
+    }
+    let mut fine = Grid::filled(grid.width() * factor, grid.height() * factor, false);
+    let width = fine.width();
+    for (y, row) in fine.values_mut().chunks_mut(width).enumerate() {
+        for (x, value) in row.iter_mut().enumerate() {
+            *value = grid[Cell::new((x / factor) as i32, (y / factor) as i32)];
+        }
+    }
+    fine
+}
+
+fn cell_at(point: Point, resolution: f64) -> Cell {
+    Cell::new((point.x / resolution).floor() as i32, (point.y / resolution).floor() as i32)
+}
+
+fn centre(cell: Cell, resolution: f64) -> Point {
+    Point::new((f64::from(cell.x) + 0.5) * resolution, (f64::from(cell.y) + 0.5) * resolution)
+}
+
+/// The start itself, or the nearest place where the robot fits if it stands too close to a wall; `fallback` is one
+/// such place.
+fn check_start(
+    plan: &FloorPlan,
+    free: &Grid<bool>,
+    resolution: f64,
+    pose: Pose,
+    fallback: Pose,
+) -> Result<Pose, FloorError> {
+    let (x, y) = (pose.x, pose.y);
+    let Some(occupancy) = plan.occupancy.get(plan.cell_at(pose.position())) else {
+        return Err(FloorError::StartOutside { x, y, width: plan.width_m(), height: plan.height_m() });
+    };
+    if free.is_set(cell_at(pose.position(), resolution)) {
+        return Ok(pose);
+    }
+    let place = nearest(free, resolution, pose.position()).unwrap_or(fallback.position());
+    if occupancy.is_free() {
+        Ok(Pose::new(place.x, place.y, pose.heading))
+    } else {
+        Err(FloorError::StartInWall { x, y, free_x: place.x, free_y: place.y })
+    }
+}
+
+/// Centre of the cell of `free` that is nearest to `point`.
+fn nearest(free: &Grid<bool>, resolution: f64, point: Point) -> Option<Point> {
+    free.iter()
+        .filter(|&(_, &f)| f)
+        .map(|(cell, _)| centre(cell, resolution))
+        .min_by(|a, b| (a - point).norm_squared().total_cmp(&(b - point).norm_squared()))
+}
+
+/// The first standing place, from the lower left, of the largest connected part; heading 0.
+fn default_start(free: &Grid<bool>, resolution: f64) -> Option<Pose> {
+    let mut seen = Grid::filled(free.width(), free.height(), false);
+    let mut best: Option<(usize, Cell)> = None;
+    let mut stack = Vec::new();
+    for (first, &is_free) in free.iter() {
+        if !is_free || seen[first] {
+            continue;
+        }
+        let mut size = 0;
+        seen[first] = true;
+        stack.push(first);
+        while let Some(cell) = stack.pop() {
+            size += 1;
+            for next in cell.neighbours() {
+                if free.is_set(next) && !seen[next] {
+                    seen[next] = true;
+                    stack.push(next);
+                }
+            }
+        }
+        if best.is_none_or(|(most, _)| size > most) {
+            best = Some((size, first));
+        }
+    }
+    best.map(|(_, cell)| {
+        let point = centre(cell, resolution);
+        Pose::new(point.x, point.y, 0.0)
+    })
+}
+
+/// Cells that a disc of `radius` cells sweeps when its centre is anywhere in `standing`, walls left out.
+fn sweepable(standing: &Grid<bool>, blocked: &Grid<bool>, radius: f64) -> Grid<bool> {
+    let stamp = Stamp { radius, width: standing.width(), height: standing.height() };
+    let mut floor = Grid::filled(standing.width(), standing.height(), false);
+    for (cell, &stands) in standing.iter() {
+        if stands {
+            stamp.rows(f64::from(cell.x) + 0.5, f64::from(cell.y) + 0.5, |range| {
+                floor.values_mut()[range].fill(true);
+            });
+        }
+    }
+    for (value, &is_blocked) in floor.values_mut().iter_mut().zip(blocked.values()) {
+        *value &= !is_blocked;
+    }
+    floor
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        grid::{Occupancy, from_picture, picture},
+        robot::{cell_robot, model},
+    };
+
+    fn plan(text: &str, resolution: f64) -> FloorPlan {
+        FloorPlan {
+            name: "test".into(),
+            note: String::new(),
+            resolution,
+            occupancy: from_picture(text, |c| if c == '#' { Occupancy::Occupied } else { Occupancy::Free }).unwrap(),
+            start: None,
+            origin: Pose::new(0.0, 0.0, 0.0),
+        }
+    }
+
+    #[test]
+    fn cell_robot_reaches_exactly_the_connected_free_cells() {
+        let plan = plan("..#.\n..#.\n...#", 0.2);
+        let floor = ReachableFloor::new(&plan, &cell_robot(0.2), None).unwrap();
+        assert_eq!(picture(&floor.floor, |&f| if f { 'o' } else { '-' }), "oo--\noo--\nooo-\n");
+        assert_eq!(floor.floor_cells, 7);
+    }
+
+    #[test]
+    fn round_robot_is_not_blamed_for_corners() {
+        let plan = plan(&"....................\n".repeat(20), 0.05);
+        let floor = ReachableFloor::new(&plan, model("roomba600").unwrap(), None).unwrap();
+        // Centres keep 0.17425 m off the walls (3 cells and a bit), the brush reaches 0.085 m further.
+        assert!(floor.standing.is_set(Cell::new(3, 3)) && !floor.standing.is_set(Cell::new(2, 10)));
+        assert!(floor.floor.is_set(Cell::new(2, 10)) && !floor.floor.is_set(Cell::new(0, 10)));
+        assert!(!floor.floor.is_set(Cell::new(0, 0)));
+    }
+
+    #[test]
+    fn start_in_a_wall_names_a_place_that_works() {
+        let plan = plan("....\n.##.\n....", 1.0);
+        let error =
+            ReachableFloor::new(&plan, model("roomba600").unwrap(), Some(Pose::new(1.5, 1.5, 0.0))).unwrap_err();
+        let FloorError::StartInWall { free_x, free_y, .. } = error else { panic!("{error}") };
+        assert!(ReachableFloor::new(&plan, model("roomba600").unwrap(), Some(Pose::new(free_x, free_y, 0.0))).is_ok());
+    }
+
+    #[test]
+    fn start_too_close_to_a_wall_moves_to_the_nearest_place() {
+        let plan = plan("....\n....", 1.0);
+        let floor = ReachableFloor::new(&plan, model("roomba600").unwrap(), Some(Pose::new(0.01, 1.0, 0.5))).unwrap();
+        assert!(floor.start.x >= 0.17 && floor.start.x < 0.25 && floor.start.heading == 0.5, "{}", floor.start);
+    }
+
+    #[test]
+    fn too_narrow_and_empty_maps_are_told_apart() {
+        let robot = model("roomba600").unwrap();
+        assert_eq!(ReachableFloor::new(&plan("##", 1.0), robot, None).unwrap_err(), FloorError::NoFreeCell);
+        let narrow = ReachableFloor::new(&plan("..", 0.1), robot, None).unwrap_err();
+        assert!(matches!(narrow, FloorError::TooNarrow { .. }), "{narrow}");
+    }
+}

@@ -1,0 +1,232 @@
+//! The planning grid: square cells of any size laid over the floor that a robot can reach.
+
+use super::ReachableFloor;
+use crate::{
+    geometry::{Point, Vector},
+    grid::{Cell, Direction, Grid, reachable},
+};
+use std::collections::VecDeque;
+
+/// Planning cells with a place to stand in each.
+///
+/// A cell is free if the robot can stand somewhere in it; its **anchor** is the standing place nearest to its centre,
+/// (a centimetre off the wall beside it), so that paths run along walls that don't lie on the lattice. Two free neighbours are always linked: straight from
+/// anchor to anchor, or by a short way round a corner. Where neither exists (a thin wall between two anchors) the cell
+/// whose anchor lies farther from its centre is given up.
+#[derive(Debug, Clone)]
+pub struct Lattice {
+    /// Side of a planning cell, m.
+    pub cell_size: f64,
+    /// Free planning cells, all connected with `start`.
+    pub free: Grid<bool>,
+    /// The cell that the robot starts in.
+    pub start: Cell,
+    anchors: Grid<Point>,
+}
+
+impl Lattice {
+    /// Lays cells of `cell_size` metres over `floor`, from the map's lower-left corner.
+    pub fn new(floor: &ReachableFloor, cell_size: f64) -> Self {
+        let standing = &floor.standing;
+        let cells = |n: usize| ((n as f64 * floor.resolution / cell_size - 1e-6).ceil() as usize).max(1);
+        let (width, height) = (cells(standing.width()), cells(standing.height()));
+        let planning_cell = |p: Point| {
+            let index = |v: f64, n: usize| ((v / cell_size) as i32).min(n as i32 - 1);
+            Cell::new(index(p.x, width), index(p.y, height))
+        };
+        let centre = |c: Cell| Point::new((f64::from(c.x) + 0.5) * cell_size, (f64::from(c.y) + 0.5) * cell_size);
+
+        let mut free = Grid::filled(width, height, false);
+        let mut anchors = Grid::filled(width, height, Point::origin());
+        let mut offsets = Grid::filled(width, height, f64::MAX);
+        for (fine, _) in standing.iter().filter(|&(_, &stands)| stands) {
+            let place = floor.centre(fine);
+            let cell = planning_cell(place);
+            let offset = (place - centre(cell)).norm_squared();
+            if offset < offsets[cell] - 1e-12 {
+                offsets[cell] = offset;
+                anchors[cell] = place;
+                free[cell] = true;
+            }
+        }
+        for (cell, _) in free.iter().filter(|&(_, &f)| f) {
+            anchors[cell] = keep_off_walls(floor, anchors[cell]);
+        }
+        let start = planning_cell(floor.start.position());
+        let mut lattice = Self { cell_size, free, start, anchors };
+        for index in 0..lattice.free.len() {
+            let cell = lattice.free.cell(index);
+            for next in [cell.step(Direction::Right), cell.step(Direction::Up)] {
+                if lattice.free.is_set(cell) && lattice.free.is_set(next) && lattice.link(floor, cell, next).is_none() {
+                    let give_up =
+                        if next == start || (cell != start && offsets[cell] > offsets[next]) { cell } else { next };
+                    lattice.free[give_up] = false;
+                }
+            }
+        }
+        lattice.free = reachable(&lattice.free, start);
+        lattice
+    }
+
+    /// Where the robot stands in a free cell.
+    pub fn anchor(&self, cell: Cell) -> Point {
+        self.anchors[cell]
+    }
+
+    /// The line that the robot drives to follow a walk over free cells, from the start pose; corners only.
+    pub fn polyline(&self, floor: &ReachableFloor, walk: &[Cell]) -> Vec<Point> {
+        let mut line = vec![floor.start.position()];
+        let Some(&first) = walk.first() else { return line };
+        let way_in = self.way(floor, floor.start.position(), self.anchor(first), f64::MAX);
+        way_in.unwrap_or_default().into_iter().for_each(|p| push_corner(&mut line, p));
+        for step in walk.windows(2) {
+            let link = self.link(floor, step[0], step[1]).unwrap_or_else(|| vec![self.anchor(step[1])]);
+            link.into_iter().for_each(|p| push_corner(&mut line, p));
+        }
+        line
+    }
+
+    /// Points to drive through from the anchor of `from` to that of its neighbour `to`, the last one included.
+    fn link(&self, floor: &ReachableFloor, from: Cell, to: Cell) -> Option<Vec<Point>> {
+        self.way(floor, self.anchor(from), self.anchor(to), self.cell_size)
+    }
+
+    /// Straight if possible, else a shortest way over standing cells that keeps within `margin` metres of the box
+    /// around both ends, pulled tight.
+    fn way(&self, floor: &ReachableFloor, from: Point, to: Point, margin: f64) -> Option<Vec<Point>> {
+        let (start, goal) = (floor.cell_at(from), floor.cell_at(to));
+        if start.manhattan(goal) <= 1 || floor.is_straight_free(from, to) {
+            return Some(vec![to]);
+        }
+        let pad = (margin / floor.resolution).min(1e6) as i32 + 1;
+        let low = Cell::new(start.x.min(goal.x) - pad, start.y.min(goal.y) - pad);
+        let high = Cell::new(start.x.max(goal.x) + pad, start.y.max(goal.y) + pad);
+        let low = Cell::new(low.x.max(0), low.y.max(0));
+        let high =
+            Cell::new(high.x.min(floor.standing.width() as i32 - 1), high.y.min(floor.standing.height() as i32 - 1));
+        let local = |c: Cell| Cell::new(c.x - low.x, c.y - low.y);
+        let mut came_from: Grid<Option<Cell>> =
+            Grid::filled((high.x - low.x + 1) as usize, (high.y - low.y + 1) as usize, None);
+        let mut queue = VecDeque::from([start]);
+        came_from[local(start)] = Some(start);
+        while let Some(cell) = queue.pop_front() {
+            if cell == goal {
+                break;
+            }
+            for next in cell.neighbours() {
+                if floor.standing.is_set(next) && came_from.get(local(next)).is_some_and(Option::is_none) {
+                    came_from[local(next)] = Some(cell);
+                    queue.push_back(next);
+                }
+            }
+        }
+        let mut cells = vec![goal];
+        while let Some(&cell) = cells.last().filter(|&&c| c != start) {
+            cells.push(came_from[local(cell)]?);
+        }
+        cells.reverse();
+        let mut way: Vec<Point> = Vec::new();
+        let mut at = from;
+        for pair in cells.windows(2).skip(1) {
+            if !floor.is_straight_free(at, floor.centre(pair[1])) {
+                at = floor.centre(pair[0]);
+                way.push(at);
+            }
+        }
+        way.push(to);
+        Some(way)
+    }
+}
+
+/// Space that a path leaves between body and wall where it can, m: what steering and odometry need.
+const MARGIN: f64 = 0.01;
+
+/// Moves the centre of a standing fine cell off the walls beside it by up to [`MARGIN`].
+fn keep_off_walls(floor: &ReachableFloor, place: Point) -> Point {
+    let cell = floor.cell_at(place);
+    let margin = MARGIN.min(0.1 * floor.body_radius);
+    if f64::from(floor.clearance[cell]) >= floor.body_radius + margin {
+        return place;
+    }
+    let stands = |direction| floor.standing.is_set(cell.step(direction));
+    let shift = |plus, minus| margin * (f64::from(u8::from(stands(plus))) - f64::from(u8::from(stands(minus))));
+    place + Vector::new(shift(Direction::Right, Direction::Left), shift(Direction::Up, Direction::Down))
+}
+
+/// Appends a point, replacing the last one if all three lie on one line in this order.
+fn push_corner(line: &mut Vec<Point>, point: Point) {
+    if let Some(&last) = line.last() {
+        if (point - last).norm() < 1e-9 {
+            return;
+        }
+        if let [.., before, _] = line.as_slice() {
+            let (a, b): (Vector, Vector) = (last - before, point - last);
+            if a.perp(&b).abs() < 1e-9 && a.dot(&b) > 0.0 {
+                line.pop();
+            }
+        }
+    }
+    line.push(point);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        floorplan::FloorPlan,
+        geometry::Pose,
+        grid::{Occupancy, from_picture, picture},
+        robot::model,
+    };
+
+    fn floor(text: &str, resolution: f64) -> ReachableFloor {
+        let plan = FloorPlan {
+            name: "test".into(),
+            note: String::new(),
+            resolution,
+            occupancy: from_picture(text, |c| if c == '#' { Occupancy::Occupied } else { Occupancy::Free }).unwrap(),
+            start: None,
+            origin: Pose::new(0.0, 0.0, 0.0),
+        };
+        ReachableFloor::new(&plan, model("roomba600").unwrap(), None).unwrap()
+    }
+
+    #[test]
+    fn every_link_keeps_off_the_walls() {
+        let floor = floor(
+            "..............\n..............\n......##......\n......##......\n..............\n....##....##..\n..............\n..............",
+            0.25,
+        );
+        for size in [0.1, 0.15, 0.22, 0.35] {
+            let lattice = Lattice::new(&floor, size);
+            for (cell, _) in lattice.free.iter().filter(|&(_, &f)| f) {
+                for next in cell.neighbours().into_iter().filter(|&n| lattice.free.is_set(n)) {
+                    let mut at = lattice.anchor(cell);
+                    for point in lattice.link(&floor, cell, next).unwrap() {
+                        assert!(floor.is_straight_free(at, point), "{cell} to {next} at {size} m");
+                        at = point;
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn door_narrower_than_the_lattice_stays_open() {
+        // The gap of 0.5 m leaves 0.15 m for the robot's centre; cells of 0.3 m have no centre in it.
+        let floor = floor(&format!("{0}{1}{0}", "..........\n".repeat(5), "####..####\n"), 0.25);
+        let lattice = Lattice::new(&floor, 0.3);
+        assert!(lattice.free.is_set(Cell::new(4, 1)) && lattice.free.is_set(Cell::new(4, 8)), "{}", {
+            picture(&lattice.free, |&f| if f { '.' } else { '#' })
+        });
+    }
+
+    #[test]
+    fn polyline_has_corners_only() {
+        let floor = floor(&"..........\n".repeat(10), 0.25);
+        let lattice = Lattice::new(&floor, 0.25);
+        let walk: Vec<Cell> = (1..8).map(|x| Cell::new(x, 4)).chain((5..8).map(|y| Cell::new(7, y))).collect();
+        let line = lattice.polyline(&floor, &walk);
+        assert!(line.len() <= 4, "{line:?}");
+    }
+}

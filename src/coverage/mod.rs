@@ -1,0 +1,15 @@
+//! What "covered" means, once for everybody: planners, controllers, simulator and tables.
+//!
+//! A robot of radius `r` can stand wherever no obstacle is nearer to its centre than `r`. The **reachable floor** is
+//! what its tool (a disc as wide as the strip it cleans) can sweep from all standing places that a path connects with
+//! the start. **Coverage** is the share of the reachable floor that the tool has swept. So a round robot isn't blamed for
+//! corners that it can't enter, and a planner can't shine by leaving out what is hard.
+
+mod floor;
+mod lattice;
+mod stamp;
+mod tracker;
+
+pub use floor::{FloorError, ReachableFloor};
+pub use lattice::Lattice;
+pub use tracker::CoverageTracker;

@@ -1,0 +1,127 @@
+//! Which floor has been swept, and how often.
+
+use super::{ReachableFloor, stamp::Stamp};
+use crate::{
+    geometry::Point,
+    grid::{Cell, Grid},
+};
+
+/// Counts passes of the tool over every fine cell.
+///
+/// A cell counts as visited again when the tool comes back to it after it had travelled more than its own diameter
+/// since it last touched the cell; so neither standing still nor turning on the spot counts.
+#[derive(Debug, Clone)]
+pub struct CoverageTracker {
+    stamp: Stamp,
+    resolution: f64,
+    /// Passes per fine cell, at most 255.
+    visits: Grid<u8>,
+    /// Number of the last stamp that touched the cell, 0 for none.
+    touched: Vec<u32>,
+    stamps: u32,
+    /// Stamps after which a touched cell counts as left.
+    memory: u32,
+    last: Option<Point>,
+    covered: usize,
+    passes: u64,
+    /// Lowest and highest row that changed since they were last taken.
+    dirty: Option<(usize, usize)>,
+}
+
+impl CoverageTracker {
+    /// A tracker for a floor on which nothing has been swept.
+    pub fn new(floor: &ReachableFloor) -> Self {
+        let grid = &floor.floor;
+        let radius = floor.tool_radius / floor.resolution;
+        Self {
+            stamp: Stamp { radius, width: grid.width(), height: grid.height() },
+            resolution: floor.resolution,
+            visits: Grid::filled(grid.width(), grid.height(), 0),
+            touched: vec![0; grid.len()],
+            stamps: 0,
+            // Stamps are half a cell apart: 4 radii of them are a diameter.
+            memory: (4.0 * radius).ceil() as u32 + 1,
+            last: None,
+            covered: 0,
+            passes: 0,
+            dirty: None,
+        }
+    }
+
+    /// Sweeps with the tool from where it last was to `point` in a straight line, or sets it down there.
+    #[inline]
+    pub fn sweep_to(&mut self, floor: &ReachableFloor, point: Point) {
+        let Some(last) = self.last else {
+            self.put_down(floor, point);
+            return;
+        };
+        let spacing = 0.5 * self.resolution;
+        let distance_squared = (point - last).norm_squared();
+        if distance_squared < spacing * spacing {
+            return;
+        }
+        let steps = (distance_squared.sqrt() / spacing).floor();
+        let stride = (point - last) * (spacing / distance_squared.sqrt());
+        let mut at = last;
+        for _ in 0..steps as u32 {
+            at += stride;
+            self.put_down(floor, at);
+        }
+    }
+
+    /// Forgets where the tool was, as when the robot is picked up.
+    pub fn lift(&mut self) {
+        self.last = None;
+    }
+
+    fn put_down(&mut self, floor: &ReachableFloor, at: Point) {
+        self.last = Some(at);
+        self.stamps += 1;
+        let Self { stamp, resolution, visits, touched, stamps, memory, covered, passes, dirty, .. } = self;
+        let width = stamp.width;
+        let reachable = floor.floor.values();
+        let counts = visits.values_mut();
+        stamp.rows(at.x / *resolution, at.y / *resolution, |range| {
+            let row = range.start / width;
+            let (low, high) = dirty.unwrap_or((row, row));
+            *dirty = Some((low.min(row), high.max(row)));
+            for index in range {
+                if !reachable[index] {
+                    continue;
+                }
+                let is_new_pass = touched[index] == 0 || *stamps - touched[index] > *memory;
+                touched[index] = *stamps;
+                if is_new_pass {
+                    *covered += usize::from(counts[index] == 0);
+                    counts[index] = counts[index].saturating_add(1);
+                    *passes += 1;
+                }
+            }
+        });
+    }
+
+    /// Swept share of the reachable floor, 0 to 1.
+    pub fn coverage(&self, floor: &ReachableFloor) -> f64 {
+        self.covered as f64 / floor.floor_cells as f64
+    }
+
+    /// Passes beyond the first, as a share of the swept floor: 0.3 means that 30 % were swept twice on average.
+    pub fn overlap(&self) -> f64 {
+        if self.covered == 0 { 0.0 } else { (self.passes - self.covered as u64) as f64 / self.covered as f64 }
+    }
+
+    /// Passes per fine cell, at most 255.
+    pub fn visits(&self) -> &Grid<u8> {
+        &self.visits
+    }
+
+    /// Passes over one fine cell; 0 outside.
+    pub fn visits_at(&self, cell: Cell) -> u8 {
+        self.visits.get(cell).copied().unwrap_or(0)
+    }
+
+    /// The lowest and highest row that changed since the last call.
+    pub fn take_dirty_rows(&mut self) -> Option<(usize, usize)> {
+        self.dirty.take()
+    }
+}

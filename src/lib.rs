@@ -1,0 +1,30 @@
+//! Robovac Playground: algorithms that clean a floor, on simulated robots and on real ones.
+//!
+//! A tour of the house, from the ground up; imports only ever point downwards in this list:
+//!
+//! - [`math`], [`rng`]: elementary functions and random numbers that agree bit for bit natively and in wasm
+//! - [`geometry`]: points, angles, poses
+//! - [`grid`]: rectangular grids, occupancy, clearance, reachability, `#.` pictures
+//! - [`floorplan`]: rooms that ship, map files
+//! - [`robot`]: models, what they sense and can be told, odometry
+//! - [`coverage`]: which floor a robot can reach and what it has swept; the planning grid
+//! - [`planner`]: one file a planner, and the registry that menus, tests and command line iterate
+//! - [`controller`]: what drives a robot from what it senses
+//! - [`sim`]: the simulated robot
+//! - [`metrics`]: one definition of every number
+//! - [`app`]: sessions, recording, what to draw
+//! - `web`: the only code that knows the browser (wasm32 only)
+//!
+//! The core is pure: no clock, no input or output, no global state, no panic on bad input.
+
+pub mod coverage;
+pub mod floorplan;
+pub mod geometry;
+pub mod grid;
+pub mod math;
+pub mod metrics;
+pub mod planner;
+pub mod rng;
+pub mod robot;
+#[cfg(target_arch = "wasm32")]
+pub mod web;

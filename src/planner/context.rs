@@ -1,0 +1,45 @@
+//! What a planner may ask of its surroundings: random numbers, and whether to go on.
+
+use crate::{
+    grid::Cell,
+    rng::{Rng, seeded},
+};
+use std::ops::ControlFlow;
+
+/// Why there is no plan.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub enum PlanError {
+    /// The caller asked to stop.
+    #[error("planning was cancelled")]
+    Cancelled,
+}
+
+/// Handed to a planner for one run.
+pub struct PlanContext<'a> {
+    /// The run's random numbers.
+    pub rng: Rng,
+    observer: Option<Observer<'a>>,
+}
+
+/// Is told how far a planner is (0 to 1) and the best walk so far; says whether to go on.
+pub type Observer<'a> = &'a mut dyn FnMut(f64, &[Cell]) -> ControlFlow<()>;
+
+impl<'a> PlanContext<'a> {
+    /// A run that nobody watches.
+    pub fn new(seed: u64) -> Self {
+        Self { rng: seeded(seed, 0), observer: None }
+    }
+
+    /// A run that reports to `observer`.
+    pub fn observed(seed: u64, observer: Observer<'a>) -> Self {
+        Self { rng: seeded(seed, 0), observer: Some(observer) }
+    }
+
+    /// To be called every few milliseconds: reports how far the planner is, 0 to 1, and the walk that it has so far.
+    pub fn checkpoint(&mut self, done: f64, so_far: &[Cell]) -> Result<(), PlanError> {
+        match self.observer.as_mut().map(|observe| observe(done, so_far)) {
+            Some(ControlFlow::Break(())) => Err(PlanError::Cancelled),
+            _ => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,1 @@
+//! Stages that planners are composed of: they take what they need as arguments and keep nothing.

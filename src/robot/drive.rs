@@ -1,0 +1,23 @@
+//! What a robot can be told.
+
+use serde::{Deserialize, Serialize};
+
+/// Wheel speeds asked of a differential drive, m/s, forward positive. The robot limits speed and acceleration.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct Drive {
+    /// Left wheel.
+    pub left: f64,
+    /// Right wheel.
+    pub right: f64,
+}
+
+impl Drive {
+    /// Both wheels at rest.
+    pub const STOP: Self = Self { left: 0.0, right: 0.0 };
+
+    /// Wheel speeds for a forward speed in m/s and a turn rate in rad/s (counter-clockwise positive).
+    pub fn from_twist(speed: f64, turn_rate: f64, wheel_base: f64) -> Self {
+        let half = 0.5 * turn_rate * wheel_base;
+        Self { left: speed - half, right: speed + half }
+    }
+}

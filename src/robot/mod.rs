@@ -1,0 +1,11 @@
+//! Robots: their geometry and limits, what they sense, what they can be told, and odometry from encoder counts.
+
+mod drive;
+mod model;
+mod odometry;
+mod sensors;
+
+pub use drive::Drive;
+pub use model::{MODELS, RobotModel, cell_robot, model};
+pub use odometry::{Odometry, OdometryModel};
+pub use sensors::Sensors;

@@ -1,0 +1,126 @@
+//! The robots that can be chosen, every figure with its source.
+
+/// Geometry and limits of a round robot with two driven wheels. SI units; the axle's midpoint is the body's centre.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RobotModel {
+    /// Name in links, files and on the command line.
+    pub id: &'static str,
+    /// Name in menus.
+    pub title: &'static str,
+    /// One sentence for people who choose.
+    pub summary: &'static str,
+    /// Radius of the circle that touches walls first, m.
+    pub radius: f64,
+    /// Width of the strip of floor that one pass cleans, m.
+    pub tool_width: f64,
+    /// Distance between the wheels' contact points, m.
+    pub wheel_base: f64,
+    /// Encoder counts per metre of wheel travel.
+    pub counts_per_metre: f64,
+    /// Wheel speed that the motors reach, m/s.
+    pub max_wheel_speed: f64,
+    /// Wheel acceleration, m/s².
+    pub acceleration: f64,
+    /// Speed at which planned paths are driven straight, m/s.
+    pub cruise_speed: f64,
+    /// Wheel speed at which the robot turns on the spot while following a path, m/s.
+    pub turn_wheel_speed: f64,
+    /// Side of the planning cells that fits this robot, m.
+    pub default_cell: f64,
+}
+
+impl RobotModel {
+    /// Turn rate on the spot while following a path, rad/s.
+    pub fn turn_rate(&self) -> f64 {
+        2.0 * self.turn_wheel_speed / self.wheel_base
+    }
+
+    /// Seconds to drive `distance` metres straight, from rest to rest (trapezoidal speed profile).
+    pub fn straight_time(&self, distance: f64) -> f64 {
+        trapezoid(distance, self.cruise_speed, self.acceleration)
+    }
+
+    /// Seconds to turn by `angle` radians on the spot, from rest to rest.
+    pub fn turn_time(&self, angle: f64) -> f64 {
+        trapezoid(angle.abs() * 0.5 * self.wheel_base, self.turn_wheel_speed, self.acceleration)
+    }
+}
+
+/// Seconds to cover `distance` from rest to rest with limited speed and acceleration.
+fn trapezoid(distance: f64, speed: f64, acceleration: f64) -> f64 {
+    let ramps = speed * speed / acceleration;
+    if distance >= ramps { distance / speed + speed / acceleration } else { 2.0 * (distance / acceleration).sqrt() }
+}
+
+/// iRobot Roomba 600 and Create 2.
+///
+/// Wheel base 235 mm, wheel diameter 72 mm, 508.8 counts a revolution and at most 500 mm/s are of the Create 2 Open
+/// Interface specification; the bumper's diameter of 348.5 mm is of its dimension drawing. The width of the brush,
+/// about 170 mm, is what owners measure (the specification doesn't say; the side brush isn't counted). Acceleration
+/// and the two speeds for following paths are ours: 300 mm/s is about what the robot's own programs drive.
+const ROOMBA_600: RobotModel = RobotModel {
+    id: "roomba600",
+    title: "Roomba 600 / Create 2",
+    summary: "Round, 35 cm wide, cleans a strip of 17 cm under its brush",
+    radius: 0.174_25,
+    tool_width: 0.17,
+    wheel_base: 0.235,
+    counts_per_metre: 508.8 / (core::f64::consts::PI * 0.072),
+    max_wheel_speed: 0.5,
+    acceleration: 0.8,
+    cruise_speed: 0.3,
+    turn_wheel_speed: 0.2,
+    default_cell: 0.15,
+};
+
+/// The robots that ship.
+pub const MODELS: &[&RobotModel] = &[&ROOMBA_600, &CELL_20];
+
+/// The thesis' robot on its grid: one cell of 20 cm is what it stands on and cleans (000, section 5.1).
+const CELL_20: RobotModel = cell_robot(0.2);
+
+/// An idealised robot that fills one grid cell of side `cell` metres and cleans the cell it stands on.
+///
+/// Its body is 90 % of the cell, so that it drives through corridors of one cell without rubbing along both walls.
+/// The rest is scaled to the size: the wheel base is three quarters of the body, and it drives like the Roomba.
+pub const fn cell_robot(cell: f64) -> RobotModel {
+    RobotModel {
+        id: "cell",
+        title: "Grid robot (one cell)",
+        summary: "The textbook's robot: fills one grid cell and cleans it",
+        radius: 0.45 * cell,
+        tool_width: cell,
+        wheel_base: 0.675 * cell,
+        counts_per_metre: ROOMBA_600.counts_per_metre,
+        max_wheel_speed: 0.5,
+        acceleration: 0.8,
+        cruise_speed: 0.3,
+        turn_wheel_speed: 0.2,
+        default_cell: cell,
+    }
+}
+
+/// The model with that id.
+pub fn model(id: &str) -> Option<&'static RobotModel> {
+    MODELS.iter().copied().find(|m| m.id == id)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn roomba_counts_match_the_specification() {
+        // Open Interface: 0.444565 mm a count, 1660.7 counts per wheel for a full spin.
+        assert!((1000.0 / ROOMBA_600.counts_per_metre - 0.444_565).abs() < 1e-6);
+        let spin = core::f64::consts::PI * ROOMBA_600.wheel_base * ROOMBA_600.counts_per_metre;
+        assert!((spin - 1660.7).abs() < 0.1, "{spin}");
+    }
+
+    #[test]
+    fn trapezoid_has_no_jump_where_the_profile_changes() {
+        let ramps = 0.3 * 0.3 / 0.8;
+        let (below, above) = (trapezoid(ramps - 1e-9, 0.3, 0.8), trapezoid(ramps + 1e-9, 0.3, 0.8));
+        assert!((below - above).abs() < 1e-6);
+    }
+}
