@@ -17,6 +17,7 @@
 //!
 //! The core is pure: no clock, no input or output, no global state, no panic on bad input.
 
+pub mod controller;
 pub mod coverage;
 pub mod floorplan;
 pub mod geometry;
@@ -26,5 +27,6 @@ pub mod metrics;
 pub mod planner;
 pub mod rng;
 pub mod robot;
+pub mod sim;
 #[cfg(target_arch = "wasm32")]
 pub mod web;

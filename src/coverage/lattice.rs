@@ -77,65 +77,68 @@ impl Lattice {
     pub fn polyline(&self, floor: &ReachableFloor, walk: &[Cell]) -> Vec<Point> {
         let mut line = vec![floor.start.position()];
         let Some(&first) = walk.first() else { return line };
-        let way_in = self.way(floor, floor.start.position(), self.anchor(first), f64::MAX);
-        way_in.unwrap_or_default().into_iter().for_each(|p| push_corner(&mut line, p));
+        let way_in = way(floor, floor.start.position(), self.anchor(first), f64::MAX);
+        for point in way_in.unwrap_or_default() {
+            push_corner(&mut line, point);
+        }
         for step in walk.windows(2) {
             let link = self.link(floor, step[0], step[1]).unwrap_or_else(|| vec![self.anchor(step[1])]);
-            link.into_iter().for_each(|p| push_corner(&mut line, p));
+            for point in link {
+                push_corner(&mut line, point);
+            }
         }
         line
     }
 
     /// Points to drive through from the anchor of `from` to that of its neighbour `to`, the last one included.
     fn link(&self, floor: &ReachableFloor, from: Cell, to: Cell) -> Option<Vec<Point>> {
-        self.way(floor, self.anchor(from), self.anchor(to), self.cell_size)
+        way(floor, self.anchor(from), self.anchor(to), self.cell_size)
     }
+}
 
-    /// Straight if possible, else a shortest way over standing cells that keeps within `margin` metres of the box
-    /// around both ends, pulled tight.
-    fn way(&self, floor: &ReachableFloor, from: Point, to: Point, margin: f64) -> Option<Vec<Point>> {
-        let (start, goal) = (floor.cell_at(from), floor.cell_at(to));
-        if start.manhattan(goal) <= 1 || floor.is_straight_free(from, to) {
-            return Some(vec![to]);
-        }
-        let pad = (margin / floor.resolution).min(1e6) as i32 + 1;
-        let low = Cell::new(start.x.min(goal.x) - pad, start.y.min(goal.y) - pad);
-        let high = Cell::new(start.x.max(goal.x) + pad, start.y.max(goal.y) + pad);
-        let low = Cell::new(low.x.max(0), low.y.max(0));
-        let high =
-            Cell::new(high.x.min(floor.standing.width() as i32 - 1), high.y.min(floor.standing.height() as i32 - 1));
-        let local = |c: Cell| Cell::new(c.x - low.x, c.y - low.y);
-        let mut came_from: Grid<Option<Cell>> =
-            Grid::filled((high.x - low.x + 1) as usize, (high.y - low.y + 1) as usize, None);
-        let mut queue = VecDeque::from([start]);
-        came_from[local(start)] = Some(start);
-        while let Some(cell) = queue.pop_front() {
-            if cell == goal {
-                break;
-            }
-            for next in cell.neighbours() {
-                if floor.standing.is_set(next) && came_from.get(local(next)).is_some_and(Option::is_none) {
-                    came_from[local(next)] = Some(cell);
-                    queue.push_back(next);
-                }
-            }
-        }
-        let mut cells = vec![goal];
-        while let Some(&cell) = cells.last().filter(|&&c| c != start) {
-            cells.push(came_from[local(cell)]?);
-        }
-        cells.reverse();
-        let mut way: Vec<Point> = Vec::new();
-        let mut at = from;
-        for pair in cells.windows(2).skip(1) {
-            if !floor.is_straight_free(at, floor.centre(pair[1])) {
-                at = floor.centre(pair[0]);
-                way.push(at);
-            }
-        }
-        way.push(to);
-        Some(way)
+/// Straight if possible, else a shortest way over standing cells that keeps within `margin` metres of the box
+/// around both ends, pulled tight.
+fn way(floor: &ReachableFloor, from: Point, to: Point, margin: f64) -> Option<Vec<Point>> {
+    let (start, goal) = (floor.cell_at(from), floor.cell_at(to));
+    if start.manhattan(goal) <= 1 || floor.is_straight_free(from, to) {
+        return Some(vec![to]);
     }
+    let pad = (margin / floor.resolution).min(1e6) as i32 + 1;
+    let low = Cell::new(start.x.min(goal.x) - pad, start.y.min(goal.y) - pad);
+    let high = Cell::new(start.x.max(goal.x) + pad, start.y.max(goal.y) + pad);
+    let low = Cell::new(low.x.max(0), low.y.max(0));
+    let high = Cell::new(high.x.min(floor.standing.width() as i32 - 1), high.y.min(floor.standing.height() as i32 - 1));
+    let local = |c: Cell| Cell::new(c.x - low.x, c.y - low.y);
+    let mut came_from: Grid<Option<Cell>> =
+        Grid::filled((high.x - low.x + 1) as usize, (high.y - low.y + 1) as usize, None);
+    let mut queue = VecDeque::from([start]);
+    came_from[local(start)] = Some(start);
+    while let Some(cell) = queue.pop_front() {
+        if cell == goal {
+            break;
+        }
+        for next in cell.neighbours() {
+            if floor.standing.is_set(next) && came_from.get(local(next)).is_some_and(Option::is_none) {
+                came_from[local(next)] = Some(cell);
+                queue.push_back(next);
+            }
+        }
+    }
+    let mut cells = vec![goal];
+    while let Some(&cell) = cells.last().filter(|&&c| c != start) {
+        cells.push(came_from[local(cell)]?);
+    }
+    cells.reverse();
+    let mut way: Vec<Point> = Vec::new();
+    let mut at = from;
+    for pair in cells.windows(2).skip(1) {
+        if !floor.is_straight_free(at, floor.centre(pair[1])) {
+            at = floor.centre(pair[0]);
+            way.push(at);
+        }
+    }
+    way.push(to);
+    Some(way)
 }
 
 /// Space that a path leaves between body and wall where it can, m: what steering and odometry need.

@@ -7,5 +7,5 @@ mod sensors;
 
 pub use drive::Drive;
 pub use model::{MODELS, RobotModel, cell_robot, model};
-pub use odometry::{Odometry, OdometryModel};
+pub use odometry::{Odometry, OdometryModel, advance};
 pub use sensors::Sensors;

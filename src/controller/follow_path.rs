@@ -1,0 +1,195 @@
+//! Drives a planned line by dead reckoning.
+
+use super::Controller;
+use crate::{
+    geometry::{Point, Pose, Vector, difference},
+    math,
+    robot::{Drive, Odometry, OdometryModel, RobotModel, Sensors},
+};
+
+/// A turn or a straight piece counts as done when this much wheel travel is left, m.
+const CLOSE_ENOUGH: f64 = 0.001;
+/// How far to back off from a wall, m.
+const BACK_OFF: f64 = 0.03;
+/// How far the line is shifted away from the side that was bumped, m.
+const NUDGE: f64 = 0.015;
+/// Bumps after which the rest of a straight piece is given up.
+const MOST_BUMPS: u32 = 4;
+/// Heading correction per metre off the line, rad/m, and its limit, rad.
+const STEER: (f64, f64) = (6.0, 0.5);
+/// Turn rate per radian of heading error, 1/s.
+const TURN_GAIN: f64 = 6.0;
+
+/// Follows a line of corners: turns on the spot towards the next corner, drives straight to it, and so on.
+///
+/// It steers by its own estimate of the pose, from encoder counts. A wall where the line should be free means that the
+/// estimate is off: the robot backs off, shifts the piece of line away from the side that it bumped, and tries again;
+/// a frontal bump or the fourth one ends the piece. So it always comes to the end of the line.
+#[derive(Debug, Clone)]
+pub struct FollowPath {
+    robot: RobotModel,
+    odometry: Odometry,
+    line: Vec<Point>,
+    /// Index in `line` of the corner that the robot drives to.
+    next: usize,
+    phase: Phase,
+    bumps: u32,
+    /// Shift of the present piece to the left of its direction, m.
+    shift: f64,
+    /// Seconds left before the present piece is given up: slip and walls must not hold the robot for ever.
+    patience: f64,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Phase {
+    /// Turn on the spot to this heading.
+    Turn(f64),
+    Drive,
+    /// Reverse from this point.
+    BackOff(Point, AfterBump),
+    Done,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum AfterBump {
+    TryAgain,
+    GiveUp,
+}
+
+impl FollowPath {
+    /// Follows `line`, metres, from `start`, which it takes to be where the robot stands.
+    pub fn new(robot: &RobotModel, odometry: OdometryModel, start: Pose, line: Vec<Point>) -> Self {
+        let mut follower = Self {
+            robot: robot.clone(),
+            odometry: Odometry::new(robot, odometry, start),
+            line,
+            next: 0,
+            phase: Phase::Done,
+            bumps: 0,
+            shift: 0.0,
+            patience: 0.0,
+        };
+        follower.next_piece();
+        follower
+    }
+
+    /// Index of the corner of the line that the robot drives to.
+    pub fn next_corner(&self) -> usize {
+        self.next
+    }
+
+    fn next_piece(&mut self) {
+        self.next += 1;
+        self.bumps = 0;
+        self.shift = 0.0;
+        self.phase = Phase::Done;
+        if self.next < self.line.len() {
+            let length = (self.line[self.next] - self.odometry.pose().position()).norm();
+            self.patience = 15.0 + 3.0 * self.robot.straight_time(length);
+            self.face_next_corner();
+        }
+    }
+
+    fn face_next_corner(&mut self) {
+        let pose = self.odometry.pose();
+        let (from, to) = self.piece();
+        // From close by, the bearing of the corner says little; the direction of the line is what counts.
+        let aim = to - pose.position();
+        let aim = if aim.norm() > 2.0 * NUDGE + BACK_OFF { aim } else { to - from };
+        self.phase = Phase::Turn(math::atan2(aim.y, aim.x));
+    }
+
+    /// Ends of the present piece, shifted.
+    fn piece(&self) -> (Point, Point) {
+        let (from, to) = (self.line[self.next - 1], self.line[self.next]);
+        let along = (to - from).normalize();
+        let left = Vector::new(-along.y, along.x) * self.shift;
+        (from + left, to + left)
+    }
+
+    fn turn(&mut self, heading: f64) -> Drive {
+        let error = difference(self.odometry.pose().heading, heading);
+        let travel = 0.5 * self.robot.wheel_base * error;
+        if travel.abs() < CLOSE_ENOUGH {
+            self.phase = Phase::Drive;
+            return Drive::STOP;
+        }
+        let wheel = self.braking_speed(travel.abs()).min(self.robot.turn_wheel_speed) * travel.signum();
+        Drive { left: -wheel, right: wheel }
+    }
+
+    fn drive(&mut self) -> Drive {
+        let pose = self.odometry.pose();
+        let (from, to) = self.piece();
+        let along = (to - from).normalize();
+        let left_over = (to - pose.position()).dot(&along);
+        if left_over < CLOSE_ENOUGH {
+            self.next_piece();
+            return Drive::STOP;
+        }
+        let off_line = along.perp(&(pose.position() - from));
+        let correction = (-STEER.0 * off_line).clamp(-STEER.1, STEER.1);
+        let heading = math::atan2(along.y, along.x) + correction;
+        let speed = self.braking_speed(left_over).min(self.robot.cruise_speed);
+        // No sharper than the speed allows, so that the robot doesn't wag where it stops.
+        let sharpest = speed / self.robot.wheel_base;
+        let turn_rate = (TURN_GAIN * difference(pose.heading, heading)).clamp(-sharpest, sharpest);
+        Drive::from_twist(speed, turn_rate, self.robot.wheel_base)
+    }
+
+    /// The speed from which the robot can still stop within `distance` metres, with a tenth in hand.
+    fn braking_speed(&self, distance: f64) -> f64 {
+        (2.0 * 0.9 * self.robot.acceleration * distance).sqrt()
+    }
+
+    fn bumped(&mut self, sensed: &Sensors) {
+        self.bumps += 1;
+        let frontal = sensed.bump_left && sensed.bump_right;
+        let then = if frontal || self.bumps >= MOST_BUMPS { AfterBump::GiveUp } else { AfterBump::TryAgain };
+        self.shift += if sensed.bump_left { -NUDGE } else { NUDGE };
+        self.phase = Phase::BackOff(self.odometry.pose().position(), then);
+    }
+
+    fn back_off(&mut self, from: Point, then: AfterBump) -> Drive {
+        let left_over = BACK_OFF - (self.odometry.pose().position() - from).norm();
+        if left_over < CLOSE_ENOUGH {
+            match then {
+                AfterBump::TryAgain => self.face_next_corner(),
+                AfterBump::GiveUp => self.next_piece(),
+            }
+            return Drive::STOP;
+        }
+        Drive::from_twist(-self.braking_speed(left_over).min(0.5 * self.robot.cruise_speed), 0.0, self.robot.wheel_base)
+    }
+}
+
+impl Controller for FollowPath {
+    fn step(&mut self, sensed: &Sensors, dt_s: f64) -> Drive {
+        self.odometry.update(sensed);
+        if self.phase == Phase::Drive && sensed.bumped() {
+            self.bumped(sensed);
+        }
+        self.patience -= dt_s;
+        if self.patience < 0.0 && self.phase != Phase::Done {
+            self.next_piece();
+        }
+        match self.phase {
+            Phase::Turn(heading) => self.turn(heading),
+            Phase::Drive => self.drive(),
+            Phase::BackOff(from, then) => self.back_off(from, then),
+            Phase::Done => Drive::STOP,
+        }
+    }
+
+    fn is_done(&self) -> bool {
+        self.phase == Phase::Done
+    }
+
+    fn estimate(&self) -> Option<Pose> {
+        Some(self.odometry.pose())
+    }
+
+    fn boxed_clone(&self) -> Box<dyn Controller> {
+        Box::new(self.clone())
+    }
+}
