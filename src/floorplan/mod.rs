@@ -1,5 +1,11 @@
 //! Floor plans: what the world looks like before a robot drives in it.
 
+mod rooms;
+mod sketch;
+
+pub use rooms::{ROOMS, RoomInfo, room};
+pub use sketch::{Rect, Sketch};
+
 use crate::{
     geometry::{Point, Pose},
     grid::{Cell, Grid, Occupancy},
