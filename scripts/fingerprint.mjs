@@ -1,0 +1,31 @@
+// Runs after every trunk build, on the finished page before it is published as dist/.
+// Appends ?v=<digest of the whole build> to each reference between the page's files. A browser then never mixes files of
+// two builds, and because all of them get the same version, page and worker still share one address per module.
+import { createHash } from "node:crypto";
+import fs from "node:fs";
+import path from "node:path";
+import { filesBelow, rewriteReferences } from "./references.mjs";
+
+const page = path.resolve(process.env.TRUNK_STAGING_DIR ?? "dist");
+
+// Declarations are for the type check, not for the web.
+const types = path.resolve("target/types");
+fs.mkdirSync(types, { recursive: true });
+for (const file of filesBelow(page).filter((name) => name.endsWith(".d.ts"))) {
+  fs.copyFileSync(file, path.join(types, path.basename(file)));
+  fs.rmSync(file);
+}
+
+const digest = createHash("sha256");
+for (const file of filesBelow(page)) {
+  digest.update(path.relative(page, file)).update("\0").update(fs.readFileSync(file));
+}
+const version = digest.digest("hex").slice(0, 12);
+
+// trunk leaves its own link in the page when it injects no script.
+const index = path.join(page, "index.html");
+fs.writeFileSync(index, fs.readFileSync(index, "utf8").replace(/\s*<link data-trunk[^>]*>/g, ""));
+
+for (const file of filesBelow(page).filter((name) => /\.(html|js|css)$/.test(name))) {
+  fs.writeFileSync(file, rewriteReferences(file, (_target, reference) => `${reference}?v=${version}`));
+}

@@ -1,0 +1,47 @@
+# shellcheck shell=bash disable=SC2034 # what is set here is used in the scripts that source this
+# Shared by ./dev and the scripts beside this file: places, versions, and how progress is shown.
+
+ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+cd "$ROOT" || exit 1
+
+# Installed tools live outside the repository, one folder per version, so that a fresh checkout finds them again.
+TOOLS=${ROBOVAC_TOOLS:-${XDG_CACHE_HOME:-$HOME/.cache}/robovac-playground}
+
+WASM_TARGET=wasm32-unknown-unknown
+TRUNK_VERSION=0.22.1
+# The command-line tool must equal the crate exactly, so the lock file decides.
+WASM_BINDGEN_VERSION=$(awk '/^name = "wasm-bindgen"$/ { getline; gsub(/[^0-9.]/, ""); print; exit }' Cargo.lock)
+
+export PATH="$TOOLS/wasm-bindgen-cli-$WASM_BINDGEN_VERSION/bin:$TOOLS/trunk-$TRUNK_VERSION/bin:$ROOT/node_modules/.bin:$PATH"
+
+say() { printf '%s\n' "$*"; }
+die() {
+    printf 'error: %s\n' "$*" >&2
+    exit 1
+}
+have() { command -v "$1" >/dev/null 2>&1; }
+
+# step HEADING COMMAND...: shows what runs and how long it took; a failure ends the script.
+step() {
+    local heading=$1 start=$SECONDS status
+    shift
+    printf '\n==> %s\n' "$heading"
+    # Not `"$@" || status=$?`: that would switch off `set -e` inside of the command.
+    set +e
+    (set -e && "$@")
+    status=$?
+    set -e
+    ((status == 0)) || die "\"$heading\" failed after $((SECONDS - start)) s (exit code $status): $*"
+    printf '    done in %d s\n' $((SECONDS - start))
+}
+
+# The browser for tests: $CHROMIUM if set, else the first known name on PATH.
+find_chromium() {
+    local name names=(chromium chromium-browser google-chrome google-chrome-stable)
+    [[ -z ${CHROMIUM:-} ]] || names=("$CHROMIUM")
+    for name in "${names[@]}"; do
+        command -v "$name" && return
+    done
+    return 1
+}
+find_chromedriver() { command -v "${CHROMEDRIVER:-chromedriver}"; }

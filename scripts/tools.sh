@@ -1,0 +1,80 @@
+# shellcheck shell=bash
+# Installs whatever is missing, from package registries alone. Every function returns at once when there is nothing to do.
+# Sourced by ./dev after lib.sh.
+
+have_wasm_std() { [[ -n $(find "$(rustc --print target-libdir --target "$WASM_TARGET")" -name 'libstd-*.rlib' 2>/dev/null) ]]; }
+
+need_rust() {
+    have rustup || have cargo || die "Rust is missing: install rustup, or rustc and cargo $(sed -n 's/^channel = //p' rust-toolchain.toml)"
+    rustc --version >/dev/null 2>&1 || step "Installing the Rust tool chain" rustup toolchain install
+    cargo fmt --version >/dev/null 2>&1 || step "Installing rustfmt" rustup component add rustfmt
+    cargo clippy --version >/dev/null 2>&1 || step "Installing clippy" rustup component add clippy
+    have_wasm_std || step "Installing the $WASM_TARGET standard library" install_wasm_std
+}
+
+install_wasm_std() {
+    if [[ -z ${ROBOVAC_WASM_STD_FROM_DEBIAN:-} ]] && have rustup && rustup target add "$WASM_TARGET"; then
+        return
+    fi
+    say "rustup could not fetch it; building it from Debian's copy of the library source instead"
+    bash scripts/wasm-std.sh
+}
+
+# cargo_tool CRATE VERSION OPTION...: into its own folder. Quick to build beats quick to run for tools that take a second.
+cargo_tool() {
+    local crate=$1 version=$2 dir=$TOOLS/$1-$2
+    shift 2
+    [[ -e $dir/.complete ]] && return
+    mkdir -p "$TOOLS"
+    step "Installing $crate $version (minutes, once; kept in $dir)" install_cargo_tool "$crate" "$version" "$dir" "$@"
+    touch "$dir/.complete"
+}
+
+install_cargo_tool() {
+    local crate=$1 version=$2 dir=$3
+    shift 3
+    if cargo binstall -V >/dev/null 2>&1 &&
+        cargo binstall --no-confirm --disable-strategies compile --root "$dir" "$crate@$version"; then
+        return
+    fi
+    # The build folder is shared: the tools have many dependencies in common.
+    CARGO_TARGET_DIR=$TOOLS/build \
+        CARGO_PROFILE_RELEASE_LTO=off CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16 CARGO_PROFILE_RELEASE_OPT_LEVEL=1 \
+        cargo install --root "$dir" --version "$version" "$@" "$crate"
+}
+
+need_cargo_tools() {
+    need_compiler
+    cargo_tool wasm-bindgen-cli "$WASM_BINDGEN_VERSION"
+    cargo_tool trunk "$TRUNK_VERSION" --ignore-rust-version --no-default-features --features rustls
+    rm -rf "$TOOLS/build"
+}
+
+need_compiler() { have cc || step "Installing a C compiler" apt_install build-essential; }
+
+need_node() {
+    { have node && have npm; } || step "Installing Node.js" apt_install nodejs npm
+    cmp -s package-lock.json node_modules/.installed-lock.json && return
+    step "Installing the npm packages of package-lock.json" npm ci --no-audit --no-fund
+    cp package-lock.json node_modules/.installed-lock.json
+}
+
+need_browser() {
+    { find_chromium && find_chromedriver; } >/dev/null && return
+    [[ -z ${CHROMIUM:-}${CHROMEDRIVER:-} ]] || die "CHROMIUM=${CHROMIUM:-} or CHROMEDRIVER=${CHROMEDRIVER:-} names a program that is not there"
+    # Without a font the page's text is invisible in screenshots.
+    step "Installing Chromium and its driver" apt_install chromium chromium-driver fonts-liberation
+    { find_chromium && find_chromedriver; } >/dev/null ||
+        die "no browser for the tests: install Chromium and the chromedriver of the same version, or set CHROMIUM and CHROMEDRIVER to their paths"
+}
+
+apt_install() {
+    have apt-get || die "please install by hand: $* (there is no apt-get here)"
+    local root=(env DEBIAN_FRONTEND=noninteractive)
+    if ((EUID != 0)); then
+        have sudo || die "please install as root: apt-get install $*"
+        root=(sudo "${root[@]}")
+    fi
+    "${root[@]}" apt-get -q update &&
+        "${root[@]}" apt-get -q -o DPkg::Lock::Timeout=300 install -y --no-install-recommends "$@"
+}

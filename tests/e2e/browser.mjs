@@ -1,0 +1,78 @@
+// A web server for the built page, and Chromium. For programs that are not tests too, such as scripts/bench.mjs.
+import { execFileSync } from "node:child_process";
+import fs from "node:fs";
+import http from "node:http";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
+import { chromium } from "playwright-core";
+
+export const ROOT = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../..");
+export const DIST = path.join(ROOT, "dist");
+
+const CONTENT_TYPES = {
+  ".css": "text/css",
+  ".html": "text/html; charset=utf-8",
+  ".js": "text/javascript",
+  ".json": "application/json",
+  ".png": "image/png",
+  ".svg": "image/svg+xml",
+  ".wasm": "application/wasm",
+  ".webmanifest": "application/manifest+json",
+};
+
+const CHROMIUM_FLAGS = [
+  "--no-sandbox",
+  "--disable-gpu",
+  "--disable-quic",
+  "--disable-dev-shm-usage",
+  "--no-first-run",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+];
+
+/**
+ * Serves `folder` below `mount` (such as "/some/sub/path/") on a free port; anything outside of `mount` is not found, so a
+ * page that assumes to live at the root fails.
+ * `requests` lists the addresses asked for, in order, with their query.
+ */
+export async function serveFolder(folder, { mount = "/", headers = {} } = {}) {
+  const requests = [];
+  const server = http.createServer((request, response) => {
+    // Browsers ask for this on their own account.
+    if (request.url === "/favicon.ico") {
+      response.writeHead(204).end();
+      return;
+    }
+    requests.push(request.url);
+    const address = decodeURIComponent(new URL(request.url, "http://host").pathname);
+    const file = path.join(folder, address.slice(mount.length).replace(/(^|\/)$/, "$1index.html"));
+    const inside = address.startsWith(mount) && file.startsWith(folder + path.sep);
+    if (!inside || !fs.statSync(file, { throwIfNoEntry: false })?.isFile()) {
+      response.writeHead(404, { "content-type": "text/plain" }).end("not found");
+      return;
+    }
+    const type = CONTENT_TYPES[path.extname(file)] ?? "application/octet-stream";
+    response.writeHead(200, { "content-type": type, "cache-control": "no-cache", ...headers });
+    fs.createReadStream(file).pipe(response);
+  });
+  await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
+  return {
+    url: `http://127.0.0.1:${server.address().port}${mount}`,
+    requests,
+    close: () => new Promise((resolve) => {
+      server.close(resolve);
+      server.closeAllConnections();
+    }),
+  };
+}
+
+function chromiumPath() {
+  if (process.env.CHROMIUM) return process.env.CHROMIUM;
+  const names = "chromium chromium-browser google-chrome google-chrome-stable";
+  return execFileSync("sh", ["-c", `for name in ${names}; do command -v $name && exit; done; exit 1`], { encoding: "utf8" }).trim();
+}
+
+export function launchBrowser({ flags = [], ...options } = {}) {
+  return chromium.launch({ executablePath: chromiumPath(), args: [...CHROMIUM_FLAGS, ...flags], ...options });
+}
