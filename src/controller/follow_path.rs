@@ -6,6 +6,7 @@ use crate::{
     math,
     robot::{Drive, Odometry, OdometryModel, RobotModel, Sensors},
 };
+use std::sync::Arc;
 
 /// A turn or a straight piece counts as done when this much wheel travel is left, m.
 const CLOSE_ENOUGH: f64 = 0.001;
@@ -15,6 +16,8 @@ const BACK_OFF: f64 = 0.03;
 const NUDGE: f64 = 0.015;
 /// Bumps after which the rest of a straight piece is given up.
 const MOST_BUMPS: u32 = 4;
+/// Readings without a count after which the wheels are taken to stand still.
+const STILL: u32 = 3;
 /// Heading correction per metre off the line, rad/m, and its limit, rad.
 const STEER: (f64, f64) = (6.0, 0.5);
 /// Turn rate per radian of heading error, 1/s.
@@ -29,7 +32,7 @@ const TURN_GAIN: f64 = 6.0;
 pub struct FollowPath {
     robot: RobotModel,
     odometry: Odometry,
-    line: Vec<Point>,
+    line: Arc<[Point]>,
     /// Index in `line` of the corner that the robot drives to.
     next: usize,
     phase: Phase,
@@ -38,12 +41,19 @@ pub struct FollowPath {
     shift: f64,
     /// Seconds left before the present piece is given up: slip and walls must not hold the robot for ever.
     patience: f64,
+    /// The encoders' last counts, and how many readings ago they changed.
+    counts: (u16, u16),
+    still: u32,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Phase {
+    /// Wait until the wheels stand still: turning before would carry the robot off the line.
+    Stop,
     /// Turn on the spot to this heading.
     Turn(f64),
+    /// Turned; wait until the wheels stand still.
+    Settle,
     Drive,
     /// Reverse from this point.
     BackOff(Point, AfterBump),
@@ -58,7 +68,7 @@ enum AfterBump {
 
 impl FollowPath {
     /// Follows `line`, metres, from `start`, which it takes to be where the robot stands.
-    pub fn new(robot: &RobotModel, odometry: OdometryModel, start: Pose, line: Vec<Point>) -> Self {
+    pub fn new(robot: &RobotModel, odometry: OdometryModel, start: Pose, line: Arc<[Point]>) -> Self {
         let mut follower = Self {
             robot: robot.clone(),
             odometry: Odometry::new(robot, odometry, start),
@@ -68,6 +78,8 @@ impl FollowPath {
             bumps: 0,
             shift: 0.0,
             patience: 0.0,
+            counts: (0, 0),
+            still: 0,
         };
         follower.next_piece();
         follower
@@ -86,8 +98,18 @@ impl FollowPath {
         if self.next < self.line.len() {
             let length = (self.line[self.next] - self.odometry.pose().position()).norm();
             self.patience = 15.0 + 3.0 * self.robot.straight_time(length);
-            self.face_next_corner();
+            self.phase = Phase::Stop;
         }
+    }
+
+    fn watch_wheels(&mut self, sensed: &Sensors) {
+        let counts = (sensed.left_counts, sensed.right_counts);
+        self.still = if counts == self.counts { self.still + 1 } else { 0 };
+        self.counts = counts;
+    }
+
+    fn is_resting(&self) -> bool {
+        self.still >= STILL
     }
 
     fn face_next_corner(&mut self) {
@@ -111,7 +133,7 @@ impl FollowPath {
         let error = difference(self.odometry.pose().heading, heading);
         let travel = 0.5 * self.robot.wheel_base * error;
         if travel.abs() < CLOSE_ENOUGH {
-            self.phase = Phase::Drive;
+            self.phase = Phase::Settle;
             return Drive::STOP;
         }
         let wheel = self.braking_speed(travel.abs()).min(self.robot.turn_wheel_speed) * travel.signum();
@@ -154,7 +176,7 @@ impl FollowPath {
         let left_over = BACK_OFF - (self.odometry.pose().position() - from).norm();
         if left_over < CLOSE_ENOUGH {
             match then {
-                AfterBump::TryAgain => self.face_next_corner(),
+                AfterBump::TryAgain => self.phase = Phase::Stop,
                 AfterBump::GiveUp => self.next_piece(),
             }
             return Drive::STOP;
@@ -173,7 +195,20 @@ impl Controller for FollowPath {
         if self.patience < 0.0 && self.phase != Phase::Done {
             self.next_piece();
         }
+        self.watch_wheels(sensed);
         match self.phase {
+            Phase::Stop => {
+                if self.is_resting() {
+                    self.face_next_corner();
+                }
+                Drive::STOP
+            }
+            Phase::Settle => {
+                if self.is_resting() {
+                    self.phase = Phase::Drive;
+                }
+                Drive::STOP
+            }
             Phase::Turn(heading) => self.turn(heading),
             Phase::Drive => self.drive(),
             Phase::BackOff(from, then) => self.back_off(from, then),

@@ -1,10 +1,10 @@
 //! Where a robot can stand, and which floor it can reach from there.
 
-use super::stamp::Stamp;
+use super::{stamp::Stamp, walls::Walls};
 use crate::{
     floorplan::FloorPlan,
-    geometry::{Point, Pose},
-    grid::{Cell, Grid, clearance, reachable},
+    geometry::{Point, Pose, Vector},
+    grid::{Cell, Direction, Grid, clearance, reachable},
     robot::RobotModel,
 };
 
@@ -60,13 +60,11 @@ pub enum FloorError {
 /// The standing places and the floor that one robot can reach from one start.
 #[derive(Debug, Clone)]
 pub struct ReachableFloor {
-    /// Metres per fine cell: the plan's resolution or a whole fraction of it.
+    /// Metres per fine cell: the plan's resolution or a whole fraction of it; for a robot that fills a cell, that cell.
     pub resolution: f64,
-    /// Fine cells per map cell, in each direction.
-    pub refinement: usize,
-    /// Distance from each fine cell's centre to the nearest obstacle, m, up to a little more than the radius.
-    pub clearance: Grid<f32>,
-    /// Fine cells in whose centre the robot can stand, connected with the start.
+    /// The walls as the robot's body meets them.
+    pub walls: Walls,
+    /// Fine cells in whose centre the robot can stand, connected with the start by ways that leave room to steer.
     pub standing: Grid<bool>,
     /// Fine cells that the tool can sweep.
     pub floor: Grid<bool>,
@@ -76,8 +74,6 @@ pub struct ReachableFloor {
     pub start: Pose,
     /// Radius of the tool's disc, m.
     pub tool_radius: f64,
-    /// Radius of the robot's body, m.
-    pub body_radius: f64,
 }
 
 impl ReachableFloor {
@@ -88,34 +84,30 @@ impl ReachableFloor {
         if !occupancy.values().iter().any(|o| o.is_free()) {
             return Err(FloorError::NoFreeCell);
         }
-        let refinement = refinement(plan, robot);
-        let resolution = plan.resolution / refinement as f64;
-        let blocked = refine(&plan.blocked(), refinement);
+        let (blocked, resolution) = if robot.fills_cell {
+            (resample(plan, robot.tool_width), robot.tool_width)
+        } else {
+            let resolution = plan.resolution / refinement(plan) as f64;
+            (resample(plan, resolution), resolution)
+        };
         // Two cells more than the radius: the simulator skips the contact test where there is that much room.
         let field = clearance(&blocked, (robot.radius / resolution) as f32 + 2.0).map(|&c| c * resolution as f32);
-        let needed = robot.radius as f32 - 1e-5;
-        let free = field.map(|&c| c >= needed);
+        let passing = robot.radius + steering_margin(robot.radius) - 1e-5;
+        let free = field.map(|&c| f64::from(c) >= passing);
         let fallback =
             default_start(&free, resolution).ok_or(FloorError::TooNarrow { diameter: 2.0 * robot.radius })?;
         let start = match start.or(plan.start) {
             Some(pose) => check_start(plan, &free, resolution, pose, fallback)?,
             None => fallback,
         };
-        let standing = reachable(&free, cell_at(start.position(), resolution));
+        let start = if robot.fills_cell { in_centre(start, resolution) } else { start };
+        let walls = Walls { clearance: field, resolution, body_radius: robot.radius };
+        let passable = reachable(&free, cell_at(start.position(), resolution));
+        let standing = up_to_walls(&walls, passable);
         let tool_radius = 0.5 * robot.tool_width;
         let floor = sweepable(&standing, &blocked, tool_radius / resolution);
         let floor_cells = floor.count();
-        Ok(Self {
-            resolution,
-            refinement,
-            clearance: field,
-            standing,
-            floor,
-            floor_cells,
-            start,
-            tool_radius,
-            body_radius: robot.radius,
-        })
+        Ok(Self { resolution, walls, standing, floor, floor_cells, start, tool_radius })
     }
 
     /// The fine cell that holds a point; may lie outside.
@@ -135,40 +127,90 @@ impl ReachableFloor {
         self.floor_cells as f64 * self.resolution * self.resolution
     }
 
-    /// Whether the robot can drive from `from` straight to `to`, judged at steps of half a fine cell.
+    /// Whether the robot can drive from `from` straight to `to` over places that it can reach, without touching a wall.
     pub fn is_straight_free(&self, from: Point, to: Point) -> bool {
         let steps = ((to - from).norm() / (0.5 * self.resolution)).ceil().max(1.0);
+        let room = self.walls.body_radius + 0.4 * steering_margin(self.walls.body_radius);
         (0..=steps as u32).all(|i| {
             let point = from + (to - from) * (f64::from(i) / steps);
-            self.standing.is_set(self.cell_at(point))
+            self.standing.is_set(self.cell_at(point)) && self.walls.has_room(point, room)
         })
+    }
+
+    /// Centre of a standing fine cell, moved off the walls beside it by the margin that steering needs.
+    pub fn standing_place(&self, cell: Cell) -> Point {
+        off_walls(&self.walls, &self.standing, cell)
     }
 }
 
-/// Fine cells per map cell: enough to resolve the tool, as far as memory allows.
-fn refinement(plan: &FloorPlan, robot: &RobotModel) -> usize {
-    // A tool of one map cell sweeps exactly the cells it visits: nothing would be gained.
-    if (robot.tool_width - plan.resolution).abs() < 1e-9 {
-        return 1;
+/// Room that a robot needs beside its body to pass, m: no robot steers to the millimetre, so gaps narrower than this are
+/// closed to it. It can still move up to a wall.
+pub(super) fn steering_margin(body_radius: f64) -> f64 {
+    (0.1 * body_radius).min(0.01)
+}
+
+/// Adds the cells at the walls, two deep for the corners, in which the robot has half the margin to steer when it keeps
+/// off the wall: so gaps that are too tight stay closed.
+fn up_to_walls(walls: &Walls, passable: Grid<bool>) -> Grid<bool> {
+    let fits = walls.clearance.map(|&c| f64::from(c) >= walls.body_radius - 1e-5);
+    let room = walls.body_radius + 0.5 * steering_margin(walls.body_radius);
+    let mut standing = passable;
+    for _ in 0..2 {
+        let mut wider = standing.clone();
+        for (cell, _) in standing.iter().filter(|&(_, &stands)| stands) {
+            for next in cell.neighbours() {
+                if fits.is_set(next) && !wider[next] {
+                    wider[next] = walls.has_room(off_walls(walls, &fits, next), room);
+                }
+            }
+        }
+        standing = wider;
     }
+    standing
+}
+
+/// Centre of a cell of `standing`, moved away from those neighbours that aren't by the margin that steering needs.
+fn off_walls(walls: &Walls, standing: &Grid<bool>, cell: Cell) -> Point {
+    let place = centre(cell, walls.resolution);
+    let margin = steering_margin(walls.body_radius);
+    if f64::from(walls.clearance[cell]) >= walls.body_radius + margin {
+        return place;
+    }
+    let stands = |direction| f64::from(u8::from(standing.is_set(cell.step(direction))));
+    let away = |plus, minus| margin * (stands(plus) - stands(minus));
+    place + Vector::new(away(Direction::Right, Direction::Left), away(Direction::Up, Direction::Down))
+}
+
+/// Fine cells per map cell, in each direction: enough to resolve the tool, as far as memory allows.
+fn refinement(plan: &FloorPlan) -> usize {
     let wanted = (plan.resolution / FINE_CELL - 1e-9).ceil().max(1.0) as usize;
     let affordable = ((MAX_FINE_CELLS / plan.occupancy.len().max(1)) as f64).sqrt() as usize;
     wanted.min(affordable.max(1))
 }
 
-/// The same picture with every cell split into `factor` x `factor`.
-fn refine(grid: &Grid<bool>, factor: usize) -> Grid<bool> {
-    if factor == 1 {
-        return grid.clone();
+/// The obstacles on a grid with cells of `resolution` metres: blocked where any map cell under it is, or none.
+fn resample(plan: &FloorPlan, resolution: f64) -> Grid<bool> {
+    let map = plan.blocked();
+    let ratio = resolution / plan.resolution;
+    if (ratio - 1.0).abs() < 1e-9 {
+        return map;
     }
-    let mut fine = Grid::filled(grid.width() * factor, grid.height() * factor, false);
-    let width = fine.width();
-    for (y, row) in fine.values_mut().chunks_mut(width).enumerate() {
-        for (x, value) in row.iter_mut().enumerate() {
-            *value = grid[Cell::new((x / factor) as i32, (y / factor) as i32)];
+    let cells = |n: usize| ((n as f64 / ratio - 1e-6).ceil() as usize).max(1);
+    let (width, height) = (cells(map.width()), cells(map.height()));
+    // Map columns or rows under cell `i`; a hair's breadth of overlap doesn't count.
+    let under = |i: usize| {
+        let low = (i as f64 * ratio + 1e-6).floor() as i32;
+        let high = ((i + 1) as f64 * ratio - 1e-6).floor() as i32;
+        low..=high
+    };
+    let mut grid = Grid::filled(width, height, false);
+    for y in 0..height {
+        for x in 0..width {
+            let is_free = under(y).all(|row| under(x).all(|column| map.get(Cell::new(column, row)) == Some(&false)));
+            grid[Cell::new(x as i32, y as i32)] = !is_free;
         }
     }
-    fine
+    grid
 }
 
 fn cell_at(point: Point, resolution: f64) -> Cell {
@@ -192,8 +234,11 @@ fn check_start(
     let Some(occupancy) = plan.occupancy.get(plan.cell_at(pose.position())) else {
         return Err(FloorError::StartOutside { x, y, width: plan.width_m(), height: plan.height_m() });
     };
-    if free.is_set(cell_at(pose.position(), resolution)) {
-        return Ok(pose);
+    let cell = cell_at(pose.position(), resolution);
+    if free.is_set(cell) {
+        // A free cell promises room around its centre only; elsewhere in it the neighbours have to be free as well.
+        let has_room = cell.block().all(|c| free.is_set(c));
+        return Ok(if has_room { pose } else { in_centre(pose, resolution) });
     }
     let place = nearest(free, resolution, pose.position()).unwrap_or(fallback.position());
     if occupancy.is_free() {
@@ -201,6 +246,12 @@ fn check_start(
     } else {
         Err(FloorError::StartInWall { x, y, free_x: place.x, free_y: place.y })
     }
+}
+
+/// The same heading in the middle of the cell.
+fn in_centre(pose: Pose, resolution: f64) -> Pose {
+    let middle = centre(cell_at(pose.position(), resolution), resolution);
+    Pose::new(middle.x, middle.y, pose.heading)
 }
 
 /// Centre of the cell of `free` that is nearest to `point`.

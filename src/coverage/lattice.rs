@@ -34,23 +34,28 @@ impl Lattice {
             let index = |v: f64, n: usize| ((v / cell_size) as i32).min(n as i32 - 1);
             Cell::new(index(p.x, width), index(p.y, height))
         };
-        let centre = |c: Cell| Point::new((f64::from(c.x) + 0.5) * cell_size, (f64::from(c.y) + 0.5) * cell_size);
-
         let mut free = Grid::filled(width, height, false);
+        for (fine, _) in standing.iter().filter(|&(_, &stands)| stands) {
+            free[planning_cell(floor.centre(fine))] = true;
+        }
+        let targets = Targets {
+            free: &free,
+            cell_size,
+            shift: (2.0 * floor.tool_radius - cell_size).clamp(0.0, 0.5 * cell_size),
+        };
         let mut anchors = Grid::filled(width, height, Point::origin());
         let mut offsets = Grid::filled(width, height, f64::MAX);
         for (fine, _) in standing.iter().filter(|&(_, &stands)| stands) {
             let place = floor.centre(fine);
             let cell = planning_cell(place);
-            let offset = (place - centre(cell)).norm_squared();
+            let offset = (place - targets.of(cell)).norm_squared();
             if offset < offsets[cell] - 1e-12 {
                 offsets[cell] = offset;
                 anchors[cell] = place;
-                free[cell] = true;
             }
         }
         for (cell, _) in free.iter().filter(|&(_, &f)| f) {
-            anchors[cell] = keep_off_walls(floor, anchors[cell]);
+            anchors[cell] = settle(floor, anchors[cell], targets.of(cell));
         }
         let start = planning_cell(floor.start.position());
         let mut lattice = Self { cell_size, free, start, anchors };
@@ -133,7 +138,7 @@ fn way(floor: &ReachableFloor, from: Point, to: Point, margin: f64) -> Option<Ve
     let mut at = from;
     for pair in cells.windows(2).skip(1) {
         if !floor.is_straight_free(at, floor.centre(pair[1])) {
-            at = floor.centre(pair[0]);
+            at = floor.standing_place(pair[0]);
             way.push(at);
         }
     }
@@ -141,19 +146,35 @@ fn way(floor: &ReachableFloor, from: Point, to: Point, margin: f64) -> Option<Ve
     Some(way)
 }
 
-/// Space that a path leaves between body and wall where it can, m: what steering and odometry need.
-const MARGIN: f64 = 0.01;
+/// Where the anchors should be: in the middle of each cell, but towards the wall where there is no cell to go on to.
+struct Targets<'a> {
+    free: &'a Grid<bool>,
+    cell_size: f64,
+    /// As far as the lane beside a wall can move without leaving a strip between it and the next lane, m.
+    shift: f64,
+}
 
-/// Moves the centre of a standing fine cell off the walls beside it by up to [`MARGIN`].
-fn keep_off_walls(floor: &ReachableFloor, place: Point) -> Point {
-    let cell = floor.cell_at(place);
-    let margin = MARGIN.min(0.1 * floor.body_radius);
-    if f64::from(floor.clearance[cell]) >= floor.body_radius + margin {
-        return place;
+impl Targets<'_> {
+    fn of(&self, cell: Cell) -> Point {
+        let is_free = |direction| self.free.is_set(cell.step(direction));
+        let towards_wall = |plus, minus| match (is_free(plus), is_free(minus)) {
+            (false, true) => self.shift,
+            (true, false) => -self.shift,
+            _ => 0.0,
+        };
+        Point::new(
+            (f64::from(cell.x) + 0.5) * self.cell_size + towards_wall(Direction::Right, Direction::Left),
+            (f64::from(cell.y) + 0.5) * self.cell_size + towards_wall(Direction::Up, Direction::Down),
+        )
     }
-    let stands = |direction| floor.standing.is_set(cell.step(direction));
-    let shift = |plus, minus| margin * (f64::from(u8::from(stands(plus))) - f64::from(u8::from(stands(minus))));
-    place + Vector::new(shift(Direction::Right, Direction::Left), shift(Direction::Up, Direction::Down))
+}
+
+/// The target itself if there is room all around it, else `place`, the centre of the standing fine cell nearest to it,
+/// moved off the walls.
+fn settle(floor: &ReachableFloor, place: Point, target: Point) -> Point {
+    let cell = floor.cell_at(place);
+    let has_room = floor.cell_at(target) == cell && cell.block().all(|c| floor.standing.is_set(c));
+    if has_room { target } else { floor.standing_place(cell) }
 }
 
 /// Appends a point, replacing the last one if all three lie on one line in this order.

@@ -9,7 +9,9 @@ mod floor;
 mod lattice;
 mod stamp;
 mod tracker;
+mod walls;
 
 pub use floor::{FloorError, ReachableFloor};
 pub use lattice::Lattice;
 pub use tracker::CoverageTracker;
+pub use walls::Walls;

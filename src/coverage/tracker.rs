@@ -120,6 +120,11 @@ impl CoverageTracker {
         self.visits.get(cell).copied().unwrap_or(0)
     }
 
+    /// Memory taken, bytes.
+    pub fn bytes(&self) -> usize {
+        self.touched.len() * (size_of::<u8>() + size_of::<u32>())
+    }
+
     /// The lowest and highest row that changed since the last call.
     pub fn take_dirty_rows(&mut self) -> Option<(usize, usize)> {
         self.dirty.take()

@@ -33,6 +33,12 @@ impl Cell {
         Direction::ALL.map(|d| self.step(d))
     }
 
+    /// The cell with its eight neighbours, row by row from the lower left.
+    #[inline]
+    pub fn block(self) -> impl Iterator<Item = Self> {
+        (-1..=1).flat_map(move |dy| (-1..=1).map(move |dx| Self::new(self.x + dx, self.y + dy)))
+    }
+
     /// The direction that leads to `next` in one step; `None` unless they are 4-neighbours.
     #[inline]
     pub fn direction_to(self, next: Self) -> Option<Direction> {

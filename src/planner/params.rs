@@ -107,20 +107,36 @@ impl Params {
     ) -> Result<Self, ParamError> {
         let mut params = Self::defaults(specs);
         for (id, value) in given {
-            let spec = specs.iter().find(|s| s.id == id).ok_or_else(|| ParamError::Unknown {
-                id: id.to_owned(),
-                known: match specs.iter().map(|s| s.id).collect::<Vec<_>>().join(", ") {
-                    names if names.is_empty() => "are none here".to_owned(),
-                    names => format!("are: {names}"),
-                },
-            })?;
-            if !spec.kind.accepts(&value) {
-                let expected = spec.kind.to_string();
-                return Err(ParamError::Invalid { id: spec.id, value: value.to_string(), expected });
-            }
-            params.0.insert(spec.id, value);
+            params.set(specs, id, value)?;
         }
         Ok(params)
+    }
+
+    /// Sets one value after checking it against its description in `specs`.
+    pub fn set(&mut self, specs: &[ParamSpec], id: &str, value: ParamValue) -> Result<(), ParamError> {
+        let spec = specs.iter().find(|s| s.id == id).ok_or_else(|| ParamError::Unknown {
+            id: id.to_owned(),
+            known: match specs.iter().map(|s| s.id).collect::<Vec<_>>().join(", ") {
+                names if names.is_empty() => "are none here".to_owned(),
+                names => format!("are: {names}"),
+            },
+        })?;
+        if !spec.kind.accepts(&value) {
+            let expected = spec.kind.to_string();
+            return Err(ParamError::Invalid { id: spec.id, value: value.to_string(), expected });
+        }
+        self.0.insert(spec.id, value);
+        Ok(())
+    }
+
+    /// All values by name.
+    pub fn iter(&self) -> impl Iterator<Item = (&'static str, &ParamValue)> {
+        self.0.iter().map(|(&id, value)| (id, value))
+    }
+
+    /// One value.
+    pub fn get(&self, id: &str) -> Option<&ParamValue> {
+        self.0.get(id)
     }
 
     /// Value of the number `id`; 0 if the planner's own list has no such number, which its tests would show.

@@ -27,6 +27,9 @@ pub struct RobotModel {
     pub turn_wheel_speed: f64,
     /// Side of the planning cells that fits this robot, m.
     pub default_cell: f64,
+    /// Whether it lives on a grid of cells as wide as its tool: a cell is floor only if all of it is free, and standing
+    /// on a cell cleans all of it.
+    pub fills_cell: bool,
 }
 
 impl RobotModel {
@@ -70,7 +73,9 @@ const ROOMBA_600: RobotModel = RobotModel {
     acceleration: 0.8,
     cruise_speed: 0.3,
     turn_wheel_speed: 0.2,
-    default_cell: 0.15,
+    // Lanes overlap by 5 cm: that is how far walls off the lattice move them.
+    default_cell: 0.12,
+    fills_cell: false,
 };
 
 /// The robots that ship.
@@ -97,6 +102,7 @@ pub const fn cell_robot(cell: f64) -> RobotModel {
         cruise_speed: 0.3,
         turn_wheel_speed: 0.2,
         default_cell: cell,
+        fills_cell: true,
     }
 }
 

@@ -7,9 +7,9 @@ use crate::{
     geometry::{Point, Pose, difference},
     robot::{RobotModel, Sensors},
 };
-use std::{collections::VecDeque, sync::Arc};
+use std::sync::Arc;
 
-/// Points of the trail that are kept, and their distance, m.
+/// Most points of the trail that are kept, and their distance, m.
 const TRAIL: (usize, f64) = (600, 0.04);
 
 /// What a run is made of.
@@ -35,7 +35,7 @@ pub struct Run {
     distance_m: f64,
     turning_rad: f64,
     bumps: u32,
-    trail: VecDeque<Point>,
+    trail: Vec<Point>,
 }
 
 impl Run {
@@ -45,7 +45,7 @@ impl Run {
         let mut tracker = CoverageTracker::new(&floor);
         tracker.sweep_to(&floor, floor.start.position());
         let robot = SimRobot::new(&setup.robot, floor.start, Slip::new(setup.slip, setup.seed));
-        let trail = VecDeque::from([floor.start.position()]);
+        let trail = vec![floor.start.position()];
         Self { floor, robot, controller, tracker, steps: 0, distance_m: 0.0, turning_rad: 0.0, bumps: 0, trail }
     }
 
@@ -56,7 +56,7 @@ impl Run {
         }
         let (before, was_bumped) = (self.robot.pose(), self.robot.sensors().bumped());
         let drive = self.controller.step(&self.robot.sensors(), STEP_S);
-        self.robot.step(&self.floor, drive);
+        self.robot.step(&self.floor.walls, drive);
         let pose = self.robot.pose();
         self.steps += 1;
         self.distance_m += (pose.position() - before.position()).norm();
@@ -67,11 +67,11 @@ impl Run {
     }
 
     fn extend_trail(&mut self, at: Point) {
-        if self.trail.back().is_none_or(|last| (at - last).norm_squared() > TRAIL.1 * TRAIL.1) {
+        if self.trail.last().is_none_or(|last| (at - last).norm_squared() > TRAIL.1 * TRAIL.1) {
             if self.trail.len() == TRAIL.0 {
-                self.trail.pop_front();
+                self.trail.drain(..TRAIL.0 / 4);
             }
-            self.trail.push_back(at);
+            self.trail.push(at);
         }
     }
 
@@ -145,8 +145,13 @@ impl Run {
     }
 
     /// The last metres that the robot drove, oldest first, m.
-    pub fn trail(&self) -> &VecDeque<Point> {
+    pub fn trail(&self) -> &[Point] {
         &self.trail
+    }
+
+    /// Roughly the memory that a clone takes, bytes.
+    pub fn bytes(&self) -> usize {
+        self.tracker.bytes() + TRAIL.0 * size_of::<Point>()
     }
 
     /// A number that two runs share only if they are in the same state, to the last bit (FNV-1a).

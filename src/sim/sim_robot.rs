@@ -2,7 +2,7 @@
 
 use super::{STEP_S, Slip, contact};
 use crate::{
-    coverage::ReachableFloor,
+    coverage::Walls,
     geometry::{Pose, Vector, difference},
     math,
     robot::{Drive, OdometryModel, RobotModel, Sensors, advance},
@@ -49,7 +49,7 @@ impl SimRobot {
     }
 
     /// One step of [`STEP_S`] with the wheels told to turn at `drive`.
-    pub fn step(&mut self, floor: &ReachableFloor, drive: Drive) {
+    pub fn step(&mut self, walls: &Walls, drive: Drive) {
         let speed = Drive {
             left: self.approach(self.speed.left, drive.left),
             right: self.approach(self.speed.right, drive.right),
@@ -62,7 +62,7 @@ impl SimRobot {
 
         let (real_left, real_right) = self.slip.apply(left, right);
         let moved = advance(self.pose, real_left, real_right, self.model.wheel_base, OdometryModel::Arc);
-        let contact = contact::resolve(floor, moved.position(), self.model.radius);
+        let contact = contact::resolve(walls, moved.position(), self.model.radius);
         self.pose = Pose { x: contact.position.x, y: contact.position.y, heading: moved.heading };
         (self.sensors.bump_left, self.sensors.bump_right) = self.bumper(contact.touch);
         self.sensors.left_counts = self.counts(self.rolled.0);

@@ -1,9 +1,25 @@
 //! The only code that knows wasm-bindgen, web-sys and js-sys.
+//!
+//! The boundary is coarse: one `Playground` on the page, one `plan` in a worker, a handful of calls a frame.
 
+mod bench;
+mod canvas;
+mod catalogue;
+mod plan_job;
+mod playground;
+
+use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
-/// Version of the crate.
 #[wasm_bindgen]
-pub fn version() -> String {
-    env!("CARGO_PKG_VERSION").to_owned()
+extern "C" {
+    /// Milliseconds since the page or worker started.
+    #[wasm_bindgen(js_namespace = performance, js_name = now)]
+    fn clock() -> f64;
+}
+
+/// A value as a plain JavaScript object.
+fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
+    let serializer = serde_wasm_bindgen::Serializer::json_compatible();
+    value.serialize(&serializer).map_err(|e| JsValue::from(e.to_string()))
 }

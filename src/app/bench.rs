@@ -1,0 +1,85 @@
+//! The benchmark that runs natively (`robovac bench`) and in the browser (`bench.html`), so that both can be compared.
+
+use super::Session;
+use crate::{
+    floorplan::generate::random_hall,
+    grid::{Cell, Direction, Grid},
+    planner::{CoverageJob, PLANNERS, Params, PlanContext},
+    sim::{Run, STEP_S},
+};
+use serde::Serialize;
+
+/// Runs of each case; the median is reported.
+const RUNS: usize = 5;
+/// Steps of the simulator's case: half an hour, less than the flat takes.
+const SIMULATED_STEPS: u32 = 120_000;
+
+/// One case's result.
+#[derive(Debug, Clone, Serialize)]
+pub struct BenchResult {
+    /// What was measured.
+    pub name: String,
+    /// Median time, s.
+    pub seconds: f64,
+    /// Times real time, for the simulator.
+    pub times_real_time: Option<f64>,
+}
+
+/// Runs all cases. `clock` gives seconds; `report` is told each result as it comes.
+pub fn run(clock: &dyn Fn() -> f64, report: &mut dyn FnMut(&BenchResult)) -> Vec<BenchResult> {
+    let mut results = Vec::new();
+    let mut take = |name: String, case: &mut dyn FnMut(), simulated: Option<f64>| {
+        let mut times: Vec<f64> = (0..RUNS)
+            .map(|_| {
+                let began = clock();
+                case();
+                clock() - began
+            })
+            .collect();
+        times.sort_by(f64::total_cmp);
+        let seconds = times[RUNS / 2];
+        let result = BenchResult { name, seconds, times_real_time: simulated.map(|s| s / seconds) };
+        report(&result);
+        results.push(result);
+    };
+    for side in [100, 1000] {
+        let job = hall(side);
+        for info in PLANNERS {
+            let planner = (info.build)(&Params::defaults(info.params));
+            let name = format!("plan {} {side} x {side}", info.id);
+            take(name, &mut || drop(planner.plan(&job, &mut PlanContext::new(1))), None);
+        }
+    }
+    if let Some(start) = opening_run() {
+        let mut simulate = || {
+            let mut run = start.clone();
+            for _ in 0..SIMULATED_STEPS {
+                run.step();
+            }
+        };
+        take("simulate the furnished flat".to_owned(), &mut simulate, Some(SIMULATED_STEPS as f64 * STEP_S));
+    }
+    results
+}
+
+/// The job of a hall of `side` x `side` cells, a tenth of it blocked by rectangles.
+pub fn hall(side: usize) -> CoverageJob {
+    let free = random_hall(side, side, 1);
+    let start = free.iter().find(|&(_, &is_free)| is_free).map(|(cell, _)| cell);
+    let job = start.and_then(|start| CoverageJob::new(&free, start, Direction::Right));
+    // A hall without a free cell would be the generator's mistake; an empty hall is then the honest stand-in.
+    job.unwrap_or_else(|| CoverageJob {
+        free: Grid::filled(side, side, true),
+        start: Cell::new(0, 0),
+        heading: Direction::Right,
+        step_s: 1.0,
+        turn_s: 2.0,
+    })
+}
+
+/// A Roomba about to clean the furnished flat, as the page opens with it.
+fn opening_run() -> Option<Run> {
+    let mut session = Session::new();
+    session.plan_now(|| 0.0);
+    session.recording().map(|recording| recording.run().clone())
+}

@@ -1,0 +1,575 @@
+//! One user's session: a room, a robot, a planner, a run.
+
+use super::{
+    Action, Brush, Editor, PlanRequest, Planned, Prepared, Recording, Settings, SettingsError, State, View,
+    view::{Can, PlanView, RoomView},
+};
+use crate::{
+    controller::FollowPath,
+    floorplan::{self, FloorPlan, MapError, SourceFile},
+    geometry::{Point, Pose},
+    grid::Cell,
+    planner::{PlanContext, PlanError},
+    robot::OdometryModel,
+    sim::{Run, RunSetup, STEP_S},
+};
+use std::sync::Arc;
+
+/// Longest time between two frames that is made up for, s: after a pause of the browser the robot doesn't leap.
+const LONGEST_FRAME: f64 = 0.1;
+
+/// Room, settings, plan and run, and what may be done with them.
+///
+/// The session has no clock and no thread: [`Session::frame`] is told how much time has passed and asks whether it may
+/// go on; planning happens wherever [`Session::take_plan_request`] is served.
+pub struct Session {
+    settings: Settings,
+    editor: Editor,
+    prepared: Option<Prepared>,
+    planning: Option<Planning>,
+    planned: Option<Planned>,
+    recording: Option<Recording>,
+    playing: bool,
+    /// Simulation steps that are due but not done.
+    due: f64,
+    speed_factor: f64,
+    requests: u32,
+    message: Option<Message>,
+}
+
+/// A planner at work elsewhere.
+struct Planning {
+    request: Option<PlanRequest>,
+    id: u32,
+    progress: f64,
+    so_far: Vec<Cell>,
+}
+
+/// Something to tell the user.
+#[derive(Debug, Clone)]
+struct Message {
+    kind: &'static str,
+    text: String,
+}
+
+impl Session {
+    /// The opening scene: the furnished flat, about to be cleaned.
+    pub fn new() -> Self {
+        let room = &floorplan::ROOMS[0];
+        let mut session = Self {
+            settings: Settings::new(),
+            editor: Editor::new((room.build)(), Some(room.id)),
+            prepared: None,
+            planning: None,
+            planned: None,
+            recording: None,
+            playing: true,
+            due: 0.0,
+            speed_factor: 0.0,
+            requests: 0,
+            message: None,
+        };
+        session.prepare();
+        session
+    }
+
+    // ---- what is shown
+
+    /// What the session is doing.
+    pub fn state(&self) -> State {
+        if self.planning.is_some() {
+            return State::Planning;
+        }
+        let Some(recording) = &self.recording else { return State::Failed };
+        match recording.run() {
+            _ if recording.is_seeking() => State::Seeking,
+            run if run.is_finished() => State::Finished,
+            _ if self.playing => State::Playing,
+            run if run.steps() == 0 => State::Ready,
+            _ => State::Paused,
+        }
+    }
+
+    /// The room, its walls as they are now.
+    pub fn plan(&self) -> &Arc<FloorPlan> {
+        self.editor.plan()
+    }
+
+    /// Grows with every change of walls.
+    pub fn plan_version(&self) -> u64 {
+        self.editor.version()
+    }
+
+    /// The room laid out for the robot; `None` if it doesn't fit.
+    pub fn prepared(&self) -> Option<&Prepared> {
+        self.prepared.as_ref()
+    }
+
+    /// The plan, once there is one.
+    pub fn planned(&self) -> Option<&Planned> {
+        self.planned.as_ref()
+    }
+
+    /// Number of the latest planning request; changes whenever the plan does.
+    pub fn plan_id(&self) -> u32 {
+        self.requests
+    }
+
+    /// The best walk so far while a planner is at work.
+    pub fn so_far(&self) -> &[Cell] {
+        self.planning.as_ref().map_or(&[], |p| &p.so_far)
+    }
+
+    /// The run.
+    pub fn recording(&self) -> Option<&Recording> {
+        self.recording.as_ref()
+    }
+
+    /// Rows of the fine grid that were swept since the last call, lowest and highest.
+    pub fn take_changed_rows(&mut self) -> Option<(usize, usize)> {
+        self.recording.as_mut()?.run_mut().tracker_mut().take_dirty_rows()
+    }
+
+    /// One or two sentences that stand for the picture.
+    pub fn description(&self) -> String {
+        let view = self.view();
+        let room = format!("{}, {:.1} m by {:.1} m", view.room.title, view.room.width_m, view.room.height_m);
+        let doing = match view.state {
+            State::Failed => "there is no plan to drive",
+            State::Planning => "a path is being planned",
+            State::Ready => "the robot stands at the start",
+            State::Playing => "the robot is cleaning",
+            State::Paused | State::Seeking => "the robot stands still",
+            State::Finished => "the run is over",
+        };
+        format!(
+            "Floor plan of {room}. {} planner: {doing}, {:.0} % of the reachable floor is clean after {:.0} minutes.",
+            self.settings.planner.title,
+            100.0 * view.coverage,
+            view.time_s / 60.0
+        )
+    }
+
+    /// Everything chosen but the room.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// Snapshot in numbers and words.
+    pub fn view(&self) -> View {
+        let state = self.state();
+        let run = self.recording.as_ref().map(Recording::run);
+        let plan = self.plan();
+        View {
+            state,
+            can: self.can(state),
+            message: self.message.as_ref().map(|m| m.text.clone()).unwrap_or_default(),
+            message_kind: self.message.as_ref().map_or("", |m| m.kind),
+            room: RoomView {
+                id: self.editor.room().unwrap_or(""),
+                title: plan.name.clone(),
+                note: plan.note.clone(),
+                width_m: plan.width_m(),
+                height_m: plan.height_m(),
+                resolution_m: plan.resolution,
+                cells: plan.occupancy.len(),
+                reachable_m2: self.prepared.as_ref().map_or(0.0, |p| p.floor.area()),
+            },
+            robot: self.settings.robot,
+            planner: self.settings.planner.id,
+            params: self.settings.params.clone(),
+            cell_size_m: self.settings.cell_size,
+            seed: self.settings.seed,
+            slip: self.settings.slip.id(),
+            odometry: match self.settings.odometry {
+                OdometryModel::Arc => "arc",
+                OdometryModel::Straight => "straight",
+            },
+            speed: self.settings.speed,
+            speed_factor: self.speed_factor,
+            time_s: run.map_or(0.0, Run::time_s),
+            run_end_s: self.recording.as_ref().map_or(0.0, Recording::end_s),
+            coverage: run.map_or(0.0, Run::coverage),
+            overlap: run.map_or(0.0, |r| r.tracker().overlap()),
+            distance_m: run.map_or(0.0, Run::distance_m),
+            turning_deg: run.map_or(0.0, |r| r.turning_rad().to_degrees()),
+            bumps: run.map_or(0, Run::bumps),
+            pose_error_m: run.and_then(pose_error).unwrap_or(0.0),
+            plan: self.plan_view(),
+        }
+    }
+
+    fn can(&self, state: State) -> Can {
+        Can {
+            play: state.allows(Action::Play),
+            pause: state.allows(Action::Pause),
+            step: state.allows(Action::Step),
+            reset: state.allows(Action::Reset),
+            cancel: state.allows(Action::Cancel),
+            seek: state.allows(Action::Seek),
+            edit: state.allows(Action::Edit),
+            undo: self.editor.can_undo(),
+            redo: self.editor.can_redo(),
+        }
+    }
+
+    fn plan_view(&self) -> Option<PlanView> {
+        if let Some(planning) = &self.planning {
+            return Some(PlanView {
+                running: true,
+                progress: planning.progress,
+                walk: None,
+                drive: None,
+                planning_s: 0.0,
+            });
+        }
+        self.planned.as_ref().map(|planned| PlanView {
+            running: false,
+            progress: 1.0,
+            walk: Some(planned.walk),
+            drive: Some(planned.drive),
+            planning_s: planned.planning_s,
+        })
+    }
+
+    // ---- planning
+
+    /// The plan that has to be made, once. Serve it wherever there is time, and answer with the methods below.
+    pub fn take_plan_request(&mut self) -> Option<PlanRequest> {
+        self.planning.as_mut()?.request.take()
+    }
+
+    /// Makes the plan here and now; for small rooms and tests. `clock` gives seconds.
+    pub fn plan_now(&mut self, clock: impl Fn() -> f64) {
+        let Some(request) = self.take_plan_request() else { return };
+        let began = clock();
+        let planner = (self.settings.planner.build)(&request.params);
+        match planner.plan(&request.job, &mut PlanContext::new(request.seed)) {
+            Ok(path) => self.plan_finished(request.id, path.cells, clock() - began),
+            Err(PlanError::Cancelled) => self.cancel_plan(),
+        }
+    }
+
+    /// A planner reports how far it is, 0 to 1, and its best walk so far.
+    pub fn plan_progress(&mut self, id: u32, done: f64, so_far: Vec<Cell>) {
+        if let Some(planning) = self.planning.as_mut().filter(|p| p.id == id) {
+            planning.progress = done;
+            planning.so_far = so_far;
+        }
+    }
+
+    /// A planner is done.
+    pub fn plan_finished(&mut self, id: u32, cells: Vec<Cell>, seconds: f64) {
+        if self.planning.as_ref().is_none_or(|p| p.id != id) {
+            return;
+        }
+        self.planning = None;
+        if let Some(prepared) = &self.prepared {
+            self.planned = Some(Planned::new(prepared, cells, seconds));
+            self.start_run();
+        }
+    }
+
+    /// A planner gave up.
+    pub fn plan_failed(&mut self, id: u32, text: &str) {
+        if self.planning.as_ref().is_some_and(|p| p.id == id) {
+            self.planning = None;
+            self.say("error", format!("The planner failed: {text}. Try another planner or room."));
+        }
+    }
+
+    /// The user doesn't want to wait for the planner.
+    pub fn cancel_plan(&mut self) {
+        if self.planning.take().is_some() {
+            self.playing = false;
+            self.say("notice", "Planning was cancelled. Choose a planner or room to plan again.".into());
+        }
+    }
+
+    /// Lays the room out anew and asks for a plan.
+    fn prepare(&mut self) {
+        self.planned = None;
+        self.recording = None;
+        self.planning = None;
+        self.due = 0.0;
+        let robot = self.settings.robot_model();
+        match Prepared::new(self.editor.plan(), &robot, self.settings.cell_size, self.editor.start()) {
+            Ok(prepared) => {
+                self.requests += 1;
+                self.planning = Some(Planning {
+                    id: self.requests,
+                    progress: 0.0,
+                    so_far: Vec::new(),
+                    request: Some(PlanRequest {
+                        id: self.requests,
+                        planner: self.settings.planner.id,
+                        params: self.settings.params.clone(),
+                        seed: self.settings.seed,
+                        job: prepared.job.clone(),
+                    }),
+                });
+                self.prepared = Some(prepared);
+            }
+            Err(error) => {
+                self.prepared = None;
+                self.say("error", sentence(&error.to_string()));
+            }
+        }
+    }
+
+    fn start_run(&mut self) {
+        let (Some(prepared), Some(planned)) = (&self.prepared, &self.planned) else { return };
+        let setup = RunSetup {
+            floor: Arc::clone(&prepared.floor),
+            robot: prepared.robot.clone(),
+            slip: self.settings.slip,
+            seed: self.settings.seed,
+        };
+        let line = Arc::clone(&planned.line);
+        let follower = FollowPath::new(&setup.robot, self.settings.odometry, setup.floor.start, line);
+        self.recording = Some(Recording::new(Run::new(&setup, Box::new(follower))));
+    }
+
+    // ---- time
+
+    /// Lets `elapsed_s` seconds pass, as long as `has_time` says so.
+    pub fn frame(&mut self, elapsed_s: f64, has_time: &mut dyn FnMut() -> bool) {
+        let state = self.state();
+        let Some(recording) = &mut self.recording else { return };
+        match state {
+            State::Seeking => recording.seek_on(has_time),
+            State::Playing => {
+                let elapsed = elapsed_s.clamp(0.0, LONGEST_FRAME);
+                let unlimited = self.settings.speed == 0.0;
+                self.due += elapsed * self.settings.speed / STEP_S;
+                let wanted = if unlimited { u64::MAX } else { self.due as u64 };
+                let taken = recording.advance(wanted, has_time);
+                // What couldn't be done in time isn't made up for: the achieved speed says so instead.
+                self.due = if taken == wanted { self.due.fract() } else { 0.0 };
+                if elapsed > 0.0 {
+                    let factor = taken as f64 * STEP_S / elapsed;
+                    self.speed_factor += 0.1 * (factor - self.speed_factor);
+                }
+                if recording.run().is_finished() {
+                    self.playing = false;
+                }
+            }
+            _ => self.speed_factor = 0.0,
+        }
+    }
+
+    /// Simulates the next `seconds` at once, without a frame.
+    pub fn run_ahead(&mut self, seconds: f64) {
+        if let Some(recording) = &mut self.recording {
+            recording.advance((seconds / STEP_S) as u64, &mut || true);
+        }
+    }
+
+    /// Lets time go on; from the start if the run was over.
+    pub fn play(&mut self) {
+        if self.state() == State::Finished {
+            self.reset();
+        }
+        self.playing = true;
+        self.message = None;
+    }
+
+    /// Stops time.
+    pub fn pause(&mut self) {
+        self.playing = false;
+        if let Some(recording) = &mut self.recording {
+            recording.stop_seeking();
+        }
+    }
+
+    /// Goes on by one move: one planning cell or one turn, at most five seconds.
+    pub fn step(&mut self) {
+        let allowed = self.state().allows(Action::Step);
+        self.pause();
+        let Some(recording) = self.recording.as_mut().filter(|_| allowed) else { return };
+        let goal = recording.run().distance_m() + self.settings.cell_size;
+        let turning = recording.run().turning_rad();
+        for _ in 0..(5.0 / STEP_S) as u32 {
+            recording.step();
+            let run = recording.run();
+            if run.is_finished() || run.distance_m() >= goal || run.turning_rad() - turning > 1.5 {
+                break;
+            }
+        }
+    }
+
+    /// Back to the start, time standing still.
+    pub fn reset(&mut self) {
+        self.pause();
+        self.seek(0.0);
+    }
+
+    /// Goes to another point of the time simulated so far, s.
+    pub fn seek(&mut self, time_s: f64) {
+        if let Some(recording) = &mut self.recording {
+            recording.seek(time_s);
+            // The state right at a key frame, the start above all, is there at once; the rest follows with the frames.
+            recording.seek_on(&mut || false);
+        }
+    }
+
+    // ---- choices
+
+    /// Chooses a room that ships.
+    pub fn select_room(&mut self, id: &str) -> Result<(), SettingsError> {
+        let known = || floorplan::ROOMS.iter().map(|r| r.id).collect::<Vec<_>>().join(", ");
+        let room = floorplan::room(id).ok_or_else(|| SettingsError::Unknown {
+            kind: "room",
+            id: id.to_owned(),
+            known: known(),
+        })?;
+        self.message = None;
+        self.editor.replace((room.build)(), Some(room.id));
+        self.prepare();
+        Ok(())
+    }
+
+    /// Changes the settings; if `change` fails, everything stays as it was.
+    pub fn configure(
+        &mut self,
+        change: impl FnOnce(&mut Settings) -> Result<(), SettingsError>,
+    ) -> Result<(), SettingsError> {
+        let mut settings = self.settings.clone();
+        change(&mut settings)?;
+        self.settings = settings;
+        self.message = None;
+        self.prepare();
+        Ok(())
+    }
+
+    /// Sets the speed, times real time; 0 for as fast as it goes.
+    pub fn set_speed(&mut self, times: f64) {
+        self.settings.speed = if times.is_finite() { times.max(0.0) } else { 0.0 };
+        self.due = 0.0;
+    }
+
+    /// Takes a map or scenario from files that belong together. On an error the room stays as it was.
+    pub fn load(&mut self, files: &[SourceFile]) -> Result<(), MapError> {
+        let plan = floorplan::load(files)?;
+        self.message = None;
+        self.editor.replace(plan, None);
+        self.prepare();
+        Ok(())
+    }
+
+    /// Takes a link's `key=value` pairs, joined by `&`. On an error everything stays as it was.
+    pub fn restore(&mut self, link: &str) -> Result<(), SettingsError> {
+        let mut settings = self.settings.clone();
+        let mut room = None;
+        for pair in link.trim_start_matches('#').split('&').filter(|p| !p.is_empty()) {
+            let (key, value) = pair.split_once('=').unwrap_or((pair, ""));
+            if key == "room" {
+                room = Some(value);
+            } else {
+                settings.take_link(key, value)?;
+            }
+        }
+        if let Some(id) = room {
+            self.select_room(id)?;
+        }
+        let start = settings.start.take();
+        self.settings = settings;
+        if start.is_some() {
+            self.editor.set_start(start);
+        }
+        self.prepare();
+        Ok(())
+    }
+
+    /// The session as a link's `key=value` pairs; walls drawn by hand aren't in it.
+    pub fn link(&self) -> String {
+        let mut settings = self.settings.clone();
+        settings.start = self.editor.start();
+        let room = self.editor.room().map(|id| ("room".to_owned(), id.to_owned()));
+        let pairs = room.into_iter().chain(settings.to_link());
+        pairs.map(|(key, value)| format!("{key}={value}")).collect::<Vec<_>>().join("&")
+    }
+
+    // ---- drawing
+
+    /// Begins to draw or erase walls at a point in metres.
+    pub fn begin_stroke(&mut self, brush: Brush, at: Point) {
+        self.editor.begin(brush, at);
+    }
+
+    /// Goes on drawing to a point in metres.
+    pub fn go_on_stroke(&mut self, at: Point) {
+        self.editor.go_on(at);
+    }
+
+    /// Ends drawing and plans anew.
+    pub fn end_stroke(&mut self) {
+        if self.editor.end() {
+            self.message = None;
+            self.prepare();
+        }
+    }
+
+    /// Moves the start; if the robot can't stand there, says so and leaves it.
+    pub fn move_start(&mut self, to: Pose) {
+        let robot = self.settings.robot_model();
+        match Prepared::new(self.editor.plan(), &robot, self.settings.cell_size, Some(to)) {
+            Ok(prepared) => {
+                self.message = None;
+                self.editor.set_start(Some(prepared.floor.start));
+                self.prepare();
+            }
+            Err(error) => self.say("error", sentence(&error.to_string())),
+        }
+    }
+
+    /// Takes the last change of the room back.
+    pub fn undo(&mut self) {
+        if self.editor.undo() {
+            self.message = None;
+            self.prepare();
+        }
+    }
+
+    /// Makes the last undone change again.
+    pub fn redo(&mut self) {
+        if self.editor.redo() {
+            self.message = None;
+            self.prepare();
+        }
+    }
+
+    /// Tells the user that something went wrong outside.
+    pub fn report_error(&mut self, text: &str) {
+        self.say("error", sentence(text));
+    }
+
+    /// Takes the message away.
+    pub fn dismiss(&mut self) {
+        self.message = None;
+    }
+
+    fn say(&mut self, kind: &'static str, text: String) {
+        self.message = Some(Message { kind, text });
+    }
+}
+
+impl Default for Session {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// Distance between truth and belief, m.
+fn pose_error(run: &Run) -> Option<f64> {
+    run.estimate().map(|estimate| (estimate.position() - run.pose().position()).norm())
+}
+
+/// An error's text as a sentence.
+fn sentence(text: &str) -> String {
+    let mut chars = text.chars();
+    let first = chars.next().map(|c| c.to_uppercase().to_string()).unwrap_or_default();
+    let rest: String = chars.collect();
+    let stop = if rest.ends_with(['.', '!', '?']) { "" } else { "." };
+    format!("{first}{rest}{stop}")
+}

@@ -1,0 +1,224 @@
+//! What the user has chosen, and how that is written in a link.
+
+use crate::{
+    geometry::Pose,
+    planner::{self, ParamError, Params, PlannerInfo},
+    robot::{OdometryModel, RobotModel, cell_robot, model},
+    sim::SlipLevel,
+};
+
+/// Sides of planning cells that are offered, m.
+pub const CELL_SIZES: [f64; 8] = [0.1, 0.12, 0.15, 0.2, 0.25, 0.3, 0.35, 0.5];
+/// Speeds that are offered, times real time; 0 stands for as fast as it goes.
+pub const SPEEDS: [f64; 7] = [1.0, 4.0, 16.0, 64.0, 256.0, 1024.0, 0.0];
+
+/// Everything that determines a run, but for the room.
+#[derive(Debug, Clone)]
+pub struct Settings {
+    /// The planner.
+    pub planner: &'static PlannerInfo,
+    /// Its parameters.
+    pub params: Params,
+    /// Id of the robot.
+    pub robot: &'static str,
+    /// Side of the planning cells, m.
+    pub cell_size: f64,
+    /// Seed of everything random.
+    pub seed: u64,
+    /// How well the wheels hold.
+    pub slip: SlipLevel,
+    /// How the follower computes its pose.
+    pub odometry: OdometryModel,
+    /// Start chosen by the user, if not the room's own.
+    pub start: Option<Pose>,
+    /// Times real time; 0 for as fast as it goes.
+    pub speed: f64,
+}
+
+/// Why a setting can't be taken.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SettingsError {
+    /// No such planner, robot, room, ...
+    #[error("there is no {kind} \"{id}\"; there are: {known}")]
+    Unknown {
+        /// What was looked for.
+        kind: &'static str,
+        /// The name given.
+        id: String,
+        /// The names that exist.
+        known: String,
+    },
+    /// A number isn't one or is out of range.
+    #[error("{kind} can't be \"{value}\"; it takes {expected}")]
+    Invalid {
+        /// Which setting.
+        kind: &'static str,
+        /// The value given.
+        value: String,
+        /// What it takes.
+        expected: &'static str,
+    },
+    /// A planner's parameter.
+    #[error(transparent)]
+    Param(#[from] ParamError),
+}
+
+impl Settings {
+    /// What the page opens with.
+    pub fn new() -> Self {
+        let planner = planner::PLANNERS[0];
+        let planner = planner::find("boustrophedon").unwrap_or(planner);
+        Self {
+            planner,
+            params: Params::defaults(planner.params),
+            robot: "roomba600",
+            cell_size: 0.12,
+            seed: 1,
+            slip: SlipLevel::None,
+            odometry: OdometryModel::Arc,
+            start: None,
+            speed: 16.0,
+        }
+    }
+
+    /// Chooses a planner, with its default parameters.
+    pub fn select_planner(&mut self, id: &str) -> Result<(), SettingsError> {
+        let known = || planner::PLANNERS.iter().map(|p| p.id).collect::<Vec<_>>().join(", ");
+        self.planner =
+            planner::find(id).ok_or_else(|| SettingsError::Unknown { kind: "planner", id: id.into(), known: known() })?;
+        self.params = Params::defaults(self.planner.params);
+        Ok(())
+    }
+
+    /// Chooses a robot, with the cell size that fits it.
+    pub fn select_robot(&mut self, id: &str) -> Result<(), SettingsError> {
+        let known = || crate::robot::MODELS.iter().map(|m| m.id).collect::<Vec<_>>().join(", ");
+        let chosen =
+            model(id).ok_or_else(|| SettingsError::Unknown { kind: "robot", id: id.into(), known: known() })?;
+        self.robot = chosen.id;
+        self.cell_size = chosen.default_cell;
+        Ok(())
+    }
+
+    /// Chooses the side of the planning cells, m.
+    pub fn set_cell_size(&mut self, metres: f64) -> Result<(), SettingsError> {
+        if !(0.02..=2.0).contains(&metres) {
+            let expected = "a length from 0.02 to 2 (metres)";
+            return Err(SettingsError::Invalid { kind: "the cell size", value: metres.to_string(), expected });
+        }
+        self.cell_size = metres;
+        Ok(())
+    }
+
+    /// Sets one parameter of the planner from what a form or a link says.
+    pub fn set_param(&mut self, id: &str, text: &str) -> Result<(), SettingsError> {
+        let specs = self.planner.params;
+        let parsed = specs.iter().find(|s| s.id == id).map(|s| s.kind.parse(text));
+        let value = parsed.unwrap_or_else(|| planner::ParamValue::Choice(text.to_owned()));
+        let mut params = self.params.clone();
+        params.set(specs, id, value)?;
+        self.params = params;
+        Ok(())
+    }
+
+    /// Chooses how well the wheels hold.
+    pub fn set_slip(&mut self, id: &str) -> Result<(), SettingsError> {
+        let known = || SlipLevel::ALL.map(|(_, name)| name).join(", ");
+        self.slip =
+            SlipLevel::parse(id).ok_or_else(|| SettingsError::Unknown { kind: "slip", id: id.into(), known: known() })?;
+        Ok(())
+    }
+
+    /// Chooses how the follower computes its pose.
+    pub fn set_odometry(&mut self, id: &str) -> Result<(), SettingsError> {
+        self.odometry = match id {
+            "arc" => OdometryModel::Arc,
+            "straight" => OdometryModel::Straight,
+            _ => {
+                let known = "arc, straight".to_owned();
+                return Err(SettingsError::Unknown { kind: "odometry model", id: id.into(), known });
+            }
+        };
+        Ok(())
+    }
+
+    /// The robot, which for the idealised one depends on the size of a cell.
+    pub fn robot_model(&self) -> RobotModel {
+        match model(self.robot) {
+            Some(robot) if robot.id != "cell" => robot.clone(),
+            _ => cell_robot(self.cell_size),
+        }
+    }
+
+    /// The settings as `key=value` pairs for a link; what is as it was at first is left out.
+    pub fn to_link(&self) -> Vec<(String, String)> {
+        let default = Self::new();
+        let mut pairs = Vec::new();
+        let mut push = |key: &str, value: String| pairs.push((key.to_owned(), value));
+        push("planner", self.planner.id.to_owned());
+        let defaults = Params::defaults(self.planner.params);
+        for (id, value) in self.params.iter().filter(|&(id, value)| defaults.get(id) != Some(value)) {
+            push(&format!("p.{id}"), value.to_string());
+        }
+        push("robot", self.robot.to_owned());
+        push("cell", self.cell_size.to_string());
+        if self.seed != default.seed {
+            push("seed", self.seed.to_string());
+        }
+        if self.slip != default.slip {
+            push("slip", self.slip.id().to_owned());
+        }
+        if self.odometry != default.odometry {
+            push("odometry", "straight".to_owned());
+        }
+        if let Some(start) = self.start {
+            push("start", format!("{:.3},{:.3},{:.1}", start.x, start.y, start.heading.to_degrees()));
+        }
+        if self.speed != default.speed {
+            push("speed", self.speed.to_string());
+        }
+        pairs
+    }
+
+    /// Takes one `key=value` pair of a link; `false` if the key isn't one of these settings.
+    pub fn take_link(&mut self, key: &str, value: &str) -> Result<bool, SettingsError> {
+        let number = |kind, expected| {
+            let wrong = || SettingsError::Invalid { kind, value: value.to_owned(), expected };
+            value.parse::<f64>().ok().filter(|n| n.is_finite()).ok_or_else(wrong)
+        };
+        match key {
+            "planner" => self.select_planner(value)?,
+            "robot" => self.select_robot(value)?,
+            "cell" => self.set_cell_size(number("the cell size", "a length from 0.02 to 2 (metres)")?)?,
+            "seed" => {
+                let expected = "a whole number from 0 to 4294967295";
+                let wrong = || SettingsError::Invalid { kind: "the seed", value: value.to_owned(), expected };
+                self.seed = value.parse::<u32>().map(u64::from).map_err(|_| wrong())?;
+            }
+            "slip" => self.set_slip(value)?,
+            "odometry" => self.set_odometry(value)?,
+            "speed" => self.speed = number("the speed", "a number, 0 for as fast as it goes")?.max(0.0),
+            "start" => {
+                let expected = "x,y,heading in metres and degrees, e.g. 1.2,0.8,90";
+                let wrong = || SettingsError::Invalid { kind: "the start", value: value.to_owned(), expected };
+                let numbers: Vec<f64> = value.split(',').filter_map(|n| n.trim().parse().ok()).collect();
+                let [x, y, heading] = numbers[..] else { return Err(wrong()) };
+                if !(x.is_finite() && y.is_finite() && heading.is_finite()) {
+                    return Err(wrong());
+                }
+                self.start = Some(Pose::new(x, y, heading.to_radians()));
+            }
+            _ => match key.strip_prefix("p.") {
+                Some(id) => self.set_param(id, value)?,
+                None => return Ok(false),
+            },
+        }
+        Ok(true)
+    }
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self::new()
+    }
+}

@@ -1,0 +1,81 @@
+//! What can be done when: one table.
+
+use serde::Serialize;
+
+/// What the page is doing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum State {
+    /// There is nothing to run: the robot doesn't fit, or planning was cancelled or failed.
+    Failed,
+    /// A planner is at work.
+    Planning,
+    /// There is a plan and the robot stands at the start.
+    Ready,
+    /// Time goes on.
+    Playing,
+    /// Time stands still.
+    Paused,
+    /// On the way to another point of time.
+    Seeking,
+    /// The run is over.
+    Finished,
+}
+
+/// What the user may ask for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Action {
+    /// Let time go on.
+    Play,
+    /// Stop time.
+    Pause,
+    /// Go on by one move.
+    Step,
+    /// Back to the start.
+    Reset,
+    /// Stop the planner.
+    Cancel,
+    /// Go to another point of time.
+    Seek,
+    /// Change room, robot, planner or walls.
+    Edit,
+}
+
+impl State {
+    /// All states.
+    pub const ALL: [Self; 7] =
+        [Self::Failed, Self::Planning, Self::Ready, Self::Playing, Self::Paused, Self::Seeking, Self::Finished];
+
+    /// Whether `action` is offered in this state.
+    pub fn allows(self, action: Action) -> bool {
+        use Action as A;
+        let allowed: &[Action] = match self {
+            Self::Failed => &[A::Edit],
+            Self::Planning => &[A::Cancel, A::Edit],
+            Self::Ready => &[A::Play, A::Step, A::Edit],
+            Self::Playing => &[A::Pause, A::Step, A::Reset, A::Seek, A::Edit],
+            Self::Paused => &[A::Play, A::Step, A::Reset, A::Seek, A::Edit],
+            Self::Seeking => &[A::Pause, A::Reset, A::Seek, A::Edit],
+            Self::Finished => &[A::Play, A::Reset, A::Seek, A::Edit],
+        };
+        allowed.contains(&action)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn room_can_be_changed_in_every_state() {
+        assert!(State::ALL.iter().all(|s| s.allows(Action::Edit)));
+    }
+
+    #[test]
+    fn only_planning_can_be_cancelled_and_only_motion_paused() {
+        let with = |action| State::ALL.into_iter().filter(|s| s.allows(action)).collect::<Vec<_>>();
+        assert_eq!(with(Action::Cancel), [State::Planning]);
+        assert_eq!(with(Action::Pause), [State::Playing, State::Seeking]);
+        assert_eq!(with(Action::Play), [State::Ready, State::Paused, State::Finished]);
+    }
+}

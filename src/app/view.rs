@@ -1,0 +1,120 @@
+//! What the page shows in numbers and words: one snapshot a frame.
+
+use super::State;
+use crate::{
+    metrics::{DriveMetrics, WalkMetrics},
+    planner::Params,
+};
+use serde::Serialize;
+
+/// Snapshot of a session. SI units; shares from 0 to 1.
+#[derive(Debug, Clone, Serialize)]
+pub struct View {
+    /// What the page is doing.
+    pub state: State,
+    /// What the user may do.
+    pub can: Can,
+    /// Something to tell the user; empty for nothing.
+    pub message: String,
+    /// `error` or `notice`; empty for nothing.
+    pub message_kind: &'static str,
+    /// The room.
+    pub room: RoomView,
+    /// Id of the robot.
+    pub robot: &'static str,
+    /// Id of the planner.
+    pub planner: &'static str,
+    /// Parameters of the planner.
+    pub params: Params,
+    /// Side of the planning cells, m.
+    pub cell_size_m: f64,
+    /// Seed of everything random.
+    pub seed: u64,
+    /// How well the wheels hold.
+    pub slip: &'static str,
+    /// How the follower computes its pose.
+    pub odometry: &'static str,
+    /// Speed asked for, times real time; 0 for as fast as it goes.
+    pub speed: f64,
+    /// Speed reached lately, times real time.
+    pub speed_factor: f64,
+    /// Time shown, s.
+    pub time_s: f64,
+    /// Furthest simulated time, s.
+    pub run_end_s: f64,
+    /// Swept share of the reachable floor.
+    pub coverage: f64,
+    /// Area swept again, as a share of the area swept.
+    pub overlap: f64,
+    /// Distance driven, m.
+    pub distance_m: f64,
+    /// Sum of all turning, degrees.
+    pub turning_deg: f64,
+    /// How often the bumper was pressed.
+    pub bumps: u32,
+    /// Distance between where the robot is and where it believes to be, m.
+    pub pose_error_m: f64,
+    /// The plan, or what is known of it while the planner is at work.
+    pub plan: Option<PlanView>,
+}
+
+/// What the user may do now.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub struct Can {
+    /// Let time go on.
+    pub play: bool,
+    /// Stop time.
+    pub pause: bool,
+    /// Go on by one move.
+    pub step: bool,
+    /// Back to the start.
+    pub reset: bool,
+    /// Stop the planner.
+    pub cancel: bool,
+    /// Go to another point of time.
+    pub seek: bool,
+    /// Change something.
+    pub edit: bool,
+    /// Take the last change of the room back.
+    pub undo: bool,
+    /// Make it again.
+    pub redo: bool,
+}
+
+/// The room in numbers.
+#[derive(Debug, Clone, Serialize)]
+pub struct RoomView {
+    /// Id if it ships and hasn't been changed, else empty.
+    pub id: &'static str,
+    /// Name.
+    pub title: String,
+    /// What it is good for.
+    pub note: String,
+    /// Width, m.
+    pub width_m: f64,
+    /// Height, m.
+    pub height_m: f64,
+    /// Side of a map cell, m.
+    pub resolution_m: f64,
+    /// Number of map cells.
+    pub cells: usize,
+    /// Floor that the robot's tool can reach from the start, m².
+    pub reachable_m2: f64,
+}
+
+/// The plan in numbers; those of walk and drive only once it is there.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub struct PlanView {
+    /// Whether the planner is at work.
+    pub running: bool,
+    /// How far it is.
+    pub progress: f64,
+    /// Numbers of the walk.
+    #[serde(flatten)]
+    pub walk: Option<WalkMetrics>,
+    /// Numbers of the line.
+    #[serde(flatten)]
+    pub drive: Option<DriveMetrics>,
+    /// Time that planning took, s.
+    pub planning_s: f64,
+}

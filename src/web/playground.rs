@@ -1,0 +1,417 @@
+//! The page's one object: a session, the view of it on a canvas, and the hand that draws.
+
+use super::{canvas::Canvas, catalogue::Catalogue, clock, plan_job, to_js};
+use crate::{
+    app::{Brush, Scene, Session, SettingsError, Viewport},
+    floorplan::SourceFile,
+    geometry::{Point, Pose},
+    grid::Cell,
+};
+use js_sys::{Array, Float64Array, Reflect, Uint8Array};
+use wasm_bindgen::prelude::*;
+use web_sys::HtmlCanvasElement;
+
+/// Milliseconds of a frame that simulation may take; the rest of 16.7 ms is for drawing and the browser.
+const FRAME_BUDGET_MS: f64 = 8.0;
+/// Simulated time that the opening scene has behind it, s, so that there is something to see at once.
+const OPENING_S: f64 = 240.0;
+
+/// What the pointer does on the floor.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Tool {
+    View,
+    Wall,
+    Erase,
+    Start,
+}
+
+/// What the pointer is doing between down and up.
+#[derive(Clone, Copy, PartialEq)]
+enum Gesture {
+    Pan { x: f64, y: f64 },
+    Paint,
+    /// The start goes here if released now; dragging turns it if `turns`, else moves it.
+    Start { pose: Pose, turns: bool },
+}
+
+/// A session shown on a canvas.
+#[wasm_bindgen]
+pub struct Playground {
+    session: Session,
+    canvas: Canvas,
+    viewport: Viewport,
+    tool: Tool,
+    gesture: Option<Gesture>,
+    /// Cell that keyboard drawing is at.
+    cursor: Option<Cell>,
+    last_frame_ms: Option<f64>,
+    dark: bool,
+    /// Name and size of the room that the viewport was fitted to.
+    fitted: (String, f64, f64),
+}
+
+#[wasm_bindgen]
+impl Playground {
+    /// Opens on `canvas`, with the furnished flat already half a room clean.
+    #[wasm_bindgen(constructor)]
+    pub fn new(canvas: HtmlCanvasElement) -> Result<Self, JsValue> {
+        let mut session = Session::new();
+        session.plan_now(|| clock() / 1000.0);
+        session.run_ahead(OPENING_S);
+        Ok(Self {
+            session,
+            canvas: Canvas::new(canvas)?,
+            viewport: Viewport::default(),
+            tool: Tool::View,
+            gesture: None,
+            cursor: None,
+            last_frame_ms: None,
+            dark: false,
+            fitted: Default::default(),
+        })
+    }
+
+    /// What there is to choose from: `{ rooms, planners, robots, cell_sizes_m, speeds }`.
+    pub fn catalogue() -> Result<JsValue, JsValue> {
+        to_js(&Catalogue::new())
+    }
+
+    /// Snapshot of the session in numbers and words.
+    pub fn view(&self) -> Result<JsValue, JsValue> {
+        let view = to_js(&self.session.view())?;
+        let tool = match self.tool {
+            Tool::View => "view",
+            Tool::Wall => "wall",
+            Tool::Erase => "erase",
+            Tool::Start => "start",
+        };
+        Reflect::set(&view, &"tool".into(), &tool.into())?;
+        Ok(view)
+    }
+
+    /// One or two sentences that stand for the picture.
+    pub fn description(&self) -> String {
+        self.session.description()
+    }
+
+    /// Lets the time since the last call pass, and draws.
+    pub fn frame(&mut self, now_ms: f64) -> Result<(), JsValue> {
+        let elapsed_s = self.last_frame_ms.replace(now_ms).map_or(0.0, |last| (now_ms - last) / 1000.0);
+        let deadline = clock() + FRAME_BUDGET_MS;
+        self.session.frame(elapsed_s, &mut || clock() < deadline);
+        self.draw()
+    }
+
+    // ---- planning
+
+    /// The planning request that has to be served, once; pass it to `plan` in a worker.
+    pub fn take_plan_request(&mut self) -> Result<JsValue, JsValue> {
+        match self.session.take_plan_request() {
+            Some(request) => plan_job::to_js(&request),
+            None => Ok(JsValue::UNDEFINED),
+        }
+    }
+
+    /// The worker reports the share done and its best walk so far.
+    pub fn plan_progress(&mut self, id: u32, done: f64, cells: &[u32]) {
+        self.session.plan_progress(id, done, plan_job::cells(cells));
+    }
+
+    /// The worker is done.
+    pub fn plan_finished(&mut self, id: u32, cells: &[u32], seconds: f64) {
+        self.session.plan_finished(id, plan_job::cells(cells), seconds);
+    }
+
+    /// The worker gave up.
+    pub fn plan_failed(&mut self, id: u32, message: &str) {
+        self.session.plan_failed(id, message);
+    }
+
+    /// The user doesn't want to wait. The worker has to be ended by the page.
+    pub fn cancel_plan(&mut self) {
+        self.session.cancel_plan();
+    }
+
+    // ---- choices; each throws a message and changes nothing if the choice isn't possible
+
+    /// Chooses a room that ships.
+    pub fn select_room(&mut self, id: &str) -> Result<(), JsValue> {
+        self.session.select_room(id).map_err(thrown)
+    }
+
+    /// Chooses a planner.
+    pub fn select_planner(&mut self, id: &str) -> Result<(), JsValue> {
+        self.session.configure(|s| s.select_planner(id)).map_err(thrown)
+    }
+
+    /// Chooses a robot.
+    pub fn select_robot(&mut self, id: &str) -> Result<(), JsValue> {
+        self.session.configure(|s| s.select_robot(id)).map_err(thrown)
+    }
+
+    /// Chooses the side of the planning cells, m.
+    pub fn set_cell_size(&mut self, metres: f64) -> Result<(), JsValue> {
+        self.session.configure(|s| s.set_cell_size(metres)).map_err(thrown)
+    }
+
+    /// Sets a parameter of the planner from the text of a form.
+    pub fn set_param(&mut self, id: &str, text: &str) -> Result<(), JsValue> {
+        self.session.configure(|s| s.set_param(id, text)).map_err(thrown)
+    }
+
+    /// Sets the seed of everything random.
+    pub fn set_seed(&mut self, seed: u32) -> Result<(), JsValue> {
+        let set = |s: &mut crate::app::Settings| {
+            s.seed = u64::from(seed);
+            Ok::<(), SettingsError>(())
+        };
+        self.session.configure(set).map_err(thrown)
+    }
+
+    /// Chooses how well the wheels hold: `none`, `typical` or `harsh`.
+    pub fn set_slip(&mut self, id: &str) -> Result<(), JsValue> {
+        self.session.configure(|s| s.set_slip(id)).map_err(thrown)
+    }
+
+    /// Chooses how the follower computes its pose: `arc` or `straight`.
+    pub fn set_odometry(&mut self, id: &str) -> Result<(), JsValue> {
+        self.session.configure(|s| s.set_odometry(id)).map_err(thrown)
+    }
+
+    /// Takes a map or scenario from an array of `{ name, bytes }` that belong together.
+    pub fn load_files(&mut self, files: &Array) -> Result<(), JsValue> {
+        let files: Vec<SourceFile> = files.iter().map(|file| source_file(&file)).collect::<Result<_, _>>()?;
+        self.session.load(&files).map_err(|e| JsValue::from(e.to_string()))
+    }
+
+    /// The room and the settings as a scenario file.
+    pub fn scenario_json(&self) -> String {
+        self.session.scenario_json()
+    }
+
+    /// Takes what `link` returned. Throws a message and changes nothing if that isn't possible.
+    pub fn restore(&mut self, link: &str) -> Result<(), JsValue> {
+        self.session.restore(link).map_err(thrown)
+    }
+
+    /// The session as the part of a link behind `#`.
+    pub fn link(&self) -> String {
+        self.session.link()
+    }
+
+    // ---- time
+
+    /// Lets time go on.
+    pub fn play(&mut self) {
+        self.session.play();
+    }
+
+    /// Stops time.
+    pub fn pause(&mut self) {
+        self.session.pause();
+    }
+
+    /// Goes on by one move.
+    pub fn step(&mut self) {
+        self.session.step();
+    }
+
+    /// Back to the start.
+    pub fn reset(&mut self) {
+        self.session.reset();
+    }
+
+    /// Sets the speed, times real time; 0 for as fast as it goes.
+    pub fn set_speed(&mut self, times: f64) {
+        self.session.set_speed(times);
+    }
+
+    /// Goes to a point of the time simulated so far, s.
+    pub fn seek(&mut self, time_s: f64) {
+        self.session.seek(time_s);
+    }
+
+    /// Time (s) and coverage (0 to 1) of the whole run so far, in pairs.
+    pub fn coverage_curve(&self) -> Float64Array {
+        let pairs = self.session.recording().map_or(&[][..], |r| r.curve());
+        let flat: Vec<f64> = pairs.iter().flat_map(|&(time, coverage)| [time, coverage]).collect();
+        Float64Array::from(flat.as_slice())
+    }
+
+    // ---- the hand
+
+    /// Chooses what the pointer does: `view`, `wall`, `erase` or `start`.
+    pub fn set_tool(&mut self, id: &str) {
+        self.tool = match id {
+            "wall" => Tool::Wall,
+            "erase" => Tool::Erase,
+            "start" => Tool::Start,
+            _ => Tool::View,
+        };
+        self.cursor = None;
+        self.end_gesture();
+    }
+
+    /// The pointer at (`x`, `y`), CSS pixels on the canvas: `down`, `move`, `up` or `cancel`.
+    pub fn pointer(&mut self, kind: &str, x: f64, y: f64) {
+        let at = self.viewport.to_world(x, y);
+        match (kind, self.gesture) {
+            ("down", _) => self.press(at, x, y),
+            ("move", Some(Gesture::Pan { x: from_x, y: from_y })) => {
+                self.viewport.pan(x - from_x, y - from_y);
+                self.gesture = Some(Gesture::Pan { x, y });
+            }
+            ("move", Some(Gesture::Paint)) => self.session.go_on_stroke(at),
+            ("move", Some(Gesture::Start { pose, turns: true })) => {
+                let aim = at - pose.position();
+                if aim.norm() > 0.1 {
+                    let heading = crate::math::atan2(aim.y, aim.x);
+                    self.gesture = Some(Gesture::Start { pose: Pose::new(pose.x, pose.y, heading), turns: true });
+                }
+            }
+            ("move", Some(Gesture::Start { pose, turns: false })) => {
+                self.gesture = Some(Gesture::Start { pose: Pose::new(at.x, at.y, pose.heading), turns: false });
+            }
+            ("up", _) => self.end_gesture(),
+            ("cancel", Some(Gesture::Start { .. })) => self.gesture = None,
+            ("cancel", _) => self.end_gesture(),
+            _ => {}
+        }
+    }
+
+    fn press(&mut self, at: Point, x: f64, y: f64) {
+        self.cursor = None;
+        let heading = self.session.prepared().map_or(0.0, |p| p.floor.start.heading);
+        self.gesture = Some(match self.tool {
+            Tool::Wall | Tool::Erase => {
+                let brush = if self.tool == Tool::Wall { Brush::Wall } else { Brush::Erase };
+                self.session.begin_stroke(brush, at);
+                Gesture::Paint
+            }
+            Tool::Start => Gesture::Start { pose: Pose::new(at.x, at.y, heading), turns: true },
+            Tool::View if self.is_on_robot(at) => {
+                Gesture::Start { pose: Pose::new(at.x, at.y, heading), turns: false }
+            }
+            Tool::View => Gesture::Pan { x, y },
+        });
+    }
+
+    fn end_gesture(&mut self) {
+        match self.gesture.take() {
+            Some(Gesture::Paint) => self.session.end_stroke(),
+            Some(Gesture::Start { pose, .. }) => self.session.move_start(pose),
+            _ => {}
+        }
+    }
+
+    fn is_on_robot(&self, at: Point) -> bool {
+        let radius = self.session.settings().robot_model().radius;
+        let robot = self.session.recording().map(|r| r.run().pose());
+        robot.is_some_and(|pose| (pose.position() - at).norm() < radius)
+    }
+
+    /// Moves by (`dx`, `dy`) CSS pixels.
+    pub fn pan(&mut self, dx: f64, dy: f64) {
+        self.viewport.pan(dx, dy);
+    }
+
+    /// Zooms by `factor` around (`x`, `y`), CSS pixels.
+    pub fn zoom(&mut self, x: f64, y: f64, factor: f64) {
+        self.viewport.zoom_at(x, y, factor);
+    }
+
+    /// Shows the whole room.
+    pub fn fit(&mut self) {
+        let (width, height) = (self.session.plan().width_m(), self.session.plan().height_m());
+        self.viewport.fit(width, height);
+    }
+
+    /// Drawing by keyboard: `left`, `right`, `up`, `down` move a cursor by a planning cell, `apply` draws there.
+    pub fn key_edit(&mut self, action: &str) {
+        let plan = self.session.plan();
+        let stride = (self.session.settings().cell_size / plan.resolution).round().max(1.0) as i32;
+        let (width, height) = (plan.occupancy.width() as i32, plan.occupancy.height() as i32);
+        let cursor = self.cursor.unwrap_or(Cell::new(width / 2, height / 2));
+        let (dx, dy) = match action {
+            "left" => (-stride, 0),
+            "right" => (stride, 0),
+            "up" => (0, stride),
+            "down" => (0, -stride),
+            _ => (0, 0),
+        };
+        let at = Cell::new((cursor.x + dx).clamp(0, width - 1), (cursor.y + dy).clamp(0, height - 1));
+        if action == "apply" {
+            let point = plan.centre(at);
+            let heading = self.session.prepared().map_or(0.0, |p| p.floor.start.heading);
+            match self.tool {
+                Tool::Wall => self.session.begin_stroke(Brush::Wall, point),
+                Tool::Erase => self.session.begin_stroke(Brush::Erase, point),
+                Tool::Start => self.session.move_start(Pose::new(point.x, point.y, heading)),
+                Tool::View => {}
+            }
+            self.session.end_stroke();
+        }
+        self.cursor = Some(at);
+    }
+
+    /// Takes the last change of the room back.
+    pub fn undo(&mut self) {
+        self.session.undo();
+    }
+
+    /// Makes the last undone change again.
+    pub fn redo(&mut self) {
+        self.session.redo();
+    }
+
+    /// Tells the user that something went wrong.
+    pub fn report_error(&mut self, message: &str) {
+        self.session.report_error(message);
+    }
+
+    /// Takes the message away.
+    pub fn dismiss(&mut self) {
+        self.session.dismiss();
+    }
+
+    // ---- the picture
+
+    /// The canvas is `width` x `height` CSS pixels on a screen with `ratio` device pixels each.
+    pub fn resize(&mut self, width: f64, height: f64, ratio: f64) {
+        self.viewport.resize(width, height, ratio);
+        self.canvas.resize(&self.viewport);
+        self.fit();
+    }
+
+    /// Dark or light colours.
+    pub fn set_dark(&mut self, dark: bool) {
+        self.dark = dark;
+    }
+
+    fn draw(&mut self) -> Result<(), JsValue> {
+        let plan = self.session.plan();
+        let now = (plan.name.clone(), plan.width_m(), plan.height_m());
+        if now != self.fitted {
+            self.fitted = now;
+            self.fit();
+        }
+        let start = match self.gesture {
+            Some(Gesture::Start { pose, .. }) => Some(pose),
+            _ => None,
+        };
+        let changed = self.session.take_changed_rows();
+        let scene = Scene::of(&self.session, changed, start, self.cursor, self.dark);
+        self.canvas.draw(&scene, &self.viewport)
+    }
+}
+
+/// An error as the message that JavaScript catches.
+fn thrown(error: SettingsError) -> JsValue {
+    error.to_string().into()
+}
+
+fn source_file(file: &JsValue) -> Result<SourceFile, JsValue> {
+    let name = Reflect::get(file, &"name".into())?.as_string().unwrap_or_default();
+    let bytes = Uint8Array::new(&Reflect::get(file, &"bytes".into())?).to_vec();
+    Ok(SourceFile { name, bytes })
+}

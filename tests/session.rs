@@ -1,0 +1,218 @@
+//! A user's session from opening to undo, without a browser.
+
+use robovac_playground::{
+    app::{Brush, Session, State},
+    floorplan::{ROOMS, SourceFile},
+    geometry::{Point, Pose},
+    grid::Cell,
+};
+
+fn opened() -> Session {
+    let mut session = Session::new();
+    session.plan_now(|| 0.0);
+    session
+}
+
+/// Lets the session run for `seconds` of display time at its speed, with all the computing time it wants.
+fn play(session: &mut Session, seconds: f64) {
+    for _ in 0..(seconds * 60.0) as u32 {
+        session.frame(1.0 / 60.0, &mut || true);
+    }
+}
+
+fn finish(session: &mut Session) {
+    session.set_speed(0.0);
+    session.play();
+    session.frame(1.0 / 60.0, &mut || true);
+}
+
+#[test]
+fn opens_with_a_robot_that_cleans_the_flat() {
+    let mut session = Session::new();
+    assert_eq!(session.state(), State::Planning);
+    session.plan_now(|| 0.0);
+    assert_eq!(session.state(), State::Playing);
+    play(&mut session, 1.0);
+    let view = session.view();
+    assert!((view.time_s - 16.0).abs() < 0.1, "{} s after a second at 16x", view.time_s);
+    assert!(view.coverage > 0.0 && view.distance_m > 1.0);
+    assert!(view.can.pause && !view.can.play && view.can.seek);
+}
+
+#[test]
+fn every_room_is_cleaned_to_the_end() {
+    for room in ROOMS {
+        let mut session = opened();
+        session.select_room(room.id).unwrap();
+        session.plan_now(|| 0.0);
+        assert!(session.planned().is_some(), "{}: {}", room.id, session.view().message);
+        let planned = session.planned().unwrap().clone();
+        assert_eq!(planned.walk.visited_cells, planned.walk.reachable_cells, "{}", room.id);
+        finish(&mut session);
+        let view = session.view();
+        assert_eq!(session.state(), State::Finished, "{}", room.id);
+        assert!(view.coverage > 0.97, "{}: {:.4} covered of {:.4}", room.id, view.coverage, planned.drive.coverage);
+        assert!(view.coverage > planned.drive.coverage - 0.01, "{}", room.id);
+    }
+}
+
+#[test]
+fn textbook_robot_cleans_the_empty_room_to_the_last_cell() {
+    let mut session = opened();
+    session.restore("room=empty&robot=cell&cell=0.2").unwrap();
+    session.plan_now(|| 0.0);
+    finish(&mut session);
+    assert_eq!(session.view().coverage, 1.0);
+}
+
+#[test]
+fn scrubbing_back_and_forth_shows_the_same_moment() {
+    let mut session = opened();
+    session.set_speed(1024.0);
+    play(&mut session, 1.0);
+    session.pause();
+    let at_end = session.recording().unwrap().run().digest();
+    let end = session.view().time_s;
+    session.seek(123.45);
+    while session.state() == State::Seeking {
+        session.frame(0.0, &mut || true);
+    }
+    assert!((session.view().time_s - 123.45).abs() < 0.015);
+    assert_eq!(session.view().run_end_s, end);
+    let there = session.recording().unwrap().run().digest();
+    session.seek(end);
+    while session.state() == State::Seeking {
+        session.frame(0.0, &mut || true);
+    }
+    assert_eq!(session.recording().unwrap().run().digest(), at_end);
+    session.seek(123.45);
+    session.frame(0.0, &mut || true);
+    assert_eq!(session.recording().unwrap().run().digest(), there);
+}
+
+#[test]
+fn busy_machine_slows_time_instead_of_skipping() {
+    let mut session = opened();
+    session.set_speed(1024.0);
+    let mut looks = 0;
+    session.frame(0.1, &mut || {
+        looks += 1;
+        looks <= 3
+    });
+    assert!(session.view().time_s < 5.0, "{}", session.view().time_s);
+}
+
+#[test]
+fn step_moves_by_about_a_cell() {
+    let mut session = opened();
+    session.reset();
+    assert_eq!(session.state(), State::Ready);
+    for _ in 0..5 {
+        let before = session.view();
+        session.step();
+        let after = session.view();
+        assert!(after.time_s > before.time_s);
+        assert!(after.distance_m - before.distance_m <= session.settings().cell_size + 0.01);
+    }
+    assert_eq!(session.state(), State::Paused);
+}
+
+#[test]
+fn wall_is_drawn_planned_around_and_undone() {
+    let mut session = opened();
+    session.select_room("empty").unwrap();
+    session.plan_now(|| 0.0);
+    let before = session.planned().unwrap().walk.reachable_cells;
+    session.begin_stroke(Brush::Wall, Point::new(2.0, 1.5));
+    session.go_on_stroke(Point::new(3.0, 2.5));
+    session.end_stroke();
+    assert_eq!(session.state(), State::Planning);
+    session.plan_now(|| 0.0);
+    assert!(session.planned().unwrap().walk.reachable_cells < before);
+    assert_eq!(session.view().room.id, "");
+    session.undo();
+    session.plan_now(|| 0.0);
+    assert_eq!((session.planned().unwrap().walk.reachable_cells, session.view().room.id), (before, "empty"));
+    assert!(session.view().can.redo);
+}
+
+#[test]
+fn start_in_a_wall_is_refused_and_nothing_is_lost() {
+    let mut session = opened();
+    let run = session.view().run_end_s;
+    session.move_start(Pose::new(-3.0, 0.0, 0.0));
+    let view = session.view();
+    assert_eq!(view.message_kind, "error");
+    assert!(view.message.contains("outside the map"), "{}", view.message);
+    assert!(session.planned().is_some() && view.run_end_s == run);
+}
+
+#[test]
+fn link_brings_the_same_session_back() {
+    let mut session = opened();
+    session.restore("#room=lshape&planner=snake&robot=cell&cell=0.25&seed=9&slip=typical").unwrap();
+    session.move_start(Pose::new(1.0, 1.0, 1.5));
+    let link = session.link();
+    let mut other = opened();
+    other.restore(&link).unwrap();
+    assert_eq!(other.link(), link);
+    session.plan_now(|| 0.0);
+    other.plan_now(|| 0.0);
+    finish(&mut session);
+    finish(&mut other);
+    let digest = |s: &Session| s.recording().unwrap().run().digest();
+    assert_eq!(digest(&session), digest(&other));
+}
+
+#[test]
+fn bad_links_name_what_is_wrong_and_change_nothing() {
+    let mut session = opened();
+    let before = session.link();
+    for (link, expected) in [
+        ("planner=magic", "there is no planner \"magic\""),
+        ("room=attic", "there is no room \"attic\""),
+        ("robot=dalek", "there is no robot \"dalek\""),
+        ("cell=0", "the cell size can't be \"0\""),
+        ("cell=NaN", "the cell size can't be"),
+        ("seed=-1", "the seed can't be \"-1\""),
+        ("start=1,2", "the start can't be \"1,2\""),
+        ("p.wings=2", "there is no parameter \"wings\""),
+        ("slip=icy", "there is no slip \"icy\""),
+    ] {
+        let error = session.restore(link).unwrap_err().to_string();
+        assert!(error.starts_with(expected), "{link}: {error}");
+        assert_eq!(session.link(), before, "{link}");
+    }
+}
+
+#[test]
+fn late_answers_of_older_plans_are_dropped() {
+    let mut session = Session::new();
+    let old = session.take_plan_request().unwrap();
+    session.select_room("empty").unwrap();
+    session.plan_finished(old.id, vec![old.job.start], 0.1);
+    assert_eq!(session.state(), State::Planning);
+    session.plan_progress(old.id, 0.5, vec![Cell::new(0, 0)]);
+    assert!(session.so_far().is_empty());
+}
+
+#[test]
+fn cancelled_plan_leaves_the_room_and_says_so() {
+    let mut session = Session::new();
+    session.cancel_plan();
+    assert_eq!(session.state(), State::Failed);
+    assert_eq!(session.view().message_kind, "notice");
+    session.select_room("empty").unwrap();
+    session.plan_now(|| 0.0);
+    assert!(session.planned().is_some());
+}
+
+#[test]
+fn bad_file_leaves_the_room() {
+    let mut session = opened();
+    let before = session.link();
+    let error = session.load(&[SourceFile { name: "notes.txt".into(), bytes: b"hello".to_vec() }]).unwrap_err();
+    assert!(!error.to_string().is_empty());
+    assert_eq!(session.link(), before);
+    assert!(session.planned().is_some());
+}
