@@ -1,7 +1,8 @@
-//! What happens between the algorithms and the page: pure, so that all of it is tested natively.
+//! What happens between the algorithms and the page or the command line: pure, so that all of it is tested natively.
 
 pub mod bench;
 mod editor;
+pub mod planning;
 mod prepare;
 mod recording;
 mod session;

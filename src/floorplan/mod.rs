@@ -1,9 +1,22 @@
 //! Floor plans: what the world looks like before a robot drives in it.
+//!
+//! [`ROOMS`] ship with the program, [`load`] takes files in, [`to_ascii`] and [`Scenario`] write them.
 
+mod ascii;
+mod error;
+mod load;
+mod raster;
 mod rooms;
+mod scenario;
 mod sketch;
+mod yaml;
 
+pub use ascii::{DEFAULT_ASCII_RESOLUTION, to_ascii};
+pub use error::MapError;
+pub use load::{SourceFile, image_of, load};
+pub use raster::{DEFAULT_IMAGE_RESOLUTION, Mode, Shading};
 pub use rooms::{ROOMS, RoomInfo, room};
+pub use scenario::{SCENARIO_FORMAT, SCENARIO_VERSION, Scenario, ScenarioPose};
 pub use sketch::{Rect, Sketch};
 
 use crate::{
@@ -13,6 +26,10 @@ use crate::{
 
 /// Largest number of columns or rows of a map that is taken in.
 pub const MAX_SIDE: usize = 4096;
+/// Finest resolution of a map that is taken in, metres per cell.
+pub const MIN_RESOLUTION: f64 = 0.001;
+/// Coarsest resolution of a map that is taken in, metres per cell.
+pub const MAX_RESOLUTION: f64 = 100.0;
 
 /// A room as an occupancy grid with its scale and start.
 #[derive(Debug, Clone, PartialEq)]
@@ -55,5 +72,29 @@ impl FloorPlan {
     /// Cells that are not known to be free, as obstacles.
     pub fn blocked(&self) -> Grid<bool> {
         self.occupancy.map(|&o| !o.is_free())
+    }
+
+    /// The plan itself if a robot can start in it; `file` is named in errors.
+    fn checked(self, file: &str) -> Result<Self, MapError> {
+        if !self.occupancy.values().iter().any(|o| o.is_free()) {
+            return Err(MapError::NoFreeCell { name: file.to_owned() });
+        }
+        let Some(Pose { x, y, .. }) = self.start else { return Ok(self) };
+        match self.occupancy.get(self.cell_at(Point::new(x, y))) {
+            None => {
+                let (width, height) = (self.width_m(), self.height_m());
+                Err(MapError::StartOutside { name: file.to_owned(), x, y, width, height })
+            }
+            Some(occupancy) if !occupancy.is_free() => Err(MapError::StartInWall { name: file.to_owned(), x, y }),
+            Some(_) => Ok(self),
+        }
+    }
+}
+
+/// A file's name without its ending, for menus.
+fn stem(file: &str) -> String {
+    match file.rsplit_once('.') {
+        Some((stem, _)) if !stem.is_empty() => stem.to_owned(),
+        _ => file.to_owned(),
     }
 }

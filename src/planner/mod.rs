@@ -12,7 +12,7 @@ mod path;
 
 pub mod stage;
 
-pub use context::{PlanContext, PlanError};
+pub use context::{Observer, PlanContext, PlanError};
 pub use info::{Claims, PlannerInfo};
 pub use job::CoverageJob;
 pub use params::{ParamError, ParamKind, ParamSpec, ParamValue, Params};

@@ -1,2 +1,0 @@
-//! Native companion.
-fn main() {}

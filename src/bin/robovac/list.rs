@@ -1,0 +1,21 @@
+//! `planners`, `rooms`, `robots`: what there is, one a line.
+
+use robovac_playground::{floorplan::ROOMS, planner::PLANNERS, robot::MODELS};
+
+pub fn planners() -> String {
+    lines(PLANNERS.iter().map(|planner| (planner.id, planner.title)))
+}
+
+pub fn rooms() -> String {
+    lines(ROOMS.iter().map(|room| (room.id, room.title)))
+}
+
+pub fn robots() -> String {
+    lines(MODELS.iter().map(|robot| (robot.id, robot.title)))
+}
+
+/// Ids, padded so that the titles stand in a column.
+fn lines<'a>(entries: impl Iterator<Item = (&'a str, &'a str)> + Clone) -> String {
+    let width = entries.clone().map(|(id, _)| id.len()).max().unwrap_or(0);
+    entries.fold(String::new(), |text, (id, title)| text + &format!("{id:width$}  {title}\n"))
+}

@@ -1,0 +1,94 @@
+//! Native companion of the page: the same planners on the command line.
+//!
+//! One file a sub-command; each turns its arguments into text or a [`failure::Failure`].
+
+#[cfg(not(target_arch = "wasm32"))]
+mod convert;
+#[cfg(not(target_arch = "wasm32"))]
+mod failure;
+#[cfg(not(target_arch = "wasm32"))]
+mod list;
+#[cfg(not(target_arch = "wasm32"))]
+mod plan;
+#[cfg(not(target_arch = "wasm32"))]
+mod source;
+
+/// In the browser the page takes its place.
+#[cfg(target_arch = "wasm32")]
+fn main() {}
+
+#[cfg(not(target_arch = "wasm32"))]
+fn main() -> std::process::ExitCode {
+    native::main()
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+mod native {
+    use super::{
+        convert,
+        failure::{Failure, OK},
+        list, plan,
+    };
+    use clap::{Parser, Subcommand};
+    use std::{
+        io::{ErrorKind, Write},
+        process::ExitCode,
+    };
+
+    const EXIT_CODES: &str = "\
+Exit codes:
+  0  done
+  1  a file can't be read or written
+  2  wrong use: unknown option, planner, room, robot or parameter
+  3  the map can't be used
+  4  the robot or its start doesn't fit into the room
+  5  the planner failed";
+
+    /// Plans how a robot covers a floor. Lengths are in metres, angles in degrees counter-clockwise from 0 = right,
+    /// cells are counted from the lower left.
+    #[derive(Parser)]
+    #[command(name = "robovac", version, after_help = EXIT_CODES)]
+    struct Arguments {
+        #[command(subcommand)]
+        command: Command,
+    }
+
+    #[derive(Subcommand)]
+    enum Command {
+        /// List the planners: id, then title
+        Planners,
+        /// List the rooms that ship: id, then title
+        Rooms,
+        /// List the robots: id, then title
+        Robots,
+        Plan(plan::Arguments),
+        Convert(convert::Arguments),
+    }
+
+    pub(super) fn main() -> ExitCode {
+        let result = match Arguments::parse().command {
+            Command::Planners => Ok(list::planners()),
+            Command::Rooms => Ok(list::rooms()),
+            Command::Robots => Ok(list::robots()),
+            Command::Plan(arguments) => plan::run(&arguments),
+            Command::Convert(arguments) => convert::run(&arguments),
+        };
+        match result.and_then(|text| print(&text)) {
+            Ok(()) => OK.into(),
+            Err(failure) => {
+                // Nobody to tell if even this fails.
+                let _ = writeln!(std::io::stderr(), "robovac: {failure}");
+                failure.code.into()
+            }
+        }
+    }
+
+    /// Writes to standard output. A reader that has seen enough, such as `head`, is no failure.
+    fn print(text: &str) -> Result<(), Failure> {
+        let mut out = std::io::stdout().lock();
+        match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+            Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::io("standard output", &error)),
+            _ => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,246 @@
+//! What can be wrong with a map file, said so that its owner can mend it.
+
+use super::{MAX_RESOLUTION, MAX_SIDE, MIN_RESOLUTION};
+
+/// Why files don't make a floor plan. Every message names the cause, the place and what to do.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum MapError {
+    /// No file was given.
+    #[error("no file was given; choose a floor plan (PNG, PGM or text), a ROS map (YAML and its image) or a scenario")]
+    NoFile,
+    /// A file has no content.
+    #[error("\"{name}\" is empty; choose another file or save the map again")]
+    Empty {
+        /// The file.
+        name: String,
+    },
+    /// A file is of a kind that isn't read.
+    #[error(
+        "\"{name}\" is {kind}, which is not a map that can be read; \
+         use a PNG or PGM image, a ROS map (YAML and its image), a text map of # and . or a scenario"
+    )]
+    NotAMap {
+        /// The file.
+        name: String,
+        /// What it seems to be, e.g. "a JPEG image".
+        kind: &'static str,
+    },
+    /// The map has too many rows or columns.
+    #[error(
+        "\"{name}\" is {width} x {height} cells large, at most {MAX_SIDE} x {MAX_SIDE} are taken in; \
+         crop it or save it at a coarser resolution"
+    )]
+    TooLarge {
+        /// The file.
+        name: String,
+        /// Columns.
+        width: usize,
+        /// Rows, as far as they were counted.
+        height: usize,
+    },
+    /// The file ends before its content does.
+    #[error("\"{name}\" is cut off: its {part} ends too early; copy or export the file again")]
+    Truncated {
+        /// The file.
+        name: String,
+        /// What ends too early.
+        part: &'static str,
+    },
+    /// An image can't be decoded.
+    #[error("\"{name}\" is damaged: {cause}; save the image again as PNG or PGM")]
+    BadImage {
+        /// The file.
+        name: String,
+        /// What the decoder says.
+        cause: String,
+    },
+    /// A text map contains a character without a meaning.
+    #[error(
+        "\"{name}\", line {line}, column {column}: '{found}' means nothing in a text map; \
+         use # for walls, . for floor, ? for unknown and one S for the start"
+    )]
+    BadCharacter {
+        /// The file.
+        name: String,
+        /// Line, counted from 1.
+        line: usize,
+        /// Column, counted from 1.
+        column: usize,
+        /// The character, escaped where it can't be shown.
+        found: String,
+    },
+    /// Rows of a text map differ in length.
+    #[error(
+        "\"{name}\", line {line}: this row has {found} cells, the rows above have {expected}; make all rows equally long"
+    )]
+    UnequalRows {
+        /// The file.
+        name: String,
+        /// Line, counted from 1.
+        line: usize,
+        /// Cells of that row.
+        found: usize,
+        /// Cells of the rows above.
+        expected: usize,
+    },
+    /// A text map marks two starts.
+    #[error("\"{name}\", line {line}: there is a second start S, the first one is in line {first}; keep one of them")]
+    TwoStarts {
+        /// The file.
+        name: String,
+        /// Line of the second one, counted from 1.
+        line: usize,
+        /// Line of the first one.
+        first: usize,
+    },
+    /// A value is out of range or of the wrong kind.
+    #[error("\"{name}\", {place}: {key} can't be \"{value}\"; it takes {expected}")]
+    BadValue {
+        /// The file.
+        name: String,
+        /// Where in the file.
+        place: String,
+        /// What the value is for.
+        key: &'static str,
+        /// The value found.
+        value: String,
+        /// What would do.
+        expected: String,
+    },
+    /// A ROS map leaves out something that it needs.
+    #[error("\"{name}\" has no \"{key}\"; add the line \"{key}: {example}\"")]
+    MissingKey {
+        /// The file.
+        name: String,
+        /// What is missing.
+        key: &'static str,
+        /// A value that would do.
+        example: &'static str,
+    },
+    /// YAML or JSON is malformed.
+    #[error("\"{name}\", line {line}, column {column}: {cause}; mend that line or export the file again")]
+    Syntax {
+        /// The file.
+        name: String,
+        /// Line, counted from 1.
+        line: usize,
+        /// Column, counted from 1.
+        column: usize,
+        /// What the parser says.
+        cause: String,
+    },
+    /// A ROS map came without its image.
+    #[error("\"{name}\" only describes a map, its cells are in \"{image}\"; choose both files together")]
+    ImageMissing {
+        /// The YAML file.
+        name: String,
+        /// The image that it names.
+        image: String,
+    },
+    /// A ROS map came with another image than its own.
+    #[error(
+        "\"{name}\" names the image \"{wanted}\", but \"{given}\" was given; \
+         choose \"{wanted}\" instead or change the line \"image\""
+    )]
+    WrongImage {
+        /// The YAML file.
+        name: String,
+        /// The image that it names.
+        wanted: String,
+        /// The image that came.
+        given: String,
+    },
+    /// More files than one map has.
+    #[error("\"{first}\" and \"{second}\" are two maps; choose one of them, or one YAML file with its image")]
+    TwoMaps {
+        /// One file.
+        first: String,
+        /// Another one.
+        second: String,
+    },
+    /// There is nowhere to drive.
+    #[error(
+        "\"{name}\" has no free cell; floor is . in text and light in images \
+         (for ROS maps check negate, free_thresh and mode)"
+    )]
+    NoFreeCell {
+        /// The file.
+        name: String,
+    },
+    /// A scenario starts outside its map.
+    #[error(
+        "\"{name}\": the start ({x} m, {y} m) lies outside the map, which is {width:.2} m x {height:.2} m; move it inside"
+    )]
+    StartOutside {
+        /// The file.
+        name: String,
+        /// Start, m.
+        x: f64,
+        /// Start, m.
+        y: f64,
+        /// Size of the map, m.
+        width: f64,
+        /// Size of the map, m.
+        height: f64,
+    },
+    /// A scenario starts in a wall.
+    #[error("\"{name}\": the start ({x} m, {y} m) is inside a wall or unknown floor; move it to a free cell")]
+    StartInWall {
+        /// The file.
+        name: String,
+        /// Start, m.
+        x: f64,
+        /// Start, m.
+        y: f64,
+    },
+    /// JSON, but something else than a scenario.
+    #[error(
+        "\"{name}\" is JSON but not a scenario, which begins with \"format\": \"robovac-scenario\"; \
+         choose a file that was saved here"
+    )]
+    NotAScenario {
+        /// The file.
+        name: String,
+    },
+    /// A scenario of a later program.
+    #[error(
+        "\"{name}\" is a scenario of version {version}, this program reads version {known}; \
+         reload the page or update the program"
+    )]
+    UnknownVersion {
+        /// The file.
+        name: String,
+        /// Its version.
+        version: u64,
+        /// The version that is read.
+        known: u64,
+    },
+    /// A scenario's rows don't match its size.
+    #[error("\"{name}\", {place}: found {found} where {key} is {expected}; correct \"{key}\" or the rows")]
+    WrongSize {
+        /// The file.
+        name: String,
+        /// Which part of the file.
+        place: String,
+        /// The size that isn't kept.
+        key: &'static str,
+        /// Cells or rows found.
+        found: usize,
+        /// Cells or rows announced.
+        expected: usize,
+    },
+}
+
+/// A resolution in metres per cell, or the error that names its place.
+pub(super) fn checked_resolution(name: &str, place: &str, text: &str) -> Result<f64, MapError> {
+    match text.trim().parse::<f64>() {
+        Ok(metres) if (MIN_RESOLUTION..=MAX_RESOLUTION).contains(&metres) => Ok(metres),
+        _ => Err(MapError::BadValue {
+            name: name.to_owned(),
+            place: place.to_owned(),
+            key: "resolution",
+            value: text.trim().to_owned(),
+            expected: format!("metres per cell from {MIN_RESOLUTION} to {MAX_RESOLUTION}"),
+        }),
+    }
+}

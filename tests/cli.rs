@@ -1,0 +1,190 @@
+//! The native companion as people and scripts run it.
+#![cfg(not(target_arch = "wasm32"))]
+
+use robovac_playground::{floorplan::ROOMS, planner::PLANNERS, robot::MODELS};
+use serde_json::Value;
+use std::{
+    collections::HashSet,
+    fs,
+    path::PathBuf,
+    process::{Command, Output},
+};
+
+fn robovac(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_robovac")).args(arguments).output().unwrap()
+}
+
+/// Standard output of a run that works.
+fn text(arguments: &[&str]) -> String {
+    let output = robovac(arguments);
+    assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+    assert!(output.stderr.is_empty(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).unwrap()
+}
+
+/// Exit code and message of a run that doesn't.
+fn failure(arguments: &[&str]) -> (i32, String) {
+    let output = robovac(arguments);
+    assert!(output.stdout.is_empty(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stdout));
+    (output.status.code().unwrap(), String::from_utf8(output.stderr).unwrap())
+}
+
+/// A file of its own for one test, with this content.
+fn file(name: &str, content: &[u8]) -> String {
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    fs::create_dir_all(path.parent().unwrap()).unwrap();
+    fs::write(&path, content).unwrap();
+    path.to_string_lossy().into_owned()
+}
+
+/// Asserts what every plan promises, and returns the walk.
+fn checked_walk(report: &Value) -> Vec<(i64, i64)> {
+    let number = |cell: &Value, i: usize| cell[i].as_i64().unwrap();
+    let walk: Vec<_> = report["cells"].as_array().unwrap().iter().map(|c| (number(c, 0), number(c, 1))).collect();
+    assert!(walk.windows(2).all(|w| (w[0].0 - w[1].0).abs() + (w[0].1 - w[1].1).abs() == 1), "a jump");
+    let visited: HashSet<_> = walk.iter().collect();
+    let whole = |key: &str| report[key].as_u64().unwrap() as usize;
+    assert_eq!(whole("steps"), walk.len() - 1);
+    assert_eq!(whole("revisits"), walk.len() - visited.len());
+    assert!(whole("reachable_cells") >= visited.len());
+    if report["robot"] == "cell" {
+        let share = visited.len() as f64 / whole("reachable_cells") as f64;
+        assert_eq!(report["coverage"].as_f64().unwrap(), share);
+    }
+    for key in ["turns", "initial_turns", "overlap", "length_m", "duration_s", "planning_s", "seed", "heading_deg"] {
+        assert!(report[key].is_number(), "{key} in {report}");
+    }
+    walk
+}
+
+#[test]
+fn lists_begin_with_the_id() {
+    let ids = |command| -> Vec<String> {
+        text(&[command]).lines().map(|line| line.split_once("  ").unwrap().0.trim_end().to_owned()).collect()
+    };
+    assert_eq!(ids("planners"), PLANNERS.iter().map(|p| p.id).collect::<Vec<_>>());
+    assert_eq!(ids("rooms"), ROOMS.iter().map(|r| r.id).collect::<Vec<_>>());
+    assert_eq!(ids("robots"), MODELS.iter().map(|r| r.id).collect::<Vec<_>>());
+}
+
+#[test]
+fn every_planner_plans_the_thesis_preset() {
+    for planner in PLANNERS {
+        let output = text(&["plan", "--room", "thesis8", "--planner", planner.id, "--json"]);
+        assert_eq!(output.lines().count(), 1);
+        let report: Value = serde_json::from_str(&output).unwrap();
+        let walk = checked_walk(&report);
+        assert_eq!(walk[0], (0, 7));
+        assert_eq!((&report["room"]["width"], &report["room"]["height"]), (&Value::from(8), &Value::from(8)));
+        assert_eq!(
+            (&report["room"]["resolution_m"], &report["planner"]),
+            (&Value::from(0.2), &Value::from(planner.id))
+        );
+        if planner.claims.complete {
+            assert_eq!((report["coverage"].as_f64(), report["reachable_cells"].as_u64()), (Some(1.0), Some(54)));
+        }
+    }
+}
+
+#[test]
+fn start_heading_seed_robot_and_cell_are_taken_over() {
+    let Some(planner) = PLANNERS.first() else { return };
+    let map = file("start.txt", b"; resolution 0.2\n; name Den\n...\n.#.\n...\n");
+    let base = ["plan", "--map", &map, "--planner", planner.id, "--json"];
+    let with = |more: &[&str]| -> Value { serde_json::from_str(&text(&[&base, more].concat())).unwrap() };
+    let report = with(&["--start", "2,1", "--heading", "-90", "--seed", "7"]);
+    assert_eq!(checked_walk(&report)[0], (2, 1));
+    assert_eq!((&report["start"], &report["seed"]), (&Value::from(vec![2, 1]), &Value::from(7)));
+    assert!((report["heading_deg"].as_f64().unwrap() + 90.0).abs() < 1e-9);
+    assert_eq!(report["room"]["name"], "Den");
+
+    let large = ["plan", "--room", "empty", "--planner", planner.id, "--json", "--robot", "roomba600", "--cell", "0.2"];
+    let report: Value = serde_json::from_str(&text(&large)).unwrap();
+    checked_walk(&report);
+    assert_eq!((&report["robot"], &report["room"]["width"]), (&Value::from("roomba600"), &Value::from(25)));
+    let summary = text(&["plan", "--room", "empty", "--planner", planner.id]);
+    assert!(
+        summary.contains("Coverage  ") && summary.contains(" m in ") && summary.contains(" quarter turns"),
+        "{summary}"
+    );
+}
+
+#[test]
+fn convert_writes_what_can_be_read_again() {
+    let json = file("convert/flat.json", b"");
+    let back = file("convert/flat.txt", b"");
+    let direct = file("convert/direct.txt", b"");
+    assert_eq!(text(&["convert", "--room", "flat", "--out", &json]), "");
+    text(&["convert", "--map", &json, "--out", &back]);
+    text(&["convert", "--room", "flat", "--out", &direct]);
+    assert_eq!(fs::read_to_string(&back).unwrap(), fs::read_to_string(&direct).unwrap());
+    assert!(fs::read_to_string(&back).unwrap().starts_with("; resolution 0.05\n; name Furnished flat\n"));
+}
+
+#[test]
+fn image_of_a_ros_map_is_found_beside_its_yaml() {
+    let yaml = file("ros/map.yaml", b"image: map.pgm\nresolution: 0.2\norigin: [0, 0, 0]\n");
+    let out = file("ros/map.txt", b"");
+    file("ros/map.pgm", b"P5 3 1 255\n\xfe\xfe\x00");
+    text(&["convert", "--map", &yaml, "--out", &out]);
+    assert_eq!(fs::read_to_string(&out).unwrap(), "; resolution 0.2\n; name map\n..#\n");
+    let lonely = file("ros_alone/map.yaml", b"image: gone.pgm\nresolution: 0.2\norigin: [0, 0, 0]\n");
+    let (code, message) = failure(&["convert", "--map", &lonely, "--out", &out]);
+    assert!(code == 3 && message.contains("\"gone.pgm\"; choose both files together"), "{code} {message}");
+}
+
+#[test]
+fn failures_have_a_code_and_say_what_to_do() {
+    let map = file("bad.txt", b"..\n...\n");
+    let out = file("out.txt", b"");
+    let cases: &[(&[&str], i32, &str)] = &[
+        (&["convert", "--map", "/no/such.txt", "--out", &out], 1, "/no/such.txt: entity not found; check the path"),
+        (&["convert", "--room", "flat", "--out", "/no/such/folder/a.txt"], 1, "/no/such/folder/a.txt: "),
+        (
+            &["convert", "--room", "flat", "--out", "flat.dxf"],
+            2,
+            "flat.dxf: no format has this ending; use .txt or .json",
+        ),
+        (&["convert", "--room", "attic", "--out", &out], 2, "there is no room \"attic\"; \"robovac rooms\" lists them"),
+        (&["convert", "--out", &out], 2, "--map <FILE>|--room <ID>"),
+        (&["convert", "--map", &map, "--room", "flat", "--out", &out], 2, "cannot be used with"),
+        (
+            &["plan", "--room", "flat", "--planner", "telepathy"],
+            2,
+            "there is no planner \"telepathy\"; \"robovac planners\"",
+        ),
+        (&["plan", "--room", "flat", "--planner", "x", "--start", "3"], 2, "two whole numbers, e.g. 3,4"),
+        (&["plan", "--room", "flat", "--planner", "x", "--param", "speed"], 2, "give it as key=value"),
+        (&["convert", "--map", &map, "--out", &out], 3, "\"bad.txt\", line 2: this row has 3 cells"),
+    ];
+    for (arguments, code, expected) in cases {
+        let (found, message) = failure(arguments);
+        assert!(found == *code && message.contains(expected), "{arguments:?}: {found} {message}");
+    }
+    let Some(planner) = PLANNERS.first() else { return };
+    let base = ["plan", "--room", "thesis8", "--planner", planner.id];
+    let cases: &[(&[&str], i32, &str)] = &[
+        (&["--robot", "tank"], 2, "there is no robot \"tank\"; \"robovac robots\" lists them"),
+        (&["--param", "warp=9"], 2, "there is no parameter \"warp\""),
+        (&["--cell", "-1"], 2, "planning cells of -1 m don't suit this map"),
+        (&["--heading", "nan"], 2, "the heading can't be NaN"),
+        (&["--start", "9,9"], 4, "the start cell (9, 9) lies outside the planning grid of 8 x 8 cells"),
+        (&["--start", "-1,0"], 4, "the start cell (-1, 0) lies outside"),
+        (&["--start", "0,0"], 4, "the start cell (0, 0) is inside a wall; the nearest cell where the robot fits is"),
+    ];
+    for (more, code, expected) in cases {
+        let (found, message) = failure(&[&base, *more].concat());
+        assert!(found == *code && message.starts_with(&format!("robovac: {expected}")), "{more:?}: {found} {message}");
+    }
+}
+
+#[test]
+fn help_documents_exit_codes_and_units() {
+    let help = text(&["--help"]);
+    assert!(help.contains("Exit codes:") && help.contains("3  the map can't be used"), "{help}");
+    let help = text(&["plan", "--help"]);
+    assert!(
+        help.contains("counted from 0 at the lower left") && help.contains("counter-clockwise from 0 = right"),
+        "{help}"
+    );
+}
