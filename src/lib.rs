@@ -17,6 +17,7 @@
 //!
 //! The core is pure: no clock, no input or output, no global state, no panic on bad input.
 
+pub mod app;
 pub mod coverage;
 pub mod floorplan;
 pub mod geometry;

@@ -1,5 +1,10 @@
 //! The only code that knows wasm-bindgen, web-sys and js-sys.
 
+mod canvas;
+mod layer;
+mod robot;
+
+pub use canvas::Canvas;
 use wasm_bindgen::prelude::*;
 
 /// Version of the crate.
