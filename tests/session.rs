@@ -192,8 +192,8 @@ fn late_answers_of_older_plans_are_dropped() {
     session.select_room("empty").unwrap();
     session.plan_finished(old.id, vec![old.job.start], 0.1);
     assert_eq!(session.state(), State::Planning);
-    session.plan_progress(old.id, 0.5, vec![Cell::new(0, 0)]);
-    assert!(session.so_far().is_empty());
+    session.plan_progress(old.id, 0.5, &[Cell::new(0, 0)]);
+    assert!(session.preview().is_empty());
 }
 
 #[test]

@@ -2,18 +2,26 @@
 
 pub mod bench;
 mod editor;
+mod outline;
+mod palette;
 pub mod planning;
 mod prepare;
 mod recording;
+mod scene;
 mod session;
 mod settings;
 mod state;
 mod view;
+mod viewport;
 
 pub use editor::{Brush, Editor};
+pub use outline::outlines;
+pub use palette::Palette;
 pub use prepare::{PlanRequest, Planned, Prepared};
 pub use recording::Recording;
-pub use session::Session;
+pub use scene::{RobotView, Scene};
+pub use session::{LoadError, Session};
 pub use settings::{CELL_SIZES, SPEEDS, Settings, SettingsError};
 pub use state::{Action, State};
 pub use view::View;
+pub use viewport::Viewport;

@@ -1,17 +1,18 @@
 //! One user's session: a room, a robot, a planner, a run.
 
 use super::{
-    Action, Brush, Editor, PlanRequest, Planned, Prepared, Recording, Settings, SettingsError, State, View,
+    Action, Brush, Editor, PlanRequest, Planned, Prepared, Recording, RobotView, Scene, Settings, SettingsError,
+    State, View,
     view::{Can, PlanView, RoomView},
 };
 use crate::{
     controller::FollowPath,
-    floorplan::{self, FloorPlan, MapError, SourceFile},
+    floorplan::{self, FloorPlan, MapError, Scenario, SourceFile},
     geometry::{Point, Pose},
     grid::Cell,
     planner::{PlanContext, PlanError},
     robot::OdometryModel,
-    sim::{Run, RunSetup, STEP_S},
+    sim::{Run, RunSetup, STEP_S, SlipLevel},
 };
 use std::sync::Arc;
 
@@ -34,7 +35,20 @@ pub struct Session {
     due: f64,
     speed_factor: f64,
     requests: u32,
+    /// Walks that planners have reported on their way.
+    previews: u64,
     message: Option<Message>,
+}
+
+/// Why files can't be taken.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum LoadError {
+    /// They are no map.
+    #[error(transparent)]
+    Map(#[from] MapError),
+    /// They are a scenario that asks for something that there isn't.
+    #[error("the scenario can't be run: {0}")]
+    Settings(#[from] SettingsError),
 }
 
 /// A planner at work elsewhere.
@@ -42,7 +56,8 @@ struct Planning {
     request: Option<PlanRequest>,
     id: u32,
     progress: f64,
-    so_far: Vec<Cell>,
+    /// The best walk so far, as the line that the robot would drive.
+    preview: Vec<Point>,
 }
 
 /// Something to tell the user.
@@ -67,6 +82,7 @@ impl Session {
             due: 0.0,
             speed_factor: 0.0,
             requests: 0,
+            previews: 0,
             message: None,
         };
         session.prepare();
@@ -115,14 +131,45 @@ impl Session {
         self.requests
     }
 
-    /// The best walk so far while a planner is at work.
-    pub fn so_far(&self) -> &[Cell] {
-        self.planning.as_ref().map_or(&[], |p| &p.so_far)
+    /// The line of the best walk so far while a planner is at work.
+    pub fn preview(&self) -> &[Point] {
+        self.planning.as_ref().map_or(&[], |p| &p.preview)
     }
 
     /// The run.
     pub fn recording(&self) -> Option<&Recording> {
         self.recording.as_ref()
+    }
+
+    /// What is to be drawn, but for what the pointer is doing.
+    pub fn scene(&self) -> Scene<'_> {
+        let run = self.recording.as_ref().map(Recording::run);
+        let robot = run.map(|run| RobotView {
+            pose: run.pose(),
+            estimate: run.estimate().filter(|_| self.settings.slip != SlipLevel::None),
+            radius: run.floor().walls.body_radius,
+            tool_width: 2.0 * run.floor().tool_radius,
+            bump_left: run.sensors().bump_left,
+            bump_right: run.sensors().bump_right,
+        });
+        Scene {
+            plan: self.editor.plan(),
+            // Both only grow, and one of them with every change.
+            plan_version: self.editor.version() + u64::from(self.requests),
+            floor: self.prepared.as_ref().map(|p| &*p.floor),
+            tracker: run.map(Run::tracker),
+            run_version: (u64::from(self.requests) << 32) + self.recording.as_ref().map_or(0, Recording::version),
+            dirty_rows: None,
+            planned: self.planned.as_ref().map_or(&[], |p| &p.line),
+            preview: self.planning.as_ref().map_or(&[], |p| &p.preview),
+            planned_version: u64::from(self.requests) + self.previews,
+            trail: run.map_or(&[], Run::trail),
+            robot,
+            start: self.prepared.as_ref().map(|p| p.floor.start),
+            start_radius: self.settings.robot_model().radius,
+            cursor: None,
+            dark: false,
+        }
     }
 
     /// Rows of the fine grid that were swept since the last call, lowest and highest.
@@ -251,10 +298,12 @@ impl Session {
     }
 
     /// A planner reports how far it is, 0 to 1, and its best walk so far.
-    pub fn plan_progress(&mut self, id: u32, done: f64, so_far: Vec<Cell>) {
-        if let Some(planning) = self.planning.as_mut().filter(|p| p.id == id) {
-            planning.progress = done;
-            planning.so_far = so_far;
+    pub fn plan_progress(&mut self, id: u32, done: f64, so_far: &[Cell]) {
+        let Some(planning) = self.planning.as_mut().filter(|p| p.id == id) else { return };
+        planning.progress = done;
+        if let Some(prepared) = &self.prepared {
+            planning.preview = prepared.lattice.anchors(so_far);
+            self.previews += 1;
         }
     }
 
@@ -299,7 +348,7 @@ impl Session {
                 self.planning = Some(Planning {
                     id: self.requests,
                     progress: 0.0,
-                    so_far: Vec::new(),
+                    preview: Vec::new(),
                     request: Some(PlanRequest {
                         id: self.requests,
                         planner: self.settings.planner.id,
@@ -448,9 +497,16 @@ impl Session {
         self.due = 0.0;
     }
 
-    /// Takes a map or scenario from files that belong together. On an error the room stays as it was.
-    pub fn load(&mut self, files: &[SourceFile]) -> Result<(), MapError> {
+    /// Takes a map or scenario from files that belong together. On an error everything stays as it was.
+    pub fn load(&mut self, files: &[SourceFile]) -> Result<(), LoadError> {
         let plan = floorplan::load(files)?;
+        if let [file] = files
+            && let Ok(scenario) = Scenario::read(&file.name, &file.bytes)
+        {
+            let mut settings = self.settings.clone();
+            settings.take_scenario(&scenario)?;
+            self.settings = settings;
+        }
         self.message = None;
         self.editor.replace(plan, None);
         self.prepare();
@@ -479,6 +535,22 @@ impl Session {
         }
         self.prepare();
         Ok(())
+    }
+
+    /// Room and settings as a scenario file, which [`Session::load`] takes back.
+    pub fn scenario_json(&self) -> String {
+        let start = self.editor.start().or(self.plan().start);
+        let defaults = crate::planner::Params::defaults(self.settings.planner.params);
+        let changed = self.settings.params.iter().filter(|&(id, value)| defaults.get(id) != Some(value));
+        let params = changed.filter_map(|(id, value)| Some((id.to_owned(), serde_json::to_value(value).ok()?))).collect();
+        let mut scenario = Scenario::of(self.plan());
+        scenario.start = start.map(Into::into);
+        scenario.robot = Some(self.settings.robot.to_owned());
+        scenario.planner = Some(self.settings.planner.id.to_owned());
+        scenario.params = params;
+        scenario.cell_size = Some(self.settings.cell_size);
+        scenario.seed = Some(self.settings.seed);
+        scenario.to_json()
     }
 
     /// The session as a link's `key=value` pairs; walls drawn by hand aren't in it.
@@ -516,7 +588,7 @@ impl Session {
         match Prepared::new(self.editor.plan(), &robot, self.settings.cell_size, Some(to)) {
             Ok(prepared) => {
                 self.message = None;
-                self.editor.set_start(Some(prepared.floor.start));
+                self.editor.set_start(Some(rounded(prepared.floor.start)));
                 self.prepare();
             }
             Err(error) => self.say("error", sentence(&error.to_string())),
@@ -563,6 +635,13 @@ impl Default for Session {
 /// Distance between truth and belief, m.
 fn pose_error(run: &Run) -> Option<f64> {
     run.estimate().map(|estimate| (estimate.position() - run.pose().position()).norm())
+}
+
+/// To millimetres and tenths of a degree, as links have it: a link must bring back the very same run.
+fn rounded(pose: Pose) -> Pose {
+    let round = |value: f64, unit: f64| (value / unit).round() * unit;
+    let heading = round(pose.heading.to_degrees(), 0.1).to_radians();
+    Pose::new(round(pose.x, 0.001), round(pose.y, 0.001), heading)
 }
 
 /// An error's text as a sentence.

@@ -1,6 +1,7 @@
 //! What the user has chosen, and how that is written in a link.
 
 use crate::{
+    floorplan::Scenario,
     geometry::Pose,
     planner::{self, ParamError, Params, PlannerInfo},
     robot::{OdometryModel, RobotModel, cell_robot, model},
@@ -139,6 +140,25 @@ impl Settings {
                 return Err(SettingsError::Unknown { kind: "odometry model", id: id.into(), known });
             }
         };
+        Ok(())
+    }
+
+    /// Takes what a scenario file says; what it doesn't mention stays.
+    pub fn take_scenario(&mut self, scenario: &Scenario) -> Result<(), SettingsError> {
+        if let Some(id) = &scenario.robot {
+            self.select_robot(id)?;
+        }
+        if let Some(metres) = scenario.cell_size {
+            self.set_cell_size(metres)?;
+        }
+        if let Some(id) = &scenario.planner {
+            self.select_planner(id)?;
+        }
+        for (id, value) in &scenario.params {
+            let text = value.as_str().map_or_else(|| value.to_string(), str::to_owned);
+            self.set_param(id, &text)?;
+        }
+        self.seed = scenario.seed.unwrap_or(self.seed);
         Ok(())
     }
 

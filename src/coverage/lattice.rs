@@ -78,6 +78,11 @@ impl Lattice {
         self.anchors[cell]
     }
 
+    /// The anchors of a walk over free cells: roughly the line that the robot would drive. Other cells are left out.
+    pub fn anchors(&self, walk: &[Cell]) -> Vec<Point> {
+        walk.iter().filter(|&&cell| self.free.is_set(cell)).map(|&cell| self.anchors[cell]).collect()
+    }
+
     /// The line that the robot drives to follow a walk over free cells, from the start pose; corners only.
     pub fn polyline(&self, floor: &ReachableFloor, walk: &[Cell]) -> Vec<Point> {
         let mut line = vec![floor.start.position()];

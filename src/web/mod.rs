@@ -5,8 +5,14 @@
 mod bench;
 mod canvas;
 mod catalogue;
+mod layer;
 mod plan_job;
 mod playground;
+mod robot;
+
+pub use bench::bench;
+pub use plan_job::plan;
+pub use playground::Playground;
 
 use serde::Serialize;
 use wasm_bindgen::prelude::*;

@@ -61,7 +61,7 @@ impl Playground {
         Ok(Self {
             session,
             canvas: Canvas::new(canvas)?,
-            viewport: Viewport::default(),
+            viewport: Viewport::new(1.0, 1.0, 1.0, 1.0, 1.0),
             tool: Tool::View,
             gesture: None,
             cursor: None,
@@ -114,7 +114,7 @@ impl Playground {
 
     /// The worker reports the share done and its best walk so far.
     pub fn plan_progress(&mut self, id: u32, done: f64, cells: &[u32]) {
-        self.session.plan_progress(id, done, plan_job::cells(cells));
+        self.session.plan_progress(id, done, &plan_job::cells(cells));
     }
 
     /// The worker is done.
@@ -322,8 +322,7 @@ impl Playground {
 
     /// Shows the whole room.
     pub fn fit(&mut self) {
-        let (width, height) = (self.session.plan().width_m(), self.session.plan().height_m());
-        self.viewport.fit(width, height);
+        self.viewport.fit();
     }
 
     /// Drawing by keyboard: `left`, `right`, `up`, `down` move a cursor by a planning cell, `apply` draws there.
@@ -379,8 +378,6 @@ impl Playground {
     /// The canvas is `width` x `height` CSS pixels on a screen with `ratio` device pixels each.
     pub fn resize(&mut self, width: f64, height: f64, ratio: f64) {
         self.viewport.resize(width, height, ratio);
-        self.canvas.resize(&self.viewport);
-        self.fit();
     }
 
     /// Dark or light colours.
@@ -392,15 +389,16 @@ impl Playground {
         let plan = self.session.plan();
         let now = (plan.name.clone(), plan.width_m(), plan.height_m());
         if now != self.fitted {
+            self.viewport.set_room(now.1, now.2);
             self.fitted = now;
-            self.fit();
         }
-        let start = match self.gesture {
+        let dirty_rows = self.session.take_changed_rows();
+        let dragged = match self.gesture {
             Some(Gesture::Start { pose, .. }) => Some(pose),
             _ => None,
         };
-        let changed = self.session.take_changed_rows();
-        let scene = Scene::of(&self.session, changed, start, self.cursor, self.dark);
+        let start = dragged.or(self.session.prepared().map(|p| p.floor.start));
+        let scene = Scene { start, dirty_rows, cursor: self.cursor, dark: self.dark, ..self.session.scene() };
         self.canvas.draw(&scene, &self.viewport)
     }
 }

@@ -1,0 +1,61 @@
+//! What is to be drawn, without saying how.
+
+use crate::{
+    coverage::{CoverageTracker, ReachableFloor},
+    floorplan::FloorPlan,
+    geometry::{Point, Pose},
+    grid::Cell,
+};
+
+/// Everything that is seen on the floor at one moment. Whoever draws it keeps what is costly (outlines, pictures of
+/// cells) until the version beside it changes.
+#[derive(Debug, Clone, Copy)]
+pub struct Scene<'a> {
+    /// Walls.
+    pub plan: &'a FloorPlan,
+    /// Changes whenever `plan` or `floor` does.
+    pub plan_version: u64,
+    /// What the robot can reach; `None` while that isn't known, as with a robot that doesn't fit.
+    pub floor: Option<&'a ReachableFloor>,
+    /// What has been swept.
+    pub tracker: Option<&'a CoverageTracker>,
+    /// Changes whenever the tracker was replaced rather than swept on.
+    pub run_version: u64,
+    /// Lowest and highest row of the tracker that changed since the last scene.
+    pub dirty_rows: Option<(usize, usize)>,
+    /// The line that the planner found; corners only.
+    pub planned: &'a [Point],
+    /// The best line so far while planning; drawn instead of `planned`.
+    pub preview: &'a [Point],
+    /// Changes whenever `planned` or `preview` does.
+    pub planned_version: u64,
+    /// Where the robot has just been, oldest first.
+    pub trail: &'a [Point],
+    /// The robot; `None` before there is a run.
+    pub robot: Option<RobotView>,
+    /// Where the robot starts.
+    pub start: Option<Pose>,
+    /// Radius of the robot that starts there, m.
+    pub start_radius: f64,
+    /// The map cell at which a tool would act.
+    pub cursor: Option<Cell>,
+    /// Colours for dark ground.
+    pub dark: bool,
+}
+
+/// A robot as it is seen from above.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RobotView {
+    /// Where it is.
+    pub pose: Pose,
+    /// Where it believes to be, if that is to be shown.
+    pub estimate: Option<Pose>,
+    /// Radius of its body, m.
+    pub radius: f64,
+    /// Width of the strip that it cleans, m.
+    pub tool_width: f64,
+    /// Whether the left half of its bumper is pressed.
+    pub bump_left: bool,
+    /// Whether the right half of its bumper is pressed.
+    pub bump_right: bool,
+}

@@ -1,0 +1,93 @@
+// @ts-check
+// Files in and out: picker, drop anywhere, download, link.
+import { button, byId, input } from "./dom.js";
+import { complain, toast } from "./messages.js";
+
+/** Larger files can't be a map that the simulator takes. */
+const MOST_BYTES = 64 * 2 ** 20;
+
+/** @param {import("./main.js").App} app */
+export function startFiles(app) {
+  /** @param {File[]} files */
+  const load = async (files) => {
+    if (files.length === 0) return;
+    const large = files.find((file) => file.size > MOST_BYTES);
+    if (large) {
+      complain(`${large.name} is larger than 64 MB. Export a smaller map, at most 4096 cells a side.`);
+      return;
+    }
+    try {
+      const read = await Promise.all(files.map(async (file) => ({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) })));
+      if (app.act((p) => p.load_files(read))) toast(`Loaded ${files.map((file) => file.name).join(" and ")}`);
+    } catch (error) {
+      // What the browser can't read: folders, files that have gone away.
+      complain(`The file could not be read (${error instanceof Error ? error.message : error}). Choose a file rather than a folder.`);
+    }
+  };
+
+  const picker = input("files");
+  button("load").addEventListener("click", () => picker.click());
+  picker.addEventListener("change", () => {
+    void load([...(picker.files ?? [])]);
+    // So that the same file can be chosen again.
+    picker.value = "";
+  });
+
+  startDrop((files) => void load(files));
+
+  button("save").addEventListener("click", () => {
+    app.act((p) => download(`${fileName(app.view.room.title)}.json`, p.scenario_json()));
+  });
+
+  const share = button("share");
+  share.disabled = false;
+  share.addEventListener("click", async () => {
+    const link = new URL(location.href);
+    if (!app.act((p) => (link.hash = p.link()))) return;
+    try {
+      await navigator.clipboard.writeText(link.href);
+      toast("Link copied");
+    } catch {
+      history.replaceState(null, "", link.hash);
+      toast("The link is in the address bar");
+    }
+  });
+}
+
+/** Takes files that are dropped anywhere on the page. @param {(files: File[]) => void} take */
+function startDrop(take) {
+  const overlay = byId("drop");
+  let depth = 0;
+  const holdsFiles = (/** @type {DragEvent} */ event) => event.dataTransfer?.types.includes("Files") ?? false;
+  const show = (/** @type {number} */ next) => {
+    depth = Math.max(next, 0);
+    overlay.hidden = depth === 0;
+  };
+  addEventListener("dragenter", (event) => holdsFiles(event) && show(depth + 1));
+  addEventListener("dragleave", (event) => holdsFiles(event) && show(depth - 1));
+  addEventListener("dragover", (event) => {
+    if (holdsFiles(event)) event.preventDefault();
+  });
+  addEventListener("drop", (event) => {
+    if (!holdsFiles(event)) return;
+    event.preventDefault();
+    show(0);
+    take([...(event.dataTransfer?.files ?? [])]);
+  });
+}
+
+/** @param {string} title */
+function fileName(title) {
+  const plain = title.toLowerCase().replace(/[^\p{L}\p{N}]+/gu, "-").replace(/^-|-$/g, "");
+  return plain || "room";
+}
+
+/** @param {string} name @param {string} text */
+function download(name, text) {
+  const url = URL.createObjectURL(new Blob([text], { type: "application/json" }));
+  const link = document.createElement("a");
+  link.href = url;
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(url), 10_000);
+}

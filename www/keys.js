@@ -1,0 +1,92 @@
+// @ts-check
+// Keys that work everywhere on the page, and the dialog that lists them.
+import { button, input, typed } from "./dom.js";
+
+/** @typedef {import("./main.js").App} App */
+
+/** @type {Record<string, import("./types").Tool>} */
+const TOOLS = { v: "view", w: "wall", e: "erase", s: "start" };
+
+/** @param {App} app */
+export function startKeys(app) {
+  const dialog = typed("help", HTMLDialogElement);
+  button("help-open").addEventListener("click", () => dialog.showModal());
+  // A click beside the dialog closes it.
+  dialog.addEventListener("click", (event) => {
+    if (event.target === dialog) dialog.close();
+  });
+
+  const singleKeys = input("keys-on");
+  singleKeys.checked = remembered() !== "off";
+  singleKeys.addEventListener("change", () => remember(singleKeys.checked ? "on" : "off"));
+
+  document.addEventListener("keydown", (event) => {
+    if (dialog.open || event.defaultPrevented || event.altKey) return;
+    const target = event.target instanceof Element ? event.target : document.body;
+    if (target.matches("select, textarea, input:not([type=checkbox], [type=range])")) return;
+    const used = event.ctrlKey || event.metaKey ? withControl(app, event) : singleKeys.checked && single(app, event, target, dialog);
+    if (used) event.preventDefault();
+  });
+}
+
+/** Ctrl or Cmd and a key. @param {App} app @param {KeyboardEvent} event */
+function withControl({ act, view }, event) {
+  const key = event.key.toLowerCase();
+  if (key === "y" || (key === "z" && event.shiftKey)) return view.can.redo && act((p) => p.redo());
+  return key === "z" && view.can.undo && act((p) => p.undo());
+}
+
+/** @param {App} app @param {KeyboardEvent} event @param {Element} target @param {HTMLDialogElement} dialog */
+function single(app, event, target, dialog) {
+  const { act, view } = app;
+  const key = event.key.toLowerCase();
+  const tool = TOOLS[key];
+  if (tool) return (tool === "view" || view.can.edit) && act((p) => p.set_tool(tool));
+  switch (key) {
+    case " ":
+      // Space presses the button that has the focus.
+      if (target.matches("button, summary, input, a")) return false;
+      app.autoplay = false;
+      if (view.can.pause) return act((p) => p.pause());
+      return view.can.play && act((p) => p.play());
+    case ".":
+      return view.can.step && act((p) => p.step());
+    case "r":
+      return view.can.reset && act((p) => p.reset());
+    case "+":
+    case "=":
+      return act((p) => zoomCentre(p, 1.25));
+    case "-":
+      return act((p) => zoomCentre(p, 0.8));
+    case "0":
+      return act((p) => p.fit());
+    case "?":
+      dialog.showModal();
+      return true;
+    default:
+      return false;
+  }
+}
+
+/** @param {App["playground"]} playground @param {number} factor */
+export function zoomCentre(playground, factor) {
+  const canvas = typed("floor", HTMLCanvasElement);
+  playground.zoom(canvas.clientWidth / 2, canvas.clientHeight / 2, factor);
+}
+
+function remembered() {
+  try {
+    return localStorage.getItem("keys");
+  } catch {
+    return null;
+  }
+}
+
+/** @param {string} value */
+function remember(value) {
+  try {
+    localStorage.setItem("keys", value);
+  } catch {
+    // Without storage the choice lasts as long as the page.
+  }
+}

@@ -1,0 +1,139 @@
+// @ts-check
+// Starts the page and drives it: one frame and one view per animation frame.
+import init, { Playground } from "../robovac-playground.js";
+import { byId } from "./dom.js";
+import { startFiles } from "./files.js";
+import { startKeys } from "./keys.js";
+import { complain, cover, forgive, isFatal, startMessages, textOf } from "./messages.js";
+import { startPanel } from "./panel.js";
+import { Planning } from "./planning.js";
+import { startPlaybar } from "./playbar.js";
+import { startSheets } from "./sheets.js";
+import { startStage } from "./stage.js";
+import { startTheme } from "./theme.js";
+import { startTips } from "./tips.js";
+import { updateView } from "./view.js";
+import { compile, missing } from "./wasm.js";
+
+/**
+ * @typedef {import("./types").View} View
+ * @typedef {object} App What the modules of the page share.
+ * @property {Playground} playground
+ * @property {import("./types").Catalogue} catalogue
+ * @property {View} view The latest view.
+ * @property {(what: (playground: Playground) => void) => boolean} act Does something that may fail; says whether it worked.
+ * @property {() => void} cancelPlanning
+ * @property {boolean} autoplay Play as soon as the plan is there.
+ */
+
+/** @param {unknown} error */
+function die(error) {
+  console.error(error);
+  cover("failed", "The simulator has stopped", `It met an error of its own (${textOf(error)}). Reload to go on; the room and the settings are in the address.`);
+}
+
+/** @param {WebAssembly.Module} module */
+function start(module) {
+  const playground = new Playground(/** @type {HTMLCanvasElement} */ (byId("floor")));
+  let alive = true;
+
+  /** @param {() => void} what */
+  const guard = (what) => {
+    if (!alive) return false;
+    try {
+      what();
+      return true;
+    } catch (error) {
+      if (isFatal(error)) {
+        alive = false;
+        die(error);
+      } else complain(textOf(error));
+      return false;
+    }
+  };
+
+  /** @type {App} */
+  const app = {
+    playground,
+    catalogue: Playground.catalogue(),
+    view: playground.view(),
+    act: (what) => {
+      const worked = guard(() => what(playground));
+      if (worked) forgive();
+      return worked;
+    },
+    cancelPlanning: () => {
+      app.autoplay = false;
+      planning.cancel();
+      app.act((p) => p.cancel_plan());
+    },
+    autoplay: !matchMedia("(prefers-reduced-motion: reduce)").matches,
+  };
+  const planning = new Planning(module, {
+    progress: (id, done, cells) => guard(() => playground.plan_progress(id, done, cells)),
+    finished: (id, cells, seconds) => guard(() => playground.plan_finished(id, cells, seconds)),
+    failed: (id, message) => guard(() => playground.plan_failed(id, message)),
+  });
+
+  const restore = () => guard(() => playground.restore(location.hash.slice(1)));
+  if (location.hash.length > 1) restore();
+  addEventListener("hashchange", restore);
+
+  startTheme((dark) => guard(() => playground.set_dark(dark)));
+  const resized = startStage(app);
+  const updatePanel = startPanel(app);
+  const updatePlaybar = startPlaybar(app);
+  startFiles(app);
+  startKeys(app);
+
+  /** @param {number} now */
+  const frame = (now) => {
+    if (!alive) return;
+    requestAnimationFrame(frame);
+    guard(() => {
+      resized();
+      playground.frame(now);
+      const view = (app.view = playground.view());
+      if (app.autoplay && view.state === "ready" && view.can.play) {
+        app.autoplay = false;
+        playground.play();
+      }
+      const request = playground.take_plan_request();
+      if (request) planning.start(request);
+      updateView(app);
+      updatePanel(view);
+      updatePlaybar(view);
+    });
+  };
+  requestAnimationFrame(frame);
+  setInterval(() => guard(() => keepLink(playground.link())), 500);
+  document.body.dataset.boot = "ready";
+}
+
+/** Keeps the address such that it leads back here. @param {string} link */
+function keepLink(link) {
+  const hash = link.startsWith("#") ? link : `#${link}`;
+  if (hash !== location.hash) history.replaceState(null, "", hash);
+}
+
+async function boot() {
+  startMessages();
+  startTips();
+  startSheets();
+  const lack = missing();
+  if (lack) {
+    startTheme(() => {});
+    cover("unsupported", "This browser can't run the simulator", `It lacks ${lack}. Recent versions of Firefox, Chrome, Edge and Safari have it.`);
+    return;
+  }
+  try {
+    const module = await compile();
+    await init({ module_or_path: module });
+    start(module);
+  } catch (error) {
+    console.error(error);
+    cover("failed", "The simulator could not be started", `${textOf(error)}. Check the connection, then reload.`);
+  }
+}
+
+void boot();

@@ -1,0 +1,72 @@
+// @ts-check
+// What went wrong and what to do: the message bar, the fatal cover, the short confirmation.
+import { button, byId, setAttribute, setHidden, setText } from "./dom.js";
+
+let local = "";
+let dismissed = "";
+/** @type {ReturnType<typeof setTimeout> | undefined} */
+let toastTimer;
+
+/** The text of anything that was thrown. @param {unknown} error */
+export const textOf = (error) => (error instanceof Error ? error.message : String(error));
+
+/** Shows an error until it is dismissed or something else succeeds. @param {string} text */
+export function complain(text) {
+  local = text;
+  dismissed = "";
+}
+
+/** Takes back an error of ours: what was tried next has worked. */
+export function forgive() {
+  local = "";
+}
+
+/** Shows ours, or else what the session says. @param {import("./types").View} view */
+export function updateMessage(view) {
+  const text = local || view.message;
+  const isError = local !== "" || view.message_kind === "error";
+  // A dismissed message comes back if it went away in between.
+  if (text !== dismissed) dismissed = "";
+  setHidden(byId("message"), text === "" || text === dismissed);
+  setText(byId("message-text"), text);
+  setAttribute(byId("message"), "data-kind", isError ? "error" : "notice");
+  setAttribute(byId("message-icon"), "href", isError ? "#i-alert" : "#i-info");
+}
+
+export function startMessages() {
+  button("message-close").addEventListener("click", () => {
+    dismissed = byId("message-text").textContent ?? "";
+    local = "";
+    byId("floor").focus();
+  });
+  button("cover-reload").addEventListener("click", () => location.reload());
+}
+
+/** A short confirmation that goes away by itself. @param {string} text */
+export function toast(text) {
+  const node = byId("toast");
+  node.textContent = text;
+  node.hidden = false;
+  clearTimeout(toastTimer);
+  toastTimer = setTimeout(() => (node.hidden = true), 2500);
+}
+
+/**
+ * Covers the floor: the page can't go on.
+ * @param {"unsupported" | "failed"} state
+ * @param {string} title
+ * @param {string} text
+ */
+export function cover(state, title, text) {
+  document.body.dataset.boot = state;
+  byId("cover-title").textContent = title;
+  byId("cover-text").textContent = text;
+  const reload = button("cover-reload");
+  reload.hidden = state === "unsupported";
+  if (!reload.hidden) reload.focus();
+}
+
+/** Whether the wasm module can't be used any more after this error. @param {unknown} error */
+export function isFatal(error) {
+  return error instanceof WebAssembly.RuntimeError || /recursive use|unreachable|null pointer/.test(String(error));
+}

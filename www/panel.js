@@ -1,0 +1,164 @@
+// @ts-check
+// The forms: what cleans which room, made from the catalogue.
+import { button, byId, changed, fill, input, make, select, setHidden, setText, typed } from "./dom.js";
+
+/**
+ * @typedef {import("./types").View} View
+ * @typedef {import("./types").ParamSpec} ParamSpec
+ * @typedef {import("./types").PlannerEntry} PlannerEntry
+ * @typedef {import("./main.js").App} App
+ */
+
+/** Parameters beyond these fold away. */
+const FEW = 2;
+
+/** @param {App} app @returns {(view: View) => void} */
+export function startPanel(app) {
+  const { catalogue, act } = app;
+  const { rooms, planners, robots, cell_sizes_m } = catalogue;
+  fill(select("room"), rooms.map(({ id, title }) => [id, title]));
+  fill(select("planner"), planners.map(({ id, title }) => [id, title]));
+  fill(select("robot"), robots.map(({ id, title }) => [id, title]));
+  fill(select("cell-size"), cell_sizes_m.map((size) => [String(size), `${+(size * 100).toFixed(2)} cm`]));
+
+  /** @param {(p: App["playground"]) => void} what */
+  const change = (what) => {
+    // Whoever watches a run and changes something wants to watch the next one.
+    app.autoplay ||= app.view.state === "playing";
+    // A refused value goes back to what holds.
+    if (!act(what)) shown.clear();
+  };
+  /** @type {Map<HTMLElement, string>} */
+  const shown = new Map();
+
+  /** @param {string} id @param {(p: App["playground"], value: string) => void} set */
+  const bind = (id, set) => {
+    const control = byId(id);
+    control.addEventListener("change", () => change((p) => set(p, Reflect.get(control, "value"))));
+  };
+  bind("room", (p, id) => p.select_room(id));
+  bind("planner", (p, id) => p.select_planner(id));
+  bind("robot", (p, id) => p.select_robot(id));
+  bind("cell-size", (p, metres) => p.set_cell_size(Number(metres)));
+  bind("slip", (p, id) => p.set_slip(id));
+  bind("odometry", (p, id) => p.set_odometry(id));
+  bind("seed", (p, text) => p.set_seed(seed(text)));
+  button("reseed").addEventListener("click", () => change((p) => p.set_seed(Math.floor(Math.random() * 1e6))));
+  typed("setup-fields", HTMLFieldSetElement).disabled = false;
+
+  /** Shows a value unless it is being edited. @param {HTMLElement} control @param {string} value */
+  const show = (control, value) => {
+    if (shown.get(control) === value) return;
+    shown.set(control, value);
+    Reflect.set(control, "value", value);
+  };
+
+  /** @type {Map<string, (value: string | number | boolean) => void>} */
+  let setters = new Map();
+
+  /** @param {PlannerEntry} planner */
+  const buildParams = (planner) => {
+    setters = new Map();
+    const fields = planner.params.map((spec) => {
+      const made = paramField(spec, (text) => change((p) => p.set_param(spec.id, text)));
+      setters.set(spec.id, made.set);
+      return made.field;
+    });
+    byId("params").replaceChildren(...fields.slice(0, FEW));
+    byId("params-more").replaceChildren(...fields.slice(FEW));
+  };
+
+  return (view) => {
+    const { room } = view;
+    showRoom(room, rooms);
+    show(select("room"), room.id);
+    show(select("planner"), view.planner);
+    show(select("robot"), view.robot);
+    show(select("cell-size"), String(view.cell_size_m));
+    show(select("slip"), view.slip);
+    show(select("odometry"), view.odometry);
+    show(input("seed"), String(view.seed));
+    setText(byId("robot-note"), robots.find(({ id }) => id === view.robot)?.summary ?? "");
+    const planner = planners.find(({ id }) => id === view.planner);
+    if (planner && changed(byId("params"), "planner", planner.id)) {
+      buildParams(planner);
+      explain(planner);
+    }
+    for (const [id, set] of setters) {
+      const value = view.params[id];
+      if (value !== undefined) set(value);
+    }
+  };
+}
+
+/** @param {string} text */
+function seed(text) {
+  const value = Number(text);
+  if (text.trim() === "" || !Number.isInteger(value) || value < 0 || value > 0xffffffff) {
+    throw `The seed can't be "${text}"; it is a whole number from 0 to 4294967295.`;
+  }
+  return value;
+}
+
+/** @param {View["room"]} room @param {{ id: string }[]} shipped */
+function showRoom(room, shipped) {
+  const menu = select("room");
+  const own = menu.querySelector("option[data-own]");
+  const isOwn = !shipped.some(({ id }) => id === room.id);
+  if (isOwn && own?.textContent !== room.title) {
+    own?.remove();
+    menu.prepend(make("option", { value: room.id, "data-own": "" }, room.title || "Own room"));
+    menu.value = room.id;
+  } else if (!isOwn) own?.remove();
+  const size = `${room.width_m.toFixed(1)} × ${room.height_m.toFixed(1)} m, ${room.reachable_m2.toFixed(1)} m² within reach.`;
+  setText(byId("room-note"), room.note ? `${room.note.replace(/\.?$/, ".")} ${size}` : size);
+}
+
+/** @param {PlannerEntry} planner */
+function explain(planner) {
+  setText(byId("planner-note"), planner.summary);
+  setText(byId("explainer-title"), planner.title);
+  setText(byId("explainer-text"), planner.summary);
+  setText(byId("explainer-source"), planner.source);
+  const link = typed("explainer-link", HTMLAnchorElement);
+  setHidden(link, !planner.link);
+  if (planner.link) link.href = planner.link;
+  /** @type {[boolean, string, string, string, string][]} */
+  const claims = [
+    [planner.complete, "complete", "may miss floor", "Proven to visit every cell that can be reached.", "Gives no promise to visit every cell that can be reached."],
+    [planner.deterministic, "deterministic", "uses chance", "Gives the same plan every time, whatever the seed.", "Draws random numbers; another seed gives another plan."],
+  ];
+  byId("claims").replaceChildren(
+    ...claims.map(([holds, yes, no, tipYes, tipNo]) =>
+      make("li", { "data-tip": holds ? tipYes : tipNo, className: holds ? "yes" : "no" }, make("button", { type: "button", className: "term" }, holds ? yes : no)),
+    ),
+  );
+}
+
+/**
+ * The field of one parameter; it tells its value as text.
+ * @param {ParamSpec} spec
+ * @param {(text: string) => void} tell
+ * @returns {{ field: HTMLElement, set: (value: string | number | boolean) => void }}
+ */
+function paramField(spec, tell) {
+  const label = make("span", { className: "label" }, spec.label);
+  if (spec.kind === "flag") {
+    const box = make("input", { type: "checkbox", onchange: () => tell(String(box.checked)) });
+    const set = (/** @type {unknown} */ value) => changed(box, "value", value) && (box.checked = value === true);
+    return { field: make("label", { className: "field check", "data-tip": spec.help }, box, label), set };
+  }
+  if (spec.kind === "choice") {
+    const menu = make("select", { onchange: () => tell(menu.value) });
+    fill(menu, spec.options ?? []);
+    const set = (/** @type {unknown} */ value) => changed(menu, "value", value) && (menu.value = String(value));
+    return { field: make("label", { className: "field inline", "data-tip": spec.help }, label, menu), set };
+  }
+  const limits = { min: String(spec.min ?? 0), max: String(spec.max ?? 1), step: String(spec.step ?? "any") };
+  const id = `param-${spec.id}`;
+  const box = make("input", { type: "number", id, ...limits, onchange: () => tell(box.value) });
+  const slider = make("input", { type: "range", ...limits, tabIndex: -1, "aria-hidden": "true", oninput: () => (box.value = slider.value), onchange: () => tell(slider.value) });
+  const set = (/** @type {unknown} */ value) => changed(box, "value", value) && (box.value = slider.value = String(value));
+  const head = make("span", { className: "param-head" }, make("label", { className: "label", for: id }, spec.label), make("span", { className: "with-unit" }, box, spec.unit ?? ""));
+  return { field: make("div", { className: "field number", "data-tip": spec.help }, head, slider), set };
+}

@@ -1,0 +1,37 @@
+// @ts-check
+// On a small screen the panels are sheets over the floor, one at a time.
+import { byId } from "./dom.js";
+
+export function startSheets() {
+  const openers = [...document.querySelectorAll("button[data-sheet]")];
+
+  /** @param {string} name The sheet to show, "" for none. */
+  const open = (name) => {
+    for (const opener of openers) {
+      const id = opener.getAttribute("data-sheet") ?? "";
+      const isOpen = id === name;
+      byId(id).classList.toggle("open", isOpen);
+      opener.setAttribute("aria-expanded", String(isOpen));
+    }
+  };
+  const current = () => openers.find((opener) => opener.getAttribute("aria-expanded") === "true");
+
+  const close = () => {
+    const opener = current();
+    open("");
+    if (opener instanceof HTMLElement) opener.focus();
+  };
+
+  for (const opener of openers) {
+    opener.addEventListener("click", () => {
+      const name = opener === current() ? "" : (opener.getAttribute("data-sheet") ?? "");
+      open(name);
+      if (name) byId(name).querySelector("button")?.focus();
+    });
+  }
+  for (const button of document.querySelectorAll(".sheet-close")) button.addEventListener("click", close);
+  document.addEventListener("keydown", (event) => {
+    if (event.key === "Escape" && current()) close();
+  });
+  byId("floor").addEventListener("pointerdown", () => open(""));
+}

@@ -1,0 +1,116 @@
+// Shapes of the plain objects that cross the boundary to Rust (src/web/playground.rs writes and reads them).
+
+export type ParamSpec = {
+  id: string;
+  label: string;
+  help: string;
+  kind: "number" | "choice" | "flag";
+  min?: number;
+  max?: number;
+  step?: number;
+  unit?: string;
+  options?: [value: string, label: string][];
+  default: string | number | boolean;
+};
+
+export type PlannerEntry = {
+  id: string;
+  title: string;
+  summary: string;
+  source: string;
+  link: string;
+  complete: boolean;
+  deterministic: boolean;
+  params: ParamSpec[];
+};
+
+export type Catalogue = {
+  rooms: { id: string; title: string; note: string }[];
+  planners: PlannerEntry[];
+  robots: { id: string; title: string; summary: string; default_cell_m: number }[];
+  cell_sizes_m: number[];
+  /** Times real time; 0 stands for as fast as it goes. */
+  speeds: number[];
+};
+
+export type PlanNumbers = {
+  /** 0 to 1 */
+  progress: number;
+  running: boolean;
+  reachable_cells: number;
+  visited_cells: number;
+  steps: number;
+  turns: number;
+  initial_turns: number;
+  revisits: number;
+  length_m: number;
+  turning_deg: number;
+  duration_s: number;
+  coverage: number;
+  overlap: number;
+  planning_s: number;
+};
+
+export type State = "planning" | "ready" | "playing" | "paused" | "finished" | "seeking" | "failed";
+export type Action = "play" | "pause" | "step" | "reset" | "cancel" | "seek" | "undo" | "redo" | "edit";
+export type Tool = "view" | "wall" | "erase" | "start";
+
+export type View = {
+  state: State;
+  can: Record<Action, boolean>;
+  message: string;
+  message_kind: "" | "error" | "notice";
+  room: {
+    id: string;
+    title: string;
+    note: string;
+    width_m: number;
+    height_m: number;
+    resolution_m: number;
+    cells: number;
+    reachable_m2: number;
+  };
+  robot: string;
+  planner: string;
+  params: Record<string, string | number | boolean>;
+  cell_size_m: number;
+  seed: number;
+  slip: string;
+  odometry: string;
+  speed: number;
+  tool: Tool;
+  time_s: number;
+  /** The furthest time that has been simulated. */
+  run_end_s: number;
+  /** 0 to 1 */
+  coverage: number;
+  distance_m: number;
+  turns: number;
+  bumps: number;
+  overlap: number;
+  /** Achieved, times real time. */
+  speed_factor: number;
+  plan: PlanNumbers | null;
+  pose_error_m: number;
+};
+
+export type PlanRequest = {
+  id: number;
+  planner: string;
+  params: Record<string, string | number | boolean>;
+  seed: number;
+  width: number;
+  height: number;
+  free: Uint8Array;
+  start: [number, number];
+  heading: string;
+  step_s: number;
+  turn_s: number;
+};
+
+/** What the planning worker is told, and what it answers. Cells are x, y, x, y, ... */
+export type ToWorker = { type: "init"; module: WebAssembly.Module } | { type: "plan"; request: PlanRequest };
+export type FromWorker =
+  | { type: "progress"; id: number; done: number; cells: Uint32Array }
+  | { type: "finished"; id: number; cells: Uint32Array; seconds: number }
+  | { type: "failed"; id: number; message: string };

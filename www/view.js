@@ -1,0 +1,99 @@
+// @ts-check
+// Writes the view into the document, and only what changed.
+import { button, byId, make, setAttribute, setEnabled, setHidden, setText, typed } from "./dom.js";
+import { clock, count, metres, pace, percent, smallLength, took } from "./format.js";
+import { updateMessage } from "./messages.js";
+
+/**
+ * @typedef {import("./types").View} View
+ * @typedef {import("./types").PlanNumbers} Plan
+ * @typedef {{ label: string, tip: string, plan?: (p: Plan) => string, run?: (v: View) => string }} Metric
+ */
+
+/** @type {Metric[]} */
+const RUN_METRICS = [
+  { label: "Coverage", tip: "Swept share of the floor that this robot can reach, at the true width of its tool. Plan: driven without any error.", plan: (p) => `${percent(p.coverage)} %`, run: (v) => `${percent(v.coverage)} %` },
+  { label: "Time", tip: "From setting off to standing still, by the robot's speeds and accelerations. Minutes and seconds.", plan: (p) => clock(p.duration_s), run: (v) => clock(v.time_s) },
+  { label: "Distance", tip: "Length of the way driven, in metres.", plan: (p) => `${metres(p.length_m)} m`, run: (v) => `${metres(v.distance_m)} m` },
+  { label: "Turns", tip: "Plan: quarter turns between steps on the grid, a reversal counts as two. So far: those driven.", plan: (p) => count(p.turns), run: (v) => count(v.turns) },
+  { label: "Overlap", tip: "Floor swept again by later passes, as a share of the floor swept. 30 % means that three tenths of the work were done twice.", plan: (p) => `${percent(p.overlap, 0)} %`, run: (v) => `${percent(v.overlap, 0)} %` },
+  { label: "Bumps", tip: "How often the bumper has touched a wall or a piece of furniture.", run: (v) => count(v.bumps) },
+  { label: "Position error", tip: "Distance between where the robot is and where it believes to be, from counting wheel turns.", run: (v) => smallLength(v.pose_error_m) },
+];
+
+/** @type {Metric[]} */
+const PLAN_METRICS = [
+  { label: "Cells visited", tip: "Cells of the planning grid that the plan visits, out of those that can be reached from the start.", plan: (p) => `${count(p.visited_cells)} of ${count(p.reachable_cells)}` },
+  { label: "Steps", tip: "Steps from one cell to the next.", plan: (p) => count(p.steps) },
+  { label: "Revisits", tip: "Visits to cells beyond the first to each: driving that cleans nothing new.", plan: (p) => count(p.revisits) },
+  { label: "Turning", tip: "Sum of all turns of the planned line in degrees, the one at the start included.", plan: (p) => `${count(p.turning_deg)}°` },
+  { label: "Planned in", tip: "Time that this computer took to work out the plan.", plan: (p) => took(p.planning_s) },
+];
+
+/** @type {{ metric: Metric, plan: Element, run: Element }[]} */
+const rows = [];
+
+/** @param {Metric} metric @param {boolean} wide */
+function row(metric, wide) {
+  const plan = make("td", wide ? { colSpan: 2 } : {});
+  const run = make("td");
+  const term = make("button", { type: "button", className: "term" }, metric.label);
+  rows.push({ metric, plan, run });
+  return make("tr", { "data-tip": metric.tip }, make("th", { scope: "row" }, term), plan, ...(wide ? [] : [run]));
+}
+
+byId("metrics-run").append(...RUN_METRICS.map((metric) => row(metric, false)));
+byId("metrics-plan").append(...PLAN_METRICS.map((metric) => row(metric, true)));
+
+let lastNarration = 0;
+
+/** @param {import("./main.js").App} app */
+export function updateView({ view, playground }) {
+  const { plan } = view;
+  const known = plan && plan.steps > 0 ? plan : null;
+  for (const { metric, plan, run } of rows) {
+    setText(plan, known && metric.plan ? metric.plan(known) : "–");
+    setText(run, metric.run ? metric.run(view) : "–");
+  }
+  setText(byId("n-coverage"), percent(view.coverage));
+  setText(byId("n-time"), clock(view.time_s));
+  setText(byId("n-time-unit"), view.time_s < 3600 ? "min" : "h");
+  setText(byId("n-distance"), metres(view.distance_m));
+  setAttribute(document.body, "data-state", view.state);
+  updateMessage(view);
+  updatePlanning(view);
+  updateTools(view);
+
+  const now = performance.now();
+  if (now - lastNarration > 4000) {
+    lastNarration = now;
+    const text = playground.description();
+    setAttribute(byId("floor"), "aria-label", text);
+    // Read aloud only when something comes to an end, not all the time.
+    if (view.state !== "playing") setText(byId("narration"), text);
+  }
+}
+
+/** @param {View} view */
+function updatePlanning({ state, plan, can }) {
+  const planning = state === "planning";
+  const done = planning && plan ? Math.floor(plan.progress * 100) : 0;
+  setHidden(byId("planning"), !planning);
+  setText(byId("planning-percent"), `${done} %`);
+  setAttribute(typed("planning-bar", HTMLProgressElement), "value", String(done));
+  setEnabled(button("planning-cancel"), can.cancel);
+}
+
+/** @param {View} view */
+function updateTools({ can, tool, state, speed_factor, speed }) {
+  for (const node of byId("tools").querySelectorAll("button[data-tool]")) {
+    const name = node.getAttribute("data-tool");
+    setAttribute(node, "aria-pressed", String(name === tool));
+    setEnabled(/** @type {HTMLButtonElement} */ (node), name === "view" || can.edit);
+  }
+  setAttribute(byId("stage"), "data-tool", tool);
+  setEnabled(button("undo"), can.undo);
+  setEnabled(button("redo"), can.redo);
+  const lags = state === "playing" && speed_factor > 0 && (speed === 0 || speed_factor < 0.9 * speed);
+  setText(byId("pace"), lags ? pace(speed_factor) : "");
+}

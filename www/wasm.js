@@ -1,0 +1,26 @@
+// @ts-check
+// Compiles the module once, for the page and its workers.
+
+/** What this browser lacks, as the end of a sentence; empty if it has everything. */
+export function missing() {
+  if (typeof WebAssembly !== "object" || !WebAssembly.Module) return "WebAssembly, which some privacy modes switch off";
+  if (typeof Worker !== "function") return "web workers";
+  if (typeof OffscreenCanvas !== "function" || typeof Path2D !== "function") return "off-screen drawing";
+  let modules = false;
+  const probe = { get type() { modules = true; return /** @type {const} */ ("module"); } };
+  try {
+    new Worker("data:text/javascript,", probe).terminate();
+  } catch {
+    // What counts is that the browser asked for the type.
+  }
+  return modules ? "" : "workers made of modules";
+}
+
+/** @returns {Promise<WebAssembly.Module>} */
+export async function compile() {
+  const response = await fetch(new URL("../robovac-playground_bg.wasm", import.meta.url));
+  if (!response.ok) throw new Error(`the program could not be fetched (status ${response.status})`);
+  // Some servers don't know the type of wasm files; streaming insists on it.
+  if (response.headers.get("content-type")?.startsWith("application/wasm")) return WebAssembly.compileStreaming(response);
+  return WebAssembly.compile(await response.arrayBuffer());
+}
