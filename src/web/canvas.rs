@@ -23,7 +23,7 @@ const MOST_PLANNED: usize = 60_000;
 /// Pixels per cell from which on the grid is drawn.
 const GRID_FROM: f64 = 16.0;
 /// Width of the canvas below which there is no room for a scale bar between legend and zoom, CSS pixels.
-const LEAST_FOR_SCALE_BAR: f64 = 520.0;
+const LEAST_FOR_SCALE_BAR: f64 = 580.0;
 /// Pieces of different strength in the trail.
 const TRAIL_PIECES: usize = 16;
 
