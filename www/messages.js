@@ -59,6 +59,8 @@ export function toast(text) {
  */
 export function cover(state, title, text) {
   document.body.dataset.boot = state;
+  // Nothing there works any more.
+  for (const id of ["setup", "playbar"]) byId(id).inert = true;
   byId("cover-title").textContent = title;
   byId("cover-text").textContent = text;
   const reload = button("cover-reload");

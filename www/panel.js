@@ -7,6 +7,7 @@ import { button, byId, changed, fill, input, make, select, setHidden, setText, t
  * @typedef {import("./types").ParamSpec} ParamSpec
  * @typedef {import("./types").PlannerEntry} PlannerEntry
  * @typedef {import("./main.js").App} App
+ * @typedef {(control: HTMLElement, value: string) => void} Show
  */
 
 /** Parameters beyond these fold away. */
@@ -46,23 +47,24 @@ export function startPanel(app) {
   button("reseed").addEventListener("click", () => change((p) => p.set_seed(Math.floor(Math.random() * 1e6))));
   typed("setup-fields", HTMLFieldSetElement).disabled = false;
 
-  /** Shows a value unless it is being edited. @param {HTMLElement} control @param {string} value */
+  /** Shows a value where it differs from what was last shown: not while it is being edited. @type {Show} */
   const show = (control, value) => {
     if (shown.get(control) === value) return;
     shown.set(control, value);
-    Reflect.set(control, "value", value);
+    if (control instanceof HTMLInputElement && control.type === "checkbox") control.checked = value === "true";
+    else Reflect.set(control, "value", value);
   };
 
-  /** @type {Map<string, (value: string | number | boolean) => void>} */
-  let setters = new Map();
+  /** @type {Map<string, HTMLElement[]>} */
+  let paramControls = new Map();
 
   /** @param {PlannerEntry} planner */
   const buildParams = (planner) => {
-    setters = new Map();
+    paramControls = new Map();
     const fields = planner.params.map((spec) => {
-      const made = paramField(spec, (text) => change((p) => p.set_param(spec.id, text)));
-      setters.set(spec.id, made.set);
-      return made.field;
+      const { field, controls } = paramField(spec, (text) => change((p) => p.set_param(spec.id, text)));
+      paramControls.set(spec.id, controls);
+      return field;
     });
     byId("params").replaceChildren(...fields.slice(0, FEW));
     byId("params-more").replaceChildren(...fields.slice(FEW));
@@ -84,9 +86,9 @@ export function startPanel(app) {
       buildParams(planner);
       explain(planner);
     }
-    for (const [id, set] of setters) {
+    for (const [id, controls] of paramControls) {
       const value = view.params[id];
-      if (value !== undefined) set(value);
+      if (value !== undefined) for (const control of controls) show(control, String(value));
     }
   };
 }
@@ -136,29 +138,35 @@ function explain(planner) {
 }
 
 /**
- * The field of one parameter; it tells its value as text.
+ * The field of one parameter, which tells its value as text, and the controls that show it.
  * @param {ParamSpec} spec
  * @param {(text: string) => void} tell
- * @returns {{ field: HTMLElement, set: (value: string | number | boolean) => void }}
+ * @returns {{ field: HTMLElement, controls: HTMLElement[] }}
  */
 function paramField(spec, tell) {
   const label = make("span", { className: "label" }, spec.label);
   if (spec.kind === "flag") {
     const box = make("input", { type: "checkbox", onchange: () => tell(String(box.checked)) });
-    const set = (/** @type {unknown} */ value) => changed(box, "value", value) && (box.checked = value === true);
-    return { field: make("label", { className: "field check", "data-tip": spec.help }, box, label), set };
+    return { field: make("label", { className: "field check", "data-tip": spec.help }, box, label), controls: [box] };
   }
   if (spec.kind === "choice") {
     const menu = make("select", { onchange: () => tell(menu.value) });
     fill(menu, spec.options ?? []);
-    const set = (/** @type {unknown} */ value) => changed(menu, "value", value) && (menu.value = String(value));
-    return { field: make("label", { className: "field inline", "data-tip": spec.help }, label, menu), set };
+    return { field: make("label", { className: "field inline", "data-tip": spec.help }, label, menu), controls: [menu] };
   }
   const limits = { min: String(spec.min ?? 0), max: String(spec.max ?? 1), step: String(spec.step ?? "any") };
   const id = `param-${spec.id}`;
   const box = make("input", { type: "number", id, ...limits, onchange: () => tell(box.value) });
-  const slider = make("input", { type: "range", ...limits, tabIndex: -1, "aria-hidden": "true", oninput: () => (box.value = slider.value), onchange: () => tell(slider.value) });
-  const set = (/** @type {unknown} */ value) => changed(box, "value", value) && (box.value = slider.value = String(value));
-  const head = make("span", { className: "param-head" }, make("label", { className: "label", for: id }, spec.label), make("span", { className: "with-unit" }, box, spec.unit ?? ""));
-  return { field: make("div", { className: "field number", "data-tip": spec.help }, head, slider), set };
+  // The box says the same to those who can't see or drag the slider.
+  const slider = make("input", {
+    type: "range",
+    ...limits,
+    tabIndex: -1,
+    "aria-hidden": "true",
+    oninput: () => (box.value = slider.value),
+    onchange: () => tell(slider.value),
+  });
+  const name = make("label", { className: "label", for: id }, spec.label);
+  const head = make("span", { className: "param-head" }, name, make("span", { className: "with-unit" }, box, spec.unit ?? ""));
+  return { field: make("div", { className: "field number", "data-tip": spec.help }, head, slider), controls: [box, slider] };
 }

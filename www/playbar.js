@@ -18,7 +18,7 @@ const REDRAW = 200;
 /** @param {App} app @returns {(view: View) => void} */
 export function startPlaybar(app) {
   const { act, catalogue } = app;
-  fill(select("speed"), catalogue.speeds.map((x) => [String(x), x === 0 ? "Max speed" : `${x}× speed`]));
+  fill(select("speed"), catalogue.speeds.map((x) => [String(x), x === 0 ? "max" : `${x}×`]));
   select("speed").disabled = false;
   select("speed").addEventListener("change", () => act((p) => p.set_speed(Number(select("speed").value))));
 

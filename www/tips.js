@@ -25,11 +25,7 @@ export function startTips() {
     tip.textContent = text;
     tip.hidden = false;
     next.querySelector("button, input, select")?.setAttribute("aria-describedby", "tip");
-    const [at, size, gap] = [next.getBoundingClientRect(), tip.getBoundingClientRect(), 8];
-    const above = at.top - size.height - gap;
-    const left = Math.min(Math.max(at.left + at.width / 2 - size.width / 2, gap), innerWidth - size.width - gap);
-    tip.style.left = `${Math.max(left, gap)}px`;
-    tip.style.top = `${above > gap ? above : Math.min(at.bottom + gap, innerHeight - size.height - gap)}px`;
+    place(tip, next);
   };
 
   document.addEventListener("pointerover", (event) => {
@@ -50,4 +46,20 @@ export function startTips() {
     if (event.key === "Escape") hide();
   });
   document.addEventListener("scroll", hide, true);
+}
+
+/** Beside a panel, or else above or below what it explains, such that it hides no neighbour it needn't. @param {HTMLElement} tip @param {Element} owner */
+function place(tip, owner) {
+  tip.style.left = tip.style.top = "0";
+  const [at, size, gap] = [owner.getBoundingClientRect(), tip.getBoundingClientRect(), 8];
+  const rail = owner.closest(".rail")?.getBoundingClientRect();
+  let left = at.left + at.width / 2 - size.width / 2;
+  let top = at.top - size.height - gap;
+  if (rail && rail.width > 0 && rail.width < innerWidth / 2) {
+    left = rail.left > innerWidth / 2 ? rail.left - size.width - gap : rail.right + gap;
+    top = at.top + at.height / 2 - size.height / 2;
+  } else if (top < gap) top = at.bottom + gap;
+  const inside = (/** @type {number} */ value, /** @type {number} */ most) => Math.max(gap, Math.min(value, most - gap));
+  tip.style.left = `${inside(left, innerWidth - size.width)}px`;
+  tip.style.top = `${inside(top, innerHeight - size.height)}px`;
 }

@@ -16,7 +16,7 @@ const RUN_METRICS = [
   { label: "Time", tip: "From setting off to standing still, by the robot's speeds and accelerations. Minutes and seconds.", plan: (p) => clock(p.duration_s), run: (v) => clock(v.time_s) },
   { label: "Distance", tip: "Length of the way driven, in metres.", plan: (p) => `${metres(p.length_m)} m`, run: (v) => `${metres(v.distance_m)} m` },
   { label: "Turns", tip: "Plan: quarter turns between steps on the grid, a reversal counts as two. So far: those driven.", plan: (p) => count(p.turns), run: (v) => count(v.turns) },
-  { label: "Overlap", tip: "Floor swept again by later passes, as a share of the floor swept. 30 % means that three tenths of the work were done twice.", plan: (p) => `${percent(p.overlap, 0)} %`, run: (v) => `${percent(v.overlap, 0)} %` },
+  { label: "Overlap", tip: "Passes beyond the first, as a share of the floor swept: at 30 %, three tenths of it were swept a second time.", plan: (p) => `${percent(p.overlap, 0)} %`, run: (v) => `${percent(v.overlap, 0)} %` },
   { label: "Bumps", tip: "How often the bumper has touched a wall or a piece of furniture.", run: (v) => count(v.bumps) },
   { label: "Position error", tip: "Distance between where the robot is and where it believes to be, from counting wheel turns.", run: (v) => smallLength(v.pose_error_m) },
 ];

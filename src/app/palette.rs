@@ -51,8 +51,8 @@ const LIGHT: Palette = Palette {
     floor: "#f6eee0",
     unreachable: "rgb(120 112 100 / 0.14)",
     hatch: "rgb(96 88 76 / 0.30)",
-    wall: "#c3c8d0",
-    wall_line: "#545c69",
+    wall: "#cfccc6",
+    wall_line: "#55524c",
     unknown: "#e3e5e9",
     grid: "rgb(60 50 35 / 0.10)",
     planned: "rgb(38 45 60 / 0.42)",
@@ -66,7 +66,7 @@ const LIGHT: Palette = Palette {
     start: "#1d2129",
     estimate: "#0072b2",
     text: "#565e6c",
-    passes: [[0x7f, 0x93, 0xb6], [0x98, 0x9b, 0xa3], [0xb0, 0xa9, 0x88], [0xd6, 0xc6, 0x72], [0xfe, 0xe8, 0x38]],
+    passes: [[0x7f, 0x93, 0xb6], [0xa3, 0xa0, 0x98], [0xb9, 0xae, 0x80], [0xd6, 0xc6, 0x72], [0xfe, 0xe8, 0x38]],
 };
 
 /// Colours on dark ground.

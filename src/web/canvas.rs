@@ -23,7 +23,7 @@ const MOST_PLANNED: usize = 60_000;
 /// Pixels per cell from which on the grid is drawn.
 const GRID_FROM: f64 = 16.0;
 /// Width of the canvas below which there is no room for a scale bar between legend and zoom, CSS pixels.
-const LEAST_FOR_SCALE_BAR: f64 = 520.0;
+const LEAST_FOR_SCALE_BAR: f64 = 580.0;
 /// Pieces of different strength in the trail.
 const TRAIL_PIECES: usize = 16;
 
@@ -456,6 +456,11 @@ fn scale_bar(context: &CanvasRenderingContext2d, viewport: &Viewport, palette: &
     let lengths = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0];
     let metres = lengths.into_iter().find(|m| m * viewport.scale >= 48.0).unwrap_or(100.0);
     let (length, right, bottom) = (metres * viewport.scale, viewport.size.x - 148.0, viewport.size.y - 24.0);
+    // A ground of its own where the room lies behind it.
+    context.set_fill_style_str(palette.outside);
+    context.set_global_alpha(0.8);
+    context.fill_rect(right - length - 6.0, bottom - 20.0, length + 12.0, 26.0);
+    context.set_global_alpha(1.0);
     context.set_stroke_style_str(palette.text);
     context.set_line_width(1.5);
     context.begin_path();
