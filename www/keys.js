@@ -46,7 +46,6 @@ function single(app, event, target, dialog) {
     case " ":
       // Space presses the button that has the focus.
       if (target.matches("button, summary, input, a")) return false;
-      app.autoplay = false;
       if (view.can.pause) return act((p) => p.pause());
       return view.can.play && act((p) => p.play());
     case ".":

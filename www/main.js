@@ -23,7 +23,6 @@ import { compile, missing } from "./wasm.js";
  * @property {View} view The latest view.
  * @property {(what: (playground: Playground) => void) => boolean} act Does something that may fail; says whether it worked.
  * @property {() => void} cancelPlanning
- * @property {boolean} autoplay Play as soon as the plan is there.
  */
 
 /** @param {unknown} error */
@@ -63,11 +62,9 @@ function start(module) {
       return worked;
     },
     cancelPlanning: () => {
-      app.autoplay = false;
       planning.cancel();
       app.act((p) => p.cancel_plan());
     },
-    autoplay: !matchMedia("(prefers-reduced-motion: reduce)").matches,
   };
   const planning = new Planning(module, {
     progress: (id, done, cells) => guard(() => playground.plan_progress(id, done, cells)),
@@ -78,6 +75,7 @@ function start(module) {
   const restore = () => guard(() => playground.restore(location.hash.slice(1)));
   if (location.hash.length > 1) restore();
   addEventListener("hashchange", restore);
+  if (matchMedia("(prefers-reduced-motion: reduce)").matches) playground.pause();
 
   startTheme((dark) => guard(() => playground.set_dark(dark)));
   const resized = startStage(app);
@@ -94,10 +92,6 @@ function start(module) {
       resized();
       playground.frame(now);
       const view = (app.view = playground.view());
-      if (app.autoplay && view.state === "ready" && view.can.play) {
-        app.autoplay = false;
-        playground.play();
-      }
       const request = playground.take_plan_request();
       if (request) planning.start(request);
       updateView(app);

@@ -24,8 +24,6 @@ export function startPanel(app) {
 
   /** @param {(p: App["playground"]) => void} what */
   const change = (what) => {
-    // Whoever watches a run and changes something wants to watch the next one.
-    app.autoplay ||= app.view.state === "playing";
     // A refused value goes back to what holds.
     if (!act(what)) shown.clear();
   };

@@ -23,7 +23,6 @@ export function startPlaybar(app) {
   select("speed").addEventListener("change", () => act((p) => p.set_speed(Number(select("speed").value))));
 
   button("play").addEventListener("click", () => {
-    app.autoplay = false;
     const { can } = app.view;
     if (can.pause) act((p) => p.pause());
     else if (can.play) act((p) => p.play());

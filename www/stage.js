@@ -60,7 +60,7 @@ const PANS = { left: [KEY_PAN, 0], right: [-KEY_PAN, 0], up: [0, KEY_PAN], down:
 function startPointers(app, canvas) {
   /** Pointers that are down. @type {Map<number, Spot>} */
   const down = new Map();
-  /** What the first pointer does. @type {"none" | "tool" | "pan" | "pinch"} */
+  /** What the first pointer does; what a tool does with it is decided in Rust. @type {"none" | "tool" | "pan" | "pinch"} */
   let gesture = "none";
 
   /** @param {PointerEvent} event @returns {Spot} */
@@ -78,13 +78,13 @@ function startPointers(app, canvas) {
       // The second finger turns what the first one began into a pinch.
       if (gesture === "tool") app.act((p) => p.pointer("cancel", at.x, at.y));
       gesture = "pinch";
-    } else if (app.view.tool === "view" || event.button !== 0) {
+    } else if (event.button !== 0) {
       gesture = "pan";
     } else {
       gesture = "tool";
       app.act((p) => p.pointer("down", at.x, at.y));
     }
-    canvas.classList.toggle("grabbed", gesture === "pan");
+    canvas.classList.toggle("grabbed", gesture === "pan" || app.view.tool === "view");
   });
 
   canvas.addEventListener("pointermove", (event) => {

@@ -337,6 +337,8 @@ impl Session {
 
     /// Lays the room out anew and asks for a plan.
     fn prepare(&mut self) {
+        // Whoever has watched a run to its end and changes something wants to watch the next one.
+        self.playing |= self.state() == State::Finished;
         self.planned = None;
         self.recording = None;
         self.planning = None;
