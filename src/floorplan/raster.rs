@@ -2,7 +2,7 @@
 
 use super::{MAX_SIDE, MapError};
 use crate::grid::{Grid, Occupancy};
-use image::{DynamicImage, ImageBuffer, ImageDecoder, ImageError, ImageFormat, ImageReader, Limits, Pixel, Primitive};
+use image::{ColorType, ImageDecoder, ImageError, ImageFormat, ImageReader, Limits};
 use std::io::{Cursor, ErrorKind};
 
 /// Metres per pixel of an image that comes without a YAML file.
@@ -106,38 +106,30 @@ pub(super) fn read(
     if width.min(height) == 0 {
         return Err(MapError::BadImage { name: name.to_owned(), cause: format!("its size is {width} x {height}") });
     }
-    let image = DynamicImage::from_decoder(decoder).map_err(broken)?;
-    let cells = match &image {
-        DynamicImage::ImageLuma8(pixels) => cells(pixels, shading),
-        DynamicImage::ImageLumaA8(pixels) => cells(pixels, shading),
-        DynamicImage::ImageRgb8(pixels) => cells(pixels, shading),
-        DynamicImage::ImageRgba8(pixels) => cells(pixels, shading),
-        DynamicImage::ImageLuma16(pixels) => cells(pixels, shading),
-        DynamicImage::ImageLumaA16(pixels) => cells(pixels, shading),
-        DynamicImage::ImageRgb16(pixels) => cells(pixels, shading),
-        other => cells(&other.to_rgba16(), shading),
-    };
+    let colour = decoder.color_type();
+    let mut bytes = vec![0; decoder.total_bytes() as usize];
+    decoder.read_image(&mut bytes).map_err(broken)?;
+    let row = width * usize::from(colour.bytes_per_pixel());
+    let cells = bytes.chunks(row).rev().flat_map(|row| cells(row, colour, shading)).collect();
     Grid::from_rows(width, cells).ok_or_else(|| MapError::Truncated { name: name.to_owned(), part: "picture" })
 }
 
-/// Cells of an image, the bottom row first.
-fn cells<P>(pixels: &ImageBuffer<P, Vec<P::Subpixel>>, shading: &Shading) -> Vec<Occupancy>
-where
-    P: Pixel,
-    P::Subpixel: Into<f64>,
-{
-    let full: f64 = P::Subpixel::DEFAULT_MAX_VALUE.into();
-    let channels = usize::from(P::CHANNEL_COUNT);
-    // Channels come as grey, grey and alpha, three colours, three colours and alpha.
-    let has_alpha = channels.is_multiple_of(2);
-    let colours = channels - usize::from(has_alpha);
-    let cell = |pixel: &P| {
-        let values = pixel.channels();
-        let sum: f64 = values[..colours].iter().map(|&v| v.into()).sum();
-        let alpha = if has_alpha { values[colours].into() / full } else { 1.0 };
-        shading.cell(sum / (colours as f64 * full), alpha)
-    };
-    pixels.rows().rev().flat_map(|row| row.map(cell)).collect()
+/// Cells of one row of pixels, each made of 8 or 16 bits a channel.
+fn cells<'a>(row: &'a [u8], colour: ColorType, shading: &'a Shading) -> impl Iterator<Item = Occupancy> + 'a {
+    let channels = usize::from(colour.channel_count());
+    let size = usize::from(colour.bytes_per_pixel()) / channels;
+    let colours = channels - usize::from(colour.has_alpha());
+    row.chunks_exact(channels * size).map(move |pixel| {
+        let value = |channel: &[u8]| match *channel {
+            [byte] => f64::from(byte) / f64::from(u8::MAX),
+            [low, high] => f64::from(u16::from_ne_bytes([low, high])) / f64::from(u16::MAX),
+            // The decoders in use know no other depth.
+            _ => 1.0,
+        };
+        let sum: f64 = pixel[..colours * size].chunks_exact(size).map(value).sum();
+        let alpha = if colour.has_alpha() { value(&pixel[colours * size..]) } else { 1.0 };
+        shading.cell(sum / colours as f64, alpha)
+    })
 }
 
 /// What the decoder's error means to the owner of the file.
