@@ -80,7 +80,7 @@ mod formats {
     };
     use std::io::Cursor;
 
-    const SCENARIO: &str = r##"{
+    const SCENARIO: &str = r#"{
   "format": "robovac-scenario",
   "version": 1,
   "name": "Nook",
@@ -94,7 +94,7 @@ mod formats {
   "params": { "rate": 0.5 },
   "cell_size": 0.15,
   "seed": 7
-}"##;
+}"#;
     const YAML: &str = "# written by map_saver\nimage: map.pgm\nresolution: 0.1\norigin: [-1.5, 2.0, 0.5]\n\
                         negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
     const PGM: &[u8] = b"P5\n# CREATOR: map_saver.cpp 0.100 m/pix\n3 2\n255\n\xfe\xcd\x00\xfe\xfe\xfe";
@@ -221,13 +221,16 @@ mod formats {
         assert_eq!(plan.start, Some(Pose::new(0.3, 0.1, std::f64::consts::FRAC_PI_2)));
     }
 
+    /// Every message names cause, place and mend; it's enough to compare how it begins.
+    fn assert_messages(cases: &[(String, &str)]) {
+        let wrong: Vec<_> = cases.iter().filter(|(message, expected)| !message.starts_with(expected)).collect();
+        assert!(wrong.is_empty(), "{wrong:#?}");
+    }
+
     #[test]
-    fn messages_name_cause_place_and_mend() {
+    fn messages_about_text_and_kinds() {
         let text = |text: &str| message(&[file("a.txt", text)]);
-        let yaml = |from: &str, to: &str| message(&ros_map(&YAML.replace(from, to)));
-        let json = |from: &str, to: &str| message(&[file("a.json", SCENARIO.replace(from, to))]);
-        let image = || file("a.pgm", PGM);
-        let cases = [
+        assert_messages(&[
             (message(&[]), "no file was given; choose a floor plan"),
             (text(" \n"), "\"a.txt\" is empty; choose another file"),
             (text("Dear diary"), "\"a.txt\" is text of unknown kind, which is not a map"),
@@ -252,6 +255,12 @@ mod formats {
             (text("; resolution\n.."), "\"a.txt\", line 1: resolution can't be \"\""),
             (text(&".".repeat(4097)), "\"a.txt\" is 4097 x 1 cells large, at most 4096 x 4096 are taken in; crop it"),
             (text(&".\n".repeat(5000)), "\"a.txt\" is 1 x 4097 cells large"),
+        ]);
+    }
+
+    #[test]
+    fn messages_about_images() {
+        assert_messages(&[
             (message(&[file("a.pgm", "P5 5000 10 255\n")]), "\"a.pgm\" is 5000 x 10 cells large"),
             (
                 message(&[file("a.pgm", "P5 0 10 255\n")]),
@@ -263,6 +272,14 @@ mod formats {
             ),
             (message(&[file("a.pgm", "P2 2 2 255\n1 2 3")]), "\"a.pgm\" is cut off: its picture ends too early"),
             (message(&[file("a.pgm", "P2 2 2 255\n1 2 3 x")]), "\"a.pgm\" is damaged: "),
+        ]);
+    }
+
+    #[test]
+    fn messages_about_ros_maps_and_sets_of_files() {
+        let yaml = |from: &str, to: &str| message(&ros_map(&YAML.replace(from, to)));
+        let image = || file("a.pgm", PGM);
+        assert_messages(&[
             (
                 yaml("resolution: 0.1", "resolution: 0"),
                 "\"map.yaml\", line 3: resolution can't be \"0\"; it takes metres per cell",
@@ -303,6 +320,13 @@ mod formats {
             ),
             (message(&[image(), file("b.pgm", PGM)]), "\"a.pgm\" and \"b.pgm\" are two maps; choose one of them"),
             (message(&[image(), file("b.txt", "..")]), "\"b.txt\" and \"a.pgm\" are two maps"),
+        ]);
+    }
+
+    #[test]
+    fn messages_about_scenarios() {
+        let json = |from: &str, to: &str| message(&[file("a.json", SCENARIO.replace(from, to))]);
+        assert_messages(&[
             (json("robovac-scenario", "replay"), "\"a.json\" is JSON but not a scenario, which begins with"),
             (
                 json("\"version\": 1", "\"version\": 2"),
@@ -334,9 +358,7 @@ mod formats {
                 json("90", "9000"),
                 "\"a.json\", key \"start\": heading_deg can't be \"9000\"; it takes degrees from -360 to 360",
             ),
-        ];
-        let wrong: Vec<_> = cases.iter().filter(|(message, expected)| !message.starts_with(expected)).collect();
-        assert!(wrong.is_empty(), "{wrong:#?}");
+        ]);
     }
 
     /// Files of every format, the ones of a ROS map together.
