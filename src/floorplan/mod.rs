@@ -1,5 +1,7 @@
 //! Floor plans: what the world looks like before a robot drives in it.
 
+pub mod generate;
+
 use crate::{
     geometry::{Point, Pose},
     grid::{Cell, Grid, Occupancy},
