@@ -9,6 +9,7 @@ mod info;
 mod job;
 mod params;
 mod path;
+mod snake;
 
 pub mod stage;
 
@@ -25,7 +26,7 @@ pub trait Planner {
 }
 
 /// All planners, in the order of the menus.
-pub const PLANNERS: &[&PlannerInfo] = &[];
+pub const PLANNERS: &[&PlannerInfo] = &[&snake::INFO];
 
 /// The planner with that id.
 pub fn find(id: &str) -> Option<&'static PlannerInfo> {
