@@ -62,3 +62,13 @@ fn snake_round_islands() {
 fn snake_facing_down_on_the_thesis_room() {
     assert_drawn("snake", support::EIGHT, Direction::Down, include_str!("golden/snake_8x8_down.txt"));
 }
+
+#[test]
+fn boustrophedon_round_islands() {
+    assert_drawn("boustrophedon", ISLANDS, Direction::Right, include_str!("golden/boustrophedon_islands.txt"));
+}
+
+#[test]
+fn boustrophedon_on_the_thesis_room() {
+    assert_drawn("boustrophedon", support::EIGHT, Direction::Right, include_str!("golden/boustrophedon_8x8.txt"));
+}
