@@ -19,6 +19,8 @@ pub use rooms::{ROOMS, RoomInfo, room};
 pub use scenario::{SCENARIO_FORMAT, SCENARIO_VERSION, Scenario, ScenarioPose};
 pub use sketch::{Rect, Sketch};
 
+pub mod generate;
+
 use crate::{
     geometry::{Point, Pose},
     grid::{Cell, Grid, Occupancy},

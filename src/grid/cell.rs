@@ -42,7 +42,13 @@ impl Cell {
     /// The direction that leads to `next` in one step; `None` unless they are 4-neighbours.
     #[inline]
     pub fn direction_to(self, next: Self) -> Option<Direction> {
-        Direction::ALL.into_iter().find(|&d| self.step(d) == next)
+        match (next.x.wrapping_sub(self.x), next.y.wrapping_sub(self.y)) {
+            (1, 0) => Some(Direction::Right),
+            (0, 1) => Some(Direction::Up),
+            (-1, 0) => Some(Direction::Left),
+            (0, -1) => Some(Direction::Down),
+            _ => None,
+        }
     }
 
     /// Number of steps to `other` where nothing is in the way.

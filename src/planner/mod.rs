@@ -4,11 +4,13 @@
 //! [`CoveragePath`] that visits them. To add one, write its file with an [`PlannerInfo`] constant and list it in
 //! [`PLANNERS`]; menus, parameter forms, command line, comparison, contract and golden tests iterate that list.
 
+mod boustrophedon;
 mod context;
 mod info;
 mod job;
 mod params;
 mod path;
+mod snake;
 
 pub mod stage;
 
@@ -25,7 +27,7 @@ pub trait Planner {
 }
 
 /// All planners, in the order of the menus.
-pub const PLANNERS: &[&PlannerInfo] = &[];
+pub const PLANNERS: &[&PlannerInfo] = &[&boustrophedon::INFO, &snake::INFO];
 
 /// The planner with that id.
 pub fn find(id: &str) -> Option<&'static PlannerInfo> {

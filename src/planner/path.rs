@@ -1,7 +1,7 @@
 //! What a planner returns.
 
 use super::CoverageJob;
-use crate::grid::{Cell, Grid};
+use crate::grid::{Cell, Direction, Grid, picture};
 
 /// A walk over free cells: starts in the job's start, every two consecutive cells are 4-neighbours.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -48,5 +48,24 @@ impl CoveragePath {
             visits[cell] += 1;
         }
         visits
+    }
+
+    /// A picture of the walk: in every cell an arrow in the direction in which the walk leaves it for the first time.
+    ///
+    /// `o` where it ends, `.` for cells that it misses, `#` for cells that aren't free.
+    pub fn arrows(&self, job: &CoverageJob) -> String {
+        let mut glyphs = job.free.map(|&free| if free { '.' } else { '#' });
+        for (i, &cell) in self.cells.iter().enumerate().filter(|&(_, &cell)| job.free.is_set(cell)) {
+            if glyphs[cell] == '.' {
+                glyphs[cell] = match self.cells.get(i + 1).and_then(|&next| cell.direction_to(next)) {
+                    Some(Direction::Right) => '>',
+                    Some(Direction::Up) => '^',
+                    Some(Direction::Left) => '<',
+                    Some(Direction::Down) => 'v',
+                    None => 'o',
+                };
+            }
+        }
+        picture(&glyphs, |&glyph| glyph)
     }
 }

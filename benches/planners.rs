@@ -1,0 +1,31 @@
+//! Planning time of every planner of the registry.
+
+#![allow(missing_docs, reason = "the macros make functions without any")]
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use robovac_playground::{
+    floorplan::generate::random_hall,
+    grid::{Cell, Direction},
+    planner::{CoverageJob, PLANNERS, Params, PlanContext},
+};
+use std::{hint::black_box, time::Duration};
+
+/// Sides of the square halls, in cells, and the seed that they are made from.
+const HALLS: &[(usize, u64)] = &[(100, 1), (1000, 1)];
+
+fn planners(criterion: &mut Criterion) {
+    for &(side, seed) in HALLS {
+        let free = random_hall(side, side, seed);
+        let Some(job) = CoverageJob::new(&free, Cell::new(0, 0), Direction::Right) else { continue };
+        let mut group = criterion.benchmark_group(format!("hall {side} x {side}"));
+        group.sample_size(10).measurement_time(Duration::from_secs(3));
+        for info in PLANNERS {
+            let planner = (info.build)(&Params::defaults(info.params));
+            group.bench_function(info.id, |b| b.iter(|| planner.plan(black_box(&job), &mut PlanContext::new(0))));
+        }
+        group.finish();
+    }
+}
+
+criterion_group!(benches, planners);
+criterion_main!(benches);

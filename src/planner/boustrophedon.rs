@@ -1,0 +1,228 @@
+//! Boustrophedon: cuts the room into parts that a lawn mower's way can sweep, and visits one after the other.
+//!
+//! Choset & Pignon 1998 ("Coverage path planning: the boustrophedon cellular decomposition") and Choset 2000 ("Coverage of
+//! known spaces", Autonomous Robots 9). A line sweeps over the room; where its connectivity changes, a part ends or begins
+//! ([`decompose`]). Every part is swept in parallel lanes from one of its corners ([`sweeps_of`]).
+//! The papers visit the parts by a walk through their adjacency graph; here they are ordered like the towns of a
+//! travelling salesman: nearest first, then improved by local search with a choice of corners ([`improve`]). At last, detours over
+//! floor that has been cleaned anyway are cut short ([`tighten`]).
+//!
+//! Lanes run along x or y, whichever walk costs less. In a large room the choice is made by the number of lanes, and the
+//! order stays nearest first unless more effort is asked for.
+//!
+//! ```
+//! use robovac_playground::{grid::*, planner::*};
+//! let free = from_picture("....\n.#..\n....", |c| c == '.').unwrap();
+//! let job = CoverageJob::new(&free, Cell::new(0, 2), Direction::Right).unwrap();
+//! let info = find("boustrophedon").unwrap();
+//! let planner = (info.build)(&Params::defaults(info.params));
+//! let path = planner.plan(&job, &mut PlanContext::new(0)).unwrap();
+//! assert_eq!(path.arrows(&job), ">>><\nv#o<\n>>>^\n");
+//! ```
+
+use super::{
+    Claims, CoverageJob, CoveragePath, ParamKind, ParamSpec, PlanContext, PlanError, Planner, PlannerInfo,
+    stage::{
+        Block, Costs, Links, SWEEPS, Stop, Sweep, Transit, Visit, append_sweep, decompose, improve, nearest_first,
+        swap_axes, swap_walk, sweeps_of, tighten,
+    },
+};
+use crate::{grid::Cell, rng::seeded};
+
+/// Entry in the registry.
+pub const INFO: PlannerInfo = PlannerInfo {
+    id: "boustrophedon",
+    title: "Boustrophedon",
+    summary: "Cuts the room at critical points into parts, mows each in lanes, and finds a good order to visit them.",
+    source: "Choset & Pignon 1998, Coverage path planning: the boustrophedon cellular decomposition; Choset 2000",
+    link: "https://doi.org/10.1023/A:1008958800904",
+    claims: Claims { complete: true, deterministic: true },
+    params: &[
+        ParamSpec {
+            id: "lanes",
+            label: "Lanes",
+            help: "Direction of the lanes.",
+            kind: ParamKind::Choice {
+                options: &[("auto", "whichever is faster"), ("horizontal", "horizontal"), ("vertical", "vertical")],
+            },
+        },
+        ParamSpec {
+            id: "effort",
+            label: "Effort",
+            help: "How long to look for a better order of the parts; 0 takes the nearest first.",
+            kind: ParamKind::Number { min: 0.0, max: 10.0, step: 1.0, default: 1.0, unit: "" },
+        },
+        ParamSpec {
+            id: "max_jump",
+            label: "Widest jump",
+            help: "A part is cut in two where a wall beside it jumps by more than this.",
+            kind: ParamKind::Number { min: 0.0, max: 100.0, step: 1.0, default: 4.0, unit: "cells" },
+        },
+    ],
+    build: |params| {
+        Box::new(Boustrophedon {
+            lanes: match params.choice("lanes") {
+                "horizontal" => Lanes::Horizontal,
+                "vertical" => Lanes::Vertical,
+                _ => Lanes::Auto,
+            },
+            effort: params.number("effort") as usize,
+            max_jump: params.number("max_jump") as i32,
+        })
+    },
+};
+
+/// The planner.
+struct Boustrophedon {
+    lanes: Lanes,
+    effort: usize,
+    /// In cells.
+    max_jump: i32,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Lanes {
+    Auto,
+    Horizontal,
+    Vertical,
+}
+
+/// Largest room, in free cells, for which both directions of the lanes are planned.
+const MAX_CELLS_FOR_BOTH: usize = 100_000;
+/// Largest room, in free cells, whose order is improved, for every unit of effort.
+const CELLS_PER_EFFORT: usize = 300_000;
+/// Most blocks whose order is improved.
+const MAX_BLOCKS_TO_IMPROVE: usize = 600;
+/// Cells around every corner that shortest paths are looked for in.
+const REACH: usize = 2_000;
+/// Rounds of local search times blocks, for every unit of effort: a round costs time in proportion to the blocks.
+const ROUNDS_TIMES_BLOCKS: usize = 40_000;
+/// Most rounds for every block and unit of effort: small rooms are soon as good as they get.
+const ROUNDS_PER_BLOCK: usize = 4;
+/// Passes over the walk to cut detours; the first one finds nearly all, and a large room gets no more.
+const PASSES: usize = 3;
+
+impl Planner for Boustrophedon {
+    fn plan(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError> {
+        let swapped = swap_axes(job);
+        let lies_down = match self.lanes {
+            Lanes::Horizontal => vec![false],
+            Lanes::Vertical => vec![true],
+            Lanes::Auto if job.cells() <= MAX_CELLS_FOR_BOTH => vec![false, true],
+            Lanes::Auto => vec![lanes(&swapped) < lanes(job)],
+        };
+        let share = 1.0 / lies_down.len() as f64;
+        let mut best = Best { cost: u64::MAX, walk: Vec::new() };
+        for (i, is_swapped) in lies_down.into_iter().enumerate() {
+            let mut progress = Progress { ctx, from: i as f64 * share, share, best: &best.walk };
+            let job = if is_swapped { &swapped } else { job };
+            let mut walk = self.plan_along_rows(job, &mut progress)?;
+            let cost = Costs::of(job).of_walk(job.heading, &walk);
+            if cost < best.cost {
+                if is_swapped {
+                    swap_walk(&mut walk);
+                }
+                best = Best { cost, walk };
+            }
+        }
+        Ok(CoveragePath { cells: best.walk })
+    }
+}
+
+/// The best walk so far.
+struct Best {
+    cost: u64,
+    walk: Vec<Cell>,
+}
+
+/// Reports a part of the work as a part of the whole.
+struct Progress<'r, 'c> {
+    ctx: &'r mut PlanContext<'c>,
+    from: f64,
+    share: f64,
+    best: &'r [Cell],
+}
+
+impl Progress<'_, '_> {
+    fn report(&mut self, done: f64) -> Result<(), PlanError> {
+        self.ctx.checkpoint(self.from + self.share * done.min(1.0), self.best)
+    }
+}
+
+/// Number of lanes along the rows: about half the number of turns.
+fn lanes(job: &CoverageJob) -> usize {
+    decompose(&job.free, i32::MAX).iter().map(Vec::len).sum()
+}
+
+/// Shares of the work that are done after each stage.
+const SWEPT: f64 = 0.1;
+const ORDERED: f64 = 0.3;
+const IMPROVED: f64 = 0.7;
+const DRIVEN: f64 = 0.8;
+
+impl Boustrophedon {
+    /// A walk with lanes along x.
+    fn plan_along_rows(&self, job: &CoverageJob, progress: &mut Progress<'_, '_>) -> Result<Vec<Cell>, PlanError> {
+        let costs = Costs::of(job);
+        let start = (job.start, job.heading);
+        progress.report(0.0)?;
+        let blocks = decompose(&job.free, self.max_jump);
+        let sweeps: Vec<[Sweep; SWEEPS]> = blocks.iter().map(|block| sweeps_of(block, costs)).collect();
+        let all = blocks.len() as f64;
+        let mut tour = nearest_first(&job.free, &sweeps, start, costs, |done| {
+            progress.report(SWEPT + (ORDERED - SWEPT) * done as f64 / all)
+        })?;
+        if job.cells() <= self.effort * CELLS_PER_EFFORT && blocks.len() <= MAX_BLOCKS_TO_IMPROVE {
+            let links = Links::new(&job.free, &sweeps, start, costs, REACH);
+            progress.report(ORDERED)?;
+            let rounds = (ROUNDS_TIMES_BLOCKS / blocks.len()).min(ROUNDS_PER_BLOCK * blocks.len());
+            // The same numbers in every run: the seed changes nothing.
+            let mut rng = seeded(0, 0);
+            improve(&links, &mut tour, self.effort * rounds, &mut rng, |done| {
+                progress.report(ORDERED + (IMPROVED - ORDERED) * done)
+            })?;
+        }
+        let mut transit = Transit::new(&job.free, costs);
+        let mut walk = drive(job, costs, &blocks, &sweeps, &tour, &mut transit, |done| {
+            progress.report(IMPROVED + (DRIVEN - IMPROVED) * done)
+        })?;
+        let passes = if job.cells() <= MAX_CELLS_FOR_BOTH { PASSES } else { 1 };
+        for pass in 0..passes {
+            progress.report(DRIVEN + (1.0 - DRIVEN) * pass as f64 / passes as f64)?;
+            if !tighten(job, costs, &mut transit, &mut walk) {
+                break;
+            }
+        }
+        Ok(walk)
+    }
+}
+
+/// Blocks between two reports while driving.
+const REPORT_EVERY: usize = 256;
+
+/// The walk that a tour stands for.
+fn drive(
+    job: &CoverageJob,
+    costs: Costs,
+    blocks: &[Block],
+    sweeps: &[[Sweep; SWEEPS]],
+    tour: &[Visit],
+    transit: &mut Transit,
+    mut report: impl FnMut(f64) -> Result<(), PlanError>,
+) -> Result<Vec<Cell>, PlanError> {
+    let mut walk = Vec::with_capacity(job.cells() * 17 / 16);
+    walk.push(job.start);
+    for (i, visit) in tour.iter().enumerate() {
+        if i % REPORT_EVERY == 0 {
+            report(i as f64 / tour.len() as f64)?;
+        }
+        let sweep = &sweeps[visit.block][visit.sweep];
+        let heading = if let [.., before, last] = *walk { before.direction_to(last) } else { Some(job.heading) };
+        let from = Stop { cell: walk[walk.len() - 1], heading };
+        let to = Stop { cell: sweep.entry, heading: sweep.entering };
+        // All free cells are connected, so that there is a way.
+        let _ = transit.append_way(&job.free, from, to, u32::MAX, &mut walk);
+        append_sweep(&blocks[visit.block], visit.sweep, costs, &mut walk);
+    }
+    Ok(walk)
+}

@@ -1,0 +1,36 @@
+//! Stage: a room lying on its side, so that stages which work along rows serve columns as well.
+
+use crate::{
+    grid::{Cell, Direction, Grid},
+    planner::CoverageJob,
+};
+
+/// The job with x and y swapped.
+pub fn swap_axes(job: &CoverageJob) -> CoverageJob {
+    let heading = match job.heading {
+        Direction::Right => Direction::Up,
+        Direction::Up => Direction::Right,
+        Direction::Left => Direction::Down,
+        Direction::Down => Direction::Left,
+    };
+    CoverageJob { free: swap_grid(&job.free), start: swap_cell(job.start), heading, ..*job }
+}
+
+/// A walk with x and y swapped.
+pub fn swap_walk(walk: &mut [Cell]) {
+    for cell in walk {
+        *cell = swap_cell(*cell);
+    }
+}
+
+fn swap_cell(cell: Cell) -> Cell {
+    Cell::new(cell.y, cell.x)
+}
+
+fn swap_grid(grid: &Grid<bool>) -> Grid<bool> {
+    let mut swapped = Grid::filled(grid.height(), grid.width(), false);
+    for (cell, &value) in grid.iter() {
+        swapped[swap_cell(cell)] = value;
+    }
+    swapped
+}

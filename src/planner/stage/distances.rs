@@ -1,0 +1,162 @@
+//! Stage: how far the ends of blocks are from each other.
+
+use super::{
+    cost::Costs,
+    order::Visit,
+    sweep::{SWEEPS, Sweep},
+};
+use crate::grid::{Cell, Direction, Grid};
+
+/// Cost of the way from one sweep to the next, for all pairs of them.
+///
+/// Steps are those of shortest paths between cells not too far apart, and estimated beyond; turns are those of a way
+/// without detour. So it's a guide for finding a good order, not the cost of the walk that is driven in the end.
+#[derive(Debug)]
+pub struct Links<'a> {
+    sweeps: &'a [[Sweep; SWEEPS]],
+    start: (Cell, Direction),
+    costs: Costs,
+    /// Number of the corner at which each sweep starts.
+    entries: Vec<[u32; SWEEPS]>,
+    /// Number of the corner at which each sweep ends.
+    exits: Vec<[u32; SWEEPS]>,
+    corners: usize,
+    /// Steps between corners, row by row; the start is corner 0.
+    steps: Vec<u32>,
+    /// Cost of the steps between the nearest corners of two blocks, row by row.
+    nearest: Vec<u32>,
+    /// Cost of the cheapest sweep of every block.
+    cheapest: Vec<u32>,
+}
+
+/// Sweeps that start at the four corners of a block.
+const CORNERS: [usize; 4] = [0, 2, 4, 6];
+/// Steps that a detour adds to the straight distance where nobody has looked, as a share of it.
+const DETOUR_SHARE: u32 = 4;
+/// Turns that a way has beyond those of one without detour.
+const DETOUR_TURNS: u32 = 2;
+
+impl<'a> Links<'a> {
+    /// Looks at `reach` cells around every corner.
+    pub fn new(
+        free: &Grid<bool>,
+        sweeps: &'a [[Sweep; SWEEPS]],
+        start: (Cell, Direction),
+        costs: Costs,
+        reach: usize,
+    ) -> Self {
+        let mut numbers = Grid::filled(free.width(), free.height(), u32::MAX);
+        let mut corners = Vec::new();
+        let mut number = |cell: Cell| {
+            if numbers[cell] == u32::MAX {
+                numbers[cell] = corners.len() as u32;
+                corners.push(cell);
+            }
+            numbers[cell]
+        };
+        number(start.0);
+        let entries: Vec<_> = sweeps.iter().map(|all| all.each_ref().map(|sweep| number(sweep.entry))).collect();
+        let exits = sweeps.iter().map(|all| all.each_ref().map(|sweep| number(sweep.exit))).collect();
+        let steps = steps_between(free, &corners, &numbers, reach);
+        let cheapest = sweeps.iter().map(|all| all.iter().map(|s| s.cost).min().unwrap_or(0)).collect();
+        let corners = corners.len();
+        let nearest = nearest_corners(&entries, &steps, corners).iter().map(|&s| s * costs.step).collect();
+        Self { sweeps, start, costs, entries, exits, corners, steps, nearest, cheapest }
+    }
+
+    /// The sweep of a visit.
+    pub fn sweep(&self, visit: Visit) -> &Sweep {
+        &self.sweeps[visit.block][visit.sweep]
+    }
+
+    /// Cost of the steps between the corners of two blocks that are nearest to each other.
+    pub fn nearest_cost(&self, a: usize, b: usize) -> u32 {
+        self.nearest[a * self.sweeps.len() + b]
+    }
+
+    /// Cost of a block's cheapest sweep.
+    pub fn cheapest(&self, block: usize) -> u32 {
+        self.cheapest[block]
+    }
+
+    /// Cost of the way from the end of `from` to the beginning of `to`; from the start, or to nowhere, if `None`.
+    pub fn between(&self, from: Option<Visit>, to: Option<Visit>) -> u32 {
+        let Some(to) = to else { return 0 };
+        let entry = self.sweep(to);
+        let (cell, leaving, row) = match from {
+            Some(from) => {
+                let exit = self.sweep(from);
+                (exit.exit, exit.leaving, self.exits[from.block][from.sweep])
+            }
+            None => (self.start.0, Some(self.start.1), 0),
+        };
+        let steps = self.steps[row as usize * self.corners + self.entries[to.block][to.sweep] as usize];
+        let straight = cell.manhattan(entry.entry);
+        let direct = self.costs.at_least(cell, leaving, entry.entry, entry.entering);
+        if steps == straight {
+            direct
+        } else {
+            direct + (steps - straight) * self.costs.step + DETOUR_TURNS * self.costs.turn
+        }
+    }
+}
+
+/// Steps of shortest paths between all pairs of corners, estimated for those that aren't among the `reach` cells nearest
+/// to each other.
+fn steps_between(free: &Grid<bool>, corners: &[Cell], numbers: &Grid<u32>, reach: usize) -> Vec<u32> {
+    let mut steps = Vec::with_capacity(corners.len() * corners.len());
+    for from in corners {
+        steps.extend(corners.iter().map(|to| from.manhattan(*to) + from.manhattan(*to) / DETOUR_SHARE + 1));
+    }
+    // Search number and steps, in one grid for all searches.
+    let mut reached = Grid::filled(free.width(), free.height(), (0_u32, 0_u32));
+    let mut queue = Vec::with_capacity(reach + 4);
+    for (row, &from) in corners.iter().enumerate() {
+        let search = row as u32 + 1;
+        let row = &mut steps[row * corners.len()..][..corners.len()];
+        queue.clear();
+        queue.push(from);
+        reached[from] = (search, 0);
+        let mut next_in_queue = 0;
+        while next_in_queue < queue.len().min(reach) {
+            let cell = queue[next_in_queue];
+            next_in_queue += 1;
+            let (_, steps) = reached[cell];
+            if let Some(known) = row.get_mut(numbers[cell] as usize) {
+                *known = steps;
+            }
+            for next in cell.neighbours() {
+                if free.is_set(next) && reached[next].0 != search {
+                    reached[next] = (search, steps + 1);
+                    queue.push(next);
+                }
+            }
+        }
+    }
+    make_symmetric(&mut steps, corners.len());
+    steps
+}
+
+/// Steps between the nearest corners of all pairs of blocks.
+fn nearest_corners(entries: &[[u32; SWEEPS]], steps: &[u32], corners: usize) -> Vec<u32> {
+    let mut nearest = Vec::with_capacity(entries.len() * entries.len());
+    for a in entries {
+        nearest.extend(entries.iter().map(|b| {
+            let pairs = CORNERS.iter().flat_map(|&s| CORNERS.map(|t| steps[a[s] as usize * corners + b[t] as usize]));
+            pairs.min().unwrap_or(0)
+        }));
+    }
+    nearest
+}
+
+/// What one search found and the other didn't reach holds both ways.
+fn make_symmetric(steps: &mut [u32], side: usize) {
+    for a in 0..side {
+        for b in 0..a {
+            // An estimate is never below the truth by more than a detour, so that the smaller one is at least as good.
+            let least = steps[a * side + b].min(steps[b * side + a]);
+            steps[a * side + b] = least;
+            steps[b * side + a] = least;
+        }
+    }
+}

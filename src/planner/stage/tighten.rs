@@ -1,0 +1,102 @@
+//! Stage: cuts short where a walk drives over cells that it cleans at another time anyway.
+
+use super::{
+    cost::Costs,
+    transit::{Stop, Transit},
+};
+use crate::{
+    grid::{Cell, Direction, Grid},
+    planner::CoverageJob,
+};
+
+/// Replaces stretches of `walk` whose cells it visits elsewhere too by cheaper ways; covers what it covered before.
+///
+/// A stretch begins where the one before ended, so one call is a single pass in O(length) searches of the way between
+/// two cells; another call may find more. Returns whether anything changed.
+pub fn tighten(job: &CoverageJob, costs: Costs, transit: &mut Transit, walk: &mut Vec<Cell>) -> bool {
+    let mut visits = Grid::filled(job.free.width(), job.free.height(), 0_u32);
+    for &cell in walk.iter() {
+        visits[cell] += 1;
+    }
+    let mut result = Vec::with_capacity(walk.len());
+    result.push(walk[0]);
+    let mut start = 0;
+    let mut way = Vec::new();
+    while start + 1 < walk.len() {
+        // The stretch: as many cells after `start` as can go.
+        let mut end = start + 1;
+        while end < walk.len() && visits[walk[end]] > 1 {
+            visits[walk[end]] -= 1;
+            end += 1;
+        }
+        if end == walk.len() {
+            // All that is left has been visited: the walk ends here.
+            break;
+        }
+        let kept = &walk[start..=end];
+        way.clear();
+        if end > start + 1 && shorten(job, costs, transit, &result, kept, walk.get(end + 1), &mut way) {
+            for &cell in &way {
+                visits[cell] += 1;
+            }
+            visits[walk[end]] -= 1;
+            result.append(&mut way);
+        } else {
+            for &cell in &kept[1..kept.len() - 1] {
+                visits[cell] += 1;
+            }
+            result.extend_from_slice(&kept[1..]);
+        }
+        start = end;
+    }
+    let is_changed = result != *walk;
+    *walk = result;
+    is_changed
+}
+
+/// Finds a cheaper way than `kept` between its ends; whether there is one.
+fn shorten(
+    job: &CoverageJob,
+    costs: Costs,
+    transit: &mut Transit,
+    done: &[Cell],
+    kept: &[Cell],
+    after: Option<&Cell>,
+    way: &mut Vec<Cell>,
+) -> bool {
+    let (from, to) = (kept[0], kept[kept.len() - 1]);
+    let arrived = if let [.., before, last] = done { before.direction_to(*last) } else { None };
+    let arrived = arrived.unwrap_or(job.heading);
+    let leaving = after.and_then(|&next| to.direction_to(next));
+    let cost = costs.of_walk(arrived, kept) as u32 + turn_at_end(costs, kept, leaving);
+    if costs.at_least(from, Some(arrived), to, leaving) >= cost {
+        return false;
+    }
+    let (from, to) = (Stop { cell: from, heading: Some(arrived) }, Stop { cell: to, heading: leaving });
+    transit.append_way(&job.free, from, to, cost, way).is_some()
+}
+
+fn turn_at_end(costs: Costs, kept: &[Cell], leaving: Option<Direction>) -> u32 {
+    let [.., before, last] = kept else { return 0 };
+    before.direction_to(*last).zip(leaving).map_or(0, |(came, leaves)| came.quarter_turns(leaves) * costs.turn)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn detours_and_the_way_home_go() {
+        let free = Grid::filled(4, 2, true);
+        let job = CoverageJob::new(&free, Cell::new(0, 0), Direction::Right).unwrap();
+        let costs = Costs::of(&job);
+        let cells = |list: &[(i32, i32)]| -> Vec<Cell> { list.iter().map(|&(x, y)| Cell::new(x, y)).collect() };
+        let to_and_fro =
+            [(0, 0), (0, 1), (0, 0), (1, 0), (2, 0), (3, 0), (3, 1), (3, 0), (3, 1), (2, 1), (1, 1), (0, 1), (0, 0)];
+        let mut walk = cells(&to_and_fro);
+        let mut transit = Transit::new(&free, costs);
+        assert!(tighten(&job, costs, &mut transit, &mut walk));
+        assert!(!tighten(&job, costs, &mut transit, &mut walk));
+        assert_eq!(walk, cells(&[(0, 0), (1, 0), (2, 0), (3, 0), (3, 1), (2, 1), (1, 1), (0, 1)]));
+    }
+}

@@ -1,0 +1,115 @@
+//! What every planner of the registry must do in every room.
+
+mod support;
+
+use robovac_playground::{
+    grid::{Cell, Direction},
+    metrics::WalkMetrics,
+    planner::{CoverageJob, CoveragePath, PLANNERS, Params, PlanContext, PlanError, Planner, PlannerInfo},
+};
+use std::ops::ControlFlow;
+use support::{Scenario, scenarios};
+
+fn build(info: &PlannerInfo) -> Box<dyn Planner> {
+    (info.build)(&Params::defaults(info.params))
+}
+
+fn plan(info: &PlannerInfo, job: &CoverageJob, seed: u64) -> CoveragePath {
+    build(info).plan(job, &mut PlanContext::new(seed)).expect("nobody cancels")
+}
+
+fn describe(info: &PlannerInfo, scenario: &Scenario, job: &CoverageJob) -> String {
+    format!("{} in {} from {} facing {:?}", info.id, scenario.name, job.start, job.heading)
+}
+
+#[test]
+fn walks_can_be_driven_and_cover_what_they_claim() {
+    for scenario in scenarios() {
+        for (info, job) in PLANNERS.iter().flat_map(|info| scenario.jobs().map(move |job| (info, job))) {
+            let path = plan(info, &job, 1);
+            let what = describe(info, &scenario, &job);
+            path.check(&job).unwrap_or_else(|error| panic!("{what}: {error}"));
+            let metrics = WalkMetrics::of(&job, &path);
+            if info.claims.complete {
+                assert_eq!(metrics.visited_cells, metrics.reachable_cells, "{what}");
+            }
+        }
+    }
+}
+
+#[test]
+fn seed_determines_the_walk() {
+    for scenario in scenarios().iter().filter(|s| s.free.len() < 2_000) {
+        for (info, job) in PLANNERS.iter().filter_map(|info| Some((info, scenario.jobs().next()?))) {
+            let what = describe(info, scenario, &job);
+            let walks = [1, 1, 2].map(|seed| plan(info, &job, seed));
+            assert_eq!(walks[0], walks[1], "{what}");
+            if info.claims.deterministic {
+                assert_eq!(walks[0], walks[2], "{what}");
+            }
+        }
+    }
+}
+
+#[test]
+fn every_choice_of_every_parameter_works() {
+    use robovac_playground::planner::{ParamKind, ParamValue};
+    let rooms = scenarios();
+    for info in PLANNERS {
+        for spec in info.params {
+            let values: Vec<ParamValue> = match spec.kind {
+                ParamKind::Number { min, max, .. } => vec![ParamValue::Number(min), ParamValue::Number(max)],
+                ParamKind::Choice { options } => options.iter().map(|o| ParamValue::Choice(o.0.to_owned())).collect(),
+                ParamKind::Flag { .. } => vec![ParamValue::Flag(false), ParamValue::Flag(true)],
+            };
+            for value in values {
+                let params = Params::checked(info.params, [(spec.id, value.clone())]).expect("the value is in range");
+                for scenario in rooms.iter().filter(|s| s.free.len() < 300) {
+                    let Some(job) = scenario.jobs().next() else { continue };
+                    let path = (info.build)(&params).plan(&job, &mut PlanContext::new(1)).expect("nobody cancels");
+                    let what = format!("{} with {} = {value}", describe(info, scenario, &job), spec.id);
+                    path.check(&job).unwrap_or_else(|error| panic!("{what}: {error}"));
+                    let metrics = WalkMetrics::of(&job, &path);
+                    assert!(!info.claims.complete || metrics.visited_cells == metrics.reachable_cells, "{what}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn cancelling_is_honoured_at_the_first_checkpoint() {
+    let free = robovac_playground::floorplan::generate::random_hall(200, 200, 1);
+    let job = CoverageJob::new(&free, Cell::new(0, 0), Direction::Right).expect("the start is free");
+    for info in PLANNERS {
+        let mut calls = 0;
+        let mut observer = |_: f64, _: &[Cell]| {
+            calls += 1;
+            ControlFlow::Break(())
+        };
+        let result = build(info).plan(&job, &mut PlanContext::observed(1, &mut observer));
+        assert_eq!(result, Err(PlanError::Cancelled), "{}", info.id);
+        assert_eq!(calls, 1, "{} goes on after having been cancelled", info.id);
+    }
+}
+
+#[test]
+fn reports_show_progress_and_walks_that_can_be_driven() {
+    let free = robovac_playground::floorplan::generate::random_hall(200, 200, 1);
+    let job = CoverageJob::new(&free, Cell::new(0, 0), Direction::Right).expect("the start is free");
+    for info in PLANNERS {
+        let (mut calls, mut last) = (0, 0.0);
+        let mut observer = |done: f64, so_far: &[Cell]| {
+            calls += 1;
+            assert!((last..=1.0).contains(&done), "{} reports {done} after {last}", info.id);
+            last = done;
+            if !so_far.is_empty() {
+                let walk = CoveragePath { cells: so_far.to_vec() };
+                walk.check(&job).unwrap_or_else(|error| panic!("{} reports a walk: {error}", info.id));
+            }
+            ControlFlow::Continue(())
+        };
+        build(info).plan(&job, &mut PlanContext::observed(1, &mut observer)).expect("nobody cancels");
+        assert!(calls >= 3, "{} reports {calls} times", info.id);
+    }
+}

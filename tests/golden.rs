@@ -1,0 +1,74 @@
+//! Walks that must stay as they are: a change here is a change of an algorithm.
+
+mod support;
+
+use robovac_playground::{
+    grid::{Cell, Direction},
+    metrics::WalkMetrics,
+    planner::{CoverageJob, CoveragePath, Params, PlanContext, find},
+};
+
+fn walk(id: &str, picture: &str, heading: Direction) -> (CoverageJob, CoveragePath) {
+    let free = support::drawn(picture);
+    let top_left = Cell::new(0, free.height() as i32 - 1);
+    let job = CoverageJob::new(&free, top_left, heading).expect("the start is free");
+    let info = find(id).expect("the planner exists");
+    let planner = (info.build)(&Params::defaults(info.params));
+    let path = planner.plan(&job, &mut PlanContext::new(0)).expect("nobody cancels");
+    (job, path)
+}
+
+#[test]
+fn snake_walks_as_the_printed_program_on_its_own_room() {
+    let expected: Vec<Cell> = include_str!("golden/snake_8x8_program.txt")
+        .lines()
+        .filter(|line| !line.starts_with(';'))
+        .map(|line| {
+            let (x, y) = line.split_once(' ').expect("column and row");
+            Cell::new(x.parse().expect("a column"), y.parse().expect("a row"))
+        })
+        .collect();
+    let (job, path) = walk("snake", support::EIGHT, Direction::Right);
+    assert_eq!(path.cells, expected);
+    let metrics = WalkMetrics::of(&job, &path);
+    assert_eq!((metrics.visited_cells, metrics.steps, metrics.revisits), (54, 65, 12));
+    let changes = path.cells.windows(3).filter(|w| w[0].direction_to(w[1]) != w[1].direction_to(w[2])).count();
+    assert_eq!(changes, 32);
+}
+
+/// Draws walks as in `CoveragePath::arrows`, with what they cost; room and heading are those that the name says.
+fn assert_drawn(id: &str, room: &str, heading: Direction, expected: &str) {
+    let (job, path) = walk(id, room, heading);
+    let metrics = WalkMetrics::of(&job, &path);
+    let drawn = format!("{}steps {} turns {}\n", path.arrows(&job), metrics.steps, metrics.turns);
+    assert_eq!(drawn, expected, "{id} walks\n{drawn}");
+}
+
+const ISLANDS: &str = "
+    ............
+    .##.....###.
+    .##..#..###.
+    .....#......
+    ..##.#......
+    ..##........
+    ............";
+
+#[test]
+fn snake_round_islands() {
+    assert_drawn("snake", ISLANDS, Direction::Right, include_str!("golden/snake_islands.txt"));
+}
+
+#[test]
+fn snake_facing_down_on_the_thesis_room() {
+    assert_drawn("snake", support::EIGHT, Direction::Down, include_str!("golden/snake_8x8_down.txt"));
+}
+
+#[test]
+fn boustrophedon_round_islands() {
+    assert_drawn("boustrophedon", ISLANDS, Direction::Right, include_str!("golden/boustrophedon_islands.txt"));
+}
+
+#[test]
+fn boustrophedon_on_the_thesis_room() {
+    assert_drawn("boustrophedon", support::EIGHT, Direction::Right, include_str!("golden/boustrophedon_8x8.txt"));
+}
