@@ -57,7 +57,7 @@ pub fn run(clock: &dyn Fn() -> f64, report: &mut dyn FnMut(&BenchResult)) -> Vec
                 run.step();
             }
         };
-        take("simulate the furnished flat".to_owned(), &mut simulate, Some(SIMULATED_STEPS as f64 * STEP_S));
+        take("simulate the furnished flat".to_owned(), &mut simulate, Some(f64::from(SIMULATED_STEPS) * STEP_S));
     }
     results
 }

@@ -1,8 +1,8 @@
 //! One user's session: a room, a robot, a planner, a run.
 
 use super::{
-    Action, Brush, Editor, PlanRequest, Planned, Prepared, Recording, RobotView, Scene, Settings, SettingsError,
-    State, View,
+    Action, Brush, Editor, PlanRequest, Planned, Prepared, Recording, RobotView, Scene, Settings, SettingsError, State,
+    View,
     view::{Can, PlanView, RoomView},
 };
 use crate::{
@@ -544,7 +544,8 @@ impl Session {
         let start = self.editor.start().or(self.plan().start);
         let defaults = crate::planner::Params::defaults(self.settings.planner.params);
         let changed = self.settings.params.iter().filter(|&(id, value)| defaults.get(id) != Some(value));
-        let params = changed.filter_map(|(id, value)| Some((id.to_owned(), serde_json::to_value(value).ok()?))).collect();
+        let params =
+            changed.filter_map(|(id, value)| Some((id.to_owned(), serde_json::to_value(value).ok()?))).collect();
         let mut scenario = Scenario::of(self.plan());
         scenario.start = start.map(Into::into);
         scenario.robot = Some(self.settings.robot.to_owned());

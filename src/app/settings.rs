@@ -85,8 +85,11 @@ impl Settings {
     /// Chooses a planner, with its default parameters.
     pub fn select_planner(&mut self, id: &str) -> Result<(), SettingsError> {
         let known = || planner::PLANNERS.iter().map(|p| p.id).collect::<Vec<_>>().join(", ");
-        self.planner =
-            planner::find(id).ok_or_else(|| SettingsError::Unknown { kind: "planner", id: id.into(), known: known() })?;
+        self.planner = planner::find(id).ok_or_else(|| SettingsError::Unknown {
+            kind: "planner",
+            id: id.into(),
+            known: known(),
+        })?;
         self.params = Params::defaults(self.planner.params);
         Ok(())
     }
@@ -125,8 +128,11 @@ impl Settings {
     /// Chooses how well the wheels hold.
     pub fn set_slip(&mut self, id: &str) -> Result<(), SettingsError> {
         let known = || SlipLevel::ALL.map(|(_, name)| name).join(", ");
-        self.slip =
-            SlipLevel::parse(id).ok_or_else(|| SettingsError::Unknown { kind: "slip", id: id.into(), known: known() })?;
+        self.slip = SlipLevel::parse(id).ok_or_else(|| SettingsError::Unknown {
+            kind: "slip",
+            id: id.into(),
+            known: known(),
+        })?;
         Ok(())
     }
 

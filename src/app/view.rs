@@ -58,7 +58,8 @@ pub struct View {
     pub plan: Option<PlanView>,
 }
 
-/// What the user may do now.
+/// What the user may do now: a flag for each button, which JavaScript only copies.
+#[expect(clippy::struct_excessive_bools)]
 #[derive(Debug, Clone, Copy, Serialize)]
 pub struct Can {
     /// Let time go on.

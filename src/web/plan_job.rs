@@ -66,7 +66,8 @@ pub(super) fn to_js(request: &PlanRequest) -> Result<JsValue, JsValue> {
 /// as x, y, x, y, ... Returns `{ cells, seconds }`; throws a message if the request is not valid.
 #[wasm_bindgen]
 pub fn plan(request: &JsValue, on_progress: &Function) -> Result<JsValue, JsValue> {
-    let wire: WireRequest = serde_wasm_bindgen::from_value(request.clone()).map_err(|e| JsValue::from(e.to_string()))?;
+    let wire: WireRequest =
+        serde_wasm_bindgen::from_value(request.clone()).map_err(|e| JsValue::from(e.to_string()))?;
     let free = Uint8Array::new(&js_sys::Reflect::get(request, &"free".into())?).to_vec();
     let job = wire.job(&free).ok_or("the planning request has no free start")?;
     let info = planner::find(&wire.planner).ok_or_else(|| format!("there is no planner \"{}\"", wire.planner))?;

@@ -28,10 +28,16 @@ enum Tool {
 /// What the pointer is doing between down and up.
 #[derive(Clone, Copy, PartialEq)]
 enum Gesture {
-    Pan { x: f64, y: f64 },
+    Pan {
+        x: f64,
+        y: f64,
+    },
     Paint,
     /// The start goes here if released now; dragging turns it if `turns`, else moves it.
-    Start { pose: Pose, turns: bool },
+    Start {
+        pose: Pose,
+        turns: bool,
+    },
 }
 
 /// A session shown on a canvas.
@@ -289,9 +295,7 @@ impl Playground {
                 Gesture::Paint
             }
             Tool::Start => Gesture::Start { pose: Pose::new(at.x, at.y, heading), turns: true },
-            Tool::View if self.is_on_robot(at) => {
-                Gesture::Start { pose: Pose::new(at.x, at.y, heading), turns: false }
-            }
+            Tool::View if self.is_on_robot(at) => Gesture::Start { pose: Pose::new(at.x, at.y, heading), turns: false },
             Tool::View => Gesture::Pan { x, y },
         });
     }
