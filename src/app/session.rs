@@ -35,7 +35,7 @@ pub struct Session {
     due: f64,
     speed_factor: f64,
     requests: u32,
-    /// Walks that planners have reported on their way.
+    /// Walks that planners have reported, on their way and at the end.
     previews: u64,
     message: Option<Message>,
 }
@@ -313,6 +313,7 @@ impl Session {
             return;
         }
         self.planning = None;
+        self.previews += 1;
         if let Some(prepared) = &self.prepared {
             self.planned = Some(Planned::new(prepared, cells, seconds));
             self.start_run();

@@ -14,7 +14,7 @@ use web_sys::HtmlCanvasElement;
 /// Milliseconds of a frame that simulation may take; the rest of 16.7 ms is for drawing and the browser.
 const FRAME_BUDGET_MS: f64 = 8.0;
 /// Simulated time that the opening scene has behind it, s, so that there is something to see at once.
-const OPENING_S: f64 = 240.0;
+const OPENING_S: f64 = 600.0;
 
 /// What the pointer does on the floor.
 #[derive(Clone, Copy, PartialEq, Eq)]
