@@ -46,7 +46,11 @@ function start(module) {
       if (isFatal(error)) {
         alive = false;
         die(error);
-      } else complain(textOf(error));
+      } else {
+        // Rust throws messages for users; anything else is a mistake of ours.
+        if (error instanceof Error) console.error(error);
+        complain(textOf(error));
+      }
       return false;
     }
   };
