@@ -76,8 +76,11 @@ function start(module) {
     failed: (id, message) => guard(() => playground.plan_failed(id, message)),
   });
 
-  const restore = () => guard(() => playground.restore(location.hash.slice(1)));
-  if (location.hash.length > 1) restore();
+  const restore = () => {
+    // Other fragments are places on the page, such as that of the skip link.
+    if (location.hash.includes("=")) guard(() => playground.restore(location.hash.slice(1)));
+  };
+  restore();
   addEventListener("hashchange", restore);
   if (matchMedia("(prefers-reduced-motion: reduce)").matches) playground.pause();
 
