@@ -15,6 +15,8 @@ use web_sys::HtmlCanvasElement;
 const FRAME_BUDGET_MS: f64 = 8.0;
 /// Simulated time that the opening scene has behind it, s, so that there is something to see at once.
 const OPENING_S: f64 = 600.0;
+/// The session's first planning request, which is that for the opening scene.
+const OPENING_REQUEST: u32 = 1;
 
 /// What the pointer does on the floor.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -126,7 +128,8 @@ impl Playground {
     /// The worker is done.
     pub fn plan_finished(&mut self, id: u32, cells: &[u32], seconds: f64) {
         self.session.plan_finished(id, plan_job::cells(cells), seconds);
-        if std::mem::take(&mut self.is_opening) {
+        // Whoever has chosen something else meanwhile wants to see that from its start.
+        if std::mem::take(&mut self.is_opening) && id == OPENING_REQUEST {
             self.session.run_ahead(OPENING_S);
         }
     }
@@ -201,7 +204,10 @@ impl Playground {
     /// Takes what `link` returned. Throws a message and changes nothing if that isn't possible.
     pub fn restore(&mut self, link: &str) -> Result<(), JsValue> {
         self.session.restore(link).map_err(thrown)?;
-        self.is_opening = false;
+        // A page that opens by a link begins there.
+        if std::mem::take(&mut self.is_opening) {
+            self.session.forget_changes();
+        }
         Ok(())
     }
 
