@@ -5,7 +5,7 @@ import { openApp } from "./app.mjs";
 import { pillars, textMap } from "./maps.mjs";
 
 test("planning a large map is shown and cancelled at once", async (t) => {
-  const { page, app } = await openApp(t);
+  const { page, app } = await openApp(t, { address: "#room=thesis8" });
   const large = textMap("large.txt", pillars(1000));
   const [chooser] = await Promise.all([page.waitForEvent("filechooser"), page.locator("#load").click()]);
   await chooser.setFiles([{ name: large.name, mimeType: "text/plain", buffer: large.bytes }]);

@@ -71,7 +71,7 @@ test("walling the robot in says what to do, and undo helps", async (t) => {
 });
 
 test("wheel, buttons and keys zoom, and 0 shows the whole room again", async (t) => {
-  const { page, app } = await openApp(t);
+  const { page, app } = await openApp(t, { address: "#room=empty" });
   await app.pause();
   const picture = async () => {
     await app.frames(3);

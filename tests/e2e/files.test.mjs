@@ -9,7 +9,7 @@ const ROOM = openRoom(40, 30);
 
 for (const way of ["pick", "drop"]) {
   test(`takes every kind of map (${way})`, async (t) => {
-    const { app } = await openApp(t);
+    const { app } = await openApp(t, { address: "#room=empty" });
     const kinds = [
       { name: "image", files: [png("image.png", ROOM)], size: "2.1 × 1.6 m" },
       { name: "scan", files: [mapYaml("scan.yaml", "scan.pgm", { resolution: 0.1 }), pgm("scan.pgm", ROOM)], size: "4.2 × 3.2 m" },

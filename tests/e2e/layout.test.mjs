@@ -14,7 +14,7 @@ const controls = (page) =>
       .map((node) => {
         const label = node.matches("input[type=checkbox]") ? (node.closest("label") ?? node) : node;
         const { x, y, width, height } = label.getBoundingClientRect();
-        return { name: node.id || node.dataset.tool || node.dataset.sheet || node.ariaLabel || node.className, x, y, width, height };
+        return { name: node.id || node.dataset.tool || node.dataset.sheet || node.ariaLabel || node.type || node.localName, x, y, width, height };
       })
       .filter(({ x, y, width, height }) => width > 0 && height > 0 && x + width > 0 && y < innerHeight && y + height > 0),
   );
