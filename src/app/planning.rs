@@ -16,11 +16,11 @@ pub const CELL_ROBOT: &str = "cell";
 
 /// All that determines a walk.
 #[derive(Debug, Clone)]
-pub struct PlanningTask<'a> {
+pub struct PlanningTask {
     /// The room.
-    pub plan: &'a FloorPlan,
+    pub plan: FloorPlan,
     /// The robot.
-    pub robot: &'a RobotModel,
+    pub robot: RobotModel,
     /// Side of the planning cells, m.
     pub cell_size: f64,
     /// Planning cell to start in; the plan's own start if `None`, or else a corner.
@@ -30,7 +30,7 @@ pub struct PlanningTask<'a> {
     /// The planner.
     pub planner: &'static PlannerInfo,
     /// Its parameters.
-    pub params: &'a Params,
+    pub params: Params,
     /// Seed of its random numbers.
     pub seed: u64,
 }
@@ -50,9 +50,9 @@ pub struct Planned {
     pub report: PlanReport,
 }
 
-/// Numbers of a walk, as written by the command line.
-#[derive(Debug, Clone, Serialize)]
-pub struct PlanReport {
+/// What was asked for, as written by the command line at the head of every answer.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct TaskReport {
     /// Id of the planner.
     pub planner: &'static str,
     /// All its parameters.
@@ -67,6 +67,14 @@ pub struct PlanReport {
     pub start: Cell,
     /// Heading at the start, degrees counter-clockwise from the right.
     pub heading_deg: f64,
+}
+
+/// Numbers of a walk, as written by the command line.
+#[derive(Debug, Clone, Serialize)]
+pub struct PlanReport {
+    /// What was asked for.
+    #[serde(flatten)]
+    pub task: TaskReport,
     /// The walk over planning cells, `[x, y]` with x right and y up from the lower-left one, the start included.
     pub cells: Vec<Cell>,
     /// Swept share of the reachable floor, 0 to 1.
@@ -185,14 +193,14 @@ pub fn choose_robot(id: &str, plan: &FloorPlan, cell_size: Option<f64>) -> Optio
 ///
 /// A start cell that was asked for is kept or refused, never moved.
 pub fn run(
-    task: &PlanningTask<'_>,
+    task: &PlanningTask,
     clock: impl Fn() -> f64,
     observer: Option<Observer<'_>>,
 ) -> Result<Planned, PlanningError> {
     let floor = task.floor()?;
     let lattice = Lattice::new(&floor, task.cell_size);
-    let job = CoverageJob::on_lattice(&lattice, &floor, task.robot);
-    let planner = (task.planner.build)(task.params);
+    let job = CoverageJob::on_lattice(&lattice, &floor, &task.robot);
+    let planner = (task.planner.build)(&task.params);
     let mut ctx = match observer {
         Some(observer) => PlanContext::observed(task.seed, observer),
         None => PlanContext::new(task.seed),
@@ -202,8 +210,8 @@ pub fn run(
     let planning_s = (clock() - begin).max(0.0);
     path.check(&job).map_err(|error| PlanningError::BadPath { planner: task.planner.id, error })?;
     let walk = WalkMetrics::of(&job, &path);
-    let drive = DriveMetrics::of(&floor, &lattice, task.robot, &path);
-    let report = PlanReport {
+    let drive = DriveMetrics::of(&floor, &lattice, &task.robot, &path);
+    let head = TaskReport {
         planner: task.planner.id,
         params: task.params.clone(),
         seed: task.seed,
@@ -216,6 +224,9 @@ pub fn run(
         robot: task.robot.id,
         start: job.start,
         heading_deg: floor.start.heading.to_degrees(),
+    };
+    let report = PlanReport {
+        task: head,
         cells: path.cells.clone(),
         coverage: drive.coverage,
         reachable_cells: walk.reachable_cells,
@@ -232,7 +243,7 @@ pub fn run(
     Ok(Planned { floor, lattice, job, path, report })
 }
 
-impl PlanningTask<'_> {
+impl PlanningTask {
     /// The floor as reached from the start, with everything checked that was asked for.
     fn floor(&self) -> Result<ReachableFloor, PlanningError> {
         if !(MIN_RESOLUTION..=MAX_RESOLUTION).contains(&self.cell_size) {
@@ -242,7 +253,7 @@ impl PlanningTask<'_> {
             return Err(PlanningError::Heading(heading));
         }
         let mut floor = match self.start {
-            None => ReachableFloor::new(self.plan, self.robot, None)?,
+            None => ReachableFloor::new(&self.plan, &self.robot, None)?,
             Some(cell) => self.floor_from(cell)?,
         };
         // Cells without a fine cell's centre in them would tear the planning grid apart.
@@ -260,7 +271,7 @@ impl PlanningTask<'_> {
         if !(0..width as i32).contains(&start.x) || !(0..height as i32).contains(&start.y) {
             return Err(PlanningError::StartOutside { start, width, height });
         }
-        let stand = |at: Point| ReachableFloor::new(self.plan, self.robot, Some(Pose::new(at.x, at.y, 0.0)));
+        let stand = |at: Point| ReachableFloor::new(&self.plan, &self.robot, Some(Pose::new(at.x, at.y, 0.0)));
         let floor = match stand(self.centre_of(start)) {
             Err(FloorError::StartInWall { free_x, free_y, .. }) => {
                 // A table leg in the middle of a cell doesn't make the whole cell a wall.
@@ -355,13 +366,13 @@ mod tests {
     ) -> Result<PlanReport, PlanningError> {
         let (robot, cell_size) = choose_robot(robot, plan, cell).unwrap();
         let task = PlanningTask {
-            plan,
-            robot: &robot,
+            plan: plan.clone(),
+            robot,
             cell_size,
             start: start.map(|(x, y)| Cell::new(x, y)),
             heading_deg: None,
             planner: &PLANNER,
-            params: &Params::default(),
+            params: Params::default(),
             seed: 0,
         };
         run(&task, || 0.0, None).map(|planned| planned.report)
@@ -374,7 +385,10 @@ mod tests {
             let report = planned(&plan, CELL_ROBOT, None, None).unwrap();
             let free = plan.occupancy.values().iter().filter(|o| o.is_free()).count();
             assert_eq!((report.coverage, report.reachable_cells), (1.0, free), "{id}");
-            assert_eq!((report.room.width, report.room.height), (plan.occupancy.width(), plan.occupancy.height()));
+            assert_eq!(
+                (report.task.room.width, report.task.room.height),
+                (plan.occupancy.width(), plan.occupancy.height())
+            );
         }
     }
 
@@ -392,7 +406,10 @@ mod tests {
         let plan = text_map("; resolution 0.2\n....\n.##.\n....\n....\n");
         for start in [(0, 0), (3, 3), (2, 1)] {
             let report = planned(&plan, CELL_ROBOT, None, Some(start)).unwrap();
-            assert_eq!((report.start, report.cells[0]), (Cell::new(start.0, start.1), Cell::new(start.0, start.1)));
+            assert_eq!(
+                (report.task.start, report.cells[0]),
+                (Cell::new(start.0, start.1), Cell::new(start.0, start.1))
+            );
         }
         let message = |robot, cell, start| planned(&plan, robot, cell, Some(start)).unwrap_err().to_string();
         assert_eq!(
@@ -418,18 +435,18 @@ mod tests {
         assert!(matches!(fine, PlanningError::StartInWall { .. }), "{fine}");
         let (robot, _) = choose_robot(CELL_ROBOT, &plan, None).unwrap();
         let task = PlanningTask {
-            plan: &plan,
-            robot: &robot,
+            plan: plan.clone(),
+            robot,
             cell_size: 0.3,
             start: Some(Cell::new(0, 0)),
             heading_deg: Some(-450.0),
             planner: &PLANNER,
-            params: &Params::default(),
+            params: Params::default(),
             seed: 0,
         };
         let report = run(&task, || 0.0, None).unwrap().report;
-        assert_eq!((report.start, report.steps), (Cell::new(0, 0), 0));
-        assert!((report.heading_deg + 90.0).abs() < 1e-9, "{}", report.heading_deg);
+        assert_eq!((report.task.start, report.steps), (Cell::new(0, 0), 0));
+        assert!((report.task.heading_deg + 90.0).abs() < 1e-9, "{}", report.task.heading_deg);
     }
 
     #[test]
@@ -447,13 +464,13 @@ mod tests {
         let plan = text_map("....\n....\n");
         let (robot, cell_size) = choose_robot(CELL_ROBOT, &plan, None).unwrap();
         let task = PlanningTask {
-            plan: &plan,
-            robot: &robot,
+            plan: plan.clone(),
+            robot,
             cell_size,
             start: None,
             heading_deg: None,
             planner: &PLANNER,
-            params: &Params::default(),
+            params: Params::default(),
             seed: 0,
         };
         let now = Shared::new(10.0);

@@ -11,7 +11,6 @@ use crate::{
     geometry::{Point, Pose},
     grid::Cell,
     planner::{PlanContext, PlanError},
-    robot::OdometryModel,
     sim::{Run, RunSetup, STEP_S, SlipLevel},
 };
 use std::sync::Arc;
@@ -228,10 +227,7 @@ impl Session {
             cell_size_m: self.settings.cell_size,
             seed: self.settings.seed,
             slip: self.settings.slip.id(),
-            odometry: match self.settings.odometry {
-                OdometryModel::Arc => "arc",
-                OdometryModel::Straight => "straight",
-            },
+            odometry: self.settings.odometry.id(),
             speed: self.settings.speed,
             speed_factor: self.speed_factor,
             time_s: run.map_or(0.0, Run::time_s),
@@ -241,7 +237,7 @@ impl Session {
             distance_m: run.map_or(0.0, Run::distance_m),
             turning_deg: run.map_or(0.0, |r| r.turning_rad().to_degrees()),
             bumps: run.map_or(0, Run::bumps),
-            pose_error_m: run.and_then(pose_error).unwrap_or(0.0),
+            pose_error_m: run.and_then(Run::pose_error_m).unwrap_or(0.0),
             plan: self.plan_view(),
         }
     }
@@ -633,11 +629,6 @@ impl Default for Session {
     fn default() -> Self {
         Self::new()
     }
-}
-
-/// Distance between truth and belief, m.
-fn pose_error(run: &Run) -> Option<f64> {
-    run.estimate().map(|estimate| (estimate.position() - run.pose().position()).norm())
 }
 
 /// To millimetres and tenths of a degree, as links have it: a link must bring back the very same run.
