@@ -183,6 +183,26 @@ fn run_is_told_as_a_table_and_a_summary() {
 }
 
 #[test]
+fn bench_names_its_cases_and_their_times() {
+    let results: Value = serde_json::from_str(&text(&["bench", "--json"])).unwrap();
+    let results = results.as_array().unwrap();
+    let table = text(&["bench"]);
+    assert_eq!(table.lines().count(), results.len() + 1, "{table}");
+    for result in results {
+        let name = result["name"].as_str().unwrap();
+        assert!(result["ms"].as_f64().unwrap() > 0.0, "{result}");
+        assert!(table.contains(&format!("\n{name}  ")), "{name} isn't in {table}");
+        let simulates = name.starts_with("simulate ");
+        assert_eq!(result["times_real_time"].as_f64().is_some_and(|times| times > 1.0), simulates, "{result}");
+    }
+    for planner in PLANNERS {
+        assert!(results.iter().any(|r| r["name"] == format!("plan {} 100 x 100", planner.id)), "{}", planner.id);
+    }
+    let (code, message) = failure(&["bench", "--runs", "3"]);
+    assert!(code == 2 && message.contains("unexpected argument '--runs'"), "{code} {message}");
+}
+
+#[test]
 fn convert_writes_what_can_be_read_again() {
     let json = file("convert/flat.json", b"");
     let back = file("convert/flat.txt", b"");

@@ -3,6 +3,8 @@
 //! One file a sub-command; each turns its arguments into text or a [`failure::Failure`].
 
 #[cfg(not(target_arch = "wasm32"))]
+mod bench;
+#[cfg(not(target_arch = "wasm32"))]
 mod convert;
 #[cfg(not(target_arch = "wasm32"))]
 mod failure;
@@ -30,7 +32,7 @@ fn main() -> std::process::ExitCode {
 
 #[cfg(not(target_arch = "wasm32"))]
 mod native {
-    use super::{convert, failure::OK, list, output::print, plan, simulate};
+    use super::{bench, convert, failure::OK, list, output::print, plan, simulate};
     use clap::{Parser, Subcommand};
     use std::{io::Write, process::ExitCode};
 
@@ -63,6 +65,7 @@ Exit codes:
         Plan(plan::Arguments),
         Simulate(simulate::Arguments),
         Convert(convert::Arguments),
+        Bench(bench::Arguments),
     }
 
     pub(super) fn main() -> ExitCode {
@@ -73,6 +76,7 @@ Exit codes:
             Command::Plan(arguments) => plan::run(&arguments),
             Command::Simulate(arguments) => simulate::run(&arguments),
             Command::Convert(arguments) => convert::run(&arguments),
+            Command::Bench(arguments) => bench::run(&arguments),
         };
         match result.and_then(|text| print(&text)) {
             Ok(()) => OK.into(),
