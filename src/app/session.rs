@@ -19,6 +19,9 @@ use std::sync::Arc;
 /// Longest time between two frames that is made up for, s: after a pause of the browser the robot doesn't leap.
 const LONGEST_FRAME: f64 = 0.1;
 
+/// What links say of a room that was drawn or loaded: it stays what it is.
+const OWN_ROOM: &str = "own";
+
 /// Room, settings, plan and run, and what may be done with them.
 ///
 /// The session has no clock and no thread: [`Session::frame`] is told how much time has passed and asks whether it may
@@ -528,7 +531,7 @@ impl Session {
                 settings.take_link(key, value)?;
             }
         }
-        if let Some(id) = room {
+        if let Some(id) = room.filter(|&id| id != OWN_ROOM) {
             self.select_room(id)?;
         }
         let start = settings.start.take();
@@ -557,12 +560,12 @@ impl Session {
         scenario.to_json()
     }
 
-    /// The session as a link's `key=value` pairs; walls drawn by hand aren't in it.
+    /// The session as a link's `key=value` pairs. A room that was drawn or loaded isn't in it: see [`Session::scenario_json`].
     pub fn link(&self) -> String {
         let mut settings = self.settings.clone();
         settings.start = self.editor.start();
-        let room = self.editor.room().map(|id| ("room".to_owned(), id.to_owned()));
-        let pairs = room.into_iter().chain(settings.to_link());
+        let room = ("room".to_owned(), self.editor.room().unwrap_or(OWN_ROOM).to_owned());
+        let pairs = std::iter::once(room).chain(settings.to_link());
         pairs.map(|(key, value)| format!("{key}={value}")).collect::<Vec<_>>().join("&")
     }
 

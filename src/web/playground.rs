@@ -210,6 +210,11 @@ impl Playground {
         self.session.link()
     }
 
+    /// Changes whenever the room does.
+    pub fn room_version(&self) -> f64 {
+        self.session.plan_version() as f64
+    }
+
     // ---- time
 
     /// Lets time go on.
