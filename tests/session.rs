@@ -186,6 +186,23 @@ fn bad_links_name_what_is_wrong_and_change_nothing() {
 }
 
 #[test]
+fn room_of_ones_own_survives_by_scenario_and_link() {
+    let mut session = opened();
+    session.select_room("empty").unwrap();
+    session.begin_stroke(Brush::Wall, Point::new(2.0, 1.5));
+    session.go_on_stroke(Point::new(3.0, 2.5));
+    session.end_stroke();
+    session.configure(|s| s.set_slip("typical")).unwrap();
+    let (link, saved) = (session.link(), session.scenario_json());
+    assert!(link.starts_with("room=own&"), "{link}");
+    let mut other = opened();
+    other.load(&[SourceFile { name: "saved.json".into(), bytes: saved.into_bytes() }]).unwrap();
+    other.restore(&link).unwrap();
+    assert_eq!(other.link(), link);
+    assert_eq!(other.plan().occupancy, session.plan().occupancy);
+}
+
+#[test]
 fn late_answers_of_older_plans_are_dropped() {
     let mut session = Session::new();
     let old = session.take_plan_request().unwrap();

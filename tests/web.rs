@@ -48,6 +48,7 @@ fn catalogue_lists_what_there_is() {
 fn opens_playing_and_draws() {
     let mut playground = playground();
     playground.frame(0.0).unwrap();
+    serve(&mut playground);
     playground.frame(16.0).unwrap();
     let view = playground.view().unwrap();
     assert_eq!(get(&view, "state").as_string().unwrap(), "playing");

@@ -85,7 +85,7 @@ export type View = {
   /** 0 to 1 */
   coverage: number;
   distance_m: number;
-  turns: number;
+  turning_deg: number;
   bumps: number;
   overlap: number;
   /** Achieved, times real time. */

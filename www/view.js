@@ -15,7 +15,7 @@ const RUN_METRICS = [
   { label: "Coverage", tip: "Swept share of the floor that this robot can reach, at the true width of its tool. Plan: driven without any error.", plan: (p) => `${percent(p.coverage)} %`, run: (v) => `${percent(v.coverage)} %` },
   { label: "Time", tip: "From setting off to standing still, by the robot's speeds and accelerations. Minutes and seconds.", plan: (p) => clock(p.duration_s), run: (v) => clock(v.time_s) },
   { label: "Distance", tip: "Length of the way driven, in metres.", plan: (p) => `${metres(p.length_m)} m`, run: (v) => `${metres(v.distance_m)} m` },
-  { label: "Turns", tip: "Plan: quarter turns between steps on the grid, a reversal counts as two. So far: those driven.", plan: (p) => count(p.turns), run: (v) => count(v.turns) },
+  { label: "Turning", tip: "Sum of all turns in degrees, the one at the start included.", plan: (p) => `${count(p.turning_deg)}°`, run: (v) => `${count(v.turning_deg)}°` },
   { label: "Overlap", tip: "Passes beyond the first, as a share of the floor swept: at 30 %, three tenths of it were swept a second time.", plan: (p) => `${percent(p.overlap, 0)} %`, run: (v) => `${percent(v.overlap, 0)} %` },
   { label: "Bumps", tip: "How often the bumper has touched a wall or a piece of furniture.", run: (v) => count(v.bumps) },
   { label: "Position error", tip: "Distance between where the robot is and where it believes to be, from counting wheel turns.", run: (v) => smallLength(v.pose_error_m) },
@@ -26,7 +26,7 @@ const PLAN_METRICS = [
   { label: "Cells visited", tip: "Cells of the planning grid that the plan visits, out of those that can be reached from the start.", plan: (p) => `${count(p.visited_cells)} of ${count(p.reachable_cells)}` },
   { label: "Steps", tip: "Steps from one cell to the next.", plan: (p) => count(p.steps) },
   { label: "Revisits", tip: "Visits to cells beyond the first to each: driving that cleans nothing new.", plan: (p) => count(p.revisits) },
-  { label: "Turning", tip: "Sum of all turns of the planned line in degrees, the one at the start included.", plan: (p) => `${count(p.turning_deg)}°` },
+  { label: "Turns", tip: "Quarter turns between steps on the grid; a reversal counts as two.", plan: (p) => count(p.turns) },
   { label: "Planned in", tip: "Time that this computer took to work out the plan.", plan: (p) => took(p.planning_s) },
 ];
 

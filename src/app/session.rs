@@ -18,6 +18,9 @@ use std::sync::Arc;
 /// Longest time between two frames that is made up for, s: after a pause of the browser the robot doesn't leap.
 const LONGEST_FRAME: f64 = 0.1;
 
+/// What links say of a room that was drawn or loaded: it stays what it is.
+const OWN_ROOM: &str = "own";
+
 /// Room, settings, plan and run, and what may be done with them.
 ///
 /// The session has no clock and no thread: [`Session::frame`] is told how much time has passed and asks whether it may
@@ -34,7 +37,7 @@ pub struct Session {
     due: f64,
     speed_factor: f64,
     requests: u32,
-    /// Walks that planners have reported on their way.
+    /// Walks that planners have reported, on their way and at the end.
     previews: u64,
     message: Option<Message>,
 }
@@ -309,6 +312,7 @@ impl Session {
             return;
         }
         self.planning = None;
+        self.previews += 1;
         if let Some(prepared) = &self.prepared {
             self.planned = Some(Planned::new(prepared, cells, seconds));
             self.start_run();
@@ -523,7 +527,7 @@ impl Session {
                 settings.take_link(key, value)?;
             }
         }
-        if let Some(id) = room {
+        if let Some(id) = room.filter(|&id| id != OWN_ROOM) {
             self.select_room(id)?;
         }
         let start = settings.start.take();
@@ -552,12 +556,12 @@ impl Session {
         scenario.to_json()
     }
 
-    /// The session as a link's `key=value` pairs; walls drawn by hand aren't in it.
+    /// The session as a link's `key=value` pairs. A room that was drawn or loaded isn't in it: see [`Session::scenario_json`].
     pub fn link(&self) -> String {
         let mut settings = self.settings.clone();
         settings.start = self.editor.start();
-        let room = self.editor.room().map(|id| ("room".to_owned(), id.to_owned()));
-        let pairs = room.into_iter().chain(settings.to_link());
+        let room = ("room".to_owned(), self.editor.room().unwrap_or(OWN_ROOM).to_owned());
+        let pairs = std::iter::once(room).chain(settings.to_link());
         pairs.map(|(key, value)| format!("{key}={value}")).collect::<Vec<_>>().join("&")
     }
 
@@ -641,7 +645,7 @@ fn rounded(pose: Pose) -> Pose {
 /// An error's text as a sentence.
 fn sentence(text: &str) -> String {
     let mut chars = text.chars();
-    let first = chars.next().map(|c| c.to_uppercase().to_string()).unwrap_or_default();
+    let first = chars.next().map(|c| c.to_ascii_uppercase().to_string()).unwrap_or_default();
     let rest: String = chars.collect();
     let stop = if rest.ends_with(['.', '!', '?']) { "" } else { "." };
     format!("{first}{rest}{stop}")

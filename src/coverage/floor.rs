@@ -94,14 +94,14 @@ impl ReachableFloor {
         let field = clearance(&blocked, (robot.radius / resolution) as f32 + 2.0).map(|&c| c * resolution as f32);
         let passing = robot.radius + steering_margin(robot.radius) - 1e-5;
         let free = field.map(|&c| f64::from(c) >= passing);
+        let walls = Walls { clearance: field, resolution, body_radius: robot.radius };
         let fallback =
             default_start(&free, resolution).ok_or(FloorError::TooNarrow { diameter: 2.0 * robot.radius })?;
         let start = match start.or(plan.start) {
-            Some(pose) => check_start(plan, &free, resolution, pose, fallback)?,
+            Some(pose) => check_start(plan, &free, &walls, pose, fallback)?,
             None => fallback,
         };
         let start = if robot.fills_cell { in_centre(start, resolution) } else { start };
-        let walls = Walls { clearance: field, resolution, body_radius: robot.radius };
         let passable = reachable(&free, cell_at(start.position(), resolution));
         let standing = up_to_walls(&walls, passable);
         let tool_radius = 0.5 * robot.tool_width;
@@ -226,7 +226,7 @@ fn centre(cell: Cell, resolution: f64) -> Point {
 fn check_start(
     plan: &FloorPlan,
     free: &Grid<bool>,
-    resolution: f64,
+    walls: &Walls,
     pose: Pose,
     fallback: Pose,
 ) -> Result<Pose, FloorError> {
@@ -234,13 +234,12 @@ fn check_start(
     let Some(occupancy) = plan.occupancy.get(plan.cell_at(pose.position())) else {
         return Err(FloorError::StartOutside { x, y, width: plan.width_m(), height: plan.height_m() });
     };
-    let cell = cell_at(pose.position(), resolution);
-    if free.is_set(cell) {
-        // A free cell promises room around its centre only; elsewhere in it the neighbours have to be free as well.
-        let has_room = cell.block().all(|c| free.is_set(c));
-        return Ok(if has_room { pose } else { in_centre(pose, resolution) });
+    if free.is_set(cell_at(pose.position(), walls.resolution)) {
+        // A free cell promises room around its centre, not everywhere in it.
+        let has_room = walls.has_room(pose.position(), walls.body_radius);
+        return Ok(if has_room { pose } else { in_centre(pose, walls.resolution) });
     }
-    let place = nearest(free, resolution, pose.position()).unwrap_or(fallback.position());
+    let place = nearest(free, walls.resolution, pose.position()).unwrap_or(fallback.position());
     if occupancy.is_free() {
         Ok(Pose::new(place.x, place.y, pose.heading))
     } else {

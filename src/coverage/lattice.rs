@@ -177,9 +177,8 @@ impl Targets<'_> {
 /// The target itself if there is room all around it, else `place`, the centre of the standing fine cell nearest to it,
 /// moved off the walls.
 fn settle(floor: &ReachableFloor, place: Point, target: Point) -> Point {
-    let cell = floor.cell_at(place);
-    let has_room = floor.cell_at(target) == cell && cell.block().all(|c| floor.standing.is_set(c));
-    if has_room { target } else { floor.standing_place(cell) }
+    let has_room = floor.cell_at(target).block().all(|c| floor.standing.is_set(c));
+    if has_room { target } else { floor.standing_place(floor.cell_at(place)) }
 }
 
 /// Appends a point, replacing the last one if all three lie on one line in this order.
@@ -248,6 +247,17 @@ mod tests {
         assert!(lattice.free.is_set(Cell::new(4, 1)) && lattice.free.is_set(Cell::new(4, 8)), "{}", {
             picture(&lattice.free, |&f| if f { '.' } else { '#' })
         });
+    }
+
+    #[test]
+    fn lanes_in_the_open_are_straight() {
+        // Centres of cells of 0.12 m fall on borders of the fine cells of 0.05 m now and then.
+        let floor = floor(&"..........\n".repeat(10), 0.25);
+        let lattice = Lattice::new(&floor, 0.12);
+        for x in 4..16 {
+            let anchor = lattice.anchor(Cell::new(x, 10));
+            assert!((anchor - Point::new((f64::from(x) + 0.5) * 0.12, 10.5 * 0.12)).norm() < 1e-9, "{x}: {anchor}");
+        }
     }
 
     #[test]

@@ -2,7 +2,6 @@
 
 use super::{MapError, Mode, Shading, error::checked_resolution};
 use crate::geometry::Pose;
-use saphyr_parser::{Event, Parser};
 use std::{collections::BTreeMap, ops::RangeInclusive};
 
 /// Description of a ROS map (`map_server`). Files contain a handful of lines.
@@ -133,40 +132,125 @@ impl Fields<'_> {
     }
 }
 
-/// The keys of the outermost mapping with their scalar values; lists are flattened.
+/// The keys with their values, as `map_saver` and people write them: a line `key: value` each, where a value is a word,
+/// quoted or not, a list in brackets, or a list of `- value` lines below; with comments.
 ///
-/// Works on the parser's events: no tree is built, so neither deep nesting nor aliases can blow it up.
+/// A whole YAML parser would be a twelfth of what the page's visitors download, for a file of seven lines.
 fn entries(name: &str, text: &str) -> Result<BTreeMap<String, Entry>, MapError> {
     let mut entries: BTreeMap<String, Entry> = BTreeMap::new();
-    let mut depth = 0_usize;
-    let mut key: Option<String> = None;
-    for event in Parser::new_from_str(text) {
-        let (event, span) = event.map_err(|error| MapError::Syntax {
+    // The list in brackets that goes on on the next line, and the key that the lines below belong to.
+    let mut open_list = String::new();
+    let mut last_key: Option<String> = None;
+    for (index, raw) in text.lines().enumerate() {
+        let line = index + 1;
+        let wrong = |cause: &str| MapError::Syntax {
             name: name.to_owned(),
-            line: error.marker().line().max(1),
-            column: error.marker().col() + 1,
-            cause: error.info().to_owned(),
-        })?;
-        match event {
-            Event::MappingStart(..) | Event::SequenceStart(..) => depth += 1,
-            Event::MappingEnd | Event::SequenceEnd => depth = depth.saturating_sub(1),
-            Event::DocumentEnd => break,
-            Event::Scalar(value, ..) => {
-                if let Some(key) = &key {
-                    let entry = entries.entry(key.clone());
-                    let entry = entry.or_insert(Entry { line: span.start.line(), values: Vec::new() });
-                    entry.values.push(value.into_owned());
-                } else {
-                    key = (depth == 1).then(|| value.into_owned());
-                    continue;
-                }
-            }
-            _ => continue,
+            line,
+            column: raw.len() - raw.trim_start().len() + 1,
+            cause: cause.to_owned(),
+        };
+        let content = without_comment(raw);
+        if content.trim().is_empty() || content.starts_with('%') || content.trim_end() == "---" {
+            continue;
         }
-        // Back in the outermost mapping after a value: the next scalar is a key.
-        if depth <= 1 {
-            key = None;
+        if content.trim_end() == "..." {
+            break;
+        }
+        let item = content.trim().strip_prefix('-').filter(|rest| rest.is_empty() || rest.starts_with([' ', '\t']));
+        let value = if !open_list.is_empty() {
+            format!("{open_list} {}", content.trim())
+        } else if let Some(item) = item {
+            item.trim().to_owned()
+        } else if content.starts_with([' ', '\t']) {
+            return Err(wrong("indented lines that aren't a list don't belong into the description of a map"));
+        } else {
+            let (key, value) = content.split_once(':').ok_or_else(|| wrong("expected a line \"key: value\""))?;
+            let key = unquoted(key.trim()).to_owned();
+            if entries.insert(key.clone(), Entry { line, values: Vec::new() }).is_some() {
+                return Err(wrong("this key was given before"));
+            }
+            last_key = Some(key);
+            value.trim().to_owned()
+        };
+        if value.starts_with('[') && !value.ends_with(']') {
+            open_list = value;
+            continue;
+        }
+        open_list.clear();
+        let entry = last_key.as_ref().and_then(|key| entries.get_mut(key));
+        let entry = entry.ok_or_else(|| wrong("expected a line \"key: value\" before this list"))?;
+        match value.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
+            Some(list) => entry.values.extend(list.split(',').map(|item| unquoted(item.trim()).to_owned())),
+            // The value is a list that follows.
+            None if value.is_empty() => {}
+            None => entry.values.push(unquoted(&value).to_owned()),
         }
     }
-    Ok(entries)
+    if open_list.is_empty() {
+        return Ok(entries);
+    }
+    let line = last_key.and_then(|key| entries.get(&key).map(|entry| entry.line)).unwrap_or(1);
+    let cause = "the list isn't closed; add a \"]\"".to_owned();
+    Err(MapError::Syntax { name: name.to_owned(), line, column: 1, cause })
+}
+
+/// The line up to a `#` that begins a comment: outside quotes, at the beginning or after a blank.
+fn without_comment(line: &str) -> &str {
+    let mut quote = None;
+    let mut before = ' ';
+    for (at, c) in line.char_indices() {
+        match quote {
+            Some(open) if c == open => quote = None,
+            Some(_) => {}
+            None if c == '#' && before.is_ascii_whitespace() => return &line[..at],
+            None if (c == '"' || c == '\'') && !before.is_ascii_alphanumeric() => quote = Some(c),
+            None => {}
+        }
+        before = c;
+    }
+    line
+}
+
+/// The text between a pair of quotes, or the text itself.
+fn unquoted(text: &str) -> &str {
+    let inner = |quote| text.strip_prefix(quote).and_then(|rest| rest.strip_suffix(quote));
+    inner('"').or_else(|| inner('\'')).unwrap_or(text)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn values(text: &str, key: &str) -> Vec<String> {
+        entries("map.yaml", text).unwrap().remove(key).map(|entry| entry.values).unwrap_or_default()
+    }
+
+    #[test]
+    fn lists_come_in_brackets_over_lines_or_as_items() {
+        for text in ["origin: [-1, 2.5, 0]", "origin: [-1,\n  2.5, # y\n  0]", "origin:\n- -1\n- 2.5\n- 0\nnegate: 0"] {
+            assert_eq!(values(text, "origin"), ["-1", "2.5", "0"], "{text}");
+        }
+    }
+
+    #[test]
+    fn quotes_protect_what_looks_like_a_comment() {
+        let text = "%YAML 1.2\n---\n\"image\": 'my #1 map.pgm' # the picture\nmode: raw#x\n...\nresolution: 5";
+        assert_eq!((values(text, "image"), values(text, "mode")), (vec!["my #1 map.pgm".into()], vec!["raw#x".into()]));
+        assert!(values(text, "resolution").is_empty());
+    }
+
+    #[test]
+    fn what_is_no_map_description_is_named_with_its_line() {
+        for (text, line, cause) in [
+            ("image: a\nnonsense", 2, "expected a line"),
+            ("image: a\n\n  x: 1", 3, "indented"),
+            ("- 1", 1, "before this list"),
+            ("image: a\norigin: [1, 2", 2, "isn't closed"),
+            ("image: a\nimage: b", 2, "given before"),
+        ] {
+            let error = entries("map.yaml", text).err().unwrap();
+            let MapError::Syntax { line: at, cause: why, .. } = &error else { panic!("{error}") };
+            assert!(*at == line && why.contains(cause), "{text}: {error}");
+        }
+    }
 }

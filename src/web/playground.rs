@@ -14,7 +14,7 @@ use web_sys::HtmlCanvasElement;
 /// Milliseconds of a frame that simulation may take; the rest of 16.7 ms is for drawing and the browser.
 const FRAME_BUDGET_MS: f64 = 8.0;
 /// Simulated time that the opening scene has behind it, s, so that there is something to see at once.
-const OPENING_S: f64 = 240.0;
+const OPENING_S: f64 = 600.0;
 
 /// What the pointer does on the floor.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -44,6 +44,8 @@ enum Gesture {
 #[wasm_bindgen]
 pub struct Playground {
     session: Session,
+    /// Whether what is shown is still the opening scene.
+    is_opening: bool,
     canvas: Canvas,
     viewport: Viewport,
     tool: Tool,
@@ -58,14 +60,12 @@ pub struct Playground {
 
 #[wasm_bindgen]
 impl Playground {
-    /// Opens on `canvas`, with the furnished flat already half a room clean.
+    /// Opens on `canvas` with the furnished flat; once its plan is there, the robot is in the middle of cleaning it.
     #[wasm_bindgen(constructor)]
     pub fn new(canvas: HtmlCanvasElement) -> Result<Self, JsValue> {
-        let mut session = Session::new();
-        session.plan_now(|| clock() / 1000.0);
-        session.run_ahead(OPENING_S);
         Ok(Self {
-            session,
+            session: Session::new(),
+            is_opening: true,
             canvas: Canvas::new(canvas)?,
             viewport: Viewport::new(1.0, 1.0, 1.0, 1.0, 1.0),
             tool: Tool::View,
@@ -126,6 +126,9 @@ impl Playground {
     /// The worker is done.
     pub fn plan_finished(&mut self, id: u32, cells: &[u32], seconds: f64) {
         self.session.plan_finished(id, plan_job::cells(cells), seconds);
+        if std::mem::take(&mut self.is_opening) {
+            self.session.run_ahead(OPENING_S);
+        }
     }
 
     /// The worker gave up.
@@ -197,12 +200,19 @@ impl Playground {
 
     /// Takes what `link` returned. Throws a message and changes nothing if that isn't possible.
     pub fn restore(&mut self, link: &str) -> Result<(), JsValue> {
-        self.session.restore(link).map_err(thrown)
+        self.session.restore(link).map_err(thrown)?;
+        self.is_opening = false;
+        Ok(())
     }
 
     /// The session as the part of a link behind `#`.
     pub fn link(&self) -> String {
         self.session.link()
+    }
+
+    /// Changes whenever the room does.
+    pub fn room_version(&self) -> f64 {
+        self.session.plan_version() as f64
     }
 
     // ---- time

@@ -259,7 +259,8 @@ impl<'a> LocalSearch<'a> {
         None
     }
 
-    /// Whether going directly between the two blocks is shorter than a way that one of them has now: no move that helps
+    /// Whether going directly between the two blocks is shorter than a way that one of them has now. A heuristic to skip
+    /// most pairs: exact for moves of one block whose sweep stays, and nearly always right for the others. No move that helps
     /// puts only longer ways in place of those it takes out.
     fn is_promising(&self, block: usize, other: usize) -> bool {
         let direct = self.links.nearest_cost(block, other);

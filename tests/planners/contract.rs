@@ -1,14 +1,12 @@
 //! What every planner of the registry must do in every room.
 
-mod support;
-
+use super::support::{Scenario, scenarios};
 use robovac_playground::{
     grid::{Cell, Direction},
     metrics::WalkMetrics,
     planner::{CoverageJob, CoveragePath, PLANNERS, Params, PlanContext, PlanError, Planner, PlannerInfo},
 };
 use std::ops::ControlFlow;
-use support::{Scenario, scenarios};
 
 fn build(info: &PlannerInfo) -> Box<dyn Planner> {
     (info.build)(&Params::defaults(info.params))

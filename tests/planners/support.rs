@@ -1,10 +1,14 @@
 //! Rooms that the tests of planners share.
-#![allow(dead_code, reason = "every test uses a part of it")]
 
 use robovac_playground::{
-    floorplan::generate::{random_clutter, random_hall},
+    app::Prepared,
+    floorplan::{
+        ROOMS,
+        generate::{random_clutter, random_hall},
+    },
     grid::{Cell, Direction, Grid, from_picture},
     planner::CoverageJob,
+    robot::MODELS,
 };
 use std::{fs, path::PathBuf};
 
@@ -167,13 +171,24 @@ pub fn scenarios() -> Vec<Scenario> {
     }
     all.push(Scenario::once("hall of 200 x 200", random_hall(200, 200, 1), Cell::new(0, 0)));
     all.push(Scenario::once("clutter of 200 x 200", random_clutter(200, 200, 0.2, 1), Cell::new(0, 0)));
-    // Rooms that ship belong here as well: one `Scenario::new(room.name, lattice.free)` for every one of them.
+    all.extend(shipped_rooms());
     all.extend(shared_grids());
     all
 }
 
+/// The rooms that ship, on the planning grid of every robot.
+fn shipped_rooms() -> Vec<Scenario> {
+    let rooms = ROOMS.iter().flat_map(|room| MODELS.iter().map(move |robot| (room, robot)));
+    rooms
+        .map(|(room, robot)| {
+            let prepared = Prepared::new(&(room.build)(), robot, robot.default_cell, None).expect("the robot fits");
+            Scenario::once(format!("{} for {}", room.id, robot.id), prepared.job.free, prepared.job.start)
+        })
+        .collect()
+}
+
 /// Grids that other planners have been measured on; none where the folder doesn't exist.
-pub fn shared_grids() -> Vec<Scenario> {
+fn shared_grids() -> Vec<Scenario> {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/maps/grids");
     let mut files: Vec<PathBuf> =
         fs::read_dir(folder).into_iter().flatten().filter_map(|entry| Some(entry.ok()?.path())).collect();

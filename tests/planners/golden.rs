@@ -1,7 +1,6 @@
 //! Walks that must stay as they are: a change here is a change of an algorithm.
 
-mod support;
-
+use super::support::{EIGHT, drawn};
 use robovac_playground::{
     grid::{Cell, Direction},
     metrics::WalkMetrics,
@@ -9,7 +8,7 @@ use robovac_playground::{
 };
 
 fn walk(id: &str, picture: &str, heading: Direction) -> (CoverageJob, CoveragePath) {
-    let free = support::drawn(picture);
+    let free = drawn(picture);
     let top_left = Cell::new(0, free.height() as i32 - 1);
     let job = CoverageJob::new(&free, top_left, heading).expect("the start is free");
     let info = find(id).expect("the planner exists");
@@ -20,7 +19,7 @@ fn walk(id: &str, picture: &str, heading: Direction) -> (CoverageJob, CoveragePa
 
 #[test]
 fn snake_walks_as_the_printed_program_on_its_own_room() {
-    let expected: Vec<Cell> = include_str!("golden/snake_8x8_program.txt")
+    let expected: Vec<Cell> = include_str!("../golden/snake_8x8_program.txt")
         .lines()
         .filter(|line| !line.starts_with(';'))
         .map(|line| {
@@ -28,7 +27,7 @@ fn snake_walks_as_the_printed_program_on_its_own_room() {
             Cell::new(x.parse().expect("a column"), y.parse().expect("a row"))
         })
         .collect();
-    let (job, path) = walk("snake", support::EIGHT, Direction::Right);
+    let (job, path) = walk("snake", EIGHT, Direction::Right);
     assert_eq!(path.cells, expected);
     let metrics = WalkMetrics::of(&job, &path);
     assert_eq!((metrics.visited_cells, metrics.steps, metrics.revisits), (54, 65, 12));
@@ -55,20 +54,20 @@ const ISLANDS: &str = "
 
 #[test]
 fn snake_round_islands() {
-    assert_drawn("snake", ISLANDS, Direction::Right, include_str!("golden/snake_islands.txt"));
+    assert_drawn("snake", ISLANDS, Direction::Right, include_str!("../golden/snake_islands.txt"));
 }
 
 #[test]
 fn snake_facing_down_on_the_thesis_room() {
-    assert_drawn("snake", support::EIGHT, Direction::Down, include_str!("golden/snake_8x8_down.txt"));
+    assert_drawn("snake", EIGHT, Direction::Down, include_str!("../golden/snake_8x8_down.txt"));
 }
 
 #[test]
 fn boustrophedon_round_islands() {
-    assert_drawn("boustrophedon", ISLANDS, Direction::Right, include_str!("golden/boustrophedon_islands.txt"));
+    assert_drawn("boustrophedon", ISLANDS, Direction::Right, include_str!("../golden/boustrophedon_islands.txt"));
 }
 
 #[test]
 fn boustrophedon_on_the_thesis_room() {
-    assert_drawn("boustrophedon", support::EIGHT, Direction::Right, include_str!("golden/boustrophedon_8x8.txt"));
+    assert_drawn("boustrophedon", EIGHT, Direction::Right, include_str!("../golden/boustrophedon_8x8.txt"));
 }
