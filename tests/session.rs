@@ -214,6 +214,16 @@ fn late_answers_of_older_plans_are_dropped() {
 }
 
 #[test]
+fn walk_through_walls_is_refused() {
+    let mut session = Session::new();
+    let request = session.take_plan_request().unwrap();
+    session.plan_finished(request.id, vec![request.job.start, Cell::new(-1, 100_000)], 0.1);
+    assert_eq!(session.state(), State::Failed);
+    let view = session.view();
+    assert!(view.message.starts_with("The planner failed: step 1 leads into (-1, 100000)"), "{}", view.message);
+}
+
+#[test]
 fn cancelled_plan_leaves_the_room_and_says_so() {
     let mut session = Session::new();
     session.cancel_plan();

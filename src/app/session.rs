@@ -1,17 +1,16 @@
 //! One user's session: a room, a robot, a planner, a run.
 
 use super::{
-    Action, Brush, Editor, PlanRequest, Planned, Prepared, Recording, RobotView, Scene, Settings, SettingsError, State,
-    View,
+    Action, Answer, Brush, Editor, PlanRequest, Planned, Prepared, Recording, RobotView, Scene, Settings,
+    SettingsError, State, View,
     view::{Can, PlanView, RoomView},
 };
 use crate::{
-    controller::FollowPath,
     floorplan::{self, FloorPlan, MapError, Scenario, SourceFile},
     geometry::{Point, Pose},
     grid::Cell,
-    planner::{PlanContext, PlanError},
-    sim::{Run, RunSetup, STEP_S, SlipLevel},
+    planner::{CoveragePath, PlanError},
+    sim::{Run, STEP_S, SlipLevel},
 };
 use std::sync::Arc;
 
@@ -288,10 +287,8 @@ impl Session {
     /// Makes the plan here and now; for small rooms and tests. `clock` gives seconds.
     pub fn plan_now(&mut self, clock: impl Fn() -> f64) {
         let Some(request) = self.take_plan_request() else { return };
-        let began = clock();
-        let planner = (self.settings.planner.build)(&request.params);
-        match planner.plan(&request.job, &mut PlanContext::new(request.seed)) {
-            Ok(path) => self.plan_finished(request.id, path.cells, clock() - began),
+        match request.serve(clock, None) {
+            Ok(Answer { path, seconds }) => self.plan_finished(request.id, path.cells, seconds),
             Err(PlanError::Cancelled) => self.cancel_plan(),
         }
     }
@@ -313,9 +310,14 @@ impl Session {
         }
         self.planning = None;
         self.previews += 1;
-        if let Some(prepared) = &self.prepared {
-            self.planned = Some(Planned::new(prepared, cells, seconds));
-            self.start_run();
+        let Some(prepared) = &self.prepared else { return };
+        match Planned::new(prepared, &Answer { path: CoveragePath { cells }, seconds }) {
+            Ok(planned) => {
+                let Settings { slip, odometry, seed, .. } = self.settings;
+                self.recording = Some(Recording::new(planned.run(prepared, slip, odometry, seed)));
+                self.planned = Some(planned);
+            }
+            Err(error) => self.planner_failed(&error.to_string()),
         }
     }
 
@@ -323,8 +325,12 @@ impl Session {
     pub fn plan_failed(&mut self, id: u32, text: &str) {
         if self.planning.as_ref().is_some_and(|p| p.id == id) {
             self.planning = None;
-            self.say("error", format!("The planner failed: {text}. Try another planner or room."));
+            self.planner_failed(text);
         }
+    }
+
+    fn planner_failed(&mut self, text: &str) {
+        self.say("error", format!("The planner failed: {text}. Try another planner or room."));
     }
 
     /// The user doesn't want to wait for the planner.
@@ -353,7 +359,7 @@ impl Session {
                     preview: Vec::new(),
                     request: Some(PlanRequest {
                         id: self.requests,
-                        planner: self.settings.planner.id,
+                        planner: self.settings.planner,
                         params: self.settings.params.clone(),
                         seed: self.settings.seed,
                         job: prepared.job.clone(),
@@ -366,19 +372,6 @@ impl Session {
                 self.say("error", sentence(&error.to_string()));
             }
         }
-    }
-
-    fn start_run(&mut self) {
-        let (Some(prepared), Some(planned)) = (&self.prepared, &self.planned) else { return };
-        let setup = RunSetup {
-            floor: Arc::clone(&prepared.floor),
-            robot: prepared.robot.clone(),
-            slip: self.settings.slip,
-            seed: self.settings.seed,
-        };
-        let line = Arc::clone(&planned.line);
-        let follower = FollowPath::new(&setup.robot, self.settings.odometry, setup.floor.start, line);
-        self.recording = Some(Recording::new(Run::new(&setup, Box::new(follower))));
     }
 
     // ---- time

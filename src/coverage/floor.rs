@@ -87,7 +87,7 @@ impl ReachableFloor {
         let (blocked, resolution) = if robot.fills_cell {
             (resample(plan, robot.tool_width), robot.tool_width)
         } else {
-            let resolution = plan.resolution / refinement(plan) as f64;
+            let resolution = fine_resolution(plan);
             (resample(plan, resolution), resolution)
         };
         // Two cells more than the radius: the simulator skips the contact test where there is that much room.
@@ -141,6 +141,11 @@ impl ReachableFloor {
     pub fn standing_place(&self, cell: Cell) -> Point {
         off_walls(&self.walls, &self.standing, cell)
     }
+}
+
+/// Metres per fine cell of `plan`: its own resolution or a whole fraction of it. Planning cells can't be smaller.
+pub fn fine_resolution(plan: &FloorPlan) -> f64 {
+    plan.resolution / refinement(plan) as f64
 }
 
 /// Room that a robot needs beside its body to pass, m: no robot steers to the millimetre, so gaps narrower than this are

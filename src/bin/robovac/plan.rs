@@ -5,7 +5,7 @@ use super::{
     output,
     task::{self, TaskArguments},
 };
-use robovac_playground::app::planning::{self, CELL_ROBOT, PlanReport, PlanningTask};
+use robovac_playground::app::planning::{CELL_ROBOT, PlanReport, PlanningTask};
 use std::time::Instant;
 
 /// Plan a walk that covers a room
@@ -22,11 +22,13 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let task = arguments.task.task(CELL_ROBOT)?;
     let begin = Instant::now();
-    let report = planning::run(&task, || begin.elapsed().as_secs_f64(), None)?.report;
+    let solution = task.solve(|| begin.elapsed().as_secs_f64(), None)?;
+    let report = PlanReport::new(&task, solution);
     Ok(if arguments.json { output::json(&report) } else { summary(&task, &report) })
 }
 
 fn summary(task: &PlanningTask, report: &PlanReport) -> String {
+    let PlanReport { walk, drive, .. } = report;
     format!(
         "{}\
          Coverage  {:.1} % of the reachable floor, {} reachable cells\n\
@@ -34,15 +36,15 @@ fn summary(task: &PlanningTask, report: &PlanReport) -> String {
          Drive     {:.1} m in {}\n\
          Planning  {:.3} s\n",
         task::summary(task, &report.task),
-        100.0 * report.coverage,
-        report.reachable_cells,
-        report.steps,
-        report.turns,
-        report.initial_turns,
-        report.revisits,
-        100.0 * report.overlap,
-        report.length_m,
-        output::minutes(report.duration_s),
+        100.0 * drive.coverage,
+        walk.reachable_cells,
+        walk.steps,
+        walk.turns,
+        walk.initial_turns,
+        walk.revisits,
+        100.0 * drive.overlap,
+        drive.length_m,
+        output::minutes(drive.duration_s),
         report.planning_s,
     )
 }

@@ -7,14 +7,13 @@ use super::{
 };
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use robovac_playground::{
-    app::planning::{self, PlanningTask, TaskReport},
-    controller::FollowPath,
+    app::planning::{PlanningTask, TaskReport},
     floorplan::ScenarioPose,
     robot::OdometryModel,
-    sim::{Run, RunSetup, STEP_S, SlipLevel},
+    sim::{Run, STEP_S, SlipLevel},
 };
 use serde::Serialize;
-use std::{fmt::Write, sync::Arc, time::Instant};
+use std::{fmt::Write, time::Instant};
 
 /// The robot unless another one is asked for.
 const DEFAULT_ROBOT: &str = "roomba600";
@@ -89,20 +88,12 @@ struct Sample {
 pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let task = arguments.task.task(DEFAULT_ROBOT)?;
     let begin = Instant::now();
-    let planned = planning::run(&task, || begin.elapsed().as_secs_f64(), None)?;
-    let line = planned.lattice.polyline(&planned.floor, &planned.path.cells);
-    let setup =
-        RunSetup { floor: Arc::new(planned.floor), robot: task.robot.clone(), slip: arguments.slip, seed: task.seed };
-    let follower = FollowPath::new(&setup.robot, arguments.odometry, setup.floor.start, line.into());
-    let mut run = Run::new(&setup, Box::new(follower));
+    let solution = task.solve(|| begin.elapsed().as_secs_f64(), None)?;
+    let Arguments { slip, odometry, .. } = *arguments;
+    let mut run = solution.planned.run(&solution.prepared, slip, odometry, task.seed);
     let samples = drive(&mut run, arguments.sample, arguments.max_time);
-    let report = Report {
-        task: planned.report.task,
-        slip: arguments.slip,
-        odometry: arguments.odometry,
-        totals: Totals::of(&run),
-        samples,
-    };
+    let report =
+        Report { task: TaskReport::new(&task, &solution.prepared), slip, odometry, totals: Totals::of(&run), samples };
     Ok(if arguments.json { output::json(&report) } else { report.to_text(&task) })
 }
 
