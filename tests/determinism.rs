@@ -17,7 +17,10 @@ fn digest(link: &str, seconds: f64) -> u64 {
 /// Half an hour in the flat, with slipping wheels. If a change is meant to alter runs, commit the new number.
 #[wasm_bindgen_test(unsupported = test)]
 fn furnished_flat_with_slip() {
-    assert_eq!(format!("{:016x}", digest("room=flat&planner=boustrophedon&slip=typical&seed=42", 1800.0)), "5d6eee2fd93b78de");
+    assert_eq!(
+        format!("{:016x}", digest("room=flat&planner=boustrophedon&slip=typical&seed=42", 1800.0)),
+        "5d6eee2fd93b78de"
+    );
 }
 
 /// The snake, with contact all the time: wheels that slip harshly.

@@ -142,7 +142,7 @@ impl Report {
     fn to_text(&self, task: &PlanningTask) -> String {
         let mut text = task::summary(task, &self.task);
         let _ = writeln!(text, "Wheels    slip: {}, odometry: {}\n", self.slip.id(), self.odometry.id());
-        let _ = writeln!(text, "{:>10}  {:>9}  {:30}  {}", "Time", "Coverage", "Pose", "Estimate");
+        let _ = writeln!(text, "{:>10}  {:>9}  {:30}  Estimate", "Time", "Coverage", "Pose");
         for sample in &self.samples {
             let coverage = format!("{:.1} %", 100.0 * sample.coverage);
             let estimate = sample.estimate.as_ref().map(place).unwrap_or_default();
