@@ -26,5 +26,5 @@ fn furnished_flat_with_slip() {
 /// The snake, with contact all the time: wheels that slip harshly.
 #[wasm_bindgen_test(unsupported = test)]
 fn twelve_foot_room_with_harsh_slip() {
-    assert_eq!(format!("{:016x}", digest("room=room12ft&planner=snake&slip=harsh&seed=7", 1800.0)), "2a8178e197ef39fa");
+    assert_eq!(format!("{:016x}", digest("room=room12ft&planner=snake&slip=harsh&seed=7", 1800.0)), "8e103a362ab11968");
 }

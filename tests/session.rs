@@ -243,3 +243,14 @@ fn bad_file_leaves_the_room() {
     assert_eq!(session.link(), before);
     assert!(session.planned().is_some());
 }
+
+#[test]
+fn cells_finer_than_the_map_are_refused_before_memory_runs_out() {
+    let mut session = opened();
+    let hall = format!("; resolution 5\n{}", format!("{}\n", ".".repeat(400)).repeat(400));
+    session.load(&[SourceFile { name: "hall.txt".into(), bytes: hall.into_bytes() }]).unwrap();
+    session.configure(|s| s.select_robot("cell")).unwrap();
+    session.configure(|s| s.set_cell_size(0.02)).unwrap();
+    assert_eq!(session.state(), State::Failed);
+    assert!(session.view().message.contains("too small for this map"), "{}", session.view().message);
+}

@@ -27,6 +27,14 @@ pub enum FloorError {
         /// Diameter of the robot's body, m.
         diameter: f64,
     },
+    /// Planning cells are finer than what the map tells apart.
+    #[error("planning cells of {cell_size} m are too small for this map; choose a side of at least {least} m")]
+    CellTooSmall {
+        /// Side asked for, m.
+        cell_size: f64,
+        /// Smallest side that would do, m.
+        least: f64,
+    },
     /// The start lies outside the map.
     #[error(
         "the start ({x:.2} m, {y:.2} m) lies outside the map, which is {width:.2} m x {height:.2} m; move it inside"

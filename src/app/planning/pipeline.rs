@@ -2,7 +2,7 @@
 
 use crate::{
     controller::FollowPath,
-    coverage::{FloorError, Lattice, ReachableFloor},
+    coverage::{FloorError, Lattice, ReachableFloor, fine_resolution},
     floorplan::FloorPlan,
     geometry::{Point, Pose},
     metrics::{DriveMetrics, WalkMetrics},
@@ -65,6 +65,11 @@ pub struct Planned {
 impl Prepared {
     /// Lays out `plan` for `robot` with planning cells of `cell_size` metres.
     pub fn new(plan: &FloorPlan, robot: &RobotModel, cell_size: f64, start: Option<Pose>) -> Result<Self, FloorError> {
+        // Finer cells would have no fine cell's centre in them, and for a robot that fills one there could be billions.
+        let least = fine_resolution(plan);
+        if cell_size < least * (1.0 - 1e-9) {
+            return Err(FloorError::CellTooSmall { cell_size, least });
+        }
         Ok(Self::on(ReachableFloor::new(plan, robot, start)?, robot, cell_size))
     }
 
