@@ -54,7 +54,7 @@ fn opens_playing_and_draws() {
     assert_eq!(get(&view, "state").as_string().unwrap(), "playing");
     assert!(number(&view, "coverage") > 0.0 && number(&view, "plan.steps") > 100.0);
     let curve: Float64Array = playground.coverage_curve();
-    assert!(curve.length() >= 4 && curve.length() % 2 == 0);
+    assert!(curve.length() >= 4 && curve.length().is_multiple_of(2));
 }
 
 #[wasm_bindgen_test]

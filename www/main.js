@@ -47,7 +47,11 @@ function start(module) {
       if (isFatal(error)) {
         alive = false;
         die(error);
-      } else complain(textOf(error));
+      } else {
+        // Rust throws messages for users; anything else is a mistake of ours.
+        if (error instanceof Error) console.error(error);
+        complain(textOf(error));
+      }
       return false;
     }
   };
@@ -73,8 +77,11 @@ function start(module) {
     failed: (id, message) => guard(() => playground.plan_failed(id, message)),
   });
 
-  const restore = () => restoreLink(app, location.hash.slice(1));
-  if (location.hash.length > 1) restore();
+  const restore = () => {
+    // Other fragments are places on the page, such as that of the skip link.
+    if (location.hash.includes("=")) restoreLink(app, location.hash.slice(1));
+  };
+  restore();
   addEventListener("hashchange", restore);
   if (matchMedia("(prefers-reduced-motion: reduce)").matches) playground.pause();
 

@@ -69,7 +69,7 @@ export function startPlaybar(app) {
 /** Seconds that the time line spans: what the plan foresees, or what was driven if that is more. @param {View} view */
 const rangeOf = (view) => Math.max(view.run_end_s, view.plan?.duration_s ?? 0, 10);
 
-/** @param {Float32Array} curve @param {number} range @param {View} view */
+/** @param {Float64Array} curve @param {number} range @param {View} view */
 function drawCurve(curve, range, view) {
   const stride = 2 * Math.max(1, Math.ceil(curve.length / 2 / MOST_POINTS));
   const x = (/** @type {number} */ t) => ((t / range) * WIDTH).toFixed(1);

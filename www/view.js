@@ -1,6 +1,6 @@
 // @ts-check
 // Writes the view into the document, and only what changed.
-import { button, byId, make, setAttribute, setEnabled, setHidden, setText, typed } from "./dom.js";
+import { button, byId, changed, make, setAttribute, setEnabled, setHidden, setText, typed } from "./dom.js";
 import { clock, count, metres, pace, percent, smallLength, took } from "./format.js";
 import { updateMessage } from "./messages.js";
 
@@ -45,7 +45,8 @@ function row(metric, wide) {
 byId("metrics-run").append(...RUN_METRICS.map((metric) => row(metric, false)));
 byId("metrics-plan").append(...PLAN_METRICS.map((metric) => row(metric, true)));
 
-let lastNarration = 0;
+/** When the picture was last put into words. */
+let narrated = -Infinity;
 
 /** @param {import("./main.js").App} app */
 export function updateView({ view, playground }) {
@@ -66,12 +67,12 @@ export function updateView({ view, playground }) {
   updateTools(view);
 
   const now = performance.now();
-  if (now - lastNarration > 4000) {
-    lastNarration = now;
+  if (changed(byId("floor"), "state", view.state) || now - narrated > 4000) {
+    narrated = now;
     const text = playground.description();
     setAttribute(byId("floor"), "aria-label", text);
     // Read aloud only when something comes to an end, not all the time.
-    if (view.state !== "playing") setText(byId("narration"), text);
+    if (!["playing", "planning", "seeking"].includes(view.state)) setText(byId("narration"), text);
   }
 }
 

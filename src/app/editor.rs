@@ -76,10 +76,16 @@ impl Editor {
         !self.redo.is_empty()
     }
 
-    /// Takes another room; the old one can be brought back.
-    pub fn replace(&mut self, plan: FloorPlan, id: Option<&'static str>) {
+    /// Takes another room, with a start chosen by the user if there is one; the old room can be brought back.
+    pub fn replace(&mut self, plan: FloorPlan, id: Option<&'static str>, start: Option<Pose>) {
         self.remember();
-        self.now = Content { plan: Arc::new(plan), room: id, start: None };
+        self.now = Content { plan: Arc::new(plan), room: id, start };
+    }
+
+    /// Makes what there is now the beginning: there is nothing to undo or redo.
+    pub fn forget(&mut self) {
+        self.undo.clear();
+        self.redo.clear();
     }
 
     /// Moves the start.

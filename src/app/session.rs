@@ -6,7 +6,7 @@ use super::{
     view::{Can, PlanView, RoomView},
 };
 use crate::{
-    floorplan::{self, FloorPlan, MapError, Scenario, SourceFile},
+    floorplan::{self, FloorPlan, MapError, RoomInfo, Scenario, SourceFile},
     geometry::{Point, Pose},
     grid::Cell,
     planner::{CoveragePath, PlanError},
@@ -392,7 +392,9 @@ impl Session {
                 self.due = if taken == wanted { self.due.fract() } else { 0.0 };
                 if elapsed > 0.0 {
                     let factor = taken as f64 * STEP_S / elapsed;
-                    self.speed_factor += 0.1 * (factor - self.speed_factor);
+                    // The first frame counts in full: smoothing from zero would look like a slow start.
+                    let weight = if self.speed_factor > 0.0 { 0.1 } else { 1.0 };
+                    self.speed_factor += weight * (factor - self.speed_factor);
                 }
                 if recording.run().is_finished() {
                     self.playing = false;
@@ -461,14 +463,9 @@ impl Session {
 
     /// Chooses a room that ships.
     pub fn select_room(&mut self, id: &str) -> Result<(), SettingsError> {
-        let known = || floorplan::ROOMS.iter().map(|r| r.id).collect::<Vec<_>>().join(", ");
-        let room = floorplan::room(id).ok_or_else(|| SettingsError::Unknown {
-            kind: "room",
-            id: id.to_owned(),
-            known: known(),
-        })?;
+        let room = known_room(id)?;
         self.message = None;
-        self.editor.replace((room.build)(), Some(room.id));
+        self.editor.replace((room.build)(), Some(room.id), None);
         self.prepare();
         Ok(())
     }
@@ -503,7 +500,7 @@ impl Session {
             self.settings = settings;
         }
         self.message = None;
-        self.editor.replace(plan, None);
+        self.editor.replace(plan, None, None);
         self.prepare();
         Ok(())
     }
@@ -520,13 +517,15 @@ impl Session {
                 settings.take_link(key, value)?;
             }
         }
-        if let Some(id) = room.filter(|&id| id != OWN_ROOM) {
-            self.select_room(id)?;
-        }
+        let room = room.filter(|&id| id != OWN_ROOM).map(known_room).transpose()?;
         let start = settings.start.take();
         self.settings = settings;
-        if start.is_some() {
-            self.editor.set_start(start);
+        self.message = None;
+        // One change, to be undone at once.
+        match room {
+            Some(room) => self.editor.replace((room.build)(), Some(room.id), start),
+            None if start.is_some() => self.editor.set_start(start),
+            None => {}
         }
         self.prepare();
         Ok(())
@@ -607,6 +606,11 @@ impl Session {
         }
     }
 
+    /// Makes the room as it is now the beginning: there is nothing to undo or redo.
+    pub fn forget_changes(&mut self) {
+        self.editor.forget();
+    }
+
     /// Tells the user that something went wrong outside.
     pub fn report_error(&mut self, text: &str) {
         self.say("error", sentence(text));
@@ -626,6 +630,14 @@ impl Default for Session {
     fn default() -> Self {
         Self::new()
     }
+}
+
+/// The room that ships with that id.
+fn known_room(id: &str) -> Result<&'static RoomInfo, SettingsError> {
+    floorplan::room(id).ok_or_else(|| {
+        let known = floorplan::ROOMS.iter().map(|r| r.id).collect::<Vec<_>>().join(", ");
+        SettingsError::Unknown { kind: "room", id: id.to_owned(), known }
+    })
 }
 
 /// To millimetres and tenths of a degree, as links have it: a link must bring back the very same run.

@@ -1,0 +1,214 @@
+// The page as its users know it: what they can do with it, and what they read on it.
+import assert from "node:assert/strict";
+import { openPage } from "./harness.mjs";
+
+/** States in which nothing is left to wait for. */
+const SETTLED = ["ready", "playing", "paused", "finished", "failed"];
+
+/** How long a condition is waited for. */
+const PATIENCE_MS = 15_000;
+
+/** "1:02" as seconds. */
+export const seconds = (text) => text.split(":").reduce((sum, part) => 60 * sum + Number(part), 0);
+
+/** Opens the page for the test `t` and waits for its first picture. Options are those of `openPage`. */
+export async function openApp(t, options = {}) {
+  const opened = await openPage(t, options);
+  const app = new App(opened.page);
+  await app.until(...SETTLED);
+  return { ...opened, app };
+}
+
+export class App {
+  constructor(page) {
+    this.page = page;
+    page.setDefaultTimeout(PATIENCE_MS);
+  }
+
+  // ---- what is seen
+
+  /** "planning", "ready", "playing", "paused", "finished", "seeking" or "failed". */
+  state() {
+    return this.page.evaluate(() => document.body.dataset.state ?? "");
+  }
+
+  /** Waits until the page is in one of these states. */
+  async until(...states) {
+    const reached = await this.page.waitForFunction((wanted) => wanted.includes(document.body.dataset.state ?? "") && document.body.dataset.state, states);
+    return reached.jsonValue();
+  }
+
+  /** Waits until what was done has been drawn, and planning and seeking that came of it are over; says the state. */
+  async settled() {
+    await this.frames(2);
+    return this.until(...SETTLED);
+  }
+
+  /** Waits until so many more frames were drawn. */
+  frames(count) {
+    return this.page.evaluate(
+      (left) =>
+        new Promise((done) => {
+          const next = () => (left-- > 0 ? requestAnimationFrame(next) : done());
+          next();
+        }),
+      count,
+    );
+  }
+
+  text(selector) {
+    return this.page.locator(selector).innerText();
+  }
+
+  /** One of the three large numbers: "coverage" in percent, "time" in seconds, "distance" in metres. All at one moment. */
+  numbers() {
+    const texts = this.page.evaluate(() => ["coverage", "time", "distance"].map((name) => document.getElementById(`n-${name}`).textContent));
+    return texts.then(([coverage, time, distance]) => ({ coverage: Number(coverage), time: seconds(time), distance: Number(distance.replace(/,/g, "")) }));
+  }
+
+  /** Waits until `holds(numbers, than)`; returns them. */
+  async numbersThat(holds, than) {
+    return this.poll(() => this.numbers(), (numbers) => holds(numbers, than));
+  }
+
+  /** Reads until what is read fits. */
+  async poll(read, fits) {
+    const patience = performance.now() + PATIENCE_MS;
+    for (;;) {
+      const value = await read();
+      if (fits(value)) return value;
+      assert.ok(performance.now() < patience, `waited in vain for ${fits}: ${JSON.stringify(value)}`);
+      await this.frames(2);
+    }
+  }
+
+  /** A cell of the table of numbers, by the name of its row: what is planned, and what was done so far. */
+  async metric(name) {
+    const row = this.page.locator("#metrics tr").filter({ has: this.page.getByRole("button", { name, exact: true, includeHidden: true }) });
+    const [plan, soFar] = await row.locator("td").allTextContents();
+    return { plan, soFar };
+  }
+
+  /** Square metres of floor that the robot reaches, as the note under the menu of rooms says. */
+  async reachableArea() {
+    const note = (await this.page.locator("#room-note").textContent()) ?? "";
+    return Number(/([\d.]+) m² within reach/.exec(note)?.[1]);
+  }
+
+  /** The name of the room, as the menu shows it. */
+  room() {
+    return this.page.locator("#room").evaluate((menu) => menu.selectedOptions[0]?.textContent ?? "");
+  }
+
+  /** The message over the floor; "" if there is none. */
+  async message() {
+    await this.frames(1);
+    const bar = this.page.locator("#message");
+    return (await bar.isVisible()) ? bar.locator("p").innerText() : "";
+  }
+
+  /** The session as the address has it. */
+  link() {
+    return this.page.evaluate(() => Object.fromEntries(new URLSearchParams(location.hash.slice(1))));
+  }
+
+  /** Waits until the address has `key` such that `fits(value)`, and returns that value. */
+  async linked(key, fits = Boolean) {
+    return this.poll(async () => (await this.link())[key], fits);
+  }
+
+  // ---- what is done
+
+  press(name) {
+    return this.page.getByRole("button", { name, exact: true }).click();
+  }
+
+  /** Chooses from a menu by its id: a value, as in links. */
+  async choose(menu, value) {
+    await this.page.locator(`#${menu}`).selectOption(value);
+    return this.settled();
+  }
+
+  /** Opens "More settings", where some of the menus are. */
+  async unfold() {
+    await this.page.locator("#more").evaluate((more) => (more.open = true));
+  }
+
+  async pause() {
+    if ((await this.state()) === "playing") await this.press("Pause");
+    return this.until("ready", "paused", "finished");
+  }
+
+  async tool(name) {
+    await this.page.locator(`#tools [data-tool=${name}]`).click();
+    await this.frames(1);
+  }
+
+  /** Where the canvas is on the page, and the point at these shares of its width and height. */
+  async spot(x, y) {
+    const box = await this.page.locator("#floor").boundingBox();
+    return [box.x + x * box.width, box.y + y * box.height];
+  }
+
+  /** Drags with the mouse over the floor, between points given as shares of its width and height. */
+  async drag(from, to) {
+    const { mouse } = this.page;
+    await mouse.move(...(await this.spot(...from)));
+    await mouse.down();
+    await mouse.move(...(await this.spot(...to)), { steps: 8 });
+    await mouse.up();
+    return this.settled();
+  }
+
+  /** Goes to a share of the time line. */
+  async scrub(share) {
+    const box = await this.page.locator("#scrubber").boundingBox();
+    await this.page.mouse.click(box.x + share * box.width, box.y + box.height / 2);
+    return this.settled();
+  }
+
+  /** Loads files of maps.mjs by the file picker. */
+  async pick(...files) {
+    const [chooser] = await Promise.all([this.page.waitForEvent("filechooser"), this.page.locator("#load").click()]);
+    await this.take(chooser, files);
+  }
+
+  /** Loads files of maps.mjs as if they were dragged over the page and dropped. */
+  async drop(...files) {
+    const encoded = files.map(({ name, bytes }) => ({ name, text: bytes.toString("base64") }));
+    await this.answered(() =>
+      this.page.evaluate((list) => {
+        const dataTransfer = new DataTransfer();
+        for (const { name, text } of list) {
+          dataTransfer.items.add(new File([Uint8Array.from(atob(text), (c) => c.charCodeAt(0))], name));
+        }
+        const fire = (type) => document.body.dispatchEvent(new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }));
+        fire("dragenter");
+        fire("dragover");
+        const shown = !document.getElementById("drop").hidden;
+        fire("drop");
+        if (!shown) throw new Error("the page does not say that files can be dropped");
+      }, encoded),
+    );
+    assert.ok(await this.page.locator("#drop").isHidden(), "the page says that something can be dropped");
+  }
+
+  take(chooser, files) {
+    return this.answered(() => chooser.setFiles(files.map(({ name, bytes }) => ({ name, mimeType: "application/octet-stream", buffer: bytes }))));
+  }
+
+  /** Does something with files, and waits until the page confirms or complains, and what it started is settled. */
+  async answered(what) {
+    await this.page.evaluate(() => {
+      document.getElementById("toast").hidden = true;
+      document.getElementById("message-text").dataset.before = document.getElementById("message").hidden ? "" : document.getElementById("message-text").textContent;
+    });
+    await what();
+    await this.page.waitForFunction(() => {
+      const text = document.getElementById("message-text");
+      const complained = !document.getElementById("message").hidden && text.textContent !== text.dataset.before;
+      return complained || !document.getElementById("toast").hidden;
+    });
+    await this.settled();
+  }
+}

@@ -1,0 +1,67 @@
+// Whatever the menus offer works.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { openApp } from "./app.mjs";
+
+const values = (page, menu) => page.locator(`#${menu} option`).evaluateAll((options) => options.map(({ value }) => value));
+
+test("every algorithm plans every room and sets off", async (t) => {
+  const { page, app } = await openApp(t);
+  const [rooms, planners] = [await values(page, "room"), await values(page, "planner")];
+  assert.ok(rooms.length >= 10 && planners.length >= 2);
+  await app.choose("speed", "256");
+  for (const planner of planners) {
+    await app.choose("planner", planner);
+    for (const room of rooms) {
+      const what = `${planner} in ${room}`;
+      assert.ok(["playing", "finished"].includes(await app.choose("room", room)), what);
+      assert.equal(await app.message(), "", what);
+      const { plan } = await app.metric("Cells visited");
+      const [visited, reachable] = plan.split(" of ");
+      assert.equal(visited, reachable, what);
+      await app.poll(() => app.numbers(), ({ coverage, distance }) => coverage > 0 && distance > 0);
+    }
+  }
+});
+
+test("every robot, cell size and slip can be chosen", async (t) => {
+  const { page, app } = await openApp(t, { address: "#room=empty" });
+  await app.unfold();
+  for (const menu of ["robot", "cell-size", "slip", "odometry"]) {
+    for (const value of await values(page, menu)) {
+      assert.ok(["playing", "finished"].includes(await app.choose(menu, value)), `${menu} ${value}`);
+      assert.equal(await app.message(), "", `${menu} ${value}`);
+      assert.equal(await page.locator(`#${menu}`).inputValue(), value);
+    }
+  }
+  await page.locator("#seed").fill("7");
+  await page.keyboard.press("Tab");
+  assert.equal(await app.linked("seed"), "7");
+  await page.locator("#seed").fill("-1");
+  await page.keyboard.press("Tab");
+  assert.match(await app.message(), /seed.*-1/);
+  assert.equal(await page.locator("#seed").inputValue(), "7", "what holds is shown again");
+});
+
+test("every parameter of every algorithm can be changed", async (t) => {
+  const { page, app } = await openApp(t, { address: "#room=thesis8&robot=cell" });
+  await app.unfold();
+  const controls = page.locator("#params, #params-more").locator("select, input[type=checkbox], input[type=number]");
+  let changed = 0;
+  for (const planner of await values(page, "planner")) {
+    await app.choose("planner", planner);
+    for (const control of await controls.all()) {
+      await control.evaluate((node) => {
+        if (node.type === "checkbox") node.checked = !node.checked;
+        else if (node.type === "number") node.value = node.value === node.max ? node.min : node.max;
+        else node.selectedIndex = (node.selectedIndex + 1) % node.length;
+        node.dispatchEvent(new Event("change", { bubbles: true }));
+      });
+      changed += 1;
+      assert.ok(["playing", "finished"].includes(await app.settled()), planner);
+      assert.equal(await app.message(), "", planner);
+    }
+    assert.ok((await app.poll(() => app.link(), (link) => Object.keys(link).some((key) => key.startsWith("p.")))), planner);
+  }
+  assert.ok(changed >= 2, `${changed} parameters`);
+});

@@ -1,0 +1,97 @@
+// What it looks like on a phone and on a laptop, light and dark. The pictures are in target/e2e/.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { openApp } from "./app.mjs";
+
+const PHONE = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, isMobile: true, hasTouch: true };
+const LAPTOP = { viewport: { width: 1440, height: 900 } };
+
+/** Controls that are shown, with their sizes. */
+const controls = (page) =>
+  page.evaluate(() =>
+    [...document.querySelectorAll("button:not(.term), select, input, summary")]
+      .filter((node) => node.checkVisibility({ visibilityProperty: true }))
+      .map((node) => {
+        const label = node.matches("input[type=checkbox]") ? (node.closest("label") ?? node) : node;
+        const { x, y, width, height } = label.getBoundingClientRect();
+        return { name: node.id || node.dataset.tool || node.dataset.sheet || node.ariaLabel || node.className, x, y, width, height };
+      })
+      .filter(({ x, y, width, height }) => width > 0 && height > 0 && x + width > 0 && y < innerHeight && y + height > 0),
+  );
+
+const overflow = (page) =>
+  page.evaluate(() => {
+    const { scrollWidth, scrollHeight, clientWidth, clientHeight } = document.documentElement;
+    return { sideways: scrollWidth - clientWidth, down: scrollHeight - clientHeight };
+  });
+
+test("fits a phone, with controls for fingers", async (t) => {
+  const { page, app, screenshot } = await openApp(t, PHONE);
+  await screenshot("phone-light");
+  assert.deepEqual(await overflow(page), { sideways: 0, down: 0 });
+  const small = ({ width, height }) => height < 40 || width < 32;
+  assert.deepEqual((await controls(page)).filter(small), []);
+
+  for (const sheet of ["setup", "facts", "explainer"]) {
+    const opener = page.locator(`button[data-sheet=${sheet}]`);
+    await opener.tap();
+    await page.locator(`#${sheet}.open`).waitFor();
+    assert.equal(await opener.getAttribute("aria-expanded"), "true");
+    await screenshot(`phone-${sheet}`);
+    assert.equal((await overflow(page)).sideways, 0, sheet);
+    assert.deepEqual((await controls(page)).filter(small), [], sheet);
+    await page.locator(`#${sheet} .sheet-close`).tap();
+    await page.locator(`#${sheet}`).waitFor({ state: "hidden" });
+    assert.equal(await opener.getAttribute("aria-expanded"), "false");
+  }
+  await page.getByRole("button", { name: "Pause" }).tap();
+  await app.until("paused");
+});
+
+test("a finger draws walls on a phone, two fingers don't", async (t) => {
+  const { page, app } = await openApp(t, { ...PHONE, address: "#room=empty" });
+  const area = await app.reachableArea();
+  await page.locator("#tools [data-tool=wall]").tap();
+  const client = await page.context().newCDPSession(page);
+  const touch = (type, ...points) => client.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+  const [a, b] = [await app.spot(0.02, 0.5), await app.spot(0.98, 0.5)];
+  await touch("touchStart", a);
+  await touch("touchMove", b);
+  await touch("touchEnd");
+  await app.settled();
+  const half = await app.reachableArea();
+  assert.ok(half < 0.7 * area, `${half} m² of ${area} m²`);
+  await page.locator("#tools [data-tool=view]").tap();
+  await touch("touchStart", await app.spot(0.4, 0.5));
+  await touch("touchStart", await app.spot(0.4, 0.5), await app.spot(0.6, 0.5));
+  await touch("touchMove", await app.spot(0.2, 0.5), await app.spot(0.8, 0.5));
+  await touch("touchEnd");
+  await app.settled();
+  assert.equal(await app.reachableArea(), half);
+});
+
+test("fits a laptop without scrolling", async (t) => {
+  const { page, app, screenshot } = await openApp(t, LAPTOP);
+  await screenshot("laptop-light");
+  assert.deepEqual(await overflow(page), { sideways: 0, down: 0 });
+  const inside = ({ x, y, width, height }) => x >= 0 && y >= 0 && x + width <= 1440 && y + height <= 900;
+  assert.deepEqual((await controls(page)).filter((control) => !inside(control)), []);
+  await app.unfold();
+  await app.frames(1);
+  assert.deepEqual(await overflow(page), { sideways: 0, down: 0 }, "unfolded");
+  await screenshot("laptop-unfolded");
+  await page.keyboard.press("?");
+  await screenshot("laptop-help");
+});
+
+for (const [name, size] of [["phone", PHONE], ["laptop", LAPTOP]]) {
+  test(`has dark colours (${name})`, async (t) => {
+    const { page, app, screenshot } = await openApp(t, { ...size, colorScheme: "dark" });
+    await screenshot(`${name}-dark`);
+    const brightness = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor.match(/[\d.]+/g).slice(0, 3).reduce((sum, n) => sum + Number(n), 0));
+    const dark = await brightness();
+    await page.locator("#theme").click();
+    await app.frames(2);
+    assert.ok((await brightness()) > dark + 300, "the button turns it light");
+  });
+}

@@ -1,0 +1,37 @@
+// Every view is a link.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { openApp } from "./app.mjs";
+
+const LINK = { room: "lshape", planner: "snake", robot: "cell", cell: "0.2", seed: "11", slip: "typical", odometry: "straight", start: "1.100,1.100,90.0", speed: "4" };
+const address = `#${Object.entries(LINK).map((pair) => pair.join("=")).join("&")}`;
+
+test("a link brings back room, algorithm, robot and settings, also below a folder", async (t) => {
+  const { page, app } = await openApp(t, { address, mount: "/some/sub/path/" });
+  assert.equal(await app.room(), "L-shaped room");
+  const shown = (menu) => page.locator(`#${menu}`).inputValue();
+  assert.deepEqual(await Promise.all(["planner", "robot", "cell-size", "seed", "slip", "odometry", "speed"].map(shown)), ["snake", "cell", "0.2", "11", "typical", "straight", "4"]);
+  await app.linked("speed");
+  assert.deepEqual(await app.link(), LINK);
+  assert.ok(await page.locator("#undo").isDisabled(), "there is nothing to undo on a page just opened");
+  // Reloading, and following another link, work alike.
+  await page.reload();
+  await app.until("playing");
+  assert.deepEqual(await app.link(), LINK);
+  await page.evaluate(() => (location.hash = "room=empty"));
+  await page.waitForFunction(() => document.getElementById("room").value === "empty");
+  assert.equal(await app.settled(), "playing");
+});
+
+test("the copied link opens the same room", async (t) => {
+  const { page, app } = await openApp(t, { permissions: ["clipboard-read", "clipboard-write"] });
+  await app.choose("room", "spiral");
+  await page.getByRole("button", { name: "Copy link" }).click();
+  await page.locator("#toast").waitFor();
+  const copied = await page.evaluate(() => navigator.clipboard.readText());
+  assert.match(copied, /#room=spiral&/);
+  await page.goto("about:blank");
+  await page.goto(copied);
+  await app.until("playing");
+  assert.equal(await app.room(), "Spiral corridor");
+});

@@ -1,0 +1,55 @@
+// The first seconds: what a newcomer sees, and what those see who asked for less motion.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { openApp } from "./app.mjs";
+
+test("opens on a robot that is already cleaning", async (t) => {
+  // What the page says in the first frame that it draws with a plan.
+  const init = () => {
+    const look = () => {
+      const state = document.body?.dataset.state;
+      if (state === undefined || state === "planning") return requestAnimationFrame(look);
+      const read = (id) => document.getElementById(id).textContent;
+      window.first = { state, coverage: read("n-coverage"), time: read("n-time"), distance: read("n-distance") };
+    };
+    look();
+  };
+  const { page, app } = await openApp(t, { init });
+  const first = await (await page.waitForFunction(() => window.first)).jsonValue();
+  assert.equal(first.state, "playing");
+  assert.ok(Number(first.coverage) > 0, `coverage ${first.coverage}`);
+  assert.match(first.time, /^\d+:\d\d$/);
+  assert.ok(Number(first.distance) > 0, `distance ${first.distance}`);
+
+  const before = await app.numbers();
+  const after = await app.numbersThat((now, then) => now.coverage > then.coverage && now.distance > then.distance && now.time > then.time, before);
+  assert.ok(after.coverage < 100);
+  assert.equal(await app.message(), "");
+});
+
+test("has a title, and a text for those who can't see the floor", async (t) => {
+  const { page, app } = await openApp(t);
+  assert.equal(await page.title(), "Robovac Playground");
+  const label = () => page.locator("#floor").getAttribute("aria-label");
+  assert.match(await label(), /^Floor plan of .+ m by .+ planner: the robot is cleaning, \d+ % of the reachable floor is clean/);
+  await app.choose("room", "thesis8");
+  await page.waitForFunction(() => /Thesis preset/.test(document.getElementById("floor").getAttribute("aria-label")));
+});
+
+test("shows a number in every row once it runs", async (t) => {
+  const { page } = await openApp(t);
+  const texts = await page.locator("#metrics td, .numbers b").allTextContents();
+  assert.ok(texts.length > 15, `${texts.length} cells`);
+  assert.deepEqual(texts.filter((text) => /NaN|undefined|null|Infinity/.test(text)), []);
+});
+
+test("starts paused for those who asked for less motion", async (t) => {
+  const { app } = await openApp(t, { reducedMotion: "reduce" });
+  assert.equal(await app.state(), "paused");
+  const before = await app.numbers();
+  assert.ok(before.coverage > 0, "and yet there is something to see");
+  await app.frames(20);
+  assert.deepEqual(await app.numbers(), before);
+  await app.press("Play");
+  await app.numbersThat((now, then) => now.distance > then.distance, before);
+});
