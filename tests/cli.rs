@@ -1,7 +1,7 @@
 //! The native companion as people and scripts run it.
 #![cfg(not(target_arch = "wasm32"))]
 
-use robovac_playground::{floorplan::ROOMS, planner::PLANNERS, robot::MODELS};
+use robovac_playground::{app::Session, floorplan::ROOMS, planner::PLANNERS, robot::MODELS};
 use serde_json::Value;
 use std::{
     collections::HashSet,
@@ -109,6 +109,99 @@ fn start_heading_seed_robot_and_cell_are_taken_over() {
     );
 }
 
+/// What `simulate --json` writes.
+fn simulated(more: &[&str]) -> Value {
+    let output = text(&[&["simulate", "--json"], more].concat());
+    assert_eq!(output.lines().count(), 1);
+    serde_json::from_str(&output).unwrap()
+}
+
+#[test]
+fn roomba_drives_a_small_room_clean() {
+    let base = ["--room", "empty", "--planner", "boustrophedon", "--seed", "5"];
+    let report = simulated(&base);
+    assert_eq!(report["finished"], true);
+    let number = |key: &str| report[key].as_f64().unwrap_or_else(|| panic!("{key} in {report}"));
+    assert!(number("coverage") > 0.97, "{}", number("coverage"));
+    assert!(number("pose_error_m") < 0.05 && number("bumps") < 5.0 && number("overlap") < 1.0);
+    assert_eq!((&report["slip"], &report["odometry"]), (&Value::from("none"), &Value::from("arc")));
+    assert_eq!(report["digest"].as_str().unwrap().len(), 16);
+
+    // The head is that of the plan that was driven.
+    let plan: Value =
+        serde_json::from_str(&text(&[&["plan", "--json", "--robot", "roomba600"], &base[..]].concat())).unwrap();
+    for key in ["planner", "params", "seed", "room", "robot", "start", "heading_deg"] {
+        assert!(!plan[key].is_null() && report[key] == plan[key], "{key}: {} but {}", report[key], plan[key]);
+    }
+    assert!((number("distance_m") / plan["length_m"].as_f64().unwrap() - 1.0).abs() < 0.1);
+    assert!((number("turning_deg") / plan["turning_deg"].as_f64().unwrap() - 1.0).abs() < 0.1);
+
+    // Every ten seconds, from the start to the end.
+    let samples = report["samples"].as_array().unwrap();
+    let times: Vec<f64> = samples.iter().map(|s| s["time_s"].as_f64().unwrap()).collect();
+    let (last, inner) = times.split_last().unwrap();
+    assert!(inner.iter().enumerate().all(|(i, t)| (t - 10.0 * i as f64).abs() < 0.0151), "{times:?}");
+    assert_eq!(*last, number("time_s"));
+    assert_eq!(samples.last().unwrap()["coverage"], report["coverage"]);
+    for sample in samples {
+        let far = |key: &str| sample["pose"][key].as_f64().unwrap() - sample["estimate"][key].as_f64().unwrap();
+        assert!(far("x").abs() < 0.05 && far("y").abs() < 0.05, "{sample}");
+        assert!(sample["pose"]["heading_deg"].is_number());
+    }
+}
+
+#[test]
+fn same_seed_gives_the_same_run() {
+    let base = ["--room", "room12ft", "--planner", "snake", "--slip", "harsh", "--odometry", "straight"];
+    let with = |seed: &str| simulated(&[&base[..], &["--max-time", "120", "--seed", seed]].concat());
+    let (first, again, other) = (with("7"), with("7"), with("8"));
+    assert_eq!(first, again);
+    assert_ne!(first["digest"], other["digest"]);
+    assert_eq!(first["finished"], false);
+    assert!((first["time_s"].as_f64().unwrap() - 120.0).abs() < 0.0151, "{}", first["time_s"]);
+}
+
+#[test]
+fn run_is_the_one_that_the_page_shows() {
+    let mut session = Session::new();
+    session.restore("room=room12ft&planner=boustrophedon&slip=typical&seed=3").unwrap();
+    session.plan_now(|| 0.0);
+    session.run_ahead(90.0);
+    let digest = format!("{:016x}", session.recording().unwrap().run().digest());
+    let base = ["--room", "room12ft", "--planner", "boustrophedon", "--slip", "typical", "--seed", "3"];
+    assert_eq!(simulated(&[&base[..], &["--max-time", "90"]].concat())["digest"], digest);
+}
+
+#[test]
+fn run_is_told_as_a_table_and_a_summary() {
+    let base = ["simulate", "--room", "thesis8", "--planner", "snake", "--robot", "cell"];
+    let table = text(&[&base[..], &["--sample", "20"]].concat());
+    assert!(table.contains("\n    0.00 s ") && table.contains("\n   20.01 s "), "{table}");
+    assert!(table.contains("came to the end of the walk, digest "), "{table}");
+    let stopped = text(&[&base[..], &["--max-time", "5"]].concat());
+    assert!(stopped.contains("\n    5.0") && stopped.contains("stopped by --max-time"), "{stopped}");
+}
+
+#[test]
+fn bench_names_its_cases_and_their_times() {
+    let results: Value = serde_json::from_str(&text(&["bench", "--json"])).unwrap();
+    let results = results.as_array().unwrap();
+    let table = text(&["bench"]);
+    assert_eq!(table.lines().count(), results.len() + 1, "{table}");
+    for result in results {
+        let name = result["name"].as_str().unwrap();
+        assert!(result["ms"].as_f64().unwrap() > 0.0, "{result}");
+        assert!(table.contains(&format!("\n{name}  ")), "{name} isn't in {table}");
+        let simulates = name.starts_with("simulate ");
+        assert_eq!(result["times_real_time"].as_f64().is_some_and(|times| times > 1.0), simulates, "{result}");
+    }
+    for planner in PLANNERS {
+        assert!(results.iter().any(|r| r["name"] == format!("plan {} 100 x 100", planner.id)), "{}", planner.id);
+    }
+    let (code, message) = failure(&["bench", "--runs", "3"]);
+    assert!(code == 2 && message.contains("unexpected argument '--runs'"), "{code} {message}");
+}
+
 #[test]
 fn convert_writes_what_can_be_read_again() {
     let json = file("convert/flat.json", b"");
@@ -162,6 +255,21 @@ fn failures_have_a_code_and_say_what_to_do() {
         assert!(found == *code && message.contains(expected), "{arguments:?}: {found} {message}");
     }
     let Some(planner) = PLANNERS.first() else { return };
+    let base = ["simulate", "--room", "thesis8", "--planner", planner.id];
+    let cases: &[(&[&str], i32, &str)] = &[
+        (&["--slip", "icy"], 2, "[possible values: none, typical, harsh]"),
+        (&["--odometry", "gps"], 2, "[possible values: arc, straight]"),
+        (&["--sample", "0"], 2, "'--sample <SECONDS>': give a number of seconds greater than 0"),
+        (&["--sample", "-1"], 2, "'--sample <SECONDS>': give a number of seconds greater than 0"),
+        (&["--max-time", "nan"], 2, "'--max-time <SECONDS>': give a number of seconds greater than 0"),
+        (&["--max-time", "soon"], 2, "'--max-time <SECONDS>': give a number of seconds greater than 0"),
+        (&["--robot", "tank"], 2, "there is no robot \"tank\"; \"robovac robots\" lists them"),
+        (&["--start", "99,9"], 4, "the start cell (99, 9) lies outside the planning grid"),
+    ];
+    for (more, code, expected) in cases {
+        let (found, message) = failure(&[&base, *more].concat());
+        assert!(found == *code && message.contains(expected), "{more:?}: {found} {message}");
+    }
     let base = ["plan", "--room", "thesis8", "--planner", planner.id];
     let cases: &[(&[&str], i32, &str)] = &[
         (&["--robot", "tank"], 2, "there is no robot \"tank\"; \"robovac robots\" lists them"),
@@ -182,6 +290,8 @@ fn failures_have_a_code_and_say_what_to_do() {
 fn help_documents_exit_codes_and_units() {
     let help = text(&["--help"]);
     assert!(help.contains("Exit codes:") && help.contains("3  the map can't be used"), "{help}");
+    let help = text(&["simulate", "--help"]);
+    assert!(help.contains("--sample <SECONDS>") && help.contains("[default: 10]"), "{help}");
     let help = text(&["plan", "--help"]);
     assert!(
         help.contains("counted from 0 at the lower left") && help.contains("counter-clockwise from 0 = right"),

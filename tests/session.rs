@@ -186,6 +186,23 @@ fn bad_links_name_what_is_wrong_and_change_nothing() {
 }
 
 #[test]
+fn room_of_ones_own_survives_by_scenario_and_link() {
+    let mut session = opened();
+    session.select_room("empty").unwrap();
+    session.begin_stroke(Brush::Wall, Point::new(2.0, 1.5));
+    session.go_on_stroke(Point::new(3.0, 2.5));
+    session.end_stroke();
+    session.configure(|s| s.set_slip("typical")).unwrap();
+    let (link, saved) = (session.link(), session.scenario_json());
+    assert!(link.starts_with("room=own&"), "{link}");
+    let mut other = opened();
+    other.load(&[SourceFile { name: "saved.json".into(), bytes: saved.into_bytes() }]).unwrap();
+    other.restore(&link).unwrap();
+    assert_eq!(other.link(), link);
+    assert_eq!(other.plan().occupancy, session.plan().occupancy);
+}
+
+#[test]
 fn late_answers_of_older_plans_are_dropped() {
     let mut session = Session::new();
     let old = session.take_plan_request().unwrap();
@@ -194,6 +211,16 @@ fn late_answers_of_older_plans_are_dropped() {
     assert_eq!(session.state(), State::Planning);
     session.plan_progress(old.id, 0.5, &[Cell::new(0, 0)]);
     assert!(session.preview().is_empty());
+}
+
+#[test]
+fn walk_through_walls_is_refused() {
+    let mut session = Session::new();
+    let request = session.take_plan_request().unwrap();
+    session.plan_finished(request.id, vec![request.job.start, Cell::new(-1, 100_000)], 0.1);
+    assert_eq!(session.state(), State::Failed);
+    let view = session.view();
+    assert!(view.message.starts_with("The planner failed: step 1 leads into (-1, 100000)"), "{}", view.message);
 }
 
 #[test]
@@ -215,4 +242,15 @@ fn bad_file_leaves_the_room() {
     assert!(!error.to_string().is_empty());
     assert_eq!(session.link(), before);
     assert!(session.planned().is_some());
+}
+
+#[test]
+fn cells_finer_than_the_map_are_refused_before_memory_runs_out() {
+    let mut session = opened();
+    let hall = format!("; resolution 5\n{}", format!("{}\n", ".".repeat(400)).repeat(400));
+    session.load(&[SourceFile { name: "hall.txt".into(), bytes: hall.into_bytes() }]).unwrap();
+    session.configure(|s| s.select_robot("cell")).unwrap();
+    session.configure(|s| s.set_cell_size(0.02)).unwrap();
+    assert_eq!(session.state(), State::Failed);
+    assert!(session.view().message.contains("too small for this map"), "{}", session.view().message);
 }

@@ -3,6 +3,7 @@
 import init, { Playground } from "../robovac-playground.js";
 import { byId } from "./dom.js";
 import { startFiles } from "./files.js";
+import { keepRoom, restoreLink } from "./keep.js";
 import { startKeys } from "./keys.js";
 import { complain, cover, forgive, isFatal, startMessages, textOf } from "./messages.js";
 import { startPanel } from "./panel.js";
@@ -28,7 +29,7 @@ import { compile, missing } from "./wasm.js";
 /** @param {unknown} error */
 function die(error) {
   console.error(error);
-  cover("failed", "The simulator has stopped", `It met an error of its own (${textOf(error)}). Reload to go on; the room and the settings are in the address.`);
+  cover("failed", "The simulator has stopped", `It met an error of its own (${textOf(error)}). Reload to go on; the room and the settings are kept.`);
 }
 
 /** @param {WebAssembly.Module} module */
@@ -78,7 +79,7 @@ function start(module) {
 
   const restore = () => {
     // Other fragments are places on the page, such as that of the skip link.
-    if (location.hash.includes("=")) guard(() => playground.restore(location.hash.slice(1)));
+    if (location.hash.includes("=")) restoreLink(app, location.hash.slice(1));
   };
   restore();
   addEventListener("hashchange", restore);
@@ -107,7 +108,14 @@ function start(module) {
     });
   };
   requestAnimationFrame(frame);
-  setInterval(() => guard(() => keepLink(playground.link())), 500);
+  let kept = "";
+  setInterval(() => guard(() => {
+    const link = playground.link();
+    keepLink(link);
+    const version = `${link} ${playground.room_version()}`;
+    if (version !== kept) keepRoom(app, link);
+    kept = version;
+  }), 500);
   document.body.dataset.boot = "ready";
 }
 

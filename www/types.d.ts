@@ -114,3 +114,18 @@ export type FromWorker =
   | { type: "progress"; id: number; done: number; cells: Uint32Array }
   | { type: "finished"; id: number; cells: Uint32Array; seconds: number }
   | { type: "failed"; id: number; message: string };
+
+/** One case of the benchmark (src/app/bench.rs). */
+export type BenchResult = {
+  name: string;
+  /** Median time of one run. */
+  ms: number;
+  /** For the simulator: simulated time per time taken. */
+  times_real_time: number | null;
+};
+
+/** What the benchmark's worker says. */
+export type FromBench =
+  | { type: "result"; result: BenchResult }
+  | { type: "finished"; results: BenchResult[] }
+  | { type: "failed"; message: string };

@@ -60,6 +60,7 @@ export function updateView({ view, playground }) {
   setText(byId("n-time"), clock(view.time_s));
   setText(byId("n-time-unit"), view.time_s < 3600 ? "min" : "h");
   setText(byId("n-distance"), metres(view.distance_m));
+  setAttribute(byId("numbers"), "data-long", String(view.time_s >= 36_000 || view.distance_m >= 10_000));
   setAttribute(document.body, "data-state", view.state);
   updateMessage(view);
   updatePlanning(view);

@@ -1,23 +1,24 @@
 //! One user's session: a room, a robot, a planner, a run.
 
 use super::{
-    Action, Brush, Editor, PlanRequest, Planned, Prepared, Recording, RobotView, Scene, Settings, SettingsError, State,
-    View,
+    Action, Answer, Brush, Editor, PlanRequest, Planned, Prepared, Recording, RobotView, Scene, Settings,
+    SettingsError, State, View,
     view::{Can, PlanView, RoomView},
 };
 use crate::{
-    controller::FollowPath,
     floorplan::{self, FloorPlan, MapError, RoomInfo, Scenario, SourceFile},
     geometry::{Point, Pose},
     grid::Cell,
-    planner::{PlanContext, PlanError},
-    robot::OdometryModel,
-    sim::{Run, RunSetup, STEP_S, SlipLevel},
+    planner::{CoveragePath, PlanError},
+    sim::{Run, STEP_S, SlipLevel},
 };
 use std::sync::Arc;
 
 /// Longest time between two frames that is made up for, s: after a pause of the browser the robot doesn't leap.
 const LONGEST_FRAME: f64 = 0.1;
+
+/// What links say of a room that was drawn or loaded: it stays what it is.
+const OWN_ROOM: &str = "own";
 
 /// Room, settings, plan and run, and what may be done with them.
 ///
@@ -228,10 +229,7 @@ impl Session {
             cell_size_m: self.settings.cell_size,
             seed: self.settings.seed,
             slip: self.settings.slip.id(),
-            odometry: match self.settings.odometry {
-                OdometryModel::Arc => "arc",
-                OdometryModel::Straight => "straight",
-            },
+            odometry: self.settings.odometry.id(),
             speed: self.settings.speed,
             speed_factor: self.speed_factor,
             time_s: run.map_or(0.0, Run::time_s),
@@ -241,7 +239,7 @@ impl Session {
             distance_m: run.map_or(0.0, Run::distance_m),
             turning_deg: run.map_or(0.0, |r| r.turning_rad().to_degrees()),
             bumps: run.map_or(0, Run::bumps),
-            pose_error_m: run.and_then(pose_error).unwrap_or(0.0),
+            pose_error_m: run.and_then(Run::pose_error_m).unwrap_or(0.0),
             plan: self.plan_view(),
         }
     }
@@ -289,10 +287,8 @@ impl Session {
     /// Makes the plan here and now; for small rooms and tests. `clock` gives seconds.
     pub fn plan_now(&mut self, clock: impl Fn() -> f64) {
         let Some(request) = self.take_plan_request() else { return };
-        let began = clock();
-        let planner = (self.settings.planner.build)(&request.params);
-        match planner.plan(&request.job, &mut PlanContext::new(request.seed)) {
-            Ok(path) => self.plan_finished(request.id, path.cells, clock() - began),
+        match request.serve(clock, None) {
+            Ok(Answer { path, seconds }) => self.plan_finished(request.id, path.cells, seconds),
             Err(PlanError::Cancelled) => self.cancel_plan(),
         }
     }
@@ -314,9 +310,14 @@ impl Session {
         }
         self.planning = None;
         self.previews += 1;
-        if let Some(prepared) = &self.prepared {
-            self.planned = Some(Planned::new(prepared, cells, seconds));
-            self.start_run();
+        let Some(prepared) = &self.prepared else { return };
+        match Planned::new(prepared, &Answer { path: CoveragePath { cells }, seconds }) {
+            Ok(planned) => {
+                let Settings { slip, odometry, seed, .. } = self.settings;
+                self.recording = Some(Recording::new(planned.run(prepared, slip, odometry, seed)));
+                self.planned = Some(planned);
+            }
+            Err(error) => self.planner_failed(&error.to_string()),
         }
     }
 
@@ -324,8 +325,12 @@ impl Session {
     pub fn plan_failed(&mut self, id: u32, text: &str) {
         if self.planning.as_ref().is_some_and(|p| p.id == id) {
             self.planning = None;
-            self.say("error", format!("The planner failed: {text}. Try another planner or room."));
+            self.planner_failed(text);
         }
+    }
+
+    fn planner_failed(&mut self, text: &str) {
+        self.say("error", format!("The planner failed: {text}. Try another planner or room."));
     }
 
     /// The user doesn't want to wait for the planner.
@@ -354,7 +359,7 @@ impl Session {
                     preview: Vec::new(),
                     request: Some(PlanRequest {
                         id: self.requests,
-                        planner: self.settings.planner.id,
+                        planner: self.settings.planner,
                         params: self.settings.params.clone(),
                         seed: self.settings.seed,
                         job: prepared.job.clone(),
@@ -367,19 +372,6 @@ impl Session {
                 self.say("error", sentence(&error.to_string()));
             }
         }
-    }
-
-    fn start_run(&mut self) {
-        let (Some(prepared), Some(planned)) = (&self.prepared, &self.planned) else { return };
-        let setup = RunSetup {
-            floor: Arc::clone(&prepared.floor),
-            robot: prepared.robot.clone(),
-            slip: self.settings.slip,
-            seed: self.settings.seed,
-        };
-        let line = Arc::clone(&planned.line);
-        let follower = FollowPath::new(&setup.robot, self.settings.odometry, setup.floor.start, line);
-        self.recording = Some(Recording::new(Run::new(&setup, Box::new(follower))));
     }
 
     // ---- time
@@ -525,7 +517,7 @@ impl Session {
                 settings.take_link(key, value)?;
             }
         }
-        let room = room.map(known_room).transpose()?;
+        let room = room.filter(|&id| id != OWN_ROOM).map(known_room).transpose()?;
         let start = settings.start.take();
         self.settings = settings;
         self.message = None;
@@ -556,12 +548,12 @@ impl Session {
         scenario.to_json()
     }
 
-    /// The session as a link's `key=value` pairs; walls drawn by hand aren't in it.
+    /// The session as a link's `key=value` pairs. A room that was drawn or loaded isn't in it: see [`Session::scenario_json`].
     pub fn link(&self) -> String {
         let mut settings = self.settings.clone();
         settings.start = self.editor.start();
-        let room = self.editor.room().map(|id| ("room".to_owned(), id.to_owned()));
-        let pairs = room.into_iter().chain(settings.to_link());
+        let room = ("room".to_owned(), self.editor.room().unwrap_or(OWN_ROOM).to_owned());
+        let pairs = std::iter::once(room).chain(settings.to_link());
         pairs.map(|(key, value)| format!("{key}={value}")).collect::<Vec<_>>().join("&")
     }
 
@@ -646,11 +638,6 @@ fn known_room(id: &str) -> Result<&'static RoomInfo, SettingsError> {
         let known = floorplan::ROOMS.iter().map(|r| r.id).collect::<Vec<_>>().join(", ");
         SettingsError::Unknown { kind: "room", id: id.to_owned(), known }
     })
-}
-
-/// Distance between truth and belief, m.
-fn pose_error(run: &Run) -> Option<f64> {
-    run.estimate().map(|estimate| (estimate.position() - run.pose().position()).norm())
 }
 
 /// To millimetres and tenths of a degree, as links have it: a link must bring back the very same run.

@@ -138,14 +138,12 @@ impl Settings {
 
     /// Chooses how the follower computes its pose.
     pub fn set_odometry(&mut self, id: &str) -> Result<(), SettingsError> {
-        self.odometry = match id {
-            "arc" => OdometryModel::Arc,
-            "straight" => OdometryModel::Straight,
-            _ => {
-                let known = "arc, straight".to_owned();
-                return Err(SettingsError::Unknown { kind: "odometry model", id: id.into(), known });
-            }
-        };
+        let known = || OdometryModel::ALL.map(|(_, name)| name).join(", ");
+        self.odometry = OdometryModel::parse(id).ok_or_else(|| SettingsError::Unknown {
+            kind: "odometry model",
+            id: id.into(),
+            known: known(),
+        })?;
         Ok(())
     }
 
@@ -195,7 +193,7 @@ impl Settings {
             push("slip", self.slip.id().to_owned());
         }
         if self.odometry != default.odometry {
-            push("odometry", "straight".to_owned());
+            push("odometry", self.odometry.id().to_owned());
         }
         if let Some(start) = self.start {
             push("start", format!("{:.3},{:.3},{:.1}", start.x, start.y, start.heading.to_degrees()));

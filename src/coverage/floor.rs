@@ -27,6 +27,14 @@ pub enum FloorError {
         /// Diameter of the robot's body, m.
         diameter: f64,
     },
+    /// Planning cells are finer than what the map tells apart.
+    #[error("planning cells of {cell_size} m are too small for this map; choose a side of at least {least} m")]
+    CellTooSmall {
+        /// Side asked for, m.
+        cell_size: f64,
+        /// Smallest side that would do, m.
+        least: f64,
+    },
     /// The start lies outside the map.
     #[error(
         "the start ({x:.2} m, {y:.2} m) lies outside the map, which is {width:.2} m x {height:.2} m; move it inside"
@@ -87,7 +95,7 @@ impl ReachableFloor {
         let (blocked, resolution) = if robot.fills_cell {
             (resample(plan, robot.tool_width), robot.tool_width)
         } else {
-            let resolution = plan.resolution / refinement(plan) as f64;
+            let resolution = fine_resolution(plan);
             (resample(plan, resolution), resolution)
         };
         // Two cells more than the radius: the simulator skips the contact test where there is that much room.
@@ -141,6 +149,11 @@ impl ReachableFloor {
     pub fn standing_place(&self, cell: Cell) -> Point {
         off_walls(&self.walls, &self.standing, cell)
     }
+}
+
+/// Metres per fine cell of `plan`: its own resolution or a whole fraction of it. Planning cells can't be smaller.
+pub fn fine_resolution(plan: &FloorPlan) -> f64 {
+    plan.resolution / refinement(plan) as f64
 }
 
 /// Room that a robot needs beside its body to pass, m: no robot steers to the millimetre, so gaps narrower than this are

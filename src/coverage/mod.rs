@@ -11,7 +11,7 @@ mod stamp;
 mod tracker;
 mod walls;
 
-pub use floor::{FloorError, ReachableFloor};
+pub use floor::{FloorError, ReachableFloor, fine_resolution};
 pub use lattice::Lattice;
 pub use tracker::CoverageTracker;
 pub use walls::Walls;

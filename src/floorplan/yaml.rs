@@ -201,10 +201,9 @@ fn without_comment(line: &str) -> &str {
     for (at, c) in line.char_indices() {
         match quote {
             Some(open) if c == open => quote = None,
-            Some(_) => {}
             None if c == '#' && before.is_ascii_whitespace() => return &line[..at],
             None if (c == '"' || c == '\'') && !before.is_ascii_alphanumeric() => quote = Some(c),
-            None => {}
+            _ => {}
         }
         before = c;
     }

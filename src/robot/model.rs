@@ -87,7 +87,8 @@ const CELL_20: RobotModel = cell_robot(0.2);
 /// An idealised robot that fills one grid cell of side `cell` metres and cleans the cell it stands on.
 ///
 /// Its body is 90 % of the cell, so that it drives through corridors of one cell without rubbing along both walls.
-/// The rest is scaled to the size: the wheel base is three quarters of the body, and it drives like the Roomba.
+/// The wheel base is three quarters of the body, it drives like the Roomba, and its encoders count hundredths of a
+/// millimetre: a textbook's robot knows where it is.
 pub const fn cell_robot(cell: f64) -> RobotModel {
     RobotModel {
         id: "cell",
@@ -96,7 +97,7 @@ pub const fn cell_robot(cell: f64) -> RobotModel {
         radius: 0.45 * cell,
         tool_width: cell,
         wheel_base: 0.675 * cell,
-        counts_per_metre: ROOMBA_600.counts_per_metre,
+        counts_per_metre: 1e5,
         max_wheel_speed: 0.5,
         acceleration: 0.8,
         cruise_speed: 0.3,

@@ -15,6 +15,21 @@ pub enum OdometryModel {
     Straight,
 }
 
+impl OdometryModel {
+    /// All models, with their names in links and on the command line.
+    pub const ALL: [(Self, &'static str); 2] = [(Self::Arc, "arc"), (Self::Straight, "straight")];
+
+    /// The model of that name.
+    pub fn parse(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|(_, n)| *n == name).map(|(model, _)| model)
+    }
+
+    /// Name in links and on the command line.
+    pub fn id(self) -> &'static str {
+        Self::ALL[self as usize].1
+    }
+}
+
 /// Dead reckoning: sums up what the wheels did since the start.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Odometry {

@@ -104,6 +104,11 @@ impl Run {
         self.controller.estimate()
     }
 
+    /// Distance between where the robot is and where its controller believes it to be, m.
+    pub fn pose_error_m(&self) -> Option<f64> {
+        self.estimate().map(|estimate| (estimate.position() - self.pose().position()).norm())
+    }
+
     /// The latest sensor reading.
     pub fn sensors(&self) -> Sensors {
         self.robot.sensors()

@@ -17,7 +17,7 @@ pub enum SlipLevel {
 }
 
 impl SlipLevel {
-    /// All levels, with their names in links.
+    /// All levels, with their names in links and on the command line.
     pub const ALL: [(Self, &'static str); 3] =
         [(Self::None, "none"), (Self::Typical, "typical"), (Self::Harsh, "harsh")];
 
@@ -26,7 +26,7 @@ impl SlipLevel {
         Self::ALL.into_iter().find(|(_, n)| *n == name).map(|(level, _)| level)
     }
 
-    /// Name in links.
+    /// Name in links and on the command line.
     pub fn id(self) -> &'static str {
         Self::ALL[self as usize].1
     }

@@ -4,7 +4,7 @@ use super::clock;
 use crate::{
     app::PlanRequest,
     grid::{Cell, Direction, Grid},
-    planner::{self, CoverageJob, ParamValue, Params, PlanContext},
+    planner::{self, CoverageJob, ParamValue, Params},
 };
 use js_sys::{Function, Uint8Array, Uint32Array};
 use serde::{Deserialize, Serialize};
@@ -33,7 +33,7 @@ impl WireRequest {
         let job = &request.job;
         Self {
             id: request.id,
-            planner: request.planner.to_owned(),
+            planner: request.planner.id.to_owned(),
             params: request.params.iter().map(|(id, value)| (id.to_owned(), value.clone())).collect(),
             seed: request.seed,
             width: job.free.width(),
@@ -42,6 +42,16 @@ impl WireRequest {
             step_s: job.step_s,
             turn_s: job.turn_s,
         }
+    }
+
+    /// The inverse of [`WireRequest::new`].
+    fn request(&self, free: &[u8]) -> Result<PlanRequest, String> {
+        let job = self.job(free).ok_or("the planning request has no free start")?;
+        let planner =
+            planner::find(&self.planner).ok_or_else(|| format!("there is no planner \"{}\"", self.planner))?;
+        let given = self.params.iter().map(|(id, value)| (id.as_str(), value.clone()));
+        let params = Params::checked(planner.params, given).map_err(|e| e.to_string())?;
+        Ok(PlanRequest { id: self.id, planner, params, seed: self.seed, job })
     }
 
     fn job(&self, free: &[u8]) -> Option<CoverageJob> {
@@ -69,13 +79,9 @@ pub fn plan(request: &JsValue, on_progress: &Function) -> Result<JsValue, JsValu
     let wire: WireRequest =
         serde_wasm_bindgen::from_value(request.clone()).map_err(|e| JsValue::from(e.to_string()))?;
     let free = Uint8Array::new(&js_sys::Reflect::get(request, &"free".into())?).to_vec();
-    let job = wire.job(&free).ok_or("the planning request has no free start")?;
-    let info = planner::find(&wire.planner).ok_or_else(|| format!("there is no planner \"{}\"", wire.planner))?;
-    let given = wire.params.iter().map(|(id, value)| (id.as_str(), value.clone()));
-    let params = Params::checked(info.params, given).map_err(|e| e.to_string())?;
+    let request = wire.request(&free)?;
 
-    let began = clock();
-    let mut reported = began;
+    let mut reported = clock();
     let mut observe = |done: f64, so_far: &[Cell]| {
         let now = clock();
         if now - reported >= REPORT_EVERY_MS {
@@ -85,12 +91,10 @@ pub fn plan(request: &JsValue, on_progress: &Function) -> Result<JsValue, JsValu
         }
         ControlFlow::Continue(())
     };
-    let mut context = PlanContext::observed(wire.seed, &mut observe);
-    let path = (info.build)(&params).plan(&job, &mut context).map_err(|e| e.to_string())?;
-    let seconds = (clock() - began) / 1000.0;
+    let answer = request.serve(|| clock() / 1000.0, Some(&mut observe)).map_err(|e| e.to_string())?;
     let result = js_sys::Object::new();
-    js_sys::Reflect::set(&result, &"cells".into(), &flat(&path.cells))?;
-    js_sys::Reflect::set(&result, &"seconds".into(), &seconds.into())?;
+    js_sys::Reflect::set(&result, &"cells".into(), &flat(&answer.path.cells))?;
+    js_sys::Reflect::set(&result, &"seconds".into(), &answer.seconds.into())?;
     Ok(result.into())
 }
 

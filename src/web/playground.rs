@@ -148,27 +148,27 @@ impl Playground {
 
     /// Chooses a room that ships.
     pub fn select_room(&mut self, id: &str) -> Result<(), JsValue> {
-        self.session.select_room(id).map_err(thrown)
+        Ok(self.session.select_room(id)?)
     }
 
     /// Chooses a planner.
     pub fn select_planner(&mut self, id: &str) -> Result<(), JsValue> {
-        self.session.configure(|s| s.select_planner(id)).map_err(thrown)
+        Ok(self.session.configure(|s| s.select_planner(id))?)
     }
 
     /// Chooses a robot.
     pub fn select_robot(&mut self, id: &str) -> Result<(), JsValue> {
-        self.session.configure(|s| s.select_robot(id)).map_err(thrown)
+        Ok(self.session.configure(|s| s.select_robot(id))?)
     }
 
     /// Chooses the side of the planning cells, m.
     pub fn set_cell_size(&mut self, metres: f64) -> Result<(), JsValue> {
-        self.session.configure(|s| s.set_cell_size(metres)).map_err(thrown)
+        Ok(self.session.configure(|s| s.set_cell_size(metres))?)
     }
 
     /// Sets a parameter of the planner from the text of a form.
     pub fn set_param(&mut self, id: &str, text: &str) -> Result<(), JsValue> {
-        self.session.configure(|s| s.set_param(id, text)).map_err(thrown)
+        Ok(self.session.configure(|s| s.set_param(id, text))?)
     }
 
     /// Sets the seed of everything random.
@@ -177,17 +177,17 @@ impl Playground {
             s.seed = u64::from(seed);
             Ok::<(), SettingsError>(())
         };
-        self.session.configure(set).map_err(thrown)
+        Ok(self.session.configure(set)?)
     }
 
     /// Chooses how well the wheels hold: `none`, `typical` or `harsh`.
     pub fn set_slip(&mut self, id: &str) -> Result<(), JsValue> {
-        self.session.configure(|s| s.set_slip(id)).map_err(thrown)
+        Ok(self.session.configure(|s| s.set_slip(id))?)
     }
 
     /// Chooses how the follower computes its pose: `arc` or `straight`.
     pub fn set_odometry(&mut self, id: &str) -> Result<(), JsValue> {
-        self.session.configure(|s| s.set_odometry(id)).map_err(thrown)
+        Ok(self.session.configure(|s| s.set_odometry(id))?)
     }
 
     /// Takes a map or scenario from an array of `{ name, bytes }` that belong together.
@@ -203,7 +203,7 @@ impl Playground {
 
     /// Takes what `link` returned. Throws a message and changes nothing if that isn't possible.
     pub fn restore(&mut self, link: &str) -> Result<(), JsValue> {
-        self.session.restore(link).map_err(thrown)?;
+        self.session.restore(link)?;
         // A page that opens by a link begins there.
         if std::mem::take(&mut self.is_opening) {
             self.session.forget_changes();
@@ -214,6 +214,11 @@ impl Playground {
     /// The session as the part of a link behind `#`.
     pub fn link(&self) -> String {
         self.session.link()
+    }
+
+    /// Changes whenever the room does.
+    pub fn room_version(&self) -> f64 {
+        self.session.plan_version() as f64
     }
 
     // ---- time
@@ -289,9 +294,8 @@ impl Playground {
             ("move", Some(Gesture::Start { pose, turns: false })) => {
                 self.gesture = Some(Gesture::Start { pose: Pose::new(at.x, at.y, pose.heading), turns: false });
             }
-            ("up", _) => self.end_gesture(),
             ("cancel", Some(Gesture::Start { .. })) => self.gesture = None,
-            ("cancel", _) => self.end_gesture(),
+            ("up" | "cancel", _) => self.end_gesture(),
             _ => {}
         }
     }
@@ -418,9 +422,11 @@ impl Playground {
     }
 }
 
-/// An error as the message that JavaScript catches.
-fn thrown(error: SettingsError) -> JsValue {
-    error.to_string().into()
+/// JavaScript catches the message.
+impl From<SettingsError> for JsValue {
+    fn from(error: SettingsError) -> Self {
+        error.to_string().into()
+    }
 }
 
 fn source_file(file: &JsValue) -> Result<SourceFile, JsValue> {

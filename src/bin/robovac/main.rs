@@ -3,15 +3,23 @@
 //! One file a sub-command; each turns its arguments into text or a [`failure::Failure`].
 
 #[cfg(not(target_arch = "wasm32"))]
+mod bench;
+#[cfg(not(target_arch = "wasm32"))]
 mod convert;
 #[cfg(not(target_arch = "wasm32"))]
 mod failure;
 #[cfg(not(target_arch = "wasm32"))]
 mod list;
 #[cfg(not(target_arch = "wasm32"))]
+mod output;
+#[cfg(not(target_arch = "wasm32"))]
 mod plan;
 #[cfg(not(target_arch = "wasm32"))]
+mod simulate;
+#[cfg(not(target_arch = "wasm32"))]
 mod source;
+#[cfg(not(target_arch = "wasm32"))]
+mod task;
 
 /// In the browser the page takes its place.
 #[cfg(target_arch = "wasm32")]
@@ -24,16 +32,9 @@ fn main() -> std::process::ExitCode {
 
 #[cfg(not(target_arch = "wasm32"))]
 mod native {
-    use super::{
-        convert,
-        failure::{Failure, OK},
-        list, plan,
-    };
+    use super::{bench, convert, failure::OK, list, output::print, plan, simulate};
     use clap::{Parser, Subcommand};
-    use std::{
-        io::{ErrorKind, Write},
-        process::ExitCode,
-    };
+    use std::{io::Write, process::ExitCode};
 
     const EXIT_CODES: &str = "\
 Exit codes:
@@ -44,7 +45,7 @@ Exit codes:
   4  the robot or its start doesn't fit into the room
   5  the planner failed";
 
-    /// Plans how a robot covers a floor. Lengths are in metres, angles in degrees counter-clockwise from 0 = right,
+    /// Plans how a robot covers a floor, and lets a simulated one do it. Lengths are in metres, angles in degrees counter-clockwise from 0 = right,
     /// cells are counted from the lower left.
     #[derive(Parser)]
     #[command(name = "robovac", version, after_help = EXIT_CODES)]
@@ -62,7 +63,9 @@ Exit codes:
         /// List the robots: id, then title
         Robots,
         Plan(plan::Arguments),
+        Simulate(simulate::Arguments),
         Convert(convert::Arguments),
+        Bench(bench::Arguments),
     }
 
     pub(super) fn main() -> ExitCode {
@@ -71,7 +74,9 @@ Exit codes:
             Command::Rooms => Ok(list::rooms()),
             Command::Robots => Ok(list::robots()),
             Command::Plan(arguments) => plan::run(&arguments),
+            Command::Simulate(arguments) => simulate::run(&arguments),
             Command::Convert(arguments) => convert::run(&arguments),
+            Command::Bench(arguments) => bench::run(&arguments),
         };
         match result.and_then(|text| print(&text)) {
             Ok(()) => OK.into(),
@@ -80,15 +85,6 @@ Exit codes:
                 let _ = writeln!(std::io::stderr(), "robovac: {failure}");
                 failure.code.into()
             }
-        }
-    }
-
-    /// Writes to standard output. A reader that has seen enough, such as `head`, is no failure.
-    fn print(text: &str) -> Result<(), Failure> {
-        let mut out = std::io::stdout().lock();
-        match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
-            Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::io("standard output", &error)),
-            _ => Ok(()),
         }
     }
 }

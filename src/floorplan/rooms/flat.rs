@@ -97,6 +97,6 @@ pub(super) const ROOM: RoomInfo = RoomInfo {
         sketch = furniture.into_iter().fold(sketch, Sketch::fill);
         sketch = legs.into_iter().fold(sketch, Sketch::legs);
         sketch = ROUND.iter().fold(sketch, |sketch, &(x, y, radius)| sketch.disc(x, y, radius));
-        sketch.start(3.35, 4.45, -90.0).finish(ROOM.title, ROOM.note)
+        sketch.start(3.35, 4.4, -90.0).finish(ROOM.title, ROOM.note)
     },
 };

@@ -1,0 +1,14 @@
+//! From a floor plan to a checked walk with its numbers: what "plan" means on the page and on the command line.
+//!
+//! There is one way, [`Prepared`] to [`PlanRequest`] to [`Planned`]. The page goes it with a start in metres and serves
+//! the request in a worker; the command line goes it at once, with a start in planning cells ([`PlanningTask`]).
+
+mod error;
+mod pipeline;
+mod report;
+mod task;
+
+pub use error::PlanningError;
+pub use pipeline::{Answer, PlanRequest, Planned, Prepared};
+pub use report::{PlanReport, RoomReport, TaskReport};
+pub use task::{CELL_ROBOT, PlanningTask, Solution, choose_robot};

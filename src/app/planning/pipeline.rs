@@ -1,0 +1,118 @@
+//! The steps: a room is laid out for a robot, a planner is asked, its walk becomes a line with numbers, a robot drives it.
+
+use crate::{
+    controller::FollowPath,
+    coverage::{FloorError, Lattice, ReachableFloor, fine_resolution},
+    floorplan::FloorPlan,
+    geometry::{Point, Pose},
+    metrics::{DriveMetrics, WalkMetrics},
+    planner::{CoverageJob, CoveragePath, Observer, Params, PathError, PlanContext, PlanError, PlannerInfo},
+    robot::{OdometryModel, RobotModel},
+    sim::{Run, RunSetup, SlipLevel},
+};
+use std::sync::Arc;
+
+/// A room laid out for one robot, one start and one cell size.
+#[derive(Debug, Clone)]
+pub struct Prepared {
+    /// What the robot can reach.
+    pub floor: Arc<ReachableFloor>,
+    /// The planning grid.
+    pub lattice: Arc<Lattice>,
+    /// The planner's job on it.
+    pub job: CoverageJob,
+    /// The robot.
+    pub robot: RobotModel,
+}
+
+/// A job for a planner, which may run elsewhere.
+#[derive(Debug, Clone)]
+pub struct PlanRequest {
+    /// Number of the request; answers carry it, and answers to older requests are dropped.
+    pub id: u32,
+    /// The planner.
+    pub planner: &'static PlannerInfo,
+    /// Its parameters.
+    pub params: Params,
+    /// Seed of its random numbers.
+    pub seed: u64,
+    /// What is to be planned.
+    pub job: CoverageJob,
+}
+
+/// What a planner answers.
+#[derive(Debug, Clone)]
+pub struct Answer {
+    /// The walk.
+    pub path: CoveragePath,
+    /// Time that planning took, s.
+    pub seconds: f64,
+}
+
+/// A plan with its numbers, ready to be driven.
+#[derive(Debug, Clone)]
+pub struct Planned {
+    /// Corners of the line to be driven, m.
+    pub line: Arc<[Point]>,
+    /// Numbers of the walk on the planning grid.
+    pub walk: WalkMetrics,
+    /// Numbers of the line driven without noise.
+    pub drive: DriveMetrics,
+    /// Time that planning took, s.
+    pub planning_s: f64,
+}
+
+impl Prepared {
+    /// Lays out `plan` for `robot` with planning cells of `cell_size` metres.
+    pub fn new(plan: &FloorPlan, robot: &RobotModel, cell_size: f64, start: Option<Pose>) -> Result<Self, FloorError> {
+        // Finer cells would have no fine cell's centre in them, and for a robot that fills one there could be billions.
+        let least = fine_resolution(plan);
+        if cell_size < least * (1.0 - 1e-9) {
+            return Err(FloorError::CellTooSmall { cell_size, least });
+        }
+        Ok(Self::on(ReachableFloor::new(plan, robot, start)?, robot, cell_size))
+    }
+
+    /// Lays planning cells of `cell_size` metres over the floor that `robot` can reach.
+    pub fn on(floor: ReachableFloor, robot: &RobotModel, cell_size: f64) -> Self {
+        let lattice = Lattice::new(&floor, cell_size);
+        let job = CoverageJob::on_lattice(&lattice, &floor, robot);
+        Self { floor: Arc::new(floor), lattice: Arc::new(lattice), job, robot: robot.clone() }
+    }
+}
+
+impl PlanRequest {
+    /// Plans here and now. `clock` tells seconds since any moment, as the core has no clock of its own.
+    pub fn serve(&self, clock: impl Fn() -> f64, observer: Option<Observer<'_>>) -> Result<Answer, PlanError> {
+        let planner = (self.planner.build)(&self.params);
+        let mut ctx = match observer {
+            Some(observer) => PlanContext::observed(self.seed, observer),
+            None => PlanContext::new(self.seed),
+        };
+        let began = clock();
+        let path = planner.plan(&self.job, &mut ctx)?;
+        Ok(Answer { path, seconds: (clock() - began).max(0.0) })
+    }
+}
+
+impl Planned {
+    /// Checks a walk and works out its line and numbers.
+    pub fn new(prepared: &Prepared, answer: &Answer) -> Result<Self, PathError> {
+        let Answer { path, seconds } = answer;
+        path.check(&prepared.job)?;
+        Ok(Self {
+            line: prepared.lattice.polyline(&prepared.floor, &path.cells).into(),
+            walk: WalkMetrics::of(&prepared.job, path),
+            drive: DriveMetrics::of(&prepared.floor, &prepared.lattice, &prepared.robot, path),
+            planning_s: *seconds,
+        })
+    }
+
+    /// The robot at the start, about to drive the line by dead reckoning.
+    pub fn run(&self, prepared: &Prepared, slip: SlipLevel, odometry: OdometryModel, seed: u64) -> Run {
+        let Prepared { floor, robot, .. } = prepared;
+        let follower = FollowPath::new(robot, odometry, floor.start, Arc::clone(&self.line));
+        let setup = RunSetup { floor: Arc::clone(floor), robot: robot.clone(), slip, seed };
+        Run::new(&setup, Box::new(follower))
+    }
+}

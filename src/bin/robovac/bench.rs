@@ -1,0 +1,38 @@
+//! `bench`: how fast planning and simulating are here, to be compared with the browser.
+
+use super::{failure::Failure, output};
+use robovac_playground::app::bench::{self, BenchResult};
+use std::time::Instant;
+
+/// Time the planners and the simulator, on the same work as bench.html in the browser
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Write one JSON array instead of a table
+    #[arg(long)]
+    json: bool,
+}
+
+/// Measures. The rows of the table are written as they come, as it takes a while; what is left to print is returned.
+pub fn run(arguments: &Arguments) -> Result<String, Failure> {
+    let begin = Instant::now();
+    let clock = || begin.elapsed().as_secs_f64();
+    if arguments.json {
+        return Ok(output::json(&bench::run(&clock, &mut |_| {})));
+    }
+    let mut written = output::print(&line("", "ms, median", "times real time"));
+    bench::run(&clock, &mut |result| {
+        if written.is_ok() {
+            written = output::print(&row(result));
+        }
+    });
+    written.map(|()| String::new())
+}
+
+fn row(result: &BenchResult) -> String {
+    let times = result.times_real_time.map(|times| format!("{times:.0}")).unwrap_or_default();
+    line(&result.name, &format!("{:.2}", result.ms), &times)
+}
+
+fn line(name: &str, ms: &str, times_real_time: &str) -> String {
+    format!("{name:34}{ms:>12}{times_real_time:>18}").trim_end().to_owned() + "\n"
+}

@@ -1,0 +1,16 @@
+// @ts-check
+// Measures away from the page, which shows the results as they come.
+import init, { bench } from "../robovac-playground.js";
+
+/** @param {import("./types").FromBench} message */
+const answer = (message) => self.postMessage(message);
+
+self.addEventListener("message", async (/** @type {MessageEvent<{ module: WebAssembly.Module }>} */ event) => {
+  try {
+    await init({ module_or_path: event.data.module });
+    const results = bench((/** @type {import("./types").BenchResult} */ result) => answer({ type: "result", result }));
+    answer({ type: "finished", results });
+  } catch (error) {
+    answer({ type: "failed", message: error instanceof Error ? error.message : String(error) });
+  }
+});
