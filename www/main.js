@@ -77,12 +77,15 @@ function start(module) {
     failed: (id, message) => guard(() => playground.plan_failed(id, message)),
   });
 
-  const restore = () => {
+  /** @param {string} address */
+  const restore = (address) => {
+    const { hash } = new URL(address);
     // Other fragments are places on the page, such as that of the skip link.
-    if (location.hash.includes("=")) restoreLink(app, location.hash.slice(1));
+    if (hash.includes("=")) guard(() => playground.restore(hash.slice(1)));
   };
-  restore();
-  addEventListener("hashchange", restore);
+  restore(location.href);
+  // Not the address as it is by then: `keepLink` may have been faster.
+  addEventListener("hashchange", (event) => restore(event.newURL));
   if (matchMedia("(prefers-reduced-motion: reduce)").matches) playground.pause();
 
   startTheme((dark) => guard(() => playground.set_dark(dark)));

@@ -36,7 +36,11 @@ export async function openPage(t, { address = "", mount = "/", headers, allow = 
     if (message.type() === "error") note(`console: ${message.text()} (${message.location().url})`);
   });
   context.on("weberror", (error) => note(`uncaught: ${error.error().stack ?? error.error()}`));
-  context.on("requestfailed", (request) => note(`failed: ${request.url()} ${request.failure()?.errorText}`));
+  context.on("requestfailed", (request) => {
+    const cause = request.failure()?.errorText;
+    // Leaving or reloading a page drops what it was still loading.
+    if (cause !== "net::ERR_ABORTED") note(`failed: ${request.url()} ${cause}`);
+  });
   context.on("response", (response) => {
     if (response.status() >= 400) note(`status ${response.status()}: ${response.url()}`);
   });
