@@ -72,7 +72,9 @@ test("the speed is what the menu says", async (t) => {
   const speeds = await page.locator("#speed option").allTextContents();
   assert.deepEqual([speeds[0], speeds.at(-1)], ["1×", "max"]);
   for (const [value, least] of [["64", 16], ["0", 64]]) {
+    await app.press("Back to the start");
     await app.choose("speed", value);
+    await app.press("Play");
     const [clock, from] = [await page.evaluate(() => performance.now()), await app.numbers()];
     await app.numbersThat((now, then) => now.time > then.time + 60, from);
     const [seconds, to] = [((await page.evaluate(() => performance.now())) - clock) / 1000, await app.numbers()];
