@@ -81,7 +81,7 @@ function start(module) {
   const restore = (address) => {
     const { hash } = new URL(address);
     // Other fragments are places on the page, such as that of the skip link.
-    if (hash.includes("=")) guard(() => playground.restore(hash.slice(1)));
+    if (hash.includes("=")) restoreLink(app, hash.slice(1));
   };
   restore(location.href);
   // Not the address as it is by then: `keepLink` may have been faster.
