@@ -1,7 +1,7 @@
 //! One definition of every number that the page, the command line and the tests show.
 
 use crate::{
-    coverage::{CoverageTracker, Lattice, ReachableFloor},
+    coverage::{CoverageTracker, ReachableFloor},
     geometry::Point,
     math,
     planner::{CoverageJob, CoveragePath},
@@ -65,12 +65,11 @@ pub struct DriveMetrics {
 }
 
 impl DriveMetrics {
-    /// Drives `walk` in thought, without noise.
-    pub fn of(floor: &ReachableFloor, lattice: &Lattice, robot: &RobotModel, path: &CoveragePath) -> Self {
-        let line = lattice.polyline(floor, &path.cells);
-        let (length_m, turning, duration_s) = drive(&line, floor.start.heading, robot);
+    /// Drives `line` (corners, m) in thought, without noise.
+    pub fn of(floor: &ReachableFloor, robot: &RobotModel, line: &[Point]) -> Self {
+        let (length_m, turning, duration_s) = drive(line, floor.start.heading, robot);
         let mut tracker = CoverageTracker::new(floor);
-        for &point in &line {
+        for &point in line {
             tracker.sweep_to(floor, point);
         }
         Self {

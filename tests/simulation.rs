@@ -143,7 +143,7 @@ fn driving_a_plan_takes_as_long_and_covers_as_much_as_the_metrics_say() {
     let setup = setup(SlipLevel::None, 0);
     let lattice = Lattice::new(&setup.floor, 0.15);
     let path = mowing(&lattice);
-    let expected = DriveMetrics::of(&setup.floor, &lattice, &setup.robot, &path);
+    let expected = DriveMetrics::of(&setup.floor, &setup.robot, &lattice.polyline(&setup.floor, &path.cells));
     let run = follow(&setup, &lattice, &path);
     let duration = run.time_s() / expected.duration_s;
     assert!((0.97..1.15).contains(&duration), "{} s driven, {} s expected", run.time_s(), expected.duration_s);

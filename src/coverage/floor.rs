@@ -10,6 +10,8 @@ use crate::{
 
 /// Side that fine cells should not exceed, m.
 const FINE_CELL: f64 = 0.05;
+/// How far clearance is known beyond the body, fine cells.
+const SPARE_CELLS: f32 = 3.0;
 /// Most cells of a fine grid; larger rooms are refined less.
 const MAX_FINE_CELLS: usize = 4_000_000;
 
@@ -98,16 +100,16 @@ impl ReachableFloor {
             let resolution = fine_resolution(plan);
             (resample(plan, resolution), resolution)
         };
-        // Two cells more than the radius: the simulator skips the contact test where there is that much room.
-        let field = clearance(&blocked, (robot.radius / resolution) as f32 + 2.0).map(|&c| c * resolution as f32);
+        // Some cells more than the radius: where there is that much room, nobody needs to look closer.
+        let field =
+            clearance(&blocked, (robot.radius / resolution) as f32 + SPARE_CELLS).map(|&c| c * resolution as f32);
         let passing = robot.radius + steering_margin(robot.radius) - 1e-5;
         let free = field.map(|&c| f64::from(c) >= passing);
         let walls = Walls { clearance: field, resolution, body_radius: robot.radius };
-        let fallback =
-            default_start(&free, resolution).ok_or(FloorError::TooNarrow { diameter: 2.0 * robot.radius })?;
+        let too_narrow = FloorError::TooNarrow { diameter: 2.0 * robot.radius };
         let start = match start.or(plan.start) {
-            Some(pose) => check_start(plan, &free, &walls, pose, fallback)?,
-            None => fallback,
+            Some(pose) => check_start(plan, &free, &walls, pose)?,
+            None => default_start(&free, resolution).ok_or(too_narrow)?,
         };
         let start = if robot.fills_cell { in_centre(start, resolution) } else { start };
         let passable = reachable(&free, cell_at(start.position(), resolution));
@@ -169,15 +171,13 @@ fn up_to_walls(walls: &Walls, passable: Grid<bool>) -> Grid<bool> {
     let room = walls.body_radius + 0.5 * steering_margin(walls.body_radius);
     let mut standing = passable;
     for _ in 0..2 {
-        let mut wider = standing.clone();
-        for (cell, _) in standing.iter().filter(|&(_, &stands)| stands) {
-            for next in cell.neighbours() {
-                if fits.is_set(next) && !wider[next] {
-                    wider[next] = walls.has_room(off_walls(walls, &fits, next), room);
-                }
-            }
+        let is_next = |cell: Cell| fits.is_set(cell) && !standing.is_set(cell);
+        let at_edge = standing.iter().filter(|&(_, &stands)| stands).flat_map(|(cell, _)| cell.neighbours());
+        let wider: Vec<Cell> =
+            at_edge.filter(|&c| is_next(c) && walls.has_room(off_walls(walls, &fits, c), room)).collect();
+        for cell in wider {
+            standing[cell] = true;
         }
-        standing = wider;
     }
     standing
 }
@@ -234,15 +234,8 @@ fn centre(cell: Cell, resolution: f64) -> Point {
     Point::new((f64::from(cell.x) + 0.5) * resolution, (f64::from(cell.y) + 0.5) * resolution)
 }
 
-/// The start itself, or the nearest place where the robot fits if it stands too close to a wall; `fallback` is one
-/// such place.
-fn check_start(
-    plan: &FloorPlan,
-    free: &Grid<bool>,
-    walls: &Walls,
-    pose: Pose,
-    fallback: Pose,
-) -> Result<Pose, FloorError> {
+/// The start itself, or the nearest place where the robot fits if it stands too close to a wall.
+fn check_start(plan: &FloorPlan, free: &Grid<bool>, walls: &Walls, pose: Pose) -> Result<Pose, FloorError> {
     let (x, y) = (pose.x, pose.y);
     let Some(occupancy) = plan.occupancy.get(plan.cell_at(pose.position())) else {
         return Err(FloorError::StartOutside { x, y, width: plan.width_m(), height: plan.height_m() });
@@ -252,7 +245,8 @@ fn check_start(
         let has_room = walls.has_room(pose.position(), walls.body_radius);
         return Ok(if has_room { pose } else { in_centre(pose, walls.resolution) });
     }
-    let place = nearest(free, walls.resolution, pose.position()).unwrap_or(fallback.position());
+    let place = nearest(free, walls.resolution, pose.position());
+    let place = place.ok_or(FloorError::TooNarrow { diameter: 2.0 * walls.body_radius })?;
     if occupancy.is_free() {
         Ok(Pose::new(place.x, place.y, pose.heading))
     } else {
@@ -306,11 +300,13 @@ fn default_start(free: &Grid<bool>, resolution: f64) -> Option<Pose> {
 }
 
 /// Cells that a disc of `radius` cells sweeps when its centre is anywhere in `standing`, walls left out.
+///
+/// Discs around cells at the edge of `standing` are enough: of all its cells, the nearest to a cell outside is one of them.
 fn sweepable(standing: &Grid<bool>, blocked: &Grid<bool>, radius: f64) -> Grid<bool> {
     let stamp = Stamp { radius, width: standing.width(), height: standing.height() };
-    let mut floor = Grid::filled(standing.width(), standing.height(), false);
+    let mut floor = standing.clone();
     for (cell, &stands) in standing.iter() {
-        if stands {
+        if stands && !cell.block().all(|c| standing.is_set(c)) {
             stamp.rows(f64::from(cell.x) + 0.5, f64::from(cell.y) + 0.5, |range| {
                 floor.values_mut()[range].fill(true);
             });

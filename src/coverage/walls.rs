@@ -8,7 +8,7 @@ use crate::{
 /// The obstacles of a floor as squares of a fine grid; the outside is wall.
 #[derive(Debug, Clone)]
 pub struct Walls {
-    /// Distance from each fine cell's centre to the nearest wall, m, exact up to two cells more than the body's radius;
+    /// Distance from each fine cell's centre to the nearest wall, m, exact up to three cells more than the body's radius;
     /// 0 in walls.
     pub clearance: Grid<f32>,
     /// Side of a fine cell, m.

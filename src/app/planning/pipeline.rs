@@ -100,10 +100,11 @@ impl Planned {
     pub fn new(prepared: &Prepared, answer: &Answer) -> Result<Self, PathError> {
         let Answer { path, seconds } = answer;
         path.check(&prepared.job)?;
+        let line: Arc<[Point]> = prepared.lattice.polyline(&prepared.floor, &path.cells).into();
         Ok(Self {
-            line: prepared.lattice.polyline(&prepared.floor, &path.cells).into(),
             walk: WalkMetrics::of(&prepared.job, path),
-            drive: DriveMetrics::of(&prepared.floor, &prepared.lattice, &prepared.robot, path),
+            drive: DriveMetrics::of(&prepared.floor, &prepared.robot, &line),
+            line,
             planning_s: *seconds,
         })
     }
