@@ -2,10 +2,12 @@
 
 use super::{
     cost::Costs,
+    flood::Flood,
     order::Visit,
     sweep::{SWEEPS, Sweep},
 };
 use crate::grid::{Cell, Direction, Grid};
+use std::ops::ControlFlow;
 
 /// Cost of the way from one sweep to the next, for all pairs of them.
 ///
@@ -29,6 +31,8 @@ pub struct Links<'a> {
     cheapest: Vec<u32>,
 }
 
+/// Not a corner.
+const NONE: u32 = u32::MAX;
 /// Sweeps that start at the four corners of a block.
 const CORNERS: [usize; 4] = [0, 2, 4, 6];
 /// Steps that a detour adds to the straight distance where nobody has looked, as a share of it.
@@ -45,19 +49,22 @@ impl<'a> Links<'a> {
         costs: Costs,
         reach: usize,
     ) -> Self {
-        let mut numbers = Grid::filled(free.width(), free.height(), u32::MAX);
+        let mut flood = Flood::new(free);
+        let frame = flood.frame();
+        let mut numbers = frame.filled(NONE);
         let mut corners = Vec::new();
         let mut number = |cell: Cell| {
-            if numbers[cell] == u32::MAX {
-                numbers[cell] = corners.len() as u32;
+            let number = &mut numbers[frame.index(cell)];
+            if *number == NONE {
+                *number = corners.len() as u32;
                 corners.push(cell);
             }
-            numbers[cell]
+            *number
         };
         number(start.0);
         let entries: Vec<_> = sweeps.iter().map(|all| all.each_ref().map(|sweep| number(sweep.entry))).collect();
         let exits = sweeps.iter().map(|all| all.each_ref().map(|sweep| number(sweep.exit))).collect();
-        let steps = steps_between(free, &corners, &numbers, reach);
+        let steps = steps_between(&mut flood, &corners, &numbers, reach);
         let cheapest = sweeps.iter().map(|all| all.iter().map(|s| s.cost).min().unwrap_or(0)).collect();
         let corners = corners.len();
         let nearest = nearest_corners(&entries, &steps, corners).iter().map(|&s| s * costs.step).collect();
@@ -103,35 +110,23 @@ impl<'a> Links<'a> {
 
 /// Steps of shortest paths between all pairs of corners, estimated for those that aren't among the `reach` cells nearest
 /// to each other.
-fn steps_between(free: &Grid<bool>, corners: &[Cell], numbers: &Grid<u32>, reach: usize) -> Vec<u32> {
+fn steps_between(flood: &mut Flood, corners: &[Cell], numbers: &[u32], reach: usize) -> Vec<u32> {
     let mut steps = Vec::with_capacity(corners.len() * corners.len());
     for from in corners {
         steps.extend(corners.iter().map(|to| from.manhattan(*to) + from.manhattan(*to) / DETOUR_SHARE + 1));
     }
-    // Search number and steps, in one grid for all searches.
-    let mut reached = Grid::filled(free.width(), free.height(), (0_u32, 0_u32));
-    let mut queue = Vec::with_capacity(reach + 4);
-    for (row, &from) in corners.iter().enumerate() {
-        let search = row as u32 + 1;
-        let row = &mut steps[row * corners.len()..][..corners.len()];
-        queue.clear();
-        queue.push(from);
-        reached[from] = (search, 0);
-        let mut next_in_queue = 0;
-        while next_in_queue < queue.len().min(reach) {
-            let cell = queue[next_in_queue];
-            next_in_queue += 1;
-            let (_, steps) = reached[cell];
-            if let Some(known) = row.get_mut(numbers[cell] as usize) {
-                *known = steps;
+    for (&from, row) in corners.iter().zip(steps.chunks_mut(corners.len())) {
+        let mut left = reach;
+        flood.search(from, |index, steps| {
+            if left == 0 {
+                return ControlFlow::Break(());
             }
-            for next in cell.neighbours() {
-                if free.is_set(next) && reached[next].0 != search {
-                    reached[next] = (search, steps + 1);
-                    queue.push(next);
-                }
+            left -= 1;
+            if numbers[index] != NONE {
+                row[numbers[index] as usize] = steps;
             }
-        }
+            ControlFlow::Continue(())
+        });
     }
     make_symmetric(&mut steps, corners.len());
     steps

@@ -3,6 +3,7 @@
 use super::{
     cost::Costs,
     distances::Links,
+    flood::Flood,
     sweep::{SWEEPS, Sweep, reversed},
 };
 use crate::{
@@ -11,6 +12,7 @@ use crate::{
     rng::Rng,
 };
 use rand::RngExt;
+use std::ops::ControlFlow;
 
 /// One block of a tour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,13 +32,7 @@ pub fn nearest_first(
     costs: Costs,
     mut report: impl FnMut(usize) -> Result<(), PlanError>,
 ) -> Result<Vec<Visit>, PlanError> {
-    let mut open = Grid::filled(free.width(), free.height(), NONE);
-    for (block, all) in sweeps.iter().enumerate() {
-        for sweep in all {
-            open[sweep.entry] = block as u32;
-        }
-    }
-    let mut search = Nearest::new(free, costs);
+    let mut search = Nearest::new(free, sweeps, costs);
     let mut tour = Vec::with_capacity(sweeps.len());
     let (mut at, mut heading) = start;
     while tour.len() < sweeps.len() {
@@ -44,10 +40,8 @@ pub fn nearest_first(
             report(tour.len())?;
         }
         // All blocks are connected, so that there is a way to the next.
-        let Some(visit) = search.next(free, &open, sweeps, at, heading) else { break };
-        for sweep in &sweeps[visit.block] {
-            open[sweep.entry] = NONE;
-        }
+        let Some(visit) = search.next(at, heading) else { break };
+        search.close(visit.block);
         let sweep = &sweeps[visit.block][visit.sweep];
         heading = sweep.leaving.unwrap_or(heading);
         at = sweep.exit;
@@ -62,60 +56,71 @@ const REPORT_EVERY: usize = 256;
 const NONE: u32 = u32::MAX;
 
 /// Breadth-first search for the next block.
-struct Nearest {
-    /// Number of the search that reached a cell last, and its steps.
-    reached: Vec<(u32, u32)>,
-    search: u32,
-    queue: Vec<Cell>,
+struct Nearest<'a> {
+    flood: Flood,
+    sweeps: &'a [[Sweep; SWEEPS]],
     costs: Costs,
+    /// The block left to visit that a sweep enters in a cell, or [`NONE`], by the flood's numbers.
+    open: Vec<u32>,
 }
 
-impl Nearest {
-    fn new(free: &Grid<bool>, costs: Costs) -> Self {
-        Self { reached: vec![(0, 0); free.len()], search: 0, queue: Vec::new(), costs }
-    }
-
-    fn next(
-        &mut self,
-        free: &Grid<bool>,
-        open: &Grid<u32>,
-        sweeps: &[[Sweep; SWEEPS]],
-        from: Cell,
-        heading: Direction,
-    ) -> Option<Visit> {
-        self.search += 1;
-        self.queue.clear();
-        self.queue.push(from);
-        self.reached[free.index(from)] = (self.search, 0);
-        let mut best: Option<(u32, Visit)> = None;
-        let mut next_in_queue = 0;
-        while let Some(&cell) = self.queue.get(next_in_queue) {
-            next_in_queue += 1;
-            let (_, steps) = self.reached[free.index(cell)];
-            if best.is_some_and(|(cost, _)| steps * self.costs.step >= cost) {
-                break;
-            }
-            if open[cell] != NONE {
-                let block = open[cell] as usize;
-                let shortest = sweeps[block].iter().map(|s| s.cost).min().unwrap_or(0);
-                for (sweep, s) in sweeps[block].iter().enumerate().filter(|(_, s)| s.entry == cell) {
-                    let detour = steps - from.manhattan(cell);
-                    let way = self.costs.at_least(from, Some(heading), cell, s.entering) + detour * self.costs.step;
-                    let cost = way + s.cost - shortest;
-                    if best.is_none_or(|(least, _)| cost < least) {
-                        best = Some((cost, Visit { block, sweep }));
-                    }
-                }
-            }
-            for next in cell.neighbours() {
-                if free.is_set(next) && self.reached[free.index(next)].0 != self.search {
-                    self.reached[free.index(next)] = (self.search, steps + 1);
-                    self.queue.push(next);
-                }
+impl<'a> Nearest<'a> {
+    fn new(free: &Grid<bool>, sweeps: &'a [[Sweep; SWEEPS]], costs: Costs) -> Self {
+        let flood = Flood::new(free);
+        let mut open = flood.frame().filled(NONE);
+        for (block, all) in sweeps.iter().enumerate() {
+            for sweep in all {
+                open[flood.frame().index(sweep.entry)] = block as u32;
             }
         }
-        best.map(|(_, visit)| visit)
+        Self { flood, sweeps, costs, open }
     }
+
+    /// Takes a block out of the search.
+    fn close(&mut self, block: usize) {
+        for sweep in &self.sweeps[block] {
+            self.open[self.flood.frame().index(sweep.entry)] = NONE;
+        }
+    }
+
+    /// The open block that is cheapest to visit next.
+    fn next(&mut self, from: Cell, heading: Direction) -> Option<Visit> {
+        let Self { flood, sweeps, costs, open } = self;
+        let frame = flood.frame();
+        // The least cost so far, and the steps that cost as much.
+        let (mut best, mut least, mut enough) = (None, u32::MAX, u32::MAX);
+        flood.search(from, |index, steps| {
+            if steps >= enough {
+                return ControlFlow::Break(());
+            }
+            if open[index] != NONE {
+                let block = open[index] as usize;
+                if let Some((cost, sweep)) =
+                    cheapest_entry(&sweeps[block], *costs, (from, heading), frame.cell(index), steps)
+                    && cost < least
+                {
+                    (best, least, enough) = (Some(Visit { block, sweep }), cost, cost.div_ceil(costs.step));
+                }
+            }
+            ControlFlow::Continue(())
+        });
+        best
+    }
+}
+
+/// The sweep that is cheapest if entered in `entry`, `steps` from where the robot is, and its cost beyond the block's
+/// cheapest, way included.
+fn cheapest_entry(
+    sweeps: &[Sweep; SWEEPS],
+    costs: Costs,
+    (from, heading): (Cell, Direction),
+    entry: Cell,
+    steps: u32,
+) -> Option<(u32, usize)> {
+    let shortest = sweeps.iter().map(|s| s.cost).min().unwrap_or(0);
+    let detour = (steps - from.manhattan(entry)) * costs.step;
+    let cost = |s: &Sweep| costs.at_least(from, Some(heading), entry, s.entering) + detour + s.cost - shortest;
+    sweeps.iter().zip(0..).filter(|(s, _)| s.entry == entry).map(|(s, number)| (cost(s), number)).min()
 }
 
 /// Improves a tour by local search: moves of up to three blocks (Or 1976) and reversals of a part (2-opt, Croes 1958),
