@@ -27,7 +27,10 @@ use super::{
         swap_axes, swap_walk, sweeps_of, tighten,
     },
 };
-use crate::{grid::Cell, rng::seeded};
+use crate::{
+    grid::{Cell, Grid},
+    rng::seeded,
+};
 
 /// Entry in the registry.
 pub const INFO: PlannerInfo = PlannerInfo {
@@ -104,35 +107,31 @@ const PASSES: usize = 3;
 
 impl Planner for Boustrophedon {
     fn plan(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError> {
-        let swapped = swap_axes(job);
         let lies_down = match self.lanes {
             Lanes::Horizontal => vec![false],
             Lanes::Vertical => vec![true],
             Lanes::Auto if job.cells() <= MAX_CELLS_FOR_BOTH => vec![false, true],
-            Lanes::Auto => vec![lanes(&swapped) < lanes(job)],
+            Lanes::Auto => vec![lanes_along_columns(&job.free) < lanes_along_rows(&job.free)],
         };
         let share = 1.0 / lies_down.len() as f64;
-        let mut best = Best { cost: u64::MAX, walk: Vec::new() };
+        let cost = |walk: &[Cell]| Costs::of(job).of_walk(job.heading, walk);
+        let mut best: Option<Vec<Cell>> = None;
         for (i, is_swapped) in lies_down.into_iter().enumerate() {
-            let mut progress = Progress { ctx, from: i as f64 * share, share, best: &best.walk };
-            let job = if is_swapped { &swapped } else { job };
-            let mut walk = self.plan_along_rows(job, &mut progress)?;
-            let cost = Costs::of(job).of_walk(job.heading, &walk);
-            if cost < best.cost {
-                if is_swapped {
-                    swap_walk(&mut walk);
-                }
-                best = Best { cost, walk };
+            let so_far = best.as_deref().unwrap_or(&[]);
+            let mut progress = Progress { ctx, from: i as f64 * share, share, best: so_far };
+            let walk = if is_swapped {
+                let mut walk = self.plan_along_rows(&swap_axes(job), &mut progress)?;
+                swap_walk(&mut walk);
+                walk
+            } else {
+                self.plan_along_rows(job, &mut progress)?
+            };
+            if best.as_ref().is_none_or(|best| cost(&walk) < cost(best)) {
+                best = Some(walk);
             }
         }
-        Ok(CoveragePath { cells: best.walk })
+        Ok(CoveragePath { cells: best.unwrap_or_default() })
     }
-}
-
-/// The best walk so far.
-struct Best {
-    cost: u64,
-    walk: Vec<Cell>,
 }
 
 /// Reports a part of the work as a part of the whole.
@@ -150,8 +149,17 @@ impl Progress<'_, '_> {
 }
 
 /// Number of lanes along the rows: about half the number of turns.
-fn lanes(job: &CoverageJob) -> usize {
-    decompose(&job.free, i32::MAX).iter().map(Vec::len).sum()
+fn lanes_along_rows(free: &Grid<bool>) -> usize {
+    let begun_inside = |row: &[bool]| row.windows(2).filter(|w| !w[0] && w[1]).count();
+    free.values().chunks(free.width()).map(|row| usize::from(row[0]) + begun_inside(row)).sum()
+}
+
+/// Number of lanes along the columns.
+fn lanes_along_columns(free: &Grid<bool>) -> usize {
+    let rows = || free.values().chunks(free.width());
+    let begun_above = |(below, row): (&[bool], &[bool])| below.iter().zip(row).filter(|(b, r)| !**b && **r).count();
+    let lowest: usize = rows().take(1).flatten().map(|&is_free| usize::from(is_free)).sum();
+    lowest + rows().zip(rows().skip(1)).map(begun_above).sum::<usize>()
 }
 
 /// Shares of the work that are done after each stage.
