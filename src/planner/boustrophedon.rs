@@ -229,7 +229,7 @@ fn drive(
         let from = Stop { cell: walk[walk.len() - 1], heading };
         let to = Stop { cell: sweep.entry, heading: sweep.entering };
         // All free cells are connected, so that there is a way.
-        let _ = transit.append_way(&job.free, from, to, u32::MAX, &mut walk);
+        let _ = transit.append_way(from, to, u32::MAX, &mut walk);
         append_sweep(&blocks[visit.block], visit.sweep, costs, &mut walk);
     }
     Ok(walk)

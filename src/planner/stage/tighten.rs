@@ -73,7 +73,7 @@ fn shorten(
         return false;
     }
     let (from, to) = (Stop { cell: from, heading: Some(arrived) }, Stop { cell: to, heading: leaving });
-    transit.append_way(&job.free, from, to, cost, way).is_some()
+    transit.append_way(from, to, cost, way).is_some()
 }
 
 fn turn_at_end(costs: Costs, kept: &[Cell], leaving: Option<Direction>) -> u32 {
