@@ -54,7 +54,7 @@ const FEWEST_TURNS: [[[[u8; LOOKS]; LOOKS]; SIGNS]; SIGNS] = table_of_turns();
 
 /// Fewest quarter turns of a way without detour from looking `leaving` in `from` to looking `arriving` in `to`.
 #[inline]
-fn fewest_turns(from: Cell, leaving: Option<Direction>, to: Cell, arriving: Option<Direction>) -> u32 {
+pub(super) fn fewest_turns(from: Cell, leaving: Option<Direction>, to: Cell, arriving: Option<Direction>) -> u32 {
     let sign = |from: i32, to: i32| usize::from(to >= from) + usize::from(to > from);
     let look = |direction: Option<Direction>| direction.map_or(LOOKS - 1, |d| d as usize);
     u32::from(FEWEST_TURNS[sign(from.x, to.x)][sign(from.y, to.y)][look(leaving)][look(arriving)])

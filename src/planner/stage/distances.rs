@@ -1,7 +1,7 @@
 //! Stage: how far the ends of blocks are from each other.
 
 use super::{
-    cost::Costs,
+    cost::{Costs, fewest_turns},
     flood::Flood,
     order::Visit,
     sweep::{SWEEPS, Sweep},
@@ -16,19 +16,28 @@ use std::ops::ControlFlow;
 #[derive(Debug)]
 pub struct Links<'a> {
     sweeps: &'a [[Sweep; SWEEPS]],
-    start: (Cell, Direction),
     costs: Costs,
-    /// Number of the corner at which each sweep starts.
-    entries: Vec<[u32; SWEEPS]>,
-    /// Number of the corner at which each sweep ends.
-    exits: Vec<[u32; SWEEPS]>,
+    start: End,
+    /// Where each sweep begins.
+    entries: Vec<[End; SWEEPS]>,
+    /// Where each sweep ends.
+    exits: Vec<[End; SWEEPS]>,
     corners: usize,
-    /// Steps between corners, row by row; the start is corner 0.
-    steps: Vec<u32>,
+    /// Cost of ways between corners but for the turns that they have without detour, row by row; the start is corner 0.
+    ways: Vec<u32>,
     /// Cost of the steps between the nearest corners of two blocks, row by row.
     nearest: Vec<u32>,
     /// Cost of the cheapest sweep of every block.
     cheapest: Vec<u32>,
+}
+
+/// One end of a sweep.
+#[derive(Debug, Clone, Copy)]
+struct End {
+    cell: Cell,
+    heading: Option<Direction>,
+    /// Number of the corner that it's in.
+    corner: u32,
 }
 
 /// Not a corner.
@@ -61,14 +70,15 @@ impl<'a> Links<'a> {
             }
             *number
         };
-        number(start.0);
-        let entries: Vec<_> = sweeps.iter().map(|all| all.each_ref().map(|sweep| number(sweep.entry))).collect();
-        let exits = sweeps.iter().map(|all| all.each_ref().map(|sweep| number(sweep.exit))).collect();
+        let mut end = |cell, heading| End { cell, heading, corner: number(cell) };
+        let start = end(start.0, Some(start.1));
+        let entries: Vec<_> = sweeps.iter().map(|all| all.each_ref().map(|s| end(s.entry, s.entering))).collect();
+        let exits = sweeps.iter().map(|all| all.each_ref().map(|s| end(s.exit, s.leaving))).collect();
         let steps = steps_between(&mut flood, &corners, &numbers, reach);
         let cheapest = sweeps.iter().map(|all| all.iter().map(|s| s.cost).min().unwrap_or(0)).collect();
-        let corners = corners.len();
-        let nearest = nearest_corners(&entries, &steps, corners).iter().map(|&s| s * costs.step).collect();
-        Self { sweeps, start, costs, entries, exits, corners, steps, nearest, cheapest }
+        let nearest = nearest_corners(&entries, &steps, corners.len()).iter().map(|&s| s * costs.step).collect();
+        let ways = costs_of_ways(&corners, steps, costs);
+        Self { sweeps, costs, start, entries, exits, corners: corners.len(), ways, nearest, cheapest }
     }
 
     /// The sweep of a visit.
@@ -87,25 +97,25 @@ impl<'a> Links<'a> {
     }
 
     /// Cost of the way from the end of `from` to the beginning of `to`; from the start, or to nowhere, if `None`.
+    #[inline]
     pub fn between(&self, from: Option<Visit>, to: Option<Visit>) -> u32 {
         let Some(to) = to else { return 0 };
-        let entry = self.sweep(to);
-        let (cell, leaving, row) = match from {
-            Some(from) => {
-                let exit = self.sweep(from);
-                (exit.exit, exit.leaving, self.exits[from.block][from.sweep])
-            }
-            None => (self.start.0, Some(self.start.1), 0),
-        };
-        let steps = self.steps[row as usize * self.corners + self.entries[to.block][to.sweep] as usize];
-        let straight = cell.manhattan(entry.entry);
-        let direct = self.costs.at_least(cell, leaving, entry.entry, entry.entering);
-        if steps == straight {
-            direct
-        } else {
-            direct + (steps - straight) * self.costs.step + DETOUR_TURNS * self.costs.turn
+        let from = from.map_or(&self.start, |from| &self.exits[from.block][from.sweep]);
+        let to = &self.entries[to.block][to.sweep];
+        self.ways[from.corner as usize * self.corners + to.corner as usize]
+            + self.costs.turn * fewest_turns(from.cell, from.heading, to.cell, to.heading)
+    }
+}
+
+/// Costs of ways between corners from their steps; the turns that they have without detour are left out.
+fn costs_of_ways(corners: &[Cell], mut steps: Vec<u32>, costs: Costs) -> Vec<u32> {
+    for (from, row) in corners.iter().zip(steps.chunks_mut(corners.len())) {
+        for (to, steps) in corners.iter().zip(row) {
+            let turns = if *steps == from.manhattan(*to) { 0 } else { DETOUR_TURNS };
+            *steps = *steps * costs.step + turns * costs.turn;
         }
     }
+    steps
 }
 
 /// Steps of shortest paths between all pairs of corners, estimated for those that aren't among the `reach` cells nearest
@@ -133,11 +143,13 @@ fn steps_between(flood: &mut Flood, corners: &[Cell], numbers: &[u32], reach: us
 }
 
 /// Steps between the nearest corners of all pairs of blocks.
-fn nearest_corners(entries: &[[u32; SWEEPS]], steps: &[u32], corners: usize) -> Vec<u32> {
+fn nearest_corners(entries: &[[End; SWEEPS]], steps: &[u32], corners: usize) -> Vec<u32> {
     let mut nearest = Vec::with_capacity(entries.len() * entries.len());
     for a in entries {
         nearest.extend(entries.iter().map(|b| {
-            let pairs = CORNERS.iter().flat_map(|&s| CORNERS.map(|t| steps[a[s] as usize * corners + b[t] as usize]));
+            let pairs = CORNERS
+                .iter()
+                .flat_map(|&s| CORNERS.map(|t| steps[a[s].corner as usize * corners + b[t].corner as usize]));
             pairs.min().unwrap_or(0)
         }));
     }
