@@ -23,8 +23,14 @@ pub fn tighten(job: &CoverageJob, costs: Costs, transit: &mut Transit, walk: &mu
     let mut start = 0;
     let mut way = Vec::new();
     while start + 1 < walk.len() {
-        // The stretch: as many cells after `start` as can go.
         let mut end = start + 1;
+        if visits[walk[end]] == 1 {
+            // Nearly all cells: visited only now, so that they stay.
+            result.push(walk[end]);
+            start = end;
+            continue;
+        }
+        // The stretch: as many cells after `start` as can go.
         while end < walk.len() && visits[walk[end]] > 1 {
             visits[walk[end]] -= 1;
             end += 1;
