@@ -116,9 +116,10 @@ impl Planner for Boustrophedon {
         let share = 1.0 / lies_down.len() as f64;
         let cost = |walk: &[Cell]| Costs::of(job).of_walk(job.heading, walk);
         let mut best: Option<Vec<Cell>> = None;
+        let mut progress = Progress { ctx, job, from: 0.0, share, is_swapped: false, shown: Vec::new() };
         for (i, is_swapped) in lies_down.into_iter().enumerate() {
-            let so_far = best.as_deref().unwrap_or(&[]);
-            let mut progress = Progress { ctx, from: i as f64 * share, share, best: so_far };
+            progress.from = i as f64 * share;
+            progress.is_swapped = is_swapped;
             let walk = if is_swapped {
                 let mut walk = self.plan_along_rows(&swap_axes(job), &mut progress)?;
                 swap_walk(&mut walk);
@@ -137,14 +138,33 @@ impl Planner for Boustrophedon {
 /// Reports a part of the work as a part of the whole.
 struct Progress<'r, 'c> {
     ctx: &'r mut PlanContext<'c>,
+    job: &'r CoverageJob,
     from: f64,
     share: f64,
-    best: &'r [Cell],
+    /// Whether walks come with x and y swapped.
+    is_swapped: bool,
+    /// The best walk to be shown. The plan doesn't depend on it, as it must be the same if nobody watches.
+    shown: Vec<Cell>,
 }
 
 impl Progress<'_, '_> {
     fn report(&mut self, done: f64) -> Result<(), PlanError> {
-        self.ctx.checkpoint(self.from + self.share * done.min(1.0), self.best)
+        self.ctx.checkpoint(self.from + self.share * done.min(1.0), &self.shown)
+    }
+
+    /// Shows `walk` from the next report on if somebody watches and it's better than what has been shown.
+    fn show(&mut self, walk: &[Cell]) {
+        if !self.ctx.is_observed() {
+            return;
+        }
+        let mut walk = walk.to_vec();
+        if self.is_swapped {
+            swap_walk(&mut walk);
+        }
+        let cost = |walk: &[Cell]| Costs::of(self.job).of_walk(self.job.heading, walk);
+        if self.shown.is_empty() || cost(&walk) < cost(&self.shown) {
+            self.shown = walk;
+        }
     }
 }
 
@@ -165,8 +185,14 @@ fn lanes_along_columns(free: &Grid<bool>) -> usize {
 /// Shares of the work that are done after each stage.
 const SWEPT: f64 = 0.1;
 const ORDERED: f64 = 0.3;
+const LINKED: f64 = 0.4;
 const IMPROVED: f64 = 0.7;
 const DRIVEN: f64 = 0.8;
+
+/// A share of the work between two stages.
+fn between(from: f64, to: f64, done: f64) -> f64 {
+    from + (to - from) * done
+}
 
 impl Boustrophedon {
     /// A walk with lanes along x.
@@ -175,33 +201,53 @@ impl Boustrophedon {
         let start = (job.start, job.heading);
         progress.report(0.0)?;
         let blocks = decompose(&job.free, self.max_jump);
+        progress.report(SWEPT / 2.0)?;
         let sweeps: Vec<[Sweep; SWEEPS]> = blocks.iter().map(|block| sweeps_of(block, costs)).collect();
         let all = blocks.len() as f64;
         let mut tour = nearest_first(&job.free, &sweeps, start, costs, |done| {
-            progress.report(SWEPT + (ORDERED - SWEPT) * done as f64 / all)
+            progress.report(between(SWEPT, ORDERED, done as f64 / all))
         })?;
-        if job.cells() <= self.effort * CELLS_PER_EFFORT && blocks.len() <= MAX_BLOCKS_TO_IMPROVE {
-            let links = Links::new(&job.free, &sweeps, start, costs, REACH);
-            progress.report(ORDERED)?;
-            let rounds = (ROUNDS_TIMES_BLOCKS / blocks.len()).min(ROUNDS_PER_BLOCK * blocks.len());
-            // The same numbers in every run: the seed changes nothing.
-            let mut rng = seeded(0, 0);
-            improve(&links, &mut tour, self.effort * rounds, &mut rng, |done| {
-                progress.report(ORDERED + (IMPROVED - ORDERED) * done)
-            })?;
-        }
         let mut transit = Transit::new(&job.free, costs);
+        if job.cells() <= self.effort * CELLS_PER_EFFORT && blocks.len() <= MAX_BLOCKS_TO_IMPROVE {
+            if progress.ctx.is_observed() {
+                let walk = drive(job, costs, &blocks, &sweeps, &tour, &mut transit, |_| progress.report(ORDERED))?;
+                progress.show(&walk);
+            }
+            self.improve_order(job, &sweeps, &mut tour, progress)?;
+        }
         let mut walk = drive(job, costs, &blocks, &sweeps, &tour, &mut transit, |done| {
-            progress.report(IMPROVED + (DRIVEN - IMPROVED) * done)
+            progress.report(between(IMPROVED, DRIVEN, done))
         })?;
+        progress.show(&walk);
         let passes = if job.cells() <= MAX_CELLS_FOR_BOTH { PASSES } else { 1 };
         for pass in 0..passes {
-            progress.report(DRIVEN + (1.0 - DRIVEN) * pass as f64 / passes as f64)?;
-            if !tighten(job, costs, &mut transit, &mut walk) {
+            let is_changed = tighten(job, costs, &mut transit, &mut walk, |done| {
+                progress.report(between(DRIVEN, 1.0, (pass as f64 + done) / passes as f64))
+            })?;
+            if !is_changed {
                 break;
             }
         }
+        progress.show(&walk);
         Ok(walk)
+    }
+
+    /// Looks for a better order of the blocks.
+    fn improve_order(
+        &self,
+        job: &CoverageJob,
+        sweeps: &[[Sweep; SWEEPS]],
+        tour: &mut Vec<Visit>,
+        progress: &mut Progress<'_, '_>,
+    ) -> Result<(), PlanError> {
+        let start = (job.start, job.heading);
+        let links = Links::new(&job.free, sweeps, start, Costs::of(job), REACH, |done| {
+            progress.report(between(ORDERED, LINKED, done))
+        })?;
+        let rounds = (ROUNDS_TIMES_BLOCKS / tour.len()).min(ROUNDS_PER_BLOCK * tour.len());
+        // The same numbers in every run: the seed changes nothing.
+        let mut rng = seeded(0, 0);
+        improve(&links, tour, self.effort * rounds, &mut rng, |done| progress.report(between(LINKED, IMPROVED, done)))
     }
 }
 

@@ -6,7 +6,10 @@ use super::{
     order::Visit,
     sweep::{SWEEPS, Sweep},
 };
-use crate::grid::{Cell, Direction, Grid};
+use crate::{
+    grid::{Cell, Direction, Grid},
+    planner::PlanError,
+};
 use std::ops::ControlFlow;
 
 /// Cost of the way from one sweep to the next, for all pairs of them.
@@ -40,6 +43,8 @@ struct End {
     corner: u32,
 }
 
+/// Corners between two reports.
+const REPORT_EVERY: usize = 64;
 /// Not a corner.
 const NONE: u32 = u32::MAX;
 /// Sweeps that start at the four corners of a block.
@@ -50,14 +55,15 @@ const DETOUR_SHARE: u32 = 4;
 const DETOUR_TURNS: u32 = 2;
 
 impl<'a> Links<'a> {
-    /// Looks at `reach` cells around every corner.
+    /// Looks at `reach` cells around every corner. `report` is told the share of corners done every few dozen.
     pub fn new(
         free: &Grid<bool>,
         sweeps: &'a [[Sweep; SWEEPS]],
         start: (Cell, Direction),
         costs: Costs,
         reach: usize,
-    ) -> Self {
+        report: impl FnMut(f64) -> Result<(), PlanError>,
+    ) -> Result<Self, PlanError> {
         let mut flood = Flood::new(free);
         let frame = flood.frame();
         let mut numbers = frame.filled(NONE);
@@ -74,11 +80,11 @@ impl<'a> Links<'a> {
         let start = end(start.0, Some(start.1));
         let entries: Vec<_> = sweeps.iter().map(|all| all.each_ref().map(|s| end(s.entry, s.entering))).collect();
         let exits = sweeps.iter().map(|all| all.each_ref().map(|s| end(s.exit, s.leaving))).collect();
-        let steps = steps_between(&mut flood, &corners, &numbers, reach);
+        let steps = steps_between(&mut flood, &corners, &numbers, reach, report)?;
         let cheapest = sweeps.iter().map(|all| all.iter().map(|s| s.cost).min().unwrap_or(0)).collect();
         let nearest = nearest_corners(&entries, &steps, corners.len()).iter().map(|&s| s * costs.step).collect();
         let ways = costs_of_ways(&corners, steps, costs);
-        Self { sweeps, costs, start, entries, exits, corners: corners.len(), ways, nearest, cheapest }
+        Ok(Self { sweeps, costs, start, entries, exits, corners: corners.len(), ways, nearest, cheapest })
     }
 
     /// The sweep of a visit.
@@ -120,12 +126,21 @@ fn costs_of_ways(corners: &[Cell], mut steps: Vec<u32>, costs: Costs) -> Vec<u32
 
 /// Steps of shortest paths between all pairs of corners, estimated for those that aren't among the `reach` cells nearest
 /// to each other.
-fn steps_between(flood: &mut Flood, corners: &[Cell], numbers: &[u32], reach: usize) -> Vec<u32> {
+fn steps_between(
+    flood: &mut Flood,
+    corners: &[Cell],
+    numbers: &[u32],
+    reach: usize,
+    mut report: impl FnMut(f64) -> Result<(), PlanError>,
+) -> Result<Vec<u32>, PlanError> {
     let mut steps = Vec::with_capacity(corners.len() * corners.len());
     for from in corners {
         steps.extend(corners.iter().map(|to| from.manhattan(*to) + from.manhattan(*to) / DETOUR_SHARE + 1));
     }
-    for (&from, row) in corners.iter().zip(steps.chunks_mut(corners.len())) {
+    for (number, (&from, row)) in corners.iter().zip(steps.chunks_mut(corners.len())).enumerate() {
+        if number % REPORT_EVERY == 0 {
+            report(number as f64 / corners.len() as f64)?;
+        }
         let mut left = reach;
         flood.search(from, |index, steps| {
             if left == 0 {
@@ -139,7 +154,7 @@ fn steps_between(flood: &mut Flood, corners: &[Cell], numbers: &[u32], reach: us
         });
     }
     make_symmetric(&mut steps, corners.len());
-    steps
+    Ok(steps)
 }
 
 /// Steps between the nearest corners of all pairs of blocks.
