@@ -143,11 +143,8 @@ impl Direction {
     /// Quarter turns needed to look in direction `to`: 0, 1, or 2 for a reversal.
     #[inline]
     pub const fn quarter_turns(self, to: Self) -> u32 {
-        match (to as i32 - self as i32).rem_euclid(4) {
-            0 => 0,
-            2 => 2,
-            _ => 1,
-        }
+        let turned = (to as u32 + 4 - self as u32) % 4;
+        if turned == 3 { 1 } else { turned }
     }
 }
 

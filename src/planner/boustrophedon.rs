@@ -27,7 +27,10 @@ use super::{
         swap_axes, swap_walk, sweeps_of, tighten,
     },
 };
-use crate::{grid::Cell, rng::seeded};
+use crate::{
+    grid::{Cell, Grid},
+    rng::seeded,
+};
 
 /// Entry in the registry.
 pub const INFO: PlannerInfo = PlannerInfo {
@@ -104,61 +107,92 @@ const PASSES: usize = 3;
 
 impl Planner for Boustrophedon {
     fn plan(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError> {
-        let swapped = swap_axes(job);
         let lies_down = match self.lanes {
             Lanes::Horizontal => vec![false],
             Lanes::Vertical => vec![true],
             Lanes::Auto if job.cells() <= MAX_CELLS_FOR_BOTH => vec![false, true],
-            Lanes::Auto => vec![lanes(&swapped) < lanes(job)],
+            Lanes::Auto => vec![lanes_along_columns(&job.free) < lanes_along_rows(&job.free)],
         };
         let share = 1.0 / lies_down.len() as f64;
-        let mut best = Best { cost: u64::MAX, walk: Vec::new() };
+        let cost = |walk: &[Cell]| Costs::of(job).of_walk(job.heading, walk);
+        let mut best: Option<Vec<Cell>> = None;
+        let mut progress = Progress { ctx, job, from: 0.0, share, is_swapped: false, shown: Vec::new() };
         for (i, is_swapped) in lies_down.into_iter().enumerate() {
-            let mut progress = Progress { ctx, from: i as f64 * share, share, best: &best.walk };
-            let job = if is_swapped { &swapped } else { job };
-            let mut walk = self.plan_along_rows(job, &mut progress)?;
-            let cost = Costs::of(job).of_walk(job.heading, &walk);
-            if cost < best.cost {
-                if is_swapped {
-                    swap_walk(&mut walk);
-                }
-                best = Best { cost, walk };
+            progress.from = i as f64 * share;
+            progress.is_swapped = is_swapped;
+            let walk = if is_swapped {
+                let mut walk = self.plan_along_rows(&swap_axes(job), &mut progress)?;
+                swap_walk(&mut walk);
+                walk
+            } else {
+                self.plan_along_rows(job, &mut progress)?
+            };
+            if best.as_ref().is_none_or(|best| cost(&walk) < cost(best)) {
+                best = Some(walk);
             }
         }
-        Ok(CoveragePath { cells: best.walk })
+        Ok(CoveragePath { cells: best.unwrap_or_default() })
     }
-}
-
-/// The best walk so far.
-struct Best {
-    cost: u64,
-    walk: Vec<Cell>,
 }
 
 /// Reports a part of the work as a part of the whole.
 struct Progress<'r, 'c> {
     ctx: &'r mut PlanContext<'c>,
+    job: &'r CoverageJob,
     from: f64,
     share: f64,
-    best: &'r [Cell],
+    /// Whether walks come with x and y swapped.
+    is_swapped: bool,
+    /// The best walk to be shown. The plan doesn't depend on it, as it must be the same if nobody watches.
+    shown: Vec<Cell>,
 }
 
 impl Progress<'_, '_> {
     fn report(&mut self, done: f64) -> Result<(), PlanError> {
-        self.ctx.checkpoint(self.from + self.share * done.min(1.0), self.best)
+        self.ctx.checkpoint(self.from + self.share * done.min(1.0), &self.shown)
+    }
+
+    /// Shows `walk` from the next report on if somebody watches and it's better than what has been shown.
+    fn show(&mut self, walk: &[Cell]) {
+        if !self.ctx.is_observed() {
+            return;
+        }
+        let mut walk = walk.to_vec();
+        if self.is_swapped {
+            swap_walk(&mut walk);
+        }
+        let cost = |walk: &[Cell]| Costs::of(self.job).of_walk(self.job.heading, walk);
+        if self.shown.is_empty() || cost(&walk) < cost(&self.shown) {
+            self.shown = walk;
+        }
     }
 }
 
 /// Number of lanes along the rows: about half the number of turns.
-fn lanes(job: &CoverageJob) -> usize {
-    decompose(&job.free, i32::MAX).iter().map(Vec::len).sum()
+fn lanes_along_rows(free: &Grid<bool>) -> usize {
+    let begun_inside = |row: &[bool]| row.windows(2).filter(|w| !w[0] && w[1]).count();
+    free.values().chunks(free.width()).map(|row| usize::from(row[0]) + begun_inside(row)).sum()
+}
+
+/// Number of lanes along the columns.
+fn lanes_along_columns(free: &Grid<bool>) -> usize {
+    let rows = || free.values().chunks(free.width());
+    let begun_above = |(below, row): (&[bool], &[bool])| below.iter().zip(row).filter(|(b, r)| !**b && **r).count();
+    let lowest: usize = rows().take(1).flatten().map(|&is_free| usize::from(is_free)).sum();
+    lowest + rows().zip(rows().skip(1)).map(begun_above).sum::<usize>()
 }
 
 /// Shares of the work that are done after each stage.
 const SWEPT: f64 = 0.1;
 const ORDERED: f64 = 0.3;
+const LINKED: f64 = 0.4;
 const IMPROVED: f64 = 0.7;
 const DRIVEN: f64 = 0.8;
+
+/// A share of the work between two stages.
+fn between(from: f64, to: f64, done: f64) -> f64 {
+    from + (to - from) * done
+}
 
 impl Boustrophedon {
     /// A walk with lanes along x.
@@ -167,33 +201,53 @@ impl Boustrophedon {
         let start = (job.start, job.heading);
         progress.report(0.0)?;
         let blocks = decompose(&job.free, self.max_jump);
+        progress.report(SWEPT / 2.0)?;
         let sweeps: Vec<[Sweep; SWEEPS]> = blocks.iter().map(|block| sweeps_of(block, costs)).collect();
         let all = blocks.len() as f64;
         let mut tour = nearest_first(&job.free, &sweeps, start, costs, |done| {
-            progress.report(SWEPT + (ORDERED - SWEPT) * done as f64 / all)
+            progress.report(between(SWEPT, ORDERED, done as f64 / all))
         })?;
-        if job.cells() <= self.effort * CELLS_PER_EFFORT && blocks.len() <= MAX_BLOCKS_TO_IMPROVE {
-            let links = Links::new(&job.free, &sweeps, start, costs, REACH);
-            progress.report(ORDERED)?;
-            let rounds = (ROUNDS_TIMES_BLOCKS / blocks.len()).min(ROUNDS_PER_BLOCK * blocks.len());
-            // The same numbers in every run: the seed changes nothing.
-            let mut rng = seeded(0, 0);
-            improve(&links, &mut tour, self.effort * rounds, &mut rng, |done| {
-                progress.report(ORDERED + (IMPROVED - ORDERED) * done)
-            })?;
-        }
         let mut transit = Transit::new(&job.free, costs);
+        if job.cells() <= self.effort * CELLS_PER_EFFORT && blocks.len() <= MAX_BLOCKS_TO_IMPROVE {
+            if progress.ctx.is_observed() {
+                let walk = drive(job, costs, &blocks, &sweeps, &tour, &mut transit, |_| progress.report(ORDERED))?;
+                progress.show(&walk);
+            }
+            self.improve_order(job, &sweeps, &mut tour, progress)?;
+        }
         let mut walk = drive(job, costs, &blocks, &sweeps, &tour, &mut transit, |done| {
-            progress.report(IMPROVED + (DRIVEN - IMPROVED) * done)
+            progress.report(between(IMPROVED, DRIVEN, done))
         })?;
+        progress.show(&walk);
         let passes = if job.cells() <= MAX_CELLS_FOR_BOTH { PASSES } else { 1 };
         for pass in 0..passes {
-            progress.report(DRIVEN + (1.0 - DRIVEN) * pass as f64 / passes as f64)?;
-            if !tighten(job, costs, &mut transit, &mut walk) {
+            let is_changed = tighten(job, costs, &mut transit, &mut walk, |done| {
+                progress.report(between(DRIVEN, 1.0, (pass as f64 + done) / passes as f64))
+            })?;
+            if !is_changed {
                 break;
             }
         }
+        progress.show(&walk);
         Ok(walk)
+    }
+
+    /// Looks for a better order of the blocks.
+    fn improve_order(
+        &self,
+        job: &CoverageJob,
+        sweeps: &[[Sweep; SWEEPS]],
+        tour: &mut Vec<Visit>,
+        progress: &mut Progress<'_, '_>,
+    ) -> Result<(), PlanError> {
+        let start = (job.start, job.heading);
+        let links = Links::new(&job.free, sweeps, start, Costs::of(job), REACH, |done| {
+            progress.report(between(ORDERED, LINKED, done))
+        })?;
+        let rounds = (ROUNDS_TIMES_BLOCKS / tour.len()).min(ROUNDS_PER_BLOCK * tour.len());
+        // The same numbers in every run: the seed changes nothing.
+        let mut rng = seeded(0, 0);
+        improve(&links, tour, self.effort * rounds, &mut rng, |done| progress.report(between(LINKED, IMPROVED, done)))
     }
 }
 
@@ -221,7 +275,7 @@ fn drive(
         let from = Stop { cell: walk[walk.len() - 1], heading };
         let to = Stop { cell: sweep.entry, heading: sweep.entering };
         // All free cells are connected, so that there is a way.
-        let _ = transit.append_way(&job.free, from, to, u32::MAX, &mut walk);
+        let _ = transit.append_way(from, to, u32::MAX, &mut walk);
         append_sweep(&blocks[visit.block], visit.sweep, costs, &mut walk);
     }
     Ok(walk)

@@ -35,6 +35,11 @@ impl<'a> PlanContext<'a> {
         Self { rng: seeded(seed, 0), observer: Some(observer) }
     }
 
+    /// Whether somebody watches: what is only shown needn't be made otherwise.
+    pub fn is_observed(&self) -> bool {
+        self.observer.is_some()
+    }
+
     /// To be called every few milliseconds: reports how far the planner is, 0 to 1, and the walk that it has so far.
     pub fn checkpoint(&mut self, done: f64, so_far: &[Cell]) -> Result<(), PlanError> {
         match self.observer.as_mut().map(|observe| observe(done, so_far)) {

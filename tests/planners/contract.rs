@@ -107,7 +107,9 @@ fn reports_show_progress_and_walks_that_can_be_driven() {
             }
             ControlFlow::Continue(())
         };
-        build(info).plan(&job, &mut PlanContext::observed(1, &mut observer)).expect("nobody cancels");
+        let observed = build(info).plan(&job, &mut PlanContext::observed(1, &mut observer)).expect("nobody cancels");
         assert!(calls >= 3, "{} reports {calls} times", info.id);
+        let alone = build(info).plan(&job, &mut PlanContext::new(1)).expect("nobody cancels");
+        assert!(observed == alone, "{} walks otherwise when watched", info.id);
     }
 }

@@ -29,8 +29,11 @@ fn swap_cell(cell: Cell) -> Cell {
 
 fn swap_grid(grid: &Grid<bool>) -> Grid<bool> {
     let mut swapped = Grid::filled(grid.height(), grid.width(), false);
-    for (cell, &value) in grid.iter() {
-        swapped[swap_cell(cell)] = value;
+    let height = grid.height();
+    for (y, row) in grid.values().chunks(grid.width()).enumerate() {
+        for (value, &is_free) in swapped.values_mut()[y..].iter_mut().step_by(height).zip(row) {
+            *value = is_free;
+        }
     }
     swapped
 }

@@ -39,28 +39,62 @@ impl Costs {
 
     /// The least that a way can cost which starts looking `leaving` and ends ready to go on towards `arriving`: what it
     /// costs where nothing is in the way. `None` for directions that don't matter.
+    #[inline]
     pub fn at_least(self, from: Cell, leaving: Option<Direction>, to: Cell, arriving: Option<Direction>) -> u32 {
         self.step * from.manhattan(to) + self.turn * fewest_turns(from, leaving, to, arriving)
     }
 }
 
+/// Directions, and none.
+const LOOKS: usize = 5;
+/// Where the goal lies along one axis: behind, level, ahead.
+const SIGNS: usize = 3;
+/// [`fewest_turns`] by where the goal lies along x and y and by the directions at both ends: it's asked for millions of times.
+const FEWEST_TURNS: [[[[u8; LOOKS]; LOOKS]; SIGNS]; SIGNS] = table_of_turns();
+
 /// Fewest quarter turns of a way without detour from looking `leaving` in `from` to looking `arriving` in `to`.
-fn fewest_turns(from: Cell, leaving: Option<Direction>, to: Cell, arriving: Option<Direction>) -> u32 {
-    let at_start = |first: Direction| leaving.map_or(0, |l| l.quarter_turns(first));
-    let at_end = |last: Direction| arriving.map_or(0, |a| last.quarter_turns(a));
-    let along_x = if to.x > from.x { Direction::Right } else { Direction::Left };
-    let along_y = if to.y > from.y { Direction::Up } else { Direction::Down };
-    match (to.x == from.x, to.y == from.y) {
-        (true, true) => leaving.map_or(0, at_end),
-        (false, true) => at_start(along_x) + at_end(along_x),
-        (true, false) => at_start(along_y) + at_end(along_y),
+#[inline]
+pub(super) fn fewest_turns(from: Cell, leaving: Option<Direction>, to: Cell, arriving: Option<Direction>) -> u32 {
+    let sign = |from: i32, to: i32| usize::from(to >= from) + usize::from(to > from);
+    let look = |direction: Option<Direction>| direction.map_or(LOOKS - 1, |d| d as usize);
+    u32::from(FEWEST_TURNS[sign(from.x, to.x)][sign(from.y, to.y)][look(leaving)][look(arriving)])
+}
+
+const fn table_of_turns() -> [[[[u8; LOOKS]; LOOKS]; SIGNS]; SIGNS] {
+    let mut table = [[[[0; LOOKS]; LOOKS]; SIGNS]; SIGNS];
+    let mut i = 0;
+    while i < SIGNS * SIGNS * LOOKS * LOOKS {
+        let (x, y, leaving, arriving) = (i / 75, i / 25 % SIGNS, i / LOOKS % LOOKS, i % LOOKS);
+        table[x][y][leaving][arriving] = turns_towards(x, y, leaving, arriving) as u8;
+        i += 1;
+    }
+    table
+}
+
+/// An entry of [`FEWEST_TURNS`].
+const fn turns_towards(x: usize, y: usize, leaving: usize, arriving: usize) -> u32 {
+    let along_x = if x == SIGNS - 1 { Direction::Right } else { Direction::Left } as usize;
+    let along_y = if y == SIGNS - 1 { Direction::Up } else { Direction::Down } as usize;
+    let [x_start, y_start] = [turns_between(leaving, along_x), turns_between(leaving, along_y)];
+    let [x_end, y_end] = [turns_between(along_x, arriving), turns_between(along_y, arriving)];
+    match (x == 1, y == 1) {
+        (true, true) => turns_between(leaving, arriving),
+        (false, true) => x_start + x_end,
+        (true, false) => y_start + y_end,
+        // One corner between the legs, or two if the first leg is cut in half and resumed.
         (false, false) => {
-            // One corner between the legs, or two if the first leg is cut in half and resumed.
-            let [x, y] = [along_x, along_y].map(at_start);
-            let [x_end, y_end] = [at_end(along_x), at_end(along_y)];
-            (x + 1 + y_end).min(y + 1 + x_end).min(x + 2 + x_end).min(y + 2 + y_end)
+            least(least(x_start + 1 + y_end, y_start + 1 + x_end), least(x_start + 2 + x_end, y_start + 2 + y_end))
         }
     }
+}
+
+const fn turns_between(a: usize, b: usize) -> u32 {
+    let is_known = a < LOOKS - 1 && b < LOOKS - 1;
+    if is_known { Direction::ALL[a].quarter_turns(Direction::ALL[b]) } else { 0 }
+}
+
+const fn least(a: u32, b: u32) -> u32 {
+    if a < b { a } else { b }
 }
 
 #[cfg(test)]

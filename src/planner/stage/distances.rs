@@ -1,11 +1,16 @@
 //! Stage: how far the ends of blocks are from each other.
 
 use super::{
-    cost::Costs,
+    cost::{Costs, fewest_turns},
+    flood::Flood,
     order::Visit,
     sweep::{SWEEPS, Sweep},
 };
-use crate::grid::{Cell, Direction, Grid};
+use crate::{
+    grid::{Cell, Direction, Grid},
+    planner::PlanError,
+};
+use std::ops::ControlFlow;
 
 /// Cost of the way from one sweep to the next, for all pairs of them.
 ///
@@ -14,21 +19,34 @@ use crate::grid::{Cell, Direction, Grid};
 #[derive(Debug)]
 pub struct Links<'a> {
     sweeps: &'a [[Sweep; SWEEPS]],
-    start: (Cell, Direction),
     costs: Costs,
-    /// Number of the corner at which each sweep starts.
-    entries: Vec<[u32; SWEEPS]>,
-    /// Number of the corner at which each sweep ends.
-    exits: Vec<[u32; SWEEPS]>,
+    start: End,
+    /// Where each sweep begins.
+    entries: Vec<[End; SWEEPS]>,
+    /// Where each sweep ends.
+    exits: Vec<[End; SWEEPS]>,
     corners: usize,
-    /// Steps between corners, row by row; the start is corner 0.
-    steps: Vec<u32>,
+    /// Cost of ways between corners but for the turns that they have without detour, row by row; the start is corner 0.
+    ways: Vec<u32>,
     /// Cost of the steps between the nearest corners of two blocks, row by row.
     nearest: Vec<u32>,
     /// Cost of the cheapest sweep of every block.
     cheapest: Vec<u32>,
 }
 
+/// One end of a sweep.
+#[derive(Debug, Clone, Copy)]
+struct End {
+    cell: Cell,
+    heading: Option<Direction>,
+    /// Number of the corner that it's in.
+    corner: u32,
+}
+
+/// Corners between two reports.
+const REPORT_EVERY: usize = 64;
+/// Not a corner.
+const NONE: u32 = u32::MAX;
 /// Sweeps that start at the four corners of a block.
 const CORNERS: [usize; 4] = [0, 2, 4, 6];
 /// Steps that a detour adds to the straight distance where nobody has looked, as a share of it.
@@ -37,31 +55,36 @@ const DETOUR_SHARE: u32 = 4;
 const DETOUR_TURNS: u32 = 2;
 
 impl<'a> Links<'a> {
-    /// Looks at `reach` cells around every corner.
+    /// Looks at `reach` cells around every corner. `report` is told the share of corners done every few dozen.
     pub fn new(
         free: &Grid<bool>,
         sweeps: &'a [[Sweep; SWEEPS]],
         start: (Cell, Direction),
         costs: Costs,
         reach: usize,
-    ) -> Self {
-        let mut numbers = Grid::filled(free.width(), free.height(), u32::MAX);
+        report: impl FnMut(f64) -> Result<(), PlanError>,
+    ) -> Result<Self, PlanError> {
+        let mut flood = Flood::new(free);
+        let frame = flood.frame();
+        let mut numbers = frame.filled(NONE);
         let mut corners = Vec::new();
         let mut number = |cell: Cell| {
-            if numbers[cell] == u32::MAX {
-                numbers[cell] = corners.len() as u32;
+            let number = &mut numbers[frame.index(cell)];
+            if *number == NONE {
+                *number = corners.len() as u32;
                 corners.push(cell);
             }
-            numbers[cell]
+            *number
         };
-        number(start.0);
-        let entries: Vec<_> = sweeps.iter().map(|all| all.each_ref().map(|sweep| number(sweep.entry))).collect();
-        let exits = sweeps.iter().map(|all| all.each_ref().map(|sweep| number(sweep.exit))).collect();
-        let steps = steps_between(free, &corners, &numbers, reach);
+        let mut end = |cell, heading| End { cell, heading, corner: number(cell) };
+        let start = end(start.0, Some(start.1));
+        let entries: Vec<_> = sweeps.iter().map(|all| all.each_ref().map(|s| end(s.entry, s.entering))).collect();
+        let exits = sweeps.iter().map(|all| all.each_ref().map(|s| end(s.exit, s.leaving))).collect();
+        let steps = steps_between(&mut flood, &corners, &numbers, reach, report)?;
         let cheapest = sweeps.iter().map(|all| all.iter().map(|s| s.cost).min().unwrap_or(0)).collect();
-        let corners = corners.len();
-        let nearest = nearest_corners(&entries, &steps, corners).iter().map(|&s| s * costs.step).collect();
-        Self { sweeps, start, costs, entries, exits, corners, steps, nearest, cheapest }
+        let nearest = nearest_corners(&entries, &steps, corners.len()).iter().map(|&s| s * costs.step).collect();
+        let ways = costs_of_ways(&corners, steps, costs);
+        Ok(Self { sweeps, costs, start, entries, exits, corners: corners.len(), ways, nearest, cheapest })
     }
 
     /// The sweep of a visit.
@@ -80,69 +103,68 @@ impl<'a> Links<'a> {
     }
 
     /// Cost of the way from the end of `from` to the beginning of `to`; from the start, or to nowhere, if `None`.
+    #[inline]
     pub fn between(&self, from: Option<Visit>, to: Option<Visit>) -> u32 {
         let Some(to) = to else { return 0 };
-        let entry = self.sweep(to);
-        let (cell, leaving, row) = match from {
-            Some(from) => {
-                let exit = self.sweep(from);
-                (exit.exit, exit.leaving, self.exits[from.block][from.sweep])
-            }
-            None => (self.start.0, Some(self.start.1), 0),
-        };
-        let steps = self.steps[row as usize * self.corners + self.entries[to.block][to.sweep] as usize];
-        let straight = cell.manhattan(entry.entry);
-        let direct = self.costs.at_least(cell, leaving, entry.entry, entry.entering);
-        if steps == straight {
-            direct
-        } else {
-            direct + (steps - straight) * self.costs.step + DETOUR_TURNS * self.costs.turn
+        let from = from.map_or(&self.start, |from| &self.exits[from.block][from.sweep]);
+        let to = &self.entries[to.block][to.sweep];
+        self.ways[from.corner as usize * self.corners + to.corner as usize]
+            + self.costs.turn * fewest_turns(from.cell, from.heading, to.cell, to.heading)
+    }
+}
+
+/// Costs of ways between corners from their steps; the turns that they have without detour are left out.
+fn costs_of_ways(corners: &[Cell], mut steps: Vec<u32>, costs: Costs) -> Vec<u32> {
+    for (from, row) in corners.iter().zip(steps.chunks_mut(corners.len())) {
+        for (to, steps) in corners.iter().zip(row) {
+            let turns = if *steps == from.manhattan(*to) { 0 } else { DETOUR_TURNS };
+            *steps = *steps * costs.step + turns * costs.turn;
         }
     }
+    steps
 }
 
 /// Steps of shortest paths between all pairs of corners, estimated for those that aren't among the `reach` cells nearest
 /// to each other.
-fn steps_between(free: &Grid<bool>, corners: &[Cell], numbers: &Grid<u32>, reach: usize) -> Vec<u32> {
+fn steps_between(
+    flood: &mut Flood,
+    corners: &[Cell],
+    numbers: &[u32],
+    reach: usize,
+    mut report: impl FnMut(f64) -> Result<(), PlanError>,
+) -> Result<Vec<u32>, PlanError> {
     let mut steps = Vec::with_capacity(corners.len() * corners.len());
     for from in corners {
         steps.extend(corners.iter().map(|to| from.manhattan(*to) + from.manhattan(*to) / DETOUR_SHARE + 1));
     }
-    // Search number and steps, in one grid for all searches.
-    let mut reached = Grid::filled(free.width(), free.height(), (0_u32, 0_u32));
-    let mut queue = Vec::with_capacity(reach + 4);
-    for (row, &from) in corners.iter().enumerate() {
-        let search = row as u32 + 1;
-        let row = &mut steps[row * corners.len()..][..corners.len()];
-        queue.clear();
-        queue.push(from);
-        reached[from] = (search, 0);
-        let mut next_in_queue = 0;
-        while next_in_queue < queue.len().min(reach) {
-            let cell = queue[next_in_queue];
-            next_in_queue += 1;
-            let (_, steps) = reached[cell];
-            if let Some(known) = row.get_mut(numbers[cell] as usize) {
-                *known = steps;
-            }
-            for next in cell.neighbours() {
-                if free.is_set(next) && reached[next].0 != search {
-                    reached[next] = (search, steps + 1);
-                    queue.push(next);
-                }
-            }
+    for (number, (&from, row)) in corners.iter().zip(steps.chunks_mut(corners.len())).enumerate() {
+        if number % REPORT_EVERY == 0 {
+            report(number as f64 / corners.len() as f64)?;
         }
+        let mut left = reach;
+        flood.search(from, |index, steps| {
+            if left == 0 {
+                return ControlFlow::Break(());
+            }
+            left -= 1;
+            if numbers[index] != NONE {
+                row[numbers[index] as usize] = steps;
+            }
+            ControlFlow::Continue(())
+        });
     }
     make_symmetric(&mut steps, corners.len());
-    steps
+    Ok(steps)
 }
 
 /// Steps between the nearest corners of all pairs of blocks.
-fn nearest_corners(entries: &[[u32; SWEEPS]], steps: &[u32], corners: usize) -> Vec<u32> {
+fn nearest_corners(entries: &[[End; SWEEPS]], steps: &[u32], corners: usize) -> Vec<u32> {
     let mut nearest = Vec::with_capacity(entries.len() * entries.len());
     for a in entries {
         nearest.extend(entries.iter().map(|b| {
-            let pairs = CORNERS.iter().flat_map(|&s| CORNERS.map(|t| steps[a[s] as usize * corners + b[t] as usize]));
+            let pairs = CORNERS
+                .iter()
+                .flat_map(|&s| CORNERS.map(|t| steps[a[s].corner as usize * corners + b[t].corner as usize]));
             pairs.min().unwrap_or(0)
         }));
     }

@@ -4,6 +4,8 @@ mod axis;
 mod cost;
 mod decompose;
 mod distances;
+mod flood;
+mod frame;
 mod order;
 mod seek;
 mod sweep;

@@ -3,6 +3,7 @@
 use super::{
     cost::Costs,
     distances::Links,
+    flood::Flood,
     sweep::{SWEEPS, Sweep, reversed},
 };
 use crate::{
@@ -11,6 +12,7 @@ use crate::{
     rng::Rng,
 };
 use rand::RngExt;
+use std::ops::ControlFlow;
 
 /// One block of a tour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,13 +32,7 @@ pub fn nearest_first(
     costs: Costs,
     mut report: impl FnMut(usize) -> Result<(), PlanError>,
 ) -> Result<Vec<Visit>, PlanError> {
-    let mut open = Grid::filled(free.width(), free.height(), NONE);
-    for (block, all) in sweeps.iter().enumerate() {
-        for sweep in all {
-            open[sweep.entry] = block as u32;
-        }
-    }
-    let mut search = Nearest::new(free, costs);
+    let mut search = Nearest::new(free, sweeps, costs);
     let mut tour = Vec::with_capacity(sweeps.len());
     let (mut at, mut heading) = start;
     while tour.len() < sweeps.len() {
@@ -44,10 +40,8 @@ pub fn nearest_first(
             report(tour.len())?;
         }
         // All blocks are connected, so that there is a way to the next.
-        let Some(visit) = search.next(free, &open, sweeps, at, heading) else { break };
-        for sweep in &sweeps[visit.block] {
-            open[sweep.entry] = NONE;
-        }
+        let Some(visit) = search.next(at, heading) else { break };
+        search.close(visit.block);
         let sweep = &sweeps[visit.block][visit.sweep];
         heading = sweep.leaving.unwrap_or(heading);
         at = sweep.exit;
@@ -62,60 +56,71 @@ const REPORT_EVERY: usize = 256;
 const NONE: u32 = u32::MAX;
 
 /// Breadth-first search for the next block.
-struct Nearest {
-    /// Number of the search that reached a cell last, and its steps.
-    reached: Vec<(u32, u32)>,
-    search: u32,
-    queue: Vec<Cell>,
+struct Nearest<'a> {
+    flood: Flood,
+    sweeps: &'a [[Sweep; SWEEPS]],
     costs: Costs,
+    /// The block left to visit that a sweep enters in a cell, or [`NONE`], by the flood's numbers.
+    open: Vec<u32>,
 }
 
-impl Nearest {
-    fn new(free: &Grid<bool>, costs: Costs) -> Self {
-        Self { reached: vec![(0, 0); free.len()], search: 0, queue: Vec::new(), costs }
-    }
-
-    fn next(
-        &mut self,
-        free: &Grid<bool>,
-        open: &Grid<u32>,
-        sweeps: &[[Sweep; SWEEPS]],
-        from: Cell,
-        heading: Direction,
-    ) -> Option<Visit> {
-        self.search += 1;
-        self.queue.clear();
-        self.queue.push(from);
-        self.reached[free.index(from)] = (self.search, 0);
-        let mut best: Option<(u32, Visit)> = None;
-        let mut next_in_queue = 0;
-        while let Some(&cell) = self.queue.get(next_in_queue) {
-            next_in_queue += 1;
-            let (_, steps) = self.reached[free.index(cell)];
-            if best.is_some_and(|(cost, _)| steps * self.costs.step >= cost) {
-                break;
-            }
-            if open[cell] != NONE {
-                let block = open[cell] as usize;
-                let shortest = sweeps[block].iter().map(|s| s.cost).min().unwrap_or(0);
-                for (sweep, s) in sweeps[block].iter().enumerate().filter(|(_, s)| s.entry == cell) {
-                    let detour = steps - from.manhattan(cell);
-                    let way = self.costs.at_least(from, Some(heading), cell, s.entering) + detour * self.costs.step;
-                    let cost = way + s.cost - shortest;
-                    if best.is_none_or(|(least, _)| cost < least) {
-                        best = Some((cost, Visit { block, sweep }));
-                    }
-                }
-            }
-            for next in cell.neighbours() {
-                if free.is_set(next) && self.reached[free.index(next)].0 != self.search {
-                    self.reached[free.index(next)] = (self.search, steps + 1);
-                    self.queue.push(next);
-                }
+impl<'a> Nearest<'a> {
+    fn new(free: &Grid<bool>, sweeps: &'a [[Sweep; SWEEPS]], costs: Costs) -> Self {
+        let flood = Flood::new(free);
+        let mut open = flood.frame().filled(NONE);
+        for (block, all) in sweeps.iter().enumerate() {
+            for sweep in all {
+                open[flood.frame().index(sweep.entry)] = block as u32;
             }
         }
-        best.map(|(_, visit)| visit)
+        Self { flood, sweeps, costs, open }
     }
+
+    /// Takes a block out of the search.
+    fn close(&mut self, block: usize) {
+        for sweep in &self.sweeps[block] {
+            self.open[self.flood.frame().index(sweep.entry)] = NONE;
+        }
+    }
+
+    /// The open block that is cheapest to visit next.
+    fn next(&mut self, from: Cell, heading: Direction) -> Option<Visit> {
+        let Self { flood, sweeps, costs, open } = self;
+        let frame = flood.frame();
+        // The least cost so far, and the steps that cost as much.
+        let (mut best, mut least, mut enough) = (None, u32::MAX, u32::MAX);
+        flood.search(from, |index, steps| {
+            if steps >= enough {
+                return ControlFlow::Break(());
+            }
+            if open[index] != NONE {
+                let block = open[index] as usize;
+                if let Some((cost, sweep)) =
+                    cheapest_entry(&sweeps[block], *costs, (from, heading), frame.cell(index), steps)
+                    && cost < least
+                {
+                    (best, least, enough) = (Some(Visit { block, sweep }), cost, cost.div_ceil(costs.step));
+                }
+            }
+            ControlFlow::Continue(())
+        });
+        best
+    }
+}
+
+/// The sweep that is cheapest if entered in `entry`, `steps` from where the robot is, and its cost beyond the block's
+/// cheapest, way included.
+fn cheapest_entry(
+    sweeps: &[Sweep; SWEEPS],
+    costs: Costs,
+    (from, heading): (Cell, Direction),
+    entry: Cell,
+    steps: u32,
+) -> Option<(u32, usize)> {
+    let shortest = sweeps.iter().map(|s| s.cost).min().unwrap_or(0);
+    let detour = (steps - from.manhattan(entry)) * costs.step;
+    let cost = |s: &Sweep| costs.at_least(from, Some(heading), entry, s.entering) + detour + s.cost - shortest;
+    sweeps.iter().zip(0..).filter(|(s, _)| s.entry == entry).map(|(s, number)| (cost(s), number)).min()
 }
 
 /// Improves a tour by local search: moves of up to three blocks (Or 1976) and reversals of a part (2-opt, Croes 1958),
@@ -165,6 +170,8 @@ pub fn improve(
 const NEIGHBOURS: usize = 10;
 /// Longest part that is moved.
 const LONGEST_MOVE: usize = 3;
+/// Parts up to that length that a block is in.
+const PARTS: usize = LONGEST_MOVE * (LONGEST_MOVE + 1) / 2;
 
 struct LocalSearch<'a> {
     links: &'a Links<'a>,
@@ -239,17 +246,17 @@ impl<'a> LocalSearch<'a> {
 
     /// The first move found that helps; the blocks at its seams, or `None` if there is no such move.
     fn improve_at(&mut self, block: usize) -> Option<[Option<Visit>; 6]> {
-        let neighbours = self.near[block].len();
-        for n in 0..neighbours {
+        let longest = self.longest_way_at(block);
+        // Known when the first neighbour needs them, and the same for all.
+        let mut parts = None;
+        for n in 0..self.near[block].len() {
             let other = self.near[block][n];
-            if !self.is_promising(block, other) {
+            if !self.is_promising(longest, block, other) {
                 continue;
             }
-            for length in 1..=LONGEST_MOVE.min(self.tour.len() - 1) {
-                for shift in 0..length {
-                    if let Some(touched) = self.try_move(block, length, shift, other) {
-                        return Some(touched);
-                    }
+            for part in parts.get_or_insert_with(|| self.parts_around(block)).iter().flatten() {
+                if let Some(touched) = self.try_move(*part, block, other) {
+                    return Some(touched);
                 }
             }
             if let Some(touched) = self.try_reverse(block, other) {
@@ -259,35 +266,61 @@ impl<'a> LocalSearch<'a> {
         None
     }
 
+    /// The longer one of the ways to a block and on from it.
+    fn longest_way_at(&self, block: usize) -> u32 {
+        let i = self.position[block];
+        self.links.between(self.before(i), self.at(i)).max(self.links.between(self.at(i), self.at(i + 1)))
+    }
+
     /// Whether going directly between the two blocks is shorter than a way that one of them has now. A heuristic to skip
     /// most pairs: exact for moves of one block whose sweep stays, and nearly always right for the others. No move that helps
     /// puts only longer ways in place of those it takes out.
-    fn is_promising(&self, block: usize, other: usize) -> bool {
+    fn is_promising(&self, longest: u32, block: usize, other: usize) -> bool {
         let direct = self.links.nearest_cost(block, other);
-        [self.position[block], self.position[other]].into_iter().any(|i| {
-            self.links.between(self.before(i), self.at(i)) > direct
-                || self.links.between(self.at(i), self.at(i + 1)) > direct
-        })
+        longest > direct || self.longest_way_at(other) > direct
     }
 
-    /// Moves the `length` blocks of which `block` is number `shift` to before or after `other`.
-    fn try_move(&mut self, block: usize, length: usize, shift: usize, other: usize) -> Option<[Option<Visit>; 6]> {
+    /// The parts with `block` in them that might be better off elsewhere.
+    fn parts_around(&self, block: usize) -> [Option<Part>; PARTS] {
+        let lengths = (1..=LONGEST_MOVE).flat_map(|length| (0..length).map(move |shift| (length, shift)));
+        let mut parts = [None; PARTS];
+        for (part, (length, shift)) in parts.iter_mut().zip(lengths) {
+            *part = self.part(block, length, shift);
+        }
+        parts
+    }
+
+    /// The `length` blocks of which `block` is number `shift`, unless nothing is won by taking them out.
+    fn part(&self, block: usize, length: usize, shift: usize) -> Option<Part> {
         let first = self.position[block].checked_sub(shift)?;
         let end = first + length;
-        let target = self.position[other];
-        if end > self.tour.len() || (first..end).contains(&target) {
+        if end > self.tour.len() || length == self.tour.len() {
             return None;
         }
-        let links = self.links;
         let (before, after) = (self.before(first), self.at(end));
         let (head, tail) = (self.tour[first], self.tour[end - 1]);
-        let link = |a, b| i64::from(links.between(a, b));
-        let own = |v: Visit| i64::from(links.sweep(v).cost);
+        let link = |a, b| i64::from(self.links.between(a, b));
         let removal = link(before, Some(head)) + link(Some(tail), after) - link(before, after);
-        let slack = if length == 1 { own(head) - i64::from(links.cheapest(block)) } else { 0 };
-        if removal + slack <= 0 {
+        let slack = if length == 1 { self.own(head) - i64::from(self.links.cheapest(block)) } else { 0 };
+        (removal + slack > 0).then_some(Part { first, end, removal, slack })
+    }
+
+    /// Cost of a visit's sweep.
+    fn own(&self, visit: Visit) -> i64 {
+        i64::from(self.links.sweep(visit).cost)
+    }
+
+    /// Moves a part with `block` in it to before or after `other`.
+    fn try_move(&mut self, part: Part, block: usize, other: usize) -> Option<[Option<Visit>; 6]> {
+        let Part { first, end, removal, slack } = part;
+        let is_single = end == first + 1;
+        let target = self.position[other];
+        if (first..end).contains(&target) {
             return None;
         }
+        let (before, after) = (self.before(first), self.at(end));
+        let (head, tail) = (self.tour[first], self.tour[end - 1]);
+        let link = |a, b| i64::from(self.links.between(a, b));
         // Seams left and right of `other`, as indices of the visit after the seam.
         for seam in [target, target + 1] {
             if seam >= first && seam <= end {
@@ -296,15 +329,15 @@ impl<'a> LocalSearch<'a> {
             let (left, right) = (self.before(seam), self.at(seam));
             let opened = link(left, right);
             // At least the way to `other` is new.
-            if length == 1 && removal + slack + opened <= i64::from(links.nearest_cost(block, other)) {
+            if is_single && removal + slack + opened <= i64::from(self.links.nearest_cost(block, other)) {
                 continue;
             }
             let gain = |h, t| removal + opened - link(left, Some(h)) - link(Some(t), right);
             let turned = |v: Visit| Visit { sweep: reversed(v.sweep), ..v };
-            let best = if length == 1 {
+            let best = if is_single {
                 (0..SWEEPS)
                     .map(|sweep| Visit { sweep, ..head })
-                    .map(|v| (gain(v, v) + own(head) - own(v), Change::Sweep(v.sweep)))
+                    .map(|v| (gain(v, v) + self.own(head) - self.own(v), Change::Sweep(v.sweep)))
                     .max_by_key(|(gain, _)| *gain)?
             } else {
                 let (kept, back) = (gain(head, tail), gain(turned(tail), turned(head)));
@@ -405,6 +438,18 @@ impl<'a> LocalSearch<'a> {
             sweep = sources[sweep];
         }
     }
+}
+
+/// Consecutive visits of a tour that may be moved.
+#[derive(Clone, Copy)]
+struct Part {
+    first: usize,
+    /// Index after the last one.
+    end: usize,
+    /// Cost of the ways that go if the part is taken out, less the new one in their place.
+    removal: i64,
+    /// What another sweep could save.
+    slack: i64,
 }
 
 /// What happens to a part that is moved.

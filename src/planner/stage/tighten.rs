@@ -6,14 +6,21 @@ use super::{
 };
 use crate::{
     grid::{Cell, Direction, Grid},
-    planner::CoverageJob,
+    planner::{CoverageJob, PlanError},
 };
 
 /// Replaces stretches of `walk` whose cells it visits elsewhere too by cheaper ways; covers what it covered before.
 ///
 /// A stretch begins where the one before ended, so one call is a single pass in O(length) searches of the way between
-/// two cells; another call may find more. Returns whether anything changed.
-pub fn tighten(job: &CoverageJob, costs: Costs, transit: &mut Transit, walk: &mut Vec<Cell>) -> bool {
+/// two cells; another call may find more. Returns whether anything changed. `report` is told the share of the walk
+/// that is done every few thousand cells.
+pub fn tighten(
+    job: &CoverageJob,
+    costs: Costs,
+    transit: &mut Transit,
+    walk: &mut Vec<Cell>,
+    mut report: impl FnMut(f64) -> Result<(), PlanError>,
+) -> Result<bool, PlanError> {
     let mut visits = Grid::filled(job.free.width(), job.free.height(), 0_u32);
     for &cell in walk.iter() {
         visits[cell] += 1;
@@ -22,9 +29,20 @@ pub fn tighten(job: &CoverageJob, costs: Costs, transit: &mut Transit, walk: &mu
     result.push(walk[0]);
     let mut start = 0;
     let mut way = Vec::new();
+    let mut next_report = 0;
     while start + 1 < walk.len() {
-        // The stretch: as many cells after `start` as can go.
+        if start >= next_report {
+            report(start as f64 / walk.len() as f64)?;
+            next_report = start + REPORT_EVERY;
+        }
         let mut end = start + 1;
+        if visits[walk[end]] == 1 {
+            // Nearly all cells: visited only now, so that they stay.
+            result.push(walk[end]);
+            start = end;
+            continue;
+        }
+        // The stretch: as many cells after `start` as can go.
         while end < walk.len() && visits[walk[end]] > 1 {
             visits[walk[end]] -= 1;
             end += 1;
@@ -51,8 +69,11 @@ pub fn tighten(job: &CoverageJob, costs: Costs, transit: &mut Transit, walk: &mu
     }
     let is_changed = result != *walk;
     *walk = result;
-    is_changed
+    Ok(is_changed)
 }
+
+/// Cells between two reports.
+const REPORT_EVERY: usize = 16_384;
 
 /// Finds a cheaper way than `kept` between its ends; whether there is one.
 fn shorten(
@@ -73,7 +94,7 @@ fn shorten(
         return false;
     }
     let (from, to) = (Stop { cell: from, heading: Some(arrived) }, Stop { cell: to, heading: leaving });
-    transit.append_way(&job.free, from, to, cost, way).is_some()
+    transit.append_way(from, to, cost, way).is_some()
 }
 
 fn turn_at_end(costs: Costs, kept: &[Cell], leaving: Option<Direction>) -> u32 {
@@ -95,8 +116,8 @@ mod tests {
             [(0, 0), (0, 1), (0, 0), (1, 0), (2, 0), (3, 0), (3, 1), (3, 0), (3, 1), (2, 1), (1, 1), (0, 1), (0, 0)];
         let mut walk = cells(&to_and_fro);
         let mut transit = Transit::new(&free, costs);
-        assert!(tighten(&job, costs, &mut transit, &mut walk));
-        assert!(!tighten(&job, costs, &mut transit, &mut walk));
+        assert_eq!(tighten(&job, costs, &mut transit, &mut walk, |_| Ok(())), Ok(true));
+        assert_eq!(tighten(&job, costs, &mut transit, &mut walk, |_| Ok(())), Ok(false));
         assert_eq!(walk, cells(&[(0, 0), (1, 0), (2, 0), (3, 0), (3, 1), (2, 1), (1, 1), (0, 1)]));
     }
 }
