@@ -125,8 +125,8 @@ function explain(planner) {
   if (planner.link) link.href = planner.link;
   /** @type {[boolean, string, string, string, string][]} */
   const claims = [
-    [planner.complete, "complete", "may miss floor", "Proven to visit every cell that can be reached.", "Gives no promise to visit every cell that can be reached."],
-    [planner.deterministic, "deterministic", "uses chance", "Gives the same plan every time, whatever the seed.", "Draws random numbers; another seed gives another plan."],
+    [planner.complete, "visits every cell", "may miss cells", "Visits every cell of the planning grid that can be reached; tests hold it to that in every room. Coverage may still stay a little below 100 %: cells are coarser than the floor, and slivers along walls remain.", "Gives no promise to visit every cell that can be reached."],
+    [planner.deterministic, "same plan every time", "uses chance", "Gives the same plan whatever the seed.", "Draws random numbers; another seed gives another plan."],
   ];
   byId("claims").replaceChildren(
     ...claims.map(([holds, yes, no, tipYes, tipNo]) =>

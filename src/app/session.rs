@@ -337,7 +337,7 @@ impl Session {
     pub fn cancel_plan(&mut self) {
         if self.planning.take().is_some() {
             self.playing = false;
-            self.say("notice", "Planning was cancelled. Choose a planner or room to plan again.".into());
+            self.say("notice", "Planning was cancelled. Press play to plan again, or choose something else.".into());
         }
     }
 
@@ -411,13 +411,17 @@ impl Session {
         }
     }
 
-    /// Lets time go on; from the start if the run was over.
+    /// Lets time go on; from the start if the run was over, with a new plan if there is none.
     pub fn play(&mut self) {
-        if self.state() == State::Finished {
+        let state = self.state();
+        if state == State::Finished {
             self.reset();
         }
         self.playing = true;
         self.message = None;
+        if state == State::Failed {
+            self.prepare();
+        }
     }
 
     /// Stops time.

@@ -50,7 +50,8 @@ impl State {
     pub fn allows(self, action: Action) -> bool {
         use Action as A;
         let allowed: &[Action] = match self {
-            Self::Failed => &[A::Edit],
+            // To plan again.
+            Self::Failed => &[A::Play, A::Edit],
             Self::Planning => &[A::Cancel, A::Edit],
             Self::Ready => &[A::Play, A::Step, A::Edit],
             Self::Playing => &[A::Pause, A::Step, A::Reset, A::Seek, A::Edit],
@@ -76,6 +77,6 @@ mod tests {
         let with = |action| State::ALL.into_iter().filter(|s| s.allows(action)).collect::<Vec<_>>();
         assert_eq!(with(Action::Cancel), [State::Planning]);
         assert_eq!(with(Action::Pause), [State::Playing, State::Seeking]);
-        assert_eq!(with(Action::Play), [State::Ready, State::Paused, State::Finished]);
+        assert_eq!(with(Action::Play), [State::Failed, State::Ready, State::Paused, State::Finished]);
     }
 }

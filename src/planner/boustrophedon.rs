@@ -35,7 +35,7 @@ use crate::{
 /// Entry in the registry.
 pub const INFO: PlannerInfo = PlannerInfo {
     id: "boustrophedon",
-    title: "Boustrophedon",
+    title: "Boustrophedon (mown lanes)",
     summary: "Cuts the room at critical points into parts, mows each in lanes, and finds a good order to visit them.",
     source: "Choset & Pignon 1998, Coverage path planning: the boustrophedon cellular decomposition; Choset 2000",
     link: "https://doi.org/10.1023/A:1008958800904",
@@ -44,9 +44,9 @@ pub const INFO: PlannerInfo = PlannerInfo {
         ParamSpec {
             id: "lanes",
             label: "Lanes",
-            help: "Direction of the lanes.",
+            help: "Direction of the lanes; the faster of both by the robot's speeds, or always the same.",
             kind: ParamKind::Choice {
-                options: &[("auto", "whichever is faster"), ("horizontal", "horizontal"), ("vertical", "vertical")],
+                options: &[("auto", "the faster"), ("horizontal", "horizontal"), ("vertical", "vertical")],
             },
         },
         ParamSpec {
