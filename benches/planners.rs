@@ -4,19 +4,17 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use robovac_playground::{
-    floorplan::generate::random_hall,
-    grid::{Cell, Direction},
-    planner::{CoverageJob, PLANNERS, Params, PlanContext},
+    app::bench::hall,
+    planner::{PLANNERS, Params, PlanContext},
 };
 use std::{hint::black_box, time::Duration};
 
-/// Sides of the square halls, in cells, and the seed that they are made from.
-const HALLS: &[(usize, u64)] = &[(100, 1), (1000, 1)];
+/// Sides of the square halls, in cells: those of `robovac bench`.
+const SIDES: [usize; 2] = [100, 1000];
 
 fn planners(criterion: &mut Criterion) {
-    for &(side, seed) in HALLS {
-        let free = random_hall(side, side, seed);
-        let Some(job) = CoverageJob::new(&free, Cell::new(0, 0), Direction::Right) else { continue };
+    for side in SIDES {
+        let Some(job) = hall(side) else { continue };
         let mut group = criterion.benchmark_group(format!("hall {side} x {side}"));
         group.sample_size(10).measurement_time(Duration::from_secs(3));
         for info in PLANNERS {

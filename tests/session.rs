@@ -203,6 +203,17 @@ fn room_of_ones_own_survives_by_scenario_and_link() {
 }
 
 #[test]
+fn scenario_with_a_seed_that_no_link_can_hold_is_refused() {
+    let mut session = opened();
+    let before = session.link();
+    let saved = session.scenario_json().replace("\"seed\": 1", "\"seed\": 18446744073709551615");
+    assert!(saved.contains("18446744073709551615"), "{saved}");
+    let error = session.load(&[SourceFile { name: "seed.json".into(), bytes: saved.into_bytes() }]).unwrap_err();
+    assert!(error.to_string().contains("the seed can't be \"18446744073709551615\""), "{error}");
+    assert_eq!(session.link(), before);
+}
+
+#[test]
 fn late_answers_of_older_plans_are_dropped() {
     let mut session = Session::new();
     let old = session.take_plan_request().unwrap();

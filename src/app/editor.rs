@@ -9,6 +9,8 @@ use std::sync::Arc;
 
 /// Changes that can be undone.
 const MOST_UNDO: usize = 200;
+/// Map cells, a byte each, that may be kept for undoing: the largest map is 16 million.
+const MOST_UNDO_CELLS: usize = 64 << 20;
 /// Width of a drawn wall, m, if cells aren't larger.
 const BRUSH_WIDTH: f64 = 0.1;
 
@@ -114,13 +116,10 @@ impl Editor {
         self.stroke.take().is_some()
     }
 
-    /// Whether a stroke is under way.
-    pub fn is_painting(&self) -> bool {
-        self.stroke.is_some()
-    }
-
     /// Takes the last change back; whether there was one.
     pub fn undo(&mut self) -> bool {
+        // A stroke that is under way must not go on in another room.
+        self.stroke = None;
         let Some(before) = self.undo.pop() else { return false };
         self.redo.push(std::mem::replace(&mut self.now, before));
         self.version += 1;
@@ -129,6 +128,7 @@ impl Editor {
 
     /// Makes the last undone change again; whether there was one.
     pub fn redo(&mut self) -> bool {
+        self.stroke = None;
         let Some(after) = self.redo.pop() else { return false };
         self.undo.push(std::mem::replace(&mut self.now, after));
         self.version += 1;
@@ -136,12 +136,26 @@ impl Editor {
     }
 
     fn remember(&mut self) {
+        self.stroke = None;
         self.undo.push(self.now.clone());
-        if self.undo.len() > MOST_UNDO {
-            self.undo.remove(0);
-        }
         self.redo.clear();
         self.version += 1;
+        let surplus = self.undo.len() - self.affordable_undo();
+        self.undo.drain(..surplus);
+    }
+
+    /// How many of the latest changes are few and small enough to be kept; the very last one always is.
+    fn affordable_undo(&self) -> usize {
+        let mut cells = 0;
+        let mut newer = None;
+        let affordable = self.undo.iter().rev().take(MOST_UNDO).take_while(|content| {
+            // Moving the start leaves the plan shared.
+            if newer.replace(&content.plan).is_none_or(|plan| !Arc::ptr_eq(plan, &content.plan)) {
+                cells += content.plan.occupancy.len();
+            }
+            cells <= MOST_UNDO_CELLS
+        });
+        affordable.count().max(1)
     }
 
     /// Paints all cells within the brush around the line from `from` to `to`.
@@ -210,6 +224,38 @@ mod tests {
         editor.go_on(Point::new(50.0, 0.55));
         editor.end();
         assert_eq!(walls(&editor), 20);
+    }
+
+    #[test]
+    fn stroke_does_not_go_on_in_another_room() {
+        let mut editor = editor();
+        editor.begin(Brush::Wall, Point::new(0.05, 0.05));
+        assert!(editor.undo());
+        editor.go_on(Point::new(1.95, 0.05));
+        assert_eq!((walls(&editor), editor.room(), editor.end()), (0, Some("empty"), false));
+        editor.begin(Brush::Wall, Point::new(0.05, 0.05));
+        editor.replace(self::editor().plan().as_ref().clone(), None, None);
+        editor.go_on(Point::new(1.95, 0.05));
+        assert_eq!((walls(&editor), editor.end()), (0, false));
+    }
+
+    #[test]
+    fn undo_of_large_rooms_does_not_fill_the_memory() {
+        let mut editor = editor();
+        let large =
+            FloorPlan { occupancy: Grid::filled(4096, 4096, Occupancy::Free), ..editor.plan().as_ref().clone() };
+        editor.replace(large, None, None);
+        for _ in 0..2 * MOST_UNDO {
+            editor.set_start(None);
+        }
+        assert_eq!(editor.undo.len(), MOST_UNDO, "starts alone cost nothing");
+        for i in 0..6 {
+            editor.begin(Brush::Wall, Point::new(f64::from(i), 0.0));
+            editor.end();
+        }
+        let cells: usize =
+            editor.undo.chunk_by(|a, b| Arc::ptr_eq(&a.plan, &b.plan)).map(|c| c[0].plan.occupancy.len()).sum();
+        assert!(cells <= MOST_UNDO_CELLS && editor.undo.len() >= 3, "{cells} in {}", editor.undo.len());
     }
 
     #[test]

@@ -13,6 +13,9 @@ pub const CELL_SIZES: [f64; 8] = [0.1, 0.12, 0.15, 0.2, 0.25, 0.3, 0.35, 0.5];
 /// Speeds that are offered, times real time; 0 stands for as fast as it goes.
 pub const SPEEDS: [f64; 7] = [1.0, 4.0, 16.0, 64.0, 256.0, 1024.0, 0.0];
 
+/// Largest seed that is taken. JavaScript must be able to hold it exactly.
+const MAX_SEED: u64 = u32::MAX as u64;
+
 /// Everything that determines a run, but for the room.
 #[derive(Debug, Clone)]
 pub struct Settings {
@@ -114,6 +117,16 @@ impl Settings {
         Ok(())
     }
 
+    /// Sets the seed from what a link or a scenario says; `text` is how it says it.
+    fn set_seed(&mut self, seed: Option<u64>, text: &str) -> Result<(), SettingsError> {
+        self.seed = seed.filter(|&seed| seed <= MAX_SEED).ok_or_else(|| SettingsError::Invalid {
+            kind: "the seed",
+            value: text.to_owned(),
+            expected: "a whole number from 0 to 4294967295",
+        })?;
+        Ok(())
+    }
+
     /// Sets one parameter of the planner from what a form or a link says.
     pub fn set_param(&mut self, id: &str, text: &str) -> Result<(), SettingsError> {
         let specs = self.planner.params;
@@ -162,7 +175,9 @@ impl Settings {
             let text = value.as_str().map_or_else(|| value.to_string(), str::to_owned);
             self.set_param(id, &text)?;
         }
-        self.seed = scenario.seed.unwrap_or(self.seed);
+        if let Some(seed) = scenario.seed {
+            self.set_seed(Some(seed), &seed.to_string())?;
+        }
         Ok(())
     }
 
@@ -204,8 +219,8 @@ impl Settings {
         pairs
     }
 
-    /// Takes one `key=value` pair of a link; `false` if the key isn't one of these settings.
-    pub fn take_link(&mut self, key: &str, value: &str) -> Result<bool, SettingsError> {
+    /// Takes one `key=value` pair of a link. Unknown keys are left alone, as links of other versions may have more.
+    pub fn take_link(&mut self, key: &str, value: &str) -> Result<(), SettingsError> {
         let number = |kind, expected| {
             let wrong = || SettingsError::Invalid { kind, value: value.to_owned(), expected };
             value.parse::<f64>().ok().filter(|n| n.is_finite()).ok_or_else(wrong)
@@ -214,11 +229,7 @@ impl Settings {
             "planner" => self.select_planner(value)?,
             "robot" => self.select_robot(value)?,
             "cell" => self.set_cell_size(number("the cell size", "a length from 0.02 to 2 (metres)")?)?,
-            "seed" => {
-                let expected = "a whole number from 0 to 4294967295";
-                let wrong = || SettingsError::Invalid { kind: "the seed", value: value.to_owned(), expected };
-                self.seed = value.parse::<u32>().map(u64::from).map_err(|_| wrong())?;
-            }
+            "seed" => self.set_seed(value.parse().ok(), value)?,
             "slip" => self.set_slip(value)?,
             "odometry" => self.set_odometry(value)?,
             "speed" => self.speed = number("the speed", "a number, 0 for as fast as it goes")?.max(0.0),
@@ -232,12 +243,13 @@ impl Settings {
                 }
                 self.start = Some(Pose::new(x, y, heading.to_radians()));
             }
-            _ => match key.strip_prefix("p.") {
-                Some(id) => self.set_param(id, value)?,
-                None => return Ok(false),
-            },
+            _ => {
+                if let Some(id) = key.strip_prefix("p.") {
+                    self.set_param(id, value)?;
+                }
+            }
         }
-        Ok(true)
+        Ok(())
     }
 }
 

@@ -85,11 +85,6 @@ impl FollowPath {
         follower
     }
 
-    /// Index of the corner of the line that the robot drives to.
-    pub fn next_corner(&self) -> usize {
-        self.next
-    }
-
     fn next_piece(&mut self) {
         self.next += 1;
         self.bumps = 0;

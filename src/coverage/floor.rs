@@ -112,7 +112,7 @@ impl ReachableFloor {
             None => default_start(&free, resolution).ok_or(too_narrow)?,
         };
         let start = if robot.fills_cell { in_centre(start, resolution) } else { start };
-        let passable = reachable(&free, cell_at(start.position(), resolution));
+        let passable = reachable(&free, Cell::at(start.position(), resolution));
         let standing = up_to_walls(&walls, passable);
         let tool_radius = 0.5 * robot.tool_width;
         let floor = sweepable(&standing, &blocked, tool_radius / resolution);
@@ -123,13 +123,13 @@ impl ReachableFloor {
     /// The fine cell that holds a point; may lie outside.
     #[inline]
     pub fn cell_at(&self, point: Point) -> Cell {
-        cell_at(point, self.resolution)
+        Cell::at(point, self.resolution)
     }
 
     /// Centre of a fine cell in metres.
     #[inline]
     pub fn centre(&self, cell: Cell) -> Point {
-        centre(cell, self.resolution)
+        cell.centre(self.resolution)
     }
 
     /// Reachable floor in m².
@@ -184,7 +184,7 @@ fn up_to_walls(walls: &Walls, passable: Grid<bool>) -> Grid<bool> {
 
 /// Centre of a cell of `standing`, moved away from those neighbours that aren't by the margin that steering needs.
 fn off_walls(walls: &Walls, standing: &Grid<bool>, cell: Cell) -> Point {
-    let place = centre(cell, walls.resolution);
+    let place = cell.centre(walls.resolution);
     let margin = steering_margin(walls.body_radius);
     if f64::from(walls.clearance[cell]) >= walls.body_radius + margin {
         return place;
@@ -226,21 +226,13 @@ fn resample(plan: &FloorPlan, resolution: f64) -> Grid<bool> {
     grid
 }
 
-fn cell_at(point: Point, resolution: f64) -> Cell {
-    Cell::new((point.x / resolution).floor() as i32, (point.y / resolution).floor() as i32)
-}
-
-fn centre(cell: Cell, resolution: f64) -> Point {
-    Point::new((f64::from(cell.x) + 0.5) * resolution, (f64::from(cell.y) + 0.5) * resolution)
-}
-
 /// The start itself, or the nearest place where the robot fits if it stands too close to a wall.
 fn check_start(plan: &FloorPlan, free: &Grid<bool>, walls: &Walls, pose: Pose) -> Result<Pose, FloorError> {
     let (x, y) = (pose.x, pose.y);
     let Some(occupancy) = plan.occupancy.get(plan.cell_at(pose.position())) else {
         return Err(FloorError::StartOutside { x, y, width: plan.width_m(), height: plan.height_m() });
     };
-    if free.is_set(cell_at(pose.position(), walls.resolution)) {
+    if free.is_set(Cell::at(pose.position(), walls.resolution)) {
         // A free cell promises room around its centre, not everywhere in it.
         let has_room = walls.has_room(pose.position(), walls.body_radius);
         return Ok(if has_room { pose } else { in_centre(pose, walls.resolution) });
@@ -256,7 +248,7 @@ fn check_start(plan: &FloorPlan, free: &Grid<bool>, walls: &Walls, pose: Pose) -
 
 /// The same heading in the middle of the cell.
 fn in_centre(pose: Pose, resolution: f64) -> Pose {
-    let middle = centre(cell_at(pose.position(), resolution), resolution);
+    let middle = Cell::at(pose.position(), resolution).centre(resolution);
     Pose::new(middle.x, middle.y, pose.heading)
 }
 
@@ -264,7 +256,7 @@ fn in_centre(pose: Pose, resolution: f64) -> Pose {
 fn nearest(free: &Grid<bool>, resolution: f64, point: Point) -> Option<Point> {
     free.iter()
         .filter(|&(_, &f)| f)
-        .map(|(cell, _)| centre(cell, resolution))
+        .map(|(cell, _)| cell.centre(resolution))
         .min_by(|a, b| (a - point).norm_squared().total_cmp(&(b - point).norm_squared()))
 }
 
@@ -294,7 +286,7 @@ fn default_start(free: &Grid<bool>, resolution: f64) -> Option<Pose> {
         }
     }
     best.map(|(_, cell)| {
-        let point = centre(cell, resolution);
+        let point = cell.centre(resolution);
         Pose::new(point.x, point.y, 0.0)
     })
 }

@@ -9,10 +9,10 @@ use std::collections::VecDeque;
 
 /// Planning cells with a place to stand in each.
 ///
-/// A cell is free if the robot can stand somewhere in it; its **anchor** is the standing place nearest to its centre,
-/// (a centimetre off the wall beside it), so that paths run along walls that don't lie on the lattice. Two free neighbours are always linked: straight from
-/// anchor to anchor, or by a short way round a corner. Where neither exists (a thin wall between two anchors) the cell
-/// whose anchor lies farther from its centre is given up.
+/// A cell is free if the robot can stand somewhere in it; its **anchor** is the standing place nearest to its centre
+/// (a centimetre off the wall beside it), so that paths run along walls that don't lie on the lattice. Two free
+/// neighbours are always linked: straight from anchor to anchor, or by a short way round a corner. Where neither exists
+/// (a thin wall between two anchors) the cell whose anchor lies farther from its centre is given up.
 #[derive(Debug, Clone)]
 pub struct Lattice {
     /// Side of a planning cell, m.

@@ -1,10 +1,7 @@
 //! Which floor has been swept, and how often.
 
 use super::{ReachableFloor, stamp::Stamp};
-use crate::{
-    geometry::Point,
-    grid::{Cell, Grid},
-};
+use crate::{geometry::Point, grid::Grid};
 
 /// Counts passes of the tool over every fine cell.
 ///
@@ -69,11 +66,6 @@ impl CoverageTracker {
         }
     }
 
-    /// Forgets where the tool was, as when the robot is picked up.
-    pub fn lift(&mut self) {
-        self.last = None;
-    }
-
     fn put_down(&mut self, floor: &ReachableFloor, at: Point) {
         self.last = Some(at);
         self.stamps += 1;
@@ -113,11 +105,6 @@ impl CoverageTracker {
     /// Passes per fine cell, at most 255.
     pub fn visits(&self) -> &Grid<u8> {
         &self.visits
-    }
-
-    /// Passes over one fine cell; 0 outside.
-    pub fn visits_at(&self, cell: Cell) -> u8 {
-        self.visits.get(cell).copied().unwrap_or(0)
     }
 
     /// Memory taken, bytes.

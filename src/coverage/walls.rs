@@ -55,6 +55,6 @@ impl Walls {
     }
 
     fn cell_at(&self, point: Point) -> Cell {
-        Cell::new((point.x / self.resolution).floor() as i32, (point.y / self.resolution).floor() as i32)
+        Cell::at(point, self.resolution)
     }
 }

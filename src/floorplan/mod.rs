@@ -63,12 +63,12 @@ impl FloorPlan {
 
     /// The cell that holds a point; may lie outside the grid.
     pub fn cell_at(&self, point: Point) -> Cell {
-        Cell::new((point.x / self.resolution).floor() as i32, (point.y / self.resolution).floor() as i32)
+        Cell::at(point, self.resolution)
     }
 
     /// Centre of a cell in metres.
     pub fn centre(&self, cell: Cell) -> Point {
-        Point::new((f64::from(cell.x) + 0.5) * self.resolution, (f64::from(cell.y) + 0.5) * self.resolution)
+        cell.centre(self.resolution)
     }
 
     /// Cells that are not known to be free, as obstacles.

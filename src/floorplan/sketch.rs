@@ -2,7 +2,7 @@
 
 use super::FloorPlan;
 use crate::{
-    geometry::Pose,
+    geometry::{Point, Pose},
     grid::{Cell, Grid, Occupancy},
 };
 
@@ -54,7 +54,7 @@ impl Sketch {
 
     /// A round obstacle around (`x`, `y`), at least the cell of its centre.
     pub fn disc(mut self, x: f64, y: f64, radius: f64) -> Self {
-        self.paint(self.cell_at(x, y), Occupancy::Occupied);
+        self.paint(Cell::at(Point::new(x, y), self.resolution), Occupancy::Occupied);
         self.paint_where(|px, py| (px - x) * (px - x) + (py - y) * (py - y) <= radius * radius);
         self
     }
@@ -127,10 +127,6 @@ impl Sketch {
         if self.occupancy.contains(cell) {
             self.occupancy[cell] = value;
         }
-    }
-
-    fn cell_at(&self, x: f64, y: f64) -> Cell {
-        Cell::new((x / self.resolution).floor() as i32, (y / self.resolution).floor() as i32)
     }
 }
 

@@ -1,6 +1,6 @@
 //! Cells of a grid and the four directions between them.
 
-use crate::math::FRAC_PI_2;
+use crate::{geometry::Point, math::FRAC_PI_2};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
@@ -18,6 +18,18 @@ impl Cell {
     #[inline]
     pub const fn new(x: i32, y: i32) -> Self {
         Self { x, y }
+    }
+
+    /// The cell that holds a point, in a grid of cells of `side` metres; the origin is the lower-left corner of (0, 0).
+    #[inline]
+    pub fn at(point: Point, side: f64) -> Self {
+        Self::new((point.x / side).floor() as i32, (point.y / side).floor() as i32)
+    }
+
+    /// The centre of the cell in metres if its sides are `side` metres: an inverse of [`Cell::at`].
+    #[inline]
+    pub fn centre(self, side: f64) -> Point {
+        Point::new((f64::from(self.x) + 0.5) * side, (f64::from(self.y) + 0.5) * side)
     }
 
     /// The neighbour one step away.

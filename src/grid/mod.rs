@@ -10,7 +10,7 @@ pub use cell::{Cell, Direction};
 pub use clearance::clearance;
 pub use occupancy::Occupancy;
 pub use picture::{from_picture, picture};
-pub use reach::{UNREACHED, reachable, shortest_path, steps_from};
+pub use reach::reachable;
 
 /// A rectangle of values, stored row by row from the bottom.
 ///

@@ -1,8 +1,8 @@
 //! Coverage planners: one file each, all in one registry.
 //!
 //! A planner gets a [`CoverageJob`], a grid of free cells that are all connected with the start, and returns a
-//! [`CoveragePath`] that visits them. To add one, write its file with an [`PlannerInfo`] constant and list it in
-//! [`PLANNERS`]; menus, parameter forms, command line, comparison, contract and golden tests iterate that list.
+//! [`CoveragePath`] that visits them. To add one, write its file with a [`PlannerInfo`] constant and list it in
+//! [`PLANNERS`]; menus, parameter forms, command line, contract tests and benchmarks iterate that list.
 
 mod boustrophedon;
 mod context;

@@ -34,7 +34,7 @@ impl SlipLevel {
 
 /// What one robot's wheels do: a size error each, drawn once, and slip that adds up like a random walk.
 ///
-/// The levels are ours, chosen so that the heading drifts by about half a degree a metre at "typical", as an
+/// The levels are ours, chosen so that the heading drifts by about a third of a degree a metre at "typical", as an
 /// uncalibrated hobby robot does.
 #[derive(Debug, Clone)]
 pub struct Slip {

@@ -45,8 +45,8 @@ Exit codes:
   4  the robot or its start doesn't fit into the room
   5  the planner failed";
 
-    /// Plans how a robot covers a floor, and lets a simulated one do it. Lengths are in metres, angles in degrees counter-clockwise from 0 = right,
-    /// cells are counted from the lower left.
+    /// Plans how a robot covers a floor, and lets a simulated one do it. Lengths are in metres, angles in degrees
+    /// counter-clockwise from 0 = right, cells are counted from the lower left.
     #[derive(Parser)]
     #[command(name = "robovac", version, after_help = EXIT_CODES)]
     struct Arguments {

@@ -1,0 +1,137 @@
+//! A session as it is shown: drawn, in numbers, and in words.
+
+use super::Session;
+use crate::{
+    app::{
+        Action, Recording, RobotView, Scene, State, View,
+        view::{Can, PlanView, RoomView},
+    },
+    sim::{Run, SlipLevel},
+};
+
+impl Session {
+    /// What is to be drawn, but for what the pointer is doing.
+    pub fn scene(&self) -> Scene<'_> {
+        let run = self.recording.as_ref().map(Recording::run);
+        let robot = run.map(|run| RobotView {
+            pose: run.pose(),
+            estimate: run.estimate().filter(|_| self.settings.slip != SlipLevel::None),
+            radius: run.floor().walls.body_radius,
+            tool_width: 2.0 * run.floor().tool_radius,
+            bump_left: run.sensors().bump_left,
+            bump_right: run.sensors().bump_right,
+        });
+        Scene {
+            plan: self.editor.plan(),
+            // Both only grow, and one of them with every change.
+            plan_version: self.editor.version() + u64::from(self.requests),
+            floor: self.prepared.as_ref().map(|p| &*p.floor),
+            tracker: run.map(Run::tracker),
+            run_version: (u64::from(self.requests) << 32) + self.recording.as_ref().map_or(0, Recording::version),
+            dirty_rows: None,
+            planned: self.planned.as_ref().map_or(&[], |p| &p.line),
+            preview: self.planning.as_ref().map_or(&[], |p| &p.preview),
+            planned_version: u64::from(self.requests) + self.previews,
+            trail: run.map_or(&[], Run::trail),
+            robot,
+            start: self.prepared.as_ref().map(|p| p.floor.start),
+            start_radius: self.settings.robot_model().radius,
+            cursor: None,
+            dark: false,
+        }
+    }
+
+    /// Snapshot in numbers and words.
+    pub fn view(&self) -> View {
+        let state = self.state();
+        let run = self.recording.as_ref().map(Recording::run);
+        let plan = self.plan();
+        View {
+            state,
+            can: self.can(state),
+            message: self.message.as_ref().map(|m| m.text.clone()).unwrap_or_default(),
+            message_kind: self.message.as_ref().map_or("", |m| m.kind),
+            room: RoomView {
+                id: self.editor.room().unwrap_or(""),
+                title: plan.name.clone(),
+                note: plan.note.clone(),
+                width_m: plan.width_m(),
+                height_m: plan.height_m(),
+                resolution_m: plan.resolution,
+                cells: plan.occupancy.len(),
+                reachable_m2: self.prepared.as_ref().map_or(0.0, |p| p.floor.area()),
+            },
+            robot: self.settings.robot,
+            planner: self.settings.planner.id,
+            params: self.settings.params.clone(),
+            cell_size_m: self.settings.cell_size,
+            seed: self.settings.seed,
+            slip: self.settings.slip.id(),
+            odometry: self.settings.odometry.id(),
+            speed: self.settings.speed,
+            speed_factor: self.speed_factor,
+            time_s: run.map_or(0.0, Run::time_s),
+            run_end_s: self.recording.as_ref().map_or(0.0, Recording::end_s),
+            coverage: run.map_or(0.0, Run::coverage),
+            overlap: run.map_or(0.0, |r| r.tracker().overlap()),
+            distance_m: run.map_or(0.0, Run::distance_m),
+            turning_deg: run.map_or(0.0, |r| r.turning_rad().to_degrees()),
+            bumps: run.map_or(0, Run::bumps),
+            pose_error_m: run.and_then(Run::pose_error_m).unwrap_or(0.0),
+            plan: self.plan_view(),
+        }
+    }
+
+    fn can(&self, state: State) -> Can {
+        Can {
+            play: state.allows(Action::Play),
+            pause: state.allows(Action::Pause),
+            step: state.allows(Action::Step),
+            reset: state.allows(Action::Reset),
+            cancel: state.allows(Action::Cancel),
+            seek: state.allows(Action::Seek),
+            edit: state.allows(Action::Edit),
+            undo: self.editor.can_undo(),
+            redo: self.editor.can_redo(),
+        }
+    }
+
+    fn plan_view(&self) -> Option<PlanView> {
+        if let Some(planning) = &self.planning {
+            return Some(PlanView {
+                running: true,
+                progress: planning.progress,
+                walk: None,
+                drive: None,
+                planning_s: 0.0,
+            });
+        }
+        self.planned.as_ref().map(|planned| PlanView {
+            running: false,
+            progress: 1.0,
+            walk: Some(planned.walk),
+            drive: Some(planned.drive),
+            planning_s: planned.planning_s,
+        })
+    }
+
+    /// One or two sentences that stand for the picture.
+    pub fn description(&self) -> String {
+        let view = self.view();
+        let room = format!("{}, {:.1} m by {:.1} m", view.room.title, view.room.width_m, view.room.height_m);
+        let doing = match view.state {
+            State::Failed => "there is no plan to drive",
+            State::Planning => "a path is being planned",
+            State::Ready => "the robot stands at the start",
+            State::Playing => "the robot is cleaning",
+            State::Paused | State::Seeking => "the robot stands still",
+            State::Finished => "the run is over",
+        };
+        format!(
+            "Floor plan of {room}. {} planner: {doing}, {:.0} % of the reachable floor is clean after {:.0} minutes.",
+            self.settings.planner.title,
+            100.0 * view.coverage,
+            view.time_s / 60.0
+        )
+    }
+}
