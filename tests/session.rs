@@ -165,6 +165,16 @@ fn link_brings_the_same_session_back() {
 }
 
 #[test]
+fn links_may_say_things_in_any_order() {
+    let mut session = opened();
+    session.restore("p.patience=5&cell=0.2&planner=snake&robot=cell&room=empty").unwrap();
+    let link = session.link();
+    for part in ["room=empty", "planner=snake", "p.patience=5", "robot=cell", "cell=0.2"] {
+        assert!(link.split('&').any(|p| p == part), "{part} is not in {link}");
+    }
+}
+
+#[test]
 fn bad_links_name_what_is_wrong_and_change_nothing() {
     let mut session = opened();
     let before = session.link();

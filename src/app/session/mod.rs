@@ -381,8 +381,11 @@ impl Session {
     pub fn restore(&mut self, link: &str) -> Result<(), SettingsError> {
         let mut settings = self.settings.clone();
         let mut room = None;
-        for pair in link.trim_start_matches('#').split('&').filter(|p| !p.is_empty()) {
-            let (key, value) = pair.split_once('=').unwrap_or((pair, ""));
+        let pairs = link.trim_start_matches('#').split('&').filter(|p| !p.is_empty());
+        let mut pairs: Vec<(&str, &str)> = pairs.map(|p| p.split_once('=').unwrap_or((p, ""))).collect();
+        // Robot and planner bring defaults of their own, which must not undo what else the link says.
+        pairs.sort_by_key(|(key, _)| !matches!(*key, "robot" | "planner"));
+        for (key, value) in pairs {
             if key == "room" {
                 room = Some(value);
             } else {
