@@ -116,6 +116,16 @@ impl Editor {
         self.stroke.take().is_some()
     }
 
+    /// Takes back the stroke that is under way, as if it had never begun.
+    pub fn abandon(&mut self) {
+        if self.stroke.take().is_some()
+            && let Some(before) = self.undo.pop()
+        {
+            self.now = before;
+            self.version += 1;
+        }
+    }
+
     /// Takes the last change back; whether there was one.
     pub fn undo(&mut self) -> bool {
         // A stroke that is under way must not go on in another room.
@@ -215,6 +225,15 @@ mod tests {
         assert_eq!((walls(&editor), editor.room()), (0, Some("empty")));
         assert!(editor.redo() && !editor.redo());
         assert_eq!(walls(&editor), 20);
+    }
+
+    #[test]
+    fn abandoned_stroke_leaves_no_trace() {
+        let mut editor = editor();
+        editor.begin(Brush::Wall, Point::new(0.5, 0.5));
+        editor.abandon();
+        assert_eq!((walls(&editor), editor.room()), (0, Some("empty")));
+        assert!(!editor.can_undo() && !editor.can_redo() && !editor.end());
     }
 
     #[test]

@@ -7,6 +7,7 @@ use crate::{
     robot::{OdometryModel, RobotModel, cell_robot, model},
     sim::SlipLevel,
 };
+use std::collections::BTreeMap;
 
 /// Sides of planning cells that are offered, m.
 pub const CELL_SIZES: [f64; 8] = [0.1, 0.12, 0.15, 0.2, 0.25, 0.3, 0.35, 0.5];
@@ -23,6 +24,8 @@ pub struct Settings {
     pub planner: &'static PlannerInfo,
     /// Its parameters.
     pub params: Params,
+    /// Parameters that other planners had when they were left, to come back to.
+    left: BTreeMap<&'static str, Params>,
     /// Id of the robot.
     pub robot: &'static str,
     /// Side of the planning cells, m.
@@ -75,6 +78,7 @@ impl Settings {
         Self {
             planner,
             params: Params::defaults(planner.params),
+            left: BTreeMap::new(),
             robot: "roomba600",
             cell_size: 0.12,
             seed: 1,
@@ -85,14 +89,23 @@ impl Settings {
         }
     }
 
-    /// Chooses a planner, with its default parameters.
+    /// Chooses a planner, with the parameters that it had when it was left.
     pub fn select_planner(&mut self, id: &str) -> Result<(), SettingsError> {
         let known = || planner::PLANNERS.iter().map(|p| p.id).collect::<Vec<_>>().join(", ");
-        self.planner = planner::find(id).ok_or_else(|| SettingsError::Unknown {
+        let chosen = planner::find(id).ok_or_else(|| SettingsError::Unknown {
             kind: "planner",
             id: id.into(),
             known: known(),
         })?;
+        self.left.insert(self.planner.id, self.params.clone());
+        self.params = self.left.remove(chosen.id).unwrap_or_else(|| Params::defaults(chosen.params));
+        self.planner = chosen;
+        Ok(())
+    }
+
+    /// Chooses a planner with its default parameters, as links and scenarios mean it.
+    fn select_fresh_planner(&mut self, id: &str) -> Result<(), SettingsError> {
+        self.select_planner(id)?;
         self.params = Params::defaults(self.planner.params);
         Ok(())
     }
@@ -169,7 +182,7 @@ impl Settings {
             self.set_cell_size(metres)?;
         }
         if let Some(id) = &scenario.planner {
-            self.select_planner(id)?;
+            self.select_fresh_planner(id)?;
         }
         for (id, value) in &scenario.params {
             let text = value.as_str().map_or_else(|| value.to_string(), str::to_owned);
@@ -226,7 +239,7 @@ impl Settings {
             value.parse::<f64>().ok().filter(|n| n.is_finite()).ok_or_else(wrong)
         };
         match key {
-            "planner" => self.select_planner(value)?,
+            "planner" => self.select_fresh_planner(value)?,
             "robot" => self.select_robot(value)?,
             "cell" => self.set_cell_size(number("the cell size", "a length from 0.02 to 2 (metres)")?)?,
             "seed" => self.set_seed(value.parse().ok(), value)?,

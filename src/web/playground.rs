@@ -18,6 +18,9 @@ const OPENING_S: f64 = 600.0;
 /// The session's first planning request, which is that for the opening scene.
 const OPENING_REQUEST: u32 = 1;
 
+/// Distance from the robot's centre within which the pointer takes hold of it, CSS pixels, however small it is drawn.
+const LEAST_GRIP_PX: f64 = 16.0;
+
 /// What the pointer does on the floor.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Tool {
@@ -295,6 +298,10 @@ impl Playground {
                 self.gesture = Some(Gesture::Start { pose: Pose::new(at.x, at.y, pose.heading), turns: false });
             }
             ("cancel", Some(Gesture::Start { .. })) => self.gesture = None,
+            ("cancel", Some(Gesture::Paint)) => {
+                self.session.abandon_stroke();
+                self.gesture = None;
+            }
             ("up" | "cancel", _) => self.end_gesture(),
             _ => {}
         }
@@ -326,7 +333,8 @@ impl Playground {
     fn is_on_robot(&self, at: Point) -> bool {
         let radius = self.session.settings().robot_model().radius;
         let robot = self.session.recording().map(|r| r.run().pose());
-        robot.is_some_and(|pose| (pose.position() - at).norm() < radius)
+        let reach = radius.max(LEAST_GRIP_PX / self.viewport.scale);
+        robot.is_some_and(|pose| (pose.position() - at).norm() < reach)
     }
 
     /// Moves by (`dx`, `dy`) CSS pixels.

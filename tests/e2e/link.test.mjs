@@ -35,3 +35,22 @@ test("the copied link opens the same room", async (t) => {
   await app.until("playing");
   assert.equal(await app.room(), "Spiral corridor");
 });
+
+test("a drawn room survives a reload, and its link says elsewhere that it is not there", async (t) => {
+  const { page, app } = await openApp(t, { address: "#room=empty&speed=4" });
+  const before = await app.reachableArea();
+  await app.tool("wall");
+  await app.drag([0.5, 0.1], [0.5, 0.6]);
+  await app.settled();
+  const drawn = await app.reachableArea();
+  assert.ok(drawn < before, `${drawn} of ${before} m²`);
+  assert.equal(await app.linked("room", (room) => room === "own"), "own");
+  const address = page.url();
+  await page.reload();
+  await app.until("playing");
+  assert.equal(await app.reachableArea(), drawn);
+  await page.evaluate(() => localStorage.clear());
+  await page.goto("about:blank");
+  await page.goto(address);
+  await page.waitForFunction(() => document.body.innerText.includes("drawn or loaded in another browser"));
+});

@@ -444,6 +444,11 @@ impl Session {
         self.editor.go_on(at);
     }
 
+    /// Takes back what is being drawn.
+    pub fn abandon_stroke(&mut self) {
+        self.editor.abandon();
+    }
+
     /// Ends drawing and plans anew.
     pub fn end_stroke(&mut self) {
         if self.editor.end() {
