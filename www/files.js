@@ -46,7 +46,8 @@ export function startFiles(app) {
     if (!app.act((p) => (link.hash = p.link()))) return;
     try {
       await navigator.clipboard.writeText(link.href);
-      toast("Link copied");
+      const isOwn = link.hash.includes("room=own");
+      toast(isOwn ? "Link copied. The room itself is only in this browser: save it and send the file along." : "Link copied");
     } catch {
       history.replaceState(null, "", link.hash);
       toast("The link is in the address bar");

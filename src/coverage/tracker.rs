@@ -16,8 +16,6 @@ pub struct CoverageTracker {
     /// Number of the last stamp that touched the cell, 0 for none.
     touched: Vec<u32>,
     stamps: u32,
-    /// Distance between stamps, m.
-    spacing: f64,
     /// Stamps after which a touched cell counts as left.
     memory: u32,
     last: Option<Point>,
@@ -32,16 +30,14 @@ impl CoverageTracker {
     pub fn new(floor: &ReachableFloor) -> Self {
         let grid = &floor.floor;
         let radius = floor.tool_radius / floor.resolution;
-        // In cells. The swept edge is scalloped by apart² / 8 radius: at most a twentieth of a cell.
-        let apart = if radius >= 3.0 { 1.0 } else { 0.5 };
         Self {
             stamp: Stamp { radius, width: grid.width(), height: grid.height() },
             resolution: floor.resolution,
             visits: Grid::filled(grid.width(), grid.height(), 0),
             touched: vec![0; grid.len()],
             stamps: 0,
-            spacing: apart * floor.resolution,
-            memory: (2.0 * radius / apart).ceil() as u32 + 1,
+            // Stamps are half a cell apart: 4 radii of them are a diameter.
+            memory: (4.0 * radius).ceil() as u32 + 1,
             last: None,
             covered: 0,
             passes: 0,
@@ -56,7 +52,7 @@ impl CoverageTracker {
             self.put_down(floor, point);
             return;
         };
-        let spacing = self.spacing;
+        let spacing = 0.5 * self.resolution;
         let distance_squared = (point - last).norm_squared();
         if distance_squared < spacing * spacing {
             return;
