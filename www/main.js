@@ -112,13 +112,15 @@ function start(module) {
   };
   requestAnimationFrame(frame);
   let kept = "";
-  setInterval(() => guard(() => {
+  const keep = () => guard(() => {
     const link = playground.link();
     keepLink(link);
     const version = `${link} ${playground.room_version()}`;
     if (version !== kept) keepRoom(app, link);
     kept = version;
-  }), 500);
+  });
+  setInterval(keep, 500);
+  addEventListener("pagehide", keep);
   document.body.dataset.boot = "ready";
 }
 

@@ -49,8 +49,9 @@ test("a drawn room survives a reload, and its link says elsewhere that it is not
   await page.reload();
   await app.until("playing");
   assert.equal(await app.reachableArea(), drawn);
-  await page.evaluate(() => localStorage.clear());
-  await page.goto("about:blank");
-  await page.goto(address);
-  await page.waitForFunction(() => document.body.innerText.includes("drawn or loaded in another browser"));
+  const elsewhere = await page.context().browser().newContext();
+  const other = await elsewhere.newPage();
+  await other.goto(address);
+  await other.waitForFunction(() => document.body.innerText.includes("drawn or loaded in another browser"));
+  await elsewhere.close();
 });
