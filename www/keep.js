@@ -1,9 +1,13 @@
 // @ts-check
 // Keeps rooms that are not in a link: drawn or loaded ones survive a reload in this browser.
 
+import { toast } from "./messages.js";
+
 /** @typedef {import("./main.js").App} App */
 
 const KEY = "own-room";
+/** Whether it has been said that there is no room for the room. */
+let warned = false;
 /** What `link` says for a room that does not ship. */
 const OWN = "room=own";
 
@@ -30,8 +34,11 @@ export function keepRoom(app, link) {
   if (!link.split("&").includes(OWN)) return;
   try {
     localStorage.setItem(KEY, app.playground.scenario_json());
-  } catch {
-    // Private windows and full disks: the room then lives as long as the page.
+  } catch (error) {
+    // A private window has no storage at all; whoever opens one doesn't expect the room to stay.
+    if (warned || !(error instanceof DOMException) || error.name !== "QuotaExceededError") return;
+    warned = true;
+    toast("This room is too large to be kept in this browser. Save it before you leave.");
   }
 }
 

@@ -4,7 +4,7 @@ use super::{stamp::Stamp, walls::Walls};
 use crate::{
     floorplan::FloorPlan,
     geometry::{Point, Pose, Vector},
-    grid::{Cell, Direction, Grid, clearance, reachable},
+    grid::{Cell, Direction, Grid, clearance, largest_part, reachable},
     robot::RobotModel,
 };
 
@@ -263,33 +263,8 @@ fn nearest(free: &Grid<bool>, resolution: f64, point: Point) -> Option<Point> {
 
 /// The first standing place, from the lower left, of the largest connected part; heading 0.
 fn default_start(free: &Grid<bool>, resolution: f64) -> Option<Pose> {
-    let mut seen = Grid::filled(free.width(), free.height(), false);
-    let mut best: Option<(usize, Cell)> = None;
-    let mut stack = Vec::new();
-    for (first, &is_free) in free.iter() {
-        if !is_free || seen[first] {
-            continue;
-        }
-        let mut size = 0;
-        seen[first] = true;
-        stack.push(first);
-        while let Some(cell) = stack.pop() {
-            size += 1;
-            for next in cell.neighbours() {
-                if free.is_set(next) && !seen[next] {
-                    seen[next] = true;
-                    stack.push(next);
-                }
-            }
-        }
-        if best.is_none_or(|(most, _)| size > most) {
-            best = Some((size, first));
-        }
-    }
-    best.map(|(_, cell)| {
-        let point = cell.centre(resolution);
-        Pose::new(point.x, point.y, 0.0)
-    })
+    let point = largest_part(free)?.centre(resolution);
+    Some(Pose::new(point.x, point.y, 0.0))
 }
 
 /// Cells that a disc of `radius` cells sweeps when its centre is anywhere in `standing`, walls left out.

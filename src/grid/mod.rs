@@ -10,7 +10,7 @@ pub use cell::{Cell, Direction};
 pub use clearance::clearance;
 pub use occupancy::Occupancy;
 pub use picture::{from_picture, picture};
-pub use reach::reachable;
+pub use reach::{largest_part, reachable};
 
 /// A rectangle of values, stored row by row from the bottom.
 ///
