@@ -15,6 +15,8 @@ pub struct PlannerInfo {
     pub source: &'static str,
     /// Address of the source or of a good description; empty if there is none.
     pub link: &'static str,
+    /// What its panel explains.
+    pub explainer: Explainer,
     /// What the contract test holds it to.
     pub claims: Claims,
     /// Its parameters, the important ones first.
@@ -30,4 +32,33 @@ pub struct Claims {
     pub complete: bool,
     /// The result does not depend on the seed.
     pub deterministic: bool,
+    /// Plans a million cells in about a second; others are meant for rooms of up to [`SLOW_CELLS`].
+    pub fast: bool,
+}
+
+/// Free cells up to which planners that don't claim to be fast stay usable.
+pub const SLOW_CELLS: usize = 200 * 200;
+
+/// What the page says of an algorithm to someone who doesn't know it.
+#[derive(Debug, Clone, Copy)]
+pub struct Explainer {
+    /// The idea in three sentences.
+    pub idea: &'static str,
+    /// Time and memory in the number of cells n, as the code has them.
+    pub complexity: &'static str,
+    /// When to choose it, and when not to.
+    pub use_when: &'static str,
+    /// A room that ships and that shows what it is good at.
+    pub shines: Example,
+    /// A room that ships and that shows what it is bad at.
+    pub fails: Example,
+}
+
+/// A room and what an algorithm does there.
+#[derive(Debug, Clone, Copy)]
+pub struct Example {
+    /// Id of a room that ships.
+    pub room: &'static str,
+    /// What is to be seen there, in one sentence.
+    pub why: &'static str,
 }

@@ -15,7 +15,7 @@ mod snake;
 pub mod stage;
 
 pub use context::{Observer, PlanContext, PlanError};
-pub use info::{Claims, PlannerInfo};
+pub use info::{Claims, Example, Explainer, PlannerInfo, SLOW_CELLS};
 pub use job::CoverageJob;
 pub use params::{ParamError, ParamKind, ParamSpec, ParamValue, Params};
 pub use path::{CoveragePath, PathError};

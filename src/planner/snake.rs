@@ -46,8 +46,8 @@
 //! ```
 
 use super::{
-    Claims, CoverageJob, CoveragePath, ParamKind, ParamSpec, PlanContext, PlanError, Planner, PlannerInfo,
-    stage::Seeker,
+    Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError, Planner,
+    PlannerInfo, stage::Seeker,
 };
 use crate::grid::{Cell, Direction, Grid};
 
@@ -58,7 +58,17 @@ pub const INFO: PlannerInfo = PlannerInfo {
     summary: "Goes straight until the way is blocked or clean, then turns to the neighbour visited least.",
     source: "Emu & Obaida 2020, thesis, East West University: section 4.2 and Appendix B",
     link: "",
-    claims: Claims { complete: true, deterministic: true },
+    explainer: Explainer {
+        idea: "The robot counts how often it has visited every cell and goes straight while the cell ahead is new. \
+               Else it turns to the neighbour visited least and turns once more, which makes a lawn mower's U-turn. \
+               Between equal neighbours it takes the side with fewer cells left, so that no small corner is left over.",
+        complexity: "O(n) steps by the rules, each O(width + height); O(n) memory for n cells.",
+        use_when: "Decides from its neighbours alone, so it runs on a small controller and needs no plan in advance. \
+                   It leaves islands behind that it must come back for.",
+        shines: Example { room: "thesis8", why: "The room that the rules were printed with." },
+        fails: Example { room: "office", why: "Rooms behind doors are left and come back to again and again." },
+    },
+    claims: Claims { complete: true, deterministic: true, fast: true },
     params: &[ParamSpec {
         id: "patience",
         label: "Patience",

@@ -3,7 +3,7 @@
 use crate::{
     app::{CELL_SIZES, SPEEDS},
     floorplan::ROOMS,
-    planner::{PLANNERS, ParamKind, ParamSpec, ParamValue},
+    planner::{self, PLANNERS, ParamKind, ParamSpec, ParamValue},
     robot::MODELS,
 };
 use serde::Serialize;
@@ -34,7 +34,19 @@ struct Planner {
     link: &'static str,
     complete: bool,
     deterministic: bool,
+    fast: bool,
+    idea: &'static str,
+    complexity: &'static str,
+    use_when: &'static str,
+    shines: Example,
+    fails: Example,
     params: Vec<Param>,
+}
+
+#[derive(Serialize)]
+struct Example {
+    room: &'static str,
+    why: &'static str,
 }
 
 #[derive(Serialize)]
@@ -77,6 +89,12 @@ impl Catalogue {
                     link: p.link,
                     complete: p.claims.complete,
                     deterministic: p.claims.deterministic,
+                    fast: p.claims.fast,
+                    idea: p.explainer.idea,
+                    complexity: p.explainer.complexity,
+                    use_when: p.explainer.use_when,
+                    shines: Example::new(&p.explainer.shines),
+                    fails: Example::new(&p.explainer.fails),
                     params: p.params.iter().map(Param::new).collect(),
                 })
                 .collect(),
@@ -87,6 +105,12 @@ impl Catalogue {
             cell_sizes_m: CELL_SIZES,
             speeds: SPEEDS,
         }
+    }
+}
+
+impl Example {
+    fn new(example: &planner::Example) -> Self {
+        Self { room: example.room, why: example.why }
     }
 }
 

@@ -2,9 +2,13 @@
 
 use super::support::{Scenario, scenarios};
 use robovac_playground::{
+    floorplan::room,
     grid::{Cell, Direction},
     metrics::WalkMetrics,
-    planner::{CoverageJob, CoveragePath, PLANNERS, Params, PlanContext, PlanError, Planner, PlannerInfo},
+    planner::{
+        CoverageJob, CoveragePath, Explainer, PLANNERS, Params, PlanContext, PlanError, Planner, PlannerInfo,
+        SLOW_CELLS,
+    },
 };
 use std::ops::ControlFlow;
 
@@ -20,10 +24,18 @@ fn describe(info: &PlannerInfo, scenario: &Scenario, job: &CoverageJob) -> Strin
     format!("{} in {} from {} facing {:?}", info.id, scenario.name, job.start, job.heading)
 }
 
+/// Whether a planner is meant for a room of this size.
+fn suits(info: &PlannerInfo, job: &CoverageJob) -> bool {
+    info.claims.fast || job.cells() <= SLOW_CELLS
+}
+
 #[test]
 fn walks_can_be_driven_and_cover_what_they_claim() {
     for scenario in scenarios() {
         for (info, job) in PLANNERS.iter().flat_map(|info| scenario.jobs().map(move |job| (info, job))) {
+            if !suits(info, &job) {
+                continue;
+            }
             let path = plan(info, &job, 1);
             let what = describe(info, &scenario, &job);
             path.check(&job).unwrap_or_else(|error| panic!("{what}: {error}"));
@@ -71,6 +83,18 @@ fn every_choice_of_every_parameter_works() {
                     assert!(!info.claims.complete || metrics.visited_cells == metrics.reachable_cells, "{what}");
                 }
             }
+        }
+    }
+}
+
+#[test]
+fn every_planner_explains_itself_with_rooms_that_ship() {
+    for info in PLANNERS {
+        let Explainer { idea, complexity, use_when, shines, fails } = info.explainer;
+        assert_eq!(idea.matches(['.', '!', '?']).count(), 3, "{}: three sentences", info.id);
+        assert!(!complexity.is_empty() && !use_when.is_empty(), "{}", info.id);
+        for example in [shines, fails] {
+            assert!(room(example.room).is_some() && !example.why.is_empty(), "{}: {}", info.id, example.room);
         }
     }
 }

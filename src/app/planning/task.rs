@@ -150,7 +150,7 @@ mod tests {
         app::planning::PlanReport,
         floorplan::{SourceFile, load, room},
         grid::Grid,
-        planner::{Claims, CoverageJob, PlanContext, PlanError, Planner},
+        planner::{Claims, CoverageJob, Example, Explainer, PlanContext, PlanError, Planner},
     };
     use std::cell::Cell as Shared;
 
@@ -174,13 +174,16 @@ mod tests {
         }
     }
 
+    const NOWHERE: Example = Example { room: "", why: "" };
+
     static PLANNER: PlannerInfo = PlannerInfo {
         id: "depth_first",
         title: "Depth first",
         summary: "",
         source: "",
         link: "",
-        claims: Claims { complete: true, deterministic: true },
+        explainer: Explainer { idea: "", complexity: "", use_when: "", shines: NOWHERE, fails: NOWHERE },
+        claims: Claims { complete: true, deterministic: true, fast: true },
         params: &[],
         build: |_| Box::new(DepthFirst),
     };
