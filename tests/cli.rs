@@ -1,7 +1,7 @@
 //! The native companion as people and scripts run it.
 #![cfg(not(target_arch = "wasm32"))]
 
-use robovac_playground::{app::Session, floorplan::ROOMS, planner::PLANNERS, robot::MODELS};
+use robovac_playground::{app::Session, floorplan::ROOMS, metrics::METRICS, planner::PLANNERS, robot::MODELS};
 use serde_json::Value;
 use std::{
     collections::HashSet,
@@ -51,8 +51,20 @@ fn checked_walk(report: &Value) -> Vec<(i64, i64)> {
         let share = visited.len() as f64 / whole("reachable_cells") as f64;
         assert_eq!(report["coverage"].as_f64().unwrap(), share);
     }
-    for key in ["turns", "initial_turns", "overlap", "length_m", "duration_s", "planning_s", "seed", "heading_deg"] {
+    let numbers =
+        ["turns", "initial_turns", "direction_changes", "revisited_cells", "overlap", "overlap_m2", "length_m"];
+    let others = ["duration_s", "energy_wh", "planning_s", "seed", "heading_deg"];
+    for key in numbers.into_iter().chain(others) {
         assert!(report[key].is_number(), "{key} in {report}");
+    }
+    if whole("visited_cells") == whole("reachable_cells") {
+        let (steps, turns) = (whole("steps") as u64, whole("turns") as u64);
+        for (key, value) in [("steps", steps), ("turns", turns), ("cost", steps + 2 * turns)] {
+            assert!(report["bounds"][key].as_u64().unwrap() <= value, "{key} of {}", report["bounds"]);
+        }
+        assert!(report["above_bound_percent"].as_f64().unwrap() >= 0.0);
+    } else {
+        assert!(report["above_bound_percent"].is_null());
     }
     walk
 }
@@ -65,6 +77,7 @@ fn lists_begin_with_the_id() {
     assert_eq!(ids("planners"), PLANNERS.iter().map(|p| p.id).collect::<Vec<_>>());
     assert_eq!(ids("rooms"), ROOMS.iter().map(|r| r.id).collect::<Vec<_>>());
     assert_eq!(ids("robots"), MODELS.iter().map(|r| r.id).collect::<Vec<_>>());
+    assert_eq!(ids("metrics"), METRICS.iter().map(|m| m.id).collect::<Vec<_>>());
 }
 
 #[test]

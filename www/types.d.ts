@@ -41,13 +41,17 @@ export type PlanNumbers = {
   visited_cells: number;
   steps: number;
   turns: number;
+  direction_changes: number;
   initial_turns: number;
   revisits: number;
+  revisited_cells: number;
   length_m: number;
   turning_deg: number;
   duration_s: number;
+  energy_wh: number;
   coverage: number;
   overlap: number;
+  overlap_m2: number;
   planning_s: number;
 };
 

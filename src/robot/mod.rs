@@ -6,6 +6,6 @@ mod odometry;
 mod sensors;
 
 pub use drive::Drive;
-pub use model::{MODELS, RobotModel, cell_robot, model};
+pub use model::{MODELS, Power, RobotModel, cell_robot, model};
 pub use odometry::{Odometry, OdometryModel, advance};
 pub use sensors::Sensors;

@@ -5,7 +5,7 @@ use crate::{
     coverage::{FloorError, Lattice, ReachableFloor, fine_resolution},
     floorplan::FloorPlan,
     geometry::{Point, Pose},
-    metrics::{DriveMetrics, WalkMetrics},
+    metrics::{Bounds, DriveMetrics, PlanNumbers, WalkMetrics},
     planner::{CoverageJob, CoveragePath, Observer, Params, PathError, PlanContext, PlanError, PlannerInfo},
     robot::{OdometryModel, RobotModel},
     sim::{Run, RunSetup, SlipLevel},
@@ -107,6 +107,12 @@ impl Planned {
             line,
             planning_s: *seconds,
         })
+    }
+
+    /// All numbers for a table, with the bounds of the job if they have been worked out.
+    pub fn numbers(&self, bounds: Option<Bounds>) -> PlanNumbers {
+        let Self { walk, drive, planning_s, .. } = *self;
+        PlanNumbers { walk, drive, planning_s, bounds }
     }
 
     /// The robot at the start, about to drive the line by dead reckoning.

@@ -1,9 +1,9 @@
 //! What the command line writes about a plan.
 
-use super::{Planned, PlanningTask, Prepared, Solution};
+use super::{PlanningTask, Prepared, Solution};
 use crate::{
     grid::Cell,
-    metrics::{DriveMetrics, WalkMetrics},
+    metrics::{Bounds, DriveMetrics, PlanNumbers, WalkMetrics},
     planner::Params,
 };
 use serde::Serialize;
@@ -56,6 +56,10 @@ pub struct PlanReport {
     pub drive: DriveMetrics,
     /// Time that the planner took, s.
     pub planning_s: f64,
+    /// What no walk can be better than.
+    pub bounds: Bounds,
+    /// How much more the walk's steps + 2 x quarter turns are than that, %; `None` if the walk misses cells.
+    pub above_bound_percent: Option<f64>,
 }
 
 impl TaskReport {
@@ -81,8 +85,17 @@ impl TaskReport {
 impl PlanReport {
     /// The numbers of `solution`.
     pub fn new(task: &PlanningTask, solution: Solution) -> Self {
-        let Planned { walk, drive, planning_s, .. } = solution.planned;
-        let task = TaskReport::new(task, &solution.prepared);
-        Self { task, cells: solution.path.cells, walk, drive, planning_s }
+        let bounds = Bounds::of(&solution.prepared.job);
+        let numbers = solution.planned.numbers(Some(bounds));
+        let PlanNumbers { walk, drive, planning_s, .. } = numbers;
+        Self {
+            task: TaskReport::new(task, &solution.prepared),
+            cells: solution.path.cells,
+            walk,
+            drive,
+            planning_s,
+            bounds,
+            above_bound_percent: numbers.above_bound_percent(),
+        }
     }
 }

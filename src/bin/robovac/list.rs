@@ -1,6 +1,6 @@
 //! `planners`, `rooms`, `robots`: what there is, one a line.
 
-use robovac_playground::{floorplan::ROOMS, planner::PLANNERS, robot::MODELS};
+use robovac_playground::{floorplan::ROOMS, metrics::METRICS, planner::PLANNERS, robot::MODELS};
 
 pub fn planners() -> String {
     lines(PLANNERS.iter().map(|planner| (planner.id, planner.title)))
@@ -14,7 +14,11 @@ pub fn robots() -> String {
     lines(MODELS.iter().map(|robot| (robot.id, robot.title)))
 }
 
-/// Ids, padded so that the titles stand in a column.
+pub fn metrics() -> String {
+    lines(METRICS.iter().map(|metric| (metric.id, metric.definition)))
+}
+
+/// Ids, padded so that what follows stands in a column.
 fn lines<'a>(entries: impl Iterator<Item = (&'a str, &'a str)> + Clone) -> String {
     let width = entries.clone().map(|(id, _)| id.len()).max().unwrap_or(0);
     entries.fold(String::new(), |text, (id, title)| text + &format!("{id:width$}  {title}\n"))

@@ -62,6 +62,8 @@ Exit codes:
         Rooms,
         /// List the robots: id, then title
         Robots,
+        /// List the numbers by which plans are compared: id, then what it is
+        Metrics,
         Plan(plan::Arguments),
         Simulate(simulate::Arguments),
         Convert(convert::Arguments),
@@ -73,6 +75,7 @@ Exit codes:
             Command::Planners => Ok(list::planners()),
             Command::Rooms => Ok(list::rooms()),
             Command::Robots => Ok(list::robots()),
+            Command::Metrics => Ok(list::metrics()),
             Command::Plan(arguments) => plan::run(&arguments),
             Command::Simulate(arguments) => simulate::run(&arguments),
             Command::Convert(arguments) => convert::run(&arguments),

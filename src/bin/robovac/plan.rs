@@ -28,12 +28,15 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
 }
 
 fn summary(task: &PlanningTask, report: &PlanReport) -> String {
-    let PlanReport { walk, drive, .. } = report;
+    let PlanReport { walk, drive, bounds, .. } = report;
+    let above =
+        report.above_bound_percent.map(|percent| format!(", the walk is {percent:.1} % above")).unwrap_or_default();
     format!(
         "{}\
          Coverage  {:.1} % of the reachable floor, {} reachable cells\n\
          Walk      {} steps, {} quarter turns and {} at the start, {} revisits, {:.1} % overlap\n\
-         Drive     {:.1} m in {}\n\
+         Bound     no walk has fewer than {} steps or {} quarter turns, or steps + 2 x turns below {}{above}\n\
+         Drive     {:.1} m in {}, {:.1} Wh\n\
          Planning  {:.3} s\n",
         task::summary(task, &report.task),
         100.0 * drive.coverage,
@@ -43,8 +46,12 @@ fn summary(task: &PlanningTask, report: &PlanReport) -> String {
         walk.initial_turns,
         walk.revisits,
         100.0 * drive.overlap,
+        bounds.steps,
+        bounds.turns,
+        bounds.cost,
         drive.length_m,
         output::minutes(drive.duration_s),
+        drive.energy_wh,
         report.planning_s,
     )
 }
