@@ -36,14 +36,14 @@ export function startFiles(app) {
   startDrop((files) => void load(files));
 
   button("save").addEventListener("click", () => {
-    app.act((p) => download(`${fileName(app.view.room.title)}.json`, p.scenario_json()));
+    app.act((p) => download(`${fileName(app.view.room.title)}.json`, p.scenario_json(), "application/json"));
   });
 
   const share = button("share");
   share.disabled = false;
   share.addEventListener("click", async () => {
     const link = new URL(location.href);
-    if (!app.act((p) => (link.hash = p.link()))) return;
+    if (!app.act(() => (link.hash = app.link()))) return;
     try {
       await navigator.clipboard.writeText(link.href);
       const isOwn = link.hash.includes("room=own");
@@ -78,14 +78,14 @@ function startDrop(take) {
 }
 
 /** @param {string} title */
-function fileName(title) {
+export function fileName(title) {
   const plain = title.toLowerCase().replace(/[^\p{L}\p{N}]+/gu, "-").replace(/^-|-$/g, "");
   return plain || "room";
 }
 
-/** @param {string} name @param {string} text */
-function download(name, text) {
-  const url = URL.createObjectURL(new Blob([text], { type: "application/json" }));
+/** @param {string} name @param {BlobPart} content @param {string} type */
+export function download(name, content, type) {
+  const url = URL.createObjectURL(new Blob([content], { type }));
   const link = document.createElement("a");
   link.href = url;
   link.download = name;

@@ -1,6 +1,7 @@
 // @ts-check
 // Keys that work everywhere on the page, and the dialog that lists them.
 import { button, input, typed } from "./dom.js";
+import { place } from "./places.js";
 
 /** @typedef {import("./main.js").App} App */
 
@@ -21,7 +22,7 @@ export function startKeys(app) {
   singleKeys.addEventListener("change", () => remember(singleKeys.checked ? "on" : "off"));
 
   document.addEventListener("keydown", (event) => {
-    if (dialog.open || event.defaultPrevented || event.altKey) return;
+    if (document.querySelector("dialog[open]") || event.defaultPrevented || event.altKey) return;
     const target = event.target instanceof Element ? event.target : document.body;
     if (target.matches("select, textarea, input:not([type=checkbox], [type=range])")) return;
     const used = event.ctrlKey || event.metaKey ? withControl(app, event) : singleKeys.checked && single(app, event, target, dialog);
@@ -40,12 +41,17 @@ function withControl({ act, view }, event) {
 function single(app, event, target, dialog) {
   const { act, view } = app;
   const key = event.key.toLowerCase();
+  // Space presses the button that has the focus.
+  if (key === " " && target.matches("button, summary, input, a")) return false;
+  if (key === "?") {
+    dialog.showModal();
+    return true;
+  }
+  if (place() === "compare") return app.compareKey(key);
   const tool = TOOLS[key];
   if (tool) return (tool === "view" || view.can.edit) && act((p) => p.set_tool(tool));
   switch (key) {
     case " ":
-      // Space presses the button that has the focus.
-      if (target.matches("button, summary, input, a")) return false;
       if (view.can.pause) return act((p) => p.pause());
       return view.can.play && act((p) => p.play());
     case ".":
@@ -59,9 +65,6 @@ function single(app, event, target, dialog) {
       return act((p) => zoomCentre(p, 0.8));
     case "0":
       return act((p) => p.fit());
-    case "?":
-      dialog.showModal();
-      return true;
     default:
       return false;
   }

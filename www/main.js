@@ -1,12 +1,14 @@
 // @ts-check
 // Starts the page and drives it: one frame and one view per animation frame.
 import init, { Playground } from "../robovac-playground.js";
+import { startCompare } from "./compare.js";
 import { byId } from "./dom.js";
 import { startFiles } from "./files.js";
 import { keepRoom, restoreLink } from "./keep.js";
 import { startKeys } from "./keys.js";
-import { complain, cover, forgive, isFatal, startMessages, textOf } from "./messages.js";
+import { complain, cover, forgive, isFatal, startMessages, textOf, updateMessage } from "./messages.js";
 import { startPanel } from "./panel.js";
+import { go, place, placeOf, startPlaces } from "./places.js";
 import { Planning } from "./planning.js";
 import { startPlaybar } from "./playbar.js";
 import { startSheets } from "./sheets.js";
@@ -24,6 +26,8 @@ import { compile, missing } from "./wasm.js";
  * @property {View} view The latest view.
  * @property {(what: (playground: Playground) => void) => boolean} act Does something that may fail; says whether it worked.
  * @property {() => void} cancelPlanning
+ * @property {() => string} link What leads back to what is shown, behind `#`.
+ * @property {(key: string) => boolean} compareKey A single key while comparing; says whether it was used.
  */
 
 /** @param {unknown} error */
@@ -70,7 +74,10 @@ function start(module) {
       planning.cancel();
       app.act((p) => p.cancel_plan());
     },
+    link: () => (place() === "compare" ? `${playground.link()}&${compare.link()}` : playground.link()),
+    compareKey: (key) => compare.key(key),
   };
+  const compare = startCompare(app, module, guard);
   const planning = new Planning(module, {
     progress: (id, done, cells) => guard(() => playground.plan_progress(id, done, cells)),
     finished: (id, cells, seconds) => guard(() => playground.plan_finished(id, cells, seconds)),
@@ -81,14 +88,24 @@ function start(module) {
   const restore = (address) => {
     const { hash } = new URL(address);
     // Other fragments are places on the page, such as that of the skip link.
-    if (hash.includes("=")) restoreLink(app, hash.slice(1));
+    if (!hash.includes("=")) return;
+    const link = hash.slice(1);
+    restoreLink(app, link);
+    go(placeOf(link));
+    if (place() === "compare") compare.restore(link);
   };
   restore(location.href);
   // Not the address as it is by then: `keepLink` may have been faster.
   addEventListener("hashchange", (event) => restore(event.newURL));
   if (matchMedia("(prefers-reduced-motion: reduce)").matches) playground.pause();
 
-  startTheme((dark) => guard(() => playground.set_dark(dark)));
+  startPlaces();
+  startTheme((dark) =>
+    guard(() => {
+      playground.set_dark(dark);
+      compare.setDark(dark);
+    }),
+  );
   const resized = startStage(app);
   const updatePanel = startPanel(app);
   const updatePlaybar = startPlaybar(app);
@@ -100,11 +117,18 @@ function start(module) {
     if (!alive) return;
     requestAnimationFrame(frame);
     guard(() => {
-      resized();
-      playground.frame(now);
+      if (place() === "explore") {
+        resized();
+        playground.frame(now);
+      }
       const view = (app.view = playground.view());
       const request = playground.take_plan_request();
       if (request) planning.start(request);
+      if (place() === "compare") {
+        compare.frame(now);
+        updateMessage(view);
+        return;
+      }
       updateView(app);
       updatePanel(view);
       updatePlaybar(view);
@@ -113,7 +137,7 @@ function start(module) {
   requestAnimationFrame(frame);
   let kept = "";
   const keep = () => guard(() => {
-    const link = playground.link();
+    const link = app.link();
     keepLink(link);
     const version = `${link} ${playground.room_version()}`;
     if (version !== kept) keepRoom(app, link);

@@ -1,10 +1,11 @@
 // @ts-check
 // The forms: what cleans which room, made from the catalogue.
-import { button, byId, changed, fill, input, make, select, setHidden, setText, typed } from "./dom.js";
+import { button, byId, changed, fill, input, make, select, setText, typed } from "./dom.js";
+import { explainer } from "./explainer.js";
+import { paramField } from "./params.js";
 
 /**
  * @typedef {import("./types").View} View
- * @typedef {import("./types").ParamSpec} ParamSpec
  * @typedef {import("./types").PlannerEntry} PlannerEntry
  * @typedef {import("./main.js").App} App
  * @typedef {(control: HTMLElement, value: string) => void} Show
@@ -82,7 +83,9 @@ export function startPanel(app) {
     const planner = planners.find(({ id }) => id === view.planner);
     if (planner && changed(byId("params"), "planner", planner.id)) {
       buildParams(planner);
-      explain(planner);
+      setText(byId("planner-note"), planner.summary);
+      setText(byId("explainer-title"), planner.title);
+      byId("explainer-text").replaceChildren(...explainer(planner, rooms, (room) => change((p) => p.select_room(room))));
     }
     for (const [id, controls] of paramControls) {
       const value = view.params[id];
@@ -112,59 +115,4 @@ function showRoom(room, shipped) {
   } else if (!isOwn) own?.remove();
   const size = `${room.width_m.toFixed(1)} × ${room.height_m.toFixed(1)} m, ${room.reachable_m2.toFixed(1)} m² within reach.`;
   setText(byId("room-note"), room.note ? `${room.note.replace(/\.?$/, ".")} ${size}` : size);
-}
-
-/** @param {PlannerEntry} planner */
-function explain(planner) {
-  setText(byId("planner-note"), planner.summary);
-  setText(byId("explainer-title"), planner.title);
-  setText(byId("explainer-text"), planner.summary);
-  setText(byId("explainer-source"), planner.source);
-  const link = typed("explainer-link", HTMLAnchorElement);
-  setHidden(link, !planner.link);
-  if (planner.link) link.href = planner.link;
-  /** @type {[boolean, string, string, string, string][]} */
-  const claims = [
-    [planner.complete, "visits every cell", "may miss cells", "Visits every cell of the planning grid that can be reached; tests hold it to that in every room. Coverage may still stay a little below 100 %: cells are coarser than the floor, and slivers along walls remain.", "Gives no promise to visit every cell that can be reached."],
-    [planner.deterministic, "same plan every time", "uses chance", "Gives the same plan whatever the seed.", "Draws random numbers; another seed gives another plan."],
-  ];
-  byId("claims").replaceChildren(
-    ...claims.map(([holds, yes, no, tipYes, tipNo]) =>
-      make("li", { "data-tip": holds ? tipYes : tipNo, className: holds ? "yes" : "no" }, make("button", { type: "button", className: "term" }, holds ? yes : no)),
-    ),
-  );
-}
-
-/**
- * The field of one parameter, which tells its value as text, and the controls that show it.
- * @param {ParamSpec} spec
- * @param {(text: string) => void} tell
- * @returns {{ field: HTMLElement, controls: HTMLElement[] }}
- */
-function paramField(spec, tell) {
-  const label = make("span", { className: "label" }, spec.label);
-  if (spec.kind === "flag") {
-    const box = make("input", { type: "checkbox", onchange: () => tell(String(box.checked)) });
-    return { field: make("label", { className: "field check", "data-tip": spec.help }, box, label), controls: [box] };
-  }
-  if (spec.kind === "choice") {
-    const menu = make("select", { onchange: () => tell(menu.value) });
-    fill(menu, spec.options ?? []);
-    return { field: make("label", { className: "field inline", "data-tip": spec.help }, label, menu), controls: [menu] };
-  }
-  const limits = { min: String(spec.min ?? 0), max: String(spec.max ?? 1), step: String(spec.step ?? "any") };
-  const id = `param-${spec.id}`;
-  const box = make("input", { type: "number", id, ...limits, onchange: () => tell(box.value) });
-  // The box says the same to those who can't see or drag the slider.
-  const slider = make("input", {
-    type: "range",
-    ...limits,
-    tabIndex: -1,
-    "aria-hidden": "true",
-    oninput: () => (box.value = slider.value),
-    onchange: () => tell(slider.value),
-  });
-  const name = make("label", { className: "label", for: id }, spec.label);
-  const head = make("span", { className: "param-head" }, name, make("span", { className: "with-unit" }, box, spec.unit ?? ""));
-  return { field: make("div", { className: "field number", "data-tip": spec.help }, head, slider), controls: [box, slider] };
 }

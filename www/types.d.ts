@@ -21,6 +21,13 @@ export type PlannerEntry = {
   link: string;
   complete: boolean;
   deterministic: boolean;
+  /** Plans a million cells in about a second. */
+  fast: boolean;
+  idea: string;
+  complexity: string;
+  use_when: string;
+  shines: { room: string; why: string };
+  fails: { room: string; why: string };
   params: ParamSpec[];
 };
 
@@ -113,11 +120,60 @@ export type PlanRequest = {
 };
 
 /** What the planning worker is told, and what it answers. Cells are x, y, x, y, ... */
-export type ToWorker = { type: "init"; module: WebAssembly.Module } | { type: "plan"; request: PlanRequest };
+export type ToWorker = { type: "init"; module: WebAssembly.Module } | { type: "plan"; request: PlanRequest } | { type: "trial"; request: { id: number } };
 export type FromWorker =
   | { type: "progress"; id: number; done: number; cells: Uint32Array }
   | { type: "finished"; id: number; cells: Uint32Array; seconds: number }
   | { type: "failed"; id: number; message: string };
+
+export type FromTrial =
+  | { type: "progress"; id: number; done: number; cells: Uint32Array }
+  | { type: "tried"; id: number; cells: Uint32Array; numbers: unknown }
+  | { type: "failed"; id: number; message: string };
+
+/** Snapshot of the comparison (src/web/comparison_view.rs). Entrants are in the order of the catalogue's planners. */
+export type CompareView = {
+  /** Changes whenever the table does. */
+  version: number;
+  set: string;
+  sets: [id: string, title: string][];
+  seeds: number;
+  rooms: string[];
+  done: number;
+  total: number;
+  cancelled: boolean;
+  entrants: {
+    id: string;
+    chosen: boolean;
+    params: Record<string, string | number | boolean>;
+    state: "out" | "trying" | "done" | "failed";
+    /** 0 to 1 */
+    progress: number;
+    message: string;
+  }[];
+  race: RaceView | null;
+};
+
+export type RaceView = {
+  state: State;
+  time_s: number;
+  end_s: number;
+  planned_s: number;
+  speed: number;
+  lanes: { entrant: number; coverage: number; time_s: number; distance_m: number; turning_deg: number; finished: boolean }[];
+};
+
+export type CompareTable = {
+  metrics: { id: string; label: string; unit: string; definition: string; better: "lower" | "higher"; decimals: number }[];
+  rows: {
+    entrant: number;
+    trials: number;
+    missing: number;
+    failure: string;
+    values: ({ median: number; min: number; max: number } | null)[];
+    best: boolean[];
+  }[];
+};
 
 /** One case of the benchmark (src/app/bench.rs). */
 export type BenchResult = {

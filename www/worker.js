@@ -1,14 +1,16 @@
 // @ts-check
 // Plans away from the page, which stays responsive; to cancel, the page ends this worker.
-import init, { plan } from "../robovac-playground.js";
+import init, { Trials, plan } from "../robovac-playground.js";
 
-/** @typedef {import("./types").FromWorker} FromWorker */
+/** @typedef {import("./types").FromWorker | import("./types").FromTrial} Answer */
 
 let markReady = () => {};
 /** @type {Promise<void>} */
 const ready = new Promise((resolve) => (markReady = resolve));
+/** @type {Trials | undefined} */
+let trials;
 
-/** @param {FromWorker} message @param {ArrayBufferLike[]} [transfer] */
+/** @param {Answer} message @param {ArrayBufferLike[]} [transfer] */
 function answer(message, transfer = []) {
   self.postMessage(message, { transfer: /** @type {Transferable[]} */ (transfer) });
 }
@@ -21,13 +23,18 @@ self.addEventListener("message", async (/** @type {MessageEvent<import("./types"
     return;
   }
   await ready;
-  const { request } = message;
+  const { id } = message.request;
+  const report = (/** @type {number} */ done, /** @type {Uint32Array} */ cells) => answer({ type: "progress", id, done, cells }, [cells.buffer]);
   try {
-    const { cells, seconds } = plan(request, (/** @type {number} */ done, /** @type {Uint32Array} */ cells) =>
-      answer({ type: "progress", id: request.id, done, cells }, [cells.buffer]),
-    );
-    answer({ type: "finished", id: request.id, cells, seconds }, [cells.buffer]);
+    if (message.type === "plan") {
+      const { cells, seconds } = plan(message.request, report);
+      answer({ type: "finished", id, cells, seconds }, [cells.buffer]);
+    } else {
+      trials ??= new Trials();
+      const { cells, numbers } = trials.run(message.request, report);
+      answer({ type: "tried", id, cells, numbers }, [cells.buffer]);
+    }
   } catch (error) {
-    answer({ type: "failed", id: request.id, message: error instanceof Error ? error.message : String(error) });
+    answer({ type: "failed", id, message: error instanceof Error ? error.message : String(error) });
   }
 });

@@ -1,6 +1,7 @@
 //! What happens between the algorithms and the page or the command line: pure, so that all of it is tested natively.
 
 pub mod bench;
+pub mod compare;
 mod editor;
 mod outline;
 mod palette;

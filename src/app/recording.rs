@@ -27,11 +27,18 @@ pub struct Recording {
     curve_stride: u64,
     /// Changes whenever the run was replaced by another state of itself.
     version: u64,
+    /// Memory that key frames may take together, bytes.
+    budget: usize,
 }
 
 impl Recording {
     /// A recording of `run` from here on.
     pub fn new(run: Run) -> Self {
+        Self::within(run, KEY_FRAME_BUDGET)
+    }
+
+    /// A recording of `run` from here on whose key frames take at most about `budget` bytes.
+    pub fn within(run: Run, budget: usize) -> Self {
         let curve = vec![(run.time_s(), run.coverage())];
         Self {
             key_frames: vec![run.clone()],
@@ -41,6 +48,7 @@ impl Recording {
             curve,
             curve_stride: 64,
             version: 0,
+            budget,
             run,
         }
     }
@@ -140,7 +148,7 @@ impl Recording {
     }
 
     fn key_frame(&mut self) {
-        let affordable = (KEY_FRAME_BUDGET / self.run.bytes().max(1)).max(4);
+        let affordable = (self.budget / self.run.bytes().max(1)).max(4);
         if self.key_frames.len() >= affordable {
             thin_out(&mut self.key_frames);
             self.interval *= 2;

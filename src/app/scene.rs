@@ -5,6 +5,7 @@ use crate::{
     floorplan::FloorPlan,
     geometry::{Point, Pose},
     grid::Cell,
+    sim::{Run, SlipLevel},
 };
 
 /// Everything that is seen on the floor at one moment. Whoever draws it keeps what is costly (outlines, pictures of
@@ -58,4 +59,41 @@ pub struct RobotView {
     pub bump_left: bool,
     /// Whether the right half of its bumper is pressed.
     pub bump_right: bool,
+}
+
+impl<'a> Scene<'a> {
+    /// A room without a robot.
+    pub fn empty(plan: &'a FloorPlan) -> Self {
+        Self {
+            plan,
+            plan_version: 0,
+            floor: None,
+            tracker: None,
+            run_version: 0,
+            dirty_rows: None,
+            planned: &[],
+            preview: &[],
+            planned_version: 0,
+            trail: &[],
+            robot: None,
+            start: None,
+            start_radius: 0.0,
+            cursor: None,
+            dark: false,
+        }
+    }
+}
+
+impl RobotView {
+    /// The robot of `run`, and where it believes to be if its wheels slip.
+    pub fn of(run: &Run, slip: SlipLevel) -> Self {
+        Self {
+            pose: run.pose(),
+            estimate: run.estimate().filter(|_| slip != SlipLevel::None),
+            radius: run.floor().walls.body_radius,
+            tool_width: 2.0 * run.floor().tool_radius,
+            bump_left: run.sensors().bump_left,
+            bump_right: run.sensors().bump_right,
+        }
+    }
 }

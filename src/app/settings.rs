@@ -143,12 +143,7 @@ impl Settings {
     /// Sets one parameter of the planner from what a form or a link says.
     pub fn set_param(&mut self, id: &str, text: &str) -> Result<(), SettingsError> {
         let specs = self.planner.params;
-        let parsed = specs.iter().find(|s| s.id == id).map(|s| s.kind.parse(text));
-        let value = parsed.unwrap_or_else(|| planner::ParamValue::Choice(text.to_owned()));
-        let mut params = self.params.clone();
-        params.set(specs, id, value)?;
-        self.params = params;
-        Ok(())
+        Ok(self.params.set_text(specs, id, text)?)
     }
 
     /// Chooses how well the wheels hold.

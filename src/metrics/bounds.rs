@@ -1,13 +1,13 @@
 //! What no walk can be better than.
 
 use crate::planner::CoverageJob;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Steps that a quarter turn counts as where steps and turns are put into one number.
 pub const TURN_STEPS: usize = 2;
 
 /// Proven lower bounds for every walk that starts in a job's start, ends anywhere and visits all its cells.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Bounds {
     /// Fewest steps.
     pub steps: usize,

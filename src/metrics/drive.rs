@@ -6,13 +6,13 @@ use crate::{
     math,
     robot::RobotModel,
 };
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Joules in a watt-hour.
 const JOULES: f64 = 3600.0;
 
 /// Numbers of the line that a robot drives to follow a walk, driven in thought, without noise.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct DriveMetrics {
     /// Length, m.
     pub length_m: f64,

@@ -1,10 +1,10 @@
 //! The list of all numbers by which tables are made, on the page, in CSV files and on the command line.
 
 use super::{Bounds, DriveMetrics, TURN_STEPS, WalkMetrics};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// All that is measured of a plan.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct PlanNumbers {
     /// Numbers of the walk on the planning grid.
     pub walk: WalkMetrics,

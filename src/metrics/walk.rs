@@ -2,10 +2,10 @@
 
 use super::TURN_STEPS;
 use crate::planner::{CoverageJob, CoveragePath};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Numbers of a walk on the planning grid. All are exact counts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct WalkMetrics {
     /// Cells that can be reached from the start, the start included.
     pub reachable_cells: usize,

@@ -129,6 +129,12 @@ impl Params {
         Ok(())
     }
 
+    /// Sets one value from what a form, a link or a command line says.
+    pub fn set_text(&mut self, specs: &[ParamSpec], id: &str, text: &str) -> Result<(), ParamError> {
+        let parsed = specs.iter().find(|s| s.id == id).map(|s| s.kind.parse(text));
+        self.set(specs, id, parsed.unwrap_or_else(|| ParamValue::Choice(text.to_owned())))
+    }
+
     /// All values by name.
     pub fn iter(&self) -> impl Iterator<Item = (&'static str, &ParamValue)> {
         self.0.iter().map(|(&id, value)| (id, value))

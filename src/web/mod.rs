@@ -1,18 +1,23 @@
 //! The only code that knows wasm-bindgen, web-sys and js-sys.
 //!
-//! The boundary is coarse: one `Playground` on the page, one `plan` in a worker, a handful of calls a frame.
+//! The boundary is coarse: one `Playground` and one `Comparison` on the page, `plan` and `Trials` in workers, a handful of calls a frame.
 
 mod bench;
 mod canvas;
 mod catalogue;
+mod comparison;
+mod comparison_view;
 mod layer;
 mod plan_job;
 mod playground;
 mod robot;
+mod trial;
 
 pub use bench::bench;
+pub use comparison::Comparison;
 pub use plan_job::plan;
 pub use playground::Playground;
+pub use trial::Trials;
 
 use serde::Serialize;
 use wasm_bindgen::prelude::*;

@@ -81,16 +81,7 @@ pub fn plan(request: &JsValue, on_progress: &Function) -> Result<JsValue, JsValu
     let free = Uint8Array::new(&js_sys::Reflect::get(request, &"free".into())?).to_vec();
     let request = wire.request(&free)?;
 
-    let mut reported = clock();
-    let mut observe = |done: f64, so_far: &[Cell]| {
-        let now = clock();
-        if now - reported >= REPORT_EVERY_MS {
-            reported = now;
-            // A page that can't take the report shouldn't stop the planner.
-            let _ = on_progress.call2(&JsValue::NULL, &done.into(), &flat(so_far));
-        }
-        ControlFlow::Continue(())
-    };
+    let mut observe = reporter(on_progress);
     let answer = request.serve(|| clock() / 1000.0, Some(&mut observe)).map_err(|e| e.to_string())?;
     let result = js_sys::Object::new();
     js_sys::Reflect::set(&result, &"cells".into(), &flat(&answer.path.cells))?;
@@ -98,8 +89,22 @@ pub fn plan(request: &JsValue, on_progress: &Function) -> Result<JsValue, JsValu
     Ok(result.into())
 }
 
+/// Tells `on_progress` now and then how far a planner is.
+pub(super) fn reporter(on_progress: &Function) -> impl FnMut(f64, &[Cell]) -> ControlFlow<()> {
+    let mut reported = clock();
+    move |done, so_far| {
+        let now = clock();
+        if now - reported >= REPORT_EVERY_MS {
+            reported = now;
+            // A page that can't take the report shouldn't stop the planner.
+            let _ = on_progress.call2(&JsValue::NULL, &done.into(), &flat(so_far));
+        }
+        ControlFlow::Continue(())
+    }
+}
+
 /// Cells as x, y, x, y, ...
-fn flat(cells: &[Cell]) -> Uint32Array {
+pub(super) fn flat(cells: &[Cell]) -> Uint32Array {
     let flat: Vec<u32> = cells.iter().flat_map(|c| [c.x as u32, c.y as u32]).collect();
     Uint32Array::from(flat.as_slice())
 }

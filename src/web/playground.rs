@@ -430,6 +430,13 @@ impl Playground {
     }
 }
 
+impl Playground {
+    /// The session, for those who compare in its room.
+    pub(super) fn session(&self) -> &Session {
+        &self.session
+    }
+}
+
 /// JavaScript catches the message.
 impl From<SettingsError> for JsValue {
     fn from(error: SettingsError) -> Self {

@@ -81,6 +81,16 @@ impl Prepared {
     }
 }
 
+impl Prepared {
+    /// The robot at the start, about to drive along `line` (corners, m) by dead reckoning.
+    pub fn run_along(&self, line: &Arc<[Point]>, slip: SlipLevel, odometry: OdometryModel, seed: u64) -> Run {
+        let Self { floor, robot, .. } = self;
+        let follower = FollowPath::new(robot, odometry, floor.start, Arc::clone(line));
+        let setup = RunSetup { floor: Arc::clone(floor), robot: robot.clone(), slip, seed };
+        Run::new(&setup, Box::new(follower))
+    }
+}
+
 impl PlanRequest {
     /// Plans here and now. `clock` tells seconds since any moment, as the core has no clock of its own.
     pub fn serve(&self, clock: impl Fn() -> f64, observer: Option<Observer<'_>>) -> Result<Answer, PlanError> {
@@ -117,9 +127,6 @@ impl Planned {
 
     /// The robot at the start, about to drive the line by dead reckoning.
     pub fn run(&self, prepared: &Prepared, slip: SlipLevel, odometry: OdometryModel, seed: u64) -> Run {
-        let Prepared { floor, robot, .. } = prepared;
-        let follower = FollowPath::new(robot, odometry, floor.start, Arc::clone(&self.line));
-        let setup = RunSetup { floor: Arc::clone(floor), robot: robot.clone(), slip, seed };
-        Run::new(&setup, Box::new(follower))
+        prepared.run_along(&self.line, slip, odometry, seed)
     }
 }

@@ -110,6 +110,16 @@ impl Session {
         self.editor.plan()
     }
 
+    /// Id of the room if it ships and hasn't been changed.
+    pub fn room(&self) -> Option<&'static str> {
+        self.editor.room()
+    }
+
+    /// Where the user has put the start, if anywhere.
+    pub fn start(&self) -> Option<Pose> {
+        self.editor.start()
+    }
+
     /// Grows with every change of walls.
     pub fn plan_version(&self) -> u64 {
         self.editor.version()

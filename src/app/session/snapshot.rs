@@ -6,21 +6,14 @@ use crate::{
         Action, Recording, RobotView, Scene, State, View,
         view::{Can, PlanView, RoomView},
     },
-    sim::{Run, SlipLevel},
+    sim::Run,
 };
 
 impl Session {
     /// What is to be drawn, but for what the pointer is doing.
     pub fn scene(&self) -> Scene<'_> {
         let run = self.recording.as_ref().map(Recording::run);
-        let robot = run.map(|run| RobotView {
-            pose: run.pose(),
-            estimate: run.estimate().filter(|_| self.settings.slip != SlipLevel::None),
-            radius: run.floor().walls.body_radius,
-            tool_width: 2.0 * run.floor().tool_radius,
-            bump_left: run.sensors().bump_left,
-            bump_right: run.sensors().bump_right,
-        });
+        let robot = run.map(|run| RobotView::of(run, self.settings.slip));
         Scene {
             plan: self.editor.plan(),
             // Both only grow, and one of them with every change.
@@ -28,7 +21,6 @@ impl Session {
             floor: self.prepared.as_ref().map(|p| &*p.floor),
             tracker: run.map(Run::tracker),
             run_version: (u64::from(self.requests) << 32) + self.recording.as_ref().map_or(0, Recording::version),
-            dirty_rows: None,
             planned: self.planned.as_ref().map_or(&[], |p| &p.line),
             preview: self.planning.as_ref().map_or(&[], |p| &p.preview),
             planned_version: u64::from(self.requests) + self.previews,
@@ -36,8 +28,7 @@ impl Session {
             robot,
             start: self.prepared.as_ref().map(|p| p.floor.start),
             start_radius: self.settings.robot_model().radius,
-            cursor: None,
-            dark: false,
+            ..Scene::empty(self.editor.plan())
         }
     }
 

@@ -1,0 +1,484 @@
+//! A comparison as the page has it: who takes part where, what has been tried, and what is left to try.
+
+use super::{
+    Entrant, Outcome, Race, RaceSetup, Record, RoomChoice, RoomSet, Row, Table, TrialRequest,
+    race::{MOST_LANES, Racer},
+};
+use crate::{
+    app::{Prepared, Session, SettingsError},
+    floorplan::{FloorPlan, ROOMS, Scenario},
+    geometry::Pose,
+    metrics::PlanNumbers,
+    planner::{CoveragePath, PLANNERS},
+};
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    sync::Arc,
+};
+
+/// Most seeds that planners which use chance are tried with.
+pub const MOST_SEEDS: u32 = 20;
+/// Planners that take part at first.
+const FIRST: [&str; 4] = ["boustrophedon", "snake", "spiral_stc", "wavefront_path"];
+/// Walks are kept to be shown as long as there are no more cells in them together; others are planned again.
+const MOST_KEPT_CELLS: usize = 8_000_000;
+
+/// Who competes where, and what came out.
+pub struct Comparison {
+    base: Option<Base>,
+    /// One for each planner of the registry, in its order.
+    entrants: Vec<Entrant>,
+    chosen: BTreeSet<usize>,
+    set: RoomSet,
+    seeds: u32,
+    known: BTreeMap<Key, Result<PlanNumbers, String>>,
+    paths: BTreeMap<Key, CoveragePath>,
+    running: BTreeMap<u32, (Trial, f64)>,
+    trials: u32,
+    is_cancelled: bool,
+    race: Option<Race>,
+    races: u32,
+    version: u32,
+}
+
+/// What comparisons take over from the session.
+struct Base {
+    plan: Arc<FloorPlan>,
+    room: Option<&'static str>,
+    prepared: Option<Prepared>,
+    start: Option<Pose>,
+    robot: &'static str,
+    cell_size: f64,
+    seed: u64,
+    setup: RaceSetup,
+    /// Tells whether the session has changed since.
+    link: String,
+    plan_version: u64,
+}
+
+/// One planner, one room, one seed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Trial {
+    /// The room.
+    pub room: RoomChoice,
+    /// Number of the planner in the registry.
+    pub entrant: usize,
+    /// Seed of its random numbers.
+    pub seed: u64,
+}
+
+/// What a result depends on: room, start, robot and cell size, planner with parameters, seed.
+type Key = String;
+
+/// How far a planner is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Progress<'a> {
+    /// It doesn't take part.
+    Out,
+    /// This share of its trials is done; those under way count in part.
+    Trying(f64),
+    /// All its trials are done.
+    Done,
+    /// A trial failed, with a message.
+    Failed(&'a str),
+}
+
+impl Comparison {
+    /// Some planners about to be compared in the session's room.
+    pub fn new() -> Self {
+        let entrants: Vec<Entrant> = PLANNERS.iter().map(|planner| Entrant::new(planner)).collect();
+        let chosen = (0..entrants.len()).filter(|&i| FIRST.contains(&entrants[i].planner.id)).collect();
+        Self {
+            base: None,
+            entrants,
+            chosen,
+            set: RoomSet::This,
+            seeds: 1,
+            known: BTreeMap::new(),
+            paths: BTreeMap::new(),
+            running: BTreeMap::new(),
+            trials: 0,
+            is_cancelled: false,
+            race: None,
+            races: 0,
+            version: 0,
+        }
+    }
+
+    // ---- choices
+
+    /// Takes room, robot, start and seed over from the session. Results that they don't change stay.
+    pub fn take(&mut self, session: &Session) {
+        let (link, plan_version) = (session.link(), session.plan_version());
+        if self.base.as_ref().is_some_and(|b| b.link == link && b.plan_version == plan_version) {
+            return;
+        }
+        let settings = session.settings();
+        let shown = self.race.as_ref().map(Race::speed);
+        self.base = Some(Base {
+            plan: Arc::clone(session.plan()),
+            room: session.room(),
+            prepared: session.prepared().cloned(),
+            start: session.start(),
+            robot: settings.robot,
+            cell_size: settings.cell_size,
+            seed: settings.seed,
+            setup: RaceSetup {
+                slip: settings.slip,
+                odometry: settings.odometry,
+                seed: settings.seed,
+                speed: shown.unwrap_or(settings.speed),
+            },
+            link,
+            plan_version,
+        });
+        // Walks are only shown in the session's room, and earlier states of an own room don't come back.
+        let here = self.place(self.here());
+        self.paths.retain(|key, _| key.starts_with(&here));
+        self.known.retain(|key, _| !key.starts_with(OWN) || key.starts_with(&here));
+        self.changed();
+    }
+
+    /// Lets a planner take part, or not.
+    pub fn choose(&mut self, id: &str, takes_part: bool) -> Result<(), SettingsError> {
+        let index = self.index(id)?;
+        if takes_part {
+            self.chosen.insert(index)
+        } else {
+            self.chosen.remove(&index)
+        };
+        self.changed();
+        Ok(())
+    }
+
+    /// Sets a parameter of a planner from the text of a form.
+    pub fn set_param(&mut self, planner: &str, id: &str, text: &str) -> Result<(), SettingsError> {
+        let index = self.index(planner)?;
+        self.entrants[index].set(id, text)?;
+        self.changed();
+        Ok(())
+    }
+
+    /// Chooses the rooms.
+    pub fn set_rooms(&mut self, id: &str) -> Result<(), SettingsError> {
+        self.set = RoomSet::parse(id)?;
+        self.changed();
+        Ok(())
+    }
+
+    /// Number of seeds that planners which use chance are tried with, 1 to [`MOST_SEEDS`].
+    pub fn set_seeds(&mut self, seeds: u32) {
+        self.seeds = seeds.clamp(1, MOST_SEEDS);
+        self.changed();
+    }
+
+    fn index(&self, id: &str) -> Result<usize, SettingsError> {
+        Entrant::parse(id).map(|e| self.entrants.iter().position(|o| o.planner.id == e.planner.id).unwrap_or(0))
+    }
+
+    /// What is asked for is different from before.
+    fn changed(&mut self) {
+        self.is_cancelled = false;
+        self.version += 1;
+        let wanted = self.wanted();
+        self.running.retain(|_, (trial, _)| wanted.contains(trial));
+        self.enter_race();
+    }
+
+    /// What has been chosen as `key=value` pairs for a link.
+    pub fn to_link(&self) -> String {
+        let chosen: Vec<String> = self.chosen.iter().map(|&i| self.entrants[i].to_string()).collect();
+        format!("vs={}&rooms={}&seeds={}", chosen.join(","), self.set.id(), self.seeds)
+    }
+
+    /// Takes what [`Comparison::to_link`] wrote among other pairs, joined by `&`. On an error everything stays as it was.
+    pub fn restore(&mut self, link: &str) -> Result<(), SettingsError> {
+        let mut next = Self { entrants: self.entrants.clone(), ..Self::new() };
+        (next.chosen, next.set, next.seeds) = (self.chosen.clone(), self.set, self.seeds);
+        for (key, value) in link.trim_start_matches('#').split('&').filter_map(|pair| pair.split_once('=')) {
+            match key {
+                "vs" => next.choose_only(value)?,
+                "rooms" => next.set = RoomSet::parse(value)?,
+                "seeds" => next.seeds = seeds(value)?,
+                _ => {}
+            }
+        }
+        (self.entrants, self.chosen, self.set, self.seeds) = (next.entrants, next.chosen, next.set, next.seeds);
+        self.changed();
+        Ok(())
+    }
+
+    /// Only those of a link take part.
+    fn choose_only(&mut self, link: &str) -> Result<(), SettingsError> {
+        self.chosen.clear();
+        for entrant in link.split(',').filter(|name| !name.is_empty()) {
+            let entrant = Entrant::parse(entrant)?;
+            if let Some(index) = self.entrants.iter().position(|e| e.planner.id == entrant.planner.id) {
+                self.entrants[index] = entrant;
+                self.chosen.insert(index);
+            }
+        }
+        Ok(())
+    }
+
+    // ---- trials
+
+    /// Everything that has to be tried, the session's room first.
+    fn wanted(&self) -> Vec<Trial> {
+        let mut trials = Vec::new();
+        for room in self.rooms() {
+            for &entrant in &self.chosen {
+                let seeds = if self.entrants[entrant].planner.claims.deterministic { 1 } else { self.seeds };
+                let first = self.base.as_ref().map_or(0, |base| base.seed);
+                trials.extend((0..u64::from(seeds)).map(|i| Trial { room, entrant, seed: first + i }));
+            }
+        }
+        trials
+    }
+
+    /// The rooms that are compared in.
+    pub fn rooms(&self) -> Vec<RoomChoice> {
+        self.set.rooms(self.here())
+    }
+
+    /// The session's room.
+    pub fn here(&self) -> RoomChoice {
+        self.base.as_ref().and_then(|base| base.room).map_or(RoomChoice::Own, RoomChoice::Shipped)
+    }
+
+    fn key(&self, trial: &Trial) -> Key {
+        format!("{} {} {}", self.place(trial.room), self.entrants[trial.entrant], trial.seed)
+    }
+
+    /// Room, start, robot and cell size.
+    fn place(&self, room: RoomChoice) -> String {
+        let Some(base) = &self.base else { return String::new() };
+        let start = base.start.filter(|_| room == self.here()).map(|s| [s.x, s.y, s.heading]);
+        let room = match room {
+            RoomChoice::Shipped(id) => id.to_owned(),
+            RoomChoice::Own => format!("{OWN}{}", base.plan_version),
+        };
+        format!("{room} {start:?} {} {}", base.robot, base.cell_size)
+    }
+
+    /// The next trial for a worker that has nothing to do.
+    pub fn take_trial(&mut self) -> Option<TrialRequest> {
+        if self.is_cancelled {
+            return None;
+        }
+        let is_running = |trial: &Trial| self.running.values().any(|(running, _)| running == trial);
+        let trial = self.wanted().into_iter().find(|t| !self.known.contains_key(&self.key(t)) && !is_running(t))?;
+        let base = self.base.as_ref()?;
+        let is_here = trial.room == self.here();
+        self.trials += 1;
+        let request = TrialRequest {
+            id: self.trials,
+            room: match trial.room {
+                RoomChoice::Shipped(id) => Some(id.to_owned()),
+                RoomChoice::Own => None,
+            },
+            scenario: (trial.room == RoomChoice::Own).then(|| Scenario::of(&base.plan).to_json()),
+            start: base.start.filter(|_| is_here).map(|s| [s.x, s.y, s.heading]),
+            robot: base.robot.to_owned(),
+            cell_size: base.cell_size,
+            entrant: self.entrants[trial.entrant].to_string(),
+            seed: trial.seed,
+            place: self.place(trial.room),
+        };
+        self.running.insert(self.trials, (trial, 0.0));
+        Some(request)
+    }
+
+    /// Whether that trial is still wanted; the worker of one that isn't should be ended.
+    pub fn is_wanted(&self, id: u32) -> bool {
+        self.running.contains_key(&id)
+    }
+
+    /// A worker reports the share done, 0 to 1.
+    pub fn trial_progress(&mut self, id: u32, done: f64) {
+        if let Some((_, progress)) = self.running.get_mut(&id) {
+            *progress = done;
+        }
+    }
+
+    /// A worker is done.
+    pub fn trial_finished(&mut self, id: u32, result: Result<Outcome, String>) {
+        let Some((trial, _)) = self.running.remove(&id) else { return };
+        let key = self.key(&trial);
+        let result = result.map(|Outcome { numbers, cells }| {
+            let kept: usize = self.paths.values().map(|path| path.cells.len()).sum();
+            if trial.room == self.here() && kept + cells.len() <= MOST_KEPT_CELLS {
+                self.paths.insert(key.clone(), CoveragePath { cells });
+            }
+            numbers
+        });
+        self.known.insert(key, result);
+        self.version += 1;
+        self.enter_race();
+    }
+
+    /// The user doesn't want to wait; what is known stays.
+    pub fn cancel(&mut self) {
+        self.running.clear();
+        self.is_cancelled = true;
+        self.version += 1;
+    }
+
+    /// Goes on after [`Comparison::cancel`].
+    pub fn resume(&mut self) {
+        self.is_cancelled = false;
+    }
+
+    /// Whether the user has stopped it with trials left.
+    pub fn is_cancelled(&self) -> bool {
+        self.is_cancelled
+    }
+
+    /// Trials that are done, and all of them.
+    pub fn count(&self) -> (usize, usize) {
+        let wanted = self.wanted();
+        (wanted.iter().filter(|t| self.known.contains_key(&self.key(t))).count(), wanted.len())
+    }
+
+    /// How far a planner is.
+    pub fn progress(&self, entrant: usize) -> Progress<'_> {
+        let trials: Vec<Trial> = self.wanted().into_iter().filter(|t| t.entrant == entrant).collect();
+        let results: Vec<_> = trials.iter().filter_map(|t| self.known.get(&self.key(t))).collect();
+        if let Some(message) = results.iter().find_map(|r| r.as_ref().err()) {
+            return Progress::Failed(message);
+        }
+        match (results.len(), trials.len()) {
+            (_, 0) => Progress::Out,
+            (done, all) if done == all => Progress::Done,
+            (done, all) => {
+                let under_way: f64 = self.running.values().filter(|(t, _)| t.entrant == entrant).map(|r| r.1).sum();
+                Progress::Trying((done as f64 + under_way) / all as f64)
+            }
+        }
+    }
+
+    // ---- what came out
+
+    /// Grows with every change of what [`Comparison::table`] says.
+    pub fn version(&self) -> u32 {
+        self.version
+    }
+
+    /// All planners, in the order of the registry.
+    pub fn entrants(&self) -> &[Entrant] {
+        &self.entrants
+    }
+
+    /// Whether a planner takes part.
+    pub fn is_chosen(&self, entrant: usize) -> bool {
+        self.chosen.contains(&entrant)
+    }
+
+    /// The rooms chosen.
+    pub fn set(&self) -> RoomSet {
+        self.set
+    }
+
+    /// Number of seeds for planners that use chance.
+    pub fn seeds(&self) -> u32 {
+        self.seeds
+    }
+
+    /// The numbers of one room, or of all rooms together.
+    pub fn table(&self, room: Option<RoomChoice>) -> Table {
+        let rooms = room.map_or_else(|| self.rooms(), |room| vec![room]);
+        let wanted = self.wanted();
+        let rows = self.chosen.iter().map(|&entrant| {
+            let results = |&room: &RoomChoice| {
+                let trials = wanted.iter().filter(|t| t.entrant == entrant && t.room == room);
+                trials.filter_map(|t| self.known.get(&self.key(t)).cloned()).collect()
+            };
+            Row::new(self.entrants[entrant].clone(), entrant, &rooms.iter().map(results).collect::<Vec<_>>())
+        });
+        Table::new(rows.collect())
+    }
+
+    /// Everything that came out, for export.
+    pub fn records(&self) -> Vec<Record<'_>> {
+        let Some(base) = &self.base else { return Vec::new() };
+        let record = |t: Trial| {
+            Some(Record {
+                room: self.room_name(t.room),
+                robot: base.robot,
+                cell_size: base.cell_size,
+                entrant: &self.entrants[t.entrant],
+                seed: t.seed,
+                result: self.known.get(&self.key(&t))?,
+            })
+        };
+        self.wanted().into_iter().filter_map(record).collect()
+    }
+
+    /// Name of a room.
+    pub fn room_name(&self, room: RoomChoice) -> &str {
+        match room {
+            RoomChoice::Shipped(id) => ROOMS.iter().find(|r| r.id == id).map_or(id, |r| r.title),
+            RoomChoice::Own => self.base.as_ref().map_or("", |base| &base.plan.name),
+        }
+    }
+
+    // ---- race
+
+    /// The race in the session's room, once somebody has a plan.
+    pub fn race(&self) -> Option<&Race> {
+        self.race.as_ref()
+    }
+
+    /// The race, to go on with it.
+    pub fn race_mut(&mut self) -> Option<&mut Race> {
+        self.race.as_mut()
+    }
+
+    /// Sets the race up anew if other robots should drive in it.
+    fn enter_race(&mut self) {
+        let Some(base) = &self.base else { return };
+        let here = self.here();
+        let racers: Vec<Racer> = self
+            .chosen
+            .iter()
+            .filter_map(|&entrant| {
+                let key = self.key(&Trial { room: here, entrant, seed: base.seed });
+                let planned_s = self.known.get(&key)?.as_ref().ok()?.drive.duration_s;
+                Some(Racer { entrant, planned_s, key })
+            })
+            .filter(|racer| self.paths.contains_key(&racer.key))
+            .take(MOST_LANES)
+            .collect();
+        let setup = RaceSetup { speed: self.race.as_ref().map_or(base.setup.speed, Race::speed), ..base.setup };
+        if self.race.as_ref().is_some_and(|race| race.is_of(setup, &racers)) {
+            return;
+        }
+        let Some(prepared) = &base.prepared else { return self.race = None };
+        self.races += 1;
+        let mut race = Race::new(self.races, Arc::clone(&base.plan), prepared.clone(), setup);
+        for racer in racers {
+            if let Some(path) = self.paths.get(&racer.key) {
+                race.enter(racer, path);
+            }
+        }
+        self.race = Some(race);
+    }
+}
+
+/// A number of seeds in a link.
+fn seeds(text: &str) -> Result<u32, SettingsError> {
+    text.parse().ok().filter(|seeds| (1..=MOST_SEEDS).contains(seeds)).ok_or_else(|| SettingsError::Invalid {
+        kind: "the number of seeds",
+        value: text.to_owned(),
+        expected: "a whole number from 1 to 20",
+    })
+}
+
+/// Begins the names of rooms that don't ship.
+const OWN: &str = "own";
+
+impl Default for Comparison {
+    fn default() -> Self {
+        Self::new()
+    }
+}

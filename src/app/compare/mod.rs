@@ -1,0 +1,22 @@
+//! Planners held against each other: the same room, the same robot, one definition of every number.
+//!
+//! An [`Arena`] is where one planner tries; [`Comparison`] says what has to be tried and keeps what came out,
+//! [`Table`] sums it up, [`Race`] lets robots drive the plans under one clock.
+
+mod arena;
+mod comparison;
+mod entrant;
+mod export;
+mod race;
+mod rooms;
+mod table;
+mod trial;
+
+pub use arena::{Arena, Outcome, TrialError};
+pub use comparison::{Comparison, MOST_SEEDS, Progress, Trial};
+pub use entrant::Entrant;
+pub use export::{Record, to_csv, to_json};
+pub use race::{Lane, MOST_LANES, Race, RaceSetup, Racer};
+pub use rooms::{RoomChoice, RoomSet};
+pub use table::{Row, Spread, Table};
+pub use trial::TrialRequest;

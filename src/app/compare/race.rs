@@ -1,0 +1,250 @@
+//! Several robots in copies of the same room, under one clock.
+
+use crate::{
+    app::{Prepared, Recording, RobotView, Scene, State},
+    floorplan::FloorPlan,
+    geometry::Point,
+    planner::CoveragePath,
+    robot::OdometryModel,
+    sim::{Run, STEP_S, SlipLevel},
+};
+use std::sync::Arc;
+
+/// Most robots in a race.
+pub const MOST_LANES: usize = 9;
+/// Memory that the key frames of all lanes may take together, bytes.
+const KEY_FRAME_BUDGET: usize = 96 << 20;
+/// Steps that every lane takes before the clock is looked at: the lanes stay together to within a second of robot time.
+const CHUNK: u64 = 64;
+/// Longest time between two frames that is made up for, s.
+const LONGEST_FRAME: f64 = 0.1;
+
+/// How the runs of a race are made.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RaceSetup {
+    /// How well the wheels hold.
+    pub slip: SlipLevel,
+    /// How the followers compute their poses.
+    pub odometry: OdometryModel,
+    /// Seed of the slip.
+    pub seed: u64,
+    /// Simulated time per time, 0 for as fast as it goes.
+    pub speed: f64,
+}
+
+/// Who takes part.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Racer {
+    /// Number of its planner in the registry.
+    pub entrant: usize,
+    /// Seconds that its plan foresees.
+    pub planned_s: f64,
+    /// Tells its plan from others.
+    pub key: String,
+}
+
+/// One robot of a race.
+pub struct Lane {
+    /// Who drives here.
+    pub racer: Racer,
+    recording: Recording,
+    line: Arc<[Point]>,
+}
+
+/// Robots that drive different plans over the same floor, each in a room of its own.
+///
+/// All of them have taken the same number of simulation steps, but for those that have arrived.
+pub struct Race {
+    prepared: Prepared,
+    plan: Arc<FloorPlan>,
+    setup: RaceSetup,
+    lanes: Vec<Lane>,
+    /// Tells it from other races.
+    number: u32,
+    /// Steps that the clock has counted, and the furthest that it has been.
+    now: u64,
+    end: u64,
+    playing: bool,
+    goal: Option<u64>,
+    due: f64,
+}
+
+impl Race {
+    /// A race without robots in `plan`, laid out as `prepared`; `number` tells it from others.
+    pub fn new(number: u32, plan: Arc<FloorPlan>, prepared: Prepared, setup: RaceSetup) -> Self {
+        Self { prepared, plan, setup, lanes: Vec::new(), number, now: 0, end: 0, playing: false, goal: None, due: 0.0 }
+    }
+
+    /// Lets a robot take part that drives `path`. A walk that can't be driven is left out. To be called before the start.
+    pub fn enter(&mut self, racer: Racer, path: &CoveragePath) {
+        if self.lanes.len() >= MOST_LANES || path.check(&self.prepared.job).is_err() {
+            return;
+        }
+        let RaceSetup { slip, odometry, seed, .. } = self.setup;
+        let line: Arc<[Point]> = self.prepared.lattice.polyline(&self.prepared.floor, &path.cells).into();
+        let run = self.prepared.run_along(&line, slip, odometry, seed);
+        self.lanes.push(Lane { racer, recording: Recording::within(run, KEY_FRAME_BUDGET / MOST_LANES), line });
+    }
+
+    /// Whether it is the race of just those in those conditions.
+    pub fn is_of(&self, setup: RaceSetup, racers: &[Racer]) -> bool {
+        self.setup == setup && self.lanes.iter().map(|lane| &lane.racer).eq(racers)
+    }
+
+    /// The robots, in the order of the registry.
+    pub fn lanes(&self) -> &[Lane] {
+        &self.lanes
+    }
+
+    /// Rows of a lane's fine grid that were swept since the last call, lowest and highest.
+    pub fn take_changed_rows(&mut self, lane: usize) -> Option<(usize, usize)> {
+        self.lanes.get_mut(lane)?.recording.run_mut().tracker_mut().take_dirty_rows()
+    }
+
+    /// What the race is doing.
+    pub fn state(&self) -> State {
+        match () {
+            () if self.lanes.is_empty() => State::Failed,
+            () if self.goal.is_some() => State::Seeking,
+            () if self.is_over() => State::Finished,
+            () if self.playing => State::Playing,
+            () if self.now == 0 => State::Ready,
+            () => State::Paused,
+        }
+    }
+
+    fn is_over(&self) -> bool {
+        self.lanes.iter().all(|lane| lane.recording.run().is_finished())
+    }
+
+    /// Time on the clock, s.
+    pub fn time_s(&self) -> f64 {
+        self.now as f64 * STEP_S
+    }
+
+    /// The furthest that the clock has been, s.
+    pub fn end_s(&self) -> f64 {
+        self.end as f64 * STEP_S
+    }
+
+    /// Time that the slowest plan foresees, s.
+    pub fn planned_s(&self) -> f64 {
+        self.lanes.iter().map(|lane| lane.racer.planned_s).fold(0.0, f64::max)
+    }
+
+    /// Simulated time per time; 0 for as fast as it goes.
+    pub fn speed(&self) -> f64 {
+        self.setup.speed
+    }
+
+    /// Sets the speed, times real time; 0 for as fast as it goes.
+    pub fn set_speed(&mut self, times: f64) {
+        self.setup.speed = if times.is_finite() { times.max(0.0) } else { 0.0 };
+        self.due = 0.0;
+    }
+
+    /// Lets time go on, from the start if the race is over.
+    pub fn play(&mut self) {
+        if self.state() == State::Finished {
+            self.seek(0.0);
+        }
+        self.playing = true;
+    }
+
+    /// Stops time.
+    pub fn pause(&mut self) {
+        self.playing = false;
+        self.goal = None;
+    }
+
+    /// Goes on by one planning cell of the robot's speed.
+    pub fn step(&mut self) {
+        self.pause();
+        let seconds = self.prepared.lattice.cell_size / self.prepared.robot.cruise_speed;
+        self.advance(((seconds / STEP_S).ceil() as u64).max(1), &mut || true);
+    }
+
+    /// Heads for another point of the time simulated so far, s.
+    pub fn seek(&mut self, time_s: f64) {
+        self.playing = false;
+        let goal = ((time_s / STEP_S).round().max(0.0) as u64).min(self.end);
+        for lane in &mut self.lanes {
+            lane.recording.seek(goal as f64 * STEP_S);
+        }
+        self.goal = Some(goal);
+        self.seek_on(&mut || false);
+    }
+
+    fn seek_on(&mut self, has_time: &mut dyn FnMut() -> bool) {
+        for lane in &mut self.lanes {
+            lane.recording.seek_on(has_time);
+        }
+        if let Some(goal) = self.goal.filter(|_| !self.lanes.iter().any(|lane| lane.recording.is_seeking())) {
+            self.now = goal;
+            self.goal = None;
+        }
+    }
+
+    /// Lets `elapsed_s` seconds pass for all robots, as long as `has_time` says so.
+    pub fn frame(&mut self, elapsed_s: f64, has_time: &mut dyn FnMut() -> bool) {
+        match self.state() {
+            State::Seeking => self.seek_on(has_time),
+            State::Playing => {
+                self.due += elapsed_s.clamp(0.0, LONGEST_FRAME) * self.setup.speed / STEP_S;
+                let wanted = if self.setup.speed == 0.0 { u64::MAX } else { self.due as u64 };
+                let taken = self.advance(wanted, has_time);
+                // What couldn't be done in time isn't made up for.
+                self.due = if taken == wanted { self.due.fract() } else { 0.0 };
+                if self.is_over() {
+                    self.playing = false;
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// Up to `steps` steps of every robot; returns how many the clock has counted.
+    fn advance(&mut self, steps: u64, has_time: &mut dyn FnMut() -> bool) -> u64 {
+        let mut taken = 0;
+        while taken < steps && !self.is_over() && has_time() {
+            let chunk = CHUNK.min(steps - taken);
+            let longest = self.lanes.iter_mut().map(|lane| lane.recording.advance(chunk, &mut || true)).max();
+            // The clock stops with the last robot.
+            taken += longest.unwrap_or(0);
+            self.now += longest.unwrap_or(0);
+            self.end = self.end.max(self.now);
+        }
+        taken
+    }
+
+    /// What is to be drawn of a lane.
+    pub fn scene<'a>(&'a self, lane: &'a Lane) -> Scene<'a> {
+        let run = lane.recording.run();
+        Scene {
+            plan: &self.plan,
+            plan_version: u64::from(self.number),
+            floor: Some(&self.prepared.floor),
+            tracker: Some(run.tracker()),
+            run_version: (u64::from(self.number) << 32) + lane.recording.version(),
+            planned_version: u64::from(self.number),
+            planned: &lane.line,
+            trail: run.trail(),
+            robot: Some(RobotView::of(run, self.setup.slip)),
+            start: Some(self.prepared.floor.start),
+            start_radius: self.prepared.robot.radius,
+            ..Scene::empty(&self.plan)
+        }
+    }
+}
+
+impl Lane {
+    /// The run at the moment that is shown.
+    pub fn run(&self) -> &Run {
+        self.recording.run()
+    }
+
+    /// Time (s) and coverage (0 to 1) of the whole run so far.
+    pub fn curve(&self) -> &[(f64, f64)] {
+        self.recording.curve()
+    }
+}
