@@ -71,3 +71,8 @@ fn boustrophedon_round_islands() {
 fn boustrophedon_on_the_thesis_room() {
     assert_drawn("boustrophedon", EIGHT, Direction::Right, include_str!("../golden/boustrophedon_8x8.txt"));
 }
+
+#[test]
+fn contour_round_islands() {
+    assert_drawn("contour", ISLANDS, Direction::Right, include_str!("../golden/contour_islands.txt"));
+}

@@ -16,6 +16,7 @@ pub use axis::{swap_axes, swap_walk};
 pub use cost::Costs;
 pub use decompose::{Block, Run, Side, decompose};
 pub use distances::Links;
+pub(super) use flood::Flood;
 pub use order::{Visit, improve, nearest_first};
 pub use seek::Seeker;
 pub use sweep::{SWEEPS, Sweep, append_sweep, sweeps_of};
