@@ -83,6 +83,14 @@ pub const METRICS: &[MetricInfo] = &[
         decimals: 1,
         value: |n| Some(100.0 * n.drive.coverage),
     },
+    lower(
+        "above_bound",
+        "Above the bound",
+        ("%", 1),
+        "How much more steps + 2 x quarter turns are than what every walk over these cells must have at least. Nobody \
+         can get below 0, and 0 itself is often out of reach.",
+        PlanNumbers::above_bound_percent,
+    ),
     lower("length", "Length", ("m", 1), "Length of the line that the robot drives.", |n| Some(n.drive.length_m)),
     lower(
         "duration",
@@ -139,14 +147,6 @@ pub const METRICS: &[MetricInfo] = &[
         ("m²", 2),
         "Floor swept again after the tool had left it; what is swept three times counts twice.",
         |n| Some(n.drive.overlap_m2),
-    ),
-    lower(
-        "above_bound",
-        "Above the bound",
-        ("%", 1),
-        "How much more steps + 2 x quarter turns are than what every walk over these cells must have at least. Nobody \
-         can get below 0, and 0 itself is often out of reach.",
-        PlanNumbers::above_bound_percent,
     ),
     lower("planning", "Planning", ("s", 3), "Time that the planner took on this machine.", |n| Some(n.planning_s)),
 ];

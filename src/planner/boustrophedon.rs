@@ -24,14 +24,11 @@ use super::{
     Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError, Planner,
     PlannerInfo,
     stage::{
-        Block, Costs, Links, SWEEPS, Stop, Sweep, Transit, Visit, append_sweep, decompose, improve, nearest_first,
-        swap_axes, swap_walk, sweeps_of, tighten,
+        Block, Costs, Links, SWEEPS, Stop, Sweep, Transit, Visit, append_sweep, decompose, improve, lanes_lie_down,
+        nearest_first, swap_axes, swap_walk, sweeps_of, tighten,
     },
 };
-use crate::{
-    grid::{Cell, Grid},
-    rng::seeded,
-};
+use crate::{grid::Cell, rng::seeded};
 
 /// Entry in the registry.
 pub const INFO: PlannerInfo = PlannerInfo {
@@ -122,7 +119,7 @@ impl Planner for Boustrophedon {
             Lanes::Horizontal => vec![false],
             Lanes::Vertical => vec![true],
             Lanes::Auto if job.cells() <= MAX_CELLS_FOR_BOTH => vec![false, true],
-            Lanes::Auto => vec![lanes_along_columns(&job.free) < lanes_along_rows(&job.free)],
+            Lanes::Auto => vec![!lanes_lie_down(&job.free)],
         };
         let share = 1.0 / lies_down.len() as f64;
         let cost = |walk: &[Cell]| Costs::of(job).of_walk(job.heading, walk);
@@ -177,20 +174,6 @@ impl Progress<'_, '_> {
             self.shown = walk;
         }
     }
-}
-
-/// Number of lanes along the rows: about half the number of turns.
-fn lanes_along_rows(free: &Grid<bool>) -> usize {
-    let begun_inside = |row: &[bool]| row.windows(2).filter(|w| !w[0] && w[1]).count();
-    free.values().chunks(free.width()).map(|row| usize::from(row[0]) + begun_inside(row)).sum()
-}
-
-/// Number of lanes along the columns.
-fn lanes_along_columns(free: &Grid<bool>) -> usize {
-    let rows = || free.values().chunks(free.width());
-    let begun_above = |(below, row): (&[bool], &[bool])| below.iter().zip(row).filter(|(b, r)| !**b && **r).count();
-    let lowest: usize = rows().take(1).flatten().map(|&is_free| usize::from(is_free)).sum();
-    lowest + rows().zip(rows().skip(1)).map(begun_above).sum::<usize>()
 }
 
 /// Shares of the work that are done after each stage.

@@ -11,7 +11,9 @@ mod info;
 mod job;
 mod params;
 mod path;
+mod s_shape;
 mod snake;
+mod spiral;
 
 pub mod stage;
 
@@ -28,7 +30,8 @@ pub trait Planner {
 }
 
 /// All planners, in the order of the menus.
-pub const PLANNERS: &[&PlannerInfo] = &[&boustrophedon::INFO, &contour::INFO, &snake::INFO];
+pub const PLANNERS: &[&PlannerInfo] =
+    &[&boustrophedon::INFO, &contour::INFO, &snake::INFO, &s_shape::INFO, &spiral::INFO];
 
 /// The planner with that id.
 pub fn find(id: &str) -> Option<&'static PlannerInfo> {

@@ -52,6 +52,18 @@ const ISLANDS: &str = "
     ..##........
     ............";
 
+/// Room for one spiral, and scraps.
+const OPEN: &str = "
+    ...........
+    ...........
+    ...........
+    ...........
+    ...........
+    ...........
+    ...........
+    .........##
+    .........##";
+
 #[test]
 fn snake_round_islands() {
     assert_drawn("snake", ISLANDS, Direction::Right, include_str!("../golden/snake_islands.txt"));
@@ -75,4 +87,19 @@ fn boustrophedon_on_the_thesis_room() {
 #[test]
 fn contour_round_islands() {
     assert_drawn("contour", ISLANDS, Direction::Right, include_str!("../golden/contour_islands.txt"));
+}
+
+#[test]
+fn s_shape_round_islands() {
+    assert_drawn("s_shape", ISLANDS, Direction::Right, include_str!("../golden/s_shape_islands.txt"));
+}
+
+#[test]
+fn spiral_in_an_open_room() {
+    assert_drawn("spiral", OPEN, Direction::Right, include_str!("../golden/spiral_open.txt"));
+}
+
+#[test]
+fn spiral_round_islands() {
+    assert_drawn("spiral", ISLANDS, Direction::Right, include_str!("../golden/spiral_islands.txt"));
 }

@@ -5,6 +5,25 @@ use crate::{
     planner::CoverageJob,
 };
 
+/// Whether lanes along the rows are at most as many as lanes along the columns. Each costs about two turns.
+pub fn lanes_lie_down(free: &Grid<bool>) -> bool {
+    lanes_along_rows(free) <= lanes_along_columns(free)
+}
+
+/// Number of lanes along the rows.
+fn lanes_along_rows(free: &Grid<bool>) -> usize {
+    let begun_inside = |row: &[bool]| row.windows(2).filter(|w| !w[0] && w[1]).count();
+    free.values().chunks(free.width()).map(|row| usize::from(row[0]) + begun_inside(row)).sum()
+}
+
+/// Number of lanes along the columns.
+fn lanes_along_columns(free: &Grid<bool>) -> usize {
+    let rows = || free.values().chunks(free.width());
+    let begun_above = |(below, row): (&[bool], &[bool])| below.iter().zip(row).filter(|(b, r)| !**b && **r).count();
+    let lowest: usize = rows().take(1).flatten().map(|&is_free| usize::from(is_free)).sum();
+    lowest + rows().zip(rows().skip(1)).map(begun_above).sum::<usize>()
+}
+
 /// The job with x and y swapped.
 pub fn swap_axes(job: &CoverageJob) -> CoverageJob {
     let heading = match job.heading {

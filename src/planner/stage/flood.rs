@@ -7,7 +7,7 @@ use std::ops::ControlFlow;
 /// Visits cells in the order of their steps from a start. It reuses its memory and leaves nothing to clean up, so that a
 /// search costs what it looks at and no more.
 #[derive(Debug)]
-pub(in crate::planner) struct Flood {
+pub struct Flood {
     frame: Frame,
     /// `base` + steps from the last search's start; lower values are left from searches before, and [`WALL`] is above all.
     /// So one comparison tells whether a cell is free, inside and new.

@@ -4,7 +4,7 @@ use crate::grid::{Cell, Direction, Grid};
 
 /// Numbers the cells of a grid and of the frame around it, row by row from the lower left.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::planner) struct Frame {
+pub struct Frame {
     /// Numbers from one row to the next.
     stride: usize,
     len: usize,
