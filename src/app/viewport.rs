@@ -4,6 +4,8 @@ use crate::geometry::{Point, Vector};
 
 /// Space around the room when all of it is shown, CSS pixels: left, top, right, bottom. The page floats its tools there.
 const MARGINS: [f64; 4] = [24.0, 66.0, 24.0, 66.0];
+/// Space around the room where nothing floats, CSS pixels.
+const BARE_MARGIN: f64 = 6.0;
 /// Pixels per metre that the view is kept within.
 const SCALES: std::ops::RangeInclusive<f64> = 0.5..=2000.0;
 /// Pixels of the room that stay in view, however far it is moved.
@@ -24,6 +26,8 @@ pub struct Viewport {
     room: Vector,
     /// Whether the whole room is kept in view when sizes change.
     fitted: bool,
+    /// Whether nothing floats over the canvas.
+    is_bare: bool,
 }
 
 impl Viewport {
@@ -44,9 +48,15 @@ impl Viewport {
             pixel_ratio,
             room: Vector::new(room_width, room_height),
             fitted: true,
+            is_bare: false,
         };
         view.fit();
         view
+    }
+
+    /// A window over which the page floats nothing, to be given its sizes.
+    pub fn bare() -> Self {
+        Self { is_bare: true, ..Self::new(1.0, 1.0, 1.0, 1.0, 1.0) }
     }
 
     /// Shows all of the room again.
@@ -114,6 +124,9 @@ impl Viewport {
 
     /// The margins, less of them where the canvas is small.
     fn margins(&self) -> [f64; 4] {
+        if self.is_bare {
+            return [BARE_MARGIN; 4];
+        }
         let shrink = (self.size.x / 480.0).min(self.size.y / 320.0).clamp(0.1, 1.0);
         MARGINS.map(|margin| margin * shrink)
     }

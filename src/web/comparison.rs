@@ -42,7 +42,7 @@ struct Pane {
 
 impl Pane {
     fn new(canvas: HtmlCanvasElement) -> Result<Self, JsValue> {
-        Ok(Self { canvas: Canvas::new(canvas)?, viewport: Viewport::new(1.0, 1.0, 1.0, 1.0, 1.0), room: (0.0, 0.0) })
+        Ok(Self { canvas: Canvas::new(canvas)?, viewport: Viewport::bare(), room: (0.0, 0.0) })
     }
 
     fn draw(&mut self, scene: &Scene<'_>) -> Result<(), JsValue> {

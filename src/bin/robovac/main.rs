@@ -5,6 +5,8 @@
 #[cfg(not(target_arch = "wasm32"))]
 mod bench;
 #[cfg(not(target_arch = "wasm32"))]
+mod compare;
+#[cfg(not(target_arch = "wasm32"))]
 mod convert;
 #[cfg(not(target_arch = "wasm32"))]
 mod failure;
@@ -32,7 +34,7 @@ fn main() -> std::process::ExitCode {
 
 #[cfg(not(target_arch = "wasm32"))]
 mod native {
-    use super::{bench, convert, failure::OK, list, output::print, plan, simulate};
+    use super::{bench, compare, convert, failure::OK, list, output::print, plan, simulate};
     use clap::{Parser, Subcommand};
     use std::{io::Write, process::ExitCode};
 
@@ -66,6 +68,7 @@ Exit codes:
         Metrics,
         Plan(plan::Arguments),
         Simulate(simulate::Arguments),
+        Compare(compare::Arguments),
         Convert(convert::Arguments),
         Bench(bench::Arguments),
     }
@@ -78,6 +81,7 @@ Exit codes:
             Command::Metrics => Ok(list::metrics()),
             Command::Plan(arguments) => plan::run(&arguments),
             Command::Simulate(arguments) => simulate::run(&arguments),
+            Command::Compare(arguments) => compare::run(&arguments),
             Command::Convert(arguments) => convert::run(&arguments),
             Command::Bench(arguments) => bench::run(&arguments),
         };

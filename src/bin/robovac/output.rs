@@ -1,6 +1,7 @@
 //! How answers are written.
 
 use super::failure::Failure;
+use robovac_playground::{app::compare::Table, metrics::METRICS};
 use serde::Serialize;
 use std::io::{ErrorKind, Write};
 
@@ -23,4 +24,32 @@ pub fn json(value: &impl Serialize) -> String {
 pub fn minutes(seconds: f64) -> String {
     let seconds = seconds.round() as u64;
     format!("{} min {} s", seconds / 60, seconds % 60)
+}
+
+/// A Markdown table with those columns of [`METRICS`]; the best of a column is bold, ranges are over seeds.
+pub fn markdown(title: &str, columns: &[usize], table: &Table) -> String {
+    let heads = columns.iter().map(|&column| {
+        let metric = &METRICS[column];
+        if metric.unit.is_empty() { metric.label.to_owned() } else { format!("{}, {}", metric.label, metric.unit) }
+    });
+    let heads: Vec<String> = std::iter::once("Planner".to_owned()).chain(heads).collect();
+    let mut text = format!("### {title}\n\n| {} |\n|---{}|\n", heads.join(" | "), "|--:".repeat(columns.len()));
+    for row in &table.rows {
+        let cells = columns.iter().map(|&column| {
+            let digits = usize::from(METRICS[column].decimals);
+            let Some(spread) = row.values[column] else { return "–".to_owned() };
+            let value = format!("{:.digits$}", spread.median);
+            let value = if table.is_best(row, column) { format!("**{value}**") } else { value };
+            if spread.max > spread.min {
+                format!("{value} ({:.digits$} to {:.digits$})", spread.min, spread.max)
+            } else {
+                value
+            }
+        });
+        let name =
+            row.failure.as_ref().map_or_else(|| row.entrant.to_string(), |why| format!("{} ({why})", row.entrant));
+        let cells: Vec<String> = std::iter::once(name).chain(cells).collect();
+        text += &format!("| {} |\n", cells.join(" | "));
+    }
+    text + "\n"
 }

@@ -31,7 +31,7 @@ impl Source {
 }
 
 /// Loads a map; a ROS map's image is looked up beside its YAML file.
-fn load_with_image(path: &Path) -> Result<FloorPlan, Failure> {
+pub fn load_with_image(path: &Path) -> Result<FloorPlan, Failure> {
     let mut files = vec![read(path)?.ok_or_else(|| Failure::io(path.display(), &ErrorKind::NotFound.into()))?];
     if let Some(image) = image_of(&files[0]) {
         let folder = path.parent().unwrap_or(Path::new(""));

@@ -1,0 +1,194 @@
+//! `compare`: planners against each other in the same rooms, by one definition of every number.
+
+use super::{failure::Failure, output, source};
+use robovac_playground::{
+    app::{
+        compare::{Arena, Entrant, Record, RoomChoice, RoomSet, Row, Table, to_csv, to_json},
+        planning::{CELL_ROBOT, choose_robot},
+    },
+    floorplan::{FloorPlan, room},
+    metrics::{METRICS, PlanNumbers},
+    planner::PLANNERS,
+    robot::RobotModel,
+};
+use std::{
+    path::Path,
+    sync::{
+        Mutex,
+        atomic::{AtomicUsize, Ordering},
+    },
+    thread,
+    time::Instant,
+};
+
+/// Compare planners in the same rooms
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Rooms, separated by commas: ids (see "robovac rooms"), kinds of rooms, "all", or map files
+    #[arg(long, value_name = "LIST", default_value = "all", value_delimiter = ',')]
+    rooms: Vec<String>,
+    /// Planners, separated by commas, with their parameters: "boustrophedon,snake~patience:3"; "all" or "fast" for many
+    #[arg(long, value_name = "LIST", default_value = "fast", value_delimiter = ',')]
+    planners: Vec<String>,
+    /// Robot, see "robovac robots"; "cell" fills one planning cell
+    #[arg(long, value_name = "ID", default_value = CELL_ROBOT)]
+    robot: String,
+    /// Side of the planning cells in metres [default: a map cell for the robot "cell", else what suits the robot]
+    #[arg(long, value_name = "M")]
+    cell: Option<f64>,
+    /// First seed of all random numbers
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    seed: u64,
+    /// Number of seeds for planners that use chance; the table has the median
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=1000))]
+    seeds: u64,
+    /// Plans made at the same time [default: one a core]; planning times are steadier with 1
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
+    jobs: Option<u16>,
+    /// Write all trials as JSON instead of a table
+    #[arg(long, conflicts_with = "csv")]
+    json: bool,
+    /// Write all trials as CSV instead of a table
+    #[arg(long)]
+    csv: bool,
+}
+
+/// A room with what its trials need.
+struct Place {
+    name: String,
+    robot: RobotModel,
+    cell_size: f64,
+    arena: Result<Arena, String>,
+}
+
+/// Makes all trials and returns what is to be printed.
+pub fn run(arguments: &Arguments) -> Result<String, Failure> {
+    let plans = plans(&arguments.rooms)?;
+    let entrants = entrants(&arguments.planners)?;
+    let place = |plan: &FloorPlan| {
+        let (robot, cell_size) = choose_robot(&arguments.robot, plan, arguments.cell)
+            .ok_or_else(|| Failure::unknown("robot", &arguments.robot, "robots"))?;
+        let arena = Arena::new(plan, &robot, cell_size, None).map_err(|e| e.to_string());
+        Ok(Place { name: plan.name.clone(), robot, cell_size, arena })
+    };
+    let places: Vec<Place> = plans.iter().map(place).collect::<Result<_, Failure>>()?;
+    let trials: Vec<(&Place, &Entrant, u64)> = places
+        .iter()
+        .flat_map(|place| entrants.iter().map(move |entrant| (place, entrant)))
+        .flat_map(|(place, entrant)| {
+            let seeds = if entrant.planner.claims.deterministic { 1 } else { arguments.seeds };
+            (0..seeds).map(move |i| (place, entrant, arguments.seed + i))
+        })
+        .collect();
+    let jobs = arguments.jobs.map_or_else(|| thread::available_parallelism().map_or(1, usize::from), usize::from);
+    let results = try_all(&trials, jobs);
+    let records: Vec<Record<'_>> = trials
+        .iter()
+        .zip(&results)
+        .map(|(&(place, entrant, seed), result)| Record {
+            room: &place.name,
+            robot: place.robot.id,
+            cell_size: place.cell_size,
+            entrant,
+            seed,
+            result,
+        })
+        .collect();
+    Ok(match (arguments.json, arguments.csv) {
+        (true, _) => to_json(&records),
+        (_, true) => to_csv(&records),
+        _ => tables(&places, &entrants, &records),
+    })
+}
+
+/// Makes the trials, `jobs` at a time; results in the order of trials.
+fn try_all(trials: &[(&Place, &Entrant, u64)], jobs: usize) -> Vec<Result<PlanNumbers, String>> {
+    let next = AtomicUsize::new(0);
+    let results = Mutex::new(vec![Err("it was not tried".to_owned()); trials.len()]);
+    thread::scope(|scope| {
+        for _ in 0..jobs.min(trials.len()) {
+            scope.spawn(|| {
+                loop {
+                    let index = next.fetch_add(1, Ordering::Relaxed);
+                    let Some(&(place, entrant, seed)) = trials.get(index) else { break };
+                    let result = attempt(place, entrant, seed);
+                    if let Ok(mut results) = results.lock() {
+                        results[index] = result;
+                    }
+                }
+            });
+        }
+    });
+    results.into_inner().unwrap_or_default()
+}
+
+fn attempt(place: &Place, entrant: &Entrant, seed: u64) -> Result<PlanNumbers, String> {
+    let begin = Instant::now();
+    let arena = place.arena.as_ref().map_err(Clone::clone)?;
+    let outcome = arena.run(entrant.planner, &entrant.params, seed, || begin.elapsed().as_secs_f64(), None);
+    outcome.map(|outcome| outcome.numbers).map_err(|e| e.to_string())
+}
+
+/// The rooms by id, kind, "all" or file.
+fn plans(names: &[String]) -> Result<Vec<FloorPlan>, Failure> {
+    let mut plans = Vec::new();
+    for name in names {
+        if let Some(info) = room(name) {
+            plans.push((info.build)());
+        } else if let Ok(set) = RoomSet::parse(name) {
+            plans.extend(set.rooms(RoomChoice::Own).iter().filter_map(|choice| match choice {
+                RoomChoice::Shipped(id) => room(id).map(|info| (info.build)()),
+                RoomChoice::Own => None,
+            }));
+        } else if Path::new(name).exists() {
+            plans.push(source::load_with_image(Path::new(name))?);
+        } else {
+            let known = RoomSet::all().map(|set| set.1).filter(|&id| id != "this").collect::<Vec<_>>().join(", ");
+            return Err(Failure::usage(format!(
+                "\"{name}\" is neither a room (\"robovac rooms\" lists them), nor a kind of rooms ({known}), nor a file"
+            )));
+        }
+    }
+    Ok(plans)
+}
+
+fn entrants(names: &[String]) -> Result<Vec<Entrant>, Failure> {
+    let mut entrants = Vec::new();
+    for name in names {
+        match &**name {
+            "all" => entrants.extend(PLANNERS.iter().map(|p| Entrant::new(p))),
+            "fast" => entrants.extend(PLANNERS.iter().filter(|p| p.claims.fast).map(|p| Entrant::new(p))),
+            name => entrants.push(Entrant::parse(name).map_err(|e| Failure::usage(e.to_string()))?),
+        }
+    }
+    Ok(entrants)
+}
+
+/// Metrics that a table on a terminal has room for.
+const SHOWN: [&str; 8] = ["coverage", "above_bound", "length", "duration", "turns", "steps", "revisits", "planning"];
+
+/// A Markdown table for each room.
+fn tables(places: &[Place], entrants: &[Entrant], records: &[Record<'_>]) -> String {
+    let columns: Vec<usize> =
+        METRICS.iter().enumerate().filter(|(_, metric)| SHOWN.contains(&metric.id)).map(|(i, _)| i).collect();
+    let mut text = String::new();
+    let mut records = records.iter().peekable();
+    for place in places {
+        let mut rows = Vec::new();
+        for (index, entrant) in entrants.iter().enumerate() {
+            let mut trials = Vec::new();
+            while let Some(record) =
+                records.next_if(|r| std::ptr::eq(r.room, &*place.name) && std::ptr::eq(r.entrant, entrant))
+            {
+                trials.push(record.result.clone());
+            }
+            rows.push(Row::new(entrant.clone(), index, &[trials]));
+        }
+        text += &output::markdown(
+            &format!("{}, {}, cells of {} m", place.name, place.robot.title, place.cell_size),
+            &columns,
+            &Table::new(rows),
+        );
+    }
+    text
+}
