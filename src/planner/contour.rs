@@ -251,7 +251,9 @@ fn wall_distances(free: &Grid<bool>) -> Grid<u32> {
             values[i] = if is_back { values[i].min(seen + 1) } else { seen + 1 };
         }
     }
-    values.iter_mut().for_each(|distance| *distance = distance.wrapping_sub(1));
+    for distance in values.iter_mut() {
+        *distance = distance.wrapping_sub(1);
+    }
     distances
 }
 

@@ -20,7 +20,7 @@ use std::{
 pub const MOST_SEEDS: u32 = 20;
 /// Planners that take part at first.
 const FIRST: [&str; 4] = ["boustrophedon", "snake", "spiral_stc", "wavefront_path"];
-/// Walks are kept to be shown as long as there are no more cells in them together; others are planned again.
+/// Walks are kept to be raced as long as there are no more cells in them together, which take 8 bytes each.
 const MOST_KEPT_CELLS: usize = 8_000_000;
 
 /// Who competes where, and what came out.
@@ -132,10 +132,10 @@ impl Comparison {
             link,
             plan_version,
         });
-        // Walks are only shown in the session's room, and earlier states of an own room don't come back.
+        // Earlier states of an own room don't come back.
         let here = self.place(self.here());
-        self.paths.retain(|key, _| key.starts_with(&here));
         self.known.retain(|key, _| !key.starts_with(OWN) || key.starts_with(&here));
+        self.paths.retain(|key, _| self.known.contains_key(key));
         self.changed();
     }
 
@@ -306,15 +306,28 @@ impl Comparison {
         let Some((trial, _)) = self.running.remove(&id) else { return };
         let key = self.key(&trial);
         let result = result.map(|Outcome { numbers, cells }| {
-            let kept: usize = self.paths.values().map(|path| path.cells.len()).sum();
-            if trial.room == self.here() && kept + cells.len() <= MOST_KEPT_CELLS {
-                self.paths.insert(key.clone(), CoveragePath { cells });
+            if self.base.as_ref().is_some_and(|base| base.seed == trial.seed) {
+                self.keep(&key, CoveragePath { cells });
             }
             numbers
         });
         self.known.insert(key, result);
         self.version += 1;
         self.enter_race();
+    }
+
+    /// Keeps a walk to be raced.
+    fn keep(&mut self, key: &Key, path: CoveragePath) {
+        let kept = |paths: &BTreeMap<Key, CoveragePath>| paths.values().map(|path| path.cells.len()).sum::<usize>();
+        if kept(&self.paths) + path.cells.len() > MOST_KEPT_CELLS {
+            // Whoever comes back to another room has it planned again.
+            let here = self.place(self.here());
+            let known = &mut self.known;
+            self.paths.retain(|key, _| key.starts_with(&here) || known.remove(key).is_none());
+        }
+        if kept(&self.paths) + path.cells.len() <= MOST_KEPT_CELLS {
+            self.paths.insert(key.clone(), path);
+        }
     }
 
     /// The user doesn't want to wait; what is known stays.

@@ -61,6 +61,13 @@ struct Place {
     arena: Result<Arena, String>,
 }
 
+/// One planner in one room with one seed; numbers in the lists of rooms and planners.
+struct Trial {
+    place: usize,
+    entrant: usize,
+    seed: u64,
+}
+
 /// Makes all trials and returns what is to be printed.
 pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let plans = plans(&arguments.rooms)?;
@@ -72,51 +79,55 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
         Ok(Place { name: plan.name.clone(), robot, cell_size, arena })
     };
     let places: Vec<Place> = plans.iter().map(place).collect::<Result<_, Failure>>()?;
-    let trials: Vec<(&Place, &Entrant, u64)> = places
-        .iter()
-        .flat_map(|place| entrants.iter().map(move |entrant| (place, entrant)))
-        .flat_map(|(place, entrant)| {
+    let mut trials = Vec::new();
+    for place in 0..places.len() {
+        for (index, entrant) in entrants.iter().enumerate() {
             let seeds = if entrant.planner.claims.deterministic { 1 } else { arguments.seeds };
-            (0..seeds).map(move |i| (place, entrant, arguments.seed + i))
-        })
-        .collect();
+            trials.extend((0..seeds).map(|i| Trial { place, entrant: index, seed: arguments.seed + i }));
+        }
+    }
     let jobs = arguments.jobs.map_or_else(|| thread::available_parallelism().map_or(1, usize::from), usize::from);
-    let results = try_all(&trials, jobs);
-    let records: Vec<Record<'_>> = trials
-        .iter()
-        .zip(&results)
-        .map(|(&(place, entrant, seed), result)| Record {
+    let results = try_all(&trials, jobs, |trial| attempt(&places[trial.place], &entrants[trial.entrant], trial.seed));
+    let record = |(trial, result): (&Trial, _)| {
+        let place: &Place = &places[trial.place];
+        Record {
             room: &place.name,
             robot: place.robot.id,
             cell_size: place.cell_size,
-            entrant,
-            seed,
+            entrant: &entrants[trial.entrant],
+            seed: trial.seed,
             result,
-        })
-        .collect();
+        }
+    };
+    let records = || trials.iter().zip(&results).map(record).collect::<Vec<_>>();
     Ok(match (arguments.json, arguments.csv) {
-        (true, _) => to_json(&records),
-        (_, true) => to_csv(&records),
-        _ => tables(&places, &entrants, &records),
+        (true, _) => to_json(&records()),
+        (_, true) => to_csv(&records()),
+        _ => tables(&places, &entrants, &trials, &results),
     })
 }
 
 /// Makes the trials, `jobs` at a time; results in the order of trials.
-fn try_all(trials: &[(&Place, &Entrant, u64)], jobs: usize) -> Vec<Result<PlanNumbers, String>> {
+fn try_all(
+    trials: &[Trial],
+    jobs: usize,
+    attempt: impl Fn(&Trial) -> Result<PlanNumbers, String> + Sync,
+) -> Vec<Result<PlanNumbers, String>> {
     let next = AtomicUsize::new(0);
     let results = Mutex::new(vec![Err("it was not tried".to_owned()); trials.len()]);
+    let work = || {
+        loop {
+            let index = next.fetch_add(1, Ordering::Relaxed);
+            let Some(trial) = trials.get(index) else { break };
+            let result = attempt(trial);
+            if let Ok(mut results) = results.lock() {
+                results[index] = result;
+            }
+        }
+    };
     thread::scope(|scope| {
         for _ in 0..jobs.min(trials.len()) {
-            scope.spawn(|| {
-                loop {
-                    let index = next.fetch_add(1, Ordering::Relaxed);
-                    let Some(&(place, entrant, seed)) = trials.get(index) else { break };
-                    let result = attempt(place, entrant, seed);
-                    if let Ok(mut results) = results.lock() {
-                        results[index] = result;
-                    }
-                }
-            });
+            scope.spawn(work);
         }
     });
     results.into_inner().unwrap_or_default()
@@ -168,27 +179,17 @@ fn entrants(names: &[String]) -> Result<Vec<Entrant>, Failure> {
 const SHOWN: [&str; 8] = ["coverage", "above_bound", "length", "duration", "turns", "steps", "revisits", "planning"];
 
 /// A Markdown table for each room.
-fn tables(places: &[Place], entrants: &[Entrant], records: &[Record<'_>]) -> String {
+fn tables(places: &[Place], entrants: &[Entrant], trials: &[Trial], results: &[Result<PlanNumbers, String>]) -> String {
     let columns: Vec<usize> =
         METRICS.iter().enumerate().filter(|(_, metric)| SHOWN.contains(&metric.id)).map(|(i, _)| i).collect();
-    let mut text = String::new();
-    let mut records = records.iter().peekable();
-    for place in places {
-        let mut rows = Vec::new();
-        for (index, entrant) in entrants.iter().enumerate() {
-            let mut trials = Vec::new();
-            while let Some(record) =
-                records.next_if(|r| std::ptr::eq(r.room, &*place.name) && std::ptr::eq(r.entrant, entrant))
-            {
-                trials.push(record.result.clone());
-            }
-            rows.push(Row::new(entrant.clone(), index, &[trials]));
-        }
-        text += &output::markdown(
-            &format!("{}, {}, cells of {} m", place.name, place.robot.title, place.cell_size),
-            &columns,
-            &Table::new(rows),
-        );
-    }
-    text
+    let row = |place: usize, (index, entrant): (usize, &Entrant)| {
+        let own = trials.iter().zip(results).filter(|(trial, _)| (trial.place, trial.entrant) == (place, index));
+        Row::new(entrant.clone(), index, &[own.map(|(_, result)| result.clone()).collect()])
+    };
+    let table = |(index, place): (usize, &Place)| {
+        let title = format!("{}, {}, cells of {} m", place.name, place.robot.title, place.cell_size);
+        let rows = entrants.iter().enumerate().map(|entrant| row(index, entrant)).collect();
+        output::markdown(&title, &columns, &Table::new(rows))
+    };
+    places.iter().enumerate().map(table).collect()
 }

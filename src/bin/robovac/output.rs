@@ -49,7 +49,7 @@ pub fn markdown(title: &str, columns: &[usize], table: &Table) -> String {
         let name =
             row.failure.as_ref().map_or_else(|| row.entrant.to_string(), |why| format!("{} ({why})", row.entrant));
         let cells: Vec<String> = std::iter::once(name).chain(cells).collect();
-        text += &format!("| {} |\n", cells.join(" | "));
+        text.extend(["| ", &cells.join(" | "), " |\n"]);
     }
     text + "\n"
 }
