@@ -6,6 +6,7 @@
 
 mod boustrophedon;
 mod context;
+mod genetic;
 mod info;
 mod job;
 mod params;
@@ -29,7 +30,8 @@ pub trait Planner {
 }
 
 /// All planners, in the order of the menus.
-pub const PLANNERS: &[&PlannerInfo] = &[&boustrophedon::INFO, &snake::INFO, &s_shape::INFO, &spiral::INFO];
+pub const PLANNERS: &[&PlannerInfo] =
+    &[&boustrophedon::INFO, &snake::INFO, &s_shape::INFO, &spiral::INFO, &genetic::INFO];
 
 /// The planner with that id.
 pub fn find(id: &str) -> Option<&'static PlannerInfo> {
