@@ -7,6 +7,7 @@
 mod boustrophedon;
 mod context;
 mod contour;
+mod genetic;
 mod info;
 mod job;
 mod params;
@@ -32,6 +33,7 @@ pub trait Planner {
 /// All planners, in the order of the menus.
 pub const PLANNERS: &[&PlannerInfo] =
     &[&boustrophedon::INFO, &contour::INFO, &snake::INFO, &s_shape::INFO, &spiral::INFO];
+    &[&boustrophedon::INFO, &snake::INFO, &s_shape::INFO, &spiral::INFO, &genetic::INFO];
 
 /// The planner with that id.
 pub fn find(id: &str) -> Option<&'static PlannerInfo> {

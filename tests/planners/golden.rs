@@ -103,3 +103,8 @@ fn spiral_in_an_open_room() {
 fn spiral_round_islands() {
     assert_drawn("spiral", ISLANDS, Direction::Right, include_str!("../golden/spiral_islands.txt"));
 }
+
+#[test]
+fn genetic_round_islands() {
+    assert_drawn("genetic", ISLANDS, Direction::Right, include_str!("../golden/genetic_islands.txt"));
+}
