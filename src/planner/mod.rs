@@ -32,8 +32,7 @@ pub trait Planner {
 
 /// All planners, in the order of the menus.
 pub const PLANNERS: &[&PlannerInfo] =
-    &[&boustrophedon::INFO, &contour::INFO, &snake::INFO, &s_shape::INFO, &spiral::INFO];
-    &[&boustrophedon::INFO, &snake::INFO, &s_shape::INFO, &spiral::INFO, &genetic::INFO];
+    &[&boustrophedon::INFO, &contour::INFO, &snake::INFO, &s_shape::INFO, &spiral::INFO, &genetic::INFO];
 
 /// The planner with that id.
 pub fn find(id: &str) -> Option<&'static PlannerInfo> {

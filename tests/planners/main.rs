@@ -1,5 +1,6 @@
 //! Every planner in every room.
 
+mod bounds;
 mod contract;
 mod golden;
 mod properties;
