@@ -4,6 +4,7 @@
 //! [`CoveragePath`] that visits them. To add one, write its file with a [`PlannerInfo`] constant and list it in
 //! [`PLANNERS`]; menus, parameter forms, command line, contract tests and benchmarks iterate that list.
 
+mod backtracking_spiral;
 mod boustrophedon;
 mod context;
 mod info;
@@ -27,7 +28,7 @@ pub trait Planner {
 }
 
 /// All planners, in the order of the menus.
-pub const PLANNERS: &[&PlannerInfo] = &[&boustrophedon::INFO, &snake::INFO];
+pub const PLANNERS: &[&PlannerInfo] = &[&boustrophedon::INFO, &snake::INFO, &backtracking_spiral::INFO];
 
 /// The planner with that id.
 pub fn find(id: &str) -> Option<&'static PlannerInfo> {

@@ -71,3 +71,18 @@ fn boustrophedon_round_islands() {
 fn boustrophedon_on_the_thesis_room() {
     assert_drawn("boustrophedon", EIGHT, Direction::Right, include_str!("../golden/boustrophedon_8x8.txt"));
 }
+
+#[test]
+fn backtracking_spiral_round_islands() {
+    assert_drawn(
+        "backtracking_spiral",
+        ISLANDS,
+        Direction::Right,
+        include_str!("../golden/backtracking_spiral_islands.txt"),
+    );
+}
+
+#[test]
+fn backtracking_spiral_on_the_thesis_room() {
+    assert_drawn("backtracking_spiral", EIGHT, Direction::Right, include_str!("../golden/backtracking_spiral_8x8.txt"));
+}

@@ -4,7 +4,7 @@ use crate::grid::{Cell, Direction, Grid};
 
 /// Numbers the cells of a grid and of the frame around it, row by row from the lower left.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Frame {
+pub(in crate::planner) struct Frame {
     /// Numbers from one row to the next.
     stride: usize,
     len: usize,
@@ -15,6 +15,11 @@ impl Frame {
     pub fn around<T>(grid: &Grid<T>) -> Self {
         let stride = grid.width() + 2;
         Self { stride, len: stride * (grid.height() + 2) }
+    }
+
+    /// Numbers from one row to the next.
+    pub fn stride(self) -> usize {
+        self.stride
     }
 
     /// The number of a cell of the grid.

@@ -1,22 +1,26 @@
 //! Stages that planners are composed of: they take what they need as arguments and keep nothing.
 
 mod axis;
+mod contest;
 mod cost;
 mod decompose;
 mod distances;
 mod flood;
 mod frame;
 mod order;
+mod roam;
 mod seek;
 mod sweep;
 mod tighten;
 mod transit;
 
 pub use axis::{swap_axes, swap_walk};
+pub(super) use contest::{Contest, MAX_CELLS_FOR_ALL};
 pub use cost::Costs;
 pub use decompose::{Block, Run, Side, decompose};
 pub use distances::Links;
 pub use order::{Visit, improve, nearest_first};
+pub(super) use roam::{Floor, Rule, roam};
 pub use seek::Seeker;
 pub use sweep::{SWEEPS, Sweep, append_sweep, sweeps_of};
 pub use tighten::tighten;
