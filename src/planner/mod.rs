@@ -12,6 +12,8 @@ mod job;
 mod params;
 mod path;
 mod snake;
+mod wavefront_distance;
+mod wavefront_path;
 
 pub mod stage;
 
@@ -28,7 +30,8 @@ pub trait Planner {
 }
 
 /// All planners, in the order of the menus.
-pub const PLANNERS: &[&PlannerInfo] = &[&boustrophedon::INFO, &snake::INFO, &backtracking_spiral::INFO];
+pub const PLANNERS: &[&PlannerInfo] =
+    &[&boustrophedon::INFO, &snake::INFO, &backtracking_spiral::INFO, &wavefront_distance::INFO, &wavefront_path::INFO];
 
 /// The planner with that id.
 pub fn find(id: &str) -> Option<&'static PlannerInfo> {

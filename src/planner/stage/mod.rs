@@ -13,6 +13,7 @@ mod seek;
 mod sweep;
 mod tighten;
 mod transit;
+mod wavefront;
 
 pub use axis::{swap_axes, swap_walk};
 pub(super) use contest::{Contest, MAX_CELLS_FOR_ALL};
@@ -25,3 +26,4 @@ pub use seek::Seeker;
 pub use sweep::{SWEEPS, Sweep, append_sweep, sweeps_of};
 pub use tighten::tighten;
 pub use transit::{Stop, Transit};
+pub(super) use wavefront::{GOAL, Goal, STEP, cover, obstacle_transform};
