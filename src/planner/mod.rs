@@ -12,6 +12,7 @@ mod job;
 mod params;
 mod path;
 mod snake;
+mod spiral_stc;
 mod wavefront_distance;
 mod wavefront_path;
 
@@ -30,8 +31,14 @@ pub trait Planner {
 }
 
 /// All planners, in the order of the menus.
-pub const PLANNERS: &[&PlannerInfo] =
-    &[&boustrophedon::INFO, &snake::INFO, &backtracking_spiral::INFO, &wavefront_distance::INFO, &wavefront_path::INFO];
+pub const PLANNERS: &[&PlannerInfo] = &[
+    &boustrophedon::INFO,
+    &snake::INFO,
+    &backtracking_spiral::INFO,
+    &spiral_stc::INFO,
+    &wavefront_distance::INFO,
+    &wavefront_path::INFO,
+];
 
 /// The planner with that id.
 pub fn find(id: &str) -> Option<&'static PlannerInfo> {

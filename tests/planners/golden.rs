@@ -88,6 +88,16 @@ fn backtracking_spiral_on_the_thesis_room() {
 }
 
 #[test]
+fn spiral_stc_round_islands() {
+    assert_drawn("spiral_stc", ISLANDS, Direction::Right, include_str!("../golden/spiral_stc_islands.txt"));
+}
+
+#[test]
+fn spiral_stc_on_the_thesis_room() {
+    assert_drawn("spiral_stc", EIGHT, Direction::Right, include_str!("../golden/spiral_stc_8x8.txt"));
+}
+
+#[test]
 fn wavefront_distance_round_islands() {
     assert_drawn(
         "wavefront_distance",
