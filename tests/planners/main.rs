@@ -2,5 +2,6 @@
 
 mod contract;
 mod golden;
+mod papers;
 mod properties;
 mod support;
