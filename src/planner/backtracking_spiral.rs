@@ -37,7 +37,7 @@
 use super::{
     Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError, Planner,
     PlannerInfo,
-    stage::{Contest, Floor, MAX_CELLS_FOR_ALL, Rule, roam},
+    stage::{Contest, Floor, MAX_CELLS_FOR_ALL, Rule},
 };
 use crate::grid::Direction;
 
@@ -94,8 +94,7 @@ impl Planner for BacktrackingSpiral {
         for &reference in sides {
             for &first in firsts {
                 let mut rule = Spiral { reference, first: Some(first) };
-                let walk = roam(job, &mut rule, &mut |share, walk| contest.report(ctx, share, walk))?;
-                contest.offer(ctx, walk)?;
+                contest.roam(ctx, &mut rule)?;
             }
         }
         Ok(contest.finish())

@@ -109,12 +109,12 @@ impl Planner for SpiralStc {
         for &is_odd in alignments {
             let megas = MegaCells::new(&job.free, is_odd);
             for &shape in shapes {
-                contest.report(ctx, 0.0, &[])?;
+                contest.report(ctx, 0.0)?;
                 let is_better_along_y =
                     !is_small && shape == Shape::Rows && lanes(&megas, Direction::Up) < lanes(&megas, Direction::Right);
                 let shape = if is_better_along_y { Shape::Columns } else { shape };
                 let mut tour = grow(megas.clone(), shape, &contest, ctx)?.tour(job.start, job.heading);
-                contest.report(ctx, 1.0, &[])?;
+                contest.report(ctx, 1.0)?;
                 if is_small {
                     contest.offer(ctx, tour.clone())?;
                     tour.reverse();
@@ -198,7 +198,7 @@ fn straight(
         for (mega, direction) in std::mem::take(&mut queues[i]) {
             looked += 1;
             if looked.is_multiple_of(REPORT_EVERY) {
-                contest.report(ctx, 0.0, &[])?;
+                contest.report(ctx, 0.0)?;
             }
             let mega = mega as usize;
             let Some(link) = megas.link(mega, direction).filter(|link| !union.are_connected(mega, link.to)) else {

@@ -1,6 +1,11 @@
 //! Stage: the cheapest of several walks.
 
-use super::{cost::Costs, tighten::tighten, transit::Transit};
+use super::{
+    cost::Costs,
+    roam::{Rule, roam},
+    tighten::tighten,
+    transit::Transit,
+};
 use crate::{
     grid::Cell,
     planner::{CoverageJob, CoveragePath, PlanContext, PlanError},
@@ -32,13 +37,18 @@ impl<'j> Contest<'j> {
         Self { job, costs, transit, tries, offered: 0, best: Vec::new(), cost: u64::MAX }
     }
 
-    /// Reports that a share of the next walk is made; shows it as long as there is no other.
-    pub fn report(&self, ctx: &mut PlanContext<'_>, share: f64, walk: &[Cell]) -> Result<(), PlanError> {
-        ctx.checkpoint(self.done(MADE * share), if self.best.is_empty() { walk } else { &self.best })
+    /// Reports that a share of the next walk is made.
+    pub fn report(&self, ctx: &mut PlanContext<'_>, share: f64) -> Result<(), PlanError> {
+        ctx.checkpoint((self.offered as f64 + MADE * share) / self.tries as f64, &self.best)
     }
 
-    fn done(&self, share: f64) -> f64 {
-        (self.offered as f64 + share) / self.tries as f64
+    /// Enters the walk of a robot that follows `rule` ([`roam`]).
+    pub fn roam(&mut self, ctx: &mut PlanContext<'_>, rule: &mut dyn Rule) -> Result<(), PlanError> {
+        let (offered, tries, best) = (self.offered as f64, self.tries as f64, &self.best);
+        let walk = roam(self.job, &mut self.transit, rule, &mut |share, walk| {
+            ctx.checkpoint((offered + MADE * share) / tries, if best.is_empty() { walk } else { best })
+        })?;
+        self.offer(ctx, walk)
     }
 
     /// Enters a walk, its detours cut ([`tighten`]).

@@ -23,7 +23,7 @@ pub use decompose::{Block, Run, Side, decompose};
 pub use distances::Links;
 pub(super) use mega::{Added, MegaCells};
 pub use order::{Visit, improve, nearest_first};
-pub(super) use roam::{Floor, Rule, roam};
+pub(super) use roam::{Floor, Rule};
 pub use seek::Seeker;
 pub use sweep::{SWEEPS, Sweep, append_sweep, sweeps_of};
 pub use tighten::tighten;

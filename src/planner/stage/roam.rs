@@ -59,15 +59,16 @@ pub(in crate::planner) trait Rule {
 }
 
 /// Is told the share of a room that is clean and the walk so far.
-pub(in crate::planner) type Report<'a> = &'a mut dyn FnMut(f64, &[Cell]) -> Result<(), PlanError>;
+pub(super) type Report<'a> = &'a mut dyn FnMut(f64, &[Cell]) -> Result<(), PlanError>;
 
 /// Steps by the rule between two reports.
 const REPORT_EVERY: usize = 8192;
 
 /// The walk of a robot that follows `rule`, and goes to the nearest new cell where it leads no further, until all is
 /// clean. "Nearest" is by steps; the way there is the cheapest, turns included.
-pub(in crate::planner) fn roam(
+pub(super) fn roam(
     job: &CoverageJob,
+    transit: &mut Transit,
     rule: &mut dyn Rule,
     report: Report<'_>,
 ) -> Result<Vec<Cell>, PlanError> {
@@ -75,7 +76,6 @@ pub(in crate::planner) fn roam(
     let mut floor = Floor::of(job);
     let (frame, cells) = (floor.frame, floor.left);
     let mut flood = Flood::new(&job.free);
-    let mut transit = Transit::new(&job.free, costs);
     let mut walk = Vec::with_capacity(cells * 17 / 16);
     let (mut at, mut heading, mut begins) = (frame.index(job.start), job.heading, true);
     let mut next_report = 0;
@@ -152,7 +152,7 @@ mod tests {
     fn goes_to_the_nearest_new_cell_where_the_rule_ends() {
         let free = from_picture("...\n.#.\n...", |c| c == '.').unwrap();
         let job = CoverageJob::new(&free, Cell::new(0, 2), Direction::Right).unwrap();
-        let walk = roam(&job, &mut Ahead, &mut |_, _| Ok(())).unwrap();
+        let walk = roam(&job, &mut Transit::new(&free, Costs::of(&job)), &mut Ahead, &mut |_, _| Ok(())).unwrap();
         let expected = [(0, 2), (1, 2), (2, 2), (2, 1), (2, 0), (1, 0), (0, 0), (0, 1)];
         assert_eq!(walk, expected.map(|(x, y)| Cell::new(x, y)));
     }

@@ -3,7 +3,7 @@
 use super::{
     contest::{Contest, MAX_CELLS_FOR_ALL},
     frame::Frame,
-    roam::{Floor, Rule, roam},
+    roam::{Floor, Rule},
 };
 use crate::{
     grid::{Cell, Direction, Grid},
@@ -173,8 +173,7 @@ pub(in crate::planner) fn cover(
     let mut contest = Contest::new(job, goals.len());
     for goal in goals {
         let mut rule = Descent { values: transform(&job.free, goal, cost, dearest) };
-        let walk = roam(job, &mut rule, &mut |share, walk| contest.report(ctx, share, walk))?;
-        contest.offer(ctx, walk)?;
+        contest.roam(ctx, &mut rule)?;
     }
     Ok(contest.finish())
 }
@@ -188,7 +187,10 @@ fn highest(values: &[u32]) -> Option<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::grid::{from_picture, picture};
+    use crate::{
+        grid::{from_picture, picture},
+        planner::stage::{Costs, Transit, roam::roam},
+    };
 
     fn drawn(free: &Grid<bool>, values: &[u32], unit: u32) -> String {
         let frame = Frame::around(free);
@@ -212,7 +214,13 @@ mod tests {
         let frame = Frame::around(&free);
         let values = transform(&free, Cell::new(6, 3), &|_| STEP, STEP);
         let mut floor = Floor::of(&job);
-        let walk = roam(&job, &mut Descent { values: values.clone() }, &mut |_, _| Ok(())).unwrap();
+        let walk = roam(
+            &job,
+            &mut Transit::new(&free, Costs::of(&job)),
+            &mut Descent { values: values.clone() },
+            &mut |_, _| Ok(()),
+        )
+        .unwrap();
         for step in walk.windows(2) {
             let [at, next] = [step[0], step[1]].map(|cell| frame.index(cell));
             floor.clean(at);
