@@ -52,7 +52,10 @@ pub const INFO: PlannerInfo = PlannerInfo {
         use_when: "Simple, and the walk ends near a goal of your choice, such as the dock. \
                    Fronts bend round every obstacle, which makes many turns.",
         shines: Example { room: "lshape", why: "Every cell once, and the robot ends at the goal." },
-        fails: Example { room: "hall20", why: "Fronts break at the furniture: nearly five times the turns of lanes." },
+        fails: Example {
+            room: "hall20",
+            why: "Fronts break at the furniture: more than three times the turns of lanes.",
+        },
     },
     claims: Claims { complete: true, deterministic: true, fast: true },
     params: &[GOAL],

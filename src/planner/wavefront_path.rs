@@ -10,8 +10,7 @@
 //! Where the paper is silent:
 //!
 //! - *Discomfort.* Any function that falls with the distance will do. Here it is (4 - d)² at d steps from the nearest blocked
-//!   cell or edge, over eight neighbours, and 0 from 4 steps on: the least in sum over rooms among powers 1 to 3 and reaches 3 to 10
-//!   that were tried. Alpha is in steps a unit of it.
+//!   cell or edge, over eight neighbours, and 0 from 4 steps on. Alpha is in steps a unit of it.
 //! - *Computing it.* The paper repeats sweeps over the grid until nothing changes; Dijkstra's algorithm with buckets gives the
 //!   same values at once.
 //! - *The rest*, equals, dead ends and goals, is as in `wavefront_distance`, whose walk it makes with alpha 0.
@@ -49,8 +48,11 @@ pub const INFO: PlannerInfo = PlannerInfo {
         complexity: "O(n) time and memory for n cells, and a search around every dead end.",
         use_when: "Better than the distance transform in corridors and mazes, as it follows their walls. \
                    In open rooms full of furniture it turns as often.",
-        shines: Example { room: "maze", why: "Down one wall and back along the other; hardly a cell twice." },
-        fails: Example { room: "flat", why: "Follows every outline: four times the turns of lanes." },
+        shines: Example {
+            room: "maze",
+            why: "Down one wall and back along the other, with far fewer turns than lanes.",
+        },
+        fails: Example { room: "hall20", why: "Follows every outline: about four times the turns of lanes." },
     },
     claims: Claims { complete: true, deterministic: true, fast: true },
     params: &[
