@@ -4,6 +4,7 @@
 //! [`CoveragePath`] that visits them. To add one, write its file with a [`PlannerInfo`] constant and list it in
 //! [`PLANNERS`]; menus, parameter forms, command line, contract tests and benchmarks iterate that list.
 
+mod backtracking_spiral;
 mod boustrophedon;
 mod context;
 mod contour;
@@ -15,6 +16,9 @@ mod path;
 mod s_shape;
 mod snake;
 mod spiral;
+mod spiral_stc;
+mod wavefront_distance;
+mod wavefront_path;
 
 pub mod stage;
 
@@ -31,8 +35,18 @@ pub trait Planner {
 }
 
 /// All planners, in the order of the menus.
-pub const PLANNERS: &[&PlannerInfo] =
-    &[&boustrophedon::INFO, &contour::INFO, &snake::INFO, &s_shape::INFO, &spiral::INFO, &genetic::INFO];
+pub const PLANNERS: &[&PlannerInfo] = &[
+    &boustrophedon::INFO,
+    &spiral_stc::INFO,
+    &backtracking_spiral::INFO,
+    &contour::INFO,
+    &wavefront_distance::INFO,
+    &wavefront_path::INFO,
+    &s_shape::INFO,
+    &spiral::INFO,
+    &snake::INFO,
+    &genetic::INFO,
+];
 
 /// The planner with that id.
 pub fn find(id: &str) -> Option<&'static PlannerInfo> {

@@ -108,3 +108,53 @@ fn spiral_round_islands() {
 fn genetic_round_islands() {
     assert_drawn("genetic", ISLANDS, Direction::Right, include_str!("../golden/genetic_islands.txt"));
 }
+
+#[test]
+fn backtracking_spiral_round_islands() {
+    assert_drawn(
+        "backtracking_spiral",
+        ISLANDS,
+        Direction::Right,
+        include_str!("../golden/backtracking_spiral_islands.txt"),
+    );
+}
+
+#[test]
+fn backtracking_spiral_on_the_thesis_room() {
+    assert_drawn("backtracking_spiral", EIGHT, Direction::Right, include_str!("../golden/backtracking_spiral_8x8.txt"));
+}
+
+#[test]
+fn spiral_stc_round_islands() {
+    assert_drawn("spiral_stc", ISLANDS, Direction::Right, include_str!("../golden/spiral_stc_islands.txt"));
+}
+
+#[test]
+fn spiral_stc_on_the_thesis_room() {
+    assert_drawn("spiral_stc", EIGHT, Direction::Right, include_str!("../golden/spiral_stc_8x8.txt"));
+}
+
+#[test]
+fn wavefront_distance_round_islands() {
+    assert_drawn(
+        "wavefront_distance",
+        ISLANDS,
+        Direction::Right,
+        include_str!("../golden/wavefront_distance_islands.txt"),
+    );
+}
+
+#[test]
+fn wavefront_distance_on_the_thesis_room() {
+    assert_drawn("wavefront_distance", EIGHT, Direction::Right, include_str!("../golden/wavefront_distance_8x8.txt"));
+}
+
+#[test]
+fn wavefront_path_round_islands() {
+    assert_drawn("wavefront_path", ISLANDS, Direction::Right, include_str!("../golden/wavefront_path_islands.txt"));
+}
+
+#[test]
+fn wavefront_path_on_the_thesis_room() {
+    assert_drawn("wavefront_path", EIGHT, Direction::Right, include_str!("../golden/wavefront_path_8x8.txt"));
+}

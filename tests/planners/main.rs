@@ -3,5 +3,6 @@
 mod bounds;
 mod contract;
 mod golden;
+mod papers;
 mod properties;
 mod support;
