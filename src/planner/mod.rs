@@ -5,6 +5,7 @@
 //! [`PLANNERS`]; menus, parameter forms, command line, contract tests and benchmarks iterate that list.
 
 mod boustrophedon;
+mod boustrophedon_cells;
 mod context;
 mod contour;
 mod info;
@@ -28,7 +29,7 @@ pub trait Planner {
 }
 
 /// All planners, in the order of the menus.
-pub const PLANNERS: &[&PlannerInfo] = &[&boustrophedon::INFO, &contour::INFO, &snake::INFO];
+pub const PLANNERS: &[&PlannerInfo] = &[&boustrophedon::INFO, &boustrophedon_cells::INFO, &contour::INFO, &snake::INFO];
 
 /// The planner with that id.
 pub fn find(id: &str) -> Option<&'static PlannerInfo> {

@@ -76,3 +76,9 @@ fn boustrophedon_on_the_thesis_room() {
 fn contour_round_islands() {
     assert_drawn("contour", ISLANDS, Direction::Right, include_str!("../golden/contour_islands.txt"));
 }
+
+#[test]
+fn boustrophedon_cells_round_islands() {
+    let expected = include_str!("../golden/boustrophedon_cells_islands.txt");
+    assert_drawn("boustrophedon_cells", ISLANDS, Direction::Right, expected);
+}
