@@ -96,7 +96,7 @@ const ROUNDS_TIMES_PARTS: usize = 100_000;
 const ROUNDS_PER_PART: usize = 4;
 /// Most rounds for the lanes each time that they are taken apart, for every unit of effort.
 const ROUNDS: usize = 1_500;
-/// The same for every lane: small rooms are soon as good as they get.
+/// The same for every lane, and less for few of them: small rooms are soon as good as they get.
 const ROUNDS_PER_LANE: usize = 24;
 /// How often the walk is taken apart into lanes.
 const TIMES_APART: usize = 5;
@@ -147,7 +147,7 @@ impl Planner for Cells {
                 break;
             }
             let from = TIGHTENED + time as f64 * share;
-            let rounds = self.effort * ROUNDS.min(ROUNDS_PER_LANE * lanes.len());
+            let rounds = self.effort * ROUNDS.min(ROUNDS_PER_LANE.min(lanes.len() / 2) * lanes.len());
             let sweeps = work.sweeps(&lanes);
             work.improve(&sweeps, &mut tour, rounds, [from, from + 0.1 * share, from + 0.9 * share])?;
             let is_better = work.drive(&lanes, &sweeps, &tour, [from + 0.9 * share, from + share])?;
