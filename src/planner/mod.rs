@@ -6,6 +6,7 @@
 
 mod backtracking_spiral;
 mod boustrophedon;
+mod boustrophedon_cells;
 mod context;
 mod contour;
 mod genetic;
@@ -37,6 +38,7 @@ pub trait Planner {
 /// All planners, in the order of the menus.
 pub const PLANNERS: &[&PlannerInfo] = &[
     &boustrophedon::INFO,
+    &boustrophedon_cells::INFO,
     &spiral_stc::INFO,
     &backtracking_spiral::INFO,
     &contour::INFO,

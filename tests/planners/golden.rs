@@ -158,3 +158,9 @@ fn wavefront_path_round_islands() {
 fn wavefront_path_on_the_thesis_room() {
     assert_drawn("wavefront_path", EIGHT, Direction::Right, include_str!("../golden/wavefront_path_8x8.txt"));
 }
+
+#[test]
+fn boustrophedon_cells_round_islands() {
+    let expected = include_str!("../golden/boustrophedon_cells_islands.txt");
+    assert_drawn("boustrophedon_cells", ISLANDS, Direction::Right, expected);
+}
