@@ -9,6 +9,7 @@ mod layer;
 mod plan_job;
 mod playground;
 mod robot;
+mod search;
 
 pub use bench::bench;
 pub use plan_job::plan;
