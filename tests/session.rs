@@ -304,7 +304,11 @@ fn search_of_the_snake_follows_the_robot() {
     let block = steps.iter().find(|step| step.sides.is_some()).expect("a smaller block decides");
     let [(first, a), (second, b)] = block.sides.unwrap();
     assert_eq!(second, first.opposite());
-    assert!(block.note.contains(&format!("{a} cells left")) && block.note.contains(&b.to_string()), "{}", block.note);
+    assert!(
+        block.note.contains(&format!("{a} cells to clean")) && block.note.contains(&b.to_string()),
+        "{}",
+        block.note
+    );
     assert!(steps.iter().any(|step| step.rule == "Shortest way" || step.rule == "Back"));
 
     // The decision shown is the one that the robot carries out, all along the run.

@@ -357,7 +357,7 @@ impl Memory {
                 let (first, second) = (place(first), place(second));
                 let tie = if a == b { ", the nearer edge" } else { "" };
                 let note =
-                    format!("Left and right equal; smaller block: {a} cells left {first}, {b} {second}{tie}: {to}");
+                    format!("Left and right equal; smaller block: {a} cells to clean {first}, {b} {second}{tie}: {to}");
                 ("Smaller block", note)
             }
             Rule::Forward => ("Forward", format!("No better neighbour beside it: straight on, {to}")),
