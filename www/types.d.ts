@@ -102,6 +102,8 @@ export type View = {
   /** Achieved, times real time. */
   speed_factor: number;
   plan: PlanNumbers | null;
+  /** The planner's decision at this moment in words; "" if it isn't to be shown. */
+  search: { offered: boolean; on: boolean; text: string };
   pose_error_m: number;
 };
 

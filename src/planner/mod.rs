@@ -18,21 +18,28 @@ mod s_shape;
 mod snake;
 mod spiral;
 mod spiral_stc;
+mod trace;
 mod wavefront_distance;
 mod wavefront_path;
 
 pub mod stage;
 
-pub use context::{Observer, PlanContext, PlanError};
+pub use context::{Observer, PlanContext, PlanError, Tracer};
 pub use info::{Claims, Example, Explainer, PlannerInfo, SLOW_CELLS};
 pub use job::CoverageJob;
 pub use params::{ParamError, ParamKind, ParamSpec, ParamValue, Params};
 pub use path::{CoveragePath, PathError};
+pub use trace::TraceStep;
 
 /// An algorithm that finds a walk over all free cells.
 pub trait Planner {
     /// Plans a walk from `job.start`. Must return [`PlanError::Cancelled`] soon after the context says so.
     fn plan(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError>;
+
+    /// Whether it explains every step by [`PlanContext::trace`].
+    fn traces(&self) -> bool {
+        false
+    }
 }
 
 /// All planners, in the order of the menus.

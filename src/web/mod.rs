@@ -11,6 +11,7 @@ mod layer;
 mod plan_job;
 mod playground;
 mod robot;
+mod search;
 mod trial;
 
 pub use bench::bench;

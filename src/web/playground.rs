@@ -169,6 +169,11 @@ impl Playground {
         Ok(self.session.configure(|s| s.set_cell_size(metres))?)
     }
 
+    /// Shows the planner's decisions, or no longer.
+    pub fn show_search(&mut self, on: bool) {
+        self.session.show_search(on);
+    }
+
     /// Sets a parameter of the planner from the text of a form.
     pub fn set_param(&mut self, id: &str, text: &str) -> Result<(), JsValue> {
         Ok(self.session.configure(|s| s.set_param(id, text))?)

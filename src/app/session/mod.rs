@@ -1,8 +1,11 @@
 //! One user's session: a room, a robot, a planner, a run.
 
+mod search;
 mod snapshot;
 
-use super::{Action, Answer, Brush, Editor, PlanRequest, Planned, Prepared, Recording, Settings, SettingsError, State};
+use super::{
+    Action, Answer, Brush, Editor, PlanRequest, Planned, Prepared, Recording, Search, Settings, SettingsError, State,
+};
 use crate::{
     floorplan::{self, FloorPlan, MapError, RoomInfo, Scenario, SourceFile},
     geometry::{Point, Pose},
@@ -37,6 +40,9 @@ pub struct Session {
     /// Walks that planners have reported, on their way and at the end.
     previews: u64,
     message: Option<Message>,
+    /// Whether the planner's decisions are to be shown, and they, once they are known.
+    shows_search: bool,
+    search: Option<Search>,
 }
 
 /// Why files can't be taken.
@@ -83,6 +89,8 @@ impl Session {
             requests: 0,
             previews: 0,
             message: None,
+            shows_search: false,
+            search: None,
         };
         session.prepare();
         session
@@ -194,6 +202,7 @@ impl Session {
                 let Settings { slip, odometry, seed, .. } = self.settings;
                 self.recording = Some(Recording::new(planned.run(prepared, slip, odometry, seed)));
                 self.planned = Some(planned);
+                self.update_search();
             }
             Err(error) => self.planner_failed(&error.to_string()),
         }
@@ -224,6 +233,7 @@ impl Session {
         // Whoever has watched a run to its end and changes something wants to watch the next one.
         self.playing |= self.state() == State::Finished;
         self.planned = None;
+        self.search = None;
         self.recording = None;
         self.planning = None;
         self.due = 0.0;

@@ -68,14 +68,14 @@ pub enum RoomKind {
 }
 
 impl RoomKind {
-    /// All kinds, with their names in menus.
-    pub const ALL: [(Self, &'static str); 6] = [
-        (Self::Simple, "Simple shapes"),
-        (Self::Cluttered, "Furnished rooms"),
-        (Self::Office, "Offices and wards"),
-        (Self::Maze, "Mazes"),
-        (Self::Corridor, "Corridors"),
-        (Self::Large, "Large halls"),
+    /// All kinds, with their names in links and in menus.
+    pub const ALL: [(Self, &'static str, &'static str); 6] = [
+        (Self::Simple, "shapes", "Simple shapes"),
+        (Self::Cluttered, "furnished", "Furnished rooms"),
+        (Self::Office, "offices", "Offices and wards"),
+        (Self::Maze, "mazes", "Mazes"),
+        (Self::Corridor, "corridors", "Corridors"),
+        (Self::Large, "halls", "Large halls"),
     ];
 }
 
