@@ -6,6 +6,7 @@
 
 mod boustrophedon;
 mod context;
+mod energy;
 mod grid_tsp;
 mod info;
 mod job;
@@ -28,8 +29,7 @@ pub trait Planner {
 }
 
 /// All planners, in the order of the menus.
-pub const PLANNERS: &[&PlannerInfo] =
-    &[&boustrophedon::INFO, &grid_tsp::INFO, &snake::INFO];
+pub const PLANNERS: &[&PlannerInfo] = &[&boustrophedon::INFO, &energy::INFO, &grid_tsp::INFO, &snake::INFO];
 
 /// The planner with that id.
 pub fn find(id: &str) -> Option<&'static PlannerInfo> {

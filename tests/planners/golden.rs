@@ -84,3 +84,13 @@ fn grid_tsp_finds_the_optimum_of_the_thesis_room() {
     let metrics = WalkMetrics::of(&job, &path);
     assert_eq!((metrics.steps, metrics.turns), (53, 14));
 }
+
+#[test]
+fn energy_round_islands() {
+    assert_drawn("energy", ISLANDS, Direction::Right, include_str!("../golden/energy_islands.txt"));
+}
+
+#[test]
+fn energy_on_the_thesis_room() {
+    assert_drawn("energy", EIGHT, Direction::Right, include_str!("../golden/energy_8x8.txt"));
+}
