@@ -10,6 +10,7 @@ mod energy;
 mod grid_tsp;
 mod info;
 mod job;
+mod neural;
 mod params;
 mod path;
 mod snake;
@@ -29,7 +30,8 @@ pub trait Planner {
 }
 
 /// All planners, in the order of the menus.
-pub const PLANNERS: &[&PlannerInfo] = &[&boustrophedon::INFO, &energy::INFO, &grid_tsp::INFO, &snake::INFO];
+pub const PLANNERS: &[&PlannerInfo] =
+    &[&boustrophedon::INFO, &energy::INFO, &grid_tsp::INFO, &neural::INFO, &snake::INFO];
 
 /// The planner with that id.
 pub fn find(id: &str) -> Option<&'static PlannerInfo> {

@@ -94,3 +94,8 @@ fn energy_round_islands() {
 fn energy_on_the_thesis_room() {
     assert_drawn("energy", EIGHT, Direction::Right, include_str!("../golden/energy_8x8.txt"));
 }
+
+#[test]
+fn neural_round_islands() {
+    assert_drawn("neural", ISLANDS, Direction::Right, include_str!("../golden/neural_islands.txt"));
+}
