@@ -6,21 +6,26 @@
 //!
 //! - `d_t`, the distance in cells;
 //! - `d_r`, the turn in quarter turns;
-//! - N = 4 - half the number of visited locations among the eight around n: floor that is nearly clean draws the robot in,
+//! - N = 4 - half the number of visited locations among the eight around n: floor that is nearly clean draws the robot
+//!   in,
 //!   so that it keeps to what it has cleaned and leaves few islands.
 //!
 //! Where no neighbour is left it goes to the unvisited location of least E of the whole grid.
 //!
 //! # Where text and program disagree, and what is done here
 //!
-//! - The authors' published program has a fourth term, 0.72 - 0.09 for each blocked location among the eight: walls draw the robot too, less than clean
+//! - The authors' published program has a fourth term, 0.72 - 0.09 for each blocked location among the eight: walls
+//!   draw the robot too, less than clean
 //!   floor. The papers don't mention it. Kept, as the parameter *walls*.
 //! - Neighbours are the four beside the cell, as a walk takes no diagonal steps; the program has eight.
-//! - Where no neighbour is left it goes to the nearest unvisited cell by a shortest path. The program weighs the straight
+//! - Where no neighbour is left it goes to the nearest unvisited cell by a shortest path. The program weighs the
+//!   straight
 //!   line, which may lead through a wall.
-//! - It starts where the robot is; the program starts in the corner nearest to it and first turns the room so that its main
+//! - It starts where the robot is; the program starts in the corner nearest to it and first turns the room so that its
+//!   main
 //!   direction lies along x. Here the walk is planned for each direction in which the robot may look at the start, with
-//!   ties going to the left and to the right (the papers are silent), and the cheapest is kept. At last detours over clean
+//!   ties going to the left and to the right (the papers are silent), and the cheapest is kept. At last detours over
+//!   clean
 //!   floor are cut short ([`tighten`]). In rooms of more than 100,000 cells the first walk is taken as it is.
 //!
 //! Energies are whole numbers, in hundredths, so that ties are ties on every target.
@@ -53,7 +58,8 @@ pub const INFO: PlannerInfo = PlannerInfo {
         idea: "Every cell beside the robot gets an energy, and the robot goes on to the cell with the least. \
                Distance and turning raise the energy, clean cells and walls around the cell lower it. \
                So the robot hugs what it has cleaned, and lanes come about that nobody has planned.",
-        complexity: "O(n) time and memory for n cells, and a search for the nearest cell left at each dead end; eight times in rooms of up to 100,000 cells.",
+        complexity: "O(n) time and memory for n cells, and a search for the nearest cell left at each dead end; \
+                     eight times over in rooms of up to 100,000 cells.",
         use_when: "As simple as greedy planning gets, and as fast; it can decide while it drives. \
                    It sees one step ahead only, so it leaves corners behind for which it must come back.",
         shines: Example { room: "lshape", why: "One long meander round the corner, as good as planned." },
@@ -203,7 +209,8 @@ impl Energy {
 mod tests {
     use super::*;
 
-    /// The terms of the functional: E = `d_t` + `d_r` + N as in Bormann et al. 2015, section on the cleaning of rooms, and the
+    /// The terms of the functional: E = `d_t` + `d_r` + N as in Bormann et al. 2015, section on the cleaning of rooms,
+    /// and the
     /// program's term for walls.
     #[test]
     fn energies_differ_as_the_functional_says() {

@@ -4,7 +4,8 @@
 //! (ICRA), compare, section III-D: a tour through the grid points, by nearest neighbour or a solver. There a
 //! solver weighs lengths only. Here every move of the search weighs the turns as well.
 //!
-//! 1. A first tour: from each point to the nearest one left, straight on if there is a choice; or lanes. For these the points are bound
+//! 1. A first tour: from each point to the nearest one left, straight on if there is a choice; or lanes. For these the
+//!    points are bound
 //!    to the cheapest straight lanes ([`cheapest_lanes`]), the lanes are put in order nearest first, and the order is
 //!    improved by local search ([`improve`]). Whole lanes are moved where single points would have to cross a barrier
 //!    of many turns.
@@ -14,7 +15,8 @@
 //!
 //! The survey starts its tour where it likes and closes it; here it begins at the robot and ends anywhere.
 //!
-//! Cost: O(n) memory for n cells, O(l²) for l lanes while these are put in order (at most 1,200). Time grows with the moves tried,
+//! Cost: O(n) memory for n cells, O(l²) for l lanes while these are put in order (at most 1,200). Time grows with the
+//! moves tried,
 //! a thousand a cell by default and no more than twelve million.
 //!
 //! ```

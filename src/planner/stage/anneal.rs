@@ -2,7 +2,8 @@
 //!
 //! Reversals of a part of the walk (2-opt, Croes 1958) and moves of a part to elsewhere (Or 1976) are tried where cells
 //! lie side by side, so that both ends of a part can be linked by single steps. A part whose own ends touch is a
-//! loop, which may be opened at any of its steps. Cells that are visited elsewhere too may be left out. Moves are taken by simulated annealing
+//! loop, which may be opened at any of its steps. Cells that are visited elsewhere too may be left out. Moves are
+//! taken by simulated annealing
 //! (Kirkpatrick, Gelatt & Vecchi 1983).
 
 use super::{cost::Costs, frame::Frame};
@@ -38,7 +39,8 @@ pub enum Moves {
     Move,
 }
 
-/// Improves `walk`, which must be one from the job's start over all its cells; never makes it worse. `report` is told the
+/// Improves `walk`, which must be one from the job's start over all its cells; never makes it worse. `report` is told
+/// the
 /// share of the work done and the best walk so far.
 pub fn anneal(
     job: &CoverageJob,
@@ -83,7 +85,8 @@ const LONGEST_CUT: usize = 8;
 /// No cell: behind the end of the walk.
 const END: usize = 0;
 
-/// A walk that is being changed. Position 0 is the cell behind the start, from which the robot seems to come, 1 the start.
+/// A walk that is being changed. Position 0 is the cell behind the start, from which the robot seems to come, 1 the
+/// start.
 struct Walk {
     frame: Frame,
     stride: usize,
@@ -306,7 +309,8 @@ impl Walk {
         if position + 1 == part.first { part.last + 1 } else { position + 1 }
     }
 
-    /// Weighs putting the part, opened after position `open`, between the cell at position `x` and a cell `y` beside it.
+    /// Weighs putting the part, opened after position `open`, between the cell at position `x` and a cell `y` beside
+    /// it.
     fn consider(&self, part: Part, open: usize, x: usize, y: usize, taken: i32, best: &mut Option<Target>) {
         let Part { first, last } = part;
         if (first..=last).contains(&x) {
