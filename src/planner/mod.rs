@@ -9,9 +9,12 @@ mod boustrophedon;
 mod boustrophedon_cells;
 mod context;
 mod contour;
+mod energy;
 mod genetic;
+mod grid_tsp;
 mod info;
 mod job;
+mod neural;
 mod params;
 mod path;
 mod s_shape;
@@ -55,6 +58,9 @@ pub const PLANNERS: &[&PlannerInfo] = &[
     &spiral::INFO,
     &snake::INFO,
     &genetic::INFO,
+    &grid_tsp::INFO,
+    &energy::INFO,
+    &neural::INFO,
 ];
 
 /// The planner with that id.

@@ -164,3 +164,31 @@ fn boustrophedon_cells_round_islands() {
     let expected = include_str!("../golden/boustrophedon_cells_islands.txt");
     assert_drawn("boustrophedon_cells", ISLANDS, Direction::Right, expected);
 }
+
+#[test]
+fn grid_tsp_round_islands() {
+    assert_drawn("grid_tsp", ISLANDS, Direction::Right, include_str!("../golden/grid_tsp_islands.txt"));
+}
+
+/// No walk costs less: both numbers have been proven with a MIP solver.
+#[test]
+fn grid_tsp_finds_the_optimum_of_the_thesis_room() {
+    let (job, path) = walk("grid_tsp", EIGHT, Direction::Right);
+    let metrics = WalkMetrics::of(&job, &path);
+    assert_eq!((metrics.steps, metrics.turns), (53, 14));
+}
+
+#[test]
+fn energy_round_islands() {
+    assert_drawn("energy", ISLANDS, Direction::Right, include_str!("../golden/energy_islands.txt"));
+}
+
+#[test]
+fn energy_on_the_thesis_room() {
+    assert_drawn("energy", EIGHT, Direction::Right, include_str!("../golden/energy_8x8.txt"));
+}
+
+#[test]
+fn neural_round_islands() {
+    assert_drawn("neural", ISLANDS, Direction::Right, include_str!("../golden/neural_islands.txt"));
+}

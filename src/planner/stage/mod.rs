@@ -1,5 +1,6 @@
 //! Stages that planners are composed of: they take what they need as arguments and keep nothing.
 
+mod anneal;
 mod axis;
 mod contest;
 mod cost;
@@ -7,6 +8,7 @@ mod decompose;
 mod distances;
 mod flood;
 mod frame;
+mod lanes;
 mod mega;
 mod min_cut;
 mod order;
@@ -21,12 +23,14 @@ mod tighten;
 mod transit;
 mod wavefront;
 
+pub use anneal::{Moves, Schedule, anneal};
 pub use axis::{lanes_lie_down, swap_axes, swap_grid, swap_walk};
 pub(super) use contest::{Contest, MAX_CELLS_FOR_ALL};
 pub use cost::Costs;
 pub use decompose::{Block, Run, Side, decompose};
 pub use distances::Links;
 pub use flood::Flood;
+pub use lanes::{Lane, Prefer, cheapest_lanes};
 pub(super) use mega::{Added, MegaCells};
 pub use order::{Visit, improve, nearest_first};
 pub use part::{Part, drive};
