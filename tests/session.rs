@@ -237,6 +237,7 @@ fn scenario_with_a_seed_that_no_link_can_hold_is_refused() {
 #[test]
 fn late_answers_of_older_plans_are_dropped() {
     let mut session = Session::new();
+    session.select_room("lshape").unwrap();
     let old = session.take_plan_request().unwrap();
     session.select_room("empty").unwrap();
     session.plan_finished(old.id, vec![old.job.start], 0.1);
@@ -248,6 +249,7 @@ fn late_answers_of_older_plans_are_dropped() {
 #[test]
 fn walk_through_walls_is_refused() {
     let mut session = Session::new();
+    session.select_room("empty").unwrap();
     let request = session.take_plan_request().unwrap();
     session.plan_finished(request.id, vec![request.job.start, Cell::new(-1, 100_000)], 0.1);
     assert_eq!(session.state(), State::Failed);

@@ -3,6 +3,8 @@
 pub mod bench;
 pub mod compare;
 mod editor;
+mod import;
+pub mod opening;
 mod outline;
 mod palette;
 pub mod planning;
@@ -15,12 +17,13 @@ mod view;
 mod viewport;
 
 pub use editor::{Brush, Editor};
+pub use import::{Choices, Import};
 pub use outline::outlines;
 pub use palette::Palette;
 pub use planning::{Answer, PlanRequest, Planned, Prepared};
 pub use recording::Recording;
 pub use scene::{RobotView, Scene};
-pub use session::{LoadError, Session};
+pub use session::{LoadError, ScenarioError, Session};
 pub use settings::{CELL_SIZES, SPEEDS, Settings, SettingsError};
 pub use state::{Action, State};
 pub use view::View;

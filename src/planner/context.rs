@@ -12,6 +12,9 @@ pub enum PlanError {
     /// The caller asked to stop.
     #[error("planning was cancelled")]
     Cancelled,
+    /// The planner can't be made.
+    #[error("the planner isn't in the registry")]
+    Unlisted,
 }
 
 /// Handed to a planner for one run.

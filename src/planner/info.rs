@@ -1,8 +1,8 @@
 //! What a planner says of itself.
 
-use super::{ParamSpec, Params, Planner};
+use super::ParamSpec;
 
-/// Entry of the registry.
+/// What menus, forms and tests know of a planner. How it is made is not in here: see [`super::Build`].
 #[derive(Debug)]
 pub struct PlannerInfo {
     /// Name in links, files and on the command line: lower case, `_` between words.
@@ -21,8 +21,6 @@ pub struct PlannerInfo {
     pub claims: Claims,
     /// Its parameters, the important ones first.
     pub params: &'static [ParamSpec],
-    /// Makes the planner for checked parameters.
-    pub build: fn(&Params) -> Box<dyn Planner>,
 }
 
 /// Properties that a planner promises and the contract test checks.

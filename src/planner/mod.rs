@@ -1,8 +1,9 @@
 //! Coverage planners: one file each, all in one registry.
 //!
 //! A planner gets a [`CoverageJob`], a grid of free cells that are all connected with the start, and returns a
-//! [`CoveragePath`] that visits them. To add one, write its file with a [`PlannerInfo`] constant and list it in
-//! [`PLANNERS`]; menus, parameter forms, command line, contract tests and benchmarks iterate that list.
+//! [`CoveragePath`] that visits them. To add one, write its file with the constants `INFO` (a
+//! [`PlannerInfo`]) and `BUILD` (a [`Build`]) and list it in the registry below; menus, parameter forms, command line,
+//! contract tests and benchmarks iterate [`PLANNERS`].
 
 mod boustrophedon;
 mod context;
@@ -30,10 +31,45 @@ pub trait Planner {
     fn plan(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError>;
 }
 
-/// All planners, in the order of the menus.
-pub const PLANNERS: &[&PlannerInfo] =
-    &[&boustrophedon::INFO, &contour::INFO, &snake::INFO, &s_shape::INFO, &spiral::INFO];
-    &[&boustrophedon::INFO, &snake::INFO, &s_shape::INFO, &spiral::INFO, &genetic::INFO];
+/// Makes a planner for checked parameters.
+pub type Build = fn(&Params) -> Box<dyn Planner>;
+
+/// Two lists of the same planners: what they say of themselves, and how they are made. They are kept apart so that a
+/// program which only asks for the first, such as the page, doesn't carry the planners' code.
+macro_rules! registry {
+    ($($planner:ident),* $(,)?) => {
+        /// All planners, in the order of the menus.
+        pub const PLANNERS: &[&PlannerInfo] = &[$(&$planner::INFO),*];
+        const BUILDERS: &[(&str, Build)] = &[$(($planner::INFO.id, $planner::BUILD)),*];
+    };
+}
+
+// One line a planner.
+registry! {
+    boustrophedon,
+    contour,
+    snake,
+    s_shape,
+    spiral,
+    genetic,
+}
+
+impl PlannerInfo {
+    /// Makes the planner for checked parameters. One that isn't in the registry gives up with [`PlanError::Unlisted`].
+    pub fn build(&self, params: &Params) -> Box<dyn Planner> {
+        let listed = BUILDERS.iter().find(|(id, _)| *id == self.id);
+        listed.map_or_else(|| Box::new(Unlisted) as Box<dyn Planner>, |(_, build)| build(params))
+    }
+}
+
+/// Stands for planners that nobody can make.
+struct Unlisted;
+
+impl Planner for Unlisted {
+    fn plan(&self, _: &CoverageJob, _: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError> {
+        Err(PlanError::Unlisted)
+    }
+}
 
 /// The planner with that id.
 pub fn find(id: &str) -> Option<&'static PlannerInfo> {

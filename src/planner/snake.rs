@@ -40,14 +40,14 @@
 //! let free = from_picture("....\n.#..\n....", |c| c == '.').unwrap();
 //! let job = CoverageJob::new(&free, Cell::new(0, 2), Direction::Right).unwrap();
 //! let info = find("snake").unwrap();
-//! let planner = (info.build)(&Params::defaults(info.params));
+//! let planner = info.build(&Params::defaults(info.params));
 //! let path = planner.plan(&job, &mut PlanContext::new(0)).unwrap();
 //! assert_eq!(path.arrows(&job), ">>>v\no#v<\n^<>^\n");
 //! ```
 
 use super::{
-    Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError, Planner,
-    PlannerInfo, stage::Seeker,
+    Build, Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError,
+    Planner, PlannerInfo, stage::Seeker,
 };
 use crate::grid::{Cell, Direction, Grid};
 
@@ -75,8 +75,10 @@ pub const INFO: PlannerInfo = PlannerInfo {
         help: "How long the rules may lead over cleaned floor: this times the way to the nearest cell left.",
         kind: ParamKind::Number { min: 0.0, max: 20.0, step: 1.0, default: 2.0, unit: "" },
     }],
-    build: |params| Box::new(Snake { patience: params.number("patience") as usize }),
 };
+
+/// Makes the planner.
+pub(super) const BUILD: Build = |params| Box::new(Snake { patience: params.number("patience") as usize });
 
 /// The planner.
 struct Snake {

@@ -94,7 +94,7 @@ impl Prepared {
 impl PlanRequest {
     /// Plans here and now. `clock` tells seconds since any moment, as the core has no clock of its own.
     pub fn serve(&self, clock: impl Fn() -> f64, observer: Option<Observer<'_>>) -> Result<Answer, PlanError> {
-        let planner = (self.planner.build)(&self.params);
+        let planner = self.planner.build(&self.params);
         let mut ctx = match observer {
             Some(observer) => PlanContext::observed(self.seed, observer),
             None => PlanContext::new(self.seed),

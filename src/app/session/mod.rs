@@ -2,7 +2,10 @@
 
 mod snapshot;
 
-use super::{Action, Answer, Brush, Editor, PlanRequest, Planned, Prepared, Recording, Settings, SettingsError, State};
+use super::{
+    Action, Answer, Brush, Editor, Import, PlanRequest, Planned, Prepared, Recording, Settings, SettingsError, State,
+    opening,
+};
 use crate::{
     floorplan::{self, FloorPlan, MapError, RoomInfo, Scenario, SourceFile},
     geometry::{Point, Pose},
@@ -34,6 +37,8 @@ pub struct Session {
     due: f64,
     speed_factor: f64,
     requests: u32,
+    /// Whether nothing but the opening scene has been asked for so far: its plan is there already.
+    is_opening: bool,
     /// Walks that planners have reported, on their way and at the end.
     previews: u64,
     message: Option<Message>,
@@ -45,10 +50,15 @@ pub enum LoadError {
     /// They are no map.
     #[error(transparent)]
     Map(#[from] MapError),
-    /// They are a scenario that asks for something that there isn't.
-    #[error("the scenario can't be run: {0}")]
-    Settings(#[from] SettingsError),
+    /// They are a scenario that can't be run.
+    #[error(transparent)]
+    Scenario(#[from] ScenarioError),
 }
+
+/// A scenario asks for something that there isn't.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("the scenario can't be run: {0}")]
+pub struct ScenarioError(#[from] SettingsError);
 
 /// A planner at work elsewhere.
 struct Planning {
@@ -81,6 +91,7 @@ impl Session {
             due: 0.0,
             speed_factor: 0.0,
             requests: 0,
+            is_opening: true,
             previews: 0,
             message: None,
         };
@@ -158,8 +169,15 @@ impl Session {
     // ---- planning
 
     /// The plan that has to be made, once. Serve it wherever there is time, and answer with the methods below.
+    ///
+    /// For the opening scene there is nothing to be made: it gets the plan that is kept of it.
     pub fn take_plan_request(&mut self) -> Option<PlanRequest> {
-        self.planning.as_mut()?.request.take()
+        let request = self.planning.as_mut()?.request.take()?;
+        if !self.is_opening {
+            return Some(request);
+        }
+        self.plan_finished(request.id, opening::from_runs(request.job.start, opening::WALK), 0.0);
+        None
     }
 
     /// Makes the plan here and now; for small rooms and tests. `clock` gives seconds.
@@ -168,6 +186,7 @@ impl Session {
         match request.serve(clock, None) {
             Ok(Answer { path, seconds }) => self.plan_finished(request.id, path.cells, seconds),
             Err(PlanError::Cancelled) => self.cancel_plan(),
+            Err(error @ PlanError::Unlisted) => self.plan_failed(request.id, &error.to_string()),
         }
     }
 
@@ -227,6 +246,10 @@ impl Session {
         self.recording = None;
         self.planning = None;
         self.due = 0.0;
+        self.is_opening = self.is_opening
+            && self.editor.room() == Some(floorplan::ROOMS[0].id)
+            && self.editor.start().is_none()
+            && self.settings.plans_like(&Settings::new());
         let robot = self.settings.robot_model();
         match Prepared::new(self.editor.plan(), &robot, self.settings.cell_size, self.editor.start()) {
             Ok(prepared) => {
@@ -373,16 +396,18 @@ impl Session {
 
     /// Takes a map or scenario from files that belong together. On an error everything stays as it was.
     pub fn load(&mut self, files: &[SourceFile]) -> Result<(), LoadError> {
-        let plan = floorplan::load(files)?;
-        if let [file] = files
-            && let Ok(scenario) = Scenario::read(&file.name, &file.bytes)
-        {
+        Ok(self.take_import(Import::read(files)?)?)
+    }
+
+    /// Takes what was read from files. On an error everything stays as it was.
+    pub fn take_import(&mut self, import: Import) -> Result<(), ScenarioError> {
+        if let Some(choices) = &import.choices {
             let mut settings = self.settings.clone();
-            settings.take_scenario(&scenario)?;
+            settings.take_scenario(choices)?;
             self.settings = settings;
         }
         self.message = None;
-        self.editor.replace(plan, None, None);
+        self.editor.replace(import.plan, None, None);
         self.prepare();
         Ok(())
     }
