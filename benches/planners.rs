@@ -18,7 +18,7 @@ fn planners(criterion: &mut Criterion) {
         let mut group = criterion.benchmark_group(format!("hall {side} x {side}"));
         group.sample_size(10).measurement_time(Duration::from_secs(3));
         for info in PLANNERS.iter().filter(|info| info.claims.fast || job.cells() <= SLOW_CELLS) {
-            let planner = (info.build)(&Params::defaults(info.params));
+            let planner = info.build(&Params::defaults(info.params));
             group.bench_function(info.id, |b| b.iter(|| planner.plan(black_box(&job), &mut PlanContext::new(0))));
         }
         group.finish();

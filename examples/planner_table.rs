@@ -27,7 +27,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 fn table(plan: &FloorPlan) -> Result<(), Box<dyn Error>> {
     let prepared = Prepared::new(plan, &cell_robot(plan.resolution), plan.resolution, None)?;
     for info in PLANNERS {
-        let planner = (info.build)(&Params::defaults(info.params));
+        let planner = info.build(&Params::defaults(info.params));
         let mut best_ms = f64::MAX;
         let mut metrics = None;
         for _ in 0..RUNS {

@@ -1,10 +1,11 @@
 //! A user's session from opening to undo, without a browser.
 
 use robovac_playground::{
-    app::{Brush, Session, State},
+    app::{Answer, Brush, Session, State},
     floorplan::{ROOMS, SourceFile},
     geometry::{Point, Pose},
     grid::Cell,
+    planner::CoveragePath,
 };
 
 fn opened() -> Session {
@@ -234,12 +235,17 @@ fn scenario_with_a_seed_that_no_link_can_hold_is_refused() {
     assert_eq!(session.link(), before);
 }
 
+fn answer(cells: Vec<Cell>) -> Answer {
+    Answer { path: CoveragePath { cells }, seconds: 0.1, trace: Vec::new() }
+}
+
 #[test]
 fn late_answers_of_older_plans_are_dropped() {
     let mut session = Session::new();
+    session.select_room("lshape").unwrap();
     let old = session.take_plan_request().unwrap();
     session.select_room("empty").unwrap();
-    session.plan_finished(old.id, vec![old.job.start], 0.1);
+    session.plan_finished(old.id, answer(vec![old.job.start]));
     assert_eq!(session.state(), State::Planning);
     session.plan_progress(old.id, 0.5, &[Cell::new(0, 0)]);
     assert!(session.preview().is_empty());
@@ -248,8 +254,9 @@ fn late_answers_of_older_plans_are_dropped() {
 #[test]
 fn walk_through_walls_is_refused() {
     let mut session = Session::new();
+    session.select_room("empty").unwrap();
     let request = session.take_plan_request().unwrap();
-    session.plan_finished(request.id, vec![request.job.start, Cell::new(-1, 100_000)], 0.1);
+    session.plan_finished(request.id, answer(vec![request.job.start, Cell::new(-1, 100_000)]));
     assert_eq!(session.state(), State::Failed);
     let view = session.view();
     assert!(view.message.starts_with("The planner failed: step 1 leads into (-1, 100000)"), "{}", view.message);

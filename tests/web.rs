@@ -2,7 +2,7 @@
 #![cfg(target_arch = "wasm32")]
 
 use js_sys::{Array, Float64Array, Function, Object, Reflect, Uint8Array, Uint32Array};
-use robovac_playground::web::{Playground, plan};
+use robovac_playground::web::{Playground, plan, read_map};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 use web_sys::HtmlCanvasElement;
@@ -31,7 +31,9 @@ fn serve(playground: &mut Playground) {
     assert!(!request.is_undefined(), "nothing to plan");
     let result = plan(&request, &Function::new_no_args("")).unwrap();
     let cells = Uint32Array::new(&get(&result, "cells")).to_vec();
-    playground.plan_finished(number(&request, "id") as u32, &cells, number(&result, "seconds"));
+    playground
+        .plan_finished(number(&request, "id") as u32, &cells, number(&result, "seconds"), get(&result, "trace"))
+        .unwrap();
 }
 
 #[wasm_bindgen_test]
@@ -47,11 +49,12 @@ fn catalogue_lists_what_there_is() {
 #[wasm_bindgen_test]
 fn opens_playing_and_draws() {
     let mut playground = playground();
+    assert!(playground.take_plan_request().unwrap().is_undefined(), "the opening scene is planned in advance");
     playground.frame(0.0).unwrap();
-    serve(&mut playground);
     playground.frame(16.0).unwrap();
     let view = playground.view().unwrap();
     assert_eq!(get(&view, "state").as_string().unwrap(), "playing");
+    assert!(get(&view, "plan.planning_s").is_null());
     assert!(number(&view, "coverage") > 0.0 && number(&view, "plan.steps") > 100.0);
     let curve: Float64Array = playground.coverage_curve();
     assert!(curve.length() >= 4 && curve.length().is_multiple_of(2));
@@ -100,7 +103,7 @@ fn files_come_in_and_bad_ones_leave_the_room() {
         let file = Object::new();
         Reflect::set(&file, &"name".into(), &name.into()).unwrap();
         Reflect::set(&file, &"bytes".into(), &Uint8Array::from(bytes)).unwrap();
-        playground.load_files(&Array::of1(&file))
+        playground.take_map(&read_map(&Array::of1(&file))?)
     };
     let before = playground.link();
     for (name, bytes) in [("empty.png", &b""[..]), ("cut.png", b"\x89PNG\r\n\x1a\n\0\0"), ("notes.txt", b"hello")] {
@@ -108,14 +111,24 @@ fn files_come_in_and_bad_ones_leave_the_room() {
         assert!(error.len() > 10, "{name}: {error}");
         assert_eq!(playground.link(), before);
     }
+    for read in [JsValue::UNDEFINED, Object::new().into(), JsValue::from("x")] {
+        assert!(playground.take_map(&read).unwrap_err().as_string().is_some());
+        assert_eq!(playground.link(), before);
+    }
     load(&mut playground, "room.txt", b"; resolution 0.25\n........\n........\n........\n........\n").unwrap();
     let view = playground.view().unwrap();
     assert_eq!((number(&view, "room.width_m"), number(&view, "room.height_m")), (2.0, 1.0));
     serve(&mut playground);
+    playground.set_cell_size(0.35).unwrap();
     let saved = playground.scenario_json();
+    let wrong = saved.replace("boustrophedon", "magic");
+    let error = load(&mut playground, "wrong.json", wrong.as_bytes()).unwrap_err().as_string().unwrap();
+    assert!(error.starts_with("the scenario can't be run: there is no planner \"magic\""), "{error}");
     playground.select_room("empty").unwrap();
+    playground.set_cell_size(0.2).unwrap();
     load(&mut playground, "saved.json", saved.as_bytes()).unwrap();
     assert_eq!(number(&playground.view().unwrap(), "room.width_m"), 2.0);
+    assert_eq!(number(&playground.view().unwrap(), "cell_size_m"), 0.35);
 }
 
 #[wasm_bindgen_test]

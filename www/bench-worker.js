@@ -1,6 +1,6 @@
 // @ts-check
 // Measures away from the page, which shows the results as they come.
-import init, { bench } from "../robovac-playground.js";
+import init, { bench } from "../workshop.js";
 
 /** @param {import("./types").FromBench} message */
 const answer = (message) => self.postMessage(message);

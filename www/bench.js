@@ -17,7 +17,7 @@ import { compile, missing } from "./wasm.js";
 async function measure(show) {
   const lack = missing();
   if (lack) throw new Error(`this browser lacks ${lack}`);
-  const module = await compile();
+  const module = await compile(new URL("../workshop_bg.wasm", import.meta.url));
   const worker = new Worker(new URL("./bench-worker.js", import.meta.url), { type: "module" });
   try {
     return await new Promise((resolve, reject) => {

@@ -1,6 +1,6 @@
 // @ts-check
 // The place Compare: who takes part, how far the trials are, and which view of them is shown.
-import { Comparison } from "../robovac-playground.js";
+import { Comparison } from "../page.js";
 import { startAbout } from "./about.js";
 import { button, byId, changed, fill, make, select, setAttribute, setHidden, setText, typed } from "./dom.js";
 import { startExports } from "./exports.js";

@@ -1,7 +1,7 @@
 // @ts-check
 // Files in and out: picker, drop anywhere, download, link.
 import { button, byId, input } from "./dom.js";
-import { complain, toast } from "./messages.js";
+import { complain, hideToast, toast } from "./messages.js";
 
 /** Larger files can't be a map that the simulator takes. */
 const MOST_BYTES = 64 * 2 ** 20;
@@ -16,10 +16,17 @@ export function startFiles(app) {
       complain(`${large.name} is larger than 64 MB. Export a smaller map, at most 4096 cells a side.`);
       return;
     }
+    const names = files.map((file) => file.name).join(" and ");
+    const waiting = setTimeout(() => toast(`Reading ${names}…`, true), 200);
     try {
       const read = await Promise.all(files.map(async (file) => ({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) })));
-      if (app.act((p) => p.load_files(read))) toast(`Loaded ${files.map((file) => file.name).join(" and ")}`);
+      const worked = await app.takeFiles(read);
+      clearTimeout(waiting);
+      if (worked) toast(`Loaded ${names}`);
+      else hideToast();
     } catch (error) {
+      clearTimeout(waiting);
+      hideToast();
       // What the browser can't read: folders, files that have gone away.
       complain(`The file could not be read (${error instanceof Error ? error.message : error}). Choose a file rather than a folder.`);
     }

@@ -12,10 +12,10 @@ let warned = false;
 const OWN = "room=own";
 
 /**
- * Brings back what the address asks for.
+ * Brings back what the address asks for; a room of one's own has to be read in a worker.
  * @param {App} app @param {string} link
  */
-export function restoreLink(app, link) {
+export async function restoreLink(app, link) {
   if (link.split("&").includes(OWN)) {
     const saved = read();
     if (!saved) {
@@ -24,7 +24,7 @@ export function restoreLink(app, link) {
       return;
     }
     const bytes = new TextEncoder().encode(saved);
-    if (!app.act((p) => p.load_files([{ name: "the room kept in this browser", bytes }]))) return;
+    if (!(await app.takeFiles([{ name: "the room kept in this browser", bytes }]))) return;
   }
   app.act((p) => p.restore(link));
 }

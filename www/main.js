@@ -1,7 +1,6 @@
 // @ts-check
 // Starts the page and drives it: one frame and one view per animation frame.
-import init, { Playground } from "../robovac-playground.js";
-import { startCompare } from "./compare.js";
+import init, { Playground } from "../page.js";
 import { byId } from "./dom.js";
 import { startFiles } from "./files.js";
 import { keepRoom, restoreLink } from "./keep.js";
@@ -25,6 +24,7 @@ import { compile, missing } from "./wasm.js";
  * @property {import("./types").Catalogue} catalogue
  * @property {View} view The latest view.
  * @property {(what: (playground: Playground) => void) => boolean} act Does something that may fail; says whether it worked.
+ * @property {(files: { name: string, bytes: Uint8Array }[]) => Promise<boolean>} takeFiles Reads a map and takes it; says whether it worked.
  * @property {() => void} cancelPlanning
  * @property {() => string} link What leads back to what is shown, behind `#`.
  * @property {(key: string) => boolean} compareKey A single key while comparing; says whether it was used.
@@ -36,8 +36,7 @@ function die(error) {
   cover("failed", "The simulator has stopped", `It met an error of its own (${textOf(error)}). Reload to go on; the room and the settings are kept.`);
 }
 
-/** @param {WebAssembly.Module} module */
-function start(module) {
+async function start() {
   const playground = new Playground(/** @type {HTMLCanvasElement} */ (byId("floor")));
   let alive = true;
 
@@ -70,42 +69,89 @@ function start(module) {
       if (worked) forgive();
       return worked;
     },
+    takeFiles: async (files) => {
+      /** @type {import("./types").ReadMap} */
+      let map;
+      try {
+        const { readMap } = await import("./workers.js");
+        map = await readMap(files);
+      } catch (error) {
+        if (error instanceof Error) console.warn(error);
+        complain(error instanceof Error ? `The map could not be read (${error.message}). Check the connection, then try again.` : textOf(error));
+        return false;
+      }
+      return app.act((p) => p.take_map(map));
+    },
     cancelPlanning: () => {
       planning.cancel();
       app.act((p) => p.cancel_plan());
     },
-    link: () => (place() === "compare" ? `${playground.link()}&${compare.link()}` : playground.link()),
-    compareKey: (key) => compare.key(key),
+    link: () => (compare && place() === "compare" ? `${playground.link()}&${compare.link()}` : playground.link()),
+    compareKey: (key) => compare?.key(key) ?? false,
   };
-  const compare = startCompare(app, module, guard);
-  const planning = new Planning(module, {
+  const planning = new Planning({
     progress: (id, done, cells) => guard(() => playground.plan_progress(id, done, cells)),
-    finished: (id, cells, seconds) => guard(() => playground.plan_finished(id, cells, seconds)),
+    finished: (id, cells, seconds, trace) => guard(() => playground.plan_finished(id, cells, seconds, trace)),
     failed: (id, message) => guard(() => playground.plan_failed(id, message)),
   });
 
+  /** There once one has been there. @type {ReturnType<typeof import("./compare.js").startCompare> | undefined} */
+  let compare;
+  /** @type {Promise<NonNullable<typeof compare>> | undefined} */
+  let loading;
+  let isDark = false;
+  /** Where one wants to be; what the place needs may still have to be loaded. */
+  let wanted = place();
+  /** @param {import("./places.js").Place} next */
+  const enter = async (next) => {
+    wanted = next;
+    if (next === "compare" && !compare) {
+      const tab = byId("tab-compare");
+      tab.setAttribute("aria-busy", "true");
+      try {
+        loading ??= import("./enter-compare.js").then(({ enterCompare }) => enterCompare(app, guard));
+        compare = await loading;
+        compare.setDark(isDark);
+      } catch (error) {
+        loading = undefined;
+        console.warn(error);
+        complain("Compare could not be loaded. Check the connection, then try again.");
+        return;
+      } finally {
+        tab.removeAttribute("aria-busy");
+      }
+    }
+    if (wanted === next) go(next);
+  };
+
+  /** Links that are still being followed: until then, the address is theirs. */
+  let following = 0;
   /** @param {string} address */
-  const restore = (address) => {
+  const restore = async (address) => {
     const { hash } = new URL(address);
     // Other fragments are places on the page, such as that of the skip link.
     if (!hash.includes("=")) return;
     const link = hash.slice(1);
-    restoreLink(app, link);
-    go(placeOf(link));
-    if (place() === "compare") compare.restore(link);
+    following += 1;
+    await restoreLink(app, link);
+    await enter(placeOf(link));
+    following -= 1;
+    if (place() === "compare") compare?.restore(link);
   };
-  restore(location.href);
-  // Not the address as it is by then: `keepLink` may have been faster.
-  addEventListener("hashchange", (event) => restore(event.newURL));
-  if (matchMedia("(prefers-reduced-motion: reduce)").matches) playground.pause();
-
-  startPlaces();
   startTheme((dark) =>
     guard(() => {
+      isDark = dark;
       playground.set_dark(dark);
-      compare.setDark(dark);
+      compare?.setDark(dark);
     }),
   );
+  await restore(location.href);
+  // One after the other, and not the address as it is by then: `keepLink` may have been faster.
+  let restored = Promise.resolve();
+  addEventListener("hashchange", ({ newURL }) => (restored = restored.then(() => restore(newURL))));
+  if (matchMedia("(prefers-reduced-motion: reduce)").matches) playground.pause();
+
+  startPlaces((next) => void enter(next));
   const resized = startStage(app);
   const updatePanel = startPanel(app);
   const updatePlaybar = startPlaybar(app);
@@ -117,14 +163,14 @@ function start(module) {
     if (!alive) return;
     requestAnimationFrame(frame);
     guard(() => {
+      const request = playground.take_plan_request();
+      if (request) planning.start(request);
       if (place() === "explore") {
         resized();
         playground.frame(now);
       }
       const view = (app.view = playground.view());
-      const request = playground.take_plan_request();
-      if (request) planning.start(request);
-      if (place() === "compare") {
+      if (compare && place() === "compare") {
         compare.frame(now);
         updateMessage(view);
         return;
@@ -137,6 +183,7 @@ function start(module) {
   requestAnimationFrame(frame);
   let kept = "";
   const keep = () => guard(() => {
+    if (following > 0) return;
     const link = app.link();
     keepLink(link);
     const version = `${link} ${playground.room_version()}`;
@@ -165,9 +212,8 @@ async function boot() {
     return;
   }
   try {
-    const module = await compile();
-    await init({ module_or_path: module });
-    start(module);
+    await init({ module_or_path: await compile(new URL("../page_bg.wasm", import.meta.url)) });
+    await start();
   } catch (error) {
     console.error(error);
     cover("failed", "The simulator could not be started", `${textOf(error)}. Check the connection, then reload.`);

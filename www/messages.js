@@ -42,13 +42,21 @@ export function startMessages() {
   button("cover-reload").addEventListener("click", () => location.reload());
 }
 
-/** A short confirmation that goes away by itself. @param {string} text */
-export function toast(text) {
+/**
+ * A short confirmation that goes away by itself, or says what is going on until that is over.
+ * @param {string} text @param {boolean} goesOn
+ */
+export function toast(text, goesOn = false) {
   const node = byId("toast");
   node.textContent = text;
   node.hidden = false;
+  node.setAttribute("aria-busy", String(goesOn));
   clearTimeout(toastTimer);
-  toastTimer = setTimeout(() => (node.hidden = true), 2500);
+  if (!goesOn) toastTimer = setTimeout(hideToast, 2500);
+}
+
+export function hideToast() {
+  byId("toast").hidden = true;
 }
 
 /**

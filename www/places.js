@@ -32,6 +32,7 @@ export function placeOf(link) {
   return PLACES.find((known) => known === name) ?? "explore";
 }
 
-export function startPlaces() {
-  for (const name of PLACES) byId(`tab-${name}`).addEventListener("click", () => go(name));
+/** @param {(next: Place) => void} enter Goes to a place, once all is there that it needs. */
+export function startPlaces(enter) {
+  for (const name of PLACES) byId(`tab-${name}`).addEventListener("click", () => enter(name));
 }

@@ -5,60 +5,76 @@
  * @typedef {import("./types").FromWorker} FromWorker
  * @typedef {object} Listeners
  * @property {(id: number, done: number, cells: Uint32Array) => void} progress
- * @property {(id: number, cells: Uint32Array, seconds: number) => void} finished
+ * @property {(id: number, cells: Uint32Array, seconds: number, trace: unknown) => void} finished
  * @property {(id: number, message: string) => void} failed
  */
 
 export class Planning {
-  /** @type {WebAssembly.Module} */
-  #module;
   /** @type {Listeners} */
   #listeners;
-  /** @type {Worker} */
+  /** There from the first request on. @type {Promise<Worker> | undefined} */
   #worker;
   /** Number of the request being worked on. @type {number | undefined} */
   #busy;
+  /** Whether the worker has that request. */
+  #sent = false;
 
-  /**
-   * @param {WebAssembly.Module} module
-   * @param {Listeners} listeners
-   */
-  constructor(module, listeners) {
-    this.#module = module;
+  /** @param {Listeners} listeners */
+  constructor(listeners) {
     this.#listeners = listeners;
-    this.#worker = this.#hire();
   }
 
   /** Starts planning; what was being planned is dropped. @param {import("./types").PlanRequest} request */
   start(request) {
     this.cancel();
     this.#busy = request.id;
-    this.#worker.postMessage({ type: "plan", request });
+    const hired = (this.#worker ??= this.#hire());
+    hired.then(
+      (worker) => {
+        if (this.#busy !== request.id) return;
+        this.#sent = true;
+        worker.postMessage({ type: "plan", request });
+      },
+      (error) => {
+        // Tried again for the next request.
+        if (this.#worker === hired) this.#worker = undefined;
+        console.warn(error);
+        this.#fail(request.id, "it could not be loaded. Check the connection, then press play");
+      },
+    );
   }
 
   /** Ends the current planning at once, whatever the worker is doing. */
   cancel() {
-    if (this.#busy === undefined) return;
     this.#busy = undefined;
-    this.#worker.terminate();
+    if (!this.#sent) return;
+    this.#sent = false;
+    void this.#worker?.then((worker) => worker.terminate());
     this.#worker = this.#hire();
+    // Whoever needs it is told.
+    this.#worker.catch(() => {});
   }
 
   /** A fresh worker, warmed up before it is needed; the compiled module is shared. */
-  #hire() {
-    const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
-    worker.addEventListener("message", (event) => {
-      if (worker === this.#worker) this.#hear(event.data);
-    });
+  async #hire() {
+    const { hire } = await import("./workers.js");
+    const worker = await hire();
+    worker.addEventListener("message", (event) => this.#hear(event.data));
     worker.addEventListener("error", (event) => {
-      if (worker !== this.#worker) return;
       const id = this.#busy;
-      this.cancel();
+      this.#worker = undefined;
+      this.#sent = false;
       const cause = event.message || "its program could not be loaded";
-      if (id !== undefined) this.#listeners.failed(id, `The planner stopped: ${cause}. Try another algorithm or reload.`);
+      if (id !== undefined) this.#fail(id, `it stopped (${cause})`);
     });
-    worker.postMessage({ type: "init", module: this.#module });
     return worker;
+  }
+
+  /** @param {number} id @param {string} cause */
+  #fail(id, cause) {
+    if (this.#busy !== id) return;
+    this.#busy = undefined;
+    this.#listeners.failed(id, cause);
   }
 
   /** @param {FromWorker} message */
@@ -69,7 +85,8 @@ export class Planning {
       return;
     }
     this.#busy = undefined;
-    if (message.type === "finished") this.#listeners.finished(message.id, message.cells, message.seconds);
+    this.#sent = false;
+    if (message.type === "finished") this.#listeners.finished(message.id, message.cells, message.seconds, message.trace);
     else this.#listeners.failed(message.id, message.message);
   }
 }

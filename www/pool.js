@@ -2,7 +2,7 @@
 // Workers that make the trials of a comparison, as many as the computer has cores for.
 
 /**
- * @typedef {import("../robovac-playground.js").Comparison} Comparison
+ * @typedef {import("../page.js").Comparison} Comparison
  * @typedef {{ worker: Worker, busy: number | undefined }} Hand
  */
 

@@ -59,7 +59,8 @@ export type PlanNumbers = {
   coverage: number;
   overlap: number;
   overlap_m2: number;
-  planning_s: number;
+  /** `null` for a plan that was made in advance. */
+  planning_s: number | null;
 };
 
 export type State = "planning" | "ready" | "playing" | "paused" | "finished" | "seeking" | "failed";
@@ -122,16 +123,25 @@ export type PlanRequest = {
 };
 
 /** What the planning worker is told, and what it answers. Cells are x, y, x, y, ... */
-export type ToWorker = { type: "init"; module: WebAssembly.Module } | { type: "plan"; request: PlanRequest } | { type: "trial"; request: { id: number } };
+export type ToWorker =
+  | { type: "init"; module: WebAssembly.Module }
+  | { type: "plan"; request: PlanRequest }
+  | { type: "trial"; request: { id: number } }
+  | { type: "read"; request: { id: number; files: { name: string; bytes: Uint8Array }[] } };
 export type FromWorker =
   | { type: "progress"; id: number; done: number; cells: Uint32Array }
-  | { type: "finished"; id: number; cells: Uint32Array; seconds: number }
+  | { type: "finished"; id: number; cells: Uint32Array; seconds: number; trace: unknown }
   | { type: "failed"; id: number; message: string };
 
 export type FromTrial =
   | { type: "progress"; id: number; done: number; cells: Uint32Array }
   | { type: "tried"; id: number; cells: Uint32Array; numbers: unknown }
   | { type: "failed"; id: number; message: string };
+
+/** A map as `read_map` has read it (src/web/map.rs). */
+export type ReadMap = { name: string; width: number; cells: Uint8Array };
+
+export type FromReader = { type: "read"; id: number; map: ReadMap } | { type: "failed"; id: number; message: string };
 
 /** Snapshot of the comparison (src/web/comparison_view.rs). Entrants are in the order of the catalogue's planners. */
 export type CompareView = {

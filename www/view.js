@@ -27,7 +27,7 @@ const PLAN_METRICS = [
   { label: "Steps", tip: "Steps from one cell to the next.", plan: (p) => count(p.steps) },
   { label: "Revisits", tip: "Visits to cells beyond the first to each: driving that cleans nothing new.", plan: (p) => count(p.revisits) },
   { label: "Turns", tip: "Quarter turns between steps on the grid; a reversal counts as two.", plan: (p) => count(p.turns) },
-  { label: "Planned in", tip: "Time that this computer took to work out the plan.", plan: (p) => took(p.planning_s) },
+  { label: "Planned in", tip: "Time that this computer took to work out the plan. That of the opening scene comes with the page.", plan: (p) => (p.planning_s === null ? "made in advance" : took(p.planning_s)) },
 ];
 
 /** @type {{ metric: Metric, plan: Element, run: Element }[]} */

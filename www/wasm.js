@@ -1,5 +1,5 @@
 // @ts-check
-// Compiles the module once, for the page and its workers.
+// What the program needs of the browser, and how its modules are fetched.
 
 /** What this browser lacks, as the end of a sentence; empty if it has everything. */
 export function missing() {
@@ -16,9 +16,9 @@ export function missing() {
   return modules ? "" : "workers made of modules";
 }
 
-/** @returns {Promise<WebAssembly.Module>} */
-export async function compile() {
-  const response = await fetch(new URL("../robovac-playground_bg.wasm", import.meta.url));
+/** @param {URL} address @returns {Promise<WebAssembly.Module>} */
+export async function compile(address) {
+  const response = await fetch(address);
   if (!response.ok) throw new Error(`the program could not be fetched (status ${response.status})`);
   // Some servers don't know the type of wasm files; streaming insists on it.
   if (response.headers.get("content-type")?.startsWith("application/wasm")) return WebAssembly.compileStreaming(response);

@@ -1,8 +1,8 @@
 // @ts-check
-// Plans away from the page, which stays responsive; to cancel, the page ends this worker.
-import init, { Trials, plan } from "../robovac-playground.js";
+// Plans and reads maps away from the page, which stays responsive; to cancel, the page ends this worker.
+import init, { Trials, plan, read_map } from "../workshop.js";
 
-/** @typedef {import("./types").FromWorker | import("./types").FromTrial} Answer */
+/** @typedef {import("./types").FromWorker | import("./types").FromTrial | import("./types").FromReader} Answer */
 
 let markReady = () => {};
 /** @type {Promise<void>} */
@@ -27,8 +27,11 @@ self.addEventListener("message", async (/** @type {MessageEvent<import("./types"
   const report = (/** @type {number} */ done, /** @type {Uint32Array} */ cells) => answer({ type: "progress", id, done, cells }, [cells.buffer]);
   try {
     if (message.type === "plan") {
-      const { cells, seconds } = plan(message.request, report);
-      answer({ type: "finished", id, cells, seconds }, [cells.buffer]);
+      const { cells, seconds, trace } = plan(message.request, report);
+      answer({ type: "finished", id, cells, seconds, trace }, [cells.buffer]);
+    } else if (message.type === "read") {
+      const map = read_map(message.request.files);
+      answer({ type: "read", id, map }, [map.cells.buffer]);
     } else {
       trials ??= new Trials();
       const { cells, numbers } = trials.run(message.request, report);

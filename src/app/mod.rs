@@ -3,6 +3,8 @@
 pub mod bench;
 pub mod compare;
 mod editor;
+mod import;
+pub mod opening;
 mod outline;
 mod palette;
 pub mod planning;
@@ -16,13 +18,14 @@ mod view;
 mod viewport;
 
 pub use editor::{Brush, Editor};
+pub use import::{Choices, Import};
 pub use outline::outlines;
 pub use palette::Palette;
-pub use planning::{Answer, PlanRequest, Planned, Prepared};
+pub use planning::{Answer, MOST_SEARCH_CELLS, PlanRequest, Planned, Prepared};
 pub use recording::Recording;
 pub use scene::{RobotView, Scene, SearchScene};
-pub use search::{MOST_SEARCH_CELLS, Search};
-pub use session::{LoadError, Session};
+pub use search::Search;
+pub use session::{LoadError, ScenarioError, Session};
 pub use settings::{CELL_SIZES, SPEEDS, Settings, SettingsError};
 pub use state::{Action, State};
 pub use view::View;

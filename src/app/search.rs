@@ -1,15 +1,8 @@
 //! How a planner came to its plan: its decisions, found by where the robot is on the way.
 
 use super::{Planned, Prepared};
-use crate::{
-    geometry::Point,
-    planner::{Params, PlanContext, PlannerInfo, TraceStep},
-    sim::Run,
-};
+use crate::{geometry::Point, grid::Cell, planner::TraceStep, sim::Run};
 use std::sync::Arc;
-
-/// Free cells up to which a search is shown: planning once more must not be noticed.
-pub const MOST_SEARCH_CELLS: usize = 20_000;
 
 /// The decisions behind one plan.
 #[derive(Debug)]
@@ -23,15 +16,8 @@ pub struct Search {
 }
 
 impl Search {
-    /// Plans once more and listens; `None` if the planner tells nothing or the room is too large.
-    pub fn new(prepared: &Prepared, planned: &Planned, info: &PlannerInfo, params: &Params, seed: u64) -> Option<Self> {
-        let planner = (info.build)(params);
-        if !planner.traces() || prepared.job.cells() > MOST_SEARCH_CELLS {
-            return None;
-        }
-        let mut steps = Vec::new();
-        let mut tell = |step| steps.push(step);
-        let path = planner.plan(&prepared.job, &mut PlanContext::traced(seed, &mut tell)).ok()?;
+    /// The decisions in `steps` that led to `walk`.
+    pub fn new(prepared: &Prepared, planned: &Planned, walk: &[Cell], steps: Vec<TraceStep>) -> Self {
         let line = Arc::clone(&planned.line);
         let mut corners = vec![0.0];
         let mut length = 0.0;
@@ -39,8 +25,8 @@ impl Search {
             length += (piece[1] - piece[0]).norm();
             length
         }));
-        let arrivals = prepared.lattice.arrivals(&prepared.floor, &path.cells);
-        Some(Self { steps, arrivals, line, corners })
+        let arrivals = prepared.lattice.arrivals(&prepared.floor, walk);
+        Self { steps, arrivals, line, corners }
     }
 
     /// The decision that the robot is carrying out; `None` once it has come to the end.

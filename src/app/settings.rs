@@ -1,7 +1,7 @@
 //! What the user has chosen, and how that is written in a link.
 
+use super::Choices;
 use crate::{
-    floorplan::Scenario,
     geometry::Pose,
     planner::{self, ParamError, Params, PlannerInfo},
     robot::{OdometryModel, RobotModel, cell_robot, model},
@@ -169,24 +169,29 @@ impl Settings {
     }
 
     /// Takes what a scenario file says; what it doesn't mention stays.
-    pub fn take_scenario(&mut self, scenario: &Scenario) -> Result<(), SettingsError> {
-        if let Some(id) = &scenario.robot {
+    pub fn take_scenario(&mut self, choices: &Choices) -> Result<(), SettingsError> {
+        if let Some(id) = &choices.robot {
             self.select_robot(id)?;
         }
-        if let Some(metres) = scenario.cell_size {
+        if let Some(metres) = choices.cell_size {
             self.set_cell_size(metres)?;
         }
-        if let Some(id) = &scenario.planner {
+        if let Some(id) = &choices.planner {
             self.select_fresh_planner(id)?;
         }
-        for (id, value) in &scenario.params {
-            let text = value.as_str().map_or_else(|| value.to_string(), str::to_owned);
-            self.set_param(id, &text)?;
+        for (id, text) in &choices.params {
+            self.set_param(id, text)?;
         }
-        if let Some(seed) = scenario.seed {
-            self.set_seed(Some(seed), &seed.to_string())?;
+        if let Some(seed) = &choices.seed {
+            self.set_seed(seed.parse().ok(), seed)?;
         }
         Ok(())
+    }
+
+    /// Whether the same room gets the same plan with `other`.
+    pub fn plans_like(&self, other: &Self) -> bool {
+        (self.planner.id, &self.params, self.robot, self.cell_size, self.seed)
+            == (other.planner.id, &other.params, other.robot, other.cell_size, other.seed)
     }
 
     /// The robot, which for the idealised one depends on the size of a cell.

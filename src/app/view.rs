@@ -129,6 +129,6 @@ pub struct PlanView {
     /// Numbers of the line.
     #[serde(flatten)]
     pub drive: Option<DriveMetrics>,
-    /// Time that planning took, s.
-    pub planning_s: f64,
+    /// Time that planning took, s; `None` while it goes on, and for a plan that was made in advance.
+    pub planning_s: Option<f64>,
 }

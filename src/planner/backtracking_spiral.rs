@@ -29,14 +29,14 @@
 //! let free = from_picture("....\n.#..\n....", |c| c == '.').unwrap();
 //! let job = CoverageJob::new(&free, Cell::new(0, 2), Direction::Right).unwrap();
 //! let info = find("backtracking_spiral").unwrap();
-//! let planner = (info.build)(&Params::defaults(info.params));
+//! let planner = info.build(&Params::defaults(info.params));
 //! let path = planner.plan(&job, &mut PlanContext::new(0)).unwrap();
 //! assert_eq!(path.arrows(&job), ">>>v\n^#ov\n^<<<\n");
 //! ```
 
 use super::{
-    Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError, Planner,
-    PlannerInfo,
+    Build, Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError,
+    Planner, PlannerInfo,
     stage::{Contest, Floor, MAX_CELLS_FOR_ALL, Rule},
 };
 use crate::grid::Direction;
@@ -61,22 +61,24 @@ pub const INFO: PlannerInfo = PlannerInfo {
             why: "Winds round every piece of furniture: two to four times the turns of lanes.",
         },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true },
+    claims: Claims { complete: true, deterministic: true, fast: true, traces: false },
     params: &[ParamSpec {
         id: "side",
         label: "Reference side",
         help: "Side on which it keeps walls and clean floor; the better of both, or always the same.",
         kind: ParamKind::Choice { options: &[("auto", "the better"), ("left", "left"), ("right", "right")] },
     }],
-    build: |params| {
-        Box::new(BacktrackingSpiral {
-            sides: match params.choice("side") {
-                "left" => &[Direction::left],
-                "right" => &[Direction::right],
-                _ => &[Direction::left, Direction::right],
-            },
-        })
-    },
+};
+
+/// Makes the planner.
+pub(super) const BUILD: Build = |params| {
+    Box::new(BacktrackingSpiral {
+        sides: match params.choice("side") {
+            "left" => &[Direction::left],
+            "right" => &[Direction::right],
+            _ => &[Direction::left, Direction::right],
+        },
+    })
 };
 
 /// The side of a robot that looks in some direction.

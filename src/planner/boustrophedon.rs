@@ -15,14 +15,14 @@
 //! let free = from_picture("....\n.#..\n....", |c| c == '.').unwrap();
 //! let job = CoverageJob::new(&free, Cell::new(0, 2), Direction::Right).unwrap();
 //! let info = find("boustrophedon").unwrap();
-//! let planner = (info.build)(&Params::defaults(info.params));
+//! let planner = info.build(&Params::defaults(info.params));
 //! let path = planner.plan(&job, &mut PlanContext::new(0)).unwrap();
 //! assert_eq!(path.arrows(&job), ">>><\nv#o<\n>>>^\n");
 //! ```
 
 use super::{
-    Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError, Planner,
-    PlannerInfo,
+    Build, Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError,
+    Planner, PlannerInfo,
     stage::{
         Costs, Links, Part, SWEEPS, Sweep, Transit, Visit, decompose, drive, improve, lanes_lie_down, nearest_first,
         swap_axes, swap_walk, tighten,
@@ -47,7 +47,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         shines: Example { room: "empty", why: "Mows the room in the fewest turns that are possible." },
         fails: Example { room: "maze", why: "Corridors of one cell leave nothing to mow; only the order counts." },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true },
+    claims: Claims { complete: true, deterministic: true, fast: true, traces: false },
     params: &[
         ParamSpec {
             id: "lanes",
@@ -70,17 +70,19 @@ pub const INFO: PlannerInfo = PlannerInfo {
             kind: ParamKind::Number { min: 0.0, max: 100.0, step: 1.0, default: 4.0, unit: "cells" },
         },
     ],
-    build: |params| {
-        Box::new(Boustrophedon {
-            lanes: match params.choice("lanes") {
-                "horizontal" => Lanes::Horizontal,
-                "vertical" => Lanes::Vertical,
-                _ => Lanes::Auto,
-            },
-            effort: params.number("effort") as usize,
-            max_jump: params.number("max_jump") as i32,
-        })
-    },
+};
+
+/// Makes the planner.
+pub(super) const BUILD: Build = |params| {
+    Box::new(Boustrophedon {
+        lanes: match params.choice("lanes") {
+            "horizontal" => Lanes::Horizontal,
+            "vertical" => Lanes::Vertical,
+            _ => Lanes::Auto,
+        },
+        effort: params.number("effort") as usize,
+        max_jump: params.number("max_jump") as i32,
+    })
 };
 
 /// The planner.

@@ -19,14 +19,14 @@
 //! let free = from_picture("..####\n..####\n..####\n......\n......", |c| c == '.').unwrap();
 //! let job = CoverageJob::new(&free, Cell::new(0, 4), Direction::Down).unwrap();
 //! let info = find("boustrophedon_cells").unwrap();
-//! let planner = (info.build)(&Params::defaults(info.params));
+//! let planner = info.build(&Params::defaults(info.params));
 //! let path = planner.plan(&job, &mut PlanContext::new(0)).unwrap();
 //! assert_eq!(path.arrows(&job), "vo####\nv^####\nv^####\nv>>>>v\n^^<<<<\n");
 //! ```
 
 use super::{
-    Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError, Planner,
-    PlannerInfo,
+    Build, Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError,
+    Planner, PlannerInfo,
     stage::{
         Costs, Links, Part, SWEEPS, Sweep, Transit, Visit, decompose, drive, improve, lanes_of, nearest_first, strips,
         strokes, swap_grid, tighten,
@@ -57,7 +57,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         shines: Example { room: "spiral", why: "Every arm is mown along its length, with a third of the turns." },
         fails: Example { room: "comb", why: "All teeth lie one way, so that it gains next to nothing on plain lanes." },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true },
+    claims: Claims { complete: true, deterministic: true, fast: true, traces: false },
     params: &[
         ParamSpec {
             id: "effort",
@@ -72,10 +72,11 @@ pub const INFO: PlannerInfo = PlannerInfo {
             kind: ParamKind::Number { min: 0.0, max: 100.0, step: 1.0, default: 4.0, unit: "cells" },
         },
     ],
-    build: |params| {
-        Box::new(Cells { effort: params.number("effort") as usize, max_jump: params.number("max_jump") as i32 })
-    },
 };
+
+/// Makes the planner.
+pub(super) const BUILD: Build =
+    |params| Box::new(Cells { effort: params.number("effort") as usize, max_jump: params.number("max_jump") as i32 });
 
 /// The planner.
 struct Cells {

@@ -13,6 +13,9 @@ pub enum PlanError {
     /// The caller asked to stop.
     #[error("planning was cancelled")]
     Cancelled,
+    /// The planner can't be made.
+    #[error("the planner isn't in the registry")]
+    Unlisted,
 }
 
 /// Handed to a planner for one run.
@@ -40,9 +43,9 @@ impl<'a> PlanContext<'a> {
         Self { rng: seeded(seed, 0), observer: Some(observer), tracer: None }
     }
 
-    /// A run whose decisions are told to `tracer`.
-    pub fn traced(seed: u64, tracer: Tracer<'a>) -> Self {
-        Self { tracer: Some(tracer), ..Self::new(seed) }
+    /// The same run, its decisions told to `tracer`.
+    pub fn traced(self, tracer: Tracer<'a>) -> Self {
+        Self { tracer: Some(tracer), ..self }
     }
 
     /// Tells a decision; where nobody listens it isn't made.

@@ -24,14 +24,14 @@
 //! let free = from_picture(".....\n.....\n.....\n.....", |c| c == '.').unwrap();
 //! let job = CoverageJob::new(&free, Cell::new(0, 3), Direction::Right).unwrap();
 //! let info = find("contour").unwrap();
-//! let planner = (info.build)(&Params::defaults(info.params));
+//! let planner = info.build(&Params::defaults(info.params));
 //! let path = planner.plan(&job, &mut PlanContext::new(0)).unwrap();
 //! assert_eq!(path.arrows(&job), ">>>>v\n>>>vv\n^o<<v\n^<<<<\n");
 //! ```
 
 use super::{
-    Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError, Planner,
-    PlannerInfo,
+    Build, Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError,
+    Planner, PlannerInfo,
     stage::{Costs, Flood, Stop, Transit, tighten},
 };
 use crate::grid::{Cell, Direction, Grid};
@@ -58,15 +58,17 @@ pub const INFO: PlannerInfo = PlannerInfo {
             why: "Rings round the obstacles collide, and scraps between them are left for later.",
         },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true },
+    claims: Claims { complete: true, deterministic: true, fast: true, traces: false },
     params: &[ParamSpec {
         id: "order",
         label: "Order",
         help: "Whether to begin at the walls or in the middle, farthest from them.",
         kind: ParamKind::Choice { options: &[("inwards", "from the walls"), ("outwards", "from the middle")] },
     }],
-    build: |params| Box::new(Contour { is_outwards: params.choice("order") == "outwards" }),
 };
+
+/// Makes the planner.
+pub(super) const BUILD: Build = |params| Box::new(Contour { is_outwards: params.choice("order") == "outwards" });
 
 /// The planner.
 struct Contour {

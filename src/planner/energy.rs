@@ -35,14 +35,14 @@
 //! let free = from_picture("....\n.#..\n....", |c| c == '.').unwrap();
 //! let job = CoverageJob::new(&free, Cell::new(0, 2), Direction::Right).unwrap();
 //! let info = find("energy").unwrap();
-//! let planner = (info.build)(&Params::defaults(info.params));
+//! let planner = info.build(&Params::defaults(info.params));
 //! let path = planner.plan(&job, &mut PlanContext::new(0)).unwrap();
 //! assert_eq!(path.arrows(&job), ">>>v\no#v<\n^<><\n");
 //! ```
 
 use super::{
-    Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError, Planner,
-    PlannerInfo,
+    Build, Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError,
+    Planner, PlannerInfo,
     stage::{Costs, Seeker, Transit, tighten},
 };
 use crate::grid::{Cell, Direction, Grid};
@@ -65,20 +65,18 @@ pub const INFO: PlannerInfo = PlannerInfo {
         shines: Example { room: "lshape", why: "One long meander round the corner, as good as planned." },
         fails: Example { room: "office", why: "Corners left behind in many rooms cost long ways at the end." },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true },
+    claims: Claims { complete: true, deterministic: true, fast: true, traces: false },
     params: &[
         weight("rotation", "Turning", "Energy of a quarter turn; that of a step is 1.", 1.0),
         weight("visited", "Clean floor", "How much each clean cell of the eight around lowers the energy.", 0.5),
         weight("walls", "Walls", "How much each wall cell of the eight around lowers the energy.", 0.09),
     ],
-    build: |params| {
-        let hundredths = |id| (params.number(id) * HUNDRED).round() as i32;
-        Box::new(Energy {
-            rotation: hundredths("rotation"),
-            visited: hundredths("visited"),
-            walls: hundredths("walls"),
-        })
-    },
+};
+
+/// Makes the planner.
+pub(super) const BUILD: Build = |params| {
+    let hundredths = |id| (params.number(id) * HUNDRED).round() as i32;
+    Box::new(Energy { rotation: hundredths("rotation"), visited: hundredths("visited"), walls: hundredths("walls") })
 };
 
 const HUNDRED: f64 = 100.0;

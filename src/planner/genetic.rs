@@ -29,14 +29,14 @@
 //! let free = from_picture("....\n.#..\n....", |c| c == '.').unwrap();
 //! let job = CoverageJob::new(&free, Cell::new(0, 2), Direction::Right).unwrap();
 //! let info = find("genetic").unwrap();
-//! let planner = (info.build)(&Params::defaults(info.params));
+//! let planner = info.build(&Params::defaults(info.params));
 //! let path = planner.plan(&job, &mut PlanContext::new(0)).unwrap();
 //! assert_eq!(path.arrows(&job), ">>vv\n^#vv\n^<<o\n");
 //! ```
 
 use super::{
-    Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError, Planner,
-    PlannerInfo,
+    Build, Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError,
+    Planner, PlannerInfo,
     stage::{Costs, Seeker},
 };
 use crate::{
@@ -62,7 +62,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         shines: Example { room: "thesis8", why: "Small enough to find about the best walk there is." },
         fails: Example { room: "office", why: "Too many cells for the generations that there is time for." },
     },
-    claims: Claims { complete: true, deterministic: false, fast: false },
+    claims: Claims { complete: true, deterministic: false, fast: false, traces: false },
     params: &[
         number(
             "generations",
@@ -85,14 +85,16 @@ pub const INFO: PlannerInfo = PlannerInfo {
         ),
         number("mutation", "Mutation rate", "Patches of new genes in a child, in the mean.", 0.0, 5.0, 0.1, 1.0),
     ],
-    build: |params| {
-        Box::new(Genetic {
-            generations: params.number("generations") as usize,
-            population: params.number("population") as usize,
-            crossover: params.number("crossover"),
-            mutation: params.number("mutation"),
-        })
-    },
+};
+
+/// Makes the planner.
+pub(super) const BUILD: Build = |params| {
+    Box::new(Genetic {
+        generations: params.number("generations") as usize,
+        population: params.number("population") as usize,
+        crossover: params.number("crossover"),
+        mutation: params.number("mutation"),
+    })
 };
 
 const fn number(
@@ -353,7 +355,7 @@ mod tests {
     fn cost(job: &CoverageJob, generations: u32) -> u64 {
         let given = [("generations", ParamValue::Number(f64::from(generations)))];
         let params = crate::planner::Params::checked(INFO.params, given).unwrap();
-        let path = (INFO.build)(&params).plan(job, &mut PlanContext::new(1)).unwrap();
+        let path = INFO.build(&params).plan(job, &mut PlanContext::new(1)).unwrap();
         assert_eq!(WalkMetrics::of(job, &path).visited_cells, job.cells());
         Costs::of(job).of_walk(job.heading, &path.cells) / u64::from(Costs::of(job).step)
     }

@@ -24,14 +24,14 @@
 //! let free = from_picture("....\n.#..\n....", |c| c == '.').unwrap();
 //! let job = CoverageJob::new(&free, Cell::new(0, 2), Direction::Right).unwrap();
 //! let info = find("grid_tsp").unwrap();
-//! let planner = (info.build)(&Params::defaults(info.params));
+//! let planner = info.build(&Params::defaults(info.params));
 //! let path = planner.plan(&job, &mut PlanContext::new(0)).unwrap();
 //! assert_eq!(path.arrows(&job), ">>>v\n^#ov\n^<<<\n");
 //! ```
 
 use super::{
-    Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError, Planner,
-    PlannerInfo,
+    Build, Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError,
+    Planner, PlannerInfo,
     stage::{
         Costs, Lane, Links, Moves, Prefer, SWEEPS, Schedule, Seeker, Stop, Sweep, Transit, Visit, anneal,
         cheapest_lanes, improve, nearest_first, tighten,
@@ -61,7 +61,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         shines: Example { room: "flat", why: "Lanes in both directions fit every room and join without detours." },
         fails: Example { room: "empty", why: "Mown lanes are as good as it gets, and need no search." },
     },
-    claims: Claims { complete: true, deterministic: true, fast: false },
+    claims: Claims { complete: true, deterministic: true, fast: false, traces: false },
     params: &[
         ParamSpec {
             id: "effort",
@@ -82,17 +82,19 @@ pub const INFO: PlannerInfo = PlannerInfo {
             kind: ParamKind::Choice { options: &[("both", "both"), ("two_opt", "2-opt"), ("or_opt", "Or-opt")] },
         },
     ],
-    build: |params| {
-        Box::new(GridTsp {
-            effort: params.number("effort") as usize,
-            has_lanes: params.choice("construction") != "nearest",
-            moves: match params.choice("moves") {
-                "two_opt" => Moves::Reverse,
-                "or_opt" => Moves::Move,
-                _ => Moves::Both,
-            },
-        })
-    },
+};
+
+/// Makes the planner.
+pub(super) const BUILD: Build = |params| {
+    Box::new(GridTsp {
+        effort: params.number("effort") as usize,
+        has_lanes: params.choice("construction") != "nearest",
+        moves: match params.choice("moves") {
+            "two_opt" => Moves::Reverse,
+            "or_opt" => Moves::Move,
+            _ => Moves::Both,
+        },
+    })
 };
 
 /// The planner.

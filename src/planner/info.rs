@@ -1,8 +1,8 @@
 //! What a planner says of itself.
 
-use super::{ParamSpec, Params, Planner};
+use super::ParamSpec;
 
-/// Entry of the registry.
+/// What menus, forms and tests know of a planner. How it is made is not in here: see [`super::Build`].
 #[derive(Debug)]
 pub struct PlannerInfo {
     /// Name in links, files and on the command line: lower case, `_` between words.
@@ -21,12 +21,11 @@ pub struct PlannerInfo {
     pub claims: Claims,
     /// Its parameters, the important ones first.
     pub params: &'static [ParamSpec],
-    /// Makes the planner for checked parameters.
-    pub build: fn(&Params) -> Box<dyn Planner>,
 }
 
 /// Properties that a planner promises and the contract test checks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[expect(clippy::struct_excessive_bools)]
 pub struct Claims {
     /// Visits every free cell of every job.
     pub complete: bool,
@@ -34,6 +33,8 @@ pub struct Claims {
     pub deterministic: bool,
     /// Plans a million cells in about a second; others are meant for rooms of up to [`SLOW_CELLS`].
     pub fast: bool,
+    /// Explains every step by [`PlanContext::trace`](super::PlanContext::trace).
+    pub traces: bool,
 }
 
 /// Free cells up to which planners that don't claim to be fast stay usable.

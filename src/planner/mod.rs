@@ -1,8 +1,9 @@
 //! Coverage planners: one file each, all in one registry.
 //!
 //! A planner gets a [`CoverageJob`], a grid of free cells that are all connected with the start, and returns a
-//! [`CoveragePath`] that visits them. To add one, write its file with a [`PlannerInfo`] constant and list it in
-//! [`PLANNERS`]; menus, parameter forms, command line, contract tests and benchmarks iterate that list.
+//! [`CoveragePath`] that visits them. To add one, write its file with the constants `INFO` (a
+//! [`PlannerInfo`]) and `BUILD` (a [`Build`]) and list it in the registry below; menus, parameter forms, command line,
+//! contract tests and benchmarks iterate [`PLANNERS`].
 
 mod backtracking_spiral;
 mod boustrophedon;
@@ -38,30 +39,55 @@ pub use trace::TraceStep;
 pub trait Planner {
     /// Plans a walk from `job.start`. Must return [`PlanError::Cancelled`] soon after the context says so.
     fn plan(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError>;
+}
 
-    /// Whether it explains every step by [`PlanContext::trace`].
-    fn traces(&self) -> bool {
-        false
+/// Makes a planner for checked parameters.
+pub type Build = fn(&Params) -> Box<dyn Planner>;
+
+/// Two lists of the same planners: what they say of themselves, and how they are made. They are kept apart so that a
+/// program which only asks for the first, such as the page, doesn't carry the planners' code.
+macro_rules! registry {
+    ($($planner:ident),* $(,)?) => {
+        /// All planners, in the order of the menus.
+        pub const PLANNERS: &[&PlannerInfo] = &[$(&$planner::INFO),*];
+        const BUILDERS: &[(&str, Build)] = &[$(($planner::INFO.id, $planner::BUILD)),*];
+    };
+}
+
+// One line a planner.
+registry! {
+    boustrophedon,
+    boustrophedon_cells,
+    spiral_stc,
+    backtracking_spiral,
+    contour,
+    wavefront_distance,
+    wavefront_path,
+    s_shape,
+    spiral,
+    snake,
+    genetic,
+    grid_tsp,
+    energy,
+    neural,
+}
+
+impl PlannerInfo {
+    /// Makes the planner for checked parameters. One that isn't in the registry gives up with [`PlanError::Unlisted`].
+    pub fn build(&self, params: &Params) -> Box<dyn Planner> {
+        let listed = BUILDERS.iter().find(|(id, _)| *id == self.id);
+        listed.map_or_else(|| Box::new(Unlisted) as Box<dyn Planner>, |(_, build)| build(params))
     }
 }
 
-/// All planners, in the order of the menus.
-pub const PLANNERS: &[&PlannerInfo] = &[
-    &boustrophedon::INFO,
-    &boustrophedon_cells::INFO,
-    &spiral_stc::INFO,
-    &backtracking_spiral::INFO,
-    &contour::INFO,
-    &wavefront_distance::INFO,
-    &wavefront_path::INFO,
-    &s_shape::INFO,
-    &spiral::INFO,
-    &snake::INFO,
-    &genetic::INFO,
-    &grid_tsp::INFO,
-    &energy::INFO,
-    &neural::INFO,
-];
+/// Stands for planners that nobody can make.
+struct Unlisted;
+
+impl Planner for Unlisted {
+    fn plan(&self, _: &CoverageJob, _: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError> {
+        Err(PlanError::Unlisted)
+    }
+}
 
 /// The planner with that id.
 pub fn find(id: &str) -> Option<&'static PlannerInfo> {

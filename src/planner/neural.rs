@@ -33,14 +33,14 @@
 //! let free = from_picture("....\n.#..\n....", |c| c == '.').unwrap();
 //! let job = CoverageJob::new(&free, Cell::new(0, 2), Direction::Right).unwrap();
 //! let info = find("neural").unwrap();
-//! let planner = (info.build)(&Params::defaults(info.params));
+//! let planner = info.build(&Params::defaults(info.params));
 //! let path = planner.plan(&job, &mut PlanContext::new(0)).unwrap();
 //! assert_eq!(path.arrows(&job), ">>>v\n^#ov\n^<<<\n");
 //! ```
 
 use super::{
-    Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError, Planner,
-    PlannerInfo,
+    Build, Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError,
+    Planner, PlannerInfo,
     stage::{Costs, Seeker},
 };
 use crate::grid::{Cell, Direction, Grid};
@@ -62,7 +62,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         shines: Example { room: "spiral", why: "The field leads along the lanes, round every corner, with few turns." },
         fails: Example { room: "office", why: "Floor left in many rooms draws the robot to and fro." },
     },
-    claims: Claims { complete: true, deterministic: true, fast: false },
+    claims: Claims { complete: true, deterministic: true, fast: false, traces: false },
     params: &[
         ParamSpec {
             id: "straight",
@@ -89,14 +89,16 @@ pub const INFO: PlannerInfo = PlannerInfo {
             kind: ParamKind::Number { min: 20.0, max: 200.0, step: 1.0, default: 100.0, unit: "" },
         },
     ],
-    build: |params| {
-        Box::new(Neural {
-            straight: params.number("straight"),
-            lateral: params.number("lateral"),
-            decay: params.number("decay"),
-            input: params.number("input"),
-        })
-    },
+};
+
+/// Makes the planner.
+pub(super) const BUILD: Build = |params| {
+    Box::new(Neural {
+        straight: params.number("straight"),
+        lateral: params.number("lateral"),
+        decay: params.number("decay"),
+        input: params.number("input"),
+    })
 };
 
 /// The planner.

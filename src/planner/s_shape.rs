@@ -24,14 +24,14 @@
 //! let free = from_picture("....\n.#..\n....", |c| c == '.').unwrap();
 //! let job = CoverageJob::new(&free, Cell::new(0, 2), Direction::Right).unwrap();
 //! let info = find("s_shape").unwrap();
-//! let planner = (info.build)(&Params::defaults(info.params));
+//! let planner = info.build(&Params::defaults(info.params));
 //! let path = planner.plan(&job, &mut PlanContext::new(0)).unwrap();
 //! assert_eq!(path.arrows(&job), ">>>v\no#v<\n^<><\n");
 //! ```
 
 use super::{
-    Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError, Planner,
-    PlannerInfo,
+    Build, Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError,
+    Planner, PlannerInfo,
     stage::{Progress, lanes_lie_down},
 };
 
@@ -52,7 +52,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         shines: Example { room: "empty", why: "Nothing in the way: lane beside lane from wall to wall." },
         fails: Example { room: "maze", why: "Every dead end of the maze is one for the robot, too." },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true },
+    claims: Claims { complete: true, deterministic: true, fast: true, traces: false },
     params: &[ParamSpec {
         id: "lanes",
         label: "Lanes",
@@ -66,16 +66,18 @@ pub const INFO: PlannerInfo = PlannerInfo {
             ],
         },
     }],
-    build: |params| {
-        Box::new(SShape {
-            lanes: match params.choice("lanes") {
-                "heading" => Lanes::Heading,
-                "horizontal" => Lanes::Horizontal,
-                "vertical" => Lanes::Vertical,
-                _ => Lanes::Auto,
-            },
-        })
-    },
+};
+
+/// Makes the planner.
+pub(super) const BUILD: Build = |params| {
+    Box::new(SShape {
+        lanes: match params.choice("lanes") {
+            "heading" => Lanes::Heading,
+            "horizontal" => Lanes::Horizontal,
+            "vertical" => Lanes::Vertical,
+            _ => Lanes::Auto,
+        },
+    })
 };
 
 /// The planner.

@@ -40,14 +40,14 @@
 //! let free = from_picture("....\n.#..\n....", |c| c == '.').unwrap();
 //! let job = CoverageJob::new(&free, Cell::new(0, 2), Direction::Right).unwrap();
 //! let info = find("snake").unwrap();
-//! let planner = (info.build)(&Params::defaults(info.params));
+//! let planner = info.build(&Params::defaults(info.params));
 //! let path = planner.plan(&job, &mut PlanContext::new(0)).unwrap();
 //! assert_eq!(path.arrows(&job), ">>>v\no#v<\n^<>^\n");
 //! ```
 
 use super::{
-    Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError, Planner,
-    PlannerInfo, TraceStep, stage::Seeker,
+    Build, Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError,
+    Planner, PlannerInfo, TraceStep, stage::Seeker,
 };
 use crate::grid::{Cell, Direction, Grid};
 
@@ -68,15 +68,17 @@ pub const INFO: PlannerInfo = PlannerInfo {
         shines: Example { room: "thesis8", why: "The room that the rules were printed with." },
         fails: Example { room: "office", why: "Rooms behind doors are left and come back to again and again." },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true },
+    claims: Claims { complete: true, deterministic: true, fast: true, traces: true },
     params: &[ParamSpec {
         id: "patience",
         label: "Patience",
         help: "How long the rules may lead over cleaned floor: this times the way to the nearest cell left.",
         kind: ParamKind::Number { min: 0.0, max: 20.0, step: 1.0, default: 2.0, unit: "" },
     }],
-    build: |params| Box::new(Snake { patience: params.number("patience") as usize }),
 };
+
+/// Makes the planner.
+pub(super) const BUILD: Build = |params| Box::new(Snake { patience: params.number("patience") as usize });
 
 /// The planner.
 struct Snake {
@@ -199,10 +201,6 @@ impl Planner for Snake {
             }
         }
         Ok(CoveragePath { cells: walk })
-    }
-
-    fn traces(&self) -> bool {
-        true
     }
 }
 
@@ -363,7 +361,7 @@ impl Memory {
             Rule::Forward => ("Forward", format!("No better neighbour beside it: straight on, {to}")),
             Rule::Back => ("Back", "No better neighbour beside it or ahead: back".to_owned()),
         };
-        TraceStep { step, rule, at, towards, marks: self.marks(at), sides, note }
+        TraceStep { step, rule: rule.into(), at, towards, marks: self.marks(at), sides, note }
     }
 
     /// A step of a shortest way, to be shown.
@@ -371,7 +369,7 @@ impl Memory {
         let steps = if left == 1 { "step" } else { "steps" };
         let note =
             format!("The rules lead nowhere: shortest way to the nearest cell not cleaned, {left} {steps} to go");
-        TraceStep { step, rule: "Shortest way", at, towards, marks: self.marks(at), sides: None, note }
+        TraceStep { step, rule: "Shortest way".into(), at, towards, marks: self.marks(at), sides: None, note }
     }
 }
 

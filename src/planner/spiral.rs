@@ -26,13 +26,13 @@
 //! let job = CoverageJob::new(&free, Cell::new(2, 2), Direction::Right).unwrap();
 //! let info = find("spiral").unwrap();
 //! let params = Params::checked(info.params, [("room", ParamValue::Number(2.0))]).unwrap();
-//! let path = (info.build)(&params).plan(&job, &mut PlanContext::new(0)).unwrap();
+//! let path = info.build(&params).plan(&job, &mut PlanContext::new(0)).unwrap();
 //! assert_eq!(path.arrows(&job), "v<<<<\nvv<<^\nvv>^^\nv>>>^\n>>>>o\n");
 //! ```
 
 use super::{
-    Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError, Planner,
-    PlannerInfo,
+    Build, Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError,
+    Planner, PlannerInfo,
     stage::{Flood, Progress},
 };
 use crate::grid::{Cell, Direction, Grid};
@@ -58,7 +58,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         },
         fails: Example { room: "flat", why: "Small circles between the furniture, and many scraps between them." },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true },
+    claims: Claims { complete: true, deterministic: true, fast: true, traces: false },
     params: &[
         ParamSpec {
             id: "room",
@@ -79,13 +79,15 @@ pub const INFO: PlannerInfo = PlannerInfo {
             kind: ParamKind::Choice { options: &[("left", "left"), ("right", "right")] },
         },
     ],
-    build: |params| {
-        Box::new(Spiral {
-            turns_right: params.choice("turn") == "right",
-            takes_nearest: params.choice("next") == "nearest",
-            least_room: params.number("room") as i32,
-        })
-    },
+};
+
+/// Makes the planner.
+pub(super) const BUILD: Build = |params| {
+    Box::new(Spiral {
+        turns_right: params.choice("turn") == "right",
+        takes_nearest: params.choice("next") == "nearest",
+        least_room: params.number("room") as i32,
+    })
 };
 
 /// The planner.

@@ -24,14 +24,14 @@
 //! let free = from_picture("....\n.#..\n....", |c| c == '.').unwrap();
 //! let job = CoverageJob::new(&free, Cell::new(0, 2), Direction::Right).unwrap();
 //! let info = find("spiral_stc").unwrap();
-//! let planner = (info.build)(&Params::defaults(info.params));
+//! let planner = info.build(&Params::defaults(info.params));
 //! let path = planner.plan(&job, &mut PlanContext::new(0)).unwrap();
 //! assert_eq!(path.arrows(&job), ">>>v\n^#ov\n^<<<\n");
 //! ```
 
 use super::{
-    Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError, Planner,
-    PlannerInfo,
+    Build, Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError,
+    Planner, PlannerInfo,
     stage::{Added, Contest, MAX_CELLS_FOR_ALL, MegaCells},
 };
 use crate::grid::Direction;
@@ -53,7 +53,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         shines: Example { room: "flat", why: "Reaches every niche with hardly any floor twice." },
         fails: Example { room: "maze", why: "Corridors out of step with the mega-cells are driven there and back." },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true },
+    claims: Claims { complete: true, deterministic: true, fast: true, traces: false },
     params: &[ParamSpec {
         id: "tree",
         label: "Tree",
@@ -62,15 +62,17 @@ pub const INFO: PlannerInfo = PlannerInfo {
             options: &[("auto", "the cheapest"), ("spiral", "spiral"), ("straight", "few turns")],
         },
     }],
-    build: |params| {
-        Box::new(SpiralStc {
-            shapes: match params.choice("tree") {
-                "spiral" => SPIRALS,
-                "straight" => STRAIGHT,
-                _ => ALL,
-            },
-        })
-    },
+};
+
+/// Makes the planner.
+pub(super) const BUILD: Build = |params| {
+    Box::new(SpiralStc {
+        shapes: match params.choice("tree") {
+            "spiral" => SPIRALS,
+            "straight" => STRAIGHT,
+            _ => ALL,
+        },
+    })
 };
 
 /// The planner.

@@ -1,14 +1,16 @@
 //! What a planner thinks at every step, to be watched.
 
 use crate::grid::{Cell, Direction};
+use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 
 /// One decision of a planner.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct TraceStep {
     /// Index in the walk of the cell in which it is taken.
     pub step: usize,
     /// The rule that decides, in a few words.
-    pub rule: &'static str,
+    pub rule: Cow<'static, str>,
     /// The cell in which it is taken.
     pub at: Cell,
     /// Where to go.

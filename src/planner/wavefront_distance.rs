@@ -26,13 +26,13 @@
 //! let free = from_picture("....\n.#..\n....", |c| c == '.').unwrap();
 //! let job = CoverageJob::new(&free, Cell::new(0, 2), Direction::Right).unwrap();
 //! let info = find("wavefront_distance").unwrap();
-//! let planner = (info.build)(&Params::defaults(info.params));
+//! let planner = info.build(&Params::defaults(info.params));
 //! let path = planner.plan(&job, &mut PlanContext::new(0)).unwrap();
 //! assert_eq!(path.arrows(&job), ">>>v\n^#ov\n^<<<\n");
 //! ```
 
 use super::{
-    Claims, CoverageJob, CoveragePath, Example, Explainer, PlanContext, PlanError, Planner, PlannerInfo,
+    Build, Claims, CoverageJob, CoveragePath, Example, Explainer, PlanContext, PlanError, Planner, PlannerInfo,
     stage::{GOAL, Goal, STEP, cover},
 };
 
@@ -57,10 +57,12 @@ pub const INFO: PlannerInfo = PlannerInfo {
             why: "Fronts break at the furniture: more than three times the turns of lanes.",
         },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true },
+    claims: Claims { complete: true, deterministic: true, fast: true, traces: false },
     params: &[GOAL],
-    build: |params| Box::new(WavefrontDistance { goal: Goal::of(params) }),
 };
+
+/// Makes the planner.
+pub(super) const BUILD: Build = |params| Box::new(WavefrontDistance { goal: Goal::of(params) });
 
 /// The planner.
 struct WavefrontDistance {

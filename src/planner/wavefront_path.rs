@@ -22,14 +22,14 @@
 //! let free = from_picture("....\n.#..\n....", |c| c == '.').unwrap();
 //! let job = CoverageJob::new(&free, Cell::new(0, 2), Direction::Right).unwrap();
 //! let info = find("wavefront_path").unwrap();
-//! let planner = (info.build)(&Params::defaults(info.params));
+//! let planner = info.build(&Params::defaults(info.params));
 //! let path = planner.plan(&job, &mut PlanContext::new(0)).unwrap();
 //! assert_eq!(path.arrows(&job), ">>>v\n^#ov\n^<<<\n");
 //! ```
 
 use super::{
-    Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError, Planner,
-    PlannerInfo,
+    Build, Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError,
+    Planner, PlannerInfo,
     stage::{GOAL, Goal, STEP, cover, obstacle_transform},
 };
 
@@ -54,7 +54,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         },
         fails: Example { room: "hall20", why: "Follows every outline: about four times the turns of lanes." },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true },
+    claims: Claims { complete: true, deterministic: true, fast: true, traces: false },
     params: &[
         ParamSpec {
             id: "alpha",
@@ -64,9 +64,11 @@ pub const INFO: PlannerInfo = PlannerInfo {
         },
         GOAL,
     ],
-    build: |params| {
-        Box::new(WavefrontPath { alpha: (params.number("alpha") * f64::from(STEP)) as u32, goal: Goal::of(params) })
-    },
+};
+
+/// Makes the planner.
+pub(super) const BUILD: Build = |params| {
+    Box::new(WavefrontPath { alpha: (params.number("alpha") * f64::from(STEP)) as u32, goal: Goal::of(params) })
 };
 
 /// The planner.

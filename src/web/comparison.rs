@@ -4,9 +4,8 @@ use super::{
     canvas::Canvas,
     clock,
     comparison_view::{ComparisonView, TableView},
-    plan_job,
     playground::Playground,
-    to_js,
+    request, to_js,
 };
 use crate::{
     app::{
@@ -120,7 +119,7 @@ impl Comparison {
     /// A worker is done.
     pub fn trial_finished(&mut self, id: u32, cells: &[u32], numbers: JsValue) -> Result<(), JsValue> {
         let numbers: PlanNumbers = serde_wasm_bindgen::from_value(numbers).map_err(|e| e.to_string())?;
-        self.state.trial_finished(id, Ok(Outcome { numbers, cells: plan_job::cells(cells) }));
+        self.state.trial_finished(id, Ok(Outcome { numbers, cells: request::cells(cells) }));
         Ok(())
     }
 

@@ -1,23 +1,45 @@
 //! The only code that knows wasm-bindgen, web-sys and js-sys.
 //!
-//! The boundary is coarse: one `Playground` and one `Comparison` on the page, `plan` and `Trials` in workers, a handful of calls a frame.
+//! It is compiled into two modules. The page's has one `Playground` and one `Comparison`, a handful of calls a frame; the
+//! workshop's, which runs in workers and is loaded when it is first needed, has `plan`, `Trials`, `read_map` and `bench`.
+//! Plain objects and arrays go to and fro between them: `request` and `map` say how.
 
+#[cfg(feature = "workshop")]
 mod bench;
+#[cfg(feature = "page")]
 mod canvas;
+#[cfg(feature = "page")]
 mod catalogue;
+#[cfg(feature = "page")]
 mod comparison;
+#[cfg(feature = "page")]
 mod comparison_view;
+#[cfg(feature = "page")]
 mod layer;
+mod map;
+#[cfg(feature = "workshop")]
 mod plan_job;
+#[cfg(feature = "page")]
 mod playground;
+mod request;
+#[cfg(feature = "page")]
 mod robot;
+#[cfg(feature = "page")]
 mod search;
+#[cfg(feature = "workshop")]
 mod trial;
 
+#[cfg(feature = "workshop")]
 pub use bench::bench;
+#[cfg(feature = "page")]
 pub use comparison::Comparison;
+#[cfg(feature = "workshop")]
+pub use map::read_map;
+#[cfg(feature = "workshop")]
 pub use plan_job::plan;
+#[cfg(feature = "page")]
 pub use playground::Playground;
+#[cfg(feature = "workshop")]
 pub use trial::Trials;
 
 use serde::Serialize;

@@ -1,13 +1,13 @@
 //! The page's one object: a session, the view of it on a canvas, and the hand that draws.
 
-use super::{canvas::Canvas, catalogue::Catalogue, clock, plan_job, to_js};
+use super::{canvas::Canvas, catalogue::Catalogue, clock, map, request, to_js};
 use crate::{
-    app::{Brush, Scene, Session, SettingsError, Viewport},
-    floorplan::SourceFile,
+    app::{Answer, Brush, Scene, Session, SettingsError, Viewport},
     geometry::{Point, Pose},
     grid::Cell,
+    planner::{CoveragePath, TraceStep},
 };
-use js_sys::{Array, Float64Array, Reflect, Uint8Array};
+use js_sys::{Float64Array, Reflect};
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
@@ -15,8 +15,6 @@ use web_sys::HtmlCanvasElement;
 const FRAME_BUDGET_MS: f64 = 8.0;
 /// Simulated time that the opening scene has behind it, s, so that there is something to see at once.
 const OPENING_S: f64 = 600.0;
-/// The session's first planning request, which is that for the opening scene.
-const OPENING_REQUEST: u32 = 1;
 
 /// Distance from the robot's centre within which the pointer takes hold of it, CSS pixels, however small it is drawn.
 const LEAST_GRIP_PX: f64 = 16.0;
@@ -65,7 +63,7 @@ pub struct Playground {
 
 #[wasm_bindgen]
 impl Playground {
-    /// Opens on `canvas` with the furnished flat; once its plan is there, the robot is in the middle of cleaning it.
+    /// Opens on `canvas` with the furnished flat; unless a link leads elsewhere, the robot is in the middle of cleaning it.
     #[wasm_bindgen(constructor)]
     pub fn new(canvas: HtmlCanvasElement) -> Result<Self, JsValue> {
         Ok(Self {
@@ -115,26 +113,27 @@ impl Playground {
 
     // ---- planning
 
-    /// The planning request that has to be served, once; pass it to `plan` in a worker.
+    /// The planning request that has to be served, once; pass it to `plan` in a worker. To be asked for in every frame.
     pub fn take_plan_request(&mut self) -> Result<JsValue, JsValue> {
-        match self.session.take_plan_request() {
-            Some(request) => plan_job::to_js(&request),
-            None => Ok(JsValue::UNDEFINED),
+        let request = self.session.take_plan_request();
+        // Whoever has chosen something else meanwhile wants to see that from its start.
+        if std::mem::take(&mut self.is_opening) && request.is_none() {
+            self.session.run_ahead(OPENING_S);
         }
+        request.map_or(Ok(JsValue::UNDEFINED), |request| request::request_to_js(&request))
     }
 
     /// The worker reports the share done and its best walk so far.
     pub fn plan_progress(&mut self, id: u32, done: f64, cells: &[u32]) {
-        self.session.plan_progress(id, done, &plan_job::cells(cells));
+        self.session.plan_progress(id, done, &request::cells(cells));
     }
 
     /// The worker is done.
-    pub fn plan_finished(&mut self, id: u32, cells: &[u32], seconds: f64) {
-        self.session.plan_finished(id, plan_job::cells(cells), seconds);
-        // Whoever has chosen something else meanwhile wants to see that from its start.
-        if std::mem::take(&mut self.is_opening) && id == OPENING_REQUEST {
-            self.session.run_ahead(OPENING_S);
-        }
+    pub fn plan_finished(&mut self, id: u32, cells: &[u32], seconds: f64, trace: JsValue) -> Result<(), JsValue> {
+        let trace: Vec<TraceStep> = serde_wasm_bindgen::from_value(trace).map_err(|e| e.to_string())?;
+        let path = CoveragePath { cells: request::cells(cells) };
+        self.session.plan_finished(id, Answer { path, seconds, trace });
+        Ok(())
     }
 
     /// The worker gave up.
@@ -198,10 +197,10 @@ impl Playground {
         Ok(self.session.configure(|s| s.set_odometry(id))?)
     }
 
-    /// Takes a map or scenario from an array of `{ name, bytes }` that belong together.
-    pub fn load_files(&mut self, files: &Array) -> Result<(), JsValue> {
-        let files: Vec<SourceFile> = files.iter().map(|file| source_file(&file)).collect::<Result<_, _>>()?;
-        self.session.load(&files).map_err(|e| JsValue::from(e.to_string()))
+    /// Takes a map or scenario that `read_map` has read in a worker.
+    pub fn take_map(&mut self, read: &JsValue) -> Result<(), JsValue> {
+        let import = map::import_from_js(read)?;
+        self.session.take_import(import).map_err(|e| JsValue::from(e.to_string()))
     }
 
     /// The room and the settings as a scenario file.
@@ -447,10 +446,4 @@ impl From<SettingsError> for JsValue {
     fn from(error: SettingsError) -> Self {
         error.to_string().into()
     }
-}
-
-fn source_file(file: &JsValue) -> Result<SourceFile, JsValue> {
-    let name = Reflect::get(file, &"name".into())?.as_string().unwrap_or_default();
-    let bytes = Uint8Array::new(&Reflect::get(file, &"bytes".into())?).to_vec();
-    Ok(SourceFile { name, bytes })
 }

@@ -207,7 +207,8 @@ export class App {
     await this.page.waitForFunction(() => {
       const text = document.getElementById("message-text");
       const complained = !document.getElementById("message").hidden && text.textContent !== text.dataset.before;
-      return complained || !document.getElementById("toast").hidden;
+      const toast = document.getElementById("toast");
+      return complained || (!toast.hidden && toast.ariaBusy !== "true");
     });
     await this.settled();
   }

@@ -1,14 +1,24 @@
-// The built folder as a web server delivers it: from any sub-path, each file once, all of one build.
+// The built folder as a web server delivers it: from any sub-path, each file once, all of one build, and nothing before it
+// is needed.
 import assert from "node:assert/strict";
+import fs from "node:fs";
+import path from "node:path";
 import { test } from "node:test";
-import { openPage } from "./harness.mjs";
+import { gzipSync } from "node:zlib";
+import { firstLoad } from "../../scripts/references.mjs";
+import { openApp } from "./app.mjs";
+import { DIST, openPage } from "./harness.mjs";
+import { openRoom, png } from "./maps.mjs";
 
-test("works from a sub-path and loads the module once", async (t) => {
+/** Files of the page that were asked for so far, as paths in dist/. */
+const transferred = ({ requests }) => new Set(requests.map((address) => path.join(".", new URL(address, "http://host").pathname.replace(/\/$/, "/index.html"))));
+
+test("works from a sub-path and loads each module once", async (t) => {
   const { page, server } = await openPage(t, { mount: "/some/sub/path/" });
   await page.waitForLoadState("networkidle");
 
   const addresses = await page.evaluate(() => performance.getEntriesByType("resource").map((entry) => entry.name));
-  for (const part of ["robovac-playground.js", "robovac-playground_bg.wasm"]) {
+  for (const part of ["page.js", "page_bg.wasm"]) {
     // A module is its whole address: two addresses would be two modules, each with a state of its own.
     const loaded = new Set(addresses.filter((address) => new URL(address).pathname.endsWith(part)));
     assert.equal(loaded.size, 1, `${part} has one address: ${[...loaded]}`);
@@ -18,4 +28,67 @@ test("works from a sub-path and loads the module once", async (t) => {
   const versions = new Set(parts.map((address) => new URL(address, "http://host").searchParams.get("v")));
   assert.equal(versions.size, 1, `one version: ${parts}`);
   assert.match([...versions][0] ?? "", /^[0-9a-f]{12}$/);
+});
+
+test("opening needs no planner and none of the other places", async (t) => {
+  const { page, app, server } = await openApp(t);
+  await app.numbersThat(({ coverage, distance }) => coverage > 0 && distance > 0);
+  await page.waitForLoadState("networkidle");
+  const opened = transferred(server);
+  const lazy = ["workshop.js", "workshop_bg.wasm", "www/worker.js", "www/workers.js", "www/compare.js", "www/compare.css", "www/pool.js"];
+  for (const file of lazy) {
+    assert.ok(fs.existsSync(path.join(DIST, file)), `${file} has another name now`);
+    assert.ok(!opened.has(file), `${file} was transferred`);
+  }
+  // What scripts/size.mjs weighs is what is transferred: nothing else, and nothing less but what this screen doesn't show.
+  const weighed = new Set(firstLoad(path.join(DIST, "index.html")).map((file) => path.relative(DIST, file)));
+  assert.deepEqual([...opened].filter((file) => !weighed.has(file)), []);
+  assert.deepEqual([...weighed].filter((file) => !opened.has(file) && !/\.(svg|png|ico)$/.test(file)), []);
+  const kilobytes = [...opened].reduce((sum, file) => sum + gzipSync(fs.readFileSync(path.join(DIST, file)), { level: 9 }).length / 1024, 0);
+  t.diagnostic(`${kilobytes.toFixed(1)} KB in ${opened.size} files until the robot drives`);
+  assert.equal((await app.metric("Planned in")).plan, "made in advance");
+
+  // The first plan brings the workshop, once for all that follow.
+  await app.choose("room", "empty");
+  await app.choose("planner", "snake");
+  assert.match((await app.metric("Planned in")).plan, /\d/);
+  assert.equal(server.requests.filter((address) => address.includes("workshop_bg.wasm")).length, 1);
+  assert.ok(!transferred(server).has("www/compare.js"));
+  await page.locator("#tab-compare").click();
+  await page.locator("#place-compare").waitFor();
+  assert.ok(["www/compare.js", "www/compare.css"].every((file) => transferred(server).has(file)));
+  assert.equal(server.requests.filter((address) => address.includes("workshop_bg.wasm")).length, 1);
+});
+
+test("a planner that can't be loaded is loaded at the next try", async (t) => {
+  const { page, app } = await openApp(t, { allow: [/ERR_FAILED/, /ERR_CONNECTION/] });
+  const module = /workshop_bg\.wasm/;
+  await page.route(module, (route) => route.abort());
+  assert.equal(await app.choose("room", "empty"), "failed");
+  assert.match(await app.message(), /could not be loaded.*connection/i);
+  await page.unroute(module);
+  await app.press("Play");
+  await app.until("playing");
+  assert.equal(await app.message(), "");
+});
+
+test("the page goes on while the largest map is read", async (t) => {
+  const { page, app } = await openApp(t, { address: "#room=thesis8" });
+  const inside = openRoom(40, 30);
+  const rows = Array.from({ length: 4096 }, (_, y) => (inside[y] ?? "").padEnd(4096, "#"));
+  await page.evaluate(() => {
+    window.framesWhileReading = 0;
+    const look = () => {
+      const toast = document.getElementById("toast");
+      if (!toast.hidden && toast.ariaBusy === "true") window.framesWhileReading += 1;
+      requestAnimationFrame(look);
+    };
+    look();
+  });
+  await app.pick(png("largest.png", rows));
+  assert.equal(await app.message(), "");
+  assert.equal(await app.room(), "largest");
+  const frames = await page.evaluate(() => window.framesWhileReading);
+  t.diagnostic(`${frames} frames were drawn meanwhile`);
+  assert.ok(frames > 3, `${frames} frames`);
 });

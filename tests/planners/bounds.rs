@@ -121,7 +121,7 @@ fn walks_of_planners_are_above() {
     let planner = find("boustrophedon").unwrap();
     for scenario in scenarios() {
         let job = scenario.jobs().next().unwrap();
-        let path = (planner.build)(&Params::defaults(planner.params)).plan(&job, &mut PlanContext::new(1)).unwrap();
+        let path = planner.build(&Params::defaults(planner.params)).plan(&job, &mut PlanContext::new(1)).unwrap();
         let (bounds, walk) = (Bounds::of(&job), WalkMetrics::of(&job, &path));
         let holds = bounds.steps <= walk.steps && bounds.turns <= walk.turns && bounds.cost <= walk.cost();
         assert!(holds, "{}: {bounds:?}, {walk:?}", scenario.name);

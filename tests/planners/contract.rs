@@ -13,7 +13,7 @@ use robovac_playground::{
 use std::ops::ControlFlow;
 
 fn build(info: &PlannerInfo) -> Box<dyn Planner> {
-    (info.build)(&Params::defaults(info.params))
+    info.build(&Params::defaults(info.params))
 }
 
 fn plan(info: &PlannerInfo, job: &CoverageJob, seed: u64) -> CoveragePath {
@@ -76,7 +76,7 @@ fn every_choice_of_every_parameter_works() {
                 let params = Params::checked(info.params, [(spec.id, value.clone())]).expect("the value is in range");
                 for scenario in rooms.iter().filter(|s| s.free.len() < 300) {
                     let Some(job) = scenario.jobs().next() else { continue };
-                    let path = (info.build)(&params).plan(&job, &mut PlanContext::new(1)).expect("nobody cancels");
+                    let path = info.build(&params).plan(&job, &mut PlanContext::new(1)).expect("nobody cancels");
                     let what = format!("{} with {} = {value}", describe(info, scenario, &job), spec.id);
                     path.check(&job).unwrap_or_else(|error| panic!("{what}: {error}"));
                     let metrics = WalkMetrics::of(&job, &path);

@@ -12,7 +12,7 @@ fn walk(id: &str, picture: &str, heading: Direction) -> (CoverageJob, CoveragePa
     let top_left = Cell::new(0, free.height() as i32 - 1);
     let job = CoverageJob::new(&free, top_left, heading).expect("the start is free");
     let info = find(id).expect("the planner exists");
-    let planner = (info.build)(&Params::defaults(info.params));
+    let planner = info.build(&Params::defaults(info.params));
     let path = planner.plan(&job, &mut PlanContext::new(0)).expect("nobody cancels");
     (job, path)
 }

@@ -11,7 +11,7 @@ use robovac_playground::{
 fn plan(id: &str, job: &CoverageJob, given: &[(&str, ParamValue)]) -> CoveragePath {
     let info = find(id).expect("the planner exists");
     let params = Params::checked(info.params, given.iter().cloned()).expect("the parameters are right");
-    (info.build)(&params).plan(job, &mut PlanContext::new(0)).expect("nobody cancels")
+    info.build(&params).plan(job, &mut PlanContext::new(0)).expect("nobody cancels")
 }
 
 fn choice(id: &'static str, word: &str) -> (&'static str, ParamValue) {

@@ -28,7 +28,7 @@ proptest! {
     fn walks_can_be_driven_and_cover_all(job in job(), turn_s in 0.0..10.0_f64) {
         let job = CoverageJob { turn_s, ..job };
         for info in PLANNERS {
-            let planner = (info.build)(&Params::defaults(info.params));
+            let planner = info.build(&Params::defaults(info.params));
             let path = planner.plan(&job, &mut PlanContext::new(0)).expect("nobody cancels");
             prop_assert_eq!(path.check(&job), Ok(()), "{}", info.id);
             let metrics = WalkMetrics::of(&job, &path);

@@ -149,44 +149,13 @@ mod tests {
     use crate::{
         app::planning::PlanReport,
         floorplan::{SourceFile, load, room},
-        grid::Grid,
-        planner::{Claims, CoverageJob, Example, Explainer, PlanContext, PlanError, Planner},
+        planner::PlanError,
     };
     use std::cell::Cell as Shared;
 
-    /// Depth first, and back the way it came.
-    struct DepthFirst;
-
-    impl Planner for DepthFirst {
-        fn plan(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError> {
-            let mut seen = Grid::filled(job.free.width(), job.free.height(), false);
-            let (mut trail, mut cells) = (vec![job.start], vec![job.start]);
-            while let Some(&cell) = trail.last() {
-                ctx.checkpoint(cells.len() as f64 / (2 * job.cells()) as f64, &cells)?;
-                seen[cell] = true;
-                match cell.neighbours().into_iter().find(|&next| job.free.is_set(next) && !seen[next]) {
-                    Some(next) => trail.push(next),
-                    None => drop(trail.pop()),
-                }
-                cells.extend(trail.last());
-            }
-            Ok(CoveragePath { cells })
-        }
+    fn snake() -> &'static PlannerInfo {
+        crate::planner::find("snake").unwrap()
     }
-
-    const NOWHERE: Example = Example { room: "", why: "" };
-
-    static PLANNER: PlannerInfo = PlannerInfo {
-        id: "depth_first",
-        title: "Depth first",
-        summary: "",
-        source: "",
-        link: "",
-        explainer: Explainer { idea: "", complexity: "", use_when: "", shines: NOWHERE, fails: NOWHERE },
-        claims: Claims { complete: true, deterministic: true, fast: true },
-        params: &[],
-        build: |_| Box::new(DepthFirst),
-    };
 
     fn text_map(text: &str) -> FloorPlan {
         load(&[SourceFile { name: "test.txt".into(), bytes: text.into() }]).unwrap()
@@ -205,7 +174,7 @@ mod tests {
             cell_size,
             start: start.map(|(x, y)| Cell::new(x, y)),
             heading_deg: None,
-            planner: &PLANNER,
+            planner: snake(),
             params: Params::default(),
             seed: 0,
         };
@@ -277,7 +246,7 @@ mod tests {
             cell_size: 0.3,
             start: Some(Cell::new(0, 0)),
             heading_deg: Some(-450.0),
-            planner: &PLANNER,
+            planner: snake(),
             params: Params::default(),
             seed: 0,
         };
@@ -306,7 +275,7 @@ mod tests {
             cell_size,
             start: None,
             heading_deg: None,
-            planner: &PLANNER,
+            planner: snake(),
             params: Params::default(),
             seed: 0,
         };

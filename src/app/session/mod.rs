@@ -4,7 +4,8 @@ mod search;
 mod snapshot;
 
 use super::{
-    Action, Answer, Brush, Editor, PlanRequest, Planned, Prepared, Recording, Search, Settings, SettingsError, State,
+    Action, Answer, Brush, Editor, Import, PlanRequest, Planned, Prepared, Recording, Search, Settings, SettingsError,
+    State, opening,
 };
 use crate::{
     floorplan::{self, FloorPlan, MapError, RoomInfo, Scenario, SourceFile},
@@ -37,6 +38,8 @@ pub struct Session {
     due: f64,
     speed_factor: f64,
     requests: u32,
+    /// Whether nothing but the opening scene has been asked for so far: its plan is there already.
+    is_opening: bool,
     /// Walks that planners have reported, on their way and at the end.
     previews: u64,
     message: Option<Message>,
@@ -51,10 +54,15 @@ pub enum LoadError {
     /// They are no map.
     #[error(transparent)]
     Map(#[from] MapError),
-    /// They are a scenario that asks for something that there isn't.
-    #[error("the scenario can't be run: {0}")]
-    Settings(#[from] SettingsError),
+    /// They are a scenario that can't be run.
+    #[error(transparent)]
+    Scenario(#[from] ScenarioError),
 }
+
+/// A scenario asks for something that there isn't.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("the scenario can't be run: {0}")]
+pub struct ScenarioError(#[from] SettingsError);
 
 /// A planner at work elsewhere.
 struct Planning {
@@ -87,6 +95,7 @@ impl Session {
             due: 0.0,
             speed_factor: 0.0,
             requests: 0,
+            is_opening: true,
             previews: 0,
             message: None,
             shows_search: false,
@@ -166,16 +175,25 @@ impl Session {
     // ---- planning
 
     /// The plan that has to be made, once. Serve it wherever there is time, and answer with the methods below.
+    ///
+    /// For the opening scene there is nothing to be made: it gets the plan that is kept of it.
     pub fn take_plan_request(&mut self) -> Option<PlanRequest> {
-        self.planning.as_mut()?.request.take()
+        let request = self.planning.as_mut()?.request.take()?;
+        if !self.is_opening {
+            return Some(request);
+        }
+        let path = CoveragePath { cells: opening::from_runs(request.job.start, opening::WALK) };
+        self.plan_finished(request.id, Answer { path, seconds: 0.0, trace: Vec::new() });
+        None
     }
 
     /// Makes the plan here and now; for small rooms and tests. `clock` gives seconds.
     pub fn plan_now(&mut self, clock: impl Fn() -> f64) {
         let Some(request) = self.take_plan_request() else { return };
         match request.serve(clock, None) {
-            Ok(Answer { path, seconds }) => self.plan_finished(request.id, path.cells, seconds),
+            Ok(answer) => self.plan_finished(request.id, answer),
             Err(PlanError::Cancelled) => self.cancel_plan(),
+            Err(error @ PlanError::Unlisted) => self.plan_failed(request.id, &error.to_string()),
         }
     }
 
@@ -190,19 +208,20 @@ impl Session {
     }
 
     /// A planner is done.
-    pub fn plan_finished(&mut self, id: u32, cells: Vec<Cell>, seconds: f64) {
+    pub fn plan_finished(&mut self, id: u32, answer: Answer) {
         if self.planning.as_ref().is_none_or(|p| p.id != id) {
             return;
         }
         self.planning = None;
         self.previews += 1;
         let Some(prepared) = &self.prepared else { return };
-        match Planned::new(prepared, &Answer { path: CoveragePath { cells }, seconds }) {
+        match Planned::new(prepared, &answer) {
             Ok(planned) => {
                 let Settings { slip, odometry, seed, .. } = self.settings;
                 self.recording = Some(Recording::new(planned.run(prepared, slip, odometry, seed)));
+                let Answer { path, trace, .. } = answer;
+                self.search = (!trace.is_empty()).then(|| Search::new(prepared, &planned, &path.cells, trace));
                 self.planned = Some(planned);
-                self.update_search();
             }
             Err(error) => self.planner_failed(&error.to_string()),
         }
@@ -237,6 +256,10 @@ impl Session {
         self.recording = None;
         self.planning = None;
         self.due = 0.0;
+        self.is_opening = self.is_opening
+            && self.editor.room() == Some(floorplan::ROOMS[0].id)
+            && self.editor.start().is_none()
+            && self.settings.plans_like(&Settings::new());
         let robot = self.settings.robot_model();
         match Prepared::new(self.editor.plan(), &robot, self.settings.cell_size, self.editor.start()) {
             Ok(prepared) => {
@@ -383,16 +406,18 @@ impl Session {
 
     /// Takes a map or scenario from files that belong together. On an error everything stays as it was.
     pub fn load(&mut self, files: &[SourceFile]) -> Result<(), LoadError> {
-        let plan = floorplan::load(files)?;
-        if let [file] = files
-            && let Ok(scenario) = Scenario::read(&file.name, &file.bytes)
-        {
+        Ok(self.take_import(Import::read(files)?)?)
+    }
+
+    /// Takes what was read from files. On an error everything stays as it was.
+    pub fn take_import(&mut self, import: Import) -> Result<(), ScenarioError> {
+        if let Some(choices) = &import.choices {
             let mut settings = self.settings.clone();
-            settings.take_scenario(&scenario)?;
+            settings.take_scenario(choices)?;
             self.settings = settings;
         }
         self.message = None;
-        self.editor.replace(plan, None, None);
+        self.editor.replace(import.plan, None, None);
         self.prepare();
         Ok(())
     }

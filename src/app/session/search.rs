@@ -10,32 +10,21 @@ impl Session {
     /// Shows the planner's decisions from now on, or no longer.
     pub fn show_search(&mut self, on: bool) {
         self.shows_search = on;
-        self.update_search();
     }
 
     /// Whether the planner can say what it decides.
     pub fn offers_search(&self) -> bool {
-        (self.settings.planner.build)(&self.settings.params).traces()
+        self.settings.planner.claims.traces
     }
 
-    /// The decisions behind the plan, if they are shown.
+    /// The decisions behind the plan, if the planner tells them.
     pub fn search(&self) -> Option<&Search> {
         self.search.as_ref()
     }
 
     /// The decision that the robot is carrying out, if it is to be shown.
     pub fn decision(&self) -> Option<&TraceStep> {
-        self.search.as_ref()?.decision(self.recording.as_ref()?.run())
-    }
-
-    /// Finds out the decisions if they are to be shown and there is a plan.
-    pub(super) fn update_search(&mut self) {
-        if !self.shows_search {
-            self.search = None;
-        } else if let (None, Some(prepared), Some(planned)) = (&self.search, &self.prepared, &self.planned) {
-            let settings = &self.settings;
-            self.search = Search::new(prepared, planned, settings.planner, &settings.params, settings.seed);
-        }
+        self.search().filter(|_| self.shows_search)?.decision(self.recording.as_ref()?.run())
     }
 
     /// The decision in words, or why there is none.

@@ -96,7 +96,7 @@ impl Session {
                 progress: planning.progress,
                 walk: None,
                 drive: None,
-                planning_s: 0.0,
+                planning_s: None,
             });
         }
         self.planned.as_ref().map(|planned| PlanView {
@@ -104,7 +104,7 @@ impl Session {
             progress: 1.0,
             walk: Some(planned.walk),
             drive: Some(planned.drive),
-            planning_s: planned.planning_s,
+            planning_s: (!self.is_opening).then_some(planned.planning_s),
         })
     }
 

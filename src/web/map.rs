@@ -1,0 +1,75 @@
+//! Map files: a worker reads them, as a large one takes its time; a plain object with the room comes back.
+
+#[cfg(feature = "workshop")]
+use crate::floorplan::SourceFile;
+use crate::{
+    app::{Choices, Import},
+    geometry::Pose,
+    grid::Occupancy,
+};
+#[cfg(feature = "page")]
+use crate::{floorplan::FloorPlan, grid::Grid};
+#[cfg(feature = "workshop")]
+use js_sys::Array;
+use js_sys::{Reflect, Uint8Array};
+use serde::{Deserialize, Serialize};
+use wasm_bindgen::prelude::*;
+
+/// A map as it crosses to the page; its cells go beside it, as bytes. Poses are x, y, heading in metres and radians.
+#[derive(Debug, Serialize, Deserialize)]
+struct WireMap {
+    name: String,
+    note: String,
+    resolution: f64,
+    width: usize,
+    start: Option<[f64; 3]>,
+    origin: [f64; 3],
+    choices: Option<Choices>,
+}
+
+/// Bytes that stand for cells: their place in this list.
+const CODES: [Occupancy; 3] = [Occupancy::Free, Occupancy::Occupied, Occupancy::Unknown];
+
+/// Reads an array of `{ name, bytes }` that belong together: a map, or a scenario. To be called in a worker.
+///
+/// Returns what `Playground.take_map` takes; throws a message if the files are no map.
+#[cfg(feature = "workshop")]
+#[wasm_bindgen]
+pub fn read_map(files: &Array) -> Result<JsValue, JsValue> {
+    let files: Vec<SourceFile> = files.iter().map(|file| source_file(&file)).collect::<Result<_, _>>()?;
+    let Import { plan, choices } = Import::read(&files).map_err(|e| e.to_string())?;
+    let numbers = |pose: Pose| [pose.x, pose.y, pose.heading];
+    let (width, origin) = (plan.occupancy.width(), numbers(plan.origin));
+    let (resolution, start) = (plan.resolution, plan.start.map(numbers));
+    let code = |cell: &Occupancy| CODES.iter().position(|code| code == cell).unwrap_or_default() as u8;
+    let cells: Vec<u8> = plan.occupancy.values().iter().map(code).collect();
+    let wire = WireMap { name: plan.name, note: plan.note, resolution, width, start, origin, choices };
+    let object = super::to_js(&wire)?;
+    Reflect::set(&object, &"cells".into(), &Uint8Array::from(cells.as_slice()))?;
+    Ok(object)
+}
+
+#[cfg(feature = "workshop")]
+fn source_file(file: &JsValue) -> Result<SourceFile, JsValue> {
+    let name = Reflect::get(file, &"name".into())?.as_string().unwrap_or_default();
+    let bytes = Uint8Array::new(&Reflect::get(file, &"bytes".into())?).to_vec();
+    Ok(SourceFile { name, bytes })
+}
+
+/// What [`read_map`] has read.
+#[cfg(feature = "page")]
+pub(super) fn import_from_js(object: &JsValue) -> Result<Import, JsValue> {
+    let wire: WireMap = serde_wasm_bindgen::from_value(object.clone()).map_err(|e| e.to_string())?;
+    let cells = Uint8Array::new(&Reflect::get(object, &"cells".into())?).to_vec();
+    let cells = cells.into_iter().map(|code| CODES[usize::from(code).min(CODES.len() - 1)]).collect();
+    let pose = |[x, y, heading]: [f64; 3]| Pose::new(x, y, heading);
+    let plan = FloorPlan {
+        name: wire.name,
+        note: wire.note,
+        resolution: wire.resolution,
+        occupancy: Grid::from_rows(wire.width, cells).ok_or("the map has no cells")?,
+        start: wire.start.map(pose),
+        origin: pose(wire.origin),
+    };
+    Ok(Import { plan, choices: wire.choices })
+}

@@ -1,0 +1,51 @@
+// @ts-check
+// All that needs the workshop, the module with the planners and the readers of map files. It is loaded with this one,
+// when it is first needed: the page opens without.
+import { compile } from "./wasm.js";
+
+/** @type {Promise<WebAssembly.Module> | undefined} */
+let compiled;
+
+/** The module, compiled once for all workers. What could not be fetched is tried again the next time. */
+export function workshop() {
+  compiled ??= compile(new URL("../workshop_bg.wasm", import.meta.url)).catch((error) => {
+    compiled = undefined;
+    throw error;
+  });
+  return compiled;
+}
+
+/** A worker, ready to be given work; whoever hires it ends it. */
+export async function hire() {
+  const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
+  try {
+    worker.postMessage({ type: "init", module: await workshop() });
+    return worker;
+  } catch (error) {
+    worker.terminate();
+    throw error;
+  }
+}
+
+/**
+ * Reads a map from files that belong together, in a worker of its own: a large one takes its time. Their bytes are handed
+ * over. Throws messages for users.
+ * @param {{ name: string, bytes: Uint8Array }[]} files
+ * @returns {Promise<import("./types").ReadMap>}
+ */
+export async function readMap(files) {
+  const worker = await hire();
+  try {
+    return await new Promise((resolve, reject) => {
+      worker.addEventListener("message", (/** @type {MessageEvent<import("./types").FromReader>} */ { data }) => {
+        if (data.type === "read") resolve(data.map);
+        else reject(data.message);
+      });
+      worker.addEventListener("error", (event) => reject(new Error(event.message || "its reader could not be loaded")));
+      const request = { id: 0, files };
+      worker.postMessage({ type: "read", request }, files.map(({ bytes }) => bytes.buffer));
+    });
+  } finally {
+    worker.terminate();
+  }
+}
