@@ -6,18 +6,31 @@ use robovac_playground::{
     grid::{Cell, Direction},
     metrics::WalkMetrics,
     planner::{
-        CoverageJob, CoveragePath, Explainer, PLANNERS, Params, PlanContext, PlanError, Planner, PlannerInfo,
-        SLOW_CELLS,
+        CoverageJob, CoveragePath, Explainer, PLANNERS, ParamKind, ParamValue, Params, PlanContext, PlanError, Planner,
+        PlannerInfo, SLOW_CELLS,
     },
 };
 use std::ops::ControlFlow;
 
-fn build(info: &PlannerInfo) -> Box<dyn Planner> {
-    info.build(&Params::defaults(info.params))
+/// Parameters that say how long to look for something better.
+const EFFORTS: [&str; 2] = ["effort", "generations"];
+/// Free cells from which on tests don't look for something better: what holds at the least effort and with full effort in
+/// small rooms is worth more than the minutes.
+const LARGE: usize = 400;
+
+/// The planner with its default parameters, with the least effort for a large room.
+fn build(info: &PlannerInfo, cells: usize) -> Box<dyn Planner> {
+    let mut params = Params::defaults(info.params);
+    for spec in info.params.iter().filter(|spec| cells > LARGE && EFFORTS.contains(&spec.id)) {
+        if let ParamKind::Number { min, .. } = spec.kind {
+            params.set(info.params, spec.id, ParamValue::Number(min)).expect("the least is in range");
+        }
+    }
+    info.build(&params)
 }
 
 fn plan(info: &PlannerInfo, job: &CoverageJob, seed: u64) -> CoveragePath {
-    build(info).plan(job, &mut PlanContext::new(seed)).expect("nobody cancels")
+    build(info, job.cells()).plan(job, &mut PlanContext::new(seed)).expect("nobody cancels")
 }
 
 fn describe(info: &PlannerInfo, scenario: &Scenario, job: &CoverageJob) -> String {
@@ -63,7 +76,6 @@ fn seed_determines_the_walk() {
 
 #[test]
 fn every_choice_of_every_parameter_works() {
-    use robovac_playground::planner::{ParamKind, ParamValue};
     let rooms = scenarios();
     for info in PLANNERS {
         for spec in info.params {
@@ -109,7 +121,7 @@ fn cancelling_is_honoured_at_the_first_checkpoint() {
             calls += 1;
             ControlFlow::Break(())
         };
-        let result = build(info).plan(&job, &mut PlanContext::observed(1, &mut observer));
+        let result = build(info, 0).plan(&job, &mut PlanContext::observed(1, &mut observer));
         assert_eq!(result, Err(PlanError::Cancelled), "{}", info.id);
         assert_eq!(calls, 1, "{} goes on after having been cancelled", info.id);
     }
@@ -117,9 +129,10 @@ fn cancelling_is_honoured_at_the_first_checkpoint() {
 
 #[test]
 fn reports_show_progress_and_walks_that_can_be_driven() {
-    let free = robovac_playground::floorplan::generate::random_hall(200, 200, 1);
-    let job = CoverageJob::new(&free, Cell::new(0, 0), Direction::Right).expect("the start is free");
     for info in PLANNERS {
+        let side = if info.claims.fast { 200 } else { 40 };
+        let free = robovac_playground::floorplan::generate::random_hall(side, side, 1);
+        let job = CoverageJob::new(&free, Cell::new(0, 0), Direction::Right).expect("the start is free");
         let (mut calls, mut last) = (0, 0.0);
         let mut observer = |done: f64, so_far: &[Cell]| {
             calls += 1;
@@ -131,9 +144,9 @@ fn reports_show_progress_and_walks_that_can_be_driven() {
             }
             ControlFlow::Continue(())
         };
-        let observed = build(info).plan(&job, &mut PlanContext::observed(1, &mut observer)).expect("nobody cancels");
+        let observed = build(info, 0).plan(&job, &mut PlanContext::observed(1, &mut observer)).expect("nobody cancels");
         assert!(calls >= 3, "{} reports {calls} times", info.id);
-        let alone = build(info).plan(&job, &mut PlanContext::new(1)).expect("nobody cancels");
+        let alone = build(info, 0).plan(&job, &mut PlanContext::new(1)).expect("nobody cancels");
         assert!(observed == alone, "{} walks otherwise when watched", info.id);
     }
 }
