@@ -149,44 +149,12 @@ mod tests {
     use crate::{
         app::planning::PlanReport,
         floorplan::{SourceFile, load, room},
-        grid::Grid,
-        planner::{Claims, CoverageJob, Example, Explainer, PlanContext, PlanError, Planner},
+        planner::{PLANNERS, PlanError},
     };
     use std::cell::Cell as Shared;
 
-    /// Depth first, and back the way it came.
-    struct DepthFirst;
-
-    impl Planner for DepthFirst {
-        fn plan(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError> {
-            let mut seen = Grid::filled(job.free.width(), job.free.height(), false);
-            let (mut trail, mut cells) = (vec![job.start], vec![job.start]);
-            while let Some(&cell) = trail.last() {
-                ctx.checkpoint(cells.len() as f64 / (2 * job.cells()) as f64, &cells)?;
-                seen[cell] = true;
-                match cell.neighbours().into_iter().find(|&next| job.free.is_set(next) && !seen[next]) {
-                    Some(next) => trail.push(next),
-                    None => drop(trail.pop()),
-                }
-                cells.extend(trail.last());
-            }
-            Ok(CoveragePath { cells })
-        }
-    }
-
-    const NOWHERE: Example = Example { room: "", why: "" };
-
-    static PLANNER: PlannerInfo = PlannerInfo {
-        id: "depth_first",
-        title: "Depth first",
-        summary: "",
-        source: "",
-        link: "",
-        explainer: Explainer { idea: "", complexity: "", use_when: "", shines: NOWHERE, fails: NOWHERE },
-        claims: Claims { complete: true, deterministic: true, fast: true },
-        params: &[],
-        build: |_| Box::new(DepthFirst),
-    };
+    /// Any that is complete and quick will do.
+    const PLANNER: &PlannerInfo = PLANNERS[0];
 
     fn text_map(text: &str) -> FloorPlan {
         load(&[SourceFile { name: "test.txt".into(), bytes: text.into() }]).unwrap()
@@ -205,8 +173,8 @@ mod tests {
             cell_size,
             start: start.map(|(x, y)| Cell::new(x, y)),
             heading_deg: None,
-            planner: &PLANNER,
-            params: Params::default(),
+            planner: PLANNER,
+            params: Params::defaults(PLANNER.params),
             seed: 0,
         };
         task.solve(|| 0.0, None).map(|solution| PlanReport::new(&task, solution))
@@ -277,8 +245,8 @@ mod tests {
             cell_size: 0.3,
             start: Some(Cell::new(0, 0)),
             heading_deg: Some(-450.0),
-            planner: &PLANNER,
-            params: Params::default(),
+            planner: PLANNER,
+            params: Params::defaults(PLANNER.params),
             seed: 0,
         };
         let report = PlanReport::new(&task, task.solve(|| 0.0, None).unwrap());
@@ -306,8 +274,8 @@ mod tests {
             cell_size,
             start: None,
             heading_deg: None,
-            planner: &PLANNER,
-            params: Params::default(),
+            planner: PLANNER,
+            params: Params::defaults(PLANNER.params),
             seed: 0,
         };
         let now = Shared::new(10.0);
