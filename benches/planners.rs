@@ -5,7 +5,7 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use robovac_playground::{
     app::bench::hall,
-    planner::{PLANNERS, Params, PlanContext},
+    planner::{PLANNERS, Params, PlanContext, SLOW_CELLS},
 };
 use std::{hint::black_box, time::Duration};
 
@@ -17,7 +17,7 @@ fn planners(criterion: &mut Criterion) {
         let Some(job) = hall(side) else { continue };
         let mut group = criterion.benchmark_group(format!("hall {side} x {side}"));
         group.sample_size(10).measurement_time(Duration::from_secs(3));
-        for info in PLANNERS {
+        for info in PLANNERS.iter().filter(|info| info.claims.fast || job.cells() <= SLOW_CELLS) {
             let planner = info.build(&Params::defaults(info.params));
             group.bench_function(info.id, |b| b.iter(|| planner.plan(black_box(&job), &mut PlanContext::new(0))));
         }

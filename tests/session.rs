@@ -1,10 +1,11 @@
 //! A user's session from opening to undo, without a browser.
 
 use robovac_playground::{
-    app::{Brush, Session, State},
+    app::{Answer, Brush, Session, State},
     floorplan::{ROOMS, SourceFile},
     geometry::{Point, Pose},
     grid::Cell,
+    planner::CoveragePath,
 };
 
 fn opened() -> Session {
@@ -234,13 +235,17 @@ fn scenario_with_a_seed_that_no_link_can_hold_is_refused() {
     assert_eq!(session.link(), before);
 }
 
+fn answer(cells: Vec<Cell>) -> Answer {
+    Answer { path: CoveragePath { cells }, seconds: 0.1, trace: Vec::new() }
+}
+
 #[test]
 fn late_answers_of_older_plans_are_dropped() {
     let mut session = Session::new();
     session.select_room("lshape").unwrap();
     let old = session.take_plan_request().unwrap();
     session.select_room("empty").unwrap();
-    session.plan_finished(old.id, vec![old.job.start], 0.1);
+    session.plan_finished(old.id, answer(vec![old.job.start]));
     assert_eq!(session.state(), State::Planning);
     session.plan_progress(old.id, 0.5, &[Cell::new(0, 0)]);
     assert!(session.preview().is_empty());
@@ -251,7 +256,7 @@ fn walk_through_walls_is_refused() {
     let mut session = Session::new();
     session.select_room("empty").unwrap();
     let request = session.take_plan_request().unwrap();
-    session.plan_finished(request.id, vec![request.job.start, Cell::new(-1, 100_000)], 0.1);
+    session.plan_finished(request.id, answer(vec![request.job.start, Cell::new(-1, 100_000)]));
     assert_eq!(session.state(), State::Failed);
     let view = session.view();
     assert!(view.message.starts_with("The planner failed: step 1 leads into (-1, 100000)"), "{}", view.message);
@@ -287,4 +292,67 @@ fn cells_finer_than_the_map_are_refused_before_memory_runs_out() {
     session.configure(|s| s.set_cell_size(0.02)).unwrap();
     assert_eq!(session.state(), State::Failed);
     assert!(session.view().message.contains("too small for this map"), "{}", session.view().message);
+}
+
+#[test]
+fn search_of_the_snake_follows_the_robot() {
+    use robovac_playground::grid::Direction;
+    let mut session = opened();
+    session.restore("room=thesis8&robot=cell&planner=snake").unwrap();
+    session.show_search(true);
+    session.plan_now(|| 0.0);
+    session.pause();
+    // A decision at every step of the walk, each where the one before has led to.
+    let steps = session.search().unwrap().steps().to_vec();
+    assert_eq!(steps.len(), session.planned().unwrap().walk.steps);
+    for (i, pair) in steps.windows(2).enumerate() {
+        assert_eq!((pair[0].step, pair[0].at.step(pair[0].towards)), (i, pair[1].at));
+    }
+    let block = steps.iter().find(|step| step.sides.is_some()).expect("a smaller block decides");
+    let [(first, a), (second, b)] = block.sides.unwrap();
+    assert_eq!(second, first.opposite());
+    assert!(
+        block.note.contains(&format!("{a} cells to clean")) && block.note.contains(&b.to_string()),
+        "{}",
+        block.note
+    );
+    assert!(steps.iter().any(|step| step.rule == "Shortest way" || step.rule == "Back"));
+
+    // The decision shown is the one that the robot carries out, all along the run.
+    let cell = session.settings().cell_size;
+    let mut shown = Vec::new();
+    while session.state() != State::Finished {
+        session.step();
+        let Some(decision) = session.decision() else { break };
+        shown.push(decision.step);
+        let at = session.recording().unwrap().run().pose().position();
+        assert!((decision.at.centre(cell) - at).norm() < 1.2 * cell, "{decision:?} while the robot is at {at}");
+        assert!(session.description().contains(&decision.note));
+    }
+    assert!(shown.is_sorted() && shown.len() > steps.len() / 2, "{shown:?}");
+
+    // Back in time it's the same as on the way there.
+    let (time, decision) = (session.view().time_s / 2.0, |session: &Session| session.decision().cloned());
+    session.seek(time);
+    session.frame(0.0, &mut || true);
+    let middle = decision(&session).expect("a decision in the middle");
+    assert!((1..steps.len() - 1).contains(&middle.step) && middle.towards != Direction::opposite(middle.towards));
+    session.seek(0.0);
+    session.frame(0.0, &mut || true);
+    assert_eq!(decision(&session).as_ref(), steps.first());
+    assert_eq!(session.view().search.text, format!("{}.", steps[0].note));
+}
+
+#[test]
+fn search_is_only_shown_where_there_is_one() {
+    let mut session = opened();
+    session.show_search(true);
+    let search = session.view().search;
+    assert!(search.on && !search.offered && search.text.is_empty(), "boustrophedon doesn't trace");
+    session.restore("room=hall20&planner=snake").unwrap();
+    session.plan_now(|| 0.0);
+    let search = session.view().search;
+    assert!(search.offered && search.text.contains("rooms of up to 20000 cells"), "{}", search.text);
+    session.show_search(false);
+    assert!(session.view().search.text.is_empty() && session.decision().is_none());
 }

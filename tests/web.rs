@@ -31,7 +31,9 @@ fn serve(playground: &mut Playground) {
     assert!(!request.is_undefined(), "nothing to plan");
     let result = plan(&request, &Function::new_no_args("")).unwrap();
     let cells = Uint32Array::new(&get(&result, "cells")).to_vec();
-    playground.plan_finished(number(&request, "id") as u32, &cells, number(&result, "seconds"));
+    playground
+        .plan_finished(number(&request, "id") as u32, &cells, number(&result, "seconds"), get(&result, "trace"))
+        .unwrap();
 }
 
 #[wasm_bindgen_test]

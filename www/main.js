@@ -91,7 +91,7 @@ async function start() {
   };
   const planning = new Planning({
     progress: (id, done, cells) => guard(() => playground.plan_progress(id, done, cells)),
-    finished: (id, cells, seconds) => guard(() => playground.plan_finished(id, cells, seconds)),
+    finished: (id, cells, seconds, trace) => guard(() => playground.plan_finished(id, cells, seconds, trace)),
     failed: (id, message) => guard(() => playground.plan_failed(id, message)),
   });
 

@@ -43,6 +43,7 @@ export function startPanel(app) {
   bind("slip", (p, id) => p.set_slip(id));
   bind("odometry", (p, id) => p.set_odometry(id));
   bind("seed", (p, text) => p.set_seed(seed(text)));
+  input("show-search").addEventListener("change", () => act((p) => p.show_search(input("show-search").checked)));
   button("reseed").addEventListener("click", () => change((p) => p.set_seed(Math.floor(Math.random() * 1e6))));
   typed("setup-fields", HTMLFieldSetElement).disabled = false;
 
@@ -79,6 +80,8 @@ export function startPanel(app) {
     show(select("slip"), view.slip);
     show(select("odometry"), view.odometry);
     show(input("seed"), String(view.seed));
+    show(input("show-search"), String(view.search.on));
+    setHidden(byId("search-field"), !view.search.offered);
     setText(byId("robot-note"), robots.find(({ id }) => id === view.robot)?.summary ?? "");
     const planner = planners.find(({ id }) => id === view.planner);
     if (planner && changed(byId("params"), "planner", planner.id)) {

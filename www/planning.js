@@ -5,7 +5,7 @@
  * @typedef {import("./types").FromWorker} FromWorker
  * @typedef {object} Listeners
  * @property {(id: number, done: number, cells: Uint32Array) => void} progress
- * @property {(id: number, cells: Uint32Array, seconds: number) => void} finished
+ * @property {(id: number, cells: Uint32Array, seconds: number, trace: unknown) => void} finished
  * @property {(id: number, message: string) => void} failed
  */
 
@@ -86,7 +86,7 @@ export class Planning {
     }
     this.#busy = undefined;
     this.#sent = false;
-    if (message.type === "finished") this.#listeners.finished(message.id, message.cells, message.seconds);
+    if (message.type === "finished") this.#listeners.finished(message.id, message.cells, message.seconds, message.trace);
     else this.#listeners.failed(message.id, message.message);
   }
 }

@@ -103,6 +103,8 @@ export type View = {
   /** Achieved, times real time. */
   speed_factor: number;
   plan: PlanNumbers | null;
+  /** The planner's decision at this moment in words; "" if it isn't to be shown. */
+  search: { offered: boolean; on: boolean; text: string };
   pose_error_m: number;
 };
 
@@ -128,7 +130,7 @@ export type ToWorker =
   | { type: "read"; request: { id: number; files: { name: string; bytes: Uint8Array }[] } };
 export type FromWorker =
   | { type: "progress"; id: number; done: number; cells: Uint32Array }
-  | { type: "finished"; id: number; cells: Uint32Array; seconds: number }
+  | { type: "finished"; id: number; cells: Uint32Array; seconds: number; trace: unknown }
   | { type: "failed"; id: number; message: string };
 
 export type FromTrial =

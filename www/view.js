@@ -63,11 +63,16 @@ export function updateView({ view, playground }) {
   setAttribute(byId("numbers"), "data-long", String(view.time_s >= 36_000 || view.distance_m >= 10_000));
   setAttribute(document.body, "data-state", view.state);
   updateMessage(view);
+  setHidden(byId("search-note"), !view.search.text);
+  setText(byId("search-note"), view.search.text);
   updatePlanning(view);
   updateTools(view);
 
   const now = performance.now();
-  if (changed(byId("floor"), "state", view.state) || now - narrated > 4000) {
+  // While time stands still the search changes only by a step or a scrub, which should be told at once.
+  const decision = ["playing", "planning", "seeking"].includes(view.state) ? "" : view.search.text;
+  const news = [changed(byId("floor"), "state", view.state), changed(byId("floor"), "decision", decision)];
+  if (news.includes(true) || now - narrated > 4000) {
     narrated = now;
     const text = playground.description();
     setAttribute(byId("floor"), "aria-label", text);

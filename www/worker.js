@@ -27,8 +27,8 @@ self.addEventListener("message", async (/** @type {MessageEvent<import("./types"
   const report = (/** @type {number} */ done, /** @type {Uint32Array} */ cells) => answer({ type: "progress", id, done, cells }, [cells.buffer]);
   try {
     if (message.type === "plan") {
-      const { cells, seconds } = plan(message.request, report);
-      answer({ type: "finished", id, cells, seconds }, [cells.buffer]);
+      const { cells, seconds, trace } = plan(message.request, report);
+      answer({ type: "finished", id, cells, seconds, trace }, [cells.buffer]);
     } else if (message.type === "read") {
       const map = read_map(message.request.files);
       answer({ type: "read", id, map }, [map.cells.buffer]);

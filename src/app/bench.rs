@@ -4,7 +4,7 @@ use super::Session;
 use crate::{
     floorplan::generate::random_hall,
     grid::{Cell, Direction},
-    planner::{CoverageJob, PLANNERS, Params, PlanContext},
+    planner::{CoverageJob, PLANNERS, Params, PlanContext, SLOW_CELLS},
     sim::{Run, STEP_S},
 };
 use serde::Serialize;
@@ -53,7 +53,7 @@ pub fn run(clock: &dyn Fn() -> f64, report: &mut dyn FnMut(&BenchResult)) -> Vec
     };
     for side in [100, 1000] {
         let Some(job) = hall(side) else { continue };
-        for info in PLANNERS {
+        for info in PLANNERS.iter().filter(|info| info.claims.fast || job.cells() <= SLOW_CELLS) {
             let planner = info.build(&Params::defaults(info.params));
             let name = format!("plan {} {side} x {side}", info.id);
             take(name, &mut || drop(planner.plan(&job, &mut PlanContext::new(1))), None);

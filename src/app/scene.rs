@@ -5,6 +5,7 @@ use crate::{
     floorplan::FloorPlan,
     geometry::{Point, Pose},
     grid::Cell,
+    planner::TraceStep,
     sim::{Run, SlipLevel},
 };
 
@@ -34,6 +35,8 @@ pub struct Scene<'a> {
     pub trail: &'a [Point],
     /// The robot; `None` before there is a run.
     pub robot: Option<RobotView>,
+    /// The planner's decision at this moment, if it is to be shown.
+    pub search: Option<SearchScene<'a>>,
     /// Where the robot starts.
     pub start: Option<Pose>,
     /// Radius of the robot that starts there, m.
@@ -42,6 +45,15 @@ pub struct Scene<'a> {
     pub cursor: Option<Cell>,
     /// Colours for dark ground.
     pub dark: bool,
+}
+
+/// A decision on the planning grid.
+#[derive(Debug, Clone, Copy)]
+pub struct SearchScene<'a> {
+    /// The decision.
+    pub step: &'a TraceStep,
+    /// Side of a planning cell, m.
+    pub cell_size: f64,
 }
 
 /// A robot as it is seen from above.
@@ -77,6 +89,7 @@ impl<'a> Scene<'a> {
             trail: &[],
             robot: None,
             start: None,
+            search: None,
             start_radius: 0.0,
             cursor: None,
             dark: false,

@@ -54,6 +54,8 @@ pub struct View {
     pub bumps: u32,
     /// Distance between where the robot is and where it believes to be, m.
     pub pose_error_m: f64,
+    /// The planner's search.
+    pub search: SearchView,
     /// The plan, or what is known of it while the planner is at work.
     pub plan: Option<PlanView>,
 }
@@ -80,6 +82,17 @@ pub struct Can {
     pub undo: bool,
     /// Make it again.
     pub redo: bool,
+}
+
+/// The planner's search in words.
+#[derive(Debug, Clone, Serialize)]
+pub struct SearchView {
+    /// Whether the planner can show it.
+    pub offered: bool,
+    /// Whether it is to be shown.
+    pub on: bool,
+    /// The decision at this moment, or why there is none; empty if it isn't to be shown.
+    pub text: String,
 }
 
 /// The room in numbers.

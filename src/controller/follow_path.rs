@@ -219,6 +219,10 @@ impl Controller for FollowPath {
         Some(self.odometry.pose())
     }
 
+    fn corner(&self) -> Option<usize> {
+        Some(self.next)
+    }
+
     fn boxed_clone(&self) -> Box<dyn Controller> {
         Box::new(self.clone())
     }

@@ -20,6 +20,11 @@ pub trait Controller {
     /// Where the controller believes the robot to be, if it keeps track.
     fn estimate(&self) -> Option<Pose>;
 
+    /// Index of the corner that it drives to, if it follows a line; the number of corners once it has come to the end.
+    fn corner(&self) -> Option<usize> {
+        None
+    }
+
     /// A copy in the same state, so that a run can be recorded and gone back to.
     fn boxed_clone(&self) -> Box<dyn Controller>;
 }

@@ -100,6 +100,26 @@ impl Lattice {
         line
     }
 
+    /// How far along its [`Lattice::polyline`] each cell of a walk is reached, m.
+    pub fn arrivals(&self, floor: &ReachableFloor, walk: &[Cell]) -> Vec<f64> {
+        let Some(&first) = walk.first() else { return Vec::new() };
+        let (mut at, mut length) = (floor.start.position(), 0.0);
+        let mut drive = |points: Vec<Point>| {
+            for point in points {
+                length += (point - at).norm();
+                at = point;
+            }
+            length
+        };
+        let way_in = way(floor, floor.start.position(), self.anchor(first), f64::MAX);
+        let mut arrivals = vec![drive(way_in.unwrap_or_default())];
+        for step in walk.windows(2) {
+            let link = self.link(floor, step[0], step[1]).unwrap_or_else(|| vec![self.anchor(step[1])]);
+            arrivals.push(drive(link));
+        }
+        arrivals
+    }
+
     /// Points to drive through from the anchor of `from` to that of its neighbour `to`, the last one included.
     fn link(&self, floor: &ReachableFloor, from: Cell, to: Cell) -> Option<Vec<Point>> {
         way(floor, self.anchor(from), self.anchor(to), self.cell_size)

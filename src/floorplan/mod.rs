@@ -15,7 +15,7 @@ pub use ascii::{DEFAULT_ASCII_RESOLUTION, to_ascii};
 pub use error::MapError;
 pub use load::{SourceFile, image_of, load};
 pub use raster::{DEFAULT_IMAGE_RESOLUTION, Mode, Shading};
-pub use rooms::{ROOMS, RoomInfo, room};
+pub use rooms::{ROOMS, RoomInfo, RoomKind, room};
 pub use scenario::{SCENARIO_FORMAT, SCENARIO_VERSION, Scenario, ScenarioPose};
 pub use sketch::{Rect, Sketch};
 

@@ -52,6 +52,28 @@ impl Sketch {
         rects.iter().fold(self, |sketch, rect| sketch.paint_rect(rect, Occupancy::Free))
     }
 
+    /// Solid squares of `side` metres where `free` isn't set, from the lower-left corner on.
+    pub fn blocks(self, free: &Grid<bool>, side: f64) -> Self {
+        free.iter().filter(|&(_, &free)| !free).fold(self, |sketch, (cell, _)| {
+            let (x, y) = (f64::from(cell.x) * side, f64::from(cell.y) * side);
+            sketch.paint_rect(&[x, y, x + side, y + side], Occupancy::Occupied)
+        })
+    }
+
+    /// The same thing again and again: `draw` is given where, from `first` on in (number, distance in m) columns and rows.
+    pub fn repeat(
+        self,
+        first: (f64, f64),
+        (columns, dx): (u32, f64),
+        (rows, dy): (u32, f64),
+        draw: fn(Self, f64, f64) -> Self,
+    ) -> Self {
+        (0..columns * rows).fold(self, |sketch, i| {
+            let (column, row) = (f64::from(i % columns), f64::from(i / columns));
+            draw(sketch, first.0 + column * dx, first.1 + row * dy)
+        })
+    }
+
     /// A round obstacle around (`x`, `y`), at least the cell of its centre.
     pub fn disc(mut self, x: f64, y: f64, radius: f64) -> Self {
         self.paint(Cell::at(Point::new(x, y), self.resolution), Occupancy::Occupied);

@@ -83,6 +83,12 @@ impl Serialize for Cell {
     }
 }
 
+impl<'de> Deserialize<'de> for Cell {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        <[i32; 2]>::deserialize(deserializer).map(|[x, y]| Self { x, y })
+    }
+}
+
 /// One of the four directions of a grid, numbered counter-clockwise from the right.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]

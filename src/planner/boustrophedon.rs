@@ -2,7 +2,7 @@
 //!
 //! Choset & Pignon 1998 ("Coverage path planning: the boustrophedon cellular decomposition") and Choset 2000 ("Coverage of
 //! known spaces", Autonomous Robots 9). A line sweeps over the room; where its connectivity changes, a part ends or begins
-//! ([`decompose`]). Every part is swept in parallel lanes from one of its corners ([`sweeps_of`]).
+//! ([`decompose`]). Every part is swept in parallel lanes from one of its corners ([`Part::sweeps`]).
 //! The papers visit the parts by a walk through their adjacency graph; here they are ordered like the towns of a
 //! travelling salesman: nearest first, then improved by local search with a choice of corners ([`improve`]). At last, detours over
 //! floor that has been cleaned anyway are cut short ([`tighten`]).
@@ -24,8 +24,8 @@ use super::{
     Build, Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError,
     Planner, PlannerInfo,
     stage::{
-        Block, Costs, Links, SWEEPS, Stop, Sweep, Transit, Visit, append_sweep, decompose, improve, lanes_lie_down,
-        nearest_first, swap_axes, swap_walk, sweeps_of, tighten,
+        Costs, Links, Part, SWEEPS, Sweep, Transit, Visit, decompose, drive, improve, lanes_lie_down, nearest_first,
+        swap_axes, swap_walk, tighten,
     },
 };
 use crate::{grid::Cell, rng::seeded};
@@ -47,7 +47,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         shines: Example { room: "empty", why: "Mows the room in the fewest turns that are possible." },
         fails: Example { room: "maze", why: "Corridors of one cell leave nothing to mow; only the order counts." },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true },
+    claims: Claims { complete: true, deterministic: true, fast: true, traces: false },
     params: &[
         ParamSpec {
             id: "lanes",
@@ -196,22 +196,23 @@ impl Boustrophedon {
         let costs = Costs::of(job);
         let start = (job.start, job.heading);
         progress.report(0.0)?;
-        let blocks = decompose(&job.free, self.max_jump);
+        let parts: Vec<Part> =
+            decompose(&job.free, self.max_jump).into_iter().map(|block| Part { block, is_swapped: false }).collect();
         progress.report(SWEPT / 2.0)?;
-        let sweeps: Vec<[Sweep; SWEEPS]> = blocks.iter().map(|block| sweeps_of(block, costs)).collect();
-        let all = blocks.len() as f64;
+        let sweeps: Vec<[Sweep; SWEEPS]> = parts.iter().map(|part| part.sweeps(costs)).collect();
+        let all = parts.len() as f64;
         let mut tour = nearest_first(&job.free, &sweeps, start, costs, |done| {
             progress.report(between(SWEPT, ORDERED, done as f64 / all))
         })?;
         let mut transit = Transit::new(&job.free, costs);
-        if job.cells() <= self.effort * CELLS_PER_EFFORT && blocks.len() <= MAX_BLOCKS_TO_IMPROVE {
+        if job.cells() <= self.effort * CELLS_PER_EFFORT && parts.len() <= MAX_BLOCKS_TO_IMPROVE {
             if progress.ctx.is_observed() {
-                let walk = drive(job, costs, &blocks, &sweeps, &tour, &mut transit, |_| progress.report(ORDERED))?;
+                let walk = drive(job, costs, &parts, &sweeps, &tour, &mut transit, |_| progress.report(ORDERED))?;
                 progress.show(&walk);
             }
             self.improve_order(job, &sweeps, &mut tour, progress)?;
         }
-        let mut walk = drive(job, costs, &blocks, &sweeps, &tour, &mut transit, |done| {
+        let mut walk = drive(job, costs, &parts, &sweeps, &tour, &mut transit, |done| {
             progress.report(between(IMPROVED, DRIVEN, done))
         })?;
         progress.show(&walk);
@@ -245,34 +246,4 @@ impl Boustrophedon {
         let mut rng = seeded(0, 0);
         improve(&links, tour, self.effort * rounds, &mut rng, |done| progress.report(between(LINKED, IMPROVED, done)))
     }
-}
-
-/// Blocks between two reports while driving.
-const REPORT_EVERY: usize = 256;
-
-/// The walk that a tour stands for.
-fn drive(
-    job: &CoverageJob,
-    costs: Costs,
-    blocks: &[Block],
-    sweeps: &[[Sweep; SWEEPS]],
-    tour: &[Visit],
-    transit: &mut Transit,
-    mut report: impl FnMut(f64) -> Result<(), PlanError>,
-) -> Result<Vec<Cell>, PlanError> {
-    let mut walk = Vec::with_capacity(job.cells() * 17 / 16);
-    walk.push(job.start);
-    for (i, visit) in tour.iter().enumerate() {
-        if i % REPORT_EVERY == 0 {
-            report(i as f64 / tour.len() as f64)?;
-        }
-        let sweep = &sweeps[visit.block][visit.sweep];
-        let heading = if let [.., before, last] = *walk { before.direction_to(last) } else { Some(job.heading) };
-        let from = Stop { cell: walk[walk.len() - 1], heading };
-        let to = Stop { cell: sweep.entry, heading: sweep.entering };
-        // All free cells are connected, so that there is a way.
-        let _ = transit.append_way(from, to, u32::MAX, &mut walk);
-        append_sweep(&blocks[visit.block], visit.sweep, costs, &mut walk);
-    }
-    Ok(walk)
 }

@@ -1,5 +1,6 @@
 //! What a planner may ask of its surroundings: random numbers, and whether to go on.
 
+use super::TraceStep;
 use crate::{
     grid::Cell,
     rng::{Rng, seeded},
@@ -22,20 +23,37 @@ pub struct PlanContext<'a> {
     /// The run's random numbers.
     pub rng: Rng,
     observer: Option<Observer<'a>>,
+    tracer: Option<Tracer<'a>>,
 }
 
 /// Is told how far a planner is (0 to 1) and the best walk so far; says whether to go on.
 pub type Observer<'a> = &'a mut dyn FnMut(f64, &[Cell]) -> ControlFlow<()>;
 
+/// Is told every decision.
+pub type Tracer<'a> = &'a mut dyn FnMut(TraceStep);
+
 impl<'a> PlanContext<'a> {
     /// A run that nobody watches.
     pub fn new(seed: u64) -> Self {
-        Self { rng: seeded(seed, 0), observer: None }
+        Self { rng: seeded(seed, 0), observer: None, tracer: None }
     }
 
     /// A run that reports to `observer`.
     pub fn observed(seed: u64, observer: Observer<'a>) -> Self {
-        Self { rng: seeded(seed, 0), observer: Some(observer) }
+        Self { rng: seeded(seed, 0), observer: Some(observer), tracer: None }
+    }
+
+    /// The same run, its decisions told to `tracer`.
+    pub fn traced(self, tracer: Tracer<'a>) -> Self {
+        Self { tracer: Some(tracer), ..self }
+    }
+
+    /// Tells a decision; where nobody listens it isn't made.
+    #[inline]
+    pub fn trace(&mut self, step: impl FnOnce() -> TraceStep) {
+        if let Some(tracer) = &mut self.tracer {
+            tracer(step());
+        }
     }
 
     /// Whether somebody watches: what is only shown needn't be made otherwise.

@@ -26,7 +26,7 @@
 //! let info = find("contour").unwrap();
 //! let planner = info.build(&Params::defaults(info.params));
 //! let path = planner.plan(&job, &mut PlanContext::new(0)).unwrap();
-//! assert_eq!(path.arrows(&job), ">>>>v\n^>>vv\n^o<<v\n^<<<<\n");
+//! assert_eq!(path.arrows(&job), ">>>>v\n>>>vv\n^o<<v\n^<<<<\n");
 //! ```
 
 use super::{
@@ -58,7 +58,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
             why: "Rings round the obstacles collide, and scraps between them are left for later.",
         },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true },
+    claims: Claims { complete: true, deterministic: true, fast: true, traces: false },
     params: &[ParamSpec {
         id: "order",
         label: "Order",
@@ -253,7 +253,7 @@ fn wall_distances(free: &Grid<bool>) -> Grid<u32> {
             values[i] = if is_back { values[i].min(seen + 1) } else { seen + 1 };
         }
     }
-    for distance in values.iter_mut() {
+    for distance in values {
         *distance = distance.wrapping_sub(1);
     }
     distances

@@ -62,7 +62,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         shines: Example { room: "thesis8", why: "Small enough to find about the best walk there is." },
         fails: Example { room: "office", why: "Too many cells for the generations that there is time for." },
     },
-    claims: Claims { complete: true, deterministic: false, fast: false },
+    claims: Claims { complete: true, deterministic: false, fast: false, traces: false },
     params: &[
         number(
             "generations",

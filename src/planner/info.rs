@@ -25,6 +25,7 @@ pub struct PlannerInfo {
 
 /// Properties that a planner promises and the contract test checks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[expect(clippy::struct_excessive_bools)]
 pub struct Claims {
     /// Visits every free cell of every job.
     pub complete: bool,
@@ -32,6 +33,8 @@ pub struct Claims {
     pub deterministic: bool,
     /// Plans a million cells in about a second; others are meant for rooms of up to [`SLOW_CELLS`].
     pub fast: bool,
+    /// Explains every step by [`PlanContext::trace`](super::PlanContext::trace).
+    pub traces: bool,
 }
 
 /// Free cells up to which planners that don't claim to be fast stay usable.

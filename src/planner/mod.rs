@@ -5,25 +5,35 @@
 //! [`PlannerInfo`]) and `BUILD` (a [`Build`]) and list it in the registry below; menus, parameter forms, command line,
 //! contract tests and benchmarks iterate [`PLANNERS`].
 
+mod backtracking_spiral;
 mod boustrophedon;
+mod boustrophedon_cells;
 mod context;
 mod contour;
+mod energy;
 mod genetic;
+mod grid_tsp;
 mod info;
 mod job;
+mod neural;
 mod params;
 mod path;
 mod s_shape;
 mod snake;
 mod spiral;
+mod spiral_stc;
+mod trace;
+mod wavefront_distance;
+mod wavefront_path;
 
 pub mod stage;
 
-pub use context::{Observer, PlanContext, PlanError};
+pub use context::{Observer, PlanContext, PlanError, Tracer};
 pub use info::{Claims, Example, Explainer, PlannerInfo, SLOW_CELLS};
 pub use job::CoverageJob;
 pub use params::{ParamError, ParamKind, ParamSpec, ParamValue, Params};
 pub use path::{CoveragePath, PathError};
+pub use trace::TraceStep;
 
 /// An algorithm that finds a walk over all free cells.
 pub trait Planner {
@@ -47,11 +57,19 @@ macro_rules! registry {
 // One line a planner.
 registry! {
     boustrophedon,
+    boustrophedon_cells,
+    spiral_stc,
+    backtracking_spiral,
     contour,
-    snake,
+    wavefront_distance,
+    wavefront_path,
     s_shape,
     spiral,
+    snake,
     genetic,
+    grid_tsp,
+    energy,
+    neural,
 }
 
 impl PlannerInfo {

@@ -52,7 +52,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         shines: Example { room: "empty", why: "Nothing in the way: lane beside lane from wall to wall." },
         fails: Example { room: "maze", why: "Every dead end of the maze is one for the robot, too." },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true },
+    claims: Claims { complete: true, deterministic: true, fast: true, traces: false },
     params: &[ParamSpec {
         id: "lanes",
         label: "Lanes",

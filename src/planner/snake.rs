@@ -47,7 +47,7 @@
 
 use super::{
     Build, Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError,
-    Planner, PlannerInfo, stage::Seeker,
+    Planner, PlannerInfo, TraceStep, stage::Seeker,
 };
 use crate::grid::{Cell, Direction, Grid};
 
@@ -68,7 +68,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         shines: Example { room: "thesis8", why: "The room that the rules were printed with." },
         fails: Example { room: "office", why: "Rooms behind doors are left and come back to again and again." },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true },
+    claims: Claims { complete: true, deterministic: true, fast: true, traces: true },
     params: &[ParamSpec {
         id: "patience",
         label: "Patience",
@@ -177,6 +177,7 @@ impl Planner for Snake {
                 budget = Some(self.patience * way.as_ref().map_or(0, Vec::len));
             }
             if let Some(step) = chosen.filter(|_| budget != Some(0)) {
+                ctx.trace(|| memory.explain(walk.len() - 1, at, facing, step));
                 at = at.step(step.towards);
                 if step.rule != Rule::Back {
                     facing = step.towards;
@@ -188,8 +189,10 @@ impl Planner for Snake {
             } else {
                 // All free cells are connected, so that there is a way while one is left.
                 let Some(way) = way.or_else(|| seeker.nearest(&job.free, at, facing, is_left)) else { break };
-                for cell in way {
+                let steps = way.len();
+                for (i, cell) in way.into_iter().enumerate() {
                     facing = at.direction_to(cell).unwrap_or(facing);
+                    ctx.trace(|| memory.explain_way(walk.len() - 1, at, facing, steps - i));
                     at = cell;
                     memory.visit(at);
                     walk.push(at);
@@ -288,28 +291,105 @@ impl Memory {
         self.value(at.step(facing)) < beside(facing.left()).min(beside(facing.right()))
     }
 
-    /// The side with fewer cells to be cleaned, as `bothNeighbourHasSameValueWhereShouldIGo` counts them.
-    fn smaller_block(&self, at: Cell, facing: Direction) -> Direction {
+    /// The cells to be cleaned on both sides, as `countNumberOfZeros` counts them: above and below, or left and right.
+    fn blocks(&self, at: Cell, facing: Direction) -> [(Direction, u32); 2] {
+        let split = |counts: &[u32], line: i32| {
+            let (before, after) = counts.split_at(line as usize);
+            (before.iter().sum::<u32>(), after[1..].iter().sum::<u32>())
+        };
         if facing.is_horizontal() {
-            let (below, above) = self.seen_in_row.split_at(at.y as usize);
-            let (below, above) = (below.iter().sum::<u32>(), above[1..].iter().sum::<u32>());
-            let from_top = self.seen_in_row.len() - 1 - at.y as usize;
-            let is_up = match (above, below) {
-                (0, 1..) => false,
-                (1.., 0) => true,
-                _ if above == below => is_nearer_to_first_edge(from_top, self.seen_in_row.len()),
-                _ => above < below,
-            };
-            if is_up { Direction::Up } else { Direction::Down }
+            let (below, above) = split(&self.seen_in_row, at.y);
+            [(Direction::Up, above), (Direction::Down, below)]
         } else {
-            let (left, right) = self.left_in_column.split_at(at.x as usize);
-            let (left, right) = (left.iter().sum::<u32>(), right[1..].iter().sum::<u32>());
-            let is_left = match left.cmp(&right) {
-                std::cmp::Ordering::Equal => is_nearer_to_first_edge(at.x as usize, self.left_in_column.len()),
-                order => order.is_lt(),
-            };
-            if is_left { Direction::Left } else { Direction::Right }
+            let (left, right) = split(&self.left_in_column, at.x);
+            [(Direction::Left, left), (Direction::Right, right)]
         }
+    }
+
+    /// The side with fewer cells to be cleaned, by `bothNeighbourHasSameValueWhereShouldIGo`.
+    fn smaller_block(&self, at: Cell, facing: Direction) -> Direction {
+        let [(first, a), (second, b)] = self.blocks(at, facing);
+        let (line, lines) = if facing.is_horizontal() {
+            (self.seen_in_row.len() - 1 - at.y as usize, self.seen_in_row.len())
+        } else {
+            (at.x as usize, self.left_in_column.len())
+        };
+        let is_first = match (a, b) {
+            // Facing along x a side without any such cell loses.
+            (0, 1..) | (1.., 0) if facing.is_horizontal() => b == 0,
+            _ if a == b => is_nearer_to_first_edge(line, lines),
+            _ => a < b,
+        };
+        if is_first { first } else { second }
+    }
+
+    /// The values around the robot that aren't blocked.
+    fn marks(&self, at: Cell) -> Vec<(Cell, u32)> {
+        let open = at.neighbours().map(|cell| (cell, self.value(cell)));
+        open.into_iter()
+            .filter(|&(_, value)| value != BLOCKED)
+            .map(|(cell, value)| (cell, value.max(SEEN) as u32))
+            .collect()
+    }
+
+    /// A step by the rules, to be shown.
+    fn explain(&self, step: usize, at: Cell, facing: Direction, chosen: Move) -> TraceStep {
+        let Move { rule, towards, .. } = chosen;
+        let to = name(towards);
+        let value = |side| match self.value(at.step(side)) {
+            BLOCKED => "a wall".to_owned(),
+            SEEN => "not cleaned".to_owned(),
+            visits => format!("cleaned {visits}x"),
+        };
+        let mut sides = None;
+        let (rule, note) = match rule {
+            Rule::Ahead => ("Ahead", "The cell ahead is not cleaned: straight on".to_owned()),
+            Rule::SmallerNeighbour => {
+                let (left, right) = (value(facing.left()), value(facing.right()));
+                ("Smaller neighbour", format!("Left {left}, right {right}: {to}"))
+            }
+            Rule::SmallerBlock => {
+                let blocks = self.blocks(at, facing);
+                sides = Some(blocks);
+                let [(first, a), (second, b)] = blocks;
+                let (first, second) = (place(first), place(second));
+                let tie = if a == b { ", the nearer edge" } else { "" };
+                let note =
+                    format!("Left and right equal; smaller block: {a} cells to clean {first}, {b} {second}{tie}: {to}");
+                ("Smaller block", note)
+            }
+            Rule::Forward => ("Forward", format!("No better neighbour beside it: straight on, {to}")),
+            Rule::Back => ("Back", "No better neighbour beside it or ahead: back".to_owned()),
+        };
+        TraceStep { step, rule: rule.into(), at, towards, marks: self.marks(at), sides, note }
+    }
+
+    /// A step of a shortest way, to be shown.
+    fn explain_way(&self, step: usize, at: Cell, towards: Direction, left: usize) -> TraceStep {
+        let steps = if left == 1 { "step" } else { "steps" };
+        let note =
+            format!("The rules lead nowhere: shortest way to the nearest cell not cleaned, {left} {steps} to go");
+        TraceStep { step, rule: "Shortest way".into(), at, towards, marks: self.marks(at), sides: None, note }
+    }
+}
+
+/// A direction, to go in.
+fn name(direction: Direction) -> &'static str {
+    match direction {
+        Direction::Right => "to the right",
+        Direction::Up => "up",
+        Direction::Left => "to the left",
+        Direction::Down => "down",
+    }
+}
+
+/// A direction, to be in.
+fn place(direction: Direction) -> &'static str {
+    match direction {
+        Direction::Right => "on the right",
+        Direction::Up => "above",
+        Direction::Left => "on the left",
+        Direction::Down => "below",
     }
 }
 

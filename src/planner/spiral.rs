@@ -58,7 +58,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         },
         fails: Example { room: "flat", why: "Small circles between the furniture, and many scraps between them." },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true },
+    claims: Claims { complete: true, deterministic: true, fast: true, traces: false },
     params: &[
         ParamSpec {
             id: "room",

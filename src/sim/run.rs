@@ -104,6 +104,11 @@ impl Run {
         self.controller.estimate()
     }
 
+    /// Index of the corner of its line that the controller drives to, if it follows one.
+    pub fn corner(&self) -> Option<usize> {
+        self.controller.corner()
+    }
+
     /// Distance between where the robot is and where its controller believes it to be, m.
     pub fn pose_error_m(&self) -> Option<f64> {
         self.estimate().map(|estimate| (estimate.position() - self.pose().position()).norm())

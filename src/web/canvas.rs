@@ -6,7 +6,7 @@
 
 use super::{
     layer::{Layer, VisitsPicture, cell_picture},
-    robot,
+    robot, search,
 };
 use crate::{
     app::{Palette, RobotView, Scene, Viewport, outlines},
@@ -47,6 +47,8 @@ struct Drawn {
     robot: Option<RobotView>,
     trail: (usize, Option<Point>, Option<Point>),
     cursor: Option<Cell>,
+    /// Index in the walk of the decision that is shown.
+    search: Option<usize>,
 }
 
 /// The part of it that the layers depend on.
@@ -99,6 +101,7 @@ impl Canvas {
             robot: scene.robot,
             trail: (scene.trail.len(), scene.trail.first().copied(), scene.trail.last().copied()),
             cursor: scene.cursor,
+            search: scene.search.map(|search| search.step.step),
         };
         if self.last == Some(drawn) && scene.dirty_rows.is_none() {
             return Ok(());
@@ -207,6 +210,9 @@ impl Canvas {
         context.draw_image_with_offscreen_canvas(&self.above.canvas, 0.0, 0.0)?;
         context.set_transform(ratio, 0.0, 0.0, ratio, 0.0, 0.0)?;
 
+        if let Some(search) = &scene.search {
+            search::draw_sides(context, palette, search, scene.plan, viewport);
+        }
         if let Some(start) = &scene.start {
             let centre = viewport.to_screen(start.position());
             robot::draw_start(context, palette, start, centre, scene.start_radius * viewport.scale)?;
@@ -218,6 +224,9 @@ impl Canvas {
                 robot::draw_estimate(context, palette, estimate, centre, view.radius * viewport.scale)?;
             }
             robot::draw(context, palette, view, viewport.to_screen(view.pose.position()), viewport.scale)?;
+        }
+        if let Some(search) = &scene.search {
+            search::draw_marks(context, palette, search, scene.robot.map_or(0.0, |robot| robot.radius), viewport)?;
         }
         if let Some(cell) = scene.cursor {
             let size = scene.plan.resolution * viewport.scale;

@@ -24,6 +24,8 @@ mod playground;
 mod request;
 #[cfg(feature = "page")]
 mod robot;
+#[cfg(feature = "page")]
+mod search;
 #[cfg(feature = "workshop")]
 mod trial;
 

@@ -15,7 +15,7 @@ const REPORT_EVERY_MS: f64 = 100.0;
 /// Plans a request made by `Playground.take_plan_request`. To be called in a worker, as it blocks until it is done.
 ///
 /// `on_progress(done, cells)` is called about ten times a second with the share done, 0 to 1, and the best walk so far
-/// as x, y, x, y, ... Returns `{ cells, seconds }`; throws a message if the request is not valid.
+/// as x, y, x, y, ... Returns `{ cells, seconds, trace }`; throws a message if the request is not valid.
 #[wasm_bindgen]
 pub fn plan(request: &JsValue, on_progress: &Function) -> Result<JsValue, JsValue> {
     let request = request_from_js(request)?;
@@ -24,6 +24,7 @@ pub fn plan(request: &JsValue, on_progress: &Function) -> Result<JsValue, JsValu
     let result = Object::new();
     Reflect::set(&result, &"cells".into(), &flat(&answer.path.cells))?;
     Reflect::set(&result, &"seconds".into(), &answer.seconds.into())?;
+    Reflect::set(&result, &"trace".into(), &super::to_js(&answer.trace)?)?;
     Ok(result.into())
 }
 

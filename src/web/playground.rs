@@ -2,9 +2,10 @@
 
 use super::{canvas::Canvas, catalogue::Catalogue, clock, map, request, to_js};
 use crate::{
-    app::{Brush, Scene, Session, SettingsError, Viewport},
+    app::{Answer, Brush, Scene, Session, SettingsError, Viewport},
     geometry::{Point, Pose},
     grid::Cell,
+    planner::{CoveragePath, TraceStep},
 };
 use js_sys::{Float64Array, Reflect};
 use wasm_bindgen::prelude::*;
@@ -128,8 +129,11 @@ impl Playground {
     }
 
     /// The worker is done.
-    pub fn plan_finished(&mut self, id: u32, cells: &[u32], seconds: f64) {
-        self.session.plan_finished(id, request::cells(cells), seconds);
+    pub fn plan_finished(&mut self, id: u32, cells: &[u32], seconds: f64, trace: JsValue) -> Result<(), JsValue> {
+        let trace: Vec<TraceStep> = serde_wasm_bindgen::from_value(trace).map_err(|e| e.to_string())?;
+        let path = CoveragePath { cells: request::cells(cells) };
+        self.session.plan_finished(id, Answer { path, seconds, trace });
+        Ok(())
     }
 
     /// The worker gave up.
@@ -162,6 +166,11 @@ impl Playground {
     /// Chooses the side of the planning cells, m.
     pub fn set_cell_size(&mut self, metres: f64) -> Result<(), JsValue> {
         Ok(self.session.configure(|s| s.set_cell_size(metres))?)
+    }
+
+    /// Shows the planner's decisions, or no longer.
+    pub fn show_search(&mut self, on: bool) {
+        self.session.show_search(on);
     }
 
     /// Sets a parameter of the planner from the text of a form.

@@ -108,3 +108,87 @@ fn spiral_round_islands() {
 fn genetic_round_islands() {
     assert_drawn("genetic", ISLANDS, Direction::Right, include_str!("../golden/genetic_islands.txt"));
 }
+
+#[test]
+fn backtracking_spiral_round_islands() {
+    assert_drawn(
+        "backtracking_spiral",
+        ISLANDS,
+        Direction::Right,
+        include_str!("../golden/backtracking_spiral_islands.txt"),
+    );
+}
+
+#[test]
+fn backtracking_spiral_on_the_thesis_room() {
+    assert_drawn("backtracking_spiral", EIGHT, Direction::Right, include_str!("../golden/backtracking_spiral_8x8.txt"));
+}
+
+#[test]
+fn spiral_stc_round_islands() {
+    assert_drawn("spiral_stc", ISLANDS, Direction::Right, include_str!("../golden/spiral_stc_islands.txt"));
+}
+
+#[test]
+fn spiral_stc_on_the_thesis_room() {
+    assert_drawn("spiral_stc", EIGHT, Direction::Right, include_str!("../golden/spiral_stc_8x8.txt"));
+}
+
+#[test]
+fn wavefront_distance_round_islands() {
+    assert_drawn(
+        "wavefront_distance",
+        ISLANDS,
+        Direction::Right,
+        include_str!("../golden/wavefront_distance_islands.txt"),
+    );
+}
+
+#[test]
+fn wavefront_distance_on_the_thesis_room() {
+    assert_drawn("wavefront_distance", EIGHT, Direction::Right, include_str!("../golden/wavefront_distance_8x8.txt"));
+}
+
+#[test]
+fn wavefront_path_round_islands() {
+    assert_drawn("wavefront_path", ISLANDS, Direction::Right, include_str!("../golden/wavefront_path_islands.txt"));
+}
+
+#[test]
+fn wavefront_path_on_the_thesis_room() {
+    assert_drawn("wavefront_path", EIGHT, Direction::Right, include_str!("../golden/wavefront_path_8x8.txt"));
+}
+
+#[test]
+fn boustrophedon_cells_round_islands() {
+    let expected = include_str!("../golden/boustrophedon_cells_islands.txt");
+    assert_drawn("boustrophedon_cells", ISLANDS, Direction::Right, expected);
+}
+
+#[test]
+fn grid_tsp_round_islands() {
+    assert_drawn("grid_tsp", ISLANDS, Direction::Right, include_str!("../golden/grid_tsp_islands.txt"));
+}
+
+/// No walk costs less: both numbers have been proven with a MIP solver.
+#[test]
+fn grid_tsp_finds_the_optimum_of_the_thesis_room() {
+    let (job, path) = walk("grid_tsp", EIGHT, Direction::Right);
+    let metrics = WalkMetrics::of(&job, &path);
+    assert_eq!((metrics.steps, metrics.turns), (53, 14));
+}
+
+#[test]
+fn energy_round_islands() {
+    assert_drawn("energy", ISLANDS, Direction::Right, include_str!("../golden/energy_islands.txt"));
+}
+
+#[test]
+fn energy_on_the_thesis_room() {
+    assert_drawn("energy", EIGHT, Direction::Right, include_str!("../golden/energy_8x8.txt"));
+}
+
+#[test]
+fn neural_round_islands() {
+    assert_drawn("neural", ISLANDS, Direction::Right, include_str!("../golden/neural_islands.txt"));
+}

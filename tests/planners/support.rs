@@ -188,7 +188,7 @@ fn shipped_rooms() -> Vec<Scenario> {
 }
 
 /// Grids that other planners have been measured on; none where the folder doesn't exist.
-fn shared_grids() -> Vec<Scenario> {
+pub fn shared_grids() -> Vec<Scenario> {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/maps/grids");
     let mut files: Vec<PathBuf> =
         fs::read_dir(folder).into_iter().flatten().filter_map(|entry| Some(entry.ok()?.path())).collect();

@@ -1,6 +1,9 @@
 //! The rooms that a comparison may be made in.
 
-use crate::{app::SettingsError, floorplan::ROOMS};
+use crate::{
+    app::SettingsError,
+    floorplan::{ROOMS, RoomInfo, RoomKind},
+};
 
 /// A room of a comparison.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -16,14 +19,24 @@ pub enum RoomChoice {
 pub enum RoomSet {
     /// The session's room.
     This,
+    /// Those that ship and that results are published for.
+    Benchmark,
     /// All that ship.
     All,
+    /// All of a kind.
+    Kind(RoomKind),
 }
 
 impl RoomSet {
     /// All sets, with their ids and names.
     pub fn all() -> impl Iterator<Item = (Self, &'static str, &'static str)> {
-        [(Self::This, "this", "This room"), (Self::All, "all", "All rooms")].into_iter()
+        let kinds = RoomKind::ALL.into_iter().map(|(kind, id, title)| (Self::Kind(kind), id, title));
+        let mixed = [
+            (Self::This, "this", "This room"),
+            (Self::Benchmark, "benchmark", "Benchmark set"),
+            (Self::All, "all", "All rooms"),
+        ];
+        mixed.into_iter().chain(kinds)
     }
 
     /// The set with that id.
@@ -42,9 +55,15 @@ impl RoomSet {
 
     /// Its rooms; `here` is the session's.
     pub fn rooms(self, here: RoomChoice) -> Vec<RoomChoice> {
+        let takes = |room: &RoomInfo| match self {
+            Self::This => false,
+            Self::Benchmark => room.is_benchmark,
+            Self::All => true,
+            Self::Kind(kind) => room.kind == kind,
+        };
         match self {
             Self::This => vec![here],
-            Self::All => ROOMS.iter().map(|room| RoomChoice::Shipped(room.id)).collect(),
+            _ => ROOMS.iter().filter(|room| takes(room)).map(|room| RoomChoice::Shipped(room.id)).collect(),
         }
     }
 }

@@ -9,6 +9,6 @@ mod report;
 mod task;
 
 pub use error::PlanningError;
-pub use pipeline::{Answer, PlanRequest, Planned, Prepared};
+pub use pipeline::{Answer, MOST_SEARCH_CELLS, PlanRequest, Planned, Prepared};
 pub use report::{PlanReport, RoomReport, TaskReport};
 pub use task::{CELL_ROBOT, PlanningTask, Solution, choose_robot};

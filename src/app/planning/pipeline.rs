@@ -6,7 +6,7 @@ use crate::{
     floorplan::FloorPlan,
     geometry::{Point, Pose},
     metrics::{Bounds, DriveMetrics, PlanNumbers, WalkMetrics},
-    planner::{CoverageJob, CoveragePath, Observer, Params, PathError, PlanContext, PlanError, PlannerInfo},
+    planner::{CoverageJob, CoveragePath, Observer, Params, PathError, PlanContext, PlanError, PlannerInfo, TraceStep},
     robot::{OdometryModel, RobotModel},
     sim::{Run, RunSetup, SlipLevel},
 };
@@ -47,7 +47,12 @@ pub struct Answer {
     pub path: CoveragePath,
     /// Time that planning took, s.
     pub seconds: f64,
+    /// The planner's decisions, if it tells them and the room isn't larger than [`MOST_SEARCH_CELLS`].
+    pub trace: Vec<TraceStep>,
 }
+
+/// Free cells up to which decisions are recorded: a record for every step is far larger than the step.
+pub const MOST_SEARCH_CELLS: usize = 20_000;
 
 /// A plan with its numbers, ready to be driven.
 #[derive(Debug, Clone)]
@@ -99,16 +104,22 @@ impl PlanRequest {
             Some(observer) => PlanContext::observed(self.seed, observer),
             None => PlanContext::new(self.seed),
         };
+        let mut trace = Vec::new();
+        let mut tell = |step| trace.push(step);
+        if self.planner.claims.traces && self.job.cells() <= MOST_SEARCH_CELLS {
+            ctx = ctx.traced(&mut tell);
+        }
         let began = clock();
         let path = planner.plan(&self.job, &mut ctx)?;
-        Ok(Answer { path, seconds: (clock() - began).max(0.0) })
+        let seconds = (clock() - began).max(0.0);
+        Ok(Answer { path, seconds, trace })
     }
 }
 
 impl Planned {
     /// Checks a walk and works out its line and numbers.
     pub fn new(prepared: &Prepared, answer: &Answer) -> Result<Self, PathError> {
-        let Answer { path, seconds } = answer;
+        let Answer { path, seconds, .. } = answer;
         path.check(&prepared.job)?;
         let line: Arc<[Point]> = prepared.lattice.polyline(&prepared.floor, &path.cells).into();
         Ok(Self {

@@ -149,12 +149,13 @@ mod tests {
     use crate::{
         app::planning::PlanReport,
         floorplan::{SourceFile, load, room},
-        planner::{PLANNERS, PlanError},
+        planner::PlanError,
     };
     use std::cell::Cell as Shared;
 
-    /// Any that is complete and quick will do.
-    const PLANNER: &PlannerInfo = PLANNERS[0];
+    fn snake() -> &'static PlannerInfo {
+        crate::planner::find("snake").unwrap()
+    }
 
     fn text_map(text: &str) -> FloorPlan {
         load(&[SourceFile { name: "test.txt".into(), bytes: text.into() }]).unwrap()
@@ -173,8 +174,8 @@ mod tests {
             cell_size,
             start: start.map(|(x, y)| Cell::new(x, y)),
             heading_deg: None,
-            planner: PLANNER,
-            params: Params::defaults(PLANNER.params),
+            planner: snake(),
+            params: Params::default(),
             seed: 0,
         };
         task.solve(|| 0.0, None).map(|solution| PlanReport::new(&task, solution))
@@ -245,8 +246,8 @@ mod tests {
             cell_size: 0.3,
             start: Some(Cell::new(0, 0)),
             heading_deg: Some(-450.0),
-            planner: PLANNER,
-            params: Params::defaults(PLANNER.params),
+            planner: snake(),
+            params: Params::default(),
             seed: 0,
         };
         let report = PlanReport::new(&task, task.solve(|| 0.0, None).unwrap());
@@ -274,8 +275,8 @@ mod tests {
             cell_size,
             start: None,
             heading_deg: None,
-            planner: PLANNER,
-            params: Params::defaults(PLANNER.params),
+            planner: snake(),
+            params: Params::default(),
             seed: 0,
         };
         let now = Shared::new(10.0);

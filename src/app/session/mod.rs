@@ -1,10 +1,11 @@
 //! One user's session: a room, a robot, a planner, a run.
 
+mod search;
 mod snapshot;
 
 use super::{
-    Action, Answer, Brush, Editor, Import, PlanRequest, Planned, Prepared, Recording, Settings, SettingsError, State,
-    opening,
+    Action, Answer, Brush, Editor, Import, PlanRequest, Planned, Prepared, Recording, Search, Settings, SettingsError,
+    State, opening,
 };
 use crate::{
     floorplan::{self, FloorPlan, MapError, RoomInfo, Scenario, SourceFile},
@@ -42,6 +43,9 @@ pub struct Session {
     /// Walks that planners have reported, on their way and at the end.
     previews: u64,
     message: Option<Message>,
+    /// Whether the planner's decisions are to be shown, and they, once they are known.
+    shows_search: bool,
+    search: Option<Search>,
 }
 
 /// Why files can't be taken.
@@ -94,6 +98,8 @@ impl Session {
             is_opening: true,
             previews: 0,
             message: None,
+            shows_search: false,
+            search: None,
         };
         session.prepare();
         session
@@ -176,7 +182,8 @@ impl Session {
         if !self.is_opening {
             return Some(request);
         }
-        self.plan_finished(request.id, opening::from_runs(request.job.start, opening::WALK), 0.0);
+        let path = CoveragePath { cells: opening::from_runs(request.job.start, opening::WALK) };
+        self.plan_finished(request.id, Answer { path, seconds: 0.0, trace: Vec::new() });
         None
     }
 
@@ -184,7 +191,7 @@ impl Session {
     pub fn plan_now(&mut self, clock: impl Fn() -> f64) {
         let Some(request) = self.take_plan_request() else { return };
         match request.serve(clock, None) {
-            Ok(Answer { path, seconds }) => self.plan_finished(request.id, path.cells, seconds),
+            Ok(answer) => self.plan_finished(request.id, answer),
             Err(PlanError::Cancelled) => self.cancel_plan(),
             Err(error @ PlanError::Unlisted) => self.plan_failed(request.id, &error.to_string()),
         }
@@ -201,17 +208,19 @@ impl Session {
     }
 
     /// A planner is done.
-    pub fn plan_finished(&mut self, id: u32, cells: Vec<Cell>, seconds: f64) {
+    pub fn plan_finished(&mut self, id: u32, answer: Answer) {
         if self.planning.as_ref().is_none_or(|p| p.id != id) {
             return;
         }
         self.planning = None;
         self.previews += 1;
         let Some(prepared) = &self.prepared else { return };
-        match Planned::new(prepared, &Answer { path: CoveragePath { cells }, seconds }) {
+        match Planned::new(prepared, &answer) {
             Ok(planned) => {
                 let Settings { slip, odometry, seed, .. } = self.settings;
                 self.recording = Some(Recording::new(planned.run(prepared, slip, odometry, seed)));
+                let Answer { path, trace, .. } = answer;
+                self.search = (!trace.is_empty()).then(|| Search::new(prepared, &planned, &path.cells, trace));
                 self.planned = Some(planned);
             }
             Err(error) => self.planner_failed(&error.to_string()),
@@ -243,6 +252,7 @@ impl Session {
         // Whoever has watched a run to its end and changes something wants to watch the next one.
         self.playing |= self.state() == State::Finished;
         self.planned = None;
+        self.search = None;
         self.recording = None;
         self.planning = None;
         self.due = 0.0;

@@ -3,8 +3,8 @@
 use super::Session;
 use crate::{
     app::{
-        Action, Recording, RobotView, Scene, State, View,
-        view::{Can, PlanView, RoomView},
+        Action, Recording, RobotView, Scene, SearchScene, State, View,
+        view::{Can, PlanView, RoomView, SearchView},
     },
     sim::Run,
 };
@@ -26,6 +26,7 @@ impl Session {
             planned_version: u64::from(self.requests) + self.previews,
             trail: run.map_or(&[], Run::trail),
             robot,
+            search: self.decision().map(|step| SearchScene { step, cell_size: self.settings.cell_size }),
             start: self.prepared.as_ref().map(|p| p.floor.start),
             start_radius: self.settings.robot_model().radius,
             ..Scene::empty(self.editor.plan())
@@ -69,6 +70,7 @@ impl Session {
             turning_deg: run.map_or(0.0, |r| r.turning_rad().to_degrees()),
             bumps: run.map_or(0, Run::bumps),
             pose_error_m: run.and_then(Run::pose_error_m).unwrap_or(0.0),
+            search: SearchView { offered: self.offers_search(), on: self.shows_search, text: self.search_text() },
             plan: self.plan_view(),
         }
     }
@@ -118,8 +120,9 @@ impl Session {
             State::Paused | State::Seeking => "the robot stands still",
             State::Finished => "the run is over",
         };
+        let search = if view.search.text.is_empty() { String::new() } else { format!(" {}", view.search.text) };
         format!(
-            "Floor plan of {room}. {} planner: {doing}, {:.0} % of the reachable floor is clean after {:.0} minutes.",
+            "Floor plan of {room}. {} planner: {doing}, {:.0} % of the reachable floor is clean after {:.0} minutes.{search}",
             self.settings.planner.title,
             100.0 * view.coverage,
             view.time_s / 60.0

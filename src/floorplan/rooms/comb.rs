@@ -1,6 +1,6 @@
 //! Alcoves side by side.
 
-use super::RoomInfo;
+use super::{RoomInfo, RoomKind};
 use crate::floorplan::{Rect, Sketch};
 
 /// Dividing walls from above and below; the alcoves between them differ in width and depth.
@@ -22,5 +22,7 @@ pub(super) const ROOM: RoomInfo = RoomInfo {
     id: "comb",
     title: "Comb of alcoves",
     note: "Good for the order of parts: many alcoves off one aisle, and sweeping the wrong way costs turns.",
+    kind: RoomKind::Maze,
+    is_benchmark: true,
     build: || Sketch::open(7.2, 5.0, 0.1).fill(WALLS).start(0.3, 2.2, 0.0).finish(ROOM.title, ROOM.note),
 };

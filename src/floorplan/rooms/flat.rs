@@ -1,6 +1,6 @@
 //! A furnished four-room flat: the opening scene.
 
-use super::RoomInfo;
+use super::{RoomInfo, RoomKind};
 use crate::floorplan::{Rect, Sketch};
 
 /// Size of the flat with its outer walls of 15 cm, m.
@@ -90,6 +90,8 @@ pub(super) const ROOM: RoomInfo = RoomInfo {
     id: "flat",
     title: "Furnished flat",
     note: "Good for everyday comparison: four rooms, bath and hall, chair legs, a loop through three doors.",
+    kind: RoomKind::Cluttered,
+    is_benchmark: true,
     build: || {
         let furniture = [LIVING, BEDROOM, KITCHEN, BATH, STUDY, HALL];
         let legs = [LIVING_LEGS, BEDROOM_LEGS, KITCHEN_LEGS];

@@ -1,6 +1,6 @@
 //! A hall with seven obstacles, as large and as full as the example of 001; the layout is ours.
 
-use super::RoomInfo;
+use super::{RoomInfo, RoomKind};
 use crate::floorplan::{Rect, Sketch};
 
 /// A counter, an L-shaped booth (two pieces) and a long stage.
@@ -19,6 +19,8 @@ pub(super) const ROOM: RoomInfo = RoomInfo {
     id: "hall20",
     title: "Hall with seven obstacles",
     note: "Good for long lanes broken by obstacles of all shapes: 20 m x 20 m, planned in 4 s in the paper.",
+    kind: RoomKind::Large,
+    is_benchmark: true,
     build: || {
         Sketch::open(20.0, 20.0, 0.1)
             .fill(SOLID)

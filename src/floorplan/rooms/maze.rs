@@ -1,6 +1,6 @@
 //! A maze without loops.
 
-use super::RoomInfo;
+use super::{RoomInfo, RoomKind};
 use crate::{
     floorplan::Sketch,
     grid::{Cell, Direction, Grid},
@@ -21,21 +21,26 @@ pub(super) const ROOM: RoomInfo = RoomInfo {
     id: "maze",
     title: "Maze",
     note: "Good for getting stuck: every way but one ends, so the price of driving back shows.",
-    build: || {
-        let length = |passages: usize| passages as f64 * PITCH - CELL;
-        let sketch = Sketch::solid(length(SIZE.0), length(SIZE.1), CELL);
-        let sketch = openings().into_iter().fold(sketch, |sketch, (from, to)| {
-            let low = (f64::from(from.x.min(to.x)) * PITCH, f64::from(from.y.min(to.y)) * PITCH);
-            let high = (f64::from(from.x.max(to.x) + 1) * PITCH - CELL, f64::from(from.y.max(to.y) + 1) * PITCH - CELL);
-            sketch.carve(&[[low.0, low.1, high.0, high.1]])
-        });
-        sketch.start(0.3, length(SIZE.1) - 0.3, 0.0).finish(ROOM.title, ROOM.note)
-    },
+    kind: RoomKind::Maze,
+    is_benchmark: true,
+    build: || carved(SEED, &[]).finish(ROOM.title, ROOM.note),
 };
 
+/// The maze of a seed, with more walls between neighbouring passages taken away.
+pub(super) fn carved(seed: u64, more: &[(Cell, Cell)]) -> Sketch {
+    let length = |passages: usize| passages as f64 * PITCH - CELL;
+    let sketch = Sketch::solid(length(SIZE.0), length(SIZE.1), CELL);
+    let sketch = openings(seed).iter().chain(more).fold(sketch, |sketch, (from, to)| {
+        let low = (f64::from(from.x.min(to.x)) * PITCH, f64::from(from.y.min(to.y)) * PITCH);
+        let high = (f64::from(from.x.max(to.x) + 1) * PITCH - CELL, f64::from(from.y.max(to.y) + 1) * PITCH - CELL);
+        sketch.carve(&[[low.0, low.1, high.0, high.1]])
+    });
+    sketch.start(0.3, length(SIZE.1) - 0.3, 0.0)
+}
+
 /// Pairs of neighbouring passages without a wall between them: a random walk that backs up when it is stuck.
-fn openings() -> Vec<(Cell, Cell)> {
-    let mut rng = seeded(SEED, 0);
+fn openings(seed: u64) -> Vec<(Cell, Cell)> {
+    let mut rng = seeded(seed, 0);
     let mut seen = Grid::filled(SIZE.0, SIZE.1, false);
     let mut trail = vec![Cell::new(0, SIZE.1 as i32 - 1)];
     let mut openings = Vec::new();

@@ -1,17 +1,36 @@
 //! The rooms that ship. To add one, write its file and list it in [`ROOMS`].
 
+mod bedroom;
+mod classroom;
+mod clutter;
 mod comb;
+mod crossing;
+mod dining;
 mod empty;
 mod flat;
 mod hall20;
+mod hotel;
+mod kitchen;
+mod loops;
 mod lshape;
+mod market;
 mod maze;
 mod office;
+mod openplan;
+mod pillars;
+mod ring;
 mod room12ft;
+mod slanted;
 mod spiral;
+mod thesis226;
 mod thesis8;
+mod tshape;
+mod ushape;
+mod ward;
+mod warehouse;
 
 use super::FloorPlan;
+use serde::Serialize;
 
 /// Entry of the list of rooms.
 #[derive(Debug)]
@@ -22,22 +41,75 @@ pub struct RoomInfo {
     pub title: &'static str,
     /// One sentence: what the room is good for.
     pub note: &'static str,
-    /// Draws the room; takes about a millisecond.
+    /// What makes it easy or hard.
+    pub kind: RoomKind,
+    /// Whether it belongs to the set that planners are compared on; those of the thesis have too few cells to tell much.
+    pub is_benchmark: bool,
+    /// Draws the room; takes a few milliseconds at most.
     pub build: fn() -> FloorPlan,
 }
 
-/// All rooms, in the order of the menus: everyday ones first, then those that are hard in one respect, then large ones.
+/// What makes a room easy or hard.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum RoomKind {
+    /// A shape without furniture.
+    Simple,
+    /// A room full of furniture.
+    Cluttered,
+    /// Rooms and desks of the same kind, side by side.
+    Office,
+    /// Ways that wind, end or come back.
+    Maze,
+    /// Long and narrow floor.
+    Corridor,
+    /// Hundreds of square metres.
+    Large,
+}
+
+impl RoomKind {
+    /// All kinds, with their names in links and in menus.
+    pub const ALL: [(Self, &'static str, &'static str); 6] = [
+        (Self::Simple, "shapes", "Simple shapes"),
+        (Self::Cluttered, "furnished", "Furnished rooms"),
+        (Self::Office, "offices", "Offices and wards"),
+        (Self::Maze, "mazes", "Mazes"),
+        (Self::Corridor, "corridors", "Corridors"),
+        (Self::Large, "halls", "Large halls"),
+    ];
+}
+
+/// All rooms, in the order of the menus: furnished ones first, then plain shapes, mazes and corridors, then whole floors and
+/// large halls.
 pub const ROOMS: &[&RoomInfo] = &[
     &flat::ROOM,
     &room12ft::ROOM,
+    &bedroom::ROOM,
+    &kitchen::ROOM,
+    &dining::ROOM,
+    &clutter::ROOM,
+    &thesis226::ROOM,
     &empty::ROOM,
     &thesis8::ROOM,
     &lshape::ROOM,
+    &tshape::ROOM,
+    &ushape::ROOM,
+    &slanted::ROOM,
     &spiral::ROOM,
     &comb::ROOM,
     &maze::ROOM,
-    &hall20::ROOM,
+    &loops::ROOM,
+    &ring::ROOM,
+    &crossing::ROOM,
+    &hotel::ROOM,
     &office::ROOM,
+    &openplan::ROOM,
+    &ward::ROOM,
+    &classroom::ROOM,
+    &hall20::ROOM,
+    &market::ROOM,
+    &warehouse::ROOM,
+    &pillars::ROOM,
 ];
 
 /// The room with that id.

@@ -1,6 +1,6 @@
 //! One floor of an office building.
 
-use super::RoomInfo;
+use super::{RoomInfo, RoomKind};
 use crate::floorplan::{Rect, Sketch};
 
 /// Side of the square floor, m: 200 cells.
@@ -116,6 +116,8 @@ pub(super) const ROOM: RoomInfo = RoomInfo {
     id: "office",
     title: "Office floor",
     note: "Good for large maps: 200 x 200 cells, eleven doors off two corridors, desks to drive under.",
+    kind: RoomKind::Office,
+    is_benchmark: true,
     build: || {
         let sketch = Sketch::solid(SIDE, SIDE, 0.1).carve(ROOMS).carve(DOORS).fill(SOLID);
         let sketch = DESKS.iter().fold(sketch, |sketch, &(x, y, side)| desk(sketch, x, y, side));

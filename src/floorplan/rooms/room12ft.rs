@@ -1,6 +1,6 @@
 //! A furnished room of twelve by twelve feet, the size of the arena of 002, Fig. 18; the furniture is ours.
 
-use super::RoomInfo;
+use super::{RoomInfo, RoomKind};
 use crate::floorplan::{Rect, Sketch};
 
 /// Two inches in metres, so that twelve feet are 72 cells.
@@ -17,6 +17,8 @@ pub(super) const ROOM: RoomInfo = RoomInfo {
     id: "room12ft",
     title: "Furnished room, 12 ft x 12 ft",
     note: "Good for random walks: the size of the arena in which the DVR-1's behaviours were timed.",
+    kind: RoomKind::Cluttered,
+    is_benchmark: true,
     build: || {
         Sketch::open(SIDE, SIDE, CELL)
             .fill(SOLID)

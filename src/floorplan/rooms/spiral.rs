@@ -1,6 +1,6 @@
 //! A corridor that winds inwards.
 
-use super::RoomInfo;
+use super::{RoomInfo, RoomKind};
 use crate::floorplan::{Rect, Sketch};
 
 /// Side of the square, m: seven lanes of 0.8 m with walls of 0.1 m between them.
@@ -25,5 +25,7 @@ pub(super) const ROOM: RoomInfo = RoomInfo {
     id: "spiral",
     title: "Spiral corridor",
     note: "Good for long ways without a choice: what leads astray here has to be driven back.",
-    build: || Sketch::open(SIDE, SIDE, 0.1).fill(WALLS).start(0.4, 0.4, 0.0).finish(ROOM.title, ROOM.note),
+    kind: RoomKind::Maze,
+    is_benchmark: true,
+    build: || Sketch::open(SIDE, SIDE, 0.1).fill(WALLS).start(0.3, 0.3, 0.0).finish(ROOM.title, ROOM.note),
 };

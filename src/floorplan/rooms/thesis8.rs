@@ -1,12 +1,14 @@
 //! The preset of the thesis' program (000, Appendix B).
 
-use super::RoomInfo;
+use super::{RoomInfo, RoomKind};
 use crate::floorplan::Sketch;
 
 pub(super) const ROOM: RoomInfo = RoomInfo {
     id: "thesis8",
     title: "Thesis preset 8 x 8",
     note: "Good for following every step by hand: the 8 x 8 cells of 20 cm that the snake thesis ran on.",
+    kind: RoomKind::Simple,
+    is_benchmark: false,
     build: || {
         Sketch::open(1.6, 1.6, 0.2)
             .fill(&[[0.6, 1.0, 1.0, 1.6], [0.0, 0.0, 0.4, 0.4]])

@@ -26,13 +26,12 @@ fn lanes_along_columns(free: &Grid<bool>) -> usize {
 
 /// The job with x and y swapped.
 pub fn swap_axes(job: &CoverageJob) -> CoverageJob {
-    let heading = match job.heading {
-        Direction::Right => Direction::Up,
-        Direction::Up => Direction::Right,
-        Direction::Left => Direction::Down,
-        Direction::Down => Direction::Left,
-    };
-    CoverageJob { free: swap_grid(&job.free), start: swap_cell(job.start), heading, ..*job }
+    CoverageJob {
+        free: swap_grid(&job.free),
+        start: swap_cell(job.start),
+        heading: swap_direction(job.heading),
+        ..*job
+    }
 }
 
 /// A walk with x and y swapped.
@@ -42,11 +41,23 @@ pub fn swap_walk(walk: &mut [Cell]) {
     }
 }
 
-fn swap_cell(cell: Cell) -> Cell {
+/// A cell with x and y swapped.
+pub(super) fn swap_cell(cell: Cell) -> Cell {
     Cell::new(cell.y, cell.x)
 }
 
-fn swap_grid(grid: &Grid<bool>) -> Grid<bool> {
+/// A direction with x and y swapped.
+pub(super) fn swap_direction(direction: Direction) -> Direction {
+    match direction {
+        Direction::Right => Direction::Up,
+        Direction::Up => Direction::Right,
+        Direction::Left => Direction::Down,
+        Direction::Down => Direction::Left,
+    }
+}
+
+/// A grid with x and y swapped.
+pub fn swap_grid(grid: &Grid<bool>) -> Grid<bool> {
     let mut swapped = Grid::filled(grid.height(), grid.width(), false);
     let height = grid.height();
     for (y, row) in grid.values().chunks(grid.width()).enumerate() {

@@ -48,7 +48,7 @@ const REPORT_EVERY: usize = 64;
 /// Not a corner.
 const NONE: u32 = u32::MAX;
 /// Sweeps that start at the four corners of a block.
-const CORNERS: [usize; 4] = [0, 2, 4, 6];
+const CORNERS: [usize; 4] = [0, 2, 4, 5];
 /// Steps that a detour adds to the straight distance where nobody has looked, as a share of it.
 const DETOUR_SHARE: u32 = 4;
 /// Turns that a way has beyond those of one without detour.
@@ -85,6 +85,11 @@ impl<'a> Links<'a> {
         let nearest = nearest_corners(&entries, &steps, corners.len()).iter().map(|&s| s * costs.step).collect();
         let ways = costs_of_ways(&corners, steps, costs);
         Ok(Self { sweeps, costs, start, entries, exits, corners: corners.len(), ways, nearest, cheapest })
+    }
+
+    /// What steps and turns cost.
+    pub fn costs(&self) -> Costs {
+        self.costs
     }
 
     /// The sweep of a visit.

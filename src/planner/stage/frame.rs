@@ -17,6 +17,11 @@ impl Frame {
         Self { stride, len: stride * (grid.height() + 2) }
     }
 
+    /// Numbers from one row to the next.
+    pub fn stride(self) -> usize {
+        self.stride
+    }
+
     /// The number of a cell of the grid.
     #[inline]
     pub fn index(self, cell: Cell) -> usize {

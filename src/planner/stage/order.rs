@@ -125,7 +125,8 @@ fn cheapest_entry(
 
 /// Improves a tour by local search: moves of up to three blocks (Or 1976) and reversals of a part (2-opt, Croes 1958),
 /// tried between neighbours only; then corners by dynamic programming; then again from small random
-/// changes, `rounds` times, each undone if it doesn't lead to a better tour.
+/// changes, `rounds` times, each undone if it leads to a tour that is worse than the best one by more than a leeway, which
+/// shrinks to nothing (record-to-record travel, Dueck 1993).
 pub fn improve(
     links: &Links<'_>,
     tour: &mut Vec<Visit>,
@@ -142,6 +143,8 @@ pub fn improve(
     search.choose_corners();
     let mut best = search.tour.clone();
     let mut least = search.cost();
+    let mut current = best.clone();
+    let leeway = LEEWAY_TURNS * u64::from(links.costs().turn);
     for round in 0..rounds {
         if round % 64 == 0 {
             report(round as f64 / rounds as f64)?;
@@ -153,11 +156,14 @@ pub fn improve(
             search.choose_corners();
             cost = search.cost();
         }
+        if cost > least + leeway * (rounds - round) as u64 / rounds as u64 {
+            search.restore(&current);
+            continue;
+        }
+        current.clone_from(&search.tour);
         if cost <= least {
             least = cost;
             best.clone_from(&search.tour);
-        } else {
-            search.restore(&best);
         }
     }
     search.restore(&best);
@@ -168,6 +174,10 @@ pub fn improve(
 
 /// Blocks that a block is tried next to.
 const NEIGHBOURS: usize = 10;
+/// Longest parts that are exchanged by chance.
+const LONGEST_EXCHANGE: usize = 30;
+/// Turns by which a tour may be worse than the best one to be gone on with, at first.
+const LEEWAY_TURNS: u64 = 2;
 /// Longest part that is moved.
 const LONGEST_MOVE: usize = 3;
 /// Parts up to that length that a block is in.
@@ -335,10 +345,14 @@ impl<'a> LocalSearch<'a> {
             let gain = |h, t| removal + opened - link(left, Some(h)) - link(Some(t), right);
             let turned = |v: Visit| Visit { sweep: reversed(v.sweep), ..v };
             let best = if is_single {
+                // A sweep that costs more than the rest can save needn't be looked at.
+                let most = removal + opened + self.own(head) - i64::from(self.links.nearest_cost(block, other));
                 (0..SWEEPS)
                     .map(|sweep| Visit { sweep, ..head })
+                    .filter(|&v| self.own(v) < most)
                     .map(|v| (gain(v, v) + self.own(head) - self.own(v), Change::Sweep(v.sweep)))
-                    .max_by_key(|(gain, _)| *gain)?
+                    .max_by_key(|(gain, _)| *gain)
+                    .unwrap_or((0, Change::Keep))
             } else {
                 let (kept, back) = (gain(head, tail), gain(turned(tail), turned(head)));
                 if back > kept { (back, Change::Reverse) } else { (kept, Change::Keep) }
@@ -398,7 +412,7 @@ impl<'a> LocalSearch<'a> {
 
     /// Exchanges two short neighbouring parts somewhere; the blocks at the seams.
     fn disturb(&mut self, rng: &mut Rng) -> Vec<usize> {
-        let longest = (self.tour.len() / 2).clamp(1, 30);
+        let longest = (self.tour.len() / 2).clamp(1, LONGEST_EXCHANGE);
         let (a, b) = (rng.random_range(1..=longest), rng.random_range(1..=longest));
         if a + b > self.tour.len() {
             return Vec::new();

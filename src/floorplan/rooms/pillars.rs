@@ -1,0 +1,19 @@
+//! A hall on pillars.
+
+use super::{RoomInfo, RoomKind};
+use crate::floorplan::Sketch;
+
+pub(super) const ROOM: RoomInfo = RoomInfo {
+    id: "pillars",
+    title: "Hall of pillars",
+    note: "Good for size: 400 x 400 cells, and pillars that break lanes without dividing the floor.",
+    kind: RoomKind::Large,
+    is_benchmark: true,
+    build: || {
+        let pillar = |sketch: Sketch, x, y| sketch.fill(&[[x, y, x + 0.6, y + 0.6]]);
+        Sketch::open(40.0, 40.0, 0.1)
+            .repeat((3.7, 3.7), (7, 5.3), (7, 5.3), pillar)
+            .start(0.3, 0.3, 0.0)
+            .finish(ROOM.title, ROOM.note)
+    },
+};

@@ -1,0 +1,15 @@
+//! A corridor round a core of stairs and lifts.
+
+use super::{RoomInfo, RoomKind};
+use crate::floorplan::Sketch;
+
+pub(super) const ROOM: RoomInfo = RoomInfo {
+    id: "ring",
+    title: "Ring corridor",
+    note: "Good for going round: both ways lead to the same place, and the planner must cut it open.",
+    kind: RoomKind::Corridor,
+    is_benchmark: true,
+    build: || {
+        Sketch::open(9.0, 7.0, 0.1).fill(&[[1.6, 1.6, 7.4, 5.4]]).start(0.3, 0.3, 0.0).finish(ROOM.title, ROOM.note)
+    },
+};

@@ -1,0 +1,65 @@
+// The planner's search, shown step by step.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { openApp } from "./app.mjs";
+
+const PHONE = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, isMobile: true, hasTouch: true };
+const LAPTOP = { viewport: { width: 1440, height: 900 } };
+const SNAKE = "#room=thesis8&robot=cell&planner=snake";
+
+test("the snake's decisions follow steps and scrubs, in words and on the floor", async (t) => {
+  const { page, app, screenshot } = await openApp(t, { ...LAPTOP, address: SNAKE });
+  await app.pause();
+  await app.press("Back to the start");
+  await app.until("ready");
+  const note = page.locator("#search-note");
+  const picture = () => page.locator("#floor").screenshot().then((png) => png.toString("base64"));
+  const without = await picture();
+  assert.ok(await note.isHidden());
+
+  const toggle = page.getByRole("checkbox", { name: "Show the search" });
+  await toggle.focus();
+  await page.keyboard.press("Space");
+  await note.waitFor();
+  assert.match(await note.textContent(), /straight on\.$/);
+  assert.notEqual(await picture(), without, "it is drawn, too");
+  assert.equal(await app.state(), "ready", "showing it plans nothing anew");
+
+  const told = [];
+  for (let i = 0; i < 60 && !told.some((text) => text.includes("smaller block")); i++) {
+    await app.press("One step");
+    await app.frames(2);
+    told.push(await note.textContent());
+  }
+  assert.match(told.at(-1), /^Left and right equal; smaller block: \d+ cells to clean (above|on the left), \d+ (below|on the right).*: /);
+  assert.ok((await page.locator("#floor").getAttribute("aria-label")).includes(told.at(-1)), "also for those who can't see it");
+  await screenshot("search-laptop-light");
+  await page.emulateMedia({ colorScheme: "dark" });
+  await app.frames(3);
+  await screenshot("search-laptop-dark");
+
+  await app.press("Back to the start");
+  await app.until("ready");
+  await app.poll(() => note.textContent(), (text) => /straight on\.$/.test(text));
+  await app.choose("planner", "boustrophedon");
+  assert.ok((await toggle.isHidden()) && (await note.isHidden()), "others don't tell");
+});
+
+test("the search fits a phone", async (t) => {
+  const { page, app, screenshot } = await openApp(t, { ...PHONE, address: `${SNAKE}&speed=1` });
+  await app.pause();
+  await page.locator("button[data-sheet=setup]").tap();
+  await page.getByRole("checkbox", { name: "Show the search" }).tap();
+  await page.locator("#setup .sheet-close").tap();
+  await page.locator("#search-note").waitFor();
+  for (let i = 0; i < 60 && !(await app.text("#search-note")).includes("smaller block"); i++) {
+    await page.getByRole("button", { name: "One step" }).tap();
+    await app.frames(2);
+  }
+  await screenshot("search-phone-light");
+  await page.emulateMedia({ colorScheme: "dark" });
+  await app.frames(3);
+  await screenshot("search-phone-dark");
+  const box = await page.locator("#search-note").boundingBox();
+  assert.ok(box.x >= 0 && box.x + box.width <= 390, JSON.stringify(box));
+});
