@@ -13,7 +13,7 @@ const SCRIPT_PATTERNS = {
   url: /(\bnew URL\(\s*["'])([^"'?#:]+)(?:\?v=\w+)?(["']\s*,\s*import\.meta\.url)/g,
 };
 const PATTERNS = {
-  ".html": { static: /(\b(?:src|href)=["']?)([^"'?#:>\s]+\.(?:js|css|png|svg|ico|webmanifest))(?:\?v=\w+)?(["'>\s])/g },
+  ".html": { static: /(\b(?:src|href)=["']?)([^"'?#:>\s]+\.(?:js|css|wasm|png|svg|ico|webmanifest))(?:\?v=\w+)?(["'>\s])/g },
   ".css": { static: /(\burl\(\s*["']?)([^"'?#:)]+)(?:\?v=\w+)?(["']?\s*\))/g },
   ".js": SCRIPT_PATTERNS,
 };

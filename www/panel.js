@@ -1,6 +1,6 @@
 // @ts-check
 // The forms: what cleans which room, made from the catalogue.
-import { button, byId, changed, fill, input, make, select, setText, typed } from "./dom.js";
+import { button, byId, changed, fill, input, make, select, setHidden, setText, typed } from "./dom.js";
 import { explainer } from "./explainer.js";
 import { paramField } from "./params.js";
 

@@ -18,8 +18,12 @@ export function workshop() {
 /** A worker, ready to be given work; whoever hires it ends it. */
 export async function hire() {
   const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
+  /** @type {Promise<never>} */
+  const broken = new Promise((_, reject) => {
+    worker.addEventListener("error", (event) => reject(new Error(event.message || "a worker could not be started")), { once: true });
+  });
   try {
-    worker.postMessage({ type: "init", module: await workshop() });
+    worker.postMessage({ type: "init", module: await Promise.race([workshop(), broken]) });
     return worker;
   } catch (error) {
     worker.terminate();
