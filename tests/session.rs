@@ -356,3 +356,24 @@ fn search_is_only_shown_where_there_is_one() {
     session.show_search(false);
     assert!(session.view().search.text.is_empty() && session.decision().is_none());
 }
+
+#[test]
+fn start_in_a_closet_is_told_with_the_floor_that_is_left_out() {
+    let map = "; resolution 0.5\n........\n........\n######..\n.....#..\n#####...\n........\n";
+    let mut session = Session::new();
+    session.load(&[SourceFile { name: "closet.txt".into(), bytes: map.into() }]).unwrap();
+    session.configure(|s| s.select_robot("cell")).unwrap();
+    session.configure(|s| s.set_cell_size(0.5)).unwrap();
+    assert_eq!(session.view().message, "", "the default start is in the large part");
+    assert_eq!(session.view().room.left_out_m2, 5.0 * 0.25);
+    session.move_start(Pose::new(0.25, 1.25, 0.0));
+    let view = session.view();
+    assert_eq!((view.room.reachable_m2, view.room.left_out_m2), (1.25, 31.0 * 0.25));
+    assert!(
+        view.message.starts_with("From this start the robot reaches only 1.2 m² of floor; 7.8 m² (hatched)"),
+        "{}",
+        view.message
+    );
+    session.move_start(Pose::new(0.25, 0.25, 0.0));
+    assert_eq!(session.view().message, "");
+}

@@ -3,7 +3,7 @@
 import { drawCharts } from "./charts.js";
 import { swatch } from "./compare.js";
 import { byId, changed, fill, make, select, setText } from "./dom.js";
-import { clock } from "./format.js";
+import { clock, count } from "./format.js";
 
 /**
  * @typedef {import("./types").CompareTable} Table
@@ -46,7 +46,7 @@ export function startNumbers(it) {
     if (!changed(body, "table", `${view.version} ${menu.value}`)) return;
     const room = menu.value === "all" ? undefined : Number(menu.value);
     table = comparison.table(room);
-    setText(byId("table-note"), note(view, room === undefined));
+    setText(byId("table-note"), `${note(view, room === undefined)} ${proven(table)}`.trim());
     show();
   };
 }
@@ -55,6 +55,12 @@ export function startNumbers(it) {
 function note({ seeds, entrants }, together) {
   const chance = seeds > 1 && entrants.some(({ chosen }) => chosen) ? ` Algorithms that use chance: median of ${seeds} seeds, range below it.` : "";
   return `${together ? "Sums over the rooms; percentages are means." : ""}${chance} Click a row to see its path.`.trim();
+}
+
+/** @param {Table} table */
+function proven({ bounds }) {
+  if (!bounds) return "";
+  return `Proven: no walk over these cells has fewer than ${count(bounds.steps)} steps or ${count(bounds.turns)} quarter turns, or steps + 2 × turns below ${count(bounds.cost)}.`;
 }
 
 /** @param {Metric} metric @param {number} column @param {{ column: number, down: boolean } | undefined} order @param {(column: number) => void} sortBy */

@@ -116,6 +116,6 @@ function showRoom(room, shipped) {
     menu.prepend(make("option", { value: room.id, "data-own": "" }, room.title || "Own room"));
     menu.value = room.id;
   } else if (!isOwn) own?.remove();
-  const size = `${room.width_m.toFixed(1)} × ${room.height_m.toFixed(1)} m, ${room.reachable_m2.toFixed(1)} m² within reach.`;
+  const size = `${room.width_m.toFixed(1)} × ${room.height_m.toFixed(1)} m, ${room.reachable_m2.toFixed(1)} m² within reach${room.left_out_m2 >= 0.05 ? `, ${room.left_out_m2.toFixed(1)} m² not (hatched)` : ""}.`;
   setText(byId("room-note"), room.note ? `${room.note.replace(/\.?$/, ".")} ${size}` : size);
 }

@@ -81,6 +81,8 @@ export type View = {
     resolution_m: number;
     cells: number;
     reachable_m2: number;
+    /** Free floor that the robot can't reach. */
+    left_out_m2: number;
   };
   robot: string;
   planner: string;
@@ -177,6 +179,8 @@ export type RaceView = {
 
 export type CompareTable = {
   metrics: { id: string; label: string; unit: string; definition: string; better: "lower" | "higher"; decimals: number }[];
+  /** Of a single room. */
+  bounds: { steps: number; turns: number; cost: number } | null;
   rows: {
     entrant: number;
     trials: number;

@@ -114,6 +114,8 @@ pub struct RoomView {
     pub cells: usize,
     /// Floor that the robot's tool can reach from the start, m².
     pub reachable_m2: f64,
+    /// Free floor that it can't reach, m².
+    pub left_out_m2: f64,
 }
 
 /// The plan in numbers; those of walk and drive only once it is there.

@@ -81,6 +81,10 @@ pub struct ReachableFloor {
     pub floor: Grid<bool>,
     /// Number of cells of `floor`, at least 1.
     pub floor_cells: usize,
+    /// Number of free fine cells that the tool can't sweep from the start: slivers, and what is closed off.
+    pub left_out_cells: usize,
+    /// Number of fine cells in whose centre the robot could stand, but which it can't get to.
+    pub closed_off_cells: usize,
     /// Where the robot starts.
     pub start: Pose,
     /// Radius of the tool's disc, m.
@@ -114,11 +118,23 @@ impl ReachableFloor {
         };
         let start = if robot.fills_cell { in_centre(start, resolution) } else { start };
         let passable = reachable(&free, Cell::at(start.position(), resolution));
+        let closed_off_cells = free.count() - passable.count();
         let standing = up_to_walls(&walls, passable);
         let tool_radius = 0.5 * robot.tool_width;
         let floor = sweepable(&standing, &blocked, tool_radius / resolution);
         let floor_cells = floor.count();
-        Ok(Self { resolution, walls, standing, floor, floor_cells, start, tool_radius })
+        let left_out_cells = (blocked.len() - blocked.count()).saturating_sub(floor_cells);
+        Ok(Self {
+            resolution,
+            walls,
+            standing,
+            floor,
+            floor_cells,
+            left_out_cells,
+            closed_off_cells,
+            start,
+            tool_radius,
+        })
     }
 
     /// The fine cell that holds a point; may lie outside.
@@ -136,6 +152,16 @@ impl ReachableFloor {
     /// Reachable floor in m².
     pub fn area(&self) -> f64 {
         self.floor_cells as f64 * self.resolution * self.resolution
+    }
+
+    /// Free floor that the tool can't reach from the start, m².
+    pub fn left_out_area(&self) -> f64 {
+        self.left_out_cells as f64 * self.resolution * self.resolution
+    }
+
+    /// Places where the robot could stand, but which it can't get to from the start, m².
+    pub fn closed_off_area(&self) -> f64 {
+        self.closed_off_cells as f64 * self.resolution * self.resolution
     }
 
     /// Whether the robot can drive from `from` straight to `to` over places that it can reach, without touching a wall.

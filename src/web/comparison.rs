@@ -148,7 +148,7 @@ impl Comparison {
     /// The numbers of a room by its place in the view's list, or of all rooms together; changes with the view's `version`.
     pub fn table(&self, room: Option<usize>) -> Result<JsValue, JsValue> {
         let room: Option<RoomChoice> = room.and_then(|index| self.state.rooms().get(index).copied());
-        to_js(&TableView::new(&self.state.table(room)))
+        to_js(&TableView::new(&self.state.table(room), room.and_then(|room| self.state.bounds(room))))
     }
 
     /// All trials as CSV.

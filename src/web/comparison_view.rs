@@ -5,7 +5,7 @@ use crate::{
         State,
         compare::{Comparison, Progress, Race, RoomSet, Spread, Table},
     },
-    metrics::{METRICS, MetricInfo},
+    metrics::{Bounds, METRICS, MetricInfo},
     planner::Params,
 };
 use serde::Serialize;
@@ -112,6 +112,8 @@ impl RaceView {
 #[derive(Serialize)]
 pub(super) struct TableView {
     metrics: &'static [MetricInfo],
+    /// Of a single room.
+    bounds: Option<Bounds>,
     rows: Vec<RowView>,
 }
 
@@ -128,7 +130,7 @@ struct RowView {
 }
 
 impl TableView {
-    pub fn new(table: &Table) -> Self {
+    pub fn new(table: &Table, bounds: Option<Bounds>) -> Self {
         let rows = table.rows.iter().map(|row| RowView {
             entrant: row.index,
             trials: row.trials,
@@ -137,6 +139,6 @@ impl TableView {
             values: row.values.clone(),
             best: (0..METRICS.len()).map(|column| table.is_best(row, column)).collect(),
         });
-        Self { metrics: METRICS, rows: rows.collect() }
+        Self { metrics: METRICS, bounds, rows: rows.collect() }
     }
 }

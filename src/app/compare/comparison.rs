@@ -8,7 +8,7 @@ use crate::{
     app::{Prepared, Session, SettingsError},
     floorplan::{FloorPlan, ROOMS, Scenario},
     geometry::Pose,
-    metrics::PlanNumbers,
+    metrics::{Bounds, PlanNumbers},
     planner::{CoveragePath, PLANNERS},
 };
 use std::{
@@ -20,6 +20,8 @@ use std::{
 pub const MOST_SEEDS: u32 = 20;
 /// Planners that take part at first.
 const FIRST: [&str; 4] = ["boustrophedon", "snake", "spiral_stc", "wavefront_path"];
+/// Simulated time per time that a race begins with: a flat takes most of an hour to clean.
+const RACE_SPEED: f64 = 64.0;
 /// Walks are kept to be raced as long as there are no more cells in them together, which take 8 bytes each.
 const MOST_KEPT_CELLS: usize = 8_000_000;
 
@@ -127,7 +129,7 @@ impl Comparison {
                 slip: settings.slip,
                 odometry: settings.odometry,
                 seed: settings.seed,
-                speed: shown.unwrap_or(settings.speed),
+                speed: shown.unwrap_or(RACE_SPEED),
             },
             link,
             plan_version,
@@ -409,6 +411,12 @@ impl Comparison {
             Row::new(self.entrants[entrant].clone(), entrant, &rooms.iter().map(results).collect::<Vec<_>>())
         });
         Table::new(rows.collect())
+    }
+
+    /// What no walk in a room can do without, once something is known of it.
+    pub fn bounds(&self, room: RoomChoice) -> Option<Bounds> {
+        let mut trials = self.wanted().into_iter().filter(|trial| trial.room == room);
+        trials.find_map(|trial| self.known.get(&self.key(&trial))?.as_ref().ok()?.bounds)
     }
 
     /// Everything that came out, for export.

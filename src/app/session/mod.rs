@@ -247,6 +247,21 @@ impl Session {
         }
     }
 
+    /// Whoever starts in a closet should know why the rest stays dirty.
+    fn warn_of_closed_off(&mut self, prepared: &Prepared) {
+        let floor = &prepared.floor;
+        if floor.closed_off_area() > floor.area() {
+            let (reached, left_out) = (floor.area(), floor.left_out_area());
+            self.say(
+                "notice",
+                format!(
+                    "From this start the robot reaches only {reached:.1} m² of floor; {left_out:.1} m² (hatched) lie \
+                     behind walls, or behind passages that are too narrow for it. Move the start, or choose a smaller robot."
+                ),
+            );
+        }
+    }
+
     /// Lays the room out anew and asks for a plan.
     fn prepare(&mut self) {
         // Whoever has watched a run to its end and changes something wants to watch the next one.
@@ -276,6 +291,7 @@ impl Session {
                         job: prepared.job.clone(),
                     }),
                 });
+                self.warn_of_closed_off(&prepared);
                 self.prepared = Some(prepared);
             }
             Err(error) => {

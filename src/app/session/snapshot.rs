@@ -52,6 +52,7 @@ impl Session {
                 resolution_m: plan.resolution,
                 cells: plan.occupancy.len(),
                 reachable_m2: self.prepared.as_ref().map_or(0.0, |p| p.floor.area()),
+                left_out_m2: self.prepared.as_ref().map_or(0.0, |p| p.floor.left_out_area()),
             },
             robot: self.settings.robot,
             planner: self.settings.planner.id,
