@@ -1,6 +1,6 @@
 //! The same seed gives the same run, natively and in WebAssembly, to the last bit.
 
-use robovac_playground::app::Session;
+use robovac_playground::{app::Session, planner::PLANNERS};
 use wasm_bindgen_test::wasm_bindgen_test;
 #[cfg(target_arch = "wasm32")]
 wasm_bindgen_test::wasm_bindgen_test_configure!(run_in_browser);
@@ -27,4 +27,32 @@ fn furnished_flat_with_slip() {
 #[wasm_bindgen_test(unsupported = test)]
 fn twelve_foot_room_with_harsh_slip() {
     assert_eq!(format!("{:016x}", digest("room=room12ft&planner=snake&slip=harsh&seed=7", 1800.0)), "c30852545b8b610b");
+}
+
+/// Every planner finds the same walk on both sides: no float of a planner may depend on the machine.
+///
+/// `UPDATE=1 cargo test --test determinism` writes the digests anew after a planner was meant to change.
+#[wasm_bindgen_test(unsupported = test)]
+fn walks_of_all_planners() {
+    let mut digests = String::new();
+    for info in PLANNERS {
+        for room in ["room12ft", "slanted"] {
+            let mut session = Session::new();
+            session.restore(&format!("room={room}&planner={}&robot=roomba600&seed=5", info.id)).unwrap();
+            let request = session.take_plan_request().unwrap();
+            let path = request.serve(|| 0.0, None).unwrap().path;
+            // FNV-1a over the cells.
+            let bytes = path.cells.iter().flat_map(|cell| [cell.x.to_le_bytes(), cell.y.to_le_bytes()]).flatten();
+            let digest = bytes.fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
+                (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
+            });
+            digests += &format!("{} {room} {} {digest:016x}\n", info.id, path.cells.len());
+        }
+    }
+    #[cfg(not(target_arch = "wasm32"))]
+    if std::env::var_os("UPDATE").is_some() {
+        std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/golden/walks.txt"), &digests).unwrap();
+        return;
+    }
+    assert_eq!(digests, include_str!("golden/walks.txt"));
 }

@@ -201,8 +201,8 @@ impl Comparison {
         height: f64,
         ratio: f64,
     ) -> Result<bool, JsValue> {
-        let Some(race) = self.state.race() else { return Ok(false) };
-        let Some(lane) = race.lanes().iter().find(|lane| lane.racer.entrant == entrant) else { return Ok(false) };
+        let Some(race) = self.state.solo(entrant) else { return Ok(false) };
+        let Some(lane) = race.lanes().first() else { return Ok(false) };
         let mut pane = Pane::new(canvas)?;
         let scene = race.scene(lane);
         pane.viewport.resize(width, height, ratio);

@@ -455,6 +455,16 @@ impl Comparison {
         self.race.as_mut()
     }
 
+    /// A race of one planner alone, to show its walk in the session's room; `None` as long as it has none.
+    pub fn solo(&self, entrant: usize) -> Option<Race> {
+        let base = self.base.as_ref()?;
+        let key = self.key(&Trial { room: self.here(), entrant, seed: base.seed });
+        let path = self.paths.get(&key)?;
+        let mut race = Race::new(0, Arc::clone(&base.plan), base.prepared.clone()?, base.setup);
+        race.enter(Racer { entrant, planned_s: 0.0, key }, path);
+        Some(race)
+    }
+
     /// Sets the race up anew if other robots should drive in it.
     fn enter_race(&mut self) {
         let Some(base) = &self.base else { return };
