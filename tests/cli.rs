@@ -311,3 +311,45 @@ fn help_documents_exit_codes_and_units() {
         "{help}"
     );
 }
+
+#[test]
+fn compare_makes_every_trial_once_in_every_form() {
+    let map = file("compare/map.txt", b"; resolution 0.2\n; name Two, cells\nS.\n..\n");
+    let rooms = format!("thesis8,{map}");
+    let arguments = ["compare", "--rooms", &rooms, "--planners", "snake~patience:0,genetic", "--seeds", "3", "--json"];
+    let records: Value = serde_json::from_str(&text(&arguments)).unwrap();
+    let records = records.as_array().unwrap();
+    let of = |planner: &str| records.iter().filter(|r| r["planner"] == planner).collect::<Vec<_>>();
+    assert_eq!((of("snake").len(), of("genetic").len()), (2, 6), "only what uses chance needs more seeds");
+    assert_eq!(of("snake")[0]["params"]["patience"], 0.0);
+    assert_eq!(of("genetic").iter().map(|r| r["seed"].as_u64().unwrap()).collect::<Vec<_>>(), [1, 2, 3, 1, 2, 3]);
+    for record in records {
+        assert_eq!(record["numbers"]["coverage"], 100.0, "{record}");
+        let names: HashSet<&str> = record["numbers"].as_object().unwrap().keys().map(String::as_str).collect();
+        assert_eq!(names, METRICS.iter().map(|m| m.id).collect(), "the ids are those of \"robovac metrics\"");
+    }
+    let csv = text(&["compare", "--rooms", &rooms, "--planners", "all", "--csv", "--jobs", "1"]);
+    assert_eq!(csv.lines().count(), 1 + 2 * PLANNERS.len());
+    assert!(csv.lines().last().unwrap().starts_with("\"Two, cells\",cell,0.2,"), "{csv}");
+    let table = text(&["compare", "--rooms", "thesis8", "--planners", "boustrophedon,snake"]);
+    assert!(table.starts_with("### Thesis preset 8 x 8, ") && table.contains("\n| snake | "), "{table}");
+    assert!(table.lines().find(|l| l.starts_with("| boustrophedon |")).unwrap().contains("| **14** |"), "{table}");
+}
+
+#[test]
+fn compare_says_what_it_does_not_know() {
+    for (arguments, expected) in [
+        (["--rooms", "nowhere"], "neither a room"),
+        (["--planners", "snail"], "there is no planner \"snail\""),
+        (["--planners", "snake~patience:lots"], "takes a whole number from 0 to 20"),
+        (["--robot", "tank"], "there is no robot \"tank\""),
+        (["--seeds", "0"], "0 is not in 1..=1000"),
+    ] {
+        let (code, message) = failure(&[&["compare"], &arguments[..]].concat());
+        assert!(code == 2 && message.contains(expected), "{arguments:?}: {code} {message}");
+    }
+    // A room where the robot doesn't fit is a result too.
+    let narrow = file("compare/narrow.txt", b"; resolution 0.1\n..\n");
+    let csv = text(&["compare", "--rooms", &narrow, "--planners", "snake", "--robot", "roomba600", "--csv"]);
+    assert!(csv.contains("fits nowhere in this room"), "{csv}");
+}
