@@ -4,5 +4,6 @@ mod bounds;
 mod contract;
 mod golden;
 mod papers;
+mod peers;
 mod properties;
 mod support;
