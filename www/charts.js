@@ -8,11 +8,11 @@ import { shown } from "./numbers.js";
  */
 
 /** Numbers that get bars. */
-const BARS = ["turns", "revisited_cells", "length", "duration"];
+const BARS = ["turns", "revisited_cells", "length", "duration", "above_bound"];
 /** Numbers of the chart with an axis for each. */
 const AXES = ["coverage", "length", "duration", "energy", "turns", "revisits", "overlap_area", "planning"];
 /** Height of a bar with its name, and width of all, in units of the drawing. */
-const [ROW, WIDTH] = [34, 420];
+const [ROW, WIDTH] = [34, 330];
 
 /** @param {string} text */
 const safe = (text) => text.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
@@ -41,11 +41,11 @@ function bars({ metrics, rows }, planners, id) {
   });
   known.sort((a, b) => a.spread.median - b.spread.median);
   const most = Math.max(...known.map(({ spread }) => spread.max), 1e-9);
-  const x = (/** @type {number} */ value) => (value / most) * (WIDTH - 90);
+  const x = (/** @type {number} */ value) => (value / most) * (WIDTH - 64);
   const title = `${metric.label}${metric.unit && metric.unit !== "s" ? `, ${metric.unit}` : ""}`;
-  const height = 30 + ROW * known.length;
+  const height = 6 + ROW * known.length;
   const items = known.map(({ row, spread }, i) => {
-    const y = 30 + ROW * i;
+    const y = 6 + ROW * i;
     const name = safe(planners[row.entrant]?.title ?? "");
     const range = spread.max > spread.min ? `<path class="range" d="M${x(spread.min)} ${y + 22}H${x(spread.max)}"/>` : "";
     return `<g data-entrant="${row.entrant}"><title>${name}: ${shown(spread.median, metric)}</title><text x="0" y="${y + 11}" class="name">${name}</text><rect y="${y + 16}" width="${Math.max(x(spread.median), 1)}" height="12" rx="2" data-colour="${row.entrant % 8}" data-shape="${Math.floor(row.entrant / 8)}"/>${range}<text x="${x(spread.max) + 6}" y="${y + 26}" class="value">${shown(spread.median, metric)}</text></g>`;
@@ -67,7 +67,7 @@ function parallel({ metrics, rows }, planners) {
     const metric = metrics[column];
     const end = ends[i];
     if (!metric || !end) return "";
-    return `<path class="grid-line" d="M${x(i)} ${top}V${bottom}"/><text class="name middle" x="${x(i)}" y="${i % 2 ? 26 : 14}">${safe(metric.label)}</text><text class="value middle" x="${x(i)}" y="${top - 3}">${i % 2 ? "" : ""}</text><text class="value middle" x="${x(i)}" y="${bottom + (i % 2 ? 26 : 14)}">${shown(end.worst, metric)}</text>`;
+    return `<path class="grid-line" d="M${x(i)} ${top}V${bottom}"/><text class="name middle" x="${x(i)}" y="${i % 2 ? 26 : 14}">${safe(metric.label)}</text><text class="value middle" x="${x(i)}" y="${bottom + (i % 2 ? 26 : 14)}">${shown(end.worst, metric)}</text>`;
   });
   const lines = rows.map((row) => {
     const points = axes.flatMap((column, i) => {
@@ -79,7 +79,7 @@ function parallel({ metrics, rows }, planners) {
     const name = safe(planners[row.entrant]?.title ?? "");
     return points.length > 1 ? `<path class="profile" d="M${points.join("L")}" data-entrant="${row.entrant}" data-colour="${row.entrant % 8}" data-shape="${Math.floor(row.entrant / 8)}"><title>${name}</title></path>` : "";
   });
-  return svg("All numbers: the best at the top, the worst (written) at the bottom", 284, marks.join("") + lines.join(""), "Profiles of the algorithms over all numbers; the table says the same.");
+  return svg("The best at the top, the worst at the bottom", 284, marks.join("") + lines.join(""), "Profiles of the algorithms over all numbers; the table says the same.");
 }
 
 /** @param {string} title @param {number} height @param {string} inside @param {string} words */

@@ -143,7 +143,8 @@ function updateSetup({ app, view }) {
     const words = { out: "", done: "✓", failed: "failed", trying: busy ? `${Math.floor(entrant.progress * 100)} %` : "–" };
     if (status) {
       setText(status, words[entrant.state]);
-      setAttribute(status, "title", entrant.message);
+      setAttribute(status, "data-tip", entrant.message);
+      setAttribute(status, "tabindex", entrant.state === "failed" ? "0" : "-1");
     }
     if (changed(item, "params", JSON.stringify(entrant.params))) {
       for (const control of item.querySelectorAll("[data-param]")) {
@@ -157,11 +158,14 @@ function updateSetup({ app, view }) {
 }
 
 /** @param {CompareView} view */
-function updateTrying({ done, total, cancelled, entrants }) {
+function updateTrying({ done, total, cancelled, entrants, race }) {
   const left = done < total;
   const failed = entrants.filter(({ state }) => state === "failed").length;
   const words = left ? `${cancelled ? "Stopped" : "Trying"}: ${done} of ${total}` : `${total} ${total === 1 ? "plan" : "plans"} made`;
-  setText(byId("trying"), failed ? `${words}, ${failed} failed` : words);
+  const lanes = race?.lanes.length ?? 0;
+  const able = entrants.filter(({ state }) => state === "done").length;
+  const most = lanes > 0 && able > lanes ? `; the first ${lanes} race` : "";
+  setText(byId("trying"), `${words}${failed ? `, ${failed} failed` : ""}${most}`);
   setHidden(byId("trying-bar"), !left);
   setAttribute(typed("trying-bar", HTMLProgressElement), "value", String(Math.floor((100 * done) / Math.max(total, 1))));
   setHidden(byId("trying-stop"), !left);

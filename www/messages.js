@@ -37,7 +37,8 @@ export function startMessages() {
   button("message-close").addEventListener("click", () => {
     dismissed = byId("message-text").textContent ?? "";
     local = "";
-    byId("floor").focus();
+    const floor = byId("floor");
+    (floor.checkVisibility() ? floor : byId("view-race")).focus();
   });
   button("cover-reload").addEventListener("click", () => location.reload());
 }

@@ -31,9 +31,13 @@ export function startNumbers(it) {
   const show = () => {
     if (!table) return;
     const { metrics, rows } = table;
+    const focused = document.activeElement?.closest("#compared [data-key]")?.getAttribute("data-key");
     head.replaceChildren(make("tr", {}, make("th", { scope: "col" }, "Algorithm"), ...metrics.map((metric, column) => heading(metric, column, order, sortBy))));
     body.replaceChildren(...sorted(rows, metrics, order).map((row) => line(it, row, metrics, rows)));
     drawCharts(byId("charts"), table, app.catalogue.planners, it.about);
+    // Whoever works with the keyboard stays where they were.
+    const same = focused && byId("compared").querySelector(`[data-key="${focused}"]`);
+    if (same instanceof HTMLElement) same.focus({ preventScroll: true });
   };
 
   select("table-room").addEventListener("change", () => changed(body, "table", "") && undefined);
@@ -67,7 +71,7 @@ function proven({ bounds }) {
 function heading(metric, column, order, sortBy) {
   const cell = make("th", { scope: "col", "data-tip": `${metric.definition} ${metric.better === "lower" ? "Lower" : "Higher"} is better.` });
   const unit = metric.unit ? make("span", { className: "unit" }, metric.unit === "s" && metric.decimals === 0 ? "min" : metric.unit) : "";
-  cell.append(make("button", { type: "button", className: "term", onclick: () => sortBy(column) }, metric.label), unit);
+  cell.append(make("button", { type: "button", className: "term", "data-key": metric.id, onclick: () => sortBy(column) }, metric.label), unit);
   cell.setAttribute("aria-sort", order?.column !== column ? "none" : order.down === (metric.better === "lower") ? "descending" : "ascending");
   return cell;
 }
@@ -84,7 +88,7 @@ function sorted(rows, metrics, order) {
 /** @param {import("./compare.js").Comparing} it @param {Row} row @param {Metric[]} metrics @param {Row[]} rows */
 function line({ app, about }, row, metrics, rows) {
   const planner = app.catalogue.planners[row.entrant];
-  const open = make("button", { type: "button", className: "link", onclick: () => about(row.entrant) }, planner?.title ?? "");
+  const open = make("button", { type: "button", className: "link", "data-key": String(row.entrant), onclick: () => about(row.entrant) }, planner?.title ?? "");
   const name = make("th", { scope: "row" }, swatch(row.entrant), open);
   if (row.failure) name.append(make("span", { className: "failure", "data-tip": row.failure, tabIndex: 0 }, "failed"));
   const cells = metrics.map((metric, column) => {

@@ -18,12 +18,15 @@ export function startRace(it) {
   const { app, act } = it;
   fill(select("race-speed"), app.catalogue.speeds.map((x) => [String(x), x === 0 ? "max" : `${x}×`]));
   select("race-speed").addEventListener("change", () => act((c) => c.set_speed(Number(select("race-speed").value))));
-  const isRunning = () => ["playing", "seeking"].includes(it.view.race?.state ?? "");
+  const isRunning = () => isMoving(it.view.race);
   const toggle = () => act((c) => (isRunning() ? c.pause() : c.play()));
   button("race-play").addEventListener("click", toggle);
   button("race-step").addEventListener("click", () => act((c) => c.step()));
   button("race-reset").addEventListener("click", () => act((c) => c.seek(0)));
   const scrub = typed("race-scrub", HTMLInputElement);
+  let held = false;
+  scrub.addEventListener("pointerdown", () => (held = true));
+  for (const end of ["pointerup", "pointercancel", "blur"]) scrub.addEventListener(end, () => (held = false));
   scrub.addEventListener("input", () => act((c) => c.seek(Math.min(Number(scrub.value), it.view.race?.end_s ?? 0))));
   /** @type {Record<string, () => boolean>} */
   const keys = { " ": toggle, ".": () => act((c) => c.step()), r: () => act((c) => c.seek(0)) };
@@ -34,7 +37,7 @@ export function startRace(it) {
   const update = (view) => {
     const { race } = view;
     setHidden(byId("race-hint"), Boolean(race && race.lanes.length > 0));
-    setText(byId("race-hint"), hint(view));
+    setText(byId("race-hint"), hint(it));
     const who = race ? race.lanes.map(({ entrant }) => entrant).join(" ") : "";
     if (changed(byId("lanes"), "who", who)) {
       buildLanes(it, race);
@@ -47,7 +50,7 @@ export function startRace(it) {
       size = now;
       it.comparison.resize(pane.clientWidth, pane.clientHeight, devicePixelRatio);
     }
-    updateBar(race, isRunning());
+    updateBar(race, isRunning(), held);
     const at = performance.now();
     if (race && at - drawn > REDRAW && changed(byId("race-curves"), "extent", `${who} ${race.end_s} ${race.planned_s}`)) {
       drawn = at;
@@ -57,11 +60,12 @@ export function startRace(it) {
   return { update, key: (/** @type {string} */ key) => keys[key]?.() ?? false };
 }
 
-/** @param {CompareView} view */
-function hint({ entrants, done, total, race }) {
+/** @param {Comparing} it */
+function hint({ view: { entrants, done, total, cancelled } }) {
   if (!entrants.some(({ chosen }) => chosen)) return "Choose at least two algorithms.";
-  if (!race && done < total) return "Planning. Robots come to the start as their plans are made.";
-  return "None of these algorithms has a plan for this room yet.";
+  if (done < total && !cancelled) return "Planning. Robots come to the start as their plans are made.";
+  const failure = entrants.find(({ state }) => state === "failed")?.message;
+  return failure ? `No plan can be made here: ${failure}` : "None of these algorithms has a plan for this room yet.";
 }
 
 /** @param {Comparing} it @param {RaceView | null} race */
@@ -87,18 +91,23 @@ function updateLanes({ app }, race) {
     if (!output || !canvas) return;
     setText(output, `${percent(lane.coverage)} %${lane.finished ? ` in ${clock(lane.time_s)}` : ""}`);
     setAttribute(pane, "data-leads", String(lane === leader && race.time_s > 0));
-    if (changed(canvas, "said", `${race.state} ${Math.floor(lane.coverage * 10)} ${lane.finished}`)) {
+    // While it drives, the picture is put into words now and then; while it stands, the words fit it.
+    const far = isMoving(race) ? Math.floor(lane.coverage * 10) : lane.time_s;
+    if (changed(canvas, "said", `${race.state} ${far} ${lane.finished}`)) {
       const title = app.catalogue.planners[lane.entrant]?.title;
       canvas.setAttribute("aria-label", `${title}: ${percent(lane.coverage)} % of the reachable floor is clean after ${clock(lane.time_s)} and ${metres(lane.distance_m)} m${lane.finished ? ", done" : ""}.`);
     }
   });
 }
 
+/** @param {RaceView | null} race */
+const isMoving = (race) => ["playing", "seeking"].includes(race?.state ?? "");
+
 /** @param {RaceView["lanes"][number]} lane */
 const rank = ({ finished, time_s, coverage }) => (finished ? 2e9 - time_s : coverage);
 
-/** @param {RaceView | null} race @param {boolean} running */
-function updateBar(race, running) {
+/** @param {RaceView | null} race @param {boolean} running @param {boolean} held Whether the time line is being dragged. */
+function updateBar(race, running, held) {
   for (const id of ["race-play", "race-step", "race-reset"]) setEnabled(button(id), Boolean(race));
   if (changed(button("race-play"), "running", running)) {
     const name = running ? "Pause" : "Start the race";
@@ -112,7 +121,7 @@ function updateBar(race, running) {
   const scrub = typed("race-scrub", HTMLInputElement);
   const range = Math.max(race.planned_s, race.end_s, 1);
   if (changed(scrub, "max", range)) scrub.max = String(range);
-  if (document.activeElement !== scrub || running) scrub.value = String(race.time_s);
+  if (!held && race.state !== "seeking") scrub.value = String(race.time_s);
   if (!running) setAttribute(scrub, "aria-valuetext", clock(race.time_s));
 }
 

@@ -1,0 +1,429 @@
+// The place Compare: algorithms held against each other, in a race and by numbers.
+import assert from "node:assert/strict";
+import fs from "node:fs";
+import { test } from "node:test";
+import { App, openApp, seconds } from "./app.mjs";
+import { openPage } from "./harness.mjs";
+
+const FOUR = "boustrophedon,snake,spiral_stc,wavefront_path";
+const PHONE = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, isMobile: true, hasTouch: true };
+
+/** Opens a comparison by its link, without waiting for plans. */
+async function openCompare(t, { link = `vs=${FOUR}`, room = "room=empty", view = "race", ...options } = {}) {
+  const opened = await openPage(t, { address: `#${room}&place=compare&view=${view}&${link}`, ...options });
+  const app = new App(opened.page);
+  await opened.page.locator("body[data-place=compare][data-boot=ready]").waitFor();
+  return { ...opened, app };
+}
+
+/** Waits until all plans are made, or have failed. There is no telling how long that takes on a slow computer. */
+const tried = (page, count) =>
+  page.waitForFunction((n) => document.getElementById("trying").textContent.startsWith(`${n} plan`), count, { timeout: 240_000 });
+
+const lanes = (page, count) => page.waitForFunction((n) => document.querySelectorAll("#lanes figure").length === n, count, { timeout: 60_000 });
+
+/** The seconds on the clock, and those that every lane's description tells. */
+async function clocks(page) {
+  const [clock, words] = await page.evaluate(() => [
+    document.getElementById("race-time").textContent,
+    [...document.querySelectorAll("#lanes canvas")].map((canvas) => canvas.getAttribute("aria-label") ?? ""),
+  ]);
+  return { clock: seconds(clock), lanes: words.map((text) => seconds(/clean after ([\d:]+) and/.exec(text)?.[1] ?? "NaN")) };
+}
+
+/** Waits until the clock fits, and checks that no lane has another one. */
+async function clockThat(app, fits) {
+  const { clock, lanes } = await app.poll(() => clocks(app.page), ({ clock, lanes }) => fits(clock) && lanes.every((lane) => lane === clock));
+  assert.ok(lanes.length > 0);
+  return clock;
+}
+
+/** For each canvas: number of different colours among some of its pixels, and a number that tells pictures apart. */
+const pictures = (page, selector) =>
+  page.evaluate(
+    (which) =>
+      [...document.querySelectorAll(which)].map((canvas) => {
+        const copy = new OffscreenCanvas(canvas.width, canvas.height);
+        const context = copy.getContext("2d");
+        context.drawImage(canvas, 0, 0);
+        const pixels = new Uint32Array(context.getImageData(0, 0, copy.width, copy.height).data.buffer);
+        let sum = 0;
+        for (const pixel of pixels) sum = (Math.imul(sum, 31) + pixel) | 0;
+        return { colours: new Set(pixels).size, sum };
+      }),
+    selector,
+  );
+
+/** The table as it stands: names of columns and rows, texts of cells without ranges, which are the best. */
+const table = (page) =>
+  page.evaluate(() => {
+    const of = (root, selector) => [...root.querySelectorAll(selector)];
+    return {
+      columns: of(document, "#compared thead th").map((th) => th.querySelector("button")?.textContent ?? th.textContent),
+      sorts: of(document, "#compared thead th").map((th) => th.getAttribute("aria-sort")),
+      rows: of(document, "#compared tbody tr").map((tr) => ({
+        name: tr.querySelector("th button").textContent,
+        cells: of(tr, "td").map((td) => td.firstChild?.nodeType === Node.TEXT_NODE ? td.firstChild.data : td.textContent),
+        ranges: of(tr, "td").map((td) => td.querySelector("small")?.textContent ?? ""),
+        best: of(tr, "td").map((td) => td.classList.contains("best")),
+      })),
+    };
+  });
+
+/** A cell as a number: "1:02:03" in seconds, "1,234.5" without its comma. */
+const value = (text) => (text.includes(":") ? seconds(text) : Number(text.replace(/,/g, "")));
+
+/** The values of a column, from top to bottom. */
+const column = ({ columns, rows }, name) => rows.map(({ cells }) => value(cells[columns.indexOf(name) - 1]));
+
+/** What a click on an export button saves. */
+async function saved(page, kind) {
+  const [download] = await Promise.all([page.waitForEvent("download"), page.locator(`[data-export=${kind}]`).click()]);
+  assert.match(download.suggestedFilename(), new RegExp(`^comparison-.*\\.${kind}$`));
+  return fs.readFileSync(await download.path());
+}
+
+/** Lines of a CSV file, by the names of its head. */
+function parseCsv(text) {
+  const lines = text.trimEnd().split("\n").map((line) => [...line.matchAll(/("(?:[^"]|"")*"|[^,]*)(?:,|$)/g)].map(([, field]) => field.replace(/^"|"$/g, "").replace(/""/g, '"')));
+  const [head, ...rows] = lines;
+  return rows.map((row) => Object.fromEntries(head.map((name, i) => [name, row[i]])));
+}
+
+test("one goes to Compare and back by tabs, and both places stay as they were", async (t) => {
+  const { page, app } = await openApp(t, { address: "#room=lshape&planner=spiral_stc&speed=4" });
+  await app.pause();
+  const { time } = await app.numbers();
+  await page.locator("#tab-compare").click();
+  await page.locator("#place-compare").waitFor();
+  assert.equal(await page.locator("#tab-compare").getAttribute("aria-current"), "page");
+  assert.ok(await page.locator("#place-explore").isHidden());
+  assert.equal(await app.text("#compare-room"), "L-shaped room");
+  await lanes(page, 4);
+  await page.locator("#view-numbers").click();
+  assert.equal(await app.linked("place"), "compare");
+  await app.linked("view", (view) => view === "numbers");
+  await page.locator("#to-explore").click();
+  await page.locator("#place-explore").waitFor();
+  assert.equal(await page.locator("#planner").inputValue(), "spiral_stc");
+  assert.equal((await app.numbers()).time, time, "Explore stood still meanwhile");
+  assert.equal(await app.linked("place", (place) => place === undefined), undefined);
+  await page.locator("#tab-compare").click();
+  assert.equal(await page.locator("#view-numbers").getAttribute("aria-pressed"), "true");
+  await tried(page, 4);
+});
+
+test("the copied link brings room, algorithms, parameters, seeds and view to another page", async (t) => {
+  const { page, app, context } = await openCompare(t, { room: "room=thesis8&robot=cell&seed=5", permissions: ["clipboard-read", "clipboard-write"] });
+  await page.locator("#compare-seeds").selectOption("3");
+  await page.locator("#compare-rooms").selectOption("shapes");
+  for (const id of ["boustrophedon", "wavefront_path"]) await page.locator(`#in-${id}`).uncheck();
+  await page.locator("#entrants li[data-id=snake] summary").click();
+  const patience = page.locator("#in-snake-patience");
+  await patience.fill("5");
+  await page.keyboard.press("Tab");
+  await page.locator("#view-numbers").click();
+  await app.linked("vs", (vs) => vs === "spiral_stc,snake~patience:5");
+  await page.getByRole("button", { name: "Copy link" }).click();
+  const copied = await page.evaluate(() => navigator.clipboard.readText());
+
+  const other = await context.newPage();
+  await other.goto(copied);
+  await other.locator("#place-compare").waitFor();
+  const chosen = await other.locator("#entrants li:has(> input:checked)").evaluateAll((items) => items.map((item) => item.dataset.id));
+  assert.deepEqual(chosen, ["spiral_stc", "snake"]);
+  assert.equal(await other.locator("#in-snake-patience").inputValue(), "5");
+  assert.equal(await other.locator("#compare-seeds").inputValue(), "3");
+  assert.equal(await other.locator("#compare-rooms").inputValue(), "shapes");
+  assert.equal(await other.locator("#view-numbers").getAttribute("aria-pressed"), "true");
+  assert.match(await other.locator("#compare-robot").innerText(), /seed 5/);
+  assert.equal(await other.locator("#compare-room").innerText(), await page.locator("#compare-room").innerText());
+  await new App(other).linked("vs", (vs) => vs === "spiral_stc,snake~patience:5");
+  assert.deepEqual(await new App(other).link(), await app.link());
+});
+
+test("algorithms are chosen by keyboard, and all robots have one clock", async (t) => {
+  const { page, app } = await openCompare(t, { link: "vs=snake" });
+  await lanes(page, 1);
+  await page.locator("#in-snake").focus();
+  await page.keyboard.press("Space");
+  await page.locator("#race-hint", { hasText: "Choose at least two algorithms." }).waitFor();
+  await page.keyboard.press("Space");
+  for (const id of ["spiral_stc", "wavefront_path"]) {
+    await page.locator(`#in-${id}`).focus();
+    await page.keyboard.press("Space");
+  }
+  await lanes(page, 3);
+  await tried(page, 3);
+
+  assert.equal(await clockThat(app, (clock) => clock === 0), 0);
+  await page.locator("#race-speed").selectOption("16");
+  await page.locator("#view-race").focus();
+  await page.keyboard.press(".");
+  await page.keyboard.press(".");
+  await page.getByRole("button", { name: "One step" }).click();
+  for (let i = 0; i < 6; i += 1) await page.keyboard.press(".");
+  const stepped = await clockThat(app, (clock) => clock >= 1);
+
+  await page.getByRole("button", { name: "Start the race" }).click();
+  await app.poll(() => clocks(page), ({ clock }) => clock > 30);
+  await page.getByRole("button", { name: "Pause" }).click();
+  const paused = await clockThat(app, (clock) => clock > 30);
+  await app.frames(10);
+  assert.equal(await clockThat(app, () => true), paused, "time stands still");
+  const shown = await pictures(page, "#lanes canvas");
+  assert.ok(shown.every(({ colours }) => colours > 5), JSON.stringify(shown));
+  assert.equal(new Set(shown.map(({ sum }) => sum)).size, 3, "every lane has a picture of its own");
+  const leaders = await page.locator("#lanes figure[data-leads=true]").count();
+  assert.equal(leaders, 1);
+
+  // Back by the time line, but not beyond what was driven.
+  const scrub = page.locator("#race-scrub");
+  await scrub.evaluate((range, to) => {
+    range.focus();
+    range.value = String(to);
+    range.dispatchEvent(new Event("input", { bubbles: true }));
+  }, stepped + 5);
+  assert.equal(await clockThat(app, (clock) => Math.abs(clock - stepped - 5) <= 1) > 0, true);
+  const back = await pictures(page, "#lanes canvas");
+  assert.ok(back.every(({ sum }, lane) => sum !== shown[lane].sum), "pictures of earlier");
+  await page.keyboard.press("End");
+  const end = await clockThat(app, (clock) => clock >= paused - 1);
+  await app.poll(async () => Number(await scrub.inputValue()), (at) => Math.abs(at - end) <= 1);
+  await page.keyboard.press("r");
+  assert.equal(await clockThat(app, (clock) => clock === 0), 0);
+  await app.poll(async () => Number(await scrub.inputValue()), (at) => at === 0);
+  await page.locator("#view-race").focus();
+  await page.locator("body").evaluate(() => document.activeElement.blur());
+  await page.keyboard.press("Space");
+  await page.getByRole("button", { name: "Pause" }).waitFor();
+  await page.locator("#race-speed").selectOption("0");
+  await page.waitForFunction(() => [...document.querySelectorAll("#lanes output")].every((output) => / in \d/.test(output.textContent)), undefined, { timeout: 120_000 });
+  const words = await page.locator("#lanes canvas").evaluateAll((all) => all.map((canvas) => canvas.getAttribute("aria-label")));
+  for (const text of words) assert.match(text, /^[A-Z].*: \d+\.\d % of the reachable floor is clean after [\d:]+ and [\d.,]+ m, done\.$/);
+});
+
+test("all algorithms have all numbers in the flat; they can be sorted, explained and shown", async (t) => {
+  const { page, app } = await openCompare(t, { room: "room=flat", view: "numbers" });
+  await page.locator("#choose-all").click();
+  const planners = await page.locator("#entrants li").count();
+  assert.ok(planners >= 14);
+  await tried(page, planners);
+  const first = await app.poll(() => table(page), ({ rows }) => rows.length === planners);
+  assert.match(await app.text("#trying"), /^\d+ plans made; the first 9 race$/);
+  for (const { name, cells } of first.rows) assert.ok(cells.every((cell) => Number.isFinite(value(cell))), `${name}: ${cells}`);
+  assert.ok(column(first, "Coverage").every((share) => share > 95 && share <= 100));
+  assert.ok(column(first, "Above the bound").every((percent) => percent >= 0));
+
+  for (const [name, lower] of [["Length", true], ["Time", true], ["Quarter turns", true], ["Coverage", false]]) {
+    const at = first.columns.indexOf(name);
+    const heading = page.locator("#compared thead button", { hasText: new RegExp(`^${name}$`) });
+    await heading.focus();
+    const directions = lower ? ["ascending", "descending"] : ["descending", "ascending"];
+    for (const direction of directions) {
+      await page.keyboard.press("Enter");
+      const now = await table(page);
+      assert.deepEqual(now.sorts.filter((sort) => sort && sort !== "none"), [direction], name);
+      assert.equal(now.sorts[at], direction, name);
+      const values = column(now, name);
+      const sorted = [...values].sort((a, b) => (direction === "ascending" ? a - b : b - a));
+      assert.deepEqual(values, sorted, `${name} ${direction}`);
+      assert.equal(await heading.evaluate((node) => node === document.activeElement), true, "the focus stays");
+      const best = lower ? Math.min(...values) : Math.max(...values);
+      for (const { name: who, best: marks, cells } of now.rows) assert.equal(marks[at - 1], value(cells[at - 1]) === best, `${who}, ${name}`);
+    }
+    await page.keyboard.press("Enter");
+    assert.deepEqual((await table(page)).rows.map((row) => row.name), first.rows.map((row) => row.name), "as before");
+  }
+
+  // How far behind, in words.
+  const lengths = column(first, "Length");
+  const least = Math.min(...lengths);
+  const worst = lengths.indexOf(Math.max(...lengths));
+  const cell = page.locator("#compared tbody tr").nth(worst).locator("td").nth(first.columns.indexOf("Length") - 1);
+  await cell.hover();
+  const percent = Math.round((100 * (lengths[worst] - least)) / least);
+  const tip = await app.text("#tip");
+  assert.match(tip, /^Length: (\d+) % more than the best \(/);
+  assert.ok(Math.abs(Number(/(\d+) %/.exec(tip)[1]) - percent) <= 1, tip);
+  assert.ok(tip.includes(first.rows[lengths.indexOf(least)].name), tip);
+
+  const charts = page.locator("#charts svg[role=img]");
+  assert.ok((await charts.count()) >= 4);
+  for (const label of await charts.evaluateAll((all) => all.map((svg) => svg.getAttribute("aria-label")))) assert.ok(label.length > 20);
+
+  // A row shows the path, and leads to Explore.
+  const growing = page.locator("#compared tbody tr", { hasText: "Growing spirals" });
+  await growing.locator("td").first().click();
+  await page.locator("#about[open]").waitFor();
+  assert.equal(await app.text("#about-title"), "Growing spirals");
+  const [path] = await pictures(page, "#about-path");
+  assert.ok(path.colours > 5, `${path.colours} colours`);
+  assert.match(await page.locator("#about-path").getAttribute("aria-label"), /^Path of Growing spirals in Furnished flat$/);
+  await page.getByRole("button", { name: "Open in Explore" }).click();
+  await page.locator("#place-explore").waitFor();
+  assert.equal(await page.locator("#planner").inputValue(), "spiral");
+  await app.until("playing", "ready", "paused", "finished");
+});
+
+test("the path of an algorithm beyond the race is shown too, or it is said why not", async (t) => {
+  const { page, app } = await openCompare(t, { room: "room=empty", view: "numbers", link: "vs=snake,spiral" });
+  await tried(page, 2);
+  await page.getByRole("button", { name: "About S-shaped pathway" }).click();
+  await page.locator("#about[open]").waitFor();
+  assert.match(await app.text("#about-none"), /once it has been planned/);
+  assert.ok(await page.locator("#about-path").isHidden());
+});
+
+test("numbers of several rooms are summed up", async (t) => {
+  const { page, app } = await openCompare(t, { view: "numbers", link: "vs=boustrophedon,snake&rooms=shapes&seeds=1" });
+  const menu = page.locator("#table-room");
+  const rooms = (await menu.locator("option").count()) - 1;
+  assert.ok(rooms >= 2, `${rooms} rooms`);
+  await tried(page, 2 * rooms);
+  assert.equal(await menu.inputValue(), "all");
+  const together = await table(page);
+  assert.match(await app.text("#table-note"), /Sums over the rooms; percentages are means/);
+  const sums = { Steps: [0, 0], Coverage: [0, 0] };
+  for (let room = 0; room < rooms; room += 1) {
+    await menu.selectOption(String(room));
+    const alone = await app.poll(() => table(page), ({ rows }) => rows.length === 2);
+    await app.frames(2);
+    for (const name of Object.keys(sums)) column(await table(page), name).forEach((number, row) => (sums[name][row] += number));
+    assert.equal(alone.rows.length, 2);
+  }
+  assert.deepEqual(column(together, "Steps"), sums.Steps);
+  column(together, "Coverage").forEach((mean, row) => assert.ok(Math.abs(mean - sums.Coverage[row] / rooms) < 0.11));
+});
+
+test("an algorithm that uses chance has a range over its seeds, one that doesn't has none", async (t) => {
+  const { page, app } = await openCompare(t, { view: "numbers", link: "vs=snake,genetic&seeds=3", room: "room=thesis8&robot=cell" });
+  await tried(page, 4);
+  const { rows } = await app.poll(() => table(page), (shown) => shown.rows.length === 2);
+  const [chance, certain] = ["Genetic algorithm", "Improved snake"].map((name) => rows.find((row) => row.name === name));
+  assert.ok(chance.ranges.some((range) => range.includes("–")), JSON.stringify(chance));
+  assert.ok(certain.ranges.every((range) => range === ""), JSON.stringify(certain));
+  assert.match(await app.text("#table-note"), /median of 3 seeds/);
+});
+
+test("trying can be cancelled and goes on", async (t) => {
+  const { page, app } = await openCompare(t, { room: "room=flat", view: "numbers", link: "vs=snake,genetic,neural,energy,grid_tsp&rooms=homes&seeds=20" });
+  await page.getByRole("button", { name: "Cancel", exact: true }).click();
+  await page.locator("#trying", { hasText: /^Stopped: \d+ of \d+/ }).waitFor();
+  const stopped = await app.text("#trying");
+  await app.frames(30);
+  assert.equal(await app.text("#trying"), stopped);
+  await page.getByRole("button", { name: "Go on", exact: true }).click();
+  await page.locator("#trying", { hasText: /^Trying: / }).waitFor();
+  // A smaller choice ends what is no longer wanted.
+  for (const id of ["genetic", "neural", "energy", "grid_tsp"]) await page.locator(`#in-${id}`).uncheck();
+  await page.locator("#compare-rooms").selectOption("this");
+  await tried(page, 1);
+  assert.ok(await page.locator("#trying-stop").isHidden());
+  assert.ok(await page.locator("#trying-bar").isHidden());
+});
+
+test("numbers and charts can be saved", async (t) => {
+  const { page } = await openCompare(t, { view: "numbers", link: "vs=boustrophedon,snake,genetic&seeds=3", room: "room=thesis8&robot=cell&seed=4" });
+  await tried(page, 5);
+  const shown = await table(page);
+  const snake = shown.rows.find(({ name }) => name === "Improved snake");
+  const steps = value(snake.cells[shown.columns.indexOf("Steps") - 1]);
+
+  const csv = parseCsv((await saved(page, "csv")).toString());
+  assert.deepEqual(csv.map(({ planner, seed }) => `${planner} ${seed}`), ["boustrophedon 4", "snake 4", "genetic 4", "genetic 5", "genetic 6"]);
+  assert.equal(Number(csv[1].steps), steps);
+  assert.ok(csv.every((row) => row.room.length > 3 && row.error === "" && Number(row["length [m]"]) > 1), JSON.stringify(csv[0]));
+
+  const json = JSON.parse((await saved(page, "json")).toString());
+  assert.deepEqual(json.map(({ planner, seed }) => `${planner} ${seed}`), csv.map(({ planner, seed }) => `${planner} ${seed}`));
+  assert.equal(json[1].numbers.steps, steps);
+  assert.equal(json[1].params.patience, 2);
+
+  const svg = (await saved(page, "svg")).toString();
+  const drawing = await page.evaluate((text) => {
+    const xml = new DOMParser().parseFromString(text, "image/svg+xml");
+    return { faults: xml.querySelectorAll("parsererror").length, bars: xml.querySelectorAll("rect[width]").length, text: xml.documentElement.textContent };
+  }, svg);
+  assert.equal(drawing.faults, 0);
+  assert.ok(drawing.bars > 8, `${drawing.bars} bars`);
+  assert.ok(drawing.text.includes("Improved snake") && drawing.text.includes("Quarter turns"));
+  assert.ok(!svg.includes("var("), "it needs no style sheet");
+
+  const png = await saved(page, "png");
+  assert.equal(png.subarray(1, 4).toString(), "PNG");
+  const colours = await page.evaluate(async (text) => {
+    const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${text}`)).blob());
+    const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
+    context.drawImage(image, 0, 0);
+    return new Set(new Uint32Array(context.getImageData(0, 0, image.width, image.height).data.buffer)).size;
+  }, png.toString("base64"));
+  assert.ok(colours > 10, `${colours} colours`);
+});
+
+test("a room of one's own is compared in", async (t) => {
+  const { page, app } = await openApp(t, { address: "#room=empty" });
+  await page.locator("#tab-compare").click();
+  await page.locator("#view-numbers").click();
+  await tried(page, 4);
+  const open = await table(page);
+  await page.locator("#tab-explore").click();
+  await app.tool("wall");
+  await app.drag([0.5, 0.1], [0.5, 0.6]);
+  await page.locator("#tab-compare").click();
+  await app.poll(() => table(page), ({ rows }) => rows.some(({ cells }, row) => cells[0] !== "–" && cells.join() !== open.rows[row]?.cells.join()));
+  await tried(page, 4);
+  const drawn = await app.poll(() => table(page), ({ rows }) => rows.length === 4 && rows.every(({ cells }) => cells.every((cell) => cell !== "–")));
+  const [before, now] = [open, drawn].map((shown) => column(shown, "Length"));
+  assert.ok(now.every((length, row) => length < before[row]), `${now} m, before ${before} m: the wall stands on floor`);
+  await page.locator("#view-race").click();
+  await lanes(page, 4);
+  const shown = await pictures(page, "#lanes canvas");
+  assert.ok(shown.every(({ colours }) => colours > 5));
+});
+
+test("a robot that doesn't fit is said to be too wide", async (t) => {
+  const { page, app } = await openApp(t, { address: "#room=empty&robot=create2&planner=snake" });
+  // Rows of pillars that no vacuum gets between.
+  const { textMap, pillars } = await import("./maps.mjs");
+  await app.pick(textMap("pillars.txt", pillars(40, { every: 4, pillar: 2 }), { resolution: 0.1 }));
+  assert.match(await app.message(), /fits nowhere|doesn't fit/);
+  await page.locator("#tab-compare").click();
+  await page.locator("#place-compare").waitFor();
+  await page.waitForFunction(() => document.getElementById("trying").textContent.includes("4 failed"), undefined, { timeout: 60_000 });
+  assert.match(await app.text("#race-hint"), /robot, 0\.\d\d m wide.*fit/);
+  await page.locator("#view-numbers").click();
+  const tip = await page.locator("#compared .failure").first().getAttribute("data-tip");
+  assert.match(tip, /robot, 0\.\d\d m wide.*fit/);
+  assert.equal(await page.locator("#compared td", { hasText: /\d/ }).count(), 0, "no numbers without plans");
+});
+
+for (const scheme of ["light", "dark"]) {
+  test(`the comparison fits a phone (${scheme})`, async (t) => {
+    const nine = "boustrophedon,boustrophedon_cells,spiral_stc,backtracking_spiral,contour,wavefront_distance,wavefront_path,s_shape,spiral";
+    const { page, app, screenshot } = await openCompare(t, { ...PHONE, colorScheme: scheme, link: `vs=${nine}` });
+    await lanes(page, 9);
+    const fits = async (what) => {
+      const [wide, inside] = await page.evaluate(() => [document.scrollingElement.scrollWidth, innerWidth]);
+      assert.ok(wide <= inside, `${what}: ${wide} of ${inside} pixels`);
+    };
+    await fits("race");
+    // Nothing of a lane is cut off: its picture, and how far it is.
+    const cut = await page.locator("#lanes figure").evaluateAll((figures) =>
+      figures.filter((figure) => [...figure.querySelectorAll("canvas, output")].some((part) => part.getBoundingClientRect().right > figure.getBoundingClientRect().right + 1)).length,
+    );
+    assert.equal(cut, 0, "lanes that are cut off");
+    await screenshot(`phone-race-${scheme}`);
+    await page.locator("#compare-setup > summary").tap();
+    await fits("choices");
+    await page.locator("#in-spiral").tap();
+    await page.locator("#compare-setup > summary").tap();
+    await lanes(page, 8);
+    await page.getByRole("button", { name: "Start the race" }).tap();
+    await app.poll(() => clocks(page), ({ clock }) => clock > 0);
+    await page.locator("#view-numbers").tap();
+    await tried(page, 8);
+    await fits("numbers");
+    await screenshot(`phone-numbers-${scheme}`);
+  });
+}
