@@ -46,8 +46,8 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "backtracking_spiral",
     title: "Backtracking spiral (BSA)",
     summary: "Winds inwards along walls and clean floor, then goes to the nearest place left and winds again.",
-    source: "González, Álvarez, Díaz, Parra & Bustacara 2005, BSA: a complete coverage algorithm",
-    link: "https://doi.org/10.1109/ROBOT.2005.1570413",
+    source: "González, Álvarez, Díaz, Parra & Bustacara 2005, BSA: a complete coverage algorithm, ICRA",
+    link: "https://www.academia.edu/103916763/BSA_A_Complete_Coverage_Algorithm",
     explainer: Explainer {
         idea: "The robot keeps walls and clean floor on one side and winds inwards until it is shut in. \
                Then it goes to the nearest place that it has passed without cleaning it. \

@@ -35,7 +35,8 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "boustrophedon",
     title: "Boustrophedon (mown lanes)",
     summary: "Cuts the room at critical points into parts, mows each in lanes, and finds a good order to visit them.",
-    source: "Choset & Pignon 1998, Coverage path planning: the boustrophedon cellular decomposition; Choset 2000",
+    source: "Choset & Pignon 1998, Coverage path planning: the boustrophedon cellular decomposition; \
+             Choset 2000, Coverage of known spaces, Autonomous Robots 9",
     link: "https://doi.org/10.1023/A:1008958800904",
     explainer: Explainer {
         idea: "A line sweeps over the room, and wherever an obstacle splits or joins it a part ends and others begin. \

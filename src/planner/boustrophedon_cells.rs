@@ -42,8 +42,8 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "boustrophedon_cells",
     title: "Boustrophedon, lanes turned part by part",
     summary: "Mows every part of the room in the direction that leaves fewest lane ends, in a good order.",
-    source: "Huang 2001, Optimal line-sweep-based decompositions for coverage algorithms; \
-             Arkin et al. 2005, Optimal covering tours with turn costs",
+    source: "Huang 2001, Optimal line-sweep-based decompositions for coverage algorithms, ICRA; \
+             Arkin et al. 2005, Optimal covering tours with turn costs, SIAM J. Comput. 35(3)",
     link: "https://doi.org/10.1137/S0097539703434267",
     explainer: Explainer {
         idea: "Every end of a lane costs a quarter turn, so the floor is split between lanes along x and along y such that \

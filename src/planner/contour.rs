@@ -42,8 +42,8 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "contour",
     title: "Contour (rings along the walls)",
     summary: "Follows the walls all round, then drives ring inside ring at growing distance from them.",
-    source: "Held 1991, On the Computational Geometry of Pocket Machining; Held, Lukács & Andor 1994, \
-             Computer-Aided Design 26(3)",
+    source: "Held 1991, On the Computational Geometry of Pocket Machining, LNCS 500; Held, Lukács & Andor 1994, \
+             Pocket machining based on contour-parallel tool paths, Computer-Aided Design 26(3)",
     link: "https://doi.org/10.1007/3-540-54103-9",
     explainer: Explainer {
         idea: "All cells that are equally far from the nearest wall make up rings, one inside the other. \

@@ -1,32 +1,30 @@
 //! Energy functional: always on to the cell beside the robot that costs the least "energy".
 //!
-//! By Bormann, Hampp & Hägele 2015, "New brooms sweep clean: an autonomous robotic cleaning assistant for professional
-//! office cleaning" (ICRA), and section III-F of the survey Bormann et al. 2018. From location l the robot goes to the
-//! unvisited location n beside it with the least E(l, n) = `d_t` + `d_r` + N:
+//! By Bormann, Hampp & Hägele 2015, "New brooms sweep clean - an autonomous robotic cleaning assistant for professional
+//! office cleaning" (ICRA); compared with others by Bormann, Jordan, Hampp & Hägele 2018, "Indoor coverage path planning:
+//! survey, implementation, analysis" (ICRA), whose program is public (ipa320/ipa_coverage_planning,
+//! `energy_functional_explorator`). From location l the robot goes to the unvisited location n beside it with the least
+//! E(l, n) = `d_t` + `d_r` + N:
 //!
 //! - `d_t`, the distance in cells;
 //! - `d_r`, the turn in quarter turns;
 //! - N = 4 - half the number of visited locations among the eight around n: floor that is nearly clean draws the robot
-//!   in,
-//!   so that it keeps to what it has cleaned and leaves few islands.
+//!   in, so that it keeps to what it has cleaned and leaves few islands.
 //!
 //! Where no neighbour is left it goes to the unvisited location of least E of the whole grid.
 //!
 //! # Where text and program disagree, and what is done here
 //!
 //! - The authors' published program has a fourth term, 0.72 - 0.09 for each blocked location among the eight: walls
-//!   draw the robot too, less than clean
-//!   floor. The papers don't mention it. Kept, as the parameter *walls*.
+//!   draw the robot too, less than clean floor. Its own description of the functional doesn't mention it. Kept, as the
+//!   parameter *walls*.
 //! - Neighbours are the four beside the cell, as a walk takes no diagonal steps; the program has eight.
 //! - Where no neighbour is left it goes to the nearest unvisited cell by a shortest path. The program weighs the
-//!   straight
-//!   line, which may lead through a wall.
+//!   straight line, which may lead through a wall.
 //! - It starts where the robot is; the program starts in the corner nearest to it and first turns the room so that its
-//!   main
-//!   direction lies along x. Here the walk is planned for each direction in which the robot may look at the start, with
-//!   ties going to the left and to the right (the papers are silent), and the cheapest is kept. At last detours over
-//!   clean
-//!   floor are cut short ([`tighten`]). In rooms of more than 100,000 cells the first walk is taken as it is.
+//!   main direction lies along x. Here the walk is planned for each direction in which the robot may look at the start,
+//!   with ties going to the left and to the right, and the cheapest is kept. At last detours over clean floor are cut
+//!   short ([`tighten`]). In rooms of more than 100,000 cells the first walk is taken as it is.
 //!
 //! Energies are whole numbers, in hundredths, so that ties are ties on every target.
 //!
@@ -52,8 +50,9 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "energy",
     title: "Energy functional",
     summary: "Goes on to the neighbour of least energy: near, straight ahead, and with much clean floor around it.",
-    source: "Bormann, Hampp & Hägele 2015, New brooms sweep clean; Bormann et al. 2018, section III-F",
-    link: "https://doi.org/10.1109/ICRA.2015.7139818",
+    source: "Bormann, Hampp & Hägele 2015, New brooms sweep clean, ICRA; \
+             Bormann, Jordan, Hampp & Hägele 2018, Indoor coverage path planning, ICRA",
+    link: "https://doi.org/10.1109/ICRA.2018.8460566",
     explainer: Explainer {
         idea: "Every cell beside the robot gets an energy, and the robot goes on to the cell with the least. \
                Distance and turning raise the energy, clean cells and walls around the cell lower it. \
@@ -207,9 +206,7 @@ impl Energy {
 mod tests {
     use super::*;
 
-    /// The terms of the functional: E = `d_t` + `d_r` + N as in Bormann et al. 2015, section on the cleaning of rooms,
-    /// and the
-    /// program's term for walls.
+    /// The terms of the functional: E = `d_t` + `d_r` + N of Bormann et al. 2015, and the program's term for walls.
     #[test]
     fn energies_differ_as_the_functional_says() {
         let weights = Energy { rotation: 100, visited: 50, walls: 9 };

@@ -4,8 +4,8 @@
 //! coded as binary strings", made at random; a fitness function ranks it; *reproduction* copies each string in proportion
 //! to its fitness; *crossover* of two parents makes children; this goes on until the solution will do. Their reference
 //! for cleaning is Yakoubi & Laskri 2016 ("The path planning of cleaner robot for coverage region using genetic algorithms",
-//! Journal of Innovation in Digital Ecosystems 3). From its abstract we have: a gene stands for a position of the robot, a
-//! chromosome for a *mini-path*, obstacles are avoided, and what counts is the number of turns and the length of the way.
+//! Journal of Innovation in Digital Ecosystems). From its abstract we have: a gene stands for a position of the robot, some
+//! chromosomes for a *mini-path*, obstacles are avoided, and what counts is the number of turns and the length of the way.
 //! How they cross, mutate and weigh could not be had.
 //!
 //! # What is ours
@@ -50,7 +50,8 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "genetic",
     title: "Genetic algorithm",
     summary: "Breeds walks: the better ones are crossed and changed a little, generation after generation.",
-    source: "Emu & Obaida 2020, thesis, East West University: section 4.1; Yakoubi & Laskri 2016, J. Innov. Digit. Ecosyst. 3",
+    source: "Emu & Obaida 2020, thesis, East West University: section 4.1; \
+             Yakoubi & Laskri 2016, The path planning of cleaner robot, Journal of Innovation in Digital Ecosystems",
     link: "https://doi.org/10.1016/j.jides.2016.05.004",
     explainer: Explainer {
         idea: "A chromosome has a gene for every cell that says which way to go on from there, and so stands for a whole walk. \

@@ -1,14 +1,13 @@
 //! Grid-point TSP: the free cells are the towns of a travelling salesman who doesn't like turns.
 //!
-//! One of the six planners that Bormann et al. 2018, "Indoor coverage path planning: survey, implementation, analysis"
-//! (ICRA), compare, section III-D: a tour through the grid points, by nearest neighbour or a solver. There a
-//! solver weighs lengths only. Here every move of the search weighs the turns as well.
+//! One of the planners that Bormann, Jordan, Hampp & Hägele 2018, "Indoor coverage path planning: survey, implementation,
+//! analysis" (ICRA), compare: a tour through the grid points, by nearest neighbour or a solver, which weighs lengths only.
+//! Here every move of the search weighs the turns as well.
 //!
 //! 1. A first tour: from each point to the nearest one left, straight on if there is a choice; or lanes. For these the
-//!    points are bound
-//!    to the cheapest straight lanes ([`cheapest_lanes`]), the lanes are put in order nearest first, and the order is
-//!    improved by local search ([`improve`]). Whole lanes are moved where single points would have to cross a barrier
-//!    of many turns.
+//!    points are bound to the cheapest straight lanes ([`cheapest_lanes`]), the lanes are put in order nearest first, and
+//!    the order is improved by local search ([`improve`]). Whole lanes are moved where single points would have to cross
+//!    a barrier of many turns.
 //! 2. Detours over floor that is visited anyway are cut short ([`tighten`]).
 //! 3. 2-opt and Or-opt moves of single steps, taken by simulated annealing from a low temperature ([`anneal`]).
 //!    A point needs only one visit, so points passed again are dropped on the way.
@@ -16,8 +15,7 @@
 //! The survey starts its tour where it likes and closes it; here it begins at the robot and ends anywhere.
 //!
 //! Cost: O(n) memory for n cells, O(l²) for l lanes while these are put in order (at most 1,200). Time grows with the
-//! moves tried,
-//! a thousand a cell by default and no more than twelve million.
+//! moves tried, a thousand a cell by default and no more than twelve million.
 //!
 //! ```
 //! use robovac_playground::{grid::*, planner::*};
@@ -47,7 +45,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "grid_tsp",
     title: "Grid-point TSP",
     summary: "Tours all cells like a travelling salesman: a first tour, then 2-opt and Or-opt moves that count turns.",
-    source: "Bormann, Jordan, Hampp & Hägele 2018, Indoor coverage path planning, section III-D",
+    source: "Bormann, Jordan, Hampp & Hägele 2018, Indoor coverage path planning: survey, implementation, analysis, ICRA",
     link: "https://doi.org/10.1109/ICRA.2018.8460566",
     explainer: Explainer {
         idea: "Every cell is a town, and a travelling salesman who loses time by turning looks for the cheapest tour. \

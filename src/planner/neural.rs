@@ -1,32 +1,28 @@
 //! Bio-inspired neural network: every cell is a neuron, uncleaned floor excites it, and the robot climbs the activity.
 //!
 //! By Yang & Luo 2004, "A neural network approach to complete coverage path planning" (IEEE Transactions on Systems,
-//! Man, and
-//! Cybernetics B 34(1)). The activity x of a neuron follows the shunting equation (their equation 2)
+//! Man, and Cybernetics B 34(1)). The activity x of a neuron follows the shunting equation
 //!
 //! dx/dt = -A x + (B - x) (`[I]+` + Σ w `[x_j]+`) - (D + x) `[I]-`
 //!
 //! with the input I = E for a cell to be cleaned, -E for an obstacle, 0 for a clean cell, and lateral connections w =
 //! μ / distance to the eight neurons around. The robot goes to the neighbour with the greatest x + c y, where y = 1 -
-//! turn / π. The constants are by default A = 10, B = 1, D = 1, E = 100, μ = 0.7, c = 0.5.
+//! turn / π. By default here A = 10, B = 1, D = 1, E = 100, μ = 0.7, c = 0.5.
 //!
 //! # What is done here, and where the paper is silent
 //!
 //! - *Rest instead of time.* Robots are slow and neurons fast, so the field is kept at rest, where dx/dt = 0: x = B P
-//!   / (A + P)
-//!   with P the excitation, and -D E / (A + E) for obstacles, which therefore excite nobody. A cell that has been
-//!   cleaned changes its own activity; the change is passed on to neighbours while it is more than 0.1 % of an
-//!   activity.
-//!   Nothing else is left out.
+//!   / (A + P) with P the excitation, and -D E / (A + E) for obstacles, which therefore excite nobody. A cell that has
+//!   been cleaned changes its own activity; the change is passed on to neighbours while it is more than 0.1 % of an
+//!   activity. Nothing else is left out.
 //! - *Four neighbours.* A walk takes no diagonal steps; the lateral connections are still eight.
 //! - *Deadlock.* With only clean neighbours, c y would outweigh the faint activity of far floor for ever, and the robot
-//!   goes in circles: the survey of Bormann et al. 2018 finds rooms that its version never completes. So c counts only
+//!   goes in circles; the program by Bormann et al. (ipa320/ipa_coverage_planning) gives up there. So c counts only
 //!   while a neighbour is left to be cleaned; else the robot climbs by activity alone. Where no neighbour is more
 //!   active than the robot's own cell (far from all floor left, or where only a diagonal leads on), it takes a shortest
 //!   way to the nearest cell left. As each step climbs or cleans, every walk ends and covers all.
 //! - Ties go straight on, then left, then right. At the start any direction may count as straight on: in rooms of up
-//!   to 2,500
-//!   cells each is tried and the cheapest walk kept; else it's where the robot looks.
+//!   to 2,500 cells each is tried and the cheapest walk kept; else it's where the robot looks.
 //!
 //! ```
 //! use robovac_playground::{grid::*, planner::*};
@@ -50,8 +46,9 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "neural",
     title: "Neural network",
     summary: "A field of neurons that uncleaned floor excites; the robot climbs to where they are most active.",
-    source: "Yang & Luo 2004, A neural network approach to complete coverage path planning",
-    link: "https://doi.org/10.1109/TSMCB.2003.811769",
+    source: "Yang & Luo 2004, A neural network approach to complete coverage path planning, \
+             IEEE Trans. Systems, Man, and Cybernetics B 34(1)",
+    link: "",
     explainer: Explainer {
         idea: "Every cell is a neuron that is excited while its floor is dirty, and neurons excite their neighbours. \
                Activity so spreads from dirty floor like heat, and obstacles don't conduct it. \
@@ -180,7 +177,7 @@ impl<'a> Field<'a> {
         }
     }
 
-    /// Where to go, by equation 5 of the paper; `None` where activity leads nowhere.
+    /// Where to go: to the neighbour of greatest x + c y; `None` where activity leads nowhere.
     fn next(&self, at: Cell, heading: Direction) -> Option<Direction> {
         let looks = [heading, heading.left(), heading.right(), heading.opposite()];
         let is_dirty = |d: &Direction| self.is_left.is_set(at.step(*d));

@@ -2,7 +2,7 @@
 //!
 //! Emu & Obaida 2020 (thesis, East West University), section 4.1: the robot follows "a route map like the letter 'S'"; on
 //! every collision it goes back, turns by 90 degrees to the right or left, goes on, and turns to the left or right. They
-//! take it from Hasan, Al-Nahid & Reza 2014 (ICIEV), where the turns are timed. On a grid this is: one step aside and
+//! take it from Hasan, Abdullah-Al-Nahid & Reza 2014 (ICIEV), where the turns are timed. On a grid this is: one step aside and
 //! back beside the lane that was driven. As the robot looks the other way by then, a step to the same side of the room is
 //! a turn to the left after one to the right.
 //!
@@ -40,7 +40,8 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "s_shape",
     title: "S-shaped pathway",
     summary: "Drives lane beside lane like the letter S; at a dead end it goes to the nearest floor left.",
-    source: "Emu & Obaida 2020, thesis, East West University: section 4.1; Hasan, Al-Nahid & Reza 2014, ICIEV",
+    source: "Emu & Obaida 2020, thesis, East West University: section 4.1; \
+             Hasan, Abdullah-Al-Nahid & Reza 2014, Path planning algorithm development, ICIEV",
     link: "",
     explainer: Explainer {
         idea: "The robot drives straight on until something is in its way, steps aside and comes back beside its lane. \

@@ -4,7 +4,7 @@
 //! Artificial Intelligence 31), Spiral-STC of 2002 and the full version for partly blocked mega-cells of 2003 ("Competitive
 //! on-line coverage of grid environments by a mobile robot", Computational Geometry 24). The room is divided into
 //! mega-cells of 2 x 2 cells. A spanning tree connects them; the robot drives round it, always with the tree on the same
-//! side. In a room of whole mega-cells that visits every cell exactly once (2001, section 3).
+//! side. In a room of whole mega-cells that visits every cell exactly once (2001).
 //!
 //! - *Tree.* The spiral tree of the papers grows depth first, always into the first new neighbour on one side, and is tried
 //!   in both directions. It is one of many: the tour turns where the tree bends, ends or branches off a straight
@@ -41,7 +41,8 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "spiral_stc",
     title: "Spanning tree (Spiral-STC)",
     summary: "Divides the room into squares of 2 x 2 cells, connects them by a tree and drives round the tree.",
-    source: "Gabriely & Rimon 2001, Spanning-tree based coverage of continuous areas; 2003, Competitive on-line coverage",
+    source: "Gabriely & Rimon 2001, Spanning-tree based coverage of continuous areas, Ann. Math. Artif. Intell. 31; \
+             2003, Competitive on-line coverage of grid environments, Comput. Geom. 24",
     link: "https://doi.org/10.1023/A:1016610507833",
     explainer: Explainer {
         idea: "Four cells at a time make a mega-cell, and a spanning tree connects all mega-cells. \

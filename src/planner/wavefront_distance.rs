@@ -41,7 +41,8 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "wavefront_distance",
     title: "Wavefront, distance transform",
     summary: "Numbers all cells by their distance to a goal and always goes to the unvisited neighbour farthest from it.",
-    source: "Zelinsky, Jarvis, Byrne & Yuta 1993, Planning paths of complete coverage of an unstructured environment",
+    source: "Zelinsky, Jarvis, Byrne & Yuta 1993, Planning paths of complete coverage of an unstructured environment by a \
+             mobile robot, International Conference on Advanced Robotics",
     link: "",
     explainer: Explainer {
         idea: "A wave spreads from a goal and numbers every cell by its distance. \

@@ -38,7 +38,8 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "wavefront_path",
     title: "Wavefront, path transform",
     summary: "Like the distance transform, but waves shun obstacles, so that the robot follows outlines first.",
-    source: "Zelinsky, Jarvis, Byrne & Yuta 1993, Planning paths of complete coverage of an unstructured environment",
+    source: "Zelinsky, Jarvis, Byrne & Yuta 1993, Planning paths of complete coverage of an unstructured environment by a \
+             mobile robot, International Conference on Advanced Robotics",
     link: "",
     explainer: Explainer {
         idea: "Waves spread from a goal as in the distance transform, but slowly beside obstacles. \

@@ -27,7 +27,7 @@ fn empty(width: usize, height: usize) -> CoverageJob {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 60, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Gabriely & Rimon 2001, section 3: in a room of whole mega-cells no cell is visited twice.
+    /// Gabriely & Rimon 2001, abstract: in a room of whole mega-cells no cell is visited twice.
     #[test]
     fn spanning_tree_visits_cells_of_whole_mega_cells_once(
         share in 0.0..0.5_f64,
@@ -74,7 +74,7 @@ fn wavefront_walk_ends_beside_its_goal() {
     }
 }
 
-/// González et al. 2005, section 3: a spiral follows the walls on its reference side and ends in the middle.
+/// González et al. 2005: a spiral follows the walls on its reference side and ends in the middle.
 #[test]
 fn spiral_winds_to_the_middle_with_the_walls_on_its_reference_side() {
     let job = empty(8, 6);
