@@ -207,10 +207,10 @@ fn sums_and_means_over_rooms_and_median_over_seeds() {
     let mut other = one;
     other.walk.turns = 40;
     other.drive.coverage = 0.5;
-    let row = Row::new(Entrant::new(info), 0, &[vec![Ok(one), Ok(other)], vec![Ok(one)]]);
-    assert_eq!(row.values[column("turns")], Some(Spread { median: 37.0 + 34.0, min: 68.0, max: 74.0 }));
+    let row = Row::new(Entrant::new(info), 0, &[vec![Ok(one), Ok(other)], vec![Ok(one), Ok(one)]]);
+    assert_eq!(row.values[column("turns")], Some(Spread { median: 71.0, min: 68.0, max: 74.0 }));
     assert_eq!(row.values[column("coverage")], Some(Spread { median: 87.5, min: 75.0, max: 100.0 }));
-    assert_eq!((row.trials, row.missing), (3, 0));
+    assert_eq!((row.trials, row.missing), (4, 0));
     let unfinished = Row::new(Entrant::new(info), 0, &[vec![Ok(one)], vec![]]);
     assert_eq!((unfinished.values[column("turns")], unfinished.missing), (None, 1));
     assert_eq!(Table::new(vec![unfinished]).best[column("turns")], None);
@@ -226,9 +226,11 @@ fn files_hold_every_trial_with_all_numbers() {
     let csv = to_csv(&comparison.records());
     let lines: Vec<&str> = csv.lines().collect();
     assert_eq!(lines.len(), 3);
-    assert!(lines[0].starts_with("room,robot,cell size [m],planner,seed,error,coverage [%],"));
-    assert!(lines[1].contains("\"a \"\"reason\"\", with a comma\",,"));
-    assert!(lines[2].starts_with("Thesis preset 8 x 8,cell,0.2,snake,1,,100,"));
+    assert!(lines[0].starts_with(
+        "room,robot,cell size [m],planner,seed,error,cells,bound steps,bound turns,bound steps + 2 turns,coverage [%],"
+    ));
+    assert!(lines[1].contains("\"a \"\"reason\"\", with a comma\",,,,,"));
+    assert!(lines[2].starts_with("Thesis preset 8 x 8,cell,0.2,snake,1,,54,53,14,81,100,"));
     let json: serde_json::Value = serde_json::from_str(&to_json(&comparison.records())).expect("it is JSON");
     assert_eq!(json[1]["numbers"]["turns"], 34.0);
     assert_eq!(json[0]["error"], "a \"reason\", with a comma");

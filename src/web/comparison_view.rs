@@ -57,6 +57,8 @@ struct LaneView {
     distance_m: f64,
     turning_deg: f64,
     finished: bool,
+    /// From 1.
+    place: usize,
 }
 
 impl<'a> ComparisonView<'a> {
@@ -89,7 +91,8 @@ impl<'a> ComparisonView<'a> {
 
 impl RaceView {
     fn new(race: &Race) -> Self {
-        let lanes = race.lanes().iter().map(|lane| LaneView {
+        let lanes = race.lanes().iter().zip(race.places()).map(|(lane, place)| LaneView {
+            place,
             entrant: lane.racer.entrant,
             coverage: lane.run().coverage(),
             time_s: lane.run().time_s(),

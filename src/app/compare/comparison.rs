@@ -46,6 +46,7 @@ pub struct Comparison {
 /// What comparisons take over from the session.
 struct Base {
     plan: Arc<FloorPlan>,
+    title: String,
     room: Option<&'static str>,
     prepared: Option<Prepared>,
     start: Option<Pose>,
@@ -119,6 +120,7 @@ impl Comparison {
         let shown = self.race.as_ref().map(Race::speed);
         self.base = Some(Base {
             plan: Arc::clone(session.plan()),
+            title: session.room_title(),
             room: session.room(),
             prepared: session.prepared().cloned(),
             start: session.start(),
@@ -439,7 +441,7 @@ impl Comparison {
     pub fn room_name(&self, room: RoomChoice) -> &str {
         match room {
             RoomChoice::Shipped(id) => ROOMS.iter().find(|r| r.id == id).map_or(id, |r| r.title),
-            RoomChoice::Own => self.base.as_ref().map_or("", |base| &base.plan.name),
+            RoomChoice::Own => self.base.as_ref().map_or("", |base| &base.title),
         }
     }
 
@@ -491,6 +493,9 @@ impl Comparison {
             if let Some(path) = self.paths.get(&racer.key) {
                 race.enter(racer, path);
             }
+        }
+        if let Some(earlier) = self.race.take() {
+            race.follow(earlier);
         }
         self.race = Some(race);
     }

@@ -2,7 +2,7 @@
 
 use super::Entrant;
 use crate::{
-    metrics::{METRICS, PlanNumbers},
+    metrics::{Bounds, METRICS, PlanNumbers},
     planner::Params,
 };
 use serde::Serialize;
@@ -35,6 +35,12 @@ struct JsonRecord<'a> {
     seed: u64,
     #[serde(skip_serializing_if = "Option::is_none")]
     error: Option<&'a str>,
+    /// Planning cells within reach.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    cells: Option<usize>,
+    /// What no walk in the room can do without.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bounds: Option<Bounds>,
     /// By the names of [`METRICS`].
     numbers: BTreeMap<&'static str, Option<f64>>,
 }
@@ -51,6 +57,8 @@ pub fn to_json(records: &[Record<'_>]) -> String {
             params: &r.entrant.params,
             seed: r.seed,
             error: r.result.as_ref().err().map(String::as_str),
+            cells: r.result.as_ref().ok().map(|numbers| numbers.walk.reachable_cells),
+            bounds: r.result.as_ref().ok().and_then(|numbers| numbers.bounds),
             numbers: match r.result {
                 Ok(numbers) => METRICS.iter().map(|metric| (metric.id, metric.value(numbers))).collect(),
                 Err(_) => BTreeMap::new(),
@@ -63,7 +71,8 @@ pub fn to_json(records: &[Record<'_>]) -> String {
 
 /// A table with a head line; numbers with their units in it, empty where there is none.
 pub fn to_csv(records: &[Record<'_>]) -> String {
-    let mut csv = String::from("room,robot,cell size [m],planner,seed,error");
+    let mut csv =
+        String::from("room,robot,cell size [m],planner,seed,error,cells,bound steps,bound turns,bound steps + 2 turns");
     for metric in METRICS {
         let unit = if metric.unit.is_empty() { String::new() } else { format!(" [{}]", metric.unit) };
         // Writing to a string doesn't fail.
@@ -73,7 +82,15 @@ pub fn to_csv(records: &[Record<'_>]) -> String {
     for r in records {
         let error = r.result.as_ref().err().map_or("", String::as_str);
         let (room, error) = (quoted(r.room), quoted(error));
-        let _ = write!(csv, "{room},{},{},{},{},{error}", r.robot, r.cell_size, r.entrant, r.seed);
+        let _ = write!(csv, "{room},{},{},{},{},{error},", r.robot, r.cell_size, r.entrant, r.seed);
+        let numbers = r.result.as_ref().ok();
+        csv += &numbers.map(|n| n.walk.reachable_cells.to_string()).unwrap_or_default();
+        match numbers.and_then(|n| n.bounds) {
+            Some(Bounds { steps, turns, cost }) => {
+                let _ = write!(csv, ",{steps},{turns},{cost}");
+            }
+            None => csv += ",,,",
+        }
         for metric in METRICS {
             let value = r.result.as_ref().ok().and_then(|numbers| metric.value(numbers));
             let _ = write!(csv, ",{}", value.map(|v| v.to_string()).unwrap_or_default());

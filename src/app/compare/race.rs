@@ -12,6 +12,10 @@ use std::sync::Arc;
 
 /// Most robots in a race.
 pub const MOST_LANES: usize = 9;
+/// Share of the floor that must be swept for an arrival to count.
+pub const CLEAN: f64 = 0.95;
+/// Robot time of a single step, s: in small pictures less would hardly be seen.
+const STEP_LENGTH_S: f64 = 5.0;
 /// Memory that the key frames of all lanes may take together, bytes.
 const KEY_FRAME_BUDGET: usize = 96 << 20;
 /// Steps that every lane takes before the clock is looked at: the lanes stay together to within a second of robot time.
@@ -86,6 +90,18 @@ impl Race {
         self.lanes.push(Lane { racer, recording: Recording::within(run, KEY_FRAME_BUDGET / MOST_LANES), line });
     }
 
+    /// Places of the robots, from 1, in the order of [`Race::lanes`]: who has arrived with at least [`CLEAN`] of the floor
+    /// swept by time, before the others by what they have swept.
+    pub fn places(&self) -> Vec<usize> {
+        let has_won = |lane: &Lane| lane.run().is_finished() && lane.run().coverage() >= CLEAN;
+        let is_ahead = |a: &Lane, b: &Lane| match (has_won(a), has_won(b)) {
+            (true, true) => a.run().steps() < b.run().steps(),
+            (false, false) => a.run().coverage() > b.run().coverage(),
+            (won, _) => won,
+        };
+        self.lanes.iter().map(|lane| 1 + self.lanes.iter().filter(|other| is_ahead(other, lane)).count()).collect()
+    }
+
     /// Whether it is the race of just those in those conditions.
     pub fn is_of(&self, setup: RaceSetup, racers: &[Racer]) -> bool {
         self.setup == setup && self.lanes.iter().map(|lane| &lane.racer).eq(racers)
@@ -157,17 +173,16 @@ impl Race {
         self.goal = None;
     }
 
-    /// Goes on by one planning cell of the robot's speed.
+    /// Goes on by [`STEP_LENGTH_S`].
     pub fn step(&mut self) {
         self.pause();
-        let seconds = self.prepared.lattice.cell_size / self.prepared.robot.cruise_speed;
-        self.advance(((seconds / STEP_S).ceil() as u64).max(1), &mut || true);
+        self.advance((STEP_LENGTH_S / STEP_S) as u64, &mut || true);
     }
 
-    /// Heads for another point of the time simulated so far, s.
+    /// Heads for another point of time, s, at most the end of the slowest plan.
     pub fn seek(&mut self, time_s: f64) {
         self.playing = false;
-        let goal = ((time_s / STEP_S).round().max(0.0) as u64).min(self.end);
+        let goal = (time_s.clamp(0.0, self.planned_s().max(self.end_s())) / STEP_S).round() as u64;
         for lane in &mut self.lanes {
             lane.recording.seek(goal as f64 * STEP_S);
         }
@@ -176,13 +191,40 @@ impl Race {
     }
 
     fn seek_on(&mut self, has_time: &mut dyn FnMut() -> bool) {
+        let Some(goal) = self.goal else { return };
         for lane in &mut self.lanes {
             lane.recording.seek_on(has_time);
+            // What hasn't been simulated yet, as for one that came late.
+            let left = goal.saturating_sub(lane.run().steps());
+            if !lane.recording.is_seeking() {
+                lane.recording.advance(left, has_time);
+            }
         }
-        if let Some(goal) = self.goal.filter(|_| !self.lanes.iter().any(|lane| lane.recording.is_seeking())) {
-            self.now = goal;
+        if self.lanes.iter().all(|lane| lane.run().steps() >= goal || lane.run().is_finished()) {
+            self.now = self.lanes.iter().map(|lane| lane.run().steps()).max().unwrap_or(0);
+            self.end = self.end.max(self.now);
             self.goal = None;
         }
+    }
+
+    /// Goes on where `earlier` is: robots that take part in both stay where they are, the others are made to catch up.
+    pub fn follow(&mut self, earlier: Self) {
+        if earlier.setup != self.setup || !Arc::ptr_eq(&earlier.prepared.floor, &self.prepared.floor) {
+            return;
+        }
+        let is_playing = earlier.playing;
+        let now = earlier.goal.unwrap_or(earlier.now);
+        self.end = earlier.end;
+        let mut lanes = earlier.lanes;
+        for lane in &mut self.lanes {
+            if let Some(index) = lanes.iter().position(|old| old.racer == lane.racer) {
+                *lane = lanes.swap_remove(index);
+            }
+        }
+        if now > 0 {
+            self.seek(now as f64 * STEP_S);
+        }
+        self.playing = is_playing;
     }
 
     /// Lets `elapsed_s` seconds pass for all robots, as long as `has_time` says so.

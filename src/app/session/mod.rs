@@ -19,6 +19,9 @@ use std::sync::Arc;
 /// Longest time between two frames that is made up for, s: after a pause of the browser the robot doesn't leap.
 const LONGEST_FRAME: f64 = 0.1;
 
+/// Share of the reachable floor below which a plan is worth a warning.
+const LEAST_COVERAGE: f64 = 0.75;
+
 /// What links say of a room that was drawn or loaded: it stays what it is.
 const OWN_ROOM: &str = "own";
 
@@ -132,6 +135,13 @@ impl Session {
         self.editor.room()
     }
 
+    /// Name of the room; one that shipped and was changed says so.
+    pub fn room_title(&self) -> String {
+        let name = &self.plan().name;
+        let is_changed = self.room().is_none() && floorplan::ROOMS.iter().any(|room| room.title == name);
+        if is_changed { format!("{name} (changed)") } else { name.clone() }
+    }
+
     /// Where the user has put the start, if anywhere.
     pub fn start(&self) -> Option<Pose> {
         self.editor.start()
@@ -221,7 +231,9 @@ impl Session {
                 self.recording = Some(Recording::new(planned.run(prepared, slip, odometry, seed)));
                 let Answer { path, trace, .. } = answer;
                 self.search = (!trace.is_empty()).then(|| Search::new(prepared, &planned, &path.cells, trace));
+                let coverage = planned.drive.coverage;
                 self.planned = Some(planned);
+                self.warn_of_coarse_cells(coverage);
             }
             Err(error) => self.planner_failed(&error.to_string()),
         }
@@ -258,6 +270,18 @@ impl Session {
                     "From this start the robot reaches only {reached:.1} m² of floor; {left_out:.1} m² (hatched) lie \
                      behind walls, or behind passages that are too narrow for it. Move the start, or choose a smaller robot."
                 ),
+            );
+        }
+    }
+
+    /// A plan may cover all its cells and yet hardly any floor.
+    fn warn_of_coarse_cells(&mut self, coverage: f64) {
+        if coverage < LEAST_COVERAGE && self.message.is_none() {
+            let (percent, cell) = (100.0 * coverage, 100.0 * self.settings.cell_size);
+            self.say(
+                "notice",
+                format!("This plan covers only {percent:.0} % of the floor within reach: planning cells of {cell:.0} cm \
+                     don't fit through the room's passages, or the tool is narrower than they are. Choose smaller cells."),
             );
         }
     }

@@ -45,7 +45,7 @@ impl Session {
             message_kind: self.message.as_ref().map_or("", |m| m.kind),
             room: RoomView {
                 id: self.editor.room().unwrap_or(""),
-                title: plan.name.clone(),
+                title: self.room_title(),
                 note: plan.note.clone(),
                 width_m: plan.width_m(),
                 height_m: plan.height_m(),
