@@ -307,7 +307,7 @@ test("an algorithm that uses chance has a range over its seeds, one that doesn't
 });
 
 test("trying can be cancelled and goes on", async (t) => {
-  const { page, app } = await openCompare(t, { room: "room=flat", view: "numbers", link: "vs=snake,genetic,neural,energy,grid_tsp&rooms=homes&seeds=20" });
+  const { page, app } = await openCompare(t, { room: "room=flat", view: "numbers", link: "vs=snake,genetic,neural,energy,grid_tsp&rooms=furnished&seeds=20" });
   await page.getByRole("button", { name: "Cancel", exact: true }).click();
   await page.locator("#trying", { hasText: /^Stopped: \d+ of \d+/ }).waitFor();
   const stopped = await app.text("#trying");
