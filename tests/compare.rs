@@ -235,3 +235,51 @@ fn files_hold_every_trial_with_all_numbers() {
     assert_eq!(json[1]["numbers"]["turns"], 34.0);
     assert_eq!(json[0]["error"], "a \"reason\", with a comma");
 }
+
+#[test]
+fn robot_that_comes_late_catches_up_and_the_race_goes_on() {
+    let session = session("thesis8");
+    let mut comparison = comparison(&session, &["boustrophedon", "snake"]);
+    let first = comparison.take_trial().expect("there is work");
+    comparison.trial_finished(first.id, serve(&first));
+    let race = comparison.race_mut().expect("there is a plan");
+    race.set_speed(100.0);
+    race.play();
+    race.frame(0.1, &mut || true);
+    let before = (race.time_s(), race.lanes()[0].run().pose());
+    work(&mut comparison);
+    let race = comparison.race_mut().expect("there are plans");
+    assert_eq!(race.lanes().len(), 2);
+    while race.state() == State::Seeking {
+        race.frame(0.0, &mut || true);
+    }
+    assert_eq!((race.time_s(), race.lanes()[0].run().pose()), before);
+    assert_eq!(race.lanes()[0].run().steps(), race.lanes()[1].run().steps());
+    assert_eq!(race.state(), State::Playing);
+    // Scrubbing ahead of what has been simulated gets there too.
+    race.seek(40.0);
+    while race.state() == State::Seeking {
+        race.frame(0.0, &mut || true);
+    }
+    assert!((race.time_s() - 40.0).abs() < 0.02, "{}", race.time_s());
+}
+
+#[test]
+fn who_stops_early_on_a_dirty_floor_is_not_first() {
+    let mut session = session("room12ft");
+    session.configure(|s| s.select_robot("roomba600")).expect("the robot exists");
+    session.configure(|s| s.set_slip("harsh")).expect("the level exists");
+    let mut comparison = comparison(&session, &["boustrophedon", "snake"]);
+    work(&mut comparison);
+    let race = comparison.race_mut().expect("there are plans");
+    race.set_speed(0.0);
+    race.play();
+    while race.state() == State::Playing {
+        race.frame(0.016, &mut || true);
+    }
+    let lanes: Vec<(usize, f64, u64)> =
+        race.places().into_iter().zip(race.lanes()).map(|(p, l)| (p, l.run().coverage(), l.run().steps())).collect();
+    let (first, second) = if lanes[0].0 == 1 { (lanes[0], lanes[1]) } else { (lanes[1], lanes[0]) };
+    assert!(second.1 < 0.95, "harsh slip leads the robot astray: {lanes:?}");
+    assert!(first.1 > second.1 && second.0 == 2, "{lanes:?}");
+}

@@ -4,7 +4,8 @@ import { button, byId, setHidden, typed } from "./dom.js";
 import { explainer } from "./explainer.js";
 
 /** @param {import("./compare.js").Comparing} it @returns {(entrant: number) => void} */
-export function startAbout({ app, comparison }) {
+export function startAbout(it) {
+  const { app, comparison } = it;
   const dialog = typed("about", HTMLDialogElement);
   let shown = "";
   dialog.addEventListener("click", (event) => {
@@ -15,7 +16,13 @@ export function startAbout({ app, comparison }) {
     dialog.close();
     if (app.act(what)) byId("tab-explore").click();
   };
-  button("about-explore").addEventListener("click", () => explore((p) => p.select_planner(shown)));
+  button("about-explore").addEventListener("click", () =>
+    explore((p) => {
+      p.select_planner(shown);
+      const params = it.view.entrants.find(({ id }) => id === shown)?.params ?? {};
+      for (const [id, value] of Object.entries(params)) p.set_param(id, String(value));
+    }),
+  );
 
   return (entrant) => {
     const planner = app.catalogue.planners[entrant];

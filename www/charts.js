@@ -73,7 +73,8 @@ function parallel({ metrics, rows }, planners) {
     const points = axes.flatMap((column, i) => {
       const [value, end] = [row.values[column]?.median, ends[i]];
       if (value === undefined || !end) return [];
-      const share = end.best === end.worst ? 0 : (value - end.best) / (end.worst - end.best);
+      const metric = metrics[column];
+      const share = metric && shown(end.best, metric) === shown(end.worst, metric) ? 0 : (value - end.best) / (end.worst - end.best);
       return [`${x(i).toFixed(1)} ${(top + share * (bottom - top)).toFixed(1)}`];
     });
     const name = safe(planners[row.entrant]?.title ?? "");

@@ -5,6 +5,7 @@ import { startAbout } from "./about.js";
 import { button, byId, changed, fill, make, select, setAttribute, setHidden, setText, typed } from "./dom.js";
 import { startExports } from "./exports.js";
 import { startNumbers } from "./numbers.js";
+import { complain, textOf } from "./messages.js";
 import { paramField } from "./params.js";
 import { Pool } from "./pool.js";
 import { startRace } from "./race.js";
@@ -58,7 +59,12 @@ export function startCompare(app, module, guard) {
     },
     /** @param {string} link */
     restore(link) {
-      app.act(() => comparison.restore(link));
+      try {
+        comparison.restore(link);
+      } catch (error) {
+        // Not by `act`, which would take back what another part of the link was refused for.
+        complain(textOf(error));
+      }
       showView(new URLSearchParams(link).get("view") === "numbers" ? "numbers" : "race");
     },
     link: () => `place=compare&view=${byId("place-compare").dataset.view}&${comparison.link()}`,
@@ -95,7 +101,10 @@ function startSetup(it) {
   button("choose-all").addEventListener("click", () => chooseAll(() => true));
   button("trying-stop").addEventListener("click", () => act((c) => (it.view.cancelled ? c.resume() : c.cancel())));
   // On a phone the choices would hide what they are about.
-  typed("compare-setup", HTMLDetailsElement).open = !matchMedia("(max-width: 900px)").matches;
+  const small = matchMedia("(max-width: 900px)");
+  const fold = () => (typed("compare-setup", HTMLDetailsElement).open = !small.matches);
+  fold();
+  small.addEventListener("change", fold);
   byId("entrants").replaceChildren(...planners.map((planner, index) => entrantItem(it, planner, index)));
 }
 
@@ -127,10 +136,10 @@ export function swatch(index) {
 
 /** @param {Comparing} it */
 function updateSetup({ app, view }) {
-  const { room, robot, cell_size_m, seed } = app.view;
+  const { room, robot, cell_size_m, seed, slip } = app.view;
   setText(byId("compare-room"), room.title);
   const title = app.catalogue.robots.find(({ id }) => id === robot)?.title ?? robot;
-  setText(byId("compare-robot"), `${room.width_m.toFixed(1)} × ${room.height_m.toFixed(1)} m, ${title}, cells of ${+(cell_size_m * 100).toFixed(1)} cm, seed ${seed}.`);
+  setText(byId("compare-robot"), `${room.width_m.toFixed(1)} × ${room.height_m.toFixed(1)} m, ${title}, cells of ${+(cell_size_m * 100).toFixed(1)} cm, seed ${seed}${slip === "none" ? "" : `, ${slip} wheel slip in the race`}.`);
   if (changed(select("compare-rooms"), "set", view.set)) select("compare-rooms").value = view.set;
   if (changed(select("compare-seeds"), "seeds", view.seeds)) select("compare-seeds").value = String(view.seeds);
   view.entrants.forEach((entrant, index) => {

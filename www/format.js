@@ -11,7 +11,7 @@ export const count = (value) => whole.format(value);
  * @param {number} seconds
  */
 export function clock(seconds) {
-  const total = Math.floor(seconds);
+  const total = Math.floor(seconds + 1e-6);
   const [h, m, s] = [Math.floor(total / 3600), Math.floor(total / 60) % 60, total % 60];
   const two = (/** @type {number} */ n) => String(n).padStart(2, "0");
   return h > 0 ? `${h}:${two(m)}:${two(s)}` : `${m}:${two(s)}`;

@@ -26,6 +26,8 @@ export function startNumbers(it) {
   const sortBy = (column) => {
     order = order?.column === column ? (order.down ? undefined : { column, down: true }) : { column, down: false };
     show();
+    // The heads are new: whoever sorts by keyboard is still there.
+    head.querySelectorAll("button")[column]?.focus();
   };
 
   const show = () => {
@@ -33,14 +35,13 @@ export function startNumbers(it) {
     const { metrics, rows } = table;
     const focused = document.activeElement?.closest("#compared [data-key]")?.getAttribute("data-key");
     head.replaceChildren(make("tr", {}, make("th", { scope: "col" }, "Algorithm"), ...metrics.map((metric, column) => heading(metric, column, order, sortBy))));
-    body.replaceChildren(...sorted(rows, metrics, order).map((row) => line(it, row, metrics, rows)));
+    body.replaceChildren(...sorted(rows, metrics, order).map((row) => line(it, row, metrics, rows, select("table-room").value === "all" ? it.view.rooms.length : 1)));
     drawCharts(byId("charts"), table, app.catalogue.planners, it.about);
     // Whoever works with the keyboard stays where they were.
     const same = focused && byId("compared").querySelector(`[data-key="${focused}"]`);
     if (same instanceof HTMLElement) same.focus({ preventScroll: true });
   };
 
-  select("table-room").addEventListener("change", () => changed(body, "table", "") && undefined);
   return (view) => {
     const menu = select("table-room");
     if (changed(menu, "rooms", view.rooms.join("\n"))) {
@@ -50,7 +51,7 @@ export function startNumbers(it) {
     if (!changed(body, "table", `${view.version} ${menu.value}`)) return;
     const room = menu.value === "all" ? undefined : Number(menu.value);
     table = comparison.table(room);
-    setText(byId("table-note"), `${note(view, room === undefined)} ${proven(table)}`.trim());
+    setText(byId("table-note"), `${note(view, room === undefined)} ${table ? proven(table) : ""}`.trim());
     show();
   };
 }
@@ -85,18 +86,19 @@ function sorted(rows, metrics, order) {
   return [...rows].sort((a, b) => sign * (value(a) - value(b)));
 }
 
-/** @param {import("./compare.js").Comparing} it @param {Row} row @param {Metric[]} metrics @param {Row[]} rows */
-function line({ app, about }, row, metrics, rows) {
+/** @param {import("./compare.js").Comparing} it @param {Row} row @param {Metric[]} metrics @param {Row[]} rows @param {number} rooms */
+function line({ app, about }, row, metrics, rows, rooms) {
   const planner = app.catalogue.planners[row.entrant];
   const open = make("button", { type: "button", className: "link", "data-key": String(row.entrant), onclick: () => about(row.entrant) }, planner?.title ?? "");
   const name = make("th", { scope: "row" }, swatch(row.entrant), open);
+  if (row.missing > 0 && rooms > 1) name.append(make("span", { className: "status" }, `${rooms - row.missing} of ${rooms} rooms`));
   if (row.failure) name.append(make("span", { className: "failure", "data-tip": row.failure, tabIndex: 0 }, "failed"));
   const cells = metrics.map((metric, column) => {
     const spread = row.values[column];
     if (!spread) return make("td", {}, "–");
     const cell = make("td", { className: row.best[column] ? "best" : "", "data-tip": difference(row, column, metric, rows, app.catalogue.planners) });
     cell.append(shown(spread.median, metric));
-    if (spread.max > spread.min) cell.append(make("small", {}, `${shown(spread.min, metric)}–${shown(spread.max, metric)}`));
+    if (shown(spread.max, metric) !== shown(spread.min, metric)) cell.append(make("small", {}, `${shown(spread.min, metric)}–${shown(spread.max, metric)}`));
     return cell;
   });
   const result = make("tr", { onclick: (/** @type {Event} */ event) => event.target instanceof HTMLButtonElement || about(row.entrant) }, name, ...cells);
@@ -118,6 +120,6 @@ function difference(row, column, metric, rows, planners) {
 
 /** A value as it stands in the table. @param {number} value @param {Metric} metric */
 export function shown(value, metric) {
-  if (metric.unit === "s" && metric.decimals === 0) return clock(value);
+  if (metric.unit === "s" && metric.decimals === 0) return clock(Math.round(value));
   return value.toLocaleString("en", { minimumFractionDigits: metric.decimals, maximumFractionDigits: metric.decimals });
 }

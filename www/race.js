@@ -27,7 +27,7 @@ export function startRace(it) {
   let held = false;
   scrub.addEventListener("pointerdown", () => (held = true));
   for (const end of ["pointerup", "pointercancel", "blur"]) scrub.addEventListener(end, () => (held = false));
-  scrub.addEventListener("input", () => act((c) => c.seek(Math.min(Number(scrub.value), it.view.race?.end_s ?? 0))));
+  scrub.addEventListener("input", () => act((c) => c.seek(Number(scrub.value))));
   /** @type {Record<string, () => boolean>} */
   const keys = { " ": toggle, ".": () => act((c) => c.step()), r: () => act((c) => c.seek(0)) };
 
@@ -82,29 +82,24 @@ function buildLanes({ app, comparison, about }, race) {
 
 /** @param {Comparing} it @param {RaceView} race */
 function updateLanes({ app }, race) {
-  // Who is ahead: finished first, then by floor swept.
-  const leader = race.lanes.reduce((a, b) => (rank(b) > rank(a) ? b : a));
   race.lanes.forEach((lane, index) => {
     const pane = byId("lanes").children[index];
     const output = pane?.querySelector("output");
     const canvas = pane?.querySelector("canvas");
     if (!output || !canvas) return;
-    setText(output, `${percent(lane.coverage)} %${lane.finished ? ` in ${clock(lane.time_s)}` : ""}`);
-    setAttribute(pane, "data-leads", String(lane === leader && race.time_s > 0));
+    setText(output, `${race.time_s > 0 ? `${lane.place}. ` : ""}${percent(lane.coverage)} %${lane.finished ? ` in ${clock(lane.time_s)}` : ""}`);
+    setAttribute(pane, "data-leads", String(lane.place === 1 && race.time_s > 0));
     // While it drives, the picture is put into words now and then; while it stands, the words fit it.
     const far = isMoving(race) ? Math.floor(lane.coverage * 10) : lane.time_s;
     if (changed(canvas, "said", `${race.state} ${far} ${lane.finished}`)) {
       const title = app.catalogue.planners[lane.entrant]?.title;
-      canvas.setAttribute("aria-label", `${title}: ${percent(lane.coverage)} % of the reachable floor is clean after ${clock(lane.time_s)} and ${metres(lane.distance_m)} m${lane.finished ? ", done" : ""}.`);
+      canvas.setAttribute("aria-label", `${title}: ${percent(lane.coverage)} % of the reachable floor is clean after ${clock(lane.time_s)} and ${metres(lane.distance_m)} m${lane.finished ? ", done" : ""}; place ${lane.place}.`);
     }
   });
 }
 
 /** @param {RaceView | null} race */
 const isMoving = (race) => ["playing", "seeking"].includes(race?.state ?? "");
-
-/** @param {RaceView["lanes"][number]} lane */
-const rank = ({ finished, time_s, coverage }) => (finished ? 2e9 - time_s : coverage);
 
 /** @param {RaceView | null} race @param {boolean} running @param {boolean} held Whether the time line is being dragged. */
 function updateBar(race, running, held) {

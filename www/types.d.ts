@@ -174,7 +174,7 @@ export type RaceView = {
   end_s: number;
   planned_s: number;
   speed: number;
-  lanes: { entrant: number; coverage: number; time_s: number; distance_m: number; turning_deg: number; finished: boolean }[];
+  lanes: { entrant: number; coverage: number; time_s: number; distance_m: number; turning_deg: number; finished: boolean; place: number }[];
 };
 
 export type CompareTable = {

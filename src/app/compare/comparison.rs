@@ -474,13 +474,19 @@ impl Comparison {
         let racers: Vec<Racer> = self
             .chosen
             .iter()
-            .filter_map(|&entrant| {
+            .copied()
+            .filter(|&entrant| {
+                let key = self.key(&Trial { room: here, entrant, seed: base.seed });
+                !matches!(self.known.get(&key), Some(Err(_)))
+            })
+            // Before it is known who has a plan: who races mustn't depend on who was planned first.
+            .take(MOST_LANES)
+            .filter_map(|entrant| {
                 let key = self.key(&Trial { room: here, entrant, seed: base.seed });
                 let planned_s = self.known.get(&key)?.as_ref().ok()?.drive.duration_s;
                 Some(Racer { entrant, planned_s, key })
             })
             .filter(|racer| self.paths.contains_key(&racer.key))
-            .take(MOST_LANES)
             .collect();
         let setup = RaceSetup { speed: self.race.as_ref().map_or(base.setup.speed, Race::speed), ..base.setup };
         if self.race.as_ref().is_some_and(|race| race.is_of(setup, &racers)) {
