@@ -8,7 +8,7 @@ const values = (page, menu) => page.locator(`#${menu} option`).evaluateAll((opti
 /** Cells of the largest room that algorithms which take their time are tried in; in a hall they would take minutes. */
 const SMALL = 2500;
 
-test("every algorithm plans every room of its size and sets off", async (t) => {
+test("every algorithm and every room can be chosen, and the robot sets off", async (t) => {
   const { page, app } = await openApp(t);
   const [rooms, planners] = [await values(page, "room"), await values(page, "planner")];
   assert.ok(rooms.length >= 10 && planners.length >= 2);
@@ -16,12 +16,14 @@ test("every algorithm plans every room of its size and sets off", async (t) => {
   /** By room, once a fast algorithm has been there. */
   const cells = new Map();
   const tried = { fast: 0, slow: 0 };
-  for (const planner of planners) {
+  for (const [index, planner] of planners.entries()) {
     // Before the algorithm is chosen: it sets to work at once.
     await app.choose("room", "thesis8");
     await app.choose("planner", planner);
     const pace = /takes its time/.test((await page.locator("#explainer .claims").textContent()) ?? "") ? "slow" : "fast";
-    for (const room of rooms) {
+    for (const [number, room] of rooms.entries()) {
+      // The first goes everywhere, the others share the rooms; native tests have them in every room of their size.
+      if (index > 0 && (number + index) % 4 !== 0) continue;
       if (pace === "slow" && !(cells.get(room) <= SMALL)) continue;
       tried[pace] += 1;
       const what = `${planner} in ${room}`;
@@ -34,7 +36,7 @@ test("every algorithm plans every room of its size and sets off", async (t) => {
       await app.poll(() => app.numbers(), ({ coverage, distance }) => coverage > 0 && distance > 0);
     }
   }
-  assert.ok(tried.fast >= 100 && tried.slow >= 10, JSON.stringify(tried));
+  assert.ok(cells.size === rooms.length && tried.fast > 2 * rooms.length && tried.slow >= 5, JSON.stringify(tried));
 });
 
 test("every robot, cell size and slip can be chosen", async (t) => {
