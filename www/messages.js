@@ -12,7 +12,8 @@ export const textOf = (error) => (error instanceof Error ? error.message : Strin
 
 /** Shows an error until it is dismissed or something else succeeds. @param {string} text */
 export function complain(text) {
-  local = text;
+  // Rust's errors begin small, to stand behind others.
+  local = text.charAt(0).toUpperCase() + text.slice(1);
   dismissed = "";
 }
 

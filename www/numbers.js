@@ -98,7 +98,8 @@ function line({ app, about }, row, metrics, rows, rooms) {
     if (!spread) return make("td", {}, "–");
     const cell = make("td", { className: row.best[column] ? "best" : "", "data-tip": difference(row, column, metric, rows, app.catalogue.planners) });
     cell.append(shown(spread.median, metric));
-    if (shown(spread.max, metric) !== shown(spread.min, metric)) cell.append(make("small", {}, `${shown(spread.min, metric)}–${shown(spread.max, metric)}`));
+    const [min, max] = [shown(spread.min, metric), shown(spread.max, metric)];
+    if (min !== max) cell.append(make("small", {}, `${min}–${max}`));
     return cell;
   });
   const result = make("tr", { onclick: (/** @type {Event} */ event) => event.target instanceof HTMLButtonElement || about(row.entrant) }, name, ...cells);

@@ -23,6 +23,8 @@ export function startTips() {
     if (!next || !text) return;
     owner = next;
     tip.textContent = text;
+    // What is outside an open dialog is behind it.
+    (next.closest("dialog") ?? document.body).append(tip);
     tip.hidden = false;
     next.querySelector("button, input, select")?.setAttribute("aria-describedby", "tip");
     place(tip, next);

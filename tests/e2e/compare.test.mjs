@@ -260,6 +260,8 @@ test("all algorithms have all numbers in the flat; they can be sorted, explained
   const [path] = await pictures(page, "#about-path");
   assert.ok(path.colours > 5, `${path.colours} colours`);
   assert.match(await page.locator("#about-path").getAttribute("aria-label"), /^Path of Growing spirals in Furnished flat$/);
+  await page.locator("#about .claims li").first().hover();
+  assert.match(await app.text("#about #tip"), /every cell/, "before the dialog, not behind it");
   await page.getByRole("button", { name: "Open in Explore" }).click();
   await page.locator("#place-explore").waitFor();
   assert.equal(await page.locator("#planner").inputValue(), "spiral");
@@ -304,6 +306,17 @@ test("an algorithm that uses chance has a range over its seeds, one that doesn't
   assert.ok(chance.ranges.some((range) => range.includes("–")), JSON.stringify(chance));
   assert.ok(certain.ranges.every((range) => range === ""), JSON.stringify(certain));
   assert.match(await app.text("#table-note"), /median of 3 seeds/);
+});
+
+test("a link with an algorithm that isn't there says which there are", async (t) => {
+  const { page, app } = await openCompare(t, { link: "vs=snail,snake" });
+  await page.locator("#message").waitFor();
+  assert.match(await app.message(), /^There is no planner "snail"; there are: .*snake/);
+  const head = await page.locator(".arena-head").boundingBox();
+  assert.ok((await page.locator("#message").boundingBox()).y >= head.y + head.height, "it covers no button");
+  await page.getByRole("button", { name: "Dismiss" }).click();
+  assert.ok(await page.locator("#message").isHidden());
+  await lanes(page, 4);
 });
 
 test("trying can be cancelled and goes on", async (t) => {
