@@ -91,6 +91,18 @@ fn only_what_changed_is_tried_again() {
 }
 
 #[test]
+fn trial_under_way_does_not_answer_for_another_parameter() {
+    let session = session("thesis8");
+    let mut comparison = comparison(&session, &["snake"]);
+    let before = comparison.take_trial().expect("there is work");
+    comparison.set_param("snake", "patience", "0").expect("it is in range");
+    assert!(!comparison.is_wanted(before.id));
+    comparison.trial_finished(before.id, serve(&before));
+    assert_eq!(comparison.count(), (0, 1));
+    assert_eq!(work(&mut comparison), ["snake~patience:0"]);
+}
+
+#[test]
 fn race_comes_back_with_the_room() {
     let mut session = session("thesis8");
     let mut comparison = comparison(&session, &["boustrophedon", "snake"]);

@@ -5,10 +5,10 @@
 //! Here every move of the search weighs the turns as well.
 //!
 //! 1. A first tour: from each point to the nearest one left, straight on if there is a choice; or lanes. For these the
-//!    points are bound to the cheapest straight lanes ([`cheapest_lanes`]), the lanes are put in order nearest first, and
-//!    the order is improved by local search ([`improve`]). Whole lanes are moved where single points would have to cross
-//!    a barrier of many turns.
-//! 2. Detours over floor that is visited anyway are cut short ([`tighten`]).
+//!    points are bound to the cheapest straight lanes ([`strips`]), the lanes are put in order nearest first, and the
+//!    order is improved by local search ([`improve`](super::stage::improve)). Whole lanes are moved where single points
+//!    would have to cross a barrier of many turns.
+//! 2. Detours over floor that is visited anyway are cut short ([`tighten`](super::stage::tighten)).
 //! 3. 2-opt and Or-opt moves of single steps, taken by simulated annealing from a low temperature ([`anneal`]).
 //!    A point needs only one visit, so points passed again are dropped on the way.
 //!
@@ -30,15 +30,9 @@
 use super::{
     Build, Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError,
     Planner, PlannerInfo,
-    stage::{
-        Costs, Lane, Links, Moves, Prefer, SWEEPS, Schedule, Seeker, Stop, Sweep, Transit, Visit, anneal,
-        cheapest_lanes, improve, nearest_first, tighten,
-    },
+    stage::{Borders, Moves, Part, Schedule, Seeker, Tours, anneal, between, strips, swap_grid},
 };
-use crate::{
-    grid::{Cell, Direction},
-    rng::seeded,
-};
+use crate::{grid::Cell, rng::seeded};
 
 /// Entry in the registry.
 pub const INFO: PlannerInfo = PlannerInfo {
@@ -122,28 +116,25 @@ const HOT: f64 = 0.25;
 const COLD: f64 = 0.05;
 /// Temperature to start from with a tour that has no lanes to forget.
 const HOT_WITHOUT_LANES: f64 = 0.5;
-/// Passes over the walk to cut detours.
-const PASSES: usize = 3;
 
-/// Shares of the work that are done when the first tour stands, and when detours have been cut.
+/// Shares of the work that are done when the first tour stands, and when its detours have been cut.
 const CONSTRUCTED: f64 = 0.4;
 const TIGHTENED: f64 = 0.45;
+/// Shares of the work on a tour of lanes that are done after each of its stages.
+const ORDERED: f64 = 0.05;
+const LINKED: f64 = 0.1;
+const IMPROVED: f64 = 0.9;
 
 impl Planner for GridTsp {
     fn plan(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError> {
-        let costs = Costs::of(job);
-        // The same numbers in every run: the seed changes nothing.
-        let mut rng = seeded(0, 0);
-        let mut walk = if self.has_lanes { self.tour_lanes(job, ctx)? } else { tour_cells(job, ctx)? };
-        let mut transit = Transit::new(&job.free, costs);
-        for _ in 0..PASSES {
-            ctx.checkpoint(CONSTRUCTED, &walk)?;
-            if self.effort == 0 || !tighten(job, costs, &mut transit, &mut walk, |_| ctx.checkpoint(CONSTRUCTED, &[]))?
-            {
-                break;
-            }
+        let mut tours = Tours::new(job, ctx, REACH);
+        if self.has_lanes {
+            self.tour_lanes(job, &mut tours)?;
+        } else {
+            let walk = tour_cells(job, tours.ctx)?;
+            tours.offer(walk, [CONSTRUCTED, TIGHTENED])?;
         }
-        ctx.checkpoint(TIGHTENED, &walk)?;
+        let (costs, mut walk) = (tours.costs, std::mem::take(&mut tours.best));
         let cells = job.cells();
         let tries = (TRIES_PER_CELL * cells).min(TRIES_PER_PAIR * cells * cells).min(MAX_TRIES);
         let schedule = Schedule {
@@ -152,13 +143,12 @@ impl Planner for GridTsp {
             cold: COLD,
             moves: self.moves,
         };
-        anneal(job, costs, schedule, &mut walk, &mut rng, |done, walk| {
-            ctx.checkpoint(TIGHTENED + (1.0 - TIGHTENED) * done, walk)
+        // The same numbers in every run: the seed changes nothing.
+        anneal(job, costs, schedule, &mut walk, &mut seeded(0, 0), |done, walk| {
+            tours.ctx.checkpoint(between([TIGHTENED, 1.0], done), walk)
         })?;
-        if self.effort > 0 {
-            tighten(job, costs, &mut transit, &mut walk, |_| ctx.checkpoint(1.0, &[]))?;
-        }
-        Ok(CoveragePath { cells: walk })
+        tours.offer(walk, [1.0, 1.0])?;
+        Ok(CoveragePath { cells: tours.best })
     }
 }
 
@@ -187,62 +177,27 @@ fn tour_cells(job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<Vec<Cell>,
 }
 
 impl GridTsp {
-    /// The cheaper one of the tours through lanes that prefer x and y.
-    fn tour_lanes(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<Vec<Cell>, PlanError> {
-        let costs = Costs::of(job);
-        let mut best: Vec<Cell> = Vec::new();
-        let mut done = 0.0;
-        for prefer in [Prefer::AlongX, Prefer::AlongY] {
-            ctx.checkpoint(done, &best)?;
-            let lanes = cheapest_lanes(&job.free, costs, prefer);
-            let sweeps: Vec<[Sweep; SWEEPS]> = lanes.iter().map(|lane| sweeps_of_lane(lane, costs)).collect();
-            let start = (job.start, job.heading);
-            let mut tour = nearest_first(&job.free, &sweeps, start, costs, |_| ctx.checkpoint(done, &best))?;
+    /// Tours through the cheapest lanes, of which several may cost the same: those with most along x, and most along y.
+    fn tour_lanes(&self, job: &CoverageJob, tours: &mut Tours<'_, '_>) -> Result<(), PlanError> {
+        for (before, is_swapped) in [(0.0, false), (TIGHTENED / 2.0, true)] {
+            let share = |done| before + done * TIGHTENED / 2.0;
+            let (costs, ctx, best) = (tours.costs, &mut *tours.ctx, &tours.best);
+            let report = || ctx.checkpoint(before, best);
+            // Of several cheapest strips there are always those with least along x.
+            let strips = if is_swapped {
+                strips(&job.free, costs, Borders::Apart, report)?
+            } else {
+                strips(&swap_grid(&job.free), costs, Borders::Apart, report)?.swapped()
+            };
+            let lanes: Vec<Part> = strips.parts(0).into_iter().flat_map(Part::lanes).collect();
+            let sweeps = tours.sweeps(&lanes);
+            let mut tour = tours.nearest_first(&sweeps, [before, share(ORDERED)])?;
             if self.effort > 0 && lanes.len() <= MAX_LANES_TO_IMPROVE {
-                let links = Links::new(&job.free, &sweeps, start, costs, REACH, |_| ctx.checkpoint(done, &best))?;
                 let rounds = self.effort * (ROUNDS_PER_LANE * lanes.len()).min(MAX_ROUNDS);
-                improve(&links, &mut tour, rounds, &mut seeded(0, 0), |share| {
-                    ctx.checkpoint(done + share * CONSTRUCTED / 2.0, &best)
-                })?;
+                tours.improve(&sweeps, &mut tour, rounds, [ORDERED, LINKED, IMPROVED].map(share))?;
             }
-            let walk = drive(job, &sweeps, &tour);
-            let cost = |walk: &[Cell]| costs.of_walk(job.heading, walk);
-            if best.is_empty() || cost(&walk) < cost(&best) {
-                best = walk;
-            }
-            done += CONSTRUCTED / 2.0;
+            tours.drive(&lanes, &sweeps, &tour, [share(IMPROVED), share(1.0)])?;
         }
-        Ok(best)
+        Ok(())
     }
-}
-
-/// Both ways to drive a lane, as if it were a block that can be swept in no other way.
-fn sweeps_of_lane(lane: &Lane, costs: Costs) -> [Sweep; SWEEPS] {
-    let along = if lane.first.y == lane.last.y { Direction::Right } else { Direction::Up };
-    let direction = (lane.first != lane.last).then_some(along);
-    let cost = costs.step * lane.first.manhattan(lane.last);
-    let ahead = Sweep { entry: lane.first, entering: direction, exit: lane.last, leaving: direction, cost };
-    let back = direction.map(Direction::opposite);
-    let back = Sweep { entry: lane.last, entering: back, exit: lane.first, leaving: back, cost };
-    std::array::from_fn(|number| if number < SWEEPS / 2 { ahead } else { back })
-}
-
-/// The walk that a tour of lanes stands for.
-fn drive(job: &CoverageJob, sweeps: &[[Sweep; SWEEPS]], tour: &[Visit]) -> Vec<Cell> {
-    let mut transit = Transit::new(&job.free, Costs::of(job));
-    let mut walk = vec![job.start];
-    for visit in tour {
-        let sweep = &sweeps[visit.block][visit.sweep];
-        let heading = if let [.., before, last] = *walk { before.direction_to(last) } else { Some(job.heading) };
-        let from = Stop { cell: walk[walk.len() - 1], heading };
-        let to = Stop { cell: sweep.entry, heading: sweep.entering };
-        // All free cells are connected, so that there is a way.
-        let _ = transit.append_way(from, to, u32::MAX, &mut walk);
-        let (mut at, Some(direction)) = (sweep.entry, sweep.entering) else { continue };
-        while at != sweep.exit {
-            at = at.step(direction);
-            walk.push(at);
-        }
-    }
-    walk
 }

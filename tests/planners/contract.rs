@@ -3,7 +3,7 @@
 use super::support::{Scenario, scenarios};
 use robovac_playground::{
     floorplan::room,
-    grid::{Cell, Direction},
+    grid::{Cell, Direction, from_picture},
     metrics::WalkMetrics,
     planner::{
         CoverageJob, CoveragePath, Explainer, PLANNERS, ParamKind, ParamValue, Params, PlanContext, PlanError, Planner,
@@ -98,6 +98,31 @@ fn every_choice_of_every_parameter_works() {
                     path.check(&job).unwrap_or_else(|error| panic!("{what}: {error}"));
                     let metrics = WalkMetrics::of(&job, &path);
                     assert!(!info.claims.complete || metrics.visited_cells == metrics.reachable_cells, "{what}");
+                }
+            }
+        }
+    }
+}
+
+/// Rooms of a cell or a line of them, and start in a corner that diagonal neighbours don't lead out of.
+const TINY: [&str; 6] = [".", "..", ".\n.", ".............", ".\n.\n.\n.\n.\n.", ".#..\n#...\n...."];
+
+#[test]
+fn tiny_rooms_and_impossible_times_are_planned() {
+    let times = [0.0, 1.0, 1e-300, 1e300, -1.0, f64::INFINITY, f64::NAN];
+    for picture in TINY {
+        let free = from_picture(picture, |c| c == '.').expect("it is a rectangle");
+        let top_left = Cell::new(0, free.height() as i32 - 1);
+        for heading in Direction::ALL {
+            let job = CoverageJob::new(&free, top_left, heading).expect("the start is free");
+            for (step_s, turn_s) in times.into_iter().flat_map(|step_s| times.map(|turn_s| (step_s, turn_s))) {
+                let job = CoverageJob { step_s, turn_s, ..job.clone() };
+                for info in PLANNERS {
+                    let what = format!("{} with {step_s} s and {turn_s} s facing {heading:?} in\n{picture}", info.id);
+                    let path = build(info, LARGE + 1).plan(&job, &mut PlanContext::new(1)).expect("nobody cancels");
+                    path.check(&job).unwrap_or_else(|error| panic!("{what}: {error}"));
+                    let metrics = WalkMetrics::of(&job, &path);
+                    assert_eq!(metrics.visited_cells, metrics.reachable_cells, "{what}");
                 }
             }
         }

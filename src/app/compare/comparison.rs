@@ -1,14 +1,15 @@
 //! A comparison as the page has it: who takes part where, what has been tried, and what is left to try.
 
 use super::{
-    Entrant, Outcome, Race, RaceSetup, Record, RoomChoice, RoomSet, Row, Table, TrialRequest,
+    Entrant, Outcome, Progress, Race, RaceSetup, Record, RoomChoice, RoomSet, Row, Table, Trial, TrialRequest,
     race::{MOST_LANES, Racer},
+    trials::{Key, Trials},
 };
 use crate::{
     app::{Prepared, Session, SettingsError},
     floorplan::{FloorPlan, ROOMS, Scenario},
     geometry::Pose,
-    metrics::{Bounds, PlanNumbers},
+    metrics::Bounds,
     planner::{CoveragePath, PLANNERS},
 };
 use std::{
@@ -33,11 +34,9 @@ pub struct Comparison {
     chosen: BTreeSet<usize>,
     set: RoomSet,
     seeds: u32,
-    known: BTreeMap<Key, Result<PlanNumbers, String>>,
+    trials: Trials,
+    /// Walks to be raced.
     paths: BTreeMap<Key, CoveragePath>,
-    running: BTreeMap<u32, (Trial, f64)>,
-    trials: u32,
-    is_cancelled: bool,
     race: Option<Race>,
     races: u32,
     version: u32,
@@ -59,53 +58,25 @@ struct Base {
     plan_version: u64,
 }
 
-/// One planner, one room, one seed.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Trial {
-    /// The room.
-    pub room: RoomChoice,
-    /// Number of the planner in the registry.
-    pub entrant: usize,
-    /// Seed of its random numbers.
-    pub seed: u64,
-}
-
-/// What a result depends on: room, start, robot and cell size, planner with parameters, seed.
-type Key = String;
-
-/// How far a planner is.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Progress<'a> {
-    /// It doesn't take part.
-    Out,
-    /// This share of its trials is done; those under way count in part.
-    Trying(f64),
-    /// All its trials are done.
-    Done,
-    /// A trial failed, with a message.
-    Failed(&'a str),
-}
-
 impl Comparison {
     /// Some planners about to be compared in the session's room.
     pub fn new() -> Self {
         let entrants: Vec<Entrant> = PLANNERS.iter().map(|planner| Entrant::new(planner)).collect();
         let chosen = (0..entrants.len()).filter(|&i| FIRST.contains(&entrants[i].planner.id)).collect();
-        Self {
+        let mut comparison = Self {
             base: None,
             entrants,
             chosen,
             set: RoomSet::This,
             seeds: 1,
-            known: BTreeMap::new(),
+            trials: Trials::default(),
             paths: BTreeMap::new(),
-            running: BTreeMap::new(),
-            trials: 0,
-            is_cancelled: false,
             race: None,
             races: 0,
             version: 0,
-        }
+        };
+        comparison.changed();
+        comparison
     }
 
     // ---- choices
@@ -138,8 +109,8 @@ impl Comparison {
         });
         // Earlier states of an own room don't come back.
         let here = self.place(self.here());
-        self.known.retain(|key, _| !key.starts_with(OWN) || key.starts_with(&here));
-        self.paths.retain(|key, _| self.known.contains_key(key));
+        self.trials.retain(|key| !key.starts_with(OWN) || key.starts_with(&here));
+        self.paths.retain(|key, _| self.trials.result(key).is_some());
         self.changed();
     }
 
@@ -182,10 +153,8 @@ impl Comparison {
 
     /// What is asked for is different from before.
     fn changed(&mut self) {
-        self.is_cancelled = false;
         self.version += 1;
-        let wanted = self.wanted();
-        self.running.retain(|_, (trial, _)| wanted.contains(trial));
+        self.trials.want(self.wanted());
         self.enter_race();
     }
 
@@ -227,14 +196,18 @@ impl Comparison {
 
     // ---- trials
 
-    /// Everything that has to be tried, the session's room first.
-    fn wanted(&self) -> Vec<Trial> {
+    /// Everything that has to be tried, room by room.
+    fn wanted(&self) -> Vec<(Trial, Key)> {
+        let first = self.base.as_ref().map_or(0, |base| base.seed);
+        let names: Vec<(usize, String)> = self.chosen.iter().map(|&i| (i, self.entrants[i].to_string())).collect();
         let mut trials = Vec::new();
         for room in self.rooms() {
-            for &entrant in &self.chosen {
+            let place = self.place(room);
+            for &(entrant, ref name) in &names {
                 let seeds = if self.entrants[entrant].planner.claims.deterministic { 1 } else { self.seeds };
-                let first = self.base.as_ref().map_or(0, |base| base.seed);
-                trials.extend((0..u64::from(seeds)).map(|i| Trial { room, entrant, seed: first + i }));
+                for seed in first..first.saturating_add(u64::from(seeds)) {
+                    trials.push((Trial { room, entrant, seed }, key(&place, name, seed)));
+                }
             }
         }
         trials
@@ -250,10 +223,6 @@ impl Comparison {
         self.base.as_ref().and_then(|base| base.room).map_or(RoomChoice::Own, RoomChoice::Shipped)
     }
 
-    fn key(&self, trial: &Trial) -> Key {
-        format!("{} {} {}", self.place(trial.room), self.entrants[trial.entrant], trial.seed)
-    }
-
     /// Room, start, robot and cell size.
     fn place(&self, room: RoomChoice) -> String {
         let Some(base) = &self.base else { return String::new() };
@@ -267,16 +236,11 @@ impl Comparison {
 
     /// The next trial for a worker that has nothing to do.
     pub fn take_trial(&mut self) -> Option<TrialRequest> {
-        if self.is_cancelled {
-            return None;
-        }
-        let is_running = |trial: &Trial| self.running.values().any(|(running, _)| running == trial);
-        let trial = self.wanted().into_iter().find(|t| !self.known.contains_key(&self.key(t)) && !is_running(t))?;
         let base = self.base.as_ref()?;
+        let (id, trial) = self.trials.begin()?;
         let is_here = trial.room == self.here();
-        self.trials += 1;
-        let request = TrialRequest {
-            id: self.trials,
+        Some(TrialRequest {
+            id,
             room: match trial.room {
                 RoomChoice::Shipped(id) => Some(id.to_owned()),
                 RoomChoice::Own => None,
@@ -288,34 +252,29 @@ impl Comparison {
             entrant: self.entrants[trial.entrant].to_string(),
             seed: trial.seed,
             place: self.place(trial.room),
-        };
-        self.running.insert(self.trials, (trial, 0.0));
-        Some(request)
+        })
     }
 
     /// Whether that trial is still wanted; the worker of one that isn't should be ended.
     pub fn is_wanted(&self, id: u32) -> bool {
-        self.running.contains_key(&id)
+        self.trials.is_running(id)
     }
 
     /// A worker reports the share done, 0 to 1.
     pub fn trial_progress(&mut self, id: u32, done: f64) {
-        if let Some((_, progress)) = self.running.get_mut(&id) {
-            *progress = done;
-        }
+        self.trials.report(id, done);
     }
 
     /// A worker is done.
     pub fn trial_finished(&mut self, id: u32, result: Result<Outcome, String>) {
-        let Some((trial, _)) = self.running.remove(&id) else { return };
-        let key = self.key(&trial);
+        let Some((trial, key)) = self.trials.end(id) else { return };
         let result = result.map(|Outcome { numbers, cells }| {
             if self.base.as_ref().is_some_and(|base| base.seed == trial.seed) {
                 self.keep(&key, CoveragePath { cells });
             }
             numbers
         });
-        self.known.insert(key, result);
+        self.trials.learn(key, result);
         self.version += 1;
         self.enter_race();
     }
@@ -326,8 +285,8 @@ impl Comparison {
         if kept(&self.paths) + path.cells.len() > MOST_KEPT_CELLS {
             // Whoever comes back to another room has it planned again.
             let here = self.place(self.here());
-            let known = &mut self.known;
-            self.paths.retain(|key, _| key.starts_with(&here) || known.remove(key).is_none());
+            self.trials.retain(|key| key.starts_with(&here) || !self.paths.contains_key(key));
+            self.paths.retain(|key, _| key.starts_with(&here));
         }
         if kept(&self.paths) + path.cells.len() <= MOST_KEPT_CELLS {
             self.paths.insert(key.clone(), path);
@@ -336,42 +295,28 @@ impl Comparison {
 
     /// The user doesn't want to wait; what is known stays.
     pub fn cancel(&mut self) {
-        self.running.clear();
-        self.is_cancelled = true;
+        self.trials.cancel();
         self.version += 1;
     }
 
     /// Goes on after [`Comparison::cancel`].
     pub fn resume(&mut self) {
-        self.is_cancelled = false;
+        self.trials.is_cancelled = false;
     }
 
     /// Whether the user has stopped it with trials left.
     pub fn is_cancelled(&self) -> bool {
-        self.is_cancelled
+        self.trials.is_cancelled
     }
 
     /// Trials that are done, and all of them.
     pub fn count(&self) -> (usize, usize) {
-        let wanted = self.wanted();
-        (wanted.iter().filter(|t| self.known.contains_key(&self.key(t))).count(), wanted.len())
+        self.trials.count()
     }
 
     /// How far a planner is.
     pub fn progress(&self, entrant: usize) -> Progress<'_> {
-        let trials: Vec<Trial> = self.wanted().into_iter().filter(|t| t.entrant == entrant).collect();
-        let results: Vec<_> = trials.iter().filter_map(|t| self.known.get(&self.key(t))).collect();
-        if let Some(message) = results.iter().find_map(|r| r.as_ref().err()) {
-            return Progress::Failed(message);
-        }
-        match (results.len(), trials.len()) {
-            (_, 0) => Progress::Out,
-            (done, all) if done == all => Progress::Done,
-            (done, all) => {
-                let under_way: f64 = self.running.values().filter(|(t, _)| t.entrant == entrant).map(|r| r.1).sum();
-                Progress::Trying((done as f64 + under_way) / all as f64)
-            }
-        }
+        self.trials.progress(entrant)
     }
 
     // ---- what came out
@@ -404,11 +349,10 @@ impl Comparison {
     /// The numbers of one room, or of all rooms together.
     pub fn table(&self, room: Option<RoomChoice>) -> Table {
         let rooms = room.map_or_else(|| self.rooms(), |room| vec![room]);
-        let wanted = self.wanted();
         let rows = self.chosen.iter().map(|&entrant| {
             let results = |&room: &RoomChoice| {
-                let trials = wanted.iter().filter(|t| t.entrant == entrant && t.room == room);
-                trials.filter_map(|t| self.known.get(&self.key(t)).cloned()).collect()
+                let trials = self.trials.results().filter(|(t, _)| t.entrant == entrant && t.room == room);
+                trials.map(|(_, result)| result.clone()).collect()
             };
             Row::new(self.entrants[entrant].clone(), entrant, &rooms.iter().map(results).collect::<Vec<_>>())
         });
@@ -417,24 +361,22 @@ impl Comparison {
 
     /// What no walk in a room can do without, once something is known of it.
     pub fn bounds(&self, room: RoomChoice) -> Option<Bounds> {
-        let mut trials = self.wanted().into_iter().filter(|trial| trial.room == room);
-        trials.find_map(|trial| self.known.get(&self.key(&trial))?.as_ref().ok()?.bounds)
+        let mut results = self.trials.results().filter(|(trial, _)| trial.room == room);
+        results.find_map(|(_, result)| result.as_ref().ok()?.bounds)
     }
 
     /// Everything that came out, for export.
     pub fn records(&self) -> Vec<Record<'_>> {
         let Some(base) = &self.base else { return Vec::new() };
-        let record = |t: Trial| {
-            Some(Record {
-                room: self.room_name(t.room),
-                robot: base.robot,
-                cell_size: base.cell_size,
-                entrant: &self.entrants[t.entrant],
-                seed: t.seed,
-                result: self.known.get(&self.key(&t))?,
-            })
+        let record = |(t, result): (&Trial, _)| Record {
+            room: self.room_name(t.room),
+            robot: base.robot,
+            cell_size: base.cell_size,
+            entrant: &self.entrants[t.entrant],
+            seed: t.seed,
+            result,
         };
-        self.wanted().into_iter().filter_map(record).collect()
+        self.trials.results().map(record).collect()
     }
 
     /// Name of a room.
@@ -460,7 +402,7 @@ impl Comparison {
     /// A race of one planner alone, to show its walk in the session's room; `None` as long as it has none.
     pub fn solo(&self, entrant: usize) -> Option<Race> {
         let base = self.base.as_ref()?;
-        let key = self.key(&Trial { room: self.here(), entrant, seed: base.seed });
+        let key = key(&self.place(self.here()), &self.entrants[entrant].to_string(), base.seed);
         let path = self.paths.get(&key)?;
         let mut race = Race::new(0, Arc::clone(&base.plan), base.prepared.clone()?, base.setup);
         race.enter(Racer { entrant, planned_s: 0.0, key }, path);
@@ -470,20 +412,17 @@ impl Comparison {
     /// Sets the race up anew if other robots should drive in it.
     fn enter_race(&mut self) {
         let Some(base) = &self.base else { return };
-        let here = self.here();
+        let here = self.place(self.here());
         let racers: Vec<Racer> = self
             .chosen
             .iter()
             .copied()
-            .filter(|&entrant| {
-                let key = self.key(&Trial { room: here, entrant, seed: base.seed });
-                !matches!(self.known.get(&key), Some(Err(_)))
-            })
+            .map(|entrant| (entrant, key(&here, &self.entrants[entrant].to_string(), base.seed)))
+            .filter(|(_, key)| !matches!(self.trials.result(key), Some(Err(_))))
             // Before it is known who has a plan: who races mustn't depend on who was planned first.
             .take(MOST_LANES)
-            .filter_map(|entrant| {
-                let key = self.key(&Trial { room: here, entrant, seed: base.seed });
-                let planned_s = self.known.get(&key)?.as_ref().ok()?.drive.duration_s;
+            .filter_map(|(entrant, key)| {
+                let planned_s = self.trials.result(&key)?.as_ref().ok()?.drive.duration_s;
                 Some(Racer { entrant, planned_s, key })
             })
             .filter(|racer| self.paths.contains_key(&racer.key))
@@ -505,6 +444,10 @@ impl Comparison {
         }
         self.race = Some(race);
     }
+}
+
+fn key(place: &str, entrant: &str, seed: u64) -> Key {
+    format!("{place} {entrant} {seed}")
 }
 
 /// A number of seeds in a link.

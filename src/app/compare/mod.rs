@@ -11,12 +11,14 @@ mod race;
 mod rooms;
 mod table;
 mod trial;
+mod trials;
 
 pub use arena::{Arena, Outcome, TrialError};
-pub use comparison::{Comparison, MOST_SEEDS, Progress, Trial};
+pub use comparison::{Comparison, MOST_SEEDS};
 pub use entrant::Entrant;
 pub use export::{Record, to_csv, to_json};
 pub use race::{Lane, MOST_LANES, Race, RaceSetup, Racer};
 pub use rooms::{RoomChoice, RoomSet};
 pub use table::{Row, Spread, Table};
 pub use trial::TrialRequest;
+pub use trials::{Progress, Trial};

@@ -36,15 +36,16 @@ impl Network {
 
     /// What it costs more to have `node` on the side of the sink.
     pub fn tie_to_source(&mut self, node: usize, cost: u32) {
-        self.from_source[node] += cost;
+        self.from_source[node] = self.from_source[node].saturating_add(cost);
     }
 
     /// What it costs more to have `node` on the side of the source.
     pub fn tie_to_sink(&mut self, node: usize, cost: u32) {
-        self.to_sink[node] += cost;
+        self.to_sink[node] = self.to_sink[node].saturating_add(cost);
     }
 
-    /// What it costs to have `a` on the side of the source and `b` on the side of the sink, and the other way round.
+    /// What it costs to have `a` on the side of the source and `b` on the side of the sink, and the other way round;
+    /// both together less than 2³².
     pub fn tie(&mut self, a: usize, b: usize, cost: u32, cost_back: u32) {
         for (from, to, room) in [(a, b, cost), (b, a, cost_back)] {
             self.arcs.push(Arc { to: to as u32, room, next: self.first[from] });

@@ -1,4 +1,5 @@
-//! Stages that planners are composed of: they take what they need as arguments and keep nothing.
+//! Stages that planners are composed of. They take what they need as arguments; those that are objects keep memory to be
+//! used again, and nothing of a planner.
 
 mod anneal;
 mod axis;
@@ -8,7 +9,6 @@ mod decompose;
 mod distances;
 mod flood;
 mod frame;
-mod lanes;
 mod mega;
 mod min_cut;
 mod order;
@@ -20,6 +20,7 @@ mod strips;
 mod strokes;
 mod sweep;
 mod tighten;
+mod tours;
 mod transit;
 mod wavefront;
 
@@ -30,16 +31,16 @@ pub use cost::Costs;
 pub use decompose::{Block, Run, Side, decompose};
 pub use distances::Links;
 pub use flood::Flood;
-pub use lanes::{Lane, Prefer, cheapest_lanes};
 pub(super) use mega::{Added, MegaCells};
 pub use order::{Visit, improve, nearest_first};
 pub use part::{Part, drive};
 pub use progress::Progress;
 pub(super) use roam::{Floor, Rule};
 pub use seek::Seeker;
-pub use strips::{Strips, strips};
+pub use strips::{Borders, Strips, strips};
 pub use strokes::{lanes_of, strokes};
 pub use sweep::{SWEEPS, Sweep, append_sweep, sweeps_of};
 pub use tighten::tighten;
+pub(super) use tours::{Tours, between};
 pub use transit::{Stop, Transit};
 pub(super) use wavefront::{GOAL, Goal, STEP, cover, obstacle_transform};

@@ -52,6 +52,8 @@ pub fn nearest_first(
 
 /// Blocks between two reports.
 const REPORT_EVERY: usize = 256;
+/// Rounds between two: one costs time in proportion to the blocks.
+const ROUNDS_TO_REPORT: usize = 16;
 /// No block.
 const NONE: u32 = u32::MAX;
 
@@ -146,7 +148,7 @@ pub fn improve(
     let mut current = best.clone();
     let leeway = LEEWAY_TURNS * u64::from(links.costs().turn);
     for round in 0..rounds {
-        if round % 64 == 0 {
+        if round % ROUNDS_TO_REPORT == 0 {
             report(round as f64 / rounds as f64)?;
         }
         let disturbed = search.disturb(rng);

@@ -38,6 +38,12 @@ impl Part {
         })
     }
 
+    /// Every lane of it as a part of its own.
+    pub fn lanes(self) -> impl Iterator<Item = Self> {
+        let Self { block, is_swapped } = self;
+        block.into_iter().map(move |run| Self { block: vec![run], is_swapped })
+    }
+
     /// Appends the cells of sweep number `number` to `walk`; its first cell only if the walk doesn't end there already.
     fn append(&self, number: usize, costs: Costs, walk: &mut Vec<Cell>) {
         if !self.is_swapped {

@@ -13,6 +13,7 @@ use super::{
     cost::Costs,
     decompose::{Block, decompose},
     min_cut::Network,
+    part::Part,
 };
 use crate::{
     grid::{Cell, Direction, Grid},
@@ -28,14 +29,44 @@ pub struct Strips {
     pub along_y: Grid<bool>,
 }
 
+impl Strips {
+    /// The same with x and y swapped.
+    pub fn swapped(self) -> Self {
+        Self { along_x: swap_grid(&self.along_y), along_y: swap_grid(&self.along_x) }
+    }
+
+    /// Connected floor of one direction, cut at critical points and wherever a wall beside it jumps by more than
+    /// `max_jump` cells.
+    pub fn parts(&self, max_jump: i32) -> Vec<Part> {
+        let along_y = swap_grid(&self.along_y);
+        let parts =
+            |floor, is_swapped| decompose(floor, max_jump).into_iter().map(move |block| Part { block, is_swapped });
+        parts(&self.along_x, false).chain(parts(&along_y, true)).collect()
+    }
+}
+
+/// What an end of a lane costs at floor mown the other way.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Borders {
+    /// As much as at a wall.
+    Apart,
+    /// A little less, as one turn may lead from the one lane into the other and so serve the ends of both. For lanes that
+    /// are driven part by part; how much less was found by trial.
+    Shared,
+}
+
+impl Borders {
+    /// In the units of [`SCALE`].
+    fn weight(self) -> u32 {
+        if self == Self::Apart { SCALE } else { SCALE - 1 }
+    }
+}
+
 /// Most pieces that the cut is looked for among.
 const MAX_PIECES: usize = 60_000;
 /// What an end of a lane at a wall weighs.
 const SCALE: u32 = 8;
-/// What it weighs at floor mown the other way: a little less, as one turn may lead from the one lane into the other and so
-/// serve the ends of both. Found by trial.
-const BORDER: u32 = 7;
-/// More than any cut.
+/// More than all ends of a piece.
 const NEVER: u32 = 1 << 30;
 /// Not in a piece.
 const NONE: u32 = u32::MAX;
@@ -51,17 +82,19 @@ const NONE: u32 = u32::MAX;
 ///     ..####
 ///     ......
 ///     ......", |c| c == '.').unwrap();
-/// let strips = strips(&free, Costs { step: 16, turn: 32 }, || Ok(())).unwrap();
+/// let strips = strips(&free, Costs { step: 16, turn: 32 }, Borders::Shared, || Ok(())).unwrap();
 /// assert_eq!(picture(&strips.along_x, |&x| if x { '-' } else { ' ' }), "      \n      \n      \n  ----\n  ----\n");
 /// assert_eq!(picture(&strips.along_y, |&y| if y { '|' } else { ' ' }), "||    \n||    \n||    \n||    \n||    \n");
 /// ```
 pub fn strips(
     free: &Grid<bool>,
     costs: Costs,
-    report: impl FnMut() -> Result<(), PlanError>,
+    borders: Borders,
+    mut report: impl FnMut() -> Result<(), PlanError>,
 ) -> Result<Strips, PlanError> {
     let (mut pieces, mut count) = pieces_of(free, 0);
     if count > MAX_PIECES {
+        report()?;
         (pieces, count) = pieces_of(free, i32::MAX);
     }
     if count > MAX_PIECES {
@@ -87,11 +120,11 @@ pub fn strips(
     }
     contacts.sort_unstable();
     for same in contacts.chunk_by(|a, b| a == b) {
-        let cost = same.len() as u32 * BORDER * costs.turn;
+        let cost = (same.len() as u32).saturating_mul(borders.weight() * costs.turn).min(NEVER);
         network.tie(same[0].0 as usize, same[0].1 as usize, cost, cost);
     }
     for (piece, &area) in areas.iter().enumerate() {
-        network.tie(2 * piece, 2 * piece + 1, (area * costs.step).saturating_mul(SCALE).min(NEVER), NEVER);
+        network.tie(2 * piece, 2 * piece + 1, area.saturating_mul(SCALE * costs.step).min(NEVER), NEVER);
     }
     let sides = network.cut(report)?;
     let is_mown =
@@ -141,15 +174,43 @@ mod tests {
     #[test]
     fn plus_takes_two_strips() {
         let free = crate::grid::from_picture("##.##\n##.##\n.....\n##.##\n##.##", |c| c == '.').unwrap();
-        let found = strips(&free, COSTS, || Ok(())).unwrap();
+        let found = strips(&free, COSTS, Borders::Shared, || Ok(())).unwrap();
         assert_eq!((ends(&found.along_x), ends(&swap_grid(&found.along_y))), (2, 2));
+    }
+
+    /// Steps through all cells of lanes, and turns at their ends.
+    fn cost(strips: &Strips) -> usize {
+        let lanes = [strips.along_x.clone(), swap_grid(&strips.along_y)];
+        let cost = |lanes: &Grid<bool>| lanes.count() * COSTS.step as usize + ends(lanes) * COSTS.turn as usize;
+        lanes.iter().map(cost).sum()
+    }
+
+    #[test]
+    fn no_other_strips_cost_less() {
+        for seed in 0..8 {
+            let free = crate::floorplan::generate::random_clutter(3, 3, 0.3, seed);
+            let cells: Vec<Cell> = free.iter().filter(|&(_, &f)| f).map(|(cell, _)| cell).collect();
+            // Along x, along y or both in every cell.
+            let least = (0..3_usize.pow(cells.len() as u32)).map(|choice| {
+                let none = free.map(|_| false);
+                let mut strips = Strips { along_x: none.clone(), along_y: none };
+                for (i, &cell) in cells.iter().enumerate() {
+                    let way = choice / 3_usize.pow(i as u32) % 3;
+                    (strips.along_x[cell], strips.along_y[cell]) = (way != 1, way != 0);
+                }
+                cost(&strips)
+            });
+            let found = strips(&free, COSTS, Borders::Apart, || Ok(())).unwrap();
+            let turned = strips(&swap_grid(&free), COSTS, Borders::Apart, || Ok(())).unwrap().swapped();
+            assert_eq!((cost(&found), cost(&turned)), (cost(&turned), least.min().unwrap()), "{seed}");
+        }
     }
 
     proptest! {
         #[test]
         fn all_is_mown_and_nothing_else(bits in proptest::collection::vec(proptest::bool::weighted(0.7), 12 * 9)) {
             let free = Grid::from_rows(12, bits).unwrap();
-            let found = strips(&free, COSTS, || Ok(())).unwrap();
+            let found = strips(&free, COSTS, Borders::Shared, || Ok(())).unwrap();
             for (cell, &is_free) in free.iter() {
                 prop_assert_eq!(found.along_x[cell] || found.along_y[cell], is_free);
             }

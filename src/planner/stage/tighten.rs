@@ -13,7 +13,7 @@ use crate::{
 ///
 /// A stretch begins where the one before ended, so one call is a single pass in O(length) searches of the way between
 /// two cells; another call may find more. Returns whether anything changed. `report` is told the share of the walk
-/// that is done every few thousand cells.
+/// that is done every two thousand cells.
 pub fn tighten(
     job: &CoverageJob,
     costs: Costs,
@@ -72,8 +72,8 @@ pub fn tighten(
     Ok(is_changed)
 }
 
-/// Cells between two reports.
-const REPORT_EVERY: usize = 16_384;
+/// Cells between two reports: every other one may take a search.
+const REPORT_EVERY: usize = 2_048;
 
 /// Finds a cheaper way than `kept` between its ends; whether there is one.
 fn shorten(
@@ -89,7 +89,8 @@ fn shorten(
     let arrived = if let [.., before, last] = done { before.direction_to(*last) } else { None };
     let arrived = arrived.unwrap_or(job.heading);
     let leaving = after.and_then(|&next| to.direction_to(next));
-    let cost = costs.of_walk(arrived, kept) as u32 + turn_at_end(costs, kept, leaving);
+    let cost = costs.of_walk(arrived, kept) + u64::from(turn_at_end(costs, kept, leaving));
+    let cost = u32::try_from(cost).unwrap_or(u32::MAX);
     if costs.at_least(from, Some(arrived), to, leaving) >= cost {
         return false;
     }
