@@ -447,6 +447,12 @@ impl Comparison {
         self.race.as_mut()
     }
 
+    /// The walk of a planner in the session's room, if it is known; more planners have one than can race at a time.
+    pub fn path(&self, entrant: usize) -> Option<&CoveragePath> {
+        let seed = self.base.as_ref()?.seed;
+        self.paths.get(&self.key(&Trial { room: self.here(), entrant, seed }))
+    }
+
     /// Sets the race up anew if other robots should drive in it.
     fn enter_race(&mut self) {
         let Some(base) = &self.base else { return };
