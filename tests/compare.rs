@@ -4,7 +4,8 @@ use robovac_playground::{
     app::{
         Session, State,
         compare::{
-            Arena, Comparison, Entrant, Progress, RoomChoice, Row, Spread, Table, TrialRequest, to_csv, to_json,
+            Arena, Comparison, Entrant, MOST_LANES, Progress, RoomChoice, Row, Spread, Table, TrialRequest, to_csv,
+            to_json,
         },
     },
     floorplan::room,
@@ -113,6 +114,20 @@ fn race_comes_back_with_the_room() {
     comparison.take(&session);
     work(&mut comparison);
     assert_eq!(comparison.race().map_or(0, |race| race.lanes().len()), 2);
+}
+
+#[test]
+fn paths_are_there_beyond_the_lanes_of_the_race() {
+    let session = session("thesis8");
+    let ids: Vec<&str> = PLANNERS.iter().map(|planner| planner.id).collect();
+    let mut comparison = comparison(&session, &ids);
+    work(&mut comparison);
+    let race = comparison.race().expect("there is a room");
+    assert!(race.lanes().len() == MOST_LANES && ids.len() > MOST_LANES);
+    for (entrant, id) in ids.iter().enumerate() {
+        let line = comparison.path(entrant).and_then(|path| race.line(path));
+        assert!(line.is_some_and(|line| line.len() > 10), "{id}");
+    }
 }
 
 #[test]

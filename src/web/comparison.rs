@@ -201,12 +201,11 @@ impl Comparison {
         height: f64,
         ratio: f64,
     ) -> Result<bool, JsValue> {
-        let Some(race) = self.state.solo(entrant) else { return Ok(false) };
-        let Some(lane) = race.lanes().first() else { return Ok(false) };
+        let (Some(race), Some(path)) = (self.state.race(), self.state.path(entrant)) else { return Ok(false) };
+        let Some(line) = race.line(path) else { return Ok(false) };
         let mut pane = Pane::new(canvas)?;
-        let scene = race.scene(lane);
         pane.viewport.resize(width, height, ratio);
-        pane.draw(&Scene { tracker: None, trail: &[], robot: None, dark: self.dark, ..scene })?;
+        pane.draw(&Scene { dark: self.dark, ..race.planned_scene(&line) })?;
         self.path = Some(pane);
         Ok(true)
     }

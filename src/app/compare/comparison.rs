@@ -399,14 +399,10 @@ impl Comparison {
         self.race.as_mut()
     }
 
-    /// A race of one planner alone, to show its walk in the session's room; `None` as long as it has none.
-    pub fn solo(&self, entrant: usize) -> Option<Race> {
-        let base = self.base.as_ref()?;
-        let key = key(&self.place(self.here()), &self.entrants[entrant].to_string(), base.seed);
-        let path = self.paths.get(&key)?;
-        let mut race = Race::new(0, Arc::clone(&base.plan), base.prepared.clone()?, base.setup);
-        race.enter(Racer { entrant, planned_s: 0.0, key }, path);
-        Some(race)
+    /// The walk of a planner in the session's room, if it is known; more planners have one than can race at a time.
+    pub fn path(&self, entrant: usize) -> Option<&CoveragePath> {
+        let seed = self.base.as_ref()?.seed;
+        self.paths.get(&key(&self.place(self.here()), &self.entrants[entrant].to_string(), seed))
     }
 
     /// Sets the race up anew if other robots should drive in it.

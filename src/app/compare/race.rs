@@ -81,11 +81,11 @@ impl Race {
 
     /// Lets a robot take part that drives `path`. A walk that can't be driven is left out. To be called before the start.
     pub fn enter(&mut self, racer: Racer, path: &CoveragePath) {
-        if self.lanes.len() >= MOST_LANES || path.check(&self.prepared.job).is_err() {
+        if self.lanes.len() >= MOST_LANES {
             return;
         }
+        let Some(line) = self.line(path) else { return };
         let RaceSetup { slip, odometry, seed, .. } = self.setup;
-        let line: Arc<[Point]> = self.prepared.lattice.polyline(&self.prepared.floor, &path.cells).into();
         let run = self.prepared.run_along(&line, slip, odometry, seed);
         self.lanes.push(Lane { racer, recording: Recording::within(run, KEY_FRAME_BUDGET / MOST_LANES), line });
     }
@@ -264,19 +264,31 @@ impl Race {
     pub fn scene<'a>(&'a self, lane: &'a Lane) -> Scene<'a> {
         let run = lane.recording.run();
         Scene {
-            plan: &self.plan,
-            plan_version: u64::from(self.number),
-            floor: Some(&self.prepared.floor),
             tracker: Some(run.tracker()),
             run_version: (u64::from(self.number) << 32) + lane.recording.version(),
-            planned_version: u64::from(self.number),
-            planned: &lane.line,
             trail: run.trail(),
             robot: Some(RobotView::of(run, self.setup.slip)),
+            ..self.planned_scene(&lane.line)
+        }
+    }
+
+    /// What is to be drawn of a plan that nobody drives.
+    pub fn planned_scene<'a>(&'a self, line: &'a [Point]) -> Scene<'a> {
+        Scene {
+            plan_version: u64::from(self.number),
+            floor: Some(&self.prepared.floor),
+            planned_version: u64::from(self.number),
+            planned: line,
             start: Some(self.prepared.floor.start),
             start_radius: self.prepared.robot.radius,
             ..Scene::empty(&self.plan)
         }
+    }
+
+    /// The line of a walk, whether or not a robot drives it; `None` if it can't be driven.
+    pub fn line(&self, path: &CoveragePath) -> Option<Arc<[Point]>> {
+        path.check(&self.prepared.job).ok()?;
+        Some(self.prepared.lattice.polyline(&self.prepared.floor, &path.cells).into())
     }
 }
 
