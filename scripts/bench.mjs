@@ -28,7 +28,7 @@ async function inBrowser() {
     const page = await browser.newPage();
     page.on("pageerror", (error) => console.error(`    page: ${error}`));
     await page.goto(`${server.url}www/bench.html`);
-    await page.waitForFunction(() => "benchResult" in window, null, { timeout: 30_000 });
+    await page.waitForFunction(() => "benchResult" in window, null, { timeout: 600_000 });
     return times(await page.evaluate(() => window.benchResult));
   } finally {
     await browser.close();

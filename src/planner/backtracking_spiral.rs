@@ -55,10 +55,13 @@ pub const INFO: PlannerInfo = PlannerInfo {
         complexity: "O(n) time and memory for n cells, and a search around the end of every spiral.",
         use_when: "Decides from its neighbours alone, and is at its best in corridors and empty rooms. \
                    Slanted walls and scattered furniture make ragged spirals with many turns.",
-        shines: Example { room: "maze", why: "Follows the walls all the way through, with half the turns of lanes." },
+        shines: Example {
+            room: "spiral",
+            why: "Follows the walls round every corner, all the way in and back, where lanes break off.",
+        },
         fails: Example {
-            room: "hall20",
-            why: "Winds round every piece of furniture: two to four times the turns of lanes.",
+            room: "slanted",
+            why: "A slanted wall is a stair of cells, and every winding turns at each of its steps.",
         },
     },
     claims: Claims { complete: true, deterministic: true, fast: true, traces: false },

@@ -45,8 +45,11 @@ pub const INFO: PlannerInfo = PlannerInfo {
         complexity: "Cutting and mowing take O(n) time and memory for n cells; ordering b parts takes up to O(b²).",
         use_when: "The first choice for known rooms: few turns, hardly any floor twice, and fast even in a hall. \
                    Slanted or ragged walls cut the room into many small parts, which costs it its lead.",
-        shines: Example { room: "empty", why: "Mows the room in the fewest turns that are possible." },
-        fails: Example { room: "maze", why: "Corridors of one cell leave nothing to mow; only the order counts." },
+        shines: Example { room: "empty", why: "Nothing but lanes from wall to wall, with hardly any floor twice." },
+        fails: Example {
+            room: "spiral",
+            why: "All lanes lie one way, so that half of the arms are mown across, in short lanes full of turns.",
+        },
     },
     claims: Claims { complete: true, deterministic: true, fast: true, traces: false },
     params: &[

@@ -47,8 +47,14 @@ pub const INFO: PlannerInfo = PlannerInfo {
                      for boustrophedon with its O(l²) for l lanes.",
         use_when: "Fewest turns of all lane mowers, in rooms whose arms and gaps run both ways. It plans for a second or so \
                    where plain lanes take a tenth.",
-        shines: Example { room: "spiral", why: "Every arm is mown along its length, with a third of the turns." },
-        fails: Example { room: "comb", why: "All teeth lie one way, so that it gains next to nothing on plain lanes." },
+        shines: Example {
+            room: "spiral",
+            why: "Every arm is mown along its length, where plain lanes cross half of them.",
+        },
+        fails: Example {
+            room: "ushape",
+            why: "Rings along the walls go round both corners without a break and need a little less.",
+        },
     },
     claims: Claims { complete: true, deterministic: true, fast: true, traces: false },
     params: &[

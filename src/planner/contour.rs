@@ -52,10 +52,10 @@ pub const INFO: PlannerInfo = PlannerInfo {
         complexity: "Layers and rings take O(n) time and memory for n cells; so do the ways to the next ring if it's near.",
         use_when: "Cleans along walls and furniture first, and its strokes follow them. \
                    Rings round every island break off where they meet, which costs turns and ways in cluttered rooms.",
-        shines: Example { room: "spiral", why: "Follows the corridor round its corners, where lanes would break off." },
+        shines: Example { room: "ushape", why: "Follows the arms round both corners, where lanes would break off." },
         fails: Example {
-            room: "hall20",
-            why: "Rings round the obstacles collide, and scraps between them are left for later.",
+            room: "slanted",
+            why: "A slanted wall is a stair of cells, and every ring repeats all of its steps.",
         },
     },
     claims: Claims { complete: true, deterministic: true, fast: true, traces: false },

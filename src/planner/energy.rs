@@ -62,7 +62,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         use_when: "As simple as greedy planning gets, and as fast; it can decide while it drives. \
                    It sees one step ahead only, so it leaves corners behind for which it must come back.",
         shines: Example { room: "lshape", why: "One long meander round the corner, as good as planned." },
-        fails: Example { room: "office", why: "Corners left behind in many rooms cost long ways at the end." },
+        fails: Example { room: "maze", why: "It can't see which way ends, and drives back for what it has left." },
     },
     claims: Claims { complete: true, deterministic: true, fast: true, traces: false },
     params: &[

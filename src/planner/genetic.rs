@@ -61,7 +61,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         use_when: "To watch a solution grow out of chance, without a rule that says what a good walk looks like. \
                    It takes a thousand times longer than lanes and seldom beats them.",
         shines: Example { room: "thesis8", why: "Small enough to find about the best walk there is." },
-        fails: Example { room: "office", why: "Too many cells for the generations that there is time for." },
+        fails: Example { room: "spiral", why: "Patches that change at random seldom straighten a whole lane." },
     },
     claims: Claims { complete: true, deterministic: false, fast: false, traces: false },
     params: &[

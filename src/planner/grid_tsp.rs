@@ -50,8 +50,14 @@ pub const INFO: PlannerInfo = PlannerInfo {
                      O(n + l²) memory for l lanes.",
         use_when: "Takes seconds and finds the cheapest walks of all here. \
                    Rooms of up to some ten thousand cells that are cleaned again and again are worth it.",
-        shines: Example { room: "flat", why: "Lanes in both directions fit every room and join without detours." },
-        fails: Example { room: "empty", why: "Mown lanes are as good as it gets, and need no search." },
+        shines: Example {
+            room: "maze",
+            why: "Nothing but forks and dead ends: moving single cells finds what lanes and rings can't.",
+        },
+        fails: Example {
+            room: "lshape",
+            why: "Rings along the walls need no search at all and end up a little better.",
+        },
     },
     claims: Claims { complete: true, deterministic: true, fast: false, traces: false },
     params: &[

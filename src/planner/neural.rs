@@ -56,8 +56,11 @@ pub const INFO: PlannerInfo = PlannerInfo {
         complexity: "O(n) memory for n cells; a step touches the neurons whose activity changes, in the worst case all.",
         use_when: "Made for floors that change while the robot cleans: the field follows by itself. \
                    Nothing in it counts detours or turns, so known rooms are cleaned at lower cost by others.",
-        shines: Example { room: "spiral", why: "The field leads along the lanes, round every corner, with few turns." },
-        fails: Example { room: "office", why: "Floor left in many rooms draws the robot to and fro." },
+        shines: Example {
+            room: "empty",
+            why: "Walls don't excite and clean floor doesn't either, so that lane joins lane.",
+        },
+        fails: Example { room: "maze", why: "Floor left on many sides draws the robot to and fro." },
     },
     claims: Claims { complete: true, deterministic: true, fast: false, traces: false },
     params: &[

@@ -50,7 +50,10 @@ pub const INFO: PlannerInfo = PlannerInfo {
         complexity: "O(n) steps and memory for n cells; a search at every dead end costs the cells that it looks at.",
         use_when: "The simplest method that leaves nothing out, and a hard one to beat in halls with little in them. \
                    Every obstacle leaves a pocket behind it that the robot must come back for.",
-        shines: Example { room: "empty", why: "Nothing in the way: lane beside lane from wall to wall." },
+        shines: Example {
+            room: "lshape",
+            why: "Little in the way: lane beside lane, and back once for the other arm.",
+        },
         fails: Example { room: "maze", why: "Every dead end of the maze is one for the robot, too." },
     },
     claims: Claims { complete: true, deterministic: true, fast: true, traces: false },

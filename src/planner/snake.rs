@@ -65,8 +65,8 @@ pub const INFO: PlannerInfo = PlannerInfo {
         complexity: "O(n) steps by the rules, each O(width + height); O(n) memory for n cells.",
         use_when: "Decides from its neighbours alone, so it runs on a small controller and needs no plan in advance. \
                    It leaves islands behind that it must come back for.",
-        shines: Example { room: "thesis8", why: "The room that the rules were printed with." },
-        fails: Example { room: "office", why: "Rooms behind doors are left and come back to again and again." },
+        shines: Example { room: "empty", why: "Nothing in the way: a lawn mower's U-turns from wall to wall." },
+        fails: Example { room: "maze", why: "Ways that were passed are left behind and come back to again and again." },
     },
     claims: Claims { complete: true, deterministic: true, fast: true, traces: true },
     params: &[ParamSpec {

@@ -53,10 +53,13 @@ pub const INFO: PlannerInfo = PlannerInfo {
         use_when: "For a dirty spot in the middle of open floor: that is cleaned first and all around. \
                    Circles don't fill rectangles, so that strips between them are left to be come back for.",
         shines: Example {
-            room: "spiral",
-            why: "Keeps along the walls all the way in, with fewer turns than any lanes.",
+            room: "maze",
+            why: "Too narrow to circle: it keeps along the walls, which suits a maze better than lanes.",
         },
-        fails: Example { room: "flat", why: "Small circles between the furniture, and many scraps between them." },
+        fails: Example {
+            room: "slanted",
+            why: "Circles are square here: slanted walls stop them early and leave scraps to come back for.",
+        },
     },
     claims: Claims { complete: true, deterministic: true, fast: true, traces: false },
     params: &[

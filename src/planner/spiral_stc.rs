@@ -51,8 +51,14 @@ pub const INFO: PlannerInfo = PlannerInfo {
         complexity: "O(n α(n)) time, practically linear, and O(n) memory for n cells.",
         use_when: "Hardly any floor twice, wherever the furniture stands, and it ends near where it began. \
                    Passages one cell wide have to be driven there and back.",
-        shines: Example { room: "flat", why: "Reaches every niche with hardly any floor twice." },
-        fails: Example { room: "maze", why: "Corridors out of step with the mega-cells are driven there and back." },
+        shines: Example {
+            room: "dining",
+            why: "Goes round every leg with hardly any floor twice; lanes break off at each.",
+        },
+        fails: Example {
+            room: "spiral",
+            why: "Where squares of four cells don't fit the corridor it goes there and back, again and again.",
+        },
     },
     claims: Claims { complete: true, deterministic: true, fast: true, traces: false },
     params: &[ParamSpec {

@@ -50,10 +50,13 @@ pub const INFO: PlannerInfo = PlannerInfo {
         use_when: "Better than the distance transform in corridors and mazes, as it follows their walls. \
                    In open rooms full of furniture it turns as often.",
         shines: Example {
-            room: "maze",
+            room: "spiral",
             why: "Down one wall and back along the other, with far fewer turns than lanes.",
         },
-        fails: Example { room: "hall20", why: "Follows every outline: about four times the turns of lanes." },
+        fails: Example {
+            room: "slanted",
+            why: "Follows the slanted walls, which are stairs of cells, and so turns at every step of them.",
+        },
     },
     claims: Claims { complete: true, deterministic: true, fast: true, traces: false },
     params: &[

@@ -2,6 +2,7 @@
 
 mod bounds;
 mod contract;
+mod explainer;
 mod golden;
 mod papers;
 mod peers;
