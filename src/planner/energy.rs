@@ -6,27 +6,22 @@
 //!
 //! - `d_t`, the distance in cells;
 //! - `d_r`, the turn in quarter turns;
-//! - N = 4 - half the number of visited locations among the eight around n: floor that is nearly clean draws the robot
-//!   in,
+//! - N = 4 - half the number of visited locations among the eight around n: floor that is nearly clean draws the robot in,
 //!   so that it keeps to what it has cleaned and leaves few islands.
 //!
 //! Where no neighbour is left it goes to the unvisited location of least E of the whole grid.
 //!
 //! # Where text and program disagree, and what is done here
 //!
-//! - The authors' published program has a fourth term, 0.72 - 0.09 for each blocked location among the eight: walls
-//!   draw the robot too, less than clean
-//!   floor. The papers don't mention it. Kept, as the parameter *walls*.
+//! - The authors' published program has a fourth term, 0.72 - 0.09 for each blocked location among the eight: walls draw
+//!   the robot too, less than clean floor. The papers don't mention it. Kept, as the parameter *walls*.
 //! - Neighbours are the four beside the cell, as a walk takes no diagonal steps; the program has eight.
-//! - Where no neighbour is left it goes to the nearest unvisited cell by a shortest path. The program weighs the
-//!   straight
+//! - Where no neighbour is left it goes to the nearest unvisited cell by a shortest path. The program weighs the straight
 //!   line, which may lead through a wall.
 //! - It starts where the robot is; the program starts in the corner nearest to it and first turns the room so that its
-//!   main
-//!   direction lies along x. Here the walk is planned for each direction in which the robot may look at the start, with
-//!   ties going to the left and to the right (the papers are silent), and the cheapest is kept. At last detours over
-//!   clean
-//!   floor are cut short ([`tighten`]). In rooms of more than 100,000 cells the first walk is taken as it is.
+//!   main direction lies along x. Here the walk is planned for each direction in which the robot may look at the start,
+//!   with ties going to the left and to the right (the papers are silent), and the cheapest is kept. At last detours over
+//!   clean floor are cut short ([`tighten`]). In rooms of more than 100,000 cells the first walk is taken as it is.
 //!
 //! Energies are whole numbers, in hundredths, so that ties are ties on every target.
 //!
@@ -43,7 +38,7 @@
 use super::{
     Build, Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError,
     Planner, PlannerInfo,
-    stage::{Costs, Seeker, Transit, tighten},
+    stage::{Costs, MAX_CELLS_FOR_ALL, Seeker, Transit, tighten},
 };
 use crate::grid::{Cell, Direction, Grid};
 
@@ -129,8 +124,6 @@ impl Floor<'_> {
 
 /// Steps between two reports.
 const REPORT_EVERY: usize = 4096;
-/// Largest room, in free cells, for which several walks are planned.
-const MAX_CELLS_FOR_ALL: usize = 100_000;
 
 impl Planner for Energy {
     fn plan(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError> {
@@ -208,8 +201,7 @@ mod tests {
     use super::*;
 
     /// The terms of the functional: E = `d_t` + `d_r` + N as in Bormann et al. 2015, section on the cleaning of rooms,
-    /// and the
-    /// program's term for walls.
+    /// and the program's term for walls.
     #[test]
     fn energies_differ_as_the_functional_says() {
         let weights = Energy { rotation: 100, visited: 50, walls: 9 };

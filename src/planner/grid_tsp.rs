@@ -5,19 +5,17 @@
 //! solver weighs lengths only. Here every move of the search weighs the turns as well.
 //!
 //! 1. A first tour: from each point to the nearest one left, straight on if there is a choice; or lanes. For these the
-//!    points are bound
-//!    to the cheapest straight lanes ([`strips`]), the lanes are put in order nearest first, and the order is
-//!    improved by local search ([`improve`](super::stage::improve)). Whole lanes are moved where single points would have to cross a barrier
-//!    of many turns.
-//! 2. Detours over floor that is visited anyway are cut short ([`tighten`](super::stage::tighten)).
+//!    points are bound to the straight lanes that cost least together ([`strips`]), the lanes are put in order nearest
+//!    first, and the order is improved by local search. Whole lanes are moved where single points would have to cross a
+//!    barrier of many turns.
+//! 2. Detours over floor that is visited anyway are cut short, in the end once more ([`Tours`]).
 //! 3. 2-opt and Or-opt moves of single steps, taken by simulated annealing from a low temperature ([`anneal`]).
 //!    A point needs only one visit, so points passed again are dropped on the way.
 //!
 //! The survey starts its tour where it likes and closes it; here it begins at the robot and ends anywhere.
 //!
 //! Cost: O(n) memory for n cells, O(l²) for l lanes while these are put in order (at most 1,200). Time grows with the
-//! moves tried,
-//! a thousand a cell by default and no more than twelve million.
+//! moves tried, a thousand a cell by default and no more than twelve million.
 //!
 //! ```
 //! use robovac_playground::{grid::*, planner::*};

@@ -1,8 +1,7 @@
 //! Bio-inspired neural network: every cell is a neuron, uncleaned floor excites it, and the robot climbs the activity.
 //!
-//! By Yang & Luo 2004, "A neural network approach to complete coverage path planning" (IEEE Transactions on Systems,
-//! Man, and
-//! Cybernetics B 34(1)). The activity x of a neuron follows the shunting equation (their equation 2)
+//! By Yang & Luo 2004, "A neural network approach to complete coverage path planning" (IEEE Transactions on Systems, Man,
+//! and Cybernetics B 34(1)). The activity x of a neuron follows the shunting equation (their equation 2)
 //!
 //! dx/dt = -A x + (B - x) (`[I]+` + Σ w `[x_j]+`) - (D + x) `[I]-`
 //!
@@ -12,21 +11,18 @@
 //!
 //! # What is done here, and where the paper is silent
 //!
-//! - *Rest instead of time.* Robots are slow and neurons fast, so the field is kept at rest, where dx/dt = 0: x = B P
-//!   / (A + P)
-//!   with P the excitation, and -D E / (A + E) for obstacles, which therefore excite nobody. A cell that has been
-//!   cleaned changes its own activity; the change is passed on to neighbours while it is more than 0.1 % of an
-//!   activity.
-//!   Nothing else is left out.
+//! - *Rest instead of time.* Robots are slow and neurons fast, so the field is kept at rest, where dx/dt = 0: x =
+//!   B P / (A + P) with P the excitation, and -D E / (A + E) for obstacles, which therefore excite nobody. A cell that has
+//!   been cleaned changes its own activity; the change is passed on to neighbours while it is more than 0.1 % of an
+//!   activity. Nothing else is left out.
 //! - *Four neighbours.* A walk takes no diagonal steps; the lateral connections are still eight.
 //! - *Deadlock.* With only clean neighbours, c y would outweigh the faint activity of far floor for ever, and the robot
 //!   goes in circles: the survey of Bormann et al. 2018 finds rooms that its version never completes. So c counts only
 //!   while a neighbour is left to be cleaned; else the robot climbs by activity alone. Where no neighbour is more
 //!   active than the robot's own cell (far from all floor left, or where only a diagonal leads on), it takes a shortest
 //!   way to the nearest cell left. As each step climbs or cleans, every walk ends and covers all.
-//! - Ties go straight on, then left, then right. At the start any direction may count as straight on: in rooms of up
-//!   to 2,500
-//!   cells each is tried and the cheapest walk kept; else it's where the robot looks.
+//! - Ties go straight on, then left, then right. At the start any direction may count as straight on: in rooms of up to
+//!   2,500 cells each is tried and the cheapest walk kept; else it's where the robot looks.
 //!
 //! ```
 //! use robovac_playground::{grid::*, planner::*};

@@ -2,13 +2,13 @@
 
 use super::{
     Entrant, Outcome, Progress, Race, RaceSetup, Record, RoomChoice, RoomSet, Row, Table, Trial, TrialRequest,
+    base::{Base, OWN},
     race::{MOST_LANES, Racer},
     trials::{Key, Trials},
 };
 use crate::{
-    app::{Prepared, Session, SettingsError},
-    floorplan::{FloorPlan, ROOMS, Scenario},
-    geometry::Pose,
+    app::{Session, SettingsError},
+    floorplan::{ROOMS, Scenario},
     planner::{CoveragePath, PLANNERS},
 };
 use std::{
@@ -39,21 +39,6 @@ pub struct Comparison {
     version: u32,
 }
 
-/// What comparisons take over from the session.
-struct Base {
-    plan: Arc<FloorPlan>,
-    room: Option<&'static str>,
-    prepared: Option<Prepared>,
-    start: Option<Pose>,
-    robot: &'static str,
-    cell_size: f64,
-    seed: u64,
-    setup: RaceSetup,
-    /// Tells whether the session has changed since.
-    link: String,
-    plan_version: u64,
-}
-
 impl Comparison {
     /// Some planners about to be compared in the session's room.
     pub fn new() -> Self {
@@ -79,29 +64,10 @@ impl Comparison {
 
     /// Takes room, robot, start and seed over from the session. Results that they don't change stay.
     pub fn take(&mut self, session: &Session) {
-        let (link, plan_version) = (session.link(), session.plan_version());
-        if self.base.as_ref().is_some_and(|b| b.link == link && b.plan_version == plan_version) {
+        if self.base.as_ref().is_some_and(|base| base.is_of(session)) {
             return;
         }
-        let settings = session.settings();
-        let shown = self.race.as_ref().map(Race::speed);
-        self.base = Some(Base {
-            plan: Arc::clone(session.plan()),
-            room: session.room(),
-            prepared: session.prepared().cloned(),
-            start: session.start(),
-            robot: settings.robot,
-            cell_size: settings.cell_size,
-            seed: settings.seed,
-            setup: RaceSetup {
-                slip: settings.slip,
-                odometry: settings.odometry,
-                seed: settings.seed,
-                speed: shown.unwrap_or(settings.speed),
-            },
-            link,
-            plan_version,
-        });
+        self.base = Some(Base::of(session, self.race.as_ref().map(Race::speed)));
         // Earlier states of an own room don't come back.
         let here = self.place(self.here());
         self.trials.retain(|key| !key.starts_with(OWN) || key.starts_with(&here));
@@ -215,25 +181,17 @@ impl Comparison {
 
     /// The session's room.
     pub fn here(&self) -> RoomChoice {
-        self.base.as_ref().and_then(|base| base.room).map_or(RoomChoice::Own, RoomChoice::Shipped)
+        self.base.as_ref().map_or(RoomChoice::Own, Base::here)
     }
 
-    /// Room, start, robot and cell size.
     fn place(&self, room: RoomChoice) -> String {
-        let Some(base) = &self.base else { return String::new() };
-        let start = base.start.filter(|_| room == self.here()).map(|s| [s.x, s.y, s.heading]);
-        let room = match room {
-            RoomChoice::Shipped(id) => id.to_owned(),
-            RoomChoice::Own => format!("{OWN}{}", base.plan_version),
-        };
-        format!("{room} {start:?} {} {}", base.robot, base.cell_size)
+        self.base.as_ref().map_or_else(String::new, |base| base.place(room))
     }
 
     /// The next trial for a worker that has nothing to do.
     pub fn take_trial(&mut self) -> Option<TrialRequest> {
         let base = self.base.as_ref()?;
         let (id, trial) = self.trials.begin()?;
-        let is_here = trial.room == self.here();
         Some(TrialRequest {
             id,
             room: match trial.room {
@@ -241,7 +199,7 @@ impl Comparison {
                 RoomChoice::Own => None,
             },
             scenario: (trial.room == RoomChoice::Own).then(|| Scenario::of(&base.plan).to_json()),
-            start: base.start.filter(|_| is_here).map(|s| [s.x, s.y, s.heading]),
+            start: base.start_in(trial.room),
             robot: base.robot.to_owned(),
             cell_size: base.cell_size,
             entrant: self.entrants[trial.entrant].to_string(),
@@ -431,9 +389,6 @@ fn seeds(text: &str) -> Result<u32, SettingsError> {
         expected: "a whole number from 1 to 20",
     })
 }
-
-/// Begins the names of rooms that don't ship.
-const OWN: &str = "own";
 
 impl Default for Comparison {
     fn default() -> Self {
