@@ -24,8 +24,8 @@ use super::{
     Build, Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError,
     Planner, PlannerInfo,
     stage::{
-        Costs, Links, Part, SWEEPS, Sweep, Transit, Visit, decompose, drive, improve, lanes_lie_down, nearest_first,
-        swap_axes, swap_walk, tighten,
+        Costs, Links, MAX_CELLS_FOR_ALL, Part, SWEEPS, Sweep, Transit, Visit, between, decompose, drive, improve,
+        lanes_lie_down, nearest_first, swap_axes, swap_walk, tighten,
     },
 };
 use crate::{grid::Cell, rng::seeded};
@@ -104,8 +104,6 @@ enum Lanes {
     Vertical,
 }
 
-/// Largest room, in free cells, for which both directions of the lanes are planned.
-const MAX_CELLS_FOR_BOTH: usize = 100_000;
 /// Largest room, in free cells, whose order is improved, for every unit of effort.
 const CELLS_PER_EFFORT: usize = 300_000;
 /// Most blocks whose order is improved.
@@ -124,7 +122,7 @@ impl Planner for Boustrophedon {
         let lies_down = match self.lanes {
             Lanes::Horizontal => vec![false],
             Lanes::Vertical => vec![true],
-            Lanes::Auto if job.cells() <= MAX_CELLS_FOR_BOTH => vec![false, true],
+            Lanes::Auto if job.cells() <= MAX_CELLS_FOR_ALL => vec![false, true],
             Lanes::Auto => vec![!lanes_lie_down(&job.free)],
         };
         let share = 1.0 / lies_down.len() as f64;
@@ -189,11 +187,6 @@ const LINKED: f64 = 0.4;
 const IMPROVED: f64 = 0.7;
 const DRIVEN: f64 = 0.8;
 
-/// A share of the work between two stages.
-fn between(from: f64, to: f64, done: f64) -> f64 {
-    from + (to - from) * done
-}
-
 impl Boustrophedon {
     /// A walk with lanes along x.
     fn plan_along_rows(&self, job: &CoverageJob, progress: &mut Progress<'_, '_>) -> Result<Vec<Cell>, PlanError> {
@@ -206,7 +199,7 @@ impl Boustrophedon {
         let sweeps: Vec<[Sweep; SWEEPS]> = parts.iter().map(|part| part.sweeps(costs)).collect();
         let all = parts.len() as f64;
         let mut tour = nearest_first(&job.free, &sweeps, start, costs, |done| {
-            progress.report(between(SWEPT, ORDERED, done as f64 / all))
+            progress.report(between([SWEPT, ORDERED], done as f64 / all))
         })?;
         let mut transit = Transit::new(&job.free, costs);
         if job.cells() <= self.effort * CELLS_PER_EFFORT && parts.len() <= MAX_BLOCKS_TO_IMPROVE {
@@ -217,13 +210,13 @@ impl Boustrophedon {
             self.improve_order(job, &sweeps, &mut tour, progress)?;
         }
         let mut walk = drive(job, costs, &parts, &sweeps, &tour, &mut transit, |done| {
-            progress.report(between(IMPROVED, DRIVEN, done))
+            progress.report(between([IMPROVED, DRIVEN], done))
         })?;
         progress.show(&walk);
-        let passes = if job.cells() <= MAX_CELLS_FOR_BOTH { PASSES } else { 1 };
+        let passes = if job.cells() <= MAX_CELLS_FOR_ALL { PASSES } else { 1 };
         for pass in 0..passes {
             let is_changed = tighten(job, costs, &mut transit, &mut walk, |done| {
-                progress.report(between(DRIVEN, 1.0, (pass as f64 + done) / passes as f64))
+                progress.report(between([DRIVEN, 1.0], (pass as f64 + done) / passes as f64))
             })?;
             if !is_changed {
                 break;
@@ -243,11 +236,11 @@ impl Boustrophedon {
     ) -> Result<(), PlanError> {
         let start = (job.start, job.heading);
         let links = Links::new(&job.free, sweeps, start, Costs::of(job), REACH, |done| {
-            progress.report(between(ORDERED, LINKED, done))
+            progress.report(between([ORDERED, LINKED], done))
         })?;
         let rounds = (ROUNDS_TIMES_BLOCKS / tour.len()).min(ROUNDS_PER_BLOCK * tour.len());
         // The same numbers in every run: the seed changes nothing.
         let mut rng = seeded(0, 0);
-        improve(&links, tour, self.effort * rounds, &mut rng, |done| progress.report(between(LINKED, IMPROVED, done)))
+        improve(&links, tour, self.effort * rounds, &mut rng, |done| progress.report(between([LINKED, IMPROVED], done)))
     }
 }

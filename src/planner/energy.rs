@@ -41,7 +41,7 @@
 use super::{
     Build, Claims, CoverageJob, CoveragePath, Example, Explainer, ParamKind, ParamSpec, PlanContext, PlanError,
     Planner, PlannerInfo,
-    stage::{Costs, Seeker, Transit, tighten},
+    stage::{Costs, MAX_CELLS_FOR_ALL, Seeker, Transit, tighten},
 };
 use crate::grid::{Cell, Direction, Grid};
 
@@ -128,8 +128,6 @@ impl Floor<'_> {
 
 /// Steps between two reports.
 const REPORT_EVERY: usize = 4096;
-/// Largest room, in free cells, for which several walks are planned.
-const MAX_CELLS_FOR_ALL: usize = 100_000;
 
 impl Planner for Energy {
     fn plan(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError> {

@@ -5,10 +5,10 @@
 //! Here every move of the search weighs the turns as well.
 //!
 //! 1. A first tour: from each point to the nearest one left, straight on if there is a choice; or lanes. For these the
-//!    points are bound to the cheapest straight lanes ([`strips`]), the lanes are put in order nearest first, and the
-//!    order is improved by local search ([`improve`](super::stage::improve)). Whole lanes are moved where single points
-//!    would have to cross a barrier of many turns.
-//! 2. Detours over floor that is visited anyway are cut short ([`tighten`](super::stage::tighten)).
+//!    points are bound to the straight lanes that cost least together ([`strips`]), the lanes are put in order nearest
+//!    first, and the order is improved by local search. Whole lanes are moved where single points would have to cross a
+//!    barrier of many turns.
+//! 2. Detours over floor that is visited anyway are cut short, in the end once more ([`Tours`]).
 //! 3. 2-opt and Or-opt moves of single steps, taken by simulated annealing from a low temperature ([`anneal`]).
 //!    A point needs only one visit, so points passed again are dropped on the way.
 //!

@@ -2,13 +2,13 @@
 
 use super::{
     Entrant, Outcome, Progress, Race, RaceSetup, Record, RoomChoice, RoomSet, Row, Table, Trial, TrialRequest,
+    base::{Base, OWN},
     race::{MOST_LANES, Racer},
     trials::{Key, Trials},
 };
 use crate::{
-    app::{Prepared, Session, SettingsError},
-    floorplan::{FloorPlan, ROOMS, Scenario},
-    geometry::Pose,
+    app::{Session, SettingsError},
+    floorplan::{ROOMS, Scenario},
     metrics::Bounds,
     planner::{CoveragePath, PLANNERS},
 };
@@ -21,8 +21,6 @@ use std::{
 pub const MOST_SEEDS: u32 = 20;
 /// Planners that take part at first.
 const FIRST: [&str; 4] = ["boustrophedon", "snake", "spiral_stc", "wavefront_path"];
-/// Simulated time per time that a race begins with: a flat takes most of an hour to clean.
-const RACE_SPEED: f64 = 64.0;
 /// Walks are kept to be raced as long as there are no more cells in them together, which take 8 bytes each.
 const MOST_KEPT_CELLS: usize = 8_000_000;
 
@@ -40,22 +38,6 @@ pub struct Comparison {
     race: Option<Race>,
     races: u32,
     version: u32,
-}
-
-/// What comparisons take over from the session.
-struct Base {
-    plan: Arc<FloorPlan>,
-    title: String,
-    room: Option<&'static str>,
-    prepared: Option<Prepared>,
-    start: Option<Pose>,
-    robot: &'static str,
-    cell_size: f64,
-    seed: u64,
-    setup: RaceSetup,
-    /// Tells whether the session has changed since.
-    link: String,
-    plan_version: u64,
 }
 
 impl Comparison {
@@ -83,30 +65,10 @@ impl Comparison {
 
     /// Takes room, robot, start and seed over from the session. Results that they don't change stay.
     pub fn take(&mut self, session: &Session) {
-        let (link, plan_version) = (session.link(), session.plan_version());
-        if self.base.as_ref().is_some_and(|b| b.link == link && b.plan_version == plan_version) {
+        if self.base.as_ref().is_some_and(|base| base.is_of(session)) {
             return;
         }
-        let settings = session.settings();
-        let shown = self.race.as_ref().map(Race::speed);
-        self.base = Some(Base {
-            plan: Arc::clone(session.plan()),
-            title: session.room_title(),
-            room: session.room(),
-            prepared: session.prepared().cloned(),
-            start: session.start(),
-            robot: settings.robot,
-            cell_size: settings.cell_size,
-            seed: settings.seed,
-            setup: RaceSetup {
-                slip: settings.slip,
-                odometry: settings.odometry,
-                seed: settings.seed,
-                speed: shown.unwrap_or(RACE_SPEED),
-            },
-            link,
-            plan_version,
-        });
+        self.base = Some(Base::of(session, self.race.as_ref().map(Race::speed)));
         // Earlier states of an own room don't come back.
         let here = self.place(self.here());
         self.trials.retain(|key| !key.starts_with(OWN) || key.starts_with(&here));
@@ -220,25 +182,17 @@ impl Comparison {
 
     /// The session's room.
     pub fn here(&self) -> RoomChoice {
-        self.base.as_ref().and_then(|base| base.room).map_or(RoomChoice::Own, RoomChoice::Shipped)
+        self.base.as_ref().map_or(RoomChoice::Own, Base::here)
     }
 
-    /// Room, start, robot and cell size.
     fn place(&self, room: RoomChoice) -> String {
-        let Some(base) = &self.base else { return String::new() };
-        let start = base.start.filter(|_| room == self.here()).map(|s| [s.x, s.y, s.heading]);
-        let room = match room {
-            RoomChoice::Shipped(id) => id.to_owned(),
-            RoomChoice::Own => format!("{OWN}{}", base.plan_version),
-        };
-        format!("{room} {start:?} {} {}", base.robot, base.cell_size)
+        self.base.as_ref().map_or_else(String::new, |base| base.place(room))
     }
 
     /// The next trial for a worker that has nothing to do.
     pub fn take_trial(&mut self) -> Option<TrialRequest> {
         let base = self.base.as_ref()?;
         let (id, trial) = self.trials.begin()?;
-        let is_here = trial.room == self.here();
         Some(TrialRequest {
             id,
             room: match trial.room {
@@ -246,7 +200,7 @@ impl Comparison {
                 RoomChoice::Own => None,
             },
             scenario: (trial.room == RoomChoice::Own).then(|| Scenario::of(&base.plan).to_json()),
-            start: base.start.filter(|_| is_here).map(|s| [s.x, s.y, s.heading]),
+            start: base.start_in(trial.room),
             robot: base.robot.to_owned(),
             cell_size: base.cell_size,
             entrant: self.entrants[trial.entrant].to_string(),
@@ -454,9 +408,6 @@ fn seeds(text: &str) -> Result<u32, SettingsError> {
         expected: "a whole number from 1 to 20",
     })
 }
-
-/// Begins the names of rooms that don't ship.
-const OWN: &str = "own";
 
 impl Default for Comparison {
     fn default() -> Self {

@@ -4,6 +4,7 @@
 //! [`Table`] sums it up, [`Race`] lets robots drive the plans under one clock.
 
 mod arena;
+mod base;
 mod comparison;
 mod entrant;
 mod export;

@@ -2,9 +2,8 @@
 //!
 //! Reversals of a part of the walk (2-opt, Croes 1958) and moves of a part to elsewhere (Or 1976) are tried where cells
 //! lie side by side, so that both ends of a part can be linked by single steps. A part whose own ends touch is a
-//! loop, which may be opened at any of its steps. Cells that are visited elsewhere too may be left out. Moves are
-//! taken by simulated annealing
-//! (Kirkpatrick, Gelatt & Vecchi 1983).
+//! loop, which may be opened at any of its steps. Cells that are visited elsewhere too may be left out. Moves are taken
+//! by simulated annealing (Kirkpatrick, Gelatt & Vecchi 1983).
 
 use super::{cost::Costs, frame::Frame};
 use crate::{
@@ -40,8 +39,7 @@ pub enum Moves {
 }
 
 /// Improves `walk`, which must be one from the job's start over all its cells; never makes it worse. `report` is told
-/// the
-/// share of the work done and the best walk so far.
+/// the share of the work done and the best walk so far.
 pub fn anneal(
     job: &CoverageJob,
     costs: Costs,
@@ -168,6 +166,12 @@ impl Walk {
         if came == goes { 0 } else { 1 + i32::from(came == -goes) }
     }
 
+    /// Quarter turns at both ends of the step from the second to the third of four cells.
+    #[inline]
+    fn turns_at_link([before, a, b, after]: [usize; 4]) -> i32 {
+        Self::turns(before, a, b) + Self::turns(a, b, after)
+    }
+
     /// Tries a random move; does it if it costs at most `limit`.
     fn try_move(&mut self, random: u64, moves: Moves, limit: i32) {
         let end = self.end();
@@ -211,14 +215,10 @@ impl Walk {
     /// Drives the part after `low` up to `high` backwards.
     fn reverse(&mut self, low: usize, high: usize, limit: i32) {
         let c = &self.cells;
-        let old = Self::turns(c[low - 1], c[low], c[low + 1])
-            + Self::turns(c[low], c[low + 1], c[low + 2])
-            + Self::turns(c[high - 1], c[high], c[high + 1])
-            + Self::turns(c[high], c[high + 1], c[high + 2]);
-        let new = Self::turns(c[low - 1], c[low], c[high])
-            + Self::turns(c[low], c[high], c[high - 1])
-            + Self::turns(c[low + 2], c[low + 1], c[high + 1])
-            + Self::turns(c[low + 1], c[high + 1], c[high + 2]);
+        let old = Self::turns_at_link([c[low - 1], c[low], c[low + 1], c[low + 2]])
+            + Self::turns_at_link([c[high - 1], c[high], c[high + 1], c[high + 2]]);
+        let new = Self::turns_at_link([c[low - 1], c[low], c[high], c[high - 1]])
+            + Self::turns_at_link([c[low + 2], c[low + 1], c[high + 1], c[high + 2]]);
         let change = (new - old) * self.turn;
         if change <= limit {
             self.cells[low + 1..=high].reverse();
@@ -321,7 +321,7 @@ impl Walk {
         let before_open = c[if open == first { last } else { open - 1 }];
         let after_next = c[if next == last { first } else { next + 1 }];
         let (u, v, at) = (c[open], c[next], c[x]);
-        let opened = Self::turns(before_open, u, v) + Self::turns(u, v, after_next);
+        let opened = Self::turns_at_link([before_open, u, v, after_next]);
         let (ahead, behind) = (Self::after(part, x), Self::before(part, x));
         let is_same = |p: usize| open == last && p + 1 == first;
         let mut target = |turns: i32, after: usize, is_reversed: bool| {
@@ -332,19 +332,13 @@ impl Walk {
         };
         if c[ahead] == y && ahead != END {
             let (b, n) = (c[Self::before(part, x)], c[Self::after(part, ahead)]);
-            let new = Self::turns(b, at, u)
-                + Self::turns(at, u, before_open)
-                + Self::turns(after_next, v, y)
-                + Self::turns(v, y, n);
-            target(new - Self::turns(b, at, y) - Self::turns(at, y, n), x, true);
+            let new = Self::turns_at_link([b, at, u, before_open]) + Self::turns_at_link([after_next, v, y, n]);
+            target(new - Self::turns_at_link([b, at, y, n]), x, true);
         }
         if behind > 0 && c[behind] == y && !is_same(behind) {
             let (b, n) = (c[Self::before(part, behind)], c[ahead]);
-            let new = Self::turns(b, y, v)
-                + Self::turns(y, v, after_next)
-                + Self::turns(before_open, u, at)
-                + Self::turns(u, at, n);
-            target(new - Self::turns(b, y, at) - Self::turns(y, at, n), behind, false);
+            let new = Self::turns_at_link([b, y, v, after_next]) + Self::turns_at_link([before_open, u, at, n]);
+            target(new - Self::turns_at_link([b, y, at, n]), behind, false);
         }
     }
 

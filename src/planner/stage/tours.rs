@@ -1,9 +1,11 @@
 //! Stage: walks along tours of parts, of which the cheapest is kept.
 
 use super::{
+    contest::MAX_CELLS_FOR_ALL,
     cost::Costs,
     distances::Links,
-    order::{Visit, improve, nearest_first},
+    nearest::nearest_first,
+    order::{Visit, improve},
     part::{Part, drive},
     sweep::{SWEEPS, Sweep},
     tighten::tighten,
@@ -32,8 +34,6 @@ pub(in crate::planner) struct Tours<'j, 'c> {
 
 /// Passes over a walk to cut detours; the first one finds nearly all, and a large room gets no more.
 const PASSES: usize = 3;
-/// Largest room, in free cells, for more than one pass.
-const MAX_CELLS_FOR_PASSES: usize = 100_000;
 
 /// A share of the work between two stages.
 pub(in crate::planner) fn between([from, to]: [f64; 2], done: f64) -> f64 {
@@ -95,7 +95,7 @@ impl<'j, 'c> Tours<'j, 'c> {
     /// Cuts a walk's detours ([`tighten`]) and keeps it if it's the cheapest; whether it is.
     pub fn offer(&mut self, mut walk: Vec<Cell>, shares: [f64; 2]) -> Result<bool, PlanError> {
         let Self { job, ctx, costs, transit, best, .. } = self;
-        let passes = if job.cells() <= MAX_CELLS_FOR_PASSES { PASSES } else { 1 };
+        let passes = if job.cells() <= MAX_CELLS_FOR_ALL { PASSES } else { 1 };
         for pass in 0..passes {
             let report = |done| ctx.checkpoint(between(shares, (pass as f64 + done) / passes as f64), best);
             if !tighten(job, *costs, transit, &mut walk, report)? {
