@@ -46,7 +46,7 @@ fn walks_of_all_planners() {
             let digest = bytes.fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
                 (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
             });
-            digests += &format!("{} {room} {} {digest:016x}\n", info.id, path.cells.len());
+            digests.extend([info.id, " ", room, &format!(" {} {digest:016x}\n", path.cells.len())]);
         }
     }
     #[cfg(not(target_arch = "wasm32"))]
