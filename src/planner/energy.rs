@@ -2,7 +2,7 @@
 //!
 //! By Bormann, Hampp & Hägele 2015, "New brooms sweep clean - an autonomous robotic cleaning assistant for professional
 //! office cleaning" (ICRA); compared with others by Bormann, Jordan, Hampp & Hägele 2018, "Indoor coverage path planning:
-//! survey, implementation, analysis" (ICRA), whose program is public (ipa320/ipa_coverage_planning,
+//! survey, implementation, analysis" (ICRA), whose program is public (`ipa320/ipa_coverage_planning`,
 //! `energy_functional_explorator`). From location l the robot goes to the unvisited location n beside it with the least
 //! E(l, n) = `d_t` + `d_r` + N:
 //!

@@ -17,7 +17,7 @@
 //!   activity. Nothing else is left out.
 //! - *Four neighbours.* A walk takes no diagonal steps; the lateral connections are still eight.
 //! - *Deadlock.* With only clean neighbours, c y would outweigh the faint activity of far floor for ever, and the robot
-//!   goes in circles; the program by Bormann et al. (ipa320/ipa_coverage_planning) gives up there. So c counts only
+//!   goes in circles; the program by Bormann et al. (`ipa320/ipa_coverage_planning`) gives up there. So c counts only
 //!   while a neighbour is left to be cleaned; else the robot climbs by activity alone. Where no neighbour is more
 //!   active than the robot's own cell (far from all floor left, or where only a diagonal leads on), it takes a shortest
 //!   way to the nearest cell left. As each step climbs or cleans, every walk ends and covers all.
