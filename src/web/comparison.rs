@@ -79,7 +79,7 @@ impl Comparison {
         Ok(self.state.set_param(planner, id, text)?)
     }
 
-    /// Chooses the rooms: `this`, `all` or a kind.
+    /// Chooses the rooms, by the id of one of the view's `sets`.
     pub fn set_rooms(&mut self, id: &str) -> Result<(), JsValue> {
         Ok(self.state.set_rooms(id)?)
     }
