@@ -13,7 +13,7 @@ use std::sync::Arc;
 /// Most robots in a race.
 pub const MOST_LANES: usize = 9;
 /// Share of the floor that must be swept for an arrival to count.
-pub const CLEAN: f64 = 0.95;
+const CLEAN: f64 = 0.95;
 /// Robot time of a single step, s: in small pictures less would hardly be seen.
 const STEP_LENGTH_S: f64 = 5.0;
 /// Memory that the key frames of all lanes may take together, bytes.
@@ -90,7 +90,7 @@ impl Race {
         self.lanes.push(Lane { racer, recording: Recording::within(run, KEY_FRAME_BUDGET / MOST_LANES), line });
     }
 
-    /// Places of the robots, from 1, in the order of [`Race::lanes`]: who has arrived with at least [`CLEAN`] of the floor
+    /// Places of the robots, from 1, in the order of [`Race::lanes`]: who has arrived with at least 95 % of the floor
     /// swept by time, before the others by what they have swept.
     pub fn places(&self) -> Vec<usize> {
         let has_won = |lane: &Lane| lane.run().is_finished() && lane.run().coverage() >= CLEAN;
@@ -173,7 +173,7 @@ impl Race {
         self.goal = None;
     }
 
-    /// Goes on by [`STEP_LENGTH_S`].
+    /// Goes on by five seconds.
     pub fn step(&mut self) {
         self.pause();
         self.advance((STEP_LENGTH_S / STEP_S) as u64, &mut || true);
