@@ -138,7 +138,8 @@ pub const METRICS: &[MetricInfo] = &[
         "overlap",
         "Overlap",
         ("%", 1),
-        "Passes beyond the first, as a share of the floor swept: at 30 %, three tenths of it were swept a second time.",
+        "Passes beyond the first, as a share of the floor swept: at 30 %, three tenths of it were swept a second time. \
+         A tool that is wider than a planning cell sweeps the edge of the lane beside it again.",
         |n| Some(100.0 * n.drive.overlap),
     ),
     lower(

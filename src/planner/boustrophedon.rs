@@ -43,9 +43,9 @@ pub const INFO: PlannerInfo = PlannerInfo {
                Every part can be mown in straight lanes from one of its corners. \
                Then only the order of the parts is left to be chosen, like the towns of a travelling salesman.",
         complexity: "Cutting and mowing take O(n) time and memory for n cells; ordering b parts takes up to O(b²).",
-        use_when: "The first choice for known rooms: few turns, hardly any floor twice, and fast even in a hall. \
+        use_when: "The first choice for known rooms: few turns, hardly any cell twice, and fast even in a hall. \
                    Slanted or ragged walls cut the room into many small parts, which costs it its lead.",
-        shines: Example { room: "empty", why: "Nothing but lanes from wall to wall, with hardly any floor twice." },
+        shines: Example { room: "empty", why: "Nothing but lanes from wall to wall, with hardly any cell twice." },
         fails: Example {
             room: "spiral",
             why: "All lanes lie one way, so that half of the arms are mown across, in short lanes full of turns.",

@@ -48,7 +48,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
                what proves cheaper is kept.",
         complexity: "A thousand moves for each of n cells, each O(1) to weigh and up to O(n) to do; \
                      O(n + l²) memory for l lanes.",
-        use_when: "Takes seconds and finds the cheapest walks of all here. \
+        use_when: "Takes seconds and mostly finds the cheapest walk of all here. \
                    Rooms of up to some ten thousand cells that are cleaned again and again are worth it.",
         shines: Example {
             room: "maze",

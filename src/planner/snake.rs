@@ -346,7 +346,8 @@ impl Memory {
             Rule::Ahead => ("Ahead", "The cell ahead is not cleaned: straight on".to_owned()),
             Rule::SmallerNeighbour => {
                 let (left, right) = (value(facing.left()), value(facing.right()));
-                ("Smaller neighbour", format!("Left {left}, right {right}: {to}"))
+                let turn = if towards == facing.left() { "left" } else { "right" };
+                ("Smaller neighbour", format!("To its left {left}, to its right {right}: it turns {turn}"))
             }
             Rule::SmallerBlock => {
                 let blocks = self.blocks(at, facing);

@@ -54,7 +54,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
                    Fronts bend round every obstacle, which makes many turns.",
         shines: Example {
             room: "empty",
-            why: "Fronts are right angles round a corner: hardly any floor twice, and one turn more in every lane.",
+            why: "Fronts are right angles round a corner: hardly any cell twice, and one turn more in every lane.",
         },
         fails: Example {
             room: "slanted",
