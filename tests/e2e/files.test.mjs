@@ -33,7 +33,7 @@ test("a saved scenario brings everything back", async (t) => {
   await app.drag([0.4, 0.4], [0.6, 0.4]);
   const [area, steps] = [await app.reachableArea(), (await app.metric("Steps")).plan];
   const [download] = await Promise.all([page.waitForEvent("download"), page.locator("#save").click()]);
-  assert.match(download.suggestedFilename(), /^l-shaped-room\.json$/);
+  assert.match(download.suggestedFilename(), /^l-shaped-room-changed\.json$/);
   const saved = anyFile("again.json", fs.readFileSync(await download.path()));
 
   await app.choose("room", "flat");
@@ -41,7 +41,7 @@ test("a saved scenario brings everything back", async (t) => {
   await app.choose("robot", "roomba600");
   await app.drop(saved);
   assert.equal(await app.message(), "");
-  assert.equal(await app.room(), "L-shaped room");
+  assert.equal(await app.room(), "L-shaped room (changed)");
   assert.equal(await page.locator("#planner").inputValue(), "snake");
   assert.equal(await page.locator("#robot").inputValue(), "cell");
   assert.equal(await page.locator("#cell-size").inputValue(), "0.25");
