@@ -1,26 +1,21 @@
 //! One user's session: a room, a robot, a planner, a run.
 
+mod planning;
 mod search;
 mod snapshot;
 
 use super::{
-    Action, Answer, Brush, Editor, Import, PlanRequest, Planned, Prepared, Recording, Search, Settings, SettingsError,
-    State, opening,
+    Action, Brush, Editor, Import, PlanRequest, Planned, Prepared, Recording, Search, Settings, SettingsError, State,
 };
 use crate::{
     floorplan::{self, FloorPlan, MapError, RoomInfo, Scenario, SourceFile},
     geometry::{Point, Pose},
-    grid::Cell,
-    planner::{CoveragePath, PlanError},
     sim::STEP_S,
 };
 use std::sync::Arc;
 
 /// Longest time between two frames that is made up for, s: after a pause of the browser the robot doesn't leap.
 const LONGEST_FRAME: f64 = 0.1;
-
-/// Share of the reachable floor below which a plan is worth a warning.
-const LEAST_COVERAGE: f64 = 0.75;
 
 /// What links say of a room that was drawn or loaded: it stays what it is.
 const OWN_ROOM: &str = "own";
@@ -180,149 +175,6 @@ impl Session {
     /// Everything chosen but the room.
     pub fn settings(&self) -> &Settings {
         &self.settings
-    }
-
-    // ---- planning
-
-    /// The plan that has to be made, once. Serve it wherever there is time, and answer with the methods below.
-    ///
-    /// For the opening scene there is nothing to be made: it gets the plan that is kept of it.
-    pub fn take_plan_request(&mut self) -> Option<PlanRequest> {
-        let request = self.planning.as_mut()?.request.take()?;
-        if !self.is_opening {
-            return Some(request);
-        }
-        let path = CoveragePath { cells: opening::from_runs(request.job.start, opening::WALK) };
-        self.plan_finished(request.id, Answer { path, seconds: 0.0, trace: Vec::new() });
-        None
-    }
-
-    /// Makes the plan here and now; for small rooms and tests. `clock` gives seconds.
-    pub fn plan_now(&mut self, clock: impl Fn() -> f64) {
-        let Some(request) = self.take_plan_request() else { return };
-        match request.serve(clock, None) {
-            Ok(answer) => self.plan_finished(request.id, answer),
-            Err(PlanError::Cancelled) => self.cancel_plan(),
-            Err(error @ PlanError::Unlisted) => self.plan_failed(request.id, &error.to_string()),
-        }
-    }
-
-    /// A planner reports how far it is, 0 to 1, and its best walk so far.
-    pub fn plan_progress(&mut self, id: u32, done: f64, so_far: &[Cell]) {
-        let Some(planning) = self.planning.as_mut().filter(|p| p.id == id) else { return };
-        planning.progress = done;
-        if let Some(prepared) = &self.prepared {
-            planning.preview = prepared.lattice.anchors(so_far);
-            self.previews += 1;
-        }
-    }
-
-    /// A planner is done.
-    pub fn plan_finished(&mut self, id: u32, answer: Answer) {
-        if self.planning.as_ref().is_none_or(|p| p.id != id) {
-            return;
-        }
-        self.planning = None;
-        self.previews += 1;
-        let Some(prepared) = &self.prepared else { return };
-        match Planned::new(prepared, &answer) {
-            Ok(planned) => {
-                let Settings { slip, odometry, seed, .. } = self.settings;
-                self.recording = Some(Recording::new(planned.run(prepared, slip, odometry, seed)));
-                let Answer { path, trace, .. } = answer;
-                self.search = (!trace.is_empty()).then(|| Search::new(prepared, &planned, &path.cells, trace));
-                let coverage = planned.drive.coverage;
-                self.planned = Some(planned);
-                self.warn_of_coarse_cells(coverage);
-            }
-            Err(error) => self.planner_failed(&error.to_string()),
-        }
-    }
-
-    /// A planner gave up.
-    pub fn plan_failed(&mut self, id: u32, text: &str) {
-        if self.planning.as_ref().is_some_and(|p| p.id == id) {
-            self.planning = None;
-            self.planner_failed(text);
-        }
-    }
-
-    fn planner_failed(&mut self, text: &str) {
-        self.say("error", format!("The planner failed: {text}. Try another planner or room."));
-    }
-
-    /// The user doesn't want to wait for the planner.
-    pub fn cancel_plan(&mut self) {
-        if self.planning.take().is_some() {
-            self.playing = false;
-            self.say("notice", "Planning was cancelled. Press play to plan again, or choose something else.".into());
-        }
-    }
-
-    /// Whoever starts in a closet should know why the rest stays dirty.
-    fn warn_of_closed_off(&mut self, prepared: &Prepared) {
-        let floor = &prepared.floor;
-        if floor.closed_off_area() > floor.area() {
-            let (reached, left_out) = (floor.area(), floor.left_out_area());
-            self.say(
-                "notice",
-                format!(
-                    "From this start the robot reaches only {reached:.1} m² of floor; {left_out:.1} m² (hatched) lie \
-                     behind walls, or behind passages that are too narrow for it. Move the start, or choose a smaller robot."
-                ),
-            );
-        }
-    }
-
-    /// A plan may cover all its cells and yet hardly any floor.
-    fn warn_of_coarse_cells(&mut self, coverage: f64) {
-        if coverage < LEAST_COVERAGE && self.message.is_none() {
-            let (percent, cell) = (100.0 * coverage, 100.0 * self.settings.cell_size);
-            self.say(
-                "notice",
-                format!("This plan covers only {percent:.0} % of the floor within reach: planning cells of {cell:.0} cm \
-                     don't fit through the room's passages, or the tool is narrower than they are. Choose smaller cells."),
-            );
-        }
-    }
-
-    /// Lays the room out anew and asks for a plan.
-    fn prepare(&mut self) {
-        // Whoever has watched a run to its end and changes something wants to watch the next one.
-        self.playing |= self.state() == State::Finished;
-        self.planned = None;
-        self.search = None;
-        self.recording = None;
-        self.planning = None;
-        self.due = 0.0;
-        self.is_opening = self.is_opening
-            && self.editor.room() == Some(floorplan::ROOMS[0].id)
-            && self.editor.start().is_none()
-            && self.settings.plans_like(&Settings::new());
-        let robot = self.settings.robot_model();
-        match Prepared::new(self.editor.plan(), &robot, self.settings.cell_size, self.editor.start()) {
-            Ok(prepared) => {
-                self.requests += 1;
-                self.planning = Some(Planning {
-                    id: self.requests,
-                    progress: 0.0,
-                    preview: Vec::new(),
-                    request: Some(PlanRequest {
-                        id: self.requests,
-                        planner: self.settings.planner,
-                        params: self.settings.params.clone(),
-                        seed: self.settings.seed,
-                        job: prepared.job.clone(),
-                    }),
-                });
-                self.warn_of_closed_off(&prepared);
-                self.prepared = Some(prepared);
-            }
-            Err(error) => {
-                self.prepared = None;
-                self.say("error", sentence(&error.to_string()));
-            }
-        }
     }
 
     // ---- time
