@@ -283,12 +283,16 @@ fn robot_that_comes_late_catches_up_and_the_race_goes_on() {
     assert_eq!((race.time_s(), race.lanes()[0].run().pose()), before);
     assert_eq!(race.lanes()[0].run().steps(), race.lanes()[1].run().steps());
     assert_eq!(race.state(), State::Playing);
-    // Scrubbing ahead of what has been simulated gets there too.
+    // Scrubbing ahead of what has been simulated gets there too, all robots together even if they are told to stop.
     race.seek(40.0);
+    race.pause();
+    race.step();
     while race.state() == State::Seeking {
         race.frame(0.0, &mut || true);
     }
     assert!((race.time_s() - 40.0).abs() < 0.02, "{}", race.time_s());
+    assert_eq!(race.lanes()[0].run().steps(), race.lanes()[1].run().steps());
+    assert_eq!(race.state(), State::Paused);
 }
 
 #[test]

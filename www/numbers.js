@@ -26,8 +26,6 @@ export function startNumbers(it) {
   const sortBy = (column) => {
     order = order?.column === column ? (order.down ? undefined : { column, down: true }) : { column, down: false };
     show();
-    // The heads are new: whoever sorts by keyboard is still there.
-    head.querySelectorAll("button")[column]?.focus();
   };
 
   const show = () => {

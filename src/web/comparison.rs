@@ -26,8 +26,6 @@ const FRAME_BUDGET_MS: f64 = 6.0;
 pub struct Comparison {
     state: compare::Comparison,
     panes: Vec<Pane>,
-    /// Shows one walk.
-    path: Option<Pane>,
     last_frame_ms: Option<f64>,
     dark: bool,
 }
@@ -59,7 +57,7 @@ impl Comparison {
     /// Some planners, about to be compared.
     #[wasm_bindgen(constructor)]
     pub fn new() -> Self {
-        Self { state: compare::Comparison::new(), panes: Vec::new(), path: None, last_frame_ms: None, dark: false }
+        Self { state: compare::Comparison::new(), panes: Vec::new(), last_frame_ms: None, dark: false }
     }
 
     /// Takes room, robot, start and seed over from the playground; cheap if they are the same.
@@ -206,7 +204,6 @@ impl Comparison {
         let mut pane = Pane::new(canvas)?;
         pane.viewport.resize(width, height, ratio);
         pane.draw(&Scene { dark: self.dark, ..race.planned_scene(&line) })?;
-        self.path = Some(pane);
         Ok(true)
     }
 

@@ -167,16 +167,17 @@ impl Race {
         self.playing = true;
     }
 
-    /// Stops time.
+    /// Stops time. A way to another point of time is gone to its end: on it the robots aren't together.
     pub fn pause(&mut self) {
         self.playing = false;
-        self.goal = None;
     }
 
     /// Goes on by five seconds.
     pub fn step(&mut self) {
         self.pause();
-        self.advance((STEP_LENGTH_S / STEP_S) as u64, &mut || true);
+        if self.goal.is_none() {
+            self.advance((STEP_LENGTH_S / STEP_S) as u64, &mut || true);
+        }
     }
 
     /// Heads for another point of time, s, at most the end of the slowest plan.

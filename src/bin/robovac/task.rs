@@ -4,7 +4,7 @@ use super::{failure::Failure, source::Source};
 use robovac_playground::{
     app::planning::{PlanningTask, TaskReport, choose_robot},
     grid::Cell,
-    planner::{ParamValue, Params, PlannerInfo, find},
+    planner::{Params, PlannerInfo, find},
 };
 
 /// Planner, room, robot and start.
@@ -78,11 +78,11 @@ pub fn summary(task: &PlanningTask, report: &TaskReport) -> String {
 
 /// Values for the planner, each read as what the planner takes; unknown names are refused by the check.
 fn checked_params(planner: &PlannerInfo, given: &[(String, String)]) -> Result<Params, Failure> {
-    let value = |(key, text): &(String, String)| {
-        let spec = planner.params.iter().find(|spec| spec.id == key);
-        spec.map_or_else(|| ParamValue::Choice(text.clone()), |spec| spec.kind.parse(text))
-    };
-    Ok(Params::checked(planner.params, given.iter().map(|pair| (pair.0.as_str(), value(pair))))?)
+    let mut params = Params::defaults(planner.params);
+    for (id, text) in given {
+        params.set_text(planner.params, id, text)?;
+    }
+    Ok(params)
 }
 
 fn parse_cell(text: &str) -> Result<Cell, String> {
