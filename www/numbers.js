@@ -57,7 +57,7 @@ export function startNumbers(it) {
 /** @param {import("./types").CompareView} view @param {boolean} together */
 function note({ seeds, entrants }, together) {
   const chance = seeds > 1 && entrants.some(({ chosen }) => chosen) ? ` Algorithms that use chance: median of ${seeds} seeds, range below it.` : "";
-  return `${together ? "Sums over the rooms; percentages are means." : ""}${chance} Click a row to see its path.`.trim();
+  return `${together ? "Sums over the rooms; percentages are means." : ""}${chance} As planned, on wheels that never slip. Click a row to see its path.`.trim();
 }
 
 /** @param {Table} table */
