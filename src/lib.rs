@@ -8,9 +8,10 @@
 //! - [`floorplan`]: rooms that ship, map files
 //! - [`robot`]: models, what they sense and can be told, odometry
 //! - [`coverage`]: which floor a robot can reach and what it has swept; the planning grid
+//! - [`registry`]: what planners and behaviours have in common: parameters, explanations
 //! - [`planner`]: one file a planner, and the registry that menus, tests and command line iterate
-//! - [`controller`]: what drives a robot from what it senses
-//! - [`sim`]: the simulated robot
+//! - [`controller`]: what drives a robot from what it senses: one file a behaviour, and their registry
+//! - [`sim`]: the simulated robot and the world around it
 //! - [`metrics`]: one definition of every number
 //! - [`app`]: sessions, recording, what to draw
 //! - `web`: the only code that knows the browser (wasm32 only)
@@ -26,6 +27,7 @@ pub mod grid;
 pub mod math;
 pub mod metrics;
 pub mod planner;
+pub mod registry;
 pub mod rng;
 pub mod robot;
 pub mod sim;

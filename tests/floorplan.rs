@@ -485,6 +485,7 @@ mod formats {
                         note: String::new(),
                         resolution,
                         occupancy,
+                        objects: Vec::new(),
                         start: None,
                         origin: Pose::new(f64::from(origin), 0.5, 0.0),
                     };

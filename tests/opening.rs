@@ -12,7 +12,13 @@ fn request() -> PlanRequest {
     let settings = Settings::new();
     let plan = (ROOMS[0].build)();
     let prepared = Prepared::new(&plan, &settings.robot_model(), settings.cell_size, None).unwrap();
-    PlanRequest { id: 1, planner: settings.planner, params: settings.params, seed: settings.seed, job: prepared.job }
+    PlanRequest {
+        id: 1,
+        planner: settings.algorithm.planner().unwrap(),
+        params: settings.params,
+        seed: settings.seed,
+        job: prepared.job,
+    }
 }
 
 /// The runs in lines that can be read.

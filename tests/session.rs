@@ -169,8 +169,8 @@ fn link_brings_the_same_session_back() {
 fn planner_keeps_its_parameters_while_another_is_tried() {
     let mut session = opened();
     session.configure(|s| s.set_param("effort", "6")).unwrap();
-    session.configure(|s| s.select_planner("snake")).unwrap();
-    session.configure(|s| s.select_planner("boustrophedon")).unwrap();
+    session.configure(|s| s.select_algorithm("snake")).unwrap();
+    session.configure(|s| s.select_algorithm("boustrophedon")).unwrap();
     assert_eq!(session.settings().params.number("effort"), 6.0);
     session.restore("planner=boustrophedon").unwrap();
     assert_eq!(session.settings().params.number("effort"), 1.0);

@@ -11,7 +11,7 @@ use robovac_playground::{
     planner::CoveragePath,
     rng::{Rng, seeded},
     robot::{Drive, OdometryModel, Sensors, model},
-    sim::{Run, RunSetup, SlipLevel},
+    sim::{Conditions, Run, RunSetup, SlipLevel},
 };
 use std::sync::Arc;
 
@@ -30,6 +30,7 @@ fn room() -> FloorPlan {
         note: String::new(),
         resolution: 0.05,
         occupancy,
+        objects: Vec::new(),
         start: Some(Pose::new(0.3, 0.3, 0.0)),
         origin: Pose::new(0.0, 0.0, 0.0),
     }
@@ -38,7 +39,7 @@ fn room() -> FloorPlan {
 fn setup(slip: SlipLevel, seed: u64) -> RunSetup {
     let robot = model("roomba600").unwrap().clone();
     let floor = Arc::new(ReachableFloor::new(&room(), &robot, None).unwrap());
-    RunSetup { floor, robot, slip, seed }
+    RunSetup { floor, world: Arc::default(), robot, conditions: Conditions { slip, ..Conditions::default() }, seed }
 }
 
 /// Full speed, new direction every now and then: what a wall has to stand.
@@ -54,7 +55,7 @@ impl Controller for Reckless {
         use rand::RngExt;
         if self.countdown == 0 {
             self.countdown = self.rng.random_range(20..200);
-            self.drive = Drive { left: self.rng.random_range(-9.0..9.0), right: self.rng.random_range(-9.0..9.0) };
+            self.drive = Drive::wheels(self.rng.random_range(-9.0..9.0), self.rng.random_range(-9.0..9.0));
         }
         self.countdown -= 1;
         self.drive

@@ -78,7 +78,7 @@ fn bad_choices_throw_a_message_and_change_nothing() {
     let link = playground.link();
     for error in [
         playground.select_room("attic").unwrap_err(),
-        playground.select_planner("magic").unwrap_err(),
+        playground.select_algorithm("magic").unwrap_err(),
         playground.set_param("wings", "2").unwrap_err(),
         playground.set_cell_size(f64::NAN).unwrap_err(),
         playground.restore("seed=minus one").unwrap_err(),

@@ -18,7 +18,7 @@ export function startAbout(it) {
   };
   button("about-explore").addEventListener("click", () =>
     explore((p) => {
-      p.select_planner(shown);
+      p.select_algorithm(shown);
       const params = it.view.entrants.find(({ id }) => id === shown)?.params ?? {};
       for (const [id, value] of Object.entries(params)) p.set_param(id, String(value));
     }),
@@ -33,7 +33,7 @@ export function startAbout(it) {
       ...explainer(planner, app.catalogue.rooms, (room) =>
         explore((p) => {
           p.select_room(room);
-          p.select_planner(planner.id);
+          p.select_algorithm(planner.id);
         }),
       ),
     );

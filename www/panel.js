@@ -37,7 +37,7 @@ export function startPanel(app) {
     control.addEventListener("change", () => change((p) => set(p, Reflect.get(control, "value"))));
   };
   bind("room", (p, id) => p.select_room(id));
-  bind("planner", (p, id) => p.select_planner(id));
+  bind("planner", (p, id) => p.select_algorithm(id));
   bind("robot", (p, id) => p.select_robot(id));
   bind("cell-size", (p, metres) => p.set_cell_size(Number(metres)));
   bind("slip", (p, id) => p.set_slip(id));
@@ -74,7 +74,7 @@ export function startPanel(app) {
     const { room } = view;
     showRoom(room, rooms);
     show(select("room"), room.id);
-    show(select("planner"), view.planner);
+    show(select("planner"), view.algorithm);
     show(select("robot"), view.robot);
     show(select("cell-size"), String(view.cell_size_m));
     show(select("slip"), view.slip);
@@ -83,7 +83,7 @@ export function startPanel(app) {
     show(input("show-search"), String(view.search.on));
     setHidden(byId("search-field"), !view.search.offered);
     setText(byId("robot-note"), robots.find(({ id }) => id === view.robot)?.summary ?? "");
-    const planner = planners.find(({ id }) => id === view.planner);
+    const planner = planners.find(({ id }) => id === view.algorithm);
     if (planner && changed(byId("params"), "planner", planner.id)) {
       buildParams(planner);
       setText(byId("planner-note"), planner.summary);

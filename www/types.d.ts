@@ -85,7 +85,7 @@ export type View = {
     left_out_m2: number;
   };
   robot: string;
-  planner: string;
+  algorithm: string;
   params: Record<string, string | number | boolean>;
   cell_size_m: number;
   seed: number;

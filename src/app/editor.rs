@@ -204,6 +204,7 @@ mod tests {
             note: String::new(),
             resolution: 0.1,
             occupancy: Grid::filled(20, 10, Occupancy::Free),
+            objects: Vec::new(),
             start: None,
             origin: Pose::new(0.0, 0.0, 0.0),
         };

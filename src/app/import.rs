@@ -19,9 +19,9 @@ pub struct Choices {
     pub robot: Option<String>,
     /// Side of the planning cells, m.
     pub cell_size: Option<f64>,
-    /// Id of the planner.
-    pub planner: Option<String>,
-    /// The planner's parameters by name.
+    /// Id of the planner or behaviour.
+    pub algorithm: Option<String>,
+    /// Its parameters by name.
     pub params: Vec<(String, String)>,
     /// Seed of all random numbers.
     pub seed: Option<String>,
@@ -46,7 +46,7 @@ impl Choices {
         Self {
             robot: scenario.robot.clone(),
             cell_size: scenario.cell_size,
-            planner: scenario.planner.clone(),
+            algorithm: scenario.planner.clone(),
             params: scenario.params.iter().map(|(id, value)| (id.clone(), text(value))).collect(),
             seed: scenario.seed.map(|seed| seed.to_string()),
         }

@@ -1,5 +1,6 @@
 //! What happens between the algorithms and the page or the command line: pure, so that all of it is tested natively.
 
+mod algorithm;
 pub mod bench;
 pub mod compare;
 mod editor;
@@ -17,6 +18,7 @@ mod state;
 mod view;
 mod viewport;
 
+pub use algorithm::Algorithm;
 pub use editor::{Brush, Editor};
 pub use import::{Choices, Import};
 pub use outline::outlines;

@@ -1,11 +1,11 @@
 //! What the user has chosen, and how that is written in a link.
 
-use super::Choices;
+use super::{Algorithm, Choices};
 use crate::{
     geometry::Pose,
-    planner::{self, ParamError, Params, PlannerInfo},
+    registry::{ParamError, Params},
     robot::{OdometryModel, RobotModel, cell_robot, model},
-    sim::SlipLevel,
+    sim::{Conditions, Noise, NoiseLevel, SensorKind, SlipLevel},
 };
 use std::collections::BTreeMap;
 
@@ -20,11 +20,11 @@ const MAX_SEED: u64 = u32::MAX as u64;
 /// Everything that determines a run, but for the room.
 #[derive(Debug, Clone)]
 pub struct Settings {
-    /// The planner.
-    pub planner: &'static PlannerInfo,
+    /// What cleans.
+    pub algorithm: Algorithm,
     /// Its parameters.
     pub params: Params,
-    /// Parameters that other planners had when they were left, to come back to.
+    /// Parameters that other algorithms had when they were left, to come back to.
     left: BTreeMap<&'static str, Params>,
     /// Id of the robot.
     pub robot: &'static str,
@@ -32,8 +32,8 @@ pub struct Settings {
     pub cell_size: f64,
     /// Seed of everything random.
     pub seed: u64,
-    /// How well the wheels hold.
-    pub slip: SlipLevel,
+    /// How true wheels and sensors are.
+    pub conditions: Conditions,
     /// How the follower computes its pose.
     pub odometry: OdometryModel,
     /// Start chosen by the user, if not the room's own.
@@ -73,40 +73,34 @@ pub enum SettingsError {
 impl Settings {
     /// What the page opens with.
     pub fn new() -> Self {
-        let planner = planner::PLANNERS[0];
-        let planner = planner::find("boustrophedon").unwrap_or(planner);
+        let algorithm = Algorithm::Planner(crate::planner::PLANNERS[0]);
         Self {
-            planner,
-            params: Params::defaults(planner.params),
+            algorithm,
+            params: Params::defaults(algorithm.params()),
             left: BTreeMap::new(),
             robot: "roomba600",
             cell_size: 0.12,
             seed: 1,
-            slip: SlipLevel::None,
+            conditions: Conditions::default(),
             odometry: OdometryModel::Arc,
             start: None,
             speed: 16.0,
         }
     }
 
-    /// Chooses a planner, with the parameters that it had when it was left.
-    pub fn select_planner(&mut self, id: &str) -> Result<(), SettingsError> {
-        let known = || planner::PLANNERS.iter().map(|p| p.id).collect::<Vec<_>>().join(", ");
-        let chosen = planner::find(id).ok_or_else(|| SettingsError::Unknown {
-            kind: "planner",
-            id: id.into(),
-            known: known(),
-        })?;
-        self.left.insert(self.planner.id, self.params.clone());
-        self.params = self.left.remove(chosen.id).unwrap_or_else(|| Params::defaults(chosen.params));
-        self.planner = chosen;
+    /// Chooses a planner or behaviour, with the parameters that it had when it was left.
+    pub fn select_algorithm(&mut self, id: &str) -> Result<(), SettingsError> {
+        let chosen = Algorithm::find(id)?;
+        self.left.insert(self.algorithm.id(), self.params.clone());
+        self.params = self.left.remove(chosen.id()).unwrap_or_else(|| Params::defaults(chosen.params()));
+        self.algorithm = chosen;
         Ok(())
     }
 
-    /// Chooses a planner with its default parameters, as links and scenarios mean it.
-    fn select_fresh_planner(&mut self, id: &str) -> Result<(), SettingsError> {
-        self.select_planner(id)?;
-        self.params = Params::defaults(self.planner.params);
+    /// Chooses a planner or behaviour with its default parameters, as links and scenarios mean it.
+    fn select_fresh_algorithm(&mut self, id: &str) -> Result<(), SettingsError> {
+        self.select_algorithm(id)?;
+        self.params = Params::defaults(self.algorithm.params());
         Ok(())
     }
 
@@ -140,20 +134,40 @@ impl Settings {
         Ok(())
     }
 
-    /// Sets one parameter of the planner from what a form or a link says.
+    /// Sets one parameter of the algorithm from what a form or a link says.
     pub fn set_param(&mut self, id: &str, text: &str) -> Result<(), SettingsError> {
-        let specs = self.planner.params;
-        Ok(self.params.set_text(specs, id, text)?)
+        Ok(self.params.set_text(self.algorithm.params(), id, text)?)
     }
 
     /// Chooses how well the wheels hold.
     pub fn set_slip(&mut self, id: &str) -> Result<(), SettingsError> {
         let known = || SlipLevel::ALL.map(|(_, name)| name).join(", ");
-        self.slip = SlipLevel::parse(id).ok_or_else(|| SettingsError::Unknown {
+        self.conditions.slip = SlipLevel::parse(id).ok_or_else(|| SettingsError::Unknown {
             kind: "slip",
             id: id.into(),
             known: known(),
         })?;
+        Ok(())
+    }
+
+    /// Chooses how much sensors err: all of them, or one kind if `sensor` names it.
+    pub fn set_noise(&mut self, sensor: Option<&str>, level: &str) -> Result<(), SettingsError> {
+        let unknown = |kind, id: &str, known: Vec<&str>| SettingsError::Unknown {
+            kind,
+            id: id.to_owned(),
+            known: known.join(", "),
+        };
+        let parsed = NoiseLevel::parse(level);
+        let parsed =
+            parsed.ok_or_else(|| unknown("noise level", level, NoiseLevel::ALL.map(|(_, name)| name).to_vec()))?;
+        match sensor {
+            None => self.conditions.noise = Noise::all(parsed),
+            Some(name) => {
+                let kind = SensorKind::parse(name)
+                    .ok_or_else(|| unknown("sensor", name, SensorKind::ALL.map(|(_, name)| name).to_vec()))?;
+                self.conditions.noise.set(kind, parsed);
+            }
+        }
         Ok(())
     }
 
@@ -176,8 +190,8 @@ impl Settings {
         if let Some(metres) = choices.cell_size {
             self.set_cell_size(metres)?;
         }
-        if let Some(id) = &choices.planner {
-            self.select_fresh_planner(id)?;
+        if let Some(id) = &choices.algorithm {
+            self.select_fresh_algorithm(id)?;
         }
         for (id, text) in &choices.params {
             self.set_param(id, text)?;
@@ -190,8 +204,8 @@ impl Settings {
 
     /// Whether the same room gets the same plan with `other`.
     pub fn plans_like(&self, other: &Self) -> bool {
-        (self.planner.id, &self.params, self.robot, self.cell_size, self.seed)
-            == (other.planner.id, &other.params, other.robot, other.cell_size, other.seed)
+        (self.algorithm.id(), &self.params, self.robot, self.cell_size, self.seed)
+            == (other.algorithm.id(), &other.params, other.robot, other.cell_size, other.seed)
     }
 
     /// The robot, which for the idealised one depends on the size of a cell.
@@ -207,8 +221,8 @@ impl Settings {
         let default = Self::new();
         let mut pairs = Vec::new();
         let mut push = |key: &str, value: String| pairs.push((key.to_owned(), value));
-        push("planner", self.planner.id.to_owned());
-        let defaults = Params::defaults(self.planner.params);
+        push(self.algorithm.kind(), self.algorithm.id().to_owned());
+        let defaults = Params::defaults(self.algorithm.params());
         for (id, value) in self.params.iter().filter(|&(id, value)| defaults.get(id) != Some(value)) {
             push(&format!("p.{id}"), value.to_string());
         }
@@ -217,8 +231,15 @@ impl Settings {
         if self.seed != default.seed {
             push("seed", self.seed.to_string());
         }
-        if self.slip != default.slip {
-            push("slip", self.slip.id().to_owned());
+        let Conditions { slip, noise, quantised } = self.conditions;
+        if slip != default.conditions.slip {
+            push("slip", slip.id().to_owned());
+        }
+        for (kind, name) in SensorKind::ALL.into_iter().filter(|&(kind, _)| noise.of(kind) != NoiseLevel::Off) {
+            push(&format!("noise.{name}"), noise.of(kind).id().to_owned());
+        }
+        if quantised {
+            push("quantised", quantised.to_string());
         }
         if self.odometry != default.odometry {
             push("odometry", self.odometry.id().to_owned());
@@ -239,11 +260,13 @@ impl Settings {
             value.parse::<f64>().ok().filter(|n| n.is_finite()).ok_or_else(wrong)
         };
         match key {
-            "planner" => self.select_fresh_planner(value)?,
+            "planner" | "behaviour" => self.select_fresh_algorithm(value)?,
             "robot" => self.select_robot(value)?,
             "cell" => self.set_cell_size(number("the cell size", "a length from 0.02 to 2 (metres)")?)?,
             "seed" => self.set_seed(value.parse().ok(), value)?,
             "slip" => self.set_slip(value)?,
+            "noise" => self.set_noise(None, value)?,
+            "quantised" => self.conditions.quantised = value == "true",
             "odometry" => self.set_odometry(value)?,
             "speed" => self.speed = number("the speed", "a number, 0 for as fast as it goes")?.max(0.0),
             "start" => {
@@ -259,6 +282,8 @@ impl Settings {
             _ => {
                 if let Some(id) = key.strip_prefix("p.") {
                     self.set_param(id, value)?;
+                } else if let Some(sensor) = key.strip_prefix("noise.") {
+                    self.set_noise(Some(sensor), value)?;
                 }
             }
         }

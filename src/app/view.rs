@@ -3,7 +3,7 @@
 use super::State;
 use crate::{
     metrics::{DriveMetrics, WalkMetrics},
-    planner::Params,
+    registry::Params,
 };
 use serde::Serialize;
 
@@ -22,9 +22,9 @@ pub struct View {
     pub room: RoomView,
     /// Id of the robot.
     pub robot: &'static str,
-    /// Id of the planner.
-    pub planner: &'static str,
-    /// Parameters of the planner.
+    /// Id of the planner or behaviour.
+    pub algorithm: &'static str,
+    /// Its parameters.
     pub params: Params,
     /// Side of the planning cells, m.
     pub cell_size_m: f64,

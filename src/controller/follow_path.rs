@@ -132,7 +132,7 @@ impl FollowPath {
             return Drive::STOP;
         }
         let wheel = self.braking_speed(travel.abs()).min(self.robot.turn_wheel_speed) * travel.signum();
-        Drive { left: -wheel, right: wheel }
+        Drive::wheels(-wheel, wheel)
     }
 
     fn drive(&mut self) -> Drive {

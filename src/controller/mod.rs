@@ -1,15 +1,24 @@
 //! Controllers: what drives a robot, from nothing but what it senses.
+//!
+//! [`FollowPath`] drives a planned line. All others are behaviours, which know nothing of the room: one file each, all in
+//! one registry. To add one, write its file with the constants `INFO` (a [`BehaviourInfo`]) and `BUILD` (a [`Build`]) and
+//! list it below; menus, forms, command line and the contract test iterate [`BEHAVIOURS`].
 
+mod bounce;
+mod command;
 mod follow_path;
+mod info;
 
+pub use command::Command;
 pub use follow_path::FollowPath;
+pub use info::{BehaviourInfo, Claims, Setup};
 
 use crate::{
     geometry::Pose,
     robot::{Drive, Sensors},
 };
 
-/// A behaviour. Pure: the same readings give the same commands, on the simulated and on a real robot.
+/// What drives a robot. Pure: the same readings give the same commands, on the simulated and on a real robot.
 pub trait Controller {
     /// Takes a sensor reading, `dt_s` seconds after the last one, and says how to drive until the next.
     fn step(&mut self, sensed: &Sensors, dt_s: f64) -> Drive;
@@ -18,13 +27,52 @@ pub trait Controller {
     fn is_done(&self) -> bool;
 
     /// Where the controller believes the robot to be, if it keeps track.
-    fn estimate(&self) -> Option<Pose>;
+    fn estimate(&self) -> Option<Pose> {
+        None
+    }
 
     /// Index of the corner that it drives to, if it follows a line; the number of corners once it has come to the end.
     fn corner(&self) -> Option<usize> {
         None
     }
 
+    /// What it is doing, in a few words that go on "The robot is ...": `backing up`; empty if there is nothing to tell.
+    fn activity(&self) -> &'static str {
+        ""
+    }
+
+    /// What a person at the controls wants; ignored by those that drive by themselves.
+    fn command(&mut self, _: Command) {}
+
     /// A copy in the same state, so that a run can be recorded and gone back to.
     fn boxed_clone(&self) -> Box<dyn Controller>;
+}
+
+/// Makes a behaviour.
+pub type Build = fn(&Setup<'_>) -> Box<dyn Controller>;
+
+/// Two lists of the same behaviours: what they say of themselves, and how they are made.
+macro_rules! registry {
+    ($($behaviour:ident),* $(,)?) => {
+        /// All behaviours, in the order of the menus.
+        pub const BEHAVIOURS: &[&BehaviourInfo] = &[$(&$behaviour::INFO),*];
+        const BUILDERS: &[(&str, Build)] = &[$(($behaviour::INFO.id, $behaviour::BUILD)),*];
+    };
+}
+
+// One line a behaviour.
+registry! {
+    bounce,
+}
+
+impl BehaviourInfo {
+    /// Makes the behaviour; `None` for one that isn't in the registry.
+    pub fn build(&self, setup: &Setup<'_>) -> Option<Box<dyn Controller>> {
+        BUILDERS.iter().find(|(id, _)| *id == self.id).map(|(_, build)| build(setup))
+    }
+}
+
+/// The behaviour with that id.
+pub fn find(id: &str) -> Option<&'static BehaviourInfo> {
+    BEHAVIOURS.iter().copied().find(|b| b.id == id)
 }

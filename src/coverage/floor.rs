@@ -137,6 +137,17 @@ impl ReachableFloor {
         })
     }
 
+    /// Where a robot ends up that is put down at `pose`: there if it fits, or else at the nearest place that it can reach
+    /// from the start.
+    pub fn place_for(&self, pose: Pose) -> Pose {
+        let point = pose.position();
+        if self.standing.is_set(self.cell_at(point)) && self.walls.has_room(point, self.walls.body_radius) {
+            return pose;
+        }
+        let place = nearest(&self.standing, self.resolution, point).unwrap_or(self.start.position());
+        Pose::new(place.x, place.y, pose.heading)
+    }
+
     /// The fine cell that holds a point; may lie outside.
     #[inline]
     pub fn cell_at(&self, point: Point) -> Cell {
@@ -326,6 +337,7 @@ mod tests {
             note: String::new(),
             resolution,
             occupancy: from_picture(text, |c| if c == '#' { Occupancy::Occupied } else { Occupancy::Free }).unwrap(),
+            objects: Vec::new(),
             start: None,
             origin: Pose::new(0.0, 0.0, 0.0),
         }

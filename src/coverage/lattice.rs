@@ -236,6 +236,7 @@ mod tests {
             note: String::new(),
             resolution,
             occupancy: from_picture(text, |c| if c == '#' { Occupancy::Occupied } else { Occupancy::Free }).unwrap(),
+            objects: Vec::new(),
             start: None,
             origin: Pose::new(0.0, 0.0, 0.0),
         };

@@ -66,6 +66,11 @@ impl CoverageTracker {
         }
     }
 
+    /// Takes the tool off the floor: the next place is not swept to, but set down on.
+    pub fn lift(&mut self) {
+        self.last = None;
+    }
+
     fn put_down(&mut self, floor: &ReachableFloor, at: Point) {
         self.last = Some(at);
         self.stamps += 1;

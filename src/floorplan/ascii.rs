@@ -120,6 +120,7 @@ impl Header {
             note: self.note,
             resolution: self.resolution,
             occupancy,
+            objects: Vec::new(),
             start,
             origin: Pose::new(0.0, 0.0, 0.0),
         })

@@ -108,6 +108,7 @@ fn bare_image(file: &SourceFile, format: ImageFormat) -> Result<FloorPlan, MapEr
         note: String::new(),
         resolution: DEFAULT_IMAGE_RESOLUTION,
         occupancy: raster::read(name, &file.bytes, format, &Shading::default())?,
+        objects: Vec::new(),
         start: None,
         origin: Pose::new(0.0, 0.0, 0.0),
     };
@@ -132,6 +133,7 @@ fn ros_map(
         note: String::new(),
         resolution: yaml.resolution,
         occupancy: raster::read(given, &image.bytes, format, &yaml.shading)?,
+        objects: Vec::new(),
         start: None,
         origin: yaml.origin,
     };

@@ -5,6 +5,7 @@
 mod ascii;
 mod error;
 mod load;
+mod object;
 mod raster;
 mod rooms;
 mod scenario;
@@ -14,6 +15,7 @@ mod yaml;
 pub use ascii::{DEFAULT_ASCII_RESOLUTION, to_ascii};
 pub use error::MapError;
 pub use load::{SourceFile, image_of, load};
+pub use object::{Object, Who};
 pub use raster::{DEFAULT_IMAGE_RESOLUTION, Mode, Shading};
 pub use rooms::{ROOMS, RoomInfo, RoomKind, room};
 pub use scenario::{SCENARIO_FORMAT, SCENARIO_VERSION, Scenario, ScenarioPose};
@@ -44,6 +46,8 @@ pub struct FloorPlan {
     pub resolution: f64,
     /// State of every cell; the outside counts as wall.
     pub occupancy: Grid<Occupancy>,
+    /// What stands, lies and moves in it.
+    pub objects: Vec<Object>,
     /// Where the robot starts, if the plan says so; metres from the lower-left corner.
     pub start: Option<Pose>,
     /// Pose of the lower-left corner in the map frame of the file it came from (ROS `origin`); kept for export.

@@ -140,6 +140,7 @@ impl Scenario {
             note: self.note.clone(),
             resolution: checked_resolution(file, "key \"resolution\"", &self.resolution.to_string())?,
             occupancy: self.occupancy(file)?,
+            objects: Vec::new(),
             start: checked_pose(file, "key \"start\"", self.start)?,
             origin: checked_pose(file, "key \"origin\"", self.origin)?.unwrap_or(Pose::new(0.0, 0.0, 0.0)),
         };

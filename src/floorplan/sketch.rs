@@ -117,6 +117,7 @@ impl Sketch {
             note: note.to_owned(),
             resolution: self.resolution,
             occupancy: self.occupancy,
+            objects: Vec::new(),
             start: self.start,
             origin: Pose::new(0.0, 0.0, 0.0),
         }

@@ -16,7 +16,6 @@ mod grid_tsp;
 mod info;
 mod job;
 mod neural;
-mod params;
 mod path;
 mod s_shape;
 mod snake;
@@ -28,10 +27,10 @@ mod wavefront_path;
 
 pub mod stage;
 
+pub use crate::registry::{Example, Explainer, ParamError, ParamKind, ParamSpec, ParamValue, Params};
 pub use context::{Observer, PlanContext, PlanError, Tracer};
-pub use info::{Claims, Example, Explainer, PlannerInfo, SLOW_CELLS};
+pub use info::{Claims, PlannerInfo, SLOW_CELLS};
 pub use job::CoverageJob;
-pub use params::{ParamError, ParamKind, ParamSpec, ParamValue, Params};
 pub use path::{CoveragePath, PathError};
 pub use trace::TraceStep;
 

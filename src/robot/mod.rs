@@ -1,11 +1,13 @@
 //! Robots: their geometry and limits, what they sense, what they can be told, and odometry from encoder counts.
 
+mod body;
 mod drive;
 mod model;
 mod odometry;
 mod sensors;
 
+pub use body::{Battery, Body, Bumper, Laser, LightBumper, SensorSuite, SideBrush, Wheels};
 pub use drive::Drive;
 pub use model::{MODELS, Power, RobotModel, cell_robot, model};
 pub use odometry::{Odometry, OdometryModel, advance};
-pub use sensors::Sensors;
+pub use sensors::{BatteryReading, Infrared, Overcurrent, Sensors};

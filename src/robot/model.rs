@@ -1,6 +1,8 @@
 //! The robots that can be chosen, every figure with its source.
 
-/// Geometry and limits of a round robot with two driven wheels. SI units; the axle's midpoint is the body's centre.
+use super::body::{Battery, Body, Bumper, LightBumper, SensorSuite, SideBrush, Wheels};
+
+/// Geometry, limits, sensors and power of a robot. SI units; the middle between the wheels is the body's origin.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RobotModel {
     /// Name in links, files and on the command line.
@@ -9,16 +11,31 @@ pub struct RobotModel {
     pub title: &'static str,
     /// One sentence for people who choose.
     pub summary: &'static str,
-    /// Radius of the circle that touches walls first, m.
+    /// Outline of the body.
+    pub body: Body,
+    /// Radius of the smallest circle around the origin that holds the body, m: where it fits, the robot can turn round.
     pub radius: f64,
+    /// How it moves.
+    pub wheels: Wheels,
+    /// What it senses with.
+    pub sensors: SensorSuite,
+    /// Brushes beside the tool.
+    pub side_brushes: &'static [SideBrush],
+    /// Where its power comes from.
+    pub battery: Battery,
     /// Width of the strip of floor that one pass cleans, m.
     pub tool_width: f64,
     /// Distance between the wheels' contact points, m.
     pub wheel_base: f64,
     /// Encoder counts per metre of wheel travel.
     pub counts_per_metre: f64,
+    /// Radius of the driven wheels, m.
+    pub wheel_radius: f64,
     /// Wheel speed that the motors reach, m/s.
     pub max_wheel_speed: f64,
+    /// Smallest wheel speed that moves the robot, and the distance between speeds that its motor controller can keep, m/s;
+    /// zeros for any speed.
+    pub speed_steps: [f64; 2],
     /// Wheel acceleration, m/s².
     pub acceleration: f64,
     /// Speed at which planned paths are driven straight, m/s.
@@ -83,11 +100,25 @@ const ROOMBA_600: RobotModel = RobotModel {
     id: "roomba600",
     title: "Roomba 600 / Create 2",
     summary: "Round, 35 cm wide, cleans a strip of 17 cm under its brush",
+    body: Body::Round,
     radius: 0.174_25,
+    wheels: Wheels::Differential,
+    sensors: SensorSuite {
+        bumper: Some(Bumper { half_arc: 1.553, both_within: 0.35 }),
+        cliffs: [Some([0.063, 0.148]), Some([0.154, 0.042]), Some([0.154, -0.042]), Some([0.063, -0.148])],
+        light_bumper: Some(LightBumper { angles: [1.169, 0.559, 0.21, -0.21, -0.559, -1.169], range: 0.2 }),
+        infrared: true,
+        wheel_drops: true,
+        laser: None,
+    },
+    side_brushes: &[SideBrush { at: [0.092, -0.116], radius: 0.095 }],
+    battery: Battery { capacity_mah: 2696.0, voltage: 14.4, charge_ma: 1232.0, has_gauge: true },
     tool_width: 0.17,
     wheel_base: 0.235,
     counts_per_metre: 508.8 / (core::f64::consts::PI * 0.072),
+    wheel_radius: 0.036,
     max_wheel_speed: 0.5,
+    speed_steps: [0.011, 0.0285],
     acceleration: 0.8,
     cruise_speed: 0.3,
     turn_wheel_speed: 0.2,
@@ -116,11 +147,30 @@ pub const fn cell_robot(cell: f64) -> RobotModel {
         id: "cell",
         title: "Grid robot (one cell)",
         summary: "The textbook's robot: fills one grid cell and cleans it",
+        body: Body::Round,
         radius: 0.45 * cell,
+        wheels: Wheels::Differential,
+        sensors: SensorSuite {
+            bumper: Some(Bumper { half_arc: core::f64::consts::FRAC_PI_2, both_within: 0.35 }),
+            cliffs: [
+                Some([0.25 * cell, 0.4 * cell]),
+                Some([0.44 * cell, 0.1 * cell]),
+                Some([0.44 * cell, -0.1 * cell]),
+                Some([0.25 * cell, -0.4 * cell]),
+            ],
+            light_bumper: None,
+            infrared: true,
+            wheel_drops: true,
+            laser: None,
+        },
+        side_brushes: &[],
+        battery: Battery { capacity_mah: 4500.0, voltage: 6.0, charge_ma: 818.0, has_gauge: true },
         tool_width: cell,
         wheel_base: 0.675 * cell,
         counts_per_metre: 1e5,
+        wheel_radius: 0.2 * cell,
         max_wheel_speed: 0.5,
+        speed_steps: [0.0, 0.0],
         acceleration: 0.8,
         cruise_speed: 0.3,
         turn_wheel_speed: 0.2,

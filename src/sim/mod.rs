@@ -4,13 +4,24 @@
 //! machine and a robot never moves farther at once than a few millimetres: it can't tunnel through a wall.
 
 mod contact;
+mod event;
+mod input;
+mod life;
+mod noise;
 mod run;
+mod senses;
 mod sim_robot;
 mod slip;
+mod world;
 
-pub use run::{Run, RunSetup};
+pub use event::{Event, What};
+pub use input::Input;
+pub use life::Life;
+pub use noise::{Noise, NoiseLevel, SensorKind};
+pub use run::{Conditions, Run, RunSetup};
 pub use sim_robot::SimRobot;
 pub use slip::{Slip, SlipLevel};
+pub use world::World;
 
 /// Seconds per simulation step: the Open Interface sends its sensor stream every 15 ms.
 pub const STEP_S: f64 = 0.015;

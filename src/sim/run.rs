@@ -1,33 +1,50 @@
 //! A whole run: one robot, one controller, one floor.
 
-use super::{STEP_S, SimRobot, Slip, SlipLevel};
+use super::{Event, Input, Life, Noise, STEP_S, SimRobot, SlipLevel, What, World};
 use crate::{
     controller::Controller,
     coverage::{CoverageTracker, ReachableFloor},
     geometry::{Point, Pose, difference},
     robot::{RobotModel, Sensors},
 };
-use std::sync::Arc;
+use std::{collections::VecDeque, sync::Arc};
 
 /// Most points of the trail that are kept, and their distance, m.
 const TRAIL: (usize, f64) = (600, 0.04);
+/// Most events that are kept.
+const MOST_EVENTS: usize = 100;
 
 /// What a run is made of.
 #[derive(Debug, Clone)]
 pub struct RunSetup {
     /// The floor, with the start.
     pub floor: Arc<ReachableFloor>,
+    /// What is in the room beside its walls.
+    pub world: Arc<World>,
     /// The robot.
     pub robot: RobotModel,
-    /// How well its wheels hold.
-    pub slip: SlipLevel,
+    /// How true its wheels and sensors are.
+    pub conditions: Conditions,
     /// Seed of everything random.
     pub seed: u64,
+}
+
+/// How true a robot's wheels and sensors are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Conditions {
+    /// How well the wheels hold.
+    pub slip: SlipLevel,
+    /// How much the sensors err.
+    pub noise: Noise,
+    /// Whether the wheels only turn at the speeds that the motor controller can keep.
+    pub quantised: bool,
 }
 
 /// The state of a run after a number of steps. Cloning it makes a key frame to come back to.
 pub struct Run {
     floor: Arc<ReachableFloor>,
+    world: Arc<World>,
+    life: Life,
     robot: SimRobot,
     controller: Box<dyn Controller>,
     tracker: CoverageTracker,
@@ -36,6 +53,7 @@ pub struct Run {
     turning_rad: f64,
     bumps: u32,
     trail: Vec<Point>,
+    events: VecDeque<Event>,
 }
 
 impl Run {
@@ -44,9 +62,24 @@ impl Run {
         let floor = Arc::clone(&setup.floor);
         let mut tracker = CoverageTracker::new(&floor);
         tracker.sweep_to(&floor, floor.start.position());
-        let robot = SimRobot::new(&setup.robot, floor.start, Slip::new(setup.slip, setup.seed));
+        let world = Arc::clone(&setup.world);
+        let life = Life::new(&world, &floor, setup.seed);
+        let robot = SimRobot::new(&setup.robot, floor.start, setup.conditions, setup.seed);
         let trail = vec![floor.start.position()];
-        Self { floor, robot, controller, tracker, steps: 0, distance_m: 0.0, turning_rad: 0.0, bumps: 0, trail }
+        Self {
+            floor,
+            world,
+            life,
+            robot,
+            controller,
+            tracker,
+            steps: 0,
+            distance_m: 0.0,
+            turning_rad: 0.0,
+            bumps: 0,
+            trail,
+            events: VecDeque::new(),
+        }
     }
 
     /// Advances by [`STEP_S`]; does nothing once the controller is done and the robot at rest.
@@ -54,16 +87,71 @@ impl Run {
         if self.is_finished() {
             return;
         }
-        let (before, was_bumped) = (self.robot.pose(), self.robot.sensors().bumped());
-        let drive = self.controller.step(&self.robot.sensors(), STEP_S);
-        self.robot.step(&self.floor.walls, drive);
+        let (before, sensed) = (self.robot.pose(), self.robot.sensors().clone());
+        let activity = self.controller.activity();
+        let drive = self.controller.step(&sensed, STEP_S);
+        self.life.step(&self.world);
+        self.robot.step(&self.floor.walls, &self.world, &self.life, drive);
         let pose = self.robot.pose();
         self.steps += 1;
+        self.tell(&sensed, activity);
+        if self.robot.is_lifted() {
+            return;
+        }
         self.distance_m += (pose.position() - before.position()).norm();
         self.turning_rad += difference(before.heading, pose.heading).abs();
-        self.bumps += u32::from(self.robot.sensors().bumped() && !was_bumped);
+        self.bumps += u32::from(self.robot.sensors().bumped() && !sensed.bumped());
         self.tracker.sweep_to(&self.floor, pose.position());
         self.extend_trail(pose.position());
+    }
+
+    /// Lets a person do something, before the next step.
+    pub fn apply(&mut self, input: Input) {
+        match input {
+            Input::Command(command) => self.controller.command(command),
+            Input::Lift => {
+                self.robot.lift();
+                self.note(What::Lifted);
+            }
+            Input::PutDown(pose) => {
+                self.robot.put_down(self.floor.place_for(pose));
+                self.tracker.lift();
+                self.trail.clear();
+                self.note(What::PutDown);
+            }
+        }
+    }
+
+    /// Whether somebody has picked the robot up.
+    pub fn is_lifted(&self) -> bool {
+        self.robot.is_lifted()
+    }
+
+    /// What happened lately, oldest first.
+    pub fn events(&self) -> &VecDeque<Event> {
+        &self.events
+    }
+
+    /// Notes what is new since `before`, when the controller was busy with `activity`.
+    fn tell(&mut self, before: &Sensors, activity: &'static str) {
+        let mut news = [None; 8];
+        let mut count = 0;
+        What::between(before, self.robot.sensors(), |what| {
+            news[count] = Some(what);
+            count += 1;
+        });
+        news.into_iter().flatten().for_each(|what| self.note(what));
+        let now = self.controller.activity();
+        if now != activity && !now.is_empty() {
+            self.note(What::Began(now));
+        }
+    }
+
+    fn note(&mut self, what: What) {
+        if self.events.len() == MOST_EVENTS {
+            self.events.pop_front();
+        }
+        self.events.push_back(Event { step: self.steps, what });
     }
 
     fn extend_trail(&mut self, at: Point) {
@@ -99,6 +187,11 @@ impl Run {
         self.robot.pose()
     }
 
+    /// What the controller is doing, in a few words.
+    pub fn activity(&self) -> &'static str {
+        self.controller.activity()
+    }
+
     /// Where its controller believes it to be.
     pub fn estimate(&self) -> Option<Pose> {
         self.controller.estimate()
@@ -115,7 +208,7 @@ impl Run {
     }
 
     /// The latest sensor reading.
-    pub fn sensors(&self) -> Sensors {
+    pub fn sensors(&self) -> &Sensors {
         self.robot.sensors()
     }
 
@@ -161,7 +254,7 @@ impl Run {
 
     /// Roughly the memory that a clone takes, bytes.
     pub fn bytes(&self) -> usize {
-        self.tracker.bytes() + TRAIL.0 * size_of::<Point>()
+        self.tracker.bytes() + self.life.bytes() + TRAIL.0 * size_of::<Point>()
     }
 
     /// A number that two runs share only if they are in the same state, to the last bit (FNV-1a).
@@ -178,10 +271,13 @@ impl Clone for Run {
     fn clone(&self) -> Self {
         Self {
             floor: Arc::clone(&self.floor),
+            world: Arc::clone(&self.world),
+            life: self.life.clone(),
             robot: self.robot.clone(),
             controller: self.controller.boxed_clone(),
             tracker: self.tracker.clone(),
             trail: self.trail.clone(),
+            events: self.events.clone(),
             ..*self
         }
     }

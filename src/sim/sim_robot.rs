@@ -1,15 +1,14 @@
-//! A simulated robot with two driven wheels.
+//! A simulated robot: body and wheels.
 
-use super::{STEP_S, Slip, contact};
+use super::{
+    Conditions, Life, STEP_S, Slip, World, contact,
+    senses::{Around, Carrier, Senses},
+};
 use crate::{
     coverage::Walls,
-    geometry::{Pose, Vector, difference},
-    math,
+    geometry::{Pose, Vector},
     robot::{Drive, OdometryModel, RobotModel, Sensors, advance},
 };
-
-/// A contact this far off the heading or less presses both halves of the bumper, rad.
-const BOTH_BUMPERS: f64 = 0.35;
 
 /// Body, wheels and sensors of one robot. It is told wheel speeds and reports what the Open Interface reports.
 #[derive(Debug, Clone)]
@@ -19,15 +18,24 @@ pub struct SimRobot {
     slip: Slip,
     /// Present wheel speeds, m/s.
     speed: Drive,
-    /// What the wheels have rolled since the start, m.
-    rolled: (f64, f64),
-    sensors: Sensors,
+    /// What the wheels have rolled since the start: left, right, sideways, m.
+    rolled: [f64; 3],
+    is_lifted: bool,
+    senses: Senses,
 }
 
 impl SimRobot {
     /// A robot at rest.
-    pub fn new(model: &RobotModel, pose: Pose, slip: Slip) -> Self {
-        Self { model: model.clone(), pose, slip, speed: Drive::STOP, rolled: (0.0, 0.0), sensors: Sensors::default() }
+    pub fn new(model: &RobotModel, pose: Pose, conditions: Conditions, seed: u64) -> Self {
+        Self {
+            model: model.clone(),
+            pose,
+            slip: Slip::new(conditions.slip, seed),
+            speed: Drive::STOP,
+            rolled: [0.0; 3],
+            is_lifted: false,
+            senses: Senses::new(model, conditions.noise, seed),
+        }
     }
 
     /// Where the robot really is. No controller gets to see this.
@@ -44,29 +52,63 @@ impl SimRobot {
 
     /// The latest sensor reading.
     #[inline]
-    pub fn sensors(&self) -> Sensors {
-        self.sensors
+    pub fn sensors(&self) -> &Sensors {
+        self.senses.reading()
+    }
+
+    /// Whether somebody has picked it up.
+    pub fn is_lifted(&self) -> bool {
+        self.is_lifted
+    }
+
+    /// Picks it up.
+    pub fn lift(&mut self) {
+        self.is_lifted = true;
+        self.speed = Drive::STOP;
+    }
+
+    /// Puts it down at `pose`, where it must fit.
+    pub fn put_down(&mut self, pose: Pose) {
+        self.is_lifted = false;
+        self.pose = pose;
     }
 
     /// One step of [`STEP_S`] with the wheels told to turn at `drive`.
-    pub fn step(&mut self, walls: &Walls, drive: Drive) {
+    pub fn step(&mut self, walls: &Walls, world: &World, life: &Life, drive: Drive) {
+        let before = self.pose;
+        let touch = self.roll(walls, drive);
+        let carrier = Carrier {
+            pose: self.pose,
+            touch,
+            wanted: drive,
+            speed: self.speed,
+            rolled: self.rolled,
+            moved: (self.pose.position() - before.position()).norm(),
+            is_lifted: self.is_lifted,
+        };
+        self.senses.read(Around { walls, world, life }, &carrier);
+    }
+
+    /// Turns the wheels and moves the body as far as the walls allow; returns the direction of what it touches.
+    fn roll(&mut self, walls: &Walls, drive: Drive) -> Option<Vector> {
         let speed = Drive {
             left: self.approach(self.speed.left, drive.left),
             right: self.approach(self.speed.right, drive.right),
+            lateral: 0.0,
         };
         // Mean speed of the step: exact for constant acceleration.
         let left = 0.5 * (self.speed.left + speed.left) * STEP_S;
         let right = 0.5 * (self.speed.right + speed.right) * STEP_S;
         self.speed = speed;
-        self.rolled = (self.rolled.0 + left, self.rolled.1 + right);
-
+        self.rolled = [self.rolled[0] + left, self.rolled[1] + right, self.rolled[2]];
+        if self.is_lifted {
+            return None;
+        }
         let (real_left, real_right) = self.slip.apply(left, right);
         let moved = advance(self.pose, real_left, real_right, self.model.wheel_base, OdometryModel::Arc);
         let contact = contact::resolve(walls, moved.position(), self.model.radius);
         self.pose = Pose { x: contact.position.x, y: contact.position.y, heading: moved.heading };
-        (self.sensors.bump_left, self.sensors.bump_right) = self.bumper(contact.touch);
-        self.sensors.left_counts = self.counts(self.rolled.0);
-        self.sensors.right_counts = self.counts(self.rolled.1);
+        contact.touch
     }
 
     /// The wheel speed one step later: towards `wanted`, within the motors' speed and acceleration.
@@ -74,20 +116,5 @@ impl SimRobot {
         let most = self.model.acceleration * STEP_S;
         let wanted = wanted.clamp(-self.model.max_wheel_speed, self.model.max_wheel_speed);
         speed + (wanted - speed).clamp(-most, most)
-    }
-
-    /// Which halves of the bumper a wall in direction `touch` presses; it spans the front half of the body.
-    fn bumper(&self, touch: Option<Vector>) -> (bool, bool) {
-        let Some(touch) = touch else { return (false, false) };
-        let angle = difference(self.pose.heading, math::atan2(touch.y, touch.x));
-        if angle.abs() > math::FRAC_PI_2 {
-            return (false, false);
-        }
-        (angle > -BOTH_BUMPERS, angle < BOTH_BUMPERS)
-    }
-
-    /// The encoder's counter: it wraps.
-    fn counts(&self, rolled: f64) -> u16 {
-        ((rolled * self.model.counts_per_metre).floor() as i64) as u16
     }
 }

@@ -68,6 +68,7 @@ pub(super) fn import_from_js(object: &JsValue) -> Result<Import, JsValue> {
         note: wire.note,
         resolution: wire.resolution,
         occupancy: Grid::from_rows(wire.width, cells).ok_or("the map has no cells")?,
+        objects: Vec::new(),
         start: wire.start.map(pose),
         origin: pose(wire.origin),
     };

@@ -153,9 +153,9 @@ impl Playground {
         Ok(self.session.select_room(id)?)
     }
 
-    /// Chooses a planner.
-    pub fn select_planner(&mut self, id: &str) -> Result<(), JsValue> {
-        Ok(self.session.configure(|s| s.select_planner(id))?)
+    /// Chooses a planner or behaviour.
+    pub fn select_algorithm(&mut self, id: &str) -> Result<(), JsValue> {
+        Ok(self.session.configure(|s| s.select_algorithm(id))?)
     }
 
     /// Chooses a robot.

@@ -45,7 +45,7 @@ impl Base {
             cell_size: settings.cell_size,
             seed: settings.seed,
             setup: RaceSetup {
-                slip: settings.slip,
+                conditions: settings.conditions,
                 odometry: settings.odometry,
                 seed: settings.seed,
                 speed: speed.unwrap_or(SPEED),

@@ -6,7 +6,7 @@ use crate::{
     geometry::Point,
     planner::CoveragePath,
     robot::OdometryModel,
-    sim::{Run, STEP_S, SlipLevel},
+    sim::{Conditions, Run, STEP_S},
 };
 use std::sync::Arc;
 
@@ -26,8 +26,8 @@ const LONGEST_FRAME: f64 = 0.1;
 /// How the runs of a race are made.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RaceSetup {
-    /// How well the wheels hold.
-    pub slip: SlipLevel,
+    /// How true wheels and sensors are.
+    pub conditions: Conditions,
     /// How the followers compute their poses.
     pub odometry: OdometryModel,
     /// Seed of the slip.
@@ -85,8 +85,8 @@ impl Race {
             return;
         }
         let Some(line) = self.line(path) else { return };
-        let RaceSetup { slip, odometry, seed, .. } = self.setup;
-        let run = self.prepared.run_along(&line, slip, odometry, seed);
+        let RaceSetup { conditions, odometry, seed, .. } = self.setup;
+        let run = self.prepared.run_along(&line, conditions, odometry, seed);
         self.lanes.push(Lane { racer, recording: Recording::within(run, KEY_FRAME_BUDGET / MOST_LANES), line });
     }
 
@@ -268,7 +268,7 @@ impl Race {
             tracker: Some(run.tracker()),
             run_version: (u64::from(self.number) << 32) + lane.recording.version(),
             trail: run.trail(),
-            robot: Some(RobotView::of(run, self.setup.slip)),
+            robot: Some(RobotView::of(run, self.setup.conditions.slip)),
             ..self.planned_scene(&lane.line)
         }
     }

@@ -1,14 +1,14 @@
 //! The steps: a room is laid out for a robot, a planner is asked, its walk becomes a line with numbers, a robot drives it.
 
 use crate::{
-    controller::FollowPath,
+    controller::{BehaviourInfo, FollowPath, Setup},
     coverage::{FloorError, Lattice, ReachableFloor, fine_resolution},
     floorplan::FloorPlan,
     geometry::{Point, Pose},
     metrics::{Bounds, DriveMetrics, PlanNumbers, WalkMetrics},
     planner::{CoverageJob, CoveragePath, Observer, Params, PathError, PlanContext, PlanError, PlannerInfo, TraceStep},
     robot::{OdometryModel, RobotModel},
-    sim::{Run, RunSetup, SlipLevel},
+    sim::{Conditions, Run, RunSetup, World},
 };
 use std::sync::Arc;
 
@@ -21,6 +21,8 @@ pub struct Prepared {
     pub lattice: Arc<Lattice>,
     /// The planner's job on it.
     pub job: CoverageJob,
+    /// What is in the room beside its walls.
+    pub world: Arc<World>,
     /// The robot.
     pub robot: RobotModel,
 }
@@ -75,24 +77,41 @@ impl Prepared {
         if cell_size < least * (1.0 - 1e-9) {
             return Err(FloorError::CellTooSmall { cell_size, least });
         }
-        Ok(Self::on(ReachableFloor::new(plan, robot, start)?, robot, cell_size))
+        Ok(Self::on(plan, ReachableFloor::new(plan, robot, start)?, robot, cell_size))
     }
 
-    /// Lays planning cells of `cell_size` metres over the floor that `robot` can reach.
-    pub fn on(floor: ReachableFloor, robot: &RobotModel, cell_size: f64) -> Self {
+    /// Lays planning cells of `cell_size` metres over the floor that `robot` can reach in `plan`.
+    pub fn on(plan: &FloorPlan, floor: ReachableFloor, robot: &RobotModel, cell_size: f64) -> Self {
         let lattice = Lattice::new(&floor, cell_size);
         let job = CoverageJob::on_lattice(&lattice, &floor, robot);
-        Self { floor: Arc::new(floor), lattice: Arc::new(lattice), job, robot: robot.clone() }
+        let world = Arc::new(World::new(plan));
+        Self { floor: Arc::new(floor), lattice: Arc::new(lattice), job, world, robot: robot.clone() }
     }
 }
 
 impl Prepared {
+    /// What a run on this floor is made of.
+    pub fn setup(&self, conditions: Conditions, seed: u64) -> RunSetup {
+        let Self { floor, world, robot, .. } = self;
+        RunSetup { floor: Arc::clone(floor), world: Arc::clone(world), robot: robot.clone(), conditions, seed }
+    }
+
     /// The robot at the start, about to drive along `line` (corners, m) by dead reckoning.
-    pub fn run_along(&self, line: &Arc<[Point]>, slip: SlipLevel, odometry: OdometryModel, seed: u64) -> Run {
-        let Self { floor, robot, .. } = self;
-        let follower = FollowPath::new(robot, odometry, floor.start, Arc::clone(line));
-        let setup = RunSetup { floor: Arc::clone(floor), robot: robot.clone(), slip, seed };
-        Run::new(&setup, Box::new(follower))
+    pub fn run_along(&self, line: &Arc<[Point]>, conditions: Conditions, odometry: OdometryModel, seed: u64) -> Run {
+        let follower = FollowPath::new(&self.robot, odometry, self.floor.start, Arc::clone(line));
+        Run::new(&self.setup(conditions, seed), Box::new(follower))
+    }
+
+    /// The robot at the start, about to do what `behaviour` does; `None` for one that isn't in the registry.
+    pub fn run_behaviour(
+        &self,
+        behaviour: &BehaviourInfo,
+        params: &Params,
+        conditions: Conditions,
+        seed: u64,
+    ) -> Option<Run> {
+        let controller = behaviour.build(&Setup { robot: &self.robot, params, seed })?;
+        Some(Run::new(&self.setup(conditions, seed), controller))
     }
 }
 
@@ -137,7 +156,7 @@ impl Planned {
     }
 
     /// The robot at the start, about to drive the line by dead reckoning.
-    pub fn run(&self, prepared: &Prepared, slip: SlipLevel, odometry: OdometryModel, seed: u64) -> Run {
-        prepared.run_along(&self.line, slip, odometry, seed)
+    pub fn run(&self, prepared: &Prepared, conditions: Conditions, odometry: OdometryModel, seed: u64) -> Run {
+        prepared.run_along(&self.line, conditions, odometry, seed)
     }
 }

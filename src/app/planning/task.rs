@@ -62,7 +62,7 @@ impl PlanningTask {
     ///
     /// A start cell that was asked for is kept or refused, never moved.
     pub fn solve(&self, clock: impl Fn() -> f64, observer: Option<Observer<'_>>) -> Result<Solution, PlanningError> {
-        let prepared = Prepared::on(self.floor()?, &self.robot, self.cell_size);
+        let prepared = Prepared::on(&self.plan, self.floor()?, &self.robot, self.cell_size);
         let request = PlanRequest {
             id: 0,
             planner: self.planner,

@@ -321,7 +321,7 @@ impl Session {
         let pairs = link.trim_start_matches('#').split('&').filter(|p| !p.is_empty());
         let mut pairs: Vec<(&str, &str)> = pairs.map(|p| p.split_once('=').unwrap_or((p, ""))).collect();
         // Robot and planner bring defaults of their own, which must not undo what else the link says.
-        pairs.sort_by_key(|(key, _)| !matches!(*key, "robot" | "planner"));
+        pairs.sort_by_key(|(key, _)| !matches!(*key, "robot" | "planner" | "behaviour"));
         for (key, value) in pairs {
             if key == "room" {
                 room = Some(value);
@@ -346,14 +346,14 @@ impl Session {
     /// Room and settings as a scenario file, which [`Session::load`] takes back.
     pub fn scenario_json(&self) -> String {
         let start = self.editor.start().or(self.plan().start);
-        let defaults = crate::planner::Params::defaults(self.settings.planner.params);
+        let defaults = crate::registry::Params::defaults(self.settings.algorithm.params());
         let changed = self.settings.params.iter().filter(|&(id, value)| defaults.get(id) != Some(value));
         let params =
             changed.filter_map(|(id, value)| Some((id.to_owned(), serde_json::to_value(value).ok()?))).collect();
         let mut scenario = Scenario::of(self.plan());
         scenario.start = start.map(Into::into);
         scenario.robot = Some(self.settings.robot.to_owned());
-        scenario.planner = Some(self.settings.planner.id.to_owned());
+        scenario.planner = Some(self.settings.algorithm.id().to_owned());
         scenario.params = params;
         scenario.cell_size = Some(self.settings.cell_size);
         scenario.seed = Some(self.settings.seed);

@@ -2,7 +2,7 @@
 
 use super::{Planning, Session, sentence};
 use crate::{
-    app::{Answer, PlanRequest, Planned, Prepared, Recording, Search, Settings, State, opening},
+    app::{Algorithm, Answer, PlanRequest, Planned, Prepared, Recording, Search, Settings, State, opening},
     floorplan,
     grid::Cell,
     planner::{CoveragePath, PlanError},
@@ -55,8 +55,8 @@ impl Session {
         let Some(prepared) = &self.prepared else { return };
         match Planned::new(prepared, &answer) {
             Ok(planned) => {
-                let Settings { slip, odometry, seed, .. } = self.settings;
-                self.recording = Some(Recording::new(planned.run(prepared, slip, odometry, seed)));
+                let Settings { conditions, odometry, seed, .. } = self.settings;
+                self.recording = Some(Recording::new(planned.run(prepared, conditions, odometry, seed)));
                 let Answer { path, trace, .. } = answer;
                 self.search = (!trace.is_empty()).then(|| Search::new(prepared, &planned, &path.cells, trace));
                 let coverage = planned.drive.coverage;
@@ -131,18 +131,20 @@ impl Session {
         match Prepared::new(self.editor.plan(), &robot, self.settings.cell_size, self.editor.start()) {
             Ok(prepared) => {
                 self.requests += 1;
-                self.planning = Some(Planning {
-                    id: self.requests,
-                    progress: 0.0,
-                    preview: Vec::new(),
-                    request: Some(PlanRequest {
-                        id: self.requests,
-                        planner: self.settings.planner,
-                        params: self.settings.params.clone(),
-                        seed: self.settings.seed,
-                        job: prepared.job.clone(),
-                    }),
-                });
+                let Settings { algorithm, ref params, conditions, seed, .. } = self.settings;
+                match algorithm {
+                    Algorithm::Planner(planner) => {
+                        let (params, job) = (params.clone(), prepared.job.clone());
+                        let request = Some(PlanRequest { id: self.requests, planner, params, seed, job });
+                        self.planning =
+                            Some(Planning { id: self.requests, progress: 0.0, preview: Vec::new(), request });
+                    }
+                    // Nothing to wait for: it knows nothing of the room.
+                    Algorithm::Behaviour(behaviour) => {
+                        let run = prepared.run_behaviour(behaviour, params, conditions, seed);
+                        self.recording = run.map(Recording::new);
+                    }
+                }
                 self.warn_of_closed_off(&prepared);
                 self.prepared = Some(prepared);
             }

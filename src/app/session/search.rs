@@ -14,7 +14,7 @@ impl Session {
 
     /// Whether the planner can say what it decides.
     pub fn offers_search(&self) -> bool {
-        self.settings.planner.claims.traces
+        self.settings.algorithm.planner().is_some_and(|planner| planner.claims.traces)
     }
 
     /// The decisions behind the plan, if the planner tells them.

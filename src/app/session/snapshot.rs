@@ -13,7 +13,7 @@ impl Session {
     /// What is to be drawn, but for what the pointer is doing.
     pub fn scene(&self) -> Scene<'_> {
         let run = self.recording.as_ref().map(Recording::run);
-        let robot = run.map(|run| RobotView::of(run, self.settings.slip));
+        let robot = run.map(|run| RobotView::of(run, self.settings.conditions.slip));
         Scene {
             plan: self.editor.plan(),
             // Both only grow, and one of them with every change.
@@ -55,11 +55,11 @@ impl Session {
                 left_out_m2: self.prepared.as_ref().map_or(0.0, |p| p.floor.left_out_area()),
             },
             robot: self.settings.robot,
-            planner: self.settings.planner.id,
+            algorithm: self.settings.algorithm.id(),
             params: self.settings.params.clone(),
             cell_size_m: self.settings.cell_size,
             seed: self.settings.seed,
-            slip: self.settings.slip.id(),
+            slip: self.settings.conditions.slip.id(),
             odometry: self.settings.odometry.id(),
             speed: self.settings.speed,
             speed_factor: self.speed_factor,
@@ -123,8 +123,8 @@ impl Session {
         };
         let search = if view.search.text.is_empty() { String::new() } else { format!(" {}", view.search.text) };
         format!(
-            "Floor plan of {room}. {} planner: {doing}, {:.0} % of the reachable floor is clean after {:.0} minutes.{search}",
-            self.settings.planner.title,
+            "Floor plan of {room}. {}: {doing}, {:.0} % of the reachable floor is clean after {:.0} minutes.{search}",
+            self.settings.algorithm.title(),
             100.0 * view.coverage,
             view.time_s / 60.0
         )

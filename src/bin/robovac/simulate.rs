@@ -10,7 +10,7 @@ use robovac_playground::{
     app::planning::{PlanningTask, TaskReport},
     floorplan::ScenarioPose,
     robot::OdometryModel,
-    sim::{Run, STEP_S, SlipLevel},
+    sim::{Conditions, Run, STEP_S, SlipLevel},
 };
 use serde::Serialize;
 use std::{fmt::Write, time::Instant};
@@ -90,7 +90,8 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let begin = Instant::now();
     let solution = task.solve(|| begin.elapsed().as_secs_f64(), None)?;
     let Arguments { slip, odometry, .. } = *arguments;
-    let mut run = solution.planned.run(&solution.prepared, slip, odometry, task.seed);
+    let mut run =
+        solution.planned.run(&solution.prepared, Conditions { slip, ..Conditions::default() }, odometry, task.seed);
     let samples = drive(&mut run, arguments.sample, arguments.max_time);
     let report =
         Report { task: TaskReport::new(&task, &solution.prepared), slip, odometry, totals: Totals::of(&run), samples };

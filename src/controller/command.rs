@@ -1,0 +1,12 @@
+//! What a person at the controls wants.
+
+use serde::{Deserialize, Serialize};
+
+/// Position of a joystick. Both values lie in -1 to 1; outside, they are taken as the nearest of these.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct Command {
+    /// Forward, as a share of the robot's cruise speed; negative for backward.
+    pub forward: f64,
+    /// To the left, as a share of its turn rate; negative for right.
+    pub left: f64,
+}

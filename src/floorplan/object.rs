@@ -1,0 +1,65 @@
+//! What stands, lies and moves in a room beside its walls.
+
+use crate::geometry::{Point, Pose};
+
+/// A thing in a room. Lengths in metres from the room's lower-left corner.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Object {
+    /// Furniture that stands on the floor with its whole outline, a simple polygon.
+    Furniture {
+        /// Corners, in either direction.
+        outline: Vec<Point>,
+    },
+    /// A round leg, thin or thick.
+    Leg {
+        /// Centre.
+        at: Point,
+        /// Radius, m.
+        radius: f64,
+    },
+    /// Floor that ends: stairs down. A robot whose wheel gets there falls.
+    DropOff {
+        /// Corners of where there is no floor.
+        outline: Vec<Point>,
+    },
+    /// Carpet: wheels slip more.
+    Carpet {
+        /// Corners.
+        outline: Vec<Point>,
+    },
+    /// A spot of dirt, beyond the dust that is everywhere.
+    Dirt {
+        /// Centre.
+        at: Point,
+        /// Radius, m.
+        radius: f64,
+    },
+    /// A dock: it stands with its back to the wall and looks along its heading, from where robots come.
+    Dock {
+        /// Middle of its back, and the way it looks.
+        pose: Pose,
+    },
+    /// A virtual wall: a beam that robots with infrared receivers don't cross.
+    VirtualWall {
+        /// Where its lighthouse stands, and the way its beam goes.
+        pose: Pose,
+        /// Length of the beam, m.
+        length: f64,
+    },
+    /// Somebody who walks to and fro along a line.
+    Mover {
+        /// Who.
+        who: Who,
+        /// Corners of the line; at least one.
+        path: Vec<Point>,
+    },
+}
+
+/// Who moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Who {
+    /// A person: two feet of which one is seen as a disc of 15 cm radius, walking at 0.6 m/s.
+    Person,
+    /// A pet: a disc of 12 cm radius, at 0.4 m/s, that stops where it likes.
+    Pet,
+}

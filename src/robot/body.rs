@@ -1,0 +1,93 @@
+//! What a robot's body is shaped like, and where its sensors and brushes sit. SI units in the robot's frame: x ahead, y to
+//! the left, angles counter-clockwise from straight ahead; the origin is the middle between the driven wheels.
+
+/// Outline of a body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Body {
+    /// A circle around the origin whose radius is the model's.
+    Round,
+    /// A convex polygon, counter-clockwise, m. It holds the origin.
+    Polygon(&'static [[f64; 2]]),
+}
+
+/// How a robot moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Wheels {
+    /// Two driven wheels on one axle, and castors.
+    Differential,
+    /// Moves in every direction without turning.
+    Omnidirectional,
+}
+
+/// What a robot has to sense the world with.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SensorSuite {
+    /// Bumper; `None` for a robot that doesn't feel what it touches.
+    pub bumper: Option<Bumper>,
+    /// Cliff sensors that there are: left, front left, front right, right. [`None`] where there is none; a single front
+    /// sensor is listed twice.
+    pub cliffs: [Option<[f64; 2]>; 4],
+    /// Light bumper and wall sensor.
+    pub light_bumper: Option<LightBumper>,
+    /// Whether it has infrared receivers for docks and virtual walls.
+    pub infrared: bool,
+    /// Whether it feels its wheels drop when it is lifted.
+    pub wheel_drops: bool,
+    /// Laser scanner.
+    pub laser: Option<Laser>,
+}
+
+/// A bumper around the front.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bumper {
+    /// Half the angle that it spans, rad.
+    pub half_arc: f64,
+    /// A contact this far off the middle or less presses both switches, rad.
+    pub both_within: f64,
+}
+
+/// Six infrared distance sensors around the front.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LightBumper {
+    /// Directions of the beams, from left to right, rad. They start at the body's edge.
+    pub angles: [f64; 6],
+    /// Distance from the body's edge at which nothing is seen any more, m.
+    pub range: f64,
+}
+
+/// A laser scanner.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Laser {
+    /// Direction of the first beam, rad.
+    pub first: f64,
+    /// Angle from one beam to the next, rad, counter-clockwise.
+    pub step: f64,
+    /// Number of beams.
+    pub beams: usize,
+    /// Nearest and farthest distance that it measures, m.
+    pub range: [f64; 2],
+    /// Scans a second.
+    pub rate_hz: f64,
+}
+
+/// A brush that sweeps dirt from beside the body under it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SideBrush {
+    /// Its axis.
+    pub at: [f64; 2],
+    /// Length of its bristles, m.
+    pub radius: f64,
+}
+
+/// A battery.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Battery {
+    /// Capacity when new, mAh.
+    pub capacity_mah: f64,
+    /// Nominal voltage, V.
+    pub voltage: f64,
+    /// Current into it while it charges, mA; 0 for a robot without a dock.
+    pub charge_ma: f64,
+    /// Whether the robot can read its gauge.
+    pub has_gauge: bool,
+}
