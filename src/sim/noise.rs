@@ -1,6 +1,7 @@
 //! How much sensors err.
 
 use serde::{Deserialize, Serialize};
+use std::fmt;
 
 /// How much a sensor errs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -69,6 +70,20 @@ impl SensorKind {
     /// The kind of that name.
     pub fn parse(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|(_, n)| *n == name).map(|(kind, _)| kind)
+    }
+}
+
+/// The level that all have, or those that aren't off, kind by kind: `typical`, `cliff=harsh light=typical`.
+impl fmt::Display for Noise {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.0.iter().all(|level| *level == self.0[0]) {
+            return f.write_str(self.0[0].id());
+        }
+        let noisy = SensorKind::ALL.iter().filter(|(kind, _)| self.of(*kind) != NoiseLevel::Off);
+        for (index, (kind, name)) in noisy.enumerate() {
+            write!(f, "{}{name}={}", if index > 0 { " " } else { "" }, self.of(*kind).id())?;
+        }
+        Ok(())
     }
 }
 
