@@ -171,7 +171,8 @@ fn entrants(names: &[String]) -> Result<Vec<Entrant>, Failure> {
         match &**name {
             "all" => entrants.extend(PLANNERS.iter().map(|&p| Entrant::new(Algorithm::Planner(p)))),
             "fast" => {
-                entrants.extend(PLANNERS.iter().filter(|p| p.claims.fast).map(|&p| Entrant::new(Algorithm::Planner(p))))
+                entrants
+                    .extend(PLANNERS.iter().filter(|p| p.claims.fast).map(|&p| Entrant::new(Algorithm::Planner(p))));
             }
             name => entrants.push(Entrant::parse_planner(name).map_err(|e| Failure::usage(e.to_string()))?.0),
         }
