@@ -9,5 +9,5 @@ mod sensors;
 pub use body::{Battery, Body, Bumper, Laser, LightBumper, SensorSuite, SideBrush, Wheels};
 pub use drive::Drive;
 pub use model::{MODELS, Power, RobotModel, cell_robot, model};
-pub use odometry::{Odometry, OdometryModel, advance};
+pub use odometry::{Odometry, OdometryModel, advance, advance_sideways};
 pub use sensors::{BatteryReading, Infrared, Overcurrent, Sensors};

@@ -37,6 +37,10 @@ pub struct Carrier {
     pub moved: f64,
     /// Whether it hangs in the air.
     pub is_lifted: bool,
+    /// Which wheels hang over a drop-off, left and right; both once the robot has fallen.
+    pub dropped: [bool; 2],
+    /// Dirt that was picked up in the step: as much as lies on so many m² of a spot of dirt.
+    pub dirt: f64,
 }
 
 /// The sensors of one robot, with what they remember and how they err.
@@ -64,6 +68,7 @@ impl Senses {
         (sensors.bump_left, sensors.bump_right) = bumper::pressed(model, carrier);
         let counts = |rolled: f64| ((rolled * model.counts_per_metre).floor() as i64) as u16;
         [sensors.left_counts, sensors.right_counts, sensors.lateral_counts] = carrier.rolled.map(counts);
-        (sensors.wheel_drop_left, sensors.wheel_drop_right) = (carrier.is_lifted, carrier.is_lifted);
+        sensors.wheel_drop_left = carrier.is_lifted || carrier.dropped[0];
+        sensors.wheel_drop_right = carrier.is_lifted || carrier.dropped[1];
     }
 }
