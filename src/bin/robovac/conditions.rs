@@ -34,7 +34,7 @@ impl ConditionsArguments {
                 Some(kind) => noise.set(kind, level),
             }
         }
-        Conditions { slip: self.slip, noise, quantised: self.quantised }
+        Conditions { slip: self.slip, noise, quantised: self.quantised, ..Conditions::default() }
     }
 }
 

@@ -145,7 +145,7 @@ fn make_all(
 
 /// A Markdown table: medians, with 10 to 90 % of the runs in brackets.
 fn table(head: &Head<'_>, placement: &Placement, arguments: &Arguments, entries: &[Entry<'_>]) -> String {
-    let Conditions { slip, noise, quantised } = head.conditions;
+    let Conditions { slip, noise, quantised, .. } = head.conditions;
     let quantised = if quantised { ", quantised wheel speeds" } else { "" };
     let (robot, minutes) = (placement.robot.title, head.minutes);
     let mut text = format!(
