@@ -5,7 +5,7 @@ use crate::{
     controller::Controller,
     coverage::{CoverageTracker, ReachableFloor},
     geometry::{Point, Pose, difference},
-    robot::{RobotModel, Sensors},
+    robot::{Odometry, OdometryModel, RobotModel, Sensors},
 };
 use std::{collections::VecDeque, sync::Arc};
 
@@ -52,7 +52,10 @@ pub struct Run {
     distance_m: f64,
     turning_rad: f64,
     bumps: u32,
-    trail: Vec<Point>,
+    trail: Trail,
+    /// Where the robot believes to be if its controller doesn't keep track, and where it believes to have been.
+    odometry: Option<Odometry>,
+    believed: Trail,
     events: VecDeque<Event>,
 }
 
@@ -65,7 +68,9 @@ impl Run {
         let world = Arc::clone(&setup.world);
         let life = Life::new(&world, &floor, setup.seed);
         let robot = SimRobot::new(&setup.robot, floor.start, setup.conditions, setup.seed);
-        let trail = vec![floor.start.position()];
+        let trail = Trail(vec![floor.start.position()]);
+        let keeps_track = controller.estimate().is_some();
+        let odometry = (!keeps_track).then(|| Odometry::new(&setup.robot, OdometryModel::Arc, floor.start));
         Self {
             floor,
             world,
@@ -77,7 +82,9 @@ impl Run {
             distance_m: 0.0,
             turning_rad: 0.0,
             bumps: 0,
+            believed: trail.clone(),
             trail,
+            odometry,
             events: VecDeque::new(),
         }
     }
@@ -95,6 +102,7 @@ impl Run {
         let pose = self.robot.pose();
         self.steps += 1;
         self.tell(&sensed, activity);
+        self.believe();
         if self.robot.is_lifted() {
             return;
         }
@@ -102,7 +110,7 @@ impl Run {
         self.turning_rad += difference(before.heading, pose.heading).abs();
         self.bumps += u32::from(self.robot.sensors().bumped() && !sensed.bumped());
         self.tracker.sweep_to(&self.floor, pose.position());
-        self.extend_trail(pose.position());
+        self.trail.extend(pose.position());
     }
 
     /// Lets a person do something, before the next step.
@@ -116,7 +124,7 @@ impl Run {
             Input::PutDown(pose) => {
                 self.robot.put_down(self.floor.place_for(pose));
                 self.tracker.lift();
-                self.trail.clear();
+                self.trail.0.clear();
                 self.note(What::PutDown);
             }
         }
@@ -154,12 +162,13 @@ impl Run {
         self.events.push_back(Event { step: self.steps, what });
     }
 
-    fn extend_trail(&mut self, at: Point) {
-        if self.trail.last().is_none_or(|last| (at - last).norm_squared() > TRAIL.1 * TRAIL.1) {
-            if self.trail.len() == TRAIL.0 {
-                self.trail.drain(..TRAIL.0 / 4);
-            }
-            self.trail.push(at);
+    /// Keeps track of where the robot believes to be.
+    fn believe(&mut self) {
+        if let Some(odometry) = &mut self.odometry {
+            odometry.update(self.robot.sensors());
+        }
+        if let Some(estimate) = self.estimate() {
+            self.believed.extend(estimate.position());
         }
     }
 
@@ -192,9 +201,9 @@ impl Run {
         self.controller.activity()
     }
 
-    /// Where its controller believes it to be.
+    /// Where it believes to be: by its controller, or by counting wheel turns if the controller doesn't care.
     pub fn estimate(&self) -> Option<Pose> {
-        self.controller.estimate()
+        self.controller.estimate().or(self.odometry.as_ref().map(Odometry::pose))
     }
 
     /// Index of the corner of its line that the controller drives to, if it follows one.
@@ -202,7 +211,7 @@ impl Run {
         self.controller.corner()
     }
 
-    /// Distance between where the robot is and where its controller believes it to be, m.
+    /// Distance between where the robot is and where it believes to be, m.
     pub fn pose_error_m(&self) -> Option<f64> {
         self.estimate().map(|estimate| (estimate.position() - self.pose().position()).norm())
     }
@@ -249,12 +258,17 @@ impl Run {
 
     /// The last metres that the robot drove, oldest first, m.
     pub fn trail(&self) -> &[Point] {
-        &self.trail
+        &self.trail.0
+    }
+
+    /// The last metres that it believes to have driven, oldest first, m.
+    pub fn believed_trail(&self) -> &[Point] {
+        &self.believed.0
     }
 
     /// Roughly the memory that a clone takes, bytes.
     pub fn bytes(&self) -> usize {
-        self.tracker.bytes() + self.life.bytes() + TRAIL.0 * size_of::<Point>()
+        self.tracker.bytes() + self.life.bytes() + 2 * TRAIL.0 * size_of::<Point>()
     }
 
     /// A number that two runs share only if they are in the same state, to the last bit (FNV-1a).
@@ -264,6 +278,22 @@ impl Run {
         let words = bits.into_iter().chain([self.steps, u64::from(self.bumps)]);
         let bytes = words.flat_map(u64::to_le_bytes).chain(self.tracker.visits().values().iter().copied());
         bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
+    }
+}
+
+/// The latest points of a line that grows.
+#[derive(Clone)]
+struct Trail(Vec<Point>);
+
+impl Trail {
+    fn extend(&mut self, at: Point) {
+        let Self(points) = self;
+        if points.last().is_none_or(|last| (at - last).norm_squared() > TRAIL.1 * TRAIL.1) {
+            if points.len() == TRAIL.0 {
+                points.drain(..TRAIL.0 / 4);
+            }
+            points.push(at);
+        }
     }
 }
 
@@ -277,6 +307,8 @@ impl Clone for Run {
             controller: self.controller.boxed_clone(),
             tracker: self.tracker.clone(),
             trail: self.trail.clone(),
+            odometry: self.odometry.clone(),
+            believed: self.believed.clone(),
             events: self.events.clone(),
             ..*self
         }

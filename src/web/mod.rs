@@ -26,6 +26,8 @@ mod request;
 mod robot;
 #[cfg(feature = "page")]
 mod search;
+#[cfg(feature = "page")]
+mod sensed;
 #[cfg(feature = "workshop")]
 mod trial;
 

@@ -10,7 +10,7 @@ const SMALL = 2500;
 
 test("every algorithm and every room can be chosen, and the robot sets off", async (t) => {
   const { page, app } = await openApp(t);
-  const [rooms, planners] = [await values(page, "room"), await values(page, "planner")];
+  const [rooms, planners] = [await values(page, "room"), await values(page, "algorithm")];
   assert.ok(rooms.length >= 10 && planners.length >= 2);
   await app.choose("speed", "256");
   /** By room, once a fast algorithm has been there. */
@@ -19,7 +19,7 @@ test("every algorithm and every room can be chosen, and the robot sets off", asy
   for (const [index, planner] of planners.entries()) {
     // Before the algorithm is chosen: it sets to work at once.
     await app.choose("room", "thesis8");
-    await app.choose("planner", planner);
+    await app.choose("algorithm", planner);
     const pace = /takes its time/.test((await page.locator("#explainer .claims").textContent()) ?? "") ? "slow" : "fast";
     for (const [number, room] of rooms.entries()) {
       // The first goes everywhere, the others share the rooms; native tests have them in every room of their size.
@@ -63,8 +63,8 @@ test("every parameter of every algorithm can be changed", async (t) => {
   await app.unfold();
   const controls = page.locator("#params, #params-more").locator("select, input[type=checkbox], input[type=number]");
   let changed = 0;
-  for (const planner of await values(page, "planner")) {
-    await app.choose("planner", planner);
+  for (const planner of await values(page, "algorithm")) {
+    await app.choose("algorithm", planner);
     for (const control of await controls.all()) {
       await control.evaluate((node) => {
         if (node.type === "checkbox") node.checked = !node.checked;
