@@ -10,12 +10,16 @@ const RINGS = [0.25, 0.5, 1, 2, 5];
 
 /** @param {import("./types").RobotEntry} robot */
 export function scanPlot(robot) {
-  const [first = 0, step = 0, range = 1] = robot.laser;
+  const [first = 0, step = 0, range = 1, ahead = 0, left = 0] = robot.laser;
   const svg = draw("svg", { viewBox: "-76 -76 152 152", class: "scan", role: "img" });
   const every = RINGS.find((metres) => range / metres <= 5) ?? range;
   for (let metres = every; metres <= range * 1.001; metres += every) draw("circle", { r: ((metres / range) * RADIUS).toFixed(1), class: "ring" }, svg);
   const seen = draw("path", { class: "seen" }, svg);
-  draw("circle", { r: Math.max(2, (robot.radius_m / range) * RADIUS).toFixed(1), class: "self" }, svg);
+  const metre = RADIUS / range;
+  // Small as it is, the robot shows which way it looks.
+  const corners = robot.body.length > 0 ? robot.body : [[0, 1], [0.9, 0], [0, -1], [-0.9, 0]];
+  const self = corners.map(([x = 0, y = 0]) => [(left - y * robot.radius_m) * metre, (ahead - x * robot.radius_m) * metre]);
+  draw("polygon", { points: self.map((corner) => corner.map((value) => value.toFixed(1)).join()).join(" "), class: "self" }, svg);
   const text = make("figcaption");
   const node = make("figure", { className: "laser" }, svg, text);
   return {

@@ -65,7 +65,7 @@ export type RobotEntry = {
   gauge: boolean;
   /** Whether it moves sideways. */
   lateral: boolean;
-  /** First direction, step and range (m) of its laser scanner; empty without one. */
+  /** First direction, step, range (m) and place (m) of its laser scanner; empty without one. */
   laser: number[];
 };
 

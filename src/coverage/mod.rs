@@ -7,11 +7,13 @@
 
 mod floor;
 mod lattice;
+mod ray;
 mod stamp;
 mod tracker;
 mod walls;
 
 pub use floor::{FloorError, ReachableFloor, fine_resolution};
 pub use lattice::Lattice;
+pub use ray::Hit;
 pub use tracker::CoverageTracker;
 pub use walls::Walls;

@@ -54,29 +54,6 @@ impl Walls {
         best
     }
 
-    /// Distance from `from` straight on to the nearest wall, if that is at most `range` metres; good to half a millimetre.
-    /// `way` has length 1.
-    pub fn ahead(&self, from: Point, way: Vector, range: f64) -> Option<f64> {
-        const NEAR: f64 = 5e-4;
-        let mut distance = 0.0;
-        while distance <= range {
-            let at = from + way * distance;
-            let around = self.clearance.get(self.cell_at(at)).map_or(0.0, |&c| f64::from(c));
-            // The cell's centre is at most 0.71 cells away; close to walls, the distance is measured.
-            let free = around - 0.7072 * self.resolution;
-            let free = if free > NEAR {
-                free
-            } else {
-                self.nearest(at, 2.0 * self.resolution).map_or(self.resolution, |n| n.1)
-            };
-            if free < NEAR {
-                return Some(distance);
-            }
-            distance += free;
-        }
-        None
-    }
-
     fn cell_at(&self, point: Point) -> Cell {
         Cell::at(point, self.resolution)
     }

@@ -34,7 +34,7 @@ impl SimRobot {
             speed: Drive::STOP,
             rolled: [0.0; 3],
             is_lifted: false,
-            senses: Senses::new(model, conditions.noise, seed),
+            senses: Senses::new(model, conditions, seed),
         }
     }
 
@@ -54,6 +54,12 @@ impl SimRobot {
     #[inline]
     pub fn sensors(&self) -> &Sensors {
         self.senses.reading()
+    }
+
+    /// Whether its battery is empty: it doesn't move any more.
+    #[inline]
+    pub fn is_empty(&self) -> bool {
+        self.senses.is_empty()
     }
 
     /// Whether somebody has picked it up.
@@ -76,6 +82,7 @@ impl SimRobot {
     /// One step of [`STEP_S`] with the wheels told to turn at `drive`.
     pub fn step(&mut self, walls: &Walls, world: &World, life: &Life, drive: Drive) {
         let before = self.pose;
+        let drive = if self.senses.is_empty() { Drive::STOP } else { drive };
         let touch = self.roll(walls, drive);
         let carrier = Carrier {
             pose: self.pose,
@@ -85,6 +92,8 @@ impl SimRobot {
             rolled: self.rolled,
             moved: (self.pose.position() - before.position()).norm(),
             is_lifted: self.is_lifted,
+            dropped: [false; 2],
+            dirt: 0.0,
         };
         self.senses.read(Around { walls, world, life }, &carrier);
     }

@@ -84,7 +84,7 @@ struct Robot {
     wheel_drops: bool,
     gauge: bool,
     lateral: bool,
-    /// First direction, step (rad) and range (m) of the laser scanner; empty for none.
+    /// First direction and step (rad), range and place (m) of the laser scanner; empty for none.
     laser: Vec<f64>,
 }
 
@@ -177,7 +177,9 @@ impl Robot {
             wheel_drops: sensors.wheel_drops,
             gauge: model.battery.has_gauge,
             lateral: model.wheels == Wheels::Omnidirectional,
-            laser: sensors.laser.map_or(Vec::new(), |laser| vec![laser.first, laser.step, laser.range[1]]),
+            laser: sensors
+                .laser
+                .map_or(Vec::new(), |laser| vec![laser.first, laser.step, laser.range[1], laser.at[0], laser.at[1]]),
         }
     }
 }

@@ -145,11 +145,7 @@ fn details(
         }
     }
     if let Some(laser) = robot.suite.laser {
-        context.begin_path();
-        context.arc(0.0, 0.0, 0.16 * radius, 0.0, TAU)?;
-        context.set_stroke_style_str(if laser.beams > 0 { palette.accent } else { palette.body_line });
-        context.stroke();
-        context.set_stroke_style_str(palette.body_line);
+        disc(context, unit * laser.at[0], -unit * laser.at[1], 0.13 * radius, palette.sensor)?;
     }
     // The strip that is being cleaned, which the body hides.
     let half = (0.5 * robot.tool_width * unit).min(0.95 * radius);

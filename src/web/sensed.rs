@@ -56,7 +56,7 @@ fn draw_light(
         let heading = robot.pose.heading + angle;
         let way = Vector::new(math::cos(heading), math::sin(heading));
         let from = robot.pose.position() + way * edge(robot.body, robot.radius, angle);
-        let hit = sensed.floor.walls.ahead(from, way, light.range);
+        let hit = sensed.floor.walls.ray(from, way, light.range).map(|hit| hit.distance);
         let (at, reach) = (viewport.to_screen(from), hit.unwrap_or(light.range) * viewport.scale);
         let strength = (f64::from(sensed.reading.light_signal[index]) / FULL).clamp(0.0, 1.0).sqrt();
         context.begin_path();
@@ -90,13 +90,14 @@ fn draw_scan(
     scan: &[f32],
     viewport: &Viewport,
 ) -> Result<(), JsValue> {
-    let middle = viewport.to_screen(pose.position());
+    let origin = pose.position() + turned(Vector::new(laser.at[0], laser.at[1]), pose.heading);
+    let middle = viewport.to_screen(origin);
     let ends = || {
         scan.iter().enumerate().map(|(beam, &range)| {
             let is_hit = range.is_finite();
             let range = if is_hit { f64::from(range) } else { laser.range[1] };
             let heading = pose.heading + laser.first + beam as f64 * laser.step;
-            let end = pose.position() + Vector::new(math::cos(heading), math::sin(heading)) * range;
+            let end = origin + Vector::new(math::cos(heading), math::sin(heading)) * range;
             (viewport.to_screen(end), is_hit)
         })
     };
