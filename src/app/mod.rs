@@ -6,6 +6,7 @@ pub mod compare;
 mod diary;
 mod editor;
 mod import;
+pub mod montecarlo;
 pub mod opening;
 mod outline;
 mod palette;

@@ -8,7 +8,6 @@ use crate::{
 };
 use rand::Rng as _;
 use serde::{Deserialize, Serialize};
-use std::sync::Arc;
 
 /// Stream of the sensors' random numbers.
 const STREAM: u64 = 4;
@@ -16,6 +15,7 @@ const STREAM: u64 = 4;
 const FINE: i32 = 128;
 /// Where that begins and ends.
 const WIDE: i32 = 4;
+use std::{fmt, sync::Arc};
 
 /// How much a sensor errs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -84,6 +84,20 @@ impl SensorKind {
     /// The kind of that name.
     pub fn parse(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|(_, n)| *n == name).map(|(kind, _)| kind)
+    }
+}
+
+/// The level that all have, or those that aren't off, kind by kind: `typical`, `cliff=harsh light=typical`.
+impl fmt::Display for Noise {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.0.iter().all(|level| *level == self.0[0]) {
+            return f.write_str(self.0[0].id());
+        }
+        let noisy = SensorKind::ALL.iter().filter(|(kind, _)| self.of(*kind) != NoiseLevel::Off);
+        for (index, (kind, name)) in noisy.enumerate() {
+            write!(f, "{}{name}={}", if index > 0 { " " } else { "" }, self.of(*kind).id())?;
+        }
+        Ok(())
     }
 }
 

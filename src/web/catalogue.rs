@@ -89,7 +89,7 @@ struct Robot {
 }
 
 #[derive(Serialize)]
-struct Param {
+pub(super) struct Param {
     id: &'static str,
     label: &'static str,
     help: &'static str,
@@ -147,7 +147,7 @@ impl Entry {
             use_when: explainer.use_when,
             shines: Example::new(&explainer.shines),
             fails: Example::new(&explainer.fails),
-            params: algorithm.params().iter().map(Param::new).collect(),
+            params: params(algorithm.params()),
         }
     }
 }
@@ -188,6 +188,11 @@ impl Example {
     fn new(example: &registry::Example) -> Self {
         Self { room: example.room, why: example.why }
     }
+}
+
+/// The parameters as forms take them.
+pub(super) fn params(specs: &[ParamSpec]) -> Vec<Param> {
+    specs.iter().map(Param::new).collect()
 }
 
 impl Param {
