@@ -17,7 +17,7 @@ pub fn conditions(noise: NoiseLevel) -> Conditions {
         NoiseLevel::Typical => SlipLevel::Typical,
         NoiseLevel::Harsh => SlipLevel::Harsh,
     };
-    Conditions { slip, noise: Noise::all(noise), quantised: false }
+    Conditions { slip, noise: Noise::all(noise), ..Conditions::default() }
 }
 
 /// A room laid out for a robot; `None` where it doesn't fit.
