@@ -38,7 +38,7 @@ impl Scene {
     }
 
     fn step(&mut self, drive: Drive) -> &Sensors {
-        self.robot.step(&self.floor.walls, &self.world, &self.life, drive);
+        self.robot.step(&self.floor.walls, &self.world, &mut self.life, drive);
         self.robot.sensors()
     }
 
