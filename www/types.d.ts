@@ -184,6 +184,7 @@ export type ToWorker =
   | { type: "init"; module: WebAssembly.Module }
   | { type: "plan"; request: PlanRequest }
   | { type: "trial"; request: { id: number } }
+  | { type: "runs"; request: { id: number } }
   | { type: "read"; request: { id: number; files: { name: string; bytes: Uint8Array }[] } };
 export type FromWorker =
   | { type: "progress"; id: number; done: number; cells: Uint32Array }
@@ -194,6 +195,9 @@ export type FromTrial =
   | { type: "progress"; id: number; done: number; cells: Uint32Array }
   | { type: "tried"; id: number; cells: Uint32Array; numbers: unknown }
   | { type: "failed"; id: number; message: string };
+
+/** Outcomes of runs, as `MonteCarlo.batch_finished` takes them. */
+export type FromRuns = { type: "ran"; id: number; outcomes: Float64Array } | { type: "failed"; id: number; message: string };
 
 /** A map as `read_map` has read it (src/web/map.rs). */
 export type ReadMap = { name: string; width: number; cells: Uint8Array };
@@ -244,6 +248,42 @@ export type CompareTable = {
     values: ({ median: number; min: number; max: number } | null)[];
     best: boolean[];
   }[];
+};
+
+/** What there is to run many times (src/web/montecarlo.rs). */
+export type RunsOffer = {
+  entrants: { id: string; title: string; summary: string; kind: "planner" | "behaviour"; number: number; params: ParamSpec[] }[];
+  seeds: number[];
+  minutes: number[];
+};
+
+/** Snapshot of many runs. Entrants are in the order of the offer. */
+export type RunsView = {
+  /** Changes whenever choices or results do. */
+  version: number;
+  running: boolean;
+  done: number;
+  total: number;
+  seeds: number;
+  minutes: number;
+  entrants: { chosen: boolean; params: Record<string, string | number | boolean>; runs: number; failure: string }[];
+};
+
+/** Where and how all runs are made. */
+export type RunsPlace = { room: string; robot: string; slip: string; noise: string; quantised: boolean };
+
+export type Band = { low: number; median: number; high: number };
+
+/** Many runs of one algorithm (src/app/montecarlo/summary.rs). */
+export type RunsSummary = {
+  runs: number;
+  /** 0 to 1 */
+  coverage: Band;
+  /** When shares of the floor had been swept; `null` where too few runs got there in time. */
+  time_to: { percent: number; reached: number; low_s: number | null; median_s: number | null; high_s: number | null }[];
+  distance_m: Band;
+  bumps: Band;
+  falls: number;
 };
 
 /** One case of the benchmark (src/app/bench.rs). */

@@ -135,6 +135,7 @@ mod tests {
                 voltage_mv: 14_400,
                 current_ma: -61,
                 on_dock: true,
+                ..BatteryReading::default()
             },
             ..Sensors::default()
         };
