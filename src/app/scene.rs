@@ -2,7 +2,7 @@
 
 use crate::{
     coverage::{CoverageTracker, ReachableFloor},
-    floorplan::FloorPlan,
+    floorplan::{FloorPlan, Object},
     geometry::{Point, Pose},
     grid::Cell,
     planner::TraceStep,
@@ -43,6 +43,12 @@ pub struct Scene<'a> {
     pub start_radius: f64,
     /// The map cell at which a tool would act.
     pub cursor: Option<Cell>,
+    /// Object of the plan that is selected.
+    pub selected: Option<usize>,
+    /// Object of the plan that isn't to be drawn, as it is in the hand.
+    pub lifted: Option<usize>,
+    /// Objects in the hand, where they are held.
+    pub in_hand: &'a [Object],
     /// Colours for dark ground.
     pub dark: bool,
 }
@@ -92,6 +98,9 @@ impl<'a> Scene<'a> {
             search: None,
             start_radius: 0.0,
             cursor: None,
+            selected: None,
+            lifted: None,
+            in_hand: &[],
             dark: false,
         }
     }

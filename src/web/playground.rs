@@ -2,7 +2,7 @@
 
 use super::{canvas::Canvas, catalogue::Catalogue, clock, map, request, to_js};
 use crate::{
-    app::{Answer, Brush, Scene, Session, SettingsError, Viewport},
+    app::{Answer, Brush, Hand, Scene, Session, SettingsError, Viewport},
     geometry::{Point, Pose},
     grid::Cell,
     planner::{CoveragePath, TraceStep},
@@ -26,6 +26,7 @@ enum Tool {
     Wall,
     Erase,
     Start,
+    Place,
 }
 
 /// What the pointer is doing between down and up.
@@ -36,6 +37,8 @@ enum Gesture {
         y: f64,
     },
     Paint,
+    /// The hand has an object.
+    Object,
     /// The start goes here if released now; dragging turns it if `turns`, else moves it.
     Start {
         pose: Pose,
@@ -46,17 +49,20 @@ enum Gesture {
 /// A session shown on a canvas.
 #[wasm_bindgen]
 pub struct Playground {
-    session: Session,
+    pub(super) session: Session,
+    pub(super) hand: Hand,
     /// Whether what is shown is still the opening scene.
     is_opening: bool,
     canvas: Canvas,
-    viewport: Viewport,
+    pub(super) viewport: Viewport,
     tool: Tool,
     gesture: Option<Gesture>,
     /// Cell that keyboard drawing is at.
     cursor: Option<Cell>,
     last_frame_ms: Option<f64>,
     dark: bool,
+    /// Where a press of the view tool began, as long as it may be a click, CSS pixels.
+    pub(super) pressed: Option<(f64, f64)>,
     /// Name and size of the room that the viewport was fitted to.
     fitted: (String, f64, f64),
 }
@@ -68,6 +74,7 @@ impl Playground {
     pub fn new(canvas: HtmlCanvasElement) -> Result<Self, JsValue> {
         Ok(Self {
             session: Session::new(),
+            hand: Hand::new(),
             is_opening: true,
             canvas: Canvas::new(canvas)?,
             viewport: Viewport::new(1.0, 1.0, 1.0, 1.0, 1.0),
@@ -76,6 +83,7 @@ impl Playground {
             cursor: None,
             last_frame_ms: None,
             dark: false,
+            pressed: None,
             fitted: Default::default(),
         })
     }
@@ -93,8 +101,10 @@ impl Playground {
             Tool::Wall => "wall",
             Tool::Erase => "erase",
             Tool::Start => "start",
+            Tool::Place => "place",
         };
         Reflect::set(&view, &"tool".into(), &tool.into())?;
+        self.add_objects_to(&view)?;
         Ok(view)
     }
 
@@ -269,12 +279,13 @@ impl Playground {
 
     // ---- the hand
 
-    /// Chooses what the pointer does: `view`, `wall`, `erase` or `start`.
+    /// Chooses what the pointer does: `view`, `wall`, `erase`, `start` or `place`.
     pub fn set_tool(&mut self, id: &str) {
         self.tool = match id {
             "wall" => Tool::Wall,
             "erase" => Tool::Erase,
             "start" => Tool::Start,
+            "place" => Tool::Place,
             _ => Tool::View,
         };
         self.cursor = None;
@@ -284,6 +295,9 @@ impl Playground {
     /// The pointer at (`x`, `y`), CSS pixels on the canvas: `down`, `move`, `up` or `cancel`.
     pub fn pointer(&mut self, kind: &str, x: f64, y: f64) {
         let at = self.viewport.to_world(x, y);
+        if self.tool == Tool::View {
+            self.watch_for_click(kind, x, y);
+        }
         match (kind, self.gesture) {
             ("down", _) => self.press(at, x, y),
             ("move", Some(Gesture::Pan { x: from_x, y: from_y })) => {
@@ -291,6 +305,7 @@ impl Playground {
                 self.gesture = Some(Gesture::Pan { x, y });
             }
             ("move", Some(Gesture::Paint)) => self.session.go_on_stroke(at),
+            ("move", Some(Gesture::Object)) => self.hand.go_on(at),
             ("move", Some(Gesture::Start { pose, turns: true })) => {
                 let aim = at - pose.position();
                 if aim.norm() > 0.1 {
@@ -302,6 +317,10 @@ impl Playground {
                 self.gesture = Some(Gesture::Start { pose: Pose::new(at.x, at.y, pose.heading), turns: false });
             }
             ("cancel", Some(Gesture::Start { .. })) => self.gesture = None,
+            ("cancel", Some(Gesture::Object)) => {
+                self.hand.let_go();
+                self.gesture = None;
+            }
             ("cancel", Some(Gesture::Paint)) => {
                 self.session.abandon_stroke();
                 self.gesture = None;
@@ -314,14 +333,21 @@ impl Playground {
     fn press(&mut self, at: Point, x: f64, y: f64) {
         self.cursor = None;
         let heading = self.session.prepared().map_or(0.0, |p| p.floor.start.heading);
-        self.gesture = Some(match self.tool {
+        let tool = self.tool;
+        self.gesture = Some(match tool {
             Tool::Wall | Tool::Erase => {
                 let brush = if self.tool == Tool::Wall { Brush::Wall } else { Brush::Erase };
                 self.session.begin_stroke(brush, at);
                 Gesture::Paint
             }
             Tool::Start => Gesture::Start { pose: Pose::new(at.x, at.y, heading), turns: true },
+            Tool::View | Tool::Place if self.takes_selected(at) => Gesture::Object,
+            Tool::Place => {
+                self.hand.begin(at);
+                Gesture::Object
+            }
             Tool::View if self.is_on_robot(at) => Gesture::Start { pose: Pose::new(at.x, at.y, heading), turns: false },
+            Tool::View if self.takes_object(at) => Gesture::Object,
             Tool::View => Gesture::Pan { x, y },
         });
     }
@@ -330,6 +356,7 @@ impl Playground {
         match self.gesture.take() {
             Some(Gesture::Paint) => self.session.end_stroke(),
             Some(Gesture::Start { pose, .. }) => self.session.move_start(pose),
+            Some(Gesture::Object) => self.hand.release(&mut self.session),
             _ => {}
         }
     }
@@ -377,6 +404,10 @@ impl Playground {
                 Tool::Wall => self.session.begin_stroke(Brush::Wall, point),
                 Tool::Erase => self.session.begin_stroke(Brush::Erase, point),
                 Tool::Start => self.session.move_start(Pose::new(point.x, point.y, heading)),
+                Tool::Place => {
+                    self.hand.begin(point);
+                    self.hand.release(&mut self.session);
+                }
                 Tool::View => {}
             }
             self.session.end_stroke();
@@ -429,7 +460,17 @@ impl Playground {
             _ => None,
         };
         let start = dragged.or(self.session.prepared().map(|p| p.floor.start));
-        let scene = Scene { start, dirty_rows, cursor: self.cursor, dark: self.dark, ..self.session.scene() };
+        let in_hand = self.hand.in_hand(&self.session);
+        let scene = Scene {
+            start,
+            dirty_rows,
+            cursor: self.cursor,
+            selected: self.hand.selected(&self.session),
+            lifted: self.hand.lifted(),
+            in_hand: &in_hand,
+            dark: self.dark,
+            ..self.session.scene()
+        };
         self.canvas.draw(&scene, &self.viewport)
     }
 }
