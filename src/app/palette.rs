@@ -39,6 +39,8 @@ pub struct Palette {
     pub start: &'static str,
     /// Where the robot believes to be.
     pub estimate: &'static str,
+    /// What sensors look at and see.
+    pub sensor: &'static str,
     /// The side of the room that a planner prefers, and the other one.
     pub sides: [&'static str; 2],
     /// Furniture that was placed.
@@ -95,6 +97,7 @@ const LIGHT: Palette = Palette {
     bump: "#ffb000",
     start: "#1d2129",
     estimate: "#0072b2",
+    sensor: "#00866a",
     sides: ["rgb(0 158 115 / 0.30)", "rgb(204 121 167 / 0.30)"],
     furniture: "#e6d0a8",
     furniture_line: "#86683a",
@@ -134,6 +137,7 @@ const DARK: Palette = Palette {
     bump: "#ffb000",
     start: "#e9ebef",
     estimate: "#56b4e9",
+    sensor: "#2fd6ad",
     sides: ["rgb(0 190 140 / 0.30)", "rgb(220 120 180 / 0.30)"],
     furniture: "#5b4a31",
     furniture_line: "#c0a06a",

@@ -1,11 +1,11 @@
 //! A whole run: one robot, one controller, one floor.
 
-use super::{Event, Input, Life, Noise, STEP_S, SimRobot, SlipLevel, What, World};
+use super::{Event, Input, Life, Noise, STEP_S, SimRobot, SlipLevel, What, World, event::Signs};
 use crate::{
     controller::Controller,
     coverage::{CoverageTracker, ReachableFloor},
     geometry::{Point, Pose, difference},
-    robot::{RobotModel, Sensors},
+    robot::{Odometry, OdometryModel, RobotModel, Sensors},
 };
 use std::{collections::VecDeque, sync::Arc};
 
@@ -61,7 +61,11 @@ pub struct Run {
     distance_m: f64,
     turning_rad: f64,
     bumps: u32,
-    trail: Vec<Point>,
+    falls: u32,
+    trail: Trail,
+    /// Where the robot believes to be if its controller doesn't keep track, and where it believes to have been.
+    odometry: Option<Odometry>,
+    believed: Trail,
     events: VecDeque<Event>,
 }
 
@@ -74,7 +78,9 @@ impl Run {
         let world = Arc::clone(&setup.world);
         let life = Life::new(&world, &floor, setup.seed);
         let robot = SimRobot::new(&setup.robot, floor.start, setup.conditions, setup.seed);
-        let trail = vec![floor.start.position()];
+        let trail = Trail(vec![floor.start.position()]);
+        let keeps_track = controller.estimate().is_some();
+        let odometry = (!keeps_track).then(|| Odometry::new(&setup.robot, OdometryModel::Arc, floor.start));
         Self {
             floor,
             world,
@@ -86,7 +92,10 @@ impl Run {
             distance_m: 0.0,
             turning_rad: 0.0,
             bumps: 0,
+            falls: 0,
+            believed: trail.clone(),
             trail,
+            odometry,
             events: VecDeque::new(),
         }
     }
@@ -96,26 +105,34 @@ impl Run {
         if self.is_finished() {
             return;
         }
-        let (before, sensed) = (self.robot.pose(), self.robot.sensors().clone());
+        let (before, had_fallen) = (self.robot.pose(), self.robot.has_fallen());
+        let sensed = self.robot.sensors();
+        let signs = Signs::of(sensed);
         let activity = self.controller.activity();
-        let drive = self.controller.step(&sensed, STEP_S);
-        self.life.step(&self.world);
-        let was_empty = self.robot.is_empty();
-        self.robot.step(&self.floor.walls, &self.world, &self.life, drive);
-        let pose = self.robot.pose();
+        let drive = self.controller.step(sensed, STEP_S);
+        let Self { life, robot, world, floor, .. } = self;
+        life.step(world, |centre, radius| robot.is_near_disc(centre, radius, 0.0));
+        let was_empty = robot.is_empty();
+        robot.step(&floor.walls, world, life, drive);
+        let pose = robot.pose();
         self.steps += 1;
-        self.tell(&sensed, activity);
+        self.tell(signs, activity);
         if self.robot.is_empty() && !was_empty {
             self.note(What::BatteryEmpty);
         }
-        if self.robot.is_lifted() {
+        if self.robot.has_fallen() && !had_fallen {
+            self.falls += 1;
+            self.note(What::Fell);
+        }
+        self.believe();
+        if self.robot.is_lifted() || had_fallen {
             return;
         }
         self.distance_m += (pose.position() - before.position()).norm();
         self.turning_rad += difference(before.heading, pose.heading).abs();
-        self.bumps += u32::from(self.robot.sensors().bumped() && !sensed.bumped());
+        self.bumps += u32::from(self.robot.sensors().bumped() && !signs.bumped());
         self.tracker.sweep_to(&self.floor, pose.position());
-        self.extend_trail(pose.position());
+        self.trail.extend(pose.position());
     }
 
     /// Lets a person do something, before the next step.
@@ -127,9 +144,11 @@ impl Run {
                 self.note(What::Lifted);
             }
             Input::PutDown(pose) => {
-                self.robot.put_down(self.floor.place_for(pose));
+                let (movers, body) = (self.life.movers(), self.floor.walls.body_radius);
+                let is_free = |at: Point| movers.iter().all(|&(centre, radius)| (at - centre).norm() > radius + body);
+                self.robot.put_down(self.floor.place_for(pose, is_free));
                 self.tracker.lift();
-                self.trail.clear();
+                self.trail.0.clear();
                 self.note(What::PutDown);
             }
         }
@@ -145,15 +164,43 @@ impl Run {
         &self.events
     }
 
+    /// How often the robot fell down a drop-off.
+    pub fn falls(&self) -> u32 {
+        self.falls
+    }
+
+    /// Whether the robot lies at the foot of the stairs.
+    pub fn has_fallen(&self) -> bool {
+        self.robot.has_fallen()
+    }
+
+    /// Share of the dirt that is left, 0 to 1; 0 where there was none.
+    pub fn dirt_left(&self) -> f64 {
+        self.life.dirt_left()
+    }
+
+    /// What moves and is used up in the room.
+    pub fn life(&self) -> &Life {
+        &self.life
+    }
+
+    /// What is in the room beside its walls.
+    pub fn world(&self) -> &Arc<World> {
+        &self.world
+    }
+
     /// Notes what is new since `before`, when the controller was busy with `activity`.
-    fn tell(&mut self, before: &Sensors, activity: &'static str) {
-        let mut news = [None; 8];
-        let mut count = 0;
-        What::between(before, self.robot.sensors(), |what| {
-            news[count] = Some(what);
-            count += 1;
-        });
-        news.into_iter().flatten().for_each(|what| self.note(what));
+    fn tell(&mut self, before: Signs, activity: &'static str) {
+        let now = Signs::of(self.robot.sensors());
+        if now != before {
+            let mut news = [None; 8];
+            let mut count = 0;
+            What::between(before, now, |what| {
+                news[count] = Some(what);
+                count += 1;
+            });
+            news.into_iter().flatten().for_each(|what| self.note(what));
+        }
         let now = self.controller.activity();
         if now != activity && !now.is_empty() {
             self.note(What::Began(now));
@@ -167,12 +214,13 @@ impl Run {
         self.events.push_back(Event { step: self.steps, what });
     }
 
-    fn extend_trail(&mut self, at: Point) {
-        if self.trail.last().is_none_or(|last| (at - last).norm_squared() > TRAIL.1 * TRAIL.1) {
-            if self.trail.len() == TRAIL.0 {
-                self.trail.drain(..TRAIL.0 / 4);
-            }
-            self.trail.push(at);
+    /// Keeps track of where the robot believes to be.
+    fn believe(&mut self) {
+        if let Some(odometry) = &mut self.odometry {
+            odometry.update(self.robot.sensors());
+        }
+        if let Some(estimate) = self.estimate() {
+            self.believed.extend(estimate.position());
         }
     }
 
@@ -180,7 +228,7 @@ impl Run {
     #[inline]
     pub fn is_finished(&self) -> bool {
         let speed = self.robot.speed();
-        (self.controller.is_done() || self.robot.is_empty()) && speed.left == 0.0 && speed.right == 0.0
+        (self.controller.is_done() || self.robot.is_empty()) && speed.is_stop()
     }
 
     /// Steps taken.
@@ -205,9 +253,9 @@ impl Run {
         self.controller.activity()
     }
 
-    /// Where its controller believes it to be.
+    /// Where it believes to be: by its controller, or by counting wheel turns if the controller doesn't care.
     pub fn estimate(&self) -> Option<Pose> {
-        self.controller.estimate()
+        self.controller.estimate().or(self.odometry.as_ref().map(Odometry::pose))
     }
 
     /// Index of the corner of its line that the controller drives to, if it follows one.
@@ -215,7 +263,7 @@ impl Run {
         self.controller.corner()
     }
 
-    /// Distance between where the robot is and where its controller believes it to be, m.
+    /// Distance between where the robot is and where it believes to be, m.
     pub fn pose_error_m(&self) -> Option<f64> {
         self.estimate().map(|estimate| (estimate.position() - self.pose().position()).norm())
     }
@@ -262,21 +310,43 @@ impl Run {
 
     /// The last metres that the robot drove, oldest first, m.
     pub fn trail(&self) -> &[Point] {
-        &self.trail
+        &self.trail.0
+    }
+
+    /// The last metres that it believes to have driven, oldest first, m.
+    pub fn believed_trail(&self) -> &[Point] {
+        &self.believed.0
     }
 
     /// Roughly the memory that a clone takes, bytes.
     pub fn bytes(&self) -> usize {
-        self.tracker.bytes() + self.life.bytes() + TRAIL.0 * size_of::<Point>()
+        self.tracker.bytes() + self.life.bytes() + 2 * TRAIL.0 * size_of::<Point>()
     }
 
     /// A number that two runs share only if they are in the same state, to the last bit (FNV-1a).
     pub fn digest(&self) -> u64 {
         let pose = self.robot.pose();
         let bits = [pose.x, pose.y, pose.heading, self.distance_m, self.turning_rad].map(f64::to_bits);
-        let words = bits.into_iter().chain([self.steps, u64::from(self.bumps)]);
+        let counts = [self.steps, u64::from(self.bumps), u64::from(self.falls), u64::from(self.robot.has_fallen())];
+        let words = bits.into_iter().chain(counts).chain(self.life.words());
         let bytes = words.flat_map(u64::to_le_bytes).chain(self.tracker.visits().values().iter().copied());
         bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
+    }
+}
+
+/// The latest points of a line that grows.
+#[derive(Clone)]
+struct Trail(Vec<Point>);
+
+impl Trail {
+    fn extend(&mut self, at: Point) {
+        let Self(points) = self;
+        if points.last().is_none_or(|last| (at - last).norm_squared() > TRAIL.1 * TRAIL.1) {
+            if points.len() == TRAIL.0 {
+                points.drain(..TRAIL.0 / 4);
+            }
+            points.push(at);
+        }
     }
 }
 
@@ -290,6 +360,8 @@ impl Clone for Run {
             controller: self.controller.boxed_clone(),
             tracker: self.tracker.clone(),
             trail: self.trail.clone(),
+            odometry: self.odometry.clone(),
+            believed: self.believed.clone(),
             events: self.events.clone(),
             ..*self
         }

@@ -35,6 +35,8 @@ mod robot;
 mod runner;
 #[cfg(feature = "page")]
 mod search;
+#[cfg(feature = "page")]
+mod sensed;
 #[cfg(feature = "workshop")]
 mod trial;
 

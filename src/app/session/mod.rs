@@ -320,6 +320,11 @@ impl Session {
         Ok(())
     }
 
+    /// Shows a layer of the picture, or no longer.
+    pub fn show(&mut self, layer: &str, on: bool) -> Result<(), SettingsError> {
+        self.settings.shows.set(layer, on)
+    }
+
     /// Sets the speed, times real time; 0 for as fast as it goes.
     pub fn set_speed(&mut self, times: f64) {
         self.settings.speed = if times.is_finite() { times.max(0.0) } else { 0.0 };

@@ -19,7 +19,7 @@ const KEY_SCALE: f64 = 1.1;
 
 /// What is selected, and what is being dragged.
 #[derive(Debug)]
-pub struct Hand {
+pub struct Furnisher {
     /// What the next press places.
     pub kind: Kind,
     /// Index of the object, and the version of the plan in which it is that.
@@ -42,7 +42,7 @@ enum Dragged {
     Handle(usize, usize),
 }
 
-impl Hand {
+impl Furnisher {
     /// An empty hand.
     pub fn new() -> Self {
         Self { kind: Kind::Furniture, selected: None, drag: None }
@@ -195,7 +195,7 @@ impl Hand {
     }
 }
 
-impl Default for Hand {
+impl Default for Furnisher {
     fn default() -> Self {
         Self::new()
     }
