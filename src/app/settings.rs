@@ -1,6 +1,6 @@
 //! What the user has chosen, and how that is written in a link.
 
-use super::{Algorithm, Choices};
+use super::Algorithm;
 use crate::{
     geometry::Pose,
     registry::{ParamError, Params},
@@ -98,7 +98,7 @@ impl Settings {
     }
 
     /// Chooses a planner or behaviour with its default parameters, as links and scenarios mean it.
-    fn select_fresh_algorithm(&mut self, id: &str) -> Result<(), SettingsError> {
+    pub(super) fn select_fresh_algorithm(&mut self, id: &str) -> Result<(), SettingsError> {
         self.select_algorithm(id)?;
         self.params = Params::defaults(self.algorithm.params());
         Ok(())
@@ -125,7 +125,7 @@ impl Settings {
     }
 
     /// Sets the seed from what a link or a scenario says; `text` is how it says it.
-    fn set_seed(&mut self, seed: Option<u64>, text: &str) -> Result<(), SettingsError> {
+    pub(super) fn set_seed(&mut self, seed: Option<u64>, text: &str) -> Result<(), SettingsError> {
         self.seed = seed.filter(|&seed| seed <= MAX_SEED).ok_or_else(|| SettingsError::Invalid {
             kind: "the seed",
             value: text.to_owned(),
@@ -179,26 +179,6 @@ impl Settings {
             id: id.into(),
             known: known(),
         })?;
-        Ok(())
-    }
-
-    /// Takes what a scenario file says; what it doesn't mention stays.
-    pub fn take_scenario(&mut self, choices: &Choices) -> Result<(), SettingsError> {
-        if let Some(id) = &choices.robot {
-            self.select_robot(id)?;
-        }
-        if let Some(metres) = choices.cell_size {
-            self.set_cell_size(metres)?;
-        }
-        if let Some(id) = &choices.algorithm {
-            self.select_fresh_algorithm(id)?;
-        }
-        for (id, text) in &choices.params {
-            self.set_param(id, text)?;
-        }
-        if let Some(seed) = &choices.seed {
-            self.set_seed(seed.parse().ok(), seed)?;
-        }
         Ok(())
     }
 

@@ -1,18 +1,16 @@
 //! Where a robot can stand, and which floor it can reach from there.
 
-use super::{stamp::Stamp, walls::Walls};
+use super::{shapes, stamp::Stamp, walls::Walls};
 use crate::{
     floorplan::FloorPlan,
     geometry::{Point, Pose, Vector},
-    grid::{Cell, Direction, Grid, clearance, largest_part, reachable},
+    grid::{Cell, Direction, Grid, largest_part, reachable},
     robot::RobotModel,
 };
 
 /// Side that fine cells should not exceed, m: a tool of 17 cm is then known to about a centimetre, whatever lanes it
 /// drives; with cells of 5 cm it would be 15 or 20 cm wide.
 const FINE_CELL: f64 = 0.025;
-/// How far clearance is known beyond the body, fine cells.
-const SPARE_CELLS: f32 = 3.0;
 /// Most cells of a fine grid; larger rooms are refined less.
 const MAX_FINE_CELLS: usize = 4_000_000;
 
@@ -52,9 +50,9 @@ pub enum FloorError {
         /// Size of the map, m.
         height: f64,
     },
-    /// The start lies in a wall.
+    /// The start lies in a wall, in furniture or where there is no floor.
     #[error(
-        "the start ({x:.2} m, {y:.2} m) is inside a wall; move it to free floor, e.g. ({free_x:.2} m, {free_y:.2} m)"
+        "the start ({x:.2} m, {y:.2} m) is inside a wall or an obstacle; move it to free floor, e.g. ({free_x:.2} m, {free_y:.2} m)"
     )]
     StartInWall {
         /// Start, m.
@@ -69,12 +67,21 @@ pub enum FloorError {
 }
 
 /// The standing places and the floor that one robot can reach from one start.
+///
+/// The robot is taken to be the smallest circle around its origin that holds its body: where that fits, it can turn on the
+/// spot. So a body that isn't round can get to more places than these, but never to fewer.
+///
+/// Objects of the plan count as well. Standing places keep the body off furniture, legs and drop-offs, as if those filled
+/// every fine cell that they touch, within a cell of being exact. Floor is every fine cell whose centre lies in none of
+/// them (for a robot that fills a cell: that none of them touches).
 #[derive(Debug, Clone)]
 pub struct ReachableFloor {
     /// Metres per fine cell: the plan's resolution or a whole fraction of it; for a robot that fills a cell, that cell.
     pub resolution: f64,
-    /// The walls as the robot's body meets them.
+    /// The walls and furniture as the robot's body meets them.
     pub walls: Walls,
+    /// The same with drop-offs, which nothing but sense keeps a body off; `None` if there are no drop-offs.
+    edges: Option<Box<Walls>>,
     /// Fine cells in whose centre the robot can stand, connected with the start by ways that leave room to steer.
     pub standing: Grid<bool>,
     /// Fine cells that the tool can sweep.
@@ -105,28 +112,33 @@ impl ReachableFloor {
             let resolution = fine_resolution(plan);
             (resample(plan, resolution), resolution)
         };
-        // Some cells more than the radius: where there is that much room, nobody needs to look closer.
-        let field =
-            clearance(&blocked, (robot.radius / resolution) as f32 + SPARE_CELLS).map(|&c| c * resolution as f32);
+        let (obstacles, drop_offs) = (shapes::obstacles(plan), shapes::drop_offs(plan));
+        let edges = (!drop_offs.is_empty()).then(|| {
+            let shapes = obstacles.iter().cloned().chain(drop_offs).collect();
+            Box::new(Walls::new(blocked.clone(), shapes, resolution, robot.radius))
+        });
+        let walls = Walls::new(blocked, obstacles, resolution, robot.radius);
+        let limits = edges.as_deref().unwrap_or(&walls);
         let passing = robot.radius + steering_margin(robot.radius) - 1e-5;
-        let free = field.map(|&c| f64::from(c) >= passing);
-        let walls = Walls { clearance: field, resolution, body_radius: robot.radius };
+        let free = limits.clearance.map(|&c| f64::from(c) >= passing);
         let too_narrow = FloorError::TooNarrow { diameter: 2.0 * robot.radius };
         let start = match start.or(plan.start) {
-            Some(pose) => check_start(plan, &free, &walls, pose)?,
+            Some(pose) => check_start(plan, &free, limits, pose)?,
             None => default_start(&free, resolution).ok_or(too_narrow)?,
         };
         let start = if robot.fills_cell { in_centre(start, resolution) } else { start };
         let passable = reachable(&free, Cell::at(start.position(), resolution));
         let closed_off_cells = free.count() - passable.count();
-        let standing = up_to_walls(&walls, passable);
+        let standing = up_to_walls(limits, passable);
         let tool_radius = 0.5 * robot.tool_width;
-        let floor = sweepable(&standing, &blocked, tool_radius / resolution);
+        let covered = covered(limits, robot.fills_cell);
+        let floor = sweepable(&standing, &covered, tool_radius / resolution);
         let floor_cells = floor.count();
-        let left_out_cells = (blocked.len() - blocked.count()).saturating_sub(floor_cells);
+        let left_out_cells = (covered.len() - covered.count()).saturating_sub(floor_cells);
         Ok(Self {
             resolution,
             walls,
+            edges,
             standing,
             floor,
             floor_cells,
@@ -138,14 +150,21 @@ impl ReachableFloor {
     }
 
     /// Where a robot ends up that is put down at `pose`: there if it fits, or else at the nearest place that it can reach
-    /// from the start.
-    pub fn place_for(&self, pose: Pose) -> Pose {
+    /// from the start. `is_free` says where nobody stands in the way.
+    pub fn place_for(&self, pose: Pose, is_free: impl Fn(Point) -> bool) -> Pose {
         let point = pose.position();
-        if self.standing.is_set(self.cell_at(point)) && self.walls.has_room(point, self.walls.body_radius) {
+        let limits = self.limits();
+        if self.standing.is_set(self.cell_at(point)) && limits.has_room(point, limits.body_radius) && is_free(point) {
             return pose;
         }
-        let place = nearest(&self.standing, self.resolution, point).unwrap_or(self.start.position());
+        let place = nearest(&self.standing, self.resolution, point, is_free).unwrap_or(self.start.position());
         Pose::new(place.x, place.y, pose.heading)
+    }
+
+    /// What a careful robot's body keeps off: walls, furniture and drop-offs.
+    #[inline]
+    pub fn limits(&self) -> &Walls {
+        self.edges.as_deref().unwrap_or(&self.walls)
     }
 
     /// The fine cell that holds a point; may lie outside.
@@ -178,16 +197,17 @@ impl ReachableFloor {
     /// Whether the robot can drive from `from` straight to `to` over places that it can reach, without touching a wall.
     pub fn is_straight_free(&self, from: Point, to: Point) -> bool {
         let steps = ((to - from).norm() / (0.5 * self.resolution)).ceil().max(1.0);
-        let room = self.walls.body_radius + 0.4 * steering_margin(self.walls.body_radius);
+        let limits = self.limits();
+        let room = limits.body_radius + 0.4 * steering_margin(limits.body_radius);
         (0..=steps as u32).all(|i| {
             let point = from + (to - from) * (f64::from(i) / steps);
-            self.standing.is_set(self.cell_at(point)) && self.walls.has_room(point, room)
+            self.standing.is_set(self.cell_at(point)) && limits.has_room(point, room)
         })
     }
 
     /// Centre of a standing fine cell, moved off the walls beside it by the margin that steering needs.
     pub fn standing_place(&self, cell: Cell) -> Point {
-        off_walls(&self.walls, &self.standing, cell)
+        off_walls(self.limits(), &self.standing, cell)
     }
 }
 
@@ -275,9 +295,9 @@ fn check_start(plan: &FloorPlan, free: &Grid<bool>, walls: &Walls, pose: Pose) -
         let has_room = walls.has_room(pose.position(), walls.body_radius);
         return Ok(if has_room { pose } else { in_centre(pose, walls.resolution) });
     }
-    let place = nearest(free, walls.resolution, pose.position());
+    let place = nearest(free, walls.resolution, pose.position(), |_| true);
     let place = place.ok_or(FloorError::TooNarrow { diameter: 2.0 * walls.body_radius })?;
-    if occupancy.is_free() {
+    if occupancy.is_free() && !walls.shapes().iter().any(|shape| shape.contains(pose.position())) {
         Ok(Pose::new(place.x, place.y, pose.heading))
     } else {
         Err(FloorError::StartInWall { x, y, free_x: place.x, free_y: place.y })
@@ -290,11 +310,12 @@ fn in_centre(pose: Pose, resolution: f64) -> Pose {
     Pose::new(middle.x, middle.y, pose.heading)
 }
 
-/// Centre of the cell of `free` that is nearest to `point`.
-fn nearest(free: &Grid<bool>, resolution: f64, point: Point) -> Option<Point> {
+/// Centre of the cell of `free` that is nearest to `point`, of those that `is_free` agrees to.
+fn nearest(free: &Grid<bool>, resolution: f64, point: Point, is_free: impl Fn(Point) -> bool) -> Option<Point> {
     free.iter()
         .filter(|&(_, &f)| f)
         .map(|(cell, _)| cell.centre(resolution))
+        .filter(|&centre| is_free(centre))
         .min_by(|a, b| (a - point).norm_squared().total_cmp(&(b - point).norm_squared()))
 }
 
@@ -302,6 +323,20 @@ fn nearest(free: &Grid<bool>, resolution: f64, point: Point) -> Option<Point> {
 fn default_start(free: &Grid<bool>, resolution: f64) -> Option<Pose> {
     let point = largest_part(free)?.centre(resolution);
     Some(Pose::new(point.x, point.y, 0.0))
+}
+
+/// Fine cells that are no floor: walls, and those whose centre lies in a shape or, if `is_strict`, that one touches.
+fn covered(walls: &Walls, is_strict: bool) -> Grid<bool> {
+    if is_strict {
+        return walls.clearance.map(|&c| c == 0.0);
+    }
+    let mut covered = walls.squares().clone();
+    for (index, is_covered) in covered.values_mut().iter_mut().enumerate() {
+        let cell = walls.clearance.cell(index);
+        // Where there is room there is no shape.
+        *is_covered |= walls.clearance[cell] == 0.0 && walls.contains(cell.centre(walls.resolution));
+    }
+    covered
 }
 
 /// Cells that a disc of `radius` cells sweeps when its centre is anywhere in `standing`, walls left out.

@@ -131,8 +131,8 @@ impl Lattice {
 fn way(floor: &ReachableFloor, from: Point, to: Point, margin: f64) -> Option<Vec<Point>> {
     let (start, goal) = (floor.cell_at(from), floor.cell_at(to));
     // Every point between is at most half the distance from one of the ends.
-    let room = floor.walls.body_radius + 0.5 * (to - from).norm();
-    let is_open = |p: Point| floor.standing.is_set(floor.cell_at(p)) && floor.walls.has_room_around_cell(p, room);
+    let room = floor.limits().body_radius + 0.5 * (to - from).norm();
+    let is_open = |p: Point| floor.standing.is_set(floor.cell_at(p)) && floor.limits().has_room_around_cell(p, room);
     if start.manhattan(goal) <= 1 || (is_open(from) && is_open(to)) || floor.is_straight_free(from, to) {
         return Some(vec![to]);
     }

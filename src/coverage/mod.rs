@@ -4,10 +4,14 @@
 //! what its tool (a disc as wide as the strip it cleans) can sweep from all standing places that a path connects with
 //! the start. **Coverage** is the share of the reachable floor that the tool has swept. So a round robot isn't blamed for
 //! corners that it can't enter, and a planner can't shine by leaving out what is hard.
+//!
+//! Obstacles are walls on the plan's grid and the objects that stand in the room; stairs are no obstacle to a body, but
+//! neither floor nor a place to stand.
 
 mod floor;
 mod lattice;
 mod ray;
+mod shapes;
 mod stamp;
 mod tracker;
 mod walls;
@@ -15,5 +19,6 @@ mod walls;
 pub use floor::{FloorError, ReachableFloor, fine_resolution};
 pub use lattice::Lattice;
 pub use ray::Hit;
+pub use shapes::{DOCK_BACK, LIGHTHOUSE_RADIUS, dock_back};
 pub use tracker::CoverageTracker;
-pub use walls::Walls;
+pub use walls::{Obstacle, Walls};

@@ -117,16 +117,12 @@ fn crossing(cell: i32, from: f64, direction: f64, size: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{
-        grid::{Grid, clearance},
-        math,
-    };
+    use crate::{grid::Grid, math};
     use proptest::prelude::*;
 
     fn walls(blocked: &Grid<bool>) -> Walls {
         let resolution = 0.05;
-        let clearance = clearance(blocked, 6.0).map(|&c| c * resolution as f32);
-        Walls { clearance, resolution, body_radius: 0.15 }
+        Walls::new(blocked.clone(), Vec::new(), resolution, 0.15)
     }
 
     #[test]

@@ -1,23 +1,50 @@
-//! Walls, and how far a body is from them.
+//! Walls and furniture, and how far a body is from them.
 
+use super::shapes::ShapeIndex;
 use crate::{
-    geometry::{Point, Vector},
-    grid::{Cell, Grid},
+    geometry::{Point, Shape, Vector},
+    grid::{Cell, Grid, clearance},
 };
 
-/// The obstacles of a floor as squares of a fine grid; the outside is wall.
+/// How far clearance is known beyond the body, fine cells: where there is that much room, nobody needs to look closer.
+const SPARE_CELLS: f64 = 3.0;
+
+/// The obstacles of a floor: squares of a fine grid, and convex shapes anywhere between; the outside is wall.
 #[derive(Debug, Clone)]
 pub struct Walls {
-    /// Distance from each fine cell's centre to the nearest wall, m, exact up to three cells more than the body's radius;
-    /// 0 in walls.
+    /// Room around each fine cell's centre, m, up to three cells more than the body's radius: exact for squares, a lower
+    /// bound near shapes, as if they filled every cell that they touch; 0 in those and in walls.
     pub clearance: Grid<f32>,
     /// Side of a fine cell, m.
     pub resolution: f64,
     /// Radius of the body, m.
     pub body_radius: f64,
+    /// Fine cells that are wall.
+    squares: Grid<bool>,
+    shapes: ShapeIndex,
+}
+
+/// A convex obstacle near a body.
+#[derive(Debug, Clone, Copy)]
+pub enum Obstacle<'a> {
+    /// Squares side by side in a row of the grid: lower left and upper right corner.
+    Squares(Point, Point),
+    /// A shape.
+    Shape(&'a Shape),
 }
 
 impl Walls {
+    /// Walls in the cells of `squares`, `resolution` metres wide, and `shapes`, for a body of `body_radius` metres.
+    pub fn new(squares: Grid<bool>, shapes: Vec<Shape>, resolution: f64, body_radius: f64) -> Self {
+        let mut touched = squares.clone();
+        for shape in &shapes {
+            rasterise(shape, resolution, &mut touched);
+        }
+        let limit = body_radius / resolution + SPARE_CELLS;
+        let clearance = clearance(&touched, limit as f32).map(|&c| c * resolution as f32);
+        Self { clearance, resolution, body_radius, squares, shapes: ShapeIndex::new(shapes) }
+    }
+
     /// Whether a disc of `radius` metres around `point` touches no wall. `radius` is at most a cell more than the body's.
     #[inline]
     pub fn has_room(&self, point: Point, radius: f64) -> bool {
@@ -32,29 +59,138 @@ impl Walls {
         around > radius + 0.7072 * self.resolution
     }
 
-    /// The nearest point of a wall less than `reach` metres from `point`, and its distance; exact.
+    /// The nearest point of a wall or shape less than `reach` metres from `point`, and its distance; exact.
     pub fn nearest(&self, point: Point, reach: f64) -> Option<(Point, f64)> {
+        let mut best = (reach * reach, None);
+        self.near(point, reach, |obstacle| {
+            let wall = match obstacle {
+                Obstacle::Squares(low, high) => Point::new(point.x.clamp(low.x, high.x), point.y.clamp(low.y, high.y)),
+                Obstacle::Shape(shape) => shape.nearest(point),
+            };
+            let distance = (wall - point).norm_squared();
+            if distance < best.0 {
+                best = (distance, Some(wall));
+            }
+        });
+        best.1.map(|wall| (wall, best.0.sqrt()))
+    }
+
+    /// Calls `visit` with every obstacle that may lie less than `reach` metres from `point`; squares in runs.
+    #[inline]
+    pub fn near<'a>(&'a self, point: Point, reach: f64, mut visit: impl FnMut(Obstacle<'a>)) {
         let size = self.resolution;
-        let low = self.cell_at(point - Vector::new(reach, reach));
-        let high = self.cell_at(point + Vector::new(reach, reach));
-        let mut best: Option<(Point, f64)> = None;
-        for y in low.y..=high.y {
-            for x in low.x..=high.x {
-                if self.clearance.get(Cell::new(x, y)).is_some_and(|&c| c > 0.0) {
-                    continue;
-                }
-                let (left, bottom) = (f64::from(x) * size, f64::from(y) * size);
-                let wall = Point::new(point.x.clamp(left, left + size), point.y.clamp(bottom, bottom + size));
-                let distance = (wall - point).norm();
-                if distance < reach && best.is_none_or(|(_, nearest)| distance < nearest) {
-                    best = Some((wall, distance));
+        let (low, high) = (point - Vector::new(reach, reach), point + Vector::new(reach, reach));
+        let (first, last) = (self.cell_at(low), self.cell_at(high));
+        let (width, height) = (self.squares.width() as i32, self.squares.height() as i32);
+        for y in first.y..=last.y {
+            let mut run = |from: i32, to: i32| {
+                let corner = |x: i32, y: i32| Point::new(f64::from(x) * size, f64::from(y) * size);
+                visit(Obstacle::Squares(corner(from, y), corner(to, y + 1)));
+            };
+            if !(0..height).contains(&y) {
+                run(first.x, last.x + 1);
+                continue;
+            }
+            let start = y as usize * self.squares.width();
+            let row = &self.squares.values()[start..start + width as usize];
+            let is_wall = |x: i32| row.get(x as usize).copied().unwrap_or(true);
+            let mut since = None;
+            for x in first.x..=last.x {
+                match (is_wall(x), since) {
+                    (true, None) => since = Some(x),
+                    (false, Some(from)) => {
+                        run(from, x);
+                        since = None;
+                    }
+                    _ => {}
                 }
             }
+            if let Some(from) = since {
+                run(from, last.x + 1);
+            }
         }
-        best
+        self.shapes.in_box(low, high, |shape| visit(Obstacle::Shape(shape)));
+    }
+
+    /// Whether a point lies in a wall or shape.
+    pub fn contains(&self, point: Point) -> bool {
+        let is_wall = self.squares.get(self.cell_at(point)).copied().unwrap_or(true);
+        let mut is_inside = is_wall;
+        if !is_wall {
+            self.shapes.in_box(point, point, |shape| is_inside |= shape.contains(point));
+        }
+        is_inside
+    }
+
+    /// All shapes.
+    pub fn shapes(&self) -> &[Shape] {
+        self.shapes.all()
+    }
+
+    /// Fine cells that are wall, without the shapes.
+    pub fn squares(&self) -> &Grid<bool> {
+        &self.squares
     }
 
     fn cell_at(&self, point: Point) -> Cell {
         Cell::at(point, self.resolution)
+    }
+}
+
+/// Sets every cell of `touched` that a shape overlaps.
+fn rasterise(shape: &Shape, resolution: f64, touched: &mut Grid<bool>) {
+    let (low, high) = shape.bounds();
+    let last = |n: usize| n as i32 - 1;
+    let (first, end) = (Cell::at(low, resolution), Cell::at(high, resolution));
+    let corner = |x: i32, y: i32| Point::new(f64::from(x) * resolution, f64::from(y) * resolution);
+    for y in first.y.max(0)..=end.y.min(last(touched.height())) {
+        for x in first.x.max(0)..=end.x.min(last(touched.width())) {
+            if shape.overlaps_box(corner(x, y), corner(x + 1, y + 1)) {
+                touched[Cell::new(x, y)] = true;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn thin_leg_is_met_where_it_stands_and_blocks_its_cells() {
+        let leg = Shape::Disc { centre: Point::new(0.51, 0.51), radius: 0.0025 };
+        let walls = Walls::new(Grid::filled(20, 20, false), vec![leg], 0.05, 0.1);
+        let (wall, distance) = walls.nearest(Point::new(0.41, 0.51), 0.2).unwrap();
+        assert!((distance - 0.0975).abs() < 1e-12 && (wall - Point::new(0.5075, 0.51)).norm() < 1e-12);
+        assert_eq!(walls.clearance[Cell::new(10, 10)], 0.0);
+        assert!(walls.clearance[Cell::new(9, 10)] > 0.0 && !walls.contains(Point::new(0.53, 0.53)));
+        assert!(walls.has_room(Point::new(0.41, 0.51), 0.09) && !walls.has_room(Point::new(0.41, 0.51), 0.1));
+    }
+
+    #[test]
+    fn nearest_agrees_with_every_square_and_shape() {
+        use rand::RngExt;
+        let mut rng = crate::rng::seeded(4, 99);
+        for _ in 0..50 {
+            let mut squares = Grid::filled(30, 20, false);
+            squares.values_mut().iter_mut().for_each(|s| *s = rng.random_bool(0.03));
+            let mut at = || Point::new(rng.random_range(0.0..1.5), rng.random_range(0.0..1.0));
+            let corner = at();
+            let triangle = vec![corner, corner + Vector::new(0.3, 0.1), corner + Vector::new(0.1, 0.2)];
+            let shapes = vec![Shape::Convex(triangle), Shape::Disc { centre: at(), radius: 0.03 }];
+            let walls = Walls::new(squares, shapes.clone(), 0.05, 0.15);
+            let point = at();
+            let outside = point.x.min(point.y).min(1.5 - point.x).min(1.0 - point.y);
+            let in_grid = walls.squares().iter().filter(|(_, s)| **s).map(|(cell, _)| {
+                let (x, y) = (f64::from(cell.x) * 0.05, f64::from(cell.y) * 0.05);
+                (Point::new(point.x.clamp(x, x + 0.05), point.y.clamp(y, y + 0.05)) - point).norm()
+            });
+            let to_shapes = shapes.iter().map(|s| (s.nearest(point) - point).norm());
+            let expected = in_grid.chain(to_shapes).fold(outside, f64::min);
+            let found = walls.nearest(point, 0.2).map_or(f64::MAX, |(_, distance)| distance);
+            assert!((found.min(0.2) - expected.min(0.2)).abs() < 1e-9, "{found} {expected}");
+            let promised = walls.clearance.get(Cell::at(point, 0.05)).map_or(0.0, |&c| f64::from(c));
+            assert!(promised - 0.7072 * 0.05 <= expected + 1e-6, "{promised} m promised, {expected} m there");
+        }
     }
 }

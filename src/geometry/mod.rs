@@ -1,12 +1,16 @@
-//! Points, angles and poses in the plane.
+//! Points, angles, poses, polygons and discs in the plane.
 //!
 //! SI units, x right, y up, headings counter-clockwise from +x (ROS REP 103).
 
 mod angle;
+mod polygon;
 mod pose;
+mod shape;
 
 pub use angle::{difference, normalize};
+pub use polygon::{contains, convex_pieces, edges, nearest_on_segment, outward, signed_area};
 pub use pose::Pose;
+pub use shape::{Shape, nearest_on_convex, nearest_on_disc, overlap, overlap_disc};
 
 /// A point in metres.
 pub type Point = nalgebra::Point2<f64>;

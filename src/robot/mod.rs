@@ -11,5 +11,5 @@ pub use body::{Battery, Body, Bumper, Laser, LightBumper, SensorSuite, SideBrush
 pub use drive::Drive;
 pub use model::{Power, RobotModel};
 pub use models::{MODELS, cell_robot, model};
-pub use odometry::{Odometry, OdometryModel, advance};
+pub use odometry::{Odometry, OdometryModel, advance, advance_sideways};
 pub use sensors::{BatteryReading, Infrared, Overcurrent, Sensors};

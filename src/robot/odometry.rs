@@ -1,7 +1,10 @@
 //! Pose estimate from encoder counts (004, section 4.2).
 
 use super::{RobotModel, Sensors};
-use crate::{geometry::Pose, math};
+use crate::{
+    geometry::{Point, Pose},
+    math,
+};
 use serde::{Deserialize, Serialize};
 
 /// How a pair of wheel distances becomes a change of pose.
@@ -36,7 +39,8 @@ pub struct Odometry {
     model: OdometryModel,
     metres_per_count: f64,
     wheel_base: f64,
-    last: Option<(u16, u16)>,
+    /// Counts of the last reading: left, right, sideways.
+    last: Option<[u16; 3]>,
     pose: Pose,
 }
 
@@ -53,12 +57,35 @@ impl Odometry {
 
     /// Takes the counters of the next reading; they may wrap, but not by half their range (14.6 m) at once.
     pub fn update(&mut self, sensed: &Sensors) {
-        let counts = (sensed.left_counts, sensed.right_counts);
+        let counts = [sensed.left_counts, sensed.right_counts, sensed.lateral_counts];
         let last = self.last.replace(counts).unwrap_or(counts);
-        let metres = |now: u16, before: u16| f64::from(now.wrapping_sub(before) as i16) * self.metres_per_count;
-        let (left, right) = (metres(counts.0, last.0), metres(counts.1, last.1));
-        self.pose = advance(self.pose, left, right, self.wheel_base, self.model);
+        if counts == last {
+            return;
+        }
+        let metres = |i: usize| f64::from(counts[i].wrapping_sub(last[i]) as i16) * self.metres_per_count;
+        let (left, right) = (metres(0), metres(1));
+        self.pose = match self.model {
+            OdometryModel::Arc => advance_sideways(self.pose, [left, right, metres(2)], self.wheel_base),
+            OdometryModel::Straight => {
+                let along = self.pose.to_world(Point::new(0.0, metres(2)));
+                let shifted = Pose { x: along.x, y: along.y, ..self.pose };
+                advance(shifted, left, right, self.wheel_base, OdometryModel::Straight)
+            }
+        };
     }
+}
+
+/// The pose after the wheels rolled so far at constant speeds: left, right, and to the left for a robot that moves in all
+/// directions, m. Exact, as [`OdometryModel::Arc`].
+pub fn advance_sideways(pose: Pose, [left, right, lateral]: [f64; 3], wheel_base: f64) -> Pose {
+    let distance = 0.5 * (left + right);
+    let turn = (right - left) / wheel_base;
+    // The chord of the arc leaves at half the turn and is shorter than it by sin(t/2) / (t/2).
+    let half = 0.5 * turn;
+    let chord = if half.abs() < 1e-9 { 1.0 } else { math::sin(half) / half };
+    let heading = pose.heading + half;
+    let (cos, sin) = (chord * math::cos(heading), chord * math::sin(heading));
+    Pose::new(pose.x + distance * cos - lateral * sin, pose.y + distance * sin + lateral * cos, pose.heading + turn)
 }
 
 /// The pose after the wheels rolled `left` and `right` metres.
@@ -66,15 +93,14 @@ impl Odometry {
 /// The heading grows by (right - left) / wheel base: counter-clockwise positive, as in the driver code that 004
 /// quotes; the sign in its text is the other way round.
 pub fn advance(pose: Pose, left: f64, right: f64, wheel_base: f64, model: OdometryModel) -> Pose {
-    let distance = 0.5 * (left + right);
-    let turn = (right - left) / wheel_base;
-    // The chord of the arc leaves at half the turn and is shorter than it by sin(t/2) / (t/2).
-    let (along, heading) = match model {
-        OdometryModel::Straight => (distance, pose.heading),
-        OdometryModel::Arc if turn.abs() < 1e-9 => (distance, pose.heading),
-        OdometryModel::Arc => (distance * math::sin(0.5 * turn) / (0.5 * turn), pose.heading + 0.5 * turn),
-    };
-    Pose::new(pose.x + along * math::cos(heading), pose.y + along * math::sin(heading), pose.heading + turn)
+    match model {
+        OdometryModel::Arc => advance_sideways(pose, [left, right, 0.0], wheel_base),
+        OdometryModel::Straight => {
+            let (distance, turn) = (0.5 * (left + right), (right - left) / wheel_base);
+            let along = pose.direction() * distance;
+            Pose::new(pose.x + along.x, pose.y + along.y, pose.heading + turn)
+        }
+    }
 }
 
 #[cfg(test)]

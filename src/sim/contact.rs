@@ -1,48 +1,255 @@
-//! A disc against the walls of a floor, exactly.
+//! A body against walls, furniture and movers, exactly: circles and convex polygons.
 
 use crate::{
-    coverage::Walls,
-    geometry::{Point, Vector},
+    coverage::{Obstacle, Walls},
+    geometry::{
+        Point, Pose, Shape, Vector, difference, edges, nearest_on_convex, nearest_on_disc, outward, overlap,
+        overlap_disc,
+    },
+    robot::{Body, RobotModel},
 };
 
-/// The bumper is pressed where a wall is nearer than this to the body, m: its play before the switch opens.
+/// The bumper is pressed where something is nearer than this to the body, m: its play before the switch opens.
 const BUMPER_PLAY: f64 = 0.001;
-/// Pushing a disc out of one wall may push it into the next; two walls meet in a corner, more don't help.
-const ROUNDS: usize = 4;
+/// Pushing a body out of one obstacle may push it into the next; what a few rounds don't resolve is a dead end.
+const ROUNDS: usize = 10;
+/// Overlap that is left be, m: below what the eye and the bumper see.
+const TOLERANCE: f64 = 0.0002;
+/// Longest way that any point of a body moves between two looks, m. Corners of polygons must not jump over thin legs;
+/// circles can't.
+const STRIDE: (f64, f64) = (0.004, 0.02);
 
-/// Where a disc ends up, and the wall that it touches.
+/// What a body can run into.
+#[derive(Clone, Copy)]
+pub(super) struct Obstacles<'a> {
+    /// Walls and furniture.
+    pub walls: &'a Walls,
+    /// Discs that move: centre and radius, m.
+    pub movers: &'a [(Point, f64)],
+}
+
+/// Where a body ends up, and what it touches.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Contact {
-    /// Centre of the disc, outside all walls, m.
-    pub position: Point,
-    /// Unit vector from the centre to the nearest wall that it touches.
+pub(super) struct Contact {
+    /// Where it doesn't overlap anything.
+    pub pose: Pose,
+    /// Unit vector from its origin to what it touches.
     pub touch: Option<Vector>,
 }
 
-/// Moves a disc of `radius` metres at `position` out of the walls, by the shortest way.
-///
-/// The tangential part of a motion survives: the robot slides along walls.
-#[inline]
-pub fn resolve(walls: &Walls, position: Point, radius: f64) -> Contact {
-    if walls.has_room_around_cell(position, radius + BUMPER_PLAY) {
-        return Contact { position, touch: None };
-    }
-    resolve_near_walls(walls, position, radius)
+/// The outline of a body, for contact.
+#[derive(Debug, Clone)]
+pub(super) struct Footprint {
+    body: Body,
+    radius: f64,
+    stride: f64,
+    /// Corners of a polygon where the body was last placed, m; empty for a circle.
+    corners: Vec<Point>,
+    /// Points that a polygon touches; kept to be filled again.
+    touched: Vec<Point>,
 }
 
-fn resolve_near_walls(walls: &Walls, mut position: Point, radius: f64) -> Contact {
-    for _ in 0..ROUNDS {
-        let Some((wall, distance)) = walls.nearest(position, radius) else { break };
-        if distance >= radius {
-            break;
-        }
-        let away = position - wall;
-        let normal = if distance > 1e-12 { away / distance } else { Vector::new(1.0, 0.0) };
-        position += normal * (radius - distance);
+impl<'a> Obstacles<'a> {
+    /// Whether a disc certainly touches nothing, at a glance.
+    #[inline]
+    fn are_far_from(&self, point: Point, radius: f64) -> bool {
+        let is_far = |&(centre, mover): &(Point, f64)| {
+            let reach = mover + radius;
+            (centre - point).norm_squared() > reach * reach
+        };
+        self.walls.has_room_around_cell(point, radius) && self.movers.iter().all(is_far)
     }
-    let touch = walls
-        .nearest(position, radius + BUMPER_PLAY)
-        .filter(|&(_, distance)| distance > 1e-12)
-        .map(|(wall, distance)| (wall - position) / distance);
-    Contact { position, touch }
+
+    /// The nearest point of an obstacle less than `reach` metres from `point`, and its distance.
+    fn nearest(&self, point: Point, reach: f64) -> Option<(Point, f64)> {
+        let mut best = self.walls.nearest(point, reach);
+        for &(centre, radius) in self.movers {
+            let near = nearest_on_disc(centre, radius, point);
+            let distance = (near - point).norm();
+            if distance < best.map_or(reach, |(_, nearest)| nearest) {
+                best = Some((near, distance));
+            }
+        }
+        best
+    }
+
+    /// Calls `visit` with every obstacle that may be less than `reach` metres from `point`.
+    fn near(&self, point: Point, reach: f64, mut visit: impl FnMut(Thing<'a>)) {
+        self.walls.near(point, reach, |obstacle| match obstacle {
+            Obstacle::Squares(low, high) => {
+                visit(Thing::Box([low, Point::new(high.x, low.y), high, Point::new(low.x, high.y)]));
+            }
+            Obstacle::Shape(Shape::Convex(corners)) => visit(Thing::Polygon(corners)),
+            Obstacle::Shape(&Shape::Disc { centre, radius }) => visit(Thing::Disc(centre, radius)),
+        });
+        for &(centre, radius) in self.movers {
+            if (centre - point).norm() < radius + reach {
+                visit(Thing::Disc(centre, radius));
+            }
+        }
+    }
+}
+
+/// A convex obstacle as a polygon meets it.
+enum Thing<'a> {
+    Box([Point; 4]),
+    Polygon(&'a [Point]),
+    Disc(Point, f64),
+}
+
+impl Thing<'_> {
+    fn overlap(&self, body: &[Point]) -> Option<(f64, Vector)> {
+        match self {
+            Self::Box(corners) => overlap(body, corners),
+            Self::Polygon(corners) => overlap(body, corners),
+            Self::Disc(centre, radius) => overlap_disc(body, *centre, *radius),
+        }
+    }
+
+    /// Adds the points at which it is less than `play` metres from a polygon.
+    fn touch(&self, body: &[Point], play: f64, touched: &mut Vec<Point>) {
+        let corners: &[Point] = match self {
+            Self::Box(corners) => corners,
+            Self::Polygon(corners) => corners,
+            Self::Disc(centre, radius) => {
+                let near = nearest_on_convex(body, *centre);
+                if (near - centre).norm() < radius + play {
+                    touched.push(near);
+                }
+                return;
+            }
+        };
+        let is_near = |polygon: &[Point], p: Point| (nearest_on_convex(polygon, p) - p).norm_squared() < play * play;
+        touched.extend(body.iter().filter(|&&p| is_near(corners, p)));
+        touched.extend(corners.iter().filter(|&&p| is_near(body, p)));
+    }
+}
+
+impl Footprint {
+    pub fn new(model: &RobotModel) -> Self {
+        let (stride, corners) = match model.body {
+            Body::Round => (STRIDE.1.min(0.5 * model.radius), Vec::new()),
+            Body::Polygon(local) => {
+                let corners: Vec<Point> = local.iter().map(|&[x, y]| Point::new(x, y)).collect();
+                let inner = edges(&corners).map(|(a, b)| (a - Point::origin()).dot(&outward(a, b)));
+                // Never more than half as far as from the origin to the nearest side, and never nothing.
+                (STRIDE.0.min(0.5 * inner.fold(f64::MAX, f64::min)).max(1e-4), corners)
+            }
+        };
+        Self { body: model.body, radius: model.radius, stride, corners, touched: Vec::new() }
+    }
+
+    /// Moves the body from one pose, where it overlaps nothing, towards another: as far as obstacles let it, sliding along
+    /// them. If there is no way to resolve an overlap, it stays where it was.
+    #[inline]
+    pub fn slide(&mut self, obstacles: Obstacles<'_>, from: Pose, to: Pose) -> Contact {
+        let way = (to.position() - from.position()).norm();
+        let margin = if way < self.stride { BUMPER_PLAY } else { BUMPER_PLAY + way };
+        if obstacles.are_far_from(to.position(), self.radius + margin) {
+            return Contact { pose: to, touch: None };
+        }
+        self.slide_near_obstacles(obstacles, from, to)
+    }
+
+    fn slide_near_obstacles(&mut self, obstacles: Obstacles<'_>, from: Pose, to: Pose) -> Contact {
+        let way = to.position() - from.position();
+        let turn = difference(from.heading, to.heading);
+        let rim = if self.is_round() { 0.0 } else { turn.abs() * self.radius };
+        let strides = ((way.norm() + rim) / self.stride).ceil().max(1.0);
+        let mut pose = from;
+        for _ in 0..strides as u32 {
+            let next = pose.position() + way / strides;
+            let next = if strides > 1.0 { Pose::new(next.x, next.y, pose.heading + turn / strides) } else { to };
+            pose = self.settle(obstacles, pose, next);
+        }
+        Contact { pose, touch: self.touch(obstacles, pose) }
+    }
+
+    fn is_round(&self) -> bool {
+        self.body == Body::Round
+    }
+
+    /// One stride: where the body is pushed to, or else only its motion or only its turn, or else nothing.
+    fn settle(&mut self, obstacles: Obstacles<'_>, from: Pose, to: Pose) -> Pose {
+        let tries = [to, Pose { heading: from.heading, ..to }, Pose { heading: to.heading, ..from }];
+        let tries = if self.is_round() { &tries[..1] } else { &tries[..] };
+        let pushed = tries.iter().find_map(|&pose| self.push_out(obstacles, pose));
+        pushed.unwrap_or(if self.is_round() { Pose { heading: to.heading, ..from } } else { from })
+    }
+
+    /// The pose moved out of all obstacles by the shortest way, the deepest overlap first; `None` if that leads nowhere.
+    ///
+    /// The tangential part of a motion survives: the robot slides along walls.
+    fn push_out(&mut self, obstacles: Obstacles<'_>, mut pose: Pose) -> Option<Pose> {
+        let wanted = pose.position();
+        for _ in 0..ROUNDS {
+            let Some((depth, away)) = self.deepest(obstacles, pose) else { return Some(pose) };
+            pose.x += depth * away.x;
+            pose.y += depth * away.y;
+        }
+        let is_near = (pose.position() - wanted).norm() < 4.0 * self.stride;
+        let left = self.deepest(obstacles, pose).map_or(0.0, |(depth, _)| depth);
+        (is_near && left < TOLERANCE).then_some(pose)
+    }
+
+    /// The deepest overlap with an obstacle, m, and the direction out of it.
+    fn deepest(&mut self, obstacles: Obstacles<'_>, pose: Pose) -> Option<(f64, Vector)> {
+        let at = pose.position();
+        if self.is_round() {
+            let (wall, distance) = obstacles.nearest(at, self.radius)?;
+            let away = if distance > 1e-12 { (at - wall) / distance } else { Vector::new(1.0, 0.0) };
+            return (self.radius - distance > 1e-12).then_some((self.radius - distance, away));
+        }
+        self.place(pose);
+        let mut deepest: Option<(f64, Vector)> = None;
+        obstacles.near(at, self.radius, |thing| {
+            let found = thing.overlap(&self.corners).filter(|&(depth, _)| depth > 1e-9);
+            if let Some(found) = found.filter(|f| deepest.is_none_or(|d| f.0 > d.0)) {
+                deepest = Some(found);
+            }
+        });
+        deepest
+    }
+
+    /// The direction of what the body touches. Where a side lies flat against a wall, or both ends of one do, that is the
+    /// middle of all points that touch on that side of the body.
+    fn touch(&mut self, obstacles: Obstacles<'_>, pose: Pose) -> Option<Vector> {
+        let at = pose.position();
+        if self.is_round() {
+            let near = obstacles.nearest(at, self.radius + BUMPER_PLAY);
+            return near.filter(|&(_, distance)| distance > 1e-12).map(|(wall, distance)| (wall - at) / distance);
+        }
+        self.place(pose);
+        self.touched.clear();
+        obstacles
+            .near(at, self.radius + BUMPER_PLAY, |thing| thing.touch(&self.corners, BUMPER_PLAY, &mut self.touched));
+        // The one that lies farthest ahead decides over front or rear.
+        let ahead = |p: &Point| (p - at).dot(&pose.direction());
+        let first = self.touched.iter().max_by(|a, b| ahead(a).total_cmp(&ahead(b)))?;
+        let first = first - at;
+        let same_side = self.touched.iter().map(|p| p - at).filter(|p| p.dot(&first) > 0.0);
+        let sum: Vector = same_side.sum();
+        let length = sum.norm();
+        (length > 1e-12).then(|| sum / length)
+    }
+
+    /// Whether the body, at `pose`, overlaps a disc or is nearer to it than `gap` metres.
+    pub fn is_near_disc(&mut self, pose: Pose, centre: Point, radius: f64, gap: f64) -> bool {
+        let reach = radius + gap;
+        let to_origin = (centre - pose.position()).norm();
+        if self.is_round() || to_origin >= self.radius + reach {
+            return to_origin < self.radius + reach;
+        }
+        self.place(pose);
+        (nearest_on_convex(&self.corners, centre) - centre).norm() < reach
+    }
+
+    /// Puts the corners of a polygon where they are at `pose`.
+    fn place(&mut self, pose: Pose) {
+        let Body::Polygon(local) = self.body else { return };
+        let d = pose.direction();
+        for (corner, &[x, y]) in self.corners.iter_mut().zip(local) {
+            *corner = Point::new(pose.x + d.x * x - d.y * y, pose.y + d.y * x + d.x * y);
+        }
+    }
 }

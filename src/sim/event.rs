@@ -44,22 +44,52 @@ pub enum What {
     Done,
 }
 
+/// What of a reading makes events. It is compared after every step, and a whole reading is long.
+#[expect(clippy::struct_excessive_bools)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Signs {
+    /// Left and right.
+    bump: [bool; 2],
+    cliff: [bool; 4],
+    virtual_wall: bool,
+    wheel_dropped: bool,
+    on_dock: bool,
+}
+
+impl Signs {
+    #[inline]
+    pub fn of(sensed: &Sensors) -> Self {
+        Self {
+            bump: [sensed.bump_left, sensed.bump_right],
+            cliff: sensed.cliff,
+            virtual_wall: sensed.virtual_wall,
+            wheel_dropped: sensed.wheel_dropped(),
+            on_dock: sensed.battery.on_dock,
+        }
+    }
+
+    #[inline]
+    pub fn bumped(self) -> bool {
+        self.bump.contains(&true)
+    }
+}
+
 impl What {
     /// What a reading says that the one before didn't.
-    pub(super) fn between(before: &Sensors, now: &Sensors, mut tell: impl FnMut(Self)) {
+    pub(super) fn between(before: Signs, now: Signs, mut tell: impl FnMut(Self)) {
         if now.bumped() && !before.bumped() {
-            tell(Self::Bump { left: now.bump_left, right: now.bump_right });
+            tell(Self::Bump { left: now.bump[0], right: now.bump[1] });
         }
-        if now.sees_cliff() && !before.sees_cliff() {
+        if now.cliff.contains(&true) && !before.cliff.contains(&true) {
             tell(Self::Cliff(now.cliff));
         }
         if now.virtual_wall && !before.virtual_wall {
             tell(Self::VirtualWall);
         }
-        if now.wheel_dropped() && !before.wheel_dropped() {
+        if now.wheel_dropped && !before.wheel_dropped {
             tell(Self::WheelDrop);
         }
-        if now.battery.on_dock && !before.battery.on_dock {
+        if now.on_dock && !before.on_dock {
             tell(Self::Docked);
         }
     }

@@ -1,12 +1,15 @@
 //! The simulated robot: motion, contact, sensors, and a whole run.
 //!
 //! Time advances in fixed steps of [`STEP_S`], whatever the speed of the display, so that a run is the same on every
-//! machine and a robot never moves farther at once than a few millimetres: it can't tunnel through a wall.
+//! machine and a robot never moves farther at once than a few millimetres; contact looks even closer where that is needed, so
+//! that nothing tunnels through a wall or a thin leg.
 
 mod contact;
+mod dirt;
 mod event;
 mod input;
 mod life;
+mod mover;
 mod noise;
 mod run;
 mod senses;
@@ -14,6 +17,7 @@ mod sim_robot;
 mod slip;
 mod world;
 
+pub use dirt::Spot;
 pub use event::{Event, What};
 pub use input::Input;
 pub use life::Life;

@@ -1,6 +1,6 @@
 //! A whole run: one robot, one controller, one floor.
 
-use super::{Event, Input, Life, Noise, STEP_S, SimRobot, SlipLevel, What, World};
+use super::{Event, Input, Life, Noise, STEP_S, SimRobot, SlipLevel, What, World, event::Signs};
 use crate::{
     controller::Controller,
     coverage::{CoverageTracker, ReachableFloor},
@@ -61,6 +61,7 @@ pub struct Run {
     distance_m: f64,
     turning_rad: f64,
     bumps: u32,
+    falls: u32,
     trail: Vec<Point>,
     events: VecDeque<Event>,
 }
@@ -86,6 +87,7 @@ impl Run {
             distance_m: 0.0,
             turning_rad: 0.0,
             bumps: 0,
+            falls: 0,
             trail,
             events: VecDeque::new(),
         }
@@ -96,24 +98,31 @@ impl Run {
         if self.is_finished() {
             return;
         }
-        let (before, sensed) = (self.robot.pose(), self.robot.sensors().clone());
+        let (before, had_fallen) = (self.robot.pose(), self.robot.has_fallen());
+        let sensed = self.robot.sensors();
+        let signs = Signs::of(sensed);
         let activity = self.controller.activity();
-        let drive = self.controller.step(&sensed, STEP_S);
-        self.life.step(&self.world);
-        let was_empty = self.robot.is_empty();
-        self.robot.step(&self.floor.walls, &self.world, &self.life, drive);
-        let pose = self.robot.pose();
+        let drive = self.controller.step(sensed, STEP_S);
+        let Self { life, robot, world, floor, .. } = self;
+        life.step(world, |centre, radius| robot.is_near_disc(centre, radius, 0.0));
+        let was_empty = robot.is_empty();
+        robot.step(&floor.walls, world, life, drive);
+        let pose = robot.pose();
         self.steps += 1;
-        self.tell(&sensed, activity);
+        self.tell(signs, activity);
         if self.robot.is_empty() && !was_empty {
             self.note(What::BatteryEmpty);
         }
-        if self.robot.is_lifted() {
+        if self.robot.has_fallen() && !had_fallen {
+            self.falls += 1;
+            self.note(What::Fell);
+        }
+        if self.robot.is_lifted() || had_fallen {
             return;
         }
         self.distance_m += (pose.position() - before.position()).norm();
         self.turning_rad += difference(before.heading, pose.heading).abs();
-        self.bumps += u32::from(self.robot.sensors().bumped() && !sensed.bumped());
+        self.bumps += u32::from(self.robot.sensors().bumped() && !signs.bumped());
         self.tracker.sweep_to(&self.floor, pose.position());
         self.extend_trail(pose.position());
     }
@@ -127,7 +136,9 @@ impl Run {
                 self.note(What::Lifted);
             }
             Input::PutDown(pose) => {
-                self.robot.put_down(self.floor.place_for(pose));
+                let (movers, body) = (self.life.movers(), self.floor.walls.body_radius);
+                let is_free = |at: Point| movers.iter().all(|&(centre, radius)| (at - centre).norm() > radius + body);
+                self.robot.put_down(self.floor.place_for(pose, is_free));
                 self.tracker.lift();
                 self.trail.clear();
                 self.note(What::PutDown);
@@ -145,15 +156,43 @@ impl Run {
         &self.events
     }
 
+    /// How often the robot fell down a drop-off.
+    pub fn falls(&self) -> u32 {
+        self.falls
+    }
+
+    /// Whether the robot lies at the foot of the stairs.
+    pub fn has_fallen(&self) -> bool {
+        self.robot.has_fallen()
+    }
+
+    /// Share of the dirt that is left, 0 to 1; 0 where there was none.
+    pub fn dirt_left(&self) -> f64 {
+        self.life.dirt_left()
+    }
+
+    /// What moves and is used up in the room.
+    pub fn life(&self) -> &Life {
+        &self.life
+    }
+
+    /// What is in the room beside its walls.
+    pub fn world(&self) -> &Arc<World> {
+        &self.world
+    }
+
     /// Notes what is new since `before`, when the controller was busy with `activity`.
-    fn tell(&mut self, before: &Sensors, activity: &'static str) {
-        let mut news = [None; 8];
-        let mut count = 0;
-        What::between(before, self.robot.sensors(), |what| {
-            news[count] = Some(what);
-            count += 1;
-        });
-        news.into_iter().flatten().for_each(|what| self.note(what));
+    fn tell(&mut self, before: Signs, activity: &'static str) {
+        let now = Signs::of(self.robot.sensors());
+        if now != before {
+            let mut news = [None; 8];
+            let mut count = 0;
+            What::between(before, now, |what| {
+                news[count] = Some(what);
+                count += 1;
+            });
+            news.into_iter().flatten().for_each(|what| self.note(what));
+        }
         let now = self.controller.activity();
         if now != activity && !now.is_empty() {
             self.note(What::Began(now));
@@ -180,7 +219,7 @@ impl Run {
     #[inline]
     pub fn is_finished(&self) -> bool {
         let speed = self.robot.speed();
-        (self.controller.is_done() || self.robot.is_empty()) && speed.left == 0.0 && speed.right == 0.0
+        (self.controller.is_done() || self.robot.is_empty()) && speed.is_stop()
     }
 
     /// Steps taken.
@@ -274,7 +313,8 @@ impl Run {
     pub fn digest(&self) -> u64 {
         let pose = self.robot.pose();
         let bits = [pose.x, pose.y, pose.heading, self.distance_m, self.turning_rad].map(f64::to_bits);
-        let words = bits.into_iter().chain([self.steps, u64::from(self.bumps)]);
+        let counts = [self.steps, u64::from(self.bumps), u64::from(self.falls), u64::from(self.robot.has_fallen())];
+        let words = bits.into_iter().chain(counts).chain(self.life.words());
         let bytes = words.flat_map(u64::to_le_bytes).chain(self.tracker.visits().values().iter().copied());
         bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
     }

@@ -1,26 +1,32 @@
 //! A simulated robot: body and wheels.
 
 use super::{
-    Conditions, Life, STEP_S, Slip, World, contact,
+    Conditions, Life, STEP_S, Slip, World,
+    contact::{Footprint, Obstacles},
     senses::{Around, Carrier, Senses},
 };
 use crate::{
     coverage::Walls,
-    geometry::{Pose, Vector},
-    robot::{Drive, OdometryModel, RobotModel, Sensors, advance},
+    geometry::{Point, Pose, Vector},
+    robot::{Drive, RobotModel, Sensors, Wheels, advance_sideways},
 };
 
 /// Body, wheels and sensors of one robot. It is told wheel speeds and reports what the Open Interface reports.
 #[derive(Debug, Clone)]
 pub struct SimRobot {
     model: RobotModel,
+    footprint: Footprint,
     pose: Pose,
     slip: Slip,
+    is_quantised: bool,
     /// Present wheel speeds, m/s.
     speed: Drive,
     /// What the wheels have rolled since the start: left, right, sideways, m.
     rolled: [f64; 3],
     is_lifted: bool,
+    /// Which wheels hang over a drop-off: left, right.
+    dropped: [bool; 2],
+    has_fallen: bool,
     senses: Senses,
 }
 
@@ -29,11 +35,15 @@ impl SimRobot {
     pub fn new(model: &RobotModel, pose: Pose, conditions: Conditions, seed: u64) -> Self {
         Self {
             model: model.clone(),
+            footprint: Footprint::new(model),
             pose,
             slip: Slip::new(conditions.slip, seed),
+            is_quantised: conditions.quantised,
             speed: Drive::STOP,
             rolled: [0.0; 3],
             is_lifted: false,
+            dropped: [false; 2],
+            has_fallen: false,
             senses: Senses::new(model, conditions, seed),
         }
     }
@@ -67,6 +77,11 @@ impl SimRobot {
         self.is_lifted
     }
 
+    /// Whether it has fallen down a drop-off. It lies there until somebody puts it elsewhere.
+    pub fn has_fallen(&self) -> bool {
+        self.has_fallen
+    }
+
     /// Picks it up.
     pub fn lift(&mut self) {
         self.is_lifted = true;
@@ -76,14 +91,23 @@ impl SimRobot {
     /// Puts it down at `pose`, where it must fit.
     pub fn put_down(&mut self, pose: Pose) {
         self.is_lifted = false;
+        self.has_fallen = false;
+        self.dropped = [false; 2];
         self.pose = pose;
     }
 
+    /// Whether its body is nearer than `gap` metres to a disc, or overlaps it. What hangs in the air is in nobody's way.
+    pub fn is_near_disc(&mut self, centre: Point, radius: f64, gap: f64) -> bool {
+        !self.is_lifted && self.footprint.is_near_disc(self.pose, centre, radius, gap)
+    }
+
     /// One step of [`STEP_S`] with the wheels told to turn at `drive`.
-    pub fn step(&mut self, walls: &Walls, world: &World, life: &Life, drive: Drive) {
+    pub fn step(&mut self, walls: &Walls, world: &World, life: &mut Life, drive: Drive) {
         let before = self.pose;
         let drive = if self.senses.is_empty() { Drive::STOP } else { drive };
-        let touch = self.roll(walls, drive);
+        let touch = self.roll(Obstacles { walls, movers: life.movers() }, world, drive);
+        let is_cleaning = !self.is_lifted && !self.has_fallen;
+        let dirt = if is_cleaning { life.sweep(&self.model, self.pose) } else { 0.0 };
         let carrier = Carrier {
             pose: self.pose,
             touch,
@@ -92,38 +116,104 @@ impl SimRobot {
             rolled: self.rolled,
             moved: (self.pose.position() - before.position()).norm(),
             is_lifted: self.is_lifted,
-            dropped: [false; 2],
-            dirt: 0.0,
+            dropped: self.dropped,
+            dirt,
         };
         self.senses.read(Around { walls, world, life }, &carrier);
     }
 
-    /// Turns the wheels and moves the body as far as the walls allow; returns the direction of what it touches.
-    fn roll(&mut self, walls: &Walls, drive: Drive) -> Option<Vector> {
+    /// Turns the wheels and moves the body as far as the obstacles allow; returns the direction of what it touches.
+    fn roll(&mut self, obstacles: Obstacles<'_>, world: &World, drive: Drive) -> Option<Vector> {
+        let lateral = if self.model.wheels == Wheels::Omnidirectional { drive.lateral } else { 0.0 };
         let speed = Drive {
             left: self.approach(self.speed.left, drive.left),
             right: self.approach(self.speed.right, drive.right),
-            lateral: 0.0,
+            lateral: self.approach(self.speed.lateral, lateral),
         };
         // Mean speed of the step: exact for constant acceleration.
-        let left = 0.5 * (self.speed.left + speed.left) * STEP_S;
-        let right = 0.5 * (self.speed.right + speed.right) * STEP_S;
+        let mean = |before: f64, now: f64| 0.5 * (before + now) * STEP_S;
+        let rolled = [
+            mean(self.speed.left, speed.left),
+            mean(self.speed.right, speed.right),
+            mean(self.speed.lateral, speed.lateral),
+        ];
         self.speed = speed;
-        self.rolled = [self.rolled[0] + left, self.rolled[1] + right, self.rolled[2]];
-        if self.is_lifted {
+        for (sum, travel) in self.rolled.iter_mut().zip(rolled) {
+            *sum += travel;
+        }
+        if self.is_lifted || self.has_fallen {
             return None;
         }
-        let (real_left, real_right) = self.slip.apply(left, right);
-        let moved = advance(self.pose, real_left, real_right, self.model.wheel_base, OdometryModel::Arc);
-        let contact = contact::resolve(walls, moved.position(), self.model.radius);
-        self.pose = Pose { x: contact.position.x, y: contact.position.y, heading: moved.heading };
+        let [left, right, lateral] = self.slip.apply(rolled, || world.is_on_carpet(self.pose.position()));
+        // A wheel in the air drives nothing.
+        let on_floor = |travel: f64, has_dropped: bool| if has_dropped { 0.0 } else { travel };
+        let travel = [on_floor(left, self.dropped[0]), on_floor(right, self.dropped[1]), lateral];
+        let moved = advance_sideways(self.pose, travel, self.slip.wheel_base(self.model.wheel_base));
+        let contact = self.footprint.slide(obstacles, self.pose, moved);
+        self.pose = contact.pose;
+        if !world.drop_offs.is_empty() {
+            self.look_down(world);
+        }
         contact.touch
+    }
+
+    /// Finds which wheels have lost the floor. The robot falls when both have, or its middle.
+    fn look_down(&mut self, world: &World) {
+        let half = 0.5 * self.model.wheel_base;
+        let is_void = |y: f64| world.is_drop_off(self.pose.to_world(Point::new(0.0, y)));
+        self.dropped = [is_void(half), is_void(-half)];
+        if self.dropped == [true; 2] || world.is_drop_off(self.pose.position()) {
+            self.dropped = [true; 2];
+            self.has_fallen = true;
+            self.speed = Drive::STOP;
+        }
     }
 
     /// The wheel speed one step later: towards `wanted`, within the motors' speed and acceleration.
     fn approach(&self, speed: f64, wanted: f64) -> f64 {
         let most = self.model.acceleration * STEP_S;
+        let wanted = if self.is_quantised { quantised(wanted, self.model.speed_steps) } else { wanted };
         let wanted = wanted.clamp(-self.model.max_wheel_speed, self.model.max_wheel_speed);
         speed + (wanted - speed).clamp(-most, most)
+    }
+}
+
+/// The speed at which a motor controller that keeps only some speeds turns a wheel that is told to turn at `wanted` m/s.
+///
+/// Below the smallest speed it doesn't turn. Above, it keeps the next of the speeds that lie a step apart: told 11 to
+/// 39 mm/s, a Create 2 drives at 39 mm/s, and so on in steps of 28.5 mm/s (K. Tibow, Roombas, motors, and noise,
+/// ktibow.github.io/blog/roombamotors; the step is also in the Create 2 Open Interface specification).
+fn quantised(wanted: f64, [smallest, step]: [f64; 2]) -> f64 {
+    let speed = wanted.abs();
+    if step <= 0.0 {
+        return wanted;
+    }
+    if speed < smallest {
+        return 0.0;
+    }
+    // A hair's breadth less, so that speeds that the controller can keep stay as they are.
+    let steps = ((speed - smallest) / step - 1e-9).ceil().max(1.0);
+    (smallest + steps * step).copysign(wanted)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn roomba_drives_at_the_speeds_that_owners_measured() {
+        let steps = [0.011, 0.0285];
+        for (wanted, expected) in [
+            (0.0, 0.0),
+            (0.0109, 0.0),
+            (0.011, 0.0395),
+            (0.039, 0.0395),
+            (0.041, 0.068),
+            (-0.3, -0.3245),
+            (0.3245, 0.3245),
+        ] {
+            assert!((quantised(wanted, steps) - expected).abs() < 1e-9, "{wanted}: {}", quantised(wanted, steps));
+        }
+        assert_eq!(quantised(0.0123, [0.0, 0.0]), 0.0123);
     }
 }

@@ -55,13 +55,21 @@ impl Slip {
         Self { rng, size_left, size_right, per_root_metre: 0.0003 * factor }
     }
 
-    /// How far the rims really move the robot when the encoders say `left` and `right` metres.
+    /// How far the rims really move the robot when the encoders say so: left, right, sideways, m.
     #[inline]
-    pub fn apply(&mut self, left: f64, right: f64) -> (f64, f64) {
+    pub fn apply(&mut self, rolled: [f64; 3], is_on_carpet: impl FnOnce() -> bool) -> [f64; 3] {
+        let [left, right, lateral] = rolled;
         if self.per_root_metre == 0.0 {
-            return (left, right);
+            return rolled;
         }
+        let _ = is_on_carpet;
         let mut slip = |travel: f64| self.per_root_metre * travel.abs().sqrt() * normal(&mut self.rng);
-        (left * self.size_left + slip(left), right * self.size_right + slip(right))
+        [left * self.size_left + slip(left), right * self.size_right + slip(right), lateral]
+    }
+
+    /// The wheel base that the robot turns by, where `nominal` is what its odometry takes it for, m.
+    #[inline]
+    pub fn wheel_base(&self, nominal: f64) -> f64 {
+        nominal
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::{
     floorplan::{FloorPlan, Object, Who},
-    geometry::{Point, Pose},
+    geometry::{Point, Pose, contains},
 };
 
 /// The things in a room that don't stand in the way, made ready for simulation. What stands in the way is part of the
@@ -39,5 +39,17 @@ impl World {
             }
         }
         world
+    }
+
+    /// Whether there is no floor at a point.
+    #[inline]
+    pub fn is_drop_off(&self, point: Point) -> bool {
+        self.drop_offs.iter().any(|outline| contains(outline, point))
+    }
+
+    /// Whether there is carpet at a point.
+    #[inline]
+    pub fn is_on_carpet(&self, point: Point) -> bool {
+        self.carpets.iter().any(|outline| contains(outline, point))
     }
 }

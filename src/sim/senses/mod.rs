@@ -53,9 +53,9 @@ pub struct Carrier {
     pub moved: f64,
     /// Whether it hangs in the air.
     pub is_lifted: bool,
-    /// Whether its left and its right wheel are over a drop-off.
+    /// Which wheels hang over a drop-off, left and right; both once the robot has fallen.
     pub dropped: [bool; 2],
-    /// Dirt picked up in the step.
+    /// Dirt that was picked up in the step: as much as lies on so many m² of a spot of dirt.
     pub dirt: f64,
 }
 

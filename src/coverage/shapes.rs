@@ -1,0 +1,152 @@
+//! What stands in a room off its grid: the shapes of objects, and an index to find those nearby.
+
+use crate::{
+    floorplan::{FloorPlan, Object},
+    geometry::{Point, Pose, Shape, convex_pieces},
+};
+
+/// Width and depth of the solid back of a dock, m. iRobot's Home Base is about 15 cm wide; robots drive onto the flat plate
+/// in front of its back, which rises 3 cm from the wall (the depth is ours).
+pub const DOCK_BACK: [f64; 2] = [0.15, 0.03];
+/// Radius of the lighthouse of a virtual wall, m: they fit in a hand (ours).
+pub const LIGHTHOUSE_RADIUS: f64 = 0.04;
+/// Least side of a bucket of the index, m: about as wide as what asks.
+const BUCKET: f64 = 0.5;
+/// Most buckets along a side.
+const MOST_BUCKETS: f64 = 256.0;
+
+/// The shapes of the objects of `plan` that stand in the way.
+pub fn obstacles(plan: &FloorPlan) -> Vec<Shape> {
+    plan.objects.iter().flat_map(solid).collect()
+}
+
+/// Where `plan` has no floor.
+pub fn drop_offs(plan: &FloorPlan) -> Vec<Shape> {
+    let outlines = plan.objects.iter().filter_map(|object| match object {
+        Object::DropOff { outline } => Some(outline),
+        _ => None,
+    });
+    outlines.flat_map(|outline| pieces(outline)).collect()
+}
+
+/// What of an object stands in the way.
+fn solid(object: &Object) -> Vec<Shape> {
+    match object {
+        Object::Furniture { outline } => pieces(outline),
+        Object::Leg { at, radius } => vec![Shape::Disc { centre: *at, radius: *radius }],
+        Object::Dock { pose } => vec![dock_back(*pose)],
+        Object::VirtualWall { pose, .. } => {
+            vec![Shape::Disc { centre: pose.position(), radius: LIGHTHOUSE_RADIUS }]
+        }
+        Object::DropOff { .. } | Object::Carpet { .. } | Object::Dirt { .. } | Object::Mover { .. } => Vec::new(),
+    }
+}
+
+fn pieces(outline: &[Point]) -> Vec<Shape> {
+    convex_pieces(outline).into_iter().map(Shape::Convex).collect()
+}
+
+/// The solid back of a dock that stands at `pose`.
+pub fn dock_back(pose: Pose) -> Shape {
+    let [width, depth] = DOCK_BACK;
+    let corners = [[0.0, -0.5], [1.0, -0.5], [1.0, 0.5], [0.0, 0.5]];
+    Shape::Convex(corners.map(|[x, y]| pose.to_world(Point::new(x * depth, y * width))).to_vec())
+}
+
+/// Shapes in buckets of about half a metre, to find those in a box.
+#[derive(Debug, Clone, Default)]
+pub(super) struct ShapeIndex {
+    shapes: Vec<Shape>,
+    bounds: Vec<(Point, Point)>,
+    low: Point,
+    side: f64,
+    width: usize,
+    height: usize,
+    /// Where the numbers of each bucket's shapes begin in `members`.
+    starts: Vec<u32>,
+    members: Vec<u32>,
+}
+
+impl ShapeIndex {
+    pub fn new(shapes: Vec<Shape>) -> Self {
+        let bounds: Vec<_> = shapes.iter().map(Shape::bounds).collect();
+        let Some(&first) = bounds.first() else { return Self::default() };
+        let (low, high) = bounds.iter().fold(first, |all, b| (all.0.inf(&b.0), all.1.sup(&b.1)));
+        let extent = high - low;
+        let side = (extent.max() / MOST_BUCKETS).max(BUCKET);
+        let buckets = |length: f64| (length / side) as usize + 1;
+        let (width, height) = (buckets(extent.x), buckets(extent.y));
+        let mut index = Self { shapes, bounds, low, side, width, height, starts: vec![0], members: Vec::new() };
+        for row in 0..height {
+            for column in 0..width {
+                for (number, &(low, high)) in index.bounds.iter().enumerate() {
+                    let ((x0, y0), (x1, y1)) = (index.bucket(low), index.bucket(high));
+                    if (x0..=x1).contains(&column) && (y0..=y1).contains(&row) {
+                        index.members.push(number as u32);
+                    }
+                }
+                index.starts.push(index.members.len() as u32);
+            }
+        }
+        index
+    }
+
+    pub fn all(&self) -> &[Shape] {
+        &self.shapes
+    }
+
+    /// Calls `visit` once with every shape whose own box meets the one between `low` and `high`.
+    #[inline]
+    pub fn in_box<'a>(&'a self, low: Point, high: Point, mut visit: impl FnMut(&'a Shape)) {
+        if self.shapes.is_empty() {
+            return;
+        }
+        let ((x0, y0), (x1, y1)) = (self.bucket(low), self.bucket(high));
+        for y in y0..=y1 {
+            for x in x0..=x1 {
+                let bucket = y * self.width + x;
+                for &number in &self.members[self.starts[bucket] as usize..self.starts[bucket + 1] as usize] {
+                    let (shape_low, shape_high) = self.bounds[number as usize];
+                    let apart =
+                        shape_low.x > high.x || shape_low.y > high.y || shape_high.x < low.x || shape_high.y < low.y;
+                    // In which of the buckets that they share it is visited: the first.
+                    let (first_x, first_y) = self.bucket(shape_low);
+                    if !apart && (x, y) == (first_x.max(x0), first_y.max(y0)) {
+                        visit(&self.shapes[number as usize]);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Column and row of the bucket nearest to a point.
+    fn bucket(&self, point: Point) -> (usize, usize) {
+        let at = (point - self.low) / self.side;
+        ((at.x.max(0.0) as usize).min(self.width - 1), (at.y.max(0.0) as usize).min(self.height - 1))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn index_finds_every_shape_once() {
+        use rand::RngExt;
+        let mut rng = crate::rng::seeded(3, 99);
+        let discs = (0..60).map(|_| Shape::Disc {
+            centre: Point::new(rng.random_range(-3.0..9.0), rng.random_range(-3.0..9.0)),
+            radius: rng.random_range(0.002..1.5),
+        });
+        let index = ShapeIndex::new(discs.collect());
+        for _ in 0..200 {
+            let low = Point::new(rng.random_range(-5.0..10.0), rng.random_range(-5.0..10.0));
+            let high = low + crate::geometry::Vector::new(rng.random_range(0.0..2.0), rng.random_range(0.0..2.0));
+            let mut found = Vec::new();
+            index.in_box(low, high, |shape| found.push(shape.bounds()));
+            let meets = |b: &(Point, Point)| b.0.x <= high.x && b.0.y <= high.y && b.1.x >= low.x && b.1.y >= low.y;
+            let expected = index.bounds.iter().filter(|b| meets(b)).count();
+            assert_eq!(found.len(), expected);
+        }
+    }
+}

@@ -1,0 +1,162 @@
+//! Convex obstacles: discs and polygons.
+
+use super::{Point, Vector, contains, edges, nearest_on_segment, outward};
+
+/// A convex obstacle.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Shape {
+    /// A disc.
+    Disc {
+        /// Its centre.
+        centre: Point,
+        /// Its radius, m.
+        radius: f64,
+    },
+    /// A convex polygon with counter-clockwise corners.
+    Convex(Vec<Point>),
+}
+
+impl Shape {
+    /// The point of it that is nearest to `point`: the point itself if it lies inside.
+    pub fn nearest(&self, point: Point) -> Point {
+        match self {
+            Self::Disc { centre, radius } => nearest_on_disc(*centre, *radius, point),
+            Self::Convex(corners) => nearest_on_convex(corners, point),
+        }
+    }
+
+    /// Whether a point lies inside.
+    pub fn contains(&self, point: Point) -> bool {
+        match self {
+            Self::Disc { centre, radius } => (point - centre).norm_squared() < radius * radius,
+            Self::Convex(corners) => contains(corners, point),
+        }
+    }
+
+    /// Lower left and upper right corner of the box around it.
+    pub fn bounds(&self) -> (Point, Point) {
+        match self {
+            Self::Disc { centre, radius } => {
+                let r = Vector::new(*radius, *radius);
+                (centre - r, centre + r)
+            }
+            Self::Convex(corners) => corners
+                .iter()
+                .fold((Point::new(f64::MAX, f64::MAX), Point::new(f64::MIN, f64::MIN)), |(low, high), p| {
+                    (low.inf(p), high.sup(p))
+                }),
+        }
+    }
+
+    /// Whether it overlaps the box between `low` and `high` by more than a nanometre.
+    pub fn overlaps_box(&self, low: Point, high: Point) -> bool {
+        match self {
+            Self::Disc { centre, radius } => {
+                let near = Point::new(centre.x.clamp(low.x, high.x), centre.y.clamp(low.y, high.y));
+                (near - centre).norm() < radius - 1e-9
+            }
+            Self::Convex(corners) => {
+                let corner_box = [low, Point::new(high.x, low.y), high, Point::new(low.x, high.y)];
+                overlap(corners, &corner_box).is_some_and(|(depth, _)| depth > 1e-9)
+            }
+        }
+    }
+}
+
+/// The point of a disc that is nearest to `point`.
+#[inline]
+pub fn nearest_on_disc(centre: Point, radius: f64, point: Point) -> Point {
+    let away = point - centre;
+    let distance = away.norm();
+    if distance <= radius { point } else { centre + away * (radius / distance) }
+}
+
+/// The point of a convex polygon that is nearest to `point`.
+#[inline]
+pub fn nearest_on_convex(corners: &[Point], point: Point) -> Point {
+    let mut is_inside = true;
+    let mut best = (f64::MAX, point);
+    for (a, b) in edges(corners) {
+        if (b - a).perp(&(point - a)) < 0.0 {
+            is_inside = false;
+            let near = nearest_on_segment(a, b, point);
+            let distance = (near - point).norm_squared();
+            if distance < best.0 {
+                best = (distance, near);
+            }
+        }
+    }
+    if is_inside { point } else { best.1 }
+}
+
+/// How deep two convex polygons overlap, m, and the unit vector along which `a` leaves `b` by the shortest way (separating
+/// axes, Gottschalk, Lin & Manocha 1996); `None` if they don't.
+pub fn overlap(a: &[Point], b: &[Point]) -> Option<(f64, Vector)> {
+    let mut best = (f64::MAX, Vector::zeros());
+    for (sides, other, sign) in [(a, b, -1.0), (b, a, 1.0)] {
+        for (from, to) in edges(sides) {
+            let normal = outward(from, to);
+            let depth = other.iter().fold(f64::MIN, |deepest, &p| deepest.max((from - p).dot(&normal)));
+            if depth <= 0.0 {
+                return None;
+            }
+            if depth < best.0 && normal != Vector::zeros() {
+                best = (depth, sign * normal);
+            }
+        }
+    }
+    Some(best)
+}
+
+/// How deep a convex polygon overlaps a disc, m, and the unit vector along which the polygon leaves it by the shortest way;
+/// `None` if it doesn't.
+pub fn overlap_disc(polygon: &[Point], centre: Point, radius: f64) -> Option<(f64, Vector)> {
+    let near = nearest_on_convex(polygon, centre);
+    let away = near - centre;
+    let distance = away.norm();
+    if distance >= radius {
+        return None;
+    }
+    if distance > 1e-12 {
+        return Some((radius - distance, away / distance));
+    }
+    // The centre lies in the polygon: out through the nearest side.
+    let sides = edges(polygon).map(|(a, b)| {
+        let normal = outward(a, b);
+        ((a - centre).dot(&normal), normal)
+    });
+    let (depth, normal) = sides.min_by(|a, b| a.0.total_cmp(&b.0))?;
+    Some((radius + depth, -normal))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn square(x: f64, y: f64) -> Vec<Point> {
+        [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|[dx, dy]| Point::new(x + dx, y + dy)).to_vec()
+    }
+
+    #[test]
+    fn squares_leave_each_other_by_the_shortest_way() {
+        let (depth, away) = overlap(&square(0.0, 0.0), &square(0.9, 0.3)).unwrap();
+        assert!((depth - 0.1).abs() < 1e-12 && away == Vector::new(-1.0, 0.0), "{depth} {away}");
+        assert_eq!(overlap(&square(0.0, 0.0), &square(1.0, 0.3)), None);
+    }
+
+    #[test]
+    fn discs_are_left_over_sides_and_corners() {
+        let (depth, away) = overlap_disc(&square(0.0, 0.0), Point::new(1.05, 0.5), 0.1).unwrap();
+        assert!((depth - 0.05).abs() < 1e-12 && (away - Vector::new(-1.0, 0.0)).norm() < 1e-12);
+        assert_eq!(overlap_disc(&square(0.0, 0.0), Point::new(1.08, 1.08), 0.1), None);
+        let (depth, away) = overlap_disc(&square(0.0, 0.0), Point::new(0.95, 0.5), 0.1).unwrap();
+        assert!((depth - 0.15).abs() < 1e-12 && (away - Vector::new(-1.0, 0.0)).norm() < 1e-12);
+    }
+
+    #[test]
+    fn box_that_only_touches_is_not_overlapped() {
+        let shape = Shape::Convex(square(0.0, 0.0));
+        assert!(!shape.overlaps_box(Point::new(1.0, 0.0), Point::new(2.0, 1.0)));
+        assert!(shape.overlaps_box(Point::new(0.99, 0.99), Point::new(2.0, 2.0)));
+    }
+}
