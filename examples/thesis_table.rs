@@ -4,7 +4,7 @@
 //! `cargo run --release --example thesis_table`
 
 use robovac_playground::{
-    app::planning::{CELL_ROBOT, PlanningTask, choose_robot},
+    app::planning::{CELL_ROBOT, Placement, PlanningTask, choose_robot},
     floorplan::room,
     planner::{PLANNERS, Params, find},
 };
@@ -51,7 +51,8 @@ fn measured(id: &str) -> Result<String, Box<dyn Error>> {
     let plan = room(ROOM).map(|info| (info.build)()).ok_or("the room is gone")?;
     let (robot, cell_size) = choose_robot(CELL_ROBOT, &plan, None).ok_or("the robot is gone")?;
     let params = Params::defaults(planner.params);
-    let task = PlanningTask { plan, robot, cell_size, start: None, heading_deg: None, planner, params, seed: 1 };
+    let placement = Placement { plan, robot, cell_size, start: None, heading_deg: None };
+    let task = PlanningTask { placement, planner, params, seed: 1 };
     let planned = task.solve(|| 0.0, None)?.planned;
     // The thesis counts a reversal as one turn.
     let (turns, revisits) = (planned.walk.direction_changes, planned.walk.revisits);

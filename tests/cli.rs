@@ -1,7 +1,9 @@
 //! The native companion as people and scripts run it.
 #![cfg(not(target_arch = "wasm32"))]
 
-use robovac_playground::{app::Session, floorplan::ROOMS, metrics::METRICS, planner::PLANNERS, robot::MODELS};
+use robovac_playground::{
+    app::Session, controller::BEHAVIOURS, floorplan::ROOMS, metrics::METRICS, planner::PLANNERS, robot::MODELS,
+};
 use serde_json::Value;
 use std::{
     collections::HashSet,
@@ -75,6 +77,7 @@ fn lists_begin_with_the_id() {
         text(&[command]).lines().map(|line| line.split_once("  ").unwrap().0.trim_end().to_owned()).collect()
     };
     assert_eq!(ids("planners"), PLANNERS.iter().map(|p| p.id).collect::<Vec<_>>());
+    assert_eq!(ids("behaviours"), BEHAVIOURS.iter().map(|b| b.id).collect::<Vec<_>>());
     assert_eq!(ids("rooms"), ROOMS.iter().map(|r| r.id).collect::<Vec<_>>());
     assert_eq!(ids("robots"), MODELS.iter().map(|r| r.id).collect::<Vec<_>>());
     assert_eq!(ids("metrics"), METRICS.iter().map(|m| m.id).collect::<Vec<_>>());
@@ -193,6 +196,84 @@ fn run_is_told_as_a_table_and_a_summary() {
     assert!(table.contains("came to the end of the walk, digest "), "{table}");
     let stopped = text(&[&base[..], &["--max-time", "5"]].concat());
     assert!(stopped.contains("\n    5.0") && stopped.contains("stopped by --max-time"), "{stopped}");
+}
+
+#[test]
+fn behaviour_is_run_for_as_long_as_one_says() {
+    let base = ["--room", "room12ft", "--behaviour", "bounce", "--noise", "typical", "--noise", "cliff=harsh"];
+    let report = simulated(&[&base[..], &["--max-time", "60", "--seed", "4", "--quantised"]].concat());
+    assert_eq!((&report["behaviour"], report.get("planner")), (&Value::from("bounce"), None));
+    assert_eq!((&report["finished"], &report["quantised"]), (&Value::from(false), &Value::from(true)));
+    let noise = report["noise"].as_str().unwrap();
+    assert!(noise.contains("cliff=harsh") && noise.contains("bumper=typical"), "{noise}");
+    assert!((report["time_s"].as_f64().unwrap() - 60.0).abs() < 0.0151 && report["pose_error_m"].is_null());
+
+    let mut session = Session::new();
+    session.restore("room=room12ft&behaviour=bounce&noise=typical&noise.cliff=harsh&quantised=true&seed=4").unwrap();
+    session.run_ahead(60.0);
+    let digest = format!("{:016x}", session.recording().unwrap().run().digest());
+    assert_eq!(report["digest"], digest, "it is the run that the page shows");
+
+    let told = text(&["simulate", "--room", "empty", "--behaviour", "bounce", "--sample", "600"]);
+    assert!(told.starts_with("Behaviour Bounce, seed 0\n") && told.contains("stopped by --max-time"), "{told}");
+    assert!(told.contains("\n 1800.0"), "half an hour for those that never end: {told}");
+}
+
+#[test]
+fn montecarlo_tells_the_same_in_every_form_and_on_any_number_of_cores() {
+    let base = ["montecarlo", "--room", "empty", "--behaviour", "bounce", "--planner", "boustrophedon"];
+    let base = [&base[..], &["--seeds", "4", "--seed", "7", "--minutes", "10", "--slip", "typical"]].concat();
+    let with = |more: &[&str]| text(&[&base[..], more].concat());
+    let csv = with(&["--csv", "--jobs", "1"]);
+    assert_eq!(csv, with(&["--csv", "--jobs", "3"]));
+    let rows: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
+    let of = |name: &str| rows[0].iter().position(|column| *column == name).unwrap();
+    let seeds: Vec<&str> = rows[1..].iter().map(|row| row[of("seed")]).collect();
+    assert_eq!(seeds, ["7", "8", "9", "10", "7", "8", "9", "10"]);
+    let digests: HashSet<&str> = rows[1..].iter().map(|row| row[of("digest")]).collect();
+    assert_eq!(digests.len(), 8, "every seed has a run of its own, planned paths too");
+
+    let json: Value = serde_json::from_str(&with(&["--json"])).unwrap();
+    for (algorithm, rows) in json["algorithms"].as_array().unwrap().iter().zip(rows[1..].chunks(4)) {
+        assert_eq!(
+            (algorithm["runs"].as_u64(), &algorithm["algorithm"]),
+            (Some(4), &Value::from(rows[0][of("algorithm")]))
+        );
+        let ends = algorithm["each"].as_array().unwrap().iter().map(|run| 100.0 * run["coverage"].as_f64().unwrap());
+        let told: Vec<f64> = rows.iter().map(|row| row[of("coverage [%]")].parse().unwrap()).collect();
+        assert_eq!(ends.collect::<Vec<_>>(), told);
+    }
+    let table = with(&[]);
+    assert!(
+        table.starts_with("### Empty room, Roomba 600 / Create 2: 4 runs of 10 min, slip typical, noise off\n"),
+        "{table}"
+    );
+    assert!(
+        table.contains("\n| bounce | ") && table.contains("\n| boustrophedon | ") && table.contains("| – | 0 % |"),
+        "{table}"
+    );
+}
+
+#[test]
+fn montecarlo_says_what_it_does_not_know() {
+    let base = ["montecarlo", "--room", "empty"];
+    for (arguments, expected) in [
+        (&["--seeds", "3"][..], "--behaviour <LIST>|--planner <LIST>"),
+        (&["--behaviour", "snail"], "there is no behaviour \"snail\"; \"robovac behaviours\" lists them"),
+        (&["--behaviour", "snake"], "there is no behaviour \"snake\""),
+        (&["--planner", "bounce"], "there is no planner \"bounce\""),
+        (&["--planner", "snake~patience:lots"], "takes a whole number from 0 to 20"),
+        (&["--behaviour", "bounce", "--minutes", "0"], "give a number of minutes from 0.1 to 6000"),
+        (&["--behaviour", "bounce", "--seeds", "0"], "0 is not in 1..=100000"),
+        (&["--behaviour", "bounce", "--noise", "loud"], "there is no level \"loud\"; there are: off, typical, harsh"),
+        (&["--behaviour", "bounce", "--noise", "nose=off"], "there is no kind of sensor \"nose\"; there are: bumper, "),
+        (&["--behaviour", "bounce", "--robot", "tank"], "there is no robot \"tank\""),
+    ] {
+        let (code, message) = failure(&[&base[..], arguments].concat());
+        assert!(code == 2 && message.contains(expected), "{arguments:?}: {code} {message}");
+    }
+    let (code, message) = failure(&["simulate", "--room", "empty", "--behaviour", "bounce", "--planner", "snake"]);
+    assert!(code == 2 && message.contains("cannot be used with"), "{code} {message}");
 }
 
 #[test]

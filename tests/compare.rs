@@ -2,7 +2,7 @@
 
 use robovac_playground::{
     app::{
-        Session, State,
+        Algorithm, Session, State,
         compare::{
             Arena, Comparison, Entrant, MOST_LANES, Progress, RoomChoice, Row, Spread, Table, TrialRequest, to_csv,
             to_json,
@@ -58,7 +58,7 @@ fn table_has_the_numbers_that_the_planners_reach_alone() {
     let plan = (room("thesis8").expect("it ships").build)();
     let arena = Arena::new(&plan, &cell_robot(0.2), 0.2, None).expect("the robot fits");
     for row in &table.rows {
-        let info = row.entrant.planner;
+        let info = row.entrant.algorithm.planner().expect("a planner");
         let alone = arena.run(info, &Params::defaults(info.params), 1, || 0.0, None).expect("it plans");
         for (value, metric) in row.values.iter().zip(METRICS) {
             assert_eq!(value.map(|v| v.median), metric.value(&alone.numbers), "{} of {}", metric.id, info.id);
@@ -234,11 +234,11 @@ fn sums_and_means_over_rooms_and_median_over_seeds() {
     let mut other = one;
     other.walk.turns = 40;
     other.drive.coverage = 0.5;
-    let row = Row::new(Entrant::new(info), 0, &[vec![Ok(one), Ok(other)], vec![Ok(one), Ok(one)]]);
+    let row = Row::new(Entrant::new(Algorithm::Planner(info)), 0, &[vec![Ok(one), Ok(other)], vec![Ok(one), Ok(one)]]);
     assert_eq!(row.values[column("turns")], Some(Spread { median: 71.0, min: 68.0, max: 74.0 }));
     assert_eq!(row.values[column("coverage")], Some(Spread { median: 87.5, min: 75.0, max: 100.0 }));
     assert_eq!((row.trials, row.missing), (4, 0));
-    let unfinished = Row::new(Entrant::new(info), 0, &[vec![Ok(one)], vec![]]);
+    let unfinished = Row::new(Entrant::new(Algorithm::Planner(info)), 0, &[vec![Ok(one)], vec![]]);
     assert_eq!((unfinished.values[column("turns")], unfinished.missing), (None, 1));
     assert_eq!(Table::new(vec![unfinished]).best[column("turns")], None);
 }

@@ -191,7 +191,7 @@ fn bad_links_name_what_is_wrong_and_change_nothing() {
     let mut session = opened();
     let before = session.link();
     for (link, expected) in [
-        ("planner=magic", "there is no planner \"magic\""),
+        ("planner=magic", "there is no algorithm \"magic\""),
         ("room=attic", "there is no room \"attic\""),
         ("robot=dalek", "there is no robot \"dalek\""),
         ("cell=0", "the cell size can't be \"0\""),
@@ -376,4 +376,53 @@ fn start_in_a_closet_is_told_with_the_floor_that_is_left_out() {
     );
     session.move_start(Pose::new(0.25, 0.25, 0.0));
     assert_eq!(session.view().message, "");
+}
+
+#[test]
+fn robot_that_is_picked_up_drops_its_wheels_and_goes_on_elsewhere() {
+    let mut session = Session::new();
+    session.configure(|s| s.select_algorithm("bounce")).unwrap();
+    session.run_ahead(20.0);
+    let run = |session: &Session| session.recording().unwrap().run().pose();
+    let before = run(&session);
+    session.lift();
+    session.run_ahead(2.0);
+    assert!(session.is_lifted() && session.recording().unwrap().run().sensors().wheel_dropped());
+    assert_eq!(run(&session), before, "it hangs in the air");
+    session.put_down(Pose::new(4.0, 3.0, 1.0));
+    session.run_ahead(0.1);
+    let sensed = session.recording().unwrap().run().sensors();
+    assert!(!sensed.wheel_dropped() && (run(&session).position() - Point::new(4.0, 3.0)).norm() < 0.1);
+    let events: Vec<_> = session.recording().unwrap().run().events().iter().map(|e| e.what.to_string()).collect();
+    for expected in ["picked up", "wheel drop", "put down"] {
+        assert!(events.iter().any(|event| event == expected), "{expected} is missing in {events:?}");
+    }
+}
+
+#[test]
+fn what_a_person_did_happens_again_after_scrubbing() {
+    let mut session = Session::new();
+    session.configure(|s| s.select_algorithm("bounce")).unwrap();
+    session.run_ahead(70.0);
+    session.lift();
+    session.run_ahead(1.0);
+    session.put_down(Pose::new(4.0, 3.0, 1.0));
+    session.run_ahead(100.0);
+    let state = |session: &Session| session.recording().unwrap().run().digest();
+    let (end, now) = (session.recording().unwrap().end_s(), state(&session));
+    for back in [0.0, 70.5, 61.44, 120.0] {
+        session.seek(back);
+        while session.state() == State::Seeking {
+            session.frame(0.0, &mut || true);
+        }
+        session.seek(end);
+        while session.state() == State::Seeking {
+            session.frame(0.0, &mut || true);
+        }
+        assert_eq!(state(&session), now, "after going back to {back} s");
+    }
+    session.seek(30.0);
+    session.frame(0.0, &mut || true);
+    session.lift();
+    assert!((session.recording().unwrap().end_s() - 30.0).abs() < 0.02, "the future is another one");
 }

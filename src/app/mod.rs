@@ -5,6 +5,7 @@ pub mod bench;
 pub mod compare;
 mod editor;
 mod import;
+pub mod montecarlo;
 pub mod opening;
 mod outline;
 mod palette;

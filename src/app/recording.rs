@@ -1,6 +1,6 @@
 //! A run that can be gone back to.
 
-use crate::sim::{Run, STEP_S};
+use crate::sim::{Input, Run, STEP_S};
 
 /// Memory that key frames may take together, bytes.
 const KEY_FRAME_BUDGET: usize = 48 << 20;
@@ -14,7 +14,8 @@ const CHUNK: u64 = 64;
 /// A run with key frames and its coverage curve.
 ///
 /// Runs are deterministic, so a moment is found again by going on from the last key frame before it: no poses are
-/// stored, and what is shown after scrubbing is what was shown before, to the last bit.
+/// stored, and what is shown after scrubbing is what was shown before, to the last bit. What a person did to the robot
+/// is stored with its step, and done again there.
 pub struct Recording {
     run: Run,
     key_frames: Vec<Run>,
@@ -27,6 +28,9 @@ pub struct Recording {
     curve_stride: u64,
     /// Changes whenever the run was replaced by another state of itself.
     version: u64,
+    /// What a person did, after how many steps, and how many of these things the run has behind it.
+    inputs: Vec<(u64, Input)>,
+    applied: usize,
     /// Memory that key frames may take together, bytes.
     budget: usize,
 }
@@ -48,6 +52,8 @@ impl Recording {
             curve,
             curve_stride: 64,
             version: 0,
+            inputs: Vec::new(),
+            applied: 0,
             budget,
             run,
         }
@@ -83,8 +89,28 @@ impl Recording {
         self.goal.is_some()
     }
 
+    /// Lets a person do something now. What had been simulated beyond this moment is forgotten: it would go on otherwise.
+    pub fn input(&mut self, input: Input) {
+        let now = self.run.steps();
+        self.goal = None;
+        if now < self.end {
+            self.end = now;
+            self.key_frames.retain(|frame| frame.steps() <= now);
+            self.curve.retain(|&(time, _)| time <= self.run.time_s());
+            self.version += 1;
+        }
+        self.inputs.truncate(self.applied);
+        self.inputs.push((now, input));
+        self.applied += 1;
+        self.run.apply(input);
+    }
+
     /// One simulation step.
     pub fn step(&mut self) {
+        while let Some(&(_, input)) = self.inputs.get(self.applied).filter(|(step, _)| *step <= self.run.steps()) {
+            self.run.apply(input);
+            self.applied += 1;
+        }
         self.run.step();
         let steps = self.run.steps();
         if steps <= self.end {
@@ -118,6 +144,8 @@ impl Recording {
         let frame = &self.key_frames[before.max(1) - 1];
         if self.run.steps() > goal || self.run.steps() < frame.steps() {
             self.run = frame.clone();
+            // A frame is taken right after its step, before anything is done to the robot there.
+            self.applied = self.inputs.partition_point(|&(step, _)| step < self.run.steps());
             self.version += 1;
         }
         self.goal = Some(goal);

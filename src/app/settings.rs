@@ -231,7 +231,7 @@ impl Settings {
         if self.seed != default.seed {
             push("seed", self.seed.to_string());
         }
-        let Conditions { slip, noise, quantised } = self.conditions;
+        let Conditions { slip, noise, quantised, .. } = self.conditions;
         if slip != default.conditions.slip {
             push("slip", slip.id().to_owned());
         }

@@ -122,6 +122,12 @@ impl Walls {
         is_inside
     }
 
+    /// Calls `visit` with every shape that may reach into the box between `low` and `high`.
+    #[inline]
+    pub fn shapes_in_box<'a>(&'a self, low: Point, high: Point, visit: impl FnMut(&'a Shape)) {
+        self.shapes.in_box(low, high, visit);
+    }
+
     /// All shapes.
     pub fn shapes(&self) -> &[Shape] {
         self.shapes.all()

@@ -33,6 +33,41 @@ impl Shape {
         }
     }
 
+    /// Distance at which a ray from `from` in the direction of the unit vector `direction` enters it, m, and the cosine of the
+    /// angle to the surface's normal there; 0 and 1 for a ray that begins inside.
+    pub fn entry(&self, from: Point, direction: Vector) -> Option<(f64, f64)> {
+        match self {
+            Self::Disc { centre, radius } => {
+                let to_centre = centre - from;
+                let along = to_centre.dot(&direction);
+                let outside = to_centre.norm_squared() - radius * radius;
+                if outside <= 0.0 {
+                    return Some((0.0, 1.0));
+                }
+                let under_root = along * along - outside;
+                // The chord's half over the radius is the cosine at which the ray enters.
+                (along > 0.0 && under_root > 0.0).then(|| (along - under_root.sqrt(), under_root.sqrt() / radius))
+            }
+            Self::Convex(corners) => {
+                let (mut enter, mut leave) = ((0.0, 1.0), f64::INFINITY);
+                for (a, b) in edges(corners) {
+                    let normal = outward(a, b);
+                    let (outside, speed) = ((from - a).dot(&normal), direction.dot(&normal));
+                    if speed < 0.0 {
+                        if outside / -speed > enter.0 {
+                            enter = (outside / -speed, -speed);
+                        }
+                    } else if speed > 0.0 {
+                        leave = leave.min(-outside / speed);
+                    } else if outside > 0.0 {
+                        return None;
+                    }
+                }
+                (enter.0 < leave).then_some(enter)
+            }
+        }
+    }
+
     /// Lower left and upper right corner of the box around it.
     pub fn bounds(&self) -> (Point, Point) {
         match self {

@@ -58,6 +58,8 @@ pub struct LightBumper {
 /// A laser scanner.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Laser {
+    /// Where it sits.
+    pub at: [f64; 2],
     /// Direction of the first beam, rad.
     pub first: f64,
     /// Angle from one beam to the next, rad, counter-clockwise.

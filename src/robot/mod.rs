@@ -3,11 +3,13 @@
 mod body;
 mod drive;
 mod model;
+mod models;
 mod odometry;
 mod sensors;
 
 pub use body::{Battery, Body, Bumper, Laser, LightBumper, SensorSuite, SideBrush, Wheels};
 pub use drive::Drive;
-pub use model::{MODELS, Power, RobotModel, cell_robot, model};
+pub use model::{Power, RobotModel};
+pub use models::{MODELS, cell_robot, model};
 pub use odometry::{Odometry, OdometryModel, advance, advance_sideways};
 pub use sensors::{BatteryReading, Infrared, Overcurrent, Sensors};

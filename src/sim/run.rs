@@ -30,7 +30,7 @@ pub struct RunSetup {
 }
 
 /// How true a robot's wheels and sensors are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Conditions {
     /// How well the wheels hold.
     pub slip: SlipLevel,
@@ -38,6 +38,15 @@ pub struct Conditions {
     pub noise: Noise,
     /// Whether the wheels only turn at the speeds that the motor controller can keep.
     pub quantised: bool,
+    /// Charge of the battery at the start, percent.
+    pub start_charge_percent: u8,
+}
+
+/// Perfect wheels and sensors, any speed, a full battery.
+impl Default for Conditions {
+    fn default() -> Self {
+        Self { slip: SlipLevel::None, noise: Noise::default(), quantised: false, start_charge_percent: 100 }
+    }
 }
 
 /// The state of a run after a number of steps. Cloning it makes a key frame to come back to.
@@ -84,7 +93,7 @@ impl Run {
         }
     }
 
-    /// Advances by [`STEP_S`]; does nothing once the controller is done and the robot at rest.
+    /// Advances by [`STEP_S`]; does nothing once the run is finished.
     pub fn step(&mut self) {
         if self.is_finished() {
             return;
@@ -96,10 +105,14 @@ impl Run {
         let drive = self.controller.step(sensed, STEP_S);
         let Self { life, robot, world, floor, .. } = self;
         life.step(world, |centre, radius| robot.is_near_disc(centre, radius, 0.0));
+        let was_empty = robot.is_empty();
         robot.step(&floor.walls, world, life, drive);
         let pose = robot.pose();
         self.steps += 1;
         self.tell(signs, activity);
+        if self.robot.is_empty() && !was_empty {
+            self.note(What::BatteryEmpty);
+        }
         if self.robot.has_fallen() && !had_fallen {
             self.falls += 1;
             self.note(What::Fell);
@@ -202,11 +215,11 @@ impl Run {
         }
     }
 
-    /// Whether the controller is done and the robot at rest.
+    /// Whether the controller is done or the battery empty, and the robot at rest.
     #[inline]
     pub fn is_finished(&self) -> bool {
         let speed = self.robot.speed();
-        self.controller.is_done() && speed.is_stop()
+        (self.controller.is_done() || self.robot.is_empty()) && speed.is_stop()
     }
 
     /// Steps taken.

@@ -44,7 +44,7 @@ impl SimRobot {
             is_lifted: false,
             dropped: [false; 2],
             has_fallen: false,
-            senses: Senses::new(model, conditions.noise, seed),
+            senses: Senses::new(model, conditions, seed),
         }
     }
 
@@ -64,6 +64,12 @@ impl SimRobot {
     #[inline]
     pub fn sensors(&self) -> &Sensors {
         self.senses.reading()
+    }
+
+    /// Whether its battery is empty: it doesn't move any more.
+    #[inline]
+    pub fn is_empty(&self) -> bool {
+        self.senses.is_empty()
     }
 
     /// Whether somebody has picked it up.
@@ -98,9 +104,10 @@ impl SimRobot {
     /// One step of [`STEP_S`] with the wheels told to turn at `drive`.
     pub fn step(&mut self, walls: &Walls, world: &World, life: &mut Life, drive: Drive) {
         let before = self.pose;
+        let drive = if self.senses.is_empty() { Drive::STOP } else { drive };
         let touch = self.roll(Obstacles { walls, movers: life.movers() }, world, drive);
         let is_cleaning = !self.is_lifted && !self.has_fallen;
-        let dirt = if is_cleaning { life.sweep(&self.model, self.pose) } else { 0.0 };
+        let dirt = if is_cleaning { 1e3 * life.sweep(&self.model, self.pose) } else { 0.0 };
         let carrier = Carrier {
             pose: self.pose,
             touch,

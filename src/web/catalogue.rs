@@ -58,7 +58,7 @@ struct Robot {
 }
 
 #[derive(Serialize)]
-struct Param {
+pub(super) struct Param {
     id: &'static str,
     label: &'static str,
     help: &'static str,
@@ -95,7 +95,7 @@ impl Catalogue {
                     use_when: p.explainer.use_when,
                     shines: Example::new(&p.explainer.shines),
                     fails: Example::new(&p.explainer.fails),
-                    params: p.params.iter().map(Param::new).collect(),
+                    params: params(p.params),
                 })
                 .collect(),
             robots: MODELS
@@ -112,6 +112,11 @@ impl Example {
     fn new(example: &planner::Example) -> Self {
         Self { room: example.room, why: example.why }
     }
+}
+
+/// The parameters as forms take them.
+pub(super) fn params(specs: &[ParamSpec]) -> Vec<Param> {
+    specs.iter().map(Param::new).collect()
 }
 
 impl Param {

@@ -71,7 +71,7 @@ impl<'a> ComparisonView<'a> {
                 Progress::Done => ("done", 1.0, ""),
                 Progress::Failed(message) => ("failed", 1.0, message),
             };
-            let (id, params) = (entrant.planner.id, &entrant.params);
+            let (id, params) = (entrant.id(), &entrant.params);
             EntrantView { id, chosen: comparison.is_chosen(index), params, state, progress, message }
         });
         Self {

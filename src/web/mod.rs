@@ -1,7 +1,8 @@
 //! The only code that knows wasm-bindgen, web-sys and js-sys.
 //!
-//! It is compiled into two modules. The page's has one `Playground` and one `Comparison`, a handful of calls a frame; the
-//! workshop's, which runs in workers and is loaded when it is first needed, has `plan`, `Trials`, `read_map` and `bench`.
+//! It is compiled into two modules. The page's has one `Playground`, one `Comparison` and one `MonteCarlo`, a
+//! handful of calls a frame; the workshop's, which runs in workers and is loaded when it is first needed, has `plan`,
+//! `Trials`, `Runner`, `read_map` and `bench`.
 //! Plain objects and arrays go to and fro between them: `request` and `map` say how.
 
 #[cfg(feature = "workshop")]
@@ -17,6 +18,8 @@ mod comparison_view;
 #[cfg(feature = "page")]
 mod layer;
 mod map;
+#[cfg(feature = "page")]
+mod montecarlo;
 #[cfg(feature = "workshop")]
 mod plan_job;
 #[cfg(feature = "page")]
@@ -24,6 +27,8 @@ mod playground;
 mod request;
 #[cfg(feature = "page")]
 mod robot;
+#[cfg(feature = "workshop")]
+mod runner;
 #[cfg(feature = "page")]
 mod search;
 #[cfg(feature = "workshop")]
@@ -35,10 +40,14 @@ pub use bench::bench;
 pub use comparison::Comparison;
 #[cfg(feature = "workshop")]
 pub use map::read_map;
+#[cfg(feature = "page")]
+pub use montecarlo::MonteCarlo;
 #[cfg(feature = "workshop")]
 pub use plan_job::plan;
 #[cfg(feature = "page")]
 pub use playground::Playground;
+#[cfg(feature = "workshop")]
+pub use runner::Runner;
 #[cfg(feature = "workshop")]
 pub use trial::Trials;
 

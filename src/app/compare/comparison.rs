@@ -7,7 +7,7 @@ use super::{
     trials::{Key, Trials},
 };
 use crate::{
-    app::{Session, SettingsError},
+    app::{Algorithm, Session, SettingsError},
     floorplan::{ROOMS, Scenario},
     metrics::Bounds,
     planner::{CoveragePath, PLANNERS},
@@ -43,8 +43,8 @@ pub struct Comparison {
 impl Comparison {
     /// Some planners about to be compared in the session's room.
     pub fn new() -> Self {
-        let entrants: Vec<Entrant> = PLANNERS.iter().map(|planner| Entrant::new(planner)).collect();
-        let chosen = (0..entrants.len()).filter(|&i| FIRST.contains(&entrants[i].planner.id)).collect();
+        let entrants: Vec<Entrant> = PLANNERS.iter().map(|planner| Entrant::new(Algorithm::Planner(planner))).collect();
+        let chosen = (0..entrants.len()).filter(|&i| FIRST.contains(&entrants[i].id())).collect();
         let mut comparison = Self {
             base: None,
             entrants,
@@ -110,7 +110,7 @@ impl Comparison {
     }
 
     fn index(&self, id: &str) -> Result<usize, SettingsError> {
-        Entrant::parse(id).map(|e| self.entrants.iter().position(|o| o.planner.id == e.planner.id).unwrap_or(0))
+        Entrant::parse_planner(id).map(|(_, info)| self.entrants.iter().position(|o| o.id() == info.id).unwrap_or(0))
     }
 
     /// What is asked for is different from before.
@@ -147,8 +147,8 @@ impl Comparison {
     fn choose_only(&mut self, link: &str) -> Result<(), SettingsError> {
         self.chosen.clear();
         for entrant in link.split(',').filter(|name| !name.is_empty()) {
-            let entrant = Entrant::parse(entrant)?;
-            if let Some(index) = self.entrants.iter().position(|e| e.planner.id == entrant.planner.id) {
+            let (entrant, planner) = Entrant::parse_planner(entrant)?;
+            if let Some(index) = self.entrants.iter().position(|e| e.id() == planner.id) {
                 self.entrants[index] = entrant;
                 self.chosen.insert(index);
             }
@@ -166,7 +166,7 @@ impl Comparison {
         for room in self.rooms() {
             let place = self.place(room);
             for &(entrant, ref name) in &names {
-                let seeds = if self.entrants[entrant].planner.claims.deterministic { 1 } else { self.seeds };
+                let seeds = if self.entrants[entrant].is_deterministic() { 1 } else { self.seeds };
                 for seed in first..first.saturating_add(u64::from(seeds)) {
                     trials.push((Trial { room, entrant, seed }, key(&place, name, seed)));
                 }

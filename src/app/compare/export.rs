@@ -53,7 +53,7 @@ pub fn to_json(records: &[Record<'_>]) -> String {
             room: r.room,
             robot: r.robot,
             cell_size_m: r.cell_size,
-            planner: r.entrant.planner.id,
+            planner: r.entrant.id(),
             params: &r.entrant.params,
             seed: r.seed,
             error: r.result.as_ref().err().map(String::as_str),
@@ -101,6 +101,6 @@ pub fn to_csv(records: &[Record<'_>]) -> String {
 }
 
 /// A field as RFC 4180 has it.
-fn quoted(text: &str) -> String {
+pub(in crate::app) fn quoted(text: &str) -> String {
     if text.contains([',', '"', '\n', '\r']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_owned() }
 }

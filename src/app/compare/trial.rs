@@ -36,27 +36,13 @@ pub struct TrialRequest {
 impl TrialRequest {
     /// The room laid out for the robot. Errors are for users.
     pub fn arena(&self) -> Result<Arena, String> {
-        let plan = self.plan()?;
+        let plan = plan_of(self.room.as_deref(), self.scenario.as_deref())?;
         let robot = match &*self.robot {
             CELL_ROBOT => cell_robot(self.cell_size),
             id => choose_robot(id, &plan, None).ok_or_else(|| format!("there is no robot \"{id}\""))?.0,
         };
         let start = self.start.map(|[x, y, heading]| Pose::new(x, y, heading));
         Arena::new(&plan, &robot, self.cell_size, start).map_err(|e| e.to_string())
-    }
-
-    fn plan(&self) -> Result<FloorPlan, String> {
-        match (&self.room, &self.scenario) {
-            (Some(id), _) => {
-                let room = floorplan::room(id).ok_or_else(|| format!("there is no room \"{id}\""))?;
-                Ok((room.build)())
-            }
-            (None, Some(json)) => {
-                let file = SourceFile { name: "room.json".to_owned(), bytes: json.clone().into_bytes() };
-                floorplan::load(&[file]).map_err(|e| e.to_string())
-            }
-            (None, None) => Err("there is no room".to_owned()),
-        }
     }
 
     /// Lets the planner try in `arena`. `clock` tells seconds since any moment. Errors are for users.
@@ -66,7 +52,22 @@ impl TrialRequest {
         clock: impl Fn() -> f64,
         observer: Option<Observer<'_>>,
     ) -> Result<Outcome, String> {
-        let Entrant { planner, params } = Entrant::parse(&self.entrant).map_err(|e| e.to_string())?;
-        arena.run(planner, &params, self.seed, clock, observer).map_err(|e| e.to_string())
+        let (entrant, planner) = Entrant::parse_planner(&self.entrant).map_err(|e| e.to_string())?;
+        arena.run(planner, &entrant.params, self.seed, clock, observer).map_err(|e| e.to_string())
+    }
+}
+
+/// The room with that id, or that of a scenario file. Errors are for users.
+pub(in crate::app) fn plan_of(room: Option<&str>, scenario: Option<&str>) -> Result<FloorPlan, String> {
+    match (room, scenario) {
+        (Some(id), _) => {
+            let room = floorplan::room(id).ok_or_else(|| format!("there is no room \"{id}\""))?;
+            Ok((room.build)())
+        }
+        (None, Some(json)) => {
+            let file = SourceFile { name: "room.json".to_owned(), bytes: json.as_bytes().to_vec() };
+            floorplan::load(&[file]).map_err(|e| e.to_string())
+        }
+        (None, None) => Err("there is no room".to_owned()),
     }
 }

@@ -11,4 +11,4 @@ mod task;
 pub use error::PlanningError;
 pub use pipeline::{Answer, MOST_SEARCH_CELLS, PlanRequest, Planned, Prepared};
 pub use report::{PlanReport, RoomReport, TaskReport};
-pub use task::{CELL_ROBOT, PlanningTask, Solution, choose_robot};
+pub use task::{CELL_ROBOT, Placement, PlanningTask, Solution, choose_robot};

@@ -1,7 +1,8 @@
 //! What the command line writes about a plan.
 
-use super::{PlanningTask, Prepared, Solution};
+use super::{Placement, PlanningTask, Prepared, Solution};
 use crate::{
+    app::Algorithm,
     grid::Cell,
     metrics::{Bounds, DriveMetrics, PlanNumbers, WalkMetrics},
     planner::Params,
@@ -11,8 +12,12 @@ use serde::Serialize;
 /// What was asked for; the head of every answer.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct TaskReport {
-    /// Id of the planner.
-    pub planner: &'static str,
+    /// Id of the planner, if a planner is at work.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub planner: Option<&'static str>,
+    /// Id of the behaviour, if there is no planner.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub behaviour: Option<&'static str>,
     /// All its parameters.
     pub params: Params,
     /// Seed of all random numbers.
@@ -63,19 +68,20 @@ pub struct PlanReport {
 }
 
 impl TaskReport {
-    /// What `task` asks for, with the start as it turned out.
-    pub fn new(task: &PlanningTask, prepared: &Prepared) -> Self {
+    /// What is asked of `algorithm`, with the start as it turned out.
+    pub fn new(algorithm: Algorithm, params: &Params, seed: u64, placement: &Placement, prepared: &Prepared) -> Self {
         Self {
-            planner: task.planner.id,
-            params: task.params.clone(),
-            seed: task.seed,
+            planner: algorithm.planner().map(|info| info.id),
+            behaviour: algorithm.behaviour().map(|info| info.id),
+            params: params.clone(),
+            seed,
             room: RoomReport {
-                name: task.plan.name.clone(),
+                name: placement.plan.name.clone(),
                 width: prepared.lattice.free.width(),
                 height: prepared.lattice.free.height(),
-                resolution_m: task.cell_size,
+                resolution_m: placement.cell_size,
             },
-            robot: task.robot.id,
+            robot: placement.robot.id,
             start: prepared.job.start,
             heading_deg: prepared.floor.start.heading.to_degrees(),
         }
@@ -89,7 +95,13 @@ impl PlanReport {
         let numbers = solution.planned.numbers(Some(bounds));
         let PlanNumbers { walk, drive, planning_s, .. } = numbers;
         Self {
-            task: TaskReport::new(task, &solution.prepared),
+            task: TaskReport::new(
+                Algorithm::Planner(task.planner),
+                &task.params,
+                task.seed,
+                &task.placement,
+                &solution.prepared,
+            ),
             cells: solution.path.cells,
             walk,
             drive,

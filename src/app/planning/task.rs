@@ -13,9 +13,9 @@ use crate::{
 /// Id of the robot that fills one cell, whatever the cell's size.
 pub const CELL_ROBOT: &str = "cell";
 
-/// All that determines a walk.
+/// A robot put into a room, from where it is to clean.
 #[derive(Debug, Clone)]
-pub struct PlanningTask {
+pub struct Placement {
     /// The room.
     pub plan: FloorPlan,
     /// The robot.
@@ -26,6 +26,13 @@ pub struct PlanningTask {
     pub start: Option<Cell>,
     /// Degrees counter-clockwise from the right; if `None`, 0 in a given start cell and the plan's own heading else.
     pub heading_deg: Option<f64>,
+}
+
+/// All that determines a walk.
+#[derive(Debug, Clone)]
+pub struct PlanningTask {
+    /// Room and robot.
+    pub placement: Placement,
     /// The planner.
     pub planner: &'static PlannerInfo,
     /// Its parameters.
@@ -59,10 +66,8 @@ pub fn choose_robot(id: &str, plan: &FloorPlan, cell_size: Option<f64>) -> Optio
 
 impl PlanningTask {
     /// Plans a walk and measures it. `clock` tells seconds since any moment, as the core has no clock of its own.
-    ///
-    /// A start cell that was asked for is kept or refused, never moved.
     pub fn solve(&self, clock: impl Fn() -> f64, observer: Option<Observer<'_>>) -> Result<Solution, PlanningError> {
-        let prepared = Prepared::on(&self.plan, self.floor()?, &self.robot, self.cell_size);
+        let prepared = self.placement.prepare()?;
         let request = PlanRequest {
             id: 0,
             planner: self.planner,
@@ -74,6 +79,15 @@ impl PlanningTask {
         let planned = Planned::new(&prepared, &answer)
             .map_err(|error| PlanningError::BadPath { planner: self.planner.id, error })?;
         Ok(Solution { prepared, path: answer.path, planned })
+    }
+}
+
+impl Placement {
+    /// The room laid out for the robot, with everything checked that was asked for.
+    ///
+    /// A start cell that was asked for is kept or refused, never moved.
+    pub fn prepare(&self) -> Result<Prepared, PlanningError> {
+        Ok(Prepared::on(&self.plan, self.floor()?, &self.robot, self.cell_size))
     }
 
     /// The floor as reached from the start, with everything checked that was asked for.
@@ -168,12 +182,9 @@ mod tests {
         start: Option<(i32, i32)>,
     ) -> Result<PlanReport, PlanningError> {
         let (robot, cell_size) = choose_robot(robot, plan, cell).unwrap();
+        let start = start.map(|(x, y)| Cell::new(x, y));
         let task = PlanningTask {
-            plan: plan.clone(),
-            robot,
-            cell_size,
-            start: start.map(|(x, y)| Cell::new(x, y)),
-            heading_deg: None,
+            placement: Placement { plan: plan.clone(), robot, cell_size, start, heading_deg: None },
             planner: snake(),
             params: Params::default(),
             seed: 0,
@@ -241,11 +252,13 @@ mod tests {
         assert!(matches!(fine, PlanningError::StartInWall { .. }), "{fine}");
         let (robot, _) = choose_robot(CELL_ROBOT, &plan, None).unwrap();
         let task = PlanningTask {
-            plan: plan.clone(),
-            robot,
-            cell_size: 0.3,
-            start: Some(Cell::new(0, 0)),
-            heading_deg: Some(-450.0),
+            placement: Placement {
+                plan: plan.clone(),
+                robot,
+                cell_size: 0.3,
+                start: Some(Cell::new(0, 0)),
+                heading_deg: Some(-450.0),
+            },
             planner: snake(),
             params: Params::default(),
             seed: 0,
@@ -270,11 +283,7 @@ mod tests {
         let plan = text_map("....\n....\n");
         let (robot, cell_size) = choose_robot(CELL_ROBOT, &plan, None).unwrap();
         let task = PlanningTask {
-            plan: plan.clone(),
-            robot,
-            cell_size,
-            start: None,
-            heading_deg: None,
+            placement: Placement { plan: plan.clone(), robot, cell_size, start: None, heading_deg: None },
             planner: snake(),
             params: Params::default(),
             seed: 0,

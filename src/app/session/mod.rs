@@ -8,9 +8,10 @@ use super::{
     Action, Brush, Editor, Import, PlanRequest, Planned, Prepared, Recording, Search, Settings, SettingsError, State,
 };
 use crate::{
+    controller::Command,
     floorplan::{self, FloorPlan, MapError, RoomInfo, Scenario, SourceFile},
     geometry::{Point, Pose},
-    sim::STEP_S,
+    sim::{Input, STEP_S},
 };
 use std::sync::Arc;
 
@@ -263,6 +264,38 @@ impl Session {
             recording.seek(time_s);
             // The state right at a key frame, the start above all, is there at once; the rest follows with the frames.
             recording.seek_on(&mut || false);
+        }
+    }
+
+    // ---- the hand on the robot
+
+    /// Moves the joystick; ignored by robots that drive by themselves.
+    pub fn command(&mut self, command: Command) {
+        self.input(Input::Command(command));
+    }
+
+    /// Picks the robot up.
+    pub fn lift(&mut self) {
+        if !self.is_lifted() {
+            self.input(Input::Lift);
+        }
+    }
+
+    /// Puts a robot that was picked up down at `pose`, or at the nearest place where it fits.
+    pub fn put_down(&mut self, pose: Pose) {
+        if self.is_lifted() {
+            self.input(Input::PutDown(rounded(pose)));
+        }
+    }
+
+    /// Whether the robot is in somebody's hand.
+    pub fn is_lifted(&self) -> bool {
+        self.recording.as_ref().is_some_and(|recording| recording.run().is_lifted())
+    }
+
+    fn input(&mut self, input: Input) {
+        if let Some(recording) = &mut self.recording {
+            recording.input(input);
         }
     }
 

@@ -3,6 +3,7 @@
 use super::{failure::Failure, output, source};
 use robovac_playground::{
     app::{
+        Algorithm,
         compare::{Arena, Entrant, Record, RoomChoice, RoomSet, Row, Table, to_csv, to_json},
         planning::{CELL_ROBOT, choose_robot},
     },
@@ -82,7 +83,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let mut trials = Vec::new();
     for place in 0..places.len() {
         for (index, entrant) in entrants.iter().enumerate() {
-            let seeds = if entrant.planner.claims.deterministic { 1 } else { arguments.seeds };
+            let seeds = if entrant.is_deterministic() { 1 } else { arguments.seeds };
             trials.extend((0..seeds).map(|i| Trial { place, entrant: index, seed: arguments.seed + i }));
         }
     }
@@ -136,7 +137,8 @@ fn try_all(
 fn attempt(place: &Place, entrant: &Entrant, seed: u64) -> Result<PlanNumbers, String> {
     let begin = Instant::now();
     let arena = place.arena.as_ref().map_err(Clone::clone)?;
-    let outcome = arena.run(entrant.planner, &entrant.params, seed, || begin.elapsed().as_secs_f64(), None);
+    let planner = entrant.algorithm.planner().ok_or("it plans nothing")?;
+    let outcome = arena.run(planner, &entrant.params, seed, || begin.elapsed().as_secs_f64(), None);
     outcome.map(|outcome| outcome.numbers).map_err(|e| e.to_string())
 }
 
@@ -167,9 +169,12 @@ fn entrants(names: &[String]) -> Result<Vec<Entrant>, Failure> {
     let mut entrants = Vec::new();
     for name in names {
         match &**name {
-            "all" => entrants.extend(PLANNERS.iter().map(|p| Entrant::new(p))),
-            "fast" => entrants.extend(PLANNERS.iter().filter(|p| p.claims.fast).map(|p| Entrant::new(p))),
-            name => entrants.push(Entrant::parse(name).map_err(|e| Failure::usage(e.to_string()))?),
+            "all" => entrants.extend(PLANNERS.iter().map(|&p| Entrant::new(Algorithm::Planner(p)))),
+            "fast" => {
+                entrants
+                    .extend(PLANNERS.iter().filter(|p| p.claims.fast).map(|&p| Entrant::new(Algorithm::Planner(p))));
+            }
+            name => entrants.push(Entrant::parse_planner(name).map_err(|e| Failure::usage(e.to_string()))?.0),
         }
     }
     Ok(entrants)

@@ -1,9 +1,15 @@
-//! `planners`, `rooms`, `robots`: what there is, one a line.
+//! `planners`, `behaviours`, `rooms`, `robots`: what there is, one a line.
 
-use robovac_playground::{floorplan::ROOMS, metrics::METRICS, planner::PLANNERS, robot::MODELS};
+use robovac_playground::{
+    controller::BEHAVIOURS, floorplan::ROOMS, metrics::METRICS, planner::PLANNERS, robot::MODELS,
+};
 
 pub fn planners() -> String {
     lines(PLANNERS.iter().map(|planner| (planner.id, planner.title)))
+}
+
+pub fn behaviours() -> String {
+    lines(BEHAVIOURS.iter().map(|behaviour| (behaviour.id, behaviour.title)))
 }
 
 pub fn rooms() -> String {

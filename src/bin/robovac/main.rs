@@ -1,4 +1,4 @@
-//! Native companion of the page: the same planners on the command line.
+//! Native companion of the page: the same planners and behaviours on the command line.
 //!
 //! One file a sub-command; each turns its arguments into text or a [`failure::Failure`].
 
@@ -7,11 +7,15 @@ mod bench;
 #[cfg(not(target_arch = "wasm32"))]
 mod compare;
 #[cfg(not(target_arch = "wasm32"))]
+mod conditions;
+#[cfg(not(target_arch = "wasm32"))]
 mod convert;
 #[cfg(not(target_arch = "wasm32"))]
 mod failure;
 #[cfg(not(target_arch = "wasm32"))]
 mod list;
+#[cfg(not(target_arch = "wasm32"))]
+mod montecarlo;
 #[cfg(not(target_arch = "wasm32"))]
 mod output;
 #[cfg(not(target_arch = "wasm32"))]
@@ -34,7 +38,7 @@ fn main() -> std::process::ExitCode {
 
 #[cfg(not(target_arch = "wasm32"))]
 mod native {
-    use super::{bench, compare, convert, failure::OK, list, output::print, plan, simulate};
+    use super::{bench, compare, convert, failure::OK, list, montecarlo, output::print, plan, simulate};
     use clap::{Parser, Subcommand};
     use std::{io::Write, process::ExitCode};
 
@@ -42,7 +46,7 @@ mod native {
 Exit codes:
   0  done
   1  a file can't be read or written
-  2  wrong use: unknown option, planner, room, robot or parameter
+  2  wrong use: unknown option, planner, behaviour, room, robot or parameter
   3  the map can't be used
   4  the robot or its start doesn't fit into the room
   5  the planner failed";
@@ -60,6 +64,8 @@ Exit codes:
     enum Command {
         /// List the planners: id, then title
         Planners,
+        /// List the behaviours, which clean without a plan: id, then title
+        Behaviours,
         /// List the rooms that ship: id, then title
         Rooms,
         /// List the robots: id, then title
@@ -68,6 +74,7 @@ Exit codes:
         Metrics,
         Plan(plan::Arguments),
         Simulate(simulate::Arguments),
+        Montecarlo(montecarlo::Arguments),
         Compare(compare::Arguments),
         Convert(convert::Arguments),
         Bench(bench::Arguments),
@@ -76,11 +83,13 @@ Exit codes:
     pub(super) fn main() -> ExitCode {
         let result = match Arguments::parse().command {
             Command::Planners => Ok(list::planners()),
+            Command::Behaviours => Ok(list::behaviours()),
             Command::Rooms => Ok(list::rooms()),
             Command::Robots => Ok(list::robots()),
             Command::Metrics => Ok(list::metrics()),
             Command::Plan(arguments) => plan::run(&arguments),
             Command::Simulate(arguments) => simulate::run(&arguments),
+            Command::Montecarlo(arguments) => montecarlo::run(&arguments),
             Command::Compare(arguments) => compare::run(&arguments),
             Command::Convert(arguments) => convert::run(&arguments),
             Command::Bench(arguments) => bench::run(&arguments),

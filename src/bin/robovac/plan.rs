@@ -3,16 +3,27 @@
 use super::{
     failure::Failure,
     output,
-    task::{self, TaskArguments},
+    task::{self, ParamArguments, PlacementArguments},
 };
-use robovac_playground::app::planning::{CELL_ROBOT, PlanReport, PlanningTask};
+use robovac_playground::{
+    app::{
+        Algorithm,
+        planning::{CELL_ROBOT, PlanReport, PlanningTask},
+    },
+    planner::{PlannerInfo, find},
+};
 use std::time::Instant;
 
 /// Plan a walk that covers a room
 #[derive(clap::Args)]
 pub struct Arguments {
     #[command(flatten)]
-    task: TaskArguments,
+    placement: PlacementArguments,
+    /// Planner, see "robovac planners"
+    #[arg(long, value_name = "ID")]
+    planner: String,
+    #[command(flatten)]
+    params: ParamArguments,
     /// Write one JSON object instead of a summary
     #[arg(long)]
     json: bool,
@@ -20,11 +31,19 @@ pub struct Arguments {
 
 /// Plans and returns what is to be printed.
 pub fn run(arguments: &Arguments) -> Result<String, Failure> {
-    let task = arguments.task.task(CELL_ROBOT)?;
+    let planner = planner(&arguments.planner)?;
+    let params = arguments.params.checked(planner.params)?;
+    let placement = arguments.placement.placement(CELL_ROBOT)?;
+    let task = PlanningTask { placement, planner, params, seed: arguments.params.seed };
     let begin = Instant::now();
     let solution = task.solve(|| begin.elapsed().as_secs_f64(), None)?;
     let report = PlanReport::new(&task, solution);
     Ok(if arguments.json { output::json(&report) } else { summary(&task, &report) })
+}
+
+/// The planner with that id.
+pub fn planner(id: &str) -> Result<&'static PlannerInfo, Failure> {
+    find(id).ok_or_else(|| Failure::unknown("planner", id, "planners"))
 }
 
 fn summary(task: &PlanningTask, report: &PlanReport) -> String {
@@ -38,7 +57,7 @@ fn summary(task: &PlanningTask, report: &PlanReport) -> String {
          Bound     no walk has fewer than {} steps or {} quarter turns, or steps + 2 x turns below {}{above}\n\
          Drive     {:.1} m in {}, {:.1} Wh\n\
          Planning  {:.3} s\n",
-        task::summary(task, &report.task),
+        task::summary(Algorithm::Planner(task.planner), &task.placement, &report.task),
         100.0 * drive.coverage,
         walk.reachable_cells,
         walk.steps,

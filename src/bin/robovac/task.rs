@@ -1,33 +1,27 @@
-//! What `plan` and `simulate` have in common: which planner is to cover which room with which robot.
+//! What the commands have in common: which robot is to clean which room, and with which parameters.
 
 use super::{failure::Failure, source::Source};
 use robovac_playground::{
-    app::planning::{PlanningTask, TaskReport, choose_robot},
+    app::{
+        Algorithm,
+        planning::{Placement, TaskReport, choose_robot},
+    },
     grid::Cell,
-    planner::{Params, PlannerInfo, find},
+    registry::{ParamSpec, Params},
 };
 
-/// Planner, room, robot and start.
+/// Room, robot and start.
 #[derive(clap::Args)]
-pub struct TaskArguments {
+pub struct PlacementArguments {
     #[command(flatten)]
     source: Source,
-    /// Planner, see "robovac planners"
-    #[arg(long, value_name = "ID")]
-    planner: String,
     /// Planning cell to start in: column and row, counted from 0 at the lower left [default: the map's own start]
     #[arg(long, value_name = "X,Y", value_parser = parse_cell, allow_hyphen_values = true)]
     start: Option<Cell>,
     /// Heading at the start, degrees counter-clockwise from 0 = right [default: 0 with --start, else the map's own]
     #[arg(long, value_name = "DEG", allow_hyphen_values = true)]
     heading: Option<f64>,
-    /// Seed of all random numbers
-    #[arg(long, value_name = "N", default_value_t = 0)]
-    seed: u64,
-    /// Parameter of the planner; may be given several times
-    #[arg(long = "param", value_name = "KEY=VALUE", value_parser = parse_param)]
-    params: Vec<(String, String)>,
-    /// Robot, see "robovac robots"; "cell" fills one planning cell [default: "cell" to plan, "roomba600" to simulate]
+    /// Robot, see "robovac robots"; "cell" fills one planning cell [default: "cell" to plan, else "roomba600"]
     #[arg(long, value_name = "ID")]
     robot: Option<String>,
     /// Side of the planning cells in metres [default: a map cell for the robot "cell", else what suits the robot]
@@ -35,54 +29,57 @@ pub struct TaskArguments {
     cell: Option<f64>,
 }
 
-impl TaskArguments {
-    /// The task, with every name looked up and the room loaded.
-    pub fn task(&self, default_robot: &str) -> Result<PlanningTask, Failure> {
-        let planner = find(&self.planner).ok_or_else(|| Failure::unknown("planner", &self.planner, "planners"))?;
-        let params = checked_params(planner, &self.params)?;
+/// Parameters and seed of one algorithm.
+#[derive(clap::Args)]
+pub struct ParamArguments {
+    /// Parameter of the algorithm; may be given several times
+    #[arg(long = "param", value_name = "KEY=VALUE", value_parser = parse_param)]
+    params: Vec<(String, String)>,
+    /// Seed of all random numbers
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub seed: u64,
+}
+
+impl PlacementArguments {
+    /// The robot in its room, with every name looked up and the room loaded.
+    pub fn placement(&self, default_robot: &str) -> Result<Placement, Failure> {
         let plan = self.source.plan()?;
         let robot = self.robot.as_deref().unwrap_or(default_robot);
         let (robot, cell_size) =
             choose_robot(robot, &plan, self.cell).ok_or_else(|| Failure::unknown("robot", robot, "robots"))?;
-        Ok(PlanningTask {
-            plan,
-            robot,
-            cell_size,
-            start: self.start,
-            heading_deg: self.heading,
-            planner,
-            params,
-            seed: self.seed,
-        })
+        Ok(Placement { plan, robot, cell_size, start: self.start, heading_deg: self.heading })
+    }
+}
+
+impl ParamArguments {
+    /// Values for all of `specs`, each read as what it takes; unknown names are refused by the check.
+    pub fn checked(&self, specs: &[ParamSpec]) -> Result<Params, Failure> {
+        let mut params = Params::defaults(specs);
+        for (id, text) in &self.params {
+            params.set_text(specs, id, text)?;
+        }
+        Ok(params)
     }
 }
 
 /// The lines of a summary that say what was asked for.
-pub fn summary(task: &PlanningTask, report: &TaskReport) -> String {
+pub fn summary(algorithm: Algorithm, placement: &Placement, report: &TaskReport) -> String {
     let room = &report.room;
+    let kind = if algorithm.planner().is_some() { "Planner" } else { "Behaviour" };
     format!(
-        "Planner   {}, seed {}\n\
+        "{kind:10}{}, seed {}\n\
          Room      {}: {} x {} cells of {} m\n\
          Robot     {}, starts in cell {} with heading {:.0}°\n",
-        task.planner.title,
+        algorithm.title(),
         report.seed,
         room.name,
         room.width,
         room.height,
         room.resolution_m,
-        task.robot.title,
+        placement.robot.title,
         report.start,
         report.heading_deg,
     )
-}
-
-/// Values for the planner, each read as what the planner takes; unknown names are refused by the check.
-fn checked_params(planner: &PlannerInfo, given: &[(String, String)]) -> Result<Params, Failure> {
-    let mut params = Params::defaults(planner.params);
-    for (id, text) in given {
-        params.set_text(planner.params, id, text)?;
-    }
-    Ok(params)
 }
 
 fn parse_cell(text: &str) -> Result<Cell, String> {

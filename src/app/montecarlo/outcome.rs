@@ -1,0 +1,102 @@
+//! What came out of one run.
+
+use crate::sim::{Run, STEP_S, What};
+
+/// Shares of the reachable floor whose times are taken.
+pub const GOALS: [f64; 2] = [0.9, 0.99];
+/// Coverage is taken so often, at equal distances in time, and at the start.
+pub const SAMPLES: usize = 200;
+
+/// What came out of one run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outcome {
+    /// Seed of everything random in it.
+    pub seed: u64,
+    /// Swept share of the reachable floor, 0 to 1, at the start and at the end of each of [`SAMPLES`] equal parts of the
+    /// time. After the end of a run that ended by itself it stays.
+    pub curve: Vec<f64>,
+    /// When the shares of [`GOALS`] had been swept, s; infinite if that didn't happen in time.
+    pub reached_s: [f64; GOALS.len()],
+    /// Simulated time, s; less than was given if the run ended by itself.
+    pub time_s: f64,
+    /// Distance driven, m.
+    pub distance_m: f64,
+    /// How often the bumper was pressed.
+    pub bumps: u32,
+    /// How often the robot fell down a drop-off.
+    pub falls: u32,
+    /// Tells the last state of the run from others, to the last bit.
+    pub digest: u64,
+}
+
+/// Numbers before the curve in [`Outcome::to_numbers`].
+const HEAD: usize = 8 + GOALS.len();
+
+impl Outcome {
+    /// Makes `run`, which was made with `seed`, go on for `duration_s` seconds from its start.
+    pub fn of(mut run: Run, seed: u64, duration_s: f64) -> Self {
+        let steps = (duration_s / STEP_S).round() as u64;
+        let mut curve = Vec::with_capacity(SAMPLES + 1);
+        curve.push(run.coverage());
+        let mut reached_s = [f64::INFINITY; GOALS.len()];
+        let mut next = 0;
+        let mut falls = 0;
+        for sample in 1..=SAMPLES as u64 {
+            let (from, until) = (run.steps(), steps * sample / SAMPLES as u64);
+            while run.steps() < until && !run.is_finished() {
+                run.step();
+                while GOALS.get(next).is_some_and(|&goal| run.coverage() >= goal) {
+                    reached_s[next] = run.time_s();
+                    next += 1;
+                }
+            }
+            let fell = |event: &&crate::sim::Event| event.step > from && event.what == What::Fell;
+            falls += run.events().iter().rev().filter(fell).count() as u32;
+            curve.push(run.coverage());
+        }
+        Self {
+            seed,
+            curve,
+            reached_s,
+            time_s: run.time_s(),
+            distance_m: run.distance_m(),
+            bumps: run.bumps(),
+            falls,
+            digest: run.digest(),
+        }
+    }
+
+    /// Coverage at the end, 0 to 1.
+    pub fn coverage(&self) -> f64 {
+        self.curve.last().copied().unwrap_or(0.0)
+    }
+
+    /// All of it as numbers, to cross to another thread of a browser.
+    pub fn to_numbers(&self) -> impl Iterator<Item = f64> {
+        let halves = [(self.digest >> 32) as u32, self.digest as u32].map(f64::from);
+        let counts = [self.bumps, self.falls].map(f64::from);
+        let head = [self.curve.len() as f64, self.seed as f64, self.time_s, self.distance_m];
+        head.into_iter().chain(counts).chain(halves).chain(self.reached_s).chain(self.curve.iter().copied())
+    }
+
+    /// The inverse of [`Outcome::to_numbers`] for several after one another; those that are cut off are left out.
+    pub fn from_numbers(mut numbers: &[f64]) -> Vec<Self> {
+        let mut outcomes = Vec::new();
+        while let Some((head, rest)) = numbers.split_first_chunk::<HEAD>() {
+            let &[length, seed, time_s, distance_m, bumps, falls, high, low, reached_90, reached_99] = head;
+            let Some((curve, rest)) = rest.split_at_checked(length as usize) else { break };
+            outcomes.push(Self {
+                seed: seed as u64,
+                curve: curve.to_vec(),
+                reached_s: [reached_90, reached_99],
+                time_s,
+                distance_m,
+                bumps: bumps as u32,
+                falls: falls as u32,
+                digest: (high as u64) << 32 | low as u64,
+            });
+            numbers = rest;
+        }
+        outcomes
+    }
+}

@@ -1,0 +1,20 @@
+//! The robots that can be chosen, one a file, every figure with its source.
+
+mod cbot;
+mod cell;
+mod dvr1;
+mod octagon;
+mod roomba600;
+
+pub use cell::cell_robot;
+
+use super::RobotModel;
+
+/// The robots that ship, in the order of the menus.
+pub const MODELS: &[&RobotModel] =
+    &[&roomba600::ROOMBA_600, &dvr1::DVR_1, &cbot::CBOT, &octagon::OCTAGON, &cell::CELL_20];
+
+/// The model with that id.
+pub fn model(id: &str) -> Option<&'static RobotModel> {
+    MODELS.iter().copied().find(|m| m.id == id)
+}

@@ -1,0 +1,132 @@
+//! Battery and charger.
+//!
+//! The battery loses what the model's [`Power`](crate::robot::Power) says: standing power all the time, wheel power in
+//! proportion to wheel speed, which gives the model's straight and turning power at the speeds of path following. On the
+//! dock it takes the model's charging current until it is full.
+//!
+//! Voltage over charge is a Roomba's with 14.4 V: 13.9 V at 14 % and 16.0 V at 91 % (Open Interface facts, section 6),
+//! straight between and beyond, and down to 12 V, 1 V a cell, when empty (ours); other batteries have the same curve
+//! in proportion to their nominal voltage (ours). Stalled wheels draw another 10 W (ours).
+//!
+//! Noise: at "typical" a standard deviation of 20 mV and 10 mA, so that a standing robot reads what is reported of it
+//! (-111 to -151 mA); at "harsh" 100 mV and 50 mA, and a worn battery whose gauge is off by up to 15 %, the same all
+//! the time.
+
+use super::Carrier;
+use crate::{
+    rng::seeded,
+    robot::{BatteryReading, RobotModel, Sensors},
+    sim::{Noise, NoiseLevel, STEP_S, SensorKind},
+};
+use rand::RngExt;
+
+/// Stream of what is drawn once for a battery.
+const STREAM: u64 = 4;
+/// Points of the voltage curve: share of the charge, and voltage as a share of the nominal one.
+const CURVE: [(f64, f64); 4] = [(0.0, 12.0 / 14.4), (0.14, 13.9 / 14.4), (0.91, 16.0 / 14.4), (1.0, 16.2454 / 14.4)];
+/// Additional power of stalled wheels, W.
+const STALLED_W: f64 = 10.0;
+/// Temperature of the room, degrees Celsius, and of the battery above it for every watt, and how fast that comes, s.
+const WARMTH: (f64, f64, f64) = (22.0, 0.4, 900.0);
+
+/// The battery of one robot.
+#[derive(Debug, Clone)]
+pub(super) struct Cells {
+    /// When new, J.
+    capacity: f64,
+    /// J.
+    charge: f64,
+    /// Power out of it in the last step, W; negative while it is charged.
+    power: f64,
+    temperature: f64,
+    on_dock: bool,
+    /// What the gauge reads, as a share of what is in it.
+    gauge: f64,
+    /// Standard deviations, mV and mA.
+    noise: (f64, f64),
+    nominal: f64,
+    capacity_mah: f64,
+    has_gauge: bool,
+}
+
+impl Cells {
+    /// The battery of `model`, charged to `share`, 0 to 1.
+    pub fn new(model: &RobotModel, share: f64, noise: Noise, seed: u64) -> Self {
+        let battery = model.battery;
+        let capacity = 3.6 * battery.capacity_mah * battery.voltage;
+        let level = noise.of(SensorKind::Battery);
+        let is_worn = level == NoiseLevel::Harsh;
+        Self {
+            capacity,
+            charge: capacity * share.clamp(0.0, 1.0),
+            power: 0.0,
+            temperature: WARMTH.0,
+            on_dock: false,
+            gauge: if is_worn { seeded(!seed, STREAM).random_range(0.85..1.15) } else { 1.0 },
+            noise: [(0.0, 0.0), (20.0, 10.0), (100.0, 50.0)][level as usize],
+            nominal: battery.voltage,
+            capacity_mah: battery.capacity_mah,
+            has_gauge: battery.has_gauge,
+        }
+    }
+
+    /// Whether nothing is left.
+    pub fn is_empty(&self) -> bool {
+        self.charge <= 0.0
+    }
+
+    /// One step of drawing or charging.
+    pub fn step(&mut self, model: &RobotModel, carrier: &Carrier, on_dock: bool, is_stalled: bool) {
+        self.on_dock = on_dock;
+        let wheels = 0.5 * (carrier.speed.left.abs() + carrier.speed.right.abs()) + carrier.speed.lateral.abs();
+        self.power = if on_dock {
+            if self.charge < self.capacity { -1e-3 * model.battery.charge_ma * self.nominal } else { 0.0 }
+        } else if self.is_empty() {
+            0.0
+        } else {
+            let stalled = if is_stalled { STALLED_W } else { 0.0 };
+            model.power.standing + model.power.straight * (wheels / model.cruise_speed) + stalled
+        };
+        self.charge = (self.charge - self.power * STEP_S).clamp(0.0, self.capacity);
+        self.temperature += STEP_S / WARMTH.2 * (WARMTH.0 + WARMTH.1 * self.power.abs() - self.temperature);
+    }
+
+    /// What its electronics report; `deviate` is a normal deviate.
+    pub fn report(&self, deviate: f64, sensors: &mut Sensors) {
+        sensors.battery.on_dock = self.on_dock;
+        if !self.has_gauge {
+            return;
+        }
+        let share = self.charge / self.capacity;
+        let volts = self.nominal * curve(share);
+        let milliamps = -1000.0 * self.power / volts;
+        sensors.battery = BatteryReading {
+            charge_mah: (self.gauge * share * self.capacity_mah).min(self.capacity_mah).round() as u16,
+            capacity_mah: self.capacity_mah as u16,
+            voltage_mv: (1000.0 * volts + self.noise.0 * deviate).max(0.0) as u16,
+            current_ma: (milliamps + self.noise.1 * deviate) as i16,
+            temperature_c: self.temperature as i8,
+            on_dock: self.on_dock,
+        };
+    }
+}
+
+/// Voltage as a share of the nominal one.
+fn curve(share: f64) -> f64 {
+    let piece = CURVE.windows(2).find(|piece| share <= piece[1].0).unwrap_or(&CURVE[2..]);
+    let (from, to) = (piece[0], piece[1]);
+    from.1 + (to.1 - from.1) * ((share - from.0) / (to.0 - from.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn voltages_are_those_measured() {
+        for (share, volts) in [(0.14, 13.9), (0.91, 16.0), (0.0, 12.0)] {
+            assert!((14.4 * curve(share) - volts).abs() < 1e-9, "{share}");
+        }
+        assert!(curve(1.0) > curve(0.95) && curve(0.95) > curve(0.91));
+    }
+}
