@@ -2,13 +2,14 @@
 // The place Compare: who takes part, how far the trials are, and which view of them is shown.
 import { Comparison } from "../page.js";
 import { startAbout } from "./about.js";
-import { button, byId, changed, fill, make, select, setAttribute, setHidden, setText, typed } from "./dom.js";
+import { button, byId, changed, fill, select, setAttribute, setHidden, setText, typed } from "./dom.js";
+import { entrantItem, showChoice, swatch } from "./entrants.js";
 import { startExports } from "./exports.js";
 import { startNumbers } from "./numbers.js";
 import { complain, textOf } from "./messages.js";
-import { paramField } from "./params.js";
 import { Pool } from "./pool.js";
 import { startRace } from "./race.js";
+import { startRuns } from "./montecarlo.js";
 
 /**
  * @typedef {import("./types").CompareView} CompareView
@@ -21,6 +22,10 @@ import { startRace } from "./race.js";
  * @property {(entrant: number) => void} about Tells about an algorithm and shows its path.
  */
 
+/** @typedef {"race" | "numbers" | "runs"} ViewName The views of this place. @type {ViewName[]} */
+const VIEWS = ["race", "numbers", "runs"];
+/** Most workers that try planners: each holds a room and a planner's memory. */
+const MOST_WORKERS = 6;
 /** Numbers of seeds that are offered. */
 const SEEDS = [1, 3, 5, 10, 20];
 
@@ -40,46 +45,73 @@ export function startCompare(app, module, guard) {
     about: () => {},
   };
   it.about = startAbout(it);
-  const pool = new Pool(module, comparison, guard);
+  const pool = new Pool(module, trialsOf(comparison), guard);
   startSetup(it);
-  startExports(it);
   const race = startRace(it);
   const updateNumbers = startNumbers(it);
+  const runs = startRuns(app, module, guard);
+  const plans = { name: "comparison", csv: () => comparison.csv(), json: () => comparison.json(), charts: byId("charts") };
+  startExports(app, () => (shownView() === "runs" ? runs.exported : plans));
 
   return {
     /** Once a frame while the place is shown. @param {number} now */
     frame(now) {
+      updatePlace(app);
+      if (shownView() === "runs") {
+        runs.frame();
+        return;
+      }
       comparison.take(app.playground);
       pool.tend();
       comparison.frame(now);
       it.view = comparison.view();
       updateSetup(it);
-      if (byId("place-compare").dataset.view === "race") race.update(it.view);
+      if (shownView() === "race") race.update(it.view);
       else updateNumbers(it.view);
     },
     /** @param {string} link */
     restore(link) {
-      try {
-        comparison.restore(link);
-      } catch (error) {
-        // Not by `act`, which would take back what another part of the link was refused for.
-        complain(textOf(error));
+      for (const part of [comparison, runs]) {
+        try {
+          part.restore(link);
+        } catch (error) {
+          // Not by `act`, which would take back what another part of the link was refused for.
+          complain(textOf(error));
+        }
       }
-      showView(new URLSearchParams(link).get("view") === "numbers" ? "numbers" : "race");
+      const wanted = new URLSearchParams(link).get("view");
+      showView(VIEWS.find((name) => name === wanted) ?? "race");
     },
-    link: () => `place=compare&view=${byId("place-compare").dataset.view}&${comparison.link()}`,
+    link: () => `place=compare&view=${shownView()}&${comparison.link()}${shownView() === "runs" ? `&${runs.link()}` : ""}`,
     /** A single key, space for one. @param {string} key */
-    key: (key) => byId("place-compare").dataset.view === "race" && race.key(key),
+    key: (key) => shownView() === "race" && race.key(key),
     /** @param {boolean} dark */
     setDark: (dark) => comparison.set_dark(dark),
   };
 }
 
-/** @param {"race" | "numbers"} view */
+/** @returns {ViewName} */
+const shownView = () => VIEWS.find((name) => name === byId("place-compare").dataset.view) ?? "race";
+
+/** @param {ViewName} view */
 function showView(view) {
   byId("place-compare").dataset.view = view;
-  for (const name of ["race", "numbers"]) byId(`view-${name}`).setAttribute("aria-pressed", String(name === view));
+  for (const name of VIEWS) byId(`view-${name}`).setAttribute("aria-pressed", String(name === view));
 }
+
+/** The trials of a comparison as work for workers. @param {Comparison} comparison @returns {import("./pool.js").Source} */
+const trialsOf = (comparison) => ({
+  type: "trial",
+  most: MOST_WORKERS,
+  take: () => comparison.take_trial(),
+  isWanted: (id) => comparison.is_wanted(id),
+  answered: (answer) => {
+    if (answer.type === "progress") comparison.trial_progress(answer.id, answer.done);
+    else if (answer.type === "tried") comparison.trial_finished(answer.id, answer.cells, answer.numbers);
+    else if (answer.type === "failed") comparison.trial_failed(answer.id, answer.message);
+  },
+  failed: (id, message) => comparison.trial_failed(id, message),
+});
 
 /** @param {Comparing} it */
 function startSetup(it) {
@@ -89,8 +121,7 @@ function startSetup(it) {
   fill(select("compare-seeds"), SEEDS.map((n) => [String(n), String(n)]));
   select("compare-rooms").addEventListener("change", () => act((c) => c.set_rooms(select("compare-rooms").value)));
   select("compare-seeds").addEventListener("change", () => act((c) => c.set_seeds(Number(select("compare-seeds").value))));
-  button("view-race").addEventListener("click", () => showView("race"));
-  button("view-numbers").addEventListener("click", () => showView("numbers"));
+  for (const name of VIEWS) button(`view-${name}`).addEventListener("click", () => showView(name));
   byId("to-explore").addEventListener("click", (event) => {
     event.preventDefault();
     byId("tab-explore").click();
@@ -105,62 +136,38 @@ function startSetup(it) {
   const fold = () => (typed("compare-setup", HTMLDetailsElement).open = !small.matches);
   fold();
   small.addEventListener("change", fold);
-  byId("entrants").replaceChildren(...planners.map((planner, index) => entrantItem(it, planner, index)));
+  const items = planners.map((planner, index) =>
+    entrantItem(planner, swatch(index), "in", {
+      choose: (takesPart) => act((c) => c.choose(planner.id, takesPart)),
+      setParam: (param, text) => act((c) => c.set_param(planner.id, param, text)),
+      about: () => it.about(index),
+    }),
+  );
+  byId("entrants").replaceChildren(...items);
 }
 
-/** @param {Comparing} it @param {import("./types").PlannerEntry} planner @param {number} index */
-function entrantItem(it, planner, index) {
-  const box = make("input", { type: "checkbox", id: `in-${planner.id}`, onchange: () => it.act((c) => c.choose(planner.id, box.checked)) });
-  const name = make("label", { for: `in-${planner.id}` }, swatch(index), planner.title);
-  const about = make("button", { type: "button", className: "quiet square small", "aria-label": `About ${planner.title}`, onclick: () => it.about(index) });
-  about.innerHTML = '<svg class="icon" aria-hidden="true"><use href="#i-info" /></svg>';
-  const item = make("li", { "data-id": planner.id }, box, name, make("span", { className: "status" }), about);
-  if (planner.params.length > 0) {
-    const fields = planner.params.map((spec) => {
-      const { field, controls } = paramField(spec, (text) => it.act((c) => c.set_param(planner.id, spec.id, text)), `in-${planner.id}`);
-      for (const control of controls) control.dataset.param = spec.id;
-      return field;
-    });
-    item.append(make("details", { className: "tuning" }, make("summary", {}, "Parameters"), make("div", { className: "params" }, ...fields)));
-  }
-  return item;
-}
-
-/** The colour and shape of a planner, the same everywhere. @param {number} index */
-export function swatch(index) {
-  const mark = make("i", { className: "swatch", "aria-hidden": "true" });
-  mark.dataset.colour = String(index % 8);
-  mark.dataset.shape = String(Math.floor(index / 8));
-  return mark;
+/** Where all of it happens. @param {App} app */
+function updatePlace({ view: { room, robot, cell_size_m, seed, slip }, catalogue }) {
+  setText(byId("compare-room"), room.title);
+  const title = catalogue.robots.find(({ id }) => id === robot)?.title ?? robot;
+  const slips = slip === "none" ? "" : `, ${slip} wheel slip${shownView() === "runs" ? "" : " in the race"}`;
+  setText(byId("compare-robot"), `${room.width_m.toFixed(1)} × ${room.height_m.toFixed(1)} m, ${title}, cells of ${+(cell_size_m * 100).toFixed(1)} cm, seed ${seed}${slips}.`);
 }
 
 /** @param {Comparing} it */
-function updateSetup({ app, view }) {
-  const { room, robot, cell_size_m, seed, slip } = app.view;
-  setText(byId("compare-room"), room.title);
-  const title = app.catalogue.robots.find(({ id }) => id === robot)?.title ?? robot;
-  setText(byId("compare-robot"), `${room.width_m.toFixed(1)} × ${room.height_m.toFixed(1)} m, ${title}, cells of ${+(cell_size_m * 100).toFixed(1)} cm, seed ${seed}${slip === "none" ? "" : `, ${slip} wheel slip in the race`}.`);
+function updateSetup({ view }) {
   if (changed(select("compare-rooms"), "set", view.set)) select("compare-rooms").value = view.set;
   if (changed(select("compare-seeds"), "seeds", view.seeds)) select("compare-seeds").value = String(view.seeds);
   view.entrants.forEach((entrant, index) => {
     const item = byId("entrants").children[index];
-    if (!(item instanceof HTMLElement)) return;
-    const box = item.querySelector("input");
-    if (box && changed(item, "chosen", entrant.chosen)) box.checked = entrant.chosen;
-    const status = item.querySelector(".status");
+    showChoice(item, entrant);
+    const status = item?.querySelector(".status");
     const busy = view.done < view.total && !view.cancelled;
     const words = { out: "", done: "✓", failed: "failed", trying: busy ? `${Math.floor(entrant.progress * 100)} %` : "–" };
     if (status) {
       setText(status, words[entrant.state]);
       setAttribute(status, "data-tip", entrant.message);
       setAttribute(status, "tabindex", entrant.state === "failed" ? "0" : "-1");
-    }
-    if (changed(item, "params", JSON.stringify(entrant.params))) {
-      for (const control of item.querySelectorAll("[data-param]")) {
-        const value = entrant.params[/** @type {HTMLElement} */ (control).dataset.param ?? ""];
-        if (control instanceof HTMLInputElement && control.type === "checkbox") control.checked = value === true;
-        else Reflect.set(control, "value", String(value));
-      }
     }
   });
   updateTrying(view);

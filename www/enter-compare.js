@@ -3,29 +3,32 @@
 import { startCompare } from "./compare.js";
 import { workshop } from "./workers.js";
 
-/** @type {Promise<void> | undefined} */
-let styled;
+/** Those that are loaded or on their way. @type {Map<string, Promise<void>>} */
+const styled = new Map();
 
-/** Its style sheet, in the place among the others that it would have in the page's head. */
-function style() {
-  styled ??= new Promise((resolve, reject) => {
-    const sheet = document.createElement("link");
+/** A style sheet of it, in the place among the others that it would have in the page's head. @param {string} address */
+function style(address) {
+  const sheet = document.createElement("link");
+  const loaded = styled.get(address) ?? new Promise((/** @type {(done: void) => void} */ resolve, reject) => {
     sheet.rel = "stylesheet";
-    sheet.href = new URL("./compare.css", import.meta.url).href;
+    sheet.href = address;
     sheet.onload = () => resolve();
     sheet.onerror = () => {
       sheet.remove();
-      styled = undefined;
+      styled.delete(address);
       reject(new Error("its style could not be loaded"));
     };
     const small = document.querySelector('link[href*="small.css"]');
     document.head.insertBefore(sheet, small);
   });
-  return styled;
+  styled.set(address, loaded);
+  return loaded;
 }
 
 /** @param {import("./main.js").App} app @param {(what: () => void) => boolean} guard */
 export async function enterCompare(app, guard) {
-  const [module] = await Promise.all([workshop(), style()]);
+  // Each address by itself, as the build looks for them.
+  const sheets = [new URL("./compare.css", import.meta.url), new URL("./montecarlo.css", import.meta.url)];
+  const [module] = await Promise.all([workshop(), ...sheets.map(({ href }) => style(href))]);
   return startCompare(app, module, guard);
 }

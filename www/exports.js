@@ -1,25 +1,30 @@
 // @ts-check
-// The comparison as files: numbers as CSV and JSON, charts as SVG and PNG.
+// What is compared as files: numbers as CSV and JSON, charts as SVG and PNG.
 import { byId } from "./dom.js";
 import { download, fileName } from "./files.js";
 import { complain } from "./messages.js";
 
 /** What the style sheet says of charts and a file must say itself. */
-const STYLES = ["fill", "stroke", "stroke-width", "stroke-dasharray", "font-family", "font-size", "font-weight", "text-anchor", "opacity"];
+const STYLES = ["fill", "fill-opacity", "stroke-linejoin", "stroke-linecap", "stroke", "stroke-width", "stroke-dasharray", "font-family", "font-size", "font-weight", "text-anchor", "opacity"];
 /** Pixels of a PNG for each unit of the drawing. */
 const SCALE = 2;
 const GAP = 24;
 
-/** @param {import("./compare.js").Comparing} it */
-export function startExports({ app, comparison }) {
+/**
+ * @typedef {{ name: string, csv: () => string, json: () => string, charts: HTMLElement }} Exported
+ * @param {import("./main.js").App} app
+ * @param {() => Exported} shown What is exported of the view that is shown.
+ */
+export function startExports(app, shown) {
   /** @param {string} ending */
-  const name = (ending) => `comparison-${fileName(app.view.room.title)}.${ending}`;
+  const name = (ending) => `${shown().name}-${fileName(app.view.room.title)}.${ending}`;
+  const drawn = () => drawing(shown().charts);
   /** @type {Record<string, () => void | Promise<void>>} */
   const exports = {
-    csv: () => download(name("csv"), comparison.csv(), "text/csv"),
-    json: () => download(name("json"), comparison.json(), "application/json"),
-    svg: () => download(name("svg"), drawing().text, "image/svg+xml"),
-    png: async () => download(name("png"), await picture(drawing()), "image/png"),
+    csv: () => download(name("csv"), shown().csv(), "text/csv"),
+    json: () => download(name("json"), shown().json(), "application/json"),
+    svg: () => download(name("svg"), drawn().text, "image/svg+xml"),
+    png: async () => download(name("png"), await picture(drawn()), "image/png"),
   };
   byId("exports").addEventListener("click", (event) => {
     const kind = event.target instanceof Element ? event.target.getAttribute("data-export") : null;
@@ -28,11 +33,11 @@ export function startExports({ app, comparison }) {
   });
 }
 
-/** All charts in one drawing, below each other. */
-function drawing() {
+/** All charts in one drawing, below each other. @param {HTMLElement} charts */
+function drawing(charts) {
   let y = GAP;
   let width = 0;
-  const parts = [...byId("charts").querySelectorAll("figure")].map((figure) => {
+  const parts = [...charts.querySelectorAll("figure")].map((figure) => {
     const svg = figure.querySelector("svg");
     if (!svg) return "";
     const box = svg.viewBox.baseVal;
@@ -44,13 +49,15 @@ function drawing() {
     });
     const colour = getComputedStyle(figure).color;
     const title = `<text x="${GAP}" y="${y + 12}" fill="${colour}" font-family="sans-serif" font-weight="600" font-size="14">${figure.querySelector("figcaption")?.innerHTML}</text>`;
+    // What follows the pointer is nobody's result.
+    for (const live of copy.querySelectorAll("[data-live]")) live.remove();
     const part = `${title}<g transform="translate(${GAP} ${y + 20})">${copy.innerHTML}</g>`;
     y += box.height + 20 + GAP;
     width = Math.max(width, box.width + 2 * GAP);
     return part;
   });
-  if (width === 0) throw new Error("there are no charts yet; open Numbers first");
-  const ground = getComputedStyle(byId("numbers-view")).backgroundColor;
+  if (width === 0) throw new Error("there are no charts yet");
+  const ground = getComputedStyle(charts.closest(".ground") ?? charts).backgroundColor;
   const text = `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${y}" viewBox="0 0 ${width} ${y}"><rect width="100%" height="100%" fill="${ground}"/>${parts.join("")}</svg>`;
   return { text, width, height: y };
 }

@@ -1,8 +1,8 @@
 // @ts-check
 // The table of all numbers, sortable, the best of every column marked; the charts below it.
 import { drawCharts } from "./charts.js";
-import { swatch } from "./compare.js";
 import { byId, changed, fill, make, select, setText } from "./dom.js";
+import { swatch } from "./entrants.js";
 import { clock, count } from "./format.js";
 
 /**

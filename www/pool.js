@@ -1,29 +1,32 @@
 // @ts-check
-// Workers that make the trials of a comparison, as many as the computer has cores for.
+// Workers that make trials or runs, as many as the computer has cores for.
 
 /**
- * @typedef {import("../page.js").Comparison} Comparison
  * @typedef {{ worker: Worker, busy: number | undefined }} Hand
+ * @typedef {object} Source Who has work, and takes what comes of it.
+ * @property {"trial" | "runs"} type What the workers are told to do.
+ * @property {number} most Most workers: each holds a room and a planner's memory.
+ * @property {() => { id: number } | undefined} take
+ * @property {(id: number) => boolean} isWanted
+ * @property {(answer: import("./types").FromTrial | import("./types").FromRuns) => void} answered
+ * @property {(id: number, message: string) => void} failed
  */
-
-/** Most workers: each holds a room and a planner's memory. */
-const MOST = 6;
 
 export class Pool {
   /** @type {Hand[]} */
   #hands = [];
   #module;
-  #comparison;
+  #source;
   #guard;
 
   /**
    * @param {WebAssembly.Module} module
-   * @param {Comparison} comparison
+   * @param {Source} source
    * @param {(what: () => void) => boolean} guard
    */
-  constructor(module, comparison, guard) {
+  constructor(module, source, guard) {
     this.#module = module;
-    this.#comparison = comparison;
+    this.#source = source;
     this.#guard = guard;
   }
 
@@ -31,16 +34,16 @@ export class Pool {
   tend() {
     const hands = this.#hands;
     for (const hand of hands) {
-      if (hand.busy !== undefined && !this.#comparison.is_wanted(hand.busy)) this.#replace(hand);
+      if (hand.busy !== undefined && !this.#source.isWanted(hand.busy)) this.#replace(hand);
     }
     for (;;) {
       const idle = hands.find(({ busy }) => busy === undefined);
-      if (!idle && hands.length >= Math.min(MOST, navigator.hardwareConcurrency || 2)) return;
-      const request = this.#comparison.take_trial();
+      if (!idle && hands.length >= Math.min(this.#source.most, navigator.hardwareConcurrency || 2)) return;
+      const request = this.#source.take();
       if (!request) return;
       const hand = idle ?? this.#hire();
       hand.busy = request.id;
-      hand.worker.postMessage({ type: "trial", request });
+      hand.worker.postMessage({ type: this.#source.type, request });
     }
   }
 
@@ -69,16 +72,13 @@ export class Pool {
   /** @param {Hand} hand */
   #listen(hand) {
     const { worker } = hand;
-    worker.addEventListener("message", (/** @type {MessageEvent<import("./types").FromTrial>} */ { data }) => {
+    worker.addEventListener("message", (/** @type {MessageEvent<import("./types").FromTrial | import("./types").FromRuns>} */ { data }) => {
       if (worker !== hand.worker || data.id !== hand.busy) return;
-      if (data.type === "progress") {
-        this.#guard(() => this.#comparison.trial_progress(data.id, data.done));
-        return;
-      }
-      hand.busy = undefined;
+      if (data.type !== "progress") hand.busy = undefined;
       this.#guard(() => {
-        if (data.type === "tried") this.#comparison.trial_finished(data.id, data.cells, data.numbers);
-        else this.#comparison.trial_failed(data.id, data.message);
+        this.#source.answered(data);
+        // At once, not with the next frame: short runs would wait longer than they take.
+        if (data.type !== "progress") this.tend();
       });
     });
     worker.addEventListener("error", (event) => {
@@ -86,7 +86,7 @@ export class Pool {
       if (worker !== hand.worker) return;
       this.#replace(hand);
       const cause = event.message || "its program could not be loaded";
-      if (id !== undefined) this.#guard(() => this.#comparison.trial_failed(id, `the planner stopped: ${cause}`));
+      if (id !== undefined) this.#guard(() => this.#source.failed(id, `it stopped: ${cause}`));
     });
   }
 }

@@ -1,7 +1,7 @@
 // @ts-check
 // The race: a canvas for every robot, one clock for all.
 import { button, byId, changed, fill, make, select, setAttribute, setEnabled, setHidden, setText, typed } from "./dom.js";
-import { swatch } from "./compare.js";
+import { swatch } from "./entrants.js";
 import { clock, metres, percent } from "./format.js";
 
 /**

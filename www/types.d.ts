@@ -13,16 +13,24 @@ export type ParamSpec = {
   default: string | number | boolean;
 };
 
-export type PlannerEntry = {
+/** A planner or a behaviour. What only the other kind claims is false. */
+export type AlgorithmEntry = {
   id: string;
   title: string;
   summary: string;
   source: string;
   link: string;
+  kind: "planner" | "behaviour";
   complete: boolean;
   deterministic: boolean;
   /** Plans a million cells in about a second. */
   fast: boolean;
+  /** Comes to an end by itself. */
+  ends: boolean;
+  /** Cleans, rather than going somewhere. */
+  cleans: boolean;
+  /** Is driven by a person. */
+  manual: boolean;
   idea: string;
   complexity: string;
   use_when: string;
@@ -31,10 +39,45 @@ export type PlannerEntry = {
   params: ParamSpec[];
 };
 
+export type PlannerEntry = AlgorithmEntry;
+
+/** A robot; its drawing is in units of the radius of the smallest circle around it, x ahead, y to the left, angles in rad. */
+export type RobotEntry = {
+  id: string;
+  title: string;
+  summary: string;
+  default_cell_m: number;
+  tool_width_m: number;
+  radius_m: number;
+  /** Corners; none of a round one. */
+  body: [x: number, y: number][];
+  wheel_base: number;
+  wheel_radius: number;
+  /** Half the angle that the bumper spans; 0 for none. */
+  bumper: number;
+  /** Left, front left, front right, right; a single front one is listed twice. */
+  cliffs: ([x: number, y: number] | null)[];
+  /** Directions of the light bumper's beams; none without one. */
+  light: number[];
+  infrared: boolean;
+  wheel_drops: boolean;
+  /** Whether it can read its battery. */
+  gauge: boolean;
+  /** Whether it moves sideways. */
+  lateral: boolean;
+  /** First direction, step, range (m) and place (m) of its laser scanner; empty without one. */
+  laser: number[];
+};
+
 export type Catalogue = {
   rooms: { id: string; title: string; note: string }[];
   planners: PlannerEntry[];
-  robots: { id: string; title: string; summary: string; default_cell_m: number }[];
+  behaviours: AlgorithmEntry[];
+  robots: RobotEntry[];
+  /** Kinds of sensors whose noise can be chosen. */
+  sensors: string[];
+  /** Names of the numbers in `readings()`. */
+  readings: string[];
   cell_sizes_m: number[];
   /** Times real time; 0 stands for as fast as it goes. */
   speeds: number[];
@@ -64,7 +107,7 @@ export type PlanNumbers = {
 };
 
 export type State = "planning" | "ready" | "playing" | "paused" | "finished" | "seeking" | "failed";
-export type Action = "play" | "pause" | "step" | "reset" | "cancel" | "seek" | "undo" | "redo" | "edit";
+export type Action = "play" | "pause" | "step" | "reset" | "cancel" | "seek" | "undo" | "redo" | "edit" | "lift";
 export type Tool = "view" | "wall" | "erase" | "start";
 
 export type View = {
@@ -86,10 +129,22 @@ export type View = {
   };
   robot: string;
   algorithm: string;
+  kind: "planner" | "behaviour";
+  /** What the robot is doing; "" if there is nothing to tell. */
+  activity: string;
+  /** Changes whenever `diary()` does. */
+  diary: number;
+  is_lifted: boolean;
+  /** Whether it is held here, to be put down somewhere. */
+  is_carried: boolean;
   params: Record<string, string | number | boolean>;
   cell_size_m: number;
   seed: number;
   slip: string;
+  /** By the catalogue's sensors. */
+  noise: string[];
+  quantised: boolean;
+  shows: { coverage: boolean; dirt: boolean; sensors: boolean; estimate: boolean };
   odometry: string;
   speed: number;
   tool: Tool;
@@ -129,6 +184,7 @@ export type ToWorker =
   | { type: "init"; module: WebAssembly.Module }
   | { type: "plan"; request: PlanRequest }
   | { type: "trial"; request: { id: number } }
+  | { type: "runs"; request: { id: number } }
   | { type: "read"; request: { id: number; files: { name: string; bytes: Uint8Array }[] } };
 export type FromWorker =
   | { type: "progress"; id: number; done: number; cells: Uint32Array }
@@ -139,6 +195,9 @@ export type FromTrial =
   | { type: "progress"; id: number; done: number; cells: Uint32Array }
   | { type: "tried"; id: number; cells: Uint32Array; numbers: unknown }
   | { type: "failed"; id: number; message: string };
+
+/** Outcomes of runs, as `MonteCarlo.batch_finished` takes them. */
+export type FromRuns = { type: "ran"; id: number; outcomes: Float64Array } | { type: "failed"; id: number; message: string };
 
 /** A map as `read_map` has read it (src/web/map.rs). */
 export type ReadMap = { name: string; width: number; cells: Uint8Array };
@@ -189,6 +248,42 @@ export type CompareTable = {
     values: ({ median: number; min: number; max: number } | null)[];
     best: boolean[];
   }[];
+};
+
+/** What there is to run many times (src/web/montecarlo.rs). */
+export type RunsOffer = {
+  entrants: { id: string; title: string; summary: string; kind: "planner" | "behaviour"; number: number; params: ParamSpec[] }[];
+  seeds: number[];
+  minutes: number[];
+};
+
+/** Snapshot of many runs. Entrants are in the order of the offer. */
+export type RunsView = {
+  /** Changes whenever choices or results do. */
+  version: number;
+  running: boolean;
+  done: number;
+  total: number;
+  seeds: number;
+  minutes: number;
+  entrants: { chosen: boolean; params: Record<string, string | number | boolean>; runs: number; failure: string }[];
+};
+
+/** Where and how all runs are made. */
+export type RunsPlace = { room: string; robot: string; slip: string; noise: string; quantised: boolean };
+
+export type Band = { low: number; median: number; high: number };
+
+/** Many runs of one algorithm (src/app/montecarlo/summary.rs). */
+export type RunsSummary = {
+  runs: number;
+  /** 0 to 1 */
+  coverage: Band;
+  /** When shares of the floor had been swept; `null` where too few runs got there in time. */
+  time_to: { percent: number; reached: number; low_s: number | null; median_s: number | null; high_s: number | null }[];
+  distance_m: Band;
+  bumps: Band;
+  falls: number;
 };
 
 /** One case of the benchmark (src/app/bench.rs). */

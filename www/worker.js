@@ -1,14 +1,16 @@
 // @ts-check
 // Plans and reads maps away from the page, which stays responsive; to cancel, the page ends this worker.
-import init, { Trials, plan, read_map } from "../workshop.js";
+import init, { Runner, Trials, plan, read_map } from "../workshop.js";
 
-/** @typedef {import("./types").FromWorker | import("./types").FromTrial | import("./types").FromReader} Answer */
+/** @typedef {import("./types").FromWorker | import("./types").FromTrial | import("./types").FromRuns | import("./types").FromReader} Answer */
 
 let markReady = () => {};
 /** @type {Promise<void>} */
 const ready = new Promise((resolve) => (markReady = resolve));
 /** @type {Trials | undefined} */
 let trials;
+/** @type {Runner | undefined} */
+let runner;
 
 /** @param {Answer} message @param {ArrayBufferLike[]} [transfer] */
 function answer(message, transfer = []) {
@@ -32,6 +34,10 @@ self.addEventListener("message", async (/** @type {MessageEvent<import("./types"
     } else if (message.type === "read") {
       const map = read_map(message.request.files);
       answer({ type: "read", id, map }, [map.cells.buffer]);
+    } else if (message.type === "runs") {
+      runner ??= new Runner();
+      const outcomes = runner.run(message.request);
+      answer({ type: "ran", id, outcomes }, [outcomes.buffer]);
     } else {
       trials ??= new Trials();
       const { cells, numbers } = trials.run(message.request, report);

@@ -33,6 +33,16 @@ impl Algorithm {
         })
     }
 
+    /// The `planner` or the `behaviour` with that id.
+    pub fn find_kind(kind: &'static str, id: &str) -> Result<Self, SettingsError> {
+        let all = || Self::all().filter(|algorithm| algorithm.kind() == kind);
+        all().find(|algorithm| algorithm.id() == id).ok_or_else(|| SettingsError::Unknown {
+            kind,
+            id: id.to_owned(),
+            known: all().map(Self::id).collect::<Vec<_>>().join(", "),
+        })
+    }
+
     /// The planner, if it is one.
     pub fn planner(self) -> Option<&'static PlannerInfo> {
         match self {

@@ -39,6 +39,8 @@ pub struct Palette {
     pub start: &'static str,
     /// Where the robot believes to be.
     pub estimate: &'static str,
+    /// What sensors look at and see.
+    pub sensor: &'static str,
     /// The side of the room that a planner prefers, and the other one.
     pub sides: [&'static str; 2],
     /// Scale bar.
@@ -67,6 +69,7 @@ const LIGHT: Palette = Palette {
     bump: "#ffb000",
     start: "#1d2129",
     estimate: "#0072b2",
+    sensor: "#00866a",
     sides: ["rgb(0 158 115 / 0.30)", "rgb(204 121 167 / 0.30)"],
     text: "#565e6c",
     passes: [[0x7f, 0x93, 0xb6], [0xa3, 0xa0, 0x98], [0xb9, 0xae, 0x80], [0xd6, 0xc6, 0x72], [0xfe, 0xe8, 0x38]],
@@ -92,6 +95,7 @@ const DARK: Palette = Palette {
     bump: "#ffb000",
     start: "#e9ebef",
     estimate: "#56b4e9",
+    sensor: "#2fd6ad",
     sides: ["rgb(0 190 140 / 0.30)", "rgb(220 120 180 / 0.30)"],
     text: "#a3abb8",
     passes: [[0x3f, 0x53, 0x80], [0x62, 0x68, 0x75], [0x92, 0x8b, 0x74], [0xc8, 0xb6, 0x60], [0xfe, 0xe8, 0x38]],

@@ -5,13 +5,21 @@
 //! list it below; menus, forms, command line and the contract test iterate [`BEHAVIOURS`].
 
 mod bounce;
+mod cleaning_cycle;
 mod command;
 mod follow_path;
 mod info;
+mod parts;
+mod random_walk;
+mod s_path;
+mod spiral;
+mod timing;
+mod wall_follow;
 
 pub use command::Command;
 pub use follow_path::FollowPath;
 pub use info::{BehaviourInfo, Claims, Setup};
+pub use timing::Timing;
 
 use crate::{
     geometry::Pose,
@@ -62,6 +70,11 @@ macro_rules! registry {
 
 // One line a behaviour.
 registry! {
+    random_walk,
+    spiral,
+    s_path,
+    wall_follow,
+    cleaning_cycle,
     bounce,
 }
 

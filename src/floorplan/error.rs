@@ -1,6 +1,6 @@
 //! What can be wrong with a map file, said so that its owner can mend it.
 
-use super::{MAX_RESOLUTION, MAX_SIDE, MIN_RESOLUTION};
+use super::{Fault, MAX_RESOLUTION, MAX_SIDE, MIN_RESOLUTION, Place, SCENARIO_VERSION};
 
 /// Why files don't make a floor plan. Every message names the cause, the place and what to do.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -167,32 +167,6 @@ pub enum MapError {
         /// The file.
         name: String,
     },
-    /// A scenario starts outside its map.
-    #[error(
-        "\"{name}\": the start ({x} m, {y} m) lies outside the map, which is {width:.2} m x {height:.2} m; move it inside"
-    )]
-    StartOutside {
-        /// The file.
-        name: String,
-        /// Start, m.
-        x: f64,
-        /// Start, m.
-        y: f64,
-        /// Size of the map, m.
-        width: f64,
-        /// Size of the map, m.
-        height: f64,
-    },
-    /// A scenario starts in a wall.
-    #[error("\"{name}\": the start ({x} m, {y} m) is inside a wall or unknown floor; move it to a free cell")]
-    StartInWall {
-        /// The file.
-        name: String,
-        /// Start, m.
-        x: f64,
-        /// Start, m.
-        y: f64,
-    },
     /// JSON, but something else than a scenario.
     #[error(
         "\"{name}\" is JSON but not a scenario, which begins with \"format\": \"robovac-scenario\"; \
@@ -202,26 +176,50 @@ pub enum MapError {
         /// The file.
         name: String,
     },
-    /// A scenario of a later program.
-    #[error(
-        "\"{name}\" is a scenario of version {version}, this program reads version {known}; \
-         reload the page or update the program"
-    )]
-    UnknownVersion {
+    /// JSON that isn't what a scenario is made of.
+    #[error("\"{name}\", {place}: {cause}; mend that line or export the file again")]
+    BadJson {
         /// The file.
         name: String,
+        /// Where in the file.
+        place: Place,
+        /// What the parser says.
+        cause: String,
+    },
+    /// A scenario that can't be.
+    #[error("\"{name}\", {place}: {flaw}")]
+    BadScenario {
+        /// The file.
+        name: String,
+        /// Where in the file.
+        place: Place,
+        /// What is wrong there.
+        flaw: Box<Flaw>,
+    },
+}
+
+/// What can be wrong with a value of a scenario: the cause, and what to do.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum Flaw {
+    /// A scenario of another program.
+    #[error(
+        "this is a scenario of version {found}, this program reads 1 and {known}; reload the page or update the program"
+    )]
+    Version {
         /// Its version.
-        version: u64,
-        /// The version that is read.
+        found: String,
+        /// The latest version that is read.
         known: u64,
     },
-    /// A scenario's rows don't match its size.
-    #[error("\"{name}\", {place}: found {found} where {key} is {expected}; correct \"{key}\" or the rows")]
+    /// A key that an older version doesn't have.
+    #[error("version 1 has no such key; write \"version\": {SCENARIO_VERSION}, or take it out")]
+    KeyOfLaterVersion,
+    /// Both a planner and a behaviour.
+    #[error("a robot either follows a planner or behaves; take out \"planner\" or \"behaviour\"")]
+    TwoAlgorithms,
+    /// Rows don't match the size.
+    #[error("found {found} where \"{key}\" is {expected}; correct \"{key}\" or the rows")]
     WrongSize {
-        /// The file.
-        name: String,
-        /// Which part of the file.
-        place: String,
         /// The size that isn't kept.
         key: &'static str,
         /// Cells or rows found.
@@ -229,6 +227,26 @@ pub enum MapError {
         /// Cells or rows announced.
         expected: usize,
     },
+    /// The map has too many rows or columns.
+    #[error(
+        "{found} cells are too many, at most {MAX_SIDE} are taken; crop the room or save it at a coarser resolution"
+    )]
+    TooLarge {
+        /// Rows or columns.
+        found: usize,
+    },
+    /// A character that stands for no cell.
+    #[error("a cell can't be \"{found}\"; write # for wall, . for floor or ? for unknown")]
+    Cell {
+        /// The character, escaped where it can't be shown.
+        found: String,
+    },
+    /// There is nowhere to drive.
+    #[error("there is no free cell; write . for floor")]
+    NoFreeCell,
+    /// A number out of range, or an object that can't be there.
+    #[error(transparent)]
+    Fault(#[from] Fault),
 }
 
 /// A resolution in metres per cell, or the error that names its place.

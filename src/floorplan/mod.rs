@@ -3,22 +3,30 @@
 //! [`ROOMS`] ship with the program, [`load`] takes files in, [`to_ascii`] and [`Scenario`] write them.
 
 mod ascii;
+mod check;
 mod error;
+mod layout;
 mod load;
 mod object;
+mod place;
 mod raster;
 mod rooms;
 mod scenario;
+mod scenario_object;
+mod shape;
 mod sketch;
 mod yaml;
 
 pub use ascii::{DEFAULT_ASCII_RESOLUTION, to_ascii};
-pub use error::MapError;
+pub use check::{BEAMS, Fault, MAX_CORNERS, MAX_OBJECTS, RADII, Refusal};
+pub use error::{Flaw, MapError};
 pub use load::{SourceFile, image_of, load};
 pub use object::{Object, Who};
+pub use place::Place;
 pub use raster::{DEFAULT_IMAGE_RESOLUTION, Mode, Shading};
 pub use rooms::{ROOMS, RoomInfo, RoomKind, room};
-pub use scenario::{SCENARIO_FORMAT, SCENARIO_VERSION, Scenario, ScenarioPose};
+pub use scenario::{SCENARIO_FORMAT, SCENARIO_SCHEMA, SCENARIO_VERSION, Scenario, ScenarioPose};
+pub use shape::{encloses, middle};
 pub use sketch::{Rect, Sketch};
 
 pub mod generate;
@@ -80,20 +88,12 @@ impl FloorPlan {
         self.occupancy.map(|&o| !o.is_free())
     }
 
-    /// The plan itself if a robot can start in it; `file` is named in errors.
+    /// The plan itself if there is floor in it; `file` is named in errors.
     fn checked(self, file: &str) -> Result<Self, MapError> {
         if !self.occupancy.values().iter().any(|o| o.is_free()) {
             return Err(MapError::NoFreeCell { name: file.to_owned() });
         }
-        let Some(Pose { x, y, .. }) = self.start else { return Ok(self) };
-        match self.occupancy.get(self.cell_at(Point::new(x, y))) {
-            None => {
-                let (width, height) = (self.width_m(), self.height_m());
-                Err(MapError::StartOutside { name: file.to_owned(), x, y, width, height })
-            }
-            Some(occupancy) if !occupancy.is_free() => Err(MapError::StartInWall { name: file.to_owned(), x, y }),
-            Some(_) => Ok(self),
-        }
+        Ok(self)
     }
 }
 

@@ -1,6 +1,7 @@
 //! What stands, lies and moves in a room beside its walls.
 
 use crate::geometry::{Point, Pose};
+use serde::{Deserialize, Serialize};
 
 /// A thing in a room. Lengths in metres from the room's lower-left corner.
 #[derive(Debug, Clone, PartialEq)]
@@ -56,10 +57,42 @@ pub enum Object {
 }
 
 /// Who moves.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Who {
     /// A person: two feet of which one is seen as a disc of 15 cm radius, walking at 0.6 m/s.
     Person,
     /// A pet: a disc of 12 cm radius, at 0.4 m/s, that stops where it likes.
     Pet,
+}
+
+impl Object {
+    /// What kind of thing it is, as scenario files call it.
+    pub fn key(&self) -> &'static str {
+        match self {
+            Self::Furniture { .. } => "furniture",
+            Self::Leg { .. } => "leg",
+            Self::DropOff { .. } => "drop_off",
+            Self::Carpet { .. } => "carpet",
+            Self::Dirt { .. } => "dirt",
+            Self::Dock { .. } => "dock",
+            Self::VirtualWall { .. } => "virtual_wall",
+            Self::Mover { .. } => "mover",
+        }
+    }
+
+    /// What people call it.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Furniture { .. } => "furniture",
+            Self::Leg { .. } => "leg",
+            Self::DropOff { .. } => "stairs",
+            Self::Carpet { .. } => "carpet",
+            Self::Dirt { .. } => "dirt",
+            Self::Dock { .. } => "dock",
+            Self::VirtualWall { .. } => "virtual wall",
+            Self::Mover { who: Who::Person, .. } => "person",
+            Self::Mover { who: Who::Pet, .. } => "pet",
+        }
+    }
 }

@@ -1,27 +1,35 @@
-//! Scenario files: a room, where the robot starts in it, and what is to be run there.
+//! Scenario files: a room, what stands and moves in it, where the robot starts, and what is to be run there.
 //!
-//! JSON with the map as `#.?` rows, the top row first, so that a scenario can be read and changed by hand.
+//! JSON with the map as `#.?` rows, the top row first, so that a scenario can be read and changed by hand. The schema in
+//! `docs/scenario.schema.json` says what may be in it. Version 2 came with objects, behaviours, noise and slip.
 
 use super::{
-    FloorPlan, MAX_SIDE, MapError,
+    Fault, Flaw, FloorPlan, MAX_RESOLUTION, MAX_SIDE, MIN_RESOLUTION, MapError, Object, Place, Refusal,
     ascii::{cell_of, glyph},
-    error::checked_resolution,
+    layout::Layout,
+    scenario_object::ScenarioObject,
 };
 use crate::{
     geometry::Pose,
     grid::{Grid, Occupancy, picture},
 };
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, de::IgnoredAny};
 use std::collections::BTreeMap;
 
 /// What the key `format` says.
 pub const SCENARIO_FORMAT: &str = "robovac-scenario";
-/// The version that is written and read. To be raised when older programs would misread a file.
-pub const SCENARIO_VERSION: u64 = 1;
+/// The version that is written; older ones are read as well. To be raised when older programs would misread a file.
+pub const SCENARIO_VERSION: u64 = 2;
+/// What the key `$schema` says: the schema's name, to be looked for beside the file. The page has it beside itself.
+pub const SCENARIO_SCHEMA: &str = "scenario.schema.json";
 
-/// Content of a scenario file. Keys that are unknown are ignored when reading.
+/// Content of a scenario file.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Scenario {
+    /// Where editors find the schema; it says nothing to us.
+    #[serde(rename = "$schema", default)]
+    schema: String,
     format: String,
     version: u64,
     /// Short name of the room.
@@ -41,15 +49,21 @@ pub struct Scenario {
     /// Pose of the lower-left corner in the map frame that the room came from.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub origin: Option<ScenarioPose>,
+    /// What stands, lies and moves in the room, from the lower-left corner.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    objects: Vec<ScenarioObject>,
     /// Where the robot starts, from the lower-left corner.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub start: Option<ScenarioPose>,
     /// Id of the robot.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub robot: Option<String>,
-    /// Id of the planner or controller.
+    /// Id of the planner, unless there is a behaviour.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub planner: Option<String>,
+    /// Id of the behaviour, unless there is a planner.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub behaviour: Option<String>,
     /// Values of its parameters that differ from the defaults: numbers, words, or true and false.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub params: BTreeMap<String, serde_json::Value>,
@@ -59,10 +73,36 @@ pub struct Scenario {
     /// Seed of all random numbers.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub seed: Option<u64>,
+    /// How well the wheels hold.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub slip: Option<String>,
+    /// How much each kind of sensor errs; kinds that it doesn't name don't.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub noise: Option<BTreeMap<String, String>>,
+    /// Whether wheel speeds come in the steps that the robot's interface knows.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub quantised: Option<bool>,
+    /// How the robot computes its pose.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub odometry: Option<String>,
+}
+
+/// What has to be known before the rest makes sense, and the keys that version 1 doesn't have.
+#[derive(Deserialize)]
+struct Head {
+    format: Option<serde_json::Value>,
+    version: Option<serde_json::Value>,
+    objects: Option<IgnoredAny>,
+    behaviour: Option<IgnoredAny>,
+    slip: Option<IgnoredAny>,
+    noise: Option<IgnoredAny>,
+    quantised: Option<IgnoredAny>,
+    odometry: Option<IgnoredAny>,
 }
 
 /// A pose with its heading in degrees, for people who edit files.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "an object with x and y")]
 pub struct ScenarioPose {
     /// Metres to the right.
     pub x: f64,
@@ -75,7 +115,12 @@ pub struct ScenarioPose {
 
 impl From<Pose> for ScenarioPose {
     fn from(pose: Pose) -> Self {
-        Self { x: pose.x, y: pose.y, heading_deg: pose.heading.to_degrees() }
+        let exact = pose.heading.to_degrees();
+        let round = (exact * 1e6).round() / 1e6;
+        // Of all numbers that lead back to the same heading, the one that people would write: what is read must run alike.
+        let candidates = [round, exact, exact.next_up(), exact.next_down()];
+        let heading_deg = candidates.into_iter().find(|deg| deg.to_radians() == pose.heading).unwrap_or(exact);
+        Self { x: pose.x, y: pose.y, heading_deg }
     }
 }
 
@@ -85,11 +130,35 @@ impl From<ScenarioPose> for Pose {
     }
 }
 
+impl Head {
+    /// A value of the head that a scenario can't have, by its path.
+    fn flaw(&self) -> Option<(&'static str, Flaw)> {
+        let version = self.version.as_ref()?;
+        let Self { objects, behaviour, slip, noise, quantised, odometry, .. } = self;
+        match version.as_u64() {
+            Some(1) => [
+                ("objects", objects),
+                ("behaviour", behaviour),
+                ("slip", slip),
+                ("noise", noise),
+                ("quantised", quantised),
+                ("odometry", odometry),
+            ]
+            .into_iter()
+            .find(|(_, value)| value.is_some())
+            .map(|(key, _)| (key, Flaw::KeyOfLaterVersion)),
+            Some(SCENARIO_VERSION) => None,
+            _ => Some(("version", Flaw::Version { found: version.to_string(), known: SCENARIO_VERSION })),
+        }
+    }
+}
+
 impl Scenario {
     /// A scenario that consists of a room only.
     pub fn of(plan: &FloorPlan) -> Self {
         let is_moved = plan.origin != Pose::new(0.0, 0.0, 0.0);
         Self {
+            schema: SCENARIO_SCHEMA.to_owned(),
             format: SCENARIO_FORMAT.to_owned(),
             version: SCENARIO_VERSION,
             name: plan.name.clone(),
@@ -99,111 +168,147 @@ impl Scenario {
             height: plan.occupancy.height(),
             rows: picture(&plan.occupancy, |&o| glyph(o)).lines().map(str::to_owned).collect(),
             origin: is_moved.then(|| plan.origin.into()),
+            objects: plan.objects.iter().map(Into::into).collect(),
             start: plan.start.map(Into::into),
             robot: None,
             planner: None,
+            behaviour: None,
             params: BTreeMap::new(),
             cell_size: None,
             seed: None,
+            slip: None,
+            noise: None,
+            quantised: None,
+            odometry: None,
         }
     }
 
     /// Reads and checks the file `name`; [`Scenario::plan`] then finds nothing to complain about.
     pub fn read(name: &str, bytes: &[u8]) -> Result<Self, MapError> {
-        let syntax = |error: serde_json::Error| explain(name, &error);
+        let refused = |path: &str, flaw| MapError::BadScenario {
+            name: name.to_owned(),
+            place: Place::of(path, bytes),
+            flaw: Box::new(flaw),
+        };
         // The head first, so that files of other kinds and versions aren't blamed for details.
-        let value: serde_json::Value = serde_json::from_slice(bytes).map_err(syntax)?;
-        if value.get("format").and_then(|v| v.as_str()) != Some(SCENARIO_FORMAT) {
+        let head: Head = serde_json::from_slice(bytes).map_err(|error| explain(name, String::new(), &error))?;
+        if head.format.as_ref().and_then(|v| v.as_str()) != Some(SCENARIO_FORMAT) {
             return Err(MapError::NotAScenario { name: name.to_owned() });
         }
-        let version = value.get("version").and_then(serde_json::Value::as_u64);
-        if let Some(version) = version.filter(|&version| version != SCENARIO_VERSION) {
-            return Err(MapError::UnknownVersion { name: name.to_owned(), version, known: SCENARIO_VERSION });
+        if let Some((path, flaw)) = head.flaw() {
+            return Err(refused(path, flaw));
         }
-        drop(value);
-        // Again, as only this way errors have a line and a column.
-        let scenario: Self = serde_json::from_slice(bytes).map_err(syntax)?;
-        scenario.plan(name)?;
+        let mut json = serde_json::Deserializer::from_slice(bytes);
+        let mut scenario: Self = serde_path_to_error::deserialize(&mut json)
+            .map_err(|error| explain(name, error.path().to_string(), error.inner()))?;
+        scenario.built().map_err(|(path, flaw)| refused(&path, flaw))?;
+        // Whatever it was: what it means can be written as of now.
+        scenario.version = SCENARIO_VERSION;
+        SCENARIO_SCHEMA.clone_into(&mut scenario.schema);
         Ok(scenario)
     }
 
     /// The file's text.
     pub fn to_json(&self) -> String {
+        let mut text = Vec::new();
         // Strings, numbers and maps with string keys: nothing in here can fail to be written.
-        serde_json::to_string_pretty(self).unwrap_or_default() + "\n"
+        let _ = self.serialize(&mut serde_json::Serializer::with_formatter(&mut text, Layout::default()));
+        text.push(b'\n');
+        String::from_utf8(text).unwrap_or_default()
     }
 
     /// The room; `file` is named in errors.
     pub fn plan(&self, file: &str) -> Result<FloorPlan, MapError> {
+        self.built().map_err(|(path, flaw)| MapError::BadScenario {
+            name: file.to_owned(),
+            place: Place { path, at: None },
+            flaw: Box::new(flaw),
+        })
+    }
+
+    /// The room, or the path of what is wrong with it.
+    fn built(&self) -> Result<FloorPlan, (String, Flaw)> {
+        if self.planner.is_some() && self.behaviour.is_some() {
+            return Err(("behaviour".to_owned(), Flaw::TwoAlgorithms));
+        }
+        in_range("resolution", self.resolution, [MIN_RESOLUTION, MAX_RESOLUTION], "metres per cell")?;
+        let poses = self.objects.iter().enumerate().filter_map(|(index, object)| match object {
+            ScenarioObject::Dock(pose) => Some((format!("objects[{index}].dock.heading_deg"), pose.heading_deg)),
+            ScenarioObject::VirtualWall(beam) => {
+                Some((format!("objects[{index}].virtual_wall.heading_deg"), beam.heading_deg))
+            }
+            _ => None,
+        });
+        for (path, heading) in poses {
+            in_range(&path, heading, [-360.0, 360.0], "degrees")?;
+        }
         let plan = FloorPlan {
             name: self.name.clone(),
             note: self.note.clone(),
-            resolution: checked_resolution(file, "key \"resolution\"", &self.resolution.to_string())?,
-            occupancy: self.occupancy(file)?,
-            objects: Vec::new(),
-            start: checked_pose(file, "key \"start\"", self.start)?,
-            origin: checked_pose(file, "key \"origin\"", self.origin)?.unwrap_or(Pose::new(0.0, 0.0, 0.0)),
+            resolution: self.resolution,
+            occupancy: self.occupancy()?,
+            objects: self.objects.iter().map(Object::from).collect(),
+            start: checked_pose("start", self.start)?,
+            origin: checked_pose("origin", self.origin)?.unwrap_or(Pose::new(0.0, 0.0, 0.0)),
         };
-        plan.checked(file)
+        plan.check_objects(plan.start).map_err(|Refusal { path, fault }| (path, fault.into()))?;
+        Ok(plan)
     }
 
-    fn occupancy(&self, file: &str) -> Result<Grid<Occupancy>, MapError> {
-        if self.width.max(self.height) > MAX_SIDE {
-            return Err(MapError::TooLarge { name: file.to_owned(), width: self.width, height: self.height });
+    fn occupancy(&self) -> Result<Grid<Occupancy>, (String, Flaw)> {
+        for (key, found) in [("width", self.width), ("height", self.height)] {
+            if found > MAX_SIDE {
+                return Err((key.to_owned(), Flaw::TooLarge { found }));
+            }
         }
+        let wrong_size = |key, found, expected| Flaw::WrongSize { key, found, expected };
         if self.rows.len() != self.height {
-            return Err(wrong_size(file, "key \"rows\"".to_owned(), "height", self.rows.len(), self.height));
+            return Err(("rows".to_owned(), wrong_size("height", self.rows.len(), self.height)));
         }
         let mut cells = Vec::with_capacity(self.width * self.height);
         for (index, row) in self.rows.iter().enumerate().rev() {
+            let path = || format!("rows[{index}]");
             let count = row.chars().count();
             if count != self.width {
-                return Err(wrong_size(file, format!("rows[{index}]"), "width", count, self.width));
+                return Err((path(), wrong_size("width", count, self.width)));
             }
             for found in row.chars() {
                 // The start has a key of its own.
                 let cell = cell_of(found).filter(|_| found != 'S');
-                cells.push(cell.ok_or_else(|| bad_cell(file, index, found))?);
+                cells.push(cell.ok_or_else(|| (path(), Flaw::Cell { found: found.escape_debug().to_string() }))?);
             }
         }
-        Grid::from_rows(self.width, cells).ok_or_else(|| MapError::NoFreeCell { name: file.to_owned() })
+        let has_floor = cells.contains(&Occupancy::Free);
+        let grid = Grid::from_rows(self.width, cells).filter(|_| has_floor);
+        grid.ok_or_else(|| ("rows".to_owned(), Flaw::NoFreeCell))
     }
 }
 
-fn checked_pose(file: &str, place: &str, pose: Option<ScenarioPose>) -> Result<Option<Pose>, MapError> {
-    match pose {
-        Some(ScenarioPose { heading_deg, .. }) if !(-360.0..=360.0).contains(&heading_deg) => Err(MapError::BadValue {
-            name: file.to_owned(),
-            place: place.to_owned(),
-            key: "heading_deg",
-            value: heading_deg.to_string(),
-            expected: "degrees from -360 to 360".to_owned(),
-        }),
-        pose => Ok(pose.map(Into::into)),
-    }
+fn in_range(path: &str, value: f64, [low, high]: [f64; 2], unit: &'static str) -> Result<(), (String, Flaw)> {
+    let is_in = (low..=high).contains(&value);
+    if is_in { Ok(()) } else { Err((path.to_owned(), Fault::Range { value, low, high, unit }.into())) }
 }
 
-fn wrong_size(file: &str, place: String, key: &'static str, found: usize, expected: usize) -> MapError {
-    MapError::WrongSize { name: file.to_owned(), place, key, found, expected }
-}
-
-fn bad_cell(file: &str, row: usize, found: char) -> MapError {
-    MapError::BadValue {
-        name: file.to_owned(),
-        place: format!("rows[{row}]"),
-        key: "a cell",
-        value: found.escape_debug().to_string(),
-        expected: "# for wall, . for floor or ? for unknown".to_owned(),
+fn checked_pose(path: &str, pose: Option<ScenarioPose>) -> Result<Option<Pose>, (String, Flaw)> {
+    if let Some(pose) = pose {
+        in_range(&format!("{path}.heading_deg"), pose.heading_deg, [-360.0, 360.0], "degrees")?;
     }
+    Ok(pose.map(Into::into))
 }
 
 /// What is wrong with the JSON, and where.
-fn explain(name: &str, error: &serde_json::Error) -> MapError {
+fn explain(name: &str, path: String, error: &serde_json::Error) -> MapError {
     if error.is_eof() {
         return MapError::Truncated { name: name.to_owned(), part: "JSON" };
     }
     // The library's own text ends with the place, which the message already names.
     let cause = error.to_string();
-    let cause = cause.split(" at line ").next().unwrap_or_default().to_owned();
-    MapError::Syntax { name: name.to_owned(), line: error.line(), column: error.column(), cause }
+    let cause = cause.split(" at line ").next().unwrap_or_default();
+    let cause = [("usize", "a whole number"), ("u64", "a whole number"), ("f64", "a number")]
+        .into_iter()
+        .fold(cause.to_owned(), |cause, (rust, plain)| {
+            cause.replace(&format!("expected {rust}"), &format!("expected {plain}"))
+        });
+    let path = if path == "." { String::new() } else { path };
+    MapError::BadJson { name: name.to_owned(), place: Place { path, at: Some((error.line(), error.column())) }, cause }
 }

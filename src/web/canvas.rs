@@ -6,10 +6,10 @@
 
 use super::{
     layer::{Layer, VisitsPicture, cell_picture},
-    robot, search,
+    robot, search, sensed,
 };
 use crate::{
-    app::{Palette, RobotView, Scene, Viewport, outlines},
+    app::{Palette, RobotView, Scene, Shows, Viewport, outlines},
     geometry::{Point, Pose},
     grid::{Cell, Grid, Occupancy},
 };
@@ -23,7 +23,7 @@ const MOST_PLANNED: usize = 60_000;
 /// Pixels per cell from which on the grid is drawn.
 const GRID_FROM: f64 = 16.0;
 /// Width of the canvas below which there is no room for a scale bar between legend and zoom, CSS pixels.
-const LEAST_FOR_SCALE_BAR: f64 = 580.0;
+const LEAST_FOR_SCALE_BAR: f64 = 626.0;
 /// Pieces of different strength in the trail.
 const TRAIL_PIECES: usize = 16;
 
@@ -49,6 +49,10 @@ struct Drawn {
     cursor: Option<Cell>,
     /// Index in the walk of the decision that is shown.
     search: Option<usize>,
+    shows: Shows,
+    /// Steps after which the sensors were read that are shown.
+    sensed: Option<u64>,
+    believed: (usize, Option<Point>, Option<Point>),
 }
 
 /// The part of it that the layers depend on.
@@ -102,6 +106,9 @@ impl Canvas {
             trail: (scene.trail.len(), scene.trail.first().copied(), scene.trail.last().copied()),
             cursor: scene.cursor,
             search: scene.search.map(|search| search.step.step),
+            shows: scene.shows,
+            sensed: scene.sensed.map(|sensed| sensed.steps),
+            believed: (scene.believed.len(), scene.believed.first().copied(), scene.believed.last().copied()),
         };
         if self.last == Some(drawn) && scene.dirty_rows.is_none() {
             return Ok(());
@@ -195,7 +202,7 @@ impl Canvas {
         context.draw_image_with_offscreen_canvas(&self.below.canvas, 0.0, 0.0)?;
         let ratio = viewport.pixel_ratio;
         context.set_transform(ratio, 0.0, 0.0, ratio, 0.0, 0.0)?;
-        if let Some(visits) = &self.visits {
+        if let Some(visits) = self.visits.as_ref().filter(|_| scene.shows.coverage) {
             let top_left = viewport.to_screen(Point::new(0.0, scene.plan.height_m()));
             let (width, height) = (scene.plan.width_m() * viewport.scale, scene.plan.height_m() * viewport.scale);
             context.draw_image_with_offscreen_canvas_and_dw_and_dh(
@@ -215,13 +222,17 @@ impl Canvas {
         }
         if let Some(start) = &scene.start {
             let centre = viewport.to_screen(start.position());
-            robot::draw_start(context, palette, start, centre, scene.start_radius * viewport.scale)?;
+            robot::draw_start(context, palette, start, centre, (scene.start_body, scene.start_radius, viewport.scale))?;
         }
-        trail(context, viewport, scene.trail, palette);
+        trail(context, viewport, scene.believed, palette.estimate);
+        trail(context, viewport, scene.trail, palette.accent);
+        if let (Some(view), Some(sensed)) = (&scene.robot, &scene.sensed) {
+            sensed::draw(context, palette, view, sensed, viewport)?;
+        }
         if let Some(view) = &scene.robot {
             if let Some(estimate) = &view.estimate {
                 let centre = viewport.to_screen(estimate.position());
-                robot::draw_estimate(context, palette, estimate, centre, view.radius * viewport.scale)?;
+                robot::draw_estimate(context, palette, estimate, centre, (view.body, view.radius, viewport.scale))?;
             }
             robot::draw(context, palette, view, viewport.to_screen(view.pose.position()), viewport.scale)?;
         }
@@ -434,14 +445,14 @@ fn line(context: &OffscreenCanvasRenderingContext2d, viewport: &Viewport, points
 }
 
 /// Where the robot has just been, fading into the past.
-fn trail(context: &CanvasRenderingContext2d, viewport: &Viewport, points: &[Point], palette: &Palette) {
+fn trail(context: &CanvasRenderingContext2d, viewport: &Viewport, points: &[Point], colour: &str) {
     if points.len() < 2 {
         return;
     }
     context.set_line_width((0.035 * viewport.scale).clamp(2.0, 5.0));
     context.set_line_join("round");
     context.set_line_cap("butt");
-    context.set_stroke_style_str(palette.accent);
+    context.set_stroke_style_str(colour);
     let piece = points.len().div_ceil(TRAIL_PIECES).max(1);
     let pieces = points.len().div_ceil(piece);
     for i in 0..pieces {
@@ -464,7 +475,7 @@ fn scale_bar(context: &CanvasRenderingContext2d, viewport: &Viewport, palette: &
     }
     let lengths = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0];
     let metres = lengths.into_iter().find(|m| m * viewport.scale >= 48.0).unwrap_or(100.0);
-    let (length, right, bottom) = (metres * viewport.scale, viewport.size.x - 148.0, viewport.size.y - 24.0);
+    let (length, right, bottom) = (metres * viewport.scale, viewport.size.x - 194.0, viewport.size.y - 24.0);
     // A ground of its own where the room lies behind it.
     context.set_fill_style_str(palette.outside);
     context.set_global_alpha(0.8);

@@ -1,21 +1,21 @@
 //! Map files: a worker reads them, as a large one takes its time; a plain object with the room comes back.
 
 #[cfg(feature = "workshop")]
-use crate::floorplan::SourceFile;
+use crate::{app::pack, floorplan::SourceFile};
+#[cfg(feature = "page")]
+use crate::{app::unpack, floorplan::FloorPlan, grid::Grid};
 use crate::{
     app::{Choices, Import},
     geometry::Pose,
     grid::Occupancy,
 };
-#[cfg(feature = "page")]
-use crate::{floorplan::FloorPlan, grid::Grid};
 #[cfg(feature = "workshop")]
 use js_sys::Array;
-use js_sys::{Reflect, Uint8Array};
+use js_sys::{Float64Array, Reflect, Uint8Array};
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::*;
 
-/// A map as it crosses to the page; its cells go beside it, as bytes. Poses are x, y, heading in metres and radians.
+/// A map as it crosses to the page; its cells go beside it, as bytes, and its objects, as numbers. Poses are x, y, heading in metres and radians.
 #[derive(Debug, Serialize, Deserialize)]
 struct WireMap {
     name: String,
@@ -46,6 +46,7 @@ pub fn read_map(files: &Array) -> Result<JsValue, JsValue> {
     let wire = WireMap { name: plan.name, note: plan.note, resolution, width, start, origin, choices };
     let object = super::to_js(&wire)?;
     Reflect::set(&object, &"cells".into(), &Uint8Array::from(cells.as_slice()))?;
+    Reflect::set(&object, &"objects".into(), &Float64Array::from(pack(&plan.objects).as_slice()))?;
     Ok(object)
 }
 
@@ -68,7 +69,7 @@ pub(super) fn import_from_js(object: &JsValue) -> Result<Import, JsValue> {
         note: wire.note,
         resolution: wire.resolution,
         occupancy: Grid::from_rows(wire.width, cells).ok_or("the map has no cells")?,
-        objects: Vec::new(),
+        objects: unpack(&Float64Array::new(&Reflect::get(object, &"objects".into())?).to_vec()),
         start: wire.start.map(pose),
         origin: pose(wire.origin),
     };

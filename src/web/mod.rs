@@ -31,6 +31,8 @@ mod robot;
 mod runner;
 #[cfg(feature = "page")]
 mod search;
+#[cfg(feature = "page")]
+mod sensed;
 #[cfg(feature = "workshop")]
 mod trial;
 

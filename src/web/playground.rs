@@ -1,9 +1,12 @@
 //! The page's one object: a session, the view of it on a canvas, and the hand that draws.
 
+mod hand;
+
+use self::hand::Carried;
 use super::{canvas::Canvas, catalogue::Catalogue, clock, map, request, to_js};
 use crate::{
-    app::{Answer, Brush, Scene, Session, SettingsError, Viewport},
-    geometry::{Point, Pose},
+    app::{Answer, Brush, RobotView, Scene, Session, SettingsError, Viewport},
+    geometry::{Point, Pose, Vector},
     grid::Cell,
     planner::{CoveragePath, TraceStep},
 };
@@ -18,6 +21,8 @@ const OPENING_S: f64 = 600.0;
 
 /// Distance from the robot's centre within which the pointer takes hold of it, CSS pixels, however small it is drawn.
 const LEAST_GRIP_PX: f64 = 16.0;
+/// Distance that the pointer has to go to pick a robot up, CSS pixels: a click alone does nothing.
+const LEAST_LIFT_PX: f64 = 4.0;
 
 /// What the pointer does on the floor.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -41,6 +46,16 @@ enum Gesture {
         pose: Pose,
         turns: bool,
     },
+    /// Has hold of a running robot, whose centre is `grip` from the pointer that went down at (`x`, `y`).
+    Grip {
+        x: f64,
+        y: f64,
+        grip: Vector,
+    },
+    /// Carries it.
+    Carry {
+        grip: Vector,
+    },
 }
 
 /// A session shown on a canvas.
@@ -53,6 +68,8 @@ pub struct Playground {
     viewport: Viewport,
     tool: Tool,
     gesture: Option<Gesture>,
+    /// The robot, if it is held.
+    carried: Option<Carried>,
     /// Cell that keyboard drawing is at.
     cursor: Option<Cell>,
     last_frame_ms: Option<f64>,
@@ -73,6 +90,7 @@ impl Playground {
             viewport: Viewport::new(1.0, 1.0, 1.0, 1.0, 1.0),
             tool: Tool::View,
             gesture: None,
+            carried: None,
             cursor: None,
             last_frame_ms: None,
             dark: false,
@@ -80,7 +98,7 @@ impl Playground {
         })
     }
 
-    /// What there is to choose from: `{ rooms, planners, robots, cell_sizes_m, speeds }`.
+    /// What there is to choose from: see `Catalogue` in `www/types.d.ts`.
     pub fn catalogue() -> Result<JsValue, JsValue> {
         to_js(&Catalogue::new())
     }
@@ -95,6 +113,7 @@ impl Playground {
             Tool::Start => "start",
         };
         Reflect::set(&view, &"tool".into(), &tool.into())?;
+        Reflect::set(&view, &"is_carried".into(), &self.carried.is_some().into())?;
         Ok(view)
     }
 
@@ -108,6 +127,8 @@ impl Playground {
         let elapsed_s = self.last_frame_ms.replace(now_ms).map_or(0.0, |last| (now_ms - last) / 1000.0);
         let deadline = clock() + FRAME_BUDGET_MS;
         self.session.frame(elapsed_s, &mut || clock() < deadline);
+        // Another run, or another moment of it, in which nobody holds the robot.
+        self.carried = self.carried.filter(|_| self.session.is_lifted());
         self.draw()
     }
 
@@ -190,6 +211,25 @@ impl Playground {
     /// Chooses how well the wheels hold: `none`, `typical` or `harsh`.
     pub fn set_slip(&mut self, id: &str) -> Result<(), JsValue> {
         Ok(self.session.configure(|s| s.set_slip(id))?)
+    }
+
+    /// Chooses how much sensors err, `off`, `typical` or `harsh`: one kind of the catalogue's `sensors`, or all of them.
+    pub fn set_noise(&mut self, sensor: Option<String>, level: &str) -> Result<(), JsValue> {
+        Ok(self.session.configure(|s| s.set_noise(sensor.as_deref(), level))?)
+    }
+
+    /// Lets wheels only turn at the speeds that the motor controller can keep, or at any.
+    pub fn set_quantised(&mut self, on: bool) -> Result<(), JsValue> {
+        let set = |s: &mut crate::app::Settings| {
+            s.conditions.quantised = on;
+            Ok::<(), SettingsError>(())
+        };
+        Ok(self.session.configure(set)?)
+    }
+
+    /// Shows a layer of the picture, or no longer: `coverage`, `dirt`, `sensors` or `estimate`.
+    pub fn show(&mut self, layer: &str, on: bool) -> Result<(), JsValue> {
+        Ok(self.session.show(layer, on)?)
     }
 
     /// Chooses how the follower computes its pose: `arc` or `straight`.
@@ -301,6 +341,18 @@ impl Playground {
             ("move", Some(Gesture::Start { pose, turns: false })) => {
                 self.gesture = Some(Gesture::Start { pose: Pose::new(at.x, at.y, pose.heading), turns: false });
             }
+            ("move", Some(Gesture::Grip { x: from_x, y: from_y, grip })) => {
+                if (x - from_x).abs().max((y - from_y).abs()) >= LEAST_LIFT_PX {
+                    self.take_robot();
+                    self.gesture = Some(Gesture::Carry { grip });
+                    self.carry_to(at, grip);
+                }
+            }
+            ("move", Some(Gesture::Carry { grip })) => self.carry_to(at, grip),
+            ("cancel", Some(Gesture::Carry { .. })) => {
+                self.put_back();
+                self.gesture = None;
+            }
             ("cancel", Some(Gesture::Start { .. })) => self.gesture = None,
             ("cancel", Some(Gesture::Paint)) => {
                 self.session.abandon_stroke();
@@ -321,6 +373,7 @@ impl Playground {
                 Gesture::Paint
             }
             Tool::Start => Gesture::Start { pose: Pose::new(at.x, at.y, heading), turns: true },
+            Tool::View if self.is_on_robot(at) && (self.carried.is_some() || self.may_lift()) => self.grip(at, x, y),
             Tool::View if self.is_on_robot(at) => Gesture::Start { pose: Pose::new(at.x, at.y, heading), turns: false },
             Tool::View => Gesture::Pan { x, y },
         });
@@ -330,13 +383,21 @@ impl Playground {
         match self.gesture.take() {
             Some(Gesture::Paint) => self.session.end_stroke(),
             Some(Gesture::Start { pose, .. }) => self.session.move_start(pose),
+            Some(Gesture::Carry { .. }) if self.carried.is_some() => self.pick_up(),
             _ => {}
         }
     }
 
+    /// Takes hold of the robot at `at`, which is (`x`, `y`) on the screen.
+    fn grip(&self, at: Point, x: f64, y: f64) -> Gesture {
+        let pose = self.carried.map(|c| c.pose).or(self.session.recording().map(|r| r.run().pose()));
+        let grip = pose.map_or(Vector::zeros(), |pose| pose.position() - at);
+        if self.carried.is_some() { Gesture::Carry { grip } } else { Gesture::Grip { x, y, grip } }
+    }
+
     fn is_on_robot(&self, at: Point) -> bool {
         let radius = self.session.settings().robot_model().radius;
-        let robot = self.session.recording().map(|r| r.run().pose());
+        let robot = self.carried.map(|c| c.pose).or(self.session.recording().map(|r| r.run().pose()));
         let reach = radius.max(LEAST_GRIP_PX / self.viewport.scale);
         robot.is_some_and(|pose| (pose.position() - at).norm() < reach)
     }
@@ -428,8 +489,11 @@ impl Playground {
             Some(Gesture::Start { pose, .. }) => Some(pose),
             _ => None,
         };
+        let held = self.carried.map(|carried| carried.pose);
         let start = dragged.or(self.session.prepared().map(|p| p.floor.start));
-        let scene = Scene { start, dirty_rows, cursor: self.cursor, dark: self.dark, ..self.session.scene() };
+        let session = self.session.scene();
+        let robot = session.robot.map(|robot| RobotView { pose: held.unwrap_or(robot.pose), ..robot });
+        let scene = Scene { robot, start, dirty_rows, cursor: self.cursor, dark: self.dark, ..session };
         self.canvas.draw(&scene, &self.viewport)
     }
 }

@@ -5,13 +5,14 @@ mod search;
 mod snapshot;
 
 use super::{
-    Action, Brush, Editor, Import, PlanRequest, Planned, Prepared, Recording, Search, Settings, SettingsError, State,
+    Action, Brush, Editor, Import, PlanRequest, Planned, Prepared, Recording, ScenarioError, Search, Settings,
+    SettingsError, State,
 };
 use crate::{
     controller::Command,
     floorplan::{self, FloorPlan, MapError, RoomInfo, Scenario, SourceFile},
     geometry::{Point, Pose},
-    sim::{Input, STEP_S},
+    sim::{Input, NoiseLevel, STEP_S, SensorKind},
 };
 use std::sync::Arc;
 
@@ -57,11 +58,6 @@ pub enum LoadError {
     #[error(transparent)]
     Scenario(#[from] ScenarioError),
 }
-
-/// A scenario asks for something that there isn't.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("the scenario can't be run: {0}")]
-pub struct ScenarioError(#[from] SettingsError);
 
 /// A planner at work elsewhere.
 struct Planning {
@@ -323,6 +319,11 @@ impl Session {
         Ok(())
     }
 
+    /// Shows a layer of the picture, or no longer.
+    pub fn show(&mut self, layer: &str, on: bool) -> Result<(), SettingsError> {
+        self.settings.shows.set(layer, on)
+    }
+
     /// Sets the speed, times real time; 0 for as fast as it goes.
     pub fn set_speed(&mut self, times: f64) {
         self.settings.speed = if times.is_finite() { times.max(0.0) } else { 0.0 };
@@ -337,9 +338,7 @@ impl Session {
     /// Takes what was read from files. On an error everything stays as it was.
     pub fn take_import(&mut self, import: Import) -> Result<(), ScenarioError> {
         if let Some(choices) = &import.choices {
-            let mut settings = self.settings.clone();
-            settings.take_scenario(choices)?;
-            self.settings = settings;
+            self.settings = choices.settings(&self.settings)?;
         }
         self.message = None;
         self.editor.replace(import.plan, None, None);
@@ -378,18 +377,27 @@ impl Session {
 
     /// Room and settings as a scenario file, which [`Session::load`] takes back.
     pub fn scenario_json(&self) -> String {
-        let start = self.editor.start().or(self.plan().start);
-        let defaults = crate::registry::Params::defaults(self.settings.algorithm.params());
-        let changed = self.settings.params.iter().filter(|&(id, value)| defaults.get(id) != Some(value));
+        let Settings { algorithm, ref params, conditions, .. } = self.settings;
+        let defaults = crate::registry::Params::defaults(algorithm.params());
+        let changed = params.iter().filter(|&(id, value)| defaults.get(id) != Some(value));
         let params =
             changed.filter_map(|(id, value)| Some((id.to_owned(), serde_json::to_value(value).ok()?))).collect();
         let mut scenario = Scenario::of(self.plan());
-        scenario.start = start.map(Into::into);
+        // A start that was walled in would be refused, and is of no use to anyone.
+        let start = self.editor.start().or(self.plan().start);
+        scenario.start = start.filter(|_| self.prepared.is_some()).map(Into::into);
         scenario.robot = Some(self.settings.robot.to_owned());
-        scenario.planner = Some(self.settings.algorithm.id().to_owned());
+        scenario.planner = algorithm.planner().map(|info| info.id.to_owned());
+        scenario.behaviour = algorithm.behaviour().map(|info| info.id.to_owned());
         scenario.params = params;
         scenario.cell_size = Some(self.settings.cell_size);
         scenario.seed = Some(self.settings.seed);
+        scenario.slip = Some(conditions.slip.id().to_owned());
+        let noisy = SensorKind::ALL.into_iter().map(|(kind, name)| (name, conditions.noise.of(kind)));
+        let noisy = noisy.filter(|&(_, level)| level != NoiseLevel::Off);
+        scenario.noise = Some(noisy.map(|(name, level)| (name.to_owned(), level.id().to_owned())).collect());
+        scenario.quantised = Some(conditions.quantised);
+        scenario.odometry = Some(self.settings.odometry.id().to_owned());
         scenario.to_json()
     }
 

@@ -1,0 +1,121 @@
+//! The ground that was driven over last, so that a robot without eyes at its back reverses over nothing else.
+
+use std::collections::VecDeque;
+
+/// Distance between marks, m.
+const SPACING: f64 = 0.008;
+/// Most marks that are kept: the last half metre.
+const MOST: usize = 64;
+/// A mark counts as reached when it is this near, m.
+const REACHED: f64 = 0.003;
+/// Wheel travel against each other, m, without way ahead, that makes a turn on the spot: what lies behind is another
+/// ground then.
+const TURN: f64 = 0.02;
+
+/// Marks of where the wheels were while the robot drove forward, as what they had rolled.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Trail {
+    /// Where the wheels are now, m: what they rolled, less what they slipped against a wall.
+    at: [f64; 2],
+    marks: VecDeque<[f64; 2]>,
+}
+
+/// Way of the middle between the wheels from one mark to another, m.
+fn ahead(from: [f64; 2], to: [f64; 2]) -> f64 {
+    0.5 * (to[0] - from[0] + to[1] - from[1])
+}
+
+impl Trail {
+    /// Forgets where it was: nothing behind the robot is known.
+    pub(super) fn clear(&mut self) {
+        self.marks.clear();
+    }
+
+    /// The wheels rolled this far, m; `is_held` if something in front held the body while they did.
+    pub(super) fn roll(&mut self, rolled: [f64; 2], is_held: bool, is_backing: bool) {
+        let is_forward = rolled[0] + rolled[1] > 0.0;
+        if is_held && is_forward {
+            return;
+        }
+        self.at = [self.at[0] + rolled[0], self.at[1] + rolled[1]];
+        let Some(&last) = self.marks.back() else {
+            self.marks.push_back(self.at);
+            return;
+        };
+        let way = ahead(last, self.at);
+        let spin = 0.5 * (self.at[1] - last[1] - self.at[0] + last[0]).abs();
+        if way >= SPACING {
+            if self.marks.len() == MOST {
+                self.marks.pop_front();
+            }
+            self.marks.push_back(self.at);
+        } else if !is_backing && (way < -SPACING || spin > TURN + 3.0 * way.abs()) {
+            self.marks.clear();
+            self.marks.push_back(self.at);
+        }
+    }
+
+    /// How far it is known to go back, m.
+    pub(super) fn length(&self) -> f64 {
+        self.marks.front().map_or(0.0, |&first| ahead(first, self.at).max(0.0))
+    }
+
+    /// Wheel speeds that lead back along the trail, as shares of the faster wheel's; `None` at its end.
+    pub(super) fn back(&mut self) -> Option<[f64; 2]> {
+        while self.marks.len() > 1 && self.marks.back().is_some_and(|&mark| ahead(mark, self.at) < REACHED) {
+            self.marks.pop_back();
+        }
+        // A few marks farther on, the direction depends less on where exactly the wheels are now.
+        let target = *self.marks.get(self.marks.len().checked_sub(1)?.saturating_sub(2))?;
+        if ahead(target, self.at) < REACHED {
+            return None;
+        }
+        let way = [self.at[0] - target[0], self.at[1] - target[1]];
+        let most = way[0].abs().max(way[1].abs());
+        Some([-way[0] / most, -way[1] / most])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn drive(trail: &mut Trail, rolled: [f64; 2], steps: u32) {
+        for _ in 0..steps {
+            trail.roll(rolled, false, false);
+        }
+    }
+
+    #[test]
+    fn an_arc_is_gone_back_the_same_way_and_no_farther() {
+        let mut trail = Trail::default();
+        drive(&mut trail, [0.002, 0.004], 50);
+        assert!((trail.length() - 0.15).abs() < 0.004, "{}", trail.length());
+        let mut rolled = [0.0; 2];
+        while let Some(way) = trail.back() {
+            let step = way.map(|share| share * 0.004);
+            assert!((step[0] / step[1] - 0.5).abs() < 0.1, "{step:?}");
+            rolled = [rolled[0] + step[0], rolled[1] + step[1]];
+            trail.roll(step, false, true);
+        }
+        assert!((rolled[0] + 0.1).abs() < 0.01 && (rolled[1] + 0.2).abs() < 0.01, "{rolled:?}");
+    }
+
+    #[test]
+    fn nothing_is_known_behind_after_a_turn_on_the_spot() {
+        let mut trail = Trail::default();
+        drive(&mut trail, [0.004, 0.004], 50);
+        drive(&mut trail, [-0.004, 0.004], 50);
+        assert!(trail.length() < 0.01 && trail.back().is_none());
+    }
+
+    #[test]
+    fn wheels_that_slip_against_a_wall_make_no_way_to_go_back() {
+        let mut trail = Trail::default();
+        drive(&mut trail, [0.004, 0.004], 5);
+        for _ in 0..20 {
+            trail.roll([0.004, 0.004], true, false);
+        }
+        assert!((trail.length() - 0.016).abs() < 0.005, "{}", trail.length());
+    }
+}

@@ -1,0 +1,6 @@
+//! The behaviours: what their authors print, what the registry claims, and that nobody falls.
+
+mod contract;
+mod measure;
+mod papers;
+mod support;

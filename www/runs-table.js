@@ -1,0 +1,59 @@
+// @ts-check
+// The table of many runs: times to 90 and 99 %, what is clean at the end, and what happened on the way.
+import { byId, make } from "./dom.js";
+import { clock, count, metres, percent } from "./format.js";
+
+/**
+ * @typedef {import("./types").RunsSummary} Summary
+ * @typedef {{ title: string, mark: HTMLElement, summary: Summary | null, failure: string }} Row
+ */
+
+/** Columns: name, unit, what it is. */
+const COLUMNS = /** @type {const} */ ([
+  ["90 % clean", "min", "When 90 % of the reachable floor had been swept: in half of the runs by then; below it, one in ten and nine in ten. Lower is better."],
+  ["got there", "of runs", "Share of the runs that swept 90 % in time."],
+  ["99 % clean", "min", "When 99 % of the reachable floor had been swept. Lower is better."],
+  ["got there", "of runs", "Share of the runs that swept 99 % in time."],
+  ["Coverage", "% at the end", "Swept share of the reachable floor when the time was over: the middle run, and four out of five. Higher is better."],
+  ["Distance", "m", "Distance driven by the middle run."],
+  ["Bumps", "", "How often the bumper was pressed, in the middle run."],
+  ["Falls", "in all runs", "How often a robot fell down a drop-off, in all runs together."],
+]);
+
+/** @param {Row[]} rows @param {number} minutes @param {(which: number | undefined) => void} stress */
+export function showTable(rows, minutes, stress) {
+  const table = byId("runs-table");
+  const heads = COLUMNS.map(([label, unit, definition]) =>
+    make("th", { scope: "col", "data-tip": definition }, make("span", { className: "term", tabIndex: 0 }, label), make("span", { className: "unit" }, unit)),
+  );
+  table.querySelector("thead")?.replaceChildren(make("tr", {}, make("th", { scope: "col" }, "Algorithm"), ...heads));
+  const known = rows.flatMap(({ summary }) => summary ?? []);
+  const best = {
+    times: [0, 1].map((goal) => Math.min(...known.map((summary) => summary.time_to[goal]?.median_s ?? Infinity))),
+    coverage: Math.max(...known.map((summary) => summary.coverage.median)),
+  };
+  const lines = rows.map((row, index) => {
+    const cells = row.summary ? cellsOf(row.summary, minutes, known.length > 1 ? best : undefined) : COLUMNS.map(() => make("td", {}, "–"));
+    const name = make("th", { scope: "row" }, row.mark, row.title);
+    if (row.failure) name.append(make("span", { className: "failure", "data-tip": row.failure, tabIndex: 0 }, "failed"));
+    else if (row.summary) name.append(make("small", {}, `${count(row.summary.runs)} ${row.summary.runs === 1 ? "run" : "runs"}`));
+    return make("tr", { onpointerenter: () => stress(index), onpointerleave: () => stress(undefined) }, name, ...cells);
+  });
+  table.querySelector("tbody")?.replaceChildren(...lines);
+}
+
+/** @param {Summary} summary @param {number} minutes @param {{ times: number[], coverage: number } | undefined} best */
+function cellsOf({ runs, time_to, coverage, distance_m, bumps, falls }, minutes, best) {
+  const times = time_to.flatMap(({ percent: goal, reached, low_s, median_s, high_s }, i) => {
+    const late = `> ${clock(60 * minutes)}`;
+    const time = make("td", { className: best && median_s !== null && median_s === best.times[i] ? "best" : "" }, median_s === null ? late : clock(median_s));
+    if (median_s === null) time.dataset.tip = `Fewer than half of the runs had swept ${goal} % after ${minutes} minutes, so that nobody knows when half of them would have.`;
+    if (reached > 0) time.append(make("small", {}, `${low_s === null ? late : clock(low_s)}–${high_s === null ? late : clock(high_s)}`));
+    return [time, make("td", {}, `${percent(reached / runs, 0)} %`, make("small", {}, `${reached} of ${runs}`))];
+  });
+  const end = make("td", { className: best && coverage.median === best.coverage ? "best" : "" }, percent(coverage.median), make("small", {}, `${percent(coverage.low)}–${percent(coverage.high)}`));
+  const [way, hits] = [make("td", {}, metres(distance_m.median)), make("td", {}, count(bumps.median))];
+  hits.append(make("small", {}, `${count(bumps.low)}–${count(bumps.high)}`));
+  way.append(make("small", {}, `${metres(distance_m.low)}–${metres(distance_m.high)}`));
+  return [...times, end, way, hits, make("td", { className: falls > 0 ? "fell" : "" }, count(falls))];
+}
