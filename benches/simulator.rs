@@ -3,14 +3,45 @@
 #![allow(missing_docs, reason = "the macros make functions without any")]
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
-use robovac_playground::{app::bench::opening_run, sim::Run};
-use std::time::Duration;
+use robovac_playground::{
+    app::bench::opening_run,
+    controller::{self, Setup},
+    coverage::ReachableFloor,
+    floorplan::{Object, Who, room},
+    geometry::{Point, Pose},
+    planner::Params,
+    robot::model,
+    sim::{Conditions, Run, RunSetup, SlipLevel, World},
+};
+use std::{sync::Arc, time::Duration};
 
 /// Steps from the start: five minutes of robot time, with straight pieces, turns and furniture.
 const STEPS: u32 = 20_000;
 
+/// The furnished flat with everything that can lie, stand and move in it, and a robot that bounces about: far more contact
+/// than planned paths have.
+fn lively_run(id: &str) -> Option<Run> {
+    let mut plan = room("flat")?;
+    let (width, height) = (plan.width_m(), plan.height_m());
+    let at = |x: f64, y: f64| Point::new(x * width, y * height);
+    for (x, y) in [(0.2, 0.2), (0.26, 0.2), (0.2, 0.3), (0.26, 0.3), (0.6, 0.7), (0.7, 0.4)] {
+        plan.objects.push(Object::Leg { at: at(x, y), radius: 0.015 });
+    }
+    plan.objects.push(Object::Furniture { outline: vec![at(0.4, 0.4), at(0.5, 0.42), at(0.46, 0.5)] });
+    plan.objects.push(Object::Carpet { outline: vec![at(0.1, 0.1), at(0.4, 0.1), at(0.4, 0.4), at(0.1, 0.4)] });
+    plan.objects.push(Object::Dirt { at: at(0.3, 0.6), radius: 0.4 });
+    plan.objects.push(Object::Mover { who: Who::Person, path: vec![at(0.15, 0.5), at(0.85, 0.5)] });
+    plan.objects.push(Object::Mover { who: Who::Pet, path: vec![at(0.2, 0.8), at(0.8, 0.2)] });
+    let robot = model(id)?.clone();
+    let floor = Arc::new(ReachableFloor::new(&plan, &robot, plan.start.map(|s| Pose { heading: 0.7, ..s })).ok()?);
+    let behaviour = controller::find("bounce")?;
+    let params = Params::defaults(behaviour.params);
+    let controller = behaviour.build(&Setup { robot: &robot, params: &params, seed: 1 })?;
+    let conditions = Conditions { slip: SlipLevel::Typical, ..Conditions::default() };
+    Some(Run::new(&RunSetup { floor, world: Arc::new(World::new(&plan)), robot, conditions, seed: 1 }, controller))
+}
+
 fn simulator(criterion: &mut Criterion) {
-    let Some(start) = opening_run() else { return };
     let mut group = criterion.benchmark_group("simulator");
     group.throughput(Throughput::Elements(u64::from(STEPS))).measurement_time(Duration::from_secs(3));
     let simulate = |mut run: Run| {
@@ -19,9 +50,17 @@ fn simulator(criterion: &mut Criterion) {
         }
         run
     };
-    group.bench_function(format!("{STEPS} steps in the furnished flat"), |b| {
-        b.iter_batched(|| start.clone(), simulate, BatchSize::LargeInput);
-    });
+    let cases = [
+        ("in the furnished flat", opening_run()),
+        ("bouncing there with objects and movers", lively_run("roomba600")),
+        ("the same with a rectangular body", lively_run("cbot")),
+    ];
+    for (name, start) in cases {
+        let Some(start) = start else { continue };
+        group.bench_function(format!("{STEPS} steps {name}"), |b| {
+            b.iter_batched(|| start.clone(), simulate, BatchSize::LargeInput);
+        });
+    }
     group.finish();
 }
 
