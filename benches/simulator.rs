@@ -21,7 +21,7 @@ const STEPS: u32 = 20_000;
 /// The furnished flat with everything that can lie, stand and move in it, and a robot that bounces about: far more contact
 /// than planned paths have.
 fn lively_run(id: &str) -> Option<Run> {
-    let mut plan = room("flat")?;
+    let mut plan = (room("flat")?.build)();
     let (width, height) = (plan.width_m(), plan.height_m());
     let at = |x: f64, y: f64| Point::new(x * width, y * height);
     for (x, y) in [(0.2, 0.2), (0.26, 0.2), (0.2, 0.3), (0.26, 0.3), (0.6, 0.7), (0.7, 0.4)] {

@@ -192,7 +192,7 @@ impl FollowPath {
         self.bumps += 1;
         if self.moves_sideways() {
             // Its bumper tells sides of the body, not of the line: it tries one side, then the other, farther each time.
-            let side = if self.bumps % 2 == 0 { -1.0 } else { 1.0 };
+            let side = if self.bumps.is_multiple_of(2) { -1.0 } else { 1.0 };
             self.shift = side * NUDGE * f64::from(self.bumps.div_ceil(2));
             let then = if self.bumps >= MOST_BUMPS { AfterBump::GiveUp } else { AfterBump::TryAgain };
             self.phase = Phase::BackOff(self.odometry.pose().position(), then);
