@@ -30,7 +30,12 @@ impl Walls {
         loop {
             let clearance = self.clearance.get(walk.cell).map_or(0.0, |&c| f64::from(c));
             if clearance <= 0.0 {
-                return Some(Hit { distance: walk.travelled, cosine: walk.cosine });
+                if self.squares().get(walk.cell).copied().unwrap_or(true) {
+                    return Some(Hit { distance: walk.travelled, cosine: walk.cosine });
+                }
+                if let Some(hit) = self.shape_in_cell(&walk) {
+                    return (hit.distance < reach).then_some(hit);
+                }
             }
             let room = clearance - 0.7072 * size;
             if room > WORTH_JUMPING * size {
@@ -42,6 +47,21 @@ impl Walls {
                 return None;
             }
         }
+    }
+
+    /// The nearest shape that a ray enters in the cell that it has come to.
+    fn shape_in_cell(&self, walk: &Walk) -> Option<Hit> {
+        let leaves = walk.next[0].min(walk.next[1]) + 1e-9;
+        let low = Point::new(f64::from(walk.cell.x), f64::from(walk.cell.y)) * self.resolution;
+        let mut nearest: Option<Hit> = None;
+        self.shapes_in_box(low, low + Vector::new(self.resolution, self.resolution), |shape| {
+            let entry = shape.entry(walk.from, walk.direction).filter(|&(distance, _)| distance <= leaves);
+            let Some((distance, cosine)) = entry else { return };
+            if nearest.is_none_or(|hit| distance < hit.distance) {
+                nearest = Some(Hit { distance, cosine });
+            }
+        });
+        nearest
     }
 
     /// Whether no wall is in the way from one point to the other. What is nearer than `slack` metres to the second doesn't
@@ -117,12 +137,11 @@ fn crossing(cell: i32, from: f64, direction: f64, size: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{grid::Grid, math};
+    use crate::{geometry::Shape, grid::Grid, math};
     use proptest::prelude::*;
 
     fn walls(blocked: &Grid<bool>) -> Walls {
-        let resolution = 0.05;
-        Walls::new(blocked.clone(), Vec::new(), resolution, 0.15)
+        Walls::new(blocked.clone(), Vec::new(), 0.05, 0.15)
     }
 
     #[test]
@@ -133,6 +152,19 @@ mod tests {
         let slanted = walls.ray(Point::new(0.5, 0.5), Vector::new(0.6, -0.8), 5.0).unwrap();
         assert!((slanted.distance - 0.625).abs() < 1e-12 && (slanted.cosine - 0.8).abs() < 1e-12, "{slanted:?}");
         assert_eq!(walls.ray(Point::new(0.3, 0.4), Vector::new(1.0, 0.0), 0.69), None);
+    }
+
+    #[test]
+    fn legs_and_furniture_are_met_where_they_are() {
+        let leg = Shape::Disc { centre: Point::new(0.61, 0.4), radius: 0.01 };
+        let triangle = [[0.3, 0.7], [0.9, 0.7], [0.3, 0.95]].map(|[x, y]| Point::new(x, y)).to_vec();
+        let walls = Walls::new(Grid::filled(20, 20, false), vec![leg, Shape::Convex(triangle)], 0.05, 0.15);
+        let ahead = |y: f64| walls.ray(Point::new(0.1, y), Vector::new(1.0, 0.0), 5.0).unwrap().distance;
+        assert!((ahead(0.4) - 0.5).abs() < 1e-12 && (ahead(0.415) - 0.9).abs() < 1e-12);
+        let down = walls.ray(Point::new(0.6, 0.99), Vector::new(0.0, -1.0), 5.0).unwrap();
+        // The slanted side is at y = 0.825 there, and turned by atan(0.25 / 0.6).
+        assert!((down.distance - 0.165).abs() < 1e-9 && (down.cosine - 0.6 / 0.65).abs() < 1e-9, "{down:?}");
+        assert_eq!(walls.ray(Point::new(0.1, 0.4), Vector::new(1.0, 0.0), 0.49), None);
     }
 
     #[test]

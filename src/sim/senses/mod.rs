@@ -57,7 +57,7 @@ pub struct Carrier {
     pub is_lifted: bool,
     /// Which wheels hang over a drop-off, left and right; both once the robot has fallen.
     pub dropped: [bool; 2],
-    /// Dirt that was picked up in the step: as much as lies on so many m² of a spot of dirt.
+    /// Dirt that was picked up in the step: 1 is what lies on 10 cm² of a spot of dirt. A Roomba at 0.3 m/s gets 0.77.
     pub dirt: f64,
 }
 
