@@ -122,6 +122,12 @@ impl Walls {
         is_inside
     }
 
+    /// Calls `visit` with every shape whose own box meets the one between `low` and `high`.
+    #[inline]
+    pub(super) fn shapes_in_box<'a>(&'a self, low: Point, high: Point, visit: impl FnMut(&'a Shape)) {
+        self.shapes.in_box(low, high, visit);
+    }
+
     /// All shapes.
     pub fn shapes(&self) -> &[Shape] {
         self.shapes.all()
