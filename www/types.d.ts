@@ -110,6 +110,8 @@ export type State = "planning" | "ready" | "playing" | "paused" | "finished" | "
 export type Action = "play" | "pause" | "step" | "reset" | "cancel" | "seek" | "undo" | "redo" | "edit" | "lift";
 export type Tool = "view" | "wall" | "erase" | "start";
 
+export type Way = "forward" | "left" | "right" | "backward";
+
 export type View = {
   state: State;
   can: Record<Action, boolean>;
@@ -135,6 +137,8 @@ export type View = {
   /** Changes whenever `diary()` does. */
   diary: number;
   is_lifted: boolean;
+  /** Why the robot doesn't obey a person in each direction; `null` unless a person drives. */
+  blocked: Record<Way, string | null> | null;
   /** Whether it is held here, to be put down somewhere. */
   is_carried: boolean;
   params: Record<string, string | number | boolean>;
