@@ -5,7 +5,7 @@ import { button, byId, changed, setAttribute, setHidden, setText } from "./dom.j
 /**
  * @typedef {import("./main.js").App} App
  * @typedef {import("./types").View} View
- * @typedef {import("./types").Way} Way
+ * @typedef {"forward" | "left" | "right" | "backward"} Way
  * @typedef {{ forward: number, left: number }} Command
  */
 
@@ -119,21 +119,23 @@ export function startManual(app) {
   };
 }
 
-/** @type {Way[]} */
+/** In the order of `View.blocked`. @type {Way[]} */
 const WAYS = ["forward", "left", "right", "backward"];
 
 /** Which directions are open, which are asked for, and why those that aren't open are not. @param {View["blocked"]} blocked @param {Command} command */
 function showBlocked(blocked, { forward, left }) {
   const asked = { forward: forward > 0, backward: forward < 0, left: left > 0, right: left < 0 };
+  /** @param {Way} way */
+  const why = (way) => blocked?.[WAYS.indexOf(way)];
   for (const way of WAYS) {
     const mark = byId("pad").querySelector(`[data-way=${way}]`);
-    if (mark) setAttribute(mark, "class", blocked?.[way] ? "way shut" : asked[way] ? "way used" : "way");
+    if (mark) setAttribute(mark, "class", why(way) ? "way shut" : asked[way] ? "way used" : "way");
   }
-  const shut = WAYS.filter((way) => blocked?.[way]);
+  const shut = WAYS.filter(why);
   // What one is trying first; all of them as long as one tries nothing.
   const first = shut.filter((way) => asked[way]);
   const told = first.length > 0 ? first : shut;
-  const reasons = new Set(told.map((way) => blocked?.[way]));
+  const reasons = new Set(told.map(why));
   const names = told.join(" and ");
   setText(byId("blocked"), told.length > 0 ? `${names.charAt(0).toUpperCase()}${names.slice(1)} blocked: ${[...reasons].join("; ")}` : "");
 }

@@ -110,8 +110,6 @@ export type State = "planning" | "ready" | "playing" | "paused" | "finished" | "
 export type Action = "play" | "pause" | "step" | "reset" | "cancel" | "seek" | "undo" | "redo" | "edit" | "lift";
 export type Tool = "view" | "wall" | "erase" | "start";
 
-export type Way = "forward" | "left" | "right" | "backward";
-
 export type View = {
   state: State;
   can: Record<Action, boolean>;
@@ -138,7 +136,9 @@ export type View = {
   diary: number;
   is_lifted: boolean;
   /** Why the robot doesn't obey a person in each direction; `null` unless a person drives. */
-  blocked: Record<Way, string | null> | null;
+  blocked: [forward: string | null, left: string | null, right: string | null, backward: string | null] | null;
+  /** Share of the dirt that is left; `null` where there was none. */
+  dirt_left: number | null;
   /** Whether it is held here, to be put down somewhere. */
   is_carried: boolean;
   params: Record<string, string | number | boolean>;

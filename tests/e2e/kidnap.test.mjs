@@ -3,8 +3,8 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { openApp } from "./app.mjs";
 
-/** A room whose middle is the middle of the floor, and a robot that starts there. */
-const ROOM = "#room=empty&behaviour=bounce&speed=1&start=2.5,2.0,0";
+/** A room whose middle is the middle of the floor, and a robot that waits there for a person to drive it. */
+const ROOM = "#room=empty&behaviour=manual&start=2.5,2.0,0";
 const PHONE = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, isMobile: true, hasTouch: true };
 
 const events = async (page) => (await page.locator("#events li:not([hidden])").allInnerTexts()).join("\n");
@@ -15,7 +15,7 @@ const error = async (app) => {
 
 test("a running robot is dragged elsewhere: its wheels drop meanwhile, and it no longer knows where it is", async (t) => {
   const { page, app } = await openApp(t, { address: ROOM });
-  await app.numbersThat(({ distance }) => distance > 0);
+  await app.numbersThat(({ time }) => time > 0);
   const start = (await app.link()).start;
   const { mouse } = page;
   await mouse.move(...(await app.spot(0.5, 0.5)));
@@ -32,7 +32,7 @@ test("a running robot is dragged elsewhere: its wheels drop meanwhile, and it no
 
 test("a click on the robot does nothing to it", async (t) => {
   const { page, app } = await openApp(t, { address: ROOM });
-  await app.numbersThat(({ distance }) => distance > 0);
+  await app.numbersThat(({ time }) => time > 0);
   await page.mouse.click(...(await app.spot(0.5, 0.5)));
   await app.frames(20);
   assert.doesNotMatch(await events(page), /picked up/);
@@ -40,7 +40,7 @@ test("a click on the robot does nothing to it", async (t) => {
 
 test("the robot is picked up and carried by keys, and escape puts it back", async (t) => {
   const { page, app } = await openApp(t, { address: ROOM });
-  await app.numbersThat(({ distance }) => distance > 0);
+  await app.numbersThat(({ time }) => time > 0);
   await app.press("Pick the robot up");
   await page.locator("#carry-note").waitFor();
   for (let i = 0; i < 8; i += 1) await page.keyboard.press("ArrowLeft");
@@ -70,7 +70,7 @@ test("before the run begins, dragging the robot moves the start", async (t) => {
 
 test("a finger picks the robot up, too", async (t) => {
   const { page, app } = await openApp(t, { ...PHONE, address: ROOM });
-  await app.numbersThat(({ distance }) => distance > 0);
+  await app.numbersThat(({ time }) => time > 0);
   const client = await page.context().newCDPSession(page);
   const touch = (type, ...points) => client.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
   await touch("touchStart", await app.spot(0.5, 0.5));
