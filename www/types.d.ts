@@ -135,6 +135,10 @@ export type View = {
   /** Changes whenever `diary()` does. */
   diary: number;
   is_lifted: boolean;
+  /** Why the robot doesn't obey a person in each direction; `null` unless a person drives. */
+  blocked: [forward: string | null, left: string | null, right: string | null, backward: string | null] | null;
+  /** Share of the dirt that is left; `null` where there was none. */
+  dirt_left: number | null;
   /** Whether it is held here, to be put down somewhere. */
   is_carried: boolean;
   params: Record<string, string | number | boolean>;
