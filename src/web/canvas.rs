@@ -367,8 +367,8 @@ fn draw_objects(
     part: Part,
 ) -> Result<(), JsValue> {
     let pen = Pen { context, palette, viewport };
-    let placed = scene.plan.objects.iter().enumerate().filter(|&(index, _)| scene.lifted != Some(index));
-    placed.map(|(_, object)| pen.draw(object, part)).collect()
+    let mut placed = scene.plan.objects.iter().enumerate().filter(|&(index, _)| scene.lifted != Some(index));
+    placed.try_for_each(|(_, object)| pen.draw(object, part))
 }
 
 /// Draws what is in the hand, and what shows that something is selected.
