@@ -247,6 +247,9 @@ impl Canvas {
                 robot::draw_estimate(context, palette, estimate, centre, (view.body, view.radius, viewport.scale))?;
             }
             robot::draw(context, palette, view, viewport.to_screen(view.pose.position()), viewport.scale)?;
+            if let Some(sensed) = &scene.sensed {
+                sensed::draw_cliffs(context, palette, view, sensed, viewport)?;
+            }
         }
         if let Some(search) = &scene.search {
             search::draw_marks(context, palette, search, scene.robot.map_or(0.0, |robot| robot.radius), viewport)?;

@@ -223,9 +223,9 @@ impl Playground {
         Ok(self.session.configure(|s| s.set_slip(id))?)
     }
 
-    /// Chooses how much sensors err, `off`, `typical` or `harsh`: one kind of the catalogue's `sensors`, or all of them.
-    pub fn set_noise(&mut self, sensor: Option<String>, level: &str) -> Result<(), JsValue> {
-        Ok(self.session.configure(|s| s.set_noise(sensor.as_deref(), level))?)
+    /// Chooses how much sensors err, `off`, `typical` or `harsh`: one kind of the catalogue's `sensors`, or `all`.
+    pub fn set_noise(&mut self, sensor: &str, level: &str) -> Result<(), JsValue> {
+        Ok(self.session.configure(|s| s.set_noise(Some(sensor).filter(|&name| name != "all"), level))?)
     }
 
     /// Lets wheels only turn at the speeds that the motor controller can keep, or at any.
@@ -356,12 +356,12 @@ impl Playground {
             ("move", Some(Gesture::Start { pose, turns: false })) => {
                 self.gesture = Some(Gesture::Start { pose: Pose::new(at.x, at.y, pose.heading), turns: false });
             }
-            ("move", Some(Gesture::Grip { x: from_x, y: from_y, grip })) => {
-                if (x - from_x).abs().max((y - from_y).abs()) >= LEAST_LIFT_PX {
-                    self.take_robot();
-                    self.gesture = Some(Gesture::Carry { grip });
-                    self.carry_to(at, grip);
-                }
+            ("move", Some(Gesture::Grip { x: from_x, y: from_y, grip }))
+                if (x - from_x).abs().max((y - from_y).abs()) >= LEAST_LIFT_PX =>
+            {
+                self.take_robot();
+                self.gesture = Some(Gesture::Carry { grip });
+                self.carry_to(at, grip);
             }
             ("move", Some(Gesture::Carry { grip })) => self.carry_to(at, grip),
             ("cancel", Some(Gesture::Carry { .. })) => {
