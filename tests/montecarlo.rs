@@ -27,7 +27,17 @@ fn entrant(name: &str) -> Entrant {
 /// An outcome made by hand: coverage grows evenly to `end`, and the goals are reached at those times.
 fn outcome(seed: u64, end: f64, reached_s: [f64; GOALS.len()]) -> Outcome {
     let curve = (0..=SAMPLES).map(|i| end * i as f64 / SAMPLES as f64).collect();
-    Outcome { seed, curve, reached_s, time_s: 60.0, distance_m: 10.0 * end, bumps: seed as u32, falls: 0, digest: seed }
+    Outcome {
+        seed,
+        curve,
+        reached_s,
+        time_s: 60.0,
+        distance_m: 10.0 * end,
+        bumps: seed as u32,
+        falls: 0,
+        dirt_left: None,
+        digest: seed,
+    }
 }
 
 #[test]
@@ -62,12 +72,14 @@ fn curve_and_times_tell_of_the_same_run() {
 
 #[test]
 fn outcomes_cross_to_another_thread_and_back() {
-    let outcomes =
-        [outcome(3, 0.95, [20.0, f64::INFINITY]), Outcome { digest: u64::MAX - 5, ..outcome(4, 0.5, [1.0, 2.0]) }];
+    let outcomes = [
+        outcome(3, 0.95, [20.0, f64::INFINITY]),
+        Outcome { digest: u64::MAX - 5, dirt_left: Some(0.25), ..outcome(4, 0.5, [1.0, 2.0]) },
+    ];
     let numbers: Vec<f64> = outcomes.iter().flat_map(Outcome::to_numbers).collect();
     assert_eq!(Outcome::from_numbers(&numbers), outcomes);
     assert_eq!(Outcome::from_numbers(&numbers[..numbers.len() - 1]), outcomes[..1], "half an outcome is none");
-    assert!(Outcome::from_numbers(&[f64::NAN; 20]).len() <= 2, "nonsense ends somewhere");
+    assert!(Outcome::from_numbers(&[f64::NAN; 22]).len() <= 2, "nonsense ends somewhere");
 }
 
 #[test]

@@ -150,29 +150,30 @@ fn table(head: &Head<'_>, placement: &Placement, arguments: &Arguments, entries:
     let (robot, minutes) = (placement.robot.title, head.minutes);
     let mut text = format!(
         "### {}, {robot}: {} runs of {minutes} min, slip {}, noise {noise}{quantised}\n\n\
-         | Algorithm | Coverage, % | 90 % after, min | runs | 99 % after, min | runs | Distance, m | Bumps | Falls |\n\
+         | Algorithm | Coverage, % | 90 % after, min | runs | 99 % after, min | runs | Distance, m | Bumps | Falls | Dirt left, % |\n\
          |---{}|\n",
         head.room,
         arguments.seeds,
         slip.id(),
-        "|--:".repeat(8),
+        "|--:".repeat(9),
     );
     for (entrant, result) in entries {
         let summary = match result {
             Ok(runs) => Summary::of(runs),
             Err(why) => {
-                let _ = writeln!(text, "| {entrant} ({why}) |{}", " – |".repeat(8));
+                let _ = writeln!(text, "| {entrant} ({why}) |{}", " – |".repeat(9));
                 None
             }
         };
         let Some(summary) = summary else { continue };
-        let Summary { runs, coverage, time_to: [to_90, to_99], distance_m, bumps, falls } = summary;
-        let percent = Band { low: 100.0 * coverage.low, median: 100.0 * coverage.median, high: 100.0 * coverage.high };
+        let Summary { runs, coverage, time_to: [to_90, to_99], distance_m, bumps, falls, dirt_left } = summary;
+        let percent = coverage.times(100.0);
+        let dirt = dirt_left.map_or("–".to_owned(), |left| band(left.times(100.0), 1));
         let time = |to: &TimeTo| format!("{} | {}", times(to), share(to.reached, runs));
         // Writing to a string doesn't fail.
         let _ = writeln!(
             text,
-            "| {entrant} | {} | {} | {} | {} | {} | {falls} |",
+            "| {entrant} | {} | {} | {} | {} | {} | {falls} | {dirt} |",
             band(percent, 1),
             time(&to_90),
             time(&to_99),
