@@ -1,5 +1,6 @@
 // @ts-check
 // Keys that work everywhere on the page, and the dialog that lists them.
+import { pickUp } from "./carry.js";
 import { button, input, typed } from "./dom.js";
 import { place } from "./places.js";
 
@@ -54,6 +55,11 @@ function single(app, event, target, dialog) {
     case " ":
       if (view.can.pause) return act((p) => p.pause());
       return view.can.play && act((p) => p.play());
+    case "p":
+      return pickUp(app);
+    case "l":
+      button("layers-open").click();
+      return true;
     case ".":
       return view.can.step && act((p) => p.step());
     case "r":

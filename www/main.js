@@ -1,10 +1,14 @@
 // @ts-check
 // Starts the page and drives it: one frame and one view per animation frame.
 import init, { Playground } from "../page.js";
+import { startDashboard } from "./dashboard.js";
 import { byId } from "./dom.js";
+import { startEvents } from "./events.js";
 import { startFiles } from "./files.js";
 import { keepRoom, restoreLink } from "./keep.js";
 import { startKeys } from "./keys.js";
+import { startLayers } from "./layers.js";
+import { startManual } from "./manual.js";
 import { complain, cover, forgive, isFatal, startMessages, textOf, updateMessage } from "./messages.js";
 import { startPanel } from "./panel.js";
 import { go, place, placeOf, startPlaces } from "./places.js";
@@ -153,8 +157,7 @@ async function start() {
 
   startPlaces((next) => void enter(next));
   const resized = startStage(app);
-  const updatePanel = startPanel(app);
-  const updatePlaybar = startPlaybar(app);
+  const updates = [startPanel, startPlaybar, startDashboard, startEvents, startLayers, startManual].map((begin) => begin(app));
   startFiles(app);
   startKeys(app);
 
@@ -176,8 +179,7 @@ async function start() {
         return;
       }
       updateView(app);
-      updatePanel(view);
-      updatePlaybar(view);
+      for (const update of updates) update(view);
     });
   };
   requestAnimationFrame(frame);

@@ -47,10 +47,11 @@ export function startPlaybar(app) {
 
     const range = rangeOf(view);
     const now = performance.now();
-    const extent = `${view.run_end_s} ${range} ${view.plan?.coverage}`;
+    const extent = `${view.run_end_s} ${range} ${view.plan?.coverage} ${view.algorithm}`;
     if (now - drawn > REDRAW && changed(byId("curve-line"), "extent", extent)) {
       drawn = now;
       drawCurve(app.playground.coverage_curve(), range, view);
+      if (view.kind === "behaviour") setText(byId("timeline-plan"), openEnd(app));
       drawTicks(range);
     }
     const scrubber = byId("scrubber");
@@ -66,8 +67,14 @@ export function startPlaybar(app) {
   };
 }
 
-/** Seconds that the time line spans: what the plan foresees, or what was driven if that is more. @param {View} view */
-const rangeOf = (view) => Math.max(view.run_end_s, view.plan?.duration_s ?? 0, 10);
+/** Seconds that the time line spans: what the plan foresees, or what was driven if that is more; without a plan, some more. @param {View} view */
+const rangeOf = (view) => (view.kind === "planner" ? Math.max(view.run_end_s, view.plan?.duration_s ?? 0, 10) : openRange(view.run_end_s));
+
+/** Spans of a time line without a planned end, in seconds: it grows by steps, so that the curve isn't squeezed all the time. */
+const SPANS = [60, 120, 300, 600, 1200, 1800, 3600, 7200, 14_400, 28_800];
+
+/** @param {number} end What was driven, s. */
+const openRange = (end) => SPANS.find((span) => end <= 0.95 * span) ?? Math.ceil(end / 0.95 / 86_400) * 86_400;
 
 /** @param {Float64Array} curve @param {number} range @param {View} view */
 function drawCurve(curve, range, view) {
@@ -85,7 +92,14 @@ function drawCurve(curve, range, view) {
   const known = plan && plan.duration_s > 0 && view.state !== "planning";
   setAttribute(byId("curve-plan"), "d", known ? `M${x(plan.duration_s)} 0V100` : "M0 0");
   setAttribute(byId("curve-ahead"), "d", known && plan.duration_s > end ? `M${x(end)} ${y(reached)}L${x(plan.duration_s)} ${y(plan.coverage)}` : "M0 0");
-  setText(byId("timeline-plan"), known ? `plan: ${percent(plan.coverage)} % in ${clock(plan.duration_s)}` : "");
+  if (view.kind === "planner") setText(byId("timeline-plan"), known ? `plan: ${percent(plan.coverage)} % in ${clock(plan.duration_s)}` : "");
+}
+
+/** What stands where the plan would. @param {App} app */
+function openEnd({ catalogue, view }) {
+  const entry = catalogue.behaviours.find(({ id }) => id === view.algorithm);
+  if (entry?.manual) return "no plan: you drive";
+  return entry?.ends ? "no plan: ends by itself" : "no plan: goes on until you pause";
 }
 
 /** @param {number} range */

@@ -11,6 +11,9 @@ export function startSheets() {
       const id = opener.getAttribute("data-sheet") ?? "";
       const isOpen = id === name;
       byId(id).classList.toggle("open", isOpen);
+      // What folds beside the floor is all there is in a sheet.
+      const fold = isOpen && byId(id).querySelector("details.fold");
+      if (fold instanceof HTMLDetailsElement) fold.open = true;
       opener.setAttribute("aria-expanded", String(isOpen));
     }
   };

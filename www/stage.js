@@ -1,6 +1,7 @@
 // @ts-check
 // The floor: pointers, wheel, pinch, keys and size of the canvas.
 import { button, byId, typed } from "./dom.js";
+import { pickUp, startCarry } from "./carry.js";
 import { zoomCentre } from "./keys.js";
 
 /**
@@ -18,6 +19,7 @@ export function startStage(app) {
   const canvas = typed("floor", HTMLCanvasElement);
   startPointers(app, canvas);
   startToolbar(app);
+  startCarry(app, canvas);
 
   canvas.addEventListener(
     "wheel",
@@ -34,6 +36,7 @@ export function startStage(app) {
 
   canvas.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (app.view.is_carried) return;
     const action = KEYS[event.key];
     if (!action) return;
     event.preventDefault();
@@ -141,6 +144,7 @@ function startToolbar(app) {
       if (tool === "view" || app.view.can.edit) app.act((p) => p.set_tool(tool));
     });
   }
+  button("lift").addEventListener("click", () => pickUp(app));
   button("undo").addEventListener("click", () => app.view.can.undo && app.act((p) => p.undo()));
   button("redo").addEventListener("click", () => app.view.can.redo && app.act((p) => p.redo()));
   button("zoom-in").addEventListener("click", () => app.act((p) => zoomCentre(p, 1.4)));

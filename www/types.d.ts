@@ -13,16 +13,24 @@ export type ParamSpec = {
   default: string | number | boolean;
 };
 
-export type PlannerEntry = {
+/** A planner or a behaviour. What only the other kind claims is false. */
+export type AlgorithmEntry = {
   id: string;
   title: string;
   summary: string;
   source: string;
   link: string;
+  kind: "planner" | "behaviour";
   complete: boolean;
   deterministic: boolean;
   /** Plans a million cells in about a second. */
   fast: boolean;
+  /** Comes to an end by itself. */
+  ends: boolean;
+  /** Cleans, rather than going somewhere. */
+  cleans: boolean;
+  /** Is driven by a person. */
+  manual: boolean;
   idea: string;
   complexity: string;
   use_when: string;
@@ -31,10 +39,45 @@ export type PlannerEntry = {
   params: ParamSpec[];
 };
 
+export type PlannerEntry = AlgorithmEntry;
+
+/** A robot; its drawing is in units of the radius of the smallest circle around it, x ahead, y to the left, angles in rad. */
+export type RobotEntry = {
+  id: string;
+  title: string;
+  summary: string;
+  default_cell_m: number;
+  tool_width_m: number;
+  radius_m: number;
+  /** Corners; none of a round one. */
+  body: [x: number, y: number][];
+  wheel_base: number;
+  wheel_radius: number;
+  /** Half the angle that the bumper spans; 0 for none. */
+  bumper: number;
+  /** Left, front left, front right, right; a single front one is listed twice. */
+  cliffs: ([x: number, y: number] | null)[];
+  /** Directions of the light bumper's beams; none without one. */
+  light: number[];
+  infrared: boolean;
+  wheel_drops: boolean;
+  /** Whether it can read its battery. */
+  gauge: boolean;
+  /** Whether it moves sideways. */
+  lateral: boolean;
+  /** First direction, step, range (m) and place (m) of its laser scanner; empty without one. */
+  laser: number[];
+};
+
 export type Catalogue = {
   rooms: { id: string; title: string; note: string }[];
   planners: PlannerEntry[];
-  robots: { id: string; title: string; summary: string; default_cell_m: number }[];
+  behaviours: AlgorithmEntry[];
+  robots: RobotEntry[];
+  /** Kinds of sensors whose noise can be chosen. */
+  sensors: string[];
+  /** Names of the numbers in `readings()`. */
+  readings: string[];
   cell_sizes_m: number[];
   /** Times real time; 0 stands for as fast as it goes. */
   speeds: number[];
@@ -64,7 +107,7 @@ export type PlanNumbers = {
 };
 
 export type State = "planning" | "ready" | "playing" | "paused" | "finished" | "seeking" | "failed";
-export type Action = "play" | "pause" | "step" | "reset" | "cancel" | "seek" | "undo" | "redo" | "edit";
+export type Action = "play" | "pause" | "step" | "reset" | "cancel" | "seek" | "undo" | "redo" | "edit" | "lift";
 export type Tool = "view" | "wall" | "erase" | "start";
 
 export type View = {
@@ -86,10 +129,22 @@ export type View = {
   };
   robot: string;
   algorithm: string;
+  kind: "planner" | "behaviour";
+  /** What the robot is doing; "" if there is nothing to tell. */
+  activity: string;
+  /** Changes whenever `diary()` does. */
+  diary: number;
+  is_lifted: boolean;
+  /** Whether it is held here, to be put down somewhere. */
+  is_carried: boolean;
   params: Record<string, string | number | boolean>;
   cell_size_m: number;
   seed: number;
   slip: string;
+  /** By the catalogue's sensors. */
+  noise: string[];
+  quantised: boolean;
+  shows: { coverage: boolean; dirt: boolean; sensors: boolean; estimate: boolean };
   odometry: string;
   speed: number;
   tool: Tool;

@@ -39,6 +39,7 @@ function row(metric, wide) {
   const run = make("td");
   const term = make("button", { type: "button", className: "term" }, metric.label);
   rows.push({ metric, plan, run });
+  if (!wide) plan.className = "plan-only";
   return make("tr", { "data-tip": metric.tip }, make("th", { scope: "row" }, term), plan, ...(wide ? [] : [run]));
 }
 
@@ -62,6 +63,7 @@ export function updateView({ view, playground }) {
   setText(byId("n-distance"), metres(view.distance_m));
   setAttribute(byId("numbers"), "data-long", String(view.time_s >= 36_000 || view.distance_m >= 10_000));
   setAttribute(document.body, "data-state", view.state);
+  setAttribute(document.body, "data-kind", view.kind);
   updateMessage(view);
   setHidden(byId("search-note"), !view.search.text);
   setText(byId("search-note"), view.search.text);
@@ -92,13 +94,19 @@ function updatePlanning({ state, plan, can }) {
 }
 
 /** @param {View} view */
-function updateTools({ can, tool, state, speed_factor, speed }) {
+function updateTools({ can, tool, state, speed_factor, speed, is_lifted, is_carried }) {
   for (const node of byId("tools").querySelectorAll("button[data-tool]")) {
     const name = node.getAttribute("data-tool");
     setAttribute(node, "aria-pressed", String(name === tool));
     setEnabled(/** @type {HTMLButtonElement} */ (node), name === "view" || can.edit);
   }
   setAttribute(byId("stage"), "data-tool", tool);
+  setEnabled(button("lift"), can.lift || is_lifted);
+  setAttribute(button("lift"), "aria-pressed", String(is_lifted));
+  setText(byId("lift-name"), is_lifted ? "Put down" : "Pick up");
+  setAttribute(button("lift"), "aria-label", is_lifted ? "Put the robot down" : "Pick the robot up");
+  setHidden(byId("carry-note"), !is_carried);
+  setText(byId("carry-note"), is_carried ? "Drag the robot, or carry it with the arrow keys. Enter puts it down, Escape puts it back." : "");
   setEnabled(button("undo"), can.undo);
   setEnabled(button("redo"), can.redo);
   const lags = state === "playing" && speed_factor > 0 && (speed === 0 || speed_factor < 0.9 * speed);

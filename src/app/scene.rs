@@ -1,12 +1,14 @@
 //! What is to be drawn, without saying how.
 
+use super::Shows;
 use crate::{
     coverage::{CoverageTracker, ReachableFloor},
-    floorplan::FloorPlan,
+    floorplan::{FloorPlan, Object},
     geometry::{Point, Pose},
     grid::Cell,
     planner::TraceStep,
-    sim::{Run, SlipLevel},
+    robot::{Body, RobotModel, SensorSuite, Sensors},
+    sim::Run,
 };
 
 /// Everything that is seen on the floor at one moment. Whoever draws it keeps what is costly (outlines, pictures of
@@ -33,6 +35,8 @@ pub struct Scene<'a> {
     pub planned_version: u64,
     /// Where the robot has just been, oldest first.
     pub trail: &'a [Point],
+    /// Where it believes to have been; empty if that isn't to be shown.
+    pub believed: &'a [Point],
     /// The robot; `None` before there is a run.
     pub robot: Option<RobotView>,
     /// The planner's decision at this moment, if it is to be shown.
@@ -41,10 +45,33 @@ pub struct Scene<'a> {
     pub start: Option<Pose>,
     /// Radius of the robot that starts there, m.
     pub start_radius: f64,
+    /// Its outline.
+    pub start_body: Body,
     /// The map cell at which a tool would act.
     pub cursor: Option<Cell>,
+    /// Object of the plan that is selected.
+    pub selected: Option<usize>,
+    /// Object of the plan that isn't to be drawn, as it is in the hand.
+    pub lifted: Option<usize>,
+    /// Objects in the hand, where they are held.
+    pub in_hand: &'a [Object],
     /// Colours for dark ground.
     pub dark: bool,
+    /// Which layers are drawn.
+    pub shows: Shows,
+    /// What the robot senses, if that is to be shown.
+    pub sensed: Option<Sensed<'a>>,
+}
+
+/// What a robot senses, and where.
+#[derive(Debug, Clone, Copy)]
+pub struct Sensed<'a> {
+    /// The reading.
+    pub reading: &'a Sensors,
+    /// The floor that it stands on.
+    pub floor: &'a ReachableFloor,
+    /// Changes whenever the reading may have.
+    pub steps: u64,
 }
 
 /// A decision on the planning grid.
@@ -63,8 +90,16 @@ pub struct RobotView {
     pub pose: Pose,
     /// Where it believes to be, if that is to be shown.
     pub estimate: Option<Pose>,
-    /// Radius of its body, m.
+    /// Outline of its body.
+    pub body: Body,
+    /// Radius of the circle around its body, m.
     pub radius: f64,
+    /// Distance between its wheels, and their radius, m.
+    pub wheels: [f64; 2],
+    /// What it senses with.
+    pub suite: SensorSuite,
+    /// Whether it is in somebody's hand.
+    pub is_lifted: bool,
     /// Width of the strip that it cleans, m.
     pub tool_width: f64,
     /// Whether the left half of its bumper is pressed.
@@ -87,23 +122,34 @@ impl<'a> Scene<'a> {
             preview: &[],
             planned_version: 0,
             trail: &[],
+            believed: &[],
             robot: None,
             start: None,
             search: None,
             start_radius: 0.0,
+            start_body: Body::Round,
+            shows: Shows::DEFAULT,
+            sensed: None,
             cursor: None,
+            selected: None,
+            lifted: None,
+            in_hand: &[],
             dark: false,
         }
     }
 }
 
 impl RobotView {
-    /// The robot of `run`, and where it believes to be if its wheels slip.
-    pub fn of(run: &Run, slip: SlipLevel) -> Self {
+    /// The robot of `run`, which is a `model`, and where it believes to be if that is to be shown.
+    pub fn of(run: &Run, model: &RobotModel, with_estimate: bool) -> Self {
         Self {
             pose: run.pose(),
-            estimate: run.estimate().filter(|_| slip != SlipLevel::None),
-            radius: run.floor().walls.body_radius,
+            estimate: run.estimate().filter(|_| with_estimate),
+            body: model.body,
+            radius: model.radius,
+            wheels: [model.wheel_base, model.wheel_radius],
+            suite: model.sensors,
+            is_lifted: run.is_lifted(),
             tool_width: 2.0 * run.floor().tool_radius,
             bump_left: run.sensors().bump_left,
             bump_right: run.sensors().bump_right,

@@ -1,6 +1,6 @@
 //! What the user has chosen, and how that is written in a link.
 
-use super::Algorithm;
+use super::{Algorithm, Shows};
 use crate::{
     geometry::Pose,
     registry::{ParamError, Params},
@@ -13,6 +13,10 @@ use std::collections::BTreeMap;
 pub const CELL_SIZES: [f64; 8] = [0.1, 0.12, 0.15, 0.2, 0.25, 0.3, 0.35, 0.5];
 /// Speeds that are offered, times real time; 0 stands for as fast as it goes.
 pub const SPEEDS: [f64; 7] = [1.0, 4.0, 16.0, 64.0, 256.0, 1024.0, 0.0];
+
+/// Speed that robots are watched at, and at which people drive them, times real time.
+const DEFAULT_SPEED: f64 = 16.0;
+const MANUAL_SPEED: f64 = 1.0;
 
 /// Largest seed that is taken. JavaScript must be able to hold it exactly.
 const MAX_SEED: u64 = u32::MAX as u64;
@@ -40,6 +44,10 @@ pub struct Settings {
     pub start: Option<Pose>,
     /// Times real time; 0 for as fast as it goes.
     pub speed: f64,
+    /// Speed that was left when a person took the controls, to come back to.
+    left_speed: f64,
+    /// What is drawn on the floor.
+    pub shows: Shows,
 }
 
 /// Why a setting can't be taken.
@@ -84,7 +92,9 @@ impl Settings {
             conditions: Conditions::default(),
             odometry: OdometryModel::Arc,
             start: None,
-            speed: 16.0,
+            speed: DEFAULT_SPEED,
+            left_speed: DEFAULT_SPEED,
+            shows: Shows::DEFAULT,
         }
     }
 
@@ -93,8 +103,18 @@ impl Settings {
         let chosen = Algorithm::find(id)?;
         self.left.insert(self.algorithm.id(), self.params.clone());
         self.params = self.left.remove(chosen.id()).unwrap_or_else(|| Params::defaults(chosen.params()));
+        match (self.is_manual(), is_manual(chosen)) {
+            (false, true) => self.left_speed = std::mem::replace(&mut self.speed, MANUAL_SPEED),
+            (true, false) => self.speed = self.left_speed,
+            _ => {}
+        }
         self.algorithm = chosen;
         Ok(())
+    }
+
+    /// Whether a person drives.
+    pub fn is_manual(&self) -> bool {
+        is_manual(self.algorithm)
     }
 
     /// Chooses a planner or behaviour with its default parameters, as links and scenarios mean it.
@@ -227,8 +247,11 @@ impl Settings {
         if let Some(start) = self.start {
             push("start", format!("{:.3},{:.3},{:.1}", start.x, start.y, start.heading.to_degrees()));
         }
-        if self.speed != default.speed {
+        if self.speed != if self.is_manual() { MANUAL_SPEED } else { DEFAULT_SPEED } {
             push("speed", self.speed.to_string());
+        }
+        if self.shows != default.shows {
+            push("show", self.shows.to_link());
         }
         pairs
     }
@@ -248,6 +271,7 @@ impl Settings {
             "noise" => self.set_noise(None, value)?,
             "quantised" => self.conditions.quantised = value == "true",
             "odometry" => self.set_odometry(value)?,
+            "show" => self.shows = Shows::from_link(value)?,
             "speed" => self.speed = number("the speed", "a number, 0 for as fast as it goes")?.max(0.0),
             "start" => {
                 let expected = "x,y,heading in metres and degrees, e.g. 1.2,0.8,90";
@@ -269,6 +293,11 @@ impl Settings {
         }
         Ok(())
     }
+}
+
+/// Whether a person drives by it.
+fn is_manual(algorithm: Algorithm) -> bool {
+    algorithm.behaviour().is_some_and(|behaviour| behaviour.claims.manual)
 }
 
 impl Default for Settings {

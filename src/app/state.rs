@@ -39,6 +39,8 @@ pub enum Action {
     Seek,
     /// Change room, robot, planner or walls.
     Edit,
+    /// Pick the robot up. Before it has set off, moving the start does the same.
+    Lift,
 }
 
 impl State {
@@ -54,8 +56,8 @@ impl State {
             Self::Failed => &[A::Play, A::Edit],
             Self::Planning => &[A::Cancel, A::Edit],
             Self::Ready => &[A::Play, A::Step, A::Edit],
-            Self::Playing => &[A::Pause, A::Step, A::Reset, A::Seek, A::Edit],
-            Self::Paused => &[A::Play, A::Step, A::Reset, A::Seek, A::Edit],
+            Self::Playing => &[A::Pause, A::Step, A::Reset, A::Seek, A::Edit, A::Lift],
+            Self::Paused => &[A::Play, A::Step, A::Reset, A::Seek, A::Edit, A::Lift],
             Self::Seeking => &[A::Pause, A::Reset, A::Seek, A::Edit],
             Self::Finished => &[A::Play, A::Reset, A::Seek, A::Edit],
         };
@@ -77,6 +79,7 @@ mod tests {
         let with = |action| State::ALL.into_iter().filter(|s| s.allows(action)).collect::<Vec<_>>();
         assert_eq!(with(Action::Cancel), [State::Planning]);
         assert_eq!(with(Action::Pause), [State::Playing, State::Seeking]);
+        assert_eq!(with(Action::Lift), [State::Playing, State::Paused]);
         assert_eq!(with(Action::Play), [State::Failed, State::Ready, State::Paused, State::Finished]);
     }
 }

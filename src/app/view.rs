@@ -1,9 +1,10 @@
 //! What the page shows in numbers and words: one snapshot a frame.
 
-use super::State;
+use super::{Shows, State};
 use crate::{
     metrics::{DriveMetrics, WalkMetrics},
     registry::Params,
+    sim::SensorKind,
 };
 use serde::Serialize;
 
@@ -24,6 +25,14 @@ pub struct View {
     pub robot: &'static str,
     /// Id of the planner or behaviour.
     pub algorithm: &'static str,
+    /// `planner` or `behaviour`.
+    pub kind: &'static str,
+    /// What the robot is doing, in a few words; empty if there is nothing to tell.
+    pub activity: &'static str,
+    /// Changes whenever the list of events does.
+    pub diary: f64,
+    /// Whether the robot is in somebody's hand.
+    pub is_lifted: bool,
     /// Its parameters.
     pub params: Params,
     /// Side of the planning cells, m.
@@ -32,6 +41,12 @@ pub struct View {
     pub seed: u64,
     /// How well the wheels hold.
     pub slip: &'static str,
+    /// How much the sensors err, in the order of the catalogue's sensors.
+    pub noise: [&'static str; SensorKind::ALL.len()],
+    /// Whether wheels only turn at the speeds that the motor controller can keep.
+    pub quantised: bool,
+    /// What is drawn on the floor.
+    pub shows: Shows,
     /// How the follower computes its pose.
     pub odometry: &'static str,
     /// Speed asked for, times real time; 0 for as fast as it goes.
@@ -78,6 +93,8 @@ pub struct Can {
     pub seek: bool,
     /// Change something.
     pub edit: bool,
+    /// Pick the robot up.
+    pub lift: bool,
     /// Take the last change of the room back.
     pub undo: bool,
     /// Make it again.

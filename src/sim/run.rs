@@ -5,7 +5,7 @@ use crate::{
     controller::Controller,
     coverage::{CoverageTracker, ReachableFloor},
     geometry::{Point, Pose, difference},
-    robot::{RobotModel, Sensors},
+    robot::{Odometry, OdometryModel, RobotModel, Sensors},
 };
 use std::{collections::VecDeque, sync::Arc};
 
@@ -62,7 +62,10 @@ pub struct Run {
     turning_rad: f64,
     bumps: u32,
     falls: u32,
-    trail: Vec<Point>,
+    trail: Trail,
+    /// Where the robot believes to be if its controller doesn't keep track, and where it believes to have been.
+    odometry: Option<Odometry>,
+    believed: Trail,
     events: VecDeque<Event>,
 }
 
@@ -75,7 +78,9 @@ impl Run {
         let world = Arc::clone(&setup.world);
         let life = Life::new(&world, &floor, setup.seed);
         let robot = SimRobot::new(&setup.robot, floor.start, setup.conditions, setup.seed);
-        let trail = vec![floor.start.position()];
+        let trail = Trail(vec![floor.start.position()]);
+        let keeps_track = controller.estimate().is_some();
+        let odometry = (!keeps_track).then(|| Odometry::new(&setup.robot, OdometryModel::Arc, floor.start));
         Self {
             floor,
             world,
@@ -88,7 +93,9 @@ impl Run {
             turning_rad: 0.0,
             bumps: 0,
             falls: 0,
+            believed: trail.clone(),
             trail,
+            odometry,
             events: VecDeque::new(),
         }
     }
@@ -117,6 +124,7 @@ impl Run {
             self.falls += 1;
             self.note(What::Fell);
         }
+        self.believe();
         if self.robot.is_lifted() || had_fallen {
             return;
         }
@@ -124,7 +132,7 @@ impl Run {
         self.turning_rad += difference(before.heading, pose.heading).abs();
         self.bumps += u32::from(self.robot.sensors().bumped() && !signs.bumped());
         self.tracker.sweep_to(&self.floor, pose.position());
-        self.extend_trail(pose.position());
+        self.trail.extend(pose.position());
     }
 
     /// Lets a person do something, before the next step.
@@ -140,7 +148,7 @@ impl Run {
                 let is_free = |at: Point| movers.iter().all(|&(centre, radius)| (at - centre).norm() > radius + body);
                 self.robot.put_down(self.floor.place_for(pose, is_free));
                 self.tracker.lift();
-                self.trail.clear();
+                self.trail.0.clear();
                 self.note(What::PutDown);
             }
         }
@@ -206,12 +214,13 @@ impl Run {
         self.events.push_back(Event { step: self.steps, what });
     }
 
-    fn extend_trail(&mut self, at: Point) {
-        if self.trail.last().is_none_or(|last| (at - last).norm_squared() > TRAIL.1 * TRAIL.1) {
-            if self.trail.len() == TRAIL.0 {
-                self.trail.drain(..TRAIL.0 / 4);
-            }
-            self.trail.push(at);
+    /// Keeps track of where the robot believes to be.
+    fn believe(&mut self) {
+        if let Some(odometry) = &mut self.odometry {
+            odometry.update(self.robot.sensors());
+        }
+        if let Some(estimate) = self.estimate() {
+            self.believed.extend(estimate.position());
         }
     }
 
@@ -244,9 +253,9 @@ impl Run {
         self.controller.activity()
     }
 
-    /// Where its controller believes it to be.
+    /// Where it believes to be: by its controller, or by counting wheel turns if the controller doesn't care.
     pub fn estimate(&self) -> Option<Pose> {
-        self.controller.estimate()
+        self.controller.estimate().or(self.odometry.as_ref().map(Odometry::pose))
     }
 
     /// Index of the corner of its line that the controller drives to, if it follows one.
@@ -254,7 +263,7 @@ impl Run {
         self.controller.corner()
     }
 
-    /// Distance between where the robot is and where its controller believes it to be, m.
+    /// Distance between where the robot is and where it believes to be, m.
     pub fn pose_error_m(&self) -> Option<f64> {
         self.estimate().map(|estimate| (estimate.position() - self.pose().position()).norm())
     }
@@ -301,12 +310,17 @@ impl Run {
 
     /// The last metres that the robot drove, oldest first, m.
     pub fn trail(&self) -> &[Point] {
-        &self.trail
+        &self.trail.0
+    }
+
+    /// The last metres that it believes to have driven, oldest first, m.
+    pub fn believed_trail(&self) -> &[Point] {
+        &self.believed.0
     }
 
     /// Roughly the memory that a clone takes, bytes.
     pub fn bytes(&self) -> usize {
-        self.tracker.bytes() + self.life.bytes() + TRAIL.0 * size_of::<Point>()
+        self.tracker.bytes() + self.life.bytes() + 2 * TRAIL.0 * size_of::<Point>()
     }
 
     /// A number that two runs share only if they are in the same state, to the last bit (FNV-1a).
@@ -320,6 +334,22 @@ impl Run {
     }
 }
 
+/// The latest points of a line that grows.
+#[derive(Clone)]
+struct Trail(Vec<Point>);
+
+impl Trail {
+    fn extend(&mut self, at: Point) {
+        let Self(points) = self;
+        if points.last().is_none_or(|last| (at - last).norm_squared() > TRAIL.1 * TRAIL.1) {
+            if points.len() == TRAIL.0 {
+                points.drain(..TRAIL.0 / 4);
+            }
+            points.push(at);
+        }
+    }
+}
+
 impl Clone for Run {
     fn clone(&self) -> Self {
         Self {
@@ -330,6 +360,8 @@ impl Clone for Run {
             controller: self.controller.boxed_clone(),
             tracker: self.tracker.clone(),
             trail: self.trail.clone(),
+            odometry: self.odometry.clone(),
+            believed: self.believed.clone(),
             events: self.events.clone(),
             ..*self
         }

@@ -6,10 +6,11 @@
 
 use super::{
     layer::{Layer, VisitsPicture, cell_picture},
-    robot, search,
+    objects::{Part, Pen},
+    robot, search, sensed,
 };
 use crate::{
-    app::{Palette, RobotView, Scene, Viewport, outlines},
+    app::{Palette, RobotView, Scene, Shows, Viewport, outlines},
     geometry::{Point, Pose},
     grid::{Cell, Grid, Occupancy},
 };
@@ -23,7 +24,7 @@ const MOST_PLANNED: usize = 60_000;
 /// Pixels per cell from which on the grid is drawn.
 const GRID_FROM: f64 = 16.0;
 /// Width of the canvas below which there is no room for a scale bar between legend and zoom, CSS pixels.
-const LEAST_FOR_SCALE_BAR: f64 = 580.0;
+const LEAST_FOR_SCALE_BAR: f64 = 626.0;
 /// Pieces of different strength in the trail.
 const TRAIL_PIECES: usize = 16;
 
@@ -49,6 +50,12 @@ struct Drawn {
     cursor: Option<Cell>,
     /// Index in the walk of the decision that is shown.
     search: Option<usize>,
+    selected: Option<usize>,
+    in_hand: bool,
+    shows: Shows,
+    /// Steps after which the sensors were read that are shown.
+    sensed: Option<u64>,
+    believed: (usize, Option<Point>, Option<Point>),
 }
 
 /// The part of it that the layers depend on.
@@ -58,6 +65,7 @@ struct Still {
     planned_version: u64,
     viewport: Viewport,
     start: Option<Pose>,
+    lifted: Option<usize>,
     dark: bool,
 }
 
@@ -93,6 +101,7 @@ impl Canvas {
             planned_version: scene.planned_version,
             viewport: *viewport,
             start: scene.start,
+            lifted: scene.lifted,
             dark: scene.dark,
         };
         let drawn = Drawn {
@@ -102,8 +111,13 @@ impl Canvas {
             trail: (scene.trail.len(), scene.trail.first().copied(), scene.trail.last().copied()),
             cursor: scene.cursor,
             search: scene.search.map(|search| search.step.step),
+            selected: scene.selected,
+            in_hand: !scene.in_hand.is_empty(),
+            shows: scene.shows,
+            sensed: scene.sensed.map(|sensed| sensed.steps),
+            believed: (scene.believed.len(), scene.believed.first().copied(), scene.believed.last().copied()),
         };
-        if self.last == Some(drawn) && scene.dirty_rows.is_none() {
+        if self.last == Some(drawn) && !drawn.in_hand && scene.dirty_rows.is_none() {
             return Ok(());
         }
         let last = self.last.take();
@@ -162,6 +176,8 @@ impl Canvas {
                 hatch(below, path, viewport, floor.resolution, palette)?;
             }
         }
+        to_css(below, viewport)?;
+        draw_objects(below, scene, viewport, palette, Part::Ground)?;
 
         self.above.clear(width, height);
         let above = &self.above.context;
@@ -170,11 +186,13 @@ impl Canvas {
             grid_lines(above, viewport, scene, palette);
         }
         to_css(above, viewport)?;
+        draw_objects(above, scene, viewport, palette, Part::Texture)?;
         if scene.preview.is_empty() {
             line(above, viewport, scene.planned, palette.planned, 1.25);
         } else {
             line(above, viewport, scene.preview, palette.preview, 1.75);
         }
+        draw_objects(above, scene, viewport, palette, Part::Body)?;
         let rows = room.occupancy.height();
         shapes.unknown.fill(above, viewport, room.resolution, rows, palette.unknown)?;
         shapes.walls.fill(above, viewport, room.resolution, rows, palette.wall)?;
@@ -185,7 +203,7 @@ impl Canvas {
         above.set_stroke_style_str(palette.wall_line);
         above.set_line_width(1.25);
         above.stroke_rect(left_top.x, left_top.y, scale * room.width_m(), scale * room.height_m());
-        Ok(())
+        draw_objects(above, scene, viewport, palette, Part::Small)
     }
 
     /// Puts the layers together and draws what moves.
@@ -195,7 +213,7 @@ impl Canvas {
         context.draw_image_with_offscreen_canvas(&self.below.canvas, 0.0, 0.0)?;
         let ratio = viewport.pixel_ratio;
         context.set_transform(ratio, 0.0, 0.0, ratio, 0.0, 0.0)?;
-        if let Some(visits) = &self.visits {
+        if let Some(visits) = self.visits.as_ref().filter(|_| scene.shows.coverage) {
             let top_left = viewport.to_screen(Point::new(0.0, scene.plan.height_m()));
             let (width, height) = (scene.plan.width_m() * viewport.scale, scene.plan.height_m() * viewport.scale);
             context.draw_image_with_offscreen_canvas_and_dw_and_dh(
@@ -209,25 +227,34 @@ impl Canvas {
         context.set_transform(1.0, 0.0, 0.0, 1.0, 0.0, 0.0)?;
         context.draw_image_with_offscreen_canvas(&self.above.canvas, 0.0, 0.0)?;
         context.set_transform(ratio, 0.0, 0.0, ratio, 0.0, 0.0)?;
+        draw_objects(as_layer(context), scene, viewport, palette, Part::Live)?;
 
         if let Some(search) = &scene.search {
             search::draw_sides(context, palette, search, scene.plan, viewport);
         }
         if let Some(start) = &scene.start {
             let centre = viewport.to_screen(start.position());
-            robot::draw_start(context, palette, start, centre, scene.start_radius * viewport.scale)?;
+            robot::draw_start(context, palette, start, centre, (scene.start_body, scene.start_radius, viewport.scale))?;
         }
-        trail(context, viewport, scene.trail, palette);
+        trail(context, viewport, scene.believed, palette.estimate);
+        trail(context, viewport, scene.trail, palette.accent);
+        if let (Some(view), Some(sensed)) = (&scene.robot, &scene.sensed) {
+            sensed::draw(context, palette, view, sensed, viewport)?;
+        }
         if let Some(view) = &scene.robot {
             if let Some(estimate) = &view.estimate {
                 let centre = viewport.to_screen(estimate.position());
-                robot::draw_estimate(context, palette, estimate, centre, view.radius * viewport.scale)?;
+                robot::draw_estimate(context, palette, estimate, centre, (view.body, view.radius, viewport.scale))?;
             }
             robot::draw(context, palette, view, viewport.to_screen(view.pose.position()), viewport.scale)?;
+            if let Some(sensed) = &scene.sensed {
+                sensed::draw_cliffs(context, palette, view, sensed, viewport)?;
+            }
         }
         if let Some(search) = &scene.search {
             search::draw_marks(context, palette, search, scene.robot.map_or(0.0, |robot| robot.radius), viewport)?;
         }
+        draw_hand(context, scene, viewport, palette)?;
         if let Some(cell) = scene.cursor {
             let size = scene.plan.resolution * viewport.scale;
             let corner = viewport.to_screen(scene.plan.centre(cell));
@@ -334,6 +361,42 @@ impl Shape {
     }
 }
 
+/// Draws one part of all objects that are in their place.
+fn draw_objects(
+    context: &OffscreenCanvasRenderingContext2d,
+    scene: &Scene<'_>,
+    viewport: &Viewport,
+    palette: &Palette,
+    part: Part,
+) -> Result<(), JsValue> {
+    let pen = Pen { context, palette, viewport };
+    let placed = scene.plan.objects.iter().enumerate().filter(|&(index, _)| scene.lifted != Some(index));
+    placed.map(|(_, object)| pen.draw(object, part)).collect()
+}
+
+/// Draws what is in the hand, and what shows that something is selected.
+fn draw_hand(
+    context: &CanvasRenderingContext2d,
+    scene: &Scene<'_>,
+    viewport: &Viewport,
+    palette: &Palette,
+) -> Result<(), JsValue> {
+    let pen = Pen { context: as_layer(context), palette, viewport };
+    let selected = scene.selected.filter(|&index| scene.lifted != Some(index));
+    for object in scene.in_hand.iter().chain(selected.and_then(|index| scene.plan.objects.get(index))) {
+        if scene.lifted.is_some() || !scene.in_hand.is_empty() {
+            Part::ALL.into_iter().try_for_each(|part| pen.draw(object, part))?;
+        }
+        pen.select(object)?;
+    }
+    Ok(())
+}
+
+/// Contexts of both kinds have the same methods.
+fn as_layer(context: &CanvasRenderingContext2d) -> &OffscreenCanvasRenderingContext2d {
+    context.unchecked_ref()
+}
+
 /// Size of the canvas in device pixels.
 fn device_size(viewport: &Viewport) -> (u32, u32) {
     let size = viewport.size * viewport.pixel_ratio;
@@ -434,14 +497,14 @@ fn line(context: &OffscreenCanvasRenderingContext2d, viewport: &Viewport, points
 }
 
 /// Where the robot has just been, fading into the past.
-fn trail(context: &CanvasRenderingContext2d, viewport: &Viewport, points: &[Point], palette: &Palette) {
+fn trail(context: &CanvasRenderingContext2d, viewport: &Viewport, points: &[Point], colour: &str) {
     if points.len() < 2 {
         return;
     }
     context.set_line_width((0.035 * viewport.scale).clamp(2.0, 5.0));
     context.set_line_join("round");
     context.set_line_cap("butt");
-    context.set_stroke_style_str(palette.accent);
+    context.set_stroke_style_str(colour);
     let piece = points.len().div_ceil(TRAIL_PIECES).max(1);
     let pieces = points.len().div_ceil(piece);
     for i in 0..pieces {
@@ -464,7 +527,7 @@ fn scale_bar(context: &CanvasRenderingContext2d, viewport: &Viewport, palette: &
     }
     let lengths = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0];
     let metres = lengths.into_iter().find(|m| m * viewport.scale >= 48.0).unwrap_or(100.0);
-    let (length, right, bottom) = (metres * viewport.scale, viewport.size.x - 148.0, viewport.size.y - 24.0);
+    let (length, right, bottom) = (metres * viewport.scale, viewport.size.x - 194.0, viewport.size.y - 24.0);
     // A ground of its own where the room lies behind it.
     context.set_fill_style_str(palette.outside);
     context.set_global_alpha(0.8);

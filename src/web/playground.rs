@@ -1,9 +1,12 @@
 //! The page's one object: a session, the view of it on a canvas, and the hand that draws.
 
+mod hand;
+
+use self::hand::Carried;
 use super::{canvas::Canvas, catalogue::Catalogue, clock, map, request, to_js};
 use crate::{
-    app::{Answer, Brush, Scene, Session, SettingsError, Viewport},
-    geometry::{Point, Pose},
+    app::{Answer, Brush, Furnisher, RobotView, Scene, Session, SettingsError, Viewport},
+    geometry::{Point, Pose, Vector},
     grid::Cell,
     planner::{CoveragePath, TraceStep},
 };
@@ -18,6 +21,8 @@ const OPENING_S: f64 = 600.0;
 
 /// Distance from the robot's centre within which the pointer takes hold of it, CSS pixels, however small it is drawn.
 const LEAST_GRIP_PX: f64 = 16.0;
+/// Distance that the pointer has to go to pick a robot up, CSS pixels: a click alone does nothing.
+const LEAST_LIFT_PX: f64 = 4.0;
 
 /// What the pointer does on the floor.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -26,6 +31,7 @@ enum Tool {
     Wall,
     Erase,
     Start,
+    Place,
 }
 
 /// What the pointer is doing between down and up.
@@ -36,27 +42,44 @@ enum Gesture {
         y: f64,
     },
     Paint,
+    /// The hand has an object.
+    Object,
     /// The start goes here if released now; dragging turns it if `turns`, else moves it.
     Start {
         pose: Pose,
         turns: bool,
+    },
+    /// Has hold of a running robot, whose centre is `grip` from the pointer that went down at (`x`, `y`).
+    Grip {
+        x: f64,
+        y: f64,
+        grip: Vector,
+    },
+    /// Carries it.
+    Carry {
+        grip: Vector,
     },
 }
 
 /// A session shown on a canvas.
 #[wasm_bindgen]
 pub struct Playground {
-    session: Session,
+    pub(super) session: Session,
+    pub(super) furnisher: Furnisher,
     /// Whether what is shown is still the opening scene.
     is_opening: bool,
     canvas: Canvas,
-    viewport: Viewport,
+    pub(super) viewport: Viewport,
     tool: Tool,
     gesture: Option<Gesture>,
+    /// The robot, if it is held.
+    carried: Option<Carried>,
     /// Cell that keyboard drawing is at.
     cursor: Option<Cell>,
     last_frame_ms: Option<f64>,
     dark: bool,
+    /// Where a press of the view tool began, as long as it may be a click, CSS pixels.
+    pub(super) pressed: Option<(f64, f64)>,
     /// Name and size of the room that the viewport was fitted to.
     fitted: (String, f64, f64),
 }
@@ -68,19 +91,22 @@ impl Playground {
     pub fn new(canvas: HtmlCanvasElement) -> Result<Self, JsValue> {
         Ok(Self {
             session: Session::new(),
+            furnisher: Furnisher::new(),
             is_opening: true,
             canvas: Canvas::new(canvas)?,
             viewport: Viewport::new(1.0, 1.0, 1.0, 1.0, 1.0),
             tool: Tool::View,
             gesture: None,
+            carried: None,
             cursor: None,
             last_frame_ms: None,
             dark: false,
+            pressed: None,
             fitted: Default::default(),
         })
     }
 
-    /// What there is to choose from: `{ rooms, planners, robots, cell_sizes_m, speeds }`.
+    /// What there is to choose from: see `Catalogue` in `www/types.d.ts`.
     pub fn catalogue() -> Result<JsValue, JsValue> {
         to_js(&Catalogue::new())
     }
@@ -93,8 +119,11 @@ impl Playground {
             Tool::Wall => "wall",
             Tool::Erase => "erase",
             Tool::Start => "start",
+            Tool::Place => "place",
         };
         Reflect::set(&view, &"tool".into(), &tool.into())?;
+        self.add_objects_to(&view)?;
+        Reflect::set(&view, &"is_carried".into(), &self.carried.is_some().into())?;
         Ok(view)
     }
 
@@ -108,6 +137,8 @@ impl Playground {
         let elapsed_s = self.last_frame_ms.replace(now_ms).map_or(0.0, |last| (now_ms - last) / 1000.0);
         let deadline = clock() + FRAME_BUDGET_MS;
         self.session.frame(elapsed_s, &mut || clock() < deadline);
+        // Another run, or another moment of it, in which nobody holds the robot.
+        self.carried = self.carried.filter(|_| self.session.is_lifted());
         self.draw()
     }
 
@@ -192,6 +223,25 @@ impl Playground {
         Ok(self.session.configure(|s| s.set_slip(id))?)
     }
 
+    /// Chooses how much sensors err, `off`, `typical` or `harsh`: one kind of the catalogue's `sensors`, or `all`.
+    pub fn set_noise(&mut self, sensor: &str, level: &str) -> Result<(), JsValue> {
+        Ok(self.session.configure(|s| s.set_noise(Some(sensor).filter(|&name| name != "all"), level))?)
+    }
+
+    /// Lets wheels only turn at the speeds that the motor controller can keep, or at any.
+    pub fn set_quantised(&mut self, on: bool) -> Result<(), JsValue> {
+        let set = |s: &mut crate::app::Settings| {
+            s.conditions.quantised = on;
+            Ok::<(), SettingsError>(())
+        };
+        Ok(self.session.configure(set)?)
+    }
+
+    /// Shows a layer of the picture, or no longer: `coverage`, `dirt`, `sensors` or `estimate`.
+    pub fn show(&mut self, layer: &str, on: bool) -> Result<(), JsValue> {
+        Ok(self.session.show(layer, on)?)
+    }
+
     /// Chooses how the follower computes its pose: `arc` or `straight`.
     pub fn set_odometry(&mut self, id: &str) -> Result<(), JsValue> {
         Ok(self.session.configure(|s| s.set_odometry(id))?)
@@ -269,12 +319,13 @@ impl Playground {
 
     // ---- the hand
 
-    /// Chooses what the pointer does: `view`, `wall`, `erase` or `start`.
+    /// Chooses what the pointer does: `view`, `wall`, `erase`, `start` or `place`.
     pub fn set_tool(&mut self, id: &str) {
         self.tool = match id {
             "wall" => Tool::Wall,
             "erase" => Tool::Erase,
             "start" => Tool::Start,
+            "place" => Tool::Place,
             _ => Tool::View,
         };
         self.cursor = None;
@@ -284,6 +335,9 @@ impl Playground {
     /// The pointer at (`x`, `y`), CSS pixels on the canvas: `down`, `move`, `up` or `cancel`.
     pub fn pointer(&mut self, kind: &str, x: f64, y: f64) {
         let at = self.viewport.to_world(x, y);
+        if self.tool == Tool::View {
+            self.watch_for_click(kind, x, y);
+        }
         match (kind, self.gesture) {
             ("down", _) => self.press(at, x, y),
             ("move", Some(Gesture::Pan { x: from_x, y: from_y })) => {
@@ -291,6 +345,7 @@ impl Playground {
                 self.gesture = Some(Gesture::Pan { x, y });
             }
             ("move", Some(Gesture::Paint)) => self.session.go_on_stroke(at),
+            ("move", Some(Gesture::Object)) => self.furnisher.go_on(at),
             ("move", Some(Gesture::Start { pose, turns: true })) => {
                 let aim = at - pose.position();
                 if aim.norm() > 0.1 {
@@ -301,7 +356,23 @@ impl Playground {
             ("move", Some(Gesture::Start { pose, turns: false })) => {
                 self.gesture = Some(Gesture::Start { pose: Pose::new(at.x, at.y, pose.heading), turns: false });
             }
+            ("move", Some(Gesture::Grip { x: from_x, y: from_y, grip }))
+                if (x - from_x).abs().max((y - from_y).abs()) >= LEAST_LIFT_PX =>
+            {
+                self.take_robot();
+                self.gesture = Some(Gesture::Carry { grip });
+                self.carry_to(at, grip);
+            }
+            ("move", Some(Gesture::Carry { grip })) => self.carry_to(at, grip),
+            ("cancel", Some(Gesture::Carry { .. })) => {
+                self.put_back();
+                self.gesture = None;
+            }
             ("cancel", Some(Gesture::Start { .. })) => self.gesture = None,
+            ("cancel", Some(Gesture::Object)) => {
+                self.furnisher.let_go();
+                self.gesture = None;
+            }
             ("cancel", Some(Gesture::Paint)) => {
                 self.session.abandon_stroke();
                 self.gesture = None;
@@ -314,14 +385,22 @@ impl Playground {
     fn press(&mut self, at: Point, x: f64, y: f64) {
         self.cursor = None;
         let heading = self.session.prepared().map_or(0.0, |p| p.floor.start.heading);
-        self.gesture = Some(match self.tool {
+        let tool = self.tool;
+        self.gesture = Some(match tool {
             Tool::Wall | Tool::Erase => {
                 let brush = if self.tool == Tool::Wall { Brush::Wall } else { Brush::Erase };
                 self.session.begin_stroke(brush, at);
                 Gesture::Paint
             }
             Tool::Start => Gesture::Start { pose: Pose::new(at.x, at.y, heading), turns: true },
+            Tool::View | Tool::Place if self.takes_selected(at) => Gesture::Object,
+            Tool::Place => {
+                self.furnisher.begin(at);
+                Gesture::Object
+            }
+            Tool::View if self.is_on_robot(at) && (self.carried.is_some() || self.may_lift()) => self.grip(at, x, y),
             Tool::View if self.is_on_robot(at) => Gesture::Start { pose: Pose::new(at.x, at.y, heading), turns: false },
+            Tool::View if self.takes_object(at) => Gesture::Object,
             Tool::View => Gesture::Pan { x, y },
         });
     }
@@ -330,13 +409,22 @@ impl Playground {
         match self.gesture.take() {
             Some(Gesture::Paint) => self.session.end_stroke(),
             Some(Gesture::Start { pose, .. }) => self.session.move_start(pose),
+            Some(Gesture::Object) => self.furnisher.release(&mut self.session),
+            Some(Gesture::Carry { .. }) if self.carried.is_some() => self.pick_up(),
             _ => {}
         }
     }
 
+    /// Takes hold of the robot at `at`, which is (`x`, `y`) on the screen.
+    fn grip(&self, at: Point, x: f64, y: f64) -> Gesture {
+        let pose = self.carried.map(|c| c.pose).or(self.session.recording().map(|r| r.run().pose()));
+        let grip = pose.map_or(Vector::zeros(), |pose| pose.position() - at);
+        if self.carried.is_some() { Gesture::Carry { grip } } else { Gesture::Grip { x, y, grip } }
+    }
+
     fn is_on_robot(&self, at: Point) -> bool {
         let radius = self.session.settings().robot_model().radius;
-        let robot = self.session.recording().map(|r| r.run().pose());
+        let robot = self.carried.map(|c| c.pose).or(self.session.recording().map(|r| r.run().pose()));
         let reach = radius.max(LEAST_GRIP_PX / self.viewport.scale);
         robot.is_some_and(|pose| (pose.position() - at).norm() < reach)
     }
@@ -377,6 +465,10 @@ impl Playground {
                 Tool::Wall => self.session.begin_stroke(Brush::Wall, point),
                 Tool::Erase => self.session.begin_stroke(Brush::Erase, point),
                 Tool::Start => self.session.move_start(Pose::new(point.x, point.y, heading)),
+                Tool::Place => {
+                    self.furnisher.begin(point);
+                    self.furnisher.release(&mut self.session);
+                }
                 Tool::View => {}
             }
             self.session.end_stroke();
@@ -428,8 +520,22 @@ impl Playground {
             Some(Gesture::Start { pose, .. }) => Some(pose),
             _ => None,
         };
+        let held = self.carried.map(|carried| carried.pose);
         let start = dragged.or(self.session.prepared().map(|p| p.floor.start));
-        let scene = Scene { start, dirty_rows, cursor: self.cursor, dark: self.dark, ..self.session.scene() };
+        let in_hand = self.furnisher.in_hand(&self.session);
+        let session = self.session.scene();
+        let robot = session.robot.map(|robot| RobotView { pose: held.unwrap_or(robot.pose), ..robot });
+        let scene = Scene {
+            robot,
+            start,
+            dirty_rows,
+            cursor: self.cursor,
+            selected: self.furnisher.selected(&self.session),
+            lifted: self.furnisher.lifted(),
+            in_hand: &in_hand,
+            dark: self.dark,
+            ..session
+        };
         self.canvas.draw(&scene, &self.viewport)
     }
 }

@@ -129,9 +129,9 @@ export class App {
     return this.settled();
   }
 
-  /** Opens "More settings", where some of the menus are. */
+  /** Opens what is folded in the setup, where some of the menus are. */
   async unfold() {
-    await this.page.locator("#more").evaluate((more) => (more.open = true));
+    await this.page.evaluate(() => document.querySelectorAll("#setup details").forEach((fold) => (fold.open = true)));
   }
 
   async pause() {

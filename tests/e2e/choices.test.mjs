@@ -10,8 +10,8 @@ const SMALL = 2500;
 
 test("every algorithm and every room can be chosen, and the robot sets off", async (t) => {
   const { page, app } = await openApp(t);
-  const [rooms, planners] = [await values(page, "room"), await values(page, "planner")];
-  assert.ok(rooms.length >= 10 && planners.length >= 2);
+  const [rooms, planners, behaviours] = [await values(page, "room"), await values(page, "algorithm optgroup[label^=Plans]"), await values(page, "algorithm optgroup[label^=Reacts]")];
+  assert.ok(rooms.length >= 10 && planners.length >= 2 && behaviours.length >= 1);
   await app.choose("speed", "256");
   /** By room, once a fast algorithm has been there. */
   const cells = new Map();
@@ -19,7 +19,7 @@ test("every algorithm and every room can be chosen, and the robot sets off", asy
   for (const [index, planner] of planners.entries()) {
     // Before the algorithm is chosen: it sets to work at once.
     await app.choose("room", "thesis8");
-    await app.choose("planner", planner);
+    await app.choose("algorithm", planner);
     const pace = /takes its time/.test((await page.locator("#explainer .claims").textContent()) ?? "") ? "slow" : "fast";
     for (const [number, room] of rooms.entries()) {
       // The first goes everywhere, the others share the rooms; native tests have them in every room of their size.
@@ -36,14 +36,21 @@ test("every algorithm and every room can be chosen, and the robot sets off", asy
       await app.poll(() => app.numbers(), ({ coverage, distance }) => coverage > 0 && distance > 0);
     }
   }
+  for (const [index, behaviour] of behaviours.entries()) {
+    for (const room of rooms.filter((_, number) => (number + index) % 4 === 0)) {
+      await app.choose("room", room);
+      assert.ok(["playing", "finished"].includes(await app.choose("algorithm", behaviour)), `${behaviour} in ${room}`);
+      assert.equal(await app.message(), "", `${behaviour} in ${room}`);
+    }
+  }
   assert.ok(cells.size === rooms.length && tried.fast > 2 * rooms.length && tried.slow >= 5, JSON.stringify(tried));
 });
 
 test("every robot, cell size and slip can be chosen", async (t) => {
   const { page, app } = await openApp(t, { address: "#room=empty" });
   await app.unfold();
-  for (const menu of ["robot", "cell-size", "slip", "odometry"]) {
-    for (const value of await values(page, menu)) {
+  for (const menu of ["robot", "cell-size", "slip", "noise", "odometry"]) {
+    for (const value of (await values(page, menu)).filter((value) => value !== "mixed")) {
       assert.ok(["playing", "finished"].includes(await app.choose(menu, value)), `${menu} ${value}`);
       assert.equal(await app.message(), "", `${menu} ${value}`);
       assert.equal(await page.locator(`#${menu}`).inputValue(), value);
@@ -63,9 +70,10 @@ test("every parameter of every algorithm can be changed", async (t) => {
   await app.unfold();
   const controls = page.locator("#params, #params-more").locator("select, input[type=checkbox], input[type=number]");
   let changed = 0;
-  for (const planner of await values(page, "planner")) {
-    await app.choose("planner", planner);
-    for (const control of await controls.all()) {
+  for (const planner of await values(page, "algorithm")) {
+    await app.choose("algorithm", planner);
+    const found = await controls.all();
+    for (const control of found) {
       await control.evaluate((node) => {
         if (node.type === "checkbox") node.checked = !node.checked;
         else if (node.type === "number") node.value = node.value === node.max ? node.min : node.max;
@@ -76,7 +84,7 @@ test("every parameter of every algorithm can be changed", async (t) => {
       assert.ok(["playing", "finished"].includes(await app.settled()), planner);
       assert.equal(await app.message(), "", planner);
     }
-    assert.ok((await app.poll(() => app.link(), (link) => Object.keys(link).some((key) => key.startsWith("p.")))), planner);
+    if (found.length > 0) assert.ok((await app.poll(() => app.link(), (link) => Object.keys(link).some((key) => key.startsWith("p.")))), planner);
   }
   assert.ok(changed >= 2, `${changed} parameters`);
 });

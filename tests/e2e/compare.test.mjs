@@ -105,7 +105,7 @@ test("one goes to Compare and back by tabs, and both places stay as they were", 
   await app.linked("view", (view) => view === "numbers");
   await page.locator("#to-explore").click();
   await page.locator("#place-explore").waitFor();
-  assert.equal(await page.locator("#planner").inputValue(), "spiral_stc");
+  assert.equal(await page.locator("#algorithm").inputValue(), "spiral_stc");
   assert.equal((await app.numbers()).time, time, "Explore stood still meanwhile");
   assert.equal(await app.linked("place", (place) => place === undefined), undefined);
   await page.locator("#tab-compare").click();
@@ -268,7 +268,7 @@ test("all algorithms have all numbers in the flat; they can be sorted, explained
   assert.match(await app.text("#about #tip"), /every cell/, "before the dialog, not behind it");
   await page.getByRole("button", { name: "Open in Explore" }).click();
   await page.locator("#place-explore").waitFor();
-  assert.equal(await page.locator("#planner").inputValue(), "spiral");
+  assert.equal(await page.locator("#algorithm").inputValue(), "spiral");
   await app.until("playing", "ready", "paused", "finished");
 });
 

@@ -50,7 +50,7 @@ test("opening needs no planner and none of the other places", async (t) => {
 
   // The first plan brings the workshop, once for all that follow.
   await app.choose("room", "empty");
-  await app.choose("planner", "snake");
+  await app.choose("algorithm", "snake");
   assert.match((await app.metric("Planned in")).plan, /\d/);
   assert.equal(server.requests.filter((address) => address.includes("workshop_bg.wasm")).length, 1);
   assert.ok(!transferred(server).has("www/compare.js"));

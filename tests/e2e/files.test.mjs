@@ -37,12 +37,12 @@ test("a saved scenario brings everything back", async (t) => {
   const saved = anyFile("again.json", fs.readFileSync(await download.path()));
 
   await app.choose("room", "flat");
-  await app.choose("planner", "boustrophedon");
+  await app.choose("algorithm", "boustrophedon");
   await app.choose("robot", "roomba600");
   await app.drop(saved);
   assert.equal(await app.message(), "");
   assert.equal(await app.room(), "L-shaped room (changed)");
-  assert.equal(await page.locator("#planner").inputValue(), "snake");
+  assert.equal(await page.locator("#algorithm").inputValue(), "snake");
   assert.equal(await page.locator("#robot").inputValue(), "cell");
   assert.equal(await page.locator("#cell-size").inputValue(), "0.25");
   assert.equal(await page.locator("#seed").inputValue(), "5");

@@ -74,7 +74,7 @@ test("everything is reached by tab, in the order in which it is seen", async (t)
     seen.push(at);
   }
   const names = seen.map(({ name }) => name);
-  const main = ["Skip to the floor", "share", "theme", "help-open", "room", "load", "save", "planner", "robot", "floor", "view", "wall", "erase", "start", "zoom-in", "play", "step", "reset", "speed", "scrubber", "Coverage"];
+  const main = ["Skip to the floor", "share", "theme", "help-open", "room", "load", "save", "algorithm", "robot", "floor", "view", "wall", "erase", "start", "zoom-in", "play", "step", "reset", "speed", "scrubber", "Coverage"];
   assert.deepEqual(names.filter((name) => main.includes(name)).slice(0, main.length), main, names.join(", "));
   assert.deepEqual(seen.filter(({ outlined }) => !outlined), [], "where the focus is can be seen");
   assert.deepEqual(seen.filter(({ shown }) => !shown), [], "what has the focus can be seen");

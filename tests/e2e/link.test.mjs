@@ -10,7 +10,7 @@ test("a link brings back room, algorithm, robot and settings, also below a folde
   const { page, app } = await openApp(t, { address, mount: "/some/sub/path/" });
   assert.equal(await app.room(), "L-shaped room");
   const shown = (menu) => page.locator(`#${menu}`).inputValue();
-  assert.deepEqual(await Promise.all(["planner", "robot", "cell-size", "seed", "slip", "odometry", "speed"].map(shown)), ["snake", "cell", "0.2", "11", "typical", "straight", "4"]);
+  assert.deepEqual(await Promise.all(["algorithm", "robot", "cell-size", "seed", "slip", "odometry", "speed"].map(shown)), ["snake", "cell", "0.2", "11", "typical", "straight", "4"]);
   await app.linked("speed");
   assert.deepEqual(await app.link(), LINK);
   assert.ok(await page.locator("#undo").isDisabled(), "there is nothing to undo on a page just opened");

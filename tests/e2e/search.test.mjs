@@ -41,7 +41,7 @@ test("the snake's decisions follow steps and scrubs, in words and on the floor",
   await app.press("Back to the start");
   await app.until("ready");
   await app.poll(() => note.textContent(), (text) => /straight on\.$/.test(text));
-  await app.choose("planner", "boustrophedon");
+  await app.choose("algorithm", "boustrophedon");
   assert.ok((await toggle.isHidden()) && (await note.isHidden()), "others don't tell");
 });
 

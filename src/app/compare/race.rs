@@ -6,7 +6,7 @@ use crate::{
     geometry::Point,
     planner::CoveragePath,
     robot::OdometryModel,
-    sim::{Conditions, Run, STEP_S},
+    sim::{Conditions, Run, STEP_S, SlipLevel},
 };
 use std::sync::Arc;
 
@@ -268,7 +268,7 @@ impl Race {
             tracker: Some(run.tracker()),
             run_version: (u64::from(self.number) << 32) + lane.recording.version(),
             trail: run.trail(),
-            robot: Some(RobotView::of(run, self.setup.conditions.slip)),
+            robot: Some(RobotView::of(run, &self.prepared.robot, self.setup.conditions.slip != SlipLevel::None)),
             ..self.planned_scene(&lane.line)
         }
     }
@@ -282,6 +282,7 @@ impl Race {
             planned: line,
             start: Some(self.prepared.floor.start),
             start_radius: self.prepared.robot.radius,
+            start_body: self.prepared.robot.body,
             ..Scene::empty(&self.plan)
         }
     }

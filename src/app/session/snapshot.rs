@@ -3,17 +3,20 @@
 use super::Session;
 use crate::{
     app::{
-        Action, Recording, RobotView, Scene, SearchScene, State, View,
+        Action, Recording, RobotView, Scene, SearchScene, Sensed, Shows, State, View, diary_version, in_words,
         view::{Can, PlanView, RoomView, SearchView},
     },
-    sim::Run,
+    sim::{Run, SensorKind, SlipLevel},
 };
 
 impl Session {
     /// What is to be drawn, but for what the pointer is doing.
     pub fn scene(&self) -> Scene<'_> {
         let run = self.recording.as_ref().map(Recording::run);
-        let robot = run.map(|run| RobotView::of(run, self.settings.conditions.slip));
+        let model = self.settings.robot_model();
+        let Shows { sensors, estimate, .. } = self.settings.shows;
+        let is_lost = self.settings.conditions.slip != SlipLevel::None;
+        let robot = run.map(|run| RobotView::of(run, &model, estimate || is_lost));
         Scene {
             plan: self.editor.plan(),
             // Both only grow, and one of them with every change.
@@ -25,10 +28,18 @@ impl Session {
             preview: self.planning.as_ref().map_or(&[], |p| &p.preview),
             planned_version: u64::from(self.requests) + self.previews,
             trail: run.map_or(&[], Run::trail),
+            believed: run.filter(|_| estimate).map_or(&[], Run::believed_trail),
             robot,
             search: self.decision().map(|step| SearchScene { step, cell_size: self.settings.cell_size }),
             start: self.prepared.as_ref().map(|p| p.floor.start),
-            start_radius: self.settings.robot_model().radius,
+            start_radius: model.radius,
+            start_body: model.body,
+            shows: self.settings.shows,
+            sensed: run.filter(|_| sensors).map(|run| Sensed {
+                reading: run.sensors(),
+                floor: run.floor(),
+                steps: run.steps(),
+            }),
             ..Scene::empty(self.editor.plan())
         }
     }
@@ -37,7 +48,7 @@ impl Session {
     pub fn view(&self) -> View {
         let state = self.state();
         let run = self.recording.as_ref().map(Recording::run);
-        let plan = self.plan();
+        let (plan, conditions) = (self.plan(), self.settings.conditions);
         View {
             state,
             can: self.can(state),
@@ -56,10 +67,17 @@ impl Session {
             },
             robot: self.settings.robot,
             algorithm: self.settings.algorithm.id(),
+            kind: self.settings.algorithm.kind(),
+            activity: run.map_or("", Run::activity),
+            diary: run.map_or(0.0, diary_version),
+            is_lifted: self.is_lifted(),
             params: self.settings.params.clone(),
             cell_size_m: self.settings.cell_size,
             seed: self.settings.seed,
-            slip: self.settings.conditions.slip.id(),
+            slip: conditions.slip.id(),
+            noise: SensorKind::ALL.map(|(kind, _)| conditions.noise.of(kind).id()),
+            quantised: conditions.quantised,
+            shows: self.settings.shows,
             odometry: self.settings.odometry.id(),
             speed: self.settings.speed,
             speed_factor: self.speed_factor,
@@ -85,6 +103,7 @@ impl Session {
             cancel: state.allows(Action::Cancel),
             seek: state.allows(Action::Seek),
             edit: state.allows(Action::Edit),
+            lift: state.allows(Action::Lift) && !self.is_lifted(),
             undo: self.editor.can_undo(),
             redo: self.editor.can_redo(),
         }
@@ -122,8 +141,10 @@ impl Session {
             State::Finished => "the run is over",
         };
         let search = if view.search.text.is_empty() { String::new() } else { format!(" {}", view.search.text) };
+        let objects = in_words(&self.plan().objects);
+        let objects = if objects.is_empty() { objects } else { format!(" In it: {objects}.") };
         format!(
-            "Floor plan of {room}. {}: {doing}, {:.0} % of the reachable floor is clean after {:.0} minutes.{search}",
+            "Floor plan of {room}.{objects} {}: {doing}, {:.0} % of the reachable floor is clean after {:.0} minutes.{search}",
             self.settings.algorithm.title(),
             100.0 * view.coverage,
             view.time_s / 60.0

@@ -1,0 +1,171 @@
+// @ts-check
+// What the robot's sensors report, as they report it; only what the robot has.
+import { byId, changed, make, setAttribute, setText } from "./dom.js";
+import { count } from "./format.js";
+import { decode } from "./infrared.js";
+import { cliffSensors, portrait } from "./portrait.js";
+import { scanPlot } from "./scan.js";
+
+/**
+ * @typedef {import("./portrait.js").Reading} Reading
+ * @typedef {import("./types").RobotEntry} Robot
+ * @typedef {{ node: HTMLElement, show: (of: Reading) => void }} Part
+ */
+
+/** Milliseconds between looks at the sensors: faster numbers can't be read. */
+const PAUSE = 60;
+/** Largest value of the dirt sensor. */
+const MOST_DIRT = 255;
+const MOTORS = [["over_left_wheel", "left wheel"], ["over_right_wheel", "right wheel"], ["over_main_brush", "main brush"], ["over_side_brush", "side brush"]];
+
+/** @param {import("./main.js").App} app @returns {(view: import("./types").View) => void} */
+export function startDashboard(app) {
+  const { readings, robots } = app.catalogue;
+  const index = new Map(readings.map((name, place) => [name, place]));
+  const board = byId("dashboard");
+  const fold = /** @type {HTMLDetailsElement} */ (byId("senses-fold"));
+  /** @type {((of: Reading) => void)[]} */
+  let parts = [];
+  /** @type {((scan: Float32Array) => void) | undefined} */
+  let showScan;
+  let looked = 0;
+
+  /** @param {Robot} robot */
+  const build = (robot) => {
+    const { svg, show } = portrait(robot);
+    const rows = [flags(robot), ...(robot.cliffs.some(Boolean) ? [cliffs(robot)] : []), ...(robot.gauge ? [battery()] : []), ...(robot.infrared ? [infrared()] : []), wheels(robot), dirt()];
+    const laser = robot.laser.length > 0 ? scanPlot(robot) : undefined;
+    board.replaceChildren(svg, ...(laser ? [laser.node] : []), ...rows.map(({ node }) => node));
+    parts = [show, ...rows.map((row) => row.show)];
+    showScan = laser?.show;
+  };
+
+  return (view) => {
+    // Open for robots that live by what they feel, out of the way otherwise; then it is up to the user.
+    if (changed(fold, "kind", view.kind)) fold.open = view.kind === "behaviour";
+    setText(byId("activity"), doing(view));
+    const now = performance.now();
+    if (now - looked < PAUSE || !board.checkVisibility({ visibilityProperty: true })) return;
+    looked = now;
+    const robot = robots.find(({ id }) => id === view.robot);
+    if (robot && changed(board, "robot", robot.id)) build(robot);
+    const row = app.playground.readings();
+    if (row.length === 0) return;
+    const of = (/** @type {string} */ name) => row[index.get(name) ?? -1] ?? 0;
+    for (const show of parts) show(of);
+    showScan?.(app.playground.scan());
+  };
+}
+
+/** @param {import("./types").View} view */
+function doing({ activity, is_lifted, state, kind }) {
+  if (is_lifted) return "In your hand";
+  const text = activity || (kind === "planner" ? "following its plan" : "");
+  return state === "finished" ? "Done" : text.charAt(0).toUpperCase() + text.slice(1);
+}
+
+/** @param {string} name @param {string} tip @param {...Node} values */
+const row = (name, tip, ...values) => make("div", { className: "reading", "data-tip": tip }, make("button", { type: "button", className: "term" }, name), ...values);
+
+/** Yes or no, lit if yes. @param {Robot} robot @returns {Part} */
+function flags(robot) {
+  /** @type {[name: string, tip: string, is: (of: Reading) => boolean][]} */
+  const all = [];
+  if (robot.light.length > 0) all.push(["Wall", "The wall sensor on the right sees something near.", (of) => of("wall") > 0]);
+  if (robot.infrared) all.push(["Virtual wall", "The beam of a virtual wall is seen.", (of) => of("virtual_wall") > 0]);
+  if (robot.wheel_drops) all.push(["Wheel drop", "A wheel hangs down: the robot was picked up, or stands over an edge.", (of) => of("drop_left") + of("drop_right") > 0]);
+  all.push(["Moving", "The castor's wheel turns: the robot makes headway (stasis sensor).", (of) => of("stasis") > 0]);
+  const lamps = all.map(([name, tip, is]) => ({ is, lamp: make("li", { "data-tip": tip }, make("button", { type: "button", className: "term" }, name)), state: make("span", { className: "hidden-text" }) }));
+  for (const { lamp, state } of lamps) lamp.append(state);
+  const motors = make("li", { className: "overload", hidden: true, "data-tip": "A motor draws too much current: it is blocked." });
+  return {
+    node: make("ul", { className: "lamps" }, ...lamps.map(({ lamp }) => lamp), motors),
+    show: (of) => {
+      for (const { is, lamp, state } of lamps) {
+        setAttribute(lamp, "class", is(of) ? (lamp.textContent?.startsWith("Moving") ? "good" : "on") : "");
+        setText(state, is(of) ? ": yes" : ": no");
+      }
+      const over = MOTORS.filter(([name]) => of(name ?? "") > 0).map(([, title]) => title);
+      if (changed(motors, "over", over.join())) {
+        motors.hidden = over.length === 0;
+        motors.textContent = `Overload: ${over.join(", ")}`;
+      }
+    },
+  };
+}
+
+/** A bar whose length is a share. */
+function bar() {
+  const level = make("i");
+  const node = make("span", { className: "gauge", "aria-hidden": "true" }, level);
+  return { node, set: (/** @type {number} */ share) => changed(level, "share", share) && level.style.setProperty("--share", String(share)) };
+}
+
+/** @param {Robot} robot @returns {Part} */
+function cliffs(robot) {
+  const text = make("span", { className: "value" });
+  const sensors = cliffSensors(robot);
+  return {
+    node: row("Cliff signals", "Light that the floor sends back to the cliff sensors, from left to right, 0 to 4095. Over an edge there is none.", text),
+    show: (of) => setText(text, sensors.map((index) => of(`cliff_signal_${index}`)).join(" · ")),
+  };
+}
+
+/** @returns {Part} */
+function battery() {
+  const { node, set } = bar();
+  const text = make("span", { className: "value" });
+  const shown = row("Battery", "What its gauge reports: charge left, and the current out of it (negative) or into it.", node, text);
+  return {
+    node: shown,
+    show: (of) => {
+      set(Math.round(of("battery_share") * 200) / 200);
+      const current = `${of("current_ma") < 0 ? "−" : ""}${count(Math.abs(of("current_ma")))} mA`;
+      setText(text, of("capacity_mah") > 0 ? `${Math.round(100 * of("battery_share"))} %, ${of("on_dock") ? "on the dock, " : ""}${current}` : "not read yet");
+      setAttribute(shown, "class", of("on_dock") ? "reading charging" : of("battery_share") < 0.15 ? "reading low" : "reading");
+    },
+  };
+}
+
+/** @returns {Part} */
+function infrared() {
+  const receivers = [["left", "Left"], ["omni", "Top"], ["right", "Right"]].map(([id, title]) => {
+    const text = make("b", {}, "–");
+    const beams = ["green", "field", "red"].map((name) => make("i", { className: name }));
+    const cell = make("span", { className: "receiver" }, make("small", {}, title ?? ""), make("span", { className: "beams", "aria-hidden": "true" }, ...beams), text);
+    return { id, text, cell };
+  });
+  return {
+    node: row("Infrared", "Beams that its receivers see: the dock's green and red buoys and its force field, or a virtual wall.", make("span", { className: "receivers" }, ...receivers.map(({ cell }) => cell))),
+    show: (of) => {
+      for (const { id, text, cell } of receivers) {
+        const beams = decode(of(`infrared_${id}`));
+        setText(text, beams.text);
+        const lit = ["green", "field", "red", "wall"].filter((name) => beams[/** @type {"green"} */ (name)]);
+        setAttribute(cell, "class", ["receiver", ...lit].join(" "));
+      }
+    },
+  };
+}
+
+/** @param {Robot} robot @returns {Part} */
+function wheels(robot) {
+  const text = make("span", { className: "value" });
+  return {
+    node: row("Wheel counts", "Encoders of the left and right wheel. They wrap at 65,536.", text),
+    show: (of) => setText(text, `${count(of("left_counts"))} · ${count(of("right_counts"))}${robot.lateral ? ` · ${count(of("lateral_counts"))}` : ""}`),
+  };
+}
+
+/** @returns {Part} */
+function dirt() {
+  const { node, set } = bar();
+  const text = make("span", { className: "value" });
+  return {
+    node: row("Dirt", "Dirt that is being picked up, 0 to 255.", node, text),
+    show: (of) => {
+      set(of("dirt") / MOST_DIRT);
+      setText(text, String(of("dirt")));
+    },
+  };
+}
