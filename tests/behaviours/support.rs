@@ -31,7 +31,7 @@ pub fn lay_out(plan: &FloorPlan, robot: &RobotModel, conditions: Conditions) -> 
 pub fn lay_out_from(plan: &FloorPlan, robot: &RobotModel, conditions: Conditions, start: Pose) -> Option<RunSetup> {
     let mut setup = lay_out(plan, robot, conditions)?;
     let mut floor = (*setup.floor).clone();
-    floor.start = floor.place_for(start);
+    floor.start = floor.place_for(start, |_| true);
     setup.floor = Arc::new(floor);
     Some(setup)
 }
