@@ -3,7 +3,8 @@
 use super::{conditions::ConditionsArguments, failure::Failure, simulate::DEFAULT_ROBOT, task::PlacementArguments};
 use robovac_playground::{
     app::{
-        compare::Entrant,
+        Algorithm,
+        compare::{BEHAVIOUR, Entrant, PLANNER},
         montecarlo::{Band, Entry, Head, Lab, Outcome, Summary, Terms, TimeTo, to_csv, to_json},
         planning::Placement,
     },
@@ -95,19 +96,12 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
 
 impl EntrantArguments {
     fn find(&self) -> Result<Vec<Entrant>, Failure> {
+        let behaviours = self.behaviours.iter().map(|name| (BEHAVIOUR, name));
         let mut entrants = Vec::new();
-        for (name, is_behaviour) in
-            self.behaviours.iter().map(|name| (name, true)).chain(self.planners.iter().map(|name| (name, false)))
-        {
-            let (kind, command) = if is_behaviour { ("behaviour", "behaviours") } else { ("planner", "planners") };
+        for (kind, name) in behaviours.chain(self.planners.iter().map(|name| (PLANNER, name))) {
             let id = name.split('~').next().unwrap_or_default();
-            let entrant = match Entrant::parse(name) {
-                Ok(entrant) if entrant.algorithm.kind() == kind => entrant,
-                Err(error) if robovac_playground::app::Algorithm::find(id).is_ok() => {
-                    return Err(Failure::usage(error.to_string()));
-                }
-                _ => return Err(Failure::unknown(kind, id, command)),
-            };
+            Algorithm::find_kind(kind, id).map_err(|_| Failure::unknown(kind, id, &format!("{kind}s")))?;
+            let entrant = Entrant::parse(kind, name).map_err(|error| Failure::usage(error.to_string()))?;
             if entrant.algorithm.behaviour().is_some_and(|info| info.claims.manual) {
                 return Err(Failure::usage(format!("behaviour \"{id}\" needs a person at the controls")));
             }
