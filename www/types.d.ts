@@ -294,6 +294,8 @@ export type RunsSummary = {
   distance_m: Band;
   bumps: Band;
   falls: number;
+  /** 0 to 1; `null` where there was no dirt. */
+  dirt_left: Band | null;
 };
 
 /** One case of the benchmark (src/app/bench.rs). */
