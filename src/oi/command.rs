@@ -166,8 +166,7 @@ pub enum Command<'a> {
 }
 
 /// Baud rates, by the code of opcode 129.
-pub const BAUD_RATES: [u32; 12] =
-    [300, 600, 1200, 2400, 4800, 9600, 14_400, 19_200, 28_800, 38_400, 57_600, 115_200];
+pub const BAUD_RATES: [u32; 12] = [300, 600, 1200, 2400, 4800, 9600, 14_400, 19_200, 28_800, 38_400, 57_600, 115_200];
 
 /// Why bytes are not a command.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]

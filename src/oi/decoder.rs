@@ -99,7 +99,8 @@ mod tests {
     #[test]
     fn a_lost_data_byte_is_replaced_by_the_next_opcode() {
         let mut decoder = CommandDecoder::default();
-        let commands: Vec<_> = [145, 0, 200, 255, 128, 131].iter().filter_map(|&b| Some(decoder.push(b)?.bytes.to_vec())).collect();
+        let commands: Vec<_> =
+            [145, 0, 200, 255, 128, 131].iter().filter_map(|&b| Some(decoder.push(b)?.bytes.to_vec())).collect();
         assert_eq!(commands, [vec![145, 0, 200, 255, 128], vec![131]]);
     }
 }

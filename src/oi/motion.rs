@@ -70,8 +70,7 @@ impl WheelSpeeds {
 
     /// Radius on which the robot's middle moves, mm, positive to the left; `None` straight on and at rest.
     pub fn radius(self) -> Option<f64> {
-        (self.right != self.left)
-            .then(|| 0.5 * WHEEL_BASE_MM * (self.right + self.left) / (self.right - self.left))
+        (self.right != self.left).then(|| 0.5 * WHEEL_BASE_MM * (self.right + self.left) / (self.right - self.left))
     }
 }
 

@@ -126,8 +126,7 @@ impl ChargingLog {
     /// The log in that line; `None` if one of its values is missing.
     pub fn parse(line: &str) -> Option<Self> {
         let mut words = line.trim_start().strip_prefix("bat:")?.split_ascii_whitespace();
-        let mut next = |name: &str| (words.next()? == name).then_some(())
-            .and_then(|()| words.next()?.parse().ok());
+        let mut next = |name: &str| (words.next()? == name).then_some(()).and_then(|()| words.next()?.parse().ok());
         Some(Self {
             minutes: next("min")?,
             seconds: next("sec")?,
