@@ -207,12 +207,11 @@ mod tests {
         assert_eq!(write_frame(&everything, &readings, &mut [0; 172]).map(<[u8]>::len), Ok(135));
         let groups = [PacketId::from_byte(100).unwrap(); 3];
         assert_eq!(frame_size(&groups[..1]), 84);
-        let refused = write_frame(&groups, &readings, &mut [0; slot_bytes(115_200)]);
-        assert_eq!(refused, Err(FrameTooLong { needed: 246, room: 172 }));
+        let refused = |packets: &[PacketId], out: &mut [u8]| write_frame(packets, &readings, out).unwrap_err();
+        assert_eq!(refused(&groups, &mut [0; slot_bytes(115_200)]), FrameTooLong { needed: 246, room: 172 });
         let all_too_many = [groups, groups].concat();
-        let refused = write_frame(&all_too_many, &readings, &mut [0; 1000]);
-        assert_eq!(refused, Err(FrameTooLong { needed: 489, room: 258 }));
-        assert_eq!(write_frame(&[], &readings, &mut []), Err(FrameTooLong { needed: 3, room: 0 }));
+        assert_eq!(refused(&all_too_many, &mut [0; 1000]), FrameTooLong { needed: 489, room: 258 });
+        assert_eq!(refused(&[], &mut []), FrameTooLong { needed: 3, room: 0 });
     }
 
     #[test]

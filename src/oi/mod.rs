@@ -35,6 +35,7 @@ mod bits;
 mod command;
 mod decoder;
 mod frame;
+mod infrared;
 mod limits;
 mod mode;
 pub mod motion;
@@ -51,6 +52,7 @@ pub use bits::{
 pub use command::{BAUD_RATES, Command, MAX_RECEIVED, MAX_WRITTEN, Note, ParseError, Time};
 pub use decoder::{CommandDecoder, Received};
 pub use frame::{FRAMING, Frame, FrameError, FrameTooLong, HEADER, MAX_FRAME, frame_size, slot_bytes, write_frame};
+pub use infrared::{DockBeams, InfraredCharacter};
 pub use limits::{MAX_MOTOR_PWM, MAX_PWM, Refusal, SONGS};
 pub use mode::{Hazard, Mode, Reaction, SAFETY};
 pub use opcode::{DataLength, ModeAfter, Opcode};

@@ -170,7 +170,8 @@ proptest! {
                 let command = received.command.unwrap();
                 prop_assert_eq!(command.checked(), Ok(command));
                 prop_assert_eq!(command.clamped(), command);
-                prop_assert_eq!(command.encode(&mut [0; MAX_WRITTEN]), Ok(received.bytes));
+                let mut buffer = [0; MAX_WRITTEN];
+                prop_assert_eq!(command.encode(&mut buffer), Ok(received.bytes));
                 again.extend_from_slice(received.bytes);
             }
         }
