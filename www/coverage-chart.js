@@ -16,8 +16,10 @@ import { clock, percent } from "./format.js";
 
 /** Coverage that gets a line across, in percent; 90 is what times are taken to. */
 const GRID = [0, 25, 50, 75, 90, 100];
-/** Distance between the ends' names, and the width of the widest, in pixels. */
-const [LINE, NAMES] = [17, 150];
+/** Distance between the ends' names, width of a letter and of what stands before a name, in pixels. */
+const [LINE, LETTER, LEAD] = [17, 6.4, 34];
+/** Width from which on the ends have names. */
+const NAMED = 640;
 /** Marks along each line. */
 const MARKS = 6;
 /** Samples that a page key moves by. */
@@ -38,7 +40,7 @@ export function startChart(plot) {
   plot.append(drawing, readout);
 
   const last = () => (series[0]?.median.length ?? 1) - 1;
-  const size = () => boxFor(plot.clientWidth, innerHeight);
+  const size = () => boxFor(plot.clientWidth, innerHeight, series);
 
   /** @param {number | undefined} sample */
   const read = (sample) => {
@@ -50,6 +52,8 @@ export function startChart(plot) {
     const seconds = (60 * minutes * at) / Math.max(last(), 1);
     const order = series.map((one) => ({ one, now: one.median[at ?? 0] ?? 0 })).sort((a, b) => b.now - a.now);
     readout.replaceChildren(make("b", {}, `after ${clock(seconds)}`), ...order.map(({ one }) => lineOf(one, at ?? 0)));
+    readout.dataset.corner = freeCorner(series);
+    readout.style.setProperty("--right", `${size().right + 12}px`);
     setAttribute(plot, "aria-valuenow", seconds.toFixed(0));
     setAttribute(plot, "aria-valuetext", `${clock(seconds)}: ${order.map(({ one }) => wordsOf(one, at ?? 0)).join("; ")}`);
   };
@@ -59,7 +63,8 @@ export function startChart(plot) {
     const x = event.clientX - plot.getBoundingClientRect().left;
     read(((x - left) / (width - left - right)) * last());
   });
-  plot.addEventListener("pointerleave", () => read(undefined));
+  // A finger that is lifted still wants to read.
+  plot.addEventListener("pointerleave", ({ pointerType }) => pointerType === "touch" || read(undefined));
   plot.addEventListener("blur", () => read(undefined));
   plot.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
@@ -97,11 +102,19 @@ export function startChart(plot) {
   };
 }
 
-/** @param {number} width @param {number} screen @returns {Box} */
-function boxFor(width, screen) {
-  const named = width >= 640;
+/** Where most room is left for numbers. @param {Series[]} series @returns {"left" | "right"} */
+function freeCorner(series) {
+  const at = (/** @type {Float64Array} */ values, /** @type {number} */ share) => values[Math.round(share * (values.length - 1))] ?? 0;
+  const below = Math.min(...series.map(({ low }) => at(low, 0.6)));
+  const above = 1 - Math.max(...series.map(({ high }) => at(high, 0.4)));
+  return below >= above ? "right" : "left";
+}
+
+/** @param {number} width @param {number} screen @param {Series[]} series @returns {Box} */
+function boxFor(width, screen, series) {
+  const names = LEAD + LETTER * Math.max(...series.map(({ title }) => title.length), 0);
   const height = Math.round(Math.min(Math.max(width * 0.42, 250), Math.max(screen * 0.48, 250)));
-  return { width, height, left: 44, right: named ? NAMES + 22 : 12, top: 10, bottom: 40 };
+  return { width, height, left: 44, right: width >= NAMED ? names : 12, top: 10, bottom: 40 };
 }
 
 /** @param {Series[]} series @param {number} minutes @param {Box} box */
@@ -118,7 +131,7 @@ function picture(series, minutes, box) {
     ticks.push(`<path class="grid-line" d="M${x} ${height - bottom}v5"/><text class="value" text-anchor="middle" x="${x}" y="${height - bottom + 18}">${minute}</text>`);
   }
   const axis = `<text class="value" text-anchor="middle" x="${(left + width - right) / 2}" y="${height - 5}">simulated minutes</text>`;
-  const names = right > NAMES ? ends(series, box) : "";
+  const names = width >= NAMED ? ends(series, box) : "";
   const words = `Coverage over ${minutes} minutes: at the end ${series.map((one) => wordsOf(one, one.median.length - 1)).join("; ")}. The table says the same.`;
   return `<svg viewBox="0 0 ${width} ${height}" width="${width}" height="${height}" role="img" aria-label="${safe(words)}">${lines.join("")}${ticks.join("")}${axis}${series.map((one, i) => bandOf(one, i, box)).join("")}${series.map((one, i) => curveOf(one, i, series.length, box)).join("")}${names}<g data-live=""></g></svg>`;
 }

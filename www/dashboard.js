@@ -3,7 +3,7 @@
 import { byId, changed, make, setAttribute, setText } from "./dom.js";
 import { count } from "./format.js";
 import { decode } from "./infrared.js";
-import { portrait } from "./portrait.js";
+import { cliffSensors, portrait } from "./portrait.js";
 import { scanPlot } from "./scan.js";
 
 /**
@@ -33,7 +33,7 @@ export function startDashboard(app) {
   /** @param {Robot} robot */
   const build = (robot) => {
     const { svg, show } = portrait(robot);
-    const rows = [flags(robot), ...(robot.gauge ? [battery()] : []), ...(robot.infrared ? [infrared()] : []), wheels(robot), dirt()];
+    const rows = [flags(robot), ...(robot.cliffs.some(Boolean) ? [cliffs(robot)] : []), ...(robot.gauge ? [battery()] : []), ...(robot.infrared ? [infrared()] : []), wheels(robot), dirt()];
     const laser = robot.laser.length > 0 ? scanPlot(robot) : undefined;
     board.replaceChildren(svg, ...(laser ? [laser.node] : []), ...rows.map(({ node }) => node));
     parts = [show, ...rows.map((row) => row.show)];
@@ -97,8 +97,18 @@ function flags(robot) {
 /** A bar whose length is a share. */
 function bar() {
   const level = make("i");
-  const node = make("span", { className: "bar", "aria-hidden": "true" }, level);
+  const node = make("span", { className: "gauge", "aria-hidden": "true" }, level);
   return { node, set: (/** @type {number} */ share) => changed(level, "share", share) && level.style.setProperty("--share", String(share)) };
+}
+
+/** @param {Robot} robot @returns {Part} */
+function cliffs(robot) {
+  const text = make("span", { className: "value" });
+  const sensors = cliffSensors(robot);
+  return {
+    node: row("Cliff signals", "Light that the floor sends back to the cliff sensors, from left to right, 0 to 4095. Over an edge there is none.", text),
+    show: (of) => setText(text, sensors.map((index) => of(`cliff_signal_${index}`)).join(" · ")),
+  };
 }
 
 /** @returns {Part} */

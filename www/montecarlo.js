@@ -76,6 +76,8 @@ export function startRuns(app, module, guard) {
 
   const results = () => {
     const shown = offer.entrants.map((entrant, index) => ({ entrant, index })).filter(({ index }) => view.entrants[index]?.chosen);
+    // Behaviours first, as in the list of choices.
+    shown.sort((a, b) => a.entrant.kind.localeCompare(b.entrant.kind) || a.index - b.index);
     const rows = shown.map(({ entrant, index }) => ({
       title: entrant.title,
       mark: swatch(entrant.number, entrant.kind),
@@ -89,7 +91,6 @@ export function startRuns(app, module, guard) {
     setHidden(byId("runs-empty"), any);
     for (const id of ["runs-scroll", "runs-note"]) setHidden(byId(id), !any);
     setHidden(byId("runs-chart"), known.length === 0);
-    setHidden(byId("exports"), false);
     /** @type {import("./types").RunsPlace | null} */
     const place = study.place();
     setText(byId("runs-title"), place ? titleOf(app, place, view) : "");
@@ -176,7 +177,9 @@ function updateProgress({ running, done, total, seeds, minutes, entrants }, bega
   setAttribute(typed("runs-bar", HTMLProgressElement), "value", (done / Math.max(total, 1)).toFixed(3));
   const plan = who === 0 ? "Choose at least one algorithm." : `${who} ${who === 1 ? "algorithm" : "algorithms"}, ${seeds} runs of ${minutes} minutes each: ${count((total * minutes) / 60)} hours of cleaning.`;
   setText(byId("runs-plan"), plan);
-  setText(byId("runs-far"), running ? `${done} of ${total} runs${timeLeft(done, total, began)}` : total === 0 ? plan : done >= total ? `${count(total)} runs made` : done > 0 ? `${done} of ${total} runs made` : plan);
+  const far = total > 0 && done >= total ? `${count(total)} runs made` : done > 0 ? `${done} of ${total} runs made` : "";
+  setText(byId("runs-far"), running ? `${done} of ${total} runs${timeLeft(done, total, began)}` : far);
+  byId("runs-view").dataset.done = String(done);
   setText(byId("runs-said"), running ? "Runs are being made" : total > 0 && done >= total ? "All runs are made" : "");
 }
 

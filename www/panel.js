@@ -42,7 +42,7 @@ export function startPanel(app) {
   bind("robot", (p, id) => p.select_robot(id));
   bind("cell-size", (p, metres) => p.set_cell_size(Number(metres)));
   bind("slip", (p, id) => p.set_slip(id));
-  bind("noise", (p, level) => p.set_noise(undefined, level));
+  bind("noise", (p, level) => p.set_noise("all", level));
   input("quantised").addEventListener("change", () => change((p) => p.set_quantised(input("quantised").checked)));
   const noises = sensors.map((sensor) => noiseMenu(sensor, (level) => change((p) => p.set_noise(sensor, level))));
   byId("noises").replaceChildren(...noises.map(({ field }) => field));

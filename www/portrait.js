@@ -11,8 +11,7 @@ import { setAttribute, setText } from "./dom.js";
 /** Radius of the robot, and where the bars of the light bumper begin and end, units of the drawing. */
 const RADIUS = 58;
 const BARS = [72, 108];
-/** Distance of the middle line of the bumper from the centre, and of the numbers of the bars. */
-const BUMPER = 63;
+/** Distance of the numbers of the bars. */
 const NUMBERS = 120;
 /** Largest signal of the light bumper. */
 const FULL = 4095;
@@ -47,15 +46,10 @@ export function portrait(robot) {
   const svg = draw("svg", { viewBox: `-140 ${top} 280 ${RADIUS + 12 - top}`, class: "portrait", role: "img" });
   /** @type {((of: Reading) => void)[]} */
   const parts = [];
+  if (robot.bumper > 0) bumper(svg, robot, parts);
   body(svg, robot, parts);
-  if (robot.bumper > 0) bumper(svg, robot.bumper, parts);
   robot.light.forEach((angle, index) => bar(svg, angle, index, parts));
-  const front = robot.cliffs[1];
-  const isSingle = front && robot.cliffs[2] && front[0] === robot.cliffs[2][0] && front[1] === robot.cliffs[2][1];
-  robot.cliffs.forEach((spot, index) => {
-    // A single front sensor is listed twice.
-    if (spot && !(index === 2 && isSingle)) cliff(svg, spot, index, parts);
-  });
+  for (const index of cliffSensors(robot)) cliff(svg, robot.cliffs[index] ?? [0, 0], index, parts);
   return {
     svg,
     show: (of) => {
@@ -65,10 +59,16 @@ export function portrait(robot) {
   };
 }
 
+/** Numbers of the cliff sensors that there are: a single one in front is listed twice. @param {Robot} robot */
+export function cliffSensors({ cliffs }) {
+  const [, left, right] = cliffs;
+  const isSingle = left && right && left[0] === right[0] && left[1] === right[1];
+  return [0, 1, 2, 3].filter((index) => cliffs[index] && !(index === 2 && isSingle));
+}
+
 /** @param {SVGElement} svg @param {Robot} robot @param {((of: Reading) => void)[]} parts */
 function body(svg, robot, parts) {
-  if (robot.body.length === 0) draw("circle", { r: RADIUS, class: "body" }, svg);
-  else draw("polygon", { points: robot.body.map(([x, y]) => at(x, y).map(round).join()).join(" "), class: "body" }, svg);
+  outline(svg, robot).setAttribute("class", "body");
   const half = Math.max(9, robot.wheel_radius * RADIUS);
   for (const [side, counts, drop] of /** @type {[number, string, string][]} */ ([[1, "left_counts", "drop_left"], [-1, "right_counts", "drop_right"]])) {
     const [x] = at(0, (side * robot.wheel_base) / 2);
@@ -82,12 +82,22 @@ function body(svg, robot, parts) {
   draw("path", { d: "M0 -34 L9 -18 H-9 Z", class: "heading" }, svg);
 }
 
-/** @param {SVGElement} svg @param {number} half @param {((of: Reading) => void)[]} parts */
-function bumper(svg, half, parts) {
+/** @param {SVGElement} svg @param {Robot} robot */
+function outline(svg, robot) {
+  if (robot.body.length === 0) return draw("circle", { r: RADIUS }, svg);
+  return draw("polygon", { points: robot.body.map(([x, y]) => at(x, y).map(round).join()).join(" ") }, svg);
+}
+
+/** A rim around the front that the body hides the inner half of. @param {SVGElement} svg @param {Robot} robot @param {((of: Reading) => void)[]} parts */
+function bumper(svg, robot, parts) {
   for (const [side, name] of /** @type {[number, string][]} */ ([[1, "bump_left"], [-1, "bump_right"]])) {
-    const [from, to] = [polar(BUMPER, side * 0.04), polar(BUMPER, side * half)];
-    const arc = draw("path", { d: `M${from.map(round)} A${BUMPER} ${BUMPER} 0 0 ${side > 0 ? 0 : 1} ${to.map(round)}` }, svg);
-    parts.push((of) => setAttribute(arc, "class", of(name) ? "bumper on" : "bumper"));
+    const clip = draw("clipPath", { id: `portrait-${name}` }, svg);
+    // Far outside the body, so that the straight sides of the wedge hold it.
+    const corners = [0.03, 0.25, 0.5, 0.75, 1].map((share) => polar(4 * RADIUS, side * Math.max(0.03, share * robot.bumper)));
+    draw("polygon", { points: `0,0 ${corners.map((corner) => corner.map(round).join()).join(" ")}` }, clip);
+    const rim = outline(svg, robot);
+    rim.setAttribute("clip-path", `url(#portrait-${name})`);
+    parts.push((of) => setAttribute(rim, "class", of(name) ? "bumper on" : "bumper"));
   }
 }
 
@@ -111,15 +121,7 @@ function bar(svg, angle, index, parts) {
 function cliff(svg, [x, y], index, parts) {
   const [cx, cy] = at(x, y).map(round);
   const dot = draw("circle", { cx: cx ?? 0, cy: cy ?? 0, r: 4.5 }, svg);
-  const inward = y > 0.5 ? 8 : y < -0.5 ? -8 : 0;
-  const anchor = inward > 0 ? "start" : inward < 0 ? "end" : "middle";
-  // The front two stand close together.
-  const aside = inward === 0 ? Math.sign(-y) * 3 : 0;
-  const number = draw("text", { x: (cx ?? 0) + inward + aside, y: (cy ?? 0) + (inward === 0 ? 14 : 3), style: `text-anchor: ${anchor}`, class: "number inner" }, svg);
-  parts.push((of) => {
-    setAttribute(dot, "class", of(`cliff_${index}`) ? "cliff on" : "cliff");
-    setText(number, String(of(`cliff_signal_${index}`)));
-  });
+  parts.push((of) => setAttribute(dot, "class", of(`cliff_${index}`) ? "cliff on" : "cliff"));
 }
 
 /** What the drawing shows, for those who can't see it. @param {Robot} robot @param {Reading} of */

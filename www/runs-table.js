@@ -48,7 +48,7 @@ function cellsOf({ runs, time_to, coverage, distance_m, bumps, falls }, minutes,
     const late = `> ${clock(60 * minutes)}`;
     const time = make("td", { className: best && median_s !== null && median_s === best.times[i] ? "best" : "" }, median_s === null ? late : clock(median_s));
     if (median_s === null) time.dataset.tip = `Fewer than half of the runs had swept ${goal} % after ${minutes} minutes, so that nobody knows when half of them would have.`;
-    if (reached > 0) time.append(make("small", {}, `${low_s === null ? late : clock(low_s)}–${high_s === null ? late : clock(high_s)}`));
+    if (low_s !== null) time.append(make("small", {}, `${clock(low_s)}–${high_s === null ? late : clock(high_s)}`));
     return [time, make("td", {}, `${percent(reached / runs, 0)} %`, make("small", {}, `${reached} of ${runs}`))];
   });
   const end = make("td", { className: best && coverage.median === best.coverage ? "best" : "" }, percent(coverage.median), make("small", {}, `${percent(coverage.low)}–${percent(coverage.high)}`));

@@ -96,6 +96,13 @@ impl Editor {
         self.now.start = start;
     }
 
+    /// Takes the plan with other objects in it.
+    pub fn furnish(&mut self, plan: FloorPlan) {
+        self.remember();
+        self.now.plan = Arc::new(plan);
+        self.now.room = None;
+    }
+
     /// Begins a stroke at a point in metres.
     pub fn begin(&mut self, brush: Brush, at: Point) {
         self.remember();

@@ -43,6 +43,34 @@ pub struct Palette {
     pub sensor: &'static str,
     /// The side of the room that a planner prefers, and the other one.
     pub sides: [&'static str; 2],
+    /// Furniture that was placed.
+    pub furniture: &'static str,
+    /// Edges of furniture.
+    pub furniture_line: &'static str,
+    /// Carpet.
+    pub carpet: &'static str,
+    /// Lines on a carpet.
+    pub carpet_line: &'static str,
+    /// Stairs.
+    pub drop_off: &'static str,
+    /// Treads.
+    pub tread: &'static str,
+    /// Edge of where the floor ends.
+    pub warning: &'static str,
+    /// Specks of dirt.
+    pub dirt: &'static str,
+    /// Beam of a virtual wall.
+    pub fence: &'static str,
+    /// Middle of a virtual wall's beam.
+    pub fence_line: &'static str,
+    /// Beams of a dock, the green one first.
+    pub beams: [&'static str; 2],
+    /// A person and their way.
+    pub person: &'static str,
+    /// A pet and its way.
+    pub pet: &'static str,
+    /// What is selected.
+    pub select: &'static str,
     /// Scale bar.
     pub text: &'static str,
     /// Colours of floor swept once to five times and more; see [`Palette::visits`].
@@ -71,6 +99,20 @@ const LIGHT: Palette = Palette {
     estimate: "#0072b2",
     sensor: "#00866a",
     sides: ["rgb(0 158 115 / 0.30)", "rgb(204 121 167 / 0.30)"],
+    furniture: "#e6d0a8",
+    furniture_line: "#86683a",
+    carpet: "rgb(204 121 167 / 0.20)",
+    carpet_line: "rgb(140 60 105 / 0.34)",
+    drop_off: "#d9dce2",
+    tread: "#59616e",
+    warning: "#d55e00",
+    dirt: "#5a3a1c",
+    fence: "rgb(0 114 178 / 0.22)",
+    fence_line: "#0072b2",
+    beams: ["rgb(0 158 115 / 0.20)", "rgb(213 94 0 / 0.20)"],
+    person: "#a8488a",
+    pet: "#00785a",
+    select: "#0b5fff",
     text: "#565e6c",
     passes: [[0x7f, 0x93, 0xb6], [0xa3, 0xa0, 0x98], [0xb9, 0xae, 0x80], [0xd6, 0xc6, 0x72], [0xfe, 0xe8, 0x38]],
 };
@@ -97,6 +139,20 @@ const DARK: Palette = Palette {
     estimate: "#56b4e9",
     sensor: "#2fd6ad",
     sides: ["rgb(0 190 140 / 0.30)", "rgb(220 120 180 / 0.30)"],
+    furniture: "#5b4a31",
+    furniture_line: "#c0a06a",
+    carpet: "rgb(204 121 167 / 0.20)",
+    carpet_line: "rgb(226 160 196 / 0.34)",
+    drop_off: "#4a515c",
+    tread: "#0f1216",
+    warning: "#ff7a1a",
+    dirt: "#d9b38c",
+    fence: "rgb(86 180 233 / 0.24)",
+    fence_line: "#56b4e9",
+    beams: ["rgb(0 190 140 / 0.22)", "rgb(255 122 26 / 0.22)"],
+    person: "#dc8cc0",
+    pet: "#2fbf95",
+    select: "#7db1ff",
     text: "#a3abb8",
     passes: [[0x3f, 0x53, 0x80], [0x62, 0x68, 0x75], [0x92, 0x8b, 0x74], [0xc8, 0xb6, 0x60], [0xfe, 0xe8, 0x38]],
 };

@@ -3,7 +3,7 @@
 use super::Shows;
 use crate::{
     coverage::{CoverageTracker, ReachableFloor},
-    floorplan::FloorPlan,
+    floorplan::{FloorPlan, Object},
     geometry::{Point, Pose},
     grid::Cell,
     planner::TraceStep,
@@ -49,6 +49,12 @@ pub struct Scene<'a> {
     pub start_body: Body,
     /// The map cell at which a tool would act.
     pub cursor: Option<Cell>,
+    /// Object of the plan that is selected.
+    pub selected: Option<usize>,
+    /// Object of the plan that isn't to be drawn, as it is in the hand.
+    pub lifted: Option<usize>,
+    /// Objects in the hand, where they are held.
+    pub in_hand: &'a [Object],
     /// Colours for dark ground.
     pub dark: bool,
     /// Which layers are drawn.
@@ -125,6 +131,9 @@ impl<'a> Scene<'a> {
             shows: Shows::DEFAULT,
             sensed: None,
             cursor: None,
+            selected: None,
+            lifted: None,
+            in_hand: &[],
             dark: false,
         }
     }

@@ -23,7 +23,7 @@
 
 use super::{
     BehaviourInfo, Build, Claims,
-    parts::{By, Driven, Habit, Hit, Move, Pilot},
+    parts::{By, Driven, GO_HOME, Habit, Hit, LEAVE_HOME, Move, Pilot},
 };
 use crate::{
     registry::{Example, Explainer, ParamKind, ParamSpec},
@@ -67,6 +67,8 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
             help: "Largest angle that it turns by; if it is less than the smallest one, that one is used.",
             kind: ParamKind::Number { min: 5.0, max: 360.0, step: 5.0, default: 180.0, unit: "°" },
         },
+        GO_HOME,
+        LEAVE_HOME,
     ],
 };
 

@@ -27,7 +27,7 @@
 
 use super::{
     BehaviourInfo, Build, Claims, Setup,
-    parts::{By, Driven, Habit, Hit, Pilot},
+    parts::{By, Driven, GO_HOME, Habit, Hit, LEAVE_HOME, Pilot},
     random_walk::RandomWalk,
     s_path::SPath,
     spiral::{After, Spiral},
@@ -86,6 +86,8 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
             help: "Time after which it stops; 0 for never.",
             kind: ParamKind::Number { min: 0.0, max: 600.0, step: 1.0, default: 0.0, unit: "min" },
         },
+        GO_HOME,
+        LEAVE_HOME,
     ],
 };
 
@@ -154,7 +156,7 @@ impl Habit for CleaningCycle {
         self.start(pilot);
     }
 
-    fn tick(&mut self, dt_s: f64) {
+    fn watch(&mut self, _: &Sensors, dt_s: f64) {
         self.left -= dt_s;
         self.left_in_all -= dt_s;
     }

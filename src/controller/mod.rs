@@ -7,8 +7,11 @@
 mod bounce;
 mod cleaning_cycle;
 mod command;
+mod dock;
 mod follow_path;
 mod info;
+pub mod interlock;
+mod manual;
 mod parts;
 mod random_walk;
 mod s_path;
@@ -52,6 +55,11 @@ pub trait Controller {
     /// What a person at the controls wants; ignored by those that drive by themselves.
     fn command(&mut self, _: Command) {}
 
+    /// What of a person's commands it doesn't obey at present, and why; `None` if nobody is at the controls.
+    fn blocked(&self) -> Option<interlock::Blocked> {
+        None
+    }
+
     /// A copy in the same state, so that a run can be recorded and gone back to.
     fn boxed_clone(&self) -> Box<dyn Controller>;
 }
@@ -76,6 +84,8 @@ registry! {
     wall_follow,
     cleaning_cycle,
     bounce,
+    dock,
+    manual,
 }
 
 impl BehaviourInfo {

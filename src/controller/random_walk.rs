@@ -30,7 +30,7 @@
 
 use super::{
     BehaviourInfo, Build, Claims, Setup, Timing,
-    parts::{By, Driven, Habit, Hit, Move, Pilot},
+    parts::{By, Driven, GO_HOME, Habit, Hit, LEAVE_HOME, Move, Pilot},
 };
 use crate::{
     registry::{Example, Explainer, ParamKind, ParamSpec},
@@ -81,6 +81,8 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
             help: "How far it backs up before it turns; from cliffs always far enough to turn safely.",
             kind: ParamKind::Number { min: 0.0, max: 20.0, step: 0.5, default: 3.0, unit: "cm" },
         },
+        GO_HOME,
+        LEAVE_HOME,
     ],
 };
 

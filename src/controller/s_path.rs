@@ -29,7 +29,7 @@
 
 use super::{
     BehaviourInfo, Build, Claims, Setup, Timing,
-    parts::{By, Driven, Habit, Hit, Move, Pilot},
+    parts::{By, Driven, GO_HOME, Habit, Hit, LEAVE_HOME, Move, Pilot},
 };
 use crate::{
     math,
@@ -86,6 +86,8 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
             help: "After so many corners, each of which turns the lanes by a right angle, it turns by chance.",
             kind: ParamKind::Number { min: 1.0, max: 20.0, step: 1.0, default: 4.0, unit: "" },
         },
+        GO_HOME,
+        LEAVE_HOME,
     ],
 };
 

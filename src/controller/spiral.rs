@@ -31,7 +31,7 @@
 
 use super::{
     BehaviourInfo, Build, Claims, Setup,
-    parts::{Driven, Habit, Hit, Pilot},
+    parts::{Driven, GO_HOME, Habit, Hit, LEAVE_HOME, Pilot},
     random_walk::RandomWalk,
 };
 use crate::{
@@ -74,6 +74,8 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
             help: "How far it drives at most before it begins again; the distance is drawn at random.",
             kind: ParamKind::Number { min: 0.5, max: 10.0, step: 0.5, default: 4.0, unit: "m" },
         },
+        GO_HOME,
+        LEAVE_HOME,
     ],
 };
 

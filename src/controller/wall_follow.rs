@@ -31,7 +31,7 @@
 
 use super::{
     BehaviourInfo, Build, Claims, Setup,
-    parts::{By, Driven, Habit, Hit, Kind, Move, Pilot, Side},
+    parts::{By, Driven, GO_HOME, Habit, Hit, Kind, LEAVE_HOME, Move, Pilot, Side},
 };
 use crate::{
     math,
@@ -100,6 +100,8 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
             help: "By light: strength of the rightmost light bumper signal that it keeps; more is nearer to the wall.",
             kind: ParamKind::Number { min: 20.0, max: 3000.0, step: 10.0, default: 250.0, unit: "" },
         },
+        GO_HOME,
+        LEAVE_HOME,
     ],
 };
 

@@ -28,6 +28,11 @@ impl Drive {
         Self::wheels(speed - half, speed + half)
     }
 
+    /// All speeds times `share`.
+    pub fn times(self, share: f64) -> Self {
+        Self { left: share * self.left, right: share * self.right, lateral: share * self.lateral }
+    }
+
     /// Whether nothing is to move.
     pub fn is_stop(&self) -> bool {
         *self == Self::STOP

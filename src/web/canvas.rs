@@ -6,6 +6,7 @@
 
 use super::{
     layer::{Layer, VisitsPicture, cell_picture},
+    objects::{Part, Pen},
     robot, search, sensed,
 };
 use crate::{
@@ -49,6 +50,8 @@ struct Drawn {
     cursor: Option<Cell>,
     /// Index in the walk of the decision that is shown.
     search: Option<usize>,
+    selected: Option<usize>,
+    in_hand: bool,
     shows: Shows,
     /// Steps after which the sensors were read that are shown.
     sensed: Option<u64>,
@@ -62,6 +65,7 @@ struct Still {
     planned_version: u64,
     viewport: Viewport,
     start: Option<Pose>,
+    lifted: Option<usize>,
     dark: bool,
 }
 
@@ -97,6 +101,7 @@ impl Canvas {
             planned_version: scene.planned_version,
             viewport: *viewport,
             start: scene.start,
+            lifted: scene.lifted,
             dark: scene.dark,
         };
         let drawn = Drawn {
@@ -106,11 +111,13 @@ impl Canvas {
             trail: (scene.trail.len(), scene.trail.first().copied(), scene.trail.last().copied()),
             cursor: scene.cursor,
             search: scene.search.map(|search| search.step.step),
+            selected: scene.selected,
+            in_hand: !scene.in_hand.is_empty(),
             shows: scene.shows,
             sensed: scene.sensed.map(|sensed| sensed.steps),
             believed: (scene.believed.len(), scene.believed.first().copied(), scene.believed.last().copied()),
         };
-        if self.last == Some(drawn) && scene.dirty_rows.is_none() {
+        if self.last == Some(drawn) && !drawn.in_hand && scene.dirty_rows.is_none() {
             return Ok(());
         }
         let last = self.last.take();
@@ -169,6 +176,8 @@ impl Canvas {
                 hatch(below, path, viewport, floor.resolution, palette)?;
             }
         }
+        to_css(below, viewport)?;
+        draw_objects(below, scene, viewport, palette, Part::Ground)?;
 
         self.above.clear(width, height);
         let above = &self.above.context;
@@ -177,11 +186,13 @@ impl Canvas {
             grid_lines(above, viewport, scene, palette);
         }
         to_css(above, viewport)?;
+        draw_objects(above, scene, viewport, palette, Part::Texture)?;
         if scene.preview.is_empty() {
             line(above, viewport, scene.planned, palette.planned, 1.25);
         } else {
             line(above, viewport, scene.preview, palette.preview, 1.75);
         }
+        draw_objects(above, scene, viewport, palette, Part::Body)?;
         let rows = room.occupancy.height();
         shapes.unknown.fill(above, viewport, room.resolution, rows, palette.unknown)?;
         shapes.walls.fill(above, viewport, room.resolution, rows, palette.wall)?;
@@ -192,7 +203,7 @@ impl Canvas {
         above.set_stroke_style_str(palette.wall_line);
         above.set_line_width(1.25);
         above.stroke_rect(left_top.x, left_top.y, scale * room.width_m(), scale * room.height_m());
-        Ok(())
+        draw_objects(above, scene, viewport, palette, Part::Small)
     }
 
     /// Puts the layers together and draws what moves.
@@ -216,6 +227,7 @@ impl Canvas {
         context.set_transform(1.0, 0.0, 0.0, 1.0, 0.0, 0.0)?;
         context.draw_image_with_offscreen_canvas(&self.above.canvas, 0.0, 0.0)?;
         context.set_transform(ratio, 0.0, 0.0, ratio, 0.0, 0.0)?;
+        draw_objects(as_layer(context), scene, viewport, palette, Part::Live)?;
 
         if let Some(search) = &scene.search {
             search::draw_sides(context, palette, search, scene.plan, viewport);
@@ -235,10 +247,14 @@ impl Canvas {
                 robot::draw_estimate(context, palette, estimate, centre, (view.body, view.radius, viewport.scale))?;
             }
             robot::draw(context, palette, view, viewport.to_screen(view.pose.position()), viewport.scale)?;
+            if let Some(sensed) = &scene.sensed {
+                sensed::draw_cliffs(context, palette, view, sensed, viewport)?;
+            }
         }
         if let Some(search) = &scene.search {
             search::draw_marks(context, palette, search, scene.robot.map_or(0.0, |robot| robot.radius), viewport)?;
         }
+        draw_hand(context, scene, viewport, palette)?;
         if let Some(cell) = scene.cursor {
             let size = scene.plan.resolution * viewport.scale;
             let corner = viewport.to_screen(scene.plan.centre(cell));
@@ -343,6 +359,42 @@ impl Shape {
         }
         Ok(())
     }
+}
+
+/// Draws one part of all objects that are in their place.
+fn draw_objects(
+    context: &OffscreenCanvasRenderingContext2d,
+    scene: &Scene<'_>,
+    viewport: &Viewport,
+    palette: &Palette,
+    part: Part,
+) -> Result<(), JsValue> {
+    let pen = Pen { context, palette, viewport };
+    let placed = scene.plan.objects.iter().enumerate().filter(|&(index, _)| scene.lifted != Some(index));
+    placed.map(|(_, object)| pen.draw(object, part)).collect()
+}
+
+/// Draws what is in the hand, and what shows that something is selected.
+fn draw_hand(
+    context: &CanvasRenderingContext2d,
+    scene: &Scene<'_>,
+    viewport: &Viewport,
+    palette: &Palette,
+) -> Result<(), JsValue> {
+    let pen = Pen { context: as_layer(context), palette, viewport };
+    let selected = scene.selected.filter(|&index| scene.lifted != Some(index));
+    for object in scene.in_hand.iter().chain(selected.and_then(|index| scene.plan.objects.get(index))) {
+        if scene.lifted.is_some() || !scene.in_hand.is_empty() {
+            Part::ALL.into_iter().try_for_each(|part| pen.draw(object, part))?;
+        }
+        pen.select(object)?;
+    }
+    Ok(())
+}
+
+/// Contexts of both kinds have the same methods.
+fn as_layer(context: &CanvasRenderingContext2d) -> &OffscreenCanvasRenderingContext2d {
+    context.unchecked_ref()
 }
 
 /// Size of the canvas in device pixels.

@@ -62,6 +62,7 @@ struct Example {
 }
 
 #[derive(Serialize)]
+#[expect(clippy::struct_excessive_bools)]
 struct Robot {
     id: &'static str,
     title: &'static str,

@@ -16,10 +16,14 @@ mod comparison;
 #[cfg(feature = "page")]
 mod comparison_view;
 #[cfg(feature = "page")]
+mod furnish;
+#[cfg(feature = "page")]
 mod layer;
 mod map;
 #[cfg(feature = "page")]
 mod montecarlo;
+#[cfg(feature = "page")]
+mod objects;
 #[cfg(feature = "workshop")]
 mod plan_job;
 #[cfg(feature = "page")]

@@ -5,7 +5,7 @@ mod hand;
 use self::hand::Carried;
 use super::{canvas::Canvas, catalogue::Catalogue, clock, map, request, to_js};
 use crate::{
-    app::{Answer, Brush, RobotView, Scene, Session, SettingsError, Viewport},
+    app::{Answer, Brush, Furnisher, RobotView, Scene, Session, SettingsError, Viewport},
     geometry::{Point, Pose, Vector},
     grid::Cell,
     planner::{CoveragePath, TraceStep},
@@ -31,6 +31,7 @@ enum Tool {
     Wall,
     Erase,
     Start,
+    Place,
 }
 
 /// What the pointer is doing between down and up.
@@ -41,6 +42,8 @@ enum Gesture {
         y: f64,
     },
     Paint,
+    /// The hand has an object.
+    Object,
     /// The start goes here if released now; dragging turns it if `turns`, else moves it.
     Start {
         pose: Pose,
@@ -61,11 +64,12 @@ enum Gesture {
 /// A session shown on a canvas.
 #[wasm_bindgen]
 pub struct Playground {
-    session: Session,
+    pub(super) session: Session,
+    pub(super) furnisher: Furnisher,
     /// Whether what is shown is still the opening scene.
     is_opening: bool,
     canvas: Canvas,
-    viewport: Viewport,
+    pub(super) viewport: Viewport,
     tool: Tool,
     gesture: Option<Gesture>,
     /// The robot, if it is held.
@@ -74,6 +78,8 @@ pub struct Playground {
     cursor: Option<Cell>,
     last_frame_ms: Option<f64>,
     dark: bool,
+    /// Where a press of the view tool began, as long as it may be a click, CSS pixels.
+    pub(super) pressed: Option<(f64, f64)>,
     /// Name and size of the room that the viewport was fitted to.
     fitted: (String, f64, f64),
 }
@@ -85,6 +91,7 @@ impl Playground {
     pub fn new(canvas: HtmlCanvasElement) -> Result<Self, JsValue> {
         Ok(Self {
             session: Session::new(),
+            furnisher: Furnisher::new(),
             is_opening: true,
             canvas: Canvas::new(canvas)?,
             viewport: Viewport::new(1.0, 1.0, 1.0, 1.0, 1.0),
@@ -94,6 +101,7 @@ impl Playground {
             cursor: None,
             last_frame_ms: None,
             dark: false,
+            pressed: None,
             fitted: Default::default(),
         })
     }
@@ -111,8 +119,10 @@ impl Playground {
             Tool::Wall => "wall",
             Tool::Erase => "erase",
             Tool::Start => "start",
+            Tool::Place => "place",
         };
         Reflect::set(&view, &"tool".into(), &tool.into())?;
+        self.add_objects_to(&view)?;
         Reflect::set(&view, &"is_carried".into(), &self.carried.is_some().into())?;
         Ok(view)
     }
@@ -213,9 +223,9 @@ impl Playground {
         Ok(self.session.configure(|s| s.set_slip(id))?)
     }
 
-    /// Chooses how much sensors err, `off`, `typical` or `harsh`: one kind of the catalogue's `sensors`, or all of them.
-    pub fn set_noise(&mut self, sensor: Option<String>, level: &str) -> Result<(), JsValue> {
-        Ok(self.session.configure(|s| s.set_noise(sensor.as_deref(), level))?)
+    /// Chooses how much sensors err, `off`, `typical` or `harsh`: one kind of the catalogue's `sensors`, or `all`.
+    pub fn set_noise(&mut self, sensor: &str, level: &str) -> Result<(), JsValue> {
+        Ok(self.session.configure(|s| s.set_noise(Some(sensor).filter(|&name| name != "all"), level))?)
     }
 
     /// Lets wheels only turn at the speeds that the motor controller can keep, or at any.
@@ -309,12 +319,13 @@ impl Playground {
 
     // ---- the hand
 
-    /// Chooses what the pointer does: `view`, `wall`, `erase` or `start`.
+    /// Chooses what the pointer does: `view`, `wall`, `erase`, `start` or `place`.
     pub fn set_tool(&mut self, id: &str) {
         self.tool = match id {
             "wall" => Tool::Wall,
             "erase" => Tool::Erase,
             "start" => Tool::Start,
+            "place" => Tool::Place,
             _ => Tool::View,
         };
         self.cursor = None;
@@ -324,6 +335,9 @@ impl Playground {
     /// The pointer at (`x`, `y`), CSS pixels on the canvas: `down`, `move`, `up` or `cancel`.
     pub fn pointer(&mut self, kind: &str, x: f64, y: f64) {
         let at = self.viewport.to_world(x, y);
+        if self.tool == Tool::View {
+            self.watch_for_click(kind, x, y);
+        }
         match (kind, self.gesture) {
             ("down", _) => self.press(at, x, y),
             ("move", Some(Gesture::Pan { x: from_x, y: from_y })) => {
@@ -331,6 +345,7 @@ impl Playground {
                 self.gesture = Some(Gesture::Pan { x, y });
             }
             ("move", Some(Gesture::Paint)) => self.session.go_on_stroke(at),
+            ("move", Some(Gesture::Object)) => self.furnisher.go_on(at),
             ("move", Some(Gesture::Start { pose, turns: true })) => {
                 let aim = at - pose.position();
                 if aim.norm() > 0.1 {
@@ -341,12 +356,12 @@ impl Playground {
             ("move", Some(Gesture::Start { pose, turns: false })) => {
                 self.gesture = Some(Gesture::Start { pose: Pose::new(at.x, at.y, pose.heading), turns: false });
             }
-            ("move", Some(Gesture::Grip { x: from_x, y: from_y, grip })) => {
-                if (x - from_x).abs().max((y - from_y).abs()) >= LEAST_LIFT_PX {
-                    self.take_robot();
-                    self.gesture = Some(Gesture::Carry { grip });
-                    self.carry_to(at, grip);
-                }
+            ("move", Some(Gesture::Grip { x: from_x, y: from_y, grip }))
+                if (x - from_x).abs().max((y - from_y).abs()) >= LEAST_LIFT_PX =>
+            {
+                self.take_robot();
+                self.gesture = Some(Gesture::Carry { grip });
+                self.carry_to(at, grip);
             }
             ("move", Some(Gesture::Carry { grip })) => self.carry_to(at, grip),
             ("cancel", Some(Gesture::Carry { .. })) => {
@@ -354,6 +369,10 @@ impl Playground {
                 self.gesture = None;
             }
             ("cancel", Some(Gesture::Start { .. })) => self.gesture = None,
+            ("cancel", Some(Gesture::Object)) => {
+                self.furnisher.let_go();
+                self.gesture = None;
+            }
             ("cancel", Some(Gesture::Paint)) => {
                 self.session.abandon_stroke();
                 self.gesture = None;
@@ -366,15 +385,22 @@ impl Playground {
     fn press(&mut self, at: Point, x: f64, y: f64) {
         self.cursor = None;
         let heading = self.session.prepared().map_or(0.0, |p| p.floor.start.heading);
-        self.gesture = Some(match self.tool {
+        let tool = self.tool;
+        self.gesture = Some(match tool {
             Tool::Wall | Tool::Erase => {
                 let brush = if self.tool == Tool::Wall { Brush::Wall } else { Brush::Erase };
                 self.session.begin_stroke(brush, at);
                 Gesture::Paint
             }
             Tool::Start => Gesture::Start { pose: Pose::new(at.x, at.y, heading), turns: true },
+            Tool::View | Tool::Place if self.takes_selected(at) => Gesture::Object,
+            Tool::Place => {
+                self.furnisher.begin(at);
+                Gesture::Object
+            }
             Tool::View if self.is_on_robot(at) && (self.carried.is_some() || self.may_lift()) => self.grip(at, x, y),
             Tool::View if self.is_on_robot(at) => Gesture::Start { pose: Pose::new(at.x, at.y, heading), turns: false },
+            Tool::View if self.takes_object(at) => Gesture::Object,
             Tool::View => Gesture::Pan { x, y },
         });
     }
@@ -383,6 +409,7 @@ impl Playground {
         match self.gesture.take() {
             Some(Gesture::Paint) => self.session.end_stroke(),
             Some(Gesture::Start { pose, .. }) => self.session.move_start(pose),
+            Some(Gesture::Object) => self.furnisher.release(&mut self.session),
             Some(Gesture::Carry { .. }) if self.carried.is_some() => self.pick_up(),
             _ => {}
         }
@@ -438,6 +465,10 @@ impl Playground {
                 Tool::Wall => self.session.begin_stroke(Brush::Wall, point),
                 Tool::Erase => self.session.begin_stroke(Brush::Erase, point),
                 Tool::Start => self.session.move_start(Pose::new(point.x, point.y, heading)),
+                Tool::Place => {
+                    self.furnisher.begin(point);
+                    self.furnisher.release(&mut self.session);
+                }
                 Tool::View => {}
             }
             self.session.end_stroke();
@@ -491,9 +522,20 @@ impl Playground {
         };
         let held = self.carried.map(|carried| carried.pose);
         let start = dragged.or(self.session.prepared().map(|p| p.floor.start));
+        let in_hand = self.furnisher.in_hand(&self.session);
         let session = self.session.scene();
         let robot = session.robot.map(|robot| RobotView { pose: held.unwrap_or(robot.pose), ..robot });
-        let scene = Scene { robot, start, dirty_rows, cursor: self.cursor, dark: self.dark, ..session };
+        let scene = Scene {
+            robot,
+            start,
+            dirty_rows,
+            cursor: self.cursor,
+            selected: self.furnisher.selected(&self.session),
+            lifted: self.furnisher.lifted(),
+            in_hand: &in_hand,
+            dark: self.dark,
+            ..session
+        };
         self.canvas.draw(&scene, &self.viewport)
     }
 }

@@ -15,7 +15,7 @@ const FULL: f64 = 4095.0;
 /// Half the angle of a light bumper's cone, rad, as it is drawn.
 const CONE: f64 = 0.09;
 
-/// Draws cones, rays and points; one unit of the context is a CSS pixel.
+/// Draws what lies beside the robot, cones and rays; one unit of the context is a CSS pixel.
 pub(super) fn draw(
     context: &CanvasRenderingContext2d,
     palette: &Palette,
@@ -31,6 +31,20 @@ pub(super) fn draw(
     }
     if let Some(light) = robot.suite.light_bumper {
         draw_light(context, palette, robot, light, sensed, viewport)?;
+    }
+    Ok(())
+}
+
+/// Marks the cliff sensors, which sit under the body.
+pub(super) fn draw_cliffs(
+    context: &CanvasRenderingContext2d,
+    palette: &Palette,
+    robot: &RobotView,
+    sensed: &Sensed<'_>,
+    viewport: &Viewport,
+) -> Result<(), JsValue> {
+    if robot.is_lifted {
+        return Ok(());
     }
     for (index, spot) in robot.suite.cliffs.into_iter().enumerate() {
         let Some([x, y]) = spot else { continue };

@@ -1,6 +1,7 @@
 //! The behaviours: what their authors print, what the registry claims, and that nobody falls.
 
 mod contract;
+mod docking;
 mod measure;
 mod papers;
 mod support;

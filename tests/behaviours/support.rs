@@ -4,6 +4,7 @@ use robovac_playground::{
     controller::{BehaviourInfo, Setup},
     coverage::ReachableFloor,
     floorplan::FloorPlan,
+    geometry::Pose,
     registry::Params,
     robot::RobotModel,
     sim::{Conditions, Noise, NoiseLevel, Run, RunSetup, SlipLevel, World},
@@ -24,6 +25,15 @@ pub fn conditions(noise: NoiseLevel) -> Conditions {
 pub fn lay_out(plan: &FloorPlan, robot: &RobotModel, conditions: Conditions) -> Option<RunSetup> {
     let floor = Arc::new(ReachableFloor::new(plan, robot, None).ok()?);
     Some(RunSetup { floor, world: Arc::new(World::new(plan)), robot: robot.clone(), conditions, seed: 0 })
+}
+
+/// A room laid out for a robot that starts near `start`.
+pub fn lay_out_from(plan: &FloorPlan, robot: &RobotModel, conditions: Conditions, start: Pose) -> Option<RunSetup> {
+    let mut setup = lay_out(plan, robot, conditions)?;
+    let mut floor = (*setup.floor).clone();
+    floor.start = floor.place_for(start, |_| true);
+    setup.floor = Arc::new(floor);
+    Some(setup)
 }
 
 /// A run of `info` with `params` on a floor that is laid out.

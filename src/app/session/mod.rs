@@ -1,5 +1,6 @@
 //! One user's session: a room, a robot, a planner, a run.
 
+mod objects;
 mod planning;
 mod search;
 mod snapshot;
@@ -427,8 +428,12 @@ impl Session {
         self.editor.abandon();
     }
 
-    /// Ends drawing and plans anew.
+    /// Ends drawing and plans anew; walls can't go where something is that needs floor.
     pub fn end_stroke(&mut self) {
+        if let Err(refusal) = self.plan().check_objects(None) {
+            self.editor.abandon();
+            self.say("error", sentence(&refusal.fault.to_string()));
+        }
         if self.editor.end() {
             self.message = None;
             self.prepare();
@@ -437,6 +442,10 @@ impl Session {
 
     /// Moves the start; if the robot can't stand there, says so and leaves it.
     pub fn move_start(&mut self, to: Pose) {
+        if let Err(refusal) = self.plan().check_objects(Some(to)) {
+            self.say("error", sentence(&refusal.fault.to_string()));
+            return;
+        }
         let robot = self.settings.robot_model();
         match Prepared::new(self.editor.plan(), &robot, self.settings.cell_size, Some(to)) {
             Ok(prepared) => {

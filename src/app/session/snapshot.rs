@@ -3,7 +3,7 @@
 use super::Session;
 use crate::{
     app::{
-        Action, Recording, RobotView, Scene, SearchScene, Sensed, Shows, State, View, diary_version,
+        Action, Recording, RobotView, Scene, SearchScene, Sensed, Shows, State, View, diary_version, in_words,
         view::{Can, PlanView, RoomView, SearchView},
     },
     sim::{Run, SensorKind, SlipLevel},
@@ -141,8 +141,10 @@ impl Session {
             State::Finished => "the run is over",
         };
         let search = if view.search.text.is_empty() { String::new() } else { format!(" {}", view.search.text) };
+        let objects = in_words(&self.plan().objects);
+        let objects = if objects.is_empty() { objects } else { format!(" In it: {objects}.") };
         format!(
-            "Floor plan of {room}. {}: {doing}, {:.0} % of the reachable floor is clean after {:.0} minutes.{search}",
+            "Floor plan of {room}.{objects} {}: {doing}, {:.0} % of the reachable floor is clean after {:.0} minutes.{search}",
             self.settings.algorithm.title(),
             100.0 * view.coverage,
             view.time_s / 60.0

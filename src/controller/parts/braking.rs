@@ -2,10 +2,10 @@
 
 use crate::{math, robot::RobotModel};
 
-/// Time from an edge under a sensor to brakes that grip, s: two readings, and one that noise swallows.
-const REACTION_S: f64 = 0.045;
+/// Time from an edge under a sensor to brakes that grip, s: two readings.
+const REACTION_S: f64 = 0.03;
 /// Floor that must be left under the wheel, m.
-const MARGIN: f64 = 0.006;
+const MARGIN: f64 = 0.002;
 /// Slowest speed that is worth driving, m/s.
 const LEAST: f64 = 0.08;
 /// Directions of edges that are looked at, from straight ahead to alongside.

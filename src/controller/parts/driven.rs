@@ -1,8 +1,8 @@
 //! A behaviour as a controller: the reflexes that all have, around what is its own.
 
-use super::{hit::Hit, pilot::Pilot};
+use super::{hit::Hit, home::Home, pilot::Pilot};
 use crate::{
-    controller::{Controller, Setup},
+    controller::{Command, Controller, Setup, interlock::Blocked},
     robot::{Drive, Sensors},
 };
 
@@ -11,8 +11,16 @@ pub(in crate::controller) trait Habit {
     /// Starts, or starts over: somebody has put the robot elsewhere, or another habit hands over.
     fn begin(&mut self, _: &mut Pilot) {}
 
-    /// Lets time pass, whatever is under way.
-    fn tick(&mut self, _dt_s: f64) {}
+    /// Sees every reading, whatever is under way.
+    fn watch(&mut self, _: &Sensors, _dt_s: f64) {}
+
+    /// Takes what a person wants.
+    fn command(&mut self, _: Command) {}
+
+    /// What it doesn't obey.
+    fn blocked(&self) -> Option<Blocked> {
+        None
+    }
 
     /// Drives on; called while no motions of the pilot are under way. It may order some instead.
     fn roam(&mut self, pilot: &mut Pilot, sensed: &Sensors, dt_s: f64) -> Drive;
@@ -32,10 +40,11 @@ pub(in crate::controller) trait Habit {
     fn boxed_clone(&self) -> Box<dyn Habit>;
 }
 
-/// A habit with a pilot.
+/// A habit with a pilot, and with a home to go to if its parameters and the robot say so.
 pub(in crate::controller) struct Driven {
     pilot: Pilot,
     habit: Box<dyn Habit>,
+    home: Option<Home>,
     is_lifted: bool,
 }
 
@@ -43,34 +52,53 @@ impl Driven {
     pub(in crate::controller) fn boxed(setup: &Setup<'_>, habit: impl Habit + 'static) -> Box<dyn Controller> {
         let (mut pilot, mut habit) = (Pilot::new(setup), Box::new(habit));
         habit.begin(&mut pilot);
-        Box::new(Self { pilot, habit, is_lifted: false })
+        Box::new(Self { pilot, habit, home: Home::new(setup), is_lifted: false })
     }
-}
 
-impl Controller for Driven {
-    fn step(&mut self, sensed: &Sensors, dt_s: f64) -> Drive {
-        let Self { pilot, habit, is_lifted } = self;
+    /// Whether the robot is to stand still whatever the habit wants.
+    fn watch(&mut self, sensed: &Sensors, dt_s: f64) -> bool {
+        let Self { pilot, habit, home, is_lifted } = self;
         pilot.sense(sensed, dt_s);
+        habit.watch(sensed, dt_s);
         if sensed.wheel_dropped() {
             *is_lifted = true;
-            return Drive::STOP;
+            return true;
         }
         if *is_lifted {
             *is_lifted = false;
             pilot.reset();
             habit.begin(pilot);
+            home.iter_mut().for_each(|home| home.begin(pilot));
         }
-        habit.tick(dt_s);
+        let Some(home) = home.as_mut().filter(|_| !habit.is_done()) else { return false };
+        let (is_charged, is_back) = home.watch(pilot, sensed, dt_s);
+        if is_back {
+            habit.begin(pilot);
+        }
+        is_charged
+    }
+}
+
+impl Controller for Driven {
+    fn step(&mut self, sensed: &Sensors, dt_s: f64) -> Drive {
+        if self.watch(sensed, dt_s) {
+            return Drive::STOP;
+        }
+        let Self { pilot, habit, home, .. } = self;
+        let driver: &mut dyn Habit = match home.as_mut().and_then(Home::driver) {
+            Some(dock) => dock,
+            None => &mut **habit,
+        };
         if let Some(hit) = pilot.hit(sensed) {
-            habit.hit(pilot, hit);
+            driver.hit(pilot, hit);
         }
         if let Some(drive) = pilot.perform(sensed, dt_s) {
             return drive;
         }
-        if habit.is_done() {
+        if driver.is_done() {
             return Drive::STOP;
         }
-        let drive = habit.roam(pilot, sensed, dt_s);
+        let drive = driver.roam(pilot, sensed, dt_s);
         if pilot.is_busy() { pilot.perform(sensed, dt_s).unwrap_or(drive) } else { drive }
     }
 
@@ -82,13 +110,25 @@ impl Controller for Driven {
         if self.is_lifted {
             return "waiting to be put down";
         }
-        match self.pilot.activity() {
-            "" => self.habit.activity(),
-            busy => busy,
+        let home = self.home.as_ref().and_then(Home::activity);
+        match (home, self.pilot.activity()) {
+            (Some(charging @ ("charging" | "leaving the dock")), _) => charging,
+            (Some(home), "") => home,
+            (None, "") => self.habit.activity(),
+            (_, busy) => busy,
         }
     }
 
+    fn command(&mut self, command: Command) {
+        self.habit.command(command);
+    }
+
+    fn blocked(&self) -> Option<Blocked> {
+        self.habit.blocked()
+    }
+
     fn boxed_clone(&self) -> Box<dyn Controller> {
-        Box::new(Self { pilot: self.pilot.clone(), habit: self.habit.boxed_clone(), is_lifted: self.is_lifted })
+        let Self { pilot, habit, home, is_lifted } = self;
+        Box::new(Self { pilot: pilot.clone(), habit: habit.boxed_clone(), home: home.clone(), is_lifted: *is_lifted })
     }
 }

@@ -43,13 +43,14 @@ impl Side {
 }
 
 impl Hit {
-    /// The worst of what a reading tells; `touched` as felt on the left and on the right.
-    pub(super) fn of(sensed: &Sensors, touched: (bool, bool), heeds_beam: bool) -> Option<Self> {
+    /// The worst of what a reading tells. On a dock, whose ramp is black, all cliff sensors see a cliff that is none.
+    pub(super) fn of(sensed: &Sensors, heeds_beam: bool) -> Option<Self> {
         let [left, front_left, front_right, right] = sensed.cliff;
-        if let Some(side) = Side::of(left || front_left, right || front_right) {
+        let edge = Side::of(left || front_left, right || front_right).filter(|_| !sensed.battery.on_dock);
+        if let Some(side) = edge {
             return Some(Self { kind: Kind::Cliff, side });
         }
-        if let Some(side) = Side::of(touched.0, touched.1) {
+        if let Some(side) = Side::of(sensed.bump_left, sensed.bump_right) {
             return Some(Self { kind: Kind::Bump, side });
         }
         (heeds_beam && sensed.virtual_wall).then_some(Self { kind: Kind::Beam, side: Side::Front })

@@ -1,13 +1,16 @@
 //! What behaviours have in common: each part is one thing that several of them do.
 
+mod beacon;
 mod braking;
 mod driven;
-mod feel;
 mod hit;
+mod home;
 mod pilot;
 mod trail;
 mod travel;
 
+pub(super) use beacon::Beacon;
 pub(super) use driven::{Driven, Habit};
 pub(super) use hit::{Hit, Kind, Side};
+pub(super) use home::{GO_HOME, LEAVE_HOME};
 pub(super) use pilot::{By, Move, Pilot};

@@ -3,7 +3,6 @@
 
 use super::{
     braking::safe_speed,
-    feel::Feel,
     hit::{Hit, Kind, Side},
     trail::Trail,
     travel::Travel,
@@ -81,8 +80,8 @@ pub(in crate::controller) struct Pilot {
     pub by: By,
     travel: Travel,
     trail: Trail,
-    feel: Feel,
-    touched: (bool, bool),
+    /// Whether it was told to go back along the trail.
+    is_retreating: bool,
     moves: VecDeque<Move>,
     phase: Phase,
     /// What the motions answer, which need not be answered again.
@@ -107,8 +106,7 @@ impl Pilot {
             by: By::Counts,
             travel: Travel::new(&robot),
             trail: Trail::default(),
-            feel: Feel::new(&robot, speed),
-            touched: (false, false),
+            is_retreating: false,
             moves: VecDeque::new(),
             phase: Phase::Settle,
             answering: None,
@@ -122,10 +120,10 @@ impl Pilot {
 
     /// Takes the next reading.
     pub(super) fn sense(&mut self, sensed: &Sensors, dt_s: f64) {
-        self.touched = self.feel.touched(sensed);
         let rolled = self.travel.update(sensed);
-        let is_backing = matches!(self.moves.front(), Some(Move::Back(_) | Move::BackOutOfBeam));
+        let is_backing = self.is_retreating || matches!(self.moves.front(), Some(Move::Back(_) | Move::BackOutOfBeam));
         self.trail.roll(rolled, sensed.bumped(), is_backing);
+        self.is_retreating = false;
         self.beam_unseen = if sensed.virtual_wall { 0.0 } else { self.beam_unseen + dt_s };
         self.leaving_beam &= self.beam_unseen < BEAM_GONE_S;
     }
@@ -146,7 +144,7 @@ impl Pilot {
             Some(Move::Ahead(_)) => true,
             Some(_) => self.answering.is_none() && self.phase == Phase::Settle && !self.travel.is_resting(),
         };
-        let hit = Hit::of(sensed, self.touched, !self.leaving_beam).filter(|_| goes_ahead)?;
+        let hit = Hit::of(sensed, !self.leaving_beam).filter(|_| goes_ahead)?;
         self.hit_at = self.travel.ahead();
         Some(hit)
     }
@@ -213,6 +211,24 @@ impl Pilot {
     /// Straight ahead.
     pub(in crate::controller) fn straight(&self) -> Drive {
         Drive::wheels(self.speed, self.speed)
+    }
+
+    /// Whether it knows the ground behind it.
+    pub(in crate::controller) fn knows_way_back(&self) -> bool {
+        self.trail.length() > CLOSE_ENOUGH
+    }
+
+    /// Takes so many metres straight behind it for known ground.
+    pub(in crate::controller) fn assume_way_back(&mut self, metres: f64) {
+        self.trail.assume(metres);
+    }
+
+    /// Back the way it came, at a share of the speed for that; stops where that ends.
+    pub(in crate::controller) fn retreat(&mut self, share: f64) -> Drive {
+        self.is_retreating = true;
+        let Some(way) = self.trail.back() else { return Drive::STOP };
+        let speed = (REVERSE * self.speed).min((2.0 * self.robot.acceleration * self.trail.length()).sqrt());
+        Drive::wheels(way[0], way[1]).times(share * speed.max(LEAST_SPEED))
     }
 
     /// Goes on with what is under way; `None` if nothing is.

@@ -4,8 +4,8 @@ use std::collections::VecDeque;
 
 /// Distance between marks, m.
 const SPACING: f64 = 0.008;
-/// Most marks that are kept: the last half metre.
-const MOST: usize = 64;
+/// Most marks that are kept: the last two metres.
+const MOST: usize = 250;
 /// A mark counts as reached when it is this near, m.
 const REACHED: f64 = 0.003;
 /// Wheel travel against each other, m, without way ahead, that makes a turn on the spot: what lies behind is another
@@ -29,6 +29,13 @@ impl Trail {
     /// Forgets where it was: nothing behind the robot is known.
     pub(super) fn clear(&mut self) {
         self.marks.clear();
+    }
+
+    /// Takes so many metres straight behind it for known.
+    pub(super) fn assume(&mut self, metres: f64) {
+        self.marks.clear();
+        let count = (metres / SPACING) as usize;
+        self.marks.extend((0..=count.min(MOST - 1)).rev().map(|i| self.at.map(|wheel| wheel - SPACING * i as f64)));
     }
 
     /// The wheels rolled this far, m; `is_held` if something in front held the body while they did.

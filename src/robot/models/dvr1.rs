@@ -26,8 +26,8 @@ const SPEED: f64 = TAU * WHEEL_RADIUS * REVOLUTIONS;
 /// neither a dock nor receivers for virtual walls, which are future work there, nor a gauge, nor wheel drop switches.
 ///
 /// Ours: encoders, of which it has none (8 counts a turn of the motor before its 70:1 gear, so that dead reckoning has
-/// something to go by); where its cliff sensors and side brushes sit, drawn from figure 15's arrangement; the
-/// contact angle that presses both switches; acceleration. Its lanes are at most L apart, so that they overlap: the strip
+/// something to go by); where its cliff sensors and side brushes sit, drawn from figure 15's arrangement - the side
+/// sensors just outside the wheels' tracks, or a wheel could get over an edge alongside unseen; the contact angle that presses both switches; acceleration. Its lanes are at most L apart, so that they overlap: the strip
 /// that it cleans is taken to be L wide.
 ///
 /// Power: 6 V x 4.5 Ah in an hour are 27 W, split as the motors are rated: 5 A for the vacuum, two brushes of 0.5 A, two
@@ -41,7 +41,7 @@ pub(super) const DVR_1: RobotModel = RobotModel {
     wheels: Wheels::Differential,
     sensors: SensorSuite {
         bumper: Some(Bumper { half_arc: FRAC_PI_3, both_within: 0.26 }),
-        cliffs: [Some([0.068, 0.117]), Some([0.135, 0.0]), Some([0.135, 0.0]), Some([0.068, -0.117])],
+        cliffs: [Some([0.057, 0.1224]), Some([0.135, 0.0]), Some([0.135, 0.0]), Some([0.057, -0.1224])],
         light_bumper: None,
         infrared: false,
         wheel_drops: false,

@@ -5,6 +5,7 @@ mod bumper;
 mod cliff;
 mod dirt;
 mod infrared;
+mod laser;
 mod light;
 mod motors;
 mod sight;
@@ -22,6 +23,7 @@ use battery::Cells;
 use bumper::Switches;
 use cliff::Edges;
 use dirt::DirtSensor;
+use laser::Scanner;
 use light::LightBeams;
 use motors::Motors;
 
@@ -69,6 +71,7 @@ pub struct Senses {
     switches: Switches,
     edges: Edges,
     light: Option<LightBeams>,
+    laser: Option<Scanner>,
     dirt: DirtSensor,
     motors: Motors,
     cells: Cells,
@@ -89,6 +92,7 @@ impl Senses {
             switches: Switches::default(),
             edges: Edges::new(model, seed),
             light: model.sensors.light_bumper.map(|light| LightBeams::new(model.radius, light)),
+            laser: model.sensors.laser.map(|laser| Scanner::new(laser, noise.of(SensorKind::Laser), seed)),
             dirt: DirtSensor::default(),
             motors: Motors::default(),
             cells,
@@ -110,7 +114,7 @@ impl Senses {
 
     /// Takes a new reading.
     pub fn read(&mut self, around: Around<'_>, carrier: &Carrier) {
-        let Self { model, noise, source, switches, edges, light, dirt, motors, cells, sensors } = self;
+        let Self { model, noise, source, switches, edges, light, laser, dirt, motors, cells, sensors } = self;
         let draw = source.as_mut().map(NoiseSource::draw);
         let noise = Noisy { levels: *noise, draw };
         let frame = Frame::new(carrier.pose);
@@ -124,6 +128,9 @@ impl Senses {
         edges.read(around.world, &frame, !carrier.is_lifted && !on_dock, &noise, sensors);
         if let Some(light) = light {
             light.read(around, &frame, carrier.is_lifted, &noise, sensors);
+        }
+        if let Some(scan) = laser.as_mut().and_then(|laser| laser.read(around, &frame)) {
+            sensors.laser = Some(scan);
         }
         if model.sensors.infrared {
             infrared::read(model, around, &frame, &noise, sensors);
