@@ -373,8 +373,8 @@ fn draw_objects(
     part: Part,
 ) -> Result<(), JsValue> {
     let pen = Pen { context, palette, viewport, has_life: scene.life.is_some() };
-    let placed = scene.plan.objects.iter().enumerate().filter(|&(index, _)| scene.lifted != Some(index));
-    placed.map(|(_, object)| pen.draw(object, part)).collect()
+    let mut placed = scene.plan.objects.iter().enumerate().filter(|&(index, _)| scene.lifted != Some(index));
+    placed.try_for_each(|(_, object)| pen.draw(object, part))
 }
 
 /// Draws what moves and is used up: dirt that is left, people and pets where they are now.
