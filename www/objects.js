@@ -46,13 +46,15 @@ export function startObjects(app) {
     { capture: true },
   );
 
+  /** @type {string[]} */
+  let names = [];
   return (view) => {
     const { tool, objects, placing, selected } = view;
     setHidden(byId("kinds"), tool !== "place");
     for (const node of kinds) setAttribute(node, "aria-pressed", String(node.dataset.kind === placing));
     setHidden(byId("selection"), objects.length === 0 || (selected < 0 && tool !== "place"));
-    const names = numbered(objects);
-    if (changed(menu, "names", names.join())) {
+    if (changed(menu, "names", objects.join())) {
+      names = numbered(objects);
       fill(menu, [["", "Nothing selected"], ...names.map((name, index) => /** @type {[string, string]} */ ([String(index), name]))]);
       changed(menu, "selected", undefined);
     }
