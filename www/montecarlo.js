@@ -20,7 +20,7 @@ const MOST_WORKERS = 16;
 /** What figure 18 of Hasan, Al-Nahid & Reza 2014 shows: their four behaviours and the cycle of them, in their room. */
 const FIGURE = {
   place: "room=room12ft&robot=dvr1&slip=typical&noise=typical",
-  study: "runs=random_walk,spiral,s_path,wall_follow,cleaning_cycle&paths=&times=100&minutes=60",
+  study: "runs=random_walk,spiral_out,s_path,wall_follow,cleaning_cycle&paths=&times=100&minutes=60",
 };
 
 /**

@@ -4,7 +4,7 @@ use super::Controller;
 use crate::{
     geometry::{Point, Pose, Vector, difference},
     math,
-    robot::{Drive, Odometry, OdometryModel, RobotModel, Sensors},
+    robot::{Drive, Odometry, OdometryModel, RobotModel, Sensors, Wheels},
 };
 use std::sync::Arc;
 
@@ -23,7 +23,11 @@ const STEER: (f64, f64) = (6.0, 0.5);
 /// Turn rate per radian of heading error, 1/s.
 const TURN_GAIN: f64 = 6.0;
 
-/// Follows a line of corners: turns on the spot towards the next corner, drives straight to it, and so on.
+/// Speed back to the line per metre off it, 1/s, for a robot that moves in all directions.
+const SIDESTEP: f64 = 3.0;
+
+/// Follows a line of corners: turns on the spot towards the next corner, drives straight to it, and so on. A robot that
+/// moves in all directions keeps its heading instead, and turns nowhere.
 ///
 /// It steers by its own estimate of the pose, from encoder counts. A wall where the line should be free means that the
 /// estimate is off: the robot backs off, shifts the piece of line away from the side that it bumped, and tries again;
@@ -42,8 +46,10 @@ pub struct FollowPath {
     /// Seconds left before the present piece is given up: slip and walls must not hold the robot for ever.
     patience: f64,
     /// The encoders' last counts, and how many readings ago they changed.
-    counts: (u16, u16),
+    counts: [u16; 3],
     still: u32,
+    /// Heading that a robot that moves in all directions keeps, rad.
+    heading: f64,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -78,8 +84,9 @@ impl FollowPath {
             bumps: 0,
             shift: 0.0,
             patience: 0.0,
-            counts: (0, 0),
+            counts: [0; 3],
             still: 0,
+            heading: start.heading,
         };
         follower.next_piece();
         follower
@@ -98,7 +105,7 @@ impl FollowPath {
     }
 
     fn watch_wheels(&mut self, sensed: &Sensors) {
-        let counts = (sensed.left_counts, sensed.right_counts);
+        let counts = [sensed.left_counts, sensed.right_counts, sensed.lateral_counts];
         self.still = if counts == self.counts { self.still + 1 } else { 0 };
         self.counts = counts;
     }
@@ -107,7 +114,15 @@ impl FollowPath {
         self.still >= STILL
     }
 
+    fn moves_sideways(&self) -> bool {
+        self.robot.wheels == Wheels::Omnidirectional
+    }
+
     fn face_next_corner(&mut self) {
+        if self.moves_sideways() {
+            self.phase = Phase::Drive;
+            return;
+        }
         let pose = self.odometry.pose();
         let (from, to) = self.piece();
         // From close by, the bearing of the corner says little; the direction of the line is what counts.
@@ -145,6 +160,11 @@ impl FollowPath {
             return Drive::STOP;
         }
         let off_line = along.perp(&(pose.position() - from));
+        if self.moves_sideways() {
+            let speed = self.braking_speed(left_over).min(self.robot.cruise_speed);
+            let aside = (-SIDESTEP * off_line).clamp(-0.5 * speed, 0.5 * speed);
+            return self.glide(along * speed + Vector::new(-along.y, along.x) * aside);
+        }
         let correction = (-STEER.0 * off_line).clamp(-STEER.1, STEER.1);
         let heading = math::atan2(along.y, along.x) + correction;
         let speed = self.braking_speed(left_over).min(self.robot.cruise_speed);
@@ -154,6 +174,15 @@ impl FollowPath {
         Drive::from_twist(speed, turn_rate, self.robot.wheel_base)
     }
 
+    /// Moves at a velocity in the plane, m/s, without turning.
+    fn glide(&self, velocity: Vector) -> Drive {
+        let pose = self.odometry.pose();
+        let ahead = pose.direction();
+        let turn_rate = TURN_GAIN * difference(pose.heading, self.heading);
+        let drive = Drive::from_twist(velocity.dot(&ahead), turn_rate.clamp(-0.5, 0.5), self.robot.wheel_base);
+        Drive { lateral: ahead.perp(&velocity), ..drive }
+    }
+
     /// The speed from which the robot can still stop within `distance` metres, with a tenth in hand.
     fn braking_speed(&self, distance: f64) -> f64 {
         (2.0 * 0.9 * self.robot.acceleration * distance).sqrt()
@@ -161,6 +190,14 @@ impl FollowPath {
 
     fn bumped(&mut self, sensed: &Sensors) {
         self.bumps += 1;
+        if self.moves_sideways() {
+            // Its bumper tells sides of the body, not of the line: it tries one side, then the other, farther each time.
+            let side = if self.bumps.is_multiple_of(2) { -1.0 } else { 1.0 };
+            self.shift = side * NUDGE * f64::from(self.bumps.div_ceil(2));
+            let then = if self.bumps >= MOST_BUMPS { AfterBump::GiveUp } else { AfterBump::TryAgain };
+            self.phase = Phase::BackOff(self.odometry.pose().position(), then);
+            return;
+        }
         let frontal = sensed.bump_left && sensed.bump_right;
         let then = if frontal || self.bumps >= MOST_BUMPS { AfterBump::GiveUp } else { AfterBump::TryAgain };
         self.shift += if sensed.bump_left { -NUDGE } else { NUDGE };
@@ -176,7 +213,12 @@ impl FollowPath {
             }
             return Drive::STOP;
         }
-        Drive::from_twist(-self.braking_speed(left_over).min(0.5 * self.robot.cruise_speed), 0.0, self.robot.wheel_base)
+        let speed = self.braking_speed(left_over).min(0.5 * self.robot.cruise_speed);
+        if self.moves_sideways() {
+            let (start, end) = self.piece();
+            return self.glide((start - end).normalize() * speed);
+        }
+        Drive::from_twist(-speed, 0.0, self.robot.wheel_base)
     }
 }
 

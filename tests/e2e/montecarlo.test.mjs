@@ -98,11 +98,11 @@ test("runs can be cancelled and gone on with, and what was made stays", async (t
 });
 
 test("the link brings back who is run how often, and bad ones are refused", async (t) => {
-  const { page, app } = await openRuns(t, { link: "runs=bounce,spiral&paths=snake~patience:3&times=42&minutes=10" });
+  const { page, app } = await openRuns(t, { link: "runs=bounce,spiral_out&paths=snake~patience:3&times=42&minutes=10" });
   assert.equal(await page.locator("#runs-seeds").inputValue(), "42");
-  assert.ok(await page.locator("#run-behaviour-spiral").isChecked());
+  assert.ok(await page.locator("#run-behaviour-spiral_out").isChecked());
   assert.ok(!(await page.locator("#run-planner-spiral").isChecked()), "the planner of that name isn't meant");
-  await page.locator("#run-behaviour-spiral").uncheck();
+  await page.locator("#run-behaviour-spiral_out").uncheck();
   assert.equal(await app.linked("runs", (runs) => runs === "bounce"), "bounce");
   assert.equal(await app.linked("paths"), "snake~patience:3");
   await page.evaluate(() => (location.hash = "#room=empty&place=compare&view=runs&runs=snail"));
