@@ -5,8 +5,11 @@ use proptest::{collection::vec, prelude::*};
 use robovac_playground::oi::{Frame, MAX_FRAME, Packet, PacketId, Readings, StreamEvent, StreamParser, write_frame};
 use std::ops::Range;
 
-/// What the parser is held to: try at each byte outside of the frame before. Where the frames are, and what they hold.
-fn reference(bytes: &[u8]) -> Vec<(Range<usize>, Vec<(Packet, u16)>)> {
+/// Where a frame is, and what it holds.
+type Found = (Range<usize>, Vec<(Packet, u16)>);
+
+/// What the parser is held to: try at each byte outside of the frame before.
+fn reference(bytes: &[u8]) -> Vec<Found> {
     let (mut at, mut found) = (0, Vec::new());
     while at < bytes.len() {
         let Ok(frame) = Frame::parse(&bytes[at..]) else {
