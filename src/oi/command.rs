@@ -2,7 +2,7 @@
 //!
 //! Any complete bytes make a [`Command`], also one that asks for more than a robot can do: what a robot makes of it is the
 //! emulator's business, and the console wants to show it. Nothing of that kind is ever *written*: [`Command::encode`]
-//! refuses what [`Command::check`](super::limits) refuses.
+//! refuses what [`Command::check`] refuses.
 
 use super::{
     bits::{Buttons, Lamps, Motors, ScheduleLamps, Weekdays},
@@ -24,7 +24,7 @@ pub const MAX_WRITTEN: usize = 257;
 /// Longest command that can arrive: a song that claims 255 notes.
 pub const MAX_RECEIVED: usize = 513;
 
-/// A command with its data. Ranges are those that [`Self::check`](super::limits) holds them to.
+/// A command with its data. Ranges are those that [`Self::check`](Command::check) holds them to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Command<'a> {
     /// Restarts the robot (7).

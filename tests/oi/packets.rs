@@ -113,7 +113,7 @@ fn sensors() -> impl Strategy<Value = Sensors> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 512, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 200, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn controllers_see_the_same_on_either_end_of_the_line(sensed in sensors()) {

@@ -75,6 +75,23 @@ fn every_single_flipped_bit_is_noticed() {
 }
 
 #[test]
+fn one_checksum_of_256_is_right() {
+    for checksum in 0..=255 {
+        let heard = hear([&[19, 5, 29, 2, 25, 13, 0, checksum][..]]);
+        assert_eq!(heard.frames.len(), usize::from(checksum == 163), "{checksum}");
+    }
+}
+
+#[test]
+fn packets_that_the_length_cuts_are_refused() {
+    // Voltage with one of its two bytes, and with none; the sums are right.
+    for bytes in [&[19, 2, 22, 0, 213][..], &[19, 1, 22, 214]] {
+        assert_eq!(bytes.iter().map(|&byte| u32::from(byte)).sum::<u32>() % 256, 0);
+        assert!(hear([bytes]).frames.is_empty() && Frame::parse(bytes).is_err());
+    }
+}
+
+#[test]
 fn every_lost_byte_costs_one_frame_only() {
     let bytes = recording();
     let frames = hear([&bytes[..]]).frames.len();

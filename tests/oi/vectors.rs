@@ -142,7 +142,8 @@ fn packets() {
         let (id, bytes, wanted) = (&vector["id"], bytes(&vector), vector["decoded"].as_object().unwrap());
         let mut readings = Readings::default();
         let Some(number) = vector["packet"].as_u64() else {
-            let asked: Vec<u8> = wanted.keys().map(|key| key.parse().unwrap()).collect();
+            let mut asked: Vec<u8> = wanted.keys().map(|key| key.parse().unwrap()).collect();
+            asked.sort_unstable();
             let mut answer = robovac_playground::oi::Answer::to(&asked).unwrap();
             assert!(answer.feed(&bytes).is_empty() && answer.missing() == 0, "{id}");
             for (packet, raw) in answer.values() {
