@@ -71,8 +71,7 @@ impl Base {
         let mut settings = session.settings().clone();
         settings.start = session.start();
         let room = session.room();
-        let is_about_place =
-            |key: &str| !matches!(key, "planner" | "behaviour" | "seed" | "speed" | "show" | "odometry");
+        let is_about_place = |key: &str| !matches!(key, "planner" | "behaviour" | "seed" | "speed" | "show" | "odometry");
         let pairs = settings.to_link().into_iter();
         let place = pairs
             .filter(|(key, _)| is_about_place(key) && !key.starts_with("p."))
