@@ -96,7 +96,7 @@ test("what can't be there says why, and what is kept survives a reload", async (
   await placing(app, "dock");
   await app.drag([0.5, 0.5], [0.6, 0.5]);
   await placing(app, "furniture");
-  await app.drag([0.45, 0.4], [0.6, 0.6]);
+  await app.drag([0.45, 0.65], [0.6, 0.45]);
   assert.match(await app.message(), /^The dock at .* looks into furniture/);
   assert.deepEqual(await names(page), ["Dock"]);
   const kept = JSON.parse(await saved(page)).objects;
@@ -129,7 +129,7 @@ test("a scenario that can't be is refused with path, line and reason, and the ro
   }
   await app.drop(anyFile("good.json", text));
   assert.equal(await app.message(), "");
-  assert.equal(await app.room(), "Living room with a cat");
+  assert.match(await app.room(), /^Living room with a cat/);
 });
 
 test("placing works by touch on a phone", async (t) => {
