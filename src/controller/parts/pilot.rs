@@ -149,12 +149,20 @@ impl Pilot {
 
     /// What is in the way, unless the robot isn't going ahead or is already answering it.
     pub(super) fn hit(&mut self, sensed: &Sensors) -> Option<Hit> {
-        let goes_ahead = match self.moves.front() {
-            None => self.phase == Phase::Settle,
-            Some(Move::Ahead(_)) => true,
-            Some(_) => self.answering.is_none() && self.phase == Phase::Settle && !self.travel.is_resting(),
+        let is_rolling = self.phase == Phase::Settle && !self.travel.is_resting();
+        let goes_ahead = match (self.moves.front(), self.answering) {
+            (None, _) => self.phase == Phase::Settle,
+            (Some(Move::Ahead(_)), _) => true,
+            (Some(_), None) => is_rolling,
+            // Braking before a wall, it may slide along it to an edge.
+            (Some(_), Some(Kind::Bump | Kind::Beam)) => is_rolling && sensed.sees_cliff(),
+            (Some(_), Some(Kind::Cliff)) => false,
         };
-        let hit = Hit::of(sensed, !self.leaving_beam).filter(|_| goes_ahead)?;
+        if !goes_ahead {
+            return None;
+        }
+        let edge = self.voids.ahead().map(|side| Hit { kind: Kind::Cliff, side });
+        let hit = Hit::of(sensed, !self.leaving_beam).or(edge)?;
         self.hit_at = self.travel.ahead();
         Some(hit)
     }

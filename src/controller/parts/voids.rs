@@ -1,5 +1,6 @@
 //! Where the floor was seen to end, so that a turn on the spot near there gets no wheel over the edge.
 
+use super::hit::Side;
 use crate::{
     geometry::{Point, Pose},
     robot::{Odometry, OdometryModel, RobotModel, Sensors},
@@ -10,6 +11,8 @@ use std::collections::VecDeque;
 const KEPT: (usize, f64) = (24, 0.015);
 /// Floor that must be left around the circle on which the wheels turn, m.
 const MARGIN: f64 = 0.012;
+/// Way ahead of the wheels' axis from which on a place is left behind, m.
+const AHEAD: f64 = 0.01;
 
 /// The last places without floor, as dead reckoning has them: good for the next decimetres.
 #[derive(Debug, Clone)]
@@ -47,6 +50,18 @@ impl Voids {
     /// Forgets them: the robot was carried elsewhere.
     pub(super) fn clear(&mut self) {
         self.places.clear();
+    }
+
+    /// On which side one of them lies that is within the wheels' circle and that driving ahead brings nearer.
+    ///
+    /// The inner wheel of an arc cuts corners which the sensors have passed.
+    pub(super) fn ahead(&self) -> Option<Side> {
+        let pose = self.odometry.pose();
+        let ways = self.places.iter().map(|place| place - pose.position());
+        let near = ways.filter(|way| way.norm_squared() < self.circle * self.circle);
+        let direction = pose.direction();
+        let ahead = near.filter(|way| direction.dot(way) > AHEAD).min_by(|a, b| a.norm().total_cmp(&b.norm()));
+        ahead.map(|way| if direction.perp(&way) > 0.0 { Side::Left } else { Side::Right })
     }
 
     /// Whether one of them is within the circle on which the wheels turn.
