@@ -111,3 +111,42 @@ fn nobody_falls_down_the_stairs_with_many_seeds() {
     println!("fell:\n{}\nwheel over the edge:\n{}", fallen.join("\n"), wheels.join("\n"));
     assert!(fallen.is_empty() && wheels.is_empty());
 }
+
+/// One run told in full: `STORY="room robot behaviour seed from_s"`.
+#[test]
+#[ignore = "for looking at one run"]
+fn story() {
+    let story = std::env::var("STORY").unwrap_or_else(|_| "spit/roomba600/random_walk/105/7".to_owned());
+    let words: Vec<&str> = story.split('/').collect();
+    let plan = rooms().into_iter().find(|plan| plan.name == words[0]).unwrap();
+    let robot = robovac_playground::robot::model(words[1]).unwrap();
+    let info = robovac_playground::controller::find(words[2]).unwrap();
+    let (seed, from): (u64, f64) = (words[3].parse().unwrap(), words[4].parse().unwrap());
+    let mut rng = seeded(seed, 78);
+    let level = [NoiseLevel::Typical, NoiseLevel::Harsh][(seed % 2) as usize];
+    let mut random = |most: f64| rng.random_range(0.0..most);
+    let pose = Pose::new(random(3.0), random(2.5), random(math::TAU));
+    let setup = lay_out_from(&plan, robot, conditions(level), pose).unwrap();
+    let mut run = run_with(&setup, info, &Params::defaults(info.params), seed);
+    let mut last = (String::new(), Vec::new());
+    while run.time_s() < 600.0 && !run.has_fallen() {
+        run.step();
+        let half = 0.5 * robot.wheel_base;
+        let over = [half, -half].map(|y| setup.world.is_drop_off(run.pose().to_world(Point::new(0.0, y))));
+        let now = (run.activity().to_owned(), run.sensors().cliff.to_vec());
+        if run.time_s() > from && (now != last || over != [false; 2] || run.steps() % 10 == 0) {
+            let bumps = (run.sensors().bump_left, run.sensors().bump_right);
+            println!(
+                "{:.2} {:22} {} {:?} {bumps:?} {over:?}",
+                run.time_s(),
+                now.0,
+                run.pose(),
+                now.1.iter().map(|&c| u8::from(c)).collect::<Vec<_>>()
+            );
+        }
+        last = now;
+        if over != [false; 2] {
+            break;
+        }
+    }
+}
