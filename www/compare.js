@@ -1,10 +1,11 @@
 // @ts-check
 // The place Compare: who takes part, how far the trials are, and which view of them is shown.
-import { Comparison } from "../page.js";
+import { Comparison } from "../compare.js";
 import { startAbout } from "./about.js";
 import { button, byId, changed, fill, select, setAttribute, setHidden, setText, typed } from "./dom.js";
 import { entrantItem, showChoice, swatch } from "./entrants.js";
 import { startExports } from "./exports.js";
+import { startGuest } from "./guest.js";
 import { startNumbers } from "./numbers.js";
 import { complain, textOf } from "./messages.js";
 import { Pool } from "./pool.js";
@@ -35,6 +36,7 @@ const SEEDS = [1, 3, 5, 10, 20];
  * @param {(what: () => void) => boolean} guard
  */
 export function startCompare(app, module, guard) {
+  const guest = startGuest(app);
   const comparison = new Comparison();
   /** @type {Comparing} */
   const it = {
@@ -49,7 +51,7 @@ export function startCompare(app, module, guard) {
   startSetup(it);
   const race = startRace(it);
   const updateNumbers = startNumbers(it);
-  const runs = startRuns(app, module, guard);
+  const runs = startRuns(app, module, guard, guest);
   const plans = { name: "comparison", csv: () => comparison.csv(), json: () => comparison.json(), charts: byId("charts") };
   startExports(app, () => (shownView() === "runs" ? runs.exported : plans));
 
@@ -61,7 +63,7 @@ export function startCompare(app, module, guard) {
         runs.frame();
         return;
       }
-      comparison.take(app.playground);
+      comparison.take(guest());
       pool.tend();
       comparison.frame(now);
       it.view = comparison.view();

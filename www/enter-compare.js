@@ -1,6 +1,8 @@
 // @ts-check
 // The place Compare with all that it needs: style, workshop, modules. Loaded when one first goes there.
+import init from "../compare.js";
 import { startCompare } from "./compare.js";
+import { compile } from "./wasm.js";
 import { workshop } from "./workers.js";
 
 /** Those that are loaded or on their way. @type {Map<string, Promise<void>>} */
@@ -29,6 +31,7 @@ function style(address) {
 export async function enterCompare(app, guard) {
   // Each address by itself, as the build looks for them.
   const sheets = [new URL("./compare.css", import.meta.url), new URL("./montecarlo.css", import.meta.url)];
-  const [module] = await Promise.all([workshop(), ...sheets.map(({ href }) => style(href))]);
+  const own = compile(new URL("../compare_bg.wasm", import.meta.url)).then((compiled) => init({ module_or_path: compiled }));
+  const [module] = await Promise.all([workshop(), own, ...sheets.map(({ href }) => style(href))]);
   return startCompare(app, module, guard);
 }

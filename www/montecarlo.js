@@ -1,6 +1,6 @@
 // @ts-check
 // Many runs (Monte Carlo): who is run and how often, the workers that do it, and what came out.
-import { MonteCarlo } from "../page.js";
+import { MonteCarlo } from "../compare.js";
 import { startChart } from "./coverage-chart.js";
 import { button, byId, changed, fill, select, setAttribute, setHidden, setText, typed } from "./dom.js";
 import { entrantItem, markOf, showChoice, swatch } from "./entrants.js";
@@ -27,8 +27,9 @@ const FIGURE = {
  * @param {import("./main.js").App} app
  * @param {WebAssembly.Module} module
  * @param {(what: () => void) => boolean} guard
+ * @param {() => import("../compare.js").Guest} guest The session, up to date.
  */
-export function startRuns(app, module, guard) {
+export function startRuns(app, module, guard, guest) {
   const study = new MonteCarlo();
   /** @type {Offer} */
   const offer = study.offer();
@@ -43,7 +44,7 @@ export function startRuns(app, module, guard) {
 
   const run = () =>
     act((s) => {
-      s.take(app.playground);
+      s.take(guest());
       s.run();
       began = { at: performance.now(), done: s.view().done };
     });
@@ -95,7 +96,7 @@ export function startRuns(app, module, guard) {
   return {
     /** Once a frame while this view is shown. */
     frame() {
-      study.take(app.playground);
+      study.take(guest());
       pool.tend();
       view = study.view();
       updateChoices(view, offer, items);

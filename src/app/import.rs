@@ -61,6 +61,12 @@ impl Import {
         };
         Ok(Self { plan, choices })
     }
+
+    /// Reads a scenario file, and nothing else.
+    pub fn scenario(name: &str, bytes: &[u8]) -> Result<Self, MapError> {
+        let scenario = Scenario::read(name, bytes)?;
+        Ok(Self { plan: scenario.plan(name)?, choices: Some(Choices::of(&scenario)) })
+    }
 }
 
 impl Choices {

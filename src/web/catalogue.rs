@@ -1,9 +1,10 @@
 //! What there is to choose from, for menus and forms.
 
+use super::param::{Param, params};
 use crate::{
     app::{Algorithm, CELL_SIZES, READINGS, SPEEDS},
     floorplan::ROOMS,
-    registry::{self, ParamKind, ParamSpec, ParamValue},
+    registry,
     robot::{Body, MODELS, RobotModel, Wheels},
     sim::SensorKind,
 };
@@ -89,24 +90,6 @@ struct Robot {
     laser: Vec<f64>,
 }
 
-#[derive(Serialize)]
-pub(super) struct Param {
-    id: &'static str,
-    label: &'static str,
-    help: &'static str,
-    default: ParamValue,
-    #[serde(flatten)]
-    kind: Kind,
-}
-
-#[derive(Serialize)]
-#[serde(tag = "kind", rename_all = "lowercase")]
-enum Kind {
-    Number { min: f64, max: f64, step: f64, unit: &'static str },
-    Choice { options: &'static [(&'static str, &'static str)] },
-    Flag,
-}
-
 impl Catalogue {
     pub fn new() -> Self {
         Self {
@@ -188,21 +171,5 @@ impl Robot {
 impl Example {
     fn new(example: &registry::Example) -> Self {
         Self { room: example.room, why: example.why }
-    }
-}
-
-/// The parameters as forms take them.
-pub(super) fn params(specs: &[ParamSpec]) -> Vec<Param> {
-    specs.iter().map(Param::new).collect()
-}
-
-impl Param {
-    fn new(spec: &ParamSpec) -> Self {
-        let kind = match spec.kind {
-            ParamKind::Number { min, max, step, unit, .. } => Kind::Number { min, max, step, unit },
-            ParamKind::Choice { options } => Kind::Choice { options },
-            ParamKind::Flag { .. } => Kind::Flag,
-        };
-        Self { id: spec.id, label: spec.label, help: spec.help, default: spec.kind.default(), kind }
     }
 }

@@ -4,8 +4,8 @@ use super::{
     canvas::Canvas,
     clock,
     comparison_view::{ComparisonView, TableView},
-    playground::Playground,
-    request, to_js,
+    guest::Guest,
+    to_js, walk,
 };
 use crate::{
     app::{
@@ -60,9 +60,9 @@ impl Comparison {
         Self { state: compare::Comparison::new(), panes: Vec::new(), last_frame_ms: None, dark: false }
     }
 
-    /// Takes room, robot, start and seed over from the playground; cheap if they are the same.
-    pub fn take(&mut self, playground: &Playground) {
-        self.state.take(playground.session());
+    /// Takes room, robot, start and seed over from the playground's copy; cheap if they are the same.
+    pub fn take(&mut self, guest: &Guest) {
+        self.state.take(guest.session());
     }
 
     // ---- choices; each throws a message and changes nothing if the choice isn't possible
@@ -117,7 +117,7 @@ impl Comparison {
     /// A worker is done.
     pub fn trial_finished(&mut self, id: u32, cells: &[u32], numbers: JsValue) -> Result<(), JsValue> {
         let numbers: PlanNumbers = serde_wasm_bindgen::from_value(numbers).map_err(|e| e.to_string())?;
-        self.state.trial_finished(id, Ok(Outcome { numbers, cells: request::cells(cells) }));
+        self.state.trial_finished(id, Ok(Outcome { numbers, cells: walk::cells(cells) }));
         Ok(())
     }
 

@@ -1,52 +1,62 @@
 //! The only code that knows wasm-bindgen, web-sys and js-sys.
 //!
-//! It is compiled into two modules. The page's has one `Playground`, one `Comparison` and one `MonteCarlo`, a
-//! handful of calls a frame; the workshop's, which runs in workers and is loaded when it is first needed, has `plan`,
-//! `Trials`, `Runner`, `read_map` and `bench`.
+//! It is compiled into three modules. The page's has one `Playground`, a handful of calls a frame. Compare's, which is
+//! loaded when one first goes there, has a `Guest` that follows the playground, a `Comparison` and a `MonteCarlo`. The
+//! workshop's, which runs in workers and is loaded when it is first needed, has `plan`, `Trials`, `Runner`, `read_map` and
+//! `bench`.
 //! Plain objects and arrays go to and fro between them: `request` and `map` say how.
 
 #[cfg(feature = "workshop")]
 mod bench;
-#[cfg(feature = "page")]
+#[cfg(any(feature = "page", feature = "compare"))]
 mod canvas;
 #[cfg(feature = "page")]
 mod catalogue;
-#[cfg(feature = "page")]
+#[cfg(feature = "compare")]
 mod comparison;
-#[cfg(feature = "page")]
+#[cfg(feature = "compare")]
 mod comparison_view;
 #[cfg(feature = "page")]
 mod furnish;
-#[cfg(feature = "page")]
+#[cfg(feature = "compare")]
+mod guest;
+#[cfg(any(feature = "page", feature = "compare"))]
 mod layer;
+#[cfg(any(feature = "page", feature = "workshop"))]
 mod map;
-#[cfg(feature = "page")]
+#[cfg(feature = "compare")]
 mod montecarlo;
-#[cfg(feature = "page")]
+#[cfg(any(feature = "page", feature = "compare"))]
 mod objects;
+#[cfg(any(feature = "page", feature = "compare"))]
+mod param;
 #[cfg(feature = "workshop")]
 mod plan_job;
 #[cfg(feature = "page")]
 mod playground;
+#[cfg(any(feature = "page", feature = "workshop"))]
 mod request;
-#[cfg(feature = "page")]
+#[cfg(any(feature = "page", feature = "compare"))]
 mod robot;
 #[cfg(feature = "workshop")]
 mod runner;
-#[cfg(feature = "page")]
+#[cfg(any(feature = "page", feature = "compare"))]
 mod search;
-#[cfg(feature = "page")]
+#[cfg(any(feature = "page", feature = "compare"))]
 mod sensed;
 #[cfg(feature = "workshop")]
 mod trial;
+mod walk;
 
 #[cfg(feature = "workshop")]
 pub use bench::bench;
-#[cfg(feature = "page")]
+#[cfg(feature = "compare")]
 pub use comparison::Comparison;
+#[cfg(feature = "compare")]
+pub use guest::Guest;
 #[cfg(feature = "workshop")]
 pub use map::read_map;
-#[cfg(feature = "page")]
+#[cfg(feature = "compare")]
 pub use montecarlo::MonteCarlo;
 #[cfg(feature = "workshop")]
 pub use plan_job::plan;
@@ -71,4 +81,12 @@ extern "C" {
 fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
     let serializer = serde_wasm_bindgen::Serializer::json_compatible();
     value.serialize(&serializer).map_err(|e| JsValue::from(e.to_string()))
+}
+
+/// JavaScript catches the message.
+#[cfg(any(feature = "page", feature = "compare"))]
+impl From<crate::app::SettingsError> for JsValue {
+    fn from(error: crate::app::SettingsError) -> Self {
+        error.to_string().into()
+    }
 }

@@ -1,8 +1,8 @@
 //! The page's many runs: choices, work for workers, curves and numbers.
 
 use super::{
-    catalogue::{Param, params},
-    playground::Playground,
+    guest::Guest,
+    param::{Param, params},
     to_js,
 };
 use crate::{
@@ -102,9 +102,10 @@ impl MonteCarlo {
         to_js(&Offer { entrants: entrants.collect(), seeds: SEEDS, minutes: MINUTES })
     }
 
-    /// Takes room, robot, start, conditions and seed over from the playground; cheap if they are the same.
-    pub fn take(&mut self, playground: &Playground) {
-        self.state.take(playground.session());
+    /// Takes room, robot, start, conditions and seed over from the playground's copy; cheap if they are the
+    /// same.
+    pub fn take(&mut self, guest: &Guest) {
+        self.state.take(guest.session());
     }
 
     // ---- choices; each throws a message and changes nothing if the choice isn't possible

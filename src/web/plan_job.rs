@@ -1,9 +1,6 @@
 //! Planning in a worker.
 
-use super::{
-    clock,
-    request::{flat, request_from_js},
-};
+use super::{clock, request::request_from_js, walk::flat};
 use crate::grid::Cell;
 use js_sys::{Function, Object, Reflect};
 use std::ops::ControlFlow;

@@ -3,7 +3,7 @@
 mod hand;
 
 use self::hand::Carried;
-use super::{canvas::Canvas, catalogue::Catalogue, clock, map, request, to_js};
+use super::{canvas::Canvas, catalogue::Catalogue, clock, map, request, to_js, walk};
 use crate::{
     app::{Answer, Brush, Furnisher, RobotView, Scene, Session, SettingsError, Viewport},
     geometry::{Point, Pose, Vector},
@@ -156,13 +156,13 @@ impl Playground {
 
     /// The worker reports the share done and its best walk so far.
     pub fn plan_progress(&mut self, id: u32, done: f64, cells: &[u32]) {
-        self.session.plan_progress(id, done, &request::cells(cells));
+        self.session.plan_progress(id, done, &walk::cells(cells));
     }
 
     /// The worker is done.
     pub fn plan_finished(&mut self, id: u32, cells: &[u32], seconds: f64, trace: JsValue) -> Result<(), JsValue> {
         let trace: Vec<TraceStep> = serde_wasm_bindgen::from_value(trace).map_err(|e| e.to_string())?;
-        let path = CoveragePath { cells: request::cells(cells) };
+        let path = CoveragePath { cells: walk::cells(cells) };
         self.session.plan_finished(id, Answer { path, seconds, trace });
         Ok(())
     }
@@ -537,19 +537,5 @@ impl Playground {
             ..session
         };
         self.canvas.draw(&scene, &self.viewport)
-    }
-}
-
-impl Playground {
-    /// The session, for those who compare in its room.
-    pub(super) fn session(&self) -> &Session {
-        &self.session
-    }
-}
-
-/// JavaScript catches the message.
-impl From<SettingsError> for JsValue {
-    fn from(error: SettingsError) -> Self {
-        error.to_string().into()
     }
 }

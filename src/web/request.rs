@@ -1,17 +1,11 @@
-//! What goes to a worker that plans, and walks on their way back: plain objects, and cells as x, y, x, y, ...
+//! What goes to a worker that plans: a plain object.
 
-use crate::{
-    app::PlanRequest,
-    grid::{Cell, Direction},
-    planner::ParamValue,
-};
+use crate::{app::PlanRequest, grid::Direction, planner::ParamValue};
 #[cfg(feature = "workshop")]
 use crate::{
-    grid::Grid,
+    grid::{Cell, Grid},
     planner::{self, CoverageJob, Params},
 };
-#[cfg(feature = "workshop")]
-use js_sys::Uint32Array;
 use js_sys::{Reflect, Uint8Array};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -72,17 +66,4 @@ impl WireRequest {
         let job = CoverageJob::new(&free, start, self.heading)?;
         Some(CoverageJob { step_s: self.step_s, turn_s: self.turn_s, ..job })
     }
-}
-
-/// A walk as x, y, x, y, ...
-#[cfg(feature = "workshop")]
-pub(super) fn flat(cells: &[Cell]) -> Uint32Array {
-    let flat: Vec<u32> = cells.iter().flat_map(|c| [c.x as u32, c.y as u32]).collect();
-    Uint32Array::from(flat.as_slice())
-}
-
-/// The inverse of [`flat`].
-#[cfg(feature = "page")]
-pub(super) fn cells(flat: &[u32]) -> Vec<Cell> {
-    flat.chunks_exact(2).map(|c| Cell::new(c[0] as i32, c[1] as i32)).collect()
 }

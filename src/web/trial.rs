@@ -1,6 +1,6 @@
 //! Comparing in workers: a trial comes in as a plain object, walk and numbers go out.
 
-use super::{clock, plan_job::reporter, request::flat, to_js};
+use super::{clock, plan_job::reporter, to_js, walk::flat};
 use crate::app::compare::{Arena, TrialRequest};
 use js_sys::{Function, Object, Reflect};
 use wasm_bindgen::prelude::*;
