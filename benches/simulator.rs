@@ -7,10 +7,11 @@ use robovac_playground::{
     app::bench::opening_run,
     controller::{self, Setup},
     coverage::ReachableFloor,
-    floorplan::{FloorPlan, room},
+    floorplan::{FloorPlan, Object, Who, room},
+    geometry::{Point, Pose},
     registry::Params,
     robot::model,
-    sim::{Conditions, Noise, NoiseLevel, Run, RunSetup, World},
+    sim::{Conditions, Noise, NoiseLevel, Run, RunSetup, SlipLevel, World},
 };
 use std::{sync::Arc, time::Duration};
 
@@ -18,53 +19,59 @@ use std::{sync::Arc, time::Duration};
 const STEPS: u32 = 20_000;
 
 fn simulator(criterion: &mut Criterion) {
-    let Some(start) = opening_run() else { return };
     let mut group = criterion.benchmark_group("simulator");
     group.throughput(Throughput::Elements(u64::from(STEPS))).measurement_time(Duration::from_secs(3));
-    let simulate = |mut run: Run| {
-        for _ in 0..STEPS {
-            run.step();
-        }
-        run
-    };
-    group.bench_function(format!("{STEPS} steps in the furnished flat"), |b| {
-        b.iter_batched(|| start.clone(), simulate, BatchSize::LargeInput);
-    });
-    group.finish();
-    all_sensors(criterion);
-}
-
-/// A Roomba that drives about by its sensors in the furnished flat, all of which err as good ones do.
-fn all_sensors(criterion: &mut Criterion) {
-    let Some(flat) = room("flat") else { return };
-    let plan = (flat.build)();
-    let mut group = criterion.benchmark_group("roomba_all_sensors");
-    group.throughput(Throughput::Elements(u64::from(STEPS))).measurement_time(Duration::from_secs(3));
-    for (level, name) in NoiseLevel::ALL {
-        let Some(run) = bouncing(&plan, "roomba600", level) else { return };
+    let Some(flat) = room("flat").map(|info| (info.build)()) else { return };
+    let noisy = |level| Conditions { noise: Noise::all(level), ..Conditions::default() };
+    let slipping = Conditions { slip: SlipLevel::Typical, ..Conditions::default() };
+    let cases = [
+        ("in the furnished flat", opening_run()),
+        ("there by the sensors", bouncing(&flat, "roomba600", noisy(NoiseLevel::Off))),
+        ("there by sensors with typical noise", bouncing(&flat, "roomba600", noisy(NoiseLevel::Typical))),
+        ("there by sensors with harsh noise", bouncing(&flat, "roomba600", noisy(NoiseLevel::Harsh))),
+        ("among objects and movers", bouncing(&lively(flat.clone()), "roomba600", slipping)),
+        ("the same with a rectangular body", bouncing(&lively(flat.clone()), "cbot", slipping)),
+    ];
+    for (name, start) in cases {
+        let Some(start) = start else { continue };
         let simulate = |mut run: Run| {
             for _ in 0..STEPS {
                 run.step();
             }
             run
         };
-        group.bench_function(format!("roomba_all_sensors_{name}"), |b| {
-            b.iter_batched(|| run.clone(), simulate, BatchSize::LargeInput);
+        group.bench_function(format!("{STEPS} steps {name}"), |b| {
+            b.iter_batched(|| start.clone(), simulate, BatchSize::LargeInput);
         });
     }
     group.finish();
 }
 
-/// A robot that bounces through a room.
-fn bouncing(plan: &FloorPlan, id: &str, level: NoiseLevel) -> Option<Run> {
+/// A robot that bounces about: far more contact than planned paths have.
+fn bouncing(plan: &FloorPlan, id: &str, conditions: Conditions) -> Option<Run> {
     let robot = model(id)?.clone();
-    let floor = Arc::new(ReachableFloor::new(plan, &robot, None).ok()?);
-    let conditions = Conditions { noise: Noise::all(level), ..Conditions::default() };
+    let start = plan.start.map(|start| Pose { heading: 0.7, ..start });
+    let floor = Arc::new(ReachableFloor::new(plan, &robot, start).ok()?);
     let info = controller::find("bounce")?;
     let params = Params::defaults(info.params);
     let behaviour = info.build(&Setup { robot: &robot, params: &params, seed: 1 })?;
     let world = Arc::new(World::new(plan));
     Some(Run::new(&RunSetup { floor, world, robot, conditions, seed: 1 }, behaviour))
+}
+
+/// The room with everything in it that can lie, stand and move there.
+fn lively(mut plan: FloorPlan) -> FloorPlan {
+    let (width, height) = (plan.width_m(), plan.height_m());
+    let at = |x: f64, y: f64| Point::new(x * width, y * height);
+    for (x, y) in [(0.2, 0.2), (0.26, 0.2), (0.2, 0.3), (0.26, 0.3), (0.6, 0.7), (0.7, 0.4)] {
+        plan.objects.push(Object::Leg { at: at(x, y), radius: 0.015 });
+    }
+    plan.objects.push(Object::Furniture { outline: vec![at(0.4, 0.4), at(0.5, 0.42), at(0.46, 0.5)] });
+    plan.objects.push(Object::Carpet { outline: vec![at(0.1, 0.1), at(0.4, 0.1), at(0.4, 0.4), at(0.1, 0.4)] });
+    plan.objects.push(Object::Dirt { at: at(0.3, 0.6), radius: 0.4 });
+    plan.objects.push(Object::Mover { who: Who::Person, path: vec![at(0.15, 0.5), at(0.85, 0.5)] });
+    plan.objects.push(Object::Mover { who: Who::Pet, path: vec![at(0.2, 0.8), at(0.8, 0.2)] });
+    plan
 }
 
 criterion_group!(benches, simulator);

@@ -4,14 +4,14 @@ use robovac_playground::{
     controller::{Controller, FollowPath},
     coverage::{Lattice, ReachableFloor},
     floorplan::FloorPlan,
-    geometry::{Point, Pose},
-    grid::{Cell, Occupancy, from_picture},
+    geometry::{Point, Pose, Vector},
+    grid::{Cell, Grid, Occupancy, from_picture},
     math,
     metrics::DriveMetrics,
     planner::CoveragePath,
     rng::{Rng, seeded},
     robot::{Drive, OdometryModel, Sensors, model},
-    sim::{Conditions, Run, RunSetup, SlipLevel},
+    sim::{Conditions, Run, RunSetup, STEP_S, SlipLevel},
 };
 use std::sync::Arc;
 
@@ -194,4 +194,90 @@ fn clone_of_a_run_goes_on_the_same_way() {
         copy.step();
     }
     assert_eq!(run.digest(), copy.digest());
+}
+
+/// Borenstein & Feng's square of 4 m, in a hall with nothing in it: how far the robot stops from where it began, m.
+fn square_error(slip: SlipLevel, seed: u64) -> f64 {
+    let robot = model("roomba600").unwrap().clone();
+    let plan = FloorPlan {
+        resolution: 0.5,
+        occupancy: Grid::filled(20, 20, Occupancy::Free),
+        start: Some(Pose::new(3.0, 3.0, 0.0)),
+        ..room()
+    };
+    let floor = Arc::new(ReachableFloor::new(&plan, &robot, None).unwrap());
+    let conditions = Conditions { slip, ..Conditions::default() };
+    let setup = RunSetup { floor, world: Arc::default(), robot, conditions, seed };
+    let mut line = vec![[3.0, 3.0], [7.0, 3.0], [7.0, 7.0], [3.0, 7.0], [3.0, 3.0]];
+    if seed % 2 == 1 {
+        line.reverse();
+    }
+    let line: Vec<Point> = line.into_iter().map(|[x, y]| Point::new(x, y)).collect();
+    let follower = FollowPath::new(&setup.robot, OdometryModel::Arc, setup.floor.start, line.into());
+    let mut run = Run::new(&setup, Box::new(follower));
+    while !run.is_finished() {
+        run.step();
+        assert!(run.time_s() < 600.0, "the run doesn't end");
+    }
+    (run.pose().position() - Point::new(3.0, 3.0)).norm()
+}
+
+#[test]
+fn slip_costs_on_the_square_of_four_metres_what_its_levels_say() {
+    let mean = |slip| (0..16).map(|seed| square_error(slip, seed)).sum::<f64>() / 16.0;
+    let (none, typical, harsh) = (mean(SlipLevel::None), mean(SlipLevel::Typical), mean(SlipLevel::Harsh));
+    assert!(none < 0.02, "none {none}");
+    assert!((0.1..0.3).contains(&typical), "typical {typical}");
+    assert!((0.6..1.5).contains(&harsh), "harsh {harsh}");
+}
+
+#[test]
+fn quantised_wheels_keep_to_their_speeds() {
+    for (is_quantised, expected) in [(false, 0.3), (true, 0.011 + 11.0 * 0.0285)] {
+        let mut setup = setup(SlipLevel::None, 0);
+        setup.conditions.quantised = is_quantised;
+        let line = vec![setup.floor.start.position(), Point::new(2.5, 0.3)];
+        let follower = FollowPath::new(&setup.robot, OdometryModel::Arc, setup.floor.start, line.into());
+        let mut run = Run::new(&setup, Box::new(follower));
+        for _ in 0..200 {
+            run.step();
+        }
+        let before = run.distance_m();
+        run.step();
+        let speed = (run.distance_m() - before) / STEP_S;
+        assert!((speed - expected).abs() < 1e-6, "{speed}");
+        while !run.is_finished() {
+            run.step();
+            assert!(run.time_s() < 100.0, "the run doesn't end");
+        }
+        let off = (run.pose().position() - Point::new(2.5, 0.3)).norm();
+        assert!(off < 0.02, "{off} m off its goal");
+    }
+}
+
+#[test]
+fn omnidirectional_robot_follows_a_line_without_turning() {
+    let robot = model("octagon").unwrap().clone();
+    let floor = Arc::new(ReachableFloor::new(&room(), &robot, Some(Pose::new(0.4, 0.4, 0.3))).unwrap());
+    let line: Vec<Point> = [[0.4, 0.4], [2.5, 0.5], [2.4, 2.4], [0.5, 1.5]].map(|[x, y]| Point::new(x, y)).to_vec();
+    let setup = RunSetup { floor, world: Arc::default(), robot, conditions: Conditions::default(), seed: 0 };
+    let follower = FollowPath::new(&setup.robot, OdometryModel::Arc, setup.floor.start, line.clone().into());
+    let mut run = Run::new(&setup, Box::new(follower));
+    let mut before = (Point::new(0.4, 0.4), Vector::zeros());
+    let mut nearest = vec![f64::MAX; line.len()];
+    while !run.is_finished() {
+        run.step();
+        let at = run.pose().position();
+        let velocity = (at - before.0) / STEP_S;
+        // Forward and sideways motion are limited one by one.
+        let gain = (velocity - before.1).norm() / STEP_S;
+        assert!(gain < 1.5 * setup.robot.acceleration, "{gain} m/s²");
+        before = (at, velocity);
+        nearest.iter_mut().zip(&line).for_each(|(n, corner)| *n = n.min((corner - at).norm()));
+        assert!(run.time_s() < 100.0, "the run doesn't end");
+    }
+    assert!(nearest.iter().all(|&n| n < 0.01), "{nearest:?}");
+    assert!(run.turning_rad() < 0.1 && run.bumps() == 0, "turned by {}", run.turning_rad());
+    let drift = (run.estimate().unwrap().position() - run.pose().position()).norm();
+    assert!(drift < 0.01, "odometry drifted {drift} m");
 }

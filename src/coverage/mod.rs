@@ -9,6 +9,7 @@
 //! neither floor nor a place to stand.
 
 mod floor;
+mod floor_error;
 mod lattice;
 mod ray;
 mod shapes;
@@ -16,9 +17,10 @@ mod stamp;
 mod tracker;
 mod walls;
 
-pub use floor::{FloorError, ReachableFloor, fine_resolution};
+pub use floor::{ReachableFloor, fine_resolution};
+pub use floor_error::FloorError;
 pub use lattice::Lattice;
-pub use ray::Hit;
+pub use ray::{Hit, Surface};
 pub use shapes::{DOCK_BACK, LIGHTHOUSE_RADIUS, dock_back};
 pub use tracker::CoverageTracker;
 pub use walls::{Obstacle, Walls};

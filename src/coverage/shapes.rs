@@ -6,8 +6,8 @@ use crate::{
 };
 
 /// Width and depth of the solid back of a dock, m. iRobot's Home Base is about 15 cm wide; robots drive onto the flat plate
-/// in front of its back, which rises 3 cm from the wall (the depth is ours).
-pub const DOCK_BACK: [f64; 2] = [0.15, 0.03];
+/// in front of its back, which stands 2 cm off the wall (the depth is ours).
+pub const DOCK_BACK: [f64; 2] = [0.15, 0.02];
 /// Radius of the lighthouse of a virtual wall, m: they fit in a hand (ours).
 pub const LIGHTHOUSE_RADIUS: f64 = 0.04;
 /// Least side of a bucket of the index, m: about as wide as what asks.

@@ -62,7 +62,8 @@ impl Walls {
     /// The nearest point of a wall or shape less than `reach` metres from `point`, and its distance; exact.
     pub fn nearest(&self, point: Point, reach: f64) -> Option<(Point, f64)> {
         let mut best = (reach * reach, None);
-        self.near(point, reach, |obstacle| {
+        let reach = Vector::new(reach, reach);
+        self.near(point - reach, point + reach, |obstacle| {
             let wall = match obstacle {
                 Obstacle::Squares(low, high) => Point::new(point.x.clamp(low.x, high.x), point.y.clamp(low.y, high.y)),
                 Obstacle::Shape(shape) => shape.nearest(point),
@@ -75,11 +76,10 @@ impl Walls {
         best.1.map(|wall| (wall, best.0.sqrt()))
     }
 
-    /// Calls `visit` with every obstacle that may lie less than `reach` metres from `point`; squares in runs.
+    /// Calls `visit` with every obstacle that may reach into the box between `low` and `high`; squares in runs.
     #[inline]
-    pub fn near<'a>(&'a self, point: Point, reach: f64, mut visit: impl FnMut(Obstacle<'a>)) {
+    pub fn near<'a>(&'a self, low: Point, high: Point, mut visit: impl FnMut(Obstacle<'a>)) {
         let size = self.resolution;
-        let (low, high) = (point - Vector::new(reach, reach), point + Vector::new(reach, reach));
         let (first, last) = (self.cell_at(low), self.cell_at(high));
         let (width, height) = (self.squares.width() as i32, self.squares.height() as i32);
         for y in first.y..=last.y {
@@ -120,6 +120,12 @@ impl Walls {
             self.shapes.in_box(point, point, |shape| is_inside |= shape.contains(point));
         }
         is_inside
+    }
+
+    /// Calls `visit` with every shape that may reach into the box between `low` and `high`.
+    #[inline]
+    pub fn shapes_in_box<'a>(&'a self, low: Point, high: Point, visit: impl FnMut(&'a Shape)) {
+        self.shapes.in_box(low, high, visit);
     }
 
     /// All shapes.

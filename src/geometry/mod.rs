@@ -10,7 +10,7 @@ mod shape;
 pub use angle::{difference, normalize};
 pub use polygon::{contains, convex_pieces, edges, nearest_on_segment, outward, signed_area};
 pub use pose::Pose;
-pub use shape::{Shape, nearest_on_convex, nearest_on_disc, overlap, overlap_disc};
+pub use shape::{Shape, nearest_on_convex, nearest_on_disc, overlap, overlap_box, overlap_disc};
 
 /// A point in metres.
 pub type Point = nalgebra::Point2<f64>;

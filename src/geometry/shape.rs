@@ -33,6 +33,41 @@ impl Shape {
         }
     }
 
+    /// Distance at which a ray from `from` in the direction of the unit vector `direction` enters it, m, and the cosine of the
+    /// angle to the surface's normal there; 0 and 1 for a ray that begins inside.
+    pub fn entry(&self, from: Point, direction: Vector) -> Option<(f64, f64)> {
+        match self {
+            Self::Disc { centre, radius } => {
+                let to_centre = centre - from;
+                let along = to_centre.dot(&direction);
+                let outside = to_centre.norm_squared() - radius * radius;
+                if outside <= 0.0 {
+                    return Some((0.0, 1.0));
+                }
+                let under_root = along * along - outside;
+                // The chord's half over the radius is the cosine at which the ray enters.
+                (along > 0.0 && under_root > 0.0).then(|| (along - under_root.sqrt(), under_root.sqrt() / radius))
+            }
+            Self::Convex(corners) => {
+                let (mut enter, mut leave) = ((0.0, 1.0), f64::INFINITY);
+                for (a, b) in edges(corners) {
+                    let normal = outward(a, b);
+                    let (outside, speed) = ((from - a).dot(&normal), direction.dot(&normal));
+                    if speed < 0.0 {
+                        if outside / -speed > enter.0 {
+                            enter = (outside / -speed, -speed);
+                        }
+                    } else if speed > 0.0 {
+                        leave = leave.min(-outside / speed);
+                    } else if outside > 0.0 {
+                        return None;
+                    }
+                }
+                (enter.0 < leave).then_some(enter)
+            }
+        }
+    }
+
     /// Lower left and upper right corner of the box around it.
     pub fn bounds(&self) -> (Point, Point) {
         match self {
@@ -56,8 +91,8 @@ impl Shape {
                 (near - centre).norm() < radius - 1e-9
             }
             Self::Convex(corners) => {
-                let corner_box = [low, Point::new(high.x, low.y), high, Point::new(low.x, high.y)];
-                overlap(corners, &corner_box).is_some_and(|(depth, _)| depth > 1e-9)
+                let normals: Vec<Vector> = edges(corners).map(|(a, b)| outward(a, b)).collect();
+                overlap_box(corners, &normals, low, high).is_some_and(|(depth, _)| depth > 1e-9)
             }
         }
     }
@@ -89,23 +124,59 @@ pub fn nearest_on_convex(corners: &[Point], point: Point) -> Point {
     if is_inside { point } else { best.1 }
 }
 
-/// How deep two convex polygons overlap, m, and the unit vector along which `a` leaves `b` by the shortest way (separating
-/// axes, Gottschalk, Lin & Manocha 1996); `None` if they don't.
-pub fn overlap(a: &[Point], b: &[Point]) -> Option<(f64, Vector)> {
+/// How deep convex polygon `a`, with the outward `normals` of its sides, overlaps convex polygon `b`, m, and the unit vector
+/// along which `a` leaves `b` by the shortest way (separating axes, Gottschalk, Lin & Manocha 1996); `None` if they don't
+/// overlap.
+pub fn overlap(a: &[Point], normals: &[Vector], b: &[Point]) -> Option<(f64, Vector)> {
     let mut best = (f64::MAX, Vector::zeros());
-    for (sides, other, sign) in [(a, b, -1.0), (b, a, 1.0)] {
-        for (from, to) in edges(sides) {
-            let normal = outward(from, to);
-            let depth = other.iter().fold(f64::MIN, |deepest, &p| deepest.max((from - p).dot(&normal)));
-            if depth <= 0.0 {
-                return None;
-            }
-            if depth < best.0 && normal != Vector::zeros() {
-                best = (depth, sign * normal);
-            }
+    for (from, normal) in a.iter().zip(normals) {
+        let depth = b.iter().fold(f64::MIN, |deepest, p| deepest.max((from - p).dot(normal)));
+        narrow(&mut best, depth, -normal)?;
+    }
+    for (from, to) in edges(b) {
+        // Only a side that might part them is worth a square root.
+        let along = to - from;
+        let across = Vector::new(along.y, -along.x);
+        let depth = a.iter().fold(f64::MIN, |deepest, p| deepest.max((from - p).dot(&across)));
+        if depth <= 0.0 {
+            return None;
         }
+        let length = across.norm();
+        narrow(&mut best, depth / length, across / length)?;
     }
     Some(best)
+}
+
+/// Like [`overlap`], of a polygon and the box between `low` and `high`.
+#[inline]
+pub fn overlap_box(polygon: &[Point], normals: &[Vector], low: Point, high: Point) -> Option<(f64, Vector)> {
+    let first = *polygon.first()?;
+    let (own_low, own_high) = polygon.iter().fold((first, first), |all, p| (all.0.inf(p), all.1.sup(p)));
+    let mut best = (f64::MAX, Vector::zeros());
+    narrow(&mut best, own_high.x - low.x, Vector::new(-1.0, 0.0))?;
+    narrow(&mut best, high.x - own_low.x, Vector::new(1.0, 0.0))?;
+    narrow(&mut best, own_high.y - low.y, Vector::new(0.0, -1.0))?;
+    narrow(&mut best, high.y - own_low.y, Vector::new(0.0, 1.0))?;
+    for (from, normal) in polygon.iter().zip(normals) {
+        // The corner of the box that lies deepest behind this side.
+        let x = if normal.x > 0.0 { low.x } else { high.x };
+        let y = if normal.y > 0.0 { low.y } else { high.y };
+        narrow(&mut best, (from - Point::new(x, y)).dot(normal), -normal)?;
+    }
+    Some(best)
+}
+
+/// Takes a way out that is shorter than the best so far; `None` if there is nothing to leave.
+#[inline]
+fn narrow(best: &mut (f64, Vector), depth: f64, away: Vector) -> Option<()> {
+    if depth <= 0.0 {
+        return None;
+    }
+    // A side without length parts nothing.
+    if depth < best.0 && away != Vector::zeros() {
+        *best = (depth, away);
+    }
+    Some(())
 }
 
 /// How deep a convex polygon overlaps a disc, m, and the unit vector along which the polygon leaves it by the shortest way;
@@ -133,15 +204,24 @@ pub fn overlap_disc(polygon: &[Point], centre: Point, radius: f64) -> Option<(f6
 mod tests {
     use super::*;
 
+    fn normals(polygon: &[Point]) -> Vec<Vector> {
+        edges(polygon).map(|(a, b)| outward(a, b)).collect()
+    }
+
     fn square(x: f64, y: f64) -> Vec<Point> {
         [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|[dx, dy]| Point::new(x + dx, y + dy)).to_vec()
     }
 
     #[test]
     fn squares_leave_each_other_by_the_shortest_way() {
-        let (depth, away) = overlap(&square(0.0, 0.0), &square(0.9, 0.3)).unwrap();
-        assert!((depth - 0.1).abs() < 1e-12 && away == Vector::new(-1.0, 0.0), "{depth} {away}");
-        assert_eq!(overlap(&square(0.0, 0.0), &square(1.0, 0.3)), None);
+        let (a, sides) = (square(0.0, 0.0), normals(&square(0.0, 0.0)));
+        let by_box = |low: Point| overlap_box(&a, &sides, low, low + Vector::new(1.0, 1.0));
+        for found in [overlap(&a, &sides, &square(0.9, 0.3)), by_box(Point::new(0.9, 0.3))] {
+            let (depth, away) = found.unwrap();
+            assert!((depth - 0.1).abs() < 1e-12 && (away - Vector::new(-1.0, 0.0)).norm() < 1e-12, "{depth} {away}");
+        }
+        assert_eq!(overlap(&a, &sides, &square(1.0, 0.3)), None);
+        assert_eq!(by_box(Point::new(1.0, 0.3)), None);
     }
 
     #[test]

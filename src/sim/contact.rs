@@ -4,7 +4,7 @@ use crate::{
     coverage::{Obstacle, Walls},
     geometry::{
         Point, Pose, Shape, Vector, difference, edges, nearest_on_convex, nearest_on_disc, outward, overlap,
-        overlap_disc,
+        overlap_box, overlap_disc,
     },
     robot::{Body, RobotModel},
 };
@@ -45,6 +45,9 @@ pub(super) struct Footprint {
     stride: f64,
     /// Corners of a polygon where the body was last placed, m; empty for a circle.
     corners: Vec<Point>,
+    /// Outward normals of its sides there, and before it is turned.
+    normals: Vec<Vector>,
+    local_normals: Vec<Vector>,
     /// Points that a polygon touches; kept to be filled again.
     touched: Vec<Point>,
 }
@@ -73,17 +76,18 @@ impl<'a> Obstacles<'a> {
         best
     }
 
-    /// Calls `visit` with every obstacle that may be less than `reach` metres from `point`.
-    fn near(&self, point: Point, reach: f64, mut visit: impl FnMut(Thing<'a>)) {
-        self.walls.near(point, reach, |obstacle| match obstacle {
-            Obstacle::Squares(low, high) => {
-                visit(Thing::Box([low, Point::new(high.x, low.y), high, Point::new(low.x, high.y)]));
-            }
+    /// Calls `visit` with every obstacle that may reach into the box between `low` and `high`.
+    #[inline]
+    fn near(&self, low: Point, high: Point, mut visit: impl FnMut(Thing<'a>)) {
+        self.walls.near(low, high, |obstacle| match obstacle {
+            Obstacle::Squares(low, high) => visit(Thing::Box(low, high)),
             Obstacle::Shape(Shape::Convex(corners)) => visit(Thing::Polygon(corners)),
             Obstacle::Shape(&Shape::Disc { centre, radius }) => visit(Thing::Disc(centre, radius)),
         });
         for &(centre, radius) in self.movers {
-            if (centre - point).norm() < radius + reach {
+            let r = Vector::new(radius, radius);
+            let (mover_low, mover_high) = (centre - r, centre + r);
+            if mover_low.x < high.x && mover_low.y < high.y && mover_high.x > low.x && mover_high.y > low.y {
                 visit(Thing::Disc(centre, radius));
             }
         }
@@ -92,24 +96,30 @@ impl<'a> Obstacles<'a> {
 
 /// A convex obstacle as a polygon meets it.
 enum Thing<'a> {
-    Box([Point; 4]),
+    /// Lower left and upper right corner.
+    Box(Point, Point),
     Polygon(&'a [Point]),
     Disc(Point, f64),
 }
 
 impl Thing<'_> {
-    fn overlap(&self, body: &[Point]) -> Option<(f64, Vector)> {
+    #[inline]
+    fn overlap(&self, body: &[Point], normals: &[Vector]) -> Option<(f64, Vector)> {
         match self {
-            Self::Box(corners) => overlap(body, corners),
-            Self::Polygon(corners) => overlap(body, corners),
+            Self::Box(low, high) => overlap_box(body, normals, *low, *high),
+            Self::Polygon(corners) => overlap(body, normals, corners),
             Self::Disc(centre, radius) => overlap_disc(body, *centre, *radius),
         }
     }
 
     /// Adds the points at which it is less than `play` metres from a polygon.
     fn touch(&self, body: &[Point], play: f64, touched: &mut Vec<Point>) {
+        let of_box;
         let corners: &[Point] = match self {
-            Self::Box(corners) => corners,
+            Self::Box(low, high) => {
+                of_box = [*low, Point::new(high.x, low.y), *high, Point::new(low.x, high.y)];
+                &of_box
+            }
             Self::Polygon(corners) => corners,
             Self::Disc(centre, radius) => {
                 let near = nearest_on_convex(body, *centre);
@@ -136,7 +146,16 @@ impl Footprint {
                 (STRIDE.0.min(0.5 * inner.fold(f64::MAX, f64::min)).max(1e-4), corners)
             }
         };
-        Self { body: model.body, radius: model.radius, stride, corners, touched: Vec::new() }
+        let normals: Vec<Vector> = edges(&corners).map(|(a, b)| outward(a, b)).collect();
+        Self {
+            body: model.body,
+            radius: model.radius,
+            stride,
+            corners,
+            local_normals: normals.clone(),
+            normals,
+            touched: Vec::new(),
+        }
     }
 
     /// Moves the body from one pose, where it overlaps nothing, towards another: as far as obstacles let it, sliding along
@@ -171,6 +190,9 @@ impl Footprint {
 
     /// One stride: where the body is pushed to, or else only its motion or only its turn, or else nothing.
     fn settle(&mut self, obstacles: Obstacles<'_>, from: Pose, to: Pose) -> Pose {
+        if obstacles.are_far_from(to.position(), self.radius) {
+            return to;
+        }
         let tries = [to, Pose { heading: from.heading, ..to }, Pose { heading: to.heading, ..from }];
         let tries = if self.is_round() { &tries[..1] } else { &tries[..] };
         let pushed = tries.iter().find_map(|&pose| self.push_out(obstacles, pose));
@@ -200,15 +222,14 @@ impl Footprint {
             let away = if distance > 1e-12 { (at - wall) / distance } else { Vector::new(1.0, 0.0) };
             return (self.radius - distance > 1e-12).then_some((self.radius - distance, away));
         }
-        self.place(pose);
-        let mut deepest: Option<(f64, Vector)> = None;
-        obstacles.near(at, self.radius, |thing| {
-            let found = thing.overlap(&self.corners).filter(|&(depth, _)| depth > 1e-9);
-            if let Some(found) = found.filter(|f| deepest.is_none_or(|d| f.0 > d.0)) {
-                deepest = Some(found);
+        let (low, high) = self.place(pose);
+        let mut deepest = (1e-9, Vector::zeros());
+        obstacles.near(low, high, |thing| {
+            if let Some(found) = thing.overlap(&self.corners, &self.normals).filter(|found| found.0 > deepest.0) {
+                deepest = found;
             }
         });
-        deepest
+        (deepest.0 > 1e-9).then_some(deepest)
     }
 
     /// The direction of what the body touches. Where a side lies flat against a wall, or both ends of one do, that is the
@@ -219,10 +240,11 @@ impl Footprint {
             let near = obstacles.nearest(at, self.radius + BUMPER_PLAY);
             return near.filter(|&(_, distance)| distance > 1e-12).map(|(wall, distance)| (wall - at) / distance);
         }
-        self.place(pose);
-        self.touched.clear();
-        obstacles
-            .near(at, self.radius + BUMPER_PLAY, |thing| thing.touch(&self.corners, BUMPER_PLAY, &mut self.touched));
+        let (low, high) = self.place(pose);
+        let play = Vector::new(BUMPER_PLAY, BUMPER_PLAY);
+        let Self { corners, touched, .. } = self;
+        touched.clear();
+        obstacles.near(low - play, high + play, |thing| thing.touch(corners, BUMPER_PLAY, touched));
         // The one that lies farthest ahead decides over front or rear.
         let ahead = |p: &Point| (p - at).dot(&pose.direction());
         let first = self.touched.iter().max_by(|a, b| ahead(a).total_cmp(&ahead(b)))?;
@@ -244,12 +266,19 @@ impl Footprint {
         (nearest_on_convex(&self.corners, centre) - centre).norm() < reach
     }
 
-    /// Puts the corners of a polygon where they are at `pose`.
-    fn place(&mut self, pose: Pose) {
-        let Body::Polygon(local) = self.body else { return };
+    /// Puts the corners of a polygon where they are at `pose`; returns the box around them.
+    fn place(&mut self, pose: Pose) -> (Point, Point) {
+        let (mut low, mut high) = (pose.position(), pose.position());
+        let Body::Polygon(local) = self.body else { return (low, high) };
         let d = pose.direction();
         for (corner, &[x, y]) in self.corners.iter_mut().zip(local) {
             *corner = Point::new(pose.x + d.x * x - d.y * y, pose.y + d.y * x + d.x * y);
+            low = low.inf(corner);
+            high = high.sup(corner);
         }
+        for (normal, n) in self.normals.iter_mut().zip(&self.local_normals) {
+            *normal = Vector::new(d.x * n.x - d.y * n.y, d.y * n.x + d.x * n.y);
+        }
+        (low, high)
     }
 }

@@ -45,7 +45,6 @@ pub enum What {
 }
 
 /// What of a reading makes events. It is compared after every step, and a whole reading is long.
-#[expect(clippy::struct_excessive_bools)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Signs {
     /// Left and right.

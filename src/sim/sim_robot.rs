@@ -107,7 +107,7 @@ impl SimRobot {
         let drive = if self.senses.is_empty() { Drive::STOP } else { drive };
         let touch = self.roll(Obstacles { walls, movers: life.movers() }, world, drive);
         let is_cleaning = !self.is_lifted && !self.has_fallen;
-        let dirt = if is_cleaning { life.sweep(&self.model, self.pose) } else { 0.0 };
+        let dirt = if is_cleaning { 1e3 * life.sweep(&self.model, self.pose) } else { 0.0 };
         let carrier = Carrier {
             pose: self.pose,
             touch,

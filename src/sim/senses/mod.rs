@@ -57,7 +57,7 @@ pub struct Carrier {
     pub is_lifted: bool,
     /// Which wheels hang over a drop-off, left and right; both once the robot has fallen.
     pub dropped: [bool; 2],
-    /// Dirt that was picked up in the step: as much as lies on so many m² of a spot of dirt.
+    /// Dirt that was picked up in the step: 1 is what lies on 10 cm² of a spot of dirt. A Roomba at 0.3 m/s gets 0.77.
     pub dirt: f64,
 }
 
@@ -137,7 +137,7 @@ impl Senses {
         }
         sensors.dirt = dirt.read(carrier.dirt, &noise);
         motors.read(carrier, sensors);
-        cells.step(model, carrier, on_dock, motors.is_stalled());
+        cells.step(model, around.world, carrier, on_dock, motors.is_stalled());
         cells.report(noise.normal(slot::BATTERY), sensors);
     }
 }

@@ -1,0 +1,53 @@
+//! Why a robot can't be put into a room.
+
+/// Why a robot can't be put into a room.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum FloorError {
+    /// No cell of the map is free.
+    #[error("the map has no free cell; it needs floor to clean (in images, light pixels are free)")]
+    NoFreeCell,
+    /// The robot doesn't fit anywhere.
+    #[error(
+        "the robot, {diameter:.2} m wide, fits nowhere in this room; choose a smaller robot or check the map's resolution"
+    )]
+    TooNarrow {
+        /// Diameter of the robot's body, m.
+        diameter: f64,
+    },
+    /// Planning cells are finer than what the map tells apart.
+    #[error("planning cells of {cell_size} m are too small for this map; choose a side of at least {least} m")]
+    CellTooSmall {
+        /// Side asked for, m.
+        cell_size: f64,
+        /// Smallest side that would do, m.
+        least: f64,
+    },
+    /// The start lies outside the map.
+    #[error(
+        "the start ({x:.2} m, {y:.2} m) lies outside the map, which is {width:.2} m x {height:.2} m; move it inside"
+    )]
+    StartOutside {
+        /// Start, m.
+        x: f64,
+        /// Start, m.
+        y: f64,
+        /// Size of the map, m.
+        width: f64,
+        /// Size of the map, m.
+        height: f64,
+    },
+    /// The start lies in a wall, in furniture or where there is no floor.
+    #[error(
+        "the start ({x:.2} m, {y:.2} m) is inside a wall or an obstacle; move it to free floor, e.g. ({free_x:.2} m, {free_y:.2} m)"
+    )]
+    StartInWall {
+        /// Start, m.
+        x: f64,
+        /// Start, m.
+        y: f64,
+        /// The nearest place where the robot fits, m.
+        free_x: f64,
+        /// The nearest place where the robot fits, m.
+        free_y: f64,
+    },
+}
