@@ -23,7 +23,8 @@
 //! dock.step(&seen(172), 0.015);
 //! assert_eq!(dock.activity(), "driving to the dock");
 //! let battery = BatteryReading { on_dock: true, ..BatteryReading::default() };
-//! assert!(dock.step(&Sensors { battery, ..Sensors::default() }, 0.015).is_stop() && dock.is_done());
+//! let on_dock = Sensors { battery, ..Sensors::default() };
+//! assert!((0..40).all(|_| dock.step(&on_dock, 0.015).is_stop()) && dock.is_done());
 //! ```
 
 use super::{
@@ -50,6 +51,8 @@ const BACK: f64 = 0.45;
 const TRIES: u32 = 4;
 /// How long it searches at random and along walls, s.
 const SEARCH_S: (f64, f64) = (60.0, 60.0);
+/// Time on the contacts after which it has come to rest there, s.
+const RESTS_S: f64 = 0.5;
 /// Time after a search began anew for which it doesn't look at beams, s: it must get elsewhere first.
 const BLIND_S: f64 = 8.0;
 
@@ -89,17 +92,11 @@ pub(super) struct Dock {
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Phase {
     /// For so long, s; along walls or at random; without looking at beams for so long, s.
-    Search {
-        left: f64,
-        along_walls: bool,
-        blind: f64,
-    },
+    Search { left: f64, along_walls: bool, blind: f64 },
     /// Hasn't seen the beams for so long, s; when it saw the dock last, it was on the left.
-    Home {
-        unseen: f64,
-        was_left: bool,
-    },
-    Docked,
+    Home { unseen: f64, was_left: bool },
+    /// On the contacts for so long, s.
+    Docked { since: f64 },
 }
 
 const START: Phase = Phase::Search { left: SEARCH_S.0, along_walls: false, blind: 0.0 };
@@ -132,10 +129,11 @@ impl Dock {
         let spin = |left: bool| pilot.twist(0.0, if left { TURN.0 } else { -TURN.0 });
         match (self.beacon.beams(), self.beacon.sides()) {
             // In the middle: keep the dock ahead.
-            ((true, true), (true, true)) => pilot.twist(speed, 0.0),
             ((true, true), (left, right)) if left != right => arc(left),
             // On the left of the middle, go right, with the dock a little to the left; and the other way round.
-            ((true, false), (true, false)) | ((false, true), (false, true)) => pilot.twist(speed, 0.0),
+            ((true, true), (true, true)) | ((true, false), (true, false)) | ((false, true), (false, true)) => {
+                pilot.twist(speed, 0.0)
+            }
             ((true, false), (true, true)) => arc(false),
             ((false, true), (true, true)) => arc(true),
             ((true, false), (false, true)) => spin(false),
@@ -152,10 +150,11 @@ impl Habit for Dock {
 
     fn watch(&mut self, sensed: &Sensors, dt_s: f64) {
         self.beacon.update(sensed, dt_s);
-        if sensed.battery.on_dock {
-            self.phase = Phase::Docked;
-        }
         match &mut self.phase {
+            Phase::Docked { since } if sensed.battery.on_dock => *since += dt_s,
+            // Rolled over them.
+            Phase::Docked { .. } => self.phase = Phase::Home { unseen: 0.0, was_left: false },
+            phase if sensed.battery.on_dock => *phase = Phase::Docked { since: 0.0 },
             Phase::Search { left, blind, .. } => {
                 *left -= dt_s;
                 *blind -= dt_s;
@@ -168,7 +167,6 @@ impl Habit for Dock {
                     _ => *was_left,
                 };
             }
-            Phase::Docked => {}
         }
     }
 
@@ -191,12 +189,13 @@ impl Habit for Dock {
                 Drive::STOP
             }
             Phase::Home { was_left, .. } => self.by_beams(pilot, was_left),
-            Phase::Docked => Drive::STOP,
+            Phase::Docked { .. } => Drive::STOP,
         }
     }
 
     fn hit(&mut self, pilot: &mut Pilot, hit: Hit) {
         match self.phase {
+            Phase::Docked { .. } => {}
             Phase::Search { along_walls: true, .. } => self.walls.hit(pilot, hit),
             Phase::Home { .. } if hit.kind == Kind::Bump && self.tries < TRIES => {
                 self.tries += 1;
@@ -207,12 +206,12 @@ impl Habit for Dock {
                 self.search(pilot, false, BLIND_S);
                 self.walk.hit(pilot, hit);
             }
-            _ => self.walk.hit(pilot, hit),
+            Phase::Search { .. } => self.walk.hit(pilot, hit),
         }
     }
 
     fn is_done(&self) -> bool {
-        self.phase == Phase::Docked || !self.is_able
+        matches!(self.phase, Phase::Docked { since } if since > RESTS_S) || !self.is_able
     }
 
     fn activity(&self) -> &'static str {
@@ -220,7 +219,7 @@ impl Habit for Dock {
             _ if !self.is_able => "without receivers for the beams of a dock",
             Phase::Search { .. } => "looking for the dock",
             Phase::Home { .. } => "driving to the dock",
-            Phase::Docked => "on its dock",
+            Phase::Docked { .. } => "on its dock",
         }
     }
 

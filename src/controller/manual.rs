@@ -68,6 +68,7 @@ pub(super) const BUILD: Build = |setup| {
             command: Command::default(),
             blocked: Blocked::default(),
             held: None,
+            has_recoiled: false,
             obeyed: Drive::STOP,
         },
     )
@@ -80,6 +81,8 @@ struct Manual {
     blocked: Blocked,
     /// Why it doesn't go ahead until the stick is let go.
     held: Option<&'static str>,
+    /// Whether it has rolled back from the edge that it sees.
+    has_recoiled: bool,
     obeyed: Drive,
 }
 
@@ -95,6 +98,7 @@ impl Habit for Manual {
         if self.command.forward <= 0.0 {
             self.held = None;
         }
+        self.has_recoiled &= sensed.sees_cliff();
         self.blocked.forward = self.blocked.forward.or(self.held);
     }
 
@@ -120,7 +124,8 @@ impl Habit for Manual {
     }
 
     fn hit(&mut self, pilot: &mut Pilot, hit: Hit) {
-        if hit.kind == Kind::Cliff && self.command.forward > 0.0 && self.held.is_none() {
+        if hit.kind == Kind::Cliff && !self.has_recoiled {
+            self.has_recoiled = true;
             self.held = self.blocked.forward.or(Some("no floor in front"));
             pilot.answer(hit, 0.0, &[]);
         }

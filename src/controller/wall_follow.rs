@@ -16,7 +16,8 @@
 //!   left since it met its wall has gone round something; it leaves after a number of rounds, at a right angle. Around a
 //!   room it turns left, and goes on.
 //! - *A wall that isn't there*: after a circle and a half without meeting it again, it looks for another one.
-//! - *The edge of stairs* is followed like a wall that can be bumped into, at the distance at which it is sensed.
+//! - *The edge of stairs* is no wall. On an arc around its corner the inner wheel would run inside the track of the cliff
+//!   sensors and get over the edge unseen. The robot turns away and looks for another wall; so it does at a virtual wall.
 //!
 //! ```
 //! use robovac_playground::{controller::*, registry::Params, robot::*};
@@ -38,6 +39,7 @@ use crate::{
     registry::{Example, Explainer, ParamKind, ParamSpec},
     robot::{Drive, Sensors},
 };
+use rand::RngExt;
 
 /// Signal to keep: about 3 cm from a light wall, within the side brush's reach.
 const SIGNAL: f64 = 1000.0;
@@ -45,6 +47,8 @@ const SIGNAL: f64 = 1000.0;
 const BACK: f64 = 0.015;
 /// Turns away from what was hit, rad: on the right, straight ahead, on the left.
 const AWAY: [f64; 3] = [0.35, 0.9, 1.6];
+/// Turn away from what isn't a wall, rad, drawn between these.
+const LEAVE: (f64, f64) = (1.6, 2.6);
 /// Turn, rad, after which a wall that wasn't met again is lost: a circle and a half.
 const LOST: f64 = 1.5 * math::TAU;
 /// Steering by light: turn rate for a signal that is off by all of its set value, and for one that changes by that much
@@ -209,14 +213,18 @@ impl Habit for WallFollow {
     }
 
     fn hit(&mut self, pilot: &mut Pilot, hit: Hit) {
+        if hit.kind != Kind::Bump {
+            self.phase = Phase::Seek;
+            let turn = pilot.away_from(hit) * pilot.rng.random_range(LEAVE.0..LEAVE.1);
+            pilot.answer(hit, BACK, &[Move::Turn(turn)]);
+            return;
+        }
         self.feel(pilot.turned());
         let turn = match hit.side {
             Side::Right => AWAY[0],
             Side::Front => AWAY[1],
             Side::Left => AWAY[2],
         };
-        // Edges and beams ask for more: it is their sensors that must come clear, not the body.
-        let turn = if hit.kind == Kind::Bump { turn } else { turn + 0.3 };
         pilot.answer(hit, BACK, &[Move::Turn(turn)]);
     }
 

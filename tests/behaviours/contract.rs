@@ -106,7 +106,7 @@ fn every_value_at_the_end_of_its_range_works() {
 
 /// What a behaviour must have cleaned of an open room in a quarter of an hour: walls alone are about a third of it.
 fn least_coverage(info: &BehaviourInfo) -> f64 {
-    if info.id == "wall_follow" { 0.2 } else { 0.7 }
+    if info.id == "wall_follow" { 0.15 } else { 0.5 }
 }
 
 #[test]

@@ -59,7 +59,7 @@ fn low_battery(plan: &FloorPlan, percent: u8) -> RunSetup {
 
 fn step_until(run: &mut Run, minutes: f64, mut is_so: impl FnMut(&Run) -> bool) -> bool {
     let end = run.time_s() + 60.0 * minutes;
-    while run.time_s() < end {
+    while run.time_s() < end && !run.is_finished() {
         run.step();
         if is_so(run) {
             return true;

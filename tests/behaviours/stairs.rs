@@ -83,7 +83,8 @@ fn falls(seeds: std::ops::Range<u64>, minutes: f64) -> (u32, Vec<String>, Vec<St
                     if run.has_fallen() {
                         fallen.push(what.clone());
                     }
-                    if wheel.is_some() {
+                    // A person can turn a robot on the spot beside an edge that its sensors don't look at.
+                    if wheel.is_some() && !info.claims.manual {
                         wheels.push(what);
                     }
                 }
@@ -134,7 +135,7 @@ fn story() {
         let half = 0.5 * robot.wheel_base;
         let over = [half, -half].map(|y| setup.world.is_drop_off(run.pose().to_world(Point::new(0.0, y))));
         let now = (run.activity().to_owned(), run.sensors().cliff.to_vec());
-        if run.time_s() > from && (now != last || over != [false; 2] || run.steps() % 10 == 0) {
+        if run.time_s() > from && (now != last || over != [false; 2] || run.steps().is_multiple_of(10)) {
             let bumps = (run.sensors().bump_left, run.sensors().bump_right);
             println!(
                 "{:.2} {:22} {} {:?} {bumps:?} {over:?}",

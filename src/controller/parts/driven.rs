@@ -68,7 +68,9 @@ impl Driven {
             *is_lifted = false;
             pilot.reset();
             habit.begin(pilot);
-            home.iter_mut().for_each(|home| home.begin(pilot));
+            if let Some(home) = home {
+                home.begin(pilot);
+            }
         }
         let Some(home) = home.as_mut().filter(|_| !habit.is_done()) else { return false };
         let (is_charged, is_back) = home.watch(pilot, sensed, dt_s);

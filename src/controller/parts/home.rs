@@ -34,9 +34,9 @@ pub(in crate::controller) const LEAVE_HOME: ParamSpec = ParamSpec {
 /// Watches the battery.
 #[derive(Debug, Clone)]
 pub(super) struct Home {
-    /// Shares of the charge.
-    home_at: f64,
-    leave_at: f64,
+    /// Shares of the charge at which it goes and leaves.
+    low: f64,
+    full: f64,
     dock: Dock,
     phase: Phase,
 }
@@ -54,11 +54,11 @@ impl Home {
     /// With the parameters of `setup`; `None` if it has none or if the robot has no receivers, contacts or gauge.
     pub(super) fn new(setup: &Setup<'_>) -> Option<Self> {
         let share = |id| setup.params.number(id) / 100.0;
-        let (home_at, battery) = (share(GO_HOME.id), setup.robot.battery);
+        let (low, battery) = (share(GO_HOME.id), setup.robot.battery);
         let is_able = setup.robot.sensors.infrared && battery.charge_ma > 0.0 && battery.has_gauge;
         // A robot that left before it wants to go home would never get away.
-        let leave_at = share(LEAVE_HOME.id).max(home_at + 0.02).min(1.0);
-        (is_able && home_at > 0.0).then(|| Self { home_at, leave_at, dock: Dock::new(setup), phase: Phase::Away })
+        let full = share(LEAVE_HOME.id).max(low + 0.02).min(1.0);
+        (is_able && low > 0.0).then(|| Self { low, full, dock: Dock::new(setup), phase: Phase::Away })
     }
 
     /// Watches a reading; returns whether the robot stands and is charged, and whether the habit is to begin anew.
@@ -68,7 +68,7 @@ impl Home {
             self.dock.watch(sensed, dt_s);
         }
         match self.phase {
-            Phase::Away if share < self.home_at && !pilot.is_busy() => {
+            Phase::Away if share < self.low && !pilot.is_busy() => {
                 self.phase = Phase::Going;
                 self.dock.begin(pilot);
             }
@@ -82,7 +82,7 @@ impl Home {
                 self.dock.begin(pilot);
             }
             // Charge is told in whole mAh.
-            Phase::Charging if share >= self.leave_at - 0.001 => {
+            Phase::Charging if share >= self.full - 0.001 => {
                 self.phase = Phase::Leaving;
                 let turn = math::PI * pilot.rng.random_range(0.7..1.3);
                 // What is behind a robot on its dock is where it came from.

@@ -31,6 +31,8 @@ const OFF_BEAM: f64 = 0.05;
 const BEAM_GONE_S: f64 = 0.3;
 /// Way back before a turn is tried again that would have got a wheel over an edge, m.
 const OFF_TURN: f64 = 0.04;
+/// Turns that are undone before one is made all the same.
+const MOST_UNDONE: u32 = 5;
 /// Way between two hits below which the robot has got nowhere, and goes on turning the way it has begun, m.
 const NOWHERE: f64 = 0.03;
 
@@ -87,6 +89,8 @@ pub(in crate::controller) struct Pilot {
     voids: Voids,
     /// Whether it was told to go back along the trail.
     is_retreating: bool,
+    /// How many turns of the motions under way were undone.
+    undone: u32,
     moves: VecDeque<Move>,
     phase: Phase,
     /// What the motions answer, which need not be answered again.
@@ -114,6 +118,7 @@ impl Pilot {
             trail: Trail::default(),
             voids: Voids::new(&robot),
             is_retreating: false,
+            undone: 0,
             moves: VecDeque::new(),
             phase: Phase::Settle,
             answering: None,
@@ -172,6 +177,7 @@ impl Pilot {
         self.moves.clear();
         self.moves.extend(moves);
         self.phase = Phase::Settle;
+        self.undone = 0;
         self.answering = None;
     }
 
@@ -283,7 +289,10 @@ impl Pilot {
                         None => (!self.travel.is_resting()).then_some(Drive::STOP),
                     }
                 }
-                Move::Turn(angle) if self.voids.are_near() && self.trail.length() > NOWHERE => {
+                Move::Turn(angle)
+                    if self.undone < MOST_UNDONE && self.voids.are_near() && self.trail.length() > NOWHERE =>
+                {
+                    self.undone += 1;
                     let turned = self.travel.turned() - turned;
                     self.moves.pop_front();
                     for step in [Move::Turn(angle), Move::Back(OFF_TURN), Move::Undo(-turned)] {
