@@ -65,6 +65,13 @@ mod tests {
         ];
         let lines = tell(&events);
         let texts: Vec<_> = lines.iter().map(|line| (line.time_s, line.text.as_str())).collect();
-        assert_eq!(texts, [(1.965, "virtual wall"), (1.95, "turning away"), (1.5, "bump left, backing up")]);
+        assert_eq!(
+            texts,
+            [
+                (131.0 * STEP_S, "virtual wall"),
+                (130.0 * STEP_S, "turning away"),
+                (100.0 * STEP_S, "bump left, backing up")
+            ]
+        );
     }
 }
