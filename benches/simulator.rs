@@ -53,7 +53,7 @@ fn simulator(criterion: &mut Criterion) {
     let cases = [
         ("in the furnished flat", opening_run()),
         ("bouncing there with objects and movers", lively_run("roomba600")),
-        ("the same with a rectangular body", lively_run("cbot")),
+        ("the same with an octagonal body", lively_run("octagon")),
     ];
     for (name, start) in cases {
         let Some(start) = start else { continue };
