@@ -12,6 +12,7 @@
 //! - [`planner`]: one file a planner, and the registry that menus, tests and command line iterate
 //! - [`controller`]: what drives a robot from what it senses: one file a behaviour, and their registry
 //! - [`sim`]: the simulated robot and the world around it
+//! - [`oi`]: the Open Interface, the language of real Roombas
 //! - [`metrics`]: one definition of every number
 //! - [`app`]: sessions, recording, what to draw
 //! - `web`: the only code that knows the browser (wasm32 only)
@@ -26,6 +27,7 @@ pub mod geometry;
 pub mod grid;
 pub mod math;
 pub mod metrics;
+pub mod oi;
 pub mod planner;
 pub mod registry;
 pub mod rng;

@@ -3,7 +3,7 @@
 use robovac_playground::{
     app::{
         Session,
-        compare::Entrant,
+        compare::{BEHAVIOUR, Entrant, PLANNER},
         montecarlo::{Band, GOALS, Lab, Outcome, SAMPLES, Study, Summary, Tally, Terms, to_csv, to_json},
     },
     floorplan::room,
@@ -21,13 +21,23 @@ fn lab(duration_s: f64) -> Lab {
 }
 
 fn entrant(name: &str) -> Entrant {
-    Entrant::parse(name).expect("it exists")
+    Entrant::parse(BEHAVIOUR, name).or_else(|_| Entrant::parse(PLANNER, name)).expect("it exists")
 }
 
 /// An outcome made by hand: coverage grows evenly to `end`, and the goals are reached at those times.
 fn outcome(seed: u64, end: f64, reached_s: [f64; GOALS.len()]) -> Outcome {
     let curve = (0..=SAMPLES).map(|i| end * i as f64 / SAMPLES as f64).collect();
-    Outcome { seed, curve, reached_s, time_s: 60.0, distance_m: 10.0 * end, bumps: seed as u32, falls: 0, digest: seed }
+    Outcome {
+        seed,
+        curve,
+        reached_s,
+        time_s: 60.0,
+        distance_m: 10.0 * end,
+        bumps: seed as u32,
+        falls: 0,
+        dirt_left: None,
+        digest: seed,
+    }
 }
 
 #[test]
@@ -62,12 +72,14 @@ fn curve_and_times_tell_of_the_same_run() {
 
 #[test]
 fn outcomes_cross_to_another_thread_and_back() {
-    let outcomes =
-        [outcome(3, 0.95, [20.0, f64::INFINITY]), Outcome { digest: u64::MAX - 5, ..outcome(4, 0.5, [1.0, 2.0]) }];
+    let outcomes = [
+        outcome(3, 0.95, [20.0, f64::INFINITY]),
+        Outcome { digest: u64::MAX - 5, dirt_left: Some(0.25), ..outcome(4, 0.5, [1.0, 2.0]) },
+    ];
     let numbers: Vec<f64> = outcomes.iter().flat_map(Outcome::to_numbers).collect();
     assert_eq!(Outcome::from_numbers(&numbers), outcomes);
     assert_eq!(Outcome::from_numbers(&numbers[..numbers.len() - 1]), outcomes[..1], "half an outcome is none");
-    assert!(Outcome::from_numbers(&[f64::NAN; 20]).len() <= 2, "nonsense ends somewhere");
+    assert!(Outcome::from_numbers(&[f64::NAN; 22]).len() <= 2, "nonsense ends somewhere");
 }
 
 #[test]
@@ -120,9 +132,10 @@ fn session(link: &str) -> Session {
 }
 
 /// A short study of the session.
-fn study(session: &Session, names: &str, seeds: u32) -> Study {
+fn study(session: &Session, behaviours: &str, planners: &str, seeds: u32) -> Study {
     let mut study = Study::new();
-    study.choose_only(names).expect("they exist");
+    study.choose_only(BEHAVIOUR, behaviours).expect("they exist");
+    study.choose_only(PLANNER, planners).expect("they exist");
     study.set_seeds(seeds);
     study.set_minutes(1);
     study.take(session);
@@ -145,7 +158,7 @@ fn work(study: &mut Study) -> Vec<(String, Vec<u64>)> {
 #[test]
 fn study_makes_each_run_once_and_only_what_is_missing() {
     let session = session("room=empty&robot=roomba600&seed=5");
-    let mut study = study(&session, "bounce,boustrophedon", 2);
+    let mut study = study(&session, "bounce", "boustrophedon", 2);
     assert!(study.take_batch().is_none(), "not before it is told to");
     let names: Vec<_> = work(&mut study);
     assert_eq!(names.iter().map(|(_, seeds)| seeds.len()).sum::<usize>(), 4);
@@ -156,8 +169,10 @@ fn study_makes_each_run_once_and_only_what_is_missing() {
     assert!(work(&mut study).iter().all(|(_, seeds)| *seeds == [7]));
     study.set_seeds(2);
     assert_eq!((study.count(), study.runs(0).len()), ((4, 4), 2), "fewer are shown than are known");
-    study.choose("bounce", false).expect("it exists");
-    study.choose("bounce", true).expect("it exists");
+    let bounce = (0..study.entrants().len()).find(|&i| study.entrants()[i].id() == "bounce").expect("it exists");
+    study.choose(bounce, false);
+    assert_eq!(study.count(), (2, 2));
+    study.choose(bounce, true);
     assert!(work(&mut study).is_empty(), "what was known is still known");
 }
 
@@ -167,7 +182,7 @@ fn outcome_is_that_of_the_run_that_explore_shows() {
     let mut explore = session(&format!("{link}&behaviour=bounce"));
     explore.run_ahead(60.0);
     let shown = explore.recording().expect("it runs").run();
-    let mut study = study(&session(link), "bounce", 1);
+    let mut study = study(&session(link), "bounce", "", 1);
     work(&mut study);
     let index = (0..study.entrants().len()).find(|&i| study.is_chosen(i)).expect("one is chosen");
     let runs = study.runs(index);
@@ -178,7 +193,7 @@ fn outcome_is_that_of_the_run_that_explore_shows() {
 #[test]
 fn cancelled_runs_are_dropped_and_begun_again() {
     let session = session("room=empty");
-    let mut study = study(&session, "bounce", 100);
+    let mut study = study(&session, "bounce", "", 100);
     study.run();
     let request = study.take_batch().expect("there is something to do");
     study.cancel();
@@ -192,7 +207,7 @@ fn cancelled_runs_are_dropped_and_begun_again() {
 #[test]
 fn another_room_has_results_of_its_own_and_the_old_ones_are_kept() {
     let mut session = session("room=empty");
-    let mut study = study(&session, "bounce", 1);
+    let mut study = study(&session, "bounce", "", 1);
     work(&mut study);
     session.select_room("lshape").expect("it ships");
     study.take(&session);
@@ -213,7 +228,7 @@ fn another_room_has_results_of_its_own_and_the_old_ones_are_kept() {
 #[test]
 fn failure_is_told_and_tried_again() {
     let session = session("room=empty");
-    let mut study = study(&session, "bounce", 1);
+    let mut study = study(&session, "bounce", "", 1);
     study.run();
     let request = study.take_batch().expect("there is something to do");
     study.batch_finished(request.id, Err("no room".to_owned()));
@@ -226,11 +241,17 @@ fn failure_is_told_and_tried_again() {
 #[test]
 fn link_brings_back_the_choices_and_bad_ones_are_refused() {
     let mut study = Study::new();
-    study.restore("#room=flat&view=runs&runs=bounce,snake~patience:3&times=10&minutes=60").expect("it is good");
-    assert_eq!(study.to_link(), "runs=snake~patience:3,bounce&times=10&minutes=60");
+    study
+        .restore("#room=flat&runs=spiral_out,bounce&paths=spiral,snake~patience:3&times=10&minutes=60")
+        .expect("it is good");
+    let link = study.to_link();
+    assert!(link.contains("runs=spiral_out,bounce&") && link.ends_with("&times=10&minutes=60"), "{link}");
+    assert!(link.contains("paths=spiral,snake~patience:3&"), "{link}");
     for (bad, why) in [
-        ("runs=snail", "there is no algorithm \"snail\""),
-        ("runs=snake~patience:99", "takes a whole number from 0 to 20"),
+        ("runs=snail", "there is no behaviour \"snail\""),
+        ("runs=manual", "there is no algorithm that cleans by itself \"manual\""),
+        ("paths=bounce", "there is no planner \"bounce\""),
+        ("paths=snake~patience:99", "takes a whole number from 0 to 20"),
         ("times=0", "can't be \"0\"; it takes a whole number from 1 to 1000"),
         ("minutes=1e9", "whole minutes from 1 to 600"),
     ] {
@@ -243,7 +264,7 @@ fn link_brings_back_the_choices_and_bad_ones_are_refused() {
 #[test]
 fn exports_tell_every_run_and_the_same_summary() {
     let session = session("room=empty&slip=typical");
-    let mut study = study(&session, "bounce,boustrophedon", 2);
+    let mut study = study(&session, "bounce", "boustrophedon", 2);
     work(&mut study);
     let (head, entries) = study.export().expect("there is a room");
     let csv = to_csv(&head, &entries);

@@ -393,12 +393,12 @@ fn laser_scans_ten_times_a_second() {
 
 #[test]
 fn laser_errs_as_its_data_sheet_says() {
-    let exact = Scene::quiet("cbot", World::default()).at(0.5, 2.0, 0.0).laser.clone().unwrap();
+    let exact = Scene::quiet("cbot", World::default()).at(0.5, 2.4, 0.0).laser.clone().unwrap();
     let errors = |level| {
         let mut cbot = Scene::new("cbot", World::default(), noisy(level));
         let (mut near, mut far, mut lost) = (Vec::new(), Vec::new(), 0);
         for _ in 0..700 {
-            let scan = cbot.at(0.5, 2.0, 0.0).laser.clone().unwrap();
+            let scan = cbot.at(0.5, 2.4, 0.0).laser.clone().unwrap();
             for (&measured, &distance) in scan.iter().zip(exact.iter()) {
                 let error = f64::from(measured - distance);
                 match distance {
@@ -469,10 +469,10 @@ fn current_is_power_over_voltage() {
     assert!((watts - 26.0).abs() < 0.1, "{watts} W");
 }
 
-/// A Roomba that faces the dock at the left wall, touching it.
+/// A Roomba that faces the dock at the left wall, as near as the dock's back lets it.
 fn docked(y: f64, degrees: f64) -> Sensors {
     let conditions = Conditions { start_charge_percent: 50, ..Conditions::default() };
-    Scene::new("roomba600", dock(), conditions).at(0.175, y, degrees).clone()
+    Scene::new("roomba600", dock(), conditions).at(0.205, y, degrees).clone()
 }
 
 #[test]
@@ -483,7 +483,7 @@ fn a_docked_robot_is_charged_and_sees_no_floor() {
     let expected = 1232.0 * 14.4 / (1e-3 * f64::from(sensed.battery.voltage_mv));
     assert!((f64::from(sensed.battery.current_ma) - expected).abs() < 2.0, "{} mA", sensed.battery.current_ma);
     assert_eq!((sensed.cliff, sensed.cliff_signal), ([true; 4], [0; 4]));
-    for (y, degrees) in [(1.53, 180.0), (1.47, 180.0), (1.5, 165.0), (1.5, 0.0)] {
+    for (y, degrees) in [(1.54, 180.0), (1.46, 180.0), (1.5, 165.0), (1.5, 0.0)] {
         let sensed = docked(y, degrees);
         assert!(!sensed.battery.on_dock && !sensed.sees_cliff() && sensed.battery.current_ma < 0, "{y} {degrees}");
     }
@@ -493,7 +493,7 @@ fn a_docked_robot_is_charged_and_sees_no_floor() {
 fn an_hour_on_the_dock_gives_what_the_charger_gives() {
     let conditions = Conditions { start_charge_percent: 10, ..Conditions::default() };
     let mut roomba = Scene::new("roomba600", dock(), conditions);
-    let before = roomba.at(0.175, 1.5, 180.0).battery.charge_mah;
+    let before = roomba.at(0.205, 1.5, 180.0).battery.charge_mah;
     for _ in 0..240_000 {
         roomba.step(Drive::STOP);
     }

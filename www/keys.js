@@ -2,6 +2,7 @@
 // Keys that work everywhere on the page, and the dialog that lists them.
 import { pickUp } from "./carry.js";
 import { button, input, typed } from "./dom.js";
+import { objectKey } from "./objects.js";
 import { place } from "./places.js";
 
 /** @typedef {import("./main.js").App} App */
@@ -72,7 +73,7 @@ function single(app, event, target, dialog) {
     case "0":
       return act((p) => p.fit());
     default:
-      return false;
+      return objectKey(app, key);
   }
 }
 

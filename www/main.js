@@ -10,6 +10,7 @@ import { startKeys } from "./keys.js";
 import { startLayers } from "./layers.js";
 import { startManual } from "./manual.js";
 import { complain, cover, forgive, isFatal, startMessages, textOf, updateMessage } from "./messages.js";
+import { startObjects } from "./objects.js";
 import { startPanel } from "./panel.js";
 import { go, place, placeOf, startPlaces } from "./places.js";
 import { Planning } from "./planning.js";
@@ -157,7 +158,7 @@ async function start() {
 
   startPlaces((next) => void enter(next));
   const resized = startStage(app);
-  const updates = [startPanel, startPlaybar, startDashboard, startEvents, startLayers, startManual].map((begin) => begin(app));
+  const updates = [startPanel, startPlaybar, startDashboard, startEvents, startLayers, startManual, startObjects].map((begin) => begin(app));
   startFiles(app);
   startKeys(app);
 

@@ -1,10 +1,11 @@
 // @ts-check
 // Driving by hand: keys, a gamepad, and a joystick on the screen.
-import { button, byId, changed, setHidden, setText } from "./dom.js";
+import { button, byId, changed, setAttribute, setHidden, setText } from "./dom.js";
 
 /**
  * @typedef {import("./main.js").App} App
  * @typedef {import("./types").View} View
+ * @typedef {"forward" | "left" | "right" | "backward"} Way
  * @typedef {{ forward: number, left: number }} Command
  */
 
@@ -59,7 +60,7 @@ export function startManual(app) {
   /** @param {KeyboardEvent} event */
   const press = (event) => {
     if (!KEYS[event.code] || event.ctrlKey || event.metaKey || event.altKey || !isManual() || app.view.is_carried) return;
-    if (event.currentTarget === byId("floor") && app.view.tool !== "view") return;
+    if (event.currentTarget === byId("floor") && (app.view.tool !== "view" || app.view.selected >= 0)) return;
     // Neither the view nor a tool gets it.
     event.preventDefault();
     event.stopImmediatePropagation();
@@ -108,6 +109,7 @@ export function startManual(app) {
     const gamepad = gamepadCommand();
     const keys = [...held].reduce((sum, code) => ({ forward: sum.forward + (KEYS[code]?.[0] ?? 0), left: sum.left + (KEYS[code]?.[1] ?? 0) }), STILL);
     const command = limited(stick, keys, gamepad ?? STILL);
+    showBlocked(view.blocked, sent);
     const turned = changed(pad, "state", view.state);
     if (view.state === "playing") {
       send(command);
@@ -115,6 +117,27 @@ export function startManual(app) {
     } else if (turned) stop();
     setText(byId("manual-note"), `${gamepad ? "Gamepad connected." : "Drag, or arrow keys or WASD on the floor."}${view.speed === 1 ? " Time runs at 1×." : ""}`);
   };
+}
+
+/** In the order of `View.blocked`. @type {Way[]} */
+const WAYS = ["forward", "left", "right", "backward"];
+
+/** Which directions are open, which are asked for, and why those that aren't open are not. @param {View["blocked"]} blocked @param {Command} command */
+function showBlocked(blocked, { forward, left }) {
+  const asked = { forward: forward > 0, backward: forward < 0, left: left > 0, right: left < 0 };
+  /** @param {Way} way */
+  const why = (way) => blocked?.[WAYS.indexOf(way)];
+  for (const way of WAYS) {
+    const mark = byId("pad").querySelector(`[data-way=${way}]`);
+    if (mark) setAttribute(mark, "class", why(way) ? "way shut" : asked[way] ? "way used" : "way");
+  }
+  const shut = WAYS.filter(why);
+  // What one is trying first; all of them as long as one tries nothing.
+  const first = shut.filter((way) => asked[way]);
+  const told = first.length > 0 ? first : shut;
+  const reasons = new Set(told.map(why));
+  const names = told.join(" and ");
+  setText(byId("blocked"), told.length > 0 ? `${names.charAt(0).toUpperCase()}${names.slice(1)} blocked: ${[...reasons].join("; ")}` : "");
 }
 
 /** All together, no more than full. @param {...Command} commands @returns {Command} */

@@ -20,9 +20,7 @@ const MOST_WORKERS = 16;
 /** What figure 18 of Hasan, Al-Nahid & Reza 2014 shows: their four behaviours and the cycle of them, in their room. */
 const FIGURE = {
   place: "room=room12ft&robot=dvr1&slip=typical&noise=typical",
-  entrants: "random_walk,spiral,s_path,wall_follow,cleaning_cycle",
-  seeds: 100,
-  minutes: 30,
+  study: "runs=random_walk,spiral_out,s_path,wall_follow,cleaning_cycle&paths=&times=100&minutes=60",
 };
 
 /**
@@ -52,19 +50,14 @@ export function startRuns(app, module, guard) {
   button("runs-go").addEventListener("click", () => (view.running ? act((s) => s.cancel()) : run()));
   button("runs-figure").addEventListener("click", () => {
     if (!app.act((p) => p.restore(FIGURE.place))) return;
-    const chosen = act((s) => {
-      s.choose_only(FIGURE.entrants);
-      s.set_seeds(FIGURE.seeds);
-      s.set_minutes(FIGURE.minutes);
-    });
-    if (chosen) run();
+    if (act((s) => s.restore(FIGURE.study))) run();
   });
   select("runs-seeds").addEventListener("change", () => act((s) => s.set_seeds(Number(select("runs-seeds").value))));
   select("runs-minutes").addEventListener("change", () => act((s) => s.set_minutes(Number(select("runs-minutes").value))));
-  const items = offer.entrants.map((entrant) =>
-    entrantItem(entrant, swatch(entrant.number, entrant.kind), "run", {
-      choose: (takesPart) => act((s) => s.choose(entrant.id, takesPart)),
-      setParam: (param, text) => act((s) => s.set_param(entrant.id, param, text)),
+  const items = offer.entrants.map((entrant, index) =>
+    entrantItem(entrant, swatch(entrant.number, entrant.kind), `run-${entrant.kind}`, {
+      choose: (takesPart) => act((s) => s.choose(index, takesPart)),
+      setParam: (param, text) => act((s) => s.set_param(index, param, text)),
     }),
   );
   offer.entrants.forEach(({ kind, summary }, index) => {

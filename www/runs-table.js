@@ -18,22 +18,24 @@ const COLUMNS = /** @type {const} */ ([
   ["Distance", "m", "Distance driven by the middle run."],
   ["Bumps", "", "How often the bumper was pressed, in the middle run."],
   ["Falls", "in all runs", "How often a robot fell down a drop-off, in all runs together."],
+  ["Dirt left", "% at the end", "Share of the dirt in the room that was left when the time was over. Lower is better."],
 ]);
 
 /** @param {Row[]} rows @param {number} minutes @param {(which: number | undefined) => void} stress */
 export function showTable(rows, minutes, stress) {
   const table = byId("runs-table");
-  const heads = COLUMNS.map(([label, unit, definition]) =>
+  const known = rows.flatMap(({ summary }) => summary ?? []);
+  const columns = COLUMNS.slice(0, known.some(({ dirt_left }) => dirt_left) ? undefined : -1);
+  const heads = columns.map(([label, unit, definition]) =>
     make("th", { scope: "col", "data-tip": definition }, make("span", { className: "term", tabIndex: 0 }, label), make("span", { className: "unit" }, unit)),
   );
   table.querySelector("thead")?.replaceChildren(make("tr", {}, make("th", { scope: "col" }, "Algorithm"), ...heads));
-  const known = rows.flatMap(({ summary }) => summary ?? []);
   const best = {
     times: [0, 1].map((goal) => Math.min(...known.map((summary) => summary.time_to[goal]?.median_s ?? Infinity))),
     coverage: Math.max(...known.map((summary) => summary.coverage.median)),
   };
   const lines = rows.map((row, index) => {
-    const cells = row.summary ? cellsOf(row.summary, minutes, known.length > 1 ? best : undefined) : COLUMNS.map(() => make("td", {}, "–"));
+    const cells = row.summary ? cellsOf(row.summary, minutes, known.length > 1 ? best : undefined) : columns.map(() => make("td", {}, "–"));
     const name = make("th", { scope: "row" }, row.mark, row.title);
     if (row.failure) name.append(make("span", { className: "failure", "data-tip": row.failure, tabIndex: 0 }, "failed"));
     else if (row.summary) name.append(make("small", {}, `${count(row.summary.runs)} ${row.summary.runs === 1 ? "run" : "runs"}`));
@@ -43,7 +45,7 @@ export function showTable(rows, minutes, stress) {
 }
 
 /** @param {Summary} summary @param {number} minutes @param {{ times: number[], coverage: number } | undefined} best */
-function cellsOf({ runs, time_to, coverage, distance_m, bumps, falls }, minutes, best) {
+function cellsOf({ runs, time_to, coverage, distance_m, bumps, falls, dirt_left }, minutes, best) {
   const times = time_to.flatMap(({ percent: goal, reached, low_s, median_s, high_s }, i) => {
     const late = `> ${clock(60 * minutes)}`;
     const time = make("td", { className: best && median_s !== null && median_s === best.times[i] ? "best" : "" }, median_s === null ? late : clock(median_s));
@@ -55,5 +57,6 @@ function cellsOf({ runs, time_to, coverage, distance_m, bumps, falls }, minutes,
   const [way, hits] = [make("td", {}, metres(distance_m.median)), make("td", {}, count(bumps.median))];
   hits.append(make("small", {}, `${count(bumps.low)}–${count(bumps.high)}`));
   way.append(make("small", {}, `${metres(distance_m.low)}–${metres(distance_m.high)}`));
-  return [...times, end, way, hits, make("td", { className: falls > 0 ? "fell" : "" }, count(falls))];
+  const dirt = dirt_left ? make("td", {}, percent(dirt_left.median), make("small", {}, `${percent(dirt_left.low)}–${percent(dirt_left.high)}`)) : "";
+  return [...times, end, way, hits, make("td", { className: falls > 0 ? "fell" : "" }, count(falls)), ...(dirt ? [dirt] : [])];
 }

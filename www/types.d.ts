@@ -108,7 +108,7 @@ export type PlanNumbers = {
 
 export type State = "planning" | "ready" | "playing" | "paused" | "finished" | "seeking" | "failed";
 export type Action = "play" | "pause" | "step" | "reset" | "cancel" | "seek" | "undo" | "redo" | "edit" | "lift";
-export type Tool = "view" | "wall" | "erase" | "start";
+export type Tool = "view" | "wall" | "erase" | "start" | "place";
 
 export type View = {
   state: State;
@@ -135,8 +135,18 @@ export type View = {
   /** Changes whenever `diary()` does. */
   diary: number;
   is_lifted: boolean;
+  /** Why the robot doesn't obey a person in each direction; `null` unless a person drives. */
+  blocked: [forward: string | null, left: string | null, right: string | null, backward: string | null] | null;
+  /** Share of the dirt that is left; `null` where there was none. */
+  dirt_left: number | null;
   /** Whether it is held here, to be put down somewhere. */
   is_carried: boolean;
+  /** What stands, lies and moves in the room, by name. */
+  objects: string[];
+  /** Index of the selected one; -1 for none. */
+  selected: number;
+  /** What the tool "place" places. */
+  placing: string;
   params: Record<string, string | number | boolean>;
   cell_size_m: number;
   seed: number;
@@ -284,6 +294,8 @@ export type RunsSummary = {
   distance_m: Band;
   bumps: Band;
   falls: number;
+  /** 0 to 1; `null` where there was no dirt. */
+  dirt_left: Band | null;
 };
 
 /** One case of the benchmark (src/app/bench.rs). */

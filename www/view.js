@@ -7,7 +7,7 @@ import { updateMessage } from "./messages.js";
 /**
  * @typedef {import("./types").View} View
  * @typedef {import("./types").PlanNumbers} Plan
- * @typedef {{ label: string, tip: string, plan?: (p: Plan) => string, run?: (v: View) => string }} Metric
+ * @typedef {{ label: string, tip: string, plan?: (p: Plan) => string, run?: (v: View) => string, when?: (v: View) => boolean }} Metric
  */
 
 /** @type {Metric[]} */
@@ -19,6 +19,7 @@ const RUN_METRICS = [
   { label: "Overlap", tip: "Passes beyond the first, as a share of the floor swept: at 30 %, three tenths of it were swept a second time.", plan: (p) => `${percent(p.overlap, 0)} %`, run: (v) => `${percent(v.overlap, 0)} %` },
   { label: "Bumps", tip: "How often the bumper has touched a wall or a piece of furniture.", run: (v) => count(v.bumps) },
   { label: "Position error", tip: "Distance between where the robot is and where it believes to be, from counting wheel turns.", run: (v) => smallLength(v.pose_error_m) },
+  { label: "Dirt left", tip: "Share of the dirt in this room that has not been picked up.", run: (v) => `${percent(v.dirt_left ?? 0, 0)} %`, when: (v) => v.dirt_left !== null },
 ];
 
 /** @type {Metric[]} */
@@ -30,7 +31,7 @@ const PLAN_METRICS = [
   { label: "Planned in", tip: "Time that this computer took to work out the plan. That of the opening scene comes with the page.", plan: (p) => (p.planning_s === null ? "made in advance" : took(p.planning_s)) },
 ];
 
-/** @type {{ metric: Metric, plan: Element, run: Element }[]} */
+/** @type {{ metric: Metric, plan: Element, run: Element, line: HTMLElement }[]} */
 const rows = [];
 
 /** @param {Metric} metric @param {boolean} wide */
@@ -38,9 +39,10 @@ function row(metric, wide) {
   const plan = make("td", wide ? { colSpan: 2 } : {});
   const run = make("td");
   const term = make("button", { type: "button", className: "term" }, metric.label);
-  rows.push({ metric, plan, run });
   if (!wide) plan.className = "plan-only";
-  return make("tr", { "data-tip": metric.tip }, make("th", { scope: "row" }, term), plan, ...(wide ? [] : [run]));
+  const line = make("tr", { "data-tip": metric.tip }, make("th", { scope: "row" }, term), plan, ...(wide ? [] : [run]));
+  rows.push({ metric, plan, run, line });
+  return line;
 }
 
 byId("metrics-run").append(...RUN_METRICS.map((metric) => row(metric, false)));
@@ -53,7 +55,8 @@ let narrated = -Infinity;
 export function updateView({ view, playground }) {
   const { plan } = view;
   const known = plan && plan.steps > 0 ? plan : null;
-  for (const { metric, plan, run } of rows) {
+  for (const { metric, plan, run, line } of rows) {
+    if (metric.when) setHidden(line, !metric.when(view));
     setText(plan, known && metric.plan ? metric.plan(known) : "–");
     setText(run, metric.run ? metric.run(view) : "–");
   }

@@ -102,7 +102,7 @@ impl Algorithm {
 
 impl PartialEq for Algorithm {
     fn eq(&self, other: &Self) -> bool {
-        self.id() == other.id()
+        (self.kind(), self.id()) == (other.kind(), other.id())
     }
 }
 
@@ -112,10 +112,10 @@ mod tests {
 
     #[test]
     fn ids_are_unique_and_found() {
-        let ids: Vec<_> = Algorithm::all().map(Algorithm::id).collect();
-        for (index, id) in ids.iter().enumerate() {
-            assert!(!ids[..index].contains(id), "{id} twice");
-            assert_eq!(Algorithm::find(id).unwrap().id(), *id);
+        let all: Vec<_> = Algorithm::all().collect();
+        for (index, algorithm) in all.iter().enumerate() {
+            assert!(!all[..index].contains(algorithm), "{} twice", algorithm.id());
+            assert_eq!(Algorithm::find_kind(algorithm.kind(), algorithm.id()).unwrap(), *algorithm);
         }
         assert!(Algorithm::find("snail").unwrap_err().to_string().contains("bounce"));
     }

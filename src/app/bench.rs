@@ -1,6 +1,6 @@
 //! The benchmark that runs natively (`robovac bench`) and in the browser (`bench.html`), so that both can be compared.
 
-use super::Session;
+use super::{Session, montecarlo::RunsRequest};
 use crate::{
     floorplan::generate::random_hall,
     grid::{Cell, Direction},
@@ -73,7 +73,28 @@ pub fn run(clock: &dyn Fn() -> f64, report: &mut dyn FnMut(&BenchResult)) -> Vec
         };
         take("simulate the furnished flat".to_owned(), &mut simulate, Some(f64::from(SIMULATED_STEPS) * STEP_S));
     }
+    let request = cycle();
+    if let Ok(mut lab) = request.lab() {
+        let mut runs = || drop(request.run(&mut lab, None));
+        take("simulate the cleaning cycle in the flat".to_owned(), &mut runs, Some(request.duration_s));
+    }
     results
+}
+
+/// One of many runs: half an hour of the cleaning cycle by a Roomba in the furnished flat, with typical slip and noise.
+pub fn cycle() -> RunsRequest {
+    RunsRequest {
+        id: 0,
+        room: Some("flat".to_owned()),
+        scenario: None,
+        settings: "robot=roomba600&slip=typical&noise=typical".to_owned(),
+        duration_s: 1800.0,
+        plan_seed: 1,
+        behaves: true,
+        entrant: "cleaning_cycle".to_owned(),
+        seeds: vec![1],
+        place: String::new(),
+    }
 }
 
 /// The job of a hall of `side` x `side` cells, a tenth of it blocked by rectangles.

@@ -110,19 +110,17 @@ impl Furnisher {
 
     /// Ends dragging: what was dragged is where it looked to be, if it can be there.
     pub fn release(&mut self, session: &mut Session) {
-        let objects = self.in_hand(session);
+        let mut objects = self.in_hand(session);
         let Some(Drag { from, to, what }) = self.drag.take() else { return };
-        match what {
-            Dragged::New => {
-                if session.add_objects(objects) {
-                    let last = session.plan().objects.len().checked_sub(1);
-                    self.select(session, last);
-                }
+        match (what, objects.pop()) {
+            (Dragged::New, Some(last)) => {
+                objects.push(last);
+                let is_placed = session.add_objects(objects);
+                let newest = session.plan().objects.len().checked_sub(1).filter(|_| is_placed);
+                self.select(session, newest);
             }
-            Dragged::Object(index) | Dragged::Handle(index, _) if to != from => {
-                if let [object] = &objects[..] {
-                    self.change(session, index, object.clone());
-                }
+            (Dragged::Object(index) | Dragged::Handle(index, _), Some(object)) if to != from => {
+                self.change(session, index, object);
             }
             _ => {}
         }

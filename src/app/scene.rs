@@ -8,7 +8,7 @@ use crate::{
     grid::Cell,
     planner::TraceStep,
     robot::{Body, RobotModel, SensorSuite, Sensors},
-    sim::Run,
+    sim::{Life, Run},
 };
 
 /// Everything that is seen on the floor at one moment. Whoever draws it keeps what is costly (outlines, pictures of
@@ -35,6 +35,10 @@ pub struct Scene<'a> {
     pub planned_version: u64,
     /// Where the robot has just been, oldest first.
     pub trail: &'a [Point],
+    /// What moves and is used up in the room; `None` without a run.
+    pub life: Option<&'a Life>,
+    /// Changes whenever `life` or `sensed` may have.
+    pub steps: u64,
     /// Where it believes to have been; empty if that isn't to be shown.
     pub believed: &'a [Point],
     /// The robot; `None` before there is a run.
@@ -70,8 +74,6 @@ pub struct Sensed<'a> {
     pub reading: &'a Sensors,
     /// The floor that it stands on.
     pub floor: &'a ReachableFloor,
-    /// Changes whenever the reading may have.
-    pub steps: u64,
 }
 
 /// A decision on the planning grid.
@@ -122,6 +124,8 @@ impl<'a> Scene<'a> {
             preview: &[],
             planned_version: 0,
             trail: &[],
+            life: None,
+            steps: 0,
             believed: &[],
             robot: None,
             start: None,

@@ -33,6 +33,10 @@ pub struct View {
     pub diary: f64,
     /// Whether the robot is in somebody's hand.
     pub is_lifted: bool,
+    /// Why a person's commands aren't obeyed: forward, left, right, backward; `None` unless a person drives.
+    pub blocked: Option<[Option<&'static str>; 4]>,
+    /// Share of the dirt that is left; `None` where there was none.
+    pub dirt_left: Option<f64>,
     /// Its parameters.
     pub params: Params,
     /// Side of the planning cells, m.

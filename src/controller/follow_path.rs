@@ -12,6 +12,13 @@ use std::sync::Arc;
 const CLOSE_ENOUGH: f64 = 0.001;
 /// How far to back off from a wall, m.
 const BACK_OFF: f64 = 0.03;
+/// How far to back off from an edge, m: so far that turning on the spot brings no wheel over it. Never farther than the
+/// robot has come since it last turned.
+const BACK_FROM_EDGE: f64 = 0.1;
+/// How long to wait for somebody who stands in the way, s, and how much of a piece must be left to make it worth while, m.
+const WAIT: (f64, f64) = (3.0, 0.3);
+/// How often to wait.
+const MOST_WAITS: u32 = 3;
 /// How far the line is shifted away from the side that was bumped, m.
 const NUDGE: f64 = 0.015;
 /// Bumps after which the rest of a straight piece is given up.
@@ -31,7 +38,9 @@ const SIDESTEP: f64 = 3.0;
 ///
 /// It steers by its own estimate of the pose, from encoder counts. A wall where the line should be free means that the
 /// estimate is off: the robot backs off, shifts the piece of line away from the side that it bumped, and tries again;
-/// a frontal bump or the fourth one ends the piece. So it always comes to the end of the line.
+/// a frontal bump or the fourth one ends the piece, but if much of it is left, somebody may be in the way who goes on: it
+/// waits three times. An edge or the beam of a virtual wall ends the piece at once. So it always comes to the end of the
+/// line.
 #[derive(Debug, Clone)]
 pub struct FollowPath {
     robot: RobotModel,
@@ -41,6 +50,9 @@ pub struct FollowPath {
     next: usize,
     phase: Phase,
     bumps: u32,
+    waits: u32,
+    /// Where the robot last turned or began.
+    began: Point,
     /// Shift of the present piece to the left of its direction, m.
     shift: f64,
     /// Seconds left before the present piece is given up: slip and walls must not hold the robot for ever.
@@ -61,14 +73,17 @@ enum Phase {
     /// Turned; wait until the wheels stand still.
     Settle,
     Drive,
-    /// Reverse from this point.
-    BackOff(Point, AfterBump),
+    /// Reverse from this point, so far.
+    BackOff(Point, f64, AfterBump),
+    /// Give way for so many seconds.
+    Wait(f64),
     Done,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum AfterBump {
     TryAgain,
+    Wait,
     GiveUp,
 }
 
@@ -82,6 +97,8 @@ impl FollowPath {
             next: 0,
             phase: Phase::Done,
             bumps: 0,
+            waits: 0,
+            began: start.position(),
             shift: 0.0,
             patience: 0.0,
             counts: [0; 3],
@@ -95,6 +112,7 @@ impl FollowPath {
     fn next_piece(&mut self) {
         self.next += 1;
         self.bumps = 0;
+        self.waits = 0;
         self.shift = 0.0;
         self.phase = Phase::Done;
         if self.next < self.line.len() {
@@ -120,6 +138,7 @@ impl FollowPath {
 
     fn face_next_corner(&mut self) {
         if self.moves_sideways() {
+            self.began = self.odometry.pose().position();
             self.phase = Phase::Drive;
             return;
         }
@@ -195,20 +214,39 @@ impl FollowPath {
             let side = if self.bumps.is_multiple_of(2) { -1.0 } else { 1.0 };
             self.shift = side * NUDGE * f64::from(self.bumps.div_ceil(2));
             let then = if self.bumps >= MOST_BUMPS { AfterBump::GiveUp } else { AfterBump::TryAgain };
-            self.phase = Phase::BackOff(self.odometry.pose().position(), then);
+            self.phase = Phase::BackOff(self.odometry.pose().position(), BACK_OFF, then);
             return;
         }
+        let at = self.odometry.pose().position();
         let frontal = sensed.bump_left && sensed.bump_right;
-        let then = if frontal || self.bumps >= MOST_BUMPS { AfterBump::GiveUp } else { AfterBump::TryAgain };
+        let is_early = (self.line[self.next] - at).norm() > WAIT.1;
+        let then = match frontal || self.bumps >= MOST_BUMPS {
+            false => AfterBump::TryAgain,
+            true if is_early && self.waits < MOST_WAITS => AfterBump::Wait,
+            true => AfterBump::GiveUp,
+        };
         self.shift += if sensed.bump_left { -NUDGE } else { NUDGE };
-        self.phase = Phase::BackOff(self.odometry.pose().position(), then);
+        self.phase = Phase::BackOff(at, BACK_OFF, then);
     }
 
-    fn back_off(&mut self, from: Point, then: AfterBump) -> Drive {
-        let left_over = BACK_OFF - (self.odometry.pose().position() - from).norm();
+    /// There is no floor ahead, or it isn't to be entered: back over the way that it has come.
+    fn turned_back(&mut self) {
+        let at = self.odometry.pose().position();
+        let way = BACK_FROM_EDGE.min((at - self.began).norm());
+        self.phase = Phase::BackOff(at, way, AfterBump::GiveUp);
+    }
+
+    fn back_off(&mut self, from: Point, way: f64, then: AfterBump) -> Drive {
+        let left_over = way - (self.odometry.pose().position() - from).norm();
         if left_over < CLOSE_ENOUGH {
             match then {
                 AfterBump::TryAgain => self.phase = Phase::Stop,
+                AfterBump::Wait => {
+                    self.waits += 1;
+                    self.patience += WAIT.0;
+                    (self.bumps, self.shift) = (0, 0.0);
+                    self.phase = Phase::Wait(WAIT.0);
+                }
                 AfterBump::GiveUp => self.next_piece(),
             }
             return Drive::STOP;
@@ -225,8 +263,15 @@ impl FollowPath {
 impl Controller for FollowPath {
     fn step(&mut self, sensed: &Sensors, dt_s: f64) -> Drive {
         self.odometry.update(sensed);
-        if self.phase == Phase::Drive && sensed.bumped() {
-            self.bumped(sensed);
+        if sensed.wheel_dropped() {
+            return Drive::STOP;
+        }
+        // On a dock, whose ramp is black, all cliff sensors see an edge that is none.
+        let sees_edge = sensed.sees_cliff() && !sensed.battery.on_dock;
+        match self.phase {
+            Phase::Drive if sees_edge || sensed.virtual_wall => self.turned_back(),
+            Phase::Drive if sensed.bumped() => self.bumped(sensed),
+            _ => {}
         }
         self.patience -= dt_s;
         if self.patience < 0.0 && self.phase != Phase::Done {
@@ -242,13 +287,18 @@ impl Controller for FollowPath {
             }
             Phase::Settle => {
                 if self.is_resting() {
+                    self.began = self.odometry.pose().position();
                     self.phase = Phase::Drive;
                 }
                 Drive::STOP
             }
             Phase::Turn(heading) => self.turn(heading),
             Phase::Drive => self.drive(),
-            Phase::BackOff(from, then) => self.back_off(from, then),
+            Phase::BackOff(from, way, then) => self.back_off(from, way, then),
+            Phase::Wait(left) => {
+                self.phase = if left > dt_s { Phase::Wait(left - dt_s) } else { Phase::Stop };
+                Drive::STOP
+            }
             Phase::Done => Drive::STOP,
         }
     }
@@ -259,6 +309,14 @@ impl Controller for FollowPath {
 
     fn estimate(&self) -> Option<Pose> {
         Some(self.odometry.pose())
+    }
+
+    fn activity(&self) -> &'static str {
+        match self.phase {
+            Phase::BackOff(..) => "backing up",
+            Phase::Wait(_) => "waiting for somebody",
+            _ => "",
+        }
     }
 
     fn corner(&self) -> Option<usize> {

@@ -16,7 +16,7 @@
 //!
 //! ```
 //! use robovac_playground::{controller::*, registry::Params, robot::*};
-//! let info = find("spiral").unwrap();
+//! let info = find("spiral_out").unwrap();
 //! let (robot, params) = (model("roomba600").unwrap(), Params::defaults(info.params));
 //! let mut spiral = info.build(&Setup { robot, params: &params, seed: 1 }).unwrap();
 //! spiral.step(&Sensors::default(), 0.015);
@@ -42,7 +42,7 @@ use crate::{
 use rand::RngExt;
 
 pub(super) const INFO: BehaviourInfo = BehaviourInfo {
-    id: "spiral",
+    id: "spiral_out",
     title: "Spiral",
     summary: "Drives growing circles to the left until it hits something, then moves on and begins again.",
     source: "Hasan, Al-Nahid & Reza 2014, Path planning algorithm development for autonomous vacuum cleaner robots, ICIEV: \

@@ -39,6 +39,8 @@ use crate::{
     robot::{Drive, Sensors},
 };
 
+/// Signal to keep: about 3 cm from a light wall, within the side brush's reach.
+const SIGNAL: f64 = 1000.0;
 /// Way back from a wall that was bumped into, m.
 const BACK: f64 = 0.015;
 /// Turns away from what was hit, rad: on the right, straight ahead, on the left.
@@ -47,9 +49,15 @@ const AWAY: [f64; 3] = [0.35, 0.9, 1.6];
 const LOST: f64 = 1.5 * math::TAU;
 /// Steering by light: turn rate for a signal that is off by all of its set value, and for one that changes by that much
 /// in a second (rad/s, rad).
-const GAINS: (f64, f64) = (1.2, 0.25);
+const GAINS: (f64, f64) = (1.2, 0.4);
 /// Fastest steering, rad/s.
 const STEER: f64 = 1.4;
+/// Signals are smoothed over about this time, s: dazzled sensors jump.
+const SMOOTH_S: f64 = 0.06;
+/// Signal of a front sensor at which it turns away: about 8 cm from a wall ahead, enough to stop.
+const AHEAD: f64 = 600.0;
+/// Share of the set signal below which there is no wall.
+const NOTHING: f64 = 0.2;
 /// Share of the speed while steering by light along a wall.
 const PACE: f64 = 0.8;
 
@@ -98,7 +106,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
             id: "signal",
             label: "Set signal",
             help: "By light: strength of the rightmost light bumper signal that it keeps; more is nearer to the wall.",
-            kind: ParamKind::Number { min: 20.0, max: 3000.0, step: 10.0, default: 250.0, unit: "" },
+            kind: ParamKind::Number { min: 200.0, max: 3000.0, step: 50.0, default: SIGNAL, unit: "" },
         },
         GO_HOME,
         LEAVE_HOME,
@@ -125,7 +133,7 @@ pub(super) struct WallFollow {
     /// Radius of the arcs, m.
     arc: f64,
     phase: Phase,
-    /// Last signal, for its change.
+    /// Smoothed signal, as a share of the set one.
     last: f64,
 }
 
@@ -149,7 +157,7 @@ impl WallFollow {
 
     /// As the parameters have it unless asked for otherwise.
     pub(super) fn usual(setup: &Setup<'_>) -> Self {
-        Self::new(setup, Some(250.0), 1, 0.08)
+        Self::new(setup, Some(SIGNAL), 1, 0.08)
     }
 
     fn feel(&mut self, turned: f64) {
@@ -159,17 +167,17 @@ impl WallFollow {
 
     /// Steers by the light that comes back from the wall; `None` where there is no wall.
     fn by_light(&mut self, pilot: &Pilot, sensed: &Sensors, set: f64, dt_s: f64) -> Option<Drive> {
-        let [_, front_left, left, right, front_right, side] = sensed.light_signal.map(|s| f64::from(s) / set);
-        let change = (side - self.last) / dt_s;
-        self.last = side;
-        let ahead = left.max(right).max(front_left).max(0.7 * front_right);
-        if ahead > 1.0 {
-            return Some(pilot.twist(0.0, 2.0 * pilot.turn_speed / pilot.robot.wheel_base));
+        let [_, front_left, left, right, front_right, side] = sensed.light_signal.map(f64::from);
+        let before = self.last;
+        self.last += (side / set - before) * dt_s / SMOOTH_S;
+        let (side, change) = (self.last, (self.last - before) / dt_s);
+        if left.max(right).max(front_left).max(0.5 * front_right) > AHEAD {
+            return Some(pilot.twist(0.0, pilot.robot.turn_rate()));
         }
-        if side < 0.05 {
+        if side < NOTHING {
             return None;
         }
-        let steer = GAINS.0 * (side - 1.0) + GAINS.1 * change.clamp(-4.0, 4.0);
+        let steer = GAINS.0 * (side - 1.0) + GAINS.1 * change;
         Some(pilot.twist(PACE * pilot.speed, steer.clamp(-STEER, STEER)))
     }
 }

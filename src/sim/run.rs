@@ -2,7 +2,7 @@
 
 use super::{Event, Input, Life, Noise, STEP_S, SimRobot, SlipLevel, What, World, event::Signs};
 use crate::{
-    controller::Controller,
+    controller::{Controller, interlock::Blocked},
     coverage::{CoverageTracker, ReachableFloor},
     geometry::{Point, Pose, difference},
     robot::{Odometry, OdometryModel, RobotModel, Sensors},
@@ -251,6 +251,11 @@ impl Run {
     /// What the controller is doing, in a few words.
     pub fn activity(&self) -> &'static str {
         self.controller.activity()
+    }
+
+    /// What of a person's commands the controller doesn't obey at present, and why; `None` if nobody is at the controls.
+    pub fn blocked(&self) -> Option<Blocked> {
+        self.controller.blocked()
     }
 
     /// Where it believes to be: by its controller, or by counting wheel turns if the controller doesn't care.

@@ -11,7 +11,8 @@ use super::{
 };
 use crate::{
     app::{Palette, RobotView, Scene, Shows, Viewport, outlines},
-    geometry::{Point, Pose},
+    floorplan::Object,
+    geometry::{Point, Pose, Vector},
     grid::{Cell, Grid, Occupancy},
 };
 use wasm_bindgen::{JsCast, JsValue};
@@ -53,8 +54,8 @@ struct Drawn {
     selected: Option<usize>,
     in_hand: bool,
     shows: Shows,
-    /// Steps after which the sensors were read that are shown.
-    sensed: Option<u64>,
+    /// Steps after which the sensors were read that are shown, or those in the room moved.
+    steps: Option<u64>,
     believed: (usize, Option<Point>, Option<Point>),
 }
 
@@ -114,7 +115,8 @@ impl Canvas {
             selected: scene.selected,
             in_hand: !scene.in_hand.is_empty(),
             shows: scene.shows,
-            sensed: scene.sensed.map(|sensed| sensed.steps),
+            steps: (scene.sensed.is_some() || scene.life.is_some_and(|life| !life.movers().is_empty()))
+                .then_some(scene.steps),
             believed: (scene.believed.len(), scene.believed.first().copied(), scene.believed.last().copied()),
         };
         if self.last == Some(drawn) && !drawn.in_hand && scene.dirty_rows.is_none() {
@@ -228,6 +230,7 @@ impl Canvas {
         context.draw_image_with_offscreen_canvas(&self.above.canvas, 0.0, 0.0)?;
         context.set_transform(ratio, 0.0, 0.0, ratio, 0.0, 0.0)?;
         draw_objects(as_layer(context), scene, viewport, palette, Part::Live)?;
+        draw_life(context, scene, viewport, palette)?;
 
         if let Some(search) = &scene.search {
             search::draw_sides(context, palette, search, scene.plan, viewport);
@@ -369,9 +372,52 @@ fn draw_objects(
     palette: &Palette,
     part: Part,
 ) -> Result<(), JsValue> {
-    let pen = Pen { context, palette, viewport };
-    let placed = scene.plan.objects.iter().enumerate().filter(|&(index, _)| scene.lifted != Some(index));
-    placed.map(|(_, object)| pen.draw(object, part)).collect()
+    let pen = Pen { context, palette, viewport, has_life: scene.life.is_some() };
+    let mut placed = scene.plan.objects.iter().enumerate().filter(|&(index, _)| scene.lifted != Some(index));
+    placed.try_for_each(|(_, object)| pen.draw(object, part))
+}
+
+/// Draws what moves and is used up: dirt that is left, people and pets where they are now.
+fn draw_life(
+    context: &CanvasRenderingContext2d,
+    scene: &Scene<'_>,
+    viewport: &Viewport,
+    palette: &Palette,
+) -> Result<(), JsValue> {
+    let Some(life) = scene.life else { return Ok(()) };
+    let pen = Pen { context: as_layer(context), palette, viewport, has_life: true };
+    if scene.shows.dirt {
+        life.spots().iter().for_each(|spot| pen.spot(spot));
+    }
+    let movers = scene.plan.objects.iter().filter_map(|object| match object {
+        Object::Mover { who, path } => Some((*who, path)),
+        _ => None,
+    });
+    for ((who, path), &(at, _)) in movers.zip(life.movers()) {
+        pen.figure(who, at, way_at(path, at))?;
+    }
+    if let (Some(sensed), Some(robot)) = (&scene.sensed, &scene.robot) {
+        let seen = sensed.reading.infrared;
+        if robot.suite.infrared && (seen.omni, seen.left, seen.right) != (0, 0, 0) {
+            for object in &scene.plan.objects {
+                if let Object::Dock { pose } = object {
+                    pen.dock_beams(pose)?;
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The way along the side of `path` that is nearest to `at`.
+fn way_at(path: &[Point], at: Point) -> Vector {
+    let beside = |pair: &&[Point]| {
+        let (along, to) = (pair[1] - pair[0], at - pair[0]);
+        let share = (to.dot(&along) / along.norm_squared().max(1e-9)).clamp(0.0, 1.0);
+        (to - along * share).norm()
+    };
+    let nearest = path.windows(2).min_by(|a, b| beside(a).total_cmp(&beside(b)));
+    nearest.map_or(Vector::new(1.0, 0.0), |pair| pair[1] - pair[0])
 }
 
 /// Draws what is in the hand, and what shows that something is selected.
@@ -381,7 +427,7 @@ fn draw_hand(
     viewport: &Viewport,
     palette: &Palette,
 ) -> Result<(), JsValue> {
-    let pen = Pen { context: as_layer(context), palette, viewport };
+    let pen = Pen { context: as_layer(context), palette, viewport, has_life: false };
     let selected = scene.selected.filter(|&index| scene.lifted != Some(index));
     for object in scene.in_hand.iter().chain(selected.and_then(|index| scene.plan.objects.get(index))) {
         if scene.lifted.is_some() || !scene.in_hand.is_empty() {

@@ -109,19 +109,14 @@ impl MonteCarlo {
 
     // ---- choices; each throws a message and changes nothing if the choice isn't possible
 
-    /// Lets an algorithm take part, or not.
-    pub fn choose(&mut self, id: &str, takes_part: bool) -> Result<(), JsValue> {
-        Ok(self.state.choose(id, takes_part)?)
-    }
-
-    /// Lets just these take part, joined by commas.
-    pub fn choose_only(&mut self, names: &str) -> Result<(), JsValue> {
-        Ok(self.state.choose_only(names)?)
+    /// Lets an algorithm take part, or not, by its number in the offer.
+    pub fn choose(&mut self, entrant: usize, takes_part: bool) {
+        self.state.choose(entrant, takes_part);
     }
 
     /// Sets a parameter of an algorithm from the text of a form.
-    pub fn set_param(&mut self, algorithm: &str, id: &str, text: &str) -> Result<(), JsValue> {
-        Ok(self.state.set_param(algorithm, id, text)?)
+    pub fn set_param(&mut self, entrant: usize, id: &str, text: &str) -> Result<(), JsValue> {
+        Ok(self.state.set_param(entrant, id, text)?)
     }
 
     /// Number of runs of each algorithm.

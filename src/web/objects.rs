@@ -5,6 +5,7 @@ use crate::{
     floorplan::{Object, Who, middle},
     geometry::{Point, Pose, Vector},
     math,
+    sim::Spot,
 };
 use js_sys::Array;
 use wasm_bindgen::JsValue;
@@ -52,6 +53,8 @@ pub struct Pen<'a> {
     pub palette: &'a Palette,
     /// What of the floor is seen.
     pub viewport: &'a Viewport,
+    /// Whether dirt, people and pets are drawn as they are now, not as they were placed.
+    pub has_life: bool,
 }
 
 impl Pen<'_> {
@@ -77,13 +80,13 @@ impl Pen<'_> {
             }
             (Object::Dock { pose }, Part::Small) => self.dock(pose)?,
             (Object::VirtualWall { pose, length }, Part::Small) => self.virtual_wall(pose, *length)?,
-            (Object::Dirt { at, radius }, Part::Live) => self.dirt(*at, *radius),
+            (Object::Dirt { at, radius }, Part::Live) if !self.has_life => self.dirt(*at, *radius),
             (Object::Mover { who, path }, Part::Live) => {
                 self.trace(path, false);
                 self.dash(&[5.0, 5.0])?;
                 self.stroke(if *who == Who::Person { self.palette.person } else { self.palette.pet }, 1.5);
                 self.dash(&[])?;
-                if let Some(&at) = path.first() {
+                if let Some(&at) = path.first().filter(|_| !self.has_life) {
                     let ahead = path.get(1).map_or(Vector::new(1.0, 0.0), |next| next - at);
                     self.figure(*who, at, ahead)?;
                 }
@@ -221,7 +224,8 @@ impl Pen<'_> {
         Ok(())
     }
 
-    fn dock_beams(&self, pose: &Pose) -> Result<(), JsValue> {
+    /// The beams of a dock.
+    pub fn dock_beams(&self, pose: &Pose) -> Result<(), JsValue> {
         let (reach, field, [low, high]) = DOCK_BEAMS;
         // The green one is on the left of a robot that faces the dock.
         for (colour, from, to) in [(self.palette.beams[0], low, high), (self.palette.beams[1], -high, -low)] {
@@ -264,6 +268,23 @@ impl Pen<'_> {
             let speck = self.viewport.to_screen(at + Vector::new(math::cos(angle), math::sin(angle)) * distance);
             let size = ((0.008 + 0.016 * next()) * self.viewport.scale).clamp(1.2, 4.0);
             self.context.fill_rect(speck.x - 0.5 * size, speck.y - 0.5 * size, size, size);
+        }
+    }
+
+    /// What is left of a spot of dirt.
+    pub fn spot(&self, spot: &Spot) {
+        let share = (spot.radius / spot.cell_size()).powi(2) * math::PI;
+        let count = (spot.radius * spot.radius * 1100.0).clamp(12.0, 160.0);
+        self.context.set_fill_style_str(self.palette.dirt);
+        for (at, _) in spot.cells() {
+            // Always the same cells get a speck, whatever was swept elsewhere.
+            let (x, y) = ((at.x / spot.cell_size()) as u32, (at.y / spot.cell_size()) as u32);
+            let hash = (x.wrapping_mul(0x9e37_79b9) ^ y.wrapping_mul(0x85eb_ca6b)).wrapping_mul(0xc2b2_ae35);
+            if f64::from(hash >> 8) / f64::from(1 << 24) * share < count {
+                let size = ((0.008 + 0.016 * f64::from(hash & 0xff) / 255.0) * self.viewport.scale).clamp(1.2, 4.0);
+                let speck = self.viewport.to_screen(at);
+                self.context.fill_rect(speck.x - 0.5 * size, speck.y - 0.5 * size, size, size);
+            }
         }
     }
 

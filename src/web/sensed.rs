@@ -52,7 +52,7 @@ pub(super) fn draw_cliffs(
         let is_over_cliff = sensed.reading.cliff[index];
         let size = (0.012 * viewport.scale).max(2.5);
         disc(context, at.x, at.y, size + 1.5, palette.halo)?;
-        disc(context, at.x, at.y, size, if is_over_cliff { palette.bump } else { palette.estimate })?;
+        disc(context, at.x, at.y, size, if is_over_cliff { palette.bump } else { palette.sensor })?;
     }
     Ok(())
 }

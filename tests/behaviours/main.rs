@@ -4,4 +4,5 @@ mod contract;
 mod docking;
 mod measure;
 mod papers;
+mod stairs;
 mod support;

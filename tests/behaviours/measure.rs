@@ -91,3 +91,36 @@ fn diary() {
         }
     }
 }
+
+#[test]
+#[ignore = "measures, tests nothing"]
+fn distance_from_the_wall() {
+    let plan = (room(&setting("ROOM", "empty")).unwrap().build)();
+    for robot in MODELS {
+        for noise in [NoiseLevel::Off, NoiseLevel::Typical, NoiseLevel::Harsh] {
+            let Some(setup) = lay_out(&plan, robot, conditions(noise)) else { continue };
+            let mut run = run(&setup, robovac_playground::controller::find("wall_follow").unwrap(), 1);
+            let (mut near, mut steps) = ([0; 4], 0);
+            crate::support::drive(&mut run, 2.0);
+            let bumps = run.bumps();
+            while run.time_s() < 600.0 {
+                run.step();
+                let walls = &run.floor().walls;
+                let gap =
+                    walls.nearest(run.pose().position(), robot.radius + 0.15).map_or(0.2, |(_, d)| d - robot.radius);
+                for (count, limit) in near.iter_mut().zip([0.02, 0.04, 0.06, 0.1]) {
+                    *count += u32::from(gap < limit);
+                }
+                steps += 1;
+            }
+            let shares = near.map(|n| format!("{:.0} %", 100.0 * f64::from(n) / f64::from(steps)));
+            println!(
+                "{:10} {noise:?}: nearer than 2, 4, 6, 10 cm: {shares:?}, {} bumps, {:.0} m, coverage {:.2}",
+                robot.id,
+                run.bumps() - bumps,
+                run.distance_m(),
+                run.coverage()
+            );
+        }
+    }
+}

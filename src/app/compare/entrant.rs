@@ -15,6 +15,11 @@ pub struct Entrant {
     pub params: Params,
 }
 
+/// The kinds of algorithms, as [`Algorithm::kind`] has them.
+pub const PLANNER: &str = "planner";
+/// See [`PLANNER`].
+pub const BEHAVIOUR: &str = "behaviour";
+
 /// Between an algorithm and its parameters, and between two of them; neither it nor [`IS`] needs escaping in links.
 const AND: char = '~';
 /// Between a parameter and its value.
@@ -26,11 +31,11 @@ impl Entrant {
         Self { algorithm, params: Params::defaults(algorithm.params()) }
     }
 
-    /// What [`Display`](fmt::Display) wrote: `snake`, `snake~patience:3` or `bounce`.
-    pub fn parse(text: &str) -> Result<Self, SettingsError> {
-        let (id, params) = text.split_once(AND).map_or((text, None), |(id, params)| (id, Some(params)));
-        let mut entrant = Self::new(Algorithm::find(id)?);
-        for part in params.into_iter().flat_map(|params| params.split(AND)) {
+    /// What [`Display`](fmt::Display) wrote of a `planner` or a `behaviour`: `snake`, or `snake~patience:3`.
+    pub fn parse(kind: &'static str, text: &str) -> Result<Self, SettingsError> {
+        let mut parts = text.split(AND);
+        let mut entrant = Self::new(Algorithm::find_kind(kind, parts.next().unwrap_or_default())?);
+        for part in parts {
             let (id, value) = part.split_once(IS).unwrap_or((part, ""));
             entrant.set(id, value)?;
         }
@@ -39,13 +44,10 @@ impl Entrant {
 
     /// A planner with its parameters; where only planners take part, nothing else is known.
     pub fn parse_planner(text: &str) -> Result<(Self, &'static PlannerInfo), SettingsError> {
-        let id = text.split(AND).next().unwrap_or_default();
-        let planner = planner::find(id).ok_or_else(|| SettingsError::Unknown {
-            kind: "planner",
-            id: id.to_owned(),
-            known: planner::PLANNERS.iter().map(|p| p.id).collect::<Vec<_>>().join(", "),
-        })?;
-        Ok((Self::parse(text)?, planner))
+        let entrant = Self::parse(PLANNER, text)?;
+        // What was found among the planners is one.
+        let planner = entrant.algorithm.planner().unwrap_or(planner::PLANNERS[0]);
+        Ok((entrant, planner))
     }
 
     /// Its id.
@@ -82,21 +84,26 @@ mod tests {
 
     #[test]
     fn text_brings_back_algorithm_and_parameters() {
-        for text in ["bounce", "snake", "snake~patience:3", "boustrophedon~effort:0~lanes:vertical"] {
-            assert_eq!(Entrant::parse(text).unwrap().to_string(), text);
+        for text in ["snake", "snake~patience:3", "boustrophedon~effort:0~lanes:vertical"] {
+            assert_eq!(Entrant::parse(PLANNER, text).unwrap().to_string(), text);
         }
-        assert_eq!(Entrant::parse("snake~patience:2").unwrap().to_string(), "snake");
+        assert_eq!(Entrant::parse(PLANNER, "snake~patience:2").unwrap().to_string(), "snake");
+    }
+
+    #[test]
+    fn planner_and_behaviour_may_share_a_name() {
+        for algorithm in Algorithm::all() {
+            let entrant = Entrant::parse(algorithm.kind(), algorithm.id()).unwrap();
+            assert_eq!((entrant.id(), entrant.algorithm.kind()), (algorithm.id(), algorithm.kind()));
+        }
     }
 
     #[test]
     fn errors_name_what_there_is() {
-        assert!(Entrant::parse("snail").unwrap_err().to_string().contains(", bounce"));
+        assert!(Entrant::parse(PLANNER, "snail").unwrap_err().to_string().contains("boustrophedon, "));
         let planners = Entrant::parse_planner("bounce").unwrap_err().to_string();
-        assert!(
-            planners.starts_with("there is no planner \"bounce\"") && planners.contains("boustrophedon, "),
-            "{planners}"
-        );
-        let error = Entrant::parse("snake~patience:fast").unwrap_err();
+        assert!(planners.starts_with("there is no planner \"bounce\""), "{planners}");
+        let error = Entrant::parse(PLANNER, "snake~patience:fast").unwrap_err();
         assert_eq!(error.to_string(), "parameter \"patience\" can't be \"fast\"; it takes a whole number from 0 to 20");
     }
 }

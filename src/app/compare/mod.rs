@@ -16,7 +16,7 @@ mod trials;
 
 pub use arena::{Arena, Outcome, TrialError};
 pub use comparison::{Comparison, MOST_SEEDS};
-pub use entrant::Entrant;
+pub use entrant::{BEHAVIOUR, Entrant, PLANNER};
 pub(super) use export::quoted;
 pub use export::{Record, to_csv, to_json};
 pub use race::{Lane, MOST_LANES, Race, RaceSetup, Racer};

@@ -75,6 +75,7 @@ struct JsonRun {
     distance_m: f64,
     bumps: u32,
     falls: u32,
+    dirt_left: Option<f64>,
     digest: String,
 }
 
@@ -95,8 +96,8 @@ pub fn to_json(head: &Head<'_>, entries: &[Entry<'_>]) -> String {
 /// A table with a head line, a run a line; empty where something didn't happen.
 pub fn to_csv(head: &Head<'_>, entries: &[Entry<'_>]) -> String {
     let mut csv = String::from(
-        "room,robot,slip,noise,quantised,minutes,algorithm,seed,error,coverage [%],time to 90 % [s],time to 99 % [s],\
-         time [s],distance [m],bumps,falls,digest\n",
+        "room,robot,slip,noise,quantised,minutes,kind,algorithm,seed,error,coverage [%],time to 90 % [s],time to 99 % [s],\
+         time [s],distance [m],bumps,falls,dirt left [%],digest\n",
     );
     let Conditions { slip, quantised, .. } = head.conditions;
     let common = format!(
@@ -108,16 +109,18 @@ pub fn to_csv(head: &Head<'_>, entries: &[Entry<'_>]) -> String {
         head.minutes
     );
     for (entrant, result) in entries {
+        let kind = entrant.algorithm.kind();
         // Writing to a string doesn't fail.
         let _ = match result {
-            Err(error) => writeln!(csv, "{common},{entrant},,{},,,,,,,,", quoted(error)),
+            Err(error) => writeln!(csv, "{common},{kind},{entrant},,{},,,,,,,,,", quoted(error)),
             Ok(runs) => runs.iter().try_for_each(|run| {
                 let [to_90, to_99] = run.reached_s.map(|s| if s.is_finite() { s.to_string() } else { String::new() });
                 let Outcome { seed, time_s, distance_m, bumps, falls, digest, .. } = run;
                 let coverage = 100.0 * run.coverage();
+                let dirt = run.dirt_left.map(|left| (100.0 * left).to_string()).unwrap_or_default();
                 writeln!(
                     csv,
-                    "{common},{entrant},{seed},,{coverage},{to_90},{to_99},{time_s},{distance_m},{bumps},{falls},{digest:016x}"
+                    "{common},{kind},{entrant},{seed},,{coverage},{to_90},{to_99},{time_s},{distance_m},{bumps},{falls},{dirt},{digest:016x}"
                 )
             }),
         };
@@ -152,6 +155,7 @@ impl JsonRun {
             distance_m: run.distance_m,
             bumps: run.bumps,
             falls: run.falls,
+            dirt_left: run.dirt_left,
             digest: format!("{:016x}", run.digest),
         }
     }

@@ -1,6 +1,6 @@
 //! What came out of one run.
 
-use crate::sim::{Run, STEP_S, What};
+use crate::sim::{Run, STEP_S};
 
 /// Shares of the reachable floor whose times are taken.
 pub const GOALS: [f64; 2] = [0.9, 0.99];
@@ -25,12 +25,14 @@ pub struct Outcome {
     pub bumps: u32,
     /// How often the robot fell down a drop-off.
     pub falls: u32,
+    /// Share of the dirt that was left at the end, 0 to 1; `None` where there was none.
+    pub dirt_left: Option<f64>,
     /// Tells the last state of the run from others, to the last bit.
     pub digest: u64,
 }
 
 /// Numbers before the curve in [`Outcome::to_numbers`].
-const HEAD: usize = 8 + GOALS.len();
+const HEAD: usize = 9 + GOALS.len();
 
 impl Outcome {
     /// Makes `run`, which was made with `seed`, go on for `duration_s` seconds from its start.
@@ -40,9 +42,9 @@ impl Outcome {
         curve.push(run.coverage());
         let mut reached_s = [f64::INFINITY; GOALS.len()];
         let mut next = 0;
-        let mut falls = 0;
+        let has_dirt = run.dirt_left() > 0.0;
         for sample in 1..=SAMPLES as u64 {
-            let (from, until) = (run.steps(), steps * sample / SAMPLES as u64);
+            let until = steps * sample / SAMPLES as u64;
             while run.steps() < until && !run.is_finished() {
                 run.step();
                 while GOALS.get(next).is_some_and(|&goal| run.coverage() >= goal) {
@@ -50,8 +52,6 @@ impl Outcome {
                     next += 1;
                 }
             }
-            let fell = |event: &&crate::sim::Event| event.step > from && event.what == What::Fell;
-            falls += run.events().iter().rev().filter(fell).count() as u32;
             curve.push(run.coverage());
         }
         Self {
@@ -61,7 +61,8 @@ impl Outcome {
             time_s: run.time_s(),
             distance_m: run.distance_m(),
             bumps: run.bumps(),
-            falls,
+            falls: run.falls(),
+            dirt_left: has_dirt.then(|| run.dirt_left()),
             digest: run.digest(),
         }
     }
@@ -75,7 +76,8 @@ impl Outcome {
     pub fn to_numbers(&self) -> impl Iterator<Item = f64> {
         let halves = [(self.digest >> 32) as u32, self.digest as u32].map(f64::from);
         let counts = [self.bumps, self.falls].map(f64::from);
-        let head = [self.curve.len() as f64, self.seed as f64, self.time_s, self.distance_m];
+        let dirt_left = self.dirt_left.unwrap_or(f64::NAN);
+        let head = [self.curve.len() as f64, self.seed as f64, self.time_s, self.distance_m, dirt_left];
         head.into_iter().chain(counts).chain(halves).chain(self.reached_s).chain(self.curve.iter().copied())
     }
 
@@ -83,7 +85,7 @@ impl Outcome {
     pub fn from_numbers(mut numbers: &[f64]) -> Vec<Self> {
         let mut outcomes = Vec::new();
         while let Some((head, rest)) = numbers.split_first_chunk::<HEAD>() {
-            let &[length, seed, time_s, distance_m, bumps, falls, high, low, reached_90, reached_99] = head;
+            let &[length, seed, time_s, distance_m, dirt_left, bumps, falls, high, low, reached_90, reached_99] = head;
             let Some((curve, rest)) = rest.split_at_checked(length as usize) else { break };
             outcomes.push(Self {
                 seed: seed as u64,
@@ -93,6 +95,7 @@ impl Outcome {
                 distance_m,
                 bumps: bumps as u32,
                 falls: falls as u32,
+                dirt_left: Some(dirt_left).filter(|left| !left.is_nan()),
                 digest: (high as u64) << 32 | low as u64,
             });
             numbers = rest;

@@ -4,7 +4,7 @@ use super::{Lab, Outcome, Terms};
 use crate::{
     app::{
         Settings,
-        compare::{Entrant, plan_of},
+        compare::{BEHAVIOUR, Entrant, PLANNER, plan_of},
     },
     planner::Observer,
 };
@@ -25,6 +25,8 @@ pub struct RunsRequest {
     pub duration_s: f64,
     /// Seed of plans.
     pub plan_seed: u64,
+    /// Whether it is a behaviour; else a planner.
+    pub behaves: bool,
     /// The algorithm with its parameters, as [`Entrant::parse`] reads it.
     pub entrant: String,
     /// The seeds of the runs.
@@ -48,7 +50,8 @@ impl RunsRequest {
 
     /// Makes the runs in `lab`. Errors are for users.
     pub fn run(&self, lab: &mut Lab, observer: Option<Observer<'_>>) -> Result<Vec<Outcome>, String> {
-        let entrant = Entrant::parse(&self.entrant).map_err(|e| e.to_string())?;
+        let kind = if self.behaves { BEHAVIOUR } else { PLANNER };
+        let entrant = Entrant::parse(kind, &self.entrant).map_err(|e| e.to_string())?;
         lab.plan(&entrant, observer).map_err(|e| e.to_string())?;
         let run = |&seed: &u64| lab.run(&entrant, seed).ok_or_else(|| "it can't be run".to_owned());
         self.seeds.iter().map(run).collect()

@@ -2,7 +2,10 @@
 
 use super::{Entry, Head, Outcome, RunsRequest, Summary, Tally};
 use crate::{
-    app::{Algorithm, Session, Settings, SettingsError, compare::Entrant},
+    app::{
+        Algorithm, Session, Settings, SettingsError,
+        compare::{BEHAVIOUR, Entrant, PLANNER},
+    },
     floorplan::{FloorPlan, Scenario},
 };
 use std::{
@@ -68,7 +71,8 @@ impl Base {
         let mut settings = session.settings().clone();
         settings.start = session.start();
         let room = session.room();
-        let is_about_place = |key: &str| !matches!(key, "planner" | "behaviour" | "seed" | "speed" | "odometry");
+        let is_about_place =
+            |key: &str| !matches!(key, "planner" | "behaviour" | "seed" | "speed" | "show" | "odometry");
         let pairs = settings.to_link().into_iter();
         let place = pairs
             .filter(|(key, _)| is_about_place(key) && !key.starts_with("p."))
@@ -138,25 +142,25 @@ impl Study {
         self.changed();
     }
 
-    /// Lets an algorithm take part, or not.
-    pub fn choose(&mut self, id: &str, takes_part: bool) -> Result<(), SettingsError> {
-        let index = self.index(id)?;
-        if takes_part {
-            self.chosen.insert(index)
+    /// Lets an algorithm take part, or not, by its number in [`Study::entrants`].
+    pub fn choose(&mut self, entrant: usize, takes_part: bool) {
+        if takes_part && entrant < self.entrants.len() {
+            self.chosen.insert(entrant)
         } else {
-            self.chosen.remove(&index)
+            self.chosen.remove(&entrant)
         };
         self.changed();
-        Ok(())
     }
 
-    /// Lets just these take part, joined by commas, with their parameters.
-    pub fn choose_only(&mut self, names: &str) -> Result<(), SettingsError> {
-        let parsed = names.split(',').filter(|name| !name.is_empty()).map(Entrant::parse);
-        let wanted = parsed.collect::<Result<Vec<_>, _>>()?;
-        let indices = wanted.iter().map(|entrant| self.index(entrant.id())).collect::<Result<Vec<_>, _>>()?;
-        self.chosen.clear();
-        for (index, entrant) in indices.into_iter().zip(wanted) {
+    /// Of the `planner`s or the `behaviour`s, lets just these take part, joined by commas, with their parameters.
+    pub fn choose_only(&mut self, kind: &'static str, names: &str) -> Result<(), SettingsError> {
+        let mut wanted = Vec::new();
+        for name in names.split(',').filter(|name| !name.is_empty()) {
+            let entrant = Entrant::parse(kind, name)?;
+            wanted.push((self.index(entrant.algorithm)?, entrant));
+        }
+        self.chosen.retain(|&index| self.entrants[index].algorithm.kind() != kind);
+        for (index, entrant) in wanted {
             self.entrants[index] = entrant;
             self.chosen.insert(index);
         }
@@ -165,10 +169,11 @@ impl Study {
     }
 
     /// Sets a parameter of an algorithm from the text of a form.
-    pub fn set_param(&mut self, algorithm: &str, id: &str, text: &str) -> Result<(), SettingsError> {
-        let index = self.index(algorithm)?;
-        self.entrants[index].set(id, text)?;
-        self.changed();
+    pub fn set_param(&mut self, entrant: usize, id: &str, text: &str) -> Result<(), SettingsError> {
+        if let Some(entrant) = self.entrants.get_mut(entrant) {
+            entrant.set(id, text)?;
+            self.changed();
+        }
         Ok(())
     }
 
@@ -184,18 +189,22 @@ impl Study {
         self.changed();
     }
 
-    fn index(&self, id: &str) -> Result<usize, SettingsError> {
-        self.entrants.iter().position(|entrant| entrant.id() == id).ok_or_else(|| SettingsError::Unknown {
+    fn index(&self, wanted: Algorithm) -> Result<usize, SettingsError> {
+        let is_wanted = |e: &Entrant| e.algorithm.kind() == wanted.kind() && e.id() == wanted.id();
+        self.entrants.iter().position(is_wanted).ok_or_else(|| SettingsError::Unknown {
             kind: "algorithm that cleans by itself",
-            id: id.to_owned(),
+            id: wanted.id().to_owned(),
             known: self.entrants.iter().map(Entrant::id).collect::<Vec<_>>().join(", "),
         })
     }
 
     /// What has been chosen as `key=value` pairs for a link.
     pub fn to_link(&self) -> String {
-        let chosen: Vec<String> = self.chosen.iter().map(|&index| self.entrants[index].to_string()).collect();
-        format!("runs={}&times={}&minutes={}", chosen.join(","), self.seeds, self.minutes)
+        let of = |kind: &str| {
+            let chosen = self.chosen.iter().map(|&index| &self.entrants[index]);
+            chosen.filter(|e| e.algorithm.kind() == kind).map(Entrant::to_string).collect::<Vec<_>>().join(",")
+        };
+        format!("runs={}&paths={}&times={}&minutes={}", of(BEHAVIOUR), of(PLANNER), self.seeds, self.minutes)
     }
 
     /// Takes what [`Study::to_link`] wrote among other pairs, joined by `&`. On an error everything stays as it was.
@@ -204,7 +213,8 @@ impl Study {
         (next.seeds, next.minutes) = (self.seeds, self.minutes);
         for (key, value) in link.trim_start_matches('#').split('&').filter_map(|pair| pair.split_once('=')) {
             match key {
-                "runs" => next.choose_only(value)?,
+                "runs" => next.choose_only(BEHAVIOUR, value)?,
+                "paths" => next.choose_only(PLANNER, value)?,
                 "times" => {
                     next.seeds = whole(value, MOST_SEEDS, "the number of runs", "a whole number from 1 to 1000")?;
                 }
@@ -275,6 +285,7 @@ impl Study {
             settings: base.place.clone(),
             duration_s: 60.0 * f64::from(self.minutes),
             plan_seed: first,
+            behaves: self.entrants[entrant].algorithm.behaviour().is_some(),
             entrant: self.entrants[entrant].to_string(),
             seeds: seeds.clone(),
             place: format!("{} {first} {}", base.key(), self.minutes),
@@ -324,7 +335,7 @@ impl Study {
         let base = self.base.as_ref()?;
         let entrant = &self.entrants[entrant];
         let planned = entrant.algorithm.planner().map_or(String::new(), |_| base.settings.seed.to_string());
-        Some(format!("{} {} {entrant} {planned}", base.key(), self.minutes))
+        Some(format!("{} {} {} {entrant} {planned}", base.key(), self.minutes, entrant.algorithm.kind()))
     }
 
     /// The runs of an algorithm that are wanted and made, by their seeds.

@@ -51,6 +51,8 @@ pub struct Summary {
     pub bumps: Band,
     /// Falls of all runs together.
     pub falls: u32,
+    /// Share of the dirt that was left, 0 to 1; `None` where there was none.
+    pub dirt_left: Option<Band>,
 }
 
 /// Outcomes of one algorithm by their seeds. The order in which they come makes no difference.
@@ -84,6 +86,7 @@ impl Summary {
             distance_m: Band::of(runs, |run| run.distance_m)?,
             bumps: Band::of(runs, |run| f64::from(run.bumps))?,
             falls: runs.iter().map(|run| run.falls).sum(),
+            dirt_left: Band::of(runs, |run| run.dirt_left.unwrap_or(0.0)).filter(|_| runs[0].dirt_left.is_some()),
         })
     }
 }
@@ -93,6 +96,12 @@ impl Band {
     fn of(runs: &[&Outcome], number: impl Fn(&Outcome) -> f64) -> Option<Self> {
         let [low, median, high] = quantiles(runs, number)?;
         Some(Self { low, median, high })
+    }
+
+    /// The same in another unit.
+    #[must_use]
+    pub fn times(self, factor: f64) -> Self {
+        Self { low: factor * self.low, median: factor * self.median, high: factor * self.high }
     }
 
     /// The bands of coverage over time: one at the start and one at the end of each of [`SAMPLES`] equal parts of it.

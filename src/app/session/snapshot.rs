@@ -28,6 +28,8 @@ impl Session {
             preview: self.planning.as_ref().map_or(&[], |p| &p.preview),
             planned_version: u64::from(self.requests) + self.previews,
             trail: run.map_or(&[], Run::trail),
+            life: run.map(Run::life),
+            steps: run.map_or(0, Run::steps),
             believed: run.filter(|_| estimate).map_or(&[], Run::believed_trail),
             robot,
             search: self.decision().map(|step| SearchScene { step, cell_size: self.settings.cell_size }),
@@ -35,11 +37,7 @@ impl Session {
             start_radius: model.radius,
             start_body: model.body,
             shows: self.settings.shows,
-            sensed: run.filter(|_| sensors).map(|run| Sensed {
-                reading: run.sensors(),
-                floor: run.floor(),
-                steps: run.steps(),
-            }),
+            sensed: run.filter(|_| sensors).map(|run| Sensed { reading: run.sensors(), floor: run.floor() }),
             ..Scene::empty(self.editor.plan())
         }
     }
@@ -71,6 +69,8 @@ impl Session {
             activity: run.map_or("", Run::activity),
             diary: run.map_or(0.0, diary_version),
             is_lifted: self.is_lifted(),
+            blocked: run.and_then(Run::blocked).map(|b| [b.forward, b.left, b.right, b.backward]),
+            dirt_left: run.filter(|run| !run.life().spots().is_empty()).map(Run::dirt_left),
             params: self.settings.params.clone(),
             cell_size_m: self.settings.cell_size,
             seed: self.settings.seed,

@@ -3,7 +3,8 @@
 use super::{conditions::ConditionsArguments, failure::Failure, simulate::DEFAULT_ROBOT, task::PlacementArguments};
 use robovac_playground::{
     app::{
-        compare::Entrant,
+        Algorithm,
+        compare::{BEHAVIOUR, Entrant, PLANNER},
         montecarlo::{Band, Entry, Head, Lab, Outcome, Summary, Terms, TimeTo, to_csv, to_json},
         planning::Placement,
     },
@@ -95,19 +96,12 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
 
 impl EntrantArguments {
     fn find(&self) -> Result<Vec<Entrant>, Failure> {
+        let behaviours = self.behaviours.iter().map(|name| (BEHAVIOUR, name));
         let mut entrants = Vec::new();
-        for (name, is_behaviour) in
-            self.behaviours.iter().map(|name| (name, true)).chain(self.planners.iter().map(|name| (name, false)))
-        {
-            let (kind, command) = if is_behaviour { ("behaviour", "behaviours") } else { ("planner", "planners") };
+        for (kind, name) in behaviours.chain(self.planners.iter().map(|name| (PLANNER, name))) {
             let id = name.split('~').next().unwrap_or_default();
-            let entrant = match Entrant::parse(name) {
-                Ok(entrant) if entrant.algorithm.kind() == kind => entrant,
-                Err(error) if robovac_playground::app::Algorithm::find(id).is_ok() => {
-                    return Err(Failure::usage(error.to_string()));
-                }
-                _ => return Err(Failure::unknown(kind, id, command)),
-            };
+            Algorithm::find_kind(kind, id).map_err(|_| Failure::unknown(kind, id, &format!("{kind}s")))?;
+            let entrant = Entrant::parse(kind, name).map_err(|error| Failure::usage(error.to_string()))?;
             if entrant.algorithm.behaviour().is_some_and(|info| info.claims.manual) {
                 return Err(Failure::usage(format!("behaviour \"{id}\" needs a person at the controls")));
             }
@@ -150,29 +144,30 @@ fn table(head: &Head<'_>, placement: &Placement, arguments: &Arguments, entries:
     let (robot, minutes) = (placement.robot.title, head.minutes);
     let mut text = format!(
         "### {}, {robot}: {} runs of {minutes} min, slip {}, noise {noise}{quantised}\n\n\
-         | Algorithm | Coverage, % | 90 % after, min | runs | 99 % after, min | runs | Distance, m | Bumps | Falls |\n\
+         | Algorithm | Coverage, % | 90 % after, min | runs | 99 % after, min | runs | Distance, m | Bumps | Falls | Dirt left, % |\n\
          |---{}|\n",
         head.room,
         arguments.seeds,
         slip.id(),
-        "|--:".repeat(8),
+        "|--:".repeat(9),
     );
     for (entrant, result) in entries {
         let summary = match result {
             Ok(runs) => Summary::of(runs),
             Err(why) => {
-                let _ = writeln!(text, "| {entrant} ({why}) |{}", " – |".repeat(8));
+                let _ = writeln!(text, "| {entrant} ({why}) |{}", " – |".repeat(9));
                 None
             }
         };
         let Some(summary) = summary else { continue };
-        let Summary { runs, coverage, time_to: [to_90, to_99], distance_m, bumps, falls } = summary;
-        let percent = Band { low: 100.0 * coverage.low, median: 100.0 * coverage.median, high: 100.0 * coverage.high };
+        let Summary { runs, coverage, time_to: [to_90, to_99], distance_m, bumps, falls, dirt_left } = summary;
+        let percent = coverage.times(100.0);
+        let dirt = dirt_left.map_or("–".to_owned(), |left| band(left.times(100.0), 1));
         let time = |to: &TimeTo| format!("{} | {}", times(to), share(to.reached, runs));
         // Writing to a string doesn't fail.
         let _ = writeln!(
             text,
-            "| {entrant} | {} | {} | {} | {} | {} | {falls} |",
+            "| {entrant} | {} | {} | {} | {} | {} | {falls} | {dirt} |",
             band(percent, 1),
             time(&to_90),
             time(&to_99),

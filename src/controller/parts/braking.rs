@@ -2,31 +2,43 @@
 
 use crate::{math, robot::RobotModel};
 
-/// Time from an edge under a sensor to brakes that grip, s: two readings.
-const REACTION_S: f64 = 0.03;
+/// Time from an edge under a sensor to brakes that grip, s: one reading.
+const REACTION_S: f64 = 0.015;
 /// Floor that must be left under the wheel, m.
 const MARGIN: f64 = 0.002;
+/// Floor that must be left around the circle on which the wheels turn, m: brakes come in while the robot still rolls.
+const TURN_MARGIN: f64 = 0.025;
+/// Least way back from an edge, m.
+const LEAST_BACK: f64 = 0.06;
 /// Slowest speed that is worth driving, m/s.
 const LEAST: f64 = 0.08;
-/// Directions of edges that are looked at, from straight ahead to alongside.
-const DIRECTIONS: u32 = 18;
+/// Directions of corners that are looked at to either side of straight ahead, and their distance, rad.
+const DIRECTIONS: (i32, f64) = (16, 5.0 * math::PI / 180.0);
+/// Places of corners that are looked at to either side of the middle, as shares of the half wheel base.
+const PLACES: i32 = 32;
 
 /// The fastest speed straight ahead, m/s, at most the model's cruise speed.
 ///
-/// A straight edge of any direction is first seen by the sensor that reaches farthest towards it. From there to the edge
-/// the wheel on that side has a certain way, in which the robot must react and brake. Without cliff sensors there is
-/// nothing to be careful about.
+/// What has no floor is taken to reach into the floor with right-angled corners, of any direction and anywhere ahead;
+/// straight edges are no worse. A corner is first seen by one of the sensors, which may be a side sensor late in the day.
+/// From there to the moment when a wheel gets over the edge the robot has a certain way, in which it must react and
+/// brake. Without cliff sensors there is nothing to be careful about.
 pub(super) fn safe_speed(robot: &RobotModel) -> f64 {
     let half_base = 0.5 * robot.wheel_base;
     let mut way = f64::INFINITY;
-    for i in 0..DIRECTIONS {
-        let angle = math::FRAC_PI_2 * f64::from(i) / f64::from(DIRECTIONS);
-        let (sin, cos) = (math::sin(angle), math::cos(angle));
-        for mirror in [1.0, -1.0] {
-            let reach = robot.sensors.cliffs.iter().flatten().map(|[x, y]| x * cos + mirror * y * sin);
-            let seen = reach.fold(f64::NEG_INFINITY, f64::max);
-            if seen > f64::NEG_INFINITY {
-                way = way.min((seen - half_base * sin - MARGIN) / cos);
+    for direction in -DIRECTIONS.0..=DIRECTIONS.0 {
+        let middle = f64::from(direction) * DIRECTIONS.1;
+        let sides = [middle - 0.5 * math::FRAC_PI_2, middle + 0.5 * math::FRAC_PI_2];
+        let sides = sides.map(|angle| (math::cos(angle), math::sin(angle)));
+        for place in -PLACES..=PLACES {
+            let at = 1.5 * half_base * f64::from(place) / f64::from(PLACES);
+            let seen = robot.sensors.cliffs.iter().flatten().map(|[x, y]| x - inside(sides, y - at));
+            let seen = seen.fold(f64::NEG_INFINITY, f64::max);
+            for wheel in [half_base, -half_base] {
+                let over = -inside(sides, wheel - at);
+                if over > f64::NEG_INFINITY && seen > f64::NEG_INFINITY {
+                    way = way.min(seen - over - MARGIN);
+                }
             }
         }
     }
@@ -39,22 +51,40 @@ pub(super) fn safe_speed(robot: &RobotModel) -> f64 {
     speed.clamp(LEAST, robot.cruise_speed.max(LEAST))
 }
 
+/// How far ahead of a corner's tip a point is that lies `aside` to the left of it when it gets over one of the corner's sides,
+/// given as (cosine, sine) of their directions; infinite if it passes them both.
+fn inside(sides: [(f64, f64); 2], aside: f64) -> f64 {
+    if aside == 0.0 {
+        return 0.0;
+    }
+    let crossed = sides.iter().filter(|(_, sin)| sin * aside > 0.0);
+    crossed.map(|(cos, sin)| aside / sin * cos).fold(f64::INFINITY, f64::min)
+}
+
+/// How far to go back from where an edge was first seen, m: so far that a turn on the spot gets no wheel over it, from
+/// wherever a single side sensor saw it.
+pub(super) fn off_edge(robot: &RobotModel) -> f64 {
+    let lead = robot.sensors.cliffs.iter().flatten().map(|[x, _]| *x).fold(f64::INFINITY, f64::min);
+    (0.5 * robot.wheel_base - lead + TURN_MARGIN).max(LEAST_BACK)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::robot::{MODELS, model};
 
     #[test]
-    fn a_roomba_need_not_slow_down_and_nobody_exceeds_its_cruise_speed() {
-        let roomba = model("roomba600").unwrap();
-        assert_eq!(safe_speed(roomba), roomba.cruise_speed);
-        assert!(MODELS.iter().all(|robot| safe_speed(robot) <= robot.cruise_speed));
+    fn the_robots_that_ship_need_not_creep_and_nobody_exceeds_its_cruise_speed() {
+        for robot in MODELS {
+            let speed = safe_speed(robot);
+            assert!(speed > 0.75 * robot.cruise_speed && speed <= robot.cruise_speed, "{}: {speed} m/s", robot.id);
+        }
     }
 
     #[test]
     fn sensors_beside_the_wheels_leave_no_way_to_brake() {
         let mut robot = model("roomba600").unwrap().clone();
         robot.sensors.cliffs = [Some([0.03, 0.12]), Some([0.05, 0.02]), Some([0.05, -0.02]), Some([0.03, -0.12])];
-        assert!(safe_speed(&robot) < 0.6 * robot.cruise_speed, "{}", safe_speed(&robot));
+        assert!(safe_speed(&robot) < 0.7 * robot.cruise_speed, "{}", safe_speed(&robot));
     }
 }

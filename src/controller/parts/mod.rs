@@ -8,6 +8,7 @@ mod home;
 mod pilot;
 mod trail;
 mod travel;
+mod voids;
 
 pub(super) use beacon::Beacon;
 pub(super) use driven::{Driven, Habit};

@@ -2,10 +2,11 @@
 //! way.
 
 use super::{
-    braking::safe_speed,
+    braking::{off_edge, safe_speed},
     hit::{Hit, Kind, Side},
     trail::Trail,
     travel::Travel,
+    voids::Voids,
 };
 use crate::{
     controller::Setup,
@@ -24,13 +25,12 @@ const REVERSE: f64 = 0.6;
 const CLOSE_ENOUGH: f64 = 0.001;
 /// Slowest wheel speed of a motion that isn't done, m/s: slower, and quantised wheels would stand.
 const LEAST_SPEED: f64 = 0.025;
-/// Way back from an edge, m, beside the braking distance: so much farther than where a sensor saw it first, a robot can
-/// turn on the spot without a wheel getting over it.
-const OFF_EDGE: f64 = 0.06;
 /// Way back after the beam of a virtual wall is no longer seen, m.
 const OFF_BEAM: f64 = 0.05;
 /// Time without a sight of the beam after which the robot is out of it, s.
 const BEAM_GONE_S: f64 = 0.3;
+/// Way back before a turn is tried again that would have got a wheel over an edge, m.
+const OFF_TURN: f64 = 0.04;
 /// Way between two hits below which the robot has got nowhere, and goes on turning the way it has begun, m.
 const NOWHERE: f64 = 0.03;
 
@@ -54,6 +54,8 @@ pub(in crate::controller) enum Move {
     Ahead(f64),
     /// On the spot, rad, counter-clockwise positive.
     Turn(f64),
+    /// Back from a turn that would have got a wheel over an edge.
+    Undo(f64),
 }
 
 /// Where a motion stands.
@@ -78,8 +80,11 @@ pub(in crate::controller) struct Pilot {
     pub turn_speed: f64,
     /// How motions are told.
     pub by: By,
+    /// Way back from an edge, beside the braking distance, m.
+    off_edge: f64,
     travel: Travel,
     trail: Trail,
+    voids: Voids,
     /// Whether it was told to go back along the trail.
     is_retreating: bool,
     moves: VecDeque<Move>,
@@ -104,8 +109,10 @@ impl Pilot {
             speed,
             turn_speed: robot.turn_wheel_speed,
             by: By::Counts,
+            off_edge: off_edge(&robot),
             travel: Travel::new(&robot),
             trail: Trail::default(),
+            voids: Voids::new(&robot),
             is_retreating: false,
             moves: VecDeque::new(),
             phase: Phase::Settle,
@@ -121,7 +128,9 @@ impl Pilot {
     /// Takes the next reading.
     pub(super) fn sense(&mut self, sensed: &Sensors, dt_s: f64) {
         let rolled = self.travel.update(sensed);
-        let is_backing = self.is_retreating || matches!(self.moves.front(), Some(Move::Back(_) | Move::BackOutOfBeam));
+        self.voids.update(sensed, &self.robot.sensors.cliffs);
+        // Whether the trail is to outlast what the wheels do: turns are undone where an edge comes too near.
+        let is_backing = self.is_retreating || self.moves.front().is_some_and(|step| !matches!(step, Move::Ahead(_)));
         self.trail.roll(rolled, sensed.bumped(), is_backing);
         self.is_retreating = false;
         self.beam_unseen = if sensed.virtual_wall { 0.0 } else { self.beam_unseen + dt_s };
@@ -132,6 +141,7 @@ impl Pilot {
     pub(super) fn reset(&mut self) {
         self.moves.clear();
         self.trail.clear();
+        self.voids.clear();
         self.phase = Phase::Settle;
         self.answering = None;
         self.leaving_beam = false;
@@ -139,12 +149,20 @@ impl Pilot {
 
     /// What is in the way, unless the robot isn't going ahead or is already answering it.
     pub(super) fn hit(&mut self, sensed: &Sensors) -> Option<Hit> {
-        let goes_ahead = match self.moves.front() {
-            None => self.phase == Phase::Settle,
-            Some(Move::Ahead(_)) => true,
-            Some(_) => self.answering.is_none() && self.phase == Phase::Settle && !self.travel.is_resting(),
+        let is_rolling = self.phase == Phase::Settle && !self.travel.is_resting();
+        let goes_ahead = match (self.moves.front(), self.answering) {
+            (None, _) => self.phase == Phase::Settle,
+            (Some(Move::Ahead(_)), _) => true,
+            (Some(_), None) => is_rolling,
+            // Braking before a wall, it may slide along it to an edge.
+            (Some(_), Some(Kind::Bump | Kind::Beam)) => is_rolling && sensed.sees_cliff(),
+            (Some(_), Some(Kind::Cliff)) => false,
         };
-        let hit = Hit::of(sensed, !self.leaving_beam).filter(|_| goes_ahead)?;
+        if !goes_ahead {
+            return None;
+        }
+        let edge = self.voids.ahead().map(|side| Hit { kind: Kind::Cliff, side });
+        let hit = Hit::of(sensed, !self.leaving_beam).or(edge)?;
         self.hit_at = self.travel.ahead();
         Some(hit)
     }
@@ -164,7 +182,7 @@ impl Pilot {
         match hit.kind {
             Kind::Bump if back <= 0.0 => {}
             Kind::Bump => self.moves.push_front(Move::Back(back)),
-            Kind::Cliff => self.moves.push_front(Move::Back(back.max(OFF_EDGE))),
+            Kind::Cliff => self.moves.push_front(Move::Back(back.max(self.off_edge))),
             Kind::Beam => {
                 self.leaving_beam = true;
                 self.moves.push_front(Move::BackOutOfBeam);
@@ -265,7 +283,16 @@ impl Pilot {
                         None => (!self.travel.is_resting()).then_some(Drive::STOP),
                     }
                 }
-                Move::Turn(angle) => {
+                Move::Turn(angle) if self.voids.are_near() && self.trail.length() > NOWHERE => {
+                    let turned = self.travel.turned() - turned;
+                    self.moves.pop_front();
+                    for step in [Move::Turn(angle), Move::Back(OFF_TURN), Move::Undo(-turned)] {
+                        self.moves.push_front(step);
+                    }
+                    self.phase = Phase::Settle;
+                    continue;
+                }
+                Move::Turn(angle) | Move::Undo(angle) => {
                     let half = 0.5 * self.robot.wheel_base * angle.signum();
                     let left = (angle - (self.travel.turned() - turned)) * half;
                     let speed = self.pace(left, angle * half, self.turn_speed, (clock, dt_s));
@@ -285,7 +312,7 @@ impl Pilot {
     /// Where a motion counts from, m ahead: for the way back from an edge, where it was first seen.
     fn begin(&self, step: Move) -> f64 {
         match step {
-            Move::Back(_) if self.answering == Some(Kind::Cliff) => self.hit_at,
+            Move::Back(way) if self.answering == Some(Kind::Cliff) && way > OFF_TURN => self.hit_at,
             _ => self.travel.ahead(),
         }
     }
@@ -345,8 +372,8 @@ impl Pilot {
             None => "",
             Some(Move::Back(_) | Move::BackOutOfBeam) => "backing up",
             Some(Move::Ahead(_)) => "driving a short way",
-            Some(Move::Turn(angle)) if *angle > 0.0 => "turning left",
-            Some(Move::Turn(_)) => "turning right",
+            Some(Move::Turn(angle) | Move::Undo(angle)) if *angle > 0.0 => "turning left",
+            Some(Move::Turn(_) | Move::Undo(_)) => "turning right",
         }
     }
 }

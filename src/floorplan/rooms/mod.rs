@@ -11,6 +11,8 @@ mod flat;
 mod hall20;
 mod hotel;
 mod kitchen;
+mod landing;
+mod living;
 mod loops;
 mod lshape;
 mod market;
@@ -88,6 +90,8 @@ pub const ROOMS: &[&RoomInfo] = &[
     &kitchen::ROOM,
     &dining::ROOM,
     &clutter::ROOM,
+    &living::ROOM,
+    &landing::ROOM,
     &thesis226::ROOM,
     &empty::ROOM,
     &thesis8::ROOM,

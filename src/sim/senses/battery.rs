@@ -6,7 +6,7 @@
 //!
 //! Voltage over charge is a Roomba's with 14.4 V: 13.9 V at 14 % and 16.0 V at 91 % (Open Interface facts, section 6),
 //! straight between and beyond, and down to 12 V, 1 V a cell, when empty (ours); other batteries have the same curve
-//! in proportion to their nominal voltage (ours). Stalled wheels draw another 10 W (ours).
+//! in proportion to their nominal voltage (ours). Stalled wheels draw another 10 W, brushes and wheels on carpet 5 W (ours).
 //!
 //! Noise: at "typical" a standard deviation of 20 mV and 10 mA, so that a standing robot reads what is reported of it
 //! (-111 to -151 mA); at "harsh" 100 mV and 50 mA, and a worn battery whose gauge is off by up to 15 %, the same all
@@ -16,7 +16,7 @@ use super::Carrier;
 use crate::{
     rng::seeded,
     robot::{BatteryReading, RobotModel, Sensors},
-    sim::{Noise, NoiseLevel, STEP_S, SensorKind},
+    sim::{Noise, NoiseLevel, STEP_S, SensorKind, World},
 };
 use rand::RngExt;
 
@@ -26,6 +26,8 @@ const STREAM: u64 = 4;
 const CURVE: [(f64, f64); 4] = [(0.0, 12.0 / 14.4), (0.14, 13.9 / 14.4), (0.91, 16.0 / 14.4), (1.0, 16.2454 / 14.4)];
 /// Additional power of stalled wheels, W.
 const STALLED_W: f64 = 10.0;
+/// Additional power on carpet, W.
+const CARPET_W: f64 = 5.0;
 /// Temperature of the room, degrees Celsius, and of the battery above it for every watt, and how fast that comes, s.
 const WARMTH: (f64, f64, f64) = (22.0, 0.4, 900.0);
 
@@ -76,7 +78,7 @@ impl Cells {
     }
 
     /// One step of drawing or charging.
-    pub fn step(&mut self, model: &RobotModel, carrier: &Carrier, on_dock: bool, is_stalled: bool) {
+    pub fn step(&mut self, model: &RobotModel, world: &World, carrier: &Carrier, on_dock: bool, is_stalled: bool) {
         self.on_dock = on_dock;
         let wheels = 0.5 * (carrier.speed.left.abs() + carrier.speed.right.abs()) + carrier.speed.lateral.abs();
         self.power = if on_dock {
@@ -85,7 +87,8 @@ impl Cells {
             0.0
         } else {
             let stalled = if is_stalled { STALLED_W } else { 0.0 };
-            model.power.standing + model.power.straight * (wheels / model.cruise_speed) + stalled
+            let carpet = if world.is_on_carpet(carrier.pose.position()) { CARPET_W } else { 0.0 };
+            model.power.standing + model.power.straight * (wheels / model.cruise_speed) + stalled + carpet
         };
         self.charge = (self.charge - self.power * STEP_S).clamp(0.0, self.capacity);
         self.temperature += STEP_S / WARMTH.2 * (WARMTH.0 + WARMTH.1 * self.power.abs() - self.temperature);

@@ -53,7 +53,7 @@ impl Edges {
                 FLOOR
             } else {
                 let point = frame.point(place);
-                if world.drop_offs.iter().any(|outline| holds(outline, point)) {
+                if world.is_drop_off(point) {
                     0.0
                 } else if has_dark_tiles && self.is_dark(point) {
                     DARK
@@ -92,20 +92,4 @@ fn is_near(outline: &[Point], point: Point, reach: f64) -> bool {
     }
     let is_within = |x: f64, low: f64, high: f64| x > low - reach && x < high + reach;
     is_within(point.x, low.x, high.x) && is_within(point.y, low.y, high.y)
-}
-
-/// Whether a simple polygon holds a point: a ray to the right leaves it an odd number of times.
-fn holds(outline: &[Point], point: Point) -> bool {
-    let mut inside = false;
-    let Some(&last) = outline.last() else { return false };
-    let mut from = last;
-    for &to in outline {
-        if (from.y > point.y) != (to.y > point.y)
-            && point.x < from.x + (point.y - from.y) / (to.y - from.y) * (to.x - from.x)
-        {
-            inside = !inside;
-        }
-        from = to;
-    }
-    inside
 }

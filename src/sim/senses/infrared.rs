@@ -16,6 +16,7 @@
 
 use super::{Around, Frame, Noisy, sight, slot};
 use crate::{
+    coverage::DOCK_BACK,
     geometry::{Point, Pose, Vector},
     robot::{Infrared, RobotModel, Sensors},
     sim::{SensorKind, World},
@@ -43,22 +44,22 @@ const SLACK: f64 = 0.05;
 const VIRTUAL_WALL: u8 = 162;
 /// Characters of a dock are sums of these: all, force field, green and red beam.
 const DOCK: [u8; 4] = [160, 1, 4, 8];
-/// How far the robot's front may be ahead of the dock's back while it is charged, m, how far it may be off the dock's
+/// How far the robot's front may be from the dock's solid back while it is charged, m, how far it may be off the dock's
 /// middle, m, and the sine of the angle that it may be turned. The dock's contacts are strips that meet those of the
 /// robot, 47 mm behind its front and 44 mm to either side (Open Interface facts, section 6); their size is ours.
-const CONTACT: (f64, f64, f64) = (0.04, 0.02, 0.15);
+const CONTACT: (f64, f64, f64) = (0.015, 0.025, 0.15);
 
 /// Whether the robot stands on a dock so that its contacts touch.
 pub(super) fn is_docked(model: &RobotModel, world: &World, frame: &Frame) -> bool {
     let is_on = |dock: &Pose| {
         let way = frame.position - dock.position();
-        let reach = model.radius + CONTACT.0;
-        if way.norm_squared() > reach * reach + CONTACT.1 * CONTACT.1 {
+        let touching = model.radius + DOCK_BACK[1];
+        let reach = touching + CONTACT.0 + CONTACT.1;
+        if way.norm_squared() > reach * reach {
             return false;
         }
         let looks = dock.direction();
-        let gap = way.dot(&looks) - model.radius;
-        gap.abs() < CONTACT.0
+        (looks.dot(&way) - touching).abs() < CONTACT.0
             && looks.perp(&way).abs() < CONTACT.1
             && looks.dot(&frame.ahead) < 0.0
             && looks.perp(&frame.ahead).abs() < CONTACT.2

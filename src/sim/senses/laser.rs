@@ -69,7 +69,7 @@ impl Scanner {
         let errors = &mut self.errors;
         let scan = self.directions.iter().map(|&direction| {
             let hit = sight::look(around, from, frame.direction(direction), farthest);
-            let distance = hit.map(|(hit, _)| hit.distance).filter(|&d| d >= nearest);
+            let distance = hit.map(|hit| hit.distance).filter(|&d| d >= nearest);
             let measured = distance.and_then(|d| errors.as_mut().map_or(Some(d), |errors| errors.apply(d)));
             measured.map_or(f32::INFINITY, |d| d.clamp(nearest, farthest) as f32)
         });

@@ -137,7 +137,7 @@ impl Senses {
         }
         sensors.dirt = dirt.read(carrier.dirt, &noise);
         motors.read(carrier, sensors);
-        cells.step(model, carrier, on_dock, motors.is_stalled());
+        cells.step(model, around.world, carrier, on_dock, motors.is_stalled());
         cells.report(noise.normal(slot::BATTERY), sensors);
     }
 }

@@ -1,0 +1,80 @@
+// The robot picked up and put down elsewhere while it runs.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { openApp } from "./app.mjs";
+
+/** A room whose middle is the middle of the floor, and a robot that waits there for a person to drive it. */
+const ROOM = "#room=empty&behaviour=manual&start=2.5,2.0,0";
+const PHONE = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, isMobile: true, hasTouch: true };
+
+const events = async (page) => (await page.locator("#events li:not([hidden])").allInnerTexts()).join("\n");
+const error = async (app) => {
+  const { soFar } = await app.metric("Position error");
+  return Number.parseFloat(soFar) * (/ cm$/.test(soFar) ? 0.01 : 1);
+};
+
+test("a running robot is dragged elsewhere: its wheels drop meanwhile, and it no longer knows where it is", async (t) => {
+  const { page, app } = await openApp(t, { address: ROOM });
+  await app.numbersThat(({ time }) => time > 0);
+  const start = (await app.link()).start;
+  const { mouse } = page;
+  await mouse.move(...(await app.spot(0.5, 0.5)));
+  await mouse.down();
+  await mouse.move(...(await app.spot(0.4, 0.35)), { steps: 6 });
+  await page.locator("#dashboard .wheel.on").first().waitFor({ state: "attached" });
+  assert.equal(await app.text("#activity"), "In your hand");
+  await mouse.up();
+  await app.poll(() => events(page), (text) => /picked up/.test(text) && /put down/.test(text) && /wheel drop/.test(text));
+  assert.ok((await error(app)) > 0.4, "it believes to be where it was picked up");
+  assert.equal((await app.link()).start, start, "the start stays");
+  assert.notEqual(await page.locator("#dashboard .wheel").first().getAttribute("class"), "wheel on");
+});
+
+test("a click on the robot does nothing to it", async (t) => {
+  const { page, app } = await openApp(t, { address: ROOM });
+  await app.numbersThat(({ time }) => time > 0);
+  await page.mouse.click(...(await app.spot(0.5, 0.5)));
+  await app.frames(20);
+  assert.doesNotMatch(await events(page), /picked up/);
+});
+
+test("the robot is picked up and carried by keys, and escape puts it back", async (t) => {
+  const { page, app } = await openApp(t, { address: ROOM });
+  await app.numbersThat(({ time }) => time > 0);
+  await app.press("Pick the robot up");
+  await page.locator("#carry-note").waitFor();
+  for (let i = 0; i < 8; i += 1) await page.keyboard.press("ArrowLeft");
+  await page.keyboard.press("Shift+ArrowLeft");
+  await page.keyboard.press("Enter");
+  await page.locator("#carry-note").waitFor({ state: "hidden" });
+  await app.poll(() => error(app), (metres) => metres > 0.5);
+
+  const before = await error(app);
+  await page.keyboard.press("p");
+  await page.locator("#carry-note").waitFor();
+  for (let i = 0; i < 8; i += 1) await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("Escape");
+  await page.locator("#carry-note").waitFor({ state: "hidden" });
+  await app.frames(5);
+  assert.ok(Math.abs((await error(app)) - before) < 0.3, "it stands where it stood");
+});
+
+test("before the run begins, dragging the robot moves the start", async (t) => {
+  const { app } = await openApp(t, { address: ROOM });
+  await app.press("Back to the start");
+  await app.until("ready");
+  await app.drag([0.5, 0.5], [0.6, 0.4]);
+  const start = await app.linked("start", (text) => text !== "2.500,2.000,0.0");
+  assert.ok(Number(start.split(",")[0]) > 2.6, start);
+});
+
+test("a finger picks the robot up, too", async (t) => {
+  const { page, app } = await openApp(t, { ...PHONE, address: ROOM });
+  await app.numbersThat(({ time }) => time > 0);
+  const client = await page.context().newCDPSession(page);
+  const touch = (type, ...points) => client.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+  await touch("touchStart", await app.spot(0.5, 0.5));
+  for (const share of [0.45, 0.4, 0.35]) await touch("touchMove", await app.spot(share, 0.5));
+  await touch("touchEnd");
+  await app.poll(() => error(app), (metres) => metres > 0.3);
+});

@@ -1,0 +1,151 @@
+// Furniture, docks and whoever walks about: placed, moved, saved, and refused where they can't be.
+import assert from "node:assert/strict";
+import fs from "node:fs";
+import { test } from "node:test";
+import { openApp } from "./app.mjs";
+import { anyFile } from "./maps.mjs";
+
+// A behaviour has nothing to plan.
+const ROOM = "#room=empty&behaviour=bounce&speed=1";
+
+/** Names in the menu of objects; the first entry is that nothing is selected. */
+const names = (page) => page.locator("#selected option").allTextContents().then((all) => all.slice(1));
+
+/** Chooses what is placed, and waits until the tool is there. */
+async function placing(app, kind) {
+  await app.tool("place");
+  await app.page.locator(`#kinds [data-kind=${kind}]`).click();
+  await app.frames(2);
+}
+
+const selected = (page) => page.locator("#selected").evaluate((menu) => menu.selectedOptions[0]?.textContent);
+
+/** What a saved scenario says. */
+async function saved(page) {
+  const [download] = await Promise.all([page.waitForEvent("download"), page.locator("#save").click()]);
+  return fs.readFileSync(await download.path(), "utf8");
+}
+
+test("places, moves, undoes, deletes and saves objects with the mouse", async (t) => {
+  const { page, app } = await openApp(t, { address: ROOM });
+  await app.pause();
+  await placing(app, "furniture");
+  await app.drag([0.45, 0.4], [0.6, 0.5]);
+  assert.equal(await selected(page), "Furniture");
+  const before = JSON.parse(await saved(page)).objects;
+  assert.equal(before[0].furniture.outline.length, 4);
+  assert.equal(await app.room(), "Empty room (changed)");
+
+  // With the view tool it is dragged by its middle.
+  await app.tool("view");
+  await app.drag([0.525, 0.45], [0.6, 0.6]);
+  const after = JSON.parse(await saved(page)).objects;
+  const [x, y] = [0, 1].map((axis) => after[0].furniture.outline[0][axis] - before[0].furniture.outline[0][axis]);
+  assert.ok(x > 0.1 && y < -0.1, `right and down: ${x} ${y}`);
+  await app.press("Undo");
+  await app.settled();
+  assert.deepEqual(JSON.parse(await saved(page)).objects, before);
+  await app.press("Redo");
+  await app.settled();
+  assert.deepEqual(JSON.parse(await saved(page)).objects, after);
+
+  await placing(app, "pet");
+  await app.drag([0.3, 0.7], [0.4, 0.7]);
+  assert.deepEqual(await names(page), ["Furniture", "Pet"]);
+  await page.keyboard.press("Delete");
+  await app.settled();
+  assert.deepEqual(await names(page), ["Furniture"]);
+  assert.match(await page.locator("#floor").getAttribute("aria-label"), /furniture/);
+});
+
+test("works without a mouse", async (t) => {
+  const { page, app } = await openApp(t, { address: ROOM });
+  await app.pause();
+  await page.locator("#floor").focus();
+  await page.keyboard.press("o");
+  await app.frames(2);
+  await page.keyboard.press("Enter");
+  await app.settled();
+  assert.equal(await selected(page), "Furniture");
+  const corner = async () => JSON.parse(await saved(page)).objects[0].furniture.outline[0];
+  const [x, y] = await corner();
+  await page.locator("#floor").focus();
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("ArrowUp");
+  const moved = await corner();
+  assert.ok(moved[0] > x && moved[1] > y, `${moved}`);
+  await page.locator("#floor").focus();
+  await page.keyboard.press("Escape");
+  await app.frames(2);
+  assert.equal(await selected(page), "Nothing selected");
+  await page.keyboard.press("n");
+  await app.frames(2);
+  assert.match(await page.locator("#selection-said").textContent(), /^Furniture selected/);
+  await page.keyboard.press("Shift+ArrowLeft");
+  await app.frames(2);
+  assert.notDeepEqual(await corner(), moved);
+  await page.locator("#floor").focus();
+  await page.keyboard.press("Delete");
+  await app.settled();
+  assert.deepEqual(await names(page), []);
+});
+
+test("what can't be there says why, and what is kept survives a reload", async (t) => {
+  const { page, app } = await openApp(t, { address: ROOM });
+  await app.pause();
+  await placing(app, "dock");
+  await app.drag([0.5, 0.5], [0.6, 0.5]);
+  await placing(app, "furniture");
+  await app.drag([0.45, 0.65], [0.6, 0.45]);
+  assert.match(await app.message(), /^The dock at .* looks into furniture/);
+  assert.deepEqual(await names(page), ["Dock"]);
+  const kept = JSON.parse(await saved(page)).objects;
+
+  await app.linked("room", (room) => room === "own");
+  // It is kept twice a second.
+  await page.waitForFunction(() => localStorage.getItem("own-room")?.includes('"dock"'));
+  await page.reload();
+  await app.settled();
+  assert.deepEqual(JSON.parse(await saved(page)).objects, kept);
+});
+
+test("a scenario that can't be is refused with path, line and reason, and the room stays", async (t) => {
+  const { page, app } = await openApp(t, { address: "#room=living&behaviour=bounce&speed=1" });
+  await app.pause();
+  const text = await saved(page);
+  const [room, area] = [await app.room(), await app.reachableArea()];
+  const cases = [
+    ['"version": 2', '"version": 9', /line \d+, column \d+, version: this is a scenario of version 9/],
+    ['"radius": 0.015', '"radius": -1', /objects\[\d+\]\.leg\.radius: -1 is out of range; write metres from 0\.005 to 5/],
+    ['"radius": 0.015', '"radius": 1e999', /objects\[\d+\]\.leg\.radius: number out of range/],
+    ['"dock": { "x": 0.0', '"dock": { "x": -3.0', /objects\[\d+\]\.dock: .* lies outside the room/],
+    ['"name":', '"nam":', /nam: unknown field/],
+  ];
+  for (const [from, to, reason] of cases) {
+    assert.ok(text.includes(from), from);
+    await app.drop(anyFile("bad.json", text.replace(from, to)));
+    assert.match(await app.message(), reason);
+    assert.deepEqual([await app.room(), await app.reachableArea()], [room, area], to);
+  }
+  await app.drop(anyFile("good.json", text));
+  assert.equal(await app.message(), "");
+  assert.match(await app.room(), /^Living room with a cat/);
+});
+
+test("placing works by touch on a phone", async (t) => {
+  const { page, app } = await openApp(t, { address: ROOM, viewport: { width: 390, height: 844 }, hasTouch: true });
+  await app.pause();
+  await app.tool("place");
+  await page.locator("#kinds [data-kind=table]").tap();
+  await app.frames(2);
+  await page.touchscreen.tap(...(await app.spot(0.5, 0.55)));
+  await app.settled();
+  assert.deepEqual(await names(page), ["Leg 1", "Leg 2", "Leg 3", "Leg 4"]);
+  for (const button of await page.locator("#selection button").all()) {
+    const { width, height } = await button.boundingBox();
+    assert.ok(width >= 40 && height >= 40, `${width} x ${height}`);
+  }
+  await page.locator("#selection").getByRole("button", { name: "Delete" }).tap();
+  await app.settled();
+  assert.equal((await names(page)).length, 3);
+});
