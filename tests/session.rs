@@ -2,7 +2,7 @@
 
 use robovac_playground::{
     app::{Answer, Brush, Session, State},
-    floorplan::{ROOMS, SourceFile},
+    floorplan::{Object, ROOMS, SourceFile},
     geometry::{Point, Pose},
     grid::Cell,
     planner::CoveragePath,
@@ -52,8 +52,11 @@ fn every_room_is_cleaned_to_the_end() {
         finish(&mut session);
         let view = session.view();
         assert_eq!(session.state(), State::Finished, "{}", room.id);
-        assert!(view.coverage > 0.95, "{}: {:.4} covered of {:.4}", room.id, view.coverage, planned.drive.coverage);
-        assert!(view.coverage > planned.drive.coverage - 0.01, "{}", room.id);
+        // Who waits for somebody in the way may have to leave some floor out.
+        let is_alone = !session.plan().objects.iter().any(|object| matches!(object, Object::Mover { .. }));
+        let (least, spare) = if is_alone { (0.95, 0.01) } else { (0.9, 0.05) };
+        assert!(view.coverage > least, "{}: {:.4} covered of {:.4}", room.id, view.coverage, planned.drive.coverage);
+        assert!(view.coverage > planned.drive.coverage - spare, "{}", room.id);
     }
 }
 

@@ -4,5 +4,6 @@ mod contract;
 mod docking;
 mod measure;
 mod papers;
+mod paths;
 mod stairs;
 mod support;

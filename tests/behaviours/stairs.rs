@@ -21,7 +21,7 @@ fn room(name: &str, outline: &[(f64, f64)]) -> FloorPlan {
 }
 
 /// Stairs along a wall, a hole in the floor, a slanted edge across a corner, and a spit of floor between two edges.
-fn rooms() -> Vec<FloorPlan> {
+pub fn rooms() -> Vec<FloorPlan> {
     let mut spit = room("spit", &[(1.6, 0.0), (3.0, 0.0), (3.0, 0.95), (1.6, 0.95)]);
     let upper = [(1.6, 1.55), (3.0, 1.55), (3.0, 2.5), (1.6, 2.5)];
     spit.objects.push(Object::DropOff { outline: upper.iter().map(|&(x, y)| Point::new(x, y)).collect() });
