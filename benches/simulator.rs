@@ -30,7 +30,7 @@ fn simulator(criterion: &mut Criterion) {
         ("there by sensors with typical noise", bouncing(&flat, "roomba600", noisy(NoiseLevel::Typical))),
         ("there by sensors with harsh noise", bouncing(&flat, "roomba600", noisy(NoiseLevel::Harsh))),
         ("among objects and movers", bouncing(&lively(flat.clone()), "roomba600", slipping)),
-        ("the same with a rectangular body", bouncing(&lively(flat.clone()), "cbot", slipping)),
+        ("the same with an octagonal body", bouncing(&lively(flat.clone()), "octagon", slipping)),
     ];
     for (name, start) in cases {
         let Some(start) = start else { continue };
