@@ -51,7 +51,7 @@ fn run_is_the_same_each_time_and_different_for_each_seed() {
         assert_eq!(first, again, "{name}");
         assert_ne!(first.digest, other.digest, "{name}");
         assert_eq!(first.curve.len(), SAMPLES + 1);
-        assert!(first.curve.is_sorted() && first.curve[0] > 0.0 && first.coverage() > 0.2, "{name}");
+        assert!(first.curve.is_sorted() && first.curve[0] > 0.0 && first.coverage() > 0.15, "{name}");
         assert!((first.time_s - 120.0).abs() < 0.015 && first.distance_m > 10.0, "{name}");
     }
 }

@@ -147,7 +147,7 @@ fn start_in_a_wall_is_refused_and_nothing_is_lost() {
     session.move_start(Pose::new(-3.0, 0.0, 0.0));
     let view = session.view();
     assert_eq!(view.message_kind, "error");
-    assert!(view.message.contains("outside the map"), "{}", view.message);
+    assert!(view.message.starts_with("The start at (-3.000 m, 0.000 m) lies outside the room"), "{}", view.message);
     assert!(session.planned().is_some() && view.run_end_s == run);
 }
 

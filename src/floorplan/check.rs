@@ -69,8 +69,12 @@ pub enum Fault {
     #[error("the outline encloses no floor; move its corners apart")]
     NoArea,
     /// A point outside the room.
-    #[error("({x:.3} m, {y:.3} m) lies outside the room, which is {width:.2} m x {height:.2} m; move it inside")]
+    #[error(
+        "the {what} at ({x:.3} m, {y:.3} m) lies outside the room, which is {width:.2} m x {height:.2} m; move it inside"
+    )]
     Outside {
+        /// What it is.
+        what: &'static str,
         /// The point, m.
         x: f64,
         /// The point, m.
@@ -156,7 +160,7 @@ impl FloorPlan {
             }
             Object::Leg { at, radius } | Object::Dirt { at, radius } => {
                 in_range(".radius", *radius, RADII, "metres")?;
-                self.check_inside(*at).map_err(|fault| (".at".to_owned(), fault))
+                self.check_inside(*at, object.key()).map_err(|fault| (".at".to_owned(), fault))
             }
             Object::Dock { pose } => self.check_device(pose, "dock"),
             Object::VirtualWall { pose, length } => {
@@ -188,24 +192,24 @@ impl FloorPlan {
             return Err((key.to_owned(), Fault::TooMany { found, most: MAX_CORNERS, what }));
         }
         for (index, &point) in points.iter().enumerate() {
-            self.check_inside(point).map_err(|fault| (format!("{key}[{index}]"), fault))?;
+            self.check_inside(point, "point").map_err(|fault| (format!("{key}[{index}]"), fault))?;
         }
         Ok(())
     }
 
-    fn check_inside(&self, point: Point) -> Result<(), Fault> {
+    fn check_inside(&self, point: Point, what: &'static str) -> Result<(), Fault> {
         let (Point { coords, .. }, width, height) = (point, self.width_m(), self.height_m());
         let (x, y) = (coords.x, coords.y);
         // Said this way round as no comparison holds for what isn't a number.
         if (-BORDER..=width + BORDER).contains(&x) && (-BORDER..=height + BORDER).contains(&y) {
             Ok(())
         } else {
-            Err(Fault::Outside { x, y, width, height })
+            Err(Fault::Outside { what, x, y, width, height })
         }
     }
 
     fn check_start(&self, point: Point) -> Result<(), Fault> {
-        self.check_inside(point)?;
+        self.check_inside(point, "start")?;
         let no_floor = |place| Fault::NoFloor { what: "start", x: point.x, y: point.y, place };
         self.place_without_floor(point).map_or(Ok(()), |place| Err(no_floor(place)))
     }
@@ -214,7 +218,8 @@ impl FloorPlan {
     fn check_device(&self, pose: &Pose, what: &'static str) -> Result<(), (String, Fault)> {
         let nothing_before = |place| Fault::NothingBefore { what, x: pose.x, y: pose.y, place };
         let before = self.place_without_floor(pose.to_world(Point::new(FRONT, 0.0)));
-        let checked = self.check_inside(pose.position()).and(before.map_or(Ok(()), |place| Err(nothing_before(place))));
+        let checked =
+            self.check_inside(pose.position(), what).and(before.map_or(Ok(()), |place| Err(nothing_before(place))));
         checked.map_err(|fault| (String::new(), fault))
     }
 

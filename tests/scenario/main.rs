@@ -307,7 +307,7 @@ const WORLD: &[Case] = &[
     (
         "\"x\": 1.25, \"y\": 1.25",
         "\"x\": 1.25, \"y\": 3.25",
-        "\"a.json\", line 17, column 13, start: (1.250 m, 3.250 m) lies outside the room, which is 4.00 m x 3.00 m; move it inside",
+        "\"a.json\", line 17, column 13, start: the start at (1.250 m, 3.250 m) lies outside the room, which is 4.00 m x 3.00 m; move it inside",
     ),
     (
         "\"x\": 1.25, \"y\": 1.25",
@@ -332,17 +332,17 @@ const WORLD: &[Case] = &[
     (
         "\"at\": [2, 0.5]",
         "\"at\": [4.5, 0.5]",
-        "\"a.json\", line 20, column 22, objects[1].leg.at: (4.500 m, 0.500 m) lies outside the room, which is 4.00 m x 3.00 m; move it inside",
+        "\"a.json\", line 20, column 22, objects[1].leg.at: the leg at (4.500 m, 0.500 m) lies outside the room, which is 4.00 m x 3.00 m; move it inside",
     ),
     (
         "\"at\": [0.5, 2]",
         "\"at\": [0.5, -0.01]",
-        "\"a.json\", line 23, column 23, objects[4].dirt.at: (0.500 m, -0.010 m) lies outside the room, which is 4.00 m x 3.00 m; move it inside",
+        "\"a.json\", line 23, column 23, objects[4].dirt.at: the dirt at (0.500 m, -0.010 m) lies outside the room, which is 4.00 m x 3.00 m; move it inside",
     ),
     (
         "[1.5, 3], [0, 3]]",
         "[1.5, 3.5], [0, 3]]",
-        "\"a.json\", line 19, column 56, objects[0].furniture.outline[2]: (1.500 m, 3.500 m) lies outside the room, which is 4.00 m x 3.00 m; move it inside",
+        "\"a.json\", line 19, column 56, objects[0].furniture.outline[2]: the point at (1.500 m, 3.500 m) lies outside the room, which is 4.00 m x 3.00 m; move it inside",
     ),
     (
         "[[2, 2], [2.5, 2], [2.5, 3], [2, 3]]",
@@ -362,7 +362,7 @@ const WORLD: &[Case] = &[
     (
         "\"x\": 0, \"y\": 0.75",
         "\"x\": -0.1, \"y\": 0.75",
-        "\"a.json\", line 24, column 16, objects[5].dock: (-0.100 m, 0.750 m) lies outside the room, which is 4.00 m x 3.00 m; move it inside",
+        "\"a.json\", line 24, column 16, objects[5].dock: the dock at (-0.100 m, 0.750 m) lies outside the room, which is 4.00 m x 3.00 m; move it inside",
     ),
     (
         "\"x\": 0, \"y\": 0.75",
@@ -382,7 +382,7 @@ const WORLD: &[Case] = &[
     (
         "[[0.5, 0.5], [2.5, 1.5]]",
         "[[0.5, 0.5], [2.5, 4.5]]",
-        "\"a.json\", line 26, column 53, objects[7].mover.path[1]: (2.500 m, 4.500 m) lies outside the room, which is 4.00 m x 3.00 m; move it inside",
+        "\"a.json\", line 26, column 53, objects[7].mover.path[1]: the point at (2.500 m, 4.500 m) lies outside the room, which is 4.00 m x 3.00 m; move it inside",
     ),
     (
         "[[0.5, 0.5], [2.5, 1.5]]",
