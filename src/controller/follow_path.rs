@@ -314,7 +314,7 @@ impl Controller for FollowPath {
     fn activity(&self) -> &'static str {
         match self.phase {
             Phase::BackOff(..) => "backing up",
-            Phase::Wait(_) => "waiting for somebody",
+            Phase::Wait(_) => "waiting, the way is blocked",
             _ => "",
         }
     }

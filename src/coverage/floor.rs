@@ -28,7 +28,8 @@ pub struct ReachableFloor {
     pub resolution: f64,
     /// The walls and furniture as the robot's body meets them.
     pub walls: Walls,
-    /// The same with drop-offs, which nothing but sense keeps a body off; `None` if there are no drop-offs.
+    /// The same with drop-offs, and beams of virtual walls if the robot sees them, which nothing but sense keeps a body off;
+    /// `None` if there are none.
     edges: Option<Box<Walls>>,
     /// Fine cells in whose centre the robot can stand, connected with the start by ways that leave room to steer.
     pub standing: Grid<bool>,
@@ -60,12 +61,16 @@ impl ReachableFloor {
             let resolution = fine_resolution(plan);
             (resample(plan, resolution), resolution)
         };
-        let (obstacles, drop_offs) = (shapes::obstacles(plan), shapes::drop_offs(plan));
-        let edges = (!drop_offs.is_empty()).then(|| {
-            let shapes = obstacles.iter().cloned().chain(drop_offs).collect();
-            Box::new(Walls::new(blocked.clone(), shapes, resolution, robot.radius))
+        let obstacles = shapes::obstacles(plan);
+        let walls = Walls::new(blocked.clone(), obstacles.clone(), resolution, robot.radius);
+        let mut barred = shapes::drop_offs(plan);
+        if robot.sensors.infrared {
+            barred.extend(shapes::beams(plan, &walls));
+        }
+        let edges = (!barred.is_empty()).then(|| {
+            let shapes = obstacles.into_iter().chain(barred).collect();
+            Box::new(Walls::new(blocked, shapes, resolution, robot.radius))
         });
-        let walls = Walls::new(blocked, obstacles, resolution, robot.radius);
         let limits = edges.as_deref().unwrap_or(&walls);
         let passing = robot.radius + steering_margin(robot.radius) - 1e-5;
         let free = limits.clearance.map(|&c| f64::from(c) >= passing);
@@ -109,7 +114,7 @@ impl ReachableFloor {
         Pose::new(place.x, place.y, pose.heading)
     }
 
-    /// What a careful robot's body keeps off: walls, furniture and drop-offs.
+    /// What a careful robot's body keeps off: walls, furniture, drop-offs, and virtual walls that it sees.
     #[inline]
     pub fn limits(&self) -> &Walls {
         self.edges.as_deref().unwrap_or(&self.walls)

@@ -1,8 +1,10 @@
 //! What stands in a room off its grid: the shapes of objects, and an index to find those nearby.
 
+use super::Walls;
 use crate::{
     floorplan::{FloorPlan, Object},
     geometry::{Point, Pose, Shape, convex_pieces},
+    math,
 };
 
 /// Width and depth of the solid back of a dock, m. iRobot's Home Base is about 15 cm wide; robots drive onto the flat plate
@@ -10,6 +12,13 @@ use crate::{
 pub const DOCK_BACK: [f64; 2] = [0.15, 0.02];
 /// Radius of the lighthouse of a virtual wall, m: they fit in a hand (ours).
 pub const LIGHTHOUSE_RADIUS: f64 = 0.04;
+/// Half the width of a virtual wall's beam at its lighthouse, m, and how much it grows with every metre: 5 degrees (ours).
+pub const FENCE: (f64, f64) = (0.02, 0.087_488_663_525_924);
+/// Radius of the halo around a lighthouse, m: it keeps robots from pushing it away (that there is one, owners report; the
+/// figure is ours).
+pub const HALO: f64 = 0.4;
+/// Slices of a halo.
+const SLICES: u32 = 16;
 /// Least side of a bucket of the index, m: about as wide as what asks.
 const BUCKET: f64 = 0.5;
 /// Most buckets along a side.
@@ -27,6 +36,36 @@ pub fn drop_offs(plan: &FloorPlan) -> Vec<Shape> {
         _ => None,
     });
     outlines.flat_map(|outline| pieces(outline)).collect()
+}
+
+/// The floor that virtual walls light, beam and halo, as far as `walls` let the light through, in convex pieces.
+pub fn beams(plan: &FloorPlan, walls: &Walls) -> Vec<Shape> {
+    let mut lit = Vec::new();
+    for object in &plan.objects {
+        let Object::VirtualWall { pose, length } = *object else { continue };
+        let centre = pose.position();
+        // Light begins outside the lighthouse, which is solid.
+        let skip = LIGHTHOUSE_RADIUS + 1e-3;
+        let reach = |angle: f64, most: f64| {
+            let way = Pose::new(0.0, 0.0, angle).direction();
+            let end = walls.ray(centre + way * skip, way, most - skip).map_or(most, |hit| skip + hit.distance);
+            centre + way * end
+        };
+        let slice = math::TAU / f64::from(SLICES);
+        for i in 0..SLICES {
+            let from = pose.heading + slice * f64::from(i);
+            lit.push(Shape::Convex(vec![centre, reach(from, HALO), reach(from + slice, HALO)]));
+        }
+        let half = math::atan2(FENCE.0 + FENCE.1 * length, length);
+        for (from, to) in [(-half, 0.0), (0.0, half)] {
+            let [from, to] = [from, to].map(|angle| reach(pose.heading + angle, length));
+            lit.push(Shape::Convex(vec![centre, from, to]));
+        }
+    }
+    // A slice in a wall has no area.
+    let area = |c: &[Point]| (c[1] - c[0]).perp(&(c[2] - c[0]));
+    lit.retain(|shape| matches!(shape, Shape::Convex(corners) if area(corners) > 1e-6));
+    lit
 }
 
 /// What of an object stands in the way.

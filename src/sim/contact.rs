@@ -1,5 +1,6 @@
 //! A body against walls, furniture and movers, exactly: circles and convex polygons.
 
+use super::Touch;
 use crate::{
     coverage::{Obstacle, Walls},
     geometry::{
@@ -33,8 +34,8 @@ pub(super) struct Obstacles<'a> {
 pub(super) struct Contact {
     /// Where it doesn't overlap anything.
     pub pose: Pose,
-    /// Unit vector from its origin to what it touches.
-    pub touch: Option<Vector>,
+    /// Where it is touched.
+    pub touch: Touch,
 }
 
 /// The outline of a body, for contact.
@@ -74,6 +75,24 @@ impl<'a> Obstacles<'a> {
             }
         }
         best
+    }
+
+    /// Calls `visit` with the nearest point of each obstacle less than `reach` metres from `point`, and its distance.
+    fn nearest_of_each(&self, point: Point, reach: f64, mut visit: impl FnMut(Point, f64)) {
+        let mut look = |near: Point| {
+            let distance = (near - point).norm();
+            if distance < reach && distance > 1e-12 {
+                visit(near, distance);
+            }
+        };
+        let around = Vector::new(reach, reach);
+        self.walls.near(point - around, point + around, |obstacle| {
+            look(match obstacle {
+                Obstacle::Squares(low, high) => Point::new(point.x.clamp(low.x, high.x), point.y.clamp(low.y, high.y)),
+                Obstacle::Shape(shape) => shape.nearest(point),
+            });
+        });
+        self.movers.iter().for_each(|&(centre, radius)| look(nearest_on_disc(centre, radius, point)));
     }
 
     /// Calls `visit` with every obstacle that may reach into the box between `low` and `high`.
@@ -165,7 +184,7 @@ impl Footprint {
         let way = (to.position() - from.position()).norm();
         let margin = if way < self.stride { BUMPER_PLAY } else { BUMPER_PLAY + way };
         if obstacles.are_far_from(to.position(), self.radius + margin) {
-            return Contact { pose: to, touch: None };
+            return Contact { pose: to, touch: Touch::NONE };
         }
         self.slide_near_obstacles(obstacles, from, to)
     }
@@ -232,13 +251,15 @@ impl Footprint {
         (deepest.0 > 1e-9).then_some(deepest)
     }
 
-    /// The direction of what the body touches. Where a side lies flat against a wall, or both ends of one do, that is the
-    /// middle of all points that touch on that side of the body.
-    fn touch(&mut self, obstacles: Obstacles<'_>, pose: Pose) -> Option<Vector> {
+    /// Where the body is touched: a circle by every obstacle at its nearest point. Where a side of a polygon lies flat
+    /// against a wall, or both ends of one do, that is the middle of all points that touch on that side.
+    fn touch(&mut self, obstacles: Obstacles<'_>, pose: Pose) -> Touch {
         let at = pose.position();
+        let mut touch = Touch::NONE;
         if self.is_round() {
-            let near = obstacles.nearest(at, self.radius + BUMPER_PLAY);
-            return near.filter(|&(_, distance)| distance > 1e-12).map(|(wall, distance)| (wall - at) / distance);
+            obstacles
+                .nearest_of_each(at, self.radius + BUMPER_PLAY, |wall, distance| touch.add((wall - at) / distance));
+            return touch;
         }
         let (low, high) = self.place(pose);
         let play = Vector::new(BUMPER_PLAY, BUMPER_PLAY);
@@ -247,12 +268,15 @@ impl Footprint {
         obstacles.near(low - play, high + play, |thing| thing.touch(corners, BUMPER_PLAY, touched));
         // The one that lies farthest ahead decides over front or rear.
         let ahead = |p: &Point| (p - at).dot(&pose.direction());
-        let first = self.touched.iter().max_by(|a, b| ahead(a).total_cmp(&ahead(b)))?;
+        let Some(first) = self.touched.iter().max_by(|a, b| ahead(a).total_cmp(&ahead(b))) else { return touch };
         let first = first - at;
         let same_side = self.touched.iter().map(|p| p - at).filter(|p| p.dot(&first) > 0.0);
         let sum: Vector = same_side.sum();
         let length = sum.norm();
-        (length > 1e-12).then(|| sum / length)
+        if length > 1e-12 {
+            touch.add(sum / length);
+        }
+        touch
     }
 
     /// Whether the body, at `pose`, overlaps a disc or is nearer to it than `gap` metres.

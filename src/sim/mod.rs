@@ -15,6 +15,7 @@ mod run;
 mod senses;
 mod sim_robot;
 mod slip;
+mod touch;
 mod world;
 
 pub use dirt::Spot;
@@ -25,6 +26,7 @@ pub use noise::{Noise, NoiseLevel, SensorKind};
 pub use run::{Conditions, Run, RunSetup};
 pub use sim_robot::SimRobot;
 pub use slip::{Slip, SlipLevel};
+pub use touch::Touch;
 pub use world::World;
 
 /// Seconds per simulation step: the Open Interface sends its sensor stream every 15 ms.

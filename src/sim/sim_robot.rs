@@ -1,13 +1,13 @@
 //! A simulated robot: body and wheels.
 
 use super::{
-    Conditions, Life, STEP_S, Slip, World,
+    Conditions, Life, STEP_S, Slip, Touch, World,
     contact::{Footprint, Obstacles},
     senses::{Around, Carrier, Senses},
 };
 use crate::{
     coverage::Walls,
-    geometry::{Point, Pose, Vector},
+    geometry::{Point, Pose},
     robot::{Drive, RobotModel, Sensors, Wheels, advance_sideways},
 };
 
@@ -122,8 +122,8 @@ impl SimRobot {
         self.senses.read(Around { walls, world, life }, &carrier);
     }
 
-    /// Turns the wheels and moves the body as far as the obstacles allow; returns the direction of what it touches.
-    fn roll(&mut self, obstacles: Obstacles<'_>, world: &World, drive: Drive) -> Option<Vector> {
+    /// Turns the wheels and moves the body as far as the obstacles allow; returns where it is touched.
+    fn roll(&mut self, obstacles: Obstacles<'_>, world: &World, drive: Drive) -> Touch {
         let lateral = if self.model.wheels == Wheels::Omnidirectional { drive.lateral } else { 0.0 };
         let speed = Drive {
             left: self.approach(self.speed.left, drive.left),
@@ -142,7 +142,7 @@ impl SimRobot {
             *sum += travel;
         }
         if self.is_lifted || self.has_fallen {
-            return None;
+            return Touch::NONE;
         }
         let [left, right, lateral] = self.slip.apply(rolled, || world.is_on_carpet(self.pose.position()));
         // A wheel in the air drives nothing.

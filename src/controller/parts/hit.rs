@@ -53,6 +53,10 @@ impl Hit {
         if let Some(side) = Side::of(sensed.bump_left, sensed.bump_right) {
             return Some(Self { kind: Kind::Bump, side });
         }
+        // What holds the wheels, though the bumper doesn't feel it: a narrow bumper between two walls.
+        if sensed.overcurrent.left_wheel && sensed.overcurrent.right_wheel {
+            return Some(Self { kind: Kind::Bump, side: Side::Front });
+        }
         (heeds_beam && sensed.virtual_wall).then_some(Self { kind: Kind::Beam, side: Side::Front })
     }
 }

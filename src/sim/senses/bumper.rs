@@ -32,10 +32,14 @@ impl Switches {
 
 /// Which halves of the bumper are touched. What touches the body outside the bumper's arc presses nothing.
 fn touched(model: &RobotModel, carrier: &Carrier) -> [bool; 2] {
-    let (Some(touch), Some(bumper)) = (carrier.touch, model.sensors.bumper) else { return [false; 2] };
-    let angle = difference(carrier.pose.heading, math::atan2(touch.y, touch.x));
-    if angle.abs() > bumper.half_arc {
-        return [false; 2];
+    let mut halves = [false; 2];
+    let Some(bumper) = model.sensors.bumper else { return halves };
+    for touch in carrier.touch.iter() {
+        let angle = difference(carrier.pose.heading, math::atan2(touch.y, touch.x));
+        if angle.abs() <= bumper.half_arc {
+            halves[0] |= angle >= -bumper.both_within;
+            halves[1] |= angle <= bumper.both_within;
+        }
     }
-    [angle >= -bumper.both_within, angle <= bumper.both_within]
+    halves
 }

@@ -16,7 +16,7 @@
 
 use super::{Around, Frame, Noisy, sight, slot};
 use crate::{
-    coverage::DOCK_BACK,
+    coverage::{DOCK_BACK, FENCE, HALO},
     geometry::{Point, Pose, Vector},
     robot::{Infrared, RobotModel, Sensors},
     sim::{SensorKind, World},
@@ -34,10 +34,6 @@ const BEAMS: f64 = 2.5;
 const BEAM: (f64, f64) = (0.466_307_658_154_999, 0.087_488_663_525_924);
 /// Radius of a dock's force field, m.
 const FORCE_FIELD: f64 = 0.6096;
-/// Half the width of a virtual wall's beam at its lighthouse, m, and how much it grows with every metre: 5 degrees.
-const FENCE: (f64, f64) = (0.02, 0.087_488_663_525_924);
-/// Radius of the halo around a lighthouse, m.
-const HALO: f64 = 0.4;
 /// Emitters may be this deep in a wall, m.
 const SLACK: f64 = 0.05;
 /// Character of a virtual wall.

@@ -11,7 +11,7 @@ mod motors;
 mod sight;
 
 use super::{
-    Conditions, Life, Noise, SensorKind, World,
+    Conditions, Life, Noise, SensorKind, Touch, World,
     noise::{Draw, NoiseSource},
 };
 use crate::{
@@ -43,8 +43,8 @@ pub struct Around<'a> {
 pub struct Carrier {
     /// Where it is.
     pub pose: Pose,
-    /// Unit vector from its origin to what it touches.
-    pub touch: Option<Vector>,
+    /// Where it is touched.
+    pub touch: Touch,
     /// Wheel speeds that were asked for.
     pub wanted: Drive,
     /// Wheel speeds.

@@ -28,7 +28,7 @@ impl Motors {
         let speed = 0.5 * (carrier.speed.left + carrier.speed.right);
         let progresses = carrier.moved > PROGRESS * speed.abs() * STEP_S;
         sensors.stasis = speed > 0.0 && progresses && !carrier.is_lifted;
-        let is_pushing = carrier.touch.is_some() && !carrier.wanted.is_stop() && speed.abs() > SLOWEST;
+        let is_pushing = !carrier.touch.is_none() && !carrier.wanted.is_stop() && speed.abs() > SLOWEST;
         self.stuck_s = if is_pushing && !progresses { self.stuck_s + STEP_S } else { 0.0 };
         let is_stalled = self.is_stalled();
         sensors.overcurrent.left_wheel = is_stalled && carrier.speed.left.abs() > SLOWEST;
