@@ -131,14 +131,8 @@ struct Walk {
 impl Walk {
     #[inline]
     fn new(from: Point, direction: Vector, size: f64) -> Self {
-        Self {
-            from: from / size,
-            direction,
-            stride: Vector::new(1.0 / direction.x, 1.0 / direction.y),
-            cell: Cell::at(from, size),
-            travelled: 0.0,
-            cosine: 1.0,
-        }
+        let (from, stride) = (from / size, Vector::new(1.0 / direction.x, 1.0 / direction.y));
+        Self { from, direction, stride, cell: Cell::at(from, 1.0), travelled: 0.0, cosine: 1.0 }
     }
 
     /// On to the first cell outside the square of those less than `moves` moves of a king away, which is free but for its

@@ -81,6 +81,10 @@ impl LightBeams {
     /// What comes back to one of them.
     fn light(&self, around: Around<'_>, frame: &Frame, direction: [f64; 2]) -> f64 {
         let direction = frame.direction(direction);
+        let middle = frame.position + direction * (self.start + 0.5 * self.range);
+        if around.life.movers().is_empty() && around.walls.are_far_from(middle, 0.5 * self.range) {
+            return 0.0;
+        }
         let from = frame.position + direction * self.start;
         look(around, from, direction, self.range).map_or(0.0, |hit| strength(hit, self.range))
     }
