@@ -6,9 +6,6 @@ use crate::{
     grid::Cell,
 };
 
-/// Room, in cells, from which a ray jumps instead of going from cell to cell.
-const WORTH_JUMPING: f64 = 1.5;
-
 /// What a ray met.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hit {
@@ -35,9 +32,8 @@ impl Walls {
     /// What a ray from `from` in the direction of the unit vector `direction` meets within `reach` metres: exact, as
     /// [`Walls::nearest`] is.
     ///
-    /// In the open it jumps as far as nothing can be in the way (sphere tracing, Hart 1996); near walls it goes from
-    /// cell to cell (Amanatides & Woo 1987). In the first cell that an object touches, all objects that can be in the way
-    /// are looked at.
+    /// It goes from cell to cell (Amanatides & Woo 1987), and in the open from one side of the largest free square around a
+    /// cell to the other. In the first cell that an object touches, all objects that can be in the way are looked at.
     pub fn ray(&self, from: Point, direction: Vector, reach: f64) -> Option<Hit> {
         let size = self.resolution;
         let mut walk = Walk::new(from, direction, size);
@@ -45,24 +41,20 @@ impl Walls {
         // The nearest object, once there may be one.
         let mut object = None;
         let mut has_looked = false;
-        while walk.travelled < reach {
-            let clearance = self.clearance.get(walk.cell).map_or(0.0, |&c| f64::from(c));
-            if clearance <= 0.0 {
+        while walk.travelled * size < reach {
+            let moves = self.moves_from(walk.cell);
+            if moves == 0 {
+                let travelled = walk.travelled * size;
                 if self.squares().get(walk.cell) != Some(&false) {
-                    return Some(Hit { distance: walk.travelled, cosine: walk.cosine, surface: Surface::Wall });
+                    return Some(Hit { distance: travelled, cosine: walk.cosine, surface: Surface::Wall });
                 }
                 if !has_looked {
                     has_looked = true;
-                    object = self.first_object(from, direction, walk.travelled, reach);
+                    object = self.first_object(from, direction, travelled, reach);
                     reach = object.map_or(reach, |hit: Hit| hit.distance);
                 }
             }
-            let room = clearance - 0.7072 * size;
-            if room > WORTH_JUMPING * size {
-                walk.jump(walk.travelled + room);
-            } else {
-                walk.step();
-            }
+            walk.leave_square(moves.max(1));
         }
         object
     }
@@ -123,65 +115,64 @@ impl Hit {
     }
 }
 
-/// A ray on its way from cell to cell.
+/// A ray on its way from cell to cell. Lengths are in cells.
 struct Walk {
     from: Point,
     direction: Vector,
-    size: f64,
+    /// Way of the ray for a step along each axis; infinite for an axis that it is square to.
+    stride: Vector,
     cell: Cell,
-    /// Distance at which the ray entered the cell, m.
+    /// Distance at which the ray entered the cell.
     travelled: f64,
     /// Cosine of the angle at which it crossed the cell's edge.
     cosine: f64,
-    /// Distances at which it crosses the next column and row, m.
-    next: [f64; 2],
 }
 
 impl Walk {
+    #[inline]
     fn new(from: Point, direction: Vector, size: f64) -> Self {
-        let mut walk =
-            Self { from, direction, size, cell: Cell::new(0, 0), travelled: 0.0, cosine: 1.0, next: [0.0; 2] };
-        walk.jump(0.0);
-        walk
+        let (from, stride) = (from / size, Vector::new(1.0 / direction.x, 1.0 / direction.y));
+        Self { from, direction, stride, cell: Cell::at(from, 1.0), travelled: 0.0, cosine: 1.0 }
     }
 
-    /// On to the point at `distance`, over cells that are known to be free.
+    /// On to the first cell outside the square of those less than `moves` moves of a king away, which is free but for its
+    /// middle.
     #[inline]
-    fn jump(&mut self, distance: f64) {
-        self.travelled = distance;
-        self.cell = Cell::at(self.from + self.direction * distance, self.size);
-        self.next = [
-            crossing(self.cell.x, self.from.x, self.direction.x, self.size),
-            crossing(self.cell.y, self.from.y, self.direction.y, self.size),
-        ];
-    }
-
-    /// Into the next cell.
-    #[inline]
-    fn step(&mut self) {
-        let (x, y) = (self.direction.x, self.direction.y);
-        if self.next[0] < self.next[1] {
-            self.travelled = self.next[0].max(self.travelled);
-            self.cosine = x.abs();
-            self.cell.x += if x > 0.0 { 1 } else { -1 };
-            self.next[0] += self.size / x.abs();
+    fn leave_square(&mut self, moves: i32) {
+        let Self { from, direction, stride, cell, .. } = *self;
+        // The first column and row beyond the square, and where the ray crosses into them.
+        let (column, in_x) = beyond(cell.x, moves, from.x, direction.x, stride.x);
+        let (row, in_y) = beyond(cell.y, moves, from.y, direction.y, stride.y);
+        // The cells of a ray lie in order along both axes, whatever is rounded.
+        if in_x < in_y {
+            self.travelled = in_x.max(self.travelled);
+            self.cosine = direction.x.abs();
+            self.cell = Cell::new(column, onward(cell.y, from.y + direction.y * in_x, direction.y));
         } else {
-            self.travelled = self.next[1].max(self.travelled);
-            self.cosine = y.abs();
-            self.cell.y += if y > 0.0 { 1 } else { -1 };
-            self.next[1] += self.size / y.abs();
+            self.travelled = in_y.max(self.travelled);
+            self.cosine = direction.y.abs();
+            self.cell = Cell::new(onward(cell.x, from.x + direction.x * in_y, direction.x), row);
         }
     }
 }
 
-/// Distance at which a ray leaves column (or row) `cell`, along one axis.
+/// The first column (or row) that is `moves` away from column `cell`, and the distance at which a ray crosses into it, along
+/// one axis.
 #[inline]
-fn crossing(cell: i32, from: f64, direction: f64, size: f64) -> f64 {
-    if direction == 0.0 {
-        return f64::INFINITY;
+fn beyond(cell: i32, moves: i32, from: f64, direction: f64, stride: f64) -> (i32, f64) {
+    if direction > 0.0 {
+        (cell + moves, (f64::from(cell + moves) - from) * stride)
+    } else if direction < 0.0 {
+        (cell - moves, (f64::from(cell - moves + 1) - from) * stride)
+    } else {
+        (cell, f64::INFINITY)
     }
-    let edge = f64::from(cell + i32::from(direction > 0.0)) * size;
-    (edge - from) / direction
+}
+
+/// The column (or row) at `place`, which lies inside the grid, or `cell` if it isn't before that.
+#[inline]
+fn onward(cell: i32, place: f64, direction: f64) -> i32 {
+    if direction > 0.0 { cell.max(place as i32) } else { cell.min(place as i32) }
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! The tool's disc as runs of cells.
 
+use crate::math;
 use std::ops::Range;
 
 /// A disc to be stamped onto a grid of `width` x `height` cells.
@@ -20,13 +21,13 @@ impl Stamp {
     pub fn rows(&self, x: f64, y: f64, mut visit: impl FnMut(Range<usize>)) {
         // Half a thousandth more, for discs that end at a centre but for rounding.
         let radius = self.radius + 5e-4;
-        let first = ((y - 0.5 - radius).ceil() as i32).max(0);
-        let last = ((y - 0.5 + radius).floor() as i32).min(self.height as i32 - 1);
+        let first = math::ceil(y - 0.5 - radius).max(0);
+        let last = math::floor(y - 0.5 + radius).min(self.height as i32 - 1);
         for row in first..=last {
             let dy = f64::from(row) + 0.5 - y;
             let half = (radius * radius - dy * dy).max(0.0).sqrt();
-            let left = ((x - 0.5 - half).ceil() as i32).max(0);
-            let right = ((x - 0.5 + half).floor() as i32).min(self.width as i32 - 1);
+            let left = math::ceil(x - 0.5 - half).max(0);
+            let right = math::floor(x - 0.5 + half).min(self.width as i32 - 1);
             if left <= right {
                 let start = row as usize * self.width + left as usize;
                 visit(start..start + (right - left + 1) as usize);

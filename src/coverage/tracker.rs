@@ -15,13 +15,14 @@ pub struct CoverageTracker {
     visits: Grid<u8>,
     /// Number of the last stamp that touched the cell, 0 for none.
     touched: Vec<u32>,
+    /// Number of the last stamp; the first one's is greater than `memory`, as if no cell had been touched for long.
     stamps: u32,
     /// Stamps after which a touched cell counts as left.
     memory: u32,
     last: Option<Point>,
     covered: usize,
     passes: u64,
-    /// Lowest and highest row that changed since they were last taken.
+    /// Cells in the lowest and highest row that changed since they were last taken.
     dirty: Option<(usize, usize)>,
 }
 
@@ -30,14 +31,15 @@ impl CoverageTracker {
     pub fn new(floor: &ReachableFloor) -> Self {
         let grid = &floor.floor;
         let radius = floor.tool_radius / floor.resolution;
+        // Stamps are half a cell apart: 4 radii of them are a diameter.
+        let memory = (4.0 * radius).ceil() as u32 + 1;
         Self {
             stamp: Stamp { radius, width: grid.width(), height: grid.height() },
             resolution: floor.resolution,
             visits: Grid::filled(grid.width(), grid.height(), 0),
             touched: vec![0; grid.len()],
-            stamps: 0,
-            // Stamps are half a cell apart: 4 radii of them are a diameter.
-            memory: (4.0 * radius).ceil() as u32 + 1,
+            stamps: memory,
+            memory,
             last: None,
             covered: 0,
             passes: 0,
@@ -75,22 +77,17 @@ impl CoverageTracker {
         self.last = Some(at);
         self.stamps += 1;
         let Self { stamp, resolution, visits, touched, stamps, memory, covered, passes, dirty, .. } = self;
-        let width = stamp.width;
-        let reachable = floor.floor.values();
-        let counts = visits.values_mut();
+        let (now, reachable, counts) = (*stamps, floor.floor.values(), visits.values_mut());
         stamp.rows(at.x / *resolution, at.y / *resolution, |range| {
-            let row = range.start / width;
-            let (low, high) = dirty.unwrap_or((row, row));
-            *dirty = Some((low.min(row), high.max(row)));
-            for index in range {
-                if !reachable[index] {
-                    continue;
-                }
-                let is_new_pass = touched[index] == 0 || *stamps - touched[index] > *memory;
-                touched[index] = *stamps;
+            let (low, high) = dirty.unwrap_or((range.start, range.start));
+            *dirty = Some((low.min(range.start), high.max(range.start)));
+            let cells = reachable[range.clone()].iter().zip(&mut touched[range.clone()]).zip(&mut counts[range]);
+            for ((&is_reachable, touched), count) in cells {
+                let is_new_pass = is_reachable && now - *touched > *memory;
+                *touched = now;
                 if is_new_pass {
-                    *covered += usize::from(counts[index] == 0);
-                    counts[index] = counts[index].saturating_add(1);
+                    *covered += usize::from(*count == 0);
+                    *count = count.saturating_add(1);
                     *passes += 1;
                 }
             }
@@ -119,6 +116,6 @@ impl CoverageTracker {
 
     /// The lowest and highest row that changed since the last call.
     pub fn take_dirty_rows(&mut self) -> Option<(usize, usize)> {
-        self.dirty.take()
+        self.dirty.take().map(|(low, high)| (low / self.stamp.width, high / self.stamp.width))
     }
 }

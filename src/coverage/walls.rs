@@ -3,7 +3,7 @@
 use super::shapes::ShapeIndex;
 use crate::{
     geometry::{Point, Shape, Vector},
-    grid::{Cell, Grid, clearance},
+    grid::{Cell, Grid, chessboard, clearance},
 };
 
 /// How far clearance is known beyond the body, fine cells: where there is that much room, nobody needs to look closer.
@@ -19,8 +19,12 @@ pub struct Walls {
     pub resolution: f64,
     /// Radius of the body, m.
     pub body_radius: f64,
+    /// Moves of a chess king from each fine cell to the nearest wall or cell that a shape touches: rays see that far.
+    moves: Grid<u8>,
     /// Fine cells that are wall.
     squares: Grid<bool>,
+    /// Fine cells from each one to the next wall in its row, to the left and to the right; 0 in walls.
+    in_row: Grid<[u16; 2]>,
     shapes: ShapeIndex,
 }
 
@@ -42,7 +46,8 @@ impl Walls {
         }
         let limit = body_radius / resolution + SPARE_CELLS;
         let clearance = clearance(&touched, limit as f32).map(|&c| c * resolution as f32);
-        Self { clearance, resolution, body_radius, squares, shapes: ShapeIndex::new(shapes) }
+        let (moves, in_row) = (chessboard(&touched), in_row(&squares));
+        Self { clearance, resolution, body_radius, moves, squares, in_row, shapes: ShapeIndex::new(shapes) }
     }
 
     /// Whether a disc of `radius` metres around `point` touches no wall. `radius` is at most a cell more than the body's.
@@ -59,21 +64,59 @@ impl Walls {
         around > radius + 0.7072 * self.resolution
     }
 
+    /// Whether nothing at all is within `reach` metres of a point, at a glance: may say no where nothing is.
+    #[inline]
+    pub fn are_far_from(&self, point: Point, reach: f64) -> bool {
+        f64::from(self.moves_from(self.cell_at(point)) - 1) * self.resolution > reach
+    }
+
+    /// Moves of a chess king from a fine cell to the nearest wall or cell that a shape touches; 0 there and outside.
+    #[inline]
+    pub(super) fn moves_from(&self, cell: Cell) -> i32 {
+        self.moves.get(cell).map_or(0, |&moves| i32::from(moves))
+    }
+
     /// The nearest point of a wall or shape less than `reach` metres from `point`, and its distance; exact.
     pub fn nearest(&self, point: Point, reach: f64) -> Option<(Point, f64)> {
         let mut best = (reach * reach, None);
+        self.nearest_square(point, &mut best);
         let reach = Vector::new(reach, reach);
-        self.near(point - reach, point + reach, |obstacle| {
-            let wall = match obstacle {
-                Obstacle::Squares(low, high) => Point::new(point.x.clamp(low.x, high.x), point.y.clamp(low.y, high.y)),
-                Obstacle::Shape(shape) => shape.nearest(point),
-            };
-            let distance = (wall - point).norm_squared();
-            if distance < best.0 {
-                best = (distance, Some(wall));
-            }
-        });
+        self.shapes.in_box(point - reach, point + reach, |shape| nearer(&mut best, point, shape.nearest(point)));
         best.1.map(|wall| (wall, best.0.sqrt()))
+    }
+
+    /// Looks for a square that is nearer to `point` than the best so far (square of the distance, and where), row by row.
+    fn nearest_square(&self, point: Point, best: &mut (f64, Option<Point>)) {
+        let (cell, size) = (self.cell_at(point), self.resolution);
+        if !self.in_row.contains(cell) {
+            // The outside is wall.
+            *best = (0.0, Some(point));
+            return;
+        }
+        let mut look = |row: i32, y: f64| {
+            let height = y - point.y;
+            if height * height >= best.0 {
+                return false;
+            }
+            let [left, right] = self.in_row.get(Cell::new(cell.x, row)).map_or([0; 2], |cells| cells.map(i32::from));
+            if left == 0 {
+                nearer(best, point, Point::new(point.x, y));
+            } else {
+                let ends = [f64::from(cell.x - left + 1) * size, f64::from(cell.x + right) * size];
+                nearer(best, point, Point::new(ends[0].min(point.x), y));
+                nearer(best, point, Point::new(ends[1].max(point.x), y));
+            }
+            true
+        };
+        look(cell.y, point.y);
+        let (mut is_open_above, mut is_open_below) = (true, true);
+        let mut rows = 1;
+        while is_open_above || is_open_below {
+            let (above, below) = (cell.y + rows, cell.y - rows);
+            is_open_above = is_open_above && look(above, (f64::from(above) * size).max(point.y));
+            is_open_below = is_open_below && look(below, (f64::from(below + 1) * size).min(point.y));
+            rows += 1;
+        }
     }
 
     /// Calls `visit` with every obstacle that may reach into the box between `low` and `high`; squares in runs.
@@ -141,6 +184,32 @@ impl Walls {
     fn cell_at(&self, point: Point) -> Cell {
         Cell::at(point, self.resolution)
     }
+}
+
+/// Takes a point of a wall that is nearer to `point` than the best so far.
+#[inline]
+fn nearer(best: &mut (f64, Option<Point>), point: Point, wall: Point) {
+    let distance = (wall - point).norm_squared();
+    if distance < best.0 {
+        *best = (distance, Some(wall));
+    }
+}
+
+/// Cells from each one to the next in its row that is set, to the left and to the right; the outside counts as set.
+fn in_row(squares: &Grid<bool>) -> Grid<[u16; 2]> {
+    let mut cells = squares.map(|_| [0_u16; 2]);
+    let width = squares.width();
+    for (row, out) in squares.values().chunks(width).zip(cells.values_mut().chunks_mut(width)) {
+        let mut since = 0_u16;
+        let mut next = |is_wall: bool| {
+            since = if is_wall { 0 } else { since.saturating_add(1) };
+            since
+        };
+        row.iter().zip(out.iter_mut()).for_each(|(&is_wall, cell)| cell[0] = next(is_wall));
+        next(true);
+        row.iter().zip(out.iter_mut()).rev().for_each(|(&is_wall, cell)| cell[1] = next(is_wall));
+    }
+    cells
 }
 
 /// Sets every cell of `touched` that a shape overlaps.

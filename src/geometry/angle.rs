@@ -9,12 +9,17 @@ use crate::math::{PI, TAU};
 /// assert_eq!(normalize(3.0 * PI), PI);
 /// assert_eq!(normalize(-PI), PI);
 /// ```
+#[inline]
 pub fn normalize(radians: f64) -> f64 {
+    if radians > -PI && radians <= PI {
+        return radians;
+    }
     let wrapped = radians - TAU * ((radians + PI) / TAU).floor();
     if wrapped <= -PI { wrapped + TAU } else { wrapped }
 }
 
 /// The shortest turn that leads from heading `from` to heading `to`, in (-π, π].
+#[inline]
 pub fn difference(from: f64, to: f64) -> f64 {
     normalize(to - from)
 }

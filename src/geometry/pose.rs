@@ -29,7 +29,8 @@ impl Pose {
 
     /// Unit vector in the direction of the heading.
     pub fn direction(&self) -> Vector {
-        Vector::new(math::cos(self.heading), math::sin(self.heading))
+        let (sin, cos) = math::sin_cos(self.heading);
+        Vector::new(cos, sin)
     }
 
     /// The point that lies at `local` (x ahead, y to the left, metres) as seen from this pose.

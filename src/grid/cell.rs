@@ -1,6 +1,9 @@
 //! Cells of a grid and the four directions between them.
 
-use crate::{geometry::Point, math::FRAC_PI_2};
+use crate::{
+    geometry::Point,
+    math::{self, FRAC_PI_2},
+};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
@@ -23,7 +26,7 @@ impl Cell {
     /// The cell that holds a point, in a grid of cells of `side` metres; the origin is the lower-left corner of (0, 0).
     #[inline]
     pub fn at(point: Point, side: f64) -> Self {
-        Self::new((point.x / side).floor() as i32, (point.y / side).floor() as i32)
+        Self::new(math::floor(point.x / side), math::floor(point.y / side))
     }
 
     /// The centre of the cell in metres if its sides are `side` metres: an inverse of [`Cell::at`].

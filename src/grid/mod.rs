@@ -1,12 +1,14 @@
 //! Rectangular grids, row 0 at the bottom, and what is computed on them.
 
 mod cell;
+mod chessboard;
 mod clearance;
 mod occupancy;
 mod picture;
 mod reach;
 
 pub use cell::{Cell, Direction};
+pub use chessboard::chessboard;
 pub use clearance::clearance;
 pub use occupancy::Occupancy;
 pub use picture::{from_picture, picture};

@@ -89,8 +89,8 @@ pub fn advance_sideways(pose: Pose, [left, right, lateral]: [f64; 3], wheel_base
     } else {
         math::sin(half) / half
     };
-    let heading = pose.heading + half;
-    let (cos, sin) = (chord * math::cos(heading), chord * math::sin(heading));
+    let (sin, cos) = math::sin_cos(pose.heading + half);
+    let (sin, cos) = (chord * sin, chord * cos);
     Pose::new(pose.x + distance * cos - lateral * sin, pose.y + distance * sin + lateral * cos, pose.heading + turn)
 }
 

@@ -191,6 +191,17 @@ impl Footprint {
 
     fn slide_near_obstacles(&mut self, obstacles: Obstacles<'_>, from: Pose, to: Pose) -> Contact {
         let way = to.position() - from.position();
+        if self.is_round() && way.norm_squared() < self.stride * self.stride {
+            // Mostly it comes near without being held.
+            let at = to.position();
+            match obstacles.nearest(at, self.radius + BUMPER_PLAY) {
+                None => return Contact { pose: to, touch: None },
+                Some((wall, distance)) if self.radius - distance <= 1e-12 => {
+                    return Contact { pose: to, touch: Some((wall - at) / distance) };
+                }
+                Some(_) => {}
+            }
+        }
         let turn = difference(from.heading, to.heading);
         let rim = if self.is_round() { 0.0 } else { turn.abs() * self.radius };
         let strides = ((way.norm() + rim) / self.stride).ceil().max(1.0);

@@ -202,7 +202,8 @@ impl Run {
             news.into_iter().flatten().for_each(|what| self.note(what));
         }
         let now = self.controller.activity();
-        if now != activity && !now.is_empty() {
+        // Mostly it is the very same text.
+        if !std::ptr::eq(now, activity) && now != activity && !now.is_empty() {
             self.note(What::Began(now));
         }
     }

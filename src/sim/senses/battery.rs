@@ -14,6 +14,7 @@
 
 use super::Carrier;
 use crate::{
+    math,
     rng::seeded,
     robot::{BatteryReading, RobotModel, Sensors},
     sim::{Noise, NoiseLevel, STEP_S, SensorKind, World},
@@ -104,7 +105,7 @@ impl Cells {
         let volts = self.nominal * curve(share);
         let milliamps = -1000.0 * self.power / volts;
         sensors.battery = BatteryReading {
-            charge_mah: (self.gauge * share * self.capacity_mah).min(self.capacity_mah).round() as u16,
+            charge_mah: math::floor((self.gauge * share * self.capacity_mah).min(self.capacity_mah) + 0.5) as u16,
             capacity_mah: self.capacity_mah as u16,
             voltage_mv: (1000.0 * volts + self.noise.0 * deviate).max(0.0) as u16,
             current_ma: (milliamps + self.noise.1 * deviate) as i16,
@@ -116,9 +117,15 @@ impl Cells {
 
 /// Voltage as a share of the nominal one.
 fn curve(share: f64) -> f64 {
-    let piece = CURVE.windows(2).find(|piece| share <= piece[1].0).unwrap_or(&CURVE[2..]);
-    let (from, to) = (piece[0], piece[1]);
-    from.1 + (to.1 - from.1) * ((share - from.0) / (to.0 - from.0))
+    let [empty, low, high, full] = CURVE;
+    let on = |from: (f64, f64), to: (f64, f64)| from.1 + (share - from.0) * ((to.1 - from.1) / (to.0 - from.0));
+    if share <= low.0 {
+        on(empty, low)
+    } else if share <= high.0 {
+        on(low, high)
+    } else {
+        on(high, full)
+    }
 }
 
 #[cfg(test)]

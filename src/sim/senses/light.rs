@@ -16,6 +16,7 @@
 use super::{Around, Frame, Noisy, sight::look, slot};
 use crate::{
     coverage::{Hit, Surface},
+    geometry::Point,
     math,
     robot::{LightBumper, Sensors},
     sim::SensorKind,
@@ -52,8 +53,9 @@ impl LightBeams {
     pub fn read(&self, around: Around<'_>, frame: &Frame, is_lifted: bool, noise: &Noisy<'_>, sensors: &mut Sensors) {
         let deviation = noise.pick(SensorKind::Light, [0.0, 0.03, 0.15]);
         let idle = noise.pick(SensorKind::Light, [(IDLE, 0.0), (2.0, 31.0), (2.0, 159.0)]);
+        let sees_nothing = is_lifted || self.is_all_out_of_reach(around, frame.position);
         for (index, &direction) in self.directions.iter().enumerate() {
-            let light = if is_lifted { 0.0 } else { self.light(around, frame, direction) };
+            let light = if sees_nothing { 0.0 } else { self.light(around, frame, direction) };
             let slot = slot::LIGHT + index;
             let mut value = idle.0 + idle.1 * noise.uniform(slot);
             if light > 0.0 {
@@ -68,11 +70,19 @@ impl LightBeams {
         sensors.wall_signal = sensors.light_signal[5] / 4;
     }
 
+    /// Whether nothing is as near to the body's origin as a beam reaches, at a glance.
+    fn is_all_out_of_reach(&self, around: Around<'_>, origin: Point) -> bool {
+        let reach = self.start + self.range;
+        let is_near =
+            |&(centre, radius): &(Point, f64)| (centre - origin).norm_squared() < (reach + radius) * (reach + radius);
+        around.walls.are_far_from(origin, reach) && !around.life.movers().iter().any(is_near)
+    }
+
     /// What comes back to one of them.
     fn light(&self, around: Around<'_>, frame: &Frame, direction: [f64; 2]) -> f64 {
         let direction = frame.direction(direction);
         let middle = frame.position + direction * (self.start + 0.5 * self.range);
-        if around.life.movers().is_empty() && around.walls.has_room_around_cell(middle, 0.5 * self.range) {
+        if around.life.movers().is_empty() && around.walls.are_far_from(middle, 0.5 * self.range) {
             return 0.0;
         }
         let from = frame.position + direction * self.start;

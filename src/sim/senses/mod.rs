@@ -118,7 +118,11 @@ impl Senses {
         let draw = source.as_mut().map(NoiseSource::draw);
         let noise = Noisy { levels: *noise, draw };
         let frame = Frame::new(carrier.pose);
-        let counts = |rolled: f64| ((rolled * model.counts_per_metre).floor() as i64) as u16;
+        // Rounded down, as `floor` does, which is a call.
+        let counts = |rolled: f64| {
+            let counts = rolled * model.counts_per_metre;
+            (counts as i64 - i64::from(counts as i64 as f64 > counts)) as u16
+        };
         [sensors.left_counts, sensors.right_counts, sensors.lateral_counts] = carrier.rolled.map(counts);
         (sensors.bump_left, sensors.bump_right) = switches.pressed(model, carrier, &noise);
         if model.sensors.wheel_drops {
