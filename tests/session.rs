@@ -52,9 +52,14 @@ fn every_room_is_cleaned_to_the_end() {
         finish(&mut session);
         let view = session.view();
         assert_eq!(session.state(), State::Finished, "{}", room.id);
+        let has = |is_it: fn(&Object) -> bool| session.plan().objects.iter().any(is_it);
+        // Plans know nothing of virtual walls: in the one room with one, a robot has to leave out all that lies behind it.
         // Who waits for somebody in the way may have to leave some floor out.
-        let is_alone = !session.plan().objects.iter().any(|object| matches!(object, Object::Mover { .. }));
-        let (least, spare) = if is_alone { (0.95, 0.01) } else { (0.9, 0.05) };
+        let (least, spare) = match () {
+            () if has(|object| matches!(object, Object::VirtualWall { .. })) => (0.5, 0.5),
+            () if has(|object| matches!(object, Object::Mover { .. })) => (0.9, 0.05),
+            () => (0.95, 0.01),
+        };
         assert!(view.coverage > least, "{}: {:.4} covered of {:.4}", room.id, view.coverage, planned.drive.coverage);
         assert!(view.coverage > planned.drive.coverage - spare, "{}", room.id);
     }
