@@ -219,6 +219,9 @@ fn behaviour_is_run_for_as_long_as_one_says() {
     let told = text(&["simulate", "--room", "empty", "--behaviour", "bounce", "--sample", "600"]);
     assert!(told.starts_with("Behaviour Bounce, seed 0\n") && told.contains("stopped by --max-time"), "{told}");
     assert!(told.contains("\n 1800.0"), "half an hour for those that never end: {told}");
+    let base = ["simulate", "--room", "empty", "--behaviour", "bounce", "--sample", "1e5"];
+    let told = text(&[&base[..], &["--max-time", "1e5"]].concat());
+    assert!(told.contains("ended by an empty battery"), "it never ends by itself: {told}");
 }
 
 #[test]

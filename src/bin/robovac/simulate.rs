@@ -14,7 +14,7 @@ use robovac_playground::{
     controller,
     floorplan::ScenarioPose,
     robot::OdometryModel,
-    sim::{Run, STEP_S, SlipLevel},
+    sim::{Run, STEP_S, SlipLevel, What},
 };
 use serde::Serialize;
 use std::{fmt::Write, time::Instant};
@@ -88,6 +88,8 @@ struct Totals {
     pose_error_m: Option<f64>,
     /// Whether the robot came to the end of what it does.
     finished: bool,
+    /// Whether the battery was empty before that.
+    battery_empty: bool,
     /// In hexadecimal; two runs share it only if they are in the same state, to the last bit.
     digest: String,
 }
@@ -183,6 +185,7 @@ impl Sample {
 
 impl Totals {
     fn of(run: &Run) -> Self {
+        let battery_empty = run.events().iter().any(|event| event.what == What::BatteryEmpty);
         Self {
             time_s: run.time_s(),
             coverage: run.coverage(),
@@ -191,7 +194,8 @@ impl Totals {
             bumps: run.bumps(),
             overlap: run.tracker().overlap(),
             pose_error_m: run.pose_error_m(),
-            finished: run.is_finished(),
+            finished: run.is_finished() && !battery_empty,
+            battery_empty,
             digest: format!("{:016x}", run.digest()),
         }
     }
@@ -213,6 +217,7 @@ impl Report {
         let end = match (totals.finished, algorithm) {
             (true, Algorithm::Planner(_)) => "came to the end of the walk",
             (true, Algorithm::Behaviour(_)) => "came to its end",
+            (false, _) if totals.battery_empty => "ended by an empty battery",
             (false, _) => "stopped by --max-time",
         };
         let pose = totals.pose_error_m.map(|metres| format!("Pose      {metres:.3} m off at the end\n"));
