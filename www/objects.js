@@ -32,11 +32,14 @@ export function startObjects(app) {
   const menu = select("selected");
   menu.addEventListener("change", () => app.act((p) => p.select_object(menu.value === "" ? undefined : Number(menu.value))));
 
+  const isDriving = () => app.view.tool === "view" && app.catalogue.behaviours.some(({ id, manual }) => manual && id === app.view.algorithm);
   canvas.addEventListener(
     "keydown",
     (event) => {
       if (event.ctrlKey || event.metaKey || event.altKey || app.view.selected < 0) return;
       const action = (event.shiftKey ? SHAPES : MOVES)[event.key];
+      // Whoever drives by hand drives: objects are moved with the tool that places them.
+      if (isDriving() && event.key.startsWith("Arrow")) return;
       if (event.key === "Escape") app.act((p) => p.select_object(undefined));
       else if (action) app.act((p) => p.edit_selected(action));
       else return;

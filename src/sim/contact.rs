@@ -195,9 +195,9 @@ impl Footprint {
             // Mostly it comes near without being held.
             let at = to.position();
             match obstacles.nearest(at, self.radius + BUMPER_PLAY) {
-                None => return Contact { pose: to, touch: None },
-                Some((wall, distance)) if self.radius - distance <= 1e-12 => {
-                    return Contact { pose: to, touch: Some((wall - at) / distance) };
+                None => return Contact { pose: to, touch: Touch::NONE },
+                Some((_, distance)) if self.radius - distance <= 1e-12 => {
+                    return Contact { pose: to, touch: self.touch(obstacles, to) };
                 }
                 Some(_) => {}
             }
