@@ -60,7 +60,7 @@ export function startManual(app) {
   /** @param {KeyboardEvent} event */
   const press = (event) => {
     if (!KEYS[event.code] || event.ctrlKey || event.metaKey || event.altKey || !isManual() || app.view.is_carried) return;
-    if (event.currentTarget === byId("floor") && (app.view.tool !== "view" || app.view.selected >= 0)) return;
+    if (event.currentTarget === byId("floor") && app.view.tool !== "view") return;
     // Neither the view nor a tool gets it.
     event.preventDefault();
     event.stopImmediatePropagation();
