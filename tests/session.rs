@@ -6,7 +6,6 @@ use robovac_playground::{
     geometry::{Point, Pose},
     grid::Cell,
     planner::CoveragePath,
-    sim::What,
 };
 
 fn opened() -> Session {
@@ -42,8 +41,7 @@ fn opens_with_a_robot_that_cleans_the_flat() {
 }
 
 #[test]
-fn every_room_is_cleaned_to_the_end_or_as_long_as_the_battery_lasts() {
-    let mut emptied = 0;
+fn every_room_is_cleaned_to_the_end() {
     for room in ROOMS {
         let mut session = opened();
         session.select_room(room.id).unwrap();
@@ -54,20 +52,12 @@ fn every_room_is_cleaned_to_the_end_or_as_long_as_the_battery_lasts() {
         finish(&mut session);
         let view = session.view();
         assert_eq!(session.state(), State::Finished, "{}", room.id);
-        // One charge isn't enough for a hall: what must hold then is that the plan takes longer.
-        let run = session.recording().unwrap().run();
-        if run.events().iter().any(|event| event.what == What::BatteryEmpty) {
-            assert!(planned.drive.duration_s > view.time_s && view.time_s > 3600.0, "{}: {} s", room.id, view.time_s);
-            emptied += 1;
-            continue;
-        }
         // Who waits for somebody in the way may have to leave some floor out.
         let is_alone = !session.plan().objects.iter().any(|object| matches!(object, Object::Mover { .. }));
         let (least, spare) = if is_alone { (0.95, 0.01) } else { (0.9, 0.05) };
         assert!(view.coverage > least, "{}: {:.4} covered of {:.4}", room.id, view.coverage, planned.drive.coverage);
         assert!(view.coverage > planned.drive.coverage - spare, "{}", room.id);
     }
-    assert!(emptied < ROOMS.len() / 3, "{emptied} rooms");
 }
 
 #[test]

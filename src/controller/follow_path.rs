@@ -17,6 +17,8 @@ const BACK_OFF: f64 = 0.03;
 const BACK_FROM_EDGE: f64 = 0.1;
 /// How long to wait for somebody who stands in the way, s, and how much of a piece must be left to make it worth while, m.
 const WAIT: (f64, f64) = (3.0, 0.3);
+/// After so long with one wheel over an edge it gives up, s.
+const HUNG_S: f64 = 10.0;
 /// How often to wait.
 const MOST_WAITS: u32 = 3;
 /// How far the line is shifted away from the side that was bumped, m.
@@ -51,6 +53,8 @@ pub struct FollowPath {
     phase: Phase,
     bumps: u32,
     waits: u32,
+    /// How long one wheel has hung over an edge, s.
+    hung_s: f64,
     /// Where the robot last turned or began.
     began: Point,
     /// Shift of the present piece to the left of its direction, m.
@@ -98,6 +102,7 @@ impl FollowPath {
             phase: Phase::Done,
             bumps: 0,
             waits: 0,
+            hung_s: 0.0,
             began: start.position(),
             shift: 0.0,
             patience: 0.0,
@@ -264,8 +269,15 @@ impl Controller for FollowPath {
     fn step(&mut self, sensed: &Sensors, dt_s: f64) -> Drive {
         self.odometry.update(sensed);
         if sensed.wheel_dropped() {
+            // In somebody's hand both hang down; with one over an edge it can't get away.
+            let is_held = sensed.wheel_drop_left && sensed.wheel_drop_right;
+            self.hung_s = if is_held { 0.0 } else { self.hung_s + dt_s };
+            if self.hung_s > HUNG_S {
+                self.phase = Phase::Done;
+            }
             return Drive::STOP;
         }
+        self.hung_s = 0.0;
         // On a dock, whose ramp is black, all cliff sensors see an edge that is none.
         let sees_edge = sensed.sees_cliff() && !sensed.battery.on_dock;
         match self.phase {

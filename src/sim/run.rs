@@ -40,12 +40,20 @@ pub struct Conditions {
     pub quantised: bool,
     /// Charge of the battery at the start, percent.
     pub start_charge_percent: u8,
+    /// Whether somebody puts a charged battery in whenever it's empty. Otherwise the run ends there.
+    pub spare_batteries: bool,
 }
 
 /// Perfect wheels and sensors, any speed, a full battery.
 impl Default for Conditions {
     fn default() -> Self {
-        Self { slip: SlipLevel::None, noise: Noise::default(), quantised: false, start_charge_percent: 100 }
+        Self {
+            slip: SlipLevel::None,
+            noise: Noise::default(),
+            quantised: false,
+            start_charge_percent: 100,
+            spare_batteries: false,
+        }
     }
 }
 

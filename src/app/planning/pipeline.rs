@@ -96,9 +96,11 @@ impl Prepared {
         RunSetup { floor: Arc::clone(floor), world: Arc::clone(world), robot: robot.clone(), conditions, seed }
     }
 
-    /// The robot at the start, about to drive along `line` (corners, m) by dead reckoning.
+    /// The robot at the start, about to drive along `line` (corners, m) by dead reckoning. It gets another battery when one
+    /// is empty: plans are compared by what they clean, and what they take is a number of its own.
     pub fn run_along(&self, line: &Arc<[Point]>, conditions: Conditions, odometry: OdometryModel, seed: u64) -> Run {
         let follower = FollowPath::new(&self.robot, odometry, self.floor.start, Arc::clone(line));
+        let conditions = Conditions { spare_batteries: true, ..conditions };
         Run::new(&self.setup(conditions, seed), Box::new(follower))
     }
 

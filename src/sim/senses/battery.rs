@@ -17,7 +17,7 @@ use crate::{
     math,
     rng::seeded,
     robot::{BatteryReading, RobotModel, Sensors},
-    sim::{Noise, NoiseLevel, STEP_S, SensorKind, World},
+    sim::{Conditions, NoiseLevel, STEP_S, SensorKind, World},
 };
 use rand::RngExt;
 
@@ -43,6 +43,8 @@ pub(super) struct Cells {
     power: f64,
     temperature: f64,
     on_dock: bool,
+    /// Whether somebody changes it when it is empty.
+    has_spares: bool,
     /// What the gauge reads, as a share of what is in it.
     gauge: f64,
     /// Standard deviations, mV and mA.
@@ -54,17 +56,19 @@ pub(super) struct Cells {
 
 impl Cells {
     /// The battery of `model`, charged to `share`, 0 to 1.
-    pub fn new(model: &RobotModel, share: f64, noise: Noise, seed: u64) -> Self {
+    pub fn new(model: &RobotModel, conditions: Conditions, seed: u64) -> Self {
+        let Conditions { noise, start_charge_percent, spare_batteries, .. } = conditions;
         let battery = model.battery;
         let capacity = 3.6 * battery.capacity_mah * battery.voltage;
         let level = noise.of(SensorKind::Battery);
         let is_worn = level == NoiseLevel::Harsh;
         Self {
             capacity,
-            charge: capacity * share.clamp(0.0, 1.0),
+            charge: capacity * (f64::from(start_charge_percent) / 100.0).min(1.0),
             power: 0.0,
             temperature: WARMTH.0,
             on_dock: false,
+            has_spares: spare_batteries,
             gauge: if is_worn { seeded(!seed, STREAM).random_range(0.85..1.15) } else { 1.0 },
             noise: [(0.0, 0.0), (20.0, 10.0), (100.0, 50.0)][level as usize],
             nominal: battery.voltage,
@@ -92,6 +96,9 @@ impl Cells {
             model.power.standing + model.power.straight * (wheels / model.cruise_speed) + stalled + carpet
         };
         self.charge = (self.charge - self.power * STEP_S).clamp(0.0, self.capacity);
+        if self.has_spares && self.is_empty() {
+            self.charge = self.capacity;
+        }
         self.temperature += STEP_S / WARMTH.2 * (WARMTH.0 + WARMTH.1 * self.power.abs() - self.temperature);
     }
 

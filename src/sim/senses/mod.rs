@@ -81,8 +81,8 @@ pub struct Senses {
 impl Senses {
     /// The sensors of `model`; `seed` decides over their noise.
     pub fn new(model: &RobotModel, conditions: Conditions, seed: u64) -> Self {
-        let Conditions { noise, start_charge_percent, .. } = conditions;
-        let cells = Cells::new(model, f64::from(start_charge_percent) / 100.0, noise, seed);
+        let noise = conditions.noise;
+        let cells = Cells::new(model, conditions, seed);
         let mut sensors = Sensors::default();
         cells.report(0.0, &mut sensors);
         Self {
