@@ -19,14 +19,14 @@ fn digest(link: &str, seconds: f64) -> u64 {
 fn furnished_flat_with_slip() {
     assert_eq!(
         format!("{:016x}", digest("room=flat&planner=boustrophedon&slip=typical&seed=42", 1800.0)),
-        "6c6e103736ffef65"
+        "6007faa23a5d9cfc"
     );
 }
 
 /// The snake, with contact all the time: wheels that slip harshly.
 #[wasm_bindgen_test(unsupported = test)]
 fn twelve_foot_room_with_harsh_slip() {
-    assert_eq!(format!("{:016x}", digest("room=room12ft&planner=snake&slip=harsh&seed=7", 1800.0)), "08952dbe35b794b1");
+    assert_eq!(format!("{:016x}", digest("room=room12ft&planner=snake&slip=harsh&seed=7", 1800.0)), "4661b563d000e9be");
 }
 
 /// Everything that errs, moves and is used up: a robot that reacts, in a room with a pet, a carpet, dirt and a dock.

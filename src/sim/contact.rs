@@ -16,6 +16,8 @@ const BUMPER_PLAY: f64 = 0.001;
 const ROUNDS: usize = 10;
 /// Overlap that is left be, m: below what the eye and the bumper see.
 const TOLERANCE: f64 = 0.0002;
+/// Cosine of the angle within which what touches a circle counts as one: the play of the bumper is felt so wide.
+const SAME: f64 = 0.95;
 /// Longest way that any point of a body moves between two looks, m. Corners of polygons must not jump over thin legs;
 /// circles can't.
 const STRIDE: (f64, f64) = (0.004, 0.02);
@@ -268,8 +270,17 @@ impl Footprint {
         let at = pose.position();
         let mut touch = Touch::NONE;
         if self.is_round() {
-            obstacles
-                .nearest_of_each(at, self.radius + BUMPER_PLAY, |wall, distance| touch.add((wall - at) / distance));
+            // Beside the nearest point of a flat wall, the squares that it is made of are almost as near.
+            let mut near: Vec<(f64, Vector)> = Vec::new();
+            obstacles.nearest_of_each(at, self.radius + BUMPER_PLAY, |wall, distance| {
+                near.push((distance, (wall - at) / distance));
+            });
+            near.sort_by(|a, b| a.0.total_cmp(&b.0));
+            for (_, direction) in near {
+                if touch.iter().all(|other| other.dot(&direction) < SAME) {
+                    touch.add(direction);
+                }
+            }
             return touch;
         }
         let (low, high) = self.place(pose);
