@@ -100,7 +100,8 @@ export function startManual(app) {
   }
 
   return (view) => {
-    const manual = isManual();
+    // Other tools need the keys, and the room on a small screen.
+    const manual = isManual() && view.tool === "view";
     if (changed(byId("manual"), "on", manual)) {
       setHidden(byId("manual"), !manual);
       stop();

@@ -1,6 +1,6 @@
 //! Drives a planned line by dead reckoning.
 
-use super::Controller;
+use super::{Controller, parts::safe_speed};
 use crate::{
     geometry::{Point, Pose, Vector, difference},
     math,
@@ -17,6 +17,8 @@ const BACK_OFF: f64 = 0.03;
 const BACK_FROM_EDGE: f64 = 0.1;
 /// How long to wait for somebody who stands in the way, s, and how much of a piece must be left to make it worth while, m.
 const WAIT: (f64, f64) = (3.0, 0.3);
+/// How far to back off from an edge that comes near while turning, m.
+const SHY: f64 = 0.04;
 /// After so long with one wheel over an edge it gives up, s.
 const HUNG_S: f64 = 10.0;
 /// How often to wait.
@@ -59,6 +61,9 @@ pub struct FollowPath {
     began: Point,
     /// Shift of the present piece to the left of its direction, m.
     shift: f64,
+    /// Fastest speed straight ahead, m/s.
+    cruise: f64,
+    is_careful: bool,
     /// Seconds left before the present piece is given up: slip and walls must not hold the robot for ever.
     patience: f64,
     /// The encoders' last counts, and how many readings ago they changed.
@@ -96,6 +101,8 @@ impl FollowPath {
     pub fn new(robot: &RobotModel, odometry: OdometryModel, start: Pose, line: Arc<[Point]>) -> Self {
         let mut follower = Self {
             robot: robot.clone(),
+            cruise: robot.cruise_speed,
+            is_careful: false,
             odometry: Odometry::new(robot, odometry, start),
             line,
             next: 0,
@@ -112,6 +119,14 @@ impl FollowPath {
         };
         follower.next_piece();
         follower
+    }
+
+    /// For rooms with stairs: no faster than it can stop before an edge that its cliff sensors see, and always in the
+    /// direction in which they look.
+    pub fn carefully(mut self) -> Self {
+        self.cruise = safe_speed(&self.robot);
+        self.is_careful = true;
+        self
     }
 
     fn next_piece(&mut self) {
@@ -138,7 +153,7 @@ impl FollowPath {
     }
 
     fn moves_sideways(&self) -> bool {
-        self.robot.wheels == Wheels::Omnidirectional
+        self.robot.wheels == Wheels::Omnidirectional && !self.is_careful
     }
 
     fn face_next_corner(&mut self) {
@@ -185,13 +200,13 @@ impl FollowPath {
         }
         let off_line = along.perp(&(pose.position() - from));
         if self.moves_sideways() {
-            let speed = self.braking_speed(left_over).min(self.robot.cruise_speed);
+            let speed = self.braking_speed(left_over).min(self.cruise);
             let aside = (-SIDESTEP * off_line).clamp(-0.5 * speed, 0.5 * speed);
             return self.glide(along * speed + Vector::new(-along.y, along.x) * aside);
         }
         let correction = (-STEER.0 * off_line).clamp(-STEER.1, STEER.1);
         let heading = math::atan2(along.y, along.x) + correction;
-        let speed = self.braking_speed(left_over).min(self.robot.cruise_speed);
+        let speed = self.braking_speed(left_over).min(self.cruise);
         // No sharper than the speed allows, so that the robot doesn't wag where it stops.
         let sharpest = speed / self.robot.wheel_base;
         let turn_rate = (TURN_GAIN * difference(pose.heading, heading)).clamp(-sharpest, sharpest);
@@ -241,6 +256,13 @@ impl FollowPath {
         self.phase = Phase::BackOff(at, way, AfterBump::GiveUp);
     }
 
+    /// An edge comes near while it turns, and a wheel with it: a little back, and once more.
+    fn shied(&mut self) {
+        self.bumps += 1;
+        let then = if self.bumps >= MOST_BUMPS { AfterBump::GiveUp } else { AfterBump::TryAgain };
+        self.phase = Phase::BackOff(self.odometry.pose().position(), SHY, then);
+    }
+
     fn back_off(&mut self, from: Point, way: f64, then: AfterBump) -> Drive {
         let left_over = way - (self.odometry.pose().position() - from).norm();
         if left_over < CLOSE_ENOUGH {
@@ -256,7 +278,7 @@ impl FollowPath {
             }
             return Drive::STOP;
         }
-        let speed = self.braking_speed(left_over).min(0.5 * self.robot.cruise_speed);
+        let speed = self.braking_speed(left_over).min(0.5 * self.cruise);
         if self.moves_sideways() {
             let (start, end) = self.piece();
             return self.glide((start - end).normalize() * speed);
@@ -282,6 +304,7 @@ impl Controller for FollowPath {
         let sees_edge = sensed.sees_cliff() && !sensed.battery.on_dock;
         match self.phase {
             Phase::Drive if sees_edge || sensed.virtual_wall => self.turned_back(),
+            Phase::Turn(_) if sees_edge => self.shied(),
             Phase::Drive if sensed.bumped() => self.bumped(sensed),
             _ => {}
         }

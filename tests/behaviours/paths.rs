@@ -19,7 +19,7 @@ fn nobody_falls_off_a_planned_path() {
             let (params, job) = (Params::defaults(planner.params), prepared.job.clone());
             let answer = PlanRequest { id: 0, planner, params, seed: 0, job }.serve(|| 0.0, None).unwrap();
             let planned = Planned::new(&prepared, &answer).unwrap();
-            for seed in 0..4 {
+            for seed in 0..20 {
                 // The worst wheels: no room stays where the robot believes it to be.
                 let mut run = planned.run(&prepared, conditions(NoiseLevel::Harsh), OdometryModel::Arc, seed);
                 let mut saw = false;

@@ -100,6 +100,7 @@ impl Prepared {
     /// is empty: plans are compared by what they clean, and what they take is a number of its own.
     pub fn run_along(&self, line: &Arc<[Point]>, conditions: Conditions, odometry: OdometryModel, seed: u64) -> Run {
         let follower = FollowPath::new(&self.robot, odometry, self.floor.start, Arc::clone(line));
+        let follower = if self.world.drop_offs.is_empty() { follower } else { follower.carefully() };
         let conditions = Conditions { spare_batteries: true, ..conditions };
         Run::new(&self.setup(conditions, seed), Box::new(follower))
     }

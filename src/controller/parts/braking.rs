@@ -23,7 +23,7 @@ const PLACES: i32 = 32;
 /// straight edges are no worse. A corner is first seen by one of the sensors, which may be a side sensor late in the day.
 /// From there to the moment when a wheel gets over the edge the robot has a certain way, in which it must react and
 /// brake. Without cliff sensors there is nothing to be careful about.
-pub(super) fn safe_speed(robot: &RobotModel) -> f64 {
+pub(in crate::controller) fn safe_speed(robot: &RobotModel) -> f64 {
     let half_base = 0.5 * robot.wheel_base;
     let mut way = f64::INFINITY;
     for direction in -DIRECTIONS.0..=DIRECTIONS.0 {

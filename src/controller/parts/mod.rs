@@ -11,6 +11,7 @@ mod travel;
 mod voids;
 
 pub(super) use beacon::Beacon;
+pub(super) use braking::safe_speed;
 pub(super) use driven::{Driven, Habit};
 pub(super) use hit::{Hit, Kind, Side};
 pub(super) use home::{GO_HOME, LEAVE_HOME};
