@@ -51,7 +51,7 @@ impl Answer {
     /// ```
     /// use robovac_playground::oi::{Answer, Readings};
     /// let mut answer = Answer::to(&[7, 13]).unwrap();
-    /// assert_eq!(answer.feed(&[3]), []);
+    /// assert_eq!(answer.feed(&[3]), [0_u8; 0]);
     /// assert_eq!(answer.missing(), 1);
     /// assert_eq!(answer.feed(&[0, 99]), [99]);
     /// let mut readings = Readings::default();
