@@ -123,7 +123,7 @@ fn files_come_in_and_bad_ones_leave_the_room() {
     let saved = playground.scenario_json();
     let wrong = saved.replace("boustrophedon", "magic");
     let error = load(&mut playground, "wrong.json", wrong.as_bytes()).unwrap_err().as_string().unwrap();
-    assert!(error.starts_with("the scenario can't be run: there is no algorithm \"magic\""), "{error}");
+    assert!(error.starts_with("the scenario can't be run: planner: there is no planner \"magic\""), "{error}");
     playground.select_room("empty").unwrap();
     playground.set_cell_size(0.2).unwrap();
     load(&mut playground, "saved.json", saved.as_bytes()).unwrap();
