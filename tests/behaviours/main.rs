@@ -2,7 +2,6 @@
 
 mod contract;
 mod docking;
-mod measure;
 mod papers;
 mod paths;
 mod stairs;
