@@ -6,7 +6,7 @@ use robovac_playground::{
     floorplan::{FloorPlan, Sketch},
     geometry::{Point, Pose},
     math,
-    robot::{Drive, Infrared, MODELS, RobotModel, Sensors, model},
+    robot::{Drive, Infrared, MODELS, RobotModel, RobotPort, Sensors, model},
     sim::{Conditions, Life, Noise, NoiseLevel, SensorKind, SimRobot, World},
 };
 use std::sync::Arc;
@@ -38,7 +38,8 @@ impl Scene {
     }
 
     fn step(&mut self, drive: Drive) -> &Sensors {
-        self.robot.step(&self.floor.walls, &self.world, &mut self.life, drive);
+        self.robot.drive(drive);
+        self.robot.step(&self.floor.walls, &self.world, &mut self.life);
         self.robot.sensors()
     }
 

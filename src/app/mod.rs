@@ -7,6 +7,7 @@ mod diary;
 mod editor;
 mod furnisher;
 mod import;
+pub mod link;
 pub mod montecarlo;
 mod objects;
 pub mod opening;

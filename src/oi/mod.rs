@@ -34,6 +34,8 @@ mod answer;
 mod bits;
 mod command;
 mod decoder;
+pub mod driver;
+pub mod emulator;
 mod frame;
 mod infrared;
 mod limits;

@@ -5,6 +5,7 @@ mod drive;
 mod model;
 mod models;
 mod odometry;
+mod port;
 mod sensors;
 
 pub use body::{Battery, Body, Bumper, Laser, LightBumper, SensorSuite, SideBrush, Wheels};
@@ -12,4 +13,5 @@ pub use drive::Drive;
 pub use model::{Power, RobotModel};
 pub use models::{MODELS, cell_robot, model};
 pub use odometry::{Odometry, OdometryModel, advance, advance_sideways};
+pub use port::RobotPort;
 pub use sensors::{BatteryReading, Infrared, Overcurrent, Sensors};

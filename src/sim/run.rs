@@ -5,7 +5,7 @@ use crate::{
     controller::{Controller, interlock::Blocked},
     coverage::{CoverageTracker, ReachableFloor},
     geometry::{Point, Pose, difference},
-    robot::{Odometry, OdometryModel, RobotModel, Sensors},
+    robot::{Odometry, OdometryModel, RobotModel, RobotPort, Sensors},
 };
 use std::{collections::VecDeque, sync::Arc};
 
@@ -121,7 +121,8 @@ impl Run {
         let Self { life, robot, world, floor, .. } = self;
         life.step(world, |centre, radius| robot.is_near_disc(centre, radius, 0.0));
         let was_empty = robot.is_empty();
-        robot.step(&floor.walls, world, life, drive);
+        robot.drive(drive);
+        robot.step(&floor.walls, world, life);
         let pose = robot.pose();
         self.steps += 1;
         self.tell(signs, activity);

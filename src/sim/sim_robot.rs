@@ -8,7 +8,7 @@ use super::{
 use crate::{
     coverage::Walls,
     geometry::{Point, Pose},
-    robot::{Drive, RobotModel, Sensors, Wheels, advance_sideways},
+    robot::{Drive, RobotModel, RobotPort, Sensors, Wheels, advance_sideways},
 };
 
 /// Body, wheels and sensors of one robot. It is told wheel speeds and reports what the Open Interface reports.
@@ -19,6 +19,8 @@ pub struct SimRobot {
     pose: Pose,
     slip: Slip,
     is_quantised: bool,
+    /// Wheel speeds that it was told, m/s.
+    wanted: Drive,
     /// Present wheel speeds, m/s.
     speed: Drive,
     /// What the wheels have rolled since the start: left, right, sideways, m.
@@ -39,6 +41,7 @@ impl SimRobot {
             pose,
             slip: Slip::new(conditions.slip, seed),
             is_quantised: conditions.quantised,
+            wanted: Drive::STOP,
             speed: Drive::STOP,
             rolled: [0.0; 3],
             is_lifted: false,
@@ -58,12 +61,6 @@ impl SimRobot {
     #[inline]
     pub fn speed(&self) -> Drive {
         self.speed
-    }
-
-    /// The latest sensor reading.
-    #[inline]
-    pub fn sensors(&self) -> &Sensors {
-        self.senses.reading()
     }
 
     /// Whether its battery is empty: it doesn't move any more.
@@ -101,10 +98,10 @@ impl SimRobot {
         !self.is_lifted && self.footprint.is_near_disc(self.pose, centre, radius, gap)
     }
 
-    /// One step of [`STEP_S`] with the wheels told to turn at `drive`.
-    pub fn step(&mut self, walls: &Walls, world: &World, life: &mut Life, drive: Drive) {
+    /// One step of [`STEP_S`] with the wheels told to turn as [`RobotPort::drive`] said last.
+    pub fn step(&mut self, walls: &Walls, world: &World, life: &mut Life) {
         let before = self.pose;
-        let drive = if self.senses.is_empty() { Drive::STOP } else { drive };
+        let drive = if self.senses.is_empty() { Drive::STOP } else { self.wanted };
         let touch = self.roll(Obstacles { walls, movers: life.movers() }, world, drive);
         let is_cleaning = !self.is_lifted && !self.has_fallen;
         let dirt = if is_cleaning { 1e3 * life.sweep(&self.model, self.pose) } else { 0.0 };
@@ -175,6 +172,18 @@ impl SimRobot {
         let wanted = if self.is_quantised { quantised(wanted, self.model.speed_steps) } else { wanted };
         let wanted = wanted.clamp(-self.model.max_wheel_speed, self.model.max_wheel_speed);
         speed + (wanted - speed).clamp(-most, most)
+    }
+}
+
+impl RobotPort for SimRobot {
+    #[inline]
+    fn sensors(&self) -> &Sensors {
+        self.senses.reading()
+    }
+
+    #[inline]
+    fn drive(&mut self, wanted: Drive) {
+        self.wanted = wanted;
     }
 }
 

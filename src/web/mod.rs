@@ -1,14 +1,15 @@
 //! The only code that knows wasm-bindgen, web-sys and js-sys.
 //!
-//! It is compiled into three modules. The page's has one `Playground`, a handful of calls a frame. Compare's, which is
-//! loaded when one first goes there, has a `Guest` that follows the playground, a `Comparison` and a `MonteCarlo`. The
-//! workshop's, which runs in workers and is loaded when it is first needed, has `plan`, `Trials`, `Runner`, `read_map` and
-//! `bench`.
+//! It is compiled into four modules. The page's has one `Playground`, a handful of calls a frame. Compare's, which is
+//! loaded when one first goes there, has a `Guest` that follows the playground, a `Comparison` and a `MonteCarlo`. Robot's
+//! is loaded in the same way, by the page, which has a `Guest` and a `LiveMap`, and by a worker, which has a `Guest`, a
+//! `Link` and perhaps a `VirtualRobot`. The workshop's, which runs in workers and is loaded when it is first needed, has
+//! `plan`, `Trials`, `Runner`, `read_map` and `bench`.
 //! Plain objects and arrays go to and fro between them: `request` and `map` say how.
 
 #[cfg(feature = "workshop")]
 mod bench;
-#[cfg(any(feature = "page", feature = "compare"))]
+#[cfg(any(feature = "page", feature = "compare", feature = "robot"))]
 mod canvas;
 #[cfg(feature = "page")]
 mod catalogue;
@@ -18,15 +19,19 @@ mod comparison;
 mod comparison_view;
 #[cfg(feature = "page")]
 mod furnish;
-#[cfg(feature = "compare")]
+#[cfg(any(feature = "compare", feature = "robot"))]
 mod guest;
-#[cfg(any(feature = "page", feature = "compare"))]
+#[cfg(any(feature = "page", feature = "compare", feature = "robot"))]
 mod layer;
+#[cfg(feature = "robot")]
+mod link;
+#[cfg(feature = "robot")]
+mod live_map;
 #[cfg(any(feature = "page", feature = "workshop"))]
 mod map;
 #[cfg(feature = "compare")]
 mod montecarlo;
-#[cfg(any(feature = "page", feature = "compare"))]
+#[cfg(any(feature = "page", feature = "compare", feature = "robot"))]
 mod objects;
 #[cfg(any(feature = "page", feature = "compare"))]
 mod param;
@@ -36,24 +41,31 @@ mod plan_job;
 mod playground;
 #[cfg(any(feature = "page", feature = "workshop"))]
 mod request;
-#[cfg(any(feature = "page", feature = "compare"))]
+#[cfg(any(feature = "page", feature = "compare", feature = "robot"))]
 mod robot;
 #[cfg(feature = "workshop")]
 mod runner;
-#[cfg(any(feature = "page", feature = "compare"))]
+#[cfg(any(feature = "page", feature = "compare", feature = "robot"))]
 mod search;
-#[cfg(any(feature = "page", feature = "compare"))]
+#[cfg(any(feature = "page", feature = "compare", feature = "robot"))]
 mod sensed;
 #[cfg(feature = "workshop")]
 mod trial;
+#[cfg(feature = "robot")]
+mod virtual_robot;
+#[cfg(any(feature = "page", feature = "compare", feature = "workshop"))]
 mod walk;
 
 #[cfg(feature = "workshop")]
 pub use bench::bench;
 #[cfg(feature = "compare")]
 pub use comparison::Comparison;
-#[cfg(feature = "compare")]
+#[cfg(any(feature = "compare", feature = "robot"))]
 pub use guest::Guest;
+#[cfg(feature = "robot")]
+pub use link::Link;
+#[cfg(feature = "robot")]
+pub use live_map::LiveMap;
 #[cfg(feature = "workshop")]
 pub use map::read_map;
 #[cfg(feature = "compare")]
@@ -66,6 +78,8 @@ pub use playground::Playground;
 pub use runner::Runner;
 #[cfg(feature = "workshop")]
 pub use trial::Trials;
+#[cfg(feature = "robot")]
+pub use virtual_robot::VirtualRobot;
 
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
@@ -84,7 +98,7 @@ fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
 }
 
 /// JavaScript catches the message.
-#[cfg(any(feature = "page", feature = "compare"))]
+#[cfg(any(feature = "page", feature = "compare", feature = "robot"))]
 impl From<crate::app::SettingsError> for JsValue {
     fn from(error: crate::app::SettingsError) -> Self {
         error.to_string().into()

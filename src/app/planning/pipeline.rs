@@ -99,10 +99,15 @@ impl Prepared {
     /// The robot at the start, about to drive along `line` (corners, m) by dead reckoning. It gets another battery when one
     /// is empty: plans are compared by what they clean, and what they take is a number of its own.
     pub fn run_along(&self, line: &Arc<[Point]>, conditions: Conditions, odometry: OdometryModel, seed: u64) -> Run {
-        let follower = FollowPath::new(&self.robot, odometry, self.floor.start, Arc::clone(line));
+        let follower = self.follower(line, odometry);
         let follower = if self.world.drop_offs.is_empty() { follower } else { follower.carefully() };
         let conditions = Conditions { spare_batteries: true, ..conditions };
         Run::new(&self.setup(conditions, seed), Box::new(follower))
+    }
+
+    /// What drives along `line` (corners, m) from the start.
+    pub fn follower(&self, line: &Arc<[Point]>, odometry: OdometryModel) -> FollowPath {
+        FollowPath::new(&self.robot, odometry, self.floor.start, Arc::clone(line))
     }
 
     /// The robot at the start, about to do what `behaviour` does; `None` for one that isn't in the registry.

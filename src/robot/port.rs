@@ -1,0 +1,13 @@
+//! What a controller drives, whatever is behind it.
+
+use super::{Drive, Sensors};
+
+/// A robot as controllers see it: readings come in, wheel speeds go out. The simulated robot is one, and so is a real one at
+/// the other end of a serial line.
+pub trait RobotPort {
+    /// The latest reading.
+    fn sensors(&self) -> &Sensors;
+
+    /// Wheel speeds from now on.
+    fn drive(&mut self, wanted: Drive);
+}
