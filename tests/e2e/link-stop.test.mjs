@@ -84,9 +84,9 @@ test("stops when the tab is hidden, and stays so when it is shown again", { skip
   const taken = [];
   for (let round = 0; round < ROUNDS; round++) {
     await until("seen.view.phase === 'connected'");
+    robot.forget();
     await tab.evaluate("connection.request({ do: 'arm', full: false })");
     await until("seen.view.can.drive");
-    robot.forget();
     await tab.evaluate("window.stick = setInterval(() => connection.request({ do: 'drive', forward: 1, left: 0 }), 50), 0");
     await until("seen.view.wheels[0] > 0");
     await other.show();

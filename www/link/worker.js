@@ -70,12 +70,17 @@ function broke(error) {
   if (isBroken) return;
   isBroken = true;
   line?.write(STOP);
+  console.error(error);
   const said = error instanceof Error ? error.message : String(error);
   tell({ type: "failed", failure: failure("broken", `An error in this program ended the connection (${said}). The robot was told to stop.`, "Watch whether it does. Then reload the page.") });
   void line?.close();
 }
 
-self.addEventListener("error", (event) => broke(event.error ?? event.message));
+self.addEventListener("error", (event) => {
+  // Told to the page here, and not once more by the browser.
+  event.preventDefault();
+  broke(event.error ?? event.message);
+});
 self.addEventListener("unhandledrejection", (event) => broke(event.reason));
 
 setInterval(() => {
