@@ -136,6 +136,9 @@ test("an error in the program stops the robot and says so", { skip }, async (t) 
   const heard = robot.heard();
   lastStop(heard);
   assert.equal(heard.at(-1).opcode, 128);
+  // With a worker of its own, the next connection works.
+  await desk.letGo();
+  await desk.connect();
 });
 
 test("a bridge: connects, drives, and is tried again when it is lost", { skip }, async (t) => {
