@@ -65,7 +65,7 @@ export async function openHidable(t, { robot }) {
     await browser.close();
     await server.close();
   });
-  return { openTab: (address) => browser.openTab(server.url + address) };
+  return { browser, openTab: (address) => browser.openTab(server.url + address) };
 }
 
 /** Tells Chromium, as udev would, that the adapter was plugged in ("add") or out ("remove"). */
