@@ -17,7 +17,7 @@ const FOUND = {
   deaf: (v) => v.phase === "connected",
   swapped: (v) => v.phase === "connected",
   wrap: (v) => v.phase === "connected",
-  bootloader: (v) => v.phase === "connected",
+  bootloader: (v) => v.phase === "waiting" && v.diagnosis.finding === "bootloader" && v.diagnosis.remedy.includes("battery"),
   create1: (v) => v.statistics.baud === 57_600,
   silent: (v) => v.phase === "waiting" && v.diagnosis.finding === "silence",
 };
@@ -62,11 +62,6 @@ test("every personality is told apart", async (t) => {
   const { drop } = await seen("docked", (v) => v.drop !== null);
   assert.match(drop.text + drop.remedy, /charg|dock/i);
   assert.equal(drop.can_rearm, false);
-
-  // Restarted, it stays in its boot loader.
-  await one("bootloader", "connection.request({ do: 'identify' })");
-  const { diagnosis } = await seen("bootloader", (v) => v.diagnosis.finding === "bootloader" && v.phase === "waiting");
-  assert.match(diagnosis.remedy, /battery/);
 });
 
 test("a behaviour rides the virtual robot, and lifting it ends that", async (t) => {

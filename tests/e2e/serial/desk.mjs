@@ -127,12 +127,12 @@ export class Desk {
     return this.until((view) => view.mode === "Safe" && view.can.drive);
   }
 
-  /** Holds the stick forward from now on. */
-  async drive() {
-    await this.tab.evaluate(() => {
-      window.stick = setInterval(() => window.connection.request({ do: "drive", forward: 1, left: 0 }), 50);
-    });
-    return this.until((view) => view.wheels[0] > 0);
+  /** Holds the stick from now on: forward, or to the left. */
+  async drive(stick = { forward: 1, left: 0 }) {
+    await this.tab.evaluate((how) => {
+      window.stick = setInterval(() => window.connection.request({ do: "drive", ...how }), 50);
+    }, stick);
+    return this.until((view) => view.wheels[1] > 0);
   }
 
   letGo() {
