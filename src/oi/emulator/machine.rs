@@ -94,7 +94,11 @@ impl Machine {
             floor: Arc::clone(&setup.floor),
             line: Line::new(who, setup.seed),
             mode: Mode::Off,
-            power: if who.starts_asleep { Power::Asleep(0) } else { Power::Awake },
+            power: match who {
+                Personality { stays_in_boot_loader: true, .. } => Power::BootLoader(0),
+                Personality { starts_asleep: true, .. } => Power::Asleep(0),
+                _ => Power::Awake,
+            },
             powered_on: 0,
             brc: Brc::default(),
             active: 0,
