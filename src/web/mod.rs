@@ -39,7 +39,7 @@ mod param;
 mod plan_job;
 #[cfg(feature = "page")]
 mod playground;
-#[cfg(any(feature = "page", feature = "workshop"))]
+#[cfg(any(feature = "page", feature = "robot", feature = "workshop"))]
 mod request;
 #[cfg(any(feature = "page", feature = "compare", feature = "robot"))]
 mod robot;
@@ -53,7 +53,6 @@ mod sensed;
 mod trial;
 #[cfg(feature = "robot")]
 mod virtual_robot;
-#[cfg(any(feature = "page", feature = "compare", feature = "workshop"))]
 mod walk;
 
 #[cfg(feature = "workshop")]
