@@ -18,6 +18,8 @@ use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 const MOST_TRAIL: usize = 4000;
 /// Distance between two corners of the drawn way, m.
 const TRAIL_STEP: f64 = 0.02;
+/// Distance between two readings that no robot drives, m: it was taken elsewhere, or believes to be.
+const JUMP: f64 = 0.3;
 /// Sum of what a robot can feel that leaves a mark: bumpers and cliffs, see `app::link::Link::take_trace`.
 const FELT: u8 = 1 | 2 | 4 | 8 | 16 | 32;
 
@@ -116,11 +118,7 @@ impl LiveMap {
         let turn = to_heading - heading;
         let moved = Pose::new(0.0, 0.0, turn).to_world(Point::new(x, y));
         self.anchor = Pose::new(to_x - moved.x, to_y - moved.y, turn);
-        // It didn't drive from there to here.
-        if let Some(tracker) = &mut self.tracker {
-            tracker.lift();
-        }
-        self.has_changed = true;
+        self.lift();
     }
 
     /// Where it has been, as `app::link::Link::take_trace` tells it.
@@ -288,6 +286,9 @@ impl LiveMap {
             return;
         }
         self.has_changed = true;
+        if self.places.last().is_some_and(|last| (point - last).norm() > JUMP) {
+            self.lift();
+        }
         self.places.push(point);
         if self.paper.is_too_small_for(point) {
             // Larger paper, onto which everything is drawn again.
@@ -296,6 +297,15 @@ impl LiveMap {
         } else {
             self.sweep_to(point);
         }
+    }
+
+    /// It didn't drive from where it was to where it comes next.
+    fn lift(&mut self) {
+        if let Some(tracker) = &mut self.tracker {
+            tracker.lift();
+        }
+        self.trail.clear();
+        self.has_changed = true;
     }
 
     fn sweep_to(&mut self, place: Point) {
@@ -317,6 +327,9 @@ impl LiveMap {
         self.has_changed = true;
         self.trail.clear();
         for place in std::mem::take(&mut self.places) {
+            if self.places.last().is_some_and(|last: &Point| (place - last).norm() > JUMP) {
+                self.lift();
+            }
             self.sweep_to(place);
             self.places.push(place);
         }
