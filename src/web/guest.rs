@@ -65,6 +65,14 @@ impl Guest {
         self.session.planned().map_or(Vec::new(), |planned| planned.line.iter().flat_map(|p| [p.x, p.y]).collect())
     }
 
+    /// Where the robot starts: x, y in m and heading in rad; nothing if it doesn't fit in.
+    pub fn start(&self) -> Vec<f64> {
+        self.session.prepared().map_or(Vec::new(), |prepared| {
+            let start = prepared.floor.start;
+            vec![start.x, start.y, start.heading]
+        })
+    }
+
     /// What is wrong with the room for this robot, as a sentence for users; empty if nothing.
     pub fn complaint(&self) -> String {
         if self.session.prepared().is_some() { String::new() } else { self.session.view().message }

@@ -1,0 +1,132 @@
+// @ts-check
+// The place Robot: a connection to a robot, and all that shows it and acts on it.
+import { button, byId, setAttribute } from "../dom.js";
+import { complain, forgive } from "../messages.js";
+import { place } from "../places.js";
+import { startSheets } from "../sheets.js";
+import { startCalibrate } from "./calibrate.js";
+import { Connection } from "./connection.js";
+import { startConnect } from "./connect.js";
+import { startConsole } from "./console.js";
+import { startControl } from "./control.js";
+import { startDrive } from "./drive.js";
+import { startLights } from "./lights.js";
+import { startLine } from "./line.js";
+import { startMap } from "./map.js";
+import { startRide } from "./ride.js";
+import { startRoom } from "./room.js";
+import { startSensors } from "./sensors.js";
+import { startSongs } from "./songs.js";
+import { CLOSED, isOpen } from "./view.js";
+import { startVirtual } from "./virtual.js";
+
+/**
+ * @typedef {import("./types").ConnectionView} ConnectionView
+ * @typedef {object} Linking What the modules of this place share.
+ * @property {import("../main.js").App} app
+ * @property {Connection} connection
+ * @property {ConnectionView} view The latest view.
+ * @property {((view: ConnectionView) => void)[]} onview What is to be told of every view.
+ * @property {ReturnType<typeof startRoom>} room
+ * @property {ReturnType<typeof startMap>} live
+ * @property {ReturnType<typeof startVirtual>} hand
+ * @property {(text: string) => void} complain
+ * @property {(request: import("./types").Request) => Promise<boolean>} request Says whether it was done.
+ * @property {(target: import("./types").Target) => Promise<boolean>} open
+ * @property {() => Promise<void>} close
+ * @property {() => void} halt What would go on driving is let go.
+ */
+
+/**
+ * @param {import("../main.js").App} app
+ * @param {WebAssembly.Module} module
+ * @param {(what: () => void) => boolean} guard
+ */
+export function startRobot(app, module, guard) {
+  const connection = new Connection(module);
+  const room = startRoom(app);
+  room.take();
+  const it = /** @type {Linking} */ ({ app, connection, view: CLOSED, onview: [], room, complain });
+  it.request = async (request) => {
+    const worked = await connection.request(request);
+    if (worked && request.do !== "drive") forgive();
+    return worked;
+  };
+  it.open = async (target) => {
+    room.take();
+    connection.follow(room.followed());
+    forgive();
+    return connection.open(target);
+  };
+  it.hand = startVirtual(it);
+  it.live = startMap(it);
+  const drive = startDrive(it);
+  const ride = startRide(it);
+  it.halt = () => {
+    drive.stop();
+    ride.cancel();
+  };
+  it.close = async () => {
+    it.halt();
+    await connection.close();
+  };
+  const traffic = startConsole(it);
+  const updates = [startConnect, startControl, startSensors, startLine, startSongs, startLights, startCalibrate].map((begin) => begin(it));
+  startDrawer();
+  startSheets(byId("place-robot"), byId("link-floor"));
+
+  let isFresh = true;
+  connection.onview = (view) => {
+    it.view = view;
+    isFresh = true;
+    // Seen at once, whatever the page has to draw.
+    it.live.update(view);
+  };
+  connection.ontrace = (trace) => guard(() => it.live.map.follow(trace));
+  connection.ontraffic = (lines) => traffic.take(lines);
+  connection.onfailed = ({ what, remedy }) => complain(remedy ? `${what} ${remedy}` : what);
+
+  let wasHere = false;
+  return {
+    /** Once a frame while the place is shown. @param {number} _now */
+    frame(_now) {
+      if (!wasHere) {
+        wasHere = true;
+        // The robot that is connected is in the room that it was in.
+        if (!isOpen(it.view) && room.take()) it.live.begin(it.view);
+      }
+      it.live.draw();
+      traffic.update();
+      if (isFresh) {
+        isFresh = false;
+        for (const update of [...updates, ...it.onview, drive.update, ride.update, it.hand.update, it.live.update]) update(it.view);
+      }
+      wasHere = place() === "robot";
+      return { message: it.view.notice?.text ?? "", message_kind: it.view.notice?.kind ?? "" };
+    },
+    /** @param {string} key */
+    key: (key) => it.live.key(key),
+    link: () => "place=robot",
+    restore() {},
+    /** @param {boolean} dark */
+    setDark: (dark) => void guard(() => it.live.map.set_dark(dark)),
+  };
+}
+
+/** The tools, below the map. */
+function startDrawer() {
+  const [drawer, opener] = [byId("link-drawer"), button("link-tools-open")];
+  opener.addEventListener("click", () => {
+    const on = drawer.classList.toggle("shown");
+    setAttribute(opener, "aria-expanded", String(on));
+  });
+  const tabs = [...byId("link-tabs").querySelectorAll("button")];
+  for (const tab of tabs) {
+    tab.addEventListener("click", () => {
+      for (const other of tabs) {
+        other.setAttribute("aria-pressed", String(other === tab));
+        byId(`link-${other.dataset.panel}`).hidden = other !== tab;
+      }
+    });
+  }
+}
