@@ -58,6 +58,11 @@ impl<'a> Frame<'a> {
         Self { fields }
     }
 
+    /// The packets with their numbers, as they are on the line.
+    pub fn content(&self) -> &'a [u8] {
+        self.fields
+    }
+
     /// The frame at the start of `bytes`; what follows it is not looked at.
     ///
     /// ```

@@ -74,9 +74,10 @@ impl Link {
         let session = guest.session();
         let prepared = session.prepared().ok_or("The robot doesn't fit into the room.")?;
         let (settings, start) = (session.settings(), prepared.floor.start);
+        let robot = self.link.calibrated(&prepared.robot);
         let controller = match settings.algorithm {
             Algorithm::Behaviour(behaviour) => {
-                let setup = Setup { robot: &prepared.robot, params: &settings.params, seed: settings.seed };
+                let setup = Setup { robot: &robot, params: &settings.params, seed: settings.seed };
                 behaviour.build(&setup).ok_or("There is no such behaviour.")?
             }
             Algorithm::Planner(_) => {

@@ -39,6 +39,8 @@ mod param;
 mod plan_job;
 #[cfg(feature = "page")]
 mod playground;
+#[cfg(feature = "robot")]
+mod replay;
 #[cfg(any(feature = "page", feature = "robot", feature = "workshop"))]
 mod request;
 #[cfg(any(feature = "page", feature = "compare", feature = "robot"))]
@@ -73,6 +75,8 @@ pub use montecarlo::MonteCarlo;
 pub use plan_job::plan;
 #[cfg(feature = "page")]
 pub use playground::Playground;
+#[cfg(feature = "robot")]
+pub use replay::Replay;
 #[cfg(feature = "workshop")]
 pub use runner::Runner;
 #[cfg(feature = "workshop")]

@@ -3,105 +3,379 @@
 //! It has no clock and no line of its own. Whoever has both tells it the time in seconds, brings it the bytes that arrive,
 //! and sends what [`Link::take_tx`] and [`Link::take_line`] ask for, at once: the stop is among it.
 
+mod asked;
+mod calibration;
+mod moves;
+mod recording;
+mod replay;
 mod request;
+mod ride;
+mod snapshot;
+mod traffic;
 mod view;
 
+pub use crate::oi::driver::LineRequest;
+pub use recording::{Entry, Recording, RecordingError};
+pub use replay::Replay;
 pub use request::{Calibration, PressedButton, Request};
 pub use view::{
     CalibrationView, Can, DiagnosisView, DropView, LinkView, Notice, RideView, Statistics, Traffic, TrafficKind,
 };
 
-use crate::{controller::Controller, geometry::Pose};
+use self::{
+    calibration::{Calibrated, Calibrating},
+    recording::Recorder,
+    ride::Ride,
+    traffic::Console,
+};
+use crate::{
+    controller::{Command as Stick, Controller},
+    geometry::Pose,
+    oi::{
+        Mode, Readings,
+        driver::{Driver, Phase},
+    },
+    robot::{self, Odometry, OdometryModel, RobotModel, RobotPort, Sensors},
+};
 use thiserror::Error;
+
+/// A page that hasn't been heard of for so long, s, hangs or is hidden: whatever moves is stopped.
+const BEAT_S: f64 = 0.18;
+/// A stick that nobody moves or holds for so long, s, is let go.
+const STICK_S: f64 = 0.2;
+/// Robots fall asleep after so long in Passive, s.
+const SLEEP_S: f64 = 300.0;
+/// Points of the trace that are kept until somebody asks for them: a minute.
+const MOST_TRACE: usize = 4 * 64 * 60;
 
 /// Why a request is refused. Its text is a sentence for users.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[error("{0}")]
 pub struct Refused(pub String);
 
-/// What the transport is to do with the line.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum LineRequest {
-    /// Go on at another baud rate: close and open again, if that is what it takes.
-    Baud(u32),
-    /// Pull the BRC wire low (`true`: RTS asserted) or let it go.
-    Brc(bool),
+fn refuse<T>(why: impl Into<String>) -> Result<T, Refused> {
+    Err(Refused(why.into()))
 }
 
 /// A connection to a robot.
-#[derive(Default)]
-pub struct Link {}
+pub struct Link {
+    driver: Driver,
+    model: RobotModel,
+    known: Calibrated,
+    ride: Option<Ride>,
+    calibrating: Option<Calibrating>,
+    odometry: Odometry,
+    distance_m: f64,
+    /// Time of the latest call, and of the page's last sign of life.
+    now: f64,
+    beaten_at: f64,
+    stick_at: f64,
+    /// Whether brushes or vacuum were switched on.
+    motors_on: bool,
+    /// Since when the robot is in its mode.
+    mode: Option<(Mode, f64)>,
+    notice: Option<Notice>,
+    notices: u32,
+    trace: Vec<f64>,
+    console: Console,
+    recorder: Recorder,
+}
+
+impl Default for Link {
+    fn default() -> Self {
+        Self::new()
+    }
+}
 
 impl Link {
     /// Not connected.
     pub fn new() -> Self {
-        Self::default()
+        let model = robot::model("roomba600").unwrap_or(robot::MODELS[0]).clone();
+        let odometry = Odometry::new(&model, OdometryModel::Arc, Pose::new(0.0, 0.0, 0.0));
+        Self {
+            driver: Driver::new(),
+            model,
+            known: Calibrated::default(),
+            ride: None,
+            calibrating: None,
+            odometry,
+            distance_m: 0.0,
+            now: 0.0,
+            beaten_at: 0.0,
+            stick_at: f64::NEG_INFINITY,
+            motors_on: false,
+            mode: None,
+            notice: None,
+            notices: 0,
+            trace: Vec::new(),
+            console: Console::default(),
+            recorder: Recorder::default(),
+        }
     }
 
-    /// The transport is open at 115200 baud: finds out who is there.
-    pub fn opened(&mut self, _now: f64) {}
+    // ---- the line
 
-    /// The transport is gone, and why; `for_good` if it won't come back by itself.
-    pub fn lost(&mut self, _now: f64, _why: &str, _for_good: bool) {}
+    /// The transport is open at 115200 baud: finds out who is there.
+    pub fn opened(&mut self, now: f64) {
+        (self.now, self.beaten_at) = (now, now);
+        self.end_ride("The line was opened anew.");
+        self.motors_on = false;
+        self.recorder.note(now, Entry::Line("open".into()));
+        self.driver.open(now);
+    }
+
+    /// The transport is gone, and why, as a sentence; `for_good` if it won't come back by itself.
+    pub fn lost(&mut self, now: f64, why: &str, for_good: bool) {
+        self.now = now;
+        self.recorder.note(now, Entry::Line(format!("lost {why}")));
+        let was_moving = self.is_acting();
+        self.end_ride(why);
+        self.motors_on = false;
+        self.driver.closed(now, why);
+        if for_good {
+            self.driver.leave(now);
+        }
+        let warning = if was_moving {
+            " The robot may still be moving, as nothing can be told to it: lift it up, that stops its wheels in Safe."
+        } else {
+            ""
+        };
+        self.say("error", format!("{why}{warning}"));
+    }
 
     /// Takes bytes from the line.
-    pub fn feed(&mut self, _now: f64, _bytes: &[u8]) {}
+    pub fn feed(&mut self, now: f64, bytes: &[u8]) {
+        self.now = now;
+        self.recorder.note(now, Entry::Received(bytes.to_vec()));
+        let mut rest = bytes;
+        while !rest.is_empty() {
+            let taken = self.driver.feed(now, rest);
+            rest = rest.get(taken..).unwrap_or_default();
+            if let Some(dt_s) = self.driver.take_reading() {
+                self.reading(now, dt_s);
+            }
+        }
+        self.listen();
+    }
 
     /// The page is alive.
-    pub fn beat(&mut self, _now: f64) {}
+    pub fn beat(&mut self, now: f64) {
+        self.beaten_at = now;
+    }
 
-    /// Stops the robot and leaves it in Passive, as the page goes away or is hidden.
-    pub fn leave(&mut self, _now: f64, _why: &str) {}
+    /// Stops the robot and leaves it in Passive, as the page goes away or is hidden; `why` is for the user who comes back.
+    pub fn leave(&mut self, now: f64, why: &str) {
+        self.now = now;
+        let had_control = self.driver.target() > Mode::Passive;
+        self.end_ride(why);
+        self.motors_on = false;
+        if matches!(self.driver.phase(), Phase::Connected | Phase::Lost) {
+            self.driver.put_in(now, Mode::Passive);
+        }
+        if had_control {
+            self.say("notice", format!("{why} Take control again to go on."));
+        }
+    }
 
     /// Lets time pass; call it at least every 20 ms.
-    pub fn tick(&mut self, _now: f64) {}
+    pub fn tick(&mut self, now: f64) {
+        self.now = now;
+        self.driver.tick(now);
+        if self.is_acting() && now - self.beaten_at > BEAT_S {
+            self.leave(now, "This page stopped answering, so the robot was stopped.");
+        }
+        if self.ride.as_ref().is_some_and(|ride| !ride.is_done) {
+            if self.driver.is_stalled() {
+                self.end_ride("The robot wasn't heard any more, so it was told to stop.");
+                self.driver.halt(now);
+            } else if !self.driver.is_armed() {
+                let why = self
+                    .driver
+                    .dropped()
+                    .map_or_else(|| "The robot is under control no longer.".to_owned(), ToString::to_string);
+                self.end_ride(&why);
+                self.motors_on = false;
+            }
+        }
+        self.listen();
+    }
 
     /// Bytes to be sent, now; empty if there are none.
     pub fn take_tx(&mut self) -> Vec<u8> {
-        Vec::new()
+        let bytes = self.driver.take_tx();
+        if !bytes.is_empty() {
+            self.recorder.note(self.now, Entry::Sent(bytes.clone()));
+        }
+        bytes
     }
 
     /// What is to be done with the line before the next bytes are sent.
     pub fn take_line(&mut self) -> Option<LineRequest> {
-        None
+        let request = self.driver.take_line()?;
+        let words = match request {
+            LineRequest::Baud(baud) => format!("baud {baud}"),
+            LineRequest::Brc(is_low) => format!("brc {}", if is_low { "low" } else { "high" }),
+        };
+        self.recorder.note(self.now, Entry::Line(words));
+        Some(request)
     }
 
-    /// Does what the user asks for, or says why not.
-    pub fn request(&mut self, _now: f64, _request: Request) -> Result<(), Refused> {
-        Ok(())
+    fn listen(&mut self) {
+        for (time_s, happening) in self.driver.take_happenings() {
+            self.console.take(time_s, &happening);
+        }
     }
+
+    /// Takes the reading that has just arrived.
+    fn reading(&mut self, now: f64, dt_s: f64) {
+        let sensed = self.driver.port(now).sensors().clone();
+        let before = self.odometry.pose();
+        self.odometry.update(&sensed);
+        let pose = self.odometry.pose();
+        self.distance_m += (pose.position() - before.position()).norm();
+        if self.trace.len() < MOST_TRACE {
+            self.trace.extend([pose.x, pose.y, pose.heading, f64::from(felt(&sensed))]);
+        }
+        let mode = self.driver.mode().unwrap_or_default();
+        if self.mode.is_none_or(|(known, _)| known != mode) {
+            self.mode = Some((mode, now));
+        }
+        let is_held = now - self.stick_at <= STICK_S;
+        let Some(ride) = self.ride.as_mut().filter(|ride| !ride.is_done) else { return };
+        if !self.driver.is_armed() {
+            return;
+        }
+        if ride.is_manual && !is_held {
+            ride.controller.command(Stick::default());
+        }
+        ride.time_s += dt_s;
+        ride.is_done = ride.controller.is_done();
+        let drive = ride.controller.step(&sensed, dt_s);
+        let mut port = self.driver.port(now);
+        if ride.is_done || ride.controller.is_done() {
+            ride.is_done = true;
+            self.driver.stop(now);
+            self.ride_ended();
+        } else {
+            port.drive(drive);
+        }
+    }
+
+    /// Whether anything moves or is switched on.
+    fn is_acting(&self) -> bool {
+        self.motors_on || self.driver.wheels().is_moving() || self.ride.as_ref().is_some_and(|ride| !ride.is_done)
+    }
+
+    // ---- what drives
 
     /// Lets `controller` drive, which is called `title`; the robot is taken to stand at `start`.
-    pub fn ride(
-        &mut self,
-        _now: f64,
-        _title: &str,
-        _controller: Box<dyn Controller>,
-        _start: Pose,
-    ) -> Result<(), Refused> {
+    pub fn ride(&mut self, now: f64, title: &str, controller: Box<dyn Controller>, start: Pose) -> Result<(), Refused> {
+        self.now = now;
+        if !self.can().drive {
+            return refuse("Take control of the robot first.");
+        }
+        self.recorder.note(now, Entry::Asked(format!("{{\"do\":\"ride\",\"title\":\"{title}\"}}")));
+        self.set_off(now, title, controller, start, false);
         Ok(())
     }
 
-    /// What the page shows.
-    pub fn view(&mut self, _now: f64) -> LinkView {
-        LinkView::default()
+    /// The robot with its true figures, as controllers had better know it.
+    pub fn calibrated(&self, model: &RobotModel) -> RobotModel {
+        self.known.apply(model)
     }
+
+    fn set_off(&mut self, now: f64, title: &str, controller: Box<dyn Controller>, start: Pose, is_manual: bool) {
+        self.end_ride("Something else began.");
+        self.beaten_at = now;
+        self.place(start);
+        self.ride = Some(Ride {
+            title: title.to_owned(),
+            controller,
+            is_manual,
+            time_s: 0.0,
+            is_done: false,
+            ended: String::new(),
+        });
+    }
+
+    /// Takes the robot to stand at `pose`.
+    fn place(&mut self, pose: Pose) {
+        let mut odometry = Odometry::new(&self.known.apply(&self.model), OdometryModel::Arc, pose);
+        if self.driver.readings().is_some() {
+            odometry.update(self.driver.port(self.now).sensors());
+        }
+        self.odometry = odometry;
+    }
+
+    fn use_known(&mut self) {
+        self.driver.swap_encoders(self.known.swapped);
+        self.place(self.odometry.pose());
+    }
+
+    fn encoders(&self) -> Option<[u16; 2]> {
+        self.driver.readings().map(|Readings { left_counts, right_counts, .. }| [*left_counts, *right_counts])
+    }
+
+    /// Whatever drives doesn't any more, and why.
+    fn end_ride(&mut self, why: &str) {
+        let Some(ride) = self.ride.as_mut().filter(|ride| !ride.is_done) else { return };
+        ride.is_done = true;
+        why.clone_into(&mut ride.ended);
+        self.driver.stop(self.now);
+        if let Some(calibrating) = self.calibrating.as_mut().filter(|c| c.is_moving()) {
+            calibrating.fail(&format!("It was broken off, and nothing has changed. {why}"));
+        }
+    }
+
+    /// The controller has come to its end by itself.
+    fn ride_ended(&mut self) {
+        let encoders = self.encoders();
+        let activity = self.ride.as_ref().map_or("", |ride| ride.controller.activity());
+        if let Some(calibrating) = self.calibrating.as_mut().filter(|c| c.is_moving()) {
+            match encoders {
+                Some(now) if !activity.starts_with("stopped") => calibrating.stopped(now),
+                _ => calibrating.fail("Something was in the way, so it was broken off. Nothing has changed."),
+            }
+        }
+    }
+
+    fn say(&mut self, kind: &'static str, text: String) {
+        self.notices += 1;
+        self.notice = Some(Notice { number: self.notices, kind, text });
+    }
+
+    // ---- what is shown and kept
 
     /// What went over the line since this was last asked for, oldest first.
     pub fn take_traffic(&mut self) -> Vec<Traffic> {
-        Vec::new()
+        self.console.lines()
     }
 
     /// Where the robot believes to have been since this was last asked for, a reading after the other, four numbers each:
     /// x and y in m, heading in rad, and what it felt there, as the sum of 1 bumper left, 2 bumper right, 4 cliff left, 8
     /// cliff front left, 16 cliff front right, 32 cliff right, 64 wheel drop, 128 virtual wall.
     pub fn take_trace(&mut self) -> Vec<f64> {
-        Vec::new()
+        std::mem::take(&mut self.trace)
     }
 
     /// Everything that went over the line so far, as a recording.
     pub fn recording(&self) -> String {
-        String::new()
+        self.recorder.text()
     }
+}
+
+/// What the robot feels, as bits.
+fn felt(sensed: &Sensors) -> u8 {
+    let [left, front_left, front_right, right] = sensed.cliff;
+    let all = [
+        sensed.bump_left,
+        sensed.bump_right,
+        left,
+        front_left,
+        front_right,
+        right,
+        sensed.wheel_dropped(),
+        sensed.virtual_wall,
+    ];
+    all.iter().enumerate().map(|(bit, &is_set)| u8::from(is_set) << bit).sum()
 }

@@ -1,9 +1,10 @@
 //! What a user asks of a robot.
 
-use serde::Deserialize;
+use crate::oi::Command;
+use serde::{Deserialize, Serialize};
 
 /// What a user asks of a robot. In JavaScript, `{ do: "arm", full: false }` and the like.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "do", rename_all = "snake_case")]
 pub enum Request {
     /// Finds out anew who is there.
@@ -94,7 +95,7 @@ pub enum Request {
 }
 
 /// Buttons on the page that stand for those of the robot.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum PressedButton {
     /// Cleans.
@@ -107,8 +108,20 @@ pub enum PressedButton {
     Power,
 }
 
+impl PressedButton {
+    /// What presses it.
+    pub(super) fn command(self) -> Command<'static> {
+        match self {
+            Self::Clean => Command::Clean,
+            Self::Spot => Command::Spot,
+            Self::Dock => Command::SeekDock,
+            Self::Power => Command::Power,
+        }
+    }
+}
+
 /// What can be calibrated.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Calibration {
     /// Turns 10 degrees to the left: settles which encoder is which.

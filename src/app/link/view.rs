@@ -74,6 +74,8 @@ pub struct RideView {
     pub corner: Option<usize>,
     /// Whether it has come to its end.
     pub done: bool,
+    /// Why it was ended before it was done; empty if it wasn't.
+    pub ended: String,
 }
 
 /// How the line is.

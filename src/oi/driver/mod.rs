@@ -1,1 +1,656 @@
-//! The host's side of the line.
+//! The host's side of the line, for a robot that is driven: finds out who is there, keeps it in Safe, hears its sensors, and
+//! makes sure that it stops.
+//!
+//! It has no clock and does no I/O. Whoever has both calls [`Driver::feed`] with what arrives and [`Driver::tick`] every 10 ms
+//! or so, and sends at once what [`Driver::take_line`] and [`Driver::take_tx`] say. Times are in seconds of any one clock.
+//!
+//! # What keeps a robot from moving on
+//!
+//! - Nothing is sent that moves it before somebody has armed it, and arming is Safe unless Full was asked for.
+//! - Wheel speeds hold for 200 ms unless they are renewed ([`wheels`]).
+//! - A robot that has not been heard of for 250 ms, that left its mode, or that reports other speeds than it was told,
+//!   is told to stop, until it says that it has.
+
+mod connect;
+mod diagnosis;
+mod drop;
+mod filter;
+mod gauge;
+mod hearing;
+mod wheels;
+
+pub use diagnosis::{Diagnosis, Finding, Step};
+pub use drop::ModeDrop;
+pub use filter::Filter;
+pub use gauge::Gauge;
+pub use wheels::{DEAD_MAN_S, Wheels};
+
+use self::hearing::Hearing;
+use super::{
+    Command, MAX_WRITTEN, Mode, Motors, Readings, Refusal, Said, StreamCounts, StreamEvent, StreamParser,
+    frame::{FRAMING, HEADER, slot_bytes},
+    packet::PacketId,
+};
+use crate::robot::{Drive, RobotPort, Sensors};
+use std::collections::VecDeque;
+
+/// Nominal time between two frames, s.
+pub const FRAME_S: f64 = 0.015;
+/// After so long without a frame an armed robot is told to stop, s.
+const STALL_S: f64 = 0.25;
+/// After so long without a frame the robot counts as lost, s.
+const LOST_S: f64 = 1.0;
+/// The stream of a lost robot is asked for that often, s.
+const REVIVE_S: f64 = 0.5;
+/// A mode that wasn't reached is commanded again after this time, and given up after three times as long, s.
+const MODE_S: f64 = 0.25;
+/// What a mode command is followed by is looked at from here on, s: frames on their way tell of before.
+const SETTLE_S: f64 = 0.06;
+/// A line that is quiet for so long has no frame on its way, s.
+const QUIET_S: f64 = 0.03;
+/// Arrival of frames in lumps is evened out over this time, s.
+const LUMP_S: f64 = 0.04;
+/// Happenings that are kept until somebody asks for them.
+const MOST_HAPPENINGS: usize = 2000;
+
+/// What the transport is to do with the line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum LineRequest {
+    /// Go on at another baud rate: close and open again, if that is what it takes.
+    Baud(u32),
+    /// Pull the BRC wire low (`true`: RTS asserted) or let it go.
+    Brc(bool),
+}
+
+/// How far a connection is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Phase {
+    /// There is no line.
+    #[default]
+    Closed,
+    /// It finds out who is there.
+    Diagnosing,
+    /// Nobody answers; it asks again from time to time.
+    Waiting,
+    /// Sensors are streamed.
+    Connected,
+    /// They were, but nothing comes any more; it asks again and again.
+    Lost,
+}
+
+/// Something that went over the line.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Happening {
+    /// Bytes to the robot.
+    Sent(Vec<u8>),
+    /// A frame that was believed.
+    Frame(Vec<u8>),
+    /// A frame that wasn't, and why.
+    Refused(Vec<u8>, String),
+    /// Text of the robot.
+    Text(String),
+    /// About the line itself.
+    Line(String),
+}
+
+/// The host's side of a line to a robot.
+#[expect(clippy::struct_excessive_bools)]
+#[derive(Debug, Default)]
+pub struct Driver {
+    phase: Phase,
+    diagnosis: Diagnosis,
+    hearing: Hearing,
+    baud: u32,
+    parser: StreamParser,
+    filter: Filter,
+    gauge: Gauge,
+    readings: Readings,
+    sensors: Sensors,
+    /// Readings of the frame before.
+    before: Readings,
+    has_read: bool,
+    /// Seconds between the last two frames by the robot's clock, until somebody takes it; and what that clock shows.
+    fresh: Option<f64>,
+    robot_time: Option<f64>,
+    mode_offset: u8,
+    /// The mode that the robot was put in last, when, and whether it has been there since.
+    target: Mode,
+    target_since: f64,
+    target_told: f64,
+    target_reached: bool,
+    dropped: Option<ModeDrop>,
+    wheels: Wheels,
+    /// Encoder packets 43 and 44 are the other way round on this robot.
+    swapped: bool,
+    is_stalled: bool,
+    revived_at: f64,
+    last_byte_at: f64,
+    firmware: Option<String>,
+    tx: Vec<u8>,
+    line: VecDeque<LineRequest>,
+    happenings: VecDeque<(f64, Happening)>,
+    bytes: [u64; 2],
+}
+
+/// What is streamed at that baud rate: everything, or what fits into the slot.
+fn subscription(baud: u32) -> &'static [u8] {
+    const ALL: &[u8] = &[100];
+    const FEW: &[u8] = &[7, 9, 10, 11, 12, 21, 34, 35, 43, 44];
+    if slot_bytes(baud) >= FRAMING + 81 { ALL } else { FEW }
+}
+
+impl Driver {
+    /// Without a line.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    // ---- the line
+
+    /// The line is open at 115200 baud: finds out who is there. What was sent before may have been cut in the middle.
+    pub fn open(&mut self, now: f64) {
+        let was_driven = self.phase != Phase::Closed && self.target > Mode::Passive;
+        let (firmware, swapped, bytes) = (self.firmware.take(), self.swapped, self.bytes);
+        let happenings = std::mem::take(&mut self.happenings);
+        *self = Self { firmware, swapped, bytes, happenings, baud: 115_200, last_byte_at: now, ..Self::default() };
+        if was_driven {
+            // Zeros fill up a command that was cut; by themselves they mean nothing.
+            self.push(now, &[0; 4]);
+            self.push(now, &STOP);
+        }
+        self.begin(now);
+    }
+
+    /// The line is gone. Nothing that was still to be sent will be.
+    pub fn closed(&mut self, now: f64, why: &str) {
+        self.tx.clear();
+        self.line.clear();
+        self.wheels = Wheels::default();
+        self.phase = if self.phase == Phase::Closed { Phase::Closed } else { Phase::Lost };
+        self.diagnosis.step = Step::Idle;
+        self.fresh = None;
+        self.happened(now, Happening::Line(why.to_owned()));
+    }
+
+    /// Bytes that are to be sent now.
+    pub fn take_tx(&mut self) -> Vec<u8> {
+        std::mem::take(&mut self.tx)
+    }
+
+    /// What is to be done with the line before the next bytes are sent.
+    pub fn take_line(&mut self) -> Option<LineRequest> {
+        self.line.pop_front()
+    }
+
+    /// Takes bytes that arrived, up to the end of the next frame that is believed; how many it took. After that there
+    /// may be a reading to [take](Self::take_reading); call it again with the rest.
+    pub fn feed(&mut self, now: f64, bytes: &[u8]) -> usize {
+        self.last_byte_at = now;
+        for (index, &byte) in bytes.iter().enumerate() {
+            self.bytes[0] += 1;
+            if matches!(self.phase, Phase::Diagnosing | Phase::Waiting) {
+                self.hearing.push(&[byte]);
+            }
+            if self.take_byte(now, byte) {
+                self.reading_arrived(now);
+                return index + 1;
+            }
+        }
+        bytes.len()
+    }
+
+    /// Whether a frame was completed and is believed.
+    fn take_byte(&mut self, now: f64, byte: u8) -> bool {
+        let Self { parser, filter, readings, before, firmware, happenings, phase, diagnosis, .. } = self;
+        let mut has_read = false;
+        parser.feed(&[byte], &mut |event| {
+            let happening = match event {
+                StreamEvent::Frame(frame) => {
+                    // While it asks, frames are those of somebody else's stream.
+                    let is_ours =
+                        matches!(phase, Phase::Connected | Phase::Lost) || diagnosis.step == Step::Subscribing;
+                    let bytes = whole(frame.content());
+                    if !is_ours {
+                        Happening::Refused(bytes, "nobody has asked for it".to_owned())
+                    } else if filter.believes(now, frame) {
+                        before.clone_from(readings);
+                        frame.apply(readings);
+                        has_read = true;
+                        Happening::Frame(bytes)
+                    } else {
+                        let why = "its checksum is right, but it says what can't be";
+                        Happening::Refused(bytes, why.to_owned())
+                    }
+                }
+                StreamEvent::Refused { bytes, error } => Happening::Refused(bytes.to_vec(), error.to_string()),
+                StreamEvent::Text(text) => {
+                    if let Said::Firmware(_) = Said::of(text.line) {
+                        *firmware = Some(text.line.to_owned());
+                    }
+                    Happening::Text(text.line.to_owned())
+                }
+            };
+            happened(happenings, now, happening);
+        });
+        has_read
+    }
+
+    fn reading_arrived(&mut self, now: f64) {
+        self.has_read = true;
+        self.sensors = self.readings.to_sensors();
+        if self.swapped {
+            std::mem::swap(&mut self.sensors.left_counts, &mut self.sensors.right_counts);
+        }
+        // The robot's clock goes on by a frame; if it falls behind too far, frames were lost.
+        let before = self.robot_time.unwrap_or(now - FRAME_S);
+        let time = (before + FRAME_S).max(now - LUMP_S);
+        (self.fresh, self.robot_time) = (Some(time - before), Some(time));
+        self.gauge.arrived(now, (self.readings.requested_right, self.readings.requested_left));
+        self.is_stalled = false;
+        if self.diagnosis.step == Step::Subscribing {
+            self.diagnosis.finding = Finding::Robot;
+            self.diagnosis.note("Its sensors arrive.".to_owned());
+            self.diagnosis.go(Step::Done, now);
+        }
+        if self.phase == Phase::Lost {
+            self.happened(now, Happening::Line("The robot is heard again.".to_owned()));
+        }
+        self.phase = Phase::Connected;
+        self.watch_mode(now);
+        self.turn_wheels(now);
+    }
+
+    /// Seconds by which the robot's clock went on with a new reading; `None` if there is none since this was asked last.
+    pub fn take_reading(&mut self) -> Option<f64> {
+        self.fresh.take()
+    }
+
+    /// Lets time pass.
+    pub fn tick(&mut self, now: f64) {
+        if now - self.last_byte_at > QUIET_S {
+            let Self { parser, happenings, firmware, .. } = self;
+            parser.idle(&mut |event| {
+                let happening = match event {
+                    // Frames that a false header held back are old by now.
+                    StreamEvent::Frame(frame) => {
+                        Happening::Refused(whole(frame.content()), "it came too late".to_owned())
+                    }
+                    StreamEvent::Refused { bytes, error } => Happening::Refused(bytes.to_vec(), error.to_string()),
+                    StreamEvent::Text(text) => {
+                        if let Said::Firmware(_) = Said::of(text.line) {
+                            *firmware = Some(text.line.to_owned());
+                        }
+                        Happening::Text(text.line.to_owned())
+                    }
+                };
+                happened(happenings, now, happening);
+            });
+        }
+        match self.phase {
+            Phase::Closed => {}
+            Phase::Diagnosing | Phase::Waiting => self.find_out(now),
+            Phase::Connected | Phase::Lost => self.watch_line(now),
+        }
+        self.turn_wheels(now);
+    }
+
+    fn watch_line(&mut self, now: f64) {
+        let Some(last) = self.gauge.last() else { return };
+        let silent = now - last;
+        if silent > STALL_S && !self.is_stalled {
+            self.is_stalled = true;
+            self.wheels.stop();
+        }
+        if silent > LOST_S && self.phase == Phase::Connected {
+            self.phase = Phase::Lost;
+            self.filter.forget();
+            self.happened(now, Happening::Line("The robot isn't heard any more.".to_owned()));
+        }
+        if self.phase == Phase::Lost && self.diagnosis.step == Step::Done && now - self.revived_at > REVIVE_S {
+            self.revived_at = now;
+            if self.target > Mode::Passive {
+                self.push(now, &STOP);
+            }
+            self.subscribe(now);
+        }
+    }
+
+    // ---- modes
+
+    /// Whether the robot has been put in Safe or Full and is there.
+    pub fn is_armed(&self) -> bool {
+        self.phase == Phase::Connected && self.target > Mode::Passive && self.target_reached
+    }
+
+    /// Puts the robot in `mode`. [`Mode::Safe`] and [`Mode::Full`] take control, [`Mode::Passive`] gives it back; with any,
+    /// the robot stands still at first.
+    pub fn put_in(&mut self, now: f64, mode: Mode) {
+        self.dropped = None;
+        self.halt(now);
+        (self.target, self.target_since, self.target_reached) = (mode, now, false);
+        self.tell_mode(now);
+    }
+
+    fn tell_mode(&mut self, now: f64) {
+        self.target_told = now;
+        let command = match self.target {
+            Mode::Off => Command::Stop,
+            Mode::Passive => Command::Start,
+            Mode::Safe => Command::Safe,
+            Mode::Full => Command::Full,
+        };
+        // It has no data that could be refused.
+        let _ = self.send(now, command);
+    }
+
+    fn watch_mode(&mut self, now: f64) {
+        let Some(mode) = self.mode() else { return };
+        let since = now - self.target_since;
+        if since < SETTLE_S {
+            return;
+        }
+        if mode == self.target {
+            self.target_reached = true;
+        } else if self.target > Mode::Passive && (self.target_reached || since > 3.0 * MODE_S) {
+            self.drop_to(now, mode);
+        } else if !self.target_reached && now - self.target_told > MODE_S && since < 10.0 {
+            self.tell_mode(now);
+        }
+    }
+
+    fn drop_to(&mut self, now: f64, mode: Mode) {
+        let drop = ModeDrop::new(self.target, self.target_reached, [&self.before, &self.readings]);
+        self.happened(now, Happening::Line(drop.to_string()));
+        self.dropped = Some(drop);
+        self.wheels.stop();
+        (self.target, self.target_since, self.target_reached) = (mode.min(Mode::Passive), now, true);
+    }
+
+    /// Why the robot left Safe or Full, until it is put in a mode again.
+    pub fn dropped(&self) -> Option<&ModeDrop> {
+        self.dropped.as_ref()
+    }
+
+    /// The mode that it reports.
+    pub fn mode(&self) -> Option<Mode> {
+        self.has_read.then(|| Mode::from_report(self.readings.mode, self.mode_offset)).flatten()
+    }
+
+    /// The mode that it is to be in.
+    pub fn target(&self) -> Mode {
+        self.target
+    }
+
+    /// What it adds to its mode byte: 0 or 1.
+    pub fn mode_offset(&self) -> u8 {
+        self.mode_offset
+    }
+
+    // ---- commands
+
+    /// Wheel speeds from now on, for 200 ms; without effect unless it is armed.
+    pub fn drive(&mut self, now: f64, wanted: Drive) {
+        if self.is_armed() && !self.is_stalled {
+            self.wheels.drive(now, wanted);
+            self.turn_wheels(now);
+        }
+    }
+
+    /// Stops the wheels, now. Sent whatever the mode is.
+    pub fn stop(&mut self, now: f64) {
+        self.wheels.stop();
+        if matches!(self.phase, Phase::Connected | Phase::Lost) {
+            self.push(now, &STOP);
+        }
+    }
+
+    /// Stops wheels, brushes and vacuum.
+    pub fn halt(&mut self, now: f64) {
+        self.stop(now);
+        if matches!(self.phase, Phase::Connected | Phase::Lost) {
+            let _ = self.send(now, Command::Motors(Motors::default()));
+        }
+    }
+
+    /// Stops everything and ends the interface: the robot is in Off, where it charges and sleeps.
+    pub fn leave(&mut self, now: f64) {
+        if matches!(self.phase, Phase::Connected | Phase::Lost) {
+            self.halt(now);
+            for command in [Command::PauseResume { state: 0 }, Command::Start, Command::Stop] {
+                let _ = self.send(now, command);
+            }
+        }
+        self.phase = Phase::Closed;
+    }
+
+    fn turn_wheels(&mut self, now: f64) {
+        if !matches!(self.phase, Phase::Connected | Phase::Lost) {
+            return;
+        }
+        let tells = self.has_read && subscription(self.baud).contains(&100);
+        let reported = (self.is_armed() && tells && !self.is_stalled)
+            .then_some((self.readings.requested_right, self.readings.requested_left));
+        let before = self.wheels.sent();
+        if let Some((right, left)) = self.wheels.due(now, reported) {
+            self.filter.asked(right, left);
+            if before != (right, left) {
+                self.gauge.asked(now, (right, left));
+            }
+            let _ = self.send(now, Command::DriveDirect { right, left });
+        }
+    }
+
+    /// Sends a command that doesn't concern mode or wheels, or refuses one that robots don't take.
+    pub fn send(&mut self, now: f64, command: Command<'_>) -> Result<(), Refusal> {
+        let mut buffer = [0; MAX_WRITTEN];
+        let bytes = command.encode(&mut buffer)?;
+        self.push(now, bytes);
+        Ok(())
+    }
+
+    /// Sends bytes as they are. If they say how to drive, that holds until the next stop.
+    pub fn send_raw(&mut self, now: f64, bytes: &[u8]) {
+        let mut decoder = super::CommandDecoder::default();
+        for &byte in bytes {
+            let Some(received) = decoder.push(byte) else { continue };
+            let Ok(command) = received.command else { continue };
+            match command {
+                Command::DriveDirect { right, left } => {
+                    self.filter.asked(right, left);
+                    self.wheels.by_hand(now, right, left);
+                }
+                Command::Drive { .. } | Command::DrivePwm { .. } => self.wheels.by_hand(now, 0, 0),
+                _ => {}
+            }
+            if let Some(mode) = self.mode().and_then(|mode| mode.after_command(command.opcode()))
+                && Some(mode) != self.mode()
+            {
+                (self.target, self.target_since, self.target_told) = (mode, now, now);
+                self.target_reached = false;
+            }
+        }
+        self.push(now, bytes);
+    }
+
+    /// Presses a button, which lets the robot do what it does by itself; whoever had control has it no longer.
+    pub fn press(&mut self, now: f64, command: Command<'_>) {
+        self.halt(now);
+        let _ = self.send(now, command);
+        (self.target, self.target_since, self.target_reached) = (Mode::Passive, now, true);
+        self.dropped = None;
+    }
+
+    /// Restarts the robot (7), which tells its firmware, and finds out anew who is there.
+    pub fn restart(&mut self, now: f64) {
+        self.halt(now);
+        let _ = self.send(now, Command::Reset);
+        (self.target, self.target_reached) = (Mode::Passive, true);
+        self.begin(now);
+        self.diagnosis.finding = Finding::Nothing;
+        self.diagnosis.boots = 1;
+        let _ = self.parser.expect(&[]);
+    }
+
+    /// Takes bytes as sent that somebody else sent: in a replay.
+    pub fn was_sent(&mut self, now: f64, bytes: &[u8]) {
+        let mut decoder = super::CommandDecoder::default();
+        for &byte in bytes {
+            let Some(Ok(command)) = decoder.push(byte).map(|received| received.command) else { continue };
+            let mode = match command {
+                Command::DriveDirect { right, left } => {
+                    self.filter.asked(right, left);
+                    continue;
+                }
+                Command::Safe => Mode::Safe,
+                Command::Full => Mode::Full,
+                Command::Start | Command::Clean | Command::Spot | Command::SeekDock | Command::Power => Mode::Passive,
+                _ => continue,
+            };
+            if mode != self.target {
+                self.dropped = None;
+                (self.target, self.target_since, self.target_told, self.target_reached) = (mode, now, now, false);
+            }
+        }
+    }
+
+    fn subscribe(&mut self, now: f64) {
+        let packets = subscription(self.baud);
+        // They are packets that exist.
+        let _ = self.parser.expect(packets);
+        let _ = self.send(now, Command::Stream { packets });
+    }
+
+    fn push(&mut self, now: f64, bytes: &[u8]) {
+        self.bytes[1] += bytes.len() as u64;
+        self.tx.extend_from_slice(bytes);
+        self.happened(now, Happening::Sent(bytes.to_vec()));
+    }
+
+    fn happened(&mut self, now: f64, happening: Happening) {
+        happened(&mut self.happenings, now, happening);
+    }
+
+    // ---- what is known
+
+    /// How far it is.
+    pub fn phase(&self) -> Phase {
+        self.phase
+    }
+
+    /// What was found out about who is there.
+    pub fn diagnosis(&self) -> &Diagnosis {
+        &self.diagnosis
+    }
+
+    /// The latest value of every packet; `None` before the first frame.
+    pub fn readings(&self) -> Option<&Readings> {
+        self.has_read.then_some(&self.readings)
+    }
+
+    /// Whether the robot has not been heard of for so long that it was stopped.
+    pub fn is_stalled(&self) -> bool {
+        self.is_stalled
+    }
+
+    /// What the wheels are told.
+    pub fn wheels(&self) -> &Wheels {
+        &self.wheels
+    }
+
+    /// Baud rate of the line.
+    pub fn baud(&self) -> u32 {
+        self.baud
+    }
+
+    /// Rate, gaps and round trips.
+    pub fn gauge(&self) -> &Gauge {
+        &self.gauge
+    }
+
+    /// What came of the bytes.
+    pub fn counts(&self) -> StreamCounts {
+        self.parser.counts()
+    }
+
+    /// Frames with a right checksum that weren't believed.
+    pub fn implausible(&self) -> u64 {
+        self.filter.refused()
+    }
+
+    /// Bytes received and sent.
+    pub fn bytes(&self) -> [u64; 2] {
+        self.bytes
+    }
+
+    /// Bytes of a frame, and of the slot that it has to fit in.
+    pub fn slot(&self) -> [usize; 2] {
+        let packets = subscription(self.baud).iter();
+        let size = packets.filter_map(|&id| PacketId::size_of(id)).map(|size| size + 1).sum::<usize>() + FRAMING;
+        [size, slot_bytes(self.baud)]
+    }
+
+    /// What the robot said of its firmware.
+    pub fn firmware(&self) -> Option<&str> {
+        self.firmware.as_deref()
+    }
+
+    /// Takes encoder packets 43 and 44 the other way round, or as they should be.
+    pub fn swap_encoders(&mut self, swapped: bool) {
+        self.swapped = swapped;
+    }
+
+    /// Whether it does.
+    pub fn has_swapped_encoders(&self) -> bool {
+        self.swapped
+    }
+
+    /// What went over the line since this was last asked for, oldest first, with its time.
+    pub fn take_happenings(&mut self) -> impl Iterator<Item = (f64, Happening)> + use<> {
+        std::mem::take(&mut self.happenings).into_iter()
+    }
+}
+
+/// The robot as its controllers see it, except that wheel speeds need the time: [`Driver::drive`].
+impl Driver {
+    /// This robot as a port at that moment.
+    pub fn port(&mut self, now: f64) -> Port<'_> {
+        Port { driver: self, now }
+    }
+}
+
+/// A robot on a line, at one moment.
+pub struct Port<'a> {
+    driver: &'a mut Driver,
+    now: f64,
+}
+
+impl RobotPort for Port<'_> {
+    fn sensors(&self) -> &Sensors {
+        &self.driver.sensors
+    }
+
+    fn drive(&mut self, wanted: Drive) {
+        self.driver.drive(self.now, wanted);
+    }
+}
+
+/// Both wheels at rest.
+const STOP: [u8; 5] = [145, 0, 0, 0, 0];
+
+fn happened(happenings: &mut VecDeque<(f64, Happening)>, now: f64, happening: Happening) {
+    if happenings.len() == MOST_HAPPENINGS {
+        happenings.pop_front();
+    }
+    happenings.push_back((now, happening));
+}
+
+/// A frame as it was on the line.
+fn whole(content: &[u8]) -> Vec<u8> {
+    let mut bytes = Vec::with_capacity(content.len() + FRAMING);
+    bytes.extend([HEADER, content.len() as u8]);
+    bytes.extend_from_slice(content);
+    let sum = bytes.iter().fold(0_u8, |sum, &byte| sum.wrapping_add(byte));
+    bytes.push(sum.wrapping_neg());
+    bytes
+}

@@ -1,0 +1,162 @@
+//! What is found out about who is on the other end of a line, and what to do about it.
+
+use std::fmt;
+
+/// What is being tried.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Step {
+    /// Nothing.
+    #[default]
+    Idle,
+    /// Listens without a word: a stream, text or noise tell more than an answer.
+    Listening,
+    /// Starts the interface and asks for the mode.
+    Asking,
+    /// Pulls the BRC wire low for a second. Once, and for longer than the 50 to 500 ms that would change the baud rate.
+    Waking,
+    /// The line changes to another baud rate.
+    Changing,
+    /// Asks for the stream.
+    Subscribing,
+    /// Nobody answers; asks again every other second, so that pressing CLEAN is enough.
+    Waiting,
+    /// Somebody is there.
+    Done,
+}
+
+/// What was heard.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Finding {
+    /// Nobody has listened yet.
+    #[default]
+    Nothing,
+    /// Not a byte.
+    Silence,
+    /// Frames that somebody else asked for.
+    Stream,
+    /// The charging log.
+    Charging,
+    /// A boot banner.
+    Booting,
+    /// 0xFE over and over.
+    Bootloader,
+    /// Bytes without sense.
+    Garbage,
+    /// Text of another kind.
+    Text,
+    /// It answers, but sends no stream.
+    NoStream,
+    /// A robot.
+    Robot,
+}
+
+impl Finding {
+    /// Name in views.
+    pub fn id(self) -> &'static str {
+        match self {
+            Self::Nothing => "nothing",
+            Self::Silence => "silence",
+            Self::Stream => "stream",
+            Self::Charging => "charging",
+            Self::Booting => "booting",
+            Self::Bootloader => "bootloader",
+            Self::Garbage => "garbage",
+            Self::Text => "text",
+            Self::NoStream => "no_stream",
+            Self::Robot => "robot",
+        }
+    }
+
+    /// One sentence for users on what it means.
+    pub fn text(self) -> &'static str {
+        match self {
+            Self::Nothing => "Listening to the line.",
+            Self::Silence => {
+                "Nothing answers. The robot is asleep or switched off, the cable doesn't reach it, or it is another model."
+            }
+            Self::Stream => "Somebody else has asked this robot for its sensors.",
+            Self::Charging => "The robot is charging: it writes its charging log.",
+            Self::Booting => "The robot is starting up.",
+            Self::Bootloader => "The robot sits in its bootloader and doesn't start.",
+            Self::Garbage => "Bytes come, but make no sense: the speed of the line is wrong, or it isn't a Roomba.",
+            Self::Text => "The robot, or something else, writes text, but doesn't answer.",
+            Self::NoStream => "A robot answers, but doesn't send its sensors.",
+            Self::Robot => "A robot answers.",
+        }
+    }
+
+    /// What to do about it; empty if nothing.
+    pub fn remedy(self) -> &'static str {
+        match self {
+            Self::Nothing | Self::Robot | Self::Stream => "",
+            Self::Silence => {
+                "Press CLEAN once on the robot: that wakes it, and this page goes on by itself. If it begins to clean, press \
+                 again. Still nothing? Check that the plug is in all the way and the battery is in."
+            }
+            Self::Charging => {
+                "Wait a moment. If nothing follows, take the robot off its dock and press CLEAN once: some fall silent while \
+                 they charge."
+            }
+            Self::Booting => "Wait five seconds.",
+            Self::Bootloader => "Take its battery out for ten seconds, put it back, and press CLEAN.",
+            Self::Garbage => {
+                "Check that this is the robot's port and that no other program uses it. To put the robot back to its usual \
+                 speed, take its battery out for a moment."
+            }
+            Self::Text => "Press CLEAN once on the robot. If nothing changes, check that this is the robot's port.",
+            Self::NoStream => {
+                "It may be a Create 1 or a Roomba 400, which speak an older language that this page doesn't. Otherwise, \
+                 press CLEAN and connect again."
+            }
+        }
+    }
+}
+
+impl fmt::Display for Finding {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Nothing | Self::Silence => "silence",
+            Self::Stream => "a stream of sensors",
+            Self::Charging => "a charging log",
+            Self::Booting => "a robot that boots",
+            Self::Bootloader => "a bootloader",
+            Self::Garbage => "bytes without sense",
+            Self::Text => "text",
+            Self::NoStream => "an answer, but no stream",
+            Self::Robot => "a robot",
+        })
+    }
+}
+
+/// What is being found out, and what was.
+#[derive(Debug, Clone, Default)]
+pub struct Diagnosis {
+    /// What is being tried.
+    pub step: Step,
+    /// What was heard last.
+    pub finding: Finding,
+    /// What was tried so far and what came of it, in order.
+    pub log: Vec<String>,
+    /// When the step began, s.
+    pub(super) since: f64,
+    /// Questions asked in this step, and how often the line was given time to boot.
+    pub(super) tries: u32,
+    pub(super) boots: u32,
+    pub(super) has_pulsed: bool,
+}
+
+/// Most lines of the log.
+const MOST_LINES: usize = 40;
+
+impl Diagnosis {
+    /// Another line of the log.
+    pub(super) fn note(&mut self, line: String) {
+        if self.log.last() != Some(&line) && self.log.len() < MOST_LINES {
+            self.log.push(line);
+        }
+    }
+
+    pub(super) fn go(&mut self, step: Step, now: f64) {
+        (self.step, self.since, self.tries) = (step, now, 0);
+    }
+}

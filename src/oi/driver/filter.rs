@@ -1,0 +1,152 @@
+//! Which frames are believed.
+//!
+//! An 8-bit sum lets one garbled frame in 256 through; flipped bits at the same place of two bytes cancel each other even
+//! more often. So what a frame says must also follow from what the last one said. A frame that doesn't isn't lost for
+//! good: it is kept, and if the next one follows from it, it was the world that changed.
+
+use crate::oi::{
+    frame::Frame,
+    motion::{MAX_SPEED_MM_S, MM_PER_COUNT},
+    packet::Packet,
+};
+
+/// Pairs of requested wheel speeds that are remembered: all that can be on their way, as the robot reports a command two or
+/// three frames later.
+const REMEMBERED: usize = 16;
+
+/// Time that a reading may be older or newer than its arrival tells, s: a browser hands over bytes in lumps.
+const LUMP_S: f64 = 0.1;
+
+/// How a value follows from the one before.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Rule {
+    /// It may change at any time: flags, signals.
+    Free,
+    /// It changes so rarely that it's worth waiting for the next frame.
+    Rare,
+    /// By so much at most.
+    Within(i32),
+    /// As many counts as a wheel makes in the time, modulo 65536.
+    Counts,
+    /// As far as a robot drives in the time, mm.
+    Travel,
+    /// As far as a robot turns in the time, degrees.
+    Turn,
+    /// What a Drive Direct asked for.
+    RightSpeed,
+    /// See [`Rule::RightSpeed`].
+    LeftSpeed,
+}
+
+const fn rule(packet: Packet) -> Rule {
+    match packet {
+        Packet::Unused1
+        | Packet::Unused2
+        | Packet::Unused3
+        | Packet::BatteryCapacity
+        | Packet::StreamPackets
+        | Packet::SongNumber
+        | Packet::RequestedVelocity
+        | Packet::RequestedRadius
+        | Packet::OiMode
+        | Packet::ChargingState
+        | Packet::ChargingSources => Rule::Rare,
+        Packet::Voltage => Rule::Within(1500),
+        Packet::Current => Rule::Within(2500),
+        Packet::Temperature => Rule::Within(2),
+        Packet::BatteryCharge => Rule::Within(20),
+        Packet::LeftEncoder | Packet::RightEncoder => Rule::Counts,
+        Packet::Distance => Rule::Travel,
+        Packet::Angle => Rule::Turn,
+        Packet::RequestedRightVelocity => Rule::RightSpeed,
+        Packet::RequestedLeftVelocity => Rule::LeftSpeed,
+        _ => Rule::Free,
+    }
+}
+
+/// Bits of every packet, by its place in [`Packet::ALL`]; `None` for those that weren't in the frame.
+type Bits = [Option<u16>; Packet::ALL.len()];
+
+/// Tells frames that can be true from those that can't.
+#[derive(Debug, Clone)]
+pub struct Filter {
+    /// The last frame that was believed, or that waits to be, and when it came, s.
+    believed: Option<(f64, Bits)>,
+    waiting: Option<(f64, Bits)>,
+    /// Wheel speeds that were asked for lately: right, left.
+    asked: [(i16, i16); REMEMBERED],
+    next: usize,
+    refused: u64,
+}
+
+impl Default for Filter {
+    fn default() -> Self {
+        Self { believed: None, waiting: None, asked: [(0, 0); REMEMBERED], next: 0, refused: 0 }
+    }
+}
+
+impl Filter {
+    /// A Drive Direct with these speeds was sent, mm/s.
+    pub fn asked(&mut self, right: i16, left: i16) {
+        if let Some(slot) = self.asked.get_mut(self.next) {
+            *slot = (right, left);
+        }
+        self.next = (self.next + 1) % REMEMBERED;
+    }
+
+    /// Frames that weren't believed though their checksum was right.
+    pub fn refused(&self) -> u64 {
+        self.refused
+    }
+
+    /// Forgets the frames, as after a break: the next but one is believed.
+    pub fn forget(&mut self) {
+        (self.believed, self.waiting) = (None, None);
+    }
+
+    /// Whether `frame`, which arrives at `now`, is to be believed.
+    pub fn believes(&mut self, now: f64, frame: Frame<'_>) -> bool {
+        let mut bits: Bits = [None; Packet::ALL.len()];
+        let mut is_possible = true;
+        for (packet, raw) in frame.values() {
+            is_possible &= packet.is_plausible(raw);
+            if let Some(slot) = bits.get_mut(usize::from(packet as u8 - Packet::ALL[0] as u8)) {
+                *slot = Some(raw);
+            }
+        }
+        let follows = |from: &Option<(f64, Bits)>| {
+            from.as_ref().is_some_and(|(then, before)| self.follows(before, &bits, now - then))
+        };
+        if is_possible && (follows(&self.believed) || follows(&self.waiting)) {
+            (self.believed, self.waiting) = (Some((now, bits)), None);
+            return true;
+        }
+        self.refused += 1;
+        if is_possible {
+            self.waiting = Some((now, bits));
+        }
+        false
+    }
+
+    fn follows(&self, before: &Bits, now: &Bits, elapsed_s: f64) -> bool {
+        let elapsed_s = elapsed_s.max(0.0) + LUMP_S;
+        let asked =
+            |pick: fn(&(i16, i16)) -> i16, value: i32| self.asked.iter().any(|pair| i32::from(pick(pair)) == value);
+        Packet::ALL.into_iter().zip(before.iter().zip(now)).all(|(packet, pair)| {
+            let (&Some(before), &Some(now)) = pair else { return pair.0.is_none() };
+            let (old, new) = (packet.value(before), packet.value(now));
+            let most_mm = elapsed_s * f64::from(MAX_SPEED_MM_S);
+            match rule(packet) {
+                Rule::Free => true,
+                Rule::Rare => old == new,
+                Rule::Within(most) => (new - old).abs() <= most,
+                Rule::Counts => f64::from(now.wrapping_sub(before).cast_signed()).abs() <= most_mm / MM_PER_COUNT,
+                Rule::Travel => f64::from(new).abs() <= most_mm + 1.0,
+                // Both wheels at full speed against each other turn a robot by 244 degrees a second.
+                Rule::Turn => f64::from(new).abs() <= elapsed_s * 244.0 + 1.0,
+                Rule::RightSpeed => old == new || asked(|pair| pair.0, new),
+                Rule::LeftSpeed => old == new || asked(|pair| pair.1, new),
+            }
+        })
+    }
+}
