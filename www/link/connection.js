@@ -74,9 +74,10 @@ export class Connection {
     this.#rest();
   }
 
-  /** Brings the worker's copy of room and settings up to date. @param {import("./types").Followed} followed */
-  follow(followed) {
-    this.#tell({ type: "follow", followed });
+  /** Brings the worker's copy of room and settings up to date; to be done before a virtual robot and before a ride.
+   * @param {import("./types").Followed} followed @returns {Promise<boolean>} */
+  async follow(followed) {
+    return (await this.#ask({ type: "follow", id: 0, followed })) === true;
   }
 
   /** Says whether it was done. @param {import("./types").Request} request @returns {Promise<boolean>} */

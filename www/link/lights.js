@@ -2,7 +2,7 @@
 // Lamps, the Clean light, digits, brushes and vacuum; and the robot's own buttons.
 import { byId, make, setAttribute, setEnabled } from "../dom.js";
 import { ask } from "./dialogs.js";
-import { face } from "./virtual.js";
+import { face } from "./hand.js";
 
 /** Bits of opcode 139. @type {[bit: number, name: string][]} */
 const LAMPS = [[1, "Dirt"], [2, "Spot"], [4, "Dock"], [8, "Check robot"]];

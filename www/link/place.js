@@ -18,7 +18,7 @@ import { startRoom } from "./room.js";
 import { startSensors } from "./sensors.js";
 import { startSongs } from "./songs.js";
 import { CLOSED, isOpen } from "./view.js";
-import { startVirtual } from "./virtual.js";
+import { startVirtual } from "./hand.js";
 
 /**
  * @typedef {import("./types").ConnectionView} ConnectionView

@@ -206,7 +206,7 @@ export type ToLink =
   | { type: "init"; module: WebAssembly.Module }
   | { type: "beat" }
   | { type: "leave"; why: string }
-  | { type: "follow"; followed: Followed }
+  | { type: "follow"; id: number; followed: Followed }
   | { type: "open"; id: number; target: WorkerTarget }
   | { type: "close"; id: number }
   | { type: "request"; id: number; request: Request }
