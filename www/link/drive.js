@@ -3,6 +3,7 @@
 import { button, byId, setHidden, setText } from "../dom.js";
 import { STILL, joystick, rounded } from "../joystick.js";
 import { place } from "../places.js";
+import { goesOn } from "./view.js";
 
 /** @typedef {import("./place.js").Linking} Linking */
 
@@ -14,7 +15,7 @@ export function startDrive(it) {
   const [floor, knob] = [byId("link-floor"), button("link-knob")];
   const mayDrive = () => {
     const { can, ride } = it.view;
-    return place() === "robot" && can.drive && (ride === null || ride.manual || ride.done);
+    return place() === "robot" && can.drive && (!goesOn(ride) || ride.manual);
   };
   let isDriving = false;
   /** Whether a gamepad's stick has been in the middle since one could drive: nobody shall drive off by taking control. */
@@ -63,7 +64,7 @@ export function startDrive(it) {
     stop,
     /** @param {import("./types").ConnectionView} view */
     update({ ride, can }) {
-      const on = can.drive && (ride === null || ride.manual || ride.done);
+      const on = can.drive && (!goesOn(ride) || ride.manual);
       setHidden(byId("link-manual"), !on);
       if (!on) return;
       const { command, hasGamepad } = stick.read();

@@ -2,7 +2,7 @@
 // The live map: its canvas, pointers and keys, and what is told of it in words.
 import { LiveMap } from "../../robot.js";
 import { byId, changed, fill, select, setAttribute, setHidden, setText, typed } from "../dom.js";
-import { isOpen } from "./view.js";
+import { goesOn, isOpen } from "./view.js";
 
 /** @typedef {import("./place.js").Linking} Linking */
 /** @typedef {import("./types").ConnectionView} ConnectionView */
@@ -112,7 +112,7 @@ function words(map, { pose, mode, ride }, isThere, room) {
   const [x, y, heading] = pose;
   const degrees = Math.round((heading * 180) / Math.PI);
   const swept = share === undefined ? `${map.swept_m2().toFixed(1)} square metres` : `${(100 * share).toFixed(0)} % of the reachable floor`;
-  return `Live map of ${room}: the robot believes to be at ${x.toFixed(2)} m, ${y.toFixed(2)} m, heading ${degrees} degrees, in mode ${mode || "unknown"}${ride && !ride.done ? `, driven by ${ride.manual ? "you" : ride.title}` : ""}. It has swept ${swept}, bumped ${bumps} times and seen ${cliffs} cliffs.`;
+  return `Live map of ${room}: the robot believes to be at ${x.toFixed(2)} m, ${y.toFixed(2)} m, heading ${degrees} degrees, in mode ${mode || "unknown"}${ride && goesOn(ride) ? `, driven by ${ride.manual ? "you" : ride.title}` : ""}. It has swept ${swept}, bumped ${bumps} times and seen ${cliffs} cliffs.`;
 }
 
 /** Wheel, pinch, drag and keys. @param {Linking} it @param {HTMLCanvasElement} canvas @param {LiveMap} map */

@@ -46,7 +46,8 @@ export function startRobot(app, module, guard) {
   const connection = new Connection(module);
   const room = startRoom(app);
   room.take();
-  const it = /** @type {Linking} */ ({ app, connection, view: CLOSED, onview: [], room, complain });
+  // The rest of it follows below: its parts need each other.
+  const it = /** @type {Linking} */ (/** @type {unknown} */ ({ app, connection, view: CLOSED, onview: [], room, complain }));
   it.request = async (request) => {
     const worked = await connection.request(request);
     if (worked && request.do !== "drive") forgive();

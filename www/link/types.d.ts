@@ -60,6 +60,8 @@ export type RideView = {
   blocked: [forward: string | null, left: string | null, right: string | null, backward: string | null];
   corner: number | null;
   done: boolean;
+  /** Why it was ended before it was done; "" if it wasn't. */
+  ended: string;
 };
 
 export type Statistics = {

@@ -29,8 +29,11 @@ export const CLOSED = {
 /** Whether a line is open, or waited for. @param {ConnectionView} view */
 export const isOpen = ({ phase, transport }) => phase !== "closed" || transport.state === "opening" || transport.state === "open" || transport.state === "lost";
 
+/** Whether a ride isn't over. @param {ConnectionView["ride"]} ride */
+export const goesOn = (ride) => ride !== null && !ride.done && !ride.ended;
+
 /** Whether the robot drives, or is about to. @param {ConnectionView} view */
-export const isMoving = ({ ride, wheels, calibration }) => (ride !== null && !ride.done) || wheels.some((speed) => speed !== 0) || calibration?.step === "moving";
+export const isMoving = ({ ride, wheels, calibration }) => goesOn(ride) || wheels.some((speed) => speed !== 0) || calibration?.step === "moving";
 
 /** Value of a packet from 7 to 58 as it is on the line. @param {number[]} packets @param {number} id */
 export const packet = (packets, id) => packets[id - 7] ?? 0;
@@ -49,7 +52,9 @@ export function doing(view) {
   if (phase === "waiting") return ["Nobody answers", "it goes on trying"];
   if (phase === "lost" || transport.state === "lost") return ["Connection lost", transport.text];
   if (calibration?.step === "moving") return ["Calibrating", calibration.text];
-  if (ride && !ride.done) return [ride.manual ? "You drive" : ride.title, ride.manual ? "" : ride.activity];
+  if (ride && goesOn(ride)) return [ride.manual ? "You drive" : ride.title, ride.manual ? "" : ride.activity];
+  if (ride?.done && !ride.manual) return [`${ride.title}: done`, ""];
+  if (ride?.ended && !ride.manual) return [`${ride.title}: ended`, ride.ended];
   if (mode === "Passive") return ["Watching", "take control to drive"];
   return ["Ready", `${mode}: drive, or let an algorithm`];
 }
