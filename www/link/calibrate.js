@@ -21,11 +21,11 @@ const keyOf = ({ transport }) => `link-calibration ${transport.kind} ${transport
 export function startCalibrate(it) {
   const starts = STEPS.map(({ what, title, text, room, path }) => {
     const svg = draw("svg", { viewBox: "0 0 160 116", class: "link-picture", "aria-hidden": "true" });
-    draw("circle", { cx: what === "metre" ? 30 : what === "square" ? 40 : 80, cy: what === "square" ? 96 : 58, r: 16, class: "shell" }, svg);
-    draw("path", { d: path, class: "wire" }, svg);
+    draw("circle", { cx: what === "metre" ? 30 : what === "square" ? 40 : 80, cy: what === "square" ? 96 : 58, r: 16, class: "p-shell" }, svg);
+    draw("path", { d: path, class: "p-wire" }, svg);
     const start = make("button", { type: "button" }, "Start");
     start.addEventListener("click", () => it.view.can.drive && void it.request({ do: "calibrate", what }));
-    const item = make("li", { "data-what": what }, svg, make("b", {}, title), make("p", { className: "note" }, `${text} ${room}`), start);
+    const item = make("li", { "data-what": what }, svg, make("b", {}, title), start, make("p", { className: "note" }, `${text} ${room}`));
     return { item, start };
   });
   const told = make("p", { id: "calibrate-told", role: "status" });

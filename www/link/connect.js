@@ -45,6 +45,7 @@ export function startConnect(it) {
   for (const id of ["link-again", "link-retry"]) button(id).addEventListener("click", () => void it.request({ do: "connect" }));
   for (const id of ["link-close", "link-give-up"]) button(id).addEventListener("click", () => void it.close());
 
+  let wasOpen = false;
   return (view) => {
     const open = isOpen(view);
     if (changed(byId("link-welcome"), "open", open)) {
@@ -52,7 +53,8 @@ export function startConnect(it) {
       setHidden(byId("link-need"), open);
       setHidden(byId("link-line-buttons"), !open);
       // What had the focus is gone.
-      if (document.activeElement === document.body || !document.activeElement?.checkVisibility()) byId(open ? "link-floor" : "link-virtual").focus();
+      if (open !== wasOpen && (document.activeElement === document.body || !document.activeElement?.checkVisibility())) byId(open ? "link-floor" : "link-virtual").focus();
+      wasOpen = open;
     }
     showState(view, open);
     const isThere = view.phase === "connected" && view.transport.state !== "lost";

@@ -15,7 +15,7 @@ export function startDrive(it) {
   const [floor, knob] = [byId("link-floor"), button("link-knob")];
   const mayDrive = () => {
     const { can, ride } = it.view;
-    return place() === "robot" && can.drive && (!goesOn(ride) || ride.manual);
+    return place() === "robot" && can.drive && (!goesOn(ride) || ride?.manual === true);
   };
   let isDriving = false;
   /** Whether a gamepad's stick has been in the middle since one could drive: nobody shall drive off by taking control. */
@@ -64,7 +64,7 @@ export function startDrive(it) {
     stop,
     /** @param {import("./types").ConnectionView} view */
     update({ ride, can }) {
-      const on = can.drive && (!goesOn(ride) || ride.manual);
+      const on = can.drive && (!goesOn(ride) || ride?.manual === true);
       setHidden(byId("link-manual"), !on);
       if (!on) return;
       const { command, hasGamepad } = stick.read();

@@ -7,9 +7,9 @@ import { hush, isMuted, sound } from "./sound.js";
 /** @typedef {import("./place.js").Linking} Linking */
 
 /** Buttons of packet 18: bit, name, place on the face. @type {[bit: number, name: string, x: number, y: number][]} */
-const BUTTONS = [[1, "Clean", 80, 52], [2, "Spot", 34, 76], [4, "Dock", 126, 76]];
+const BUTTONS = [[1, "Clean", 80, 52], [2, "Spot", 45, 62], [4, "Dock", 115, 62]];
 /** Lamps: bit, name, colour, place. @type {[bit: number, name: string, colour: string, x: number, y: number][]} */
-const LAMPS = [[1, "Dirt", "#5aa2ff", 40, 22], [2, "Spot", "#4fd675", 34, 104], [4, "Dock", "#4fd675", 126, 104], [8, "Check", "#ff9a3c", 120, 22]];
+const LAMPS = [[1, "Dirt", "#5aa2ff", 62, 15], [2, "Spot", "#4fd675", 45, 44], [4, "Dock", "#4fd675", 115, 44], [8, "Check", "#ff9a3c", 98, 15]];
 
 /** Colour of the Clean light. @param {number} colour 0 green to 255 red @param {number} intensity */
 export const cleanColour = (colour, intensity) => `rgb(${Math.round(90 + 0.65 * colour)} ${Math.round(220 - 0.62 * colour)} 60 / ${intensity / 255})`;
@@ -21,15 +21,16 @@ export function face() {
   const light = draw("circle", { cx: 80, cy: 52, r: 19, class: "light" }, svg);
   for (const [, name, x, y] of BUTTONS) {
     draw("circle", { cx: x, cy: y, r: name === "Clean" ? 15 : 9, class: "key" }, svg);
-    draw("text", { x, y: y + (name === "Clean" ? 3 : 19), class: "word" }, svg).textContent = name === "Clean" ? "CLEAN" : "";
+    draw("text", { x, y: y + (name === "Clean" ? 3 : 17), class: "word" }, svg).textContent = name.toUpperCase();
   }
   const lamps = LAMPS.map(([bit, name, colour, x, y]) => {
     const lamp = draw("circle", { cx: x, cy: y, r: 3.5, class: "lamp" }, svg);
-    draw("text", { x, y: y + 11, class: "word" }, svg).textContent = name;
+    // Those of buttons have their names there.
+    if (y < 20) draw("text", { x, y: y + 11, class: "word" }, svg).textContent = name;
     return { bit, name, colour, lamp };
   });
-  draw("rect", { x: 55, y: 84, width: 50, height: 20, rx: 3, class: "glass" }, svg);
-  const digits = draw("text", { x: 80, y: 99, class: "digits" }, svg);
+  draw("rect", { x: 55, y: 81, width: 50, height: 20, rx: 3, class: "glass" }, svg);
+  const digits = draw("text", { x: 80, y: 96, class: "digits" }, svg);
   return {
     svg,
     /** @param {{ lamps: number, clean_light: [number, number], digits: string }} display */

@@ -69,7 +69,7 @@ export function startLights(it) {
   const group = (/** @type {string} */ title, /** @type {Node[]} */ ...nodes) => make("fieldset", { className: "link-set" }, make("legend", {}, title), ...nodes);
   byId("link-lights").append(
     make("div", { className: "link-sets" },
-      group("Lights", svg, make("div", { className: "link-hand" }, ...lamps), range("Clean light: green to red", 0), range("Brightness", 1), form),
+      group("Lights", make("div", { className: "link-lamps" }, svg, make("div", { className: "link-hand" }, ...lamps), range("Clean light: green to red", 0), range("Brightness", 1)), form),
       group("Brushes and vacuum", make("div", { className: "link-hand" }, ...motors)),
       group("Its own buttons", make("p", { className: "note" }, "They hand the robot back to its own program."), make("div", { className: "link-hand" }, ...buttons)),
     ),

@@ -41,6 +41,7 @@ export function startMap(it) {
   };
   choice.addEventListener("change", () => begin(it.view));
   startHands(it, canvas, map);
+  offer();
 
   return {
     map,
