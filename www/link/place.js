@@ -13,6 +13,7 @@ import { startDrive } from "./drive.js";
 import { startLights } from "./lights.js";
 import { startLine } from "./line.js";
 import { startMap } from "./map.js";
+import { startReplay } from "./replay.js";
 import { startRide } from "./ride.js";
 import { startRoom } from "./room.js";
 import { startSensors } from "./sensors.js";
@@ -69,6 +70,7 @@ export function startRobot(app, module, guard) {
   };
   it.close = async () => {
     it.halt();
+    if (replay.end()) return;
     await connection.close();
   };
   const traffic = startConsole(it);
@@ -77,20 +79,24 @@ export function startRobot(app, module, guard) {
   startSheets(byId("place-robot"), byId("link-floor"));
 
   let isFresh = true;
-  connection.onview = (view) => {
+  const show = (/** @type {ConnectionView} */ view) => {
     it.view = view;
     isFresh = true;
-    // Seen at once, whatever the page has to draw.
-    it.live.update(view);
+    // Before the way that leads from there.
+    guard(() => it.live.update(view));
   };
-  connection.ontrace = (trace) => guard(() => it.live.map.follow(trace));
-  connection.ontraffic = (lines) => traffic.take(lines);
+  const follow = (/** @type {Float64Array} */ trace) => guard(() => it.live.map.follow(trace));
+  const replay = startReplay(it, { show, follow, traffic: traffic.take, wipe: () => it.live.begin(it.view) });
+  connection.onview = show;
+  connection.ontrace = follow;
+  connection.ontraffic = traffic.take;
   connection.onfailed = ({ what, remedy }) => complain(remedy ? `${what} ${remedy}` : what);
 
   let wasHere = false;
   return {
-    /** Once a frame while the place is shown. @param {number} _now */
-    frame(_now) {
+    /** Once a frame while the place is shown. @param {number} now */
+    frame(now) {
+      guard(() => replay.frame(now));
       if (!wasHere) {
         wasHere = true;
         // The robot that is connected is in the room that it was in.
