@@ -1,9 +1,10 @@
 //! The benchmark that runs natively (`robovac bench`) and in the browser (`bench.html`), so that both can be compared.
 
-use super::{Session, montecarlo::RunsRequest};
+use super::{Session, link::Link, montecarlo::RunsRequest};
 use crate::{
     floorplan::generate::random_hall,
     grid::{Cell, Direction},
+    oi::{MAX_FRAME, PacketId, Readings, StreamParser, driver::FRAME_S, write_frame},
     planner::{CoverageJob, PLANNERS, Params, PlanContext, SLOW_CELLS},
     sim::{Run, STEP_S},
 };
@@ -19,6 +20,12 @@ const LEAST_S: f64 = 0.05;
 const LONG_S: f64 = 0.5;
 /// Most repetitions, whatever the clock says.
 const MOST_REPEATS: u32 = 1024;
+/// Bytes of the stream that is parsed, those of one frame of it, and frames that a whole connection hears: a minute.
+const STREAM_BYTES: usize = 10_000_000;
+const FRAME_BYTES: usize = 84;
+const HEARD_FRAMES: usize = 4000;
+/// Frames after which the robot answers which mode it is in: by then it was asked.
+const ANSWER_AFTER: usize = 40;
 /// Steps of the simulator's case: half an hour, less than the flat takes.
 const SIMULATED_STEPS: u32 = 120_000;
 
@@ -78,7 +85,52 @@ pub fn run(clock: &dyn Fn() -> f64, report: &mut dyn FnMut(&BenchResult)) -> Vec
         let mut runs = || drop(request.run(&mut lab, None));
         take("simulate the cleaning cycle in the flat".to_owned(), &mut runs, Some(request.duration_s));
     }
+    let stream = stream(STREAM_BYTES);
+    let mut parse = || {
+        let mut parser = StreamParser::default();
+        parser.feed(&stream, &mut |_| {});
+    };
+    take(format!("parse {} MB of sensor stream", STREAM_BYTES / 1_000_000), &mut parse, None);
+    let mut hear = || {
+        let mut link = Link::new();
+        for (index, frame) in stream.chunks_exact(FRAME_BYTES).take(HEARD_FRAMES).enumerate() {
+            let now = index as f64 * FRAME_S;
+            if index == 0 {
+                link.opened(now);
+            }
+            link.feed(now, frame);
+            if index == ANSWER_AFTER {
+                link.feed(now, &[1]);
+            }
+            link.tick(now);
+            let _ = (link.take_tx(), link.take_trace());
+            // As often as a worker tells its page.
+            if index % 3 == 0 {
+                let _ = (link.view(now), link.take_traffic());
+            }
+        }
+    };
+    take("hear all sensors at full rate".to_owned(), &mut hear, Some(HEARD_FRAMES as f64 * FRAME_S));
     results
+}
+
+/// Frames of all packets, as a robot streams them, of which every value changes; `bytes` of them or a little less.
+pub fn stream(bytes: usize) -> Vec<u8> {
+    let mut stream = Vec::with_capacity(bytes);
+    let mut buffer = [0; MAX_FRAME];
+    let Some(all) = PacketId::from_byte(100) else { return stream };
+    let mut readings = Readings { mode: 1, capacity_mah: 2696, voltage_mv: 15_000, ..Readings::default() };
+    while stream.len() + FRAME_BYTES <= bytes {
+        readings.left_counts = readings.left_counts.wrapping_add(7);
+        readings.right_counts = readings.right_counts.wrapping_add(11);
+        readings.light_signal = readings.light_signal.map(|signal| (signal + 13) % 4096);
+        readings.current_ma = -400 - (readings.left_counts % 300) as i16;
+        match write_frame(&[all], &readings, &mut buffer) {
+            Ok(frame) => stream.extend_from_slice(frame),
+            Err(_) => break,
+        }
+    }
+    stream
 }
 
 /// One of many runs: half an hour of the cleaning cycle by a Roomba in the furnished flat, with typical slip and noise.

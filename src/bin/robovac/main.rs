@@ -15,6 +15,8 @@ mod failure;
 #[cfg(not(target_arch = "wasm32"))]
 mod list;
 #[cfg(not(target_arch = "wasm32"))]
+mod monitor;
+#[cfg(not(target_arch = "wasm32"))]
 mod montecarlo;
 #[cfg(not(target_arch = "wasm32"))]
 mod output;
@@ -38,7 +40,7 @@ fn main() -> std::process::ExitCode {
 
 #[cfg(not(target_arch = "wasm32"))]
 mod native {
-    use super::{bench, compare, convert, failure::OK, list, montecarlo, output::print, plan, simulate};
+    use super::{bench, compare, convert, failure::OK, list, monitor, montecarlo, output::print, plan, simulate};
     use clap::{Parser, Subcommand};
     use std::{io::Write, process::ExitCode};
 
@@ -78,6 +80,7 @@ Exit codes:
         Compare(compare::Arguments),
         Convert(convert::Arguments),
         Bench(bench::Arguments),
+        Monitor(monitor::Arguments),
     }
 
     pub(super) fn main() -> ExitCode {
@@ -93,6 +96,7 @@ Exit codes:
             Command::Compare(arguments) => compare::run(&arguments),
             Command::Convert(arguments) => convert::run(&arguments),
             Command::Bench(arguments) => bench::run(&arguments),
+            Command::Monitor(arguments) => monitor::run(&arguments),
         };
         match result.and_then(|text| print(&text)) {
             Ok(()) => OK.into(),

@@ -1,0 +1,81 @@
+//! Guided calibration.
+
+use super::wire::{Wire, hall, setup_in};
+use robovac_playground::{
+    app::link::{Calibration, Request},
+    geometry::difference,
+    sim::Conditions,
+};
+
+fn calibrate(wire: &mut Wire, what: Calibration) {
+    wire.ask(Request::Calibrate { what });
+    wire.pass_until(60.0, |wire| wire.view().calibration.unwrap().step != "moving");
+}
+
+fn armed(personality: &str) -> Wire {
+    let mut wire = Wire::new(&setup_in(&hall(), Conditions::default(), 1), personality);
+    wire.connect();
+    wire.arm();
+    wire
+}
+
+#[test]
+fn a_nudge_finds_swapped_encoders_and_odometry_is_right_after_it() {
+    for (personality, swapped) in [("model", false), ("swapped", true)] {
+        let mut wire = armed(personality);
+        let before = wire.pose().heading;
+        calibrate(&mut wire, Calibration::Nudge);
+        let turned = difference(before, wire.pose().heading).to_degrees();
+        assert!((8.0..13.0).contains(&turned), "{personality}: {turned}");
+        let view = wire.view().calibration.unwrap();
+        assert_eq!((view.step, view.asks), ("asking", "yes"));
+        wire.ask(Request::Answer { value: 1.0 });
+        let view = wire.view().calibration.unwrap();
+        assert_eq!((view.step, view.swapped), ("done", swapped), "{personality}");
+        let (before, believed) = (wire.pose().heading, wire.view().pose[2]);
+        calibrate(&mut wire, Calibration::Spin);
+        let (turned, thinks) = (difference(before, wire.pose().heading), difference(believed, wire.view().pose[2]));
+        assert!(difference(turned, thinks).abs() < 0.03, "{personality}: {turned} {thinks}");
+    }
+}
+
+#[test]
+fn spin_and_metre_move_as_they_say_and_take_the_answer() {
+    let mut wire = armed("model");
+    let before = wire.pose();
+    calibrate(&mut wire, Calibration::Spin);
+    assert!(difference(before.heading, wire.pose().heading).abs() < 0.06, "{} {}", before, wire.pose());
+    wire.ask(Request::Answer { value: 350.0 });
+    assert!((wire.view().calibration.unwrap().base_factor - 360.0 / 350.0).abs() < 1e-9);
+    let before = wire.pose();
+    calibrate(&mut wire, Calibration::Metre);
+    let went = (wire.pose().position() - before.position()).norm();
+    assert!((went - 1.0).abs() < 0.01, "{went}");
+    let refused = wire.link.request(wire.now, Request::Answer { value: 3.0 }).unwrap_err();
+    assert!(refused.to_string().contains("Measure again"), "{refused}");
+    wire.ask(Request::Answer { value: 1.02 });
+    assert!((wire.view().calibration.unwrap().distance_factor - 1.02).abs() < 1e-9);
+}
+
+#[test]
+fn a_broken_off_calibration_changes_nothing_and_says_so() {
+    let mut wire = armed("model");
+    wire.ask(Request::Calibrate { what: Calibration::Square });
+    wire.pass(2.0);
+    wire.ask(Request::Stop);
+    let view = wire.view().calibration.unwrap();
+    assert_eq!((view.step, view.distance_factor, view.base_factor), ("failed", 1.0, 1.0));
+    assert!(view.text.contains("nothing has changed"), "{}", view.text);
+    wire.pass(1.0);
+    assert!(!wire.is_rolling());
+    assert!(wire.link.request(wire.now, Request::Answer { value: 1.0 }).is_err());
+}
+
+#[test]
+fn a_stored_calibration_that_can_not_be_is_refused() {
+    let mut wire = armed("model");
+    let request = |base_factor| Request::UseCalibration { swapped: false, distance_factor: 1.0, base_factor };
+    assert!(wire.link.request(wire.now, request(f64::NAN)).is_err());
+    assert!(wire.link.request(wire.now, request(9.0)).is_err());
+    wire.ask(request(1.1));
+}

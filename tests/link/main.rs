@@ -1,0 +1,9 @@
+//! Driver and emulator at the two ends of a line.
+
+mod calibrating;
+mod diagnosis;
+mod noise;
+mod recording;
+mod rides;
+mod safety;
+mod wire;

@@ -1,0 +1,36 @@
+//! A session, recorded and played again.
+
+use super::wire::Wire;
+use robovac_playground::{
+    app::link::{Recording, Replay, Request},
+    sim::Input,
+};
+
+#[test]
+fn a_replay_shows_what_the_session_showed() {
+    let mut wire = Wire::armed();
+    let opened = wire.now;
+    wire.hold_ahead(2.0);
+    wire.ask(Request::Digits { text: "HI".into() });
+    wire.pass(0.5);
+    wire.robot.apply(Input::Lift);
+    wire.pass(1.0);
+    let (then, drop) = (wire.view(), wire.view().drop.unwrap());
+    let text = wire.link.recording();
+    assert!(text.starts_with("robovac-oi-recording 1\n0.0000 ! open\n"), "{}", &text[..80]);
+    assert!(wire.now > opened);
+    let mut replay = Replay::new(Recording::parse(&text).unwrap());
+    replay.advance(replay.duration_s());
+    let now = replay.view();
+    assert_eq!((now.phase, now.mode, &now.packets), (then.phase, then.mode, &then.packets));
+    assert_eq!(now.drop.as_ref().unwrap().text, drop.text);
+    assert_eq!(now.statistics.implausible, then.statistics.implausible);
+    let moved = |view: &robovac_playground::app::link::LinkView| view.distance_m;
+    assert!((moved(&now) - moved(&then)).abs() < 1e-9, "{} {}", now.distance_m, then.distance_m);
+    // Back and forth again.
+    replay.advance(1.0);
+    assert!(replay.view().distance_m < 0.01);
+    replay.advance(f64::INFINITY);
+    assert_eq!(replay.view().packets, then.packets);
+    assert!(!replay.view().can.arm && !replay.view().can.drive);
+}
