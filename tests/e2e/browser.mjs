@@ -20,7 +20,7 @@ const CONTENT_TYPES = {
   ".webmanifest": "application/manifest+json",
 };
 
-const CHROMIUM_FLAGS = [
+export const CHROMIUM_FLAGS = [
   "--no-sandbox",
   "--disable-gpu",
   "--disable-quic",

@@ -11,9 +11,6 @@ import { VirtualLine } from "./virtual.js";
 const TICK_MS = 10;
 const VIEW_TICKS = 5;
 
-/** How long the link may take to say goodbye to the robot, ms. */
-const GOODBYE_MS = 400;
-
 /** @type {Link} */
 let link;
 /** @type {Guest} */
@@ -129,15 +126,9 @@ async function open(target) {
 
 async function close() {
   if (!line) return;
-  if (line.view.state === "open") {
-    safely(() => link.request(now(), { do: "disconnect" }));
-    const late = now() + GOODBYE_MS / 1000;
-    while (!isBroken && now() < late && link.view(now()).phase !== "closed") await new Promise((later) => setTimeout(later, TICK_MS));
-  }
+  safely(() => link.request(now(), { do: "disconnect" }));
   const closing = line;
   await closing.close();
-  // Its time goes on until here.
-  safely(() => link.lost(now(), "Disconnected.", true));
   show();
   line = undefined;
   if (closing instanceof VirtualLine) closing.free();

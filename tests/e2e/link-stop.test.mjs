@@ -1,0 +1,106 @@
+// The robot stops when nobody is there any more: tabs closed, left, hidden or hung while it drives. LINK_ROUNDS=100 tries each
+// of them as often.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { noSerial, openDesk, openHidable } from "./serial/desk.mjs";
+import { Robot, lastStop, moves, now } from "./serial/robot.mjs";
+
+const skip = noSerial() || false;
+const ROUNDS = Number(process.env.LINK_ROUNDS ?? 5);
+const LIMIT_MS = 250;
+
+/** Waits for what may still come, and says how long after `since`, in seconds, the robot was told to stop. */
+async function stoppedAfter(robot, since) {
+  await new Promise((later) => setTimeout(later, 600));
+  const heard = robot.heard();
+  assert.ok(!moves(heard[0]), "the first command moved the robot");
+  assert.ok(heard.some(moves), "the robot wasn't moving");
+  return (lastStop(heard).time - since) * 1000;
+}
+
+function report(t, taken) {
+  const sorted = taken.toSorted((a, b) => a - b).map(Math.round);
+  t.diagnostic(`${taken.length} of ${ROUNDS} stopped: median ${sorted[sorted.length >> 1]} ms, longest ${sorted.at(-1)} ms`);
+  assert.ok(sorted.at(-1) <= LIMIT_MS, `stopped after ${sorted.at(-1)} ms`);
+}
+
+const WAYS = {
+  "the tab is closed": async ({ tab }) => {
+    const at = now();
+    await tab.close();
+    return at;
+  },
+  "the user goes elsewhere": async ({ tab, server }) => {
+    const at = now();
+    await tab.goto(`${server.url}elsewhere.html`);
+    return at;
+  },
+  "the page is reloaded": async ({ tab }) => {
+    const at = now();
+    await tab.reload();
+    return at;
+  },
+  "the page hangs": ({ tab }) =>
+    tab.evaluate(() => {
+      const at = Date.now();
+      while (Date.now() - at < 500);
+      return at / 1000;
+    }),
+};
+
+for (const [way, go] of Object.entries(WAYS)) {
+  test(`stops when ${way}`, { skip, timeout: 60_000 + 5000 * ROUNDS }, async (t) => {
+    const robot = await Robot.start(t);
+    const { desk: first, open } = await openDesk(t, { robot });
+    const taken = [];
+    for (let round = 0; round < ROUNDS; round++) {
+      robot.forget();
+      const desk = round === 0 ? first : await open();
+      await desk.connect();
+      await desk.arm();
+      await desk.drive();
+      taken.push(await stoppedAfter(robot, await go(desk)));
+      if (!desk.tab.isClosed()) await desk.tab.close();
+    }
+    report(t, taken);
+  });
+}
+
+test("stops when the tab is hidden, and stays so when it is shown again", { skip, timeout: 60_000 + 5000 * ROUNDS }, async (t) => {
+  const robot = await Robot.start(t);
+  const { openTab } = await openHidable(t, { robot });
+  const tab = await openTab("desk.html");
+  const other = await openTab("elsewhere.html");
+  const until = (condition) =>
+    tab.evaluate(`new Promise((done, fail) => {
+      const late = setTimeout(() => fail(new Error("waited in vain for " + ${JSON.stringify(condition)})), 15000);
+      const look = () => { try { if (${condition}) return clearTimeout(late), done(true); } catch {} setTimeout(look, 20); };
+      look();
+    })`);
+  await tab.show();
+  await until("connection && document.visibilityState === 'visible'");
+  await tab.evaluate("navigator.serial.getPorts().then(([port]) => connection.open({ kind: 'serial', port }))");
+  await tab.evaluate("document.addEventListener('visibilitychange', () => (window.hiddenAt = Date.now() / 1000), true)");
+  const taken = [];
+  for (let round = 0; round < ROUNDS; round++) {
+    await until("seen.view.phase === 'connected'");
+    await tab.evaluate("connection.request({ do: 'arm', full: false })");
+    await until("seen.view.can.drive");
+    robot.forget();
+    await tab.evaluate("window.stick = setInterval(() => connection.request({ do: 'drive', forward: 1, left: 0 }), 50), 0");
+    await until("seen.view.wheels[0] > 0");
+    await other.show();
+    await new Promise((later) => setTimeout(later, 100));
+    const at = await tab.evaluate("window.hiddenAt");
+    assert.equal(await tab.evaluate("document.visibilityState"), "hidden");
+    taken.push(await stoppedAfter(robot, at));
+    // The stick is still held.
+    await tab.show();
+    await until("document.visibilityState === 'visible'");
+    await new Promise((later) => setTimeout(later, 200));
+    lastStop(robot.heard());
+    assert.ok((await tab.evaluate("seen.view.mode")) === "Passive");
+    await tab.evaluate("clearInterval(stick)");
+  }
+  report(t, taken);
+});
