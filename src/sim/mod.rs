@@ -24,6 +24,7 @@ pub use input::Input;
 pub use life::Life;
 pub use noise::{Noise, NoiseLevel, SensorKind};
 pub use run::{Conditions, Run, RunSetup};
+pub use senses::Supply;
 pub use sim_robot::SimRobot;
 pub use slip::{Slip, SlipLevel};
 pub use touch::Touch;

@@ -8,6 +8,8 @@
 //! straight between and beyond, and down to 12 V, 1 V a cell, when empty (ours); other batteries have the same curve
 //! in proportion to their nominal voltage (ours). Stalled wheels draw another 10 W, brushes and wheels on carpet 5 W (ours).
 //!
+//! A [`Supply`] from outside - an interface that switches brushes and charger - takes the place of standing power and dock.
+//!
 //! Noise: at "typical" a standard deviation of 20 mV and 10 mA, so that a standing robot reads what is reported of it
 //! (-111 to -151 mA); at "harsh" 100 mV and 50 mA, and a worn battery whose gauge is off by up to 15 %, the same all
 //! the time.
@@ -32,6 +34,15 @@ const CARPET_W: f64 = 5.0;
 /// Temperature of the room, degrees Celsius, and of the battery above it for every watt, and how fast that comes, s.
 const WARMTH: (f64, f64, f64) = (22.0, 0.4, 900.0);
 
+/// What draws from a battery beside the wheels, and what flows into it, as decided outside of the simulation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Supply {
+    /// Electronics and cleaning motors, W.
+    pub standing_w: f64,
+    /// Current from a charger, mA. None flows out of the battery while there is any.
+    pub charge_ma: f64,
+}
+
 /// The battery of one robot.
 #[derive(Debug, Clone)]
 pub(super) struct Cells {
@@ -43,6 +54,7 @@ pub(super) struct Cells {
     power: f64,
     temperature: f64,
     on_dock: bool,
+    supply: Option<Supply>,
     /// Whether somebody changes it when it is empty.
     has_spares: bool,
     /// What the gauge reads, as a share of what is in it.
@@ -68,6 +80,7 @@ impl Cells {
             power: 0.0,
             temperature: WARMTH.0,
             on_dock: false,
+            supply: None,
             has_spares: spare_batteries,
             gauge: if is_worn { seeded(!seed, STREAM).random_range(0.85..1.15) } else { 1.0 },
             noise: [(0.0, 0.0), (20.0, 10.0), (100.0, 50.0)][level as usize],
@@ -82,18 +95,31 @@ impl Cells {
         self.charge <= 0.0
     }
 
+    /// Lets something outside decide over what is drawn and charged.
+    pub fn supply(&mut self, supply: Supply) {
+        self.supply = Some(supply);
+    }
+
+    fn volts(&self) -> f64 {
+        self.nominal * curve(self.charge / self.capacity)
+    }
+
     /// One step of drawing or charging.
     pub fn step(&mut self, model: &RobotModel, world: &World, carrier: &Carrier, on_dock: bool, is_stalled: bool) {
         self.on_dock = on_dock;
         let wheels = 0.5 * (carrier.speed.left.abs() + carrier.speed.right.abs()) + carrier.speed.lateral.abs();
-        self.power = if on_dock {
+        let charger = self.supply.map_or(0.0, |supply| supply.charge_ma);
+        self.power = if charger > 0.0 {
+            -1e-3 * charger * self.volts()
+        } else if on_dock && self.supply.is_none() {
             if self.charge < self.capacity { -1e-3 * model.battery.charge_ma * self.nominal } else { 0.0 }
         } else if self.is_empty() {
             0.0
         } else {
             let stalled = if is_stalled { STALLED_W } else { 0.0 };
             let carpet = if world.is_on_carpet(carrier.pose.position()) { CARPET_W } else { 0.0 };
-            model.power.standing + model.power.straight * (wheels / model.cruise_speed) + stalled + carpet
+            let standing = self.supply.map_or(model.power.standing, |supply| supply.standing_w);
+            standing + model.power.straight * (wheels / model.cruise_speed) + stalled + carpet
         };
         self.charge = (self.charge - self.power * STEP_S).clamp(0.0, self.capacity);
         if self.has_spares && self.is_empty() {
@@ -109,7 +135,7 @@ impl Cells {
             return;
         }
         let share = self.charge / self.capacity;
-        let volts = self.nominal * curve(share);
+        let volts = self.volts();
         let milliamps = -1000.0 * self.power / volts;
         sensors.battery = BatteryReading {
             charge_mah: math::floor((self.gauge * share * self.capacity_mah).min(self.capacity_mah) + 0.5) as u16,

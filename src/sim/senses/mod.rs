@@ -20,6 +20,7 @@ use crate::{
     robot::{Drive, RobotModel, Sensors},
 };
 use battery::Cells;
+pub use battery::Supply;
 use bumper::Switches;
 use cliff::Edges;
 use dirt::DirtSensor;
@@ -110,6 +111,11 @@ impl Senses {
     #[inline]
     pub fn is_empty(&self) -> bool {
         self.cells.is_empty()
+    }
+
+    /// Lets something outside decide over what is drawn from the battery and charged.
+    pub fn supply(&mut self, supply: Supply) {
+        self.cells.supply(supply);
     }
 
     /// Takes a new reading.
