@@ -24,6 +24,11 @@ function report(t, taken) {
   assert.ok(sorted.at(-1) <= LIMIT_MS, `stopped after ${sorted.at(-1)} ms`);
 }
 
+// A page that is left goes on until there is an answer from where it goes to.
+const noteLeaving = (tab) =>
+  tab.evaluate(() => addEventListener("pagehide", (event) => localStorage.setItem("left", String((performance.timeOrigin + event.timeStamp) / 1000)), true));
+const leftAt = async (tab) => Number(await tab.evaluate(() => localStorage.getItem("left")));
+
 const WAYS = {
   "the tab is closed": async ({ tab }) => {
     const at = now();
@@ -31,14 +36,17 @@ const WAYS = {
     return at;
   },
   "the user goes elsewhere": async ({ tab, server }) => {
-    const at = now();
+    await noteLeaving(tab);
     await tab.goto(`${server.url}elsewhere.html`);
+    const at = await leftAt(tab);
+    // Back again, whether or not the browser has kept the page.
+    await tab.goBack();
     return at;
   },
   "the page is reloaded": async ({ tab }) => {
-    const at = now();
+    await noteLeaving(tab);
     await tab.reload();
-    return at;
+    return leftAt(tab);
   },
   "the page hangs": ({ tab }) =>
     tab.evaluate(() => {
@@ -80,13 +88,13 @@ test("stops when the tab is hidden, and stays so when it is shown again", { skip
   await tab.show();
   await until("connection && document.visibilityState === 'visible'");
   await tab.evaluate("navigator.serial.getPorts().then(([port]) => connection.open({ kind: 'serial', port }))");
-  await tab.evaluate("document.addEventListener('visibilitychange', () => (window.hiddenAt = Date.now() / 1000), true)");
+  await tab.evaluate("document.addEventListener('visibilitychange', (event) => (window.hiddenAt = (performance.timeOrigin + event.timeStamp) / 1000), true)");
   const taken = [];
   for (let round = 0; round < ROUNDS; round++) {
     await until("seen.view.phase === 'connected'");
+    robot.forget();
     await tab.evaluate("connection.request({ do: 'arm', full: false })");
     await until("seen.view.can.drive");
-    robot.forget();
     await tab.evaluate("window.stick = setInterval(() => connection.request({ do: 'drive', forward: 1, left: 0 }), 50), 0");
     await until("seen.view.wheels[0] > 0");
     await other.show();

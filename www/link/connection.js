@@ -23,7 +23,10 @@ export class Connection {
   /** @type {(failure: Failure) => void} */
   onfailed = () => {};
 
+  #module;
+  /** @type {Worker} */
   #worker;
+  #isBroken = false;
   #beats = 0;
   #asked = 0;
   /** Who waits for which answer. @type {Map<number, (value: boolean | string) => void>} */
@@ -35,11 +38,25 @@ export class Connection {
 
   /** @param {WebAssembly.Module} module robot_bg.wasm, compiled */
   constructor(module) {
-    this.#worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
-    this.#worker.addEventListener("message", ({ data }) => this.#heard(data));
-    this.#worker.addEventListener("error", (event) => this.#broke(event.message || "the robot's worker could not be started"));
-    this.#tell({ type: "init", module });
+    this.#module = module;
+    this.#worker = this.#start();
     this.#release = watchPage((why) => this.#tell({ type: "leave", why }), () => this.#mayMove());
+  }
+
+  #start() {
+    const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
+    worker.addEventListener("message", ({ data }) => this.#heard(data));
+    worker.addEventListener("error", (event) => this.#broke(event.message || "it could not be started"));
+    this.#tell({ type: "init", module: this.#module }, worker);
+    return worker;
+  }
+
+  /** After an error of the program, the next connection has a worker of its own. */
+  #revive() {
+    if (!this.#isBroken) return;
+    this.#worker.terminate();
+    this.#isBroken = false;
+    this.#worker = this.#start();
   }
 
   /** Whether something is connected, or about to be. */
@@ -58,6 +75,7 @@ export class Connection {
       const known = target.kind === "serial" ? await choosePort(target.port) : target;
       if (!known) return false;
       if (this.isOpen) await this.close();
+      this.#revive();
       this.#beats = window.setInterval(() => this.#tell({ type: "beat" }), BEAT_MS);
       const opened = await this.#ask({ type: "open", id: 0, target: known });
       if (!opened) this.#rest();
@@ -77,6 +95,7 @@ export class Connection {
   /** Brings the worker's copy of room and settings up to date; to be done before a virtual robot and before a ride.
    * @param {import("./types").Followed} followed @returns {Promise<boolean>} */
   async follow(followed) {
+    this.#revive();
     return (await this.#ask({ type: "follow", id: 0, followed })) === true;
   }
 
@@ -115,14 +134,15 @@ export class Connection {
   }
 
   /** @param {import("./types").ToLink} message */
-  #tell(message) {
-    this.#worker.postMessage(message);
+  #tell(message, worker = this.#worker) {
+    worker.postMessage(message);
   }
 
   /** @param {Extract<import("./types").ToLink, { id: number }>} message @returns {Promise<boolean | string>} */
   #ask(message) {
     message.id = ++this.#asked;
     return new Promise((resolve) => {
+      if (this.#isBroken) return resolve(false);
       this.#waiting.set(message.id, resolve);
       this.#tell(message);
     });
@@ -146,10 +166,11 @@ export class Connection {
 
   /** Nothing will be answered any more. @param {string} [why] */
   #broke(why) {
+    this.#isBroken = true;
     this.#rest();
     for (const answered of this.#waiting.values()) answered(false);
     this.#waiting.clear();
-    if (why) this.onfailed({ kind: "broken", what: `The robot's part of this page failed: ${why}.`, remedy: "Reload the page." });
+    if (why) this.onfailed({ kind: "broken", what: `The part of this page that talks to robots failed: ${why}.`, remedy: "Connect again, or reload the page." });
   }
 
   #rest() {
@@ -161,6 +182,6 @@ export class Connection {
   #mayMove() {
     if (!this.isOpen) return false;
     const { mode, ride } = this.#view ?? { mode: "", ride: null };
-    return mode === "Safe" || mode === "Full" || ride !== null || performance.now() < this.#movesUntil;
+    return mode === "Safe" || mode === "Full" || ride?.done === false || performance.now() < this.#movesUntil;
   }
 }

@@ -26,13 +26,13 @@ export type CalibrationKind = "nudge" | "spin" | "metre" | "square";
 export type LinkView = {
   phase: "closed" | "diagnosing" | "waiting" | "connected" | "lost";
   diagnosis: {
-    step: "" | "listening" | "asking" | "waking" | "slow" | "create1" | "done";
-    finding: "" | "nothing" | "silence" | "stream" | "charging" | "booting" | "bootloader" | "garbage" | "text" | "robot";
+    step: "" | "listening" | "asking" | "waking" | "slow" | "create1" | "waiting" | "done";
+    finding: "" | "nothing" | "silence" | "stream" | "charging" | "booting" | "bootloader" | "garbage" | "text" | "no_stream" | "robot";
     text: string;
     remedy: string;
     log: string[];
   };
-  mode: "" | "Passive" | "Safe" | "Full";
+  mode: "" | "Off" | "Passive" | "Safe" | "Full";
   mode_offset: boolean;
   ride: RideView | null;
   /** Packets 7 to 58 as they are on the line, as unsigned numbers; empty before the first. */
@@ -59,8 +59,8 @@ export type RideView = {
   manual: boolean;
   blocked: [forward: string | null, left: string | null, right: string | null, backward: string | null];
   corner: number | null;
+  /** A ride that has come to its end is shown until the next one; `ended` says why, if it was ended. */
   done: boolean;
-  /** Why it was ended before it was done; "" if it wasn't. */
   ended: string;
 };
 
@@ -172,7 +172,7 @@ export type ConnectionView = LinkView & { transport: TransportView; virtual: Vir
  * - `mixed`: a page over https can't reach a bridge at ws://; `unreachable`: the bridge doesn't answer;
  * - `failed`: it couldn't be opened for another reason;
  * - `refused`: a request isn't possible now;
- * - `broken`: an error of the program; the robot was told to stop, and the connection is closed.
+ * - `broken`: an error of the program; the robot was told to stop, and the connection is closed. It can be opened anew.
  *
  * A chooser that the user dismisses is none of these: `open` just says `false`.
  */

@@ -70,12 +70,17 @@ function broke(error) {
   if (isBroken) return;
   isBroken = true;
   line?.write(STOP);
+  console.error(error);
   const said = error instanceof Error ? error.message : String(error);
-  tell({ type: "failed", failure: failure("broken", `An error in this program ended the connection (${said}). The robot was told to stop.`, "Watch whether it does. Then reload the page.") });
+  tell({ type: "failed", failure: failure("broken", `An error in this program ended the connection (${said}). The robot was told to stop.`, "Watch whether it does. Then connect again.") });
   void line?.close();
 }
 
-self.addEventListener("error", (event) => broke(event.error ?? event.message));
+self.addEventListener("error", (event) => {
+  // Told to the page here, and not once more by the browser.
+  event.preventDefault();
+  broke(event.error ?? event.message);
+});
 self.addEventListener("unhandledrejection", (event) => broke(event.reason));
 
 setInterval(() => {
@@ -91,7 +96,7 @@ function show() {
   if (isBroken || !line) return;
   try {
     const virtual = line instanceof VirtualLine ? line.look() : null;
-    tell({ type: "view", view: { ...link.view(now()), transport: structuredClone(line.view), virtual } });
+    tell({ type: "view", view: { ...link.view(now()), transport: line.view, virtual } });
     const traffic = link.take_traffic();
     if (traffic.length) tell({ type: "traffic", traffic });
     const trace = link.take_trace();
@@ -182,7 +187,7 @@ self.addEventListener("message", async (/** @type {MessageEvent<import("./types"
     return markReady();
   }
   await ready;
-  if (message.type === "beat") safely(() => link.beat(now()));
+  if (message.type === "beat") link.beat(now());
   else if (message.type === "leave") safely(() => link.leave(now(), message.why));
   else if (message.type === "virtual") safely(() => line instanceof VirtualLine && line.touch(message.touch));
   else {

@@ -42,13 +42,16 @@ export async function launch(executable, { flags = [], env = {} } = {}) {
 async function openTab(send, url) {
   const { targetId } = await send("Target.createTarget", { url });
   const { sessionId } = await send("Target.attachToTarget", { targetId, flatten: true });
+  const evaluate = async (expression) => {
+    const { result, exceptionDetails } = await send("Runtime.evaluate", { expression, awaitPromise: true, returnByValue: true }, sessionId);
+    if (exceptionDetails) throw new Error(exceptionDetails.exception?.description ?? exceptionDetails.text);
+    return result.value;
+  };
+  // The empty page that a tab begins with is not the one.
+  while ((await evaluate("location.href + document.readyState").catch(() => "")) !== `${url}complete`) await new Promise((later) => setTimeout(later, 20));
   return {
     /** What an expression, or a promise of it, comes to. */
-    async evaluate(expression) {
-      const { result, exceptionDetails } = await send("Runtime.evaluate", { expression, awaitPromise: true, returnByValue: true }, sessionId);
-      if (exceptionDetails) throw new Error(exceptionDetails.exception?.description ?? exceptionDetails.text);
-      return result.value;
-    },
+    evaluate,
     show: () => send("Target.activateTarget", { targetId }),
     close: () => send("Target.closeTarget", { targetId }),
   };
