@@ -47,8 +47,8 @@ pub struct LiveMap {
     /// What it felt last: a mark is left when that begins.
     felt: u8,
     planned: Vec<Point>,
-    /// Grows with everything that is replaced.
-    version: u64,
+    /// Grow with every paper, every way that begins anew, and every planned line.
+    versions: [u64; 3],
     dark: bool,
     is_lifted: bool,
     has_changed: bool,
@@ -79,7 +79,7 @@ impl LiveMap {
             marks: Vec::new(),
             felt: 0,
             planned: Vec::new(),
-            version: 0,
+            versions: [0; 3],
             dark: false,
             is_lifted: false,
             has_changed: true,
@@ -104,7 +104,7 @@ impl LiveMap {
         self.marks.clear();
         self.felt = 0;
         self.tracker = self.paper.floor.as_ref().map(CoverageTracker::new);
-        self.version += 1;
+        self.versions[1] += 1;
         self.has_changed = true;
     }
 
@@ -160,7 +160,7 @@ impl LiveMap {
     /// The line that it is to drive: corners in the room, x and y in turn, m.
     pub fn set_planned(&mut self, corners: &[f64]) {
         self.planned = corners.as_chunks().0.iter().map(|&[x, y]| Point::new(x, y)).collect();
-        self.version += 1;
+        self.versions[2] += 1;
         self.has_changed = true;
     }
 
@@ -252,13 +252,13 @@ impl LiveMap {
         let planned: Vec<Point> = self.planned.iter().map(|&corner| corner + shift).collect();
         let known = self.paper.is_known;
         let scene = Scene {
-            plan_version: self.version,
+            plan_version: self.versions[0],
             floor: self.paper.floor.as_ref().filter(|_| known),
             tracker: self.tracker.as_ref(),
-            run_version: self.version,
+            run_version: self.versions[1],
             dirty_rows,
             planned: &planned,
-            planned_version: self.version,
+            planned_version: self.versions[2],
             trail: &self.trail,
             robot: view,
             start: self.paper.start().filter(|_| known).map(on_paper),
@@ -323,7 +323,7 @@ impl LiveMap {
     fn spread(&mut self) {
         self.tracker = self.paper.floor.as_ref().map(CoverageTracker::new);
         self.viewport.set_room(self.paper.plan.width_m(), self.paper.plan.height_m());
-        self.version += 1;
+        self.versions = self.versions.map(|version| version + 1);
         self.has_changed = true;
         self.trail.clear();
         for place in std::mem::take(&mut self.places) {

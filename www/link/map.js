@@ -28,10 +28,17 @@ export function startMap(it) {
     choice.value = value;
     setText(byId("link-room-note"), isKnown() ? it.room.guest.complaint() || "Change it in Explore." : "What it sweeps and feels is drawn as it goes.");
   };
+  /** What the map shows of rooms, to tell when that is another one. */
+  let drawn = "";
   /** Begins anew where the robot stands now. @param {ConnectionView} view */
   const begin = (view) => {
     offer();
-    map.begin(it.room.guest, isKnown());
+    const room = `${choice.value} ${it.room.version()}`;
+    if (room === drawn) {
+      map.wipe();
+      map.set_planned([]);
+    } else map.begin(it.room.guest, isKnown());
+    drawn = room;
     place(view);
   };
   /** Where its beliefs begin: where it stands, as far as that is known. @param {ConnectionView} view */

@@ -92,6 +92,7 @@ export function startRobot(app, module, guard) {
   connection.ontraffic = traffic.take;
   connection.onfailed = ({ what, remedy }) => complain(remedy ? `${what} ${remedy}` : what);
 
+  show(CLOSED);
   let wasHere = false;
   return {
     /** Once a frame while the place is shown. @param {number} now */
@@ -106,7 +107,7 @@ export function startRobot(app, module, guard) {
       traffic.update();
       if (isFresh) {
         isFresh = false;
-        for (const update of [...updates, ...it.onview, drive.update, ride.update, it.hand.update, it.live.update]) update(it.view);
+        for (const update of [...updates, ...it.onview, drive.update, ride.update, it.hand.update]) update(it.view);
       }
       wasHere = place() === "robot";
       return { message: it.view.notice?.text ?? "", message_kind: it.view.notice?.kind ?? "" };

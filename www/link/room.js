@@ -64,6 +64,8 @@ export function startRoom({ playground, catalogue }) {
       follow();
     },
     followed,
+    /** Says which room it is. */
+    version: () => `${taken.version} ${room(taken.link)}`,
   };
 }
 

@@ -53,8 +53,7 @@ export function doing(view) {
   if (phase === "lost" || transport.state === "lost") return ["Connection lost", transport.text];
   if (calibration?.step === "moving") return ["Calibrating", calibration.text];
   if (ride && goesOn(ride)) return [ride.manual ? "You drive" : ride.title, ride.manual ? "" : ride.activity];
-  if (ride?.done && !ride.manual) return [`${ride.title}: done`, ""];
-  if (ride?.ended && !ride.manual) return [`${ride.title}: ended`, ride.ended];
+  if (ride && !ride.manual && (ride.ended || ride.done)) return [`${ride.title}: ${ride.ended ? "ended" : "done"}`, ride.ended];
   if (mode === "Passive") return ["Watching", "take control to drive"];
   return ["Ready", `${mode}: drive, or let an algorithm`];
 }
