@@ -7,10 +7,12 @@ import { openPage } from "./harness.mjs";
 
 const PHONE = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, isMobile: true, hasTouch: true };
 const LAPTOP = { viewport: { width: 1440, height: 900 } };
+/** For what drives: the page must not be slow to paint, or else its robot is stopped. */
+const SMALL = { viewport: { width: 1000, height: 640 } };
 
 /** The place Robot, nothing connected. */
 async function openRobot(t, { link = "room=empty&behaviour=bounce", ...options } = {}) {
-  const opened = await openPage(t, { address: `#${link}&robot=roomba600&place=robot`, ...LAPTOP, ...options });
+  const opened = await openPage(t, { address: `#${link}&robot=roomba600&place=robot`, ...SMALL, ...options });
   const { page } = opened;
   const app = new App(page);
   await page.locator("body[data-place=robot][data-boot=ready]").waitFor();
@@ -122,6 +124,19 @@ test("lets a behaviour drive, and Stop ends it for good", async (t) => {
   await page.keyboard.press("Enter");
   await robot.drives(await robot.distance());
   await page.keyboard.press("Escape");
+  await robot.rests();
+});
+
+test("stops when one leaves the place", async (t) => {
+  const { page, robot } = await openRobot(t);
+  await robot.connect();
+  await robot.arm();
+  await page.locator("#link-go").click();
+  await robot.drives(0.2);
+  await page.locator("#tab-compare").click();
+  await page.locator("body[data-place=compare]").waitFor();
+  await page.waitForTimeout(300);
+  await page.locator("#tab-robot").click();
   await robot.rests();
 });
 
@@ -305,7 +320,7 @@ test("fits a phone, where the stop is over everything", async (t) => {
 
 test("fits a laptop without scrolling, in light and dark", async (t) => {
   for (const colorScheme of ["light", "dark"]) {
-    const { page, robot, screenshot } = await openRobot(t, { colorScheme });
+    const { page, robot, screenshot } = await openRobot(t, { ...LAPTOP, colorScheme });
     await robot.connect();
     await page.locator("#link-tools-open").click();
     assert.deepEqual(await overflow(page), [0, 0]);

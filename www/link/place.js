@@ -18,7 +18,7 @@ import { startRide } from "./ride.js";
 import { startRoom } from "./room.js";
 import { startSensors } from "./sensors.js";
 import { startSongs } from "./songs.js";
-import { CLOSED, isOpen } from "./view.js";
+import { CLOSED, isMoving, isOpen } from "./view.js";
 import { startVirtual } from "./hand.js";
 
 /**
@@ -94,6 +94,14 @@ export function startRobot(app, module, guard) {
 
   show(CLOSED);
   let wasHere = false;
+  // Elsewhere nothing stops it: it doesn't drive on.
+  new MutationObserver(() => {
+    if (place() === "robot") return;
+    wasHere = false;
+    it.halt();
+    if (isMoving(it.view)) void it.request({ do: "stop" });
+  }).observe(byId("place-robot"), { attributes: true, attributeFilter: ["hidden"] });
+
   return {
     /** Once a frame while the place is shown. @param {number} now */
     frame(now) {
@@ -109,7 +117,6 @@ export function startRobot(app, module, guard) {
         isFresh = false;
         for (const update of [...updates, ...it.onview, drive.update, ride.update, it.hand.update]) update(it.view);
       }
-      wasHere = place() === "robot";
       return { message: it.view.notice?.text ?? "", message_kind: it.view.notice?.kind ?? "" };
     },
     /** @param {string} key */
