@@ -71,7 +71,7 @@ fn difference(content: &[u8], frames: &HashSet<Vec<u8>>) -> String {
     let differences = |frame: &Vec<u8>| frame.iter().zip(content).filter(|(a, b)| a != b).count();
     let Some(nearest) = frames.iter().min_by_key(|frame| differences(frame)) else { return String::new() };
     let places = nearest.iter().zip(content).enumerate().filter(|(_, (a, b))| a != b);
-    places.map(|(at, (a, b))| format!("{at}: {b} for {a}, ")).collect()
+    places.map(|(at, (a, b))| format!("{at}: {b} for {a}")).collect::<Vec<_>>().join(", ")
 }
 
 #[test]
