@@ -16,7 +16,7 @@ async function openFake(t, { ports = [FTDI], robots = 1, personality = [], choos
   const all = [];
   for (let number = 0; number < robots; number++) all.push(await Robot.start(t, ...personality));
   const bus = await startBus(t, all, options);
-  const { desk } = await openDesk(t, { also: fakeFiles({ bus: bus.url, ports, chooses }) });
+  const { desk } = await openDesk(t, { extra: fakeFiles({ bus: bus.url, ports, chooses }) });
   return { desk, bus, robots: all, robot: all[0] };
 }
 
@@ -123,8 +123,8 @@ test("an error in the program stops the robot and says so", { skip }, async (t) 
       return seen;
     };`;
   const program = fs.readFileSync(path.join(DIST, "robot.js"), "utf8");
-  const also = { ...fakeFiles({ bus: bus.url, ports: [FTDI], chooses: 0 }), "/robot.js": `${program}\n${sabotage}` };
-  const { desk } = await openDesk(t, { also, allow: [/sabotage/] });
+  const extra = { ...fakeFiles({ bus: bus.url, ports: [FTDI], chooses: 0 }), "/robot.js": `${program}\n${sabotage}` };
+  const { desk } = await openDesk(t, { extra, allow: [/sabotage/] });
   await desk.connect();
   await desk.arm();
   await desk.drive();

@@ -10,8 +10,9 @@ import { ROOT } from "../browser.mjs";
 export const now = () => (performance.timeOrigin + performance.now()) / 1000;
 
 let program;
-/** The native program, built if it isn't. */
+/** The native program: $ROBOVAC, or built if it isn't. */
 function robovac() {
+  program ??= process.env.ROBOVAC;
   if (!program) {
     execFileSync("cargo", ["build", "--locked", "--quiet", "--bin", "robovac"], { cwd: ROOT, stdio: ["ignore", "ignore", "inherit"] });
     program = path.join(process.env.CARGO_TARGET_DIR ?? path.join(ROOT, "target"), "debug/robovac");
