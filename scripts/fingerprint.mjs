@@ -8,11 +8,11 @@ import { filesBelow, rewriteReferences } from "./references.mjs";
 
 const page = path.resolve(process.env.TRUNK_STAGING_DIR ?? "dist");
 
-// Declarations are for the type check, not for the web.
+// Declarations are for the type check, not for the web. Those of www/ are found where they are.
 const types = path.resolve("target/types");
 fs.mkdirSync(types, { recursive: true });
 for (const file of filesBelow(page).filter((name) => name.endsWith(".d.ts"))) {
-  fs.copyFileSync(file, path.join(types, path.basename(file)));
+  if (path.dirname(file) === page) fs.copyFileSync(file, path.join(types, path.basename(file)));
   fs.rmSync(file);
 }
 

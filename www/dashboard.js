@@ -33,7 +33,7 @@ export function startDashboard(app) {
   /** @param {Robot} robot */
   const build = (robot) => {
     const { svg, show } = portrait(robot);
-    const rows = [flags(robot), ...(robot.cliffs.some(Boolean) ? [cliffs(robot)] : []), ...(robot.gauge ? [battery()] : []), ...(robot.infrared ? [infrared()] : []), wheels(robot), dirt()];
+    const rows = instruments(robot);
     const laser = robot.laser.length > 0 ? scanPlot(robot) : undefined;
     board.replaceChildren(svg, ...(laser ? [laser.node] : []), ...rows.map(({ node }) => node));
     parts = [show, ...rows.map((row) => row.show)];
@@ -57,6 +57,11 @@ export function startDashboard(app) {
   };
 }
 
+/** What there is to be shown of its sensors, beside its portrait. @param {Robot} robot @returns {Part[]} */
+export function instruments(robot) {
+  return [flags(robot), ...(robot.cliffs.some(Boolean) ? [cliffs(robot)] : []), ...(robot.gauge ? [battery()] : []), ...(robot.infrared ? [infrared()] : []), wheels(robot), dirt()];
+}
+
 /** @param {import("./types").View} view */
 function doing({ activity, is_lifted, state, kind }) {
   if (is_lifted) return "In your hand";
@@ -64,8 +69,8 @@ function doing({ activity, is_lifted, state, kind }) {
   return state === "finished" ? "Done" : text.charAt(0).toUpperCase() + text.slice(1);
 }
 
-/** @param {string} name @param {string} tip @param {...Node} values */
-const row = (name, tip, ...values) => make("div", { className: "reading", "data-tip": tip }, make("button", { type: "button", className: "term" }, name), ...values);
+/** A value with its definition. @param {string} name @param {string} tip @param {...Node} values */
+export const row = (name, tip, ...values) => make("div", { className: "reading", "data-tip": tip }, make("button", { type: "button", className: "term" }, name), ...values);
 
 /** Yes or no, lit if yes. @param {Robot} robot @returns {Part} */
 function flags(robot) {

@@ -34,6 +34,7 @@ export function startKeys(app) {
 
 /** Ctrl or Cmd and a key. @param {App} app @param {KeyboardEvent} event */
 function withControl({ act, view }, event) {
+  if (place() === "robot") return false;
   const key = event.key.toLowerCase();
   if (key === "y" || (key === "z" && event.shiftKey)) return view.can.redo && act((p) => p.redo());
   return key === "z" && view.can.undo && act((p) => p.undo());
@@ -49,7 +50,7 @@ function single(app, event, target, dialog) {
     dialog.showModal();
     return true;
   }
-  if (place() === "compare") return app.compareKey(key);
+  if (place() !== "explore") return app.placeKey(key);
   const tool = TOOLS[key];
   if (tool) return (tool === "view" || view.can.edit) && act((p) => p.set_tool(tool));
   switch (key) {

@@ -32,7 +32,7 @@ import { compile, missing } from "./wasm.js";
  * @property {(files: { name: string, bytes: Uint8Array }[]) => Promise<boolean>} takeFiles Reads a map and takes it; says whether it worked.
  * @property {() => void} cancelPlanning
  * @property {() => string} link What leads back to what is shown, behind `#`.
- * @property {(key: string) => boolean} compareKey A single key while comparing; says whether it was used.
+ * @property {(key: string) => boolean} placeKey A single key in another place; says whether it was used.
  */
 
 /** @param {unknown} error */
@@ -91,8 +91,8 @@ async function start() {
       planning.cancel();
       app.act((p) => p.cancel_plan());
     },
-    link: () => (compare && place() === "compare" ? `${playground.link()}&${compare.link()}` : playground.link()),
-    compareKey: (key) => compare?.key(key) ?? false,
+    link: () => [playground.link(), ...(here() ? [here()?.link()] : [])].join("&"),
+    placeKey: (key) => here()?.key(key) ?? false,
   };
   const planning = new Planning({
     progress: (id, done, cells) => guard(() => playground.plan_progress(id, done, cells)),
@@ -100,27 +100,40 @@ async function start() {
     failed: (id, message) => guard(() => playground.plan_failed(id, message)),
   });
 
-  /** There once one has been there. @type {ReturnType<typeof import("./compare.js").startCompare> | undefined} */
-  let compare;
-  /** @type {Promise<NonNullable<typeof compare>> | undefined} */
-  let loading;
+  /**
+   * A place that is loaded when one first goes there. Its `frame` may say what is to be told there.
+   * @typedef {{ frame(now: number): { message: string, message_kind: string } | void, key(key: string): boolean, link(): string, restore(link: string): void, setDark(dark: boolean): void }} Other
+   * @type {Record<string, () => Promise<Other>>}
+   */
+  const doors = {
+    compare: () => import("./enter-compare.js").then(({ enterCompare }) => enterCompare(app, guard)),
+    robot: () => import("./link/enter.js").then(({ enterRobot }) => enterRobot(app, guard)),
+  };
+  /** @type {Record<string, Other>} */
+  const others = {};
+  const here = () => others[place()];
   let isDark = false;
   /** Where one wants to be; what the place needs may still have to be loaded. */
   let wanted = place();
   /** @param {import("./places.js").Place} next */
   const enter = async (next) => {
     wanted = next;
-    if (next === "compare" && !compare) {
-      const tab = byId("tab-compare");
+    const door = doors[next];
+    if (door && !others[next]) {
+      const tab = byId(`tab-${next}`);
       tab.setAttribute("aria-busy", "true");
       try {
-        loading ??= import("./enter-compare.js").then(({ enterCompare }) => enterCompare(app, guard));
-        compare = await loading;
-        compare.setDark(isDark);
+        // Asked for twice, it is on its way already.
+        const coming = door();
+        doors[next] = () => coming;
+        others[next] = await coming.catch((error) => {
+          doors[next] = door;
+          throw error;
+        });
+        others[next].setDark(isDark);
       } catch (error) {
-        loading = undefined;
         console.warn(error);
-        complain("Compare could not be loaded. Check the connection, then try again.");
+        complain(`${tab.textContent} could not be loaded. Check the connection, then try again.`);
         return;
       } finally {
         tab.removeAttribute("aria-busy");
@@ -141,13 +154,13 @@ async function start() {
     await restoreLink(app, link);
     await enter(placeOf(link));
     following -= 1;
-    if (place() === "compare") compare?.restore(link);
+    here()?.restore(link);
   };
   startTheme((dark) =>
     guard(() => {
       isDark = dark;
       playground.set_dark(dark);
-      compare?.setDark(dark);
+      for (const other of Object.values(others)) other.setDark(dark);
     }),
   );
   await restore(location.href);
@@ -174,11 +187,8 @@ async function start() {
         playground.frame(now);
       }
       const view = (app.view = playground.view());
-      if (compare && place() === "compare") {
-        compare.frame(now);
-        updateMessage(view);
-        return;
-      }
+      const other = here();
+      if (other) return updateMessage(other.frame(now) ?? view);
       updateView(app);
       for (const update of updates) update(view);
     });
@@ -207,7 +217,7 @@ function keepLink(link) {
 async function boot() {
   startMessages();
   startTips();
-  startSheets();
+  startSheets(byId("place-explore"), byId("floor"));
   const lack = missing();
   if (lack) {
     startTheme(() => {});

@@ -1,6 +1,7 @@
 // @ts-check
 // What went wrong and what to do: the message bar, the fatal cover, the short confirmation.
 import { button, byId, setAttribute, setHidden, setText } from "./dom.js";
+import { place } from "./places.js";
 
 let local = "";
 let dismissed = "";
@@ -22,7 +23,7 @@ export function forgive() {
   local = "";
 }
 
-/** Shows ours, or else what the session says. @param {import("./types").View} view */
+/** Shows ours, or else what the session says. @param {{ message: string, message_kind: string }} view */
 export function updateMessage(view) {
   const text = local || view.message;
   const isError = local !== "" || view.message_kind === "error";
@@ -39,7 +40,7 @@ export function startMessages() {
     dismissed = byId("message-text").textContent ?? "";
     local = "";
     const floor = byId("floor");
-    (floor.checkVisibility() ? floor : byId("view-race")).focus();
+    (floor.checkVisibility() ? floor : byId(`tab-${place()}`)).focus();
   });
   button("cover-reload").addEventListener("click", () => location.reload());
 }

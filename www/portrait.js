@@ -39,14 +39,14 @@ const polar = (r, angle) => /** @type {const} */ ([-r * Math.sin(angle), -r * Ma
 /** @param {number} value */
 const round = (value) => Math.round(value * 100) / 100;
 
-/** @param {Robot} robot @returns {Portrait} */
-export function portrait(robot) {
+/** @param {Robot} robot @param {string} id Told apart from those of other portraits. @returns {Portrait} */
+export function portrait(robot, id = "portrait") {
   const hasLight = robot.light.length > 0;
   const top = hasLight ? -NUMBERS - 12 : -RADIUS - 14;
   const svg = draw("svg", { viewBox: `-140 ${top} 280 ${RADIUS + 12 - top}`, class: "portrait", role: "img" });
   /** @type {((of: Reading) => void)[]} */
   const parts = [];
-  if (robot.bumper > 0) bumper(svg, robot, parts);
+  if (robot.bumper > 0) bumper(svg, robot, parts, id);
   body(svg, robot, parts);
   robot.light.forEach((angle, index) => bar(svg, angle, index, parts));
   for (const index of cliffSensors(robot)) cliff(svg, robot.cliffs[index] ?? [0, 0], index, parts);
@@ -88,15 +88,15 @@ function outline(svg, robot) {
   return draw("polygon", { points: robot.body.map(([x, y]) => at(x, y).map(round).join()).join(" ") }, svg);
 }
 
-/** A rim around the front that the body hides the inner half of. @param {SVGElement} svg @param {Robot} robot @param {((of: Reading) => void)[]} parts */
-function bumper(svg, robot, parts) {
+/** A rim around the front that the body hides the inner half of. @param {SVGElement} svg @param {Robot} robot @param {((of: Reading) => void)[]} parts @param {string} id */
+function bumper(svg, robot, parts, id) {
   for (const [side, name] of /** @type {[number, string][]} */ ([[1, "bump_left"], [-1, "bump_right"]])) {
-    const clip = draw("clipPath", { id: `portrait-${name}` }, svg);
+    const clip = draw("clipPath", { id: `${id}-${name}` }, svg);
     // Far outside the body, so that the straight sides of the wedge hold it.
     const corners = [0.03, 0.25, 0.5, 0.75, 1].map((share) => polar(4 * RADIUS, side * Math.max(0.03, share * robot.bumper)));
     draw("polygon", { points: `0,0 ${corners.map((corner) => corner.map(round).join()).join(" ")}` }, clip);
     const rim = outline(svg, robot);
-    rim.setAttribute("clip-path", `url(#portrait-${name})`);
+    rim.setAttribute("clip-path", `url(#${id}-${name})`);
     parts.push((of) => setAttribute(rim, "class", of(name) ? "bumper on" : "bumper"));
   }
 }

@@ -2,8 +2,9 @@
 // On a small screen the panels are sheets over the floor, one at a time.
 import { byId } from "./dom.js";
 
-export function startSheets() {
-  const openers = [...document.querySelectorAll("button[data-sheet]")];
+/** @param {ParentNode} root The place whose panels they are. @param {HTMLElement} floor */
+export function startSheets(root, floor) {
+  const openers = [...root.querySelectorAll("button[data-sheet]")];
 
   /** @param {string} name The sheet to show, "" for none. */
   const open = (name) => {
@@ -32,9 +33,9 @@ export function startSheets() {
       if (name) byId(name).querySelector("button")?.focus();
     });
   }
-  for (const button of document.querySelectorAll(".sheet-close")) button.addEventListener("click", close);
+  for (const button of root.querySelectorAll(".sheet-close")) button.addEventListener("click", close);
   document.addEventListener("keydown", (event) => {
     if (event.key === "Escape" && current()) close();
   });
-  byId("floor").addEventListener("pointerdown", () => open(""));
+  floor.addEventListener("pointerdown", () => open(""));
 }

@@ -1,6 +1,10 @@
 //! The playground's session as the comparisons' module sees it: a copy that follows the original.
 
+#[cfg(feature = "robot")]
+use super::{request, walk};
 use crate::app::{Import, Session};
+#[cfg(feature = "robot")]
+use crate::{app::Answer, planner::CoveragePath};
 use wasm_bindgen::prelude::*;
 
 /// A copy of the playground's room and settings, kept up to date by links and scenario files.
@@ -36,6 +40,42 @@ impl Guest {
         self.session.forget_changes();
         (self.link, self.room_version) = (link.to_owned(), room_version);
         Ok(())
+    }
+}
+
+#[cfg(feature = "robot")]
+#[wasm_bindgen]
+impl Guest {
+    /// What the algorithm that is chosen has to plan, once; pass it to `plan` in a worker. Nothing for a behaviour, and for
+    /// what is planned already.
+    pub fn take_plan_request(&mut self) -> Result<JsValue, JsValue> {
+        let request = self.session.take_plan_request();
+        request.map_or(Ok(JsValue::UNDEFINED), |request| request::request_to_js(&request))
+    }
+
+    /// The worker is done. Throws a sentence for users if its plan can't be driven.
+    pub fn plan_finished(&mut self, id: u32, cells: &[u32], seconds: f64) -> Result<(), JsValue> {
+        let path = CoveragePath { cells: walk::cells(cells) };
+        self.session.plan_finished(id, Answer { path, seconds, trace: Vec::new() });
+        if self.session.planned().is_some() { Ok(()) } else { Err(self.session.view().message.into()) }
+    }
+
+    /// Corners of the line that was planned, x and y in turn, m; none if there is no plan.
+    pub fn corners(&self) -> Vec<f64> {
+        self.session.planned().map_or(Vec::new(), |planned| planned.line.iter().flat_map(|p| [p.x, p.y]).collect())
+    }
+
+    /// Where the robot starts: x, y in m and heading in rad; nothing if it doesn't fit in.
+    pub fn start(&self) -> Vec<f64> {
+        self.session.prepared().map_or(Vec::new(), |prepared| {
+            let start = prepared.floor.start;
+            vec![start.x, start.y, start.heading]
+        })
+    }
+
+    /// What is wrong with the room for this robot, as a sentence for users; empty if nothing.
+    pub fn complaint(&self) -> String {
+        if self.session.prepared().is_some() { String::new() } else { self.session.view().message }
     }
 }
 

@@ -41,7 +41,7 @@ mod plan_job;
 mod playground;
 #[cfg(feature = "robot")]
 mod replay;
-#[cfg(any(feature = "page", feature = "workshop"))]
+#[cfg(any(feature = "page", feature = "robot", feature = "workshop"))]
 mod request;
 #[cfg(any(feature = "page", feature = "compare", feature = "robot"))]
 mod robot;
@@ -55,7 +55,6 @@ mod sensed;
 mod trial;
 #[cfg(feature = "robot")]
 mod virtual_robot;
-#[cfg(any(feature = "page", feature = "compare", feature = "workshop"))]
 mod walk;
 
 #[cfg(feature = "workshop")]

@@ -26,7 +26,7 @@ struct WireRequest {
 }
 
 /// The request as a JavaScript object with its free cells in `free`.
-#[cfg(feature = "page")]
+#[cfg(any(feature = "page", feature = "robot"))]
 pub(super) fn request_to_js(request: &PlanRequest) -> Result<JsValue, JsValue> {
     let job = &request.job;
     let wire = WireRequest {

@@ -20,7 +20,7 @@ const CONTENT_TYPES = {
   ".webmanifest": "application/manifest+json",
 };
 
-const CHROMIUM_FLAGS = [
+export const CHROMIUM_FLAGS = [
   "--no-sandbox",
   "--disable-gpu",
   "--disable-quic",
@@ -34,9 +34,10 @@ const CHROMIUM_FLAGS = [
 /**
  * Serves `folder` below `mount` (such as "/some/sub/path/") on a free port; anything outside of `mount` is not found, so a
  * page that assumes to live at the root fails.
- * `requests` lists the addresses asked for, in order, with their query.
+ * `requests` lists the addresses asked for, in order, with their query. `also` has files that are served besides, or instead:
+ * text by its address, without query.
  */
-export async function serveFolder(folder, { mount = "/", headers = {} } = {}) {
+export async function serveFolder(folder, { mount = "/", headers = {}, also = {} } = {}) {
   const requests = [];
   const server = http.createServer((request, response) => {
     // Browsers ask for this on their own account.
@@ -47,12 +48,16 @@ export async function serveFolder(folder, { mount = "/", headers = {} } = {}) {
     requests.push(request.url);
     const address = decodeURIComponent(new URL(request.url, "http://host").pathname);
     const file = path.join(folder, address.slice(mount.length).replace(/(^|\/)$/, "$1index.html"));
+    const type = CONTENT_TYPES[path.extname(file)] ?? "application/octet-stream";
+    if (Object.hasOwn(also, address)) {
+      response.writeHead(200, { "content-type": type, "cache-control": "no-cache", ...headers }).end(also[address]);
+      return;
+    }
     const inside = address.startsWith(mount) && file.startsWith(folder + path.sep);
     if (!inside || !fs.statSync(file, { throwIfNoEntry: false })?.isFile()) {
       response.writeHead(404, { "content-type": "text/plain" }).end("not found");
       return;
     }
-    const type = CONTENT_TYPES[path.extname(file)] ?? "application/octet-stream";
     response.writeHead(200, { "content-type": type, "cache-control": "no-cache", ...headers });
     fs.createReadStream(file).pipe(response);
   });
@@ -67,7 +72,7 @@ export async function serveFolder(folder, { mount = "/", headers = {} } = {}) {
   };
 }
 
-function chromiumPath() {
+export function chromiumPath() {
   if (process.env.CHROMIUM) return process.env.CHROMIUM;
   const names = "chromium chromium-browser google-chrome google-chrome-stable";
   return execFileSync("sh", ["-c", `for name in ${names}; do command -v $name && exit; done; exit 1`], { encoding: "utf8" }).trim();

@@ -1,7 +1,7 @@
 //! What is found out about every kind of robot.
 
 use super::wire::{Wire, hall, moves, setup_in};
-use robovac_playground::{oi::emulator::PERSONALITIES, sim::Conditions};
+use robovac_playground::{app::link::Request, oi::emulator::PERSONALITIES, sim::Conditions};
 
 fn opened(personality: &str, seconds: f64) -> Wire {
     let mut wire = Wire::new(&setup_in(&hall(), Conditions::default(), 1), personality);
@@ -69,8 +69,11 @@ fn a_slow_robot_is_found_at_19200_with_what_fits_into_its_slot() {
 
 #[test]
 fn a_bootloader_and_a_silent_line_are_told_apart() {
-    let mut wire = opened("bootloader", 20.0);
-    assert_eq!(wire.view().diagnosis.finding, "bootloader", "{:?}", wire.view());
+    let mut wire = opened("bootloader", 2.0);
+    wire.ask(Request::Identify);
+    wire.pass(20.0);
+    let view = wire.view();
+    assert_eq!((view.phase, view.diagnosis.finding), ("waiting", "bootloader"), "{view:?}");
     let mut wire = opened("silent", 20.0);
     assert_eq!((wire.view().phase, wire.view().diagnosis.finding), ("waiting", "silence"));
 }

@@ -153,6 +153,7 @@ fn a_cut_cable_ends_the_ride_and_a_plugged_one_begins_with_a_stop() {
     wire.pass(0.2);
     let first: Vec<_> = wire.commands[count..].iter().map(|(_, bytes)| bytes[0]).collect();
     assert_eq!(first[..5], [0, 0, 0, 0, 145], "{first:?}");
+    wire.pass(0.4);
     assert!(!wire.is_rolling());
     wire.pass_until(10.0, |wire| wire.view().phase == "connected");
     wire.pass(1.0);
@@ -181,7 +182,7 @@ fn a_robot_that_lost_the_stop_is_told_again() {
     wire.ask(Request::Stop);
     wire.pass(1.0);
     wire.robot.receive(&[145, 0, 100, 0, 100], 115_200);
-    wire.pass(0.1);
+    wire.pass(0.02);
     assert!(wire.is_rolling());
     wire.pass(1.0);
     assert!(!wire.is_rolling());

@@ -72,7 +72,8 @@ impl Controller for Moves {
         let Some(&step) = self.list.get(self.next) else { return Drive::STOP };
         let (left, spin) = match step {
             Move::Turn(angle) => {
-                self.done += turned * angle.signum();
+                // Whichever way the encoders say: which is which may be what is to be found out.
+                self.done += turned.abs();
                 ((angle.abs() - self.done) * 0.5 * self.robot.wheel_base, angle.signum())
             }
             Move::Go(way) => {

@@ -41,6 +41,7 @@ impl Console {
             }
             Happening::Refused(bytes, why) => self.push(time_s, TrafficKind::Refused, bytes, format!("refused: {why}")),
             Happening::Text(line) => self.push(time_s, TrafficKind::Text, line.as_bytes(), line.clone()),
+            Happening::Answer(bytes, words) => self.push(time_s, TrafficKind::Bytes, bytes, words.clone()),
             Happening::Line(text) => self.push(time_s, TrafficKind::Line, &[], text.clone()),
         }
     }

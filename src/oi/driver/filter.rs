@@ -20,18 +20,16 @@ const LUMP_S: f64 = 0.1;
 /// How a value follows from the one before.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Rule {
-    /// It may change at any time: flags, signals.
+    /// It may change at any time: flags.
     Free,
+    /// By so much and a share of its value, one in so many, or none for 0. What jumps is believed once there is another frame.
+    Signal(i32, i32),
     /// It changes so rarely that it's worth waiting for the next frame.
     Rare,
     /// By so much at most.
     Within(i32),
     /// As many counts as a wheel makes in the time, modulo 65536.
     Counts,
-    /// As far as a robot drives in the time, mm.
-    Travel,
-    /// As far as a robot turns in the time, degrees.
-    Turn,
     /// What a Drive Direct asked for.
     RightSpeed,
     /// See [`Rule::RightSpeed`].
@@ -49,15 +47,37 @@ const fn rule(packet: Packet) -> Rule {
         | Packet::RequestedVelocity
         | Packet::RequestedRadius
         | Packet::OiMode
+        | Packet::Temperature
         | Packet::ChargingState
         | Packet::ChargingSources => Rule::Rare,
-        Packet::Voltage => Rule::Within(1500),
-        Packet::Current => Rule::Within(2500),
-        Packet::Temperature => Rule::Within(2),
-        Packet::BatteryCharge => Rule::Within(20),
+        Packet::InfraredOmni
+        | Packet::InfraredLeft
+        | Packet::InfraredRight
+        | Packet::Overcurrents
+        | Packet::SongPlaying
+        | Packet::Wall
+        | Packet::VirtualWall
+        | Packet::Buttons => Rule::Signal(0, 0),
+        Packet::Distance | Packet::Angle => Rule::Signal(1, 0),
+        Packet::DirtDetect
+        | Packet::WallSignal
+        | Packet::LightLeft
+        | Packet::LightFrontLeft
+        | Packet::LightCentreLeft
+        | Packet::LightCentreRight
+        | Packet::LightFrontRight
+        | Packet::LightRight => Rule::Signal(24, 2),
+        Packet::CliffLeftSignal
+        | Packet::CliffFrontLeftSignal
+        | Packet::CliffFrontRightSignal
+        | Packet::CliffRightSignal => Rule::Signal(24, 4),
+        Packet::LeftMotorCurrent | Packet::RightMotorCurrent | Packet::MainBrushCurrent | Packet::SideBrushCurrent => {
+            Rule::Signal(60, 2)
+        }
+        Packet::Voltage => Rule::Signal(400, 0),
+        Packet::Current => Rule::Signal(400, 2),
+        Packet::BatteryCharge => Rule::Within(4),
         Packet::LeftEncoder | Packet::RightEncoder => Rule::Counts,
-        Packet::Distance => Rule::Travel,
-        Packet::Angle => Rule::Turn,
         Packet::RequestedRightVelocity => Rule::RightSpeed,
         Packet::RequestedLeftVelocity => Rule::LeftSpeed,
         _ => Rule::Free,
@@ -77,11 +97,12 @@ pub struct Filter {
     asked: [(i16, i16); REMEMBERED],
     next: usize,
     refused: u64,
+    late: u64,
 }
 
 impl Default for Filter {
     fn default() -> Self {
-        Self { believed: None, waiting: None, asked: [(0, 0); REMEMBERED], next: 0, refused: 0 }
+        Self { believed: None, waiting: None, asked: [(0, 0); REMEMBERED], next: 0, refused: 0, late: 0 }
     }
 }
 
@@ -99,6 +120,11 @@ impl Filter {
         self.refused
     }
 
+    /// Frames that had to wait for the next one, and were believed then.
+    pub fn late(&self) -> u64 {
+        self.late
+    }
+
     /// Forgets the frames, as after a break: the next but one is believed.
     pub fn forget(&mut self) {
         (self.believed, self.waiting) = (None, None);
@@ -114,10 +140,16 @@ impl Filter {
                 *slot = Some(raw);
             }
         }
-        let follows = |from: &Option<(f64, Bits)>| {
-            from.as_ref().is_some_and(|(then, before)| self.follows(before, &bits, now - then))
+        let follows = |from: &Option<(f64, Bits)>, is_strict: bool| {
+            from.as_ref().is_some_and(|(then, before)| self.follows(before, &bits, now - then, is_strict))
         };
-        if is_possible && (follows(&self.believed) || follows(&self.waiting)) {
+        // A signal may go on jumping: then it is believed at every other frame at least.
+        let is_next = is_possible && follows(&self.believed, true);
+        let is_late = !is_next && is_possible && follows(&self.waiting, false);
+        if is_next || is_late {
+            // The one that waited was true.
+            self.refused -= u64::from(is_late);
+            self.late += u64::from(is_late);
             (self.believed, self.waiting) = (Some((now, bits)), None);
             return true;
         }
@@ -128,7 +160,7 @@ impl Filter {
         false
     }
 
-    fn follows(&self, before: &Bits, now: &Bits, elapsed_s: f64) -> bool {
+    fn follows(&self, before: &Bits, now: &Bits, elapsed_s: f64, is_strict: bool) -> bool {
         let elapsed_s = elapsed_s.max(0.0) + LUMP_S;
         let asked =
             |pick: fn(&(i16, i16)) -> i16, value: i32| self.asked.iter().any(|pair| i32::from(pick(pair)) == value);
@@ -138,12 +170,13 @@ impl Filter {
             let most_mm = elapsed_s * f64::from(MAX_SPEED_MM_S);
             match rule(packet) {
                 Rule::Free => true,
+                Rule::Signal(..) if !is_strict => true,
+                Rule::Signal(most, part) => {
+                    (new - old).abs() <= most + old.abs().max(new.abs()).checked_div(part).unwrap_or(0)
+                }
                 Rule::Rare => old == new,
                 Rule::Within(most) => (new - old).abs() <= most,
                 Rule::Counts => f64::from(now.wrapping_sub(before).cast_signed()).abs() <= most_mm / MM_PER_COUNT,
-                Rule::Travel => f64::from(new).abs() <= most_mm + 1.0,
-                // Both wheels at full speed against each other turn a robot by 244 degrees a second.
-                Rule::Turn => f64::from(new).abs() <= elapsed_s * 244.0 + 1.0,
                 Rule::RightSpeed => old == new || asked(|pair| pair.0, new),
                 Rule::LeftSpeed => old == new || asked(|pair| pair.1, new),
             }

@@ -11,12 +11,15 @@
 //! - A robot that has not been heard of for 250 ms, that left its mode, or that reports other speeds than it was told,
 //!   is told to stop, until it says that it has.
 
+mod commands;
 mod connect;
 mod diagnosis;
 mod drop;
 mod filter;
 mod gauge;
 mod hearing;
+mod modes;
+mod question;
 mod wheels;
 
 pub use diagnosis::{Diagnosis, Finding, Step};
@@ -25,9 +28,12 @@ pub use filter::Filter;
 pub use gauge::Gauge;
 pub use wheels::{DEAD_MAN_S, Wheels};
 
-use self::hearing::Hearing;
+use self::{
+    hearing::Hearing,
+    question::{Next, Question},
+};
 use super::{
-    Command, MAX_WRITTEN, Mode, Motors, Readings, Refusal, Said, StreamCounts, StreamEvent, StreamParser,
+    Command, Mode, Readings, Said, StreamCounts, StreamEvent, StreamParser,
     frame::{FRAMING, HEADER, slot_bytes},
     packet::PacketId,
 };
@@ -90,6 +96,8 @@ pub enum Happening {
     Refused(Vec<u8>, String),
     /// Text of the robot.
     Text(String),
+    /// Bytes that answer a question, and what they say.
+    Answer(Vec<u8>, String),
     /// About the line itself.
     Line(String),
 }
@@ -123,6 +131,7 @@ pub struct Driver {
     wheels: Wheels,
     /// Encoder packets 43 and 44 are the other way round on this robot.
     swapped: bool,
+    question: Option<Question>,
     is_stalled: bool,
     revived_at: f64,
     last_byte_at: f64,
@@ -192,7 +201,9 @@ impl Driver {
             if matches!(self.phase, Phase::Diagnosing | Phase::Waiting) {
                 self.hearing.push(&[byte]);
             }
-            if self.take_byte(now, byte) {
+            if let Some(question) = &mut self.question {
+                question.hear(byte);
+            } else if self.take_byte(now, byte) {
                 self.reading_arrived(now);
                 return index + 1;
             }
@@ -290,9 +301,24 @@ impl Driver {
         match self.phase {
             Phase::Closed => {}
             Phase::Diagnosing | Phase::Waiting => self.find_out(now),
-            Phase::Connected | Phase::Lost => self.watch_line(now),
+            Phase::Connected | Phase::Lost => {
+                self.pursue_question(now);
+                self.watch_line(now);
+            }
         }
         self.turn_wheels(now);
+    }
+
+    fn pursue_question(&mut self, now: f64) {
+        match self.question.as_mut().map(|question| question.advance(now)) {
+            None | Some(Next::Wait) => {}
+            Some(Next::Send(bytes)) => self.push_raw(now, &bytes),
+            Some(Next::Done(bytes, words)) => {
+                self.question = None;
+                self.happened(now, Happening::Answer(bytes, words));
+                let _ = self.send(now, Command::PauseResume { state: 1 });
+            }
+        }
     }
 
     fn watch_line(&mut self, now: f64) {
@@ -314,221 +340,6 @@ impl Driver {
             }
             self.subscribe(now);
         }
-    }
-
-    // ---- modes
-
-    /// Whether the robot has been put in Safe or Full and is there.
-    pub fn is_armed(&self) -> bool {
-        self.phase == Phase::Connected && self.target > Mode::Passive && self.target_reached
-    }
-
-    /// Puts the robot in `mode`. [`Mode::Safe`] and [`Mode::Full`] take control, [`Mode::Passive`] gives it back; with any,
-    /// the robot stands still at first.
-    pub fn put_in(&mut self, now: f64, mode: Mode) {
-        self.dropped = None;
-        self.halt(now);
-        (self.target, self.target_since, self.target_reached) = (mode, now, false);
-        self.tell_mode(now);
-    }
-
-    fn tell_mode(&mut self, now: f64) {
-        self.target_told = now;
-        let command = match self.target {
-            Mode::Off => Command::Stop,
-            Mode::Passive => Command::Start,
-            Mode::Safe => Command::Safe,
-            Mode::Full => Command::Full,
-        };
-        // It has no data that could be refused.
-        let _ = self.send(now, command);
-    }
-
-    fn watch_mode(&mut self, now: f64) {
-        let Some(mode) = self.mode() else { return };
-        let since = now - self.target_since;
-        if since < SETTLE_S {
-            return;
-        }
-        if mode == self.target {
-            self.target_reached = true;
-        } else if self.target > Mode::Passive && (self.target_reached || since > 3.0 * MODE_S) {
-            self.drop_to(now, mode);
-        } else if !self.target_reached && now - self.target_told > MODE_S && since < 10.0 {
-            self.tell_mode(now);
-        }
-    }
-
-    fn drop_to(&mut self, now: f64, mode: Mode) {
-        let drop = ModeDrop::new(self.target, self.target_reached, [&self.before, &self.readings]);
-        self.happened(now, Happening::Line(drop.to_string()));
-        self.dropped = Some(drop);
-        self.wheels.stop();
-        (self.target, self.target_since, self.target_reached) = (mode.min(Mode::Passive), now, true);
-    }
-
-    /// Why the robot left Safe or Full, until it is put in a mode again.
-    pub fn dropped(&self) -> Option<&ModeDrop> {
-        self.dropped.as_ref()
-    }
-
-    /// The mode that it reports.
-    pub fn mode(&self) -> Option<Mode> {
-        self.has_read.then(|| Mode::from_report(self.readings.mode, self.mode_offset)).flatten()
-    }
-
-    /// The mode that it is to be in.
-    pub fn target(&self) -> Mode {
-        self.target
-    }
-
-    /// What it adds to its mode byte: 0 or 1.
-    pub fn mode_offset(&self) -> u8 {
-        self.mode_offset
-    }
-
-    // ---- commands
-
-    /// Wheel speeds from now on, for 200 ms; without effect unless it is armed.
-    pub fn drive(&mut self, now: f64, wanted: Drive) {
-        if self.is_armed() && !self.is_stalled {
-            self.wheels.drive(now, wanted);
-            self.turn_wheels(now);
-        }
-    }
-
-    /// Stops the wheels, now. Sent whatever the mode is.
-    pub fn stop(&mut self, now: f64) {
-        self.wheels.stop();
-        if matches!(self.phase, Phase::Connected | Phase::Lost) {
-            self.push(now, &STOP);
-        }
-    }
-
-    /// Stops wheels, brushes and vacuum.
-    pub fn halt(&mut self, now: f64) {
-        self.stop(now);
-        if matches!(self.phase, Phase::Connected | Phase::Lost) {
-            let _ = self.send(now, Command::Motors(Motors::default()));
-        }
-    }
-
-    /// Stops everything and ends the interface: the robot is in Off, where it charges and sleeps.
-    pub fn leave(&mut self, now: f64) {
-        if matches!(self.phase, Phase::Connected | Phase::Lost) {
-            self.halt(now);
-            for command in [Command::PauseResume { state: 0 }, Command::Start, Command::Stop] {
-                let _ = self.send(now, command);
-            }
-        }
-        self.phase = Phase::Closed;
-    }
-
-    fn turn_wheels(&mut self, now: f64) {
-        if !matches!(self.phase, Phase::Connected | Phase::Lost) {
-            return;
-        }
-        let tells = self.has_read && subscription(self.baud).contains(&100);
-        let reported = (self.is_armed() && tells && !self.is_stalled)
-            .then_some((self.readings.requested_right, self.readings.requested_left));
-        let before = self.wheels.sent();
-        if let Some((right, left)) = self.wheels.due(now, reported) {
-            self.filter.asked(right, left);
-            if before != (right, left) {
-                self.gauge.asked(now, (right, left));
-            }
-            let _ = self.send(now, Command::DriveDirect { right, left });
-        }
-    }
-
-    /// Sends a command that doesn't concern mode or wheels, or refuses one that robots don't take.
-    pub fn send(&mut self, now: f64, command: Command<'_>) -> Result<(), Refusal> {
-        let mut buffer = [0; MAX_WRITTEN];
-        let bytes = command.encode(&mut buffer)?;
-        self.push(now, bytes);
-        Ok(())
-    }
-
-    /// Sends bytes as they are. If they say how to drive, that holds until the next stop.
-    pub fn send_raw(&mut self, now: f64, bytes: &[u8]) {
-        let mut decoder = super::CommandDecoder::default();
-        for &byte in bytes {
-            let Some(received) = decoder.push(byte) else { continue };
-            let Ok(command) = received.command else { continue };
-            match command {
-                Command::DriveDirect { right, left } => {
-                    self.filter.asked(right, left);
-                    self.wheels.by_hand(now, right, left);
-                }
-                Command::Drive { .. } | Command::DrivePwm { .. } => self.wheels.by_hand(now, 0, 0),
-                _ => {}
-            }
-            if let Some(mode) = self.mode().and_then(|mode| mode.after_command(command.opcode()))
-                && Some(mode) != self.mode()
-            {
-                (self.target, self.target_since, self.target_told) = (mode, now, now);
-                self.target_reached = false;
-            }
-        }
-        self.push(now, bytes);
-    }
-
-    /// Presses a button, which lets the robot do what it does by itself; whoever had control has it no longer.
-    pub fn press(&mut self, now: f64, command: Command<'_>) {
-        self.halt(now);
-        let _ = self.send(now, command);
-        (self.target, self.target_since, self.target_reached) = (Mode::Passive, now, true);
-        self.dropped = None;
-    }
-
-    /// Restarts the robot (7), which tells its firmware, and finds out anew who is there.
-    pub fn restart(&mut self, now: f64) {
-        self.halt(now);
-        let _ = self.send(now, Command::Reset);
-        (self.target, self.target_reached) = (Mode::Passive, true);
-        self.begin(now);
-        self.diagnosis.finding = Finding::Nothing;
-        self.diagnosis.boots = 1;
-        let _ = self.parser.expect(&[]);
-    }
-
-    /// Takes bytes as sent that somebody else sent: in a replay.
-    pub fn was_sent(&mut self, now: f64, bytes: &[u8]) {
-        let mut decoder = super::CommandDecoder::default();
-        for &byte in bytes {
-            let Some(Ok(command)) = decoder.push(byte).map(|received| received.command) else { continue };
-            let mode = match command {
-                Command::DriveDirect { right, left } => {
-                    self.filter.asked(right, left);
-                    continue;
-                }
-                Command::Safe => Mode::Safe,
-                Command::Full => Mode::Full,
-                Command::Start | Command::Clean | Command::Spot | Command::SeekDock | Command::Power => Mode::Passive,
-                _ => continue,
-            };
-            if mode != self.target {
-                self.dropped = None;
-                (self.target, self.target_since, self.target_told, self.target_reached) = (mode, now, now, false);
-            }
-        }
-    }
-
-    fn subscribe(&mut self, now: f64) {
-        let packets = subscription(self.baud);
-        // They are packets that exist.
-        let _ = self.parser.expect(packets);
-        let _ = self.send(now, Command::Stream { packets });
-    }
-
-    fn push(&mut self, now: f64, bytes: &[u8]) {
-        self.bytes[1] += bytes.len() as u64;
-        self.tx.extend_from_slice(bytes);
-        self.happened(now, Happening::Sent(bytes.to_vec()));
-    }
-
-    fn happened(&mut self, now: f64, happening: Happening) {
-        happened(&mut self.happenings, now, happening);
     }
 
     // ---- what is known
@@ -578,6 +389,11 @@ impl Driver {
         self.filter.refused()
     }
 
+    /// Frames that were believed a frame late, as something in them jumped.
+    pub fn late(&self) -> u64 {
+        self.filter.late()
+    }
+
     /// Bytes received and sent.
     pub fn bytes(&self) -> [u64; 2] {
         self.bytes
@@ -597,6 +413,9 @@ impl Driver {
 
     /// Takes encoder packets 43 and 44 the other way round, or as they should be.
     pub fn swap_encoders(&mut self, swapped: bool) {
+        if swapped != self.swapped {
+            std::mem::swap(&mut self.sensors.left_counts, &mut self.sensors.right_counts);
+        }
         self.swapped = swapped;
     }
 

@@ -1,0 +1,161 @@
+//! What the robot is told.
+
+use super::{Driver, Finding, Happening, Phase, Question, STOP, happened, subscription};
+use crate::{
+    oi::{Command, CommandDecoder, MAX_WRITTEN, Mode, Motors, Refusal},
+    robot::Drive,
+};
+
+impl Driver {
+    /// Wheel speeds from now on, for 200 ms; without effect unless it is armed.
+    pub fn drive(&mut self, now: f64, wanted: Drive) {
+        if self.is_armed() && !self.is_stalled {
+            self.wheels.drive(now, wanted);
+            self.turn_wheels(now);
+        }
+    }
+
+    /// Stops the wheels, now. Sent whatever the mode is.
+    pub fn stop(&mut self, now: f64) {
+        self.wheels.stop();
+        if matches!(self.phase, Phase::Connected | Phase::Lost) {
+            self.push(now, &STOP);
+        }
+    }
+
+    /// Stops wheels, brushes and vacuum.
+    pub fn halt(&mut self, now: f64) {
+        self.stop(now);
+        if matches!(self.phase, Phase::Connected | Phase::Lost) {
+            let _ = self.send(now, Command::Motors(Motors::default()));
+        }
+    }
+
+    /// Stops everything and ends the interface: the robot is in Off, where it charges and sleeps.
+    pub fn leave(&mut self, now: f64) {
+        if matches!(self.phase, Phase::Connected | Phase::Lost) {
+            self.halt(now);
+            for command in [Command::PauseResume { state: 0 }, Command::Start, Command::Stop] {
+                let _ = self.send(now, command);
+            }
+        }
+        self.phase = Phase::Closed;
+    }
+
+    pub(super) fn turn_wheels(&mut self, now: f64) {
+        if !matches!(self.phase, Phase::Connected | Phase::Lost) {
+            return;
+        }
+        let tells = self.has_read && subscription(self.baud).contains(&100);
+        let reported = (self.is_armed() && tells && !self.is_stalled)
+            .then_some((self.readings.requested_right, self.readings.requested_left));
+        let before = self.wheels.sent();
+        if let Some((right, left)) = self.wheels.due(now, reported) {
+            self.filter.asked(right, left);
+            if before != (right, left) {
+                self.gauge.asked(now, (right, left));
+            }
+            let _ = self.send(now, Command::DriveDirect { right, left });
+        }
+    }
+
+    /// Sends a command that doesn't concern mode or wheels, or refuses one that robots don't take.
+    pub fn send(&mut self, now: f64, command: Command<'_>) -> Result<(), Refusal> {
+        let mut buffer = [0; MAX_WRITTEN];
+        let bytes = command.encode(&mut buffer)?;
+        self.push(now, bytes);
+        Ok(())
+    }
+
+    /// Sends bytes as they are. If they say how to drive, that holds until the next stop; if they ask for something, the
+    /// stream is paused until the answer is there.
+    pub fn send_raw(&mut self, now: f64, bytes: &[u8]) {
+        self.question = Question::of(bytes, now);
+        if self.question.is_some() {
+            let _ = self.send(now, Command::PauseResume { state: 0 });
+        } else {
+            self.push_raw(now, bytes);
+        }
+    }
+
+    pub(super) fn push_raw(&mut self, now: f64, bytes: &[u8]) {
+        let mut decoder = CommandDecoder::default();
+        for &byte in bytes {
+            let Some(received) = decoder.push(byte) else { continue };
+            let Ok(command) = received.command else { continue };
+            match command {
+                Command::DriveDirect { right, left } => {
+                    self.filter.asked(right, left);
+                    self.wheels.by_hand(now, right, left);
+                }
+                Command::Drive { .. } | Command::DrivePwm { .. } => self.wheels.by_hand(now, 0, 0),
+                _ => {}
+            }
+            if let Some(mode) = self.mode().and_then(|mode| mode.after_command(command.opcode()))
+                && Some(mode) != self.mode()
+            {
+                (self.target, self.target_since, self.target_told) = (mode, now, now);
+                self.target_reached = false;
+            }
+        }
+        self.push(now, bytes);
+    }
+
+    /// Presses a button, which lets the robot do what it does by itself; whoever had control has it no longer.
+    pub fn press(&mut self, now: f64, command: Command<'_>) {
+        self.halt(now);
+        let _ = self.send(now, command);
+        (self.target, self.target_since, self.target_reached) = (Mode::Passive, now, true);
+        self.dropped = None;
+    }
+
+    /// Restarts the robot (7), which tells its firmware, and finds out anew who is there.
+    pub fn restart(&mut self, now: f64) {
+        self.halt(now);
+        let _ = self.send(now, Command::Reset);
+        (self.target, self.target_reached) = (Mode::Passive, true);
+        self.begin(now);
+        self.diagnosis.finding = Finding::Nothing;
+        self.diagnosis.boots = 1;
+        let _ = self.parser.expect(&[]);
+    }
+
+    /// Takes bytes as sent that somebody else sent: in a replay.
+    pub fn was_sent(&mut self, now: f64, bytes: &[u8]) {
+        let mut decoder = CommandDecoder::default();
+        for &byte in bytes {
+            let Some(Ok(command)) = decoder.push(byte).map(|received| received.command) else { continue };
+            let mode = match command {
+                Command::DriveDirect { right, left } => {
+                    self.filter.asked(right, left);
+                    continue;
+                }
+                Command::Safe => Mode::Safe,
+                Command::Full => Mode::Full,
+                Command::Start | Command::Clean | Command::Spot | Command::SeekDock | Command::Power => Mode::Passive,
+                _ => continue,
+            };
+            if mode != self.target {
+                self.dropped = None;
+                (self.target, self.target_since, self.target_told, self.target_reached) = (mode, now, now, false);
+            }
+        }
+    }
+
+    pub(super) fn subscribe(&mut self, now: f64) {
+        let packets = subscription(self.baud);
+        // They are packets that exist.
+        let _ = self.parser.expect(packets);
+        let _ = self.send(now, Command::Stream { packets });
+    }
+
+    pub(super) fn push(&mut self, now: f64, bytes: &[u8]) {
+        self.bytes[1] += bytes.len() as u64;
+        self.tx.extend_from_slice(bytes);
+        self.happened(now, Happening::Sent(bytes.to_vec()));
+    }
+
+    pub(super) fn happened(&mut self, now: f64, happening: Happening) {
+        happened(&mut self.happenings, now, happening);
+    }
+}

@@ -1,0 +1,141 @@
+// A page with nothing but a connection on it, in a Chromium that has a serial port: what tests of the robot's line share.
+import assert from "node:assert/strict";
+import { execFile, spawnSync } from "node:child_process";
+import fs from "node:fs";
+import path from "node:path";
+import { promisify } from "node:util";
+import { chromium } from "playwright-core";
+import { CHROMIUM_FLAGS, DIST, chromiumPath, serveFolder } from "../browser.mjs";
+import { launch } from "./devtools.mjs";
+
+const HERE = import.meta.dirname ?? path.dirname(new URL(import.meta.url).pathname);
+const page = (name) => fs.readFileSync(path.join(HERE, name), "utf8");
+
+/** Why there can be no real serial port here; "" if there can. */
+export function noSerial() {
+  if (process.platform !== "linux") return "a serial port of our own needs Linux";
+  if (!fs.existsSync("/sys/class/tty/ttyS0/dev")) return "this machine has no /dev/ttyS0 that could be replaced";
+  const rootless = process.getuid() === 0 ? [] : ["--map-root-user"];
+  const tried = spawnSync("unshare", ["--mount", "--propagation", "private", ...rootless, "sh", "-c", "mount -t tmpfs tmpfs /run"], { encoding: "utf8" });
+  return tried.status === 0 ? "" : `mount namespaces aren't permitted here (${(tried.stderr ?? String(tried.error)).trim()})`;
+}
+
+/** Serves the built page with what tests put beside it. */
+export function serveDesk(also = {}) {
+  return serveFolder(DIST, { also: { "/desk.html": page("page.html"), "/elsewhere.html": "<!doctype html><title>Elsewhere</title>", ...also } });
+}
+
+function inNamespace(robot, server) {
+  return { executable: path.join(HERE, "chromium"), env: { SERIAL_PTY: robot.pty, SERIAL_ORIGIN: new URL(server.url).origin, SERIAL_CHROMIUM: chromiumPath() } };
+}
+
+/**
+ * Opens the desk for the test `t` in a Chromium whose only serial port leads to `robot`, or in one without if there is none.
+ * The test fails if by its end the page has logged an error or thrown one, unless a pattern in `allow` matches it.
+ */
+export async function openDesk(t, { robot, allow = [], also, init, flags = [] } = {}) {
+  const server = await serveDesk(also);
+  const { executable, env } = robot ? inNamespace(robot, server) : { executable: chromiumPath(), env: {} };
+  const browser = await chromium.launch({ executablePath: executable, args: [...CHROMIUM_FLAGS, ...flags], env: { ...process.env, ...env } });
+  const context = await browser.newContext();
+  if (init) await context.addInitScript(init);
+  const problems = [];
+  const note = (message) => allow.some((pattern) => pattern.test(message)) || problems.push(message);
+  context.on("console", (message) => message.type() === "error" && note(`console: ${message.text()}`));
+  context.on("weberror", (error) => note(`uncaught: ${error.error().stack ?? error.error()}`));
+  t.after(async () => {
+    await browser.close();
+    await server.close();
+    assert.deepEqual(problems, [], "the page reported problems");
+  });
+  const open = async () => {
+    const desk = new Desk(await context.newPage(), server);
+    await desk.load();
+    return desk;
+  };
+  return { desk: await open(), open, context, server };
+}
+
+/** The same in a browser whose tabs can be hidden. */
+export async function openHidable(t, { robot }) {
+  const server = await serveDesk();
+  const { executable, env } = inNamespace(robot, server);
+  const browser = await launch(executable, { flags: CHROMIUM_FLAGS, env });
+  t.after(async () => {
+    await browser.close();
+    await server.close();
+  });
+  return { browser, openTab: (address) => browser.openTab(server.url + address) };
+}
+
+/** Tells Chromium, as udev would, that the adapter was plugged in ("add") or out ("remove"). */
+export async function udev(action) {
+  await promisify(execFile)(path.join(HERE, "udev-event.py"), [action, "ttyS0"]);
+}
+
+/** What a person at the desk does and sees. */
+export class Desk {
+  constructor(tab, server) {
+    this.tab = tab;
+    this.server = server;
+    tab.setDefaultTimeout(15_000);
+  }
+
+  async load() {
+    await this.tab.goto(`${this.server.url}desk.html`);
+    await this.tab.waitForFunction(() => window.connection);
+  }
+
+  /** Opens the port that the page was granted. */
+  async openSerial() {
+    return this.tab.evaluate(async () => {
+      const [port] = await navigator.serial.getPorts();
+      return window.connection.open({ kind: "serial", port });
+    });
+  }
+
+  view() {
+    return this.tab.evaluate(() => window.seen.view);
+  }
+
+  failures() {
+    return this.tab.evaluate(() => window.seen.failures);
+  }
+
+  ask(request) {
+    return this.tab.evaluate((what) => window.connection.request(what), request);
+  }
+
+  /** Waits until the view fits; returns it. */
+  async until(fits, ...given) {
+    const source = `(view) => (${fits})(view, ...${JSON.stringify(given)})`;
+    try {
+      const found = await this.tab.waitForFunction((text) => window.seen.view && eval(text)(window.seen.view) && window.seen.view, source, { polling: 20 });
+      return await found.jsonValue();
+    } catch (error) {
+      throw new Error(`waited in vain for ${fits}: ${JSON.stringify({ ...(await this.view()), packets: [] })}`, { cause: error });
+    }
+  }
+
+  async connect() {
+    assert.ok(await this.openSerial(), JSON.stringify(await this.failures()));
+    return this.until((view) => view.phase === "connected");
+  }
+
+  async arm() {
+    assert.ok(await this.ask({ do: "arm", full: false }));
+    return this.until((view) => view.mode === "Safe" && view.can.drive);
+  }
+
+  /** Holds the stick from now on: forward, or to the left. */
+  async drive(stick = { forward: 1, left: 0 }) {
+    await this.tab.evaluate((how) => {
+      window.stick = setInterval(() => window.connection.request({ do: "drive", ...how }), 50);
+    }, stick);
+    return this.until((view) => view.wheels[1] > 0);
+  }
+
+  letGo() {
+    return this.tab.evaluate(() => clearInterval(window.stick));
+  }
+}

@@ -1,0 +1,154 @@
+// @ts-check
+// What a hand says: keys, a gamepad, and a joystick on the screen, all at once.
+import { setAttribute, setText } from "./dom.js";
+
+/**
+ * @typedef {"forward" | "left" | "right" | "backward"} Way
+ * @typedef {{ forward: number, left: number }} Command
+ */
+
+/** Share of a gamepad's stick that counts as the middle: worn sticks don't come back to it. */
+const DEAD_ZONE = 0.15;
+/** Reach of the knob, as a share of the pad's width. */
+const REACH = 0.3;
+/** Buttons of a standard gamepad's cross. @type {[button: number, forward: number, left: number][]} */
+const CROSS = [[12, 1, 0], [13, -1, 0], [14, 0, 1], [15, 0, -1]];
+/** @type {Record<string, [forward: number, left: number]>} */
+const KEYS = {
+  ArrowUp: [1, 0], KeyW: [1, 0],
+  ArrowDown: [-1, 0], KeyS: [-1, 0],
+  ArrowLeft: [0, 1], KeyA: [0, 1],
+  ArrowRight: [0, -1], KeyD: [0, -1],
+};
+/** @type {Command} */
+export const STILL = { forward: 0, left: 0 };
+
+/**
+ * A joystick on the screen, the keys that do the same, and a gamepad.
+ * @param {object} parts
+ * @param {HTMLElement} parts.pad
+ * @param {HTMLElement} parts.knob
+ * @param {Element} parts.told Where it is told what is blocked.
+ * @param {HTMLElement[]} parts.targets Where keys drive.
+ * @param {(event: KeyboardEvent) => boolean} parts.takes Whether a key that could drive is meant to.
+ * @param {() => void} parts.begin Somebody takes the controls.
+ * @param {() => void} parts.end They were let go at once: focus, window or page are gone.
+ */
+export function joystick({ pad, knob, told, targets, takes, begin, end }) {
+  const held = new Set();
+  let stick = STILL;
+
+  const release = () => {
+    held.clear();
+    stick = STILL;
+    show(STILL);
+  };
+  const stop = () => {
+    release();
+    end();
+  };
+  /** @param {Command} command */
+  const show = ({ forward, left }) => {
+    knob.style.setProperty("--x", String(-left));
+    knob.style.setProperty("--y", String(-forward));
+  };
+  /** @param {KeyboardEvent} event */
+  const press = (event) => {
+    if (!KEYS[event.code] || event.ctrlKey || event.metaKey || event.altKey || !takes(event)) return;
+    // Neither the view nor a tool gets it.
+    event.preventDefault();
+    event.stopImmediatePropagation();
+    if (event.repeat) return;
+    held.add(event.code);
+    begin();
+  };
+  for (const target of targets) {
+    target.addEventListener("keydown", press, { capture: true });
+    target.addEventListener("blur", stop);
+  }
+  addEventListener("keyup", ({ code }) => held.delete(code));
+  addEventListener("blur", stop);
+  document.addEventListener("visibilitychange", () => document.hidden && stop());
+
+  /** @param {PointerEvent} event */
+  const drag = (event) => {
+    const box = pad.getBoundingClientRect();
+    const reach = REACH * box.width;
+    const [x, y] = [(event.clientX - box.left - box.width / 2) / reach, (event.clientY - box.top - box.height / 2) / reach];
+    const length = Math.max(1, Math.hypot(x, y));
+    stick = { forward: -y / length, left: -x / length };
+  };
+  pad.addEventListener("pointerdown", (event) => {
+    if (event.button !== 0) return;
+    pad.setPointerCapture(event.pointerId);
+    pad.classList.add("held");
+    begin();
+    drag(event);
+  });
+  pad.addEventListener("pointermove", (event) => pad.hasPointerCapture(event.pointerId) && drag(event));
+  for (const gone of ["pointerup", "pointercancel", "lostpointercapture"]) {
+    pad.addEventListener(gone, () => {
+      stick = STILL;
+      pad.classList.remove("held");
+    });
+  }
+
+  return {
+    release,
+    show,
+    /** What is asked for now, and whether a gamepad is there. */
+    read() {
+      const gamepad = gamepadCommand();
+      const keys = [...held].reduce((sum, code) => ({ forward: sum.forward + (KEYS[code]?.[0] ?? 0), left: sum.left + (KEYS[code]?.[1] ?? 0) }), STILL);
+      return { command: limited(stick, keys, gamepad ?? STILL), hasGamepad: gamepad !== undefined };
+    },
+    /** @param {import("./types").View["blocked"]} blocked @param {Command} command */
+    showBlocked: (blocked, command) => showBlocked(pad, told, blocked, command),
+  };
+}
+
+/** In steps that a hand can tell apart. @param {Command} command @returns {Command} */
+export const rounded = ({ forward, left }) => ({ forward: Math.round(forward * 50) / 50, left: Math.round(left * 50) / 50 });
+
+/** In the order of `View.blocked`. @type {Way[]} */
+const WAYS = ["forward", "left", "right", "backward"];
+
+/**
+ * Which directions are open, which are asked for, and why those that aren't open are not.
+ * @param {HTMLElement} pad @param {Element} told @param {import("./types").View["blocked"]} blocked @param {Command} command
+ */
+function showBlocked(pad, told, blocked, { forward, left }) {
+  const asked = { forward: forward > 0, backward: forward < 0, left: left > 0, right: left < 0 };
+  /** @param {Way} way */
+  const why = (way) => blocked?.[WAYS.indexOf(way)];
+  for (const way of WAYS) {
+    const mark = pad.querySelector(`[data-way=${way}]`);
+    if (mark) setAttribute(mark, "class", why(way) ? "way shut" : asked[way] ? "way used" : "way");
+  }
+  const shut = WAYS.filter(why);
+  // What one is trying first; all of them as long as one tries nothing.
+  const first = shut.filter((way) => asked[way]);
+  const named = first.length > 0 ? first : shut;
+  const reasons = new Set(named.map(why));
+  const names = named.join(" and ");
+  setText(told, named.length > 0 ? `${names.charAt(0).toUpperCase()}${names.slice(1)} blocked: ${[...reasons].join("; ")}` : "");
+}
+
+/** All together, no more than full. @param {...Command} commands @returns {Command} */
+function limited(...commands) {
+  const limit = (/** @type {number} */ value) => Math.max(-1, Math.min(1, value));
+  return { forward: limit(commands.reduce((sum, c) => sum + c.forward, 0)), left: limit(commands.reduce((sum, c) => sum + c.left, 0)) };
+}
+
+/** What the first gamepad says; `undefined` without one. @returns {Command | undefined} */
+function gamepadCommand() {
+  const gamepad = navigator.getGamepads?.().find((pad) => pad?.connected);
+  if (!gamepad) return undefined;
+  const axis = (/** @type {number} */ index) => {
+    const value = gamepad.axes[index] ?? 0;
+    const over = Math.abs(value) - DEAD_ZONE;
+    return over > 0 ? (-Math.sign(value) * over) / (1 - DEAD_ZONE) : 0;
+  };
+  const pressed = CROSS.filter(([index]) => gamepad.buttons[index]?.pressed);
+  return limited({ forward: axis(1), left: axis(0) }, ...pressed.map(([, forward, left]) => ({ forward, left })));
+}

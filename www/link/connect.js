@@ -1,0 +1,87 @@
+// @ts-check
+// Connecting: what can be connected to, and what is found there, in pictures.
+import { VirtualRobot } from "../../robot.js";
+import { button, byId, changed, fill, input, make, select, setAttribute, setEnabled, setHidden, setText } from "../dom.js";
+import { kept, keep, readSafety } from "./dialogs.js";
+import { support } from "./support.js";
+import { isOpen } from "./view.js";
+
+/** @typedef {import("./place.js").Linking} Linking */
+/** @typedef {import("./types").ConnectionView} ConnectionView */
+
+/** Which picture belongs to what was found. @type {Record<string, string>} */
+const PICTURES = { nothing: "listening", silence: "asleep", stream: "awake", robot: "awake", text: "awake", charging: "dock", booting: "boot", bootloader: "boot", garbage: "speed" };
+const URL_KEPT = "link-bridge";
+
+/** @param {Linking} it @returns {(view: ConnectionView) => void} */
+export function startConnect(it) {
+  const can = support();
+  const personalities = /** @type {import("./types").Personality[]} */ (VirtualRobot.personalities());
+  const choice = select("link-personality");
+  fill(choice, personalities.map(({ id, title }) => [id, title]));
+  const describe = () => setText(byId("link-personality-note"), personalities.find(({ id }) => id === choice.value)?.summary ?? "");
+  choice.addEventListener("change", describe);
+  describe();
+
+  setHidden(byId("link-unsupported"), can.why === "");
+  setText(byId("link-unsupported"), `${can.why} ${can.instead}`);
+  button("link-serial").addEventListener("click", async () => {
+    if (!can.serial) {
+      it.complain(`${can.why} ${can.instead}`);
+      return;
+    }
+    if (await readSafety()) await it.open({ kind: "serial" });
+  });
+  setAttribute(button("link-serial"), "aria-disabled", String(!can.serial));
+  button("link-virtual").addEventListener("click", () => void it.open({ kind: "virtual", personality: choice.value }));
+  input("link-url").value = kept(URL_KEPT) ?? "";
+  byId("link-socket").addEventListener("submit", async (event) => {
+    event.preventDefault();
+    const url = input("link-url").value.trim();
+    if (!(await readSafety())) return;
+    keep(URL_KEPT, url);
+    await it.open({ kind: "socket", url });
+  });
+  for (const id of ["link-again", "link-retry"]) button(id).addEventListener("click", () => void it.request({ do: "connect" }));
+  for (const id of ["link-close", "link-give-up"]) button(id).addEventListener("click", () => void it.close());
+
+  let wasOpen = false;
+  return (view) => {
+    const open = isOpen(view);
+    if (changed(byId("link-welcome"), "open", open)) {
+      setHidden(byId("link-welcome"), open);
+      setHidden(byId("link-need"), open);
+      setHidden(byId("link-line-buttons"), !open);
+      // What had the focus is gone.
+      if (open !== wasOpen && (document.activeElement === document.body || !document.activeElement?.checkVisibility())) byId(open ? "link-floor" : "link-virtual").focus();
+      wasOpen = open;
+    }
+    showState(view, open);
+    const isThere = view.phase === "connected" && view.transport.state !== "lost";
+    setHidden(byId("link-diagnosis"), !open || isThere);
+    if (open && !isThere) showDiagnosis(view);
+    setEnabled(button("link-again"), view.can.connect);
+    setEnabled(button("link-retry"), view.can.connect);
+  };
+}
+
+/** @param {ConnectionView} view @param {boolean} open */
+function showState({ phase, transport, diagnosis }, open) {
+  setAttribute(byId("link-setup"), "data-phase", open ? phase : "closed");
+  const names = { closed: "Connecting…", diagnosing: "Connecting…", waiting: "Nobody answers yet", connected: transport.name || "Connected", lost: "Connection lost" };
+  setText(byId("link-name"), open ? names[phase] : "Not connected");
+  const note = phase === "connected" ? transport.text || diagnosis.text : transport.text;
+  setText(byId("link-note"), open ? note : "By cable to a real robot, or to the virtual one.");
+}
+
+/** @param {ConnectionView} view */
+function showDiagnosis({ phase, diagnosis, transport }) {
+  const isLost = phase === "lost" || transport.state === "lost";
+  const picture = isLost ? "unplugged" : (PICTURES[diagnosis.finding] ?? "listening");
+  setAttribute(byId("link-picture"), "href", `#p-${picture}`);
+  setText(byId("link-found"), (isLost ? transport.text : "") || diagnosis.text || "Listening who is there…");
+  setText(byId("link-remedy"), diagnosis.remedy);
+  if (!changed(byId("link-tried"), "log", diagnosis.log.join("\n"))) return;
+  byId("link-tried").replaceChildren(...diagnosis.log.map((line) => make("li", {}, line)));
+}
+

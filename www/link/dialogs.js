@@ -1,0 +1,62 @@
+// @ts-check
+// Questions before something that can't be taken back.
+import { button, byId, make, setHidden, setText, typed } from "../dom.js";
+
+/**
+ * Asks; says whether the answer was yes.
+ * @param {{ title: string, points: string[], yes: string, no?: string, isWarning?: boolean }} question
+ * @returns {Promise<boolean>}
+ */
+export function ask({ title, points, yes, no = "Cancel", isWarning = false }) {
+  const dialog = typed("link-ask", HTMLDialogElement);
+  setText(byId("link-ask-title"), title);
+  const items = points.map((point) => make("li", {}, point));
+  byId("link-ask-text").replaceChildren(make("ul", { className: "link-list" }, ...items));
+  setText(button("link-ask-yes"), yes);
+  setText(button("link-ask-no"), no);
+  setHidden(button("link-ask-no"), no === "");
+  dialog.classList.toggle("warning", isWarning);
+  dialog.returnValue = "no";
+  dialog.showModal();
+  // The harmless answer is nearest to a key that was pressed too often.
+  (no === "" ? button("link-ask-yes") : button("link-ask-no")).focus();
+  return new Promise((resolve) => dialog.addEventListener("close", () => resolve(dialog.returnValue === "yes"), { once: true }));
+}
+
+const READ = "link-safety";
+
+/** Before the first connection to a real robot: what can happen, and where to put it. @returns {Promise<boolean>} */
+export async function readSafety() {
+  if (kept(READ)) return true;
+  const agreed = await ask({
+    title: "Before it moves",
+    points: [
+      "Put it on the floor in the middle of a room, never on a table, and away from stairs. It weighs 3.5 kg and drives half a metre a second.",
+      "Nothing moves until you take control, and then in Safe mode: it stops by itself at a cliff, when a wheel drops, and when its charger is plugged in.",
+      "The Stop button, the space bar and Escape stop it. So does hiding or closing this page.",
+      "A pulled cable can't stop it: the robot goes on with the last command. Lift it then; in Safe mode it stops as soon as a wheel drops.",
+    ],
+    yes: "Understood, connect",
+    isWarning: true,
+  });
+  if (agreed) keep(READ, "read");
+  return agreed;
+}
+
+/** What is kept in this browser. @param {string} key */
+export function kept(key) {
+  try {
+    return localStorage.getItem(key);
+  } catch {
+    return null;
+  }
+}
+
+/** @param {string} key @param {string} value */
+export function keep(key, value) {
+  try {
+    localStorage.setItem(key, value);
+  } catch {
+    // Without storage it lasts as long as the page.
+  }
+}

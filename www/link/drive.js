@@ -1,0 +1,75 @@
+// @ts-check
+// Driving the robot by hand. The worker stops it when it hasn't heard for 200 ms.
+import { button, byId, setHidden, setText } from "../dom.js";
+import { STILL, joystick, rounded } from "../joystick.js";
+import { place } from "../places.js";
+import { goesOn } from "./view.js";
+
+/** @typedef {import("./place.js").Linking} Linking */
+
+/** How often a command is said again while it is held, ms. */
+const AGAIN_MS = 40;
+
+/** @param {Linking} it */
+export function startDrive(it) {
+  const [floor, knob] = [byId("link-floor"), button("link-knob")];
+  const mayDrive = () => {
+    const { can, ride } = it.view;
+    return place() === "robot" && can.drive && (!goesOn(ride) || ride?.manual === true);
+  };
+  let isDriving = false;
+  /** Whether a gamepad's stick has been in the middle since one could drive: nobody shall drive off by taking control. */
+  let wasStill = false;
+
+  const end = () => {
+    if (!isDriving) return;
+    isDriving = false;
+    void it.request({ do: "drive", ...STILL });
+  };
+  const stick = joystick({
+    pad: byId("link-pad"),
+    knob,
+    told: byId("link-blocked"),
+    targets: [floor, knob, document.body],
+    takes: ({ target, currentTarget }) => mayDrive() && (currentTarget !== document.body || target === document.body) && !document.querySelector("dialog[open]"),
+    begin: () => {},
+    end,
+  });
+  const stop = () => {
+    stick.release();
+    wasStill = false;
+    end();
+  };
+
+  setInterval(() => {
+    if (!mayDrive() || document.hidden) {
+      if (isDriving) stop();
+      wasStill = false;
+      return;
+    }
+    const command = rounded(stick.read().command);
+    const isStill = command.forward === 0 && command.left === 0;
+    wasStill ||= isStill;
+    if (!wasStill) return;
+    stick.show(command);
+    if (isStill) {
+      end();
+      return;
+    }
+    isDriving = true;
+    void it.request({ do: "drive", ...command }).then((worked) => worked || stop());
+  }, AGAIN_MS);
+
+  return {
+    stop,
+    /** @param {import("./types").ConnectionView} view */
+    update({ ride, can }) {
+      const on = can.drive && (!goesOn(ride) || ride?.manual === true);
+      setHidden(byId("link-manual"), !on);
+      if (!on) return;
+      const { command, hasGamepad } = stick.read();
+      stick.showBlocked(ride?.blocked ?? null, command);
+      setText(byId("link-manual-note"), hasGamepad ? "Gamepad connected." : "Drag, or arrow keys or WASD.");
+    },
+  };
+}

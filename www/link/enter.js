@@ -1,0 +1,24 @@
+// @ts-check
+// The place Robot with all that it needs: style, document, module. Loaded when one first goes there.
+import init from "../../robot.js";
+import { byId } from "../dom.js";
+import { style } from "../sheet.js";
+import { compile } from "../wasm.js";
+import { startRobot } from "./place.js";
+
+/** @param {URL} address */
+async function text(address) {
+  const response = await fetch(address);
+  if (!response.ok) throw new Error(`a part of it could not be fetched (status ${response.status})`);
+  return response.text();
+}
+
+/** @param {import("../main.js").App} app @param {(what: () => void) => boolean} guard */
+export async function enterRobot(app, guard) {
+  const sheets = [new URL("./link.css", import.meta.url), new URL("./tools.css", import.meta.url)];
+  const compiled = compile(new URL("../../robot_bg.wasm", import.meta.url));
+  const [module, fragment] = await Promise.all([compiled, text(new URL("./robot.html", import.meta.url)), ...sheets.map(({ href }) => style(href))]);
+  await init({ module_or_path: module });
+  byId("place-robot").innerHTML = fragment;
+  return startRobot(app, module, guard);
+}

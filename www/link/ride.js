@@ -1,0 +1,108 @@
+// @ts-check
+// Algorithms that drive the robot: chosen here or in Explore, planned first where there is something to plan.
+import { button, byId, make, select, setEnabled, setHidden, setText } from "../dom.js";
+import { Planning } from "../planning.js";
+import { isMoving } from "./view.js";
+
+/** @typedef {import("./place.js").Linking} Linking */
+
+/** How far from the start a virtual robot may stand, m and rad, without being asked to be put there. */
+const NEAR = [0.05, 0.1];
+
+/** @param {Linking} it */
+export function startRide(it) {
+  const { room } = it;
+  const choice = select("link-algorithm");
+  const group = (/** @type {string} */ label, /** @type {string} */ kind) =>
+    make("optgroup", { label }, ...room.all.filter((entry) => entry.kind === kind).map(({ id, title }) => make("option", { value: id }, title)));
+  choice.replaceChildren(group("Behaviours: know nothing of the room", "behaviour"), group("Planned paths: for a known room", "planner"));
+  choice.addEventListener("change", () => {
+    cancel();
+    room.choose(choice.value);
+    it.live.map.set_planned(room.guest.corners());
+  });
+
+  /** Who waits for a plan. @type {((worked: boolean) => void) | undefined} */
+  let waiting;
+  const answer = (/** @type {boolean} */ worked) => {
+    waiting?.(worked);
+    waiting = undefined;
+    setText(byId("link-planning"), "");
+  };
+  const planning = new Planning({
+    progress: (_, done) => setText(byId("link-planning"), `Planning… ${Math.round(100 * done)} %`),
+    finished: (id, cells, seconds) => {
+      answer(it.app.act(() => room.guest.plan_finished(id, cells, seconds)));
+      it.live.map.set_planned(room.guest.corners());
+    },
+    failed: (_, message) => {
+      it.complain(`The planner failed: ${message}.`);
+      answer(false);
+    },
+  });
+  const cancel = () => {
+    planning.cancel();
+    answer(false);
+  };
+
+  /** Corners of the line to drive; `undefined` if there is none. @returns {Promise<Float64Array | undefined>} */
+  const corners = async () => {
+    if (room.algorithm?.kind === "behaviour") return new Float64Array();
+    const request = room.guest.take_plan_request();
+    if (request) {
+      setText(byId("link-planning"), "Planning…");
+      planning.start(request);
+      if (!(await new Promise((resolve) => (waiting = resolve)))) return undefined;
+    }
+    const line = room.guest.corners();
+    if (line.length > 0) return line;
+    it.complain("There is no path for this room yet. Choose another algorithm, or change the room in Explore.");
+    return undefined;
+  };
+
+  button("link-go").addEventListener("click", async () => {
+    if (!it.view.can.drive || isMoving(it.view) || waiting) return;
+    if (room.algorithm?.kind === "planner" && !it.live.isKnown()) {
+      it.complain("A planned path needs a known room: choose Explore's room as the map, or a behaviour.");
+      return;
+    }
+    const line = await corners();
+    // Who has stopped or lost control meanwhile doesn't want it to set off.
+    if (!line || !it.view.can.drive || isMoving(it.view)) return;
+    it.connection.follow(room.followed());
+    it.live.map.set_planned(line);
+    if (await it.connection.ride(line)) it.live.rideFrom();
+  });
+  button("link-end").addEventListener("click", () => {
+    cancel();
+    void it.request({ do: "stop" });
+  });
+  button("link-to-start").addEventListener("click", () => {
+    const [x, y, heading] = room.guest.start();
+    if (x !== undefined && y !== undefined && heading !== undefined) it.connection.virtual({ do: "put_down", x, y, heading });
+  });
+
+  /** Whether the virtual robot stands elsewhere. @param {import("./types").ConnectionView} view */
+  const isElsewhere = ({ virtual }) => {
+    const [x, y, heading] = room.guest.start();
+    if (!virtual || x === undefined || y === undefined || heading === undefined) return false;
+    const turn = Math.abs(Math.atan2(Math.sin(virtual.pose[2] - heading), Math.cos(virtual.pose[2] - heading)));
+    return Math.hypot(virtual.pose[0] - x, virtual.pose[1] - y) > (NEAR[0] ?? 0) || turn > (NEAR[1] ?? 0);
+  };
+
+  return {
+    cancel,
+    /** @param {import("./types").ConnectionView} view */
+    update(view) {
+      if (document.activeElement !== choice) choice.value = room.algorithm?.id ?? "";
+      const goes = isMoving(view);
+      const elsewhere = !goes && it.live.isKnown() && isElsewhere(view);
+      setHidden(button("link-to-start"), !elsewhere);
+      const where = it.live.isKnown() ? "It is taken to stand on the dashed circle, looking along its arrow." : "It sets off where it stands.";
+      setText(byId("link-ride-note"), view.can.drive ? where : "Take control first.");
+      setEnabled(button("link-go"), view.can.drive && !goes);
+      setEnabled(button("link-end"), goes || waiting !== undefined);
+      setEnabled(choice, !goes);
+    },
+  };
+}

@@ -1,0 +1,47 @@
+// @ts-check
+// The last things that are done when nobody is there any more: the robot has no time limit on a command to drive, so what
+// isn't stopped goes on.
+
+/**
+ * Bytes that stop a robot whatever it was doing: wheels (145), twice, since a command that lost bytes on its way swallows the
+ * beginning of the next one; brushes and vacuum (138); then Passive (128). None of them moves anything.
+ */
+export const STOP = Uint8Array.of(145, 0, 0, 0, 0, 145, 0, 0, 0, 0, 138, 0, 128);
+
+/** How long a page that goes away waits for its worker, ms. */
+const HOLD_MS = 60;
+
+/** Pages that are left say so two or three times. */
+const ONCE_MS = 500;
+
+/**
+ * Calls `leave` with the reason when the page is hidden, left or frozen; nothing that happens later brings the robot back to
+ * life by itself. Returns what ends the watch.
+ *
+ * A worker ends with its page, whether or not it has done what it was told last. So if the robot may be moving, the page
+ * keeps its own end waiting: while a handler of these events runs, the browser neither ends the page nor its workers, and
+ * those run on threads of their own. That is what the busy loop is for; there is no way to wait for an answer in such a
+ * handler. A worker needs about a millisecond to hear of it and write; `HOLD_MS` leaves room for a slow or busy computer,
+ * and is too short to be noticed.
+ * @param {(why: string) => void} leave
+ * @param {() => boolean} mayMove
+ */
+export function watchPage(leave, mayMove) {
+  let held = -Infinity;
+  const gone = (/** @type {string} */ why) => {
+    const waits = mayMove();
+    leave(why);
+    const start = performance.now();
+    if (!waits || start - held < ONCE_MS) return;
+    while (performance.now() - start < HOLD_MS);
+    held = performance.now();
+  };
+  const watch = new AbortController();
+  const { signal } = watch;
+  // Capturing, so that no other handler of the page comes first or stops it.
+  const options = { capture: true, signal };
+  document.addEventListener("visibilitychange", () => document.visibilityState === "hidden" && gone("The page was hidden."), options);
+  document.addEventListener("freeze", () => gone("The browser put the page to sleep."), options);
+  window.addEventListener("pagehide", () => gone("The page was left."), options);
+  return () => watch.abort();
+}

@@ -1,0 +1,205 @@
+// @ts-check
+// A connection to a robot, away from the page, which may be busy, hidden or hung: bytes, time, and the safety stop.
+import init, { Guest, Link } from "../../robot.js";
+import { failure } from "./ports.js";
+import { STOP } from "./safety.js";
+import { SerialLine } from "./serial.js";
+import { SocketLine } from "./socket.js";
+import { VirtualLine } from "./virtual.js";
+
+/** How often time passes for the link, ms, and how many such steps there are from view to view. */
+const TICK_MS = 10;
+const VIEW_TICKS = 5;
+
+/** @type {Link} */
+let link;
+/** @type {Guest} */
+let guest;
+/** @type {SerialLine | SocketLine | VirtualLine | undefined} */
+let line;
+/** The line is about to go on at another baud rate. */
+let isChanging = false;
+/** Something went wrong that should not; nothing is sent any more. */
+let isBroken = false;
+let ticks = 0;
+/** Openings and closings, one after the other. */
+let doing = Promise.resolve();
+
+const now = () => performance.now() / 1000;
+
+/** @param {import("./types").FromLink} message @param {Transferable[]} [transfer] */
+const tell = (message, transfer = []) => self.postMessage(message, { transfer });
+
+/** Does something with the link, then what it asks for. Whatever goes wrong in it stops the robot. @param {() => void} what */
+function safely(what) {
+  if (isBroken) return;
+  try {
+    what();
+    pump();
+  } catch (error) {
+    broke(error);
+  }
+}
+
+/** Sends what the link has to say, at once. */
+function pump() {
+  while (!isChanging) {
+    const wanted = link.take_line();
+    const bytes = wanted ? undefined : link.take_tx();
+    if (!wanted && !bytes?.length) return;
+    // What can't be sent now must not be sent later: the robot behind a line that comes back may be another one.
+    if (line?.view.state !== "open") continue;
+    if (bytes) line.write(bytes);
+    else if ("brc" in wanted) line.setBrc(wanted.brc).catch(broke);
+    else changeBaud(wanted.baud);
+  }
+}
+
+/** @param {number} baud */
+function changeBaud(baud) {
+  isChanging = true;
+  const changed = () => {
+    isChanging = false;
+    safely(() => {});
+  };
+  line?.setBaud(baud).then(changed, broke);
+}
+
+/** Stops the robot without the link, and ends the connection. @param {unknown} error */
+function broke(error) {
+  if (isBroken) return;
+  isBroken = true;
+  line?.write(STOP);
+  console.error(error);
+  const said = error instanceof Error ? error.message : String(error);
+  tell({ type: "failed", failure: failure("broken", `An error in this program ended the connection (${said}). The robot was told to stop.`, "Watch whether it does. Then connect again.") });
+  void line?.close();
+}
+
+self.addEventListener("error", (event) => {
+  // Told to the page here, and not once more by the browser.
+  event.preventDefault();
+  broke(event.error ?? event.message);
+});
+self.addEventListener("unhandledrejection", (event) => broke(event.reason));
+
+setInterval(() => {
+  if (!line) return;
+  safely(() => {
+    if (line instanceof VirtualLine) line.tick(now());
+    link.tick(now());
+  });
+  if (++ticks % VIEW_TICKS === 0) show();
+}, TICK_MS);
+
+function show() {
+  if (isBroken || !line) return;
+  try {
+    const virtual = line instanceof VirtualLine ? line.look() : null;
+    tell({ type: "view", view: { ...link.view(now()), transport: line.view, virtual } });
+    const traffic = link.take_traffic();
+    if (traffic.length) tell({ type: "traffic", traffic });
+    const trace = link.take_trace();
+    if (trace.length) tell({ type: "trace", trace }, [trace.buffer]);
+  } catch (error) {
+    broke(error);
+  }
+}
+
+/** @param {import("./types").WorkerTarget} target */
+async function open(target) {
+  await close();
+  if (isBroken) throw failure("broken", "An error in this program has ended its connections.", "Reload the page.");
+  /** @type {import("./types").TransportEvents} */
+  const events = {
+    onbytes: (bytes) => safely(() => link.feed(now(), bytes)),
+    onopened: () => safely(() => link.opened(now())),
+    onlost: (why, forGood) => safely(() => link.lost(now(), why, forGood)),
+  };
+  if (target.kind === "virtual") line = new VirtualLine(guest, target.personality, events);
+  else if (target.kind === "serial") line = new SerialLine(target.address, events);
+  else line = new SocketLine(target.url, events);
+  try {
+    await line.open();
+  } catch (error) {
+    show();
+    line = undefined;
+    throw error;
+  }
+  safely(() => link.opened(now()));
+}
+
+async function close() {
+  if (!line) return;
+  safely(() => link.request(now(), { do: "disconnect" }));
+  const closing = line;
+  await closing.close();
+  show();
+  line = undefined;
+  if (closing instanceof VirtualLine) closing.free();
+}
+
+/** @param {Extract<import("./types").ToLink, { id: number }>} message @returns {Promise<boolean | string>} */
+async function answer(message) {
+  if (message.type === "recording") return link.recording();
+  if (isBroken) return false;
+  if (message.type === "request" && message.request.do !== "disconnect") {
+    attempt(() => link.request(now(), message.request));
+  } else if (message.type === "ride") {
+    attempt(() => link.ride(now(), guest, message.corners));
+  } else if (message.type === "follow") {
+    const { link: session, version, scenario } = message.followed;
+    attempt(() => guest.is_behind(session, version) && guest.follow(session, version, scenario));
+    // Laying out a room takes its time; that isn't the page's silence.
+    safely(() => link.beat(now()));
+  } else {
+    // A line that isn't open yet need not be waited for.
+    if (message.type !== "open" && line?.view.state === "opening") void line.close();
+    const next = doing.then(() => (message.type === "open" ? open(message.target) : close()));
+    doing = next.catch(() => {});
+    await next;
+  }
+  return !isBroken;
+}
+
+/** Passes on why it isn't done; that is no error of the program. @param {() => void} what */
+function attempt(what) {
+  /** @type {unknown} */
+  let refused;
+  safely(() => {
+    try {
+      what();
+    } catch (error) {
+      // A sentence is a refusal; anything else went wrong.
+      if (typeof error !== "string") throw error;
+      refused = failure("refused", error, "");
+    }
+  });
+  if (refused) throw refused;
+}
+
+let markReady = () => {};
+/** @type {Promise<void>} */
+const ready = new Promise((resolve) => (markReady = resolve));
+
+self.addEventListener("message", async (/** @type {MessageEvent<import("./types").ToLink>} */ { data: message }) => {
+  if (message.type === "init") {
+    await init({ module_or_path: message.module });
+    [link, guest] = [new Link(), new Guest()];
+    return markReady();
+  }
+  await ready;
+  if (message.type === "beat") link.beat(now());
+  else if (message.type === "leave") safely(() => link.leave(now(), message.why));
+  else if (message.type === "virtual") safely(() => line instanceof VirtualLine && line.touch(message.touch));
+  else {
+    let value = /** @type {boolean | string} */ (false);
+    try {
+      value = await answer(message);
+    } catch (error) {
+      if (error && typeof error === "object" && "kind" in error) tell({ type: "failed", failure: /** @type {import("./types").Failure} */ (error) });
+      else broke(error);
+    }
+    tell({ type: "answer", id: message.id, value });
+  }
+});

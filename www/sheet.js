@@ -1,0 +1,24 @@
+// @ts-check
+// Style sheets of places that are loaded when one first goes there.
+
+/** Those that are loaded or on their way. @type {Map<string, Promise<void>>} */
+const styled = new Map();
+
+/** Loads a style sheet, in the place among the others that it would have in the page's head. @param {string} address */
+export function style(address) {
+  const sheet = document.createElement("link");
+  const loaded = styled.get(address) ?? new Promise((/** @type {(done: void) => void} */ resolve, reject) => {
+    sheet.rel = "stylesheet";
+    sheet.href = address;
+    sheet.onload = () => resolve();
+    sheet.onerror = () => {
+      sheet.remove();
+      styled.delete(address);
+      reject(new Error("its style could not be loaded"));
+    };
+    const small = document.querySelector('link[href*="small.css"]');
+    document.head.insertBefore(sheet, small);
+  });
+  styled.set(address, loaded);
+  return loaded;
+}
