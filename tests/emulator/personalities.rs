@@ -251,8 +251,10 @@ fn wrap_wraps_both_ways_soon() {
 }
 
 #[test]
-fn bootloader_sends_nothing_but_254() {
+fn bootloader_sends_nothing_but_254_after_a_reset() {
     let mut lab = Lab::new("bootloader");
+    lab.go(Mode::Safe);
+    lab.send(&[7]);
     lab.wait(10.0);
     let heard = lab.take();
     assert!(heard.len() > 90 && heard.iter().all(|&byte| byte == 0xFE), "{heard:?}");

@@ -10,7 +10,9 @@ import { isOpen } from "./view.js";
 /** @typedef {import("./types").ConnectionView} ConnectionView */
 
 /** Which picture belongs to what was found. @type {Record<string, string>} */
-const PICTURES = { nothing: "listening", silence: "asleep", stream: "awake", robot: "awake", text: "awake", charging: "dock", booting: "boot", bootloader: "boot", garbage: "speed" };
+const PICTURES = { nothing: "listening", silence: "asleep", stream: "awake", robot: "awake", text: "awake", charging: "dock", booting: "boot", bootloader: "boot", garbage: "speed", no_stream: "awake" };
+/** What is being tried, while it is. @type {Record<string, string>} */
+const TRYING = { listening: "Listening who is there…", asking: "Asking for an answer…", waking: "Waking it by the cable's wake-up wire…", slow: "Trying 19,200 baud…", create1: "Trying 57,600 baud…" };
 const URL_KEPT = "link-bridge";
 
 /** @param {Linking} it @returns {(view: ConnectionView) => void} */
@@ -77,10 +79,12 @@ function showState({ phase, transport, diagnosis }, open) {
 /** @param {ConnectionView} view */
 function showDiagnosis({ phase, diagnosis, transport }) {
   const isLost = phase === "lost" || transport.state === "lost";
-  const picture = isLost ? "unplugged" : (PICTURES[diagnosis.finding] ?? "listening");
+  // Who is still trying doesn't send anybody to press buttons.
+  const trying = isLost || phase !== "diagnosing" ? "" : (TRYING[diagnosis.step] ?? "Listening who is there…");
+  const picture = isLost ? "unplugged" : trying ? "listening" : (PICTURES[diagnosis.finding] ?? "listening");
   setAttribute(byId("link-picture"), "href", `#p-${picture}`);
-  setText(byId("link-found"), (isLost ? transport.text : "") || diagnosis.text || "Listening who is there…");
-  setText(byId("link-remedy"), diagnosis.remedy);
+  setText(byId("link-found"), trying || (isLost ? transport.text : "") || diagnosis.text || "Listening who is there…");
+  setText(byId("link-remedy"), trying ? "" : diagnosis.remedy);
   if (!changed(byId("link-tried"), "log", diagnosis.log.join("\n"))) return;
   byId("link-tried").replaceChildren(...diagnosis.log.map((line) => make("li", {}, line)));
 }

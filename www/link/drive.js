@@ -18,7 +18,7 @@ export function startDrive(it) {
     return place() === "robot" && can.drive && (!goesOn(ride) || ride?.manual === true);
   };
   let isDriving = false;
-  /** Whether a gamepad's stick has been in the middle since one could drive: nobody shall drive off by taking control. */
+  /** Whether all was still since one could drive, or something was touched: nobody shall drive off by taking control. */
   let wasStill = false;
 
   const end = () => {
@@ -32,7 +32,10 @@ export function startDrive(it) {
     told: byId("link-blocked"),
     targets: [floor, knob, document.body],
     takes: ({ target, currentTarget }) => mayDrive() && (currentTarget !== document.body || target === document.body) && !document.querySelector("dialog[open]"),
-    begin: () => {},
+    begin: () => {
+      // Not what a gamepad says all along.
+      wasStill = true;
+    },
     end,
   });
   const stop = () => {

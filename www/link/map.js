@@ -24,7 +24,7 @@ export function startMap(it) {
   const isKnown = () => choice.value === "known";
   const offer = () => {
     const value = choice.value || "known";
-    fill(choice, [["known", `${it.app.view.room.title} (from Explore)`], ["blank", "Unknown room"]]);
+    fill(choice, [["known", `${it.app.playground.view().room.title} (from Explore)`], ["blank", "Unknown room"]]);
     choice.value = value;
     setText(byId("link-room-note"), isKnown() ? it.room.guest.complaint() || "Change it in Explore." : "What it sweeps and feels is drawn as it goes.");
   };

@@ -94,11 +94,7 @@ impl Machine {
             floor: Arc::clone(&setup.floor),
             line: Line::new(who, setup.seed),
             mode: Mode::Off,
-            power: match who {
-                Personality { stays_in_boot_loader: true, .. } => Power::BootLoader(0),
-                Personality { starts_asleep: true, .. } => Power::Asleep(0),
-                _ => Power::Awake,
-            },
+            power: if who.starts_asleep { Power::Asleep(0) } else { Power::Awake },
             powered_on: 0,
             brc: Brc::default(),
             active: 0,

@@ -37,7 +37,7 @@ pub struct Personality {
     pub last_packet: u8,
     /// What it writes when it boots.
     pub banner: Banner,
-    /// Whether it is in its boot loader at the start and stays there, whatever resets it.
+    /// Whether it stays in its boot loader after a reset.
     pub stays_in_boot_loader: bool,
     /// When it writes its charging log, a line a second.
     pub log: Log,
@@ -203,7 +203,7 @@ pub const PERSONALITIES: &[Personality] = &[
     Personality {
         id: "bootloader",
         title: "Stuck in its boot loader",
-        summary: "Somebody has reset it, and now it sends nothing but 254, as one of the 600 series did.",
+        summary: "Works until it is reset, then sends nothing but 254, as one of the 600 series did.",
         stays_in_boot_loader: true,
         ..BY_THE_BOOK
     },
