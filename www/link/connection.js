@@ -5,7 +5,7 @@ import { watchPage } from "./safety.js";
 
 /** @typedef {import("./types").Failure} Failure */
 
-/** How often the worker is told that the page is alive, ms. It stops the robot when it hasn't heard for 180 ms. */
+/** How often the worker is told that the page is alive, ms. It stops the robot when it hasn't heard for 150 ms. */
 const BEAT_MS = 40;
 
 /**

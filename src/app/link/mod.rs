@@ -40,7 +40,7 @@ use crate::{
 use thiserror::Error;
 
 /// A page that hasn't been heard of for so long, s, hangs or is hidden: whatever moves is stopped.
-const BEAT_S: f64 = 0.18;
+const BEAT_S: f64 = 0.15;
 /// A stick that nobody moves or holds for so long, s, is let go.
 const STICK_S: f64 = 0.2;
 /// Robots fall asleep after so long in Passive, s.
