@@ -7,6 +7,9 @@ cd "$ROOT" || exit 1
 # Installed tools live outside the repository, one folder per version, so that a fresh checkout finds them again.
 TOOLS=${ROBOVAC_TOOLS:-${XDG_CACHE_HOME:-$HOME/.cache}/robovac-playground}
 
+# Independent drivers, for the tests alone.
+DRIVERS=$ROOT/target/drivers
+
 WASM_TARGET=wasm32-unknown-unknown
 TRUNK_VERSION=0.22.1
 # The command-line tool must equal the crate exactly, so the lock file decides.

@@ -59,6 +59,22 @@ need_node() {
     cp package-lock.json node_modules/.installed-lock.json
 }
 
+# A Python with the drivers of tests/drivers/requirements.txt, in target/.
+need_drivers() {
+    local list=tests/drivers/requirements.txt
+    cmp -s $list "$DRIVERS/.installed" && return
+    { have python3 && python3 -c 'import ensurepip, venv'; } 2>/dev/null ||
+        step "Installing Python" apt_install python3 python3-venv
+    step "Installing the drivers of $list" install_drivers "$list"
+}
+
+install_drivers() {
+    rm -rf "$DRIVERS"
+    python3 -m venv "$DRIVERS"
+    "$DRIVERS/bin/pip" install --quiet --disable-pip-version-check --requirement "$1"
+    cp "$1" "$DRIVERS/.installed"
+}
+
 need_browser() {
     { find_chromium && find_chromedriver; } >/dev/null && return
     [[ -z ${CHROMIUM:-}${CHROMEDRIVER:-} ]] || die "CHROMIUM=${CHROMIUM:-} or CHROMEDRIVER=${CHROMEDRIVER:-} names a program that is not there"

@@ -16,7 +16,7 @@ async function openFake(t, { ports = [FTDI], robots = 1, personality = [], choos
   const all = [];
   for (let number = 0; number < robots; number++) all.push(await Robot.start(t, ...personality));
   const bus = await startBus(t, all, options);
-  const { desk } = await openDesk(t, { also: fakeFiles({ bus: bus.url, ports, chooses }) });
+  const { desk } = await openDesk(t, { extra: fakeFiles({ bus: bus.url, ports, chooses }) });
   return { desk, bus, robots: all, robot: all[0] };
 }
 
@@ -123,8 +123,8 @@ test("an error in the program stops the robot and says so", { skip }, async (t) 
       return seen;
     };`;
   const program = fs.readFileSync(path.join(DIST, "robot.js"), "utf8");
-  const also = { ...fakeFiles({ bus: bus.url, ports: [FTDI], chooses: 0 }), "/robot.js": `${program}\n${sabotage}` };
-  const { desk } = await openDesk(t, { also, allow: [/sabotage/] });
+  const extra = { ...fakeFiles({ bus: bus.url, ports: [FTDI], chooses: 0 }), "/robot.js": `${program}\n${sabotage}` };
+  const { desk } = await openDesk(t, { extra, allow: [/sabotage/] });
   await desk.connect();
   await desk.arm();
   await desk.drive();
@@ -167,8 +167,10 @@ test("where there are no serial ports, it is said why and what works instead", a
   assert.deepEqual(await desk.tab.evaluate(() => window.support()), { serial: true, socket: true, why: "", instead: "" });
   // The same page under other addresses.
   await context.route(/^https?:\/\/desk\.test\//, async (route) => {
-    const { pathname } = new URL(route.request().url());
-    await route.fulfill({ response: await route.fetch({ url: new URL(pathname, server.url).href }) });
+    const { pathname, search } = new URL(route.request().url());
+    const response = await route.fetch({ url: new URL(pathname, server.url).href });
+    const policy = search === "?forbidden" ? { "permissions-policy": "serial=()" } : {};
+    await route.fulfill({ response, headers: { ...response.headers(), ...policy } });
   });
   const failuresAt = async (address, target) => {
     await desk.tab.goto(address);
@@ -182,6 +184,9 @@ test("where there are no serial ports, it is said why and what works instead", a
   assert.match(instead, /virtual robot/);
   [kinds] = await failuresAt("https://desk.test/desk.html", { kind: "socket", url: "ws://192.168.1.50/" });
   assert.deepEqual(kinds, ["mixed"]);
+  [kinds, { why }] = await failuresAt("https://desk.test/desk.html?forbidden", { kind: "serial" });
+  assert.deepEqual(kinds, ["policy"]);
+  assert.match(why, /permissions policy/);
   // Safari and other browsers without.
   await context.addInitScript(() => delete Navigator.prototype.serial);
   [kinds, { why, instead }] = await failuresAt("https://desk.test/desk.html", { kind: "serial" });

@@ -76,7 +76,8 @@ export class Connection {
       if (!known) return false;
       if (this.isOpen) await this.close();
       this.#revive();
-      this.#beats = window.setInterval(() => this.#tell({ type: "beat" }), BEAT_MS);
+      // A page that isn't seen counts as away, whatever becomes of its timers.
+      this.#beats = window.setInterval(() => document.visibilityState === "visible" && this.#tell({ type: "beat" }), BEAT_MS);
       const opened = await this.#ask({ type: "open", id: 0, target: known });
       if (!opened) this.#rest();
       return opened === true;

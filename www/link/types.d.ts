@@ -70,6 +70,8 @@ export type Statistics = {
   bad_checksums: number;
   false_headers: number;
   implausible: number;
+  /** Believed a frame late, as something in them jumped. */
+  late: number;
   texts: number;
   noise: number;
   /** Received and sent. */

@@ -14,7 +14,7 @@ export const CLOSED = {
   pose: [0, 0, 0],
   distance_m: 0,
   wheels: [0, 0],
-  statistics: { baud: 0, frames: 0, bad_checksums: 0, false_headers: 0, implausible: 0, texts: 0, noise: 0, bytes: [0, 0], rate_hz: 0, age_ms: 0, latency_ms: null, longest_gap_ms: 0, slot: [0, 0] },
+  statistics: { baud: 0, frames: 0, bad_checksums: 0, false_headers: 0, implausible: 0, late: 0, texts: 0, noise: 0, bytes: [0, 0], rate_hz: 0, age_ms: 0, latency_ms: null, longest_gap_ms: 0, slot: [0, 0] },
   sleeps_in_s: null,
   awake_s: null,
   drop: null,

@@ -101,6 +101,7 @@ impl Link {
             bad_checksums: counts.bad_checksums,
             false_headers: counts.false_headers,
             implausible,
+            late: driver.late(),
             texts: counts.texts,
             noise: counts.noise,
             bytes: driver.bytes(),

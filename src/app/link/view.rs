@@ -91,6 +91,8 @@ pub struct Statistics {
     pub false_headers: u64,
     /// Frames with a right checksum and values that can't be.
     pub implausible: u64,
+    /// Frames that were believed a frame late, as something in them jumped.
+    pub late: u64,
     /// Lines of text.
     pub texts: u64,
     /// Bytes that belong to nothing.

@@ -1,7 +1,8 @@
 //! `planners`, `behaviours`, `rooms`, `robots`: what there is, one a line.
 
 use robovac_playground::{
-    controller::BEHAVIOURS, floorplan::ROOMS, metrics::METRICS, planner::PLANNERS, robot::MODELS,
+    controller::BEHAVIOURS, floorplan::ROOMS, metrics::METRICS, oi::emulator::PERSONALITIES, planner::PLANNERS,
+    robot::MODELS,
 };
 
 pub fn planners() -> String {
@@ -18,6 +19,10 @@ pub fn rooms() -> String {
 
 pub fn robots() -> String {
     lines(MODELS.iter().map(|robot| (robot.id, robot.title)))
+}
+
+pub fn personalities() -> String {
+    lines(PERSONALITIES.iter().map(|who| (who.id, who.title)))
 }
 
 pub fn metrics() -> String {

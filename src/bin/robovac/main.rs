@@ -28,6 +28,8 @@ mod simulate;
 mod source;
 #[cfg(not(target_arch = "wasm32"))]
 mod task;
+#[cfg(not(target_arch = "wasm32"))]
+mod virtual_roomba;
 
 /// In the browser the page takes its place.
 #[cfg(target_arch = "wasm32")]
@@ -40,7 +42,9 @@ fn main() -> std::process::ExitCode {
 
 #[cfg(not(target_arch = "wasm32"))]
 mod native {
-    use super::{bench, compare, convert, failure::OK, list, monitor, montecarlo, output::print, plan, simulate};
+    use super::{
+        bench, compare, convert, failure::OK, list, monitor, montecarlo, output::print, plan, simulate, virtual_roomba,
+    };
     use clap::{Parser, Subcommand};
     use std::{io::Write, process::ExitCode};
 
@@ -72,6 +76,8 @@ Exit codes:
         Rooms,
         /// List the robots: id, then title
         Robots,
+        /// List what virtual Roombas are like: id, then title
+        Personalities,
         /// List the numbers by which plans are compared: id, then what it is
         Metrics,
         Plan(plan::Arguments),
@@ -81,6 +87,7 @@ Exit codes:
         Convert(convert::Arguments),
         Bench(bench::Arguments),
         Monitor(monitor::Arguments),
+        VirtualRoomba(virtual_roomba::Arguments),
     }
 
     pub(super) fn main() -> ExitCode {
@@ -89,6 +96,7 @@ Exit codes:
             Command::Behaviours => Ok(list::behaviours()),
             Command::Rooms => Ok(list::rooms()),
             Command::Robots => Ok(list::robots()),
+            Command::Personalities => Ok(list::personalities()),
             Command::Metrics => Ok(list::metrics()),
             Command::Plan(arguments) => plan::run(&arguments),
             Command::Simulate(arguments) => simulate::run(&arguments),
@@ -97,6 +105,7 @@ Exit codes:
             Command::Convert(arguments) => convert::run(&arguments),
             Command::Bench(arguments) => bench::run(&arguments),
             Command::Monitor(arguments) => monitor::run(&arguments),
+            Command::VirtualRoomba(arguments) => virtual_roomba::run(&arguments),
         };
         match result.and_then(|text| print(&text)) {
             Ok(()) => OK.into(),

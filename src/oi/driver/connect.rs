@@ -54,6 +54,8 @@ impl Driver {
                 let patience = if self.baud < 115_200 { 2.0 * ANSWER_S } else { ANSWER_S };
                 if passed >= patience * f64::from(self.diagnosis.tries) {
                     if self.diagnosis.tries < QUESTIONS {
+                        // The end of somebody else's stream may have been in the way of the answer.
+                        self.hearing.clear();
                         self.question(now);
                     } else {
                         self.nobody_answered(now);

@@ -47,10 +47,10 @@ const fn rule(packet: Packet) -> Rule {
         | Packet::RequestedVelocity
         | Packet::RequestedRadius
         | Packet::OiMode
+        | Packet::Temperature
         | Packet::ChargingState
         | Packet::ChargingSources => Rule::Rare,
-        Packet::Temperature
-        | Packet::InfraredOmni
+        Packet::InfraredOmni
         | Packet::InfraredLeft
         | Packet::InfraredRight
         | Packet::Overcurrents
@@ -58,7 +58,7 @@ const fn rule(packet: Packet) -> Rule {
         | Packet::Wall
         | Packet::VirtualWall
         | Packet::Buttons => Rule::Signal(0, 0),
-        Packet::Distance | Packet::Angle => Rule::Signal(4, 2),
+        Packet::Distance | Packet::Angle => Rule::Signal(1, 0),
         Packet::DirtDetect
         | Packet::WallSignal
         | Packet::LightLeft
@@ -66,16 +66,16 @@ const fn rule(packet: Packet) -> Rule {
         | Packet::LightCentreLeft
         | Packet::LightCentreRight
         | Packet::LightFrontRight
-        | Packet::LightRight => Rule::Signal(12, 4),
+        | Packet::LightRight => Rule::Signal(24, 2),
         Packet::CliffLeftSignal
         | Packet::CliffFrontLeftSignal
         | Packet::CliffFrontRightSignal
-        | Packet::CliffRightSignal => Rule::Signal(12, 8),
+        | Packet::CliffRightSignal => Rule::Signal(24, 4),
         Packet::LeftMotorCurrent | Packet::RightMotorCurrent | Packet::MainBrushCurrent | Packet::SideBrushCurrent => {
-            Rule::Signal(40, 4)
+            Rule::Signal(60, 2)
         }
-        Packet::Voltage => Rule::Signal(150, 0),
-        Packet::Current => Rule::Signal(150, 4),
+        Packet::Voltage => Rule::Signal(400, 0),
+        Packet::Current => Rule::Signal(400, 2),
         Packet::BatteryCharge => Rule::Within(4),
         Packet::LeftEncoder | Packet::RightEncoder => Rule::Counts,
         Packet::RequestedRightVelocity => Rule::RightSpeed,

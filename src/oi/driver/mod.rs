@@ -389,6 +389,11 @@ impl Driver {
         self.filter.refused()
     }
 
+    /// Frames that were believed a frame late, as something in them jumped.
+    pub fn late(&self) -> u64 {
+        self.filter.late()
+    }
+
     /// Bytes received and sent.
     pub fn bytes(&self) -> [u64; 2] {
         self.bytes
@@ -408,6 +413,9 @@ impl Driver {
 
     /// Takes encoder packets 43 and 44 the other way round, or as they should be.
     pub fn swap_encoders(&mut self, swapped: bool) {
+        if swapped != self.swapped {
+            std::mem::swap(&mut self.sensors.left_counts, &mut self.sensors.right_counts);
+        }
         self.swapped = swapped;
     }
 

@@ -94,7 +94,9 @@ mod tests {
         assert_eq!(question.advance(0.01), Next::Wait);
         question.hear(99);
         assert!(matches!(question.advance(0.06), Next::Send(bytes) if bytes.len() == 6));
-        [58, 152, 3, 1].into_iter().for_each(|byte| question.hear(byte));
+        for byte in [58, 152, 3, 1] {
+            question.hear(byte);
+        }
         let Next::Done(bytes, words) = question.advance(1.0) else { panic!() };
         assert_eq!(bytes, [58, 152, 3, 1]);
         assert!(words.contains("15000 mV"), "{words}");

@@ -188,7 +188,7 @@ mod tests {
         assert_eq!((after(&[(2, 2)]).distance(), after(&[(3, 3)]).distance()), (0, 1));
         assert_eq!(after(&[(65_533, 65_533)]).distance(), -1);
         // 1660.7 counts a wheel are a full turn.
-        assert_eq!((after(&[(64_706, 831)]).angle(1.0), after(&[(831, 64_706)]).angle(1.0)), (180, -179));
+        assert_eq!((after(&[(64_706, 831)]).angle(1.0), after(&[(831, 64_706)]).angle(1.0)), (180, -180));
         let long: Vec<(u16, u16)> = (1..=4).map(|i: u16| (i.wrapping_mul(30_000), i.wrapping_mul(30_000))).collect();
         assert_eq!(after(&long).distance(), i16::MAX);
     }

@@ -23,6 +23,8 @@ use crate::{oi::mode::Mode, robot::RobotPort};
 pub(super) const SLEEPS_AFTER: Nanos = 300 * SECOND;
 /// Time from reset to listening.
 const BOOT: Nanos = ms(4500);
+/// Time between two bytes of a boot loader that is stuck (ours).
+const REPEATS: Nanos = ms(100);
 /// Length of a pulse on BRC that counts for the change to 19200 baud.
 const PULSE: [Nanos; 2] = [ms(50), ms(500)];
 /// Time after power-on before which such pulses don't count.
@@ -183,7 +185,7 @@ impl Machine {
         self.line.set_baud(self.now, self.who.default_baud);
         self.powered_on = self.now;
         self.power = if self.who.stays_in_boot_loader {
-            Power::BootLoader(self.now + SECOND)
+            Power::BootLoader(self.now + REPEATS)
         } else {
             Power::Booting(self.now, 0)
         };
@@ -210,7 +212,7 @@ impl Machine {
             },
             Power::BootLoader(at) if self.now >= at => {
                 self.line.send(self.now, &[0xFE]);
-                self.power = Power::BootLoader(at + SECOND);
+                self.power = Power::BootLoader(at + REPEATS);
             }
             _ => {}
         }

@@ -2,7 +2,9 @@
 import assert from "node:assert/strict";
 import { execFile, spawnSync } from "node:child_process";
 import fs from "node:fs";
+import os from "node:os";
 import path from "node:path";
+import { after } from "node:test";
 import { promisify } from "node:util";
 import { chromium } from "playwright-core";
 import { CHROMIUM_FLAGS, DIST, chromiumPath, serveFolder } from "../browser.mjs";
@@ -20,32 +22,60 @@ export function noSerial() {
   return tried.status === 0 ? "" : `mount namespaces aren't permitted here (${(tried.stderr ?? String(tried.error)).trim()})`;
 }
 
-/** Serves the built page with what tests put beside it. */
-export function serveDesk(also = {}) {
-  return serveFolder(DIST, { also: { "/desk.html": page("page.html"), "/elsewhere.html": "<!doctype html><title>Elsewhere</title>", ...also } });
+// One server and one browser for a test file, as starting them takes longer than most tests; tests stay apart by contexts.
+const running = [];
+let served;
+after(async () => {
+  for (const end of running.reverse()) await end();
+});
+
+/** The built page with what tests put beside it; `also` may change. */
+async function serve() {
+  const also = {};
+  const server = await serveFolder(DIST, { also });
+  running.push(server.close);
+  return { server, also };
 }
 
-function inNamespace(robot, server) {
-  return { executable: path.join(HERE, "chromium"), env: { SERIAL_PTY: robot.pty, SERIAL_ORIGIN: new URL(server.url).origin, SERIAL_CHROMIUM: chromiumPath() } };
+/** Chromium with a serial port: where its cable leads to, and what starts it. */
+async function wired() {
+  const { server } = await (served ??= serve());
+  const cable = path.join(os.tmpdir(), `robovac-e2e-${process.pid}-cable`);
+  running.push(() => fs.rmSync(cable, { force: true }));
+  return { cable, executable: path.join(HERE, "chromium"), env: { ...process.env, SERIAL_PTY: cable, SERIAL_ORIGIN: new URL(server.url).origin, SERIAL_CHROMIUM: chromiumPath() } };
+}
+
+let withPort;
+let withoutPort;
+async function start({ cable, executable, env } = { executable: chromiumPath() }) {
+  const browser = await chromium.launch({ executablePath: executable, args: CHROMIUM_FLAGS, env });
+  running.push(() => browser.close());
+  return { browser, cable };
+}
+
+function plugIn(cable, robot) {
+  fs.rmSync(cable, { force: true });
+  fs.symlinkSync(robot.pty, cable);
 }
 
 /**
  * Opens the desk for the test `t` in a Chromium whose only serial port leads to `robot`, or in one without if there is none.
- * The test fails if by its end the page has logged an error or thrown one, unless a pattern in `allow` matches it.
+ * `extra` has files for this test, as `also` of `serveFolder`. The test fails if by its end the page has logged an error or
+ * thrown one, unless a pattern in `allow` matches it.
  */
-export async function openDesk(t, { robot, allow = [], also, init, flags = [] } = {}) {
-  const server = await serveDesk(also);
-  const { executable, env } = robot ? inNamespace(robot, server) : { executable: chromiumPath(), env: {} };
-  const browser = await chromium.launch({ executablePath: executable, args: [...CHROMIUM_FLAGS, ...flags], env: { ...process.env, ...env } });
+export async function openDesk(t, { robot, allow = [], extra = {} } = {}) {
+  const { server, also } = await (served ??= serve());
+  for (const address of Object.keys(also)) delete also[address];
+  Object.assign(also, { "/desk.html": page("page.html"), "/elsewhere.html": "<!doctype html><title>Elsewhere</title>" }, extra);
+  const { browser, cable } = await (robot ? (withPort ??= wired().then(start)) : (withoutPort ??= start()));
+  if (robot) plugIn(cable, robot);
   const context = await browser.newContext();
-  if (init) await context.addInitScript(init);
   const problems = [];
   const note = (message) => allow.some((pattern) => pattern.test(message)) || problems.push(message);
   context.on("console", (message) => message.type() === "error" && note(`console: ${message.text()}`));
   context.on("weberror", (error) => note(`uncaught: ${error.error().stack ?? error.error()}`));
   t.after(async () => {
-    await browser.close();
-    await server.close();
+    await context.close();
     assert.deepEqual(problems, [], "the page reported problems");
   });
   const open = async () => {
@@ -58,13 +88,12 @@ export async function openDesk(t, { robot, allow = [], also, init, flags = [] } 
 
 /** The same in a browser whose tabs can be hidden. */
 export async function openHidable(t, { robot }) {
-  const server = await serveDesk();
-  const { executable, env } = inNamespace(robot, server);
+  const { server, also } = await (served ??= serve());
+  Object.assign(also, { "/desk.html": page("page.html"), "/elsewhere.html": "<!doctype html><title>Elsewhere</title>" });
+  const { cable, executable, env } = await wired();
+  plugIn(cable, robot);
   const browser = await launch(executable, { flags: CHROMIUM_FLAGS, env });
-  t.after(async () => {
-    await browser.close();
-    await server.close();
-  });
+  t.after(() => browser.close());
   return { openTab: (address) => browser.openTab(server.url + address) };
 }
 
@@ -127,12 +156,12 @@ export class Desk {
     return this.until((view) => view.mode === "Safe" && view.can.drive);
   }
 
-  /** Holds the stick forward from now on. */
-  async drive() {
-    await this.tab.evaluate(() => {
-      window.stick = setInterval(() => window.connection.request({ do: "drive", forward: 1, left: 0 }), 50);
-    });
-    return this.until((view) => view.wheels[0] > 0);
+  /** Holds the stick from now on: forward, or to the left. */
+  async drive(stick = { forward: 1, left: 0 }) {
+    await this.tab.evaluate((how) => {
+      window.stick = setInterval(() => window.connection.request({ do: "drive", ...how }), 50);
+    }, stick);
+    return this.until((view) => view.wheels[1] > 0);
   }
 
   letGo() {

@@ -35,7 +35,7 @@ export async function launch(executable, { flags = [], env = {} } = {}) {
     await ended;
     fs.rmSync(profile, { recursive: true, force: true });
   };
-  return { openTab: (url) => openTab(send, url), close };
+  return { openTab: (url) => openTab(send, url), close, pid: child.pid };
 }
 
 /** Opens a tab beside the others, and shows it. */

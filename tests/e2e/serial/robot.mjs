@@ -6,15 +6,13 @@ import os from "node:os";
 import path from "node:path";
 import { ROOT } from "../browser.mjs";
 
-/** Bytes of data behind each opcode; those behind 140, 148 and 149 say themselves how many they are. */
-const DATA = { 129: 1, 136: 0, 137: 4, 138: 1, 139: 3, 141: 1, 142: 1, 144: 3, 145: 4, 146: 4, 150: 1, 162: 2, 163: 4, 164: 4, 165: 1, 167: 15, 168: 3 };
-
 /** Seconds since 1970, as in the emulator's log. */
 export const now = () => (performance.timeOrigin + performance.now()) / 1000;
 
 let program;
-/** The native program, built if it isn't. */
+/** The native program: $ROBOVAC, or built if it isn't. */
 function robovac() {
+  program ??= process.env.ROBOVAC;
   if (!program) {
     execFileSync("cargo", ["build", "--locked", "--quiet", "--bin", "robovac"], { cwd: ROOT, stdio: ["ignore", "ignore", "inherit"] });
     program = path.join(process.env.CARGO_TARGET_DIR ?? path.join(ROOT, "target"), "debug/robovac");
@@ -28,61 +26,74 @@ export class Robot {
   /** Where its terminal is while it is plugged in. */
   pty = path.join(os.tmpdir(), `robovac-e2e-${process.pid}-${robots++}`);
   #log = `${this.pty}.log`;
-  #options;
   #child;
+  #forgotten = 0;
 
   /** Starts one for the test `t`. Options are those of `robovac virtual-roomba`. */
   static async start(t, ...options) {
     const robot = new Robot();
-    robot.#options = options;
+    robot.#child = spawn(robovac(), ["virtual-roomba", "--control", "--pty", robot.pty, "--log", robot.#log, ...options], { stdio: ["pipe", "pipe", "inherit"] });
+    const ended = new Promise((resolve) => robot.#child.once("exit", resolve));
     t.after(async () => {
-      await robot.unplug();
+      robot.#child.kill();
+      await ended;
       fs.rmSync(robot.#log, { force: true });
     });
-    await robot.plug();
+    await new Promise((resolve, reject) => {
+      robot.#child.stdout.on("data", (text) => /^ready/m.test(text) && resolve());
+      ended.then((code) => reject(new Error(`the emulator ended with ${code}`)));
+    });
     return robot;
   }
 
-  async plug() {
-    const stand_in = process.env.LINK_STAND_IN?.split(" ") ?? [robovac(), "virtual-roomba"];
-    const [command, ...first] = stand_in;
-    this.#child = spawn(command, [...first, "--pty", this.pty, "--log", this.#log, ...this.#options], { stdio: ["ignore", "pipe", "inherit"] });
-    await new Promise((resolve, reject) => {
-      this.#child.stdout.on("data", (text) => /^ready/m.test(text) && resolve());
-      this.#child.once("exit", (code) => reject(new Error(`the emulator ended with ${code}`)));
+  /** Gives it an order; see `robovac virtual-roomba --help`. */
+  order(text) {
+    this.#child.stdin.write(`${text}\n`);
+  }
+
+  /** Pulls the cable out of the computer. The robot goes on with what it does. */
+  unplug() {
+    this.order("unplug-line");
+    return this.#until(() => !fs.existsSync(this.pty));
+  }
+
+  plug() {
+    this.order("replug-line");
+    return this.#until(() => fs.existsSync(this.pty));
+  }
+
+  async #until(holds) {
+    while (!holds()) await new Promise((later) => setTimeout(later, 5));
+  }
+
+  /** A line of the log after the other: time in s, kind, and the rest as words. */
+  #lines() {
+    return fs
+      .readFileSync(this.#log, "utf8")
+      .split("\n")
+      .slice(0, -1)
+      .map((line) => line.split(" "))
+      .map(([, clock_ms, kind, ...words]) => ({ time: Number(clock_ms) / 1000, kind, words }));
+  }
+
+  /** What it has heard, a command after the other: `{ time, opcode, data }`. */
+  heard() {
+    const commands = this.#lines().filter(({ kind }) => kind === "command" || kind === "ignored");
+    return commands.slice(this.#forgotten).map(({ time, words }) => {
+      const [opcode, ...data] = words.map(Number);
+      return { time, opcode, data };
     });
   }
 
-  /** Pulls the cable out. What was in its buffers is lost. */
-  async unplug() {
-    if (this.#child?.exitCode === null && this.#child.signalCode === null) {
-      const ended = new Promise((resolve) => this.#child.once("exit", resolve));
-      this.#child.kill("SIGKILL");
-      await ended;
-    }
-    fs.rmSync(this.pty, { force: true });
-  }
-
-  /** What it has heard so far, a command after the other: `{ time, opcode, data }`. */
-  heard() {
-    const bytes = [];
-    for (const line of fs.existsSync(this.#log) ? fs.readFileSync(this.#log, "utf8").split("\n") : []) {
-      const [time, hex] = line.split(" ");
-      for (const byte of Buffer.from(hex ?? "", "hex")) bytes.push({ time: Number(time), byte });
-    }
-    const commands = [];
-    for (let at = 0; at < bytes.length; ) {
-      const { time, byte: opcode } = bytes[at];
-      const announced = opcode === 140 ? 2 + 2 * (bytes[at + 2]?.byte ?? 0) : opcode === 148 || opcode === 149 ? 1 + (bytes[at + 1]?.byte ?? 0) : 0;
-      const length = announced || (DATA[opcode] ?? 0);
-      commands.push({ time, opcode, data: bytes.slice(at + 1, at + 1 + length).map(({ byte }) => byte) });
-      at += 1 + length;
-    }
-    return commands;
-  }
-
+  /** What was heard until now counts no longer. */
   forget() {
-    fs.truncateSync(this.#log);
+    this.#forgotten += this.heard().length;
+  }
+
+  /** Whether it is told to stand still, and does. */
+  isAtRest() {
+    const { words } = this.#lines().findLast(({ kind }) => kind === "wheels") ?? { words: [] };
+    return /^asked left -?0 right -?0 mm\/s, at rest$/.test(words.join(" "));
   }
 }
 

@@ -1,0 +1,107 @@
+//! Where a virtual Roomba's bytes come from and go to.
+
+use crate::failure::Failure;
+use std::{
+    collections::VecDeque,
+    io::{Read, Write},
+    sync::{
+        Arc, Condvar, Mutex, PoisonError,
+        mpsc::{Receiver, TryRecvError, channel},
+    },
+    thread,
+};
+
+/// Bytes that wait for a reader at most; the oldest go first.
+const MOST_WAITING: usize = 1 << 16;
+
+/// The host's end of a line. Nothing here ever waits for the host.
+pub trait Line {
+    /// What `ready` is followed by.
+    fn name(&self) -> String;
+
+    /// The host's baud rate.
+    fn baud(&self) -> u32;
+
+    /// Appends what has arrived; false once nothing ever will again.
+    fn read(&mut self, bytes: &mut Vec<u8>) -> Result<bool, Failure>;
+
+    /// Hands bytes on; what nobody reads is dropped, the oldest first.
+    fn write(&mut self, bytes: &[u8]) -> Result<(), Failure>;
+
+    /// Pulls the cable out, or plugs it in again; whether that can be done.
+    fn plug(&mut self, _is_plugged: bool) -> Result<bool, Failure> {
+        Ok(false)
+    }
+}
+
+/// Appends bytes, and forgets the oldest of those that are too many.
+pub fn keep_latest(queue: &mut VecDeque<u8>, bytes: &[u8]) {
+    queue.extend(bytes);
+    queue.drain(..queue.len().saturating_sub(MOST_WAITING));
+}
+
+/// Standard input and output, each with a thread that may wait.
+pub struct StandardStreams {
+    baud: u32,
+    incoming: Receiver<Vec<u8>>,
+    outgoing: Arc<(Mutex<VecDeque<u8>>, Condvar)>,
+}
+
+impl StandardStreams {
+    pub fn new(baud: u32) -> Self {
+        let (sender, incoming) = channel();
+        thread::spawn(move || {
+            let mut buffer = [0; 4096];
+            let mut stdin = std::io::stdin().lock();
+            while let Ok(count @ 1..) = stdin.read(&mut buffer) {
+                if sender.send(buffer.get(..count).unwrap_or_default().to_vec()).is_err() {
+                    return;
+                }
+            }
+        });
+        let outgoing = Arc::new((Mutex::new(VecDeque::new()), Condvar::new()));
+        let queue = Arc::clone(&outgoing);
+        thread::spawn(move || {
+            loop {
+                let mut waiting = queue.0.lock().unwrap_or_else(PoisonError::into_inner);
+                while waiting.is_empty() {
+                    waiting = queue.1.wait(waiting).unwrap_or_else(PoisonError::into_inner);
+                }
+                let bytes: Vec<u8> = waiting.drain(..).collect();
+                drop(waiting);
+                let mut stdout = std::io::stdout().lock();
+                if stdout.write_all(&bytes).and_then(|()| stdout.flush()).is_err() {
+                    return;
+                }
+            }
+        });
+        Self { baud, incoming, outgoing }
+    }
+}
+
+impl Line for StandardStreams {
+    fn name(&self) -> String {
+        "stdio".to_owned()
+    }
+
+    fn baud(&self) -> u32 {
+        self.baud
+    }
+
+    fn read(&mut self, bytes: &mut Vec<u8>) -> Result<bool, Failure> {
+        match self.incoming.try_recv() {
+            Ok(more) => bytes.extend(more),
+            Err(TryRecvError::Empty) => {}
+            Err(TryRecvError::Disconnected) => return Ok(false),
+        }
+        Ok(true)
+    }
+
+    fn write(&mut self, bytes: &[u8]) -> Result<(), Failure> {
+        if !bytes.is_empty() {
+            keep_latest(&mut self.outgoing.0.lock().unwrap_or_else(PoisonError::into_inner), bytes);
+            self.outgoing.1.notify_one();
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,85 @@
+//! A TCP port that carries the bare bytes, as bridges on a robot do. One client at a time; the next one waits.
+
+use super::line::{Line, keep_latest};
+use crate::failure::Failure;
+use std::{
+    collections::VecDeque,
+    io::{Error, ErrorKind, Read, Write},
+    net::{SocketAddr, TcpListener, TcpStream},
+};
+
+/// The port, and who is connected.
+pub struct TcpLine {
+    listener: TcpListener,
+    address: SocketAddr,
+    baud: u32,
+    client: Option<TcpStream>,
+    waiting: VecDeque<u8>,
+}
+
+impl TcpLine {
+    pub fn listen(address: &str, baud: u32) -> Result<Self, Failure> {
+        let fail = |e: Error| Failure::io(address, &e);
+        let listener = TcpListener::bind(address).map_err(fail)?;
+        listener.set_nonblocking(true).map_err(fail)?;
+        let address = listener.local_addr().map_err(fail)?;
+        Ok(Self { listener, address, baud, client: None, waiting: VecDeque::new() })
+    }
+
+    fn greet(&mut self) {
+        if self.client.is_some() {
+            return;
+        }
+        if let Ok((client, _)) = self.listener.accept()
+            && client.set_nonblocking(true).is_ok()
+        {
+            // Every few bytes count; if it can't be set, they come a little later.
+            let _ = client.set_nodelay(true);
+            self.waiting.clear();
+            self.client = Some(client);
+        }
+    }
+}
+
+fn is_busy(error: &Error) -> bool {
+    matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::Interrupted)
+}
+
+impl Line for TcpLine {
+    fn name(&self) -> String {
+        self.address.to_string()
+    }
+
+    fn baud(&self) -> u32 {
+        self.baud
+    }
+
+    fn read(&mut self, bytes: &mut Vec<u8>) -> Result<bool, Failure> {
+        self.greet();
+        let Some(client) = &mut self.client else { return Ok(true) };
+        let mut buffer = [0; 512];
+        match client.read(&mut buffer) {
+            Ok(count @ 1..) => bytes.extend(buffer.get(..count).unwrap_or_default()),
+            Err(error) if is_busy(&error) => {}
+            // Gone; another one may come.
+            Ok(0) | Err(_) => self.client = None,
+        }
+        Ok(true)
+    }
+
+    fn write(&mut self, bytes: &[u8]) -> Result<(), Failure> {
+        let Some(client) = &mut self.client else { return Ok(()) };
+        keep_latest(&mut self.waiting, bytes);
+        while !self.waiting.is_empty() {
+            match client.write(self.waiting.as_slices().0) {
+                Ok(count @ 1..) => drop(self.waiting.drain(..count)),
+                Err(error) if is_busy(&error) => break,
+                Ok(0) | Err(_) => {
+                    self.client = None;
+                    break;
+                }
+            }
+        }
+        Ok(())
+    }
+}
