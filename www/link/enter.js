@@ -2,16 +2,9 @@
 // The place Robot with all that it needs: style, document, module. Loaded when one first goes there.
 import init from "../../robot.js";
 import { byId } from "../dom.js";
-import { style } from "../sheet.js";
+import { style, text } from "../parts.js";
 import { compile } from "../wasm.js";
 import { startRobot } from "./place.js";
-
-/** @param {URL} address */
-async function text(address) {
-  const response = await fetch(address);
-  if (!response.ok) throw new Error(`a part of it could not be fetched (status ${response.status})`);
-  return response.text();
-}
 
 /** @param {import("../main.js").App} app @param {(what: () => void) => boolean} guard */
 export async function enterRobot(app, guard) {

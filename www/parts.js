@@ -1,5 +1,5 @@
 // @ts-check
-// Style sheets of places that are loaded when one first goes there.
+// Parts of places that are loaded when one first goes there: style sheets and documents.
 
 /** Those that are loaded or on their way. @type {Map<string, Promise<void>>} */
 const styled = new Map();
@@ -21,4 +21,11 @@ export function style(address) {
   });
   styled.set(address, loaded);
   return loaded;
+}
+
+/** The text of a document, for a place to hold. @param {URL} address */
+export async function text(address) {
+  const response = await fetch(address);
+  if (!response.ok) throw new Error(`a part of it could not be fetched (status ${response.status})`);
+  return response.text();
 }
