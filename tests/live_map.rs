@@ -101,7 +101,7 @@ fn a_plan_becomes_a_line_to_drive() {
     let cells = Uint32Array::new(&Reflect::get(&result, &"cells".into()).unwrap()).to_vec();
     guest.plan_finished(number(&request, "id") as u32, &cells, number(&result, "seconds")).unwrap();
     let corners = guest.corners();
-    assert!(corners.len() >= 8 && corners.len() % 2 == 0, "{} numbers", corners.len());
+    assert!(corners.len() >= 8 && corners.len().is_multiple_of(2), "{} numbers", corners.len());
     assert_eq!(guest.start().len(), 3);
     assert!(guest.take_plan_request().unwrap().is_undefined(), "it is planned already");
 }
