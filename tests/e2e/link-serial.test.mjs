@@ -47,7 +47,7 @@ test("unplugged while it drives, and plugged in again: nothing moves until the u
   await desk.arm();
   await desk.drive();
   await robot.unplug();
-  await udev("remove");
+  await udev(t, "remove");
   const lost = await desk.until((v) => v.transport.state === "lost");
   assert.match(lost.transport.text, /unplugged/);
   assert.equal(lost.wheels[0], 0);
@@ -56,7 +56,7 @@ test("unplugged while it drives, and plugged in again: nothing moves until the u
   assert.equal(robot.isAtRest(), false);
   robot.forget();
   await robot.plug();
-  await udev("add");
+  await udev(t, "add");
   const back = await desk.until((v) => v.transport.state === "open" && v.phase === "connected");
   assert.equal(back.transport.returns, 1);
   assert.equal(back.mode, "Passive");

@@ -77,7 +77,7 @@ export class Connection {
       if (this.isOpen) await this.close();
       this.#revive();
       // A page that isn't seen counts as away, whatever becomes of its timers.
-      this.#beats = window.setInterval(() => document.visibilityState === "visible" && this.#tell({ type: "beat" }), BEAT_MS);
+      this.#beats = window.setInterval(() => document.visibilityState === "visible" && this.#tell({ type: "beat", at: performance.now() / 1000 }), BEAT_MS);
       const opened = await this.#ask({ type: "open", id: 0, target: known });
       if (!opened) this.#rest();
       return opened === true;

@@ -48,3 +48,17 @@ export function watchPage(leave, mayMove) {
   window.addEventListener("pagehide", () => gone("The page was left."), options);
   return () => watch.abort();
 }
+
+/**
+ * Says when the page was alive, by a worker's clock, s: what is returned takes the time when a beat arrives there, and the
+ * page's when it was sent. On a busy computer a beat may come late, and must not prolong a hung page's life by that. Both
+ * clocks run alike but began at different times; the fastest beat so far tells by how much.
+ * @returns {(arrived: number, sent: number) => number}
+ */
+export function startBeats() {
+  let ahead = Infinity;
+  return (arrived, sent) => {
+    ahead = Math.min(ahead, arrived - sent);
+    return sent + ahead;
+  };
+}

@@ -208,7 +208,8 @@ export type WorkerTarget =
 /** What the page tells the worker. Where there is an `id`, it is answered. */
 export type ToLink =
   | { type: "init"; module: WebAssembly.Module }
-  | { type: "beat" }
+  /** `at` is the page's time, s. */
+  | { type: "beat"; at: number }
   | { type: "leave"; why: string }
   | { type: "follow"; id: number; followed: Followed }
   | { type: "open"; id: number; target: WorkerTarget }

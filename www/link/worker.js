@@ -1,10 +1,9 @@
 // @ts-check
 // A connection to a robot, away from the page, which may be busy, hidden or hung: bytes, time, and the safety stop.
 import init, { Guest, Link } from "../../robot.js";
+import { lineTo } from "./lines.js";
 import { failure } from "./ports.js";
-import { STOP } from "./safety.js";
-import { SerialLine } from "./serial.js";
-import { SocketLine } from "./socket.js";
+import { STOP, startBeats } from "./safety.js";
 import { VirtualLine } from "./virtual.js";
 
 /** How often time passes for the link, ms, and how many such steps there are from view to view. */
@@ -15,7 +14,7 @@ const VIEW_TICKS = 5;
 let link;
 /** @type {Guest} */
 let guest;
-/** @type {SerialLine | SocketLine | VirtualLine | undefined} */
+/** @type {ReturnType<typeof lineTo> | undefined} */
 let line;
 /** The line is about to go on at another baud rate. */
 let isChanging = false;
@@ -26,6 +25,7 @@ let ticks = 0;
 let doing = Promise.resolve();
 
 const now = () => performance.now() / 1000;
+const beatenAt = startBeats();
 
 /** @param {import("./types").FromLink} message @param {Transferable[]} [transfer] */
 const tell = (message, transfer = []) => self.postMessage(message, { transfer });
@@ -116,9 +116,7 @@ async function open(target) {
     onopened: () => safely(() => link.opened(now())),
     onlost: (why, forGood) => safely(() => link.lost(now(), why, forGood)),
   };
-  if (target.kind === "virtual") line = new VirtualLine(guest, target.personality, events);
-  else if (target.kind === "serial") line = new SerialLine(target.address, events);
-  else line = new SocketLine(target.url, events);
+  line = lineTo(target, guest, events);
   try {
     await line.open();
   } catch (error) {
@@ -189,7 +187,7 @@ self.addEventListener("message", async (/** @type {MessageEvent<import("./types"
     return markReady();
   }
   await ready;
-  if (message.type === "beat") link.beat(now());
+  if (message.type === "beat") link.beat(beatenAt(now(), message.at));
   else if (message.type === "leave") safely(() => link.leave(now(), message.why));
   else if (message.type === "virtual") safely(() => line instanceof VirtualLine && line.touch(message.touch));
   else {
