@@ -1,6 +1,18 @@
 //! The same seed gives the same run, natively and in WebAssembly, to the last bit.
 
-use robovac_playground::{app::Session, planner::PLANNERS};
+use robovac_playground::{
+    app::{
+        Prepared, Session,
+        link::{Link, Request},
+    },
+    controller::{self, Setup},
+    floorplan::room,
+    oi::emulator::{Emulator, personality},
+    planner::PLANNERS,
+    registry::Params,
+    robot::model,
+    sim::Conditions,
+};
 use wasm_bindgen_test::wasm_bindgen_test;
 #[cfg(target_arch = "wasm32")]
 wasm_bindgen_test::wasm_bindgen_test_configure!(run_in_browser);
@@ -41,6 +53,41 @@ fn cleaning_cycle_among_people_and_noise() {
 fn rectangular_robot_by_stairs() {
     let link = "room=stairs&behaviour=bounce&robot=cbot&slip=harsh&noise=harsh&quantised=true&seed=4";
     assert_eq!(format!("{:016x}", digest(link, 300.0)), "9ef3774bb4a9a31c");
+}
+
+/// A minute at the two ends of a bad line: every byte, and its time.
+#[wasm_bindgen_test(unsupported = test)]
+fn ride_over_a_bad_line() {
+    let robot = model("roomba600").unwrap();
+    let prepared = Prepared::new(&(room("living").unwrap().build)(), robot, 0.25, None).unwrap();
+    let mut emulator = Emulator::new(&prepared.setup(Conditions::default(), 3), personality("noisy").unwrap());
+    let mut link = Link::new();
+    link.opened(0.0);
+    let mut bytes = Vec::new();
+    for look in 0..12_000 {
+        let now = f64::from(look) * 0.005;
+        emulator.advance(0.005);
+        emulator.transmit(115_200, &mut bytes);
+        link.feed(now, &std::mem::take(&mut bytes));
+        link.beat(now);
+        link.tick(now);
+        emulator.receive(&link.take_tx(), 115_200);
+        if look == 400 {
+            link.request(now, Request::Arm { full: false }).unwrap();
+        }
+        if look == 600 {
+            let info = controller::find("bounce").unwrap();
+            let controller = info.build(&Setup { robot, params: &Params::defaults(info.params), seed: 1 }).unwrap();
+            link.ride(now, info.title, controller, prepared.floor.start).unwrap();
+        }
+    }
+    assert!(link.view(60.0).distance_m > 5.0);
+    // FNV-1a over the recording.
+    let digest = link
+        .recording()
+        .bytes()
+        .fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3));
+    assert_eq!(format!("{digest:016x}"), "8366ce68a66b4a40");
 }
 
 /// Every planner finds the same walk on both sides: no float of a planner may depend on the machine.

@@ -2,7 +2,7 @@
 #![cfg(target_arch = "wasm32")]
 
 use js_sys::{Array, Float64Array, Function, Object, Reflect, Uint8Array, Uint32Array};
-use robovac_playground::web::{Playground, plan, read_map};
+use robovac_playground::web::{Guest, Link, Playground, Replay, VirtualRobot, plan, read_map};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 use web_sys::HtmlCanvasElement;
@@ -147,4 +147,47 @@ fn pointer_draws_a_wall_and_undo_takes_it_back() {
     playground.undo();
     serve(&mut playground);
     assert_eq!(number(&playground.view().unwrap(), "plan.reachable_cells"), before);
+}
+
+/// A request as JavaScript makes it.
+fn request(json: &str) -> JsValue {
+    js_sys::JSON::parse(json).unwrap()
+}
+
+#[wasm_bindgen_test]
+fn virtual_robot_is_connected_controlled_and_recorded() {
+    let guest = Guest::new();
+    assert!(VirtualRobot::new(&guest, "nobody").err().unwrap().as_string().unwrap().contains("\"nobody\""));
+    let (mut link, mut robot) = (Link::new(), VirtualRobot::new(&guest, "model").unwrap());
+    let mut now = 0.0;
+    let mut pass = |link: &mut Link, seconds: f64| {
+        let end = now + seconds;
+        while now < end {
+            now += 0.01;
+            robot.advance(0.01);
+            let bytes = robot.transmit(115_200);
+            link.feed(now, &bytes);
+            link.beat(now);
+            link.tick(now);
+            robot.receive(&link.take_tx(), 115_200);
+        }
+        now
+    };
+    link.opened(0.0);
+    let now = pass(&mut link, 2.0);
+    let view = link.view(now).unwrap();
+    assert_eq!(Reflect::get(&view, &"phase".into()).unwrap(), "connected");
+    let refused = link.request(now, request(r#"{ "do": "drive", "forward": 1, "left": 0 }"#)).unwrap_err();
+    assert_eq!(refused, "Take control of the robot first.");
+    assert!(link.request(now, request(r#"{ "do": "fly" }"#)).unwrap_err().as_string().is_some());
+    link.request(now, request(r#"{ "do": "arm", "full": false }"#)).unwrap();
+    let now = pass(&mut link, 1.0);
+    link.request(now, request(r#"{ "do": "drive", "forward": 1, "left": 0 }"#)).unwrap();
+    let now = pass(&mut link, 0.1);
+    assert!(link.take_trace().len().is_multiple_of(4));
+    assert!(number(&link.view(now).unwrap(), "wheels.0") > 0.0);
+    let mut replay = Replay::new(&link.recording()).unwrap();
+    replay.advance(replay.duration_s());
+    assert_eq!(Reflect::get(&replay.view().unwrap(), &"mode".into()).unwrap(), "Safe");
+    assert!(Replay::new("a map").err().unwrap().as_string().unwrap().contains("not a recording"));
 }

@@ -47,6 +47,11 @@ impl Link {
         self.link.leave(now, why);
     }
 
+    /// Stops what drives before something that takes a while.
+    pub fn pause(&mut self, now: f64) {
+        self.link.pause(now);
+    }
+
     /// Lets time pass; call it every 10 ms.
     pub fn tick(&mut self, now: f64) {
         self.link.tick(now);

@@ -266,6 +266,51 @@ test("Full is asked for, and files that are no recording are refused", async (t)
   await robot.mode("Full");
 });
 
+test("before the first real robot, it says what can happen", async (t) => {
+  const { page } = await openRobot(t);
+  await page.locator("#link-serial").click();
+  assert.match(await page.locator("#link-ask-text").innerText(), /pulled cable/);
+  assert.equal(await page.evaluate(() => document.activeElement?.id), "link-ask-no", "the harmless answer is at hand");
+  await page.keyboard.press("Escape");
+  await page.locator("#link-ask").waitFor({ state: "hidden" });
+  assert.equal(await page.locator("#link-welcome").isVisible(), true);
+});
+
+test("a browser without serial ports says what works instead", async (t) => {
+  const init = () => Object.defineProperty(Navigator.prototype, "serial", { get: () => undefined });
+  const { page, robot } = await openRobot(t, { init });
+  assert.match(await page.locator("#link-unsupported").innerText(), /virtual robot/);
+  await page.locator("#link-serial").click({ force: true });
+  await page.locator("#message").waitFor();
+  assert.match(await page.locator("#message-text").innerText(), /Web Serial/);
+  await robot.connect();
+});
+
+test("a sleeping robot is told apart from a dead cable, and woken", async (t) => {
+  const { page, robot } = await openRobot(t);
+  await page.locator("#link-personality").selectOption("no_brc");
+  await page.locator("#link-virtual").click();
+  await robot.phase("waiting");
+  assert.match(await page.locator("#link-remedy").innerText(), /CLEAN/);
+  assert.ok((await page.locator("#link-tried li").count()) >= 4);
+  assert.equal(await page.locator("#link-picture").getAttribute("href"), "#p-asleep");
+  await page.locator("#hand-clean").click();
+  await robot.phase("connected");
+});
+
+test("an unknown room is paper that grows", async (t) => {
+  const { page, robot } = await openRobot(t);
+  await page.locator("#link-room").selectOption("blank");
+  await robot.connect();
+  await robot.arm();
+  await page.locator("#link-go").click();
+  await robot.drives(0.5);
+  await page.keyboard.press("Space");
+  await robot.rests();
+  assert.equal(await page.locator("#link-swept-unit").textContent(), "m²");
+  assert.ok(Number(await page.locator("#link-swept").textContent()) >= 0.1);
+});
+
 test("a session is recorded, and replayed", async (t) => {
   const { page, robot } = await openRobot(t);
   await robot.connect();

@@ -109,6 +109,22 @@ fn stop_and_disconnect_stop_at_once_and_leave_the_robot_off() {
 }
 
 #[test]
+fn a_robot_that_cleans_by_itself_stops_as_well() {
+    for button in [PressedButton::Clean, PressedButton::Spot] {
+        let mut wire = Wire::connected();
+        wire.ask(Request::Press { button });
+        wire.pass(3.0);
+        assert!(wire.is_rolling(), "{button:?}");
+        wire.ask(Request::Stop);
+        wire.pass(1.0);
+        assert!(!wire.is_rolling(), "{button:?}");
+        wire.pass(5.0);
+        assert!(!wire.is_rolling(), "{button:?}");
+        assert_eq!(wire.robot.mode(), Mode::Passive);
+    }
+}
+
+#[test]
 fn brushes_stop_with_a_hanging_page() {
     let mut wire = Wire::armed();
     wire.ask(Request::Motors { bits: 7 });

@@ -8,6 +8,8 @@ import { goesOn, isOpen } from "./view.js";
 /** @typedef {import("./types").ConnectionView} ConnectionView */
 
 const KEY_PAN = 60;
+/** How far from its start the first reading of a ride may be, m. */
+const NEAR_M = 0.3;
 const WHEEL_LINE = 16;
 /** Milliseconds between descriptions in words. */
 const TOLD_EVERY = 1000;
@@ -18,6 +20,8 @@ export function startMap(it) {
   const choice = select("link-room");
   const map = new LiveMap(canvas, it.room.guest, true);
   let wasThere = false;
+  /** Where a ride begins that isn't told of yet: what comes before that is another way. @type {number[] | undefined} */
+  let awaited;
   let told = 0;
   let size = "";
 
@@ -33,6 +37,7 @@ export function startMap(it) {
   /** Begins anew where the robot stands now. @param {ConnectionView} view */
   const begin = (view) => {
     offer();
+    awaited = undefined;
     const room = `${choice.value} ${it.room.version()}`;
     if (room === drawn) {
       map.wipe();
@@ -59,7 +64,18 @@ export function startMap(it) {
       const [fromX, fromY, from] = it.room.guest.start();
       const [x, y, heading] = map.start();
       map.wipe();
+      awaited = from === undefined ? undefined : [fromX ?? 0, fromY ?? 0];
       if (from !== undefined && heading !== undefined) map.anchor(fromX ?? 0, fromY ?? 0, from, x ?? 0, y ?? 0, heading);
+    },
+    /** @param {Float64Array} trace Four numbers a reading. */
+    follow(trace) {
+      let from = 0;
+      const [x, y] = awaited ?? [];
+      if (x !== undefined && y !== undefined) {
+        while (from < trace.length && Math.hypot((trace[from] ?? 0) - x, (trace[from + 1] ?? 0) - y) > NEAR_M) from += 4;
+        if (from < trace.length) awaited = undefined;
+      }
+      map.follow(trace.subarray(from));
     },
     /** @param {ConnectionView} view */
     update(view) {

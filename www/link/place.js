@@ -85,7 +85,7 @@ export function startRobot(app, module, guard) {
     // Before the way that leads from there.
     guard(() => it.live.update(view));
   };
-  const follow = (/** @type {Float64Array} */ trace) => guard(() => it.live.map.follow(trace));
+  const follow = (/** @type {Float64Array} */ trace) => guard(() => it.live.follow(trace));
   const replay = startReplay(it, { show, follow, traffic: traffic.take, wipe: () => it.live.begin(it.view) });
   connection.onview = show;
   connection.ontrace = follow;

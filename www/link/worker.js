@@ -147,9 +147,12 @@ async function answer(message) {
     attempt(() => link.ride(now(), guest, message.corners));
   } else if (message.type === "follow") {
     const { link: session, version, scenario } = message.followed;
-    attempt(() => guest.is_behind(session, version) && guest.follow(session, version, scenario));
-    // Laying out a room takes its time; that isn't the page's silence.
-    safely(() => link.beat(now()));
+    if (guest.is_behind(session, version)) {
+      // Laying out a room takes its time, in which nobody minds the wheels. Nor is that the page's silence.
+      safely(() => link.pause(now()));
+      attempt(() => guest.follow(session, version, scenario));
+      safely(() => link.beat(now()));
+    }
   } else {
     // A line that isn't open yet need not be waited for.
     if (message.type !== "open" && line?.view.state === "opening") void line.close();

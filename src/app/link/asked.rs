@@ -51,7 +51,7 @@ impl Link {
             Request::Stop => {
                 self.end_ride("Stopped by hand.");
                 self.motors_on = false;
-                self.driver.halt(now);
+                self.driver.freeze(now);
             }
             Request::Drive { forward, left } => {
                 in_control()?;

@@ -177,6 +177,16 @@ impl Link {
         }
     }
 
+    /// Stops what drives: whoever has this link won't look at it for a while.
+    pub fn pause(&mut self, now: f64) {
+        self.now = now;
+        if self.is_acting() {
+            self.end_ride("The page had something else to do.");
+            self.motors_on = false;
+            self.driver.halt(now);
+        }
+    }
+
     /// Lets time pass; call it at least every 20 ms.
     pub fn tick(&mut self, now: f64) {
         self.now = now;

@@ -31,6 +31,19 @@ impl Driver {
         }
     }
 
+    /// Stops everything, also a robot that cleans by itself: in Passive it doesn't hear about wheels, so it is put in Safe for a
+    /// moment, where it stands still.
+    pub fn freeze(&mut self, now: f64) {
+        let is_by_itself = self.phase == Phase::Connected && self.target <= Mode::Passive;
+        if is_by_itself {
+            let _ = self.send(now, Command::Safe);
+        }
+        self.halt(now);
+        if is_by_itself {
+            let _ = self.send(now, Command::Start);
+        }
+    }
+
     /// Stops everything and ends the interface: the robot is in Off, where it charges and sleeps.
     pub fn leave(&mut self, now: f64) {
         if matches!(self.phase, Phase::Connected | Phase::Lost) {
