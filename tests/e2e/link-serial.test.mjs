@@ -18,7 +18,7 @@ test("connects, streams, drives and says goodbye", { skip }, async (t) => {
   assert.deepEqual(robot.heard().filter(moves), []);
   const { statistics } = await desk.until((v) => v.statistics.frames > 100);
   assert.equal(statistics.bad_checksums, 0);
-  assert.ok(statistics.rate_hz > 55 && statistics.rate_hz < 70, `${statistics.rate_hz} frames a second`);
+  assert.ok(statistics.rate_hz > 30 && statistics.rate_hz < 75, `${statistics.rate_hz} frames a second`);
 
   await desk.arm();
   assert.deepEqual(robot.heard().filter(moves), [], "control was taken, and the robot was told to move");
