@@ -107,3 +107,15 @@ test("a robot at 19200 baud is found", { skip }, async (t) => {
   assert.equal(statistics.baud, 19_200);
   assert.equal(transport.baud, 19_200);
 });
+
+test("the robot hears the goodbye to its end", { skip }, async (t) => {
+  const robot = await Robot.start(t);
+  const { desk } = await openDesk(t, { robot });
+  for (let round = 0; round < 5; round++) {
+    await desk.connect();
+    robot.forget();
+    await desk.tab.evaluate(() => window.connection.close());
+    await desk.tab.waitForTimeout(400);
+    assert.equal(robot.heard().at(-1)?.opcode, 173, `in round ${round}`);
+  }
+});
