@@ -170,6 +170,8 @@ impl Link {
         self.end_ride(why);
         self.motors_on = false;
         if matches!(self.driver.phase(), Phase::Connected | Phase::Lost) {
+            // Twice: a page that is closed takes the line with it, and nothing can be repeated later.
+            self.driver.stop(now);
             self.driver.put_in(now, Mode::Passive);
         }
         if had_control {

@@ -157,17 +157,15 @@ impl Driver {
 
     // ---- the line
 
-    /// The line is open at 115200 baud: finds out who is there. What was sent before may have been cut in the middle.
+    /// The line is open at 115200 baud: finds out who is there. The first thing to be said is a stop, as whoever spoke to the
+    /// robot before may have been cut off in the middle of driving it, or of a command.
     pub fn open(&mut self, now: f64) {
-        let was_driven = self.phase != Phase::Closed && self.target > Mode::Passive;
         let (firmware, swapped, bytes) = (self.firmware.take(), self.swapped, self.bytes);
         let happenings = std::mem::take(&mut self.happenings);
         *self = Self { firmware, swapped, bytes, happenings, baud: 115_200, last_byte_at: now, ..Self::default() };
-        if was_driven {
-            // Zeros fill up a command that was cut; by themselves they mean nothing.
-            self.push(now, &[0; 4]);
-            self.push(now, &STOP);
-        }
+        // Zeros fill up a command that was cut; by themselves they mean nothing.
+        self.push(now, &[0; 4]);
+        self.push(now, &STOP);
         self.begin(now);
     }
 
