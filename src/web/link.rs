@@ -32,6 +32,16 @@ impl Link {
         self.link.lost(now, why, for_good);
     }
 
+    /// Whether the line keeps its baud rate whatever is asked for, as a bridge does. To be said before it is opened.
+    pub fn fix_rate(&mut self, is_fixed: bool) {
+        self.link.fix_rate(is_fixed);
+    }
+
+    /// Drops what is to be sent: there is no line that could take it.
+    pub fn discard(&mut self) {
+        self.link.discard();
+    }
+
     /// Takes bytes from the line.
     pub fn feed(&mut self, now: f64, bytes: &[u8]) {
         self.link.feed(now, bytes);

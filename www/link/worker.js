@@ -43,12 +43,12 @@ function safely(what) {
 
 /** Sends what the link has to say, at once. */
 function pump() {
+  // What can't be sent now must not be sent later: the robot behind a line that comes back may be another one.
+  if (line?.view.state !== "open") return link.discard();
   while (!isChanging) {
     const wanted = link.take_line();
     const bytes = wanted ? undefined : link.take_tx();
     if (!wanted && !bytes?.length) return;
-    // What can't be sent now must not be sent later: the robot behind a line that comes back may be another one.
-    if (line?.view.state !== "open") continue;
     if (bytes) line.write(bytes);
     else if ("brc" in wanted) line.setBrc(wanted.brc).catch(broke);
     else changeBaud(wanted.baud);
@@ -139,7 +139,11 @@ async function close() {
 
 /** @param {Extract<import("./types").ToLink, { id: number }>} message @returns {Promise<boolean | string>} */
 async function answer(message) {
-  if (message.type === "recording") return link.recording();
+  if (message.type === "recording") {
+    // An hour of it takes its time, in which nobody minds the wheels.
+    safely(() => link.pause(now()));
+    return link.recording();
+  }
   if (isBroken) return false;
   if (message.type === "request" && message.request.do !== "disconnect") {
     attempt(() => link.request(now(), message.request));

@@ -30,12 +30,18 @@ impl Link {
         match request {
             Request::Connect => {
                 sorry(can.connect, "There is no line to a robot. Choose one first.")?;
-                self.opened(now);
+                self.end_ride("The line was opened anew.");
+                self.motors_on = false;
+                self.driver.open_again(now);
+                self.place(self.odometry.pose());
             }
             Request::Disconnect => {
                 self.end_ride("Disconnected.");
                 self.motors_on = false;
                 self.driver.leave(now);
+                // The next one may be another robot.
+                (self.known, self.calibrating) = (Calibrated::default(), None);
+                self.use_known();
             }
             Request::Arm { full } => {
                 sorry(can.arm, "No robot is connected that could be controlled.")?;
@@ -73,7 +79,7 @@ impl Link {
                 }
                 self.end_ride("Bytes were sent by hand.");
                 self.beaten_at = now;
-                self.driver.send_raw(now, &bytes);
+                self.motors_on |= self.driver.send_raw(now, &bytes).map_err(|e| Refused(e.to_string()))?;
             }
             Request::Song { .. }
             | Request::Leds { .. }
@@ -89,6 +95,9 @@ impl Link {
                 let controller = what.controller(&self.known.apply(&self.model));
                 self.set_off(now, what.title(), Box::new(controller), self.odometry.pose(), false);
                 self.calibrating = Some(Calibrating::new(what, began));
+            }
+            Request::Answer { .. } | Request::UseCalibration { .. } if self.is_acting() => {
+                return refuse("Stop the robot first: what drives it counts on its calibration.");
             }
             Request::Answer { value } => {
                 let Some(calibrating) = self.calibrating.as_mut().filter(|c| c.is_asking()) else {
@@ -110,6 +119,7 @@ impl Link {
                 self.end_ride("The robot was restarted.");
                 self.motors_on = false;
                 self.driver.restart(now);
+                self.place(self.odometry.pose());
             }
         }
         Ok(())

@@ -166,7 +166,7 @@ impl Calibrating {
             }
         };
         match self.what {
-            Calibration::Nudge if value < 0.5 => {
+            Calibration::Nudge if !(0.5..=1.0).contains(&value) => {
                 self.fail("Then this robot turns the other way than the interface says. Don't drive it from here.");
                 return Ok(());
             }
@@ -183,7 +183,11 @@ impl Calibrating {
                 self.text = format!("Wheel base {:.1} mm.", 235.0 * known.base_factor);
             }
             Calibration::Metre => {
-                known.distance_factor = factor(known.distance_factor * value, "wheels")?;
+                let distance = factor(known.distance_factor * value, "wheels")?;
+                // Turns are right by now, and stay so: they are the ratio of both.
+                let base = known.base_factor * distance / known.distance_factor;
+                known.base_factor = base.clamp(*FACTORS.start(), *FACTORS.end());
+                known.distance_factor = distance;
                 self.text = format!("Wheel diameter {:.2} mm.", 72.0 * known.distance_factor);
             }
             Calibration::Square if !(0.0..=4.0).contains(&value) => {

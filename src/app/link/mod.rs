@@ -43,6 +43,8 @@ use thiserror::Error;
 const BEAT_S: f64 = 0.15;
 /// A stick that nobody moves or holds for so long, s, is let go.
 const STICK_S: f64 = 0.2;
+/// Nobody is at the controls who hasn't touched them for so long, s; time enough to roll back from an edge.
+const LEFT_ALONE_S: f64 = 1.5;
 /// Robots fall asleep after so long in Passive, s.
 const SLEEP_S: f64 = 300.0;
 /// Points of the trace that are kept until somebody asks for them: a minute.
@@ -122,25 +124,22 @@ impl Link {
         self.motors_on = false;
         self.recorder.note(now, Entry::Line("open".into()));
         self.driver.open(now);
+        self.place(self.odometry.pose());
     }
 
     /// The transport is gone, and why, as a sentence; `for_good` if it won't come back by itself.
     pub fn lost(&mut self, now: f64, why: &str, for_good: bool) {
         self.now = now;
         self.recorder.note(now, Entry::Line(format!("lost {why}")));
-        let was_moving = self.is_acting();
+        let is_loose = self.is_acting() || (self.driver.is_stalled() && self.driver.target() > Mode::Passive);
+        let warning = if is_loose { self.loose() } else { "" };
         self.end_ride(why);
         self.motors_on = false;
         self.driver.closed(now, why);
         if for_good {
             self.driver.leave(now);
         }
-        let warning = if was_moving {
-            " The robot may still be moving, as nothing can be told to it: lift it up, that stops its wheels in Safe."
-        } else {
-            ""
-        };
-        self.say("error", format!("{why}{warning}"));
+        self.say("error", format!("{why} {warning}").trim_end().to_owned());
     }
 
     /// Takes bytes from the line.
@@ -160,7 +159,9 @@ impl Link {
 
     /// The page is alive.
     pub fn beat(&mut self, now: f64) {
-        self.beaten_at = now;
+        if now.is_finite() {
+            self.beaten_at = now;
+        }
     }
 
     /// Stops the robot and leaves it in Passive, as the page goes away or is hidden; `why` is for the user who comes back.
@@ -169,7 +170,7 @@ impl Link {
         let had_control = self.driver.target() > Mode::Passive;
         self.end_ride(why);
         self.motors_on = false;
-        if matches!(self.driver.phase(), Phase::Connected | Phase::Lost) {
+        if self.driver.phase() != Phase::Closed {
             // Twice: a page that is closed takes the line with it, and nothing can be repeated later.
             self.driver.stop(now);
             self.driver.put_in(now, Mode::Passive);
@@ -196,18 +197,13 @@ impl Link {
         if self.is_acting() && now - self.beaten_at > BEAT_S {
             self.leave(now, "This page stopped answering, so the robot was stopped.");
         }
-        if self.ride.as_ref().is_some_and(|ride| !ride.is_done) {
-            if self.driver.is_stalled() {
-                self.end_ride("The robot wasn't heard any more, so it was told to stop.");
-                self.driver.halt(now);
-            } else if !self.driver.is_armed() {
-                let why = self
-                    .driver
-                    .dropped()
-                    .map_or_else(|| "The robot is under control no longer.".to_owned(), ToString::to_string);
-                self.end_ride(&why);
-                self.motors_on = false;
-            }
+        if self.is_acting() && self.driver.is_stalled() {
+            self.stalled();
+        }
+        if self.ride.as_ref().is_some_and(|ride| !ride.is_done) && !self.driver.is_armed() {
+            let dropped = self.driver.dropped().map(ToString::to_string);
+            self.end_ride(dropped.as_deref().unwrap_or("The robot is under control no longer."));
+            self.motors_on = false;
         }
         self.listen();
     }
@@ -230,6 +226,27 @@ impl Link {
         };
         self.recorder.note(self.now, Entry::Line(words));
         Some(request)
+    }
+
+    /// The robot isn't heard while it is to move.
+    fn stalled(&mut self) {
+        let what = self.loose();
+        self.end_ride("The robot wasn't heard any more, so it was told to stop.");
+        self.motors_on = false;
+        self.driver.halt(self.now);
+        self.say(
+            "error",
+            format!("The robot isn't heard any more. It is told to stop, but may not hear that either. {what}"),
+        );
+    }
+
+    /// What to do about a robot that may be moving where nothing reaches it.
+    fn loose(&self) -> &'static str {
+        if self.driver.target() == Mode::Full {
+            "It may still be moving: in Full nothing stops it. Take hold of it and press its CLEAN button."
+        } else {
+            "It may still be moving: lift it up, which stops its wheels in Safe."
+        }
     }
 
     fn listen(&mut self) {
@@ -260,9 +277,12 @@ impl Link {
         if ride.is_manual && !is_held {
             ride.controller.command(Stick::default());
         }
+        let is_left_alone = ride.is_manual && now - self.stick_at > LEFT_ALONE_S;
         ride.time_s += dt_s;
         ride.is_done = ride.controller.is_done();
         let drive = ride.controller.step(&sensed, dt_s);
+        // Otherwise it might back off from an edge that somebody holds it over, an hour later.
+        ride.is_done |= is_left_alone && drive.is_stop();
         let mut port = self.driver.port(now);
         if ride.is_done || ride.controller.is_done() {
             ride.is_done = true;
@@ -286,7 +306,8 @@ impl Link {
         if !self.can().drive {
             return refuse("Take control of the robot first.");
         }
-        self.recorder.note(now, Entry::Asked(format!("{{\"do\":\"ride\",\"title\":\"{title}\"}}")));
+        let json = serde_json::json!({ "do": "ride", "title": title, "start": [start.x, start.y, start.heading] });
+        self.recorder.note(now, Entry::Asked(json.to_string()));
         self.set_off(now, title, controller, start, false);
         Ok(())
     }
@@ -317,6 +338,17 @@ impl Link {
             odometry.update(self.driver.port(self.now).sensors());
         }
         self.odometry = odometry;
+    }
+
+    /// Whether the line keeps its baud rate whatever is asked for, as a bridge does. To be said before it is opened.
+    pub fn fix_rate(&mut self, is_fixed: bool) {
+        self.driver.fix_rate(is_fixed);
+    }
+
+    /// Drops what is to be sent: there is no line that could take it.
+    pub fn discard(&mut self) {
+        let _ = self.driver.take_tx();
+        while self.driver.take_line().is_some() {}
     }
 
     fn use_known(&mut self) {

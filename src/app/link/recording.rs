@@ -20,6 +20,8 @@ use thiserror::Error;
 pub const MAGIC: &str = "robovac-oi-recording 1";
 /// Bytes of a recording that are kept: an hour at full rate takes about 25 MB.
 const MOST_BYTES: usize = 96 << 20;
+/// Longest time that is read, s: more than ten days.
+const LONGEST_S: f64 = 1e6;
 /// Largest file that is read.
 const MOST_READ: usize = 512 << 20;
 
@@ -93,7 +95,10 @@ impl Recording {
             let fail = |what: String| RecordingError::Line { line: index + 1, what };
             let (time, rest) = line.split_once(' ').ok_or_else(|| fail("there is nothing after the time".into()))?;
             let at: f64 = time.parse().map_err(|_| fail(format!("\"{time}\" is no time")))?;
-            if !at.is_finite() || at < before {
+            if at.is_nan() || at > LONGEST_S {
+                return Err(fail(format!("time {time} can't be: recordings last {LONGEST_S} s at most")));
+            }
+            if at < before {
                 return Err(fail(format!("time {at} comes after {before}, and can't go back")));
             }
             before = at;
@@ -200,5 +205,6 @@ mod tests {
         assert!(refused("1.0 = 01").starts_with("line 2: \"=\" is none of"));
         assert!(refused("1.0 < 1").starts_with("line 2: \"1\" is no byte"));
         assert!(refused("NaN < 1").starts_with("line 2: time NaN"));
+        assert!(refused("1e18 < 01").starts_with("line 2: time 1e18"));
     }
 }

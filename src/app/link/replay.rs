@@ -1,6 +1,7 @@
 //! A recorded session once more, through the same driver.
 
-use super::{Entry, Link, LinkView, Recording, Traffic};
+use super::{Entry, Link, LinkView, Recording, Request, Traffic};
+use crate::geometry::Pose;
 
 /// Time between two ticks, s, as in a worker.
 const TICK_S: f64 = 0.01;
@@ -17,7 +18,7 @@ pub struct Replay {
 impl Replay {
     /// At its beginning.
     pub fn new(recording: Recording) -> Self {
-        Self { recording, link: Link::new(), next: 0, time_s: 0.0 }
+        Self { recording, link: replaying(), next: 0, time_s: 0.0 }
     }
 
     /// How long it is, s.
@@ -34,7 +35,7 @@ impl Replay {
     pub fn advance(&mut self, time_s: f64) {
         let goal = time_s.clamp(0.0, self.duration_s());
         if goal < self.time_s {
-            (self.link, self.next, self.time_s) = (Link::new(), 0, 0.0);
+            (self.link, self.next, self.time_s) = (replaying(), 0, 0.0);
         }
         loop {
             let entry = self.recording.entries.get(self.next).filter(|(at, _)| *at <= goal);
@@ -54,7 +55,7 @@ impl Replay {
                         self.link.lost(*at, why, false);
                     }
                 }
-                Entry::Asked(_) => {}
+                Entry::Asked(json) => self.link.replay_asked(*at, json),
             }
             self.next += 1;
             self.link.discard();
@@ -77,6 +78,12 @@ impl Replay {
     }
 }
 
+fn replaying() -> Link {
+    let mut link = Link::new();
+    link.driver.replay();
+    link
+}
+
 impl Link {
     fn replay_tick(&mut self, now: f64) {
         self.beat(now);
@@ -89,8 +96,17 @@ impl Link {
         self.listen();
     }
 
-    fn discard(&mut self) {
-        let _ = self.driver.take_tx();
-        while self.driver.take_line().is_some() {}
+    /// What changes how readings are understood is asked for again; all else shows in what was sent.
+    fn replay_asked(&mut self, now: f64, json: &str) {
+        #[derive(serde::Deserialize)]
+        struct Ride {
+            start: [f64; 3],
+        }
+        if let Ok(Ride { start: [x, y, heading] }) = serde_json::from_str(json) {
+            self.place(Pose::new(x, y, heading));
+        } else if let Ok(request @ Request::UseCalibration { .. }) = serde_json::from_str(json) {
+            // One that was refused then is refused again.
+            let _ = self.request(now, request);
+        }
     }
 }

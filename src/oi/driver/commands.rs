@@ -1,8 +1,8 @@
 //! What the robot is told.
 
-use super::{Driver, Finding, Happening, Phase, Question, STOP, happened, subscription};
+use super::{Driver, Finding, Happening, Phase, STOP, Step, happened, subscription};
 use crate::{
-    oi::{Command, CommandDecoder, MAX_WRITTEN, Mode, Motors, Refusal},
+    oi::{Command, MAX_WRITTEN, Mode, Motors, Refusal},
     robot::Drive,
 };
 
@@ -18,15 +18,20 @@ impl Driver {
     /// Stops the wheels, now. Sent whatever the mode is.
     pub fn stop(&mut self, now: f64) {
         self.wheels.stop();
-        if matches!(self.phase, Phase::Connected | Phase::Lost) {
-            self.push(now, &STOP);
+        if self.phase == Phase::Closed {
+            return;
+        }
+        self.push(now, &STOP);
+        // What waits for the end of the stream must not be sent after the stop.
+        if self.question.take().is_some() {
+            let _ = self.send(now, Command::PauseResume { state: 1 });
         }
     }
 
     /// Stops wheels, brushes and vacuum.
     pub fn halt(&mut self, now: f64) {
         self.stop(now);
-        if matches!(self.phase, Phase::Connected | Phase::Lost) {
+        if self.phase != Phase::Closed {
             let _ = self.send(now, Command::Motors(Motors::default()));
         }
     }
@@ -34,7 +39,7 @@ impl Driver {
     /// Stops everything, also a robot that cleans by itself: in Passive it doesn't hear about wheels, so it is put in Safe for a
     /// moment, where it stands still.
     pub fn freeze(&mut self, now: f64) {
-        let is_by_itself = self.phase == Phase::Connected && self.target <= Mode::Passive;
+        let is_by_itself = self.phase != Phase::Closed && self.target <= Mode::Passive;
         if is_by_itself {
             let _ = self.send(now, Command::Safe);
         }
@@ -46,13 +51,15 @@ impl Driver {
 
     /// Stops everything and ends the interface: the robot is in Off, where it charges and sleeps.
     pub fn leave(&mut self, now: f64) {
-        if matches!(self.phase, Phase::Connected | Phase::Lost) {
+        if self.phase != Phase::Closed {
             self.halt(now);
             for command in [Command::PauseResume { state: 0 }, Command::Start, Command::Stop] {
                 let _ = self.send(now, command);
             }
         }
         self.phase = Phase::Closed;
+        self.diagnosis.step = Step::Idle;
+        self.firmware = None;
     }
 
     pub(super) fn turn_wheels(&mut self, now: f64) {
@@ -80,45 +87,11 @@ impl Driver {
         Ok(())
     }
 
-    /// Sends bytes as they are. If they say how to drive, that holds until the next stop; if they ask for something, the
-    /// stream is paused until the answer is there.
-    pub fn send_raw(&mut self, now: f64, bytes: &[u8]) {
-        self.question = Question::of(bytes, now);
-        if self.question.is_some() {
-            let _ = self.send(now, Command::PauseResume { state: 0 });
-        } else {
-            self.push_raw(now, bytes);
-        }
-    }
-
-    pub(super) fn push_raw(&mut self, now: f64, bytes: &[u8]) {
-        let mut decoder = CommandDecoder::default();
-        for &byte in bytes {
-            let Some(received) = decoder.push(byte) else { continue };
-            let Ok(command) = received.command else { continue };
-            match command {
-                Command::DriveDirect { right, left } => {
-                    self.filter.asked(right, left);
-                    self.wheels.by_hand(now, right, left);
-                }
-                Command::Drive { .. } | Command::DrivePwm { .. } => self.wheels.by_hand(now, 0, 0),
-                _ => {}
-            }
-            if let Some(mode) = self.mode().and_then(|mode| mode.after_command(command.opcode()))
-                && Some(mode) != self.mode()
-            {
-                (self.target, self.target_since, self.target_told) = (mode, now, now);
-                self.target_reached = false;
-            }
-        }
-        self.push(now, bytes);
-    }
-
     /// Presses a button, which lets the robot do what it does by itself; whoever had control has it no longer.
     pub fn press(&mut self, now: f64, command: Command<'_>) {
         self.halt(now);
         let _ = self.send(now, command);
-        (self.target, self.target_since, self.target_reached) = (Mode::Passive, now, true);
+        self.aim(Mode::Passive, now);
         self.dropped = None;
     }
 
@@ -126,33 +99,12 @@ impl Driver {
     pub fn restart(&mut self, now: f64) {
         self.halt(now);
         let _ = self.send(now, Command::Reset);
-        (self.target, self.target_reached) = (Mode::Passive, true);
+        self.aim(Mode::Passive, now);
+        self.has_read = false;
         self.begin(now);
         self.diagnosis.finding = Finding::Nothing;
         self.diagnosis.boots = 1;
         let _ = self.parser.expect(&[]);
-    }
-
-    /// Takes bytes as sent that somebody else sent: in a replay.
-    pub fn was_sent(&mut self, now: f64, bytes: &[u8]) {
-        let mut decoder = CommandDecoder::default();
-        for &byte in bytes {
-            let Some(Ok(command)) = decoder.push(byte).map(|received| received.command) else { continue };
-            let mode = match command {
-                Command::DriveDirect { right, left } => {
-                    self.filter.asked(right, left);
-                    continue;
-                }
-                Command::Safe => Mode::Safe,
-                Command::Full => Mode::Full,
-                Command::Start | Command::Clean | Command::Spot | Command::SeekDock | Command::Power => Mode::Passive,
-                _ => continue,
-            };
-            if mode != self.target {
-                self.dropped = None;
-                (self.target, self.target_since, self.target_told, self.target_reached) = (mode, now, now, false);
-            }
-        }
     }
 
     pub(super) fn subscribe(&mut self, now: f64) {
@@ -163,6 +115,9 @@ impl Driver {
     }
 
     pub(super) fn push(&mut self, now: f64, bytes: &[u8]) {
+        if self.is_replay {
+            return;
+        }
         self.bytes[1] += bytes.len() as u64;
         self.tx.extend_from_slice(bytes);
         self.happened(now, Happening::Sent(bytes.to_vec()));

@@ -30,6 +30,7 @@ impl Driver {
     /// Begins at the beginning.
     pub(super) fn begin(&mut self, now: f64) {
         self.phase = Phase::Diagnosing;
+        self.question = None;
         self.diagnosis.go(Step::Listening, now);
         self.hearing.clear();
     }
@@ -138,11 +139,18 @@ impl Driver {
         // Just started it is Passive: 1, or 2 on those that report one too much.
         let offset = match heard.mode_byte() {
             Some(1) => 0,
+            // A Start that was lost leaves a robot in Safe, which is 2 as well: asked once more.
+            Some(2) if !self.diagnosis.has_doubted => {
+                self.diagnosis.has_doubted = true;
+                self.hearing.clear();
+                self.question(now);
+                return false;
+            }
             Some(2) => 1,
             _ => return false,
         };
         self.mode_offset = offset;
-        (self.target, self.target_reached, self.target_since) = (Mode::Passive, true, now);
+        self.aim(Mode::Passive, now);
         let odd = if offset == 1 { " Its mode byte is one too high, as on some of the 600 series." } else { "" };
         self.diagnosis.note(format!("Started it at {} baud: it answers.{odd}", self.baud));
         self.phase = Phase::Diagnosing;
@@ -164,6 +172,7 @@ impl Driver {
                 self.hearing.clear();
             }
             (_, Finding::Bootloader) => self.wait(now),
+            (115_200, _) if self.is_rate_fixed && self.diagnosis.has_pulsed => self.wait(now),
             // Garbage is a robot that is awake at another rate.
             (115_200, finding) if !self.diagnosis.has_pulsed && finding != Finding::Garbage => {
                 self.line.push_back(LineRequest::Brc(true));
@@ -172,7 +181,7 @@ impl Driver {
             }
             (baud, _) => {
                 let next = RATES.iter().skip_while(|&&rate| rate != baud).nth(1).copied();
-                self.change(now, next.unwrap_or(RATES[0]));
+                self.set_rate(now, next.unwrap_or(RATES[0]));
                 if next.is_none() {
                     self.wait(now);
                 }
@@ -180,7 +189,7 @@ impl Driver {
         }
     }
 
-    fn change(&mut self, now: f64, baud: u32) {
+    pub(super) fn set_rate(&mut self, now: f64, baud: u32) {
         self.baud = baud;
         self.line.push_back(LineRequest::Baud(baud));
         self.diagnosis.go(Step::Changing, now);
@@ -189,7 +198,7 @@ impl Driver {
 
     fn wait(&mut self, now: f64) {
         if self.baud != RATES[0] {
-            self.change(now, RATES[0]);
+            self.set_rate(now, RATES[0]);
         }
         self.phase = Phase::Waiting;
         self.diagnosis.go(Step::Waiting, now);

@@ -143,6 +143,8 @@ pub struct Diagnosis {
     pub(super) tries: u32,
     pub(super) boots: u32,
     pub(super) has_pulsed: bool,
+    /// A mode of 2 was asked for twice.
+    pub(super) has_doubted: bool,
 }
 
 /// Most lines of the log.

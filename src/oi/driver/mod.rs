@@ -20,12 +20,14 @@ mod gauge;
 mod hearing;
 mod modes;
 mod question;
+mod raw;
 mod wheels;
 
 pub use diagnosis::{Diagnosis, Finding, Step};
 pub use drop::ModeDrop;
 pub use filter::Filter;
 pub use gauge::Gauge;
+pub use raw::RawRefusal;
 pub use wheels::{DEAD_MAN_S, Wheels};
 
 use self::{
@@ -132,6 +134,11 @@ pub struct Driver {
     /// Encoder packets 43 and 44 are the other way round on this robot.
     swapped: bool,
     question: Option<Question>,
+    /// Somebody had control of the robot on this line.
+    was_in_control: bool,
+    /// Its baud rate can't be changed: a bridge keeps it.
+    is_rate_fixed: bool,
+    is_replay: bool,
     is_stalled: bool,
     revived_at: f64,
     last_byte_at: f64,
@@ -161,12 +168,39 @@ impl Driver {
     /// robot before may have been cut off in the middle of driving it, or of a command.
     pub fn open(&mut self, now: f64) {
         let (firmware, swapped, bytes) = (self.firmware.take(), self.swapped, self.bytes);
+        let (is_rate_fixed, is_replay, was_in_control) = (self.is_rate_fixed, self.is_replay, self.was_in_control);
         let happenings = std::mem::take(&mut self.happenings);
-        *self = Self { firmware, swapped, bytes, happenings, baud: 115_200, last_byte_at: now, ..Self::default() };
+        *self = Self {
+            firmware,
+            swapped,
+            bytes,
+            happenings,
+            is_rate_fixed,
+            is_replay,
+            was_in_control,
+            baud: 115_200,
+            last_byte_at: now,
+            ..Self::default()
+        };
         // Zeros fill up a command that was cut; by themselves they mean nothing.
-        self.push(now, &[0; 4]);
+        self.push(now, &[0; LONGEST]);
         self.push(now, &STOP);
         self.begin(now);
+    }
+
+    /// Whether the baud rate of the line stays what it is, whatever is asked for.
+    pub fn fix_rate(&mut self, is_fixed: bool) {
+        self.is_rate_fixed = is_fixed;
+    }
+
+    /// Finds out anew who is there, on a line that may be at any rate by now.
+    pub fn open_again(&mut self, now: f64) {
+        let baud = self.baud;
+        self.open(now);
+        self.line.push_back(LineRequest::Brc(false));
+        if baud != self.baud {
+            self.set_rate(now, self.baud);
+        }
     }
 
     /// The line is gone. Nothing that was still to be sent will be.
@@ -174,6 +208,7 @@ impl Driver {
         self.tx.clear();
         self.line.clear();
         self.wheels = Wheels::default();
+        self.question = None;
         self.phase = if self.phase == Phase::Closed { Phase::Closed } else { Phase::Lost };
         self.diagnosis.step = Step::Idle;
         self.fresh = None;
@@ -217,8 +252,11 @@ impl Driver {
             let happening = match event {
                 StreamEvent::Frame(frame) => {
                     // While it asks, frames are those of somebody else's stream.
-                    let is_ours =
-                        matches!(phase, Phase::Connected | Phase::Lost) || diagnosis.step == Step::Subscribing;
+                    let is_ours = match phase {
+                        Phase::Closed => false,
+                        Phase::Diagnosing | Phase::Waiting => diagnosis.step == Step::Subscribing,
+                        Phase::Connected | Phase::Lost => true,
+                    };
                     let bytes = whole(frame.content());
                     if !is_ours {
                         Happening::Refused(bytes, "nobody has asked for it".to_owned())
@@ -233,12 +271,7 @@ impl Driver {
                     }
                 }
                 StreamEvent::Refused { bytes, error } => Happening::Refused(bytes.to_vec(), error.to_string()),
-                StreamEvent::Text(text) => {
-                    if let Said::Firmware(_) = Said::of(text.line) {
-                        *firmware = Some(text.line.to_owned());
-                    }
-                    Happening::Text(text.line.to_owned())
-                }
+                StreamEvent::Text(text) => said(firmware, text.line),
             };
             happened(happenings, now, happening);
         });
@@ -286,12 +319,7 @@ impl Driver {
                         Happening::Refused(whole(frame.content()), "it came too late".to_owned())
                     }
                     StreamEvent::Refused { bytes, error } => Happening::Refused(bytes.to_vec(), error.to_string()),
-                    StreamEvent::Text(text) => {
-                        if let Said::Firmware(_) = Said::of(text.line) {
-                            *firmware = Some(text.line.to_owned());
-                        }
-                        Happening::Text(text.line.to_owned())
-                    }
+                    StreamEvent::Text(text) => said(firmware, text.line),
                 };
                 happened(happenings, now, happening);
             });
@@ -333,8 +361,9 @@ impl Driver {
         }
         if self.phase == Phase::Lost && self.diagnosis.step == Step::Done && now - self.revived_at > REVIVE_S {
             self.revived_at = now;
-            if self.target > Mode::Passive {
+            if self.was_in_control {
                 self.push(now, &STOP);
+                self.tell_mode(now);
             }
             self.subscribe(now);
         }
@@ -454,12 +483,22 @@ impl RobotPort for Port<'_> {
 
 /// Both wheels at rest.
 const STOP: [u8; 5] = [145, 0, 0, 0, 0];
+/// Data bytes of the longest command that isn't a song or a list of packets: Schedule.
+const LONGEST: usize = 15;
 
 fn happened(happenings: &mut VecDeque<(f64, Happening)>, now: f64, happening: Happening) {
     if happenings.len() == MOST_HAPPENINGS {
         happenings.pop_front();
     }
     happenings.push_back((now, happening));
+}
+
+/// What the robot wrote; it may be the name of its firmware.
+fn said(firmware: &mut Option<String>, line: &str) -> Happening {
+    if let Said::Firmware(_) = Said::of(line) {
+        *firmware = Some(line.to_owned());
+    }
+    Happening::Text(line.to_owned())
 }
 
 /// A frame as it was on the line.

@@ -1,6 +1,6 @@
 //! The mode that the robot is to be in, and is.
 
-use super::{Driver, Happening, MODE_S, ModeDrop, Phase, SETTLE_S};
+use super::{Driver, Happening, MODE_S, ModeDrop, Phase, SETTLE_S, STOP};
 use crate::oi::{Command, Mode};
 
 impl Driver {
@@ -14,8 +14,14 @@ impl Driver {
     pub fn put_in(&mut self, now: f64, mode: Mode) {
         self.dropped = None;
         self.halt(now);
-        (self.target, self.target_since, self.target_reached) = (mode, now, false);
+        self.aim(mode, now);
         self.tell_mode(now);
+    }
+
+    /// From now on the robot is to be in `mode`: it has been told so.
+    pub(super) fn aim(&mut self, mode: Mode, now: f64) {
+        (self.target, self.target_since, self.target_told, self.target_reached) = (mode, now, now, false);
+        self.was_in_control |= mode > Mode::Passive;
     }
 
     pub(super) fn tell_mode(&mut self, now: f64) {
@@ -31,9 +37,23 @@ impl Driver {
     }
 
     pub(super) fn watch_mode(&mut self, now: f64) {
+        // Off is never reported, nor is anything above Full: the byte is one lower, or higher, than was thought.
+        match (self.mode_offset, self.readings.mode) {
+            (1, 1) => self.mode_offset = 0,
+            (0, 4) => self.mode_offset = 1,
+            _ => {}
+        }
         let Some(mode) = self.mode() else { return };
         let since = now - self.target_since;
         if since < SETTLE_S {
+            return;
+        }
+        if self.target <= Mode::Passive && mode > Mode::Passive {
+            // It did not hear that it was given back. It may even drive: told until it has.
+            if now - self.target_told > MODE_S {
+                self.push(now, &STOP);
+                self.tell_mode(now);
+            }
             return;
         }
         if mode == self.target {
@@ -50,7 +70,7 @@ impl Driver {
         self.happened(now, Happening::Line(drop.to_string()));
         self.dropped = Some(drop);
         self.wheels.stop();
-        (self.target, self.target_since, self.target_reached) = (mode.min(Mode::Passive), now, true);
+        self.aim(mode.min(Mode::Passive), now);
     }
 
     /// Why the robot left Safe or Full, until it is put in a mode again.

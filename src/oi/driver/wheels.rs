@@ -34,6 +34,8 @@ pub struct Wheels {
     stops_due: u32,
     /// Speeds were typed by hand, and hold until the next stop.
     is_by_hand: bool,
+    /// They were typed as radius or power: it moves, and isn't told otherwise.
+    is_other: bool,
     expired: u64,
 }
 
@@ -48,6 +50,7 @@ impl Default for Wheels {
             changed_at: never,
             stops_due: 0,
             is_by_hand: false,
+            is_other: false,
             expired: 0,
         }
     }
@@ -60,13 +63,13 @@ impl Wheels {
         if (right, left) == (0, 0) && self.wanted != (0, 0) {
             self.stops_due = LEAST_STOPS;
         }
-        (self.wanted, self.renewed_at, self.is_by_hand) = ((right, left), now, false);
+        (self.wanted, self.renewed_at, self.is_by_hand, self.is_other) = ((right, left), now, false, false);
     }
 
     /// No motion from now on. What is due is due at once.
     pub fn stop(&mut self) {
         self.wanted = (0, 0);
-        self.is_by_hand = false;
+        (self.is_by_hand, self.is_other) = (false, false);
         self.stops_due = LEAST_STOPS;
         self.sent_at = f64::NEG_INFINITY;
     }
@@ -77,11 +80,17 @@ impl Wheels {
         self.wanted = (within(right), within(left));
         (self.sent, self.sent_at, self.changed_at) = (self.wanted, now, now);
         self.is_by_hand = self.wanted != (0, 0);
+        (self.is_other, self.stops_due) = (false, 0);
+    }
+
+    /// Somebody typed a way to drive that isn't wheel speeds.
+    pub fn by_other_hand(&mut self) {
+        (self.is_by_hand, self.is_other, self.stops_due) = (true, true, 0);
     }
 
     /// Whether the robot is told to move.
     pub fn is_moving(&self) -> bool {
-        self.wanted != (0, 0)
+        self.wanted != (0, 0) || self.is_other
     }
 
     /// Speeds of the right and left wheel that were sent last, mm/s.
@@ -100,6 +109,9 @@ impl Wheels {
         if self.is_moving() && !self.is_by_hand && now - self.renewed_at > DEAD_MAN_S {
             self.expired += 1;
             self.stop();
+        }
+        if self.is_other {
+            return None;
         }
         let since = now - self.sent_at;
         let is_deaf = now - self.changed_at > ECHO_S && reported.is_some_and(|reported| reported != self.wanted);
