@@ -40,6 +40,21 @@ fn a_nudge_finds_swapped_encoders_and_odometry_is_right_after_it() {
 }
 
 #[test]
+fn swapped_encoders_are_noticed_while_it_turns() {
+    for (personality, is_odd) in [("model", false), ("swapped", true)] {
+        let mut wire = armed(personality);
+        for left in [1.0, -1.0] {
+            for _ in 0..50 {
+                wire.ask(Request::Drive { forward: 0.0, left });
+                wire.pass(0.04);
+            }
+        }
+        let notice = wire.view().notice.map(|notice| notice.text).unwrap_or_default();
+        assert_eq!(notice.contains("swapped"), is_odd, "{personality}: {notice}");
+    }
+}
+
+#[test]
 fn spin_and_metre_move_as_they_say_and_take_the_answer() {
     let mut wire = armed("model");
     let before = wire.pose();
@@ -54,7 +69,10 @@ fn spin_and_metre_move_as_they_say_and_take_the_answer() {
     let refused = wire.link.request(wire.now, Request::Answer { value: 3.0 }).unwrap_err();
     assert!(refused.to_string().contains("Measure again"), "{refused}");
     wire.ask(Request::Answer { value: 1.02 });
-    assert!((wire.view().calibration.unwrap().distance_factor - 1.02).abs() < 1e-9);
+    let view = wire.view().calibration.unwrap();
+    assert!((view.distance_factor - 1.02).abs() < 1e-9);
+    // Turns, which were right, stay so.
+    assert!((view.base_factor / view.distance_factor - 360.0 / 350.0).abs() < 1e-9);
 }
 
 #[test]

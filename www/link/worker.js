@@ -83,9 +83,20 @@ self.addEventListener("error", (event) => {
 });
 self.addEventListener("unhandledrejection", (event) => broke(event.reason));
 
+/** By how much the time of day is ahead of the worker's own, which stands still while the computer sleeps, ms. */
+let ahead = Date.now() - performance.now();
+
+/** A computer that slept didn't mind the robot, and none of its times has run out. */
+function mindSleep() {
+  const slept = Date.now() - performance.now() - ahead;
+  ahead += slept;
+  if (slept > 1000) link.leave(now(), "The computer slept.");
+}
+
 setInterval(() => {
   if (!line) return;
   safely(() => {
+    mindSleep();
     if (line instanceof VirtualLine) line.tick(now());
     link.tick(now());
   });
@@ -117,6 +128,7 @@ async function open(target) {
     onlost: (why, forGood) => safely(() => link.lost(now(), why, forGood)),
   };
   line = lineTo(target, guest, events);
+  link.fix_rate(target.kind === "socket");
   try {
     await line.open();
   } catch (error) {

@@ -34,6 +34,7 @@ use crate::{
     oi::{
         Mode, Readings,
         driver::{Driver, Phase},
+        motion::encoder_delta,
     },
     robot::{self, Odometry, OdometryModel, RobotModel, RobotPort, Sensors},
 };
@@ -45,6 +46,8 @@ const BEAT_S: f64 = 0.15;
 const STICK_S: f64 = 0.2;
 /// Nobody is at the controls who hasn't touched them for so long, s; time enough to roll back from an edge.
 const LEFT_ALONE_S: f64 = 1.5;
+/// Counts the wrong way round that aren't the end of an earlier turn: 30 degrees.
+const ODD_COUNTS: i32 = 138;
 /// Robots fall asleep after so long in Passive, s.
 const SLEEP_S: f64 = 300.0;
 /// Points of the trace that are kept until somebody asks for them: a minute.
@@ -72,6 +75,11 @@ pub struct Link {
     now: f64,
     beaten_at: f64,
     stick_at: f64,
+    /// Counts of encoder packets 43 and 44 while it turned on the spot to the left, and whether they were complained of.
+    turned: [i32; 2],
+    /// The latest of them: left, right.
+    counts: [u16; 2],
+    is_odd: bool,
     /// Whether brushes or vacuum were switched on.
     motors_on: bool,
     /// Since when the robot is in its mode.
@@ -105,6 +113,9 @@ impl Link {
             now: 0.0,
             beaten_at: 0.0,
             stick_at: f64::NEG_INFINITY,
+            turned: [0; 2],
+            counts: [0; 2],
+            is_odd: false,
             motors_on: false,
             mode: None,
             notice: None,
@@ -269,6 +280,7 @@ impl Link {
         if self.mode.is_none_or(|(known, _)| known != mode) {
             self.mode = Some((mode, now));
         }
+        self.mind_encoders(&sensed);
         let is_held = now - self.stick_at <= STICK_S;
         let Some(ride) = self.ride.as_mut().filter(|ride| !ride.is_done) else { return };
         if !self.driver.is_armed() {
@@ -290,6 +302,33 @@ impl Link {
             self.ride_ended();
         } else {
             port.drive(drive);
+        }
+    }
+
+    /// Looks whether the encoders count as the wheels turn: a robot whose packets are swapped loses its way at once.
+    fn mind_encoders(&mut self, sensed: &Sensors) {
+        let (right, left) = self.driver.wheels().sent();
+        let counts = [sensed.left_counts, sensed.right_counts];
+        let last = std::mem::replace(&mut self.counts, counts);
+        if right.signum() * left.signum() >= 0
+            || self.is_odd
+            || self.calibrating.as_ref().is_some_and(Calibrating::is_moving)
+        {
+            self.turned = [0; 2];
+            return;
+        }
+        for (sum, (before, now)) in self.turned.iter_mut().zip(last.into_iter().zip(counts)) {
+            *sum += i32::from(encoder_delta(before, now)) * i32::from(right.signum());
+        }
+        // Turning to the left, the left wheel counts down and the right one up.
+        if self.turned[0] > ODD_COUNTS && self.turned[1] < -ODD_COUNTS {
+            self.is_odd = true;
+            self.say(
+                "notice",
+                "Its wheels count the other way round than they were told to turn: its encoders may be swapped, and \
+                its place on the map is wrong. Calibrate it with Nudge."
+                    .to_owned(),
+            );
         }
     }
 
@@ -352,6 +391,7 @@ impl Link {
     }
 
     fn use_known(&mut self) {
+        (self.turned, self.is_odd) = ([0; 2], false);
         self.driver.swap_encoders(self.known.swapped);
         self.place(self.odometry.pose());
     }

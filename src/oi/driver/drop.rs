@@ -76,7 +76,9 @@ impl fmt::Display for ModeDrop {
         let names = ["left", "front left", "front right", "right"];
         let cliffs: Vec<_> = names.iter().zip(self.cliff).filter(|(_, sees)| *sees).map(|(name, _)| *name).collect();
         // On a dock all of them look at its black ramp.
-        if !cliffs.is_empty() && !self.charger[1] {
+        if self.cliff == [true; 4] && !self.charger[1] {
+            causes.push("no floor under any cliff sensor".to_owned());
+        } else if !cliffs.is_empty() && !self.charger[1] {
             causes.push(format!("no floor under the cliff sensor {}", cliffs.join(" and ")));
         }
         if self.charger[0] {

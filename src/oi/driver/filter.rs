@@ -87,6 +87,17 @@ const fn rule(packet: Packet) -> Rule {
 /// Bits of every packet, by its place in [`Packet::ALL`]; `None` for those that weren't in the frame.
 type Bits = [Option<u16>; Packet::ALL.len()];
 
+/// What becomes of a frame.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Verdict {
+    /// It follows from the one before, or from the one that waited.
+    Believed,
+    /// It may be true, if the next one follows from it.
+    Waits,
+    /// It says what no robot can report.
+    Impossible,
+}
+
 /// Tells frames that can be true from those that can't.
 #[derive(Debug, Clone)]
 pub struct Filter {
@@ -130,8 +141,8 @@ impl Filter {
         (self.believed, self.waiting) = (None, None);
     }
 
-    /// Whether `frame`, which arrives at `now`, is to be believed.
-    pub fn believes(&mut self, now: f64, frame: Frame<'_>) -> bool {
+    /// What to make of `frame`, which arrives at `now`.
+    pub fn judge(&mut self, now: f64, frame: Frame<'_>) -> Verdict {
         let mut bits: Bits = [None; Packet::ALL.len()];
         let mut is_possible = true;
         for (packet, raw) in frame.values() {
@@ -151,13 +162,14 @@ impl Filter {
             self.refused -= u64::from(is_late);
             self.late += u64::from(is_late);
             (self.believed, self.waiting) = (Some((now, bits)), None);
-            return true;
+            return Verdict::Believed;
         }
         self.refused += 1;
-        if is_possible {
-            self.waiting = Some((now, bits));
+        if !is_possible {
+            return Verdict::Impossible;
         }
-        false
+        self.waiting = Some((now, bits));
+        Verdict::Waits
     }
 
     fn follows(&self, before: &Bits, now: &Bits, elapsed_s: f64, is_strict: bool) -> bool {

@@ -25,7 +25,7 @@ mod wheels;
 
 pub use diagnosis::{Diagnosis, Finding, Step};
 pub use drop::ModeDrop;
-pub use filter::Filter;
+pub use filter::{Filter, Verdict};
 pub use gauge::Gauge;
 pub use raw::RawRefusal;
 pub use wheels::{DEAD_MAN_S, Wheels};
@@ -234,7 +234,7 @@ impl Driver {
             if matches!(self.phase, Phase::Diagnosing | Phase::Waiting) {
                 self.hearing.push(&[byte]);
             }
-            if let Some(question) = &mut self.question {
+            if let Some(question) = self.question.as_mut().filter(|question| question.is_sent()) {
                 question.hear(byte);
             } else if self.take_byte(now, byte) {
                 self.reading_arrived(now);
@@ -258,16 +258,20 @@ impl Driver {
                         Phase::Connected | Phase::Lost => true,
                     };
                     let bytes = whole(frame.content());
-                    if !is_ours {
-                        Happening::Refused(bytes, "nobody has asked for it".to_owned())
-                    } else if filter.believes(now, frame) {
-                        before.clone_from(readings);
-                        frame.apply(readings);
-                        has_read = true;
-                        Happening::Frame(bytes)
-                    } else {
-                        let why = "its checksum is right, but it says what can't be";
-                        Happening::Refused(bytes, why.to_owned())
+                    match is_ours.then(|| filter.judge(now, frame)) {
+                        None => Happening::Refused(bytes, "nobody has asked for it".to_owned()),
+                        Some(Verdict::Believed) => {
+                            before.clone_from(readings);
+                            frame.apply(readings);
+                            has_read = true;
+                            Happening::Frame(bytes)
+                        }
+                        Some(Verdict::Waits) => {
+                            Happening::Refused(bytes, "it jumps: the next one will tell whether that is so".to_owned())
+                        }
+                        Some(Verdict::Impossible) => {
+                            Happening::Refused(bytes, "its checksum is right, but it says what can't be".to_owned())
+                        }
                     }
                 }
                 StreamEvent::Refused { bytes, error } => Happening::Refused(bytes.to_vec(), error.to_string()),

@@ -44,11 +44,14 @@ impl Question {
         (!ids.is_empty()).then(|| Self { bytes: bytes.to_vec(), ids, began: now, is_sent: false, heard: Vec::new() })
     }
 
-    /// Takes a byte that arrived.
+    /// Whether what arrives now belongs to the answer.
+    pub fn is_sent(&self) -> bool {
+        self.is_sent
+    }
+
+    /// Takes a byte of the answer.
     pub fn hear(&mut self, byte: u8) {
-        if self.is_sent {
-            self.heard.push(byte);
-        }
+        self.heard.push(byte);
     }
 
     /// Goes on.
@@ -92,7 +95,6 @@ mod tests {
     fn answers_are_put_in_words() {
         let mut question = Question::of(&[142, 22, 149, 2, 7, 35], 0.0).unwrap();
         assert_eq!(question.advance(0.01), Next::Wait);
-        question.hear(99);
         assert!(matches!(question.advance(0.06), Next::Send(bytes) if bytes.len() == 6));
         for byte in [58, 152, 3, 1] {
             question.hear(byte);
