@@ -42,9 +42,9 @@ proptest! {
                 robot.advance(0.015);
                 let may_move = robot.mode() >= Mode::Safe || robot.is_on_errand();
                 quiet_steps = if may_move { 0 } else { quiet_steps + 1 };
-                // It takes 14 steps to brake from 0.5 m/s.
+                // It takes 14 steps to brake from 0.5 m/s, and 42 gently, as when an errand is paused.
                 let speed = robot.robot().speed();
-                prop_assert!(quiet_steps < 18 || speed.is_stop(), "{speed:?} in {}", robot.mode());
+                prop_assert!(quiet_steps < 60 || speed.is_stop(), "{speed:?} in {}", robot.mode());
             }
             robot.transmit(rate, &mut heard);
         }
