@@ -17,7 +17,7 @@ const FOUND = {
   deaf: (v) => v.phase === "connected",
   swapped: (v) => v.phase === "connected",
   wrap: (v) => v.phase === "connected",
-  bootloader: (v) => v.phase === "waiting" && v.diagnosis.finding === "bootloader" && v.diagnosis.remedy.includes("battery"),
+  bootloader: (v) => v.phase === "connected",
   create1: (v) => v.statistics.baud === 57_600,
   silent: (v) => v.phase === "waiting" && v.diagnosis.finding === "silence",
 };
@@ -56,6 +56,10 @@ test("every personality is told apart", async (t) => {
   };
   await one("no_brc", "connection.virtual({ do: 'press', buttons: 1 })");
   await seen("no_brc", (v) => v.phase === "connected");
+
+  // One that doesn't start any more after a reset.
+  assert.equal(await one("bootloader", "connection.request({ do: 'identify' })"), true);
+  await seen("bootloader", (v) => v.phase === "waiting" && v.diagnosis.finding === "bootloader" && v.diagnosis.remedy.includes("battery"));
 
   // On its dock a robot can't be controlled, and it is said why.
   assert.equal(await one("docked", "connection.request({ do: 'arm', full: false })"), true);
