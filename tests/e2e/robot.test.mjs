@@ -123,6 +123,8 @@ test("lets a behaviour drive, and Stop ends it for good", async (t) => {
   await robot.rests();
   await page.locator("#link-go").focus();
   await page.keyboard.press("Enter");
+  assert.match(await page.locator("#link-ask-title").innerText(), /isn't at the start/);
+  await page.locator("#link-ask-other").click();
   await robot.drives(await robot.distance());
   await page.keyboard.press("Escape");
   await robot.rests();
@@ -234,6 +236,11 @@ test("the console shows what is said, and asks before bytes that move the robot"
   assert.equal(await page.locator("#link-ask").isVisible(), false);
   await field.fill("0x89 0 100");
   assert.match(await told.innerText(), /Drive \(137\).*lacks 2 bytes/);
+  await page.keyboard.press("Enter");
+  assert.equal(await page.locator("#link-ask").isVisible(), false, "what is incomplete isn't sent");
+  await field.fill("129 7");
+  assert.match(await told.innerText(), /Baud \(129\) isn't sent/);
+  await field.fill("0x89 0 100 128 0");
   await page.keyboard.press("Enter");
   await page.locator("#link-ask").waitFor();
   await page.locator("#link-ask-no").click();
