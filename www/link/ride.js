@@ -117,7 +117,7 @@ export function startRide(it) {
       const elsewhere = !goes && it.live.isKnown() && isElsewhere(view, NEAR);
       setHidden(button("link-to-start"), !elsewhere);
       const where = it.live.isKnown() ? "It is taken to stand on the dashed circle, looking along its arrow." : "It sets off where it stands.";
-      const question = isAsking(view) ? "A calibration asks something: answer it in Tools, or press Stop." : where;
+      const question = isAsking(view) ? "A calibration asks something: answer it first, in Tools, Calibrate." : where;
       setText(byId("link-ride-note"), view.can.drive ? question : "Take control first.");
       setEnabled(button("link-go"), view.can.drive && !goes && !isAsking(view));
       setEnabled(button("link-end"), goes || waiting !== undefined);

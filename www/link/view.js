@@ -105,7 +105,7 @@ export function doing(view, movesAlone) {
   if (ride && goesOn(ride)) return [ride.manual ? "You drive" : ride.title, ride.manual ? "" : ride.activity];
   if (view.wheels.some((speed) => speed !== 0)) return ["Driven by bytes of yours", "Stop ends it"];
   if (movesAlone) return ["Moves by itself", "Stop ends it"];
-  if (calibration?.step === "asking") return ["Calibrating", "answer in Tools, Calibrate; Stop ends it"];
+  if (calibration?.step === "asking") return ["Calibrating", "waits for an answer: Tools, Calibrate"];
   // Why control was lost is said above the map already.
   if (drop) return [ride && !ride.manual ? `${ride.title}: ended` : "Not in control", "take control again to drive"];
   if (ride && !ride.manual && (ride.ended || ride.done)) return [`${ride.title}: ${ride.ended ? "ended" : "done"}`, ride.ended];
