@@ -108,7 +108,10 @@ export function doing(view, movesAlone) {
   if (calibration?.step === "asking") return ["Calibrating", "waits for an answer: Tools, Calibrate"];
   // Why control was lost is said above the map already.
   if (drop) return [ride && !ride.manual ? `${ride.title}: ended` : "Not in control", "take control again to drive"];
-  if (ride && !ride.manual && (ride.ended || ride.done)) return [`${ride.title}: ${ride.ended ? "ended" : "done"}`, ride.ended];
+  if (ride && !ride.manual && (ride.ended || ride.done)) {
+    // Nor what a notice says.
+    return [`${ride.title}: ${ride.ended ? "ended" : "done"}`, view.notice?.text.startsWith(ride.ended) ? "" : ride.ended];
+  }
   if (mode === "Passive") return ["Watching", "take control to drive"];
   return ["Ready", `${mode}: drive, or let an algorithm`];
 }
