@@ -90,7 +90,7 @@ export function startMap(it) {
       if (wasThere) map.show_robot(...view.pose, (bumps & 12) === 12, (bumps & 2) !== 0, (bumps & 1) !== 0);
       else if (changed(canvas, "there", false)) map.hide_robot();
       if (wasThere) changed(canvas, "there", true);
-      const truth = isKnown() ? view.virtual?.pose : undefined;
+      const truth = wasThere && isKnown() ? view.virtual?.pose : undefined;
       if (truth) map.show_truth(...truth);
       setHidden(byId("link-legend"), !wasThere);
       setHidden(byId("link-legend-truth"), !truth);
