@@ -70,9 +70,10 @@ export function joystick({ pad, knob, told, targets, takes, begin, end }) {
   addEventListener("blur", stop);
   document.addEventListener("visibilitychange", () => document.hidden && stop());
 
+  /** Where the pad was when it was taken: nothing that moves under a finger may turn what it asks for. */
+  let box = pad.getBoundingClientRect();
   /** @param {PointerEvent} event */
   const drag = (event) => {
-    const box = pad.getBoundingClientRect();
     const reach = REACH * box.width;
     const [x, y] = [(event.clientX - box.left - box.width / 2) / reach, (event.clientY - box.top - box.height / 2) / reach];
     const length = Math.max(1, Math.hypot(x, y));
@@ -82,6 +83,7 @@ export function joystick({ pad, knob, told, targets, takes, begin, end }) {
     if (event.button !== 0) return;
     pad.setPointerCapture(event.pointerId);
     pad.classList.add("held");
+    box = pad.getBoundingClientRect();
     begin();
     drag(event);
   });
@@ -129,10 +131,21 @@ function showBlocked(pad, told, blocked, { forward, left }) {
   // What one is trying first; all of them as long as one tries nothing.
   const first = shut.filter((way) => asked[way]);
   const named = first.length > 0 ? first : shut;
-  const reasons = new Set(named.map(why));
-  const names = named.join(" and ");
-  setText(told, named.length > 0 ? `${names.charAt(0).toUpperCase()}${names.slice(1)} blocked: ${[...reasons].join("; ")}` : "");
+  const open = WAYS.filter((way) => !why(way));
+  if (shut.length === 0) setText(told, "");
+  else if (open.length === 1) setText(told, capital(`${reasons(shut.map(why))}: only ${open[0] === "backward" ? "back" : open[0]} is open`));
+  else setText(told, capital(`${named.join(" and ")} blocked: ${reasons(named.map(why))}`));
 }
+
+/** What they have in common, as far as one can read while driving. @param {(string | null | undefined)[]} all */
+function reasons(all) {
+  const each = new Set(all);
+  const heads = new Set([...each].map((one) => one?.replace(/ (in front|on the (left|right))$/, "")));
+  return [...(each.size > 1 ? heads : each)].join("; ");
+}
+
+/** @param {string} text */
+const capital = (text) => `${text.charAt(0).toUpperCase()}${text.slice(1)}`;
 
 /** All together, no more than full. @param {...Command} commands @returns {Command} */
 function limited(...commands) {

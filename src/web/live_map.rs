@@ -121,6 +121,14 @@ impl LiveMap {
         self.lift();
     }
 
+    /// From now on, a robot that believes to be at x, y, heading is where it is drawn now: it hasn't moved, but was told to
+    /// believe something else.
+    pub fn stay(&mut self, x: f64, y: f64, heading: f64) {
+        if let Some(here) = self.pose {
+            self.anchor(x, y, heading, here.x, here.y, here.heading);
+        }
+    }
+
     /// Where it has been, as `app::link::Link::take_trace` tells it.
     pub fn follow(&mut self, trace: &[f64]) {
         for &[x, y, heading, felt] in trace.as_chunks().0 {

@@ -93,7 +93,7 @@ test("what is blocked is shown with the reason", async (t) => {
   await page.locator("#floor").focus();
   await page.keyboard.down("ArrowUp");
   await page.locator(".way.shut[data-way=forward]").waitFor({ state: "attached" });
-  await app.poll(() => app.text("#blocked"), (text) => /^Forward blocked: bumper pressed/.test(text));
+  await app.poll(() => app.text("#blocked"), (text) => /^(Forward blocked: b|B)umper pressed/.test(text));
   assert.equal(await page.locator(".way.shut[data-way=backward]").count(), 0);
   await page.keyboard.up("ArrowUp");
   await page.keyboard.down("ArrowDown");

@@ -86,7 +86,7 @@ test("is driven by keys, and space stops it wherever the focus is", async (t) =>
   const { page, robot } = await openRobot(t);
   await robot.connect();
   await robot.arm();
-  await page.locator("#link-floor").focus();
+  // The focus is still on the button that took control.
   await page.keyboard.down("ArrowUp");
   await robot.drives(0.2);
   await page.keyboard.up("ArrowUp");
@@ -123,6 +123,8 @@ test("lets a behaviour drive, and Stop ends it for good", async (t) => {
   await robot.rests();
   await page.locator("#link-go").focus();
   await page.keyboard.press("Enter");
+  assert.match(await page.locator("#link-ask-title").innerText(), /isn't at the start/);
+  await page.locator("#link-ask-other").click();
   await robot.drives(await robot.distance());
   await page.keyboard.press("Escape");
   await robot.rests();
@@ -234,6 +236,11 @@ test("the console shows what is said, and asks before bytes that move the robot"
   assert.equal(await page.locator("#link-ask").isVisible(), false);
   await field.fill("0x89 0 100");
   assert.match(await told.innerText(), /Drive \(137\).*lacks 2 bytes/);
+  await page.keyboard.press("Enter");
+  assert.equal(await page.locator("#link-ask").isVisible(), false, "what is incomplete isn't sent");
+  await field.fill("129 7");
+  assert.match(await told.innerText(), /Baud \(129\) isn't sent/);
+  await field.fill("0x89 0 100 128 0");
   await page.keyboard.press("Enter");
   await page.locator("#link-ask").waitFor();
   await page.locator("#link-ask-no").click();

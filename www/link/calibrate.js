@@ -3,6 +3,7 @@
 import { byId, changed, make, setAttribute, setEnabled, setHidden, setText } from "../dom.js";
 import { draw } from "../portrait.js";
 import { keep, kept } from "./dialogs.js";
+import { isReplay } from "./view.js";
 
 /** @typedef {import("./types").CalibrationKind} Kind */
 
@@ -14,11 +15,13 @@ const STEPS = [
   { what: "square", title: "4. Square", text: "Drives a square of a metre. It should end where it began: shows how good all of it is.", room: "Needs 1.5 m ahead and to the left.", path: "M40 96v-76h76v76z" },
 ];
 
-/** What is kept of a robot: its line, by name. @param {import("./types").ConnectionView} view */
-const keyOf = ({ transport }) => `link-calibration ${transport.kind} ${transport.name}`;
+/** What is known of a robot that wasn't calibrated. */
+const NOTHING = { swapped: false, distance_factor: 1, base_factor: 1 };
 
 /** @param {import("./place.js").Linking} it @returns {(view: import("./types").ConnectionView) => void} */
 export function startCalibrate(it) {
+  /** What is kept of a robot: its line, by name; virtual ones have a nature of their own each. @param {import("./types").ConnectionView} view */
+  const keyOf = ({ transport }) => `link-calibration ${transport.kind} ${it.personality || transport.name}`;
   const starts = STEPS.map(({ what, title, text, room, path }) => {
     const svg = draw("svg", { viewBox: "0 0 160 116", class: "link-picture", "aria-hidden": "true" });
     draw("circle", { cx: what === "metre" ? 30 : what === "square" ? 40 : 80, cy: what === "square" ? 96 : 58, r: 16, class: "p-shell" }, svg);
@@ -51,10 +54,9 @@ export function startCalibrate(it) {
 
   return (view) => {
     const { calibration, can, phase } = view;
-    if (phase === "connected" && restored !== keyOf(view)) {
+    if (phase === "connected" && !isReplay(view) && restored !== keyOf(view)) {
       restored = keyOf(view);
-      const known = remembered(restored);
-      if (known) void it.request({ do: "use_calibration", ...known });
+      void it.request({ do: "use_calibration", ...(remembered(restored) ?? NOTHING) });
     }
     if (phase === "closed") restored = "";
     const goes = calibration?.step === "moving" || calibration?.step === "asking";
@@ -62,7 +64,7 @@ export function startCalibrate(it) {
       setEnabled(start, can.drive && !goes);
       setAttribute(item, "class", calibration?.what === item.getAttribute("data-what") ? `now ${calibration.step}` : "");
     }
-    setText(told, calibration?.text ?? (can.drive ? "Four small drives let the robot know where it is. Each can be left out." : "Take control first: the robot has to move for this."));
+    setText(told, calibration?.text ?? (isReplay(view) ? "This is a recording: nothing can be driven." : can.drive ? "Four small drives let the robot know where it is. Each can be left out." : "Take control first: the robot has to move for this."));
     setHidden(number, calibration?.step !== "asking" || (calibration.asks !== "deg" && calibration.asks !== "m"));
     setHidden(choice, calibration?.step !== "asking" || calibration.asks !== "yes");
     if (!calibration) return;
@@ -72,7 +74,7 @@ export function startCalibrate(it) {
       setText(unit, asks === "deg" ? "degrees" : "metres");
       if (asks !== "yes") answer.select();
     }
-    if (step === "done" && changed(told, "kept", `${swapped} ${distance_factor} ${base_factor}`)) keep(keyOf(view), JSON.stringify({ swapped, distance_factor, base_factor }));
+    if (step === "done" && !isReplay(view) && changed(told, "kept", `${swapped} ${distance_factor} ${base_factor}`)) keep(keyOf(view), JSON.stringify({ swapped, distance_factor, base_factor }));
     setText(inUse, `In use: wheel counters ${swapped ? "swapped" : "as specified"}, ${distance_factor.toFixed(4)} m driven per metre counted, wheels ${(235 * base_factor).toFixed(1)} mm apart.`);
   };
 }

@@ -1,10 +1,10 @@
 // @ts-check
 // Connecting: what can be connected to, and what is found there, in pictures.
 import { VirtualRobot } from "../../robot.js";
-import { button, byId, changed, fill, input, make, select, setAttribute, setEnabled, setHidden, setText } from "../dom.js";
+import { button, byId, changed, fill, input, make, select, setAttribute, setHidden, setText } from "../dom.js";
 import { kept, keep, readSafety } from "./dialogs.js";
 import { support } from "./support.js";
-import { isOpen } from "./view.js";
+import { isOpen, isReplay, waitedFor } from "./view.js";
 
 /** @typedef {import("./place.js").Linking} Linking */
 /** @typedef {import("./types").ConnectionView} ConnectionView */
@@ -59,20 +59,21 @@ export function startConnect(it) {
       wasOpen = open;
     }
     showState(view, open);
-    const isThere = view.phase === "connected" && view.transport.state !== "lost";
+    const isThere = (view.phase === "connected" && view.transport.state !== "lost") || isReplay(view);
     setHidden(byId("link-diagnosis"), !open || isThere);
     if (open && !isThere) showDiagnosis(view);
-    setEnabled(button("link-again"), view.can.connect);
-    setEnabled(button("link-retry"), view.can.connect);
+    for (const id of ["link-again", "link-retry"]) setHidden(button(id), !view.can.connect || isReplay(view));
+    setText(button("link-close"), isReplay(view) ? "Close the recording" : "Disconnect");
   };
 }
 
 /** @param {ConnectionView} view @param {boolean} open */
-function showState({ phase, transport, diagnosis }, open) {
+function showState(view, open) {
+  const { phase, transport, diagnosis } = view;
   setAttribute(byId("link-setup"), "data-phase", open ? phase : "closed");
-  const names = { closed: "Connecting…", diagnosing: "Connecting…", waiting: "Nobody answers yet", connected: transport.name || "Connected", lost: "Connection lost" };
-  setText(byId("link-name"), open ? names[phase] : "Not connected");
-  const note = phase === "connected" ? transport.text || diagnosis.text : transport.text;
+  const names = { closed: "Connecting…", diagnosing: "Connecting…", waiting: waitedFor(diagnosis)[0], connected: transport.name || "Connected", lost: "Connection lost" };
+  setText(byId("link-name"), isReplay(view) ? transport.name : open ? names[phase] : "Not connected");
+  const note = isReplay(view) ? "Shown as it was: nothing can be driven." : phase === "connected" ? transport.text || diagnosis.text : transport.text;
   setText(byId("link-note"), open ? note : "By cable to a real robot, or to the virtual one.");
 }
 

@@ -117,6 +117,11 @@ export class Connection {
     return (await this.#ask({ type: "ride", id: 0, corners: Float64Array.from(corners) })) === true;
   }
 
+  /** Stops the robot and gives control back. @param {string} why A sentence for the user who comes back. */
+  leave(why) {
+    this.#tell({ type: "leave", why });
+  }
+
   /** What a hand does to the virtual robot. @param {import("./types").Touch} touch */
   virtual(touch) {
     this.#tell({ type: "virtual", touch });

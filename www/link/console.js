@@ -117,13 +117,13 @@ function startRaw(it) {
   const [field, send, told] = [input("console-bytes"), button("console-send"), byId("console-parsed")];
   const read = () => {
     const { bytes, fault } = parse(field.value);
-    const { names, lacks } = danger(bytes);
+    const { names, refused } = danger(bytes);
     const hex = bytes.map((byte) => byte.toString(16).padStart(2, "0")).join(" ");
-    const short = lacks > 0 ? ` The last command lacks ${lacks} bytes: the robot will take what comes next for them.` : "";
-    setAttribute(field, "aria-invalid", String(fault !== ""));
-    told.classList.toggle("fault", fault !== "");
-    setText(told, fault || (bytes.length === 0 ? "Whatever you send goes to the robot as it is, and may move it." : `${bytes.length} bytes: ${hex}.${names.length > 0 ? ` May move it: ${names.join(", ")}.` : ""}${short}`));
-    return { bytes: fault ? [] : bytes, names };
+    const isWrong = fault !== "" || refused !== "";
+    setAttribute(field, "aria-invalid", String(isWrong));
+    told.classList.toggle("fault", isWrong);
+    setText(told, fault || (bytes.length === 0 ? "Whatever you send goes to the robot as it is, and may move it." : `${bytes.length} bytes: ${hex}.${names.length > 0 ? ` May move it: ${names.join(", ")}.` : ""}${refused && ` ${refused}`}`));
+    return { bytes: isWrong ? [] : bytes, names };
   };
   field.addEventListener("input", read);
   byId("console-form").addEventListener("submit", async (event) => {
@@ -132,7 +132,7 @@ function startRaw(it) {
     if (bytes.length === 0) return;
     const agreed = names.length === 0 || (await ask({
       title: "This may move the robot",
-      points: [`It contains ${names.join(", ")}.`, "Nothing guards bytes of your own: no interlock, no dead-man's switch. Stop still works.", "Is there room around the robot?"],
+      points: [`It contains ${names.join(", ")}.`, "Nothing looks out for what is in the way: it goes on until you press Stop, or leave or hide this page.", "Is there room around the robot?"],
       yes: "Send it",
       isWarning: true,
     }));

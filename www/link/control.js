@@ -3,7 +3,7 @@
 import { button, byId, changed, setAttribute, setEnabled, setHidden, setText } from "../dom.js";
 import { place } from "../places.js";
 import { ask } from "./dialogs.js";
-import { doing, isMoving, isOpen } from "./view.js";
+import { doing, isMoving, isOpen, isReplay } from "./view.js";
 
 /** @typedef {import("./place.js").Linking} Linking */
 /** @typedef {import("./types").ConnectionView} ConnectionView */
@@ -24,7 +24,7 @@ export function startControl(it) {
   };
   button("link-stop").addEventListener("click", stop);
   startStopKeys(it, stop);
-  for (const id of ["link-arm", "link-rearm"]) button(id).addEventListener("click", () => it.view.can.arm && void it.request({ do: "arm", full: false }));
+  for (const id of ["link-arm", "link-rearm", "link-bar-arm"]) button(id).addEventListener("click", () => it.view.can.arm && void it.request({ do: "arm", full: false }));
   button("link-disarm").addEventListener("click", () => it.view.can.disarm && void it.request({ do: "disarm" }));
   button("link-full").addEventListener("click", async () => {
     if (!it.view.can.arm) return;
@@ -42,10 +42,10 @@ export function startControl(it) {
   });
 
   return (view) => {
-    const open = isOpen(view);
-    const isThere = view.phase === "connected";
+    const open = isOpen(view) && !isReplay(view);
+    const isThere = view.phase === "connected" && open;
     setHidden(button("link-stop"), !open);
-    button("link-stop").classList.toggle("moving", isMoving(view));
+    button("link-stop").classList.toggle("moving", isMoving(view) || it.movesAlone);
     for (const id of ["link-control", "link-ride"]) setHidden(byId(id), !isThere);
     for (const row of byId("link-modes").children) {
       const isIn = row.getAttribute("data-mode") === view.mode;
@@ -53,19 +53,26 @@ export function startControl(it) {
       setAttribute(row, "aria-current", String(isIn));
     }
     setEnabled(button("link-arm"), view.can.arm && view.mode !== "Safe");
-    setEnabled(button("link-full"), view.can.arm && view.mode !== "Full");
+    // Only marked: who asks why it can't be had is told.
+    setAttribute(button("link-full"), "aria-disabled", String(!view.can.arm));
+    setAttribute(button("link-full"), "data-tip", fullTip(view));
+    setHidden(button("link-bar-arm"), !isThere || !view.can.arm || view.drop !== null);
     setEnabled(button("link-disarm"), view.can.disarm);
     setText(byId("link-clock"), clocks(view));
     setHidden(byId("link-drop"), !isThere || view.drop === null);
     setText(byId("link-drop-text"), view.drop?.text ?? "");
     setText(byId("link-drop-remedy"), view.drop?.remedy ?? "");
     setHidden(button("link-rearm"), !view.drop?.can_rearm);
-    const [what, more] = doing(view);
+    const [what, more] = doing(view, it.movesAlone);
     setText(byId("link-doing"), what);
     setText(byId("link-doing-note"), more);
     if (changed(byId("link-said"), "said", what)) setText(byId("link-said"), `${what}. ${more}`);
   };
 }
+
+/** @param {ConnectionView} view */
+const fullTip = ({ can, mode }) =>
+  can.arm ? "The page drives, and nothing stops the robot by itself. Asks first." : mode === "Full" ? "You have it." : mode === "Safe" ? "Not from Safe: give control back first." : "No robot is connected that could be controlled.";
 
 /** @param {ConnectionView} view */
 function clocks({ mode, sleeps_in_s: sleeps, awake_s: awake }) {
@@ -83,7 +90,7 @@ function clocks({ mode, sleeps_in_s: sleeps, awake_s: awake }) {
 function startStopKeys(it, stop) {
   /** @param {KeyboardEvent} event */
   const isStop = (event) => {
-    if (place() !== "robot" || !isOpen(it.view) || (event.key !== " " && event.key !== "Escape")) return false;
+    if (place() !== "robot" || !isOpen(it.view) || isReplay(it.view) || (event.key !== " " && event.key !== "Escape")) return false;
     const target = event.target instanceof Element ? event.target : document.body;
     const writes = target.matches("textarea, input:not([type=checkbox], [type=range], [type=radio], [type=file])");
     return event.key === "Escape" || !writes;

@@ -3,16 +3,27 @@
 import { button, byId, make, setHidden, setText, typed } from "../dom.js";
 
 /**
- * Asks; says whether the answer was yes.
- * @param {{ title: string, points: string[], yes: string, no?: string, isWarning?: boolean }} question
- * @returns {Promise<boolean>}
+ * @typedef {object} Question
+ * @property {string} title
+ * @property {string[]} points
+ * @property {string} yes
+ * @property {string} [other] Another way to go on.
+ * @property {string} [no]
+ * @property {boolean} [isWarning]
  */
-export function ask({ title, points, yes, no = "Cancel", isWarning = false }) {
+
+/** Asks; says whether the answer was yes. @param {Question} question @returns {Promise<boolean>} */
+export const ask = async (question) => (await choose(question)) === "yes";
+
+/** Asks; says what was answered: "yes", "other" or "no". @param {Question} question @returns {Promise<string>} */
+export function choose({ title, points, yes, other = "", no = "Cancel", isWarning = false }) {
   const dialog = typed("link-ask", HTMLDialogElement);
   setText(byId("link-ask-title"), title);
   const items = points.map((point) => make("li", {}, point));
   byId("link-ask-text").replaceChildren(make("ul", { className: "link-list" }, ...items));
   setText(button("link-ask-yes"), yes);
+  setText(button("link-ask-other"), other);
+  setHidden(button("link-ask-other"), other === "");
   setText(button("link-ask-no"), no);
   setHidden(button("link-ask-no"), no === "");
   dialog.classList.toggle("warning", isWarning);
@@ -20,7 +31,7 @@ export function ask({ title, points, yes, no = "Cancel", isWarning = false }) {
   dialog.showModal();
   // The harmless answer is nearest to a key that was pressed too often.
   (no === "" ? button("link-ask-yes") : button("link-ask-no")).focus();
-  return new Promise((resolve) => dialog.addEventListener("close", () => resolve(dialog.returnValue === "yes"), { once: true }));
+  return new Promise((resolve) => dialog.addEventListener("close", () => resolve(dialog.returnValue), { once: true }));
 }
 
 const READ = "link-safety";

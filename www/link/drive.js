@@ -10,6 +10,9 @@ import { goesOn } from "./view.js";
 /** How often a command is said again while it is held, ms. */
 const AGAIN_MS = 40;
 
+/** What needs arrows or letters for itself. */
+const OWN_KEYS = "input:not([type=checkbox], [type=button], [type=file]), textarea, select, .console, [contenteditable]";
+
 /** @param {Linking} it */
 export function startDrive(it) {
   const [floor, knob] = [byId("link-floor"), button("link-knob")];
@@ -24,14 +27,18 @@ export function startDrive(it) {
   const end = () => {
     if (!isDriving) return;
     isDriving = false;
-    void it.request({ do: "drive", ...STILL });
+    // A hidden page has given control back already.
+    if (!document.hidden) void it.request({ do: "drive", ...STILL });
   };
+  const here = byId("place-robot");
+  /** Buttons have no use for arrows: whoever has just pressed one may drive. @param {EventTarget | null} target */
+  const isFree = (target) => target === document.body || (target instanceof Element && here.contains(target) && !target.matches(OWN_KEYS));
   const stick = joystick({
     pad: byId("link-pad"),
     knob,
     told: byId("link-blocked"),
-    targets: [floor, knob, document.body],
-    takes: ({ target, currentTarget }) => mayDrive() && (currentTarget !== document.body || target === document.body) && !document.querySelector("dialog[open]"),
+    targets: [document.body, floor, knob],
+    takes: ({ target }) => mayDrive() && isFree(target) && !document.querySelector("dialog[open]"),
     begin: () => {
       // Not what a gamepad says all along.
       wasStill = true;

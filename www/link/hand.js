@@ -54,9 +54,9 @@ export function startVirtual(it) {
     node.addEventListener("click", () => touch({ do: "press", buttons: bit }));
     return node;
   });
-  const lift = key("hand-lift", "Lift", "Picks it up: its wheels drop, and Safe mode ends. Or drag it on the map.");
-  const plug = key("hand-plug", "Plug in", "Plugs its charger in.");
-  const mute = key("hand-mute", "Mute", "Its tunes, on this page.");
+  const lift = key("hand-lift", "Lift", "");
+  const plug = key("hand-plug", "Plug in", "");
+  const mute = key("hand-mute", "Mute its sounds", "Its tunes, on this page.");
   byId("link-face").replaceChildren(svg, make("div", { className: "link-hand" }, ...presses, lift, plug, mute), make("p", { className: "note", id: "hand-note" }));
   let isPlugged = false;
   plug.addEventListener("click", () => {
@@ -71,7 +71,7 @@ export function startVirtual(it) {
   });
   mute.addEventListener("click", () => {
     hush(!isMuted());
-    setText(mute, isMuted() ? "Sound on" : "Mute");
+    setText(mute, isMuted() ? "Let it sound" : "Mute its sounds");
   });
 
   return {
@@ -98,6 +98,8 @@ export function startVirtual(it) {
       for (const tune of virtual.tunes) sound(tune);
       setText(lift, virtual.lifted ? "Put down" : "Lift");
       setText(plug, isPlugged ? "Unplug" : "Plug in");
+      setAttribute(lift, "data-tip", virtual.lifted ? "Puts it down where it was." : "Picks it up: its wheels drop, and Safe mode ends. Or drag it on the map.");
+      setAttribute(plug, "data-tip", isPlugged ? "Pulls its charger out." : "Plugs its charger in: Safe mode ends.");
       const what = virtual.fallen ? "It has fallen down the stairs: lift it and put it down." : virtual.lifted ? "In your hand." : virtual.awake ? `Awake, ${virtual.mode}.` : "Asleep: press Clean to wake it.";
       setText(byId("hand-note"), what);
     },

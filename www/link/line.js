@@ -5,7 +5,7 @@ import { row } from "../dashboard.js";
 import { count } from "../format.js";
 import { ask } from "./dialogs.js";
 import { download } from "../files.js";
-import { isOpen } from "./view.js";
+import { isOpen, isReplay } from "./view.js";
 
 /** @typedef {import("./types").ConnectionView} ConnectionView */
 
@@ -15,9 +15,9 @@ const ROWS = [
   ["Readings", "Complete readings a second, and the age of the last one. A robot sends 64 a second.", ({ statistics: s }) => `${s.rate_hz.toFixed(0)} /s, ${s.age_ms.toFixed(0)} ms old`],
   ["Latency", "Time from a command until the robot reports it; the median of the last ones.", ({ statistics: s }) => (s.latency_ms === null ? "not measured yet" : `${s.latency_ms.toFixed(0)} ms`)],
   ["Longest gap", "The longest time without a reading.", ({ statistics: s }) => `${s.longest_gap_ms.toFixed(0)} ms`],
-  ["Bad readings", "Refused: wrong checksum, and right checksum but values that can't be. None of them moves the robot.", ({ statistics: s }) => `${count(s.bad_checksums)} + ${count(s.implausible)} of ${count(s.frames)}`],
-  ["Noise", "Bytes that belong to nothing, and false beginnings of a reading.", ({ statistics: s }) => `${count(s.noise)} B, ${count(s.false_headers)} starts`],
-  ["Slot", "Bytes of one reading, and how many fit into 15 ms at this speed.", ({ statistics: s }) => `${s.slot[0]} of ${s.slot[1]} B`],
+  ["Bad readings", "Readings that were thrown away: damaged on their way, and such that no robot could send. None of them changes what the robot does.", ({ statistics: s }) => `${count(s.bad_checksums)} + ${count(s.implausible)} of ${count(s.frames)}`],
+  ["Noise", "Bytes that make no sense, as a bad cable brings them, and what looked like the beginning of a reading but was none.", ({ statistics: s }) => `${count(s.noise)} B, ${count(s.false_headers)} starts`],
+  ["Slot", "How full the line is: a reading's bytes, and how many would fit between two readings (15 ms) at this speed. More would be cut off.", ({ statistics: s }) => `${s.slot[0]} of ${s.slot[1]} B`],
   ["Bytes", "Received and sent.", ({ statistics: s }) => `${count(s.bytes[0])} · ${count(s.bytes[1])}`],
   ["Wake-up wire", "The cable's BRC wire, which wakes a sleeping robot. Many cables lack it.", ({ transport: t }) => ({ low: "pulled low", high: "let go", none: "none" })[t.brc]],
   ["Adapter errors", "Breaks, framing, parity and overrun errors that the adapter reported.", ({ transport: { errors: e } }) => `${e.break} · ${e.framing} · ${e.parity} · ${e.overrun}`],
@@ -44,7 +44,7 @@ export function startLine(it) {
   return (view) => {
     const open = isOpen(view);
     for (const { value, text } of rows) setText(value, open ? text(view) : "–");
-    setHidden(byId("link-record"), !open && view.statistics.bytes[0] === 0);
+    setHidden(byId("link-record"), isReplay(view) || (!open && view.statistics.bytes[0] === 0));
     setText(byId("link-firmware"), view.firmware ? `Firmware: ${view.firmware}` : "");
   };
 }

@@ -8,8 +8,6 @@ import { goesOn, isOpen } from "./view.js";
 /** @typedef {import("./types").ConnectionView} ConnectionView */
 
 const KEY_PAN = 60;
-/** How far from its start the first reading of a ride may be, m. */
-const NEAR_M = 0.3;
 const WHEEL_LINE = 16;
 /** Milliseconds between descriptions in words. */
 const TOLD_EVERY = 1000;
@@ -20,7 +18,7 @@ export function startMap(it) {
   const choice = select("link-room");
   const map = new LiveMap(canvas, it.room.guest, true);
   let wasThere = false;
-  /** Where a ride begins that isn't told of yet: what comes before that is another way. @type {number[] | undefined} */
+  /** Where a ride begins that isn't told of yet, and where the robot believed to be before. @type {[to: number[], from: number[]] | undefined} */
   let awaited;
   let told = 0;
   let size = "";
@@ -59,20 +57,26 @@ export function startMap(it) {
     map,
     begin,
     isKnown,
-    /** A ride begins where the room has its start, and believes to. */
+    /** A ride has begun: from now on the robot believes to be at the room's start. On blank paper it stays where it is drawn. */
     rideFrom() {
       const [fromX, fromY, from] = it.room.guest.start();
       const [x, y, heading] = map.start();
+      awaited = undefined;
+      if (fromX !== undefined && fromY !== undefined && from !== undefined) {
+        awaited = [[fromX, fromY], [...it.view.pose]];
+        if (!isKnown()) map.stay(fromX, fromY, from);
+        else if (heading !== undefined) map.anchor(fromX, fromY, from, x ?? 0, y ?? 0, heading);
+      }
       map.wipe();
-      awaited = from === undefined ? undefined : [fromX ?? 0, fromY ?? 0];
-      if (from !== undefined && heading !== undefined) map.anchor(fromX ?? 0, fromY ?? 0, from, x ?? 0, y ?? 0, heading);
     },
     /** @param {Float64Array} trace Four numbers a reading. */
     follow(trace) {
       let from = 0;
-      const [x, y] = awaited ?? [];
-      if (x !== undefined && y !== undefined) {
-        while (from < trace.length && Math.hypot((trace[from] ?? 0) - x, (trace[from + 1] ?? 0) - y) > NEAR_M) from += 4;
+      if (awaited) {
+        const [start, before] = awaited;
+        const far = (/** @type {number[]} */ of) => Math.hypot((trace[from] ?? 0) - (of[0] ?? 0), (trace[from + 1] ?? 0) - (of[1] ?? 0));
+        // What comes before the ride is another way.
+        while (from < trace.length && far(before) < far(start)) from += 4;
         if (from < trace.length) awaited = undefined;
       }
       map.follow(trace.subarray(from));
@@ -86,7 +90,7 @@ export function startMap(it) {
       if (wasThere) map.show_robot(...view.pose, (bumps & 12) === 12, (bumps & 2) !== 0, (bumps & 1) !== 0);
       else if (changed(canvas, "there", false)) map.hide_robot();
       if (wasThere) changed(canvas, "there", true);
-      const truth = isKnown() ? view.virtual?.pose : undefined;
+      const truth = wasThere && isKnown() ? view.virtual?.pose : undefined;
       if (truth) map.show_truth(...truth);
       setHidden(byId("link-legend"), !wasThere);
       setHidden(byId("link-legend-truth"), !truth);
@@ -123,9 +127,14 @@ function showNumbers(map, view, isThere) {
   const share = map.coverage();
   setText(byId("link-swept"), !isThere ? "–" : share === undefined ? map.swept_m2().toFixed(1) : (100 * share).toFixed(1));
   setText(byId("link-swept-unit"), share === undefined ? "m²" : "%");
-  const seconds = Math.floor(view.ride?.time_s ?? 0);
-  setText(byId("link-time"), view.ride ? `${Math.floor(seconds / 60)}:${String(seconds % 60).padStart(2, "0")}` : "–");
+  setText(byId("link-time"), view.ride ? lasted(Math.floor(view.ride.time_s)) : "–");
   setText(byId("link-distance"), isThere ? view.distance_m.toFixed(1) : "–");
+}
+
+/** @param {number} seconds */
+function lasted(seconds) {
+  const [h, m, s] = [Math.floor(seconds / 3600), Math.floor(seconds / 60) % 60, seconds % 60];
+  return h > 0 ? `${h} h ${m} min` : m > 0 ? `${m} min ${s} s` : `${s} s`;
 }
 
 /** The picture in words. @param {LiveMap} map @param {ConnectionView} view @param {boolean} isThere @param {string} room */

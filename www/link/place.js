@@ -18,7 +18,7 @@ import { startRide } from "./ride.js";
 import { startRoom } from "./room.js";
 import { startSensors } from "./sensors.js";
 import { startSongs } from "./songs.js";
-import { CLOSED, isMoving, isOpen } from "./view.js";
+import { CLOSED, isMoving, isOpen, isReplay, watchWheels } from "./view.js";
 import { startVirtual } from "./hand.js";
 
 /**
@@ -27,6 +27,8 @@ import { startVirtual } from "./hand.js";
  * @property {import("../main.js").App} app
  * @property {Connection} connection
  * @property {ConnectionView} view The latest view.
+ * @property {boolean} movesAlone Whether it moves without this page.
+ * @property {string} personality Of the virtual robot that was opened last; "" if that was none.
  * @property {((view: ConnectionView) => void)[]} onview What is to be told of every view.
  * @property {ReturnType<typeof startRoom>} room
  * @property {ReturnType<typeof startMap>} live
@@ -38,6 +40,9 @@ import { startVirtual } from "./hand.js";
  * @property {() => void} halt What would go on driving is let go.
  */
 
+/** When a view has come for sure that tells of what was refused, ms. */
+const SOON_MS = 150;
+
 /**
  * @param {import("../main.js").App} app
  * @param {WebAssembly.Module} module
@@ -48,16 +53,28 @@ export function startRobot(app, module, guard) {
   const room = startRoom(app);
   room.take();
   // The rest of it follows below: its parts need each other.
-  const it = /** @type {Linking} */ (/** @type {unknown} */ ({ app, connection, view: CLOSED, onview: [], room, complain }));
+  const it = /** @type {Linking} */ (/** @type {unknown} */ ({ app, connection, view: CLOSED, movesAlone: false, personality: "", onview: [], room, complain }));
+  /** Requests that aren't answered yet, oldest first; why one is refused is told before its answer. @type {string[]} */
+  const asked = [];
+  /** Number of the notice that is over. */
+  let over = -1;
+  const settle = () => {
+    forgive();
+    over = it.view.notice?.number ?? -1;
+  };
   it.request = async (request) => {
+    asked.push(request.do);
     const worked = await connection.request(request);
-    if (worked && request.do !== "drive") forgive();
+    asked.shift();
+    if (worked && (request.do === "arm" || request.do === "connect")) settle();
+    else if (worked && request.do !== "drive") forgive();
     return worked;
   };
   it.open = async (target) => {
     room.take();
     connection.follow(room.followed());
-    forgive();
+    settle();
+    it.personality = target.kind === "virtual" ? target.personality : "";
     return connection.open(target);
   };
   it.hand = startVirtual(it);
@@ -79,18 +96,27 @@ export function startRobot(app, module, guard) {
   startSheets(byId("place-robot"), byId("link-floor"));
 
   let isFresh = true;
+  const wheels = watchWheels();
   const show = (/** @type {ConnectionView} */ view) => {
+    // Taken by whatever way, what was said before is over.
+    if (view.mode !== it.view.mode && view.mode !== "Passive" && it.view.mode === "Passive" && view.notice?.number === it.view.notice?.number) over = view.notice?.number ?? -1;
     it.view = view;
+    it.movesAlone = wheels(view);
     isFresh = true;
     // Before the way that leads from there.
     guard(() => it.live.update(view));
   };
   const follow = (/** @type {Float64Array} */ trace) => guard(() => it.live.follow(trace));
-  const replay = startReplay(it, { show, follow, traffic: traffic.take, wipe: () => it.live.begin(it.view) });
+  const replay = startReplay(it, { show, follow, traffic: traffic.take, wipe: () => it.live.begin(it.view), settle });
   connection.onview = show;
   connection.ontrace = follow;
   connection.ontraffic = traffic.take;
-  connection.onfailed = ({ what, remedy }) => complain(remedy ? `${what} ${remedy}` : what);
+  connection.onfailed = ({ kind, what, remedy }) => {
+    const tell = () => complain(remedy ? `${what} ${remedy}` : what);
+    if (kind !== "refused" || asked[0] !== "drive") return tell();
+    // Control was lost while a key was held: the next view says why, better than this would.
+    setTimeout(() => it.view.can.drive && tell(), SOON_MS);
+  };
 
   show(CLOSED);
   let wasHere = false;
@@ -98,8 +124,9 @@ export function startRobot(app, module, guard) {
   new MutationObserver(() => {
     if (place() === "robot") return;
     wasHere = false;
+    const moves = isMoving(it.view) || it.movesAlone;
     it.halt();
-    if (isMoving(it.view)) void it.request({ do: "stop" });
+    if (moves && !isReplay(it.view)) connection.leave("You left the place Robot.");
   }).observe(byId("place-robot"), { attributes: true, attributeFilter: ["hidden"] });
 
   return {
@@ -117,7 +144,10 @@ export function startRobot(app, module, guard) {
         isFresh = false;
         for (const update of [...updates, ...it.onview, drive.update, ride.update, it.hand.update]) update(it.view);
       }
-      return { message: it.view.notice?.text ?? "", message_kind: it.view.notice?.kind ?? "" };
+      const { notice, drop } = it.view;
+      // What is said above the map need not be said twice.
+      const isNews = notice !== null && notice.number !== over && !(drop && notice.text.includes(drop.text));
+      return { message: isNews ? notice.text : "", message_kind: isNews ? notice.kind : "" };
     },
     /** @param {string} key */
     key: (key) => it.live.key(key),

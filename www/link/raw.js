@@ -3,6 +3,8 @@
 
 /** Most that is sent at once. */
 const MOST = 256;
+/** Another baud rate: the robot would be where this page doesn't hear it. */
+const BAUD = 129;
 /** What moves the robot: opcode and name. */
 const MOTION = new Map([[134, "Spot"], [135, "Clean"], [136, "Max"], [137, "Drive"], [138, "Motors"], [143, "Seek Dock"], [144, "PWM Motors"], [145, "Drive Direct"], [146, "Drive PWM"], [165, "Buttons"], [167, "Schedule"]]);
 /** Data bytes behind each opcode; of 140, 148 and 149 as many as a byte of it says. @type {Record<number, number>} */
@@ -33,17 +35,25 @@ export function parse(text) {
   return { bytes, fault: "" };
 }
 
-/** Names of what in it may move the robot, and whether the last command lacks bytes. @param {number[]} bytes */
+/**
+ * Names of what in it may move the robot, and why it can't be sent, "" if it can: what is incomplete would take the next
+ * command, a stop perhaps, for its rest.
+ * @param {number[]} bytes
+ */
 export function danger(bytes) {
   const names = new Set();
+  let refused = "";
   let at = 0;
   while (at < bytes.length) {
     const opcode = bytes[at] ?? 0;
     const name = MOTION.get(opcode);
     if (name) names.add(`${name} (${opcode})`);
+    if (opcode === BAUD) refused = "Baud (129) isn't sent: at another speed this page wouldn't hear the robot, and couldn't stop it.";
     if (opcode === 140) at += 3 + 2 * (bytes[at + 2] ?? 0);
     else if (opcode === 148 || opcode === 149) at += 2 + (bytes[at + 1] ?? 0);
     else at += 1 + (DATA[opcode] ?? 0);
   }
-  return { names: [...names], lacks: Math.max(0, at - bytes.length) };
+  const lacks = at - bytes.length;
+  if (lacks > 0) refused = `The last command lacks ${lacks} byte${lacks > 1 ? "s" : ""}: the robot would take what comes next, also a stop, for the rest. Complete it.`;
+  return { names: [...names], refused };
 }

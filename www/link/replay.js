@@ -20,6 +20,7 @@ const SPEEDS = [["1", "1×"], ["4", "4×"], ["16", "16×"]];
  * @param {(trace: Float64Array) => void} to.follow
  * @param {(traffic: import("./types").Traffic[]) => void} to.traffic
  * @param {() => void} to.wipe The way so far is to be forgotten.
+ * @param {() => void} to.settle What was said before is over.
  */
 export function startReplay(it, to) {
   const [file, at, play, speed] = [input("replay-file"), input("replay-at"), button("replay-play"), select("replay-speed")];
@@ -41,6 +42,7 @@ export function startReplay(it, to) {
       const read = new Replay(await chosen.text());
       end();
       [replay, name, isPlaying] = [read, chosen.name, true];
+      to.settle();
       at.max = String(read.duration_s());
       setHidden(byId("replay"), false);
       last = performance.now();
@@ -66,7 +68,8 @@ export function startReplay(it, to) {
   const look = () => {
     if (!replay) return;
     const view = /** @type {import("./types").LinkView} */ (replay.view());
-    to.show({ ...CLOSED, ...view, transport: { ...CLOSED.transport, state: "open", name: `Recording ${name}` } });
+    // What could be done then can't be done now.
+    to.show({ ...CLOSED, ...view, can: { ...CLOSED.can, disconnect: true }, drop: null, notice: null, transport: { ...CLOSED.transport, state: "open", name: `Recording ${name}` } });
     to.traffic(/** @type {import("./types").Traffic[]} */ (replay.take_traffic()));
     to.follow(replay.take_trace());
     const [now, all] = [replay.time_s(), replay.duration_s()];

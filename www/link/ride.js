@@ -2,12 +2,16 @@
 // Algorithms that drive the robot: chosen here or in Explore, planned first where there is something to plan.
 import { button, byId, make, select, setEnabled, setHidden, setText } from "../dom.js";
 import { Planning } from "../planning.js";
+import { choose } from "./dialogs.js";
 import { isMoving } from "./view.js";
 
 /** @typedef {import("./place.js").Linking} Linking */
 
 /** How far from the start a virtual robot may stand, m and rad, without being asked to be put there. */
 const NEAR = [0.05, 0.1];
+
+/** How far it may stand from there when it sets off, without a question. */
+const CLOSE = [0.15, 0.35];
 
 /** @param {Linking} it */
 export function startRide(it) {
@@ -61,10 +65,20 @@ export function startRide(it) {
   };
 
   button("link-go").addEventListener("click", async () => {
-    if (!it.view.can.drive || isMoving(it.view) || waiting) return;
+    if (!it.view.can.drive || isMoving(it.view) || isAsking(it.view) || waiting) return;
     if (room.algorithm?.kind === "planner" && !it.live.isKnown()) {
       it.complain("A planned path needs a known room: choose Explore's room as the map, or a behaviour.");
       return;
+    }
+    if (it.live.isKnown() && isElsewhere(it.view, CLOSE)) {
+      const answer = await choose({
+        title: "It isn't at the start",
+        points: ["In a known room, a robot is taken to stand on the dashed circle, looking along its arrow. This one stands elsewhere, so it would believe to be where it isn't."],
+        yes: "Put it at the start",
+        other: "Start anyway",
+      });
+      if (answer === "no") return;
+      if (answer === "yes") putAtStart();
     }
     const line = await corners();
     // Who has stopped or lost control meanwhile doesn't want it to set off.
@@ -77,18 +91,22 @@ export function startRide(it) {
     cancel();
     void it.request({ do: "stop" });
   });
-  button("link-to-start").addEventListener("click", () => {
+  const putAtStart = () => {
     const [x, y, heading] = room.guest.start();
     if (x !== undefined && y !== undefined && heading !== undefined) it.connection.virtual({ do: "put_down", x, y, heading });
-  });
+  };
+  button("link-to-start").addEventListener("click", putAtStart);
 
-  /** Whether the virtual robot stands elsewhere. @param {import("./types").ConnectionView} view */
-  const isElsewhere = ({ virtual }) => {
+  /** Whether the virtual robot stands elsewhere. @param {import("./types").ConnectionView} view @param {number[]} near m and rad */
+  const isElsewhere = ({ virtual }, near) => {
     const [x, y, heading] = room.guest.start();
     if (!virtual || x === undefined || y === undefined || heading === undefined) return false;
     const turn = Math.abs(Math.atan2(Math.sin(virtual.pose[2] - heading), Math.cos(virtual.pose[2] - heading)));
-    return Math.hypot(virtual.pose[0] - x, virtual.pose[1] - y) > (NEAR[0] ?? 0) || turn > (NEAR[1] ?? 0);
+    return Math.hypot(virtual.pose[0] - x, virtual.pose[1] - y) > (near[0] ?? 0) || turn > (near[1] ?? 0);
   };
+
+  /** Whether a calibration waits for an answer. @param {import("./types").ConnectionView} view */
+  const isAsking = ({ calibration }) => calibration?.step === "asking";
 
   return {
     cancel,
@@ -96,11 +114,12 @@ export function startRide(it) {
     update(view) {
       if (document.activeElement !== choice) choice.value = room.algorithm?.id ?? "";
       const goes = isMoving(view);
-      const elsewhere = !goes && it.live.isKnown() && isElsewhere(view);
+      const elsewhere = !goes && it.live.isKnown() && isElsewhere(view, NEAR);
       setHidden(button("link-to-start"), !elsewhere);
       const where = it.live.isKnown() ? "It is taken to stand on the dashed circle, looking along its arrow." : "It sets off where it stands.";
-      setText(byId("link-ride-note"), view.can.drive ? where : "Take control first.");
-      setEnabled(button("link-go"), view.can.drive && !goes);
+      const question = isAsking(view) ? "A calibration asks something: answer it first, in Tools, Calibrate." : where;
+      setText(byId("link-ride-note"), view.can.drive ? question : "Take control first.");
+      setEnabled(button("link-go"), view.can.drive && !goes && !isAsking(view));
       setEnabled(button("link-end"), goes || waiting !== undefined);
       setEnabled(choice, !goes);
     },

@@ -32,7 +32,10 @@ export const isOpen = ({ phase, transport }) => phase !== "closed" || transport.
 /** Whether a ride isn't over. @param {ConnectionView["ride"]} ride */
 export const goesOn = (ride) => ride !== null && !ride.done && !ride.ended;
 
-/** Whether the robot drives, or is about to. @param {ConnectionView} view */
+/** Whether it is a recording that is shown: that has no line. @param {ConnectionView} view */
+export const isReplay = ({ transport }) => transport.kind === "" && transport.state === "open";
+
+/** Whether the robot drives at this page's word, or is about to. @param {ConnectionView} view */
 export const isMoving = ({ ride, wheels, calibration }) => goesOn(ride) || wheels.some((speed) => speed !== 0) || calibration?.step === "moving";
 
 /** Value of a packet from 7 to 58 as it is on the line. @param {number[]} packets @param {number} id */
@@ -44,16 +47,71 @@ export const signed = (packets, id) => {
   return value > 0x7fff ? value - 0x10000 : value;
 };
 
-/** What it is doing, in a few words, and a few more. @param {ConnectionView} view @returns {[what: string, more: string]} */
-export function doing(view) {
-  const { phase, ride, mode, transport, calibration } = view;
+/** Counts of the wheels, both together, that are no trembling. */
+const MOVED_COUNTS = 4;
+/** For how long wheels count as turning after they did, and how long it takes to come to rest after a stop, ms. */
+const [STILL_MS, REST_MS] = [600, 1200];
+
+/**
+ * Tells whether the robot moves without this page: by its own program, by bytes that were sent, or pushed by somebody. To be
+ * asked with every view.
+ */
+export function watchWheels() {
+  /** @type {[number, number] | undefined} */
+  let counts;
+  let movedAt = -Infinity;
+  let drivenAt = -Infinity;
+  return (/** @type {ConnectionView} */ view) => {
+    const now = performance.now();
+    const { packets, phase } = view;
+    if (phase !== "connected" || packets.length === 0) {
+      counts = undefined;
+      movedAt = -Infinity;
+      return false;
+    }
+    const latest = /** @type {[number, number]} */ ([packet(packets, 43), packet(packets, 44)]);
+    // Counters run over at 65536.
+    const turned = counts ? [0, 1].reduce((sum, wheel) => sum + Math.abs((((latest[wheel] ?? 0) - (counts?.[wheel] ?? 0)) << 16) >> 16), 0) : 0;
+    if (turned >= MOVED_COUNTS) movedAt = now;
+    if (!counts || turned >= MOVED_COUNTS) counts = latest;
+    if (isMoving(view)) drivenAt = now;
+    return now - movedAt < STILL_MS && now - drivenAt > REST_MS;
+  };
+}
+
+/** Who is there while nothing can be done with it. @param {ConnectionView["diagnosis"]} diagnosis @returns {[what: string, more: string]} */
+export function waitedFor({ finding }) {
+  if (finding === "no_stream") return ["A robot answers", "but doesn't send its sensors"];
+  if (finding === "stream" || finding === "robot" || finding === "text") return ["A robot is heard", "but doesn't answer yet"];
+  if (finding === "charging") return ["A robot charges", "but doesn't answer yet"];
+  if (finding === "booting") return ["A robot starts", "it should answer soon"];
+  if (finding === "bootloader") return ["A robot is in its bootloader", "it doesn't answer there"];
+  if (finding === "garbage") return ["Something is heard", "but can't be understood"];
+  return ["Nobody answers", "it goes on trying"];
+}
+
+/**
+ * What it is doing, in a few words, and a few more.
+ * @param {ConnectionView} view @param {boolean} movesAlone As `watchWheels` says. @returns {[what: string, more: string]}
+ */
+export function doing(view, movesAlone) {
+  const { phase, ride, mode, transport, calibration, drop } = view;
+  if (isReplay(view)) return ["Recording", `nothing can be driven${ride && goesOn(ride) ? `. Then: ${ride.manual ? "driven by hand" : ride.title}` : ""}`];
   if (!isOpen(view)) return ["No robot", "connect one, or try the virtual one"];
   if (phase === "diagnosing" || phase === "closed") return ["Finding out who is there", transport.name];
-  if (phase === "waiting") return ["Nobody answers", "it goes on trying"];
+  if (phase === "waiting") return waitedFor(view.diagnosis);
   if (phase === "lost" || transport.state === "lost") return ["Connection lost", transport.text];
   if (calibration?.step === "moving") return ["Calibrating", calibration.text];
   if (ride && goesOn(ride)) return [ride.manual ? "You drive" : ride.title, ride.manual ? "" : ride.activity];
-  if (ride && !ride.manual && (ride.ended || ride.done)) return [`${ride.title}: ${ride.ended ? "ended" : "done"}`, ride.ended];
+  if (view.wheels.some((speed) => speed !== 0)) return ["Driven by bytes of yours", "Stop ends it"];
+  if (movesAlone) return ["Moves by itself", "Stop ends it"];
+  if (calibration?.step === "asking") return ["Calibrating", "waits for an answer: Tools, Calibrate"];
+  // Why control was lost is said above the map already.
+  if (drop) return [ride && !ride.manual ? `${ride.title}: ended` : "Not in control", "take control again to drive"];
+  if (ride && !ride.manual && (ride.ended || ride.done)) {
+    // Nor what a notice says.
+    return [`${ride.title}: ${ride.ended ? "ended" : "done"}`, view.notice?.text.startsWith(ride.ended) ? "" : ride.ended];
+  }
   if (mode === "Passive") return ["Watching", "take control to drive"];
   return ["Ready", `${mode}: drive, or let an algorithm`];
 }
