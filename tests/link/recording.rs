@@ -7,6 +7,23 @@ use robovac_playground::{
 };
 
 #[test]
+fn a_replay_of_a_line_that_is_never_quiet_connects_as_well() {
+    let mut wire = Wire::armed();
+    wire.pass(0.5);
+    // Something every 5 ms, and answers that come at once.
+    let mut lines: Vec<String> = wire.link.recording().lines().skip(1).map(ToOwned::to_owned).collect();
+    lines.extend((0..400).map(|i| format!("{:.4} <", 0.005 * f64::from(i))));
+    lines.sort_by(|a, b| {
+        let time = |line: &str| line.split(' ').next().unwrap().parse::<f64>().unwrap();
+        time(a).total_cmp(&time(b))
+    });
+    let text = format!("robovac-oi-recording 1\n{}", lines.join("\n"));
+    let mut replay = Replay::new(Recording::parse(&text).unwrap());
+    replay.advance(f64::INFINITY);
+    assert_eq!((replay.view().phase, replay.view().mode), ("connected", "Safe"));
+}
+
+#[test]
 fn a_replay_shows_what_the_session_showed() {
     let mut wire = Wire::armed();
     let opened = wire.now;

@@ -58,7 +58,7 @@ impl Replay {
                 Entry::Asked(json) => self.link.replay_asked(*at, json),
             }
             self.next += 1;
-            self.link.discard();
+            self.link.replay_tick(self.time_s);
         }
     }
 

@@ -118,6 +118,10 @@ impl Driver {
     }
 
     fn ask(&mut self, now: f64) {
+        // In a replay it was asked when it was asked.
+        if self.is_replay {
+            return;
+        }
         self.diagnosis.go(Step::Asking, now);
         self.hearing.clear();
         self.question(now);

@@ -1,6 +1,6 @@
 //! Bytes that a person typed, and bytes of a recording.
 
-use super::{Driver, Happening, Question};
+use super::{Driver, Happening, Phase, Question, Step};
 use crate::oi::{Command, CommandDecoder, Mode, Opcode};
 use thiserror::Error;
 
@@ -83,6 +83,11 @@ impl Driver {
                         self.gauge.asked(now, (right, left));
                     }
                     self.wheels.by_hand(now, right, left);
+                    continue;
+                }
+                Command::Sensors { packet: 35 } if matches!(self.phase, Phase::Diagnosing | Phase::Waiting) => {
+                    self.diagnosis.go(Step::Asking, now);
+                    self.hearing.clear();
                     continue;
                 }
                 Command::Safe => Mode::Safe,
