@@ -83,11 +83,6 @@ impl Driver {
         self.swapped = swapped;
     }
 
-    /// Whether it does.
-    pub fn has_swapped_encoders(&self) -> bool {
-        self.swapped
-    }
-
     /// What went over the line since this was last asked for, oldest first, with its time.
     pub fn take_happenings(&mut self) -> impl Iterator<Item = (f64, Happening)> + use<> {
         std::mem::take(&mut self.happenings).into_iter()

@@ -9,7 +9,7 @@
 //! - Nothing is sent that moves it before somebody has armed it, and arming is Safe unless Full was asked for.
 //! - Wheel speeds hold for 200 ms unless they are renewed ([`DEAD_MAN_S`]).
 //! - A robot that has not been heard of for 250 ms, that left its mode, or that reports other speeds than it was told,
-//!   is told to stop, until it says that it has.
+//!   is told to stop, until it says that it has; three times where it can't say so, at 19200 baud.
 
 mod commands;
 mod connect;

@@ -36,7 +36,6 @@ pub struct Wheels {
     is_by_hand: bool,
     /// They were typed as radius or power: it moves, and isn't told otherwise.
     is_other: bool,
-    expired: u64,
 }
 
 impl Default for Wheels {
@@ -51,7 +50,6 @@ impl Default for Wheels {
             stops_due: 0,
             is_by_hand: false,
             is_other: false,
-            expired: 0,
         }
     }
 }
@@ -98,16 +96,10 @@ impl Wheels {
         self.sent
     }
 
-    /// How often speeds weren't renewed in time.
-    pub fn expired(&self) -> u64 {
-        self.expired
-    }
-
     /// The speeds, right and left, that are to be sent now, if any. `reported` is what the robot says it was told, if it is
     /// known and its latest word.
     pub fn due(&mut self, now: f64, reported: Option<(i16, i16)>) -> Option<(i16, i16)> {
         if self.is_moving() && !self.is_by_hand && now - self.renewed_at > DEAD_MAN_S {
-            self.expired += 1;
             self.stop();
         }
         if self.is_other {
