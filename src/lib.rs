@@ -6,8 +6,10 @@
 //! - [`geometry`]: points, angles, poses
 //! - [`grid`]: rectangular grids, occupancy, clearance, reachability, `#.` pictures
 //! - [`floorplan`]: rooms that ship, map files
+//! - [`drawing`]: CAD drawings and other line drawings, and the rooms that are traced from them
 //! - [`robot`]: models, what they sense and can be told, odometry
 //! - [`coverage`]: which floor a robot can reach and what it has swept; the planning grid
+//! - [`cspace`]: where a body of any outline fits: the configuration space over x, y and heading
 //! - [`registry`]: what planners and behaviours have in common: parameters, explanations
 //! - [`planner`]: one file a planner, and the registry that menus, tests and command line iterate
 //! - [`controller`]: what drives a robot from what it senses: one file a behaviour, and their registry
@@ -22,6 +24,8 @@
 pub mod app;
 pub mod controller;
 pub mod coverage;
+pub mod cspace;
+pub mod drawing;
 pub mod floorplan;
 pub mod geometry;
 pub mod grid;

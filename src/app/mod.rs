@@ -4,6 +4,7 @@ mod algorithm;
 pub mod bench;
 pub mod compare;
 mod diary;
+pub mod draft;
 mod editor;
 mod furnisher;
 mod import;
@@ -23,6 +24,7 @@ mod session;
 mod settings;
 mod shows;
 mod state;
+pub mod sweep;
 mod view;
 mod viewport;
 

@@ -75,6 +75,8 @@ export async function openDesk(t, { robot, allow = [], extra = {} } = {}) {
   context.on("console", (message) => message.type() === "error" && note(`console: ${message.text()}`));
   context.on("weberror", (error) => note(`uncaught: ${error.error().stack ?? error.error()}`));
   t.after(async () => {
+    // A request that a test answers may still be on its way.
+    await context.unrouteAll({ behavior: "ignoreErrors" });
     await context.close();
     assert.deepEqual(problems, [], "the page reported problems");
   });
