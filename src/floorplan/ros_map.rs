@@ -83,11 +83,7 @@ pub fn to_ros_map(
 
 fn yaml(plan: &FloorPlan, image_name: &str, mode: Mode, negate: bool) -> String {
     let Shading { occupied_thresh, free_thresh, .. } = Shading::default();
-    let mode = match mode {
-        Mode::Trinary => "trinary",
-        Mode::Scale => "scale",
-        Mode::Raw => "raw",
-    };
+    let mode = mode.name();
     let (origin, resolution) = (plan.origin, plan.resolution);
     let mut text = String::new();
     // Writing to a string can't fail.
@@ -108,11 +104,10 @@ fn pixel(cell: Occupancy, mode: Mode, negate: bool) -> [u8; 2] {
     let turned = |shade: u8| if negate { u8::MAX - shade } else { shade };
     match (mode, cell) {
         (Mode::Trinary, Occupancy::Free) => [turned(FREE), u8::MAX],
-        (Mode::Trinary, Occupancy::Occupied) => [turned(0), u8::MAX],
         (Mode::Trinary, Occupancy::Unknown) => [turned(UNKNOWN), u8::MAX],
         (Mode::Scale, Occupancy::Free) => [turned(u8::MAX), u8::MAX],
-        (Mode::Scale, Occupancy::Occupied) => [turned(0), u8::MAX],
         (Mode::Scale, Occupancy::Unknown) => [turned(UNKNOWN), 0],
+        (Mode::Trinary | Mode::Scale, Occupancy::Occupied) => [turned(0), u8::MAX],
         (Mode::Raw, Occupancy::Free) => [0, u8::MAX],
         (Mode::Raw, Occupancy::Occupied) => [100, u8::MAX],
         (Mode::Raw, Occupancy::Unknown) => [NO_VALUE, u8::MAX],
