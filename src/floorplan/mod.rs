@@ -4,6 +4,7 @@
 
 mod ascii;
 mod check;
+mod drawing_flaw;
 mod error;
 mod layout;
 mod load;
@@ -19,6 +20,7 @@ mod yaml;
 
 pub use ascii::{DEFAULT_ASCII_RESOLUTION, to_ascii};
 pub use check::{BEAMS, Fault, MAX_CORNERS, MAX_OBJECTS, RADII, Refusal};
+pub use drawing_flaw::DrawingFlaw;
 pub use error::{Flaw, MapError};
 pub use load::{SourceFile, image_of, load};
 pub use object::{Object, Who};
@@ -26,6 +28,7 @@ pub use place::Place;
 pub use raster::{DEFAULT_IMAGE_RESOLUTION, Mode, Shading};
 pub use rooms::{ROOMS, RoomInfo, RoomKind, room};
 pub use scenario::{SCENARIO_FORMAT, SCENARIO_SCHEMA, SCENARIO_VERSION, Scenario, ScenarioPose};
+pub(crate) use shape::{crossing, has_area};
 pub use shape::{encloses, middle};
 pub use sketch::{Rect, Sketch};
 
