@@ -18,6 +18,16 @@ impl Bits {
         Self { stride: width.div_ceil(64), words: vec![0; Self::words(width, height)] }
     }
 
+    /// Number of bits that are set.
+    pub fn count(&self) -> usize {
+        self.words.iter().map(|word| word.count_ones() as usize).sum()
+    }
+
+    /// Sets all bits that are set in another grid of the same size too.
+    pub fn add(&mut self, other: &Self) {
+        self.words.iter_mut().zip(&other.words).for_each(|(word, other)| *word |= other);
+    }
+
     /// The bit in that row and column; both must lie inside.
     #[inline]
     pub fn get(&self, x: usize, y: usize) -> bool {

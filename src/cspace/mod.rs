@@ -5,16 +5,22 @@
 //! approach, IEEE Transactions on Computers 1983). [`Obstacles`] numbers what of it stands in the way.
 
 mod bits;
+mod canvas;
 mod error;
+mod motion;
 mod obstacles;
 mod outline;
+mod scene;
 mod space;
 mod sum;
+mod swath;
 
 pub use error::CspaceError;
+pub use motion::Motion;
 pub use obstacles::Obstacles;
 pub use outline::{EXTENTS, MAX_OUTLINE_CORNERS, Outline};
 pub use space::{ConfigurationSpace, MAX_BYTES};
+pub use swath::Swath;
 
 /// Overlap that counts for none, m: what rounding makes of a body that just touches.
 const HAIR: f64 = 1e-9;

@@ -1,10 +1,15 @@
 //! The configuration space.
 
-use super::{CspaceError, HAIR, Outline, bits::Bits, outline::bounds, sum::Sum};
+use super::{
+    CspaceError, HAIR, Outline,
+    bits::Bits,
+    canvas::Canvas,
+    scene::{Scene, Sums},
+    sum::Sum,
+};
 use crate::{
-    coverage::{drop_offs, obstacles},
     floorplan::FloorPlan,
-    geometry::{Point, Shape},
+    geometry::Point,
     grid::{Cell, Grid},
     math,
 };
@@ -52,9 +57,9 @@ impl ConfigurationSpace {
         }
         let scene = Scene::of(plan);
         let layer = |heading: usize| {
-            let mut canvas = Canvas { bits: Bits::new(width, height), cell, width, height };
-            canvas.draw(&scene, outline, heading as f64 * (math::TAU / headings as f64));
-            canvas.bits
+            let mut slice = Slice { canvas: Canvas::new(width, height, cell) };
+            slice.draw(&scene, &scene.sums(outline, heading as f64 * (math::TAU / headings as f64)));
+            slice.canvas.bits
         };
         Ok(Self { cell, headings, width, height, layers: (0..layers).map(layer).collect() })
     }
@@ -84,121 +89,38 @@ impl ConfigurationSpace {
     }
 }
 
-/// What a body can't go through.
-struct Scene {
-    /// Side of the plan's cells, m.
-    resolution: f64,
-    /// Width and height, m.
-    size: (f64, f64),
-    /// Left and right end of every run of cells that aren't free, m, row by row from the bottom.
-    rows: Vec<Vec<(f64, f64)>>,
-    shapes: Vec<Shape>,
-}
-
-impl Scene {
-    fn of(plan: &FloorPlan) -> Self {
-        let resolution = plan.resolution;
-        let columns = plan.occupancy.width();
-        let rows = plan.occupancy.values().chunks(columns).map(|row| {
-            let (mut runs, mut x) = (Vec::new(), 0);
-            while x < columns {
-                let is_free = row[x].is_free();
-                let end = row[x..].iter().position(|o| o.is_free() != is_free).map_or(columns, |run| x + run);
-                if !is_free {
-                    runs.push((x as f64 * resolution, end as f64 * resolution));
-                }
-                x = end;
-            }
-            runs
-        });
-        let mut shapes = obstacles(plan);
-        shapes.extend(drop_offs(plan));
-        Self { resolution, size: (plan.width_m(), plan.height_m()), rows: rows.collect(), shapes }
-    }
-}
-
 /// A slice in the making.
-struct Canvas {
-    bits: Bits,
-    cell: f64,
-    width: usize,
-    height: usize,
+struct Slice {
+    canvas: Canvas,
 }
 
-impl Canvas {
-    fn draw(&mut self, scene: &Scene, outline: &Outline, heading: f64) {
-        let pieces = outline.pieces(heading);
-        let reach = match outline {
-            Outline::Circle { .. } => outline.bounds(),
-            Outline::Polygon(_) => bounds(&pieces.concat()),
-        };
-        self.draw_outside(scene, reach);
-        // Where the outline overlaps an upright line as high as a cell of the plan, at the origin.
-        let line = [Point::origin(), Point::new(0.0, scene.resolution)];
-        match outline {
-            Outline::Circle { radius } => {
-                self.draw_runs(scene, &Sum::of_round(&line, *radius));
-                for shape in &scene.shapes {
-                    self.draw_sum(&match shape {
-                        Shape::Disc { centre, radius: own } => Sum::of_round(&[*centre], radius + own),
-                        Shape::Convex(corners) => Sum::of_round(corners, *radius),
-                    });
-                }
-            }
-            Outline::Polygon(_) => {
-                for piece in &pieces {
-                    self.draw_runs(scene, &Sum::of_polygons(&line, piece));
-                    for shape in &scene.shapes {
-                        self.draw_sum(&match shape {
-                            Shape::Disc { centre, radius } => Sum::of_disc(*centre, *radius, piece),
-                            Shape::Convex(corners) => Sum::of_polygons(corners, piece),
-                        });
-                    }
-                }
-            }
+impl Slice {
+    fn draw(&mut self, scene: &Scene, sums: &Sums) {
+        self.draw_outside(scene, sums.reach);
+        for sum in &sums.line {
+            self.draw_runs(scene, sum);
         }
-    }
-
-    /// Columns or rows whose centres lie between two places, ends left out by a hair; may be outside.
-    #[inline]
-    fn between(&self, low: f64, high: f64) -> (i32, i32) {
-        (math::ceil(low / self.cell - 0.5), math::floor(high / self.cell - 0.5))
-    }
-
-    /// The rows among them that there are.
-    fn rows(&self, (low, high): (f64, f64)) -> std::ops::RangeInclusive<i32> {
-        let (first, last) = self.between(low, high);
-        first.max(0)..=last.min(self.height as i32 - 1)
-    }
-
-    fn centre(&self, row: i32) -> f64 {
-        (f64::from(row) + 0.5) * self.cell
-    }
-
-    #[inline]
-    fn fill(&mut self, row: i32, low: f64, high: f64) {
-        let (first, last) = self.between(low, high);
-        let (first, last) = (first.max(0), last.min(self.width as i32 - 1));
-        if first <= last {
-            self.bits.set(row as usize, first as usize, last as usize);
+        for sum in &sums.shapes {
+            self.canvas.draw(sum);
         }
     }
 
     /// Makes FULL what is too near to the edge of the plan for an outline that reaches from `low` to `high`.
     fn draw_outside(&mut self, scene: &Scene, (low, high): (Point, Point)) {
-        let inside = self.rows((-low.y - HAIR, scene.size.1 - high.y + HAIR));
-        let (first, last) = self.between(-low.x - HAIR, scene.size.0 - high.x + HAIR);
-        let columns = self.width as i32;
-        for row in 0..self.height as i32 {
+        let canvas = &mut self.canvas;
+        let inside = canvas.rows((-low.y - HAIR, scene.size.1 - high.y + HAIR));
+        let (first, last) = canvas.between(-low.x - HAIR, scene.size.0 - high.x + HAIR);
+        let columns = canvas.width as i32;
+        for row in 0..canvas.height as i32 {
             if !inside.contains(&row) || first > last {
-                self.bits.set(row as usize, 0, self.width - 1);
+                canvas.bits.set(row as usize, 0, canvas.width - 1);
                 continue;
             }
             if first > 0 {
-                self.bits.set(row as usize, 0, (first.min(columns) - 1) as usize);
+                canvas.bits.set(row as usize, 0, (first.min(columns) - 1) as usize);
             }
             if last + 1 < columns {
-                self.bits.set(row as usize, (last + 1).max(0) as usize, self.width - 1);
+                canvas.bits.set(row as usize, (last + 1).max(0) as usize, canvas.width - 1);
             }
         }
     }
@@ -206,28 +128,22 @@ impl Canvas {
     /// Makes FULL what overlaps the cells of the plan. `sum` is that of an upright line at the origin: what it says of a row holds for
     /// every run of cells, its left end for their left and its right end for their right.
     fn draw_runs(&mut self, scene: &Scene, sum: &Sum) {
+        let canvas = &mut self.canvas;
         let (low, high) = sum.rows();
         for (runs, number) in scene.rows.iter().zip(0..) {
             if runs.is_empty() {
                 continue;
             }
             let bottom = f64::from(number) * scene.resolution;
-            for row in self.rows((bottom + low, bottom + high)) {
-                let (left, right) = sum.across(self.centre(row) - bottom);
+            for row in canvas.rows((bottom + low, bottom + high)) {
+                let (left, right) = sum.across(canvas.centre(row) - bottom);
                 if left == f64::MAX {
                     continue;
                 }
                 for &(from, to) in runs {
-                    self.fill(row, from + left, to + right);
+                    canvas.fill(row, from + left, to + right);
                 }
             }
-        }
-    }
-
-    fn draw_sum(&mut self, sum: &Sum) {
-        for row in self.rows(sum.rows()) {
-            let (low, high) = sum.across(self.centre(row));
-            self.fill(row, low, high);
         }
     }
 }

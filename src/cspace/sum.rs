@@ -4,7 +4,7 @@ use super::{
     HAIR,
     outline::{bounds, support},
 };
-use crate::geometry::{Point, Vector, edges, outward};
+use crate::geometry::{Point, Vector, edges, nearest_on_segment, outward};
 
 /// An open convex region that is asked row by row.
 #[derive(Debug, Clone)]
@@ -60,6 +60,33 @@ impl Sum {
         }
     }
 
+    /// Whether the straight line between two points goes through the region, or through the one that this becomes when what it is
+    /// the sum of, an upright line, is drawn out from `left` to `right`.
+    pub fn meets(&self, from: Point, to: Point, (left, right): (f64, f64)) -> bool {
+        match self {
+            Self::Planes { planes, rows } => {
+                let drawn_out = planes
+                    .iter()
+                    .map(|&(normal, reach)| (normal, reach + normal.x * if normal.x < 0.0 { left } else { right }));
+                let level = [(Vector::y(), rows.1), (-Vector::y(), -rows.0)];
+                enters(from, to, drawn_out.chain(level))
+            }
+            Self::Rounded { corners, radius } => {
+                let at = |corner: &Point, x: f64| corner + Vector::new(x, 0.0);
+                match corners[..] {
+                    [low, high] if left < right => {
+                        let corners = [at(&low, left), at(&low, right), at(&high, right), at(&high, left)];
+                        comes_near(&corners, *radius, from, to)
+                    }
+                    _ => {
+                        let corners: Vec<Point> = corners.iter().map(|corner| at(corner, left)).collect();
+                        comes_near(&corners, *radius, from, to)
+                    }
+                }
+            }
+        }
+    }
+
     /// Where the region begins and ends at height `y`: below and above every x if the one isn't below the other.
     #[inline]
     pub fn across(&self, y: f64) -> (f64, f64) {
@@ -81,6 +108,32 @@ impl Sum {
             Self::Rounded { corners, radius } => rounded(corners, *radius, y),
         }
     }
+}
+
+/// Whether a straight line has a piece that is behind all planes (Cyrus & Beck 1978).
+fn enters(from: Point, to: Point, planes: impl Iterator<Item = (Vector, f64)>) -> bool {
+    let along = to - from;
+    let (mut begin, mut end) = (0.0_f64, 1.0_f64);
+    for (normal, reach) in planes {
+        let (left, speed) = (reach - from.coords.dot(&normal), along.dot(&normal));
+        if speed > 0.0 {
+            end = end.min(left / speed);
+        } else if speed < 0.0 {
+            begin = begin.max(left / speed);
+        } else if left <= 0.0 {
+            return false;
+        }
+    }
+    begin < end
+}
+
+/// Whether a straight line comes nearer than `radius` to a convex polygon or, if that has one corner, a point.
+fn comes_near(corners: &[Point], radius: f64, from: Point, to: Point) -> bool {
+    let is_near = |a: Point, b: Point| (a - b).norm_squared() < radius * radius;
+    let sides = || edges(corners).map(|(a, b)| (outward(a, b), a)).filter(|(normal, _)| *normal != Vector::zeros());
+    corners.iter().any(|&corner| is_near(nearest_on_segment(from, to, corner), corner))
+        || edges(corners).any(|(a, b)| [from, to].into_iter().any(|end| is_near(nearest_on_segment(a, b, end), end)))
+        || (corners.len() > 2 && enters(from, to, sides().map(|(normal, a)| (normal, a.coords.dot(&normal)))))
 }
 
 /// The part of a row that is nearer than `radius` to a convex polygon: discs around its corners, and its sides moved outwards.
