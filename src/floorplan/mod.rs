@@ -30,8 +30,8 @@ pub use raster::{DEFAULT_IMAGE_RESOLUTION, Mode, Shading};
 pub use rooms::{ROOMS, RoomInfo, RoomKind, room};
 pub use ros_map::{MapImage, RosMap, RosMapError, to_ros_map};
 pub use scenario::{SCENARIO_FORMAT, SCENARIO_SCHEMA, SCENARIO_VERSION, Scenario, ScenarioPose};
-pub(crate) use shape::{crossing, has_area};
-pub use shape::{encloses, middle};
+pub(crate) use shape::has_area;
+pub use shape::{crossing, encloses, middle};
 pub use sketch::{Rect, Sketch};
 
 pub mod generate;
