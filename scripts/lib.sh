@@ -38,6 +38,31 @@ step() {
     printf '    done in %d s\n' $((SECONDS - start))
 }
 
+# aside NAME COMMAND...: runs beside the steps that follow and yields to them; `step ... joined NAME` waits for it. It ends
+# with this script.
+aside() {
+    local name=$1
+    shift
+    mkdir -p target
+    rm -f "target/$name.status"
+    # In a process group of its own, to be ended with all that it started.
+    set -m
+    (
+        set +e
+        renice -n 5 "$BASHPID" >/dev/null
+        (set -e && "$@") >"target/$name.log" 2>&1
+        echo $? >"target/$name.status"
+    ) &
+    set +m
+    # shellcheck disable=SC2064 # this one, whatever comes after it
+    trap "kill -- -$! 2>/dev/null || true" EXIT
+}
+joined() {
+    until [[ -e target/$1.status ]]; do sleep 0.2; done
+    cat "target/$1.log"
+    return "$(cat "target/$1.status")"
+}
+
 # The browser for tests: $CHROMIUM if set, else the first known name on PATH.
 find_chromium() {
     local name names=(chromium chromium-browser google-chrome google-chrome-stable)

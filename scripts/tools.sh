@@ -39,7 +39,7 @@ install_cargo_tool() {
     fi
     # The build folder is shared: the tools have many dependencies in common.
     CARGO_TARGET_DIR=$TOOLS/build \
-        CARGO_PROFILE_RELEASE_LTO=off CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16 CARGO_PROFILE_RELEASE_OPT_LEVEL=1 \
+        CARGO_PROFILE_RELEASE_LTO=off CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16 CARGO_PROFILE_RELEASE_OPT_LEVEL=0 \
         cargo install --root "$dir" --version "$version" "$@" "$crate"
 }
 

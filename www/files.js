@@ -15,9 +15,9 @@ export function startFiles(app) {
 
   startDrop(app.bring);
 
-  button("save").addEventListener("click", () => {
-    app.act((p) => download(`${fileName(app.view.room.title)}.json`, p.scenario_json(), "application/json"));
-  });
+  const scenario = () => app.act((p) => download(`${fileName(app.view.room.title)}.json`, p.scenario_json(), "application/json"));
+  // What can't be loaded just now shouldn't keep anyone from saving.
+  button("save").addEventListener("click", () => void import("./save.js").then(({ openSave }) => openSave(app)).catch(scenario));
 
   const share = button("share");
   share.disabled = false;

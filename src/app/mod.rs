@@ -6,6 +6,7 @@ pub mod compare;
 mod diary;
 pub mod draft;
 mod editor;
+pub mod export;
 mod furnisher;
 mod import;
 pub mod link;

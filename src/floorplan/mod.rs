@@ -1,6 +1,6 @@
 //! Floor plans: what the world looks like before a robot drives in it.
 //!
-//! [`ROOMS`] ship with the program, [`load`] takes files in, [`to_ascii`] and [`Scenario`] write them.
+//! [`ROOMS`] ship with the program, [`load`] takes files in, [`to_ascii`], [`to_ros_map`] and [`Scenario`] write them.
 
 mod ascii;
 mod check;
@@ -11,6 +11,7 @@ mod object;
 mod place;
 mod raster;
 mod rooms;
+mod ros_map;
 mod scenario;
 mod scenario_object;
 mod shape;
@@ -25,6 +26,7 @@ pub use object::{Object, Who};
 pub use place::Place;
 pub use raster::{DEFAULT_IMAGE_RESOLUTION, Mode, Shading};
 pub use rooms::{ROOMS, RoomInfo, RoomKind, room};
+pub use ros_map::{MapImage, RosMap, RosMapError, to_ros_map};
 pub use scenario::{SCENARIO_FORMAT, SCENARIO_SCHEMA, SCENARIO_VERSION, Scenario, ScenarioPose};
 pub use shape::{encloses, middle};
 pub use sketch::{Rect, Sketch};

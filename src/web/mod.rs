@@ -4,8 +4,8 @@
 //! loaded when one first goes there, has a `Guest` that follows the playground, a `Comparison` and a `MonteCarlo`. Robot's
 //! is loaded in the same way, by the page, which has a `Guest` and a `LiveMap`, and by a worker, which has a `Guest`, a
 //! `Link` and perhaps a `VirtualRobot`. The workshop's, which runs in workers and is loaded when it is first needed, has
-//! `plan`, `Trials`, `Runner`, `read_map` and `bench`. That of the drafting room, which runs in a worker that draws by
-//! itself, has a `Drafting`.
+//! `plan`, `Trials`, `Runner`, `read_map` and `bench`. The drafting room's has `export_files` for the page, and a
+//! `Drafting` for a worker that draws by itself.
 //! Plain objects and arrays go to and fro between them: `request` and `map` say how.
 
 #[cfg(feature = "workshop")]
@@ -20,6 +20,7 @@ mod comparison;
 mod comparison_view;
 #[cfg(feature = "draft")]
 mod drafting;
+mod export;
 #[cfg(feature = "page")]
 mod furnish;
 #[cfg(any(feature = "compare", feature = "robot"))]
@@ -67,6 +68,7 @@ pub use bench::bench;
 pub use comparison::Comparison;
 #[cfg(feature = "draft")]
 pub use drafting::Drafting;
+pub use export::{export_files, export_formats};
 #[cfg(any(feature = "compare", feature = "robot"))]
 pub use guest::Guest;
 #[cfg(feature = "robot")]
