@@ -39,6 +39,7 @@ export function startBody(it) {
   }
 
   return (view) => {
+    setHidden(byId("draft-picture"), !view);
     if (!view) return;
     const { body } = view.settings;
     kind.value = body.kind === "model" ? `model ${body.id}` : body.kind;

@@ -83,14 +83,16 @@ export function startDraft(app, module) {
     },
   };
 
-  /** @param {File[]} files */
+  let taken = 0;
+  /** Lays files on the board. @param {File[]} files */
   const take = async (files) => {
-    const large = files.find((file) => file.size > MOST_BYTES);
-    if (large) return complain(`${large.name} is larger than 64 MB. Export a smaller map, at most 4096 cells a side.`);
     if (files.length === 0) return;
-    await it.ask({ type: "open", files }, `Reading ${files.map((file) => file.name).join(" and ")}`);
-    // What follows files that were dropped can wait for this.
-    root.dataset.taken = String(Number(root.dataset.taken ?? 0) + 1);
+    const names = files.map((file) => file.name).join(" and ");
+    const large = files.find((file) => file.size > MOST_BYTES);
+    if (large) complain(`${large.name} is larger than 64 MB. Export a smaller map, at most 4096 cells a side.`);
+    const isOpen = !large && (await it.ask({ type: "open", files }, `Reading ${names}`));
+    // Tests wait for this.
+    root.dataset.taken = `${++taken} ${isOpen ? "open" : "refused"}`;
   };
 
   const updates = [startScale, startLayers, startWalls, startBody, startSweep].map((begin) => begin(it));
