@@ -185,12 +185,13 @@ impl Board {
         if !sweeps {
             return Ok(Import { plan: room.plan.clone(), choices });
         }
+        let choices = choices.unwrap_or_default();
         let choices = Choices {
             planner: Some(PLANNER.to_owned()),
             behaviour: None,
             params: Vec::new(),
-            robot: self.settings.body.model().map(str::to_owned),
-            ..choices.unwrap_or_default()
+            robot: self.settings.body.model().map(str::to_owned).or(choices.robot),
+            ..choices
         };
         Ok(Import { plan: room.plan.clone(), choices: Some(choices) })
     }
