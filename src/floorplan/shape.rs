@@ -29,7 +29,7 @@ pub(super) fn has_area(outline: &[Point]) -> bool {
 }
 
 /// The first two edges that meet elsewhere than in a common corner, by the index of their first corners.
-pub(super) fn crossing(outline: &[Point]) -> Option<(usize, usize)> {
+pub fn crossing(outline: &[Point]) -> Option<(usize, usize)> {
     let count = outline.len();
     let edge = |i: usize| (outline[i], outline[(i + 1) % count]);
     (0..count).find_map(|i| {

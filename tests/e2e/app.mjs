@@ -167,6 +167,25 @@ export class App {
     return this.settled();
   }
 
+  /** Saves as the kind of file with this id; `choose` may set more in the dialog. Returns the `count` downloads. */
+  async save(kind, count = 1, choose = async () => {}) {
+    await this.page.locator("#save").click();
+    await this.page.locator(`#save-as input[value=${kind}]`).check();
+    await choose();
+    const downloads = [];
+    const done = new Promise((resolve) => {
+      const take = (download) => {
+        if (downloads.push(download) < count) return;
+        this.page.off("download", take);
+        resolve();
+      };
+      this.page.on("download", take);
+    });
+    await this.page.locator("#save-now").click();
+    await done;
+    return downloads;
+  }
+
   /** Brings files of maps.mjs by the file picker, and makes them the room. */
   async pick(...files) {
     const [chooser] = await Promise.all([this.page.waitForEvent("filechooser"), this.page.locator("#load").click()]);
