@@ -23,7 +23,7 @@ pub use ascii::{DEFAULT_ASCII_RESOLUTION, to_ascii};
 pub use check::{BEAMS, Fault, MAX_CORNERS, MAX_OBJECTS, RADII, Refusal};
 pub use drawing_flaw::DrawingFlaw;
 pub use error::{Flaw, MapError};
-pub use load::{SourceFile, image_of, load};
+pub use load::{SourceFile, image_of, is_image, load, load_image};
 pub use object::{Object, Who};
 pub use place::Place;
 pub use raster::{DEFAULT_IMAGE_RESOLUTION, Mode, Shading};
