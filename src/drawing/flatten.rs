@@ -91,7 +91,7 @@ impl Nurbs<'_> {
         points
     }
 
-    /// Number of chords for a span: it turns at most as far as the controls that make it.
+    /// Number of chords for a span: it turns at most as far as the controls that make it, but not evenly.
     fn chords(&self, span: usize) -> i32 {
         let legs: Vec<Vector> = self.controls[span - self.degree..=span]
             .windows(2)
@@ -99,7 +99,7 @@ impl Nurbs<'_> {
             .filter(|leg| leg.norm_squared() > 0.0)
             .collect();
         let turn: f64 = legs.windows(2).map(|two| atan2(two[0].perp(&two[1]), two[0].dot(&two[1])).abs()).sum();
-        ceil(turn / STEP).clamp(1, 256)
+        ceil(turn / (0.7 * STEP)).clamp(1, 256)
     }
 
     /// De Boor's algorithm on homogeneous coordinates.

@@ -4,3 +4,4 @@ mod dxf;
 mod hostile;
 mod support;
 mod tracing;
+mod vector;
