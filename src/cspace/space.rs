@@ -140,9 +140,17 @@ impl Slice {
                 if left == f64::MAX {
                     continue;
                 }
+                // Runs that grow together are filled at once.
+                let mut all = (f64::MAX, f64::MIN);
                 for &(from, to) in runs {
-                    canvas.fill(row, from + left, to + right);
+                    let (from, to) = (from + left, to + right);
+                    if from > all.1 {
+                        canvas.fill(row, all.0, all.1);
+                        all.0 = from;
+                    }
+                    all.1 = to;
                 }
+                canvas.fill(row, all.0, all.1);
             }
         }
     }

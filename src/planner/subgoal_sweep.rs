@@ -26,7 +26,7 @@
 //! let info = find("subgoal_sweep").unwrap();
 //! let planner = info.build(&Params::defaults(info.params));
 //! let path = planner.plan(&job, &mut PlanContext::new(0)).unwrap();
-//! assert_eq!(path.arrows(&job), ">>>>v\n.##.<\n.....\n");
+//! assert_eq!(path.arrows(&job), ">>>>v\no##v<\n^<<><\n");
 //! ```
 
 use super::{

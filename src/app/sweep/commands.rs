@@ -62,7 +62,7 @@ pub fn commands(path: &[Point], heading: f64, robot: &RobotModel) -> Vec<TimedCo
         }
     }
     list.send(Command::DriveDirect { right: 0, left: 0 }, PERIOD, "stand still".to_owned());
-    list.send(Command::Stop, 0.0, "end the interface".to_owned());
+    list.send(Command::Stop, MODE_CHANGE, "end the interface".to_owned());
     list.commands
 }
 

@@ -2,11 +2,11 @@
 
 use super::{Link, Subgoal, Sweep, SweepError, SweepSetup};
 use crate::{
-    cspace::{ConfigurationSpace, Motion, Obstacles, Swath},
+    cspace::{ConfigurationSpace, Motion, Obstacles, Outline, Swath},
     floorplan::{FloorPlan, MAX_RESOLUTION, MIN_RESOLUTION},
     geometry::{Point, Pose},
     grid::{Cell, Grid, largest_part, reachable},
-    planner::stage::{Beside, Detours, SubgoalScan, is_straight_free, scan_rows, subgoals},
+    planner::stage::{self, Beside, Detours, SubgoalScan, is_straight_free, scan_rows, subgoals},
 };
 use std::ops::{ControlFlow, RangeInclusive};
 
@@ -141,9 +141,9 @@ fn start_place(start: Pose, begin: Cell, motion: &Motion, cell: f64) -> Point {
 }
 
 /// Where the body's origin is when it touches: less than a cell beyond the centre of the last FREE cell of the run.
-fn places(points: &[crate::planner::stage::Subgoal], motion: &Motion, cell: f64) -> Vec<Point> {
+fn places(points: &[stage::Subgoal], motion: &Motion, cell: f64) -> Vec<Point> {
     let mut blocked = (None, Vec::new());
-    let place = |point: &crate::planner::stage::Subgoal| {
+    let place = |point: &stage::Subgoal| {
         let centre = point.cell.centre(cell);
         if blocked.0 != Some(point.line) {
             blocked = (Some(point.line), motion.blocked(centre.y));
@@ -154,6 +154,8 @@ fn places(points: &[crate::planner::stage::Subgoal], motion: &Motion, cell: f64)
         } else {
             blocked.1.get(next).map(|part| part.0)
         };
+        // A nanometre off, so that rounding doesn't put it inside.
+        let found = found.map(|x| if point.contact.is_left() { x + 1e-9 } else { x - 1e-9 });
         // Never farther than the FULL cell's centre, nor on the wrong side.
         let x = found.filter(|x| (x - centre.x).abs() <= cell).unwrap_or(centre.x);
         let is_on = if point.contact.is_left() { x <= centre.x } else { x >= centre.x };
@@ -223,7 +225,7 @@ impl Line {
 }
 
 /// See [`Sweep::coverage`].
-fn coverage(outline: &crate::cspace::Outline, reached: &Grid<bool>, cell: f64, path: &[Point]) -> f64 {
+fn coverage(outline: &Outline, reached: &Grid<bool>, cell: f64, path: &[Point]) -> f64 {
     let nothing = Swath::new(outline, reached.width(), reached.height(), cell);
     let (mut floor, mut swept) = (nothing.clone(), nothing);
     floor.sweep_cells(reached);
