@@ -168,7 +168,8 @@ fn overlays_are_in_drawing_units() {
     assert!((first - expected).norm() < 1e-6);
 }
 
-/// The bytes for a Roomba, sent at their times to the emulated one on bare floor: it comes by every corner and ends where the path does.
+/// The bytes for a Roomba, sent at their times to the emulated one on bare floor: it comes by every corner and ends
+/// where the path does.
 #[test]
 fn emulated_roomba_follows_its_commands() {
     let plan = Sketch::open(6.0, 4.0, 0.05).start(1.0, 1.0, 0.0).finish("Hall", "");

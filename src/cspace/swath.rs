@@ -35,7 +35,8 @@ impl Swath {
         }
     }
 
-    /// Sweeps from all cells that are set, the body's origin in their centres and on the way between neighbours in a row.
+    /// Sweeps from all cells that are set, the body's origin in their centres and on the way between neighbours in a
+    /// row.
     pub fn sweep_cells(&mut self, cells: &Grid<bool>) {
         let size = self.canvas.cell;
         for (y, row) in cells.values().chunks(cells.width()).enumerate() {

@@ -23,8 +23,9 @@ const DONE: [f64; 3] = [0.25, 0.3, 0.85];
 /// Plans a sweep of `plan`. `observe` is told how far it is, 0 to 1, and says whether to go on.
 ///
 /// Of the obstacle map only heading 0 is made here, which is all that the sweep needs; the other headings are
-/// [`ConfigurationSpace`]'s. Without a start the robot begins at the first subgoal point of the largest part of the room, as the paper's
-/// does (section 4). With one that isn't FREE it begins in the nearest cell that is. Subgoals that it can't get to are left out.
+/// [`ConfigurationSpace`]'s. Without a start the robot begins at the first subgoal point of the largest part of the
+/// room, as the paper's does (section 4). With one that isn't FREE it begins in the nearest cell that is. Subgoals
+/// that it can't get to are left out.
 pub fn sweep(
     plan: &FloorPlan,
     setup: &SweepSetup,
@@ -75,7 +76,7 @@ pub fn sweep(
     let mut links: Vec<Link> = Vec::with_capacity(points.len());
     let mut from = first;
     while let Some((to, _)) = scan.next(&reached, Ok(from)) {
-        if links.len() % REPORT_EVERY == 0 {
+        if links.len().is_multiple_of(REPORT_EVERY) {
             report(DONE[1] + (DONE[2] - DONE[1]) * links.len() as f64 / points.len() as f64)?;
         }
         scan.track(to);
@@ -181,9 +182,9 @@ impl Linker<'_> {
         self.way((self.cells[from], self.places[from]), (self.cells[to], self.places[to]))
     }
 
-    /// The way from a place in a cell to a place in another. The straight way collides if the line between the cells' centres leaves the
-    /// FREE cells (the check of the paper's map). Where it doesn't, it is driven between the places themselves if that is free to the nanometre,
-    /// or else by the centres.
+    /// The way from a place in a cell to a place in another. The straight way collides if the line between the cells'
+    /// centres leaves the FREE cells (the check of the paper's map). Where it doesn't, it is driven between the
+    /// places themselves if that is free to the nanometre, or else by the centres.
     fn way(&mut self, from: (Cell, Point), to: (Cell, Point)) -> (Vec<Point>, bool) {
         let mut line = Line::default();
         line.extend(&[from.1]);

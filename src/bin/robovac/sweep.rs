@@ -30,8 +30,8 @@ pub struct Arguments {
     /// Side of the obstacle map's cells in metres [default: a quarter of the outline's width]
     #[arg(long, value_name = "M", allow_hyphen_values = true)]
     cell: Option<f64>,
-    /// File to write, may be given several times; its ending chooses what: .csv table, .yaml ROS path, .oi.txt Open Interface
-    /// bytes for a Roomba 600, .txt program, .json all stages
+    /// File to write, may be given several times; its ending chooses what: .csv table, .yaml ROS path, .oi.txt Open
+    /// Interface bytes for a Roomba 600, .txt program, .json all stages
     #[arg(long, value_name = "FILE")]
     out: Vec<PathBuf>,
 }

@@ -71,8 +71,8 @@ pub struct Sweep {
     pub length: f64,
     /// Share of the reachable floor that the outline sweeps, 0 to 1.
     ///
-    /// Reachable is the floor under the outline at heading 0 in any FREE cell that the robot gets to, in steps to neighbouring FREE
-    /// cells, and on the path; swept is the floor under the outline on the path. Floor is counted in cells of the obstacle map by their
-    /// centres, so the share is known to about half a cell along every edge.
+    /// Reachable is the floor under the outline at heading 0 in any FREE cell that the robot gets to, in steps to
+    /// neighbouring FREE cells, and on the path; swept is the floor under the outline on the path. Floor is counted
+    /// in cells of the obstacle map by their centres, so the share is known to about half a cell along every edge.
     pub coverage: f64,
 }
