@@ -6,7 +6,10 @@
 //! The robot keeps heading 0 and moves in every direction (section 2).
 
 mod commands;
+mod cover;
 mod error;
+mod finish;
+mod linker;
 mod overlay;
 mod pipeline;
 mod program;

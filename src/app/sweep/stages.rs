@@ -65,7 +65,11 @@ pub struct Sweep {
     pub collisions: usize,
     /// Of these, those with a detour.
     pub resolved: usize,
-    /// Corners of the path, m.
+    /// Share of the reachable floor that is swept when all points are linked: what the paper's method reaches.
+    pub linked_share: f64,
+    /// Stage 4, ours: strokes along edges of obstacles that lie between two scan lines, each with the way there; m.
+    pub finish: Vec<Vec<Point>>,
+    /// Corners of the whole path, m.
     pub path: Vec<Point>,
     /// Length of the path, m.
     pub length: f64,
