@@ -1,0 +1,3 @@
+//! Reading and tracing of large drawings.
+
+fn main() {}

@@ -1,0 +1,6 @@
+//! Drawings in, rooms out.
+
+mod dxf;
+mod hostile;
+mod support;
+mod tracing;
