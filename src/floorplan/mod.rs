@@ -30,8 +30,7 @@ pub use raster::{DEFAULT_IMAGE_RESOLUTION, Mode, Shading};
 pub use rooms::{ROOMS, RoomInfo, RoomKind, room};
 pub use ros_map::{MapImage, RosMap, RosMapError, to_ros_map};
 pub use scenario::{SCENARIO_FORMAT, SCENARIO_SCHEMA, SCENARIO_VERSION, Scenario, ScenarioPose};
-pub(crate) use shape::has_area;
-pub use shape::{crossing, encloses, middle};
+pub use shape::{crossing, encloses, has_area, middle};
 pub use sketch::{Rect, Sketch};
 
 pub mod generate;

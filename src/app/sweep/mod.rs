@@ -7,6 +7,7 @@
 
 mod commands;
 mod error;
+#[cfg(feature = "draft")]
 mod overlay;
 mod pipeline;
 mod program;
@@ -16,6 +17,7 @@ mod track;
 pub use crate::planner::stage::Contact;
 pub use commands::{TimedCommand, commands, commands_text};
 pub use error::SweepError;
+#[cfg(feature = "draft")]
 pub use overlay::overlays;
 pub use pipeline::{SCAN_WIDTHS, sweep};
 pub use program::program;
