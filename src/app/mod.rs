@@ -4,8 +4,10 @@ mod algorithm;
 pub mod bench;
 pub mod compare;
 mod diary;
+#[cfg(feature = "draft")]
 pub mod draft;
 mod editor;
+pub mod export;
 mod furnisher;
 mod import;
 pub mod link;

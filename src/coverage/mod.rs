@@ -21,6 +21,6 @@ pub use floor::{ReachableFloor, fine_resolution};
 pub use floor_error::FloorError;
 pub use lattice::Lattice;
 pub use ray::{Hit, Surface};
-pub use shapes::{DOCK_BACK, FENCE, HALO, LIGHTHOUSE_RADIUS, dock_back};
+pub use shapes::{DOCK_BACK, FENCE, HALO, LIGHTHOUSE_RADIUS, dock_back, drop_offs, obstacles};
 pub use tracker::CoverageTracker;
 pub use walls::{Obstacle, Walls};

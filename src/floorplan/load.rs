@@ -61,7 +61,7 @@ pub fn load(files: &[SourceFile]) -> Result<FloorPlan, MapError> {
     match (plan, yaml, image) {
         (None, None, None) => Err(MapError::NoFile),
         (Some((_, plan)), None, None) => Ok(*plan),
-        (None, None, Some((file, format))) => bare_image(file, format),
+        (None, None, Some((file, format))) => bare_image(file, format, &Shading::default()),
         (None, Some((file, yaml)), image) => ros_map(file, &yaml, image),
         (Some((first, _)), Some((second, _)), _) | (Some((first, _)), None, Some((second, _))) => {
             Err(two_maps(first, second))
@@ -72,6 +72,18 @@ pub fn load(files: &[SourceFile]) -> Result<FloorPlan, MapError> {
 /// The image that a file needs beside it, as its YAML names it (a path relative to the file); `None` if it needs none.
 pub fn image_of(file: &SourceFile) -> Option<String> {
     if let Ok(Content::Yaml(yaml)) = recognise(file) { Some(yaml.image) } else { None }
+}
+
+/// Whether a file is an image that [`load`] takes without another one beside it.
+pub fn is_image(file: &SourceFile) -> bool {
+    raster::format_of(&file.bytes).is_some()
+}
+
+/// Reads an image whose shades mean what `shading` says.
+pub fn load_image(file: &SourceFile, shading: &Shading) -> Result<FloorPlan, MapError> {
+    let format = raster::format_of(&file.bytes);
+    let not_an_image = || MapError::NotAMap { name: base_name(&file.name).to_owned(), kind: "no image" };
+    bare_image(file, format.ok_or_else(not_an_image)?, shading)
 }
 
 fn recognise(file: &SourceFile) -> Result<Content, MapError> {
@@ -103,7 +115,7 @@ fn recognise(file: &SourceFile) -> Result<Content, MapError> {
     Err(not_a_map("text of unknown kind"))
 }
 
-/// What kind of drawing a file is; see [`crate::drawing`](mod@crate::drawing), where they are read.
+/// What kind of drawing a file is; the drafting room reads them.
 fn drawing(bytes: &[u8]) -> Option<&'static str> {
     let start = bytes.trim_ascii_start();
     let head = &start[..start.len().min(1 << 16)];
@@ -123,13 +135,13 @@ fn drawing(bytes: &[u8]) -> Option<&'static str> {
     }
 }
 
-fn bare_image(file: &SourceFile, format: ImageFormat) -> Result<FloorPlan, MapError> {
+fn bare_image(file: &SourceFile, format: ImageFormat, shading: &Shading) -> Result<FloorPlan, MapError> {
     let name = base_name(&file.name);
     let plan = FloorPlan {
         name: stem(name),
         note: String::new(),
         resolution: DEFAULT_IMAGE_RESOLUTION,
-        occupancy: raster::read(name, &file.bytes, format, &Shading::default())?,
+        occupancy: raster::read(name, &file.bytes, format, shading)?,
         objects: Vec::new(),
         start: None,
         origin: Pose::new(0.0, 0.0, 0.0),

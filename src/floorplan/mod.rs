@@ -1,6 +1,6 @@
 //! Floor plans: what the world looks like before a robot drives in it.
 //!
-//! [`ROOMS`] ship with the program, [`load`] takes files in, [`to_ascii`] and [`Scenario`] write them.
+//! [`ROOMS`] ship with the program, [`load`] takes files in, [`to_ascii`], [`to_ros_map`] and [`Scenario`] write them.
 
 mod ascii;
 mod check;
@@ -12,6 +12,7 @@ mod object;
 mod place;
 mod raster;
 mod rooms;
+mod ros_map;
 mod scenario;
 mod scenario_object;
 mod shape;
@@ -22,14 +23,14 @@ pub use ascii::{DEFAULT_ASCII_RESOLUTION, to_ascii};
 pub use check::{BEAMS, Fault, MAX_CORNERS, MAX_OBJECTS, RADII, Refusal};
 pub use drawing_flaw::DrawingFlaw;
 pub use error::{Flaw, MapError};
-pub use load::{SourceFile, image_of, load};
+pub use load::{SourceFile, image_of, is_image, load, load_image};
 pub use object::{Object, Who};
 pub use place::Place;
 pub use raster::{DEFAULT_IMAGE_RESOLUTION, Mode, Shading};
 pub use rooms::{ROOMS, RoomInfo, RoomKind, room};
+pub use ros_map::{MapImage, RosMap, RosMapError, to_ros_map};
 pub use scenario::{SCENARIO_FORMAT, SCENARIO_SCHEMA, SCENARIO_VERSION, Scenario, ScenarioPose};
-pub(crate) use shape::{crossing, has_area};
-pub use shape::{encloses, middle};
+pub use shape::{crossing, encloses, has_area, middle};
 pub use sketch::{Rect, Sketch};
 
 pub mod generate;

@@ -44,6 +44,22 @@ pub enum Mode {
     Raw,
 }
 
+impl Mode {
+    /// Every mode with its name in YAML files.
+    pub const NAMES: [(&'static str, Self); 3] =
+        [("trinary", Self::Trinary), ("scale", Self::Scale), ("raw", Self::Raw)];
+
+    /// The mode with that name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::NAMES.iter().find(|(known, _)| *known == name).map(|&(_, mode)| mode)
+    }
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        Self::NAMES.iter().find(|(_, mode)| *mode == self).map_or("", |&(name, _)| name)
+    }
+}
+
 impl Default for Shading {
     fn default() -> Self {
         Self { mode: Mode::Trinary, negate: false, occupied_thresh: 0.65, free_thresh: 0.196 }

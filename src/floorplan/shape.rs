@@ -21,7 +21,7 @@ pub fn middle(points: &[Point]) -> Point {
 }
 
 /// Whether the outline encloses something worth the name.
-pub(crate) fn has_area(outline: &[Point]) -> bool {
+pub fn has_area(outline: &[Point]) -> bool {
     // From the first corner, so that rooms far from the origin lose no digits.
     let Some(&origin) = outline.first() else { return false };
     let twice: f64 = edges(outline).map(|(a, b)| cross(a - origin, b - origin)).sum();
@@ -29,7 +29,7 @@ pub(crate) fn has_area(outline: &[Point]) -> bool {
 }
 
 /// The first two edges that meet elsewhere than in a common corner, by the index of their first corners.
-pub(crate) fn crossing(outline: &[Point]) -> Option<(usize, usize)> {
+pub fn crossing(outline: &[Point]) -> Option<(usize, usize)> {
     let count = outline.len();
     let edge = |i: usize| (outline[i], outline[(i + 1) % count]);
     (0..count).find_map(|i| {

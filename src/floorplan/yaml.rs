@@ -83,10 +83,8 @@ impl Fields<'_> {
 
     fn mode(&self) -> Result<Mode, MapError> {
         match self.word("mode")? {
-            None | Some("trinary") => Ok(Mode::Trinary),
-            Some("scale") => Ok(Mode::Scale),
-            Some("raw") => Ok(Mode::Raw),
-            Some(other) => Err(self.bad("mode", other, "trinary, scale or raw".to_owned())),
+            None => Ok(Mode::default()),
+            Some(word) => Mode::named(word).ok_or_else(|| self.bad("mode", word, "trinary, scale or raw".to_owned())),
         }
     }
 

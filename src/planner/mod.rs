@@ -21,6 +21,7 @@ mod s_shape;
 mod snake;
 mod spiral;
 mod spiral_stc;
+mod subgoal_sweep;
 mod trace;
 mod wavefront_distance;
 mod wavefront_path;
@@ -63,6 +64,7 @@ registry! {
     wavefront_distance,
     wavefront_path,
     s_shape,
+    subgoal_sweep,
     spiral,
     snake,
     genetic,

@@ -317,6 +317,11 @@ impl Playground {
         Float64Array::from(flat.as_slice())
     }
 
+    /// Corners of the line that was planned, x and y in turn, m; none if there is no plan.
+    pub fn corners(&self) -> Vec<f64> {
+        self.session.planned().map_or(Vec::new(), |planned| planned.line.iter().flat_map(|p| [p.x, p.y]).collect())
+    }
+
     // ---- the hand
 
     /// Chooses what the pointer does: `view`, `wall`, `erase`, `start` or `place`.

@@ -32,7 +32,7 @@ test("a saved scenario brings everything back", async (t) => {
   await app.tool("wall");
   await app.drag([0.4, 0.4], [0.6, 0.4]);
   const [area, steps] = [await app.reachableArea(), (await app.metric("Steps")).plan];
-  const [download] = await Promise.all([page.waitForEvent("download"), page.locator("#save").click()]);
+  const [download] = await app.save("scenario");
   assert.match(download.suggestedFilename(), /^l-shaped-room-changed\.json$/);
   const saved = anyFile("again.json", fs.readFileSync(await download.path()));
 

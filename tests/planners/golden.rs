@@ -95,6 +95,16 @@ fn s_shape_round_islands() {
 }
 
 #[test]
+fn subgoal_sweep_round_islands() {
+    assert_drawn("subgoal_sweep", ISLANDS, Direction::Right, include_str!("../golden/subgoal_sweep_islands.txt"));
+}
+
+#[test]
+fn subgoal_sweep_on_the_thesis_room() {
+    assert_drawn("subgoal_sweep", EIGHT, Direction::Right, include_str!("../golden/subgoal_sweep_8x8.txt"));
+}
+
+#[test]
 fn spiral_in_an_open_room() {
     assert_drawn("spiral", OPEN, Direction::Right, include_str!("../golden/spiral_open.txt"));
 }

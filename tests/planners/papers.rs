@@ -2,10 +2,12 @@
 
 use proptest::prelude::*;
 use robovac_playground::{
-    floorplan::generate::random_clutter,
+    app::Prepared,
+    floorplan::{generate::random_clutter, room},
     grid::{Cell, Direction, Grid},
     metrics::WalkMetrics,
-    planner::{CoverageJob, CoveragePath, ParamValue, Params, PlanContext, find},
+    planner::{CoverageJob, CoveragePath, ParamValue, Params, PlanContext, TraceStep, find},
+    robot::model,
 };
 
 fn plan(id: &str, job: &CoverageJob, given: &[(&str, ParamValue)]) -> CoveragePath {
@@ -85,5 +87,32 @@ fn spiral_winds_to_the_middle_with_the_walls_on_its_reference_side() {
         assert_eq!(path.cells[1], second, "{side}");
         let last = path.cells.last().copied().expect("the walk has cells");
         assert!((2..6).contains(&last.x) && (2..4).contains(&last.y), "{side} ends in {last}");
+    }
+}
+
+/// Hyun (001), section 6: the octagon in a hall of 20 m x 20 m with seven obstacles. Contacts are found, links that collide get a detour, and
+/// all is swept; with lines two rows apart the finishing stage cleans what is left between them.
+#[test]
+fn subgoal_sweep_of_a_hall_with_seven_obstacles() {
+    let (octagon, hall) = (model("octagon").expect("it exists"), room("hall20").expect("it ships"));
+    let job = Prepared::new(&(hall.build)(), octagon, octagon.default_cell, None).expect("it fits").job;
+    let info = find("subgoal_sweep").expect("it exists");
+    for lines in [1.0, 2.0] {
+        let params = Params::checked(info.params, [("scan_lines", ParamValue::Number(lines))]).expect("it is in range");
+        let mut told: Vec<TraceStep> = Vec::new();
+        let mut tracer = |step: TraceStep| told.push(step);
+        let mut ctx = PlanContext::new(0).traced(&mut tracer);
+        let path = info.build(&params).plan(&job, &mut ctx).expect("nobody cancels");
+        let metrics = WalkMetrics::of(&job, &path);
+        assert_eq!(metrics.visited_cells, metrics.reachable_cells);
+        let contacts = told[0].marks.len();
+        let detours: Vec<&TraceStep> = told.iter().filter(|step| step.rule == "Detour").collect();
+        let last = detours.last().map_or("", |step| &step.note);
+        let count = detours.len();
+        assert!(last.ends_with(&format!("collision {count}, {count} resolved")), "{last}");
+        let finished = told.iter().filter(|step| step.rule == "Finish").count();
+        println!("{lines} rows: {contacts} subgoals, {count} collisions, {} steps; {last}", metrics.steps);
+        // One link a contact, then at most a word on what is left.
+        assert_eq!((told.len(), finished), (1 + contacts + finished, usize::from(lines > 1.0)));
     }
 }

@@ -31,6 +31,16 @@ impl Failure {
         Self { code: USAGE, message }
     }
 
+    /// The robot doesn't fit.
+    pub fn misfit(message: String) -> Self {
+        Self { code: DOES_NOT_FIT, message }
+    }
+
+    /// The planner gave up.
+    pub fn planner(message: String) -> Self {
+        Self { code: PLANNER, message }
+    }
+
     /// There is no entry with that id; `command` lists those that there are.
     pub fn unknown(kind: &str, id: &str, command: &str) -> Self {
         Self::usage(format!("there is no {kind} \"{id}\"; \"robovac {command}\" lists them"))

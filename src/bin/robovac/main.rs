@@ -29,6 +29,8 @@ mod simulate;
 #[cfg(not(target_arch = "wasm32"))]
 mod source;
 #[cfg(not(target_arch = "wasm32"))]
+mod sweep;
+#[cfg(not(target_arch = "wasm32"))]
 mod task;
 #[cfg(not(target_arch = "wasm32"))]
 mod virtual_roomba;
@@ -45,7 +47,8 @@ fn main() -> std::process::ExitCode {
 #[cfg(not(target_arch = "wasm32"))]
 mod native {
     use super::{
-        bench, compare, convert, failure::OK, list, monitor, montecarlo, output::print, plan, simulate, virtual_roomba,
+        bench, compare, convert, failure::OK, list, monitor, montecarlo, output::print, plan, simulate, sweep,
+        virtual_roomba,
     };
     use clap::{Parser, Subcommand};
     use std::{io::Write, process::ExitCode};
@@ -83,6 +86,7 @@ Exit codes:
         /// List the numbers by which plans are compared: id, then what it is
         Metrics,
         Plan(plan::Arguments),
+        Sweep(sweep::Arguments),
         Simulate(simulate::Arguments),
         Montecarlo(montecarlo::Arguments),
         Compare(compare::Arguments),
@@ -101,6 +105,7 @@ Exit codes:
             Command::Personalities => Ok(list::personalities()),
             Command::Metrics => Ok(list::metrics()),
             Command::Plan(arguments) => plan::run(&arguments),
+            Command::Sweep(arguments) => sweep::run(&arguments),
             Command::Simulate(arguments) => simulate::run(&arguments),
             Command::Montecarlo(arguments) => montecarlo::run(&arguments),
             Command::Compare(arguments) => compare::run(&arguments),

@@ -98,6 +98,16 @@ impl<'j> Progress<'j> {
         }
     }
 
+    /// Number of steps so far.
+    pub fn steps(&self) -> usize {
+        self.walk.len() - 1
+    }
+
+    /// Number of cells that are left.
+    pub fn left_count(&self) -> usize {
+        self.left_count
+    }
+
     /// To be called every few steps: reports the walk every few thousand.
     pub fn report(&mut self, ctx: &mut PlanContext<'_>) -> Result<(), PlanError> {
         if self.walk.len() < self.next_report {

@@ -1,0 +1,141 @@
+//! What stands in the way, numbered.
+
+use crate::grid::{Cell, Grid};
+
+/// The obstacles of a slice: FULL cells that hang together, corner to corner too. What hangs together with the outside is wall.
+///
+/// So obstacles that leave no way between them are one to the robot, and one that leaves no way along the wall is part of it. They
+/// are numbered from 1 in the order in which a scan from the top left meets them (001, section 3: `obstacleNo`).
+#[derive(Debug, Clone)]
+pub struct Obstacles {
+    /// Where the runs of every row begin in `runs`, from the bottom row.
+    starts: Vec<u32>,
+    /// First and last column of a run of FULL cells, and its obstacle's number; 0 for a wall.
+    runs: Vec<(i32, i32, u32)>,
+    count: u32,
+}
+
+impl Obstacles {
+    /// The obstacles between FREE cells. O(n).
+    pub fn of(free: &Grid<bool>) -> Self {
+        let (width, height) = (free.width(), free.height());
+        let mut starts = vec![0];
+        let mut runs: Vec<(i32, i32, u32)> = Vec::new();
+        // The first set is the wall.
+        let mut sets = vec![0_u32];
+        let mut below = 0..0;
+        for (y, row) in free.values().chunks(width).enumerate() {
+            let begin = runs.len();
+            let mut x = 0;
+            while x < width {
+                let is_free = row[x];
+                let end = row[x..].iter().position(|&f| f != is_free).map_or(width, |run| x + run);
+                if !is_free {
+                    let set = sets.len() as u32;
+                    let at_border = x == 0 || end == width || y == 0 || y + 1 == height;
+                    sets.push(if at_border { 0 } else { set });
+                    runs.push((x as i32, end as i32 - 1, set));
+                }
+                x = end;
+            }
+            let mut under = below.start;
+            for run in begin..runs.len() {
+                let (first, last, set) = runs[run];
+                while under < below.end && runs[under].1 + 1 < first {
+                    under += 1;
+                }
+                let mut touching = under;
+                while touching < below.end && runs[touching].0 <= last + 1 {
+                    join(&mut sets, set, runs[touching].2);
+                    touching += 1;
+                }
+            }
+            below = begin..runs.len();
+            starts.push(runs.len() as u32);
+        }
+        let mut numbers = vec![0; sets.len()];
+        let mut count = 0;
+        for y in (0..height).rev() {
+            for run in &mut runs[starts[y] as usize..starts[y + 1] as usize] {
+                let set = root(&mut sets, run.2) as usize;
+                if set != 0 && numbers[set] == 0 {
+                    count += 1;
+                    numbers[set] = count;
+                }
+                run.2 = numbers[set];
+            }
+        }
+        Self { starts, runs, count }
+    }
+
+    /// How many there are, walls not counted.
+    pub fn count(&self) -> u32 {
+        self.count
+    }
+
+    /// The number of the obstacle in a cell; `None` in walls, outside and where nothing is.
+    pub fn number(&self, cell: Cell) -> Option<u32> {
+        let row = usize::try_from(cell.y).ok()?;
+        let (from, to) = (*self.starts.get(row)?, *self.starts.get(row + 1)?);
+        let runs = &self.runs[from as usize..to as usize];
+        let &(first, _, number) = runs.get(runs.partition_point(|run| run.1 < cell.x))?;
+        (first <= cell.x && number > 0).then_some(number)
+    }
+}
+
+/// The set that a set has become part of; shortens the way there (Tarjan & van Leeuwen 1984, path halving).
+fn root(sets: &mut [u32], mut set: u32) -> u32 {
+    while sets[set as usize] != set {
+        let above = sets[sets[set as usize] as usize];
+        sets[set as usize] = above;
+        set = above;
+    }
+    set
+}
+
+/// Makes two sets one, named by the lower number: so the wall stays the wall.
+fn join(sets: &mut [u32], a: u32, b: u32) {
+    let (a, b) = (root(sets, a), root(sets, b));
+    sets[a.max(b) as usize] = a.min(b);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::{from_picture, picture};
+
+    #[test]
+    fn obstacles_are_numbered_from_the_top_left_and_walls_are_none() {
+        let free = from_picture(
+            "
+            ..........#
+            .##....#..#
+            .##...#.#..
+            ......###..
+            ..#........
+            .#...##....
+            ......#....
+            ......#....",
+            |c| c == '.',
+        )
+        .unwrap();
+        let obstacles = Obstacles::of(&free);
+        let numbers =
+            Grid::from_rows(free.width(), free.iter().map(|(cell, _)| obstacles.number(cell)).collect::<Vec<_>>())
+                .unwrap();
+        let drawn = picture(&numbers, |n| n.map_or('.', |n| char::from_digit(n, 10).unwrap()));
+        let expected = "
+            ...........
+            .11....2...
+            .11...2.2..
+            ......222..
+            ..3........
+            .3.........
+            ...........
+            ...........";
+        assert_eq!(drawn.trim(), expected.replace("            ", "").trim());
+        assert_eq!(obstacles.count(), 3);
+        assert_eq!(obstacles.number(Cell::new(-1, 2)), None);
+        assert_eq!(obstacles.number(Cell::new(2, 99)), None);
+    }
+}

@@ -1,0 +1,184 @@
+//! What a body looks like from above.
+
+use super::CspaceError;
+use crate::{
+    floorplan::crossing,
+    geometry::{Point, Vector, contains, convex_pieces, signed_area},
+    math,
+    robot::{Body, RobotModel},
+};
+
+/// Most corners of an outline.
+pub const MAX_OUTLINE_CORNERS: usize = 64;
+/// Least and greatest extent of an outline in x and in y, m.
+pub const EXTENTS: [f64; 2] = [0.02, 10.0];
+
+/// Least area of an outline, m²: a square centimetre.
+const LEAST_AREA: f64 = 1e-4;
+
+/// Outline of a robot in its own frame: x ahead, y to the left, m.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Outline {
+    /// A circle around the origin.
+    Circle {
+        /// Its radius, m.
+        radius: f64,
+    },
+    /// A simple polygon, convex or not, that holds the origin; counter-clockwise.
+    Polygon(Vec<Point>),
+}
+
+impl Outline {
+    /// The outline of a robot model.
+    pub fn of(robot: &RobotModel) -> Self {
+        match robot.body {
+            Body::Round => Self::Circle { radius: robot.radius },
+            Body::Polygon(corners) => Self::Polygon(corners.iter().map(|&[x, y]| Point::new(x, y)).collect()),
+        }
+    }
+
+    /// A circle of `radius` metres.
+    pub fn circle(radius: f64) -> Result<Self, CspaceError> {
+        let outline = Self::Circle { radius };
+        outline.check().map(|()| outline)
+    }
+
+    /// A rectangle around the origin, `length` metres ahead and back together, `width` metres across.
+    pub fn rectangle(length: f64, width: f64) -> Result<Self, CspaceError> {
+        let (x, y) = (0.5 * length, 0.5 * width);
+        Self::checked([(x, -y), (x, y), (-x, y), (-x, -y)].map(|(x, y)| Point::new(x, y)).to_vec())
+    }
+
+    /// A regular octagon that drives with a side ahead, `width` metres from side to side.
+    pub fn octagon(width: f64) -> Result<Self, CspaceError> {
+        // Half a side is tan 22.5° of half the width.
+        let (far, near) = (0.5 * width, 0.5 * width * 0.414_213_562_373_095);
+        let corners = [(far, -near), (far, near), (near, far), (-near, far)];
+        let opposite = corners.map(|(x, y)| (-x, -y));
+        Self::checked(corners.into_iter().chain(opposite).map(|(x, y)| Point::new(x, y)).collect())
+    }
+
+    /// The polygon with these corners, in either direction, if it can be a robot's outline.
+    pub fn checked(mut corners: Vec<Point>) -> Result<Self, CspaceError> {
+        if signed_area(&corners) < 0.0 {
+            corners.reverse();
+        }
+        let outline = Self::Polygon(corners);
+        outline.check().map(|()| outline)
+    }
+
+    /// Says what is wrong with the outline, if anything is.
+    pub(super) fn check(&self) -> Result<(), CspaceError> {
+        let refuse = |why: String| Err(CspaceError::Outline(why));
+        let [least, most] = EXTENTS;
+        match self {
+            Self::Circle { radius } => {
+                if !(0.5 * least..=0.5 * most).contains(radius) {
+                    let (low, high) = (0.5 * least, 0.5 * most);
+                    return refuse(format!("a robot's radius can't be {radius} m; choose {low} to {high} m"));
+                }
+            }
+            Self::Polygon(corners) => {
+                let count = corners.len();
+                if !(3..=MAX_OUTLINE_CORNERS).contains(&count) {
+                    return refuse(format!(
+                        "an outline of {count} corners can't be used; draw 3 to {MAX_OUTLINE_CORNERS}"
+                    ));
+                }
+                if let Some(at) = corners.iter().position(|p| !(p.x.is_finite() && p.y.is_finite())) {
+                    return refuse(format!("corner {} of the outline isn't a number; set it anew", at + 1));
+                }
+                let (low, high) = bounds(corners);
+                for (extent, name) in [(high.x - low.x, "long"), (high.y - low.y, "wide")] {
+                    if !(least..=most).contains(&extent) {
+                        return refuse(format!("the outline is {extent:.3} m {name}; it takes {least} to {most} m"));
+                    }
+                }
+                if let Some((first, second)) = crossing(corners) {
+                    let (first, second) = (first + 1, second + 1);
+                    return refuse(format!("sides {first} and {second} of the outline cross; move a corner of either"));
+                }
+                if signed_area(corners) < LEAST_AREA {
+                    return refuse("the outline encloses nothing; draw it wider".to_owned());
+                }
+                if !contains(corners, Point::origin()) {
+                    return refuse("the outline doesn't hold the robot's origin (0, 0); move it there".to_owned());
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Extent across the way that it looks, m: the width of the strip that it sweeps at heading 0.
+    pub fn width(&self) -> f64 {
+        let (low, high) = self.bounds();
+        high.y - low.y
+    }
+
+    /// Lower left and upper right corner of the box around it, m.
+    pub fn bounds(&self) -> (Point, Point) {
+        match self {
+            Self::Circle { radius } => (Point::new(-radius, -radius), Point::new(*radius, *radius)),
+            Self::Polygon(corners) => bounds(corners),
+        }
+    }
+
+    /// Convex pieces of a polygon, turned by `heading` rad; none of a circle.
+    pub(super) fn pieces(&self, heading: f64) -> Vec<Vec<Point>> {
+        let Self::Polygon(corners) = self else { return Vec::new() };
+        let (sin, cos) = math::sin_cos(heading);
+        let turned = |p: Point| Point::new(cos * p.x - sin * p.y, sin * p.x + cos * p.y);
+        convex_pieces(corners).into_iter().map(|piece| piece.into_iter().map(turned).collect()).collect()
+    }
+}
+
+/// Lower left and upper right corner of the box around some points; the origin if there are none.
+pub(super) fn bounds(points: &[Point]) -> (Point, Point) {
+    let Some(&first) = points.first() else { return (Point::origin(), Point::origin()) };
+    points.iter().fold((first, first), |(low, high), p| (low.inf(p), high.sup(p)))
+}
+
+/// The farthest that points reach in a direction.
+pub(super) fn support(points: &[Point], direction: Vector) -> f64 {
+    points.iter().map(|p| p.coords.dot(&direction)).fold(f64::MIN, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::robot::MODELS;
+
+    fn points(corners: &[(f64, f64)]) -> Vec<Point> {
+        corners.iter().map(|&(x, y)| Point::new(x, y)).collect()
+    }
+
+    #[test]
+    fn outlines_of_all_robots_and_shapes_are_sound() {
+        for robot in MODELS {
+            assert_eq!(Outline::of(robot).check(), Ok(()), "{}", robot.id);
+        }
+        assert_eq!(Outline::rectangle(0.4, 0.2).unwrap().width(), 0.2);
+        let Outline::Polygon(corners) = Outline::octagon(0.36).unwrap() else { panic!("it has corners") };
+        assert!(signed_area(&corners) > 0.0 && corners.len() == 8);
+        let sides: Vec<f64> = (0..8).map(|i| (corners[(i + 1) % 8] - corners[i]).norm()).collect();
+        assert!(sides.iter().all(|side| (side - sides[0]).abs() < 1e-12), "{sides:?}");
+    }
+
+    #[test]
+    fn polygons_of_users_are_turned_round_or_refused_with_advice() {
+        let clockwise = points(&[(-0.1, -0.1), (-0.1, 0.1), (0.1, 0.1), (0.1, -0.1)]);
+        let Outline::Polygon(corners) = Outline::checked(clockwise).unwrap() else { panic!("it has corners") };
+        assert!(signed_area(&corners) > 0.0);
+        let why = |corners: &[(f64, f64)]| Outline::checked(points(corners)).unwrap_err().to_string();
+        assert!(why(&[(0.0, 0.0), (1.0, 0.0)]).contains("draw 3 to 64"));
+        assert!(why(&[(-1.0, -1.0), (1.0, f64::NAN), (0.0, 1.0)]).contains("corner 2"));
+        assert!(why(&[(-1.0, -1.0), (1.0, 1.0), (1.0, -1.0), (-1.0, 1.0)]).contains("sides 1 and 3"));
+        assert!(why(&[(1.0, 1.0), (2.0, 1.0), (2.0, 2.0)]).contains("origin"));
+        assert!(why(&[(-9.0, -1.0), (9.0, -1.0), (0.0, 1.0)]).contains("18.000 m long"));
+        assert!(why(&[(-1.0, 0.0), (0.0, 0.0), (1.0, 0.0)]).contains("wide"));
+        for radius in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            assert!(Outline::circle(radius).is_err());
+        }
+        assert!(Outline::rectangle(f64::NAN, 1.0).is_err() && Outline::octagon(99.0).is_err());
+    }
+}

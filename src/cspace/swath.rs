@@ -1,0 +1,94 @@
+//! The floor that a body sweeps while it moves without turning.
+
+use super::{Outline, canvas::Canvas, sum::Sum};
+use crate::{
+    geometry::Point,
+    grid::{Cell, Grid},
+};
+
+/// Floor swept by an outline at heading 0: a cell is swept once its centre has been under the body.
+#[derive(Debug, Clone)]
+pub struct Swath {
+    canvas: Canvas,
+    /// The outline's pieces mirrored: the floor under a body that moves is what its mirror image would touch.
+    mirrored: Vec<Vec<Point>>,
+    radius: f64,
+}
+
+impl Swath {
+    /// Nothing swept, on `width` x `height` cells of `cell` metres.
+    pub fn new(outline: &Outline, width: usize, height: usize, cell: f64) -> Self {
+        let radius = if let Outline::Circle { radius } = outline { *radius } else { 0.0 };
+        let mirror = |piece: Vec<Point>| piece.into_iter().map(|p| -p).collect();
+        let mirrored = outline.pieces(0.0).into_iter().map(mirror).collect();
+        Self { canvas: Canvas::new(width, height, cell), mirrored, radius }
+    }
+
+    /// Sweeps with the body's origin straight from `from` to `to`.
+    pub fn sweep(&mut self, from: Point, to: Point) {
+        let line = [from, to];
+        if self.mirrored.is_empty() {
+            self.canvas.draw(&Sum::of_round(&line, self.radius));
+        }
+        for piece in &self.mirrored {
+            self.canvas.draw(&Sum::of_polygons(&line, piece));
+        }
+    }
+
+    /// Sweeps from all cells that are set, the body's origin in their centres and on the way between neighbours in a row.
+    pub fn sweep_cells(&mut self, cells: &Grid<bool>) {
+        let size = self.canvas.cell;
+        for (y, row) in cells.values().chunks(cells.width()).enumerate() {
+            let mut x = 0;
+            while let Some(skipped) = row[x..].iter().position(|&is_set| is_set) {
+                let first = x + skipped;
+                let end = row[first..].iter().position(|&is_set| !is_set).map_or(row.len(), |run| first + run);
+                let centre = |x: usize| Cell::new(x as i32, y as i32).centre(size);
+                self.sweep(centre(first), centre(end - 1));
+                x = end;
+            }
+        }
+    }
+
+    /// Adds what another body of the same room has swept.
+    pub fn add(&mut self, other: &Self) {
+        self.canvas.bits.add(&other.canvas.bits);
+    }
+
+    /// Whether a cell has been swept.
+    pub fn is_swept(&self, cell: Cell) -> bool {
+        let (x, y) = (cell.x as usize, cell.y as usize);
+        cell.x >= 0 && cell.y >= 0 && x < self.canvas.width && y < self.canvas.height && self.canvas.bits.get(x, y)
+    }
+
+    /// Number of cells swept.
+    pub fn count(&self) -> usize {
+        self.canvas.bits.count()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn swath_is_the_outline_drawn_out() {
+        for outline in [Outline::octagon(0.36).unwrap(), Outline::circle(0.18).unwrap()] {
+            let mut swath = Swath::new(&outline, 200, 150, 0.01);
+            swath.sweep(Point::new(0.5, 0.5), Point::new(1.5, 0.9));
+            let length = 1.16_f64.sqrt();
+            let mut still = Swath::new(&outline, 200, 150, 0.01);
+            still.sweep(Point::new(0.5, 0.5), Point::new(0.5, 0.5));
+            // Across the way an octagon is at least as wide as from side to side, and at most as from corner to corner.
+            let area = swath.count() as f64 * 1e-4;
+            let least = still.count() as f64 * 1e-4 + 0.36 * length;
+            assert!(area > 0.99 * least && area < 1.09 * least, "{area} {least}");
+            let mut points = Swath::new(&outline, 200, 150, 0.01);
+            for i in 0..=2000 {
+                let at = Point::new(0.5 + f64::from(i) / 2000.0, 0.5 + f64::from(i) / 5000.0);
+                points.sweep(at, at);
+            }
+            assert!(swath.count().abs_diff(points.count()) < 30, "{} {}", swath.count(), points.count());
+        }
+    }
+}

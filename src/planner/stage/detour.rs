@@ -1,0 +1,205 @@
+//! Stage: a way round what stands in the way of a straight link (001, section 5).
+//!
+//! The paper calls the procedure of Hyun & Suh (A heuristic collision-free path planning algorithm for robots, IROS 1995), and prints nothing
+//! of it. Figure 6 shows what it is for: a short way with few corners, round the obstacle and back to the point that was meant. That is what is
+//! done here: A* (Hart, Nilsson & Raphael 1968) over the eight neighbours of a cell, no corner cut, finds a shortest way on the grid and is
+//! complete; then the way is pulled taut, corner by corner, as far as the straight line stays in FREE cells. What is left
+//! is within a few percent of the shortest.
+
+use super::{frame::Frame, is_straight_free};
+use crate::grid::{Cell, Grid};
+use std::{cmp::Reverse, collections::BinaryHeap};
+
+/// Costs of a step straight and slantwise: 99/70 is the square root of 2 but for 0.00007.
+const STRAIGHT: u32 = 70;
+const SLANTED: u32 = 99;
+/// Corners that are looked ahead while a way is pulled taut.
+const LOOK_AHEAD: usize = 64;
+
+/// Searches for detours. It reuses its memory, so that a search costs what it looks at and no more.
+#[derive(Debug)]
+pub struct Detours<'a> {
+    free: &'a Grid<bool>,
+    frame: Frame,
+    /// `base` + cost of the way to a cell; lower values are left from searches before, and [`WALL`] is above all.
+    reached: Vec<u32>,
+    base: u32,
+    /// The dearest way of the last search.
+    dearest: u32,
+    /// The estimate for the whole way, what remains of it, and the cell's number.
+    queue: BinaryHeap<Reverse<(u32, u32, u32)>>,
+}
+
+const WALL: u32 = u32::MAX;
+
+impl<'a> Detours<'a> {
+    /// Searches through `free` cells.
+    pub fn new(free: &'a Grid<bool>) -> Self {
+        let frame = Frame::around(free);
+        Self { free, frame, reached: frame.drawn(free, 0, WALL), base: 1, dearest: 0, queue: BinaryHeap::new() }
+    }
+
+    /// Corners of a short way, ends included, whose straight pieces stay in free cells; `None` if there is no way.
+    pub fn find(&mut self, from: Cell, to: Cell) -> Option<Vec<Cell>> {
+        if !self.free.is_set(from) || !self.free.is_set(to) {
+            return None;
+        }
+        self.make_old();
+        let goal = self.frame.index(to);
+        self.reach(self.frame.index(from), 0, to);
+        while let Some(Reverse((estimate, remaining, index))) = self.queue.pop() {
+            let (index, cost) = (index as usize, estimate - remaining);
+            if index == goal {
+                let way = self.trace_back(index);
+                return Some(pulled(self.free, &way));
+            }
+            if self.reached[index] < self.base + cost {
+                continue;
+            }
+            for (next, step) in self.neighbours(index) {
+                self.reach(next, cost + step, to);
+            }
+        }
+        None
+    }
+
+    /// Free neighbours and what a step there costs; slantwise only past two free cells.
+    fn neighbours(&self, index: usize) -> impl Iterator<Item = (usize, u32)> + use<'a> {
+        let [right, up, left, down] = self.frame.neighbours(index);
+        let stride = self.frame.stride();
+        let open = [right, up, left, down].map(|next| self.reached[next] != WALL);
+        let slanted = [
+            (up + 1, open[0] && open[1]),
+            (up - 1, open[1] && open[2]),
+            (index - stride - 1, open[2] && open[3]),
+            (index - stride + 1, open[3] && open[0]),
+        ]
+        .map(|(next, is_open)| (next, is_open && self.reached[next] != WALL, SLANTED));
+        let straight =
+            [(right, open[0], STRAIGHT), (up, open[1], STRAIGHT), (left, open[2], STRAIGHT), (down, open[3], STRAIGHT)];
+        straight.into_iter().chain(slanted).filter(|&(_, is_open, _)| is_open).map(|(next, _, step)| (next, step))
+    }
+
+    #[inline]
+    fn reach(&mut self, index: usize, cost: u32, to: Cell) {
+        let mark = self.reached[index];
+        if mark >= self.base && mark <= self.base + cost {
+            return;
+        }
+        self.reached[index] = self.base + cost;
+        self.dearest = self.dearest.max(cost);
+        let cell = self.frame.cell(index);
+        let (dx, dy) = (cell.x.abs_diff(to.x), cell.y.abs_diff(to.y));
+        let remaining = STRAIGHT * dx.abs_diff(dy) + SLANTED * dx.min(dy);
+        // The second number makes it look first at what is nearest to the goal.
+        self.queue.push(Reverse((cost + remaining, remaining, index as u32)));
+    }
+
+    /// Makes all marks those of a search before.
+    fn make_old(&mut self) {
+        self.queue.clear();
+        self.base += self.dearest + 1;
+        self.dearest = 0;
+        if self.base > WALL / 2 {
+            self.reached.iter_mut().filter(|mark| **mark < WALL).for_each(|mark| *mark = 0);
+            self.base = 1;
+        }
+    }
+
+    /// The cells of the way, from its start.
+    fn trace_back(&self, goal: usize) -> Vec<Cell> {
+        let mut way = vec![self.frame.cell(goal)];
+        let mut index = goal;
+        while self.reached[index] > self.base {
+            let here = self.reached[index];
+            let before = self
+                .neighbours(index)
+                .find(|&(next, step)| self.reached[next] >= self.base && self.reached[next] + step == here);
+            let Some((next, _)) = before else { break };
+            index = next;
+            way.push(self.frame.cell(index));
+        }
+        way.reverse();
+        way
+    }
+}
+
+/// The corners that a way keeps when it is pulled taut, from its start and then from its end.
+fn pulled(free: &Grid<bool>, way: &[Cell]) -> Vec<Cell> {
+    let turn = |w: &[Cell]| (w[1].x - w[0].x, w[1].y - w[0].y) != (w[2].x - w[1].x, w[2].y - w[1].y);
+    let (Some(&first), Some(&last)) = (way.first(), way.last()) else { return Vec::new() };
+    let mut corners = vec![first];
+    corners.extend(way.windows(3).filter(|w| turn(w)).map(|w| w[1]));
+    corners.push(last);
+    for _ in 0..2 {
+        let mut kept = vec![corners[0]];
+        let mut at = 0;
+        while at + 1 < corners.len() {
+            let farthest = (at + LOOK_AHEAD).min(corners.len() - 1);
+            let seen = (at + 2..=farthest).rev().find(|&next| is_straight_free(free, corners[at], corners[next]));
+            at = seen.unwrap_or(at + 1);
+            kept.push(corners[at]);
+        }
+        kept.reverse();
+        corners = kept;
+    }
+    corners
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        floorplan::generate::random_clutter,
+        grid::{from_picture, reachable},
+    };
+
+    fn length(way: &[Cell]) -> f64 {
+        way.windows(2).map(|w| f64::from((w[1].x - w[0].x).pow(2) + (w[1].y - w[0].y).pow(2)).sqrt()).sum()
+    }
+
+    /// 001, Fig. 6: round the obstacle with few corners.
+    #[test]
+    fn detour_goes_round_with_few_corners() {
+        let free = from_picture(
+            "
+            ............
+            .....##.....
+            .....##.....
+            .....##.....
+            ............
+            ............",
+            |c| c == '.',
+        )
+        .unwrap();
+        let way = Detours::new(&free).find(Cell::new(1, 3), Cell::new(10, 3)).unwrap();
+        assert!(way.windows(2).all(|w| is_straight_free(&free, w[0], w[1])), "{way:?}");
+        assert!(way.len() <= 4 && length(&way) < 10.5, "{way:?}");
+    }
+
+    /// Two cells are connected by a detour if they are by steps, also after many searches.
+    #[test]
+    fn detours_are_found_where_there_are_ways() {
+        let free = random_clutter(40, 30, 0.35, 5);
+        let mut detours = Detours::new(&free);
+        let cells: Vec<Cell> = free.iter().map(|(cell, _)| cell).collect();
+        for (i, &from) in cells.iter().enumerate().step_by(37) {
+            let to = cells[(i * 7 + 400) % cells.len()];
+            let expected = free.is_set(from) && reachable(&free, from).is_set(to);
+            let way = detours.find(from, to);
+            assert_eq!(way.is_some(), expected, "{from} {to}");
+            let Some(way) = way else { continue };
+            assert_eq!((way[0], way[way.len() - 1]), (from, to));
+            assert!(way.windows(2).all(|w| is_straight_free(&free, w[0], w[1])));
+        }
+    }
+
+    #[test]
+    fn straight_where_nothing_is_in_the_way() {
+        let free = Grid::filled(30, 20, true);
+        let way = Detours::new(&free).find(Cell::new(2, 3), Cell::new(27, 11)).unwrap();
+        assert_eq!(way, [Cell::new(2, 3), Cell::new(27, 11)]);
+        let way = Detours::new(&free).find(Cell::new(2, 3), Cell::new(2, 3)).unwrap();
+        assert_eq!(length(&way), 0.0);
+    }
+}

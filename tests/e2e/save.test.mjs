@@ -1,0 +1,54 @@
+// Rooms and paths saved as files for other programs, and read back.
+import assert from "node:assert/strict";
+import fs from "node:fs";
+import { test } from "node:test";
+import { openApp } from "./app.mjs";
+import { anyFile } from "./maps.mjs";
+
+const ROOM = "#room=lshape&planner=snake&robot=cell&cell=0.25";
+
+/** What was downloaded, by name. */
+async function files(downloads) {
+  const entries = downloads.map(async (download) => [download.suggestedFilename(), fs.readFileSync(await download.path())]);
+  return Object.fromEntries(await Promise.all(entries));
+}
+
+test("a room goes out as a ROS map and comes back the same", async (t) => {
+  const { app, page } = await openApp(t, { address: ROOM });
+  const area = await app.reachableArea();
+  const saved = await files(
+    await app.save("ros_png", 2, async () => {
+      await page.locator("#save-mode").selectOption("scale");
+      await page.locator("#save-negate").check();
+    }),
+  );
+  assert.deepEqual(Object.keys(saved).sort(), ["l-shaped-room.png", "l-shaped-room.yaml"]);
+  const yaml = saved["l-shaped-room.yaml"].toString();
+  assert.match(yaml, /^image: "l-shaped-room.png"\nmode: scale\n/);
+  assert.match(yaml, /negate: 1\n/);
+  await app.choose("room", "flat");
+  await app.drop(...Object.entries(saved).map(([name, bytes]) => anyFile(name, bytes)));
+  assert.equal(await app.message(), "");
+  assert.equal(await app.reachableArea(), area);
+});
+
+test("the dialog is left by Escape, remembers nothing, and its faults are told in it", async (t) => {
+  const { app, page } = await openApp(t, { address: ROOM });
+  await page.locator("#save").click();
+  await page.locator("#save-as[open]").waitFor();
+  assert.equal(await page.evaluate(() => document.activeElement?.id), "save-now");
+  await page.keyboard.press("Escape");
+  assert.equal(await page.locator("#save-as[open]").count(), 0);
+  const [drawing] = await app.save("svg");
+  assert.equal(drawing.suggestedFilename(), "l-shaped-room.svg");
+  const svg = fs.readFileSync(await drawing.path(), "utf8");
+  assert.match(svg, /<path id="walls"/);
+  assert.match(svg, /<path id="path"/);
+});
+
+test("a behaviour has no path to save", async (t) => {
+  const { page } = await openApp(t, { address: "#room=lshape&behaviour=random_walk" });
+  await page.locator("#save").click();
+  await page.locator("#save-as[open]").waitFor();
+  assert.equal(await page.locator("#save-as input:disabled").count(), await page.locator("#save-as [data-path]").count());
+});

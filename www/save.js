@@ -1,0 +1,102 @@
+// @ts-check
+// The room and its path as files of many kinds: a dialog, loaded with the module that writes them when one first saves.
+import init, { export_files, export_formats } from "../draft.js";
+import { byId, fill, make, setHidden } from "./dom.js";
+import { download, fileName } from "./files.js";
+import { style } from "./parts.js";
+import { compile } from "./wasm.js";
+
+/** @typedef {{ id: string, title: string, note: string, needs_path: boolean }} Format */
+
+/** @type {Promise<(app: import("./main.js").App) => void> | undefined} */
+let made;
+
+/** @param {import("./main.js").App} app */
+export async function openSave(app) {
+  made ??= build().catch((error) => {
+    made = undefined;
+    throw error;
+  });
+  (await made)(app);
+}
+
+async function build() {
+  await Promise.all([
+    compile(new URL("../draft_bg.wasm", import.meta.url)).then((compiled) => init({ module_or_path: compiled })),
+    style(new URL("./save.css", import.meta.url).href),
+  ]);
+  /** @type {Format[]} */
+  const formats = export_formats();
+
+  const kinds = formats.map(({ id, title, note }, i) =>
+    make(
+      "label",
+      { className: "kind" },
+      make("input", { type: "radio", name: "kind", value: id, defaultChecked: i === 0 }),
+      make("span", {}, make("span", { className: "label" }, title), make("span", { className: "note" }, note)),
+    ),
+  );
+  const mode = make("select", { id: "save-mode" });
+  fill(mode, [["trinary", "trinary: floor, wall, unknown"], ["scale", "scale: shades are percentages"], ["raw", "raw: values from 0 to 100"]]);
+  const negate = make("input", { type: "checkbox", id: "save-negate" });
+  const ros = make(
+    "div",
+    { className: "row", hidden: true },
+    make("label", { className: "field" }, make("span", { className: "label" }, "Mode"), mode),
+    make("label", { className: "check" }, negate, make("span", {}, "Light is wall (negate)")),
+  );
+  const complaint = make("p", { className: "fault", role: "alert", hidden: true });
+  const save = make("button", { type: "submit", className: "primary", id: "save-now" }, "Save");
+  const form = make(
+    "form",
+    { method: "dialog" },
+    make("header", {}, make("h2", { id: "save-title" }, "Save as"), closer()),
+    make("fieldset", { className: "kinds" }, make("legend", { className: "hidden-text" }, "Kind of file"), ...kinds),
+    ros,
+    complaint,
+    make("div", { className: "row" }, save),
+  );
+  const dialog = make("dialog", { id: "save-as", "aria-labelledby": "save-title" }, form);
+  document.body.append(dialog);
+
+  const chosen = () => /** @type {string} */ (new FormData(form).get("kind"));
+  form.addEventListener("change", () => {
+    setHidden(ros, !chosen().startsWith("ros_"));
+    complaint.hidden = true;
+  });
+  dialog.addEventListener("click", (event) => {
+    if (event.target === dialog) dialog.close();
+  });
+
+  return (/** @type {import("./main.js").App} */ app) => {
+    const path = app.playground.corners();
+    formats.forEach(({ needs_path }, i) => {
+      const radio = /** @type {HTMLInputElement} */ (kinds[i]?.querySelector("input"));
+      radio.disabled = needs_path && path.length === 0;
+      if (radio.disabled && radio.checked) radio.checked = false;
+    });
+    if (!chosen()) /** @type {HTMLInputElement} */ (kinds[0]?.querySelector("input")).checked = true;
+    complaint.hidden = true;
+    form.onsubmit = (event) => {
+      // The button that closes has nothing to save.
+      if (event.submitter !== save) return;
+      try {
+        const files = export_files(chosen(), app.playground.scenario_json(), path, fileName(app.view.room.title), mode.value, negate.checked);
+        for (const { name, bytes, kind } of files) download(name, bytes, kind);
+      } catch (error) {
+        event.preventDefault();
+        complaint.textContent = String(error);
+        complaint.hidden = false;
+      }
+    };
+    dialog.showModal();
+    save.focus();
+  };
+}
+
+function closer() {
+  const close = make("button", { className: "quiet square", "aria-label": "Close" });
+  // The same cross as everywhere.
+  close.append(/** @type {Node} */ (byId("help").querySelector("header .icon")).cloneNode(true));
+  return close;
+}
