@@ -5,3 +5,4 @@ mod hostile;
 mod support;
 mod tracing;
 mod vector;
+mod write;

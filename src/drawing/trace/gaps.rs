@@ -64,13 +64,13 @@ pub(super) fn bridges(walls: &[Wall<'_>], gap: f64, touching: f64) -> Vec<[Point
                     to = Some(other);
                 }
             });
-            candidates.push(Candidate { away, from: index, to, at });
+            candidates.push(Candidate { away, from: index, to, needs_end: false, at });
         }
         squares.near(end.at, end.at, |other| {
             left = left.saturating_sub(1);
             let away = (ends[other].at - end.at).norm();
             if left > 0 && other > index && is_free(&ends[other]) && away <= gap {
-                candidates.push(Candidate { away, from: index, to: Some(other), at: ends[other].at });
+                candidates.push(Candidate { away, from: index, to: Some(other), needs_end: true, at: ends[other].at });
             }
         });
     }
@@ -80,8 +80,8 @@ pub(super) fn bridges(walls: &[Wall<'_>], gap: f64, touching: f64) -> Vec<[Point
     });
     let mut is_used = vec![false; ends.len()];
     let mut bridges = Vec::new();
-    for Candidate { from, to, at, .. } in candidates {
-        if is_used[from] || to.is_some_and(|to| is_used[to]) {
+    for Candidate { from, to, needs_end, at, .. } in candidates {
+        if is_used[from] || needs_end && to.is_some_and(|to| is_used[to]) {
             continue;
         }
         is_used[from] = true;
@@ -107,6 +107,8 @@ struct Candidate {
     from: usize,
     /// The other end, if there is one.
     to: Option<usize>,
+    /// Whether that end must not be joined yet: the nearest wall may be joined more than once.
+    needs_end: bool,
     at: Point,
 }
 
@@ -173,7 +175,9 @@ impl Squares {
                 for column in range(one.x.min(other.x), one.x.max(other.x), self.columns) {
                     let square = row * self.columns + column;
                     let ends = &self.ends[self.starts[square] as usize..self.starts[square + 1] as usize];
-                    ends.iter().for_each(|&end| found(end as usize));
+                    for &end in ends {
+                        found(end as usize);
+                    }
                 }
             }
         }

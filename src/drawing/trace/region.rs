@@ -6,8 +6,9 @@ use crate::{
 };
 use std::collections::VecDeque;
 
-/// Floor narrower than this between walls is the inside of a wall, m (ours): half the width of the smallest robot.
-const LEAST_WIDTH: f64 = 0.2;
+/// What walls enclose is the inside of a wall if it is nowhere wider than this, m (ours): walls that are drawn as outlines are
+/// rarely thicker, and no room is as narrow throughout.
+const LEAST_WIDTH: f64 = 0.5;
 
 /// The free cells that the border can't be reached from, less what is too narrow to be floor.
 pub(super) fn enclosed(blocked: &Grid<bool>, resolution: f64) -> Grid<bool> {
@@ -21,7 +22,7 @@ pub(super) fn enclosed(blocked: &Grid<bool>, resolution: f64) -> Grid<bool> {
     let mut inside = blocked.map(|_| false);
     let wide = chessboard(blocked);
     // A square of 2 n - 1 cells lies around a cell that is n moves from the next wall.
-    let least = ((LEAST_WIDTH / resolution + 1.0) / 2.0).clamp(1.0, 255.0) as u8;
+    let least = f64::midpoint(LEAST_WIDTH / resolution, 1.0).clamp(1.0, 255.0) as u8;
     for (cell, &is_outside) in outside.iter() {
         if !is_outside && !inside[cell] && !blocked[cell] && wide[cell] >= least {
             flood(blocked, cell, &mut inside, |_| {});

@@ -12,7 +12,7 @@ use crate::{
 ///
 /// ```
 /// use robovac_playground::{drawing::outlines, floorplan::{SourceFile, load}};
-/// let bytes = "resolution 0.5\n####\n#..#\n####\n".into();
+/// let bytes = "; resolution 0.5\n####\n#..#\n####\n".into();
 /// let room = load(&[SourceFile { name: "room.txt".into(), bytes }])?;
 /// let walls = &outlines(&room)[0];
 /// assert_eq!((walls.layer.as_str(), walls.lines.len()), ("WALLS", 1));
