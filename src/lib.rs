@@ -25,6 +25,7 @@ pub mod app;
 pub mod controller;
 pub mod coverage;
 pub mod cspace;
+#[cfg(feature = "draft")]
 pub mod drawing;
 pub mod floorplan;
 pub mod geometry;

@@ -1,46 +1,19 @@
 // @ts-check
 // Files in and out: picker, drop anywhere, download, link.
 import { button, byId, input } from "./dom.js";
-import { complain, hideToast, toast } from "./messages.js";
-
-/** Larger files can't be a map that the simulator takes. */
-const MOST_BYTES = 64 * 2 ** 20;
+import { toast } from "./messages.js";
 
 /** @param {import("./main.js").App} app */
 export function startFiles(app) {
-  /** @param {File[]} files */
-  const load = async (files) => {
-    if (files.length === 0) return;
-    const large = files.find((file) => file.size > MOST_BYTES);
-    if (large) {
-      complain(`${large.name} is larger than 64 MB. Export a smaller map, at most 4096 cells a side.`);
-      return;
-    }
-    const names = files.map((file) => file.name).join(" and ");
-    const waiting = setTimeout(() => toast(`Reading ${names}…`, true), 200);
-    try {
-      const read = await Promise.all(files.map(async (file) => ({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) })));
-      const worked = await app.takeFiles(read);
-      clearTimeout(waiting);
-      if (worked) toast(`Loaded ${names}`);
-      else hideToast();
-    } catch (error) {
-      clearTimeout(waiting);
-      hideToast();
-      // What the browser can't read: folders, files that have gone away.
-      complain(`The file could not be read (${error instanceof Error ? error.message : error}). Choose a file rather than a folder.`);
-    }
-  };
-
   const picker = input("files");
   button("load").addEventListener("click", () => picker.click());
   picker.addEventListener("change", () => {
-    void load([...(picker.files ?? [])]);
+    app.bring([...(picker.files ?? [])]);
     // So that the same file can be chosen again.
     picker.value = "";
   });
 
-  startDrop((files) => void load(files));
+  startDrop(app.bring);
 
   const scenario = () => app.act((p) => download(`${fileName(app.view.room.title)}.json`, p.scenario_json(), "application/json"));
   // What can't be loaded just now shouldn't keep anyone from saving.

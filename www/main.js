@@ -30,6 +30,7 @@ import { compile, missing } from "./wasm.js";
  * @property {View} view The latest view.
  * @property {(what: (playground: Playground) => void) => boolean} act Does something that may fail; says whether it worked.
  * @property {(files: { name: string, bytes: Uint8Array }[]) => Promise<boolean>} takeFiles Reads a map and takes it; says whether it worked.
+ * @property {(files: File[]) => void} bring Shows files as a floor plan, before they become the room.
  * @property {() => void} cancelPlanning
  * @property {() => string} link What leads back to what is shown, behind `#`.
  * @property {(key: string) => boolean} placeKey A single key in another place; says whether it was used.
@@ -87,6 +88,10 @@ async function start() {
       }
       return app.act((p) => p.take_map(map));
     },
+    bring: async (files) => {
+      await enter("draft");
+      others.draft?.take?.(files);
+    },
     cancelPlanning: () => {
       planning.cancel();
       app.act((p) => p.cancel_plan());
@@ -102,11 +107,12 @@ async function start() {
 
   /**
    * A place that is loaded when one first goes there. Its `frame` may say what is to be told there.
-   * @typedef {{ frame(now: number): { message: string, message_kind: string } | void, key(key: string): boolean, link(): string, restore(link: string): void, setDark(dark: boolean): void }} Other
+   * @typedef {{ frame(now: number): { message: string, message_kind: string } | void, key(key: string): boolean, link(): string, restore(link: string): void, setDark(dark: boolean): void, take?(files: File[]): void }} Other
    * @type {Record<string, () => Promise<Other>>}
    */
   const doors = {
     compare: () => import("./enter-compare.js").then(({ enterCompare }) => enterCompare(app, guard)),
+    draft: () => import("./draft/enter.js").then(({ enterDraft }) => enterDraft(app)),
     robot: () => import("./link/enter.js").then(({ enterRobot }) => enterRobot(app, guard)),
   };
   /** @type {Record<string, Other>} */

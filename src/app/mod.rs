@@ -4,6 +4,7 @@ mod algorithm;
 pub mod bench;
 pub mod compare;
 mod diary;
+#[cfg(feature = "draft")]
 pub mod draft;
 mod editor;
 pub mod export;

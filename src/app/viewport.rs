@@ -117,6 +117,11 @@ impl Viewport {
         Point::new((x - self.origin.x) / self.scale, (self.origin.y - y) / self.scale)
     }
 
+    /// The same window onto a frame whose origin lies at `origin` in this world, and whose unit is `unit` long here.
+    pub fn onto(&self, origin: Point, unit: f64) -> Self {
+        Self { origin: self.to_screen(origin).coords, scale: self.scale * unit, ..*self }
+    }
+
     /// The part of the world that is seen: lower-left and upper-right corner.
     pub fn bounds(&self) -> (Point, Point) {
         (self.to_world(0.0, self.size.y), self.to_world(self.size.x, 0.0))

@@ -27,8 +27,7 @@ const OTHERS: &[(&[u8], &str)] = &[
     (b"RIFF", "a WebP image or a sound"),
     (b"%PDF", "a PDF document"),
     (b"PK\x03\x04", "a ZIP archive"),
-    (b"AC10", "a DWG drawing"),
-    (b"<", "a web page or SVG drawing"),
+    (b"<", "a web page"),
     (b"P7", "a PAM image"),
 ];
 
@@ -62,7 +61,7 @@ pub fn load(files: &[SourceFile]) -> Result<FloorPlan, MapError> {
     match (plan, yaml, image) {
         (None, None, None) => Err(MapError::NoFile),
         (Some((_, plan)), None, None) => Ok(*plan),
-        (None, None, Some((file, format))) => bare_image(file, format),
+        (None, None, Some((file, format))) => bare_image(file, format, &Shading::default()),
         (None, Some((file, yaml)), image) => ros_map(file, &yaml, image),
         (Some((first, _)), Some((second, _)), _) | (Some((first, _)), None, Some((second, _))) => {
             Err(two_maps(first, second))
@@ -75,6 +74,18 @@ pub fn image_of(file: &SourceFile) -> Option<String> {
     if let Ok(Content::Yaml(yaml)) = recognise(file) { Some(yaml.image) } else { None }
 }
 
+/// Whether a file is an image that [`load`] takes without another one beside it.
+pub fn is_image(file: &SourceFile) -> bool {
+    raster::format_of(&file.bytes).is_some()
+}
+
+/// Reads an image whose shades mean what `shading` says.
+pub fn load_image(file: &SourceFile, shading: &Shading) -> Result<FloorPlan, MapError> {
+    let format = raster::format_of(&file.bytes);
+    let not_an_image = || MapError::NotAMap { name: base_name(&file.name).to_owned(), kind: "no image" };
+    bare_image(file, format.ok_or_else(not_an_image)?, shading)
+}
+
 fn recognise(file: &SourceFile) -> Result<Content, MapError> {
     let name = base_name(&file.name);
     let bytes = file.bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&file.bytes);
@@ -85,6 +96,9 @@ fn recognise(file: &SourceFile) -> Result<Content, MapError> {
         return Ok(Content::Image(format));
     }
     let not_a_map = |kind| MapError::NotAMap { name: name.to_owned(), kind };
+    if let Some(kind) = drawing(bytes) {
+        return Err(MapError::IsADrawing { name: name.to_owned(), kind });
+    }
     if bytes.trim_ascii_start().starts_with(b"{") {
         return Ok(Content::Plan(Box::new(Scenario::read(name, bytes)?.plan(name)?)));
     }
@@ -101,13 +115,33 @@ fn recognise(file: &SourceFile) -> Result<Content, MapError> {
     Err(not_a_map("text of unknown kind"))
 }
 
-fn bare_image(file: &SourceFile, format: ImageFormat) -> Result<FloorPlan, MapError> {
+/// What kind of drawing a file is; the drafting room reads them.
+fn drawing(bytes: &[u8]) -> Option<&'static str> {
+    let start = bytes.trim_ascii_start();
+    let head = &start[..start.len().min(1 << 16)];
+    let has = |word: &[u8]| head.windows(word.len()).any(|window| window == word);
+    let mut lines = head.split(|&byte| byte == b'\n').map(<[u8]>::trim_ascii);
+    let is_dxf = matches!((lines.next(), lines.next()), (Some(b"0"), Some(b"SECTION")) | (Some(b"999"), Some(_)));
+    if bytes.starts_with(b"AC10") {
+        Some("a DWG drawing")
+    } else if is_dxf || bytes.starts_with(b"AutoCAD Binary DXF") {
+        Some("a DXF drawing")
+    } else if start.starts_with(b"<") && has(b"<svg") {
+        Some("an SVG drawing")
+    } else if start.starts_with(b"{") && (has(b"\"FeatureCollection\"") || has(b"\"coordinates\"")) {
+        Some("a GeoJSON drawing")
+    } else {
+        None
+    }
+}
+
+fn bare_image(file: &SourceFile, format: ImageFormat, shading: &Shading) -> Result<FloorPlan, MapError> {
     let name = base_name(&file.name);
     let plan = FloorPlan {
         name: stem(name),
         note: String::new(),
         resolution: DEFAULT_IMAGE_RESOLUTION,
-        occupancy: raster::read(name, &file.bytes, format, &Shading::default())?,
+        occupancy: raster::read(name, &file.bytes, format, shading)?,
         objects: Vec::new(),
         start: None,
         origin: Pose::new(0.0, 0.0, 0.0),

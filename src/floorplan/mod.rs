@@ -4,6 +4,7 @@
 
 mod ascii;
 mod check;
+mod drawing_flaw;
 mod error;
 mod layout;
 mod load;
@@ -20,15 +21,16 @@ mod yaml;
 
 pub use ascii::{DEFAULT_ASCII_RESOLUTION, to_ascii};
 pub use check::{BEAMS, Fault, MAX_CORNERS, MAX_OBJECTS, RADII, Refusal};
+pub use drawing_flaw::DrawingFlaw;
 pub use error::{Flaw, MapError};
-pub use load::{SourceFile, image_of, load};
+pub use load::{SourceFile, image_of, is_image, load, load_image};
 pub use object::{Object, Who};
 pub use place::Place;
 pub use raster::{DEFAULT_IMAGE_RESOLUTION, Mode, Shading};
 pub use rooms::{ROOMS, RoomInfo, RoomKind, room};
 pub use ros_map::{MapImage, RosMap, RosMapError, to_ros_map};
 pub use scenario::{SCENARIO_FORMAT, SCENARIO_SCHEMA, SCENARIO_VERSION, Scenario, ScenarioPose};
-pub use shape::{crossing, encloses, middle};
+pub use shape::{crossing, encloses, has_area, middle};
 pub use sketch::{Rect, Sketch};
 
 pub mod generate;

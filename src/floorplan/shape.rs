@@ -21,7 +21,7 @@ pub fn middle(points: &[Point]) -> Point {
 }
 
 /// Whether the outline encloses something worth the name.
-pub(super) fn has_area(outline: &[Point]) -> bool {
+pub fn has_area(outline: &[Point]) -> bool {
     // From the first corner, so that rooms far from the origin lose no digits.
     let Some(&origin) = outline.first() else { return false };
     let twice: f64 = edges(outline).map(|(a, b)| cross(a - origin, b - origin)).sum();

@@ -298,7 +298,8 @@ impl Shape {
     /// The set cells, as a path in units of cells if that isn't too long.
     fn new(cells: &Grid<bool>, colour: &str) -> Result<Self, JsValue> {
         let Some(loops) = outlines(cells, MOST_CORNERS) else {
-            return Ok(Self::Picture(cell_picture(cells, parse_colour(colour))?));
+            let colour = parse_colour(colour);
+            return Ok(Self::Picture(cell_picture(cells, |&is_set| if is_set { colour } else { [0; 4] })?));
         };
         let path = Path2d::new()?;
         for corners in &loops {

@@ -1,6 +1,8 @@
 //! Pictures that are drawn once and shown often.
 
-use crate::{app::Palette, coverage::CoverageTracker, grid::Grid};
+use crate::grid::Grid;
+#[cfg(any(feature = "page", feature = "compare", feature = "robot"))]
+use crate::{app::Palette, coverage::CoverageTracker};
 use wasm_bindgen::{Clamped, JsCast, JsValue};
 use web_sys::{ImageData, OffscreenCanvas, OffscreenCanvasRenderingContext2d};
 
@@ -34,16 +36,17 @@ impl Layer {
 }
 
 /// One pixel for each cell of a grid; row 0 of the grid is the lowest.
-pub(super) fn cell_picture(grid: &Grid<bool>, colour: [u8; 4]) -> Result<Layer, JsValue> {
+pub(super) fn cell_picture<T>(grid: &Grid<T>, colour: impl Fn(&T) -> [u8; 4]) -> Result<Layer, JsValue> {
     let (width, height) = (grid.width() as u32, grid.height() as u32);
     let layer = Layer::new(width, height)?;
     let rows = grid.values().chunks(grid.width()).rev();
-    let pixels: Vec<u8> = rows.flatten().flat_map(|&is_set| if is_set { colour } else { [0; 4] }).collect();
+    let pixels: Vec<u8> = rows.flatten().flat_map(colour).collect();
     layer.put_rows(&pixels, width, 0)?;
     Ok(layer)
 }
 
 /// The swept floor, one pixel for each fine cell.
+#[cfg(any(feature = "page", feature = "compare", feature = "robot"))]
 #[derive(Debug)]
 pub(super) struct VisitsPicture {
     pub layer: Layer,
@@ -51,6 +54,7 @@ pub(super) struct VisitsPicture {
     pixels: Vec<u8>,
 }
 
+#[cfg(any(feature = "page", feature = "compare", feature = "robot"))]
 impl VisitsPicture {
     /// The picture of all that has been swept so far.
     pub fn new(tracker: &CoverageTracker, palette: &Palette) -> Result<Self, JsValue> {

@@ -1,6 +1,6 @@
 //! Map files: a worker reads them, as a large one takes its time; a plain object with the room comes back.
 
-#[cfg(feature = "workshop")]
+#[cfg(any(feature = "workshop", feature = "draft"))]
 use crate::{app::pack, floorplan::SourceFile};
 #[cfg(feature = "page")]
 use crate::{app::unpack, floorplan::FloorPlan, grid::Grid};
@@ -9,7 +9,7 @@ use crate::{
     geometry::Pose,
     grid::Occupancy,
 };
-#[cfg(feature = "workshop")]
+#[cfg(any(feature = "workshop", feature = "draft"))]
 use js_sys::Array;
 use js_sys::{Float64Array, Reflect, Uint8Array};
 use serde::{Deserialize, Serialize};
@@ -36,8 +36,12 @@ const CODES: [Occupancy; 3] = [Occupancy::Free, Occupancy::Occupied, Occupancy::
 #[cfg(feature = "workshop")]
 #[wasm_bindgen]
 pub fn read_map(files: &Array) -> Result<JsValue, JsValue> {
-    let files: Vec<SourceFile> = files.iter().map(|file| source_file(&file)).collect::<Result<_, _>>()?;
-    let Import { plan, choices } = Import::read(&files).map_err(|e| e.to_string())?;
+    import_to_js(Import::read(&source_files(files)?).map_err(|e| e.to_string())?)
+}
+
+/// What `Playground.take_map` takes.
+#[cfg(any(feature = "workshop", feature = "draft"))]
+pub(super) fn import_to_js(Import { plan, choices }: Import) -> Result<JsValue, JsValue> {
     let numbers = |pose: Pose| [pose.x, pose.y, pose.heading];
     let (width, origin) = (plan.occupancy.width(), numbers(plan.origin));
     let (resolution, start) = (plan.resolution, plan.start.map(numbers));
@@ -50,14 +54,20 @@ pub fn read_map(files: &Array) -> Result<JsValue, JsValue> {
     Ok(object)
 }
 
-#[cfg(feature = "workshop")]
+/// Files from an array of `{ name, bytes }`.
+#[cfg(any(feature = "workshop", feature = "draft"))]
+pub(super) fn source_files(files: &Array) -> Result<Vec<SourceFile>, JsValue> {
+    files.iter().map(|file| source_file(&file)).collect()
+}
+
+#[cfg(any(feature = "workshop", feature = "draft"))]
 fn source_file(file: &JsValue) -> Result<SourceFile, JsValue> {
     let name = Reflect::get(file, &"name".into())?.as_string().unwrap_or_default();
     let bytes = Uint8Array::new(&Reflect::get(file, &"bytes".into())?).to_vec();
     Ok(SourceFile { name, bytes })
 }
 
-/// What [`read_map`] has read.
+/// What [`import_to_js`] has made.
 #[cfg(feature = "page")]
 pub(super) fn import_from_js(object: &JsValue) -> Result<Import, JsValue> {
     let wire: WireMap = serde_wasm_bindgen::from_value(object.clone()).map_err(|e| e.to_string())?;

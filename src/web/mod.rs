@@ -3,8 +3,9 @@
 //! It is compiled into five modules. The page's has one `Playground`, a handful of calls a frame. Compare's, which is
 //! loaded when one first goes there, has a `Guest` that follows the playground, a `Comparison` and a `MonteCarlo`. Robot's
 //! is loaded in the same way, by the page, which has a `Guest` and a `LiveMap`, and by a worker, which has a `Guest`, a
-//! `Link` and perhaps a `VirtualRobot`. The drafting room's has `export_files` for the page. The workshop's, which runs in workers and is loaded when it is first needed, has
-//! `plan`, `Trials`, `Runner`, `read_map` and `bench`.
+//! `Link` and perhaps a `VirtualRobot`. The workshop's, which runs in workers and is loaded when it is first needed, has
+//! `plan`, `Trials`, `Runner`, `read_map` and `bench`. The drafting room's has `export_files` for the page, and a
+//! `Drafting` for a worker that draws by itself.
 //! Plain objects and arrays go to and fro between them: `request` and `map` say how.
 
 #[cfg(feature = "workshop")]
@@ -18,18 +19,19 @@ mod comparison;
 #[cfg(feature = "compare")]
 mod comparison_view;
 #[cfg(feature = "draft")]
+mod drafting;
 mod export;
 #[cfg(feature = "page")]
 mod furnish;
 #[cfg(any(feature = "compare", feature = "robot"))]
 mod guest;
-#[cfg(any(feature = "page", feature = "compare", feature = "robot"))]
+#[cfg(any(feature = "page", feature = "compare", feature = "robot", feature = "draft"))]
 mod layer;
 #[cfg(feature = "robot")]
 mod link;
 #[cfg(feature = "robot")]
 mod live_map;
-#[cfg(any(feature = "page", feature = "workshop"))]
+#[cfg(any(feature = "page", feature = "workshop", feature = "draft"))]
 mod map;
 #[cfg(feature = "compare")]
 mod montecarlo;
@@ -65,6 +67,7 @@ pub use bench::bench;
 #[cfg(feature = "compare")]
 pub use comparison::Comparison;
 #[cfg(feature = "draft")]
+pub use drafting::Drafting;
 pub use export::{export_files, export_formats};
 #[cfg(any(feature = "compare", feature = "robot"))]
 pub use guest::Guest;

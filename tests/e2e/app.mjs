@@ -186,34 +186,49 @@ export class App {
     return downloads;
   }
 
-  /** Loads files of maps.mjs by the file picker. */
+  /** Brings files of maps.mjs by the file picker, and makes them the room. */
   async pick(...files) {
     const [chooser] = await Promise.all([this.page.waitForEvent("filechooser"), this.page.locator("#load").click()]);
-    await this.take(chooser, files);
+    await this.#use(() => chooser.setFiles(files.map(({ name, bytes }) => ({ name, mimeType: "application/octet-stream", buffer: bytes }))));
   }
 
-  /** Loads files of maps.mjs as if they were dragged over the page and dropped. */
+  /** Drops files of maps.mjs onto the page, and makes them the room. */
   async drop(...files) {
-    const encoded = files.map(({ name, bytes }) => ({ name, text: bytes.toString("base64") }));
-    await this.answered(() =>
-      this.page.evaluate((list) => {
-        const dataTransfer = new DataTransfer();
-        for (const { name, text } of list) {
-          dataTransfer.items.add(new File([Uint8Array.from(atob(text), (c) => c.charCodeAt(0))], name));
-        }
-        const fire = (type) => document.body.dispatchEvent(new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }));
-        fire("dragenter");
-        fire("dragover");
-        const shown = !document.getElementById("drop").hidden;
-        fire("drop");
-        if (!shown) throw new Error("the page does not say that files can be dropped");
-      }, encoded),
-    );
-    assert.ok(await this.page.locator("#drop").isHidden(), "the page says that something can be dropped");
+    await this.#use(() => this.bring(...files));
   }
 
-  take(chooser, files) {
-    return this.answered(() => chooser.setFiles(files.map(({ name, bytes }) => ({ name, mimeType: "application/octet-stream", buffer: bytes }))));
+  /** Drops files of maps.mjs as if they were dragged over the page; says whether they could be read. */
+  async bring(...files) {
+    const encoded = files.map(({ name, bytes }) => ({ name, text: bytes.toString("base64") }));
+    const before = await this.#taken();
+    await this.page.evaluate((list) => {
+      const dataTransfer = new DataTransfer();
+      for (const { name, text } of list) {
+        dataTransfer.items.add(new File([Uint8Array.from(atob(text), (c) => c.charCodeAt(0))], name));
+      }
+      const fire = (type) => document.body.dispatchEvent(new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }));
+      fire("dragenter");
+      fire("dragover");
+      const shown = !document.getElementById("drop").hidden;
+      fire("drop");
+      if (!shown) throw new Error("the page does not say that files can be dropped");
+    }, encoded);
+    assert.ok(await this.page.locator("#drop").isHidden(), "the page says that something can be dropped");
+    return (await this.poll(() => this.#taken(), (taken) => taken !== before)).endsWith("open");
+  }
+
+  /** How often files were brought to the place Floor plan, and what came of the last. */
+  #taken() {
+    return this.page.evaluate(() => document.getElementById("place-draft").dataset.taken ?? "");
+  }
+
+  /** Does something that brings files. They are looked at first; if they could be read they are made the room. */
+  async #use(what) {
+    const before = await this.#taken();
+    await what();
+    const taken = await this.poll(() => this.#taken(), (now) => now !== before);
+    if (taken.endsWith("open")) await this.answered(() => this.page.locator("#draft-use").click());
+    else await this.settled();
   }
 
   /** Does something with files, and waits until the page confirms or complains, and what it started is settled. */

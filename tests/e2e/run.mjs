@@ -21,7 +21,7 @@ if (files.length === 0) fail(`no test file matches: ${words.join(" ") || "tests/
 
 let ran = 0;
 // One file at a time: browsers that compete for the processor make timings in tests meaningless.
-run({ files, concurrency: 1, timeout: 300_000 })
+run({ files, concurrency: 1, timeout: 300_000 * Math.max(1, Number(process.env.LINK_ROUNDS ?? 0) / 10) })
   .on("test:pass", ({ details, skip }) => {
     if (details.type !== "suite" && skip === undefined) ran += 1;
   })

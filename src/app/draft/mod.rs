@@ -1,1 +1,26 @@
 //! The drafting room: a file is looked at, scaled, traced and swept before it becomes the room.
+//!
+//! [`Board`] holds what files are and what was chosen for them; [`DraftView`] is what the page shows of it. `web::Drafting`
+//! draws it, in a worker.
+
+mod board;
+mod body;
+mod colour;
+mod export;
+mod hand;
+mod settings;
+mod sheet;
+mod source;
+mod unit;
+mod view;
+
+pub use board::{Board, PLANNER};
+pub use body::{BodyChoice, BodyError};
+pub use colour::seen_on;
+pub use export::{Export, Format};
+pub use hand::{Hand, Tool};
+pub use settings::{CELLS, Part, Settings};
+pub use sheet::Sheet;
+pub use source::Source;
+pub use unit::{UNITS, Unit, size_in_words};
+pub use view::{DraftView, LayerView, RoomView, SweepView, UnitView};

@@ -10,6 +10,7 @@ mod cover;
 mod error;
 mod finish;
 mod linker;
+#[cfg(feature = "draft")]
 mod overlay;
 mod pipeline;
 mod program;
@@ -19,6 +20,7 @@ mod track;
 pub use crate::planner::stage::Contact;
 pub use commands::{TimedCommand, commands, commands_text};
 pub use error::SweepError;
+#[cfg(feature = "draft")]
 pub use overlay::overlays;
 pub use pipeline::{SCAN_WIDTHS, sweep};
 pub use program::program;

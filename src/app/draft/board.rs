@@ -1,0 +1,230 @@
+//! The drawing board: what files hold, what was chosen for it, and what comes of that.
+
+use super::{Hand, Part, Settings, Sheet, Source};
+use crate::{
+    app::{
+        Choices, Import,
+        sweep::{Sweep, SweepError, SweepSetup, sweep},
+    },
+    cspace::{ConfigurationSpace, Outline},
+    drawing::{self, Traced, Tracing},
+    floorplan::{FloorPlan, MapError, SourceFile},
+    geometry::{Pose, Vector},
+};
+use std::ops::ControlFlow;
+
+/// The planner that drives the sweep, as the registry calls it.
+pub const PLANNER: &str = "subgoal_sweep";
+
+/// A draft of a room.
+#[derive(Debug)]
+pub struct Board {
+    source: Source,
+    settings: Settings,
+    sheet: Sheet,
+    room: Option<Traced>,
+    fault: String,
+    version: u32,
+    space: Option<ConfigurationSpace>,
+    sweep: Option<Sweep>,
+    /// What the hand does.
+    pub hand: Hand,
+}
+
+impl Board {
+    /// Reads files that belong together; nothing is lost if that fails.
+    pub fn open(files: &[SourceFile]) -> Result<Self, MapError> {
+        let source = Source::read(files)?;
+        let settings = Settings::of(&source);
+        let sheet = Sheet::of(&source);
+        let mut board = Self {
+            source,
+            settings,
+            sheet,
+            room: None,
+            fault: String::new(),
+            version: 0,
+            space: None,
+            sweep: None,
+            hand: Hand::default(),
+        };
+        board.trace();
+        Ok(board)
+    }
+
+    /// What was brought.
+    pub fn source(&self) -> &Source {
+        &self.source
+    }
+
+    /// What was chosen.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// Where the source is seen.
+    pub fn sheet(&self) -> &Sheet {
+        &self.sheet
+    }
+
+    /// The room, if there is one.
+    pub fn room(&self) -> Option<&Traced> {
+        self.room.as_ref()
+    }
+
+    /// Why there is no room, or what else is wrong; empty if nothing.
+    pub fn fault(&self) -> &str {
+        &self.fault
+    }
+
+    /// Changes whenever the room does.
+    pub fn version(&self) -> u32 {
+        self.version
+    }
+
+    /// The sweep, once it was planned for this room and robot.
+    pub fn planned(&self) -> Option<&Sweep> {
+        self.sweep.as_ref()
+    }
+
+    /// The obstacle map, once it was made for this room and robot.
+    pub fn space(&self) -> Option<&ConfigurationSpace> {
+        self.space.as_ref()
+    }
+
+    /// Chooses; does again what depends on it.
+    pub fn set(&mut self, settings: Settings) {
+        let settings = settings.checked(&self.source);
+        let before = std::mem::replace(&mut self.settings, settings);
+        let now = &self.settings;
+        if (before.shade, before.negate) != (now.shade, now.negate) {
+            let shading = now.shading();
+            if let Err(error) = self.source.shade(&shading) {
+                self.fault = error.to_string();
+                (self.room, self.space, self.sweep) = (None, None, None);
+                return;
+            }
+            return self.trace();
+        }
+        let room = |s: &Settings| (s.metre, s.roles.clone(), s.gap, s.resolution, s.part.clone());
+        if room(&before) != room(now) {
+            return self.trace();
+        }
+        let space = |s: &Settings| (s.body.clone(), s.cell, s.headings);
+        if space(&before) != space(now) {
+            (self.space, self.sweep) = (None, None);
+        } else if before.scan_width != now.scan_width {
+            self.sweep = None;
+        }
+    }
+
+    /// The part that is meant.
+    pub fn set_part(&mut self, part: Part) {
+        self.set(Settings { part, ..self.settings.clone() });
+    }
+
+    /// The room anew.
+    fn trace(&mut self) {
+        (self.room, self.space, self.sweep) = (None, None, None);
+        self.version += 1;
+        self.fault.clear();
+        let settings = &self.settings;
+        let Some(metre) = settings.metre else { return };
+        let traced = match &self.source {
+            Source::Drawing { drawing, .. } => {
+                let Settings { roles, gap, resolution, part, .. } = settings.clone();
+                drawing::trace(drawing, &Tracing { roles, metre, gap, resolution, region: part.region() })
+            }
+            Source::Image { plan, .. } | Source::Map { plan, .. } => {
+                let plan = scaled(plan, metre);
+                Ok(Traced { plan, corner: Vector::zeros(), metre, gaps: Vec::new() })
+            }
+        };
+        match traced {
+            Ok(traced) => self.room = Some(traced),
+            Err(error) => self.fault = error.to_string(),
+        }
+    }
+
+    /// The robot's outline, or what is wrong with it.
+    pub fn outline(&self) -> Result<Outline, String> {
+        self.settings.body.outline().map_err(|error| error.to_string())
+    }
+
+    /// Plans the sweep of the room; `observe` is told how far it is, 0 to 1, and says whether to go on.
+    pub fn sweep(&mut self, observe: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Result<(), String> {
+        let outline = self.outline()?;
+        let Some(room) = &self.room else { return Err(self.no_room()) };
+        let Settings { scan_width, cell, headings, .. } = self.settings;
+        let setup = SweepSetup { outline, scan_width, cell, headings, start: room.plan.start };
+        let planned = sweep(&room.plan, &setup, observe).map_err(|error: SweepError| error.to_string())?;
+        self.sweep = Some(planned);
+        Ok(())
+    }
+
+    /// Makes the obstacle map over all headings, if there is none yet.
+    pub fn make_space(&mut self) -> Result<&ConfigurationSpace, String> {
+        if self.space.is_none() {
+            let outline = self.outline()?;
+            let Some(room) = &self.room else { return Err(self.no_room()) };
+            let Settings { cell, headings, .. } = self.settings;
+            let space = ConfigurationSpace::new(&room.plan, &outline, cell, headings);
+            self.space = Some(space.map_err(|error| error.to_string())?);
+        }
+        self.space.as_ref().ok_or_else(String::new)
+    }
+
+    /// What Explore takes: the room, with what a scenario says beside it. `sweeps` chooses the planner of the sweep, and
+    /// the robot if it is one that ships.
+    pub fn import(&self, sweeps: bool) -> Result<Import, String> {
+        let Some(room) = &self.room else { return Err(self.no_room()) };
+        let choices = match &self.source {
+            Source::Map { choices, .. } => choices.clone(),
+            _ => None,
+        };
+        if !sweeps {
+            return Ok(Import { plan: room.plan.clone(), choices });
+        }
+        let choices = choices.unwrap_or_default();
+        let choices = Choices {
+            planner: Some(PLANNER.to_owned()),
+            behaviour: None,
+            params: Vec::new(),
+            robot: self.settings.body.model().map(str::to_owned).or(choices.robot),
+            ..choices
+        };
+        Ok(Import { plan: room.plan.clone(), choices: Some(choices) })
+    }
+
+    /// Metres between the two points that were set, if the drawing's unit is known.
+    pub fn measured_m(&self) -> Option<f64> {
+        Some(self.hand.measured()? * self.settings.metre?)
+    }
+
+    /// Makes the distance of the two points that were set so many metres.
+    pub fn scale_to(&mut self, metres: f64) -> Result<(), String> {
+        let units = self.hand.measured().ok_or("set two points first, then type their distance")?;
+        if !(metres > 0.0 && metres.is_finite()) {
+            return Err(format!("a distance can't be {metres} m; type a length greater than 0"));
+        }
+        self.set(Settings { metre: Some(metres / units), ..self.settings.clone() });
+        self.hand.escape();
+        self.hand.escape();
+        Ok(())
+    }
+
+    fn no_room(&self) -> String {
+        match (self.settings.metre, self.fault.is_empty()) {
+            (None, _) => "choose the unit of the drawing first".to_owned(),
+            (_, false) => self.fault.clone(),
+            _ => "there is no room yet".to_owned(),
+        }
+    }
+}
+
+/// A map whose cells are `metre` wide, with its start where it was in the picture.
+fn scaled(plan: &FloorPlan, metre: f64) -> FloorPlan {
+    let factor = metre / plan.resolution;
+    let start = plan.start.map(|start| Pose::new(start.x * factor, start.y * factor, start.heading));
+    FloorPlan { resolution: metre, start, ..plan.clone() }
+}

@@ -1,0 +1,245 @@
+//! Closes small gaps between the ends of walls.
+
+use crate::{
+    geometry::{Point, nearest_on_segment},
+    math::{ceil, floor},
+};
+
+/// Most comparisons of an end with an end or a segment (ours): what would take longer has its ends heaped up, and the
+/// farthest of them are left open.
+const MAX_COMPARISONS: usize = 40_000_000;
+
+/// Most squares along a side of the grid that ends are sorted into.
+const MAX_SQUARES: usize = 1024;
+
+/// A wall's stroke as its corners; `is_closed` if its last corner is joined to its first.
+pub(super) struct Wall<'a> {
+    pub corners: &'a [Point],
+    pub is_closed: bool,
+}
+
+/// Lines that close gaps of up to `gap`: from ends of strokes that nothing touches to the nearest such end or wall,
+/// nearest first, one for every end. What is closer than `touching` counts as joined. All in the same unit.
+pub(super) fn bridges(walls: &[Wall<'_>], gap: f64, touching: f64) -> Vec<[Point; 2]> {
+    let mut ends: Vec<End> = Vec::new();
+    for (wall, stroke) in walls.iter().enumerate().filter(|(_, stroke)| !stroke.is_closed) {
+        let last = stroke.corners.len().saturating_sub(1);
+        let both = [(0, stroke.corners.first()), (last, stroke.corners.last())];
+        ends.extend(both.into_iter().filter_map(|(corner, at)| Some(End { at: *at?, wall, corner, nearest: None })));
+    }
+    let Some(squares) = Squares::of(&ends, gap.max(touching)) else { return Vec::new() };
+    let mut left = MAX_COMPARISONS;
+    // The nearest place of another wall for every end; and its own wall's, apart from where the end itself belongs.
+    for (wall, stroke) in walls.iter().enumerate() {
+        let count = stroke.corners.len();
+        let segments = if stroke.is_closed { count } else { count.saturating_sub(1) };
+        for i in 0..segments {
+            let (a, b) = (stroke.corners[i], stroke.corners[(i + 1) % count]);
+            squares.near(a, b, |index| {
+                let end = &mut ends[index];
+                left = left.saturating_sub(1);
+                let is_own = end.wall == wall && (end.corner == i || end.corner == i + 1);
+                if is_own || left == 0 {
+                    return;
+                }
+                let at = nearest_on_segment(a, b, end.at);
+                let away = (at - end.at).norm();
+                // Next to its own end a wall's other segments are near without being another side of a gap.
+                let is_bend = end.wall == wall && away > touching && i.abs_diff(end.corner) <= 2;
+                if away <= gap.max(touching) && !is_bend && end.nearest.is_none_or(|(best, _)| away < best) {
+                    end.nearest = Some((away, at));
+                }
+            });
+        }
+    }
+    let mut candidates: Vec<Candidate> = Vec::new();
+    let is_free = |end: &End| end.nearest.is_none_or(|(away, _)| away > touching);
+    for (index, end) in ends.iter().enumerate().filter(|(_, end)| is_free(end)) {
+        if let Some((away, at)) = end.nearest {
+            // The end of a wall may be its nearest place.
+            let mut to = None;
+            squares.near(at, at, |other| {
+                left = left.saturating_sub(1);
+                if left > 0 && other != index && is_free(&ends[other]) && (ends[other].at - at).norm() <= touching {
+                    to = Some(other);
+                }
+            });
+            candidates.push(Candidate { away, from: index, to, at });
+        }
+        squares.near(end.at, end.at, |other| {
+            left = left.saturating_sub(1);
+            let away = (ends[other].at - end.at).norm();
+            if left > 0 && other > index && is_free(&ends[other]) && away <= gap {
+                candidates.push(Candidate { away, from: index, to: Some(other), at: ends[other].at });
+            }
+        });
+    }
+    // Two ends that meet close two gaps at once: they come before an end and a wall just as near.
+    candidates.sort_by(|one, other| {
+        one.away.total_cmp(&other.away).then(other.to.cmp(&one.to)).then(one.from.cmp(&other.from))
+    });
+    let mut is_used = vec![false; ends.len()];
+    let mut bridges = Vec::new();
+    for Candidate { from, to, at, .. } in candidates {
+        if is_used[from] || to.is_some_and(|to| is_used[to]) {
+            continue;
+        }
+        is_used[from] = true;
+        if let Some(to) = to {
+            is_used[to] = true;
+        }
+        bridges.push([ends[from].at, to.map_or(at, |to| ends[to].at)]);
+    }
+    bridges
+}
+
+struct End {
+    at: Point,
+    wall: usize,
+    /// Index of its corner in its wall.
+    corner: usize,
+    /// How far away the nearest place of a wall is, and where.
+    nearest: Option<(f64, Point)>,
+}
+
+struct Candidate {
+    away: f64,
+    from: usize,
+    /// The other end, if there is one.
+    to: Option<usize>,
+    at: Point,
+}
+
+/// Ends by the square that they lie in.
+struct Squares {
+    low: Point,
+    side: f64,
+    reach: f64,
+    columns: usize,
+    rows: usize,
+    /// Where every square's ends begin in `ends`, and the end of the last one's.
+    starts: Vec<u32>,
+    ends: Vec<u32>,
+}
+
+impl Squares {
+    fn of(ends: &[End], reach: f64) -> Option<Self> {
+        let low = ends.iter().map(|end| end.at).reduce(|low, at| low.inf(&at))?;
+        let high = ends.iter().map(|end| end.at).reduce(|high, at| high.sup(&at))?;
+        let size = high - low;
+        let side = reach.max(size.x.max(size.y) / MAX_SQUARES as f64).max(f64::MIN_POSITIVE);
+        let count = |length: f64| (floor(length / side).max(0) as usize + 1).min(MAX_SQUARES + 1);
+        let (columns, rows) = (count(size.x), count(size.y));
+        let mut squares =
+            Self { low, side, reach, columns, rows, starts: vec![0; columns * rows + 1], ends: vec![0; ends.len()] };
+        let square = |end: &End| {
+            let cell = (end.at - low) / side;
+            let [x, y] = [cell.x as usize, cell.y as usize];
+            y.min(rows - 1) * columns + x.min(columns - 1)
+        };
+        for end in ends {
+            squares.starts[square(end) + 1] += 1;
+        }
+        for i in 0..columns * rows {
+            squares.starts[i + 1] += squares.starts[i];
+        }
+        let mut next = squares.starts.clone();
+        for (index, end) in ends.iter().enumerate() {
+            let slot = &mut next[square(end)];
+            squares.ends[*slot as usize] = index as u32;
+            *slot += 1;
+        }
+        Some(squares)
+    }
+
+    /// All ends that may be within reach of the segment; some may come twice.
+    fn near(&self, a: Point, b: Point, mut found: impl FnMut(usize)) {
+        let (from, to) = ((a - self.low) / self.side, (b - self.low) / self.side);
+        let reach = self.reach / self.side;
+        // Only what crosses the squares, in pieces no longer than a few of them.
+        let Some((from, to)) = clip(Point::from(from), Point::from(to), self.columns as f64, self.rows as f64, reach)
+        else {
+            return;
+        };
+        let pieces = ceil((to - from).norm() / 4.0).max(1);
+        for piece in 0..pieces {
+            let at = |i: i32| from + (to - from) * (f64::from(i) / f64::from(pieces));
+            let (one, other) = (at(piece), at(piece + 1));
+            let range = |low: f64, high: f64, count: usize| {
+                let first = floor(low - reach).clamp(0, count as i32 - 1) as usize;
+                first..=floor(high + reach).clamp(0, count as i32 - 1) as usize
+            };
+            for row in range(one.y.min(other.y), one.y.max(other.y), self.rows) {
+                for column in range(one.x.min(other.x), one.x.max(other.x), self.columns) {
+                    let square = row * self.columns + column;
+                    let ends = &self.ends[self.starts[square] as usize..self.starts[square + 1] as usize];
+                    ends.iter().for_each(|&end| found(end as usize));
+                }
+            }
+        }
+    }
+}
+
+/// The part of a segment within the rectangle from the origin to (width, height), widened by `reach` (Liang and Barsky's
+/// clipping).
+fn clip(a: Point, b: Point, width: f64, height: f64, reach: f64) -> Option<(Point, Point)> {
+    let way = b - a;
+    let (mut first, mut last) = (0.0_f64, 1.0_f64);
+    let sides =
+        [(-way.x, a.x + reach), (way.x, width + reach - a.x), (-way.y, a.y + reach), (way.y, height + reach - a.y)];
+    for (speed, room) in sides {
+        if speed == 0.0 {
+            if room < 0.0 {
+                return None;
+            }
+        } else if speed < 0.0 {
+            first = first.max(room / speed);
+        } else {
+            last = last.min(room / speed);
+        }
+    }
+    (first <= last).then(|| (a + way * first, a + way * last))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn closed(strokes: &[&[(f64, f64)]], gap: f64) -> Vec<[(f64, f64); 2]> {
+        let corners: Vec<Vec<Point>> =
+            strokes.iter().map(|stroke| stroke.iter().map(|&(x, y)| Point::new(x, y)).collect()).collect();
+        let walls: Vec<Wall<'_>> = corners.iter().map(|corners| Wall { corners, is_closed: false }).collect();
+        bridges(&walls, gap, 0.001).into_iter().map(|ends| ends.map(|end| (end.x, end.y))).collect()
+    }
+
+    #[test]
+    fn ends_are_joined_if_they_are_near() {
+        let walls: &[&[(f64, f64)]] = &[&[(0.0, 0.0), (1.0, 0.0)], &[(1.8, 0.0), (3.0, 0.0)]];
+        assert_eq!(closed(walls, 0.9), [[(1.0, 0.0), (1.8, 0.0)]]);
+        assert!(closed(walls, 0.7).is_empty());
+        // The door in the outline of a room.
+        let room: &[&[(f64, f64)]] = &[&[(1.0, 0.0), (0.0, 0.0), (0.0, 3.0), (4.0, 3.0), (4.0, 0.0), (1.8, 0.0)]];
+        assert_eq!(closed(room, 0.9), [[(1.0, 0.0), (1.8, 0.0)]]);
+    }
+
+    #[test]
+    fn an_end_is_joined_to_a_wall() {
+        let walls: &[&[(f64, f64)]] = &[&[(0.0, 0.0), (5.0, 0.0)], &[(2.0, 0.3), (2.0, 4.0)]];
+        assert_eq!(closed(walls, 0.5), [[(2.0, 0.3), (2.0, 0.0)]]);
+    }
+
+    #[test]
+    fn what_touches_is_joined_already() {
+        let corner: &[&[(f64, f64)]] = &[&[(0.0, 0.0), (1.0, 0.0)], &[(1.0, 0.000_5), (1.0, 1.0)]];
+        assert!(closed(corner, 0.5).is_empty());
+        let tee: &[&[(f64, f64)]] = &[&[(0.0, 0.0), (2.0, 0.0)], &[(1.0, 0.0), (1.0, 1.0)]];
+        assert!(closed(tee, 0.5).is_empty());
+    }
+
+    #[test]
+    fn the_nearest_come_first_and_an_end_is_taken_once() {
+        let walls: &[&[(f64, f64)]] =
+            &[&[(-1.0, 0.0), (0.0, 0.0)], &[(0.2, 0.0), (0.25, 5.0)], &[(0.2, -0.3), (0.25, -5.0)]];
+        assert_eq!(closed(walls, 0.4), [[(0.0, 0.0), (0.2, 0.0)], [(0.2, -0.3), (0.2, 0.0)]]);
+    }
+}

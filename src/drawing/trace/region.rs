@@ -1,0 +1,138 @@
+//! Which cells are floor.
+
+use crate::{
+    geometry::Point,
+    grid::{Cell, Grid, chessboard},
+};
+use std::collections::VecDeque;
+
+/// Floor narrower than this between walls is the inside of a wall, m (ours): half the width of the smallest robot.
+const LEAST_WIDTH: f64 = 0.2;
+
+/// The free cells that the border can't be reached from, less what is too narrow to be floor.
+pub(super) fn enclosed(blocked: &Grid<bool>, resolution: f64) -> Grid<bool> {
+    let (width, height) = (blocked.width() as i32, blocked.height() as i32);
+    let mut outside = blocked.map(|_| false);
+    let border = (0..width).flat_map(|x| [Cell::new(x, 0), Cell::new(x, height - 1)]);
+    let sides = (0..height).flat_map(|y| [Cell::new(0, y), Cell::new(width - 1, y)]);
+    for cell in border.chain(sides) {
+        flood(blocked, cell, &mut outside, |_| {});
+    }
+    let mut inside = blocked.map(|_| false);
+    let wide = chessboard(blocked);
+    // A square of 2 n - 1 cells lies around a cell that is n moves from the next wall.
+    let least = ((LEAST_WIDTH / resolution + 1.0) / 2.0).clamp(1.0, 255.0) as u8;
+    for (cell, &is_outside) in outside.iter() {
+        if !is_outside && !inside[cell] && !blocked[cell] && wide[cell] >= least {
+            flood(blocked, cell, &mut inside, |_| {});
+        }
+    }
+    inside
+}
+
+/// The free cells that are connected with `start`, and whether one of them is on the border.
+pub(super) fn room(blocked: &Grid<bool>, start: Cell) -> (Grid<bool>, bool) {
+    let mut reached = blocked.map(|_| false);
+    let (right, top) = (blocked.width() as i32 - 1, blocked.height() as i32 - 1);
+    let mut meets_border = false;
+    flood(blocked, start, &mut reached, |cell| {
+        meets_border |= cell.x == 0 || cell.y == 0 || cell.x == right || cell.y == top;
+    });
+    (reached, meets_border)
+}
+
+/// Marks all free cells that are connected with `start` and not marked yet.
+fn flood(blocked: &Grid<bool>, start: Cell, marked: &mut Grid<bool>, mut seen: impl FnMut(Cell)) {
+    let is_new = |cell: Cell, marked: &Grid<bool>| blocked.get(cell) == Some(&false) && !marked[cell];
+    if !is_new(start, marked) {
+        return;
+    }
+    marked[start] = true;
+    let mut stack = vec![start];
+    while let Some(cell) = stack.pop() {
+        seen(cell);
+        for next in cell.neighbours() {
+            if is_new(next, marked) {
+                marked[next] = true;
+                stack.push(next);
+            }
+        }
+    }
+}
+
+/// Where one gets out most easily: before the narrowest place, in cells, of the widest way from `start` to the border, and its
+/// width in cells.
+pub(super) fn leak(blocked: &Grid<bool>, start: Cell) -> Option<(Point, f64)> {
+    let moves = chessboard(blocked);
+    let (right, top) = (blocked.width() as i32 - 1, blocked.height() as i32 - 1);
+    let from_border = |cell: Cell| cell.x.min(cell.y).min(right - cell.x).min(top - cell.y);
+    // Out of the grid is as good as a wall to `chessboard`, but here it is the way out.
+    let width = |cell: Cell| {
+        let width = moves.get(cell).map_or(0, |&moves| i32::from(moves));
+        if width > from_border(cell) { 255 } else { width as usize }
+    };
+    // Cells to go on from, by how wide the way to them is, each with its narrowest place.
+    let mut waiting: Vec<VecDeque<(Cell, Cell)>> = vec![VecDeque::new(); 256];
+    let mut seen = blocked.map(|_| false);
+    let mut level = width(start);
+    waiting[level].push_back((start, start));
+    loop {
+        let Some((cell, narrowest)) = waiting[level].pop_front() else {
+            level = level.checked_sub(1)?;
+            continue;
+        };
+        if seen[cell] {
+            continue;
+        }
+        seen[cell] = true;
+        if from_border(cell) == 0 {
+            return Some((narrowest.centre(1.0), 2.0 * level as f64 - 1.0));
+        }
+        for next in cell.neighbours() {
+            if blocked.get(next) == Some(&false) && !seen[next] {
+                let is_narrower = width(next) < level;
+                waiting[width(next).min(level)].push_back((next, if is_narrower { next } else { narrowest }));
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::{from_picture, picture};
+
+    #[test]
+    fn what_the_border_reaches_is_outside() {
+        let blocked =
+            from_picture("..........\n.########.\n.#..#...#.\n.#..#...#.\n.####.###.\n..........\n", |c| c == '#')
+                .unwrap();
+        let inside = enclosed(&blocked, 0.2);
+        assert_eq!(
+            picture(&inside, |&is_set| if is_set { '#' } else { '.' }).trim(),
+            "..........\n..........\n..##......\n..##......\n..........\n.........."
+        );
+        // Two cells of 5 cm are the inside of a wall.
+        assert_eq!(enclosed(&blocked, 0.05).count(), 0);
+    }
+
+    #[test]
+    fn a_leak_is_found_at_the_opening() {
+        let blocked = from_picture(
+            "............\n\
+             .##########.\n\
+             .#........#.\n\
+             .#........#.\n\
+             .#..........\n\
+             .#........#.\n\
+             .##########.\n\
+             ............\n",
+            |c| c == '#',
+        )
+        .unwrap();
+        let start = Cell::new(4, 4);
+        let (_, meets_border) = room(&blocked, start);
+        assert!(meets_border);
+        assert_eq!(leak(&blocked, start), Some((Point::new(9.5, 3.5), 1.0)));
+    }
+}

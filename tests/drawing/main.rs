@@ -1,0 +1,7 @@
+//! Drawings in, rooms out.
+
+mod dxf;
+mod hostile;
+mod support;
+mod tracing;
+mod vector;

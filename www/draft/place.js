@@ -1,0 +1,182 @@
+// @ts-check
+// The place Floor plan: what is brought is looked at, scaled, traced and swept before it becomes the room of Explore.
+import { button, byId, input, setAttribute, setHidden, setText, typed } from "../dom.js";
+import { fileName } from "../files.js";
+import { complain, forgive, toast } from "../messages.js";
+import { startSheets } from "../sheets.js";
+import { startBody } from "./body.js";
+import { startCanvas } from "./canvas.js";
+import { CANCELLED, Drafter } from "./drafter.js";
+import { startLayers } from "./layers.js";
+import { startScale } from "./scale.js";
+import { startSweep } from "./sweep.js";
+import { startWalls } from "./walls.js";
+
+/**
+ * @typedef {import("./types").DraftView} DraftView
+ * @typedef {object} Desk What the modules of this place share.
+ * @property {import("../main.js").App} app
+ * @property {Drafter} drafter
+ * @property {DraftView | undefined} view The latest view; none while the board is empty.
+ * @property {(request: import("./types").Request, doing: string) => Promise<{ result: unknown } | undefined>} ask Nothing if it was refused, which is told, or cancelled.
+ * @property {(change: Partial<import("./types").Settings>) => Promise<unknown>} set Chooses.
+ * @property {(sweeps: boolean) => Promise<void>} use Makes the draft the room of Explore.
+ * @property {() => void} toCanvas Shows the canvas and goes there by keyboard.
+ */
+
+/** Larger files can't be a floor plan that is taken. */
+const MOST_BYTES = 64 * 2 ** 20;
+/** What takes no longer than this isn't told of, ms. */
+const PATIENCE_MS = 250;
+
+/** @param {import("../main.js").App} app @param {WebAssembly.Module} module */
+export function startDraft(app, module) {
+  const drafter = new Drafter(module);
+  const root = byId("place-draft");
+  let isDark = false;
+  /** What is being done, the oldest first. @type {string[]} */
+  const doing = [];
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let waiting;
+
+  const showDoing = () => {
+    clearTimeout(waiting);
+    setAttribute(root, "aria-busy", String(doing.length > 0));
+    if (doing.length === 0) return setHidden(byId("draft-busy"), true);
+    waiting = setTimeout(() => {
+      setText(byId("draft-doing"), `${doing[0]}…`);
+      typed("draft-progress", HTMLProgressElement).removeAttribute("value");
+      setHidden(byId("draft-busy"), false);
+    }, PATIENCE_MS);
+  };
+
+  /** @type {Desk} */
+  const it = {
+    app,
+    drafter,
+    view: undefined,
+    ask: async (request, what) => {
+      doing.push(what);
+      if (doing.length === 1) showDoing();
+      try {
+        const result = await drafter.ask(request);
+        forgive();
+        return { result };
+      } catch (error) {
+        if (error !== CANCELLED) complain(error instanceof Error ? error.message : String(error));
+        return undefined;
+      } finally {
+        doing.shift();
+        showDoing();
+      }
+    },
+    set: async (change) => it.view && it.ask({ type: "set", settings: { ...it.view.settings, ...change } }, it.view.kind === "drawing" ? "Tracing the room" : "Reading the map"),
+    use: async (sweeps) => {
+      const answer = await it.ask({ type: "room", sweeps }, "Making the room");
+      if (!answer || !app.act((p) => p.take_map(answer.result))) return;
+      toast(`Loaded ${drafter.files.map((file) => file.name).join(" and ")}`);
+      byId("tab-explore").click();
+    },
+    toCanvas: () => {
+      /** @type {HTMLElement | null} */ (root.querySelector("[data-sheet][aria-expanded=true]"))?.click();
+      byId("draft-floor").focus();
+    },
+  };
+
+  let taken = 0;
+  /** Lays files on the board. @param {File[]} files */
+  const take = async (files) => {
+    if (files.length === 0) return;
+    const names = files.map((file) => file.name).join(" and ");
+    const large = files.find((file) => file.size > MOST_BYTES);
+    if (large) complain(`${large.name} is larger than 64 MB. Export a smaller map, at most 4096 cells a side.`);
+    const isOpen = !large && (await it.ask({ type: "open", files }, `Reading ${names}`));
+    // Tests wait for this.
+    root.dataset.taken = `${++taken} ${isOpen ? "open" : "refused"}`;
+  };
+
+  const updates = [startScale, startLayers, startWalls, startBody, startSweep].map((begin) => begin(it));
+  const sized = startCanvas(it);
+  drafter.onstart = (canvas) => {
+    sized(canvas);
+    drafter.say({ type: "dark", dark: isDark });
+  };
+  drafter.onview = (view) => {
+    it.view = view;
+    show(view);
+    for (const update of updates) update(view);
+  };
+  drafter.onprogress = (done) => setAttribute(byId("draft-progress"), "value", String(Math.floor(100 * done)));
+  drafter.onbroken = (message) => complain(`The drawing board met an error of its own (${message}). What was on it before has been laid out again; Explore is untouched.`);
+  drafter.start();
+  drafter.onview(undefined);
+
+  button("draft-cancel").addEventListener("click", () => drafter.cancel());
+  button("draft-use").addEventListener("click", () => void it.use(false));
+  for (const node of root.querySelectorAll("[data-draft=choose]")) node.addEventListener("click", () => input("files").click());
+  for (const node of root.querySelectorAll("[data-draft=explore]")) {
+    node.addEventListener("click", () => {
+      app.act((p) => void take([new File([p.scenario_json()], `${fileName(app.view.room.title)}.json`)]));
+    });
+  }
+  byId("draft-sample").addEventListener("click", async () => {
+    const response = await fetch(new URL("./sample.dxf", import.meta.url)).catch(() => undefined);
+    if (response?.ok) await take([new File([await response.blob()], "sample flat.dxf")]);
+    else complain("The sample could not be loaded. Check the connection, then try again.");
+  });
+  startSheets(root, byId("draft-stage"));
+
+  return {
+    take,
+    frame() {
+      return { message: "", message_kind: "" };
+    },
+    /** @param {string} key */
+    key(key) {
+      if (key === "0") drafter.say({ type: "fit" });
+      else if (key === "+" || key === "=") drafter.say({ type: "middle", factor: 1.25 });
+      else if (key === "-") drafter.say({ type: "middle", factor: 0.8 });
+      else return false;
+      return true;
+    },
+    link: () => "place=draft",
+    restore() {},
+    /** @param {boolean} dark */
+    setDark(dark) {
+      isDark = dark;
+      drafter.say({ type: "dark", dark });
+    },
+  };
+}
+
+/** What is known of the file and the room that comes of it. @param {DraftView | undefined} view */
+function show(view) {
+  setAttribute(byId("place-draft"), "data-kind", view?.kind ?? "");
+  setHidden(byId("draft-empty"), view !== undefined);
+  setHidden(byId("draft-settings"), view === undefined);
+  setHidden(byId("draft-none"), view !== undefined);
+  setText(byId("draft-name"), view?.name ?? "No floor plan yet");
+  setText(byId("draft-facts"), view ? facts(view) : "");
+  setText(byId("draft-left-out"), view?.left_out.length ? `Not drawn: ${view.left_out.join(", ")}.` : "");
+  setAttribute(byId("draft-floor"), "aria-label", view?.words ?? "Floor plan: nothing here yet");
+  setText(byId("draft-said"), view?.words ?? "");
+  setText(byId("draft-fault"), view?.fault ?? "");
+  setText(byId("draft-title"), view?.name ?? "No floor plan yet");
+  setText(byId("draft-result"), view ? result(view) : "Choose or drop a file to see it here with its size.");
+  const use = button("draft-use");
+  use.disabled = !view?.room;
+}
+
+/** @param {DraftView} view */
+function facts({ kind, size, strokes, layers, room }) {
+  const what = kind === "drawing" ? `${strokes.toLocaleString("en")} strokes on ${layers.length} layers` : room ? `${room.cells[0]} × ${room.cells[1]} cells of ${(100 * room.resolution).toLocaleString("en", { maximumFractionDigits: 2 })} cm` : "";
+  return [size, what].filter(Boolean).join(" · ");
+}
+
+/** @param {DraftView} view */
+function result({ room, settings, fault }) {
+  if (!room) return settings.metre === null ? "How long is a unit of the drawing? Choose it first." : fault || "No room yet.";
+  const { width_m, height_m, floor_m2, cells, objects, gaps } = room;
+  const more = [objects && `${objects} obstacles`, gaps && `${gaps} ${gaps === 1 ? "gap" : "gaps"} closed`].filter(Boolean);
+  return [`${width_m.toFixed(1)} × ${height_m.toFixed(1)} m`, `${floor_m2.toFixed(1)} m² of floor`, `${cells[0]} × ${cells[1]} cells`, ...more].join(" · ");
+}
