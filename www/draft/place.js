@@ -157,7 +157,6 @@ function show(view) {
   setHidden(byId("draft-none"), view !== undefined);
   setText(byId("draft-name"), view?.name ?? "No floor plan yet");
   setText(byId("draft-facts"), view ? facts(view) : "");
-  setText(byId("draft-left-out"), view?.left_out.length ? `Not drawn: ${view.left_out.join(", ")}.` : "");
   setAttribute(byId("draft-floor"), "aria-label", view?.words ?? "Floor plan: nothing here yet");
   setText(byId("draft-said"), view?.words ?? "");
   setText(byId("draft-fault"), view?.fault ?? "");
@@ -168,9 +167,9 @@ function show(view) {
 }
 
 /** @param {DraftView} view */
-function facts({ kind, size, strokes, layers, room }) {
+function facts({ kind, size, strokes, layers, room, left_out }) {
   const what = kind === "drawing" ? `${strokes.toLocaleString("en")} strokes on ${layers.length} layers` : room ? `${room.cells[0]} × ${room.cells[1]} cells of ${(100 * room.resolution).toLocaleString("en", { maximumFractionDigits: 2 })} cm` : "";
-  return [size, what].filter(Boolean).join(" · ");
+  return [size, what, left_out.length && `not drawn: ${left_out.join(", ")}`].filter(Boolean).join(" · ");
 }
 
 /** @param {DraftView} view */

@@ -88,7 +88,7 @@ pub struct RoomView {
     pub height_m: f64,
     /// Columns and rows.
     pub cells: [usize; 2],
-    /// Free floor, m².
+    /// Floor on which nothing stands, m².
     pub floor_m2: f64,
     /// Side of a cell, m.
     pub resolution: f64,
@@ -172,12 +172,11 @@ impl Board {
     fn room_view(&self) -> Option<RoomView> {
         let room = self.room()?;
         let (plan, cells) = (&room.plan, &room.plan.occupancy);
-        let free = cells.values().iter().filter(|cell| cell.is_free()).count();
         Some(RoomView {
             width_m: plan.width_m(),
             height_m: plan.height_m(),
             cells: [cells.width(), cells.height()],
-            floor_m2: free as f64 * plan.resolution * plan.resolution,
+            floor_m2: self.floor_m2(),
             resolution: plan.resolution,
             objects: plan.objects.len(),
             gaps: room.gaps.len(),
