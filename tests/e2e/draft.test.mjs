@@ -258,40 +258,37 @@ test("100,000 lines are drawn while the page answers", async (t) => {
   const { page, app } = await openDraft(t);
   const lines = box("WALLS", 0, 0, 100, 100);
   for (let i = 0; i < 100_000; i += 1) lines.push(["HATCH", (i % 400) / 4, Math.floor(i / 400) * 0.4, (i % 400) / 4 + 0.2, Math.floor(i / 400) * 0.4 + 0.3]);
+  // What the page's own thread does in one go, however busy the machine is besides.
   await page.evaluate(() => {
-    window.longest = 0;
-    let last = performance.now();
-    const look = () => {
-      const now = performance.now();
-      window.longest = Math.max(window.longest, now - last);
-      if (now - last > 100) (window.longs ??= []).push([Math.round(last), Math.round(now - last), window.mark]);
-      last = now;
-      setTimeout(look);
-    };
-    look();
+    window.tasks = [0];
+    const add = (list) => window.tasks.push(...list.getEntries().map(({ scripts }) => scripts.reduce((sum, { duration }) => sum + duration, 0)));
+    new PerformanceObserver(add).observe({ type: "long-animation-frame" });
+    requestAnimationFrame((from) => {
+      while (performance.now() < from + 150);
+    });
   });
+  const longest = async () => Math.max(...(await page.evaluate(() => window.tasks)));
+  await app.poll(longest, (ms) => ms > 100);
+  await page.evaluate(() => (window.tasks = [0]));
   const file = dxf("large.dxf", lines, { units: 6 });
   // Without the time that the test itself takes to hand the file over.
   await page.evaluate((content) => (window.largeFile = new File([content], "large.dxf")), file.bytes.toString());
   await page.evaluate(() => {
-    window.longest = 0;
     const dataTransfer = new DataTransfer();
     dataTransfer.items.add(window.largeFile);
     document.body.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
   });
   await page.locator("#draft-empty").waitFor({ state: "hidden" });
-  await page.evaluate(() => (window.mark = "facts"));
   assert.match(await text(app, "#draft-facts"), /100,004 strokes/);
-  await page.evaluate(() => (window.mark = "moving"));
   await page.mouse.move(683, 384);
   for (let i = 0; i < 10; i += 1) await page.mouse.wheel(0, i < 5 ? -200 : 200);
   await page.mouse.down();
   await page.mouse.move(500, 300, { steps: 10 });
   await page.mouse.up();
-  const longest = await page.evaluate(() => window.longest);
-  t.diagnostic(JSON.stringify(await page.evaluate(() => window.longs ?? [])));
-  t.diagnostic(`the page was busy for ${longest.toFixed(0)} ms at most`);
-  assert.ok(longest < 100, `${longest} ms`);
+  await app.frames(10);
+  const busy = await longest();
+  t.diagnostic(`the page was busy for ${busy.toFixed(0)} ms at most`);
+  assert.ok(busy < 100, `${busy} ms`);
 });
 
 test("cancelling brings back what was there before", async (t) => {
