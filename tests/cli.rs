@@ -302,6 +302,30 @@ fn bench_names_its_cases_and_their_times() {
 }
 
 #[test]
+fn convert_makes_a_room_of_a_drawing() {
+    let corners: String =
+        [(0, 0), (300, 0), (300, 200), (0, 200)].iter().map(|(x, y)| format!("10\n{x}\n20\n{y}\n")).collect();
+    let drawing = format!("0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\nA\n70\n1\n{corners}0\nENDSEC\n0\nEOF\n");
+    let drawing = file("convert/house.dxf", drawing.as_bytes());
+    let out = file("convert/house.txt", b"");
+    let options = ["--units", "cm", "--layer", "A=wall", "--resolution", "0.5", "--region", "room:10,10"];
+    text(&[&["convert", "--map", &drawing, "--out", &out], &options[..]].concat());
+    assert!(fs::read_to_string(&out).unwrap().ends_with("#######\n#.....#\n#.....#\n#.....#\n#######\n"));
+    for (options, message) in [
+        (&["--layer", "A=wall"][..], "add --units, e.g. --units mm"),
+        (&["--units", "parsec"], "--units parsec: use mm, cm, m, in, ft"),
+        (&["--units", "m", "--layer", "B=wall"], "the drawing has no such layer, it has A"),
+        (&["--units", "m", "--region", "room:1"], "use whole, room:X,Y"),
+        (&["--units", "cm", "--region", "room:-900,0"], "there is nothing drawn at (-900.00, 0.00)"),
+    ] {
+        let (_, said) = failure(&[&["convert", "--map", &drawing, "--out", &out], options].concat());
+        assert!(said.contains(message), "{said}");
+    }
+    let (code, said) = failure(&["plan", "--map", &drawing]);
+    assert!(code == 3 && said.contains("is a DXF drawing, of which a room has to be made first"), "{said}");
+}
+
+#[test]
 fn convert_writes_what_can_be_read_again() {
     let json = file("convert/flat.json", b"");
     let back = file("convert/flat.txt", b"");
@@ -333,9 +357,9 @@ fn failures_have_a_code_and_say_what_to_do() {
         (&["convert", "--map", "/no/such.txt", "--out", &out], 1, "/no/such.txt: entity not found; check the path"),
         (&["convert", "--room", "flat", "--out", "/no/such/folder/a.txt"], 1, "/no/such/folder/a.txt: "),
         (
-            &["convert", "--room", "flat", "--out", "flat.dxf"],
+            &["convert", "--room", "flat", "--out", "flat.pdf"],
             2,
-            "flat.dxf: no format has this ending; use .txt or .json",
+            "flat.pdf: no format has this ending; use .txt, .json or .dxf",
         ),
         (&["convert", "--room", "attic", "--out", &out], 2, "there is no room \"attic\"; \"robovac rooms\" lists them"),
         (&["convert", "--out", &out], 2, "--map <FILE>|--room <ID>"),

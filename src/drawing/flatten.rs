@@ -46,6 +46,11 @@ pub(super) fn bulge(from: Point, to: Point, bulge: f64, points: &mut Vec<Point>)
     }));
 }
 
+/// Parts of a span of a spline that are looked at one by one, so that no bend is overlooked between its ends.
+const PIECES: u32 = 4;
+/// How often a part is halved at most: corners and loops of no size would take for ever.
+const MAX_HALVINGS: u32 = 8;
+
 /// A B-spline, rational if there are weights.
 pub(super) struct Nurbs<'a> {
     /// Degree, from 1.
@@ -80,26 +85,39 @@ impl Nurbs<'_> {
             if low >= high {
                 continue;
             }
-            let chords = self.chords(span);
-            points.extend(
-                (0..chords).map(|i| self.at(knots, span, low + (high - low) * f64::from(i) / f64::from(chords))),
-            );
-        }
-        if let Some(span) = (degree..count).rev().find(|&span| knots[span] < knots[span + 1]) {
-            points.push(self.at(knots, span, knots[span + 1]));
+            let mut from = (low, self.at(knots, span, low));
+            if points.is_empty() {
+                points.push(from.1);
+            }
+            for i in 1..=PIECES {
+                let u = low + (high - low) * f64::from(i) / f64::from(PIECES);
+                let to = (u, self.at(knots, span, u));
+                self.divide(knots, span, from, to, MAX_HALVINGS, &mut points);
+                from = to;
+            }
         }
         points
     }
 
-    /// Number of chords for a span: it turns at most as far as the controls that make it.
-    fn chords(&self, span: usize) -> i32 {
-        let legs: Vec<Vector> = self.controls[span - self.degree..=span]
-            .windows(2)
-            .map(|pair| pair[1] - pair[0])
-            .filter(|leg| leg.norm_squared() > 0.0)
-            .collect();
-        let turn: f64 = legs.windows(2).map(|two| atan2(two[0].perp(&two[1]), two[0].dot(&two[1])).abs()).sum();
-        ceil(turn / STEP).clamp(1, 256)
+    /// Adds points up to `to`, as many as it takes for chords to turn by no more than half a step where they meet.
+    fn divide(
+        &self,
+        knots: &[f64],
+        span: usize,
+        from: (f64, Point),
+        to: (f64, Point),
+        halvings: u32,
+        points: &mut Vec<Point>,
+    ) {
+        let u = 0.5 * (from.0 + to.0);
+        let middle = self.at(knots, span, u);
+        let (there, on) = (middle - from.1, to.1 - middle);
+        if halvings > 0 && atan2(there.perp(&on).abs(), there.dot(&on)) > 0.5 * STEP {
+            self.divide(knots, span, from, (u, middle), halvings - 1, points);
+            self.divide(knots, span, (u, middle), to, halvings - 1, points);
+        } else {
+            points.push(to.1);
+        }
     }
 
     /// De Boor's algorithm on homogeneous coordinates.

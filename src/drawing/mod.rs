@@ -22,4 +22,4 @@ pub use overlay::Overlay;
 pub use read::{is_drawing, read};
 pub use trace::trace;
 pub use tracing::{Region, Traced, Tracing};
-pub use write::to_dxf;
+pub use write::{outlines, to_dxf};

@@ -20,7 +20,7 @@ pub struct Drawing {
     pub name: String,
     /// Metres per drawing unit, if the file says ($INSUNITS of a DXF); `None` is to be asked for.
     pub metre: Option<f64>,
-    /// Layers, in the file's order.
+    /// Layers with anything on them, in the file's order.
     pub layers: Vec<Layer>,
     /// Straight strokes: arcs, bulges, ellipses and splines are flattened, blocks are inserted.
     pub strokes: Vec<Stroke>,
@@ -60,7 +60,8 @@ pub enum Role {
 pub struct Stroke {
     /// Index of its layer.
     pub layer: u32,
-    /// Number of the entity in the file that it comes from, counted from 1.
+    /// Number of the entity that it comes from, counted from 1: of model space in a DXF, where what a block holds comes from
+    /// the insert; of a path in an SVG, of a feature in GeoJSON.
     pub entity: u32,
     /// Whether its last corner is joined to its first.
     pub is_closed: bool,

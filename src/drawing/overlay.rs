@@ -9,6 +9,6 @@ pub struct Overlay {
     pub layer: String,
     /// AutoCAD colour index, 1 to 255.
     pub colour: u8,
-    /// Lines by their corners, in drawing units.
+    /// Lines by their corners, in drawing units. One that ends where it begins is an outline.
     pub lines: Vec<Vec<Point>>,
 }

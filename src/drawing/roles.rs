@@ -53,9 +53,10 @@ const IGNORED: &[&str] = &[
     "COTATION",
     "HACHUR",
     "TEXTE",
-    "PORTE",
+    "PORTE=",
+    "PORTES=",
     "CARTOUCHE",
-    "AXE", // Spanish, Portuguese, Italian
+    "AXE=", // Spanish, Portuguese, Italian
     "COTA",
     "SOMBREADO",
     "PUERTA",
@@ -176,12 +177,16 @@ const WALLS: &[&str] = &[
 
 /// What a layer seems to be. What no word tells is taken for walls: better a line too many in the way than one too few.
 ///
-/// A word of up to four letters must begin a part of the name, a longer one may be anywhere in it.
+/// A word of up to four letters must begin a part of the name, a longer one may be anywhere in it, one with an equals sign
+/// must be a part.
 pub(super) fn guess(name: &str) -> Role {
     let name = name.to_uppercase();
     let parts = || name.split(|c: char| !c.is_alphanumeric());
     let has = |words: &[&str]| {
         words.iter().any(|word| {
+            if let Some(word) = word.strip_suffix('=') {
+                return parts().any(|part| part == word);
+            }
             let is_script = !word.is_ascii() && word.chars().all(|c| c as u32 >= 0x2e80);
             if word.chars().count() > 4 || is_script {
                 name.contains(word)

@@ -25,6 +25,17 @@ pub enum MapError {
         /// What it seems to be, e.g. "a JPEG image".
         kind: &'static str,
     },
+    /// A file is a drawing, of which a room has to be made first.
+    #[error(
+        "\"{name}\" is {kind}, of which a room has to be made first; \
+         open it in the place Floor plan of the page or with \"robovac convert\" (a DWG has to be saved as DXF before)"
+    )]
+    IsADrawing {
+        /// The file.
+        name: String,
+        /// What it is, e.g. "a DXF drawing".
+        kind: &'static str,
+    },
     /// The map has too many rows or columns.
     #[error(
         "\"{name}\" is {width} x {height} cells large, at most {MAX_SIDE} x {MAX_SIDE} are taken in; \

@@ -27,8 +27,7 @@ const OTHERS: &[(&[u8], &str)] = &[
     (b"RIFF", "a WebP image or a sound"),
     (b"%PDF", "a PDF document"),
     (b"PK\x03\x04", "a ZIP archive"),
-    (b"AC10", "a DWG drawing"),
-    (b"<", "a web page or SVG drawing"),
+    (b"<", "a web page"),
     (b"P7", "a PAM image"),
 ];
 
@@ -97,6 +96,9 @@ fn recognise(file: &SourceFile) -> Result<Content, MapError> {
         return Ok(Content::Image(format));
     }
     let not_a_map = |kind| MapError::NotAMap { name: name.to_owned(), kind };
+    if let Some(kind) = drawing(bytes) {
+        return Err(MapError::IsADrawing { name: name.to_owned(), kind });
+    }
     if bytes.trim_ascii_start().starts_with(b"{") {
         return Ok(Content::Plan(Box::new(Scenario::read(name, bytes)?.plan(name)?)));
     }
@@ -111,6 +113,26 @@ fn recognise(file: &SourceFile) -> Result<Content, MapError> {
         return Ok(Content::Yaml(MapYaml::read(name, text)?));
     }
     Err(not_a_map("text of unknown kind"))
+}
+
+/// What kind of drawing a file is; the drafting room reads them.
+fn drawing(bytes: &[u8]) -> Option<&'static str> {
+    let start = bytes.trim_ascii_start();
+    let head = &start[..start.len().min(1 << 16)];
+    let has = |word: &[u8]| head.windows(word.len()).any(|window| window == word);
+    let mut lines = head.split(|&byte| byte == b'\n').map(<[u8]>::trim_ascii);
+    let is_dxf = matches!((lines.next(), lines.next()), (Some(b"0"), Some(b"SECTION")) | (Some(b"999"), Some(_)));
+    if bytes.starts_with(b"AC10") {
+        Some("a DWG drawing")
+    } else if is_dxf || bytes.starts_with(b"AutoCAD Binary DXF") {
+        Some("a DXF drawing")
+    } else if start.starts_with(b"<") && has(b"<svg") {
+        Some("an SVG drawing")
+    } else if start.starts_with(b"{") && (has(b"\"FeatureCollection\"") || has(b"\"coordinates\"")) {
+        Some("a GeoJSON drawing")
+    } else {
+        None
+    }
 }
 
 fn bare_image(file: &SourceFile, format: ImageFormat, shading: &Shading) -> Result<FloorPlan, MapError> {

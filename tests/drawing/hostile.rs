@@ -1,7 +1,11 @@
 //! Drawings that are damaged, hostile or none at all: a message with a place, no panic and no hang.
 
 use crate::support::{drawn, dxf, entities, file, refusal};
-use robovac_playground::drawing::{MAX_POINTS, read};
+use proptest::prelude::*;
+use robovac_playground::{
+    drawing::{MAX_POINTS, Overlay, Region, Role, Tracing, read, to_dxf, trace},
+    geometry::Point,
+};
 use std::fmt::Write;
 
 const LINE: &str = "0 LINE 8 WALL 10 0 20 0 11 1 21 0";
@@ -137,5 +141,78 @@ fn odd_entities_are_read_or_refused() {
     ] {
         let both = drawn(&entities(&format!("{LINE} {text}")));
         assert!(both.is_ok(), "{text}: {both:?}");
+    }
+}
+
+/// One of each kind, with blocks and layers.
+fn sampler() -> String {
+    let blocks =
+        format!("0 BLOCK 2 A 10 0 20 0 {LINE} 0 INSERT 2 B 10 1 20 1 0 ENDBLK 0 BLOCK 2 B 10 1 20 1 {LINE} 0 ENDBLK");
+    dxf(&[
+        ("HEADER", "9 $ACADVER 1 AC1015 9 $INSUNITS 70 4 9 $DWGCODEPAGE 3 ANSI_1251 9 $HANDSEED 5 FF"),
+        ("TABLES", "0 TABLE 2 LAYER 5 2 70 1 0 LAYER 5 10 2 WALL 70 0 62 3 420 255 0 LAYER 2 F 70 1 62 -3 0 ENDTAB"),
+        ("BLOCKS", &blocks),
+        (
+            "ENTITIES",
+            "0 LINE 5 A1 8 WALL 10 0 20 0 11 900 21 0 0 CIRCLE 8 FURN 10 500 20 500 40 100 230 -1 0 ARC 10 0 20 0 40 9 50 1 51 99 \
+             0 ELLIPSE 10 0 20 0 11 5 21 1 40 0.5 41 0 42 3 0 LWPOLYLINE 8 WALL 70 1 10 0 20 0 42 1 10 9 20 0 10 9 20 9 \
+             0 POLYLINE 8 FURN 70 1 0 VERTEX 10 0 20 0 42 -1 0 VERTEX 10 700 20 0 0 VERTEX 10 700 20 700 0 SEQEND \
+             0 SPLINE 70 8 71 3 40 0 40 0 40 0 40 0 40 1 40 1 40 1 40 1 10 0 20 0 10 1 20 1 10 2 20 1 10 3 20 0 41 1 41 2 41 1 41 1 \
+             0 SPLINE 71 3 11 0 21 0 11 4 21 4 11 9 21 0 0 SOLID 10 0 20 0 11 1 21 0 12 0 22 1 13 1 23 1 0 TRACE 10 0 20 0 11 3 21 3 \
+             0 3DFACE 10 0 20 0 11 5 21 0 12 5 22 5 0 INSERT 2 A 10 5 20 5 41 2 42 -1 50 30 70 2 71 2 44 10 45 10 0 TEXT 1 x",
+        ),
+    ])
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+    #[test]
+    fn damaged_drawings_never_panic(
+        damages in proptest::collection::vec((0_usize..1000, 0_usize..1000, 0_u8..5, any::<u8>()), 1..12)
+    ) {
+        const WORDS: [&str; 12] =
+            ["0", "-1", "1e10", "32767", "LINE", "ENDSEC", "BLOCK", "VERTEX", "10", "70", "SECTION", "\u{e9}"];
+        let text = sampler();
+        let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+        for (line, other, kind, byte) in damages {
+            let (line, other) = (line % lines.len(), other % lines.len());
+            match kind {
+                0 => drop(lines.remove(line)),
+                1 => lines.swap(line, other),
+                2 => lines.insert(line, lines[other].clone()),
+                3 => lines[line] = WORDS[usize::from(byte) % WORDS.len()].to_owned(),
+                _ => lines.truncate(line.max(4)),
+            }
+        }
+        let bytes = lines.join("\n").into_bytes();
+        if let Ok(drawing) = read(&file("plan.dxf", bytes.clone())) {
+            for (role, region) in [(Role::Wall, Region::Whole), (Role::Obstacle, Region::Room(drawing.points[0]))] {
+                let roles = vec![role; drawing.layers.len()];
+                if let Ok(traced) = trace(&drawing, &Tracing { roles, metre: 0.001, gap: 0.05, resolution: 0.01, region }) {
+                    prop_assert_eq!(traced.plan.check_objects(None), Ok(()));
+                }
+            }
+            let line = vec![Point::new(1.0, 2.0), Point::new(3.0, 4.5)];
+            let overlay = Overlay { layer: "PATH".into(), colour: 1, lines: vec![line.clone()] };
+            if let Ok(written) = to_dxf(Some(&bytes), &[overlay]) {
+                let again = read(&file("again.dxf", written)).unwrap();
+                prop_assert_eq!(again.strokes.len(), drawing.strokes.len() + 1);
+                prop_assert!(again.strokes.iter().any(|stroke| again.corners(stroke) == line));
+            }
+        }
+    }
+
+    #[test]
+    fn any_bytes_never_panic(bytes in proptest::collection::vec(any::<u8>(), 0..400), form in 0_usize..5) {
+        let start: [&[u8]; 5] = [
+            b"AutoCAD Binary DXF\r\n\x1a\0\0SECTION\0\x02ENTITIES\0\0LINE\0",
+            b"AutoCAD Binary DXF\r\n\x1a\0\0\0SECTION\0\x02\0ENTITIES\0\0\0LINE\0",
+            b"0\nSECTION\n",
+            b"<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 9 9\">",
+            b"{\"type\":\"Polygon\",\"coordinates\":[[[",
+        ];
+        let bytes = [start[form], &bytes].concat();
+        let _ = read(&file("any", bytes.clone()));
+        let _ = to_dxf(Some(&bytes), &[]);
     }
 }

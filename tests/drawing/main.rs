@@ -4,3 +4,5 @@ mod dxf;
 mod hostile;
 mod support;
 mod tracing;
+mod vector;
+mod write;

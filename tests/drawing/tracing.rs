@@ -61,9 +61,9 @@ fn the_whole_is_what_walls_enclose_or_the_box() {
 #[test]
 fn rectangles_and_polygons_cut_walls_off() {
     let flat = drawn(&entities(FLAT)).unwrap();
-    let rectangle = Region::Rectangle { low: Point::new(5000.0, 2000.0), high: Point::new(3500.0, 1250.0) };
+    let rectangle = Region::Rectangle { low: Point::new(5000.0, 2250.0), high: Point::new(3500.0, 1250.0) };
     let room = traced(&flat, 0.0, rectangle).unwrap();
-    assert_eq!((room.corner, room.plan.width_m(), room.plan.height_m()), (Vector::new(3500.0, 1250.0), 1.5, 0.75));
+    assert_eq!((room.corner, room.plan.width_m(), room.plan.height_m()), (Vector::new(3500.0, 1250.0), 1.5, 1.0));
     assert_eq!(room.plan.objects.len(), 1);
     let corners = [(1000.0, 1000.0), (5000.0, 1000.0), (5000.0, 4000.0)].map(|(x, y)| Point::new(x, y));
     let half = traced(&flat, 0.0, Region::Polygon(corners.to_vec())).unwrap();
@@ -92,4 +92,30 @@ fn what_cannot_be_is_said() {
     assert!(message(Tracing { roles: vec![Role::Ignored; 2], ..how.clone() }).contains("nothing is a wall"));
     let point = Region::Rectangle { low: Point::origin(), high: Point::origin() };
     assert!(message(Tracing { region: point, ..how }).contains("less than three cells"));
+}
+
+/// Two rooms of 4 m x 3 m within walls drawn as outlines of 20 cm, with doors of 80 cm between them and to the outside.
+const OUTLINED: &str = "0 LWPOLYLINE 8 WALL 70 1 10 0 20 0 10 1000 20 0 10 1000 20 200 10 200 20 200 10 200 20 3200 \
+    10 4200 20 3200 10 4200 20 1800 10 4400 20 1800 10 4400 20 3200 10 8400 20 3200 10 8400 20 200 10 4400 20 200 \
+    10 4400 20 1000 10 4200 20 1000 10 4200 20 200 10 1800 20 200 10 1800 20 0 10 8600 20 0 10 8600 20 3400 10 0 20 3400";
+
+#[test]
+fn doors_in_walls_drawn_as_outlines_are_closed() {
+    let house = drawn(&entities(OUTLINED)).unwrap();
+    let fine = |gap: f64, region: Region| {
+        trace(&house, &Tracing { roles: vec![Role::Wall], metre: 0.001, gap, resolution: 0.05, region })
+    };
+    let floor = |traced: &Traced| {
+        traced.plan.occupancy.values().iter().filter(|cell| cell.is_free()).count() as f64 * 0.05 * 0.05
+    };
+    let click = || Region::Room(Point::new(2000.0, 2000.0));
+    assert!(fine(0.3, click()).unwrap_err().to_string().contains("the room isn't closed"));
+    let room = fine(0.9, click()).unwrap();
+    assert!((11.0..12.8).contains(&floor(&room)), "{}\n{}", floor(&room), to_ascii(&room.plan));
+    assert_eq!(room.gaps.len(), 2, "a door to the other room and one to the outside");
+    for [a, b] in &room.gaps {
+        assert!((0.5..=1.2).contains(&(b - a).norm()), "{a} {b}");
+    }
+    let both = fine(0.9, Region::Whole).unwrap();
+    assert!((22.5..25.5).contains(&floor(&both)), "{}\n{}", floor(&both), to_ascii(&both.plan));
 }

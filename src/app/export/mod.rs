@@ -7,8 +7,13 @@ pub use burn::with_objects;
 pub use svg::to_svg;
 
 use crate::{
+    app::{
+        planning::choose_robot,
+        sweep::{commands, commands_text, program, to_csv, to_ros_path},
+    },
     floorplan::{FloorPlan, MapImage, Mode, RosMapError, Scenario, to_ascii, to_ros_map},
     geometry::Point,
+    robot::{RobotModel, model},
 };
 
 /// A file to be saved.
@@ -67,7 +72,34 @@ pub const FORMATS: &[Format] = &[
         note: "Walls, furniture and path for papers and web pages; one unit is a millimetre.",
         needs_path: false,
     },
+    Format {
+        id: "path_csv",
+        title: "Path, CSV table",
+        note: "Place, heading, distance and time at every corner, in metres, radians and seconds.",
+        needs_path: true,
+    },
+    Format {
+        id: "path_ros",
+        title: "Path, ROS poses",
+        note: "A nav_msgs/Path in YAML, in the map's frame.",
+        needs_path: true,
+    },
+    Format {
+        id: "program",
+        title: "Path, robot program",
+        note: "Forward and turn, a command a line, to be read by people.",
+        needs_path: true,
+    },
+    Format {
+        id: "roomba",
+        title: "Path, Roomba bytes",
+        note: "Open Interface commands with their times, for a Roomba 600 without feedback: it drifts.",
+        needs_path: true,
+    },
 ];
+
+/// The robot that bytes are made for: only its drive speaks the Open Interface.
+const ROOMBA: &str = "roomba600";
 
 /// What can be in files: a room with all that is chosen for it, and perhaps a path.
 #[derive(Debug, Clone)]
@@ -95,6 +127,9 @@ pub enum ExportError {
     /// The format holds a path and there is none.
     #[error("{0} holds a path, and there is none yet; plan one first")]
     NoPath(&'static str),
+    /// The scenario's robot isn't known.
+    #[error("the robot of this room isn't known; choose another one")]
+    NoRobot,
     /// The ROS map can't be written.
     #[error(transparent)]
     RosMap(#[from] RosMapError),
@@ -119,8 +154,30 @@ impl Exported<'_> {
             "svg" => Ok(self.one("svg", "image/svg+xml", to_svg(self.plan, self.path))),
             "ros_pgm" => self.ros_map(MapImage::Pgm),
             "ros_png" => self.ros_map(MapImage::Png),
+            "path_csv" => Ok(self.one("csv", "text/csv", to_csv(self.path, self.heading(), &self.robot()?))),
+            "path_ros" => {
+                let path = to_ros_path(self.path, self.heading(), self.plan, &self.robot()?);
+                Ok(self.one("path.yaml", "application/yaml", path))
+            }
+            "program" => Ok(self.one("program.txt", "text/plain", program(self.path, self.heading(), &self.robot()?))),
+            "roomba" => {
+                let roomba = model(ROOMBA).ok_or(ExportError::NoRobot)?;
+                let text = commands_text(&commands(self.path, self.heading(), roomba), roomba);
+                Ok(self.one("oi.txt", "text/plain", text))
+            }
             other => Err(ExportError::Unknown(other.to_owned())),
         }
+    }
+
+    /// The way that the robot looks at the start, rad.
+    fn heading(&self) -> f64 {
+        self.plan.start.map_or(0.0, |start| start.heading)
+    }
+
+    /// The robot of the scenario, or the Roomba if it names none.
+    fn robot(&self) -> Result<RobotModel, ExportError> {
+        let id = self.scenario.robot.as_deref().unwrap_or(ROOMBA);
+        choose_robot(id, self.plan, self.scenario.cell_size).map(|(robot, _)| robot).ok_or(ExportError::NoRobot)
     }
 
     fn one(&self, ending: &str, kind: &'static str, text: String) -> Vec<ExportFile> {

@@ -21,6 +21,11 @@ pub struct Source {
 }
 
 impl Source {
+    /// The file of `--map`, if that is given.
+    pub fn file(&self) -> Result<Option<SourceFile>, Failure> {
+        self.map.as_deref().map_or(Ok(None), read)
+    }
+
     pub fn plan(&self) -> Result<FloorPlan, Failure> {
         if let Some(path) = &self.map {
             return load_with_image(path);

@@ -80,8 +80,10 @@ pub(in crate::drawing) struct Pairs<'a> {
     form: Form,
 }
 
-#[derive(Clone, Copy, PartialEq)]
-enum Form {
+/// How a DXF is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::drawing) enum Form {
+    /// As lines.
     Text,
     /// Up to R12: group codes of one byte, or 255 and two bytes.
     Short,
@@ -97,6 +99,11 @@ impl<'a> Pairs<'a> {
             None => (if bytes.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 }, Form::Text),
         };
         Self { bytes, position, line: 0, form }
+    }
+
+    /// How the file is written.
+    pub fn form(&self) -> Form {
+        self.form
     }
 
     /// Whether the file is text.

@@ -55,12 +55,22 @@ pub(super) fn bridges(walls: &[Wall<'_>], gap: f64, touching: f64) -> Vec<[Point
     let mut candidates: Vec<Candidate> = Vec::new();
     let is_free = |end: &End| end.nearest.is_none_or(|(away, _)| away > touching);
     for (index, end) in ends.iter().enumerate().filter(|(_, end)| is_free(end)) {
-        candidates.extend(end.nearest.map(|(away, at)| Candidate { away, from: index, to: None, at }));
+        if let Some((away, at)) = end.nearest {
+            // The end of a wall may be its nearest place.
+            let mut to = None;
+            squares.near(at, at, |other| {
+                left = left.saturating_sub(1);
+                if left > 0 && other != index && is_free(&ends[other]) && (ends[other].at - at).norm() <= touching {
+                    to = Some(other);
+                }
+            });
+            candidates.push(Candidate { away, from: index, to, needs_end: false, at });
+        }
         squares.near(end.at, end.at, |other| {
             left = left.saturating_sub(1);
             let away = (ends[other].at - end.at).norm();
             if left > 0 && other > index && is_free(&ends[other]) && away <= gap {
-                candidates.push(Candidate { away, from: index, to: Some(other), at: ends[other].at });
+                candidates.push(Candidate { away, from: index, to: Some(other), needs_end: true, at: ends[other].at });
             }
         });
     }
@@ -70,15 +80,15 @@ pub(super) fn bridges(walls: &[Wall<'_>], gap: f64, touching: f64) -> Vec<[Point
     });
     let mut is_used = vec![false; ends.len()];
     let mut bridges = Vec::new();
-    for Candidate { from, to, at, .. } in candidates {
-        if is_used[from] || to.is_some_and(|to| is_used[to]) {
+    for Candidate { from, to, needs_end, at, .. } in candidates {
+        if is_used[from] || needs_end && to.is_some_and(|to| is_used[to]) {
             continue;
         }
         is_used[from] = true;
         if let Some(to) = to {
             is_used[to] = true;
         }
-        bridges.push([ends[from].at, at]);
+        bridges.push([ends[from].at, to.map_or(at, |to| ends[to].at)]);
     }
     bridges
 }
@@ -97,6 +107,8 @@ struct Candidate {
     from: usize,
     /// The other end, if there is one.
     to: Option<usize>,
+    /// Whether that end must not be joined yet: the nearest wall may be joined more than once.
+    needs_end: bool,
     at: Point,
 }
 
@@ -206,7 +218,7 @@ mod tests {
     fn ends_are_joined_if_they_are_near() {
         let walls: &[&[(f64, f64)]] = &[&[(0.0, 0.0), (1.0, 0.0)], &[(1.8, 0.0), (3.0, 0.0)]];
         assert_eq!(closed(walls, 0.9), [[(1.0, 0.0), (1.8, 0.0)]]);
-        assert_eq!(closed(walls, 0.7), []);
+        assert!(closed(walls, 0.7).is_empty());
         // The door in the outline of a room.
         let room: &[&[(f64, f64)]] = &[&[(1.0, 0.0), (0.0, 0.0), (0.0, 3.0), (4.0, 3.0), (4.0, 0.0), (1.8, 0.0)]];
         assert_eq!(closed(room, 0.9), [[(1.0, 0.0), (1.8, 0.0)]]);
@@ -221,9 +233,9 @@ mod tests {
     #[test]
     fn what_touches_is_joined_already() {
         let corner: &[&[(f64, f64)]] = &[&[(0.0, 0.0), (1.0, 0.0)], &[(1.0, 0.000_5), (1.0, 1.0)]];
-        assert_eq!(closed(corner, 0.5), []);
+        assert!(closed(corner, 0.5).is_empty());
         let tee: &[&[(f64, f64)]] = &[&[(0.0, 0.0), (2.0, 0.0)], &[(1.0, 0.0), (1.0, 1.0)]];
-        assert_eq!(closed(tee, 0.5), []);
+        assert!(closed(tee, 0.5).is_empty());
     }
 
     #[test]

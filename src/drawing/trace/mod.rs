@@ -2,6 +2,7 @@
 
 mod frame;
 mod gaps;
+mod openings;
 mod raster;
 mod region;
 mod solids;
@@ -34,6 +35,8 @@ const FIRST_LOOK: i32 = 512;
 /// as long as rooms may have more of them; else the cells that it covers.
 ///
 /// Of a whole drawing, floor is what can't be reached from outside, if walls enclose anything; else the box around it.
+/// Openings between free ends of walls are closed by lines. If one still gets out of what is chosen, openings up to
+/// the same width are closed however the walls beside them are drawn: walls that are outlines have no free ends.
 ///
 /// ```
 /// use robovac_playground::{drawing::{Region, Role, Tracing, read, trace}, floorplan::{SourceFile, to_ascii}};
@@ -113,11 +116,34 @@ impl<'a> Tracer<'a> {
         if inside.count() > 0 {
             return self.furnished(&frame, &inside);
         }
+        if let Some(traced) = self.whole_with_open_doors()? {
+            return Ok(traced);
+        }
         let margin = ceil(OPEN_MARGIN / self.how.resolution).max(MARGIN);
         let frame = Frame::around(&self.bounds, self.side, margin);
         frame.check(self.how.metre)?;
         let walls = self.walls(&frame)?;
         self.furnished(&frame, &walls.map(|is_wall| !is_wall))
+    }
+
+    /// What walls enclose if openings in them are closed, if that is anything.
+    fn whole_with_open_doors(&self) -> Result<Option<Traced>, DrawingFlaw> {
+        let gap = self.how.gap / self.how.resolution;
+        let frame = Frame::around(&self.bounds, self.side, ceil(gap.min(1e6)).saturating_add(MARGIN));
+        if gap <= 0.0 || frame.check(self.how.metre).is_err() {
+            return Ok(None);
+        }
+        let walls = self.walls(&frame)?;
+        let outside = openings::part(&walls, [Cell::new(0, 0)], gap);
+        let mut shut = outside.cells;
+        for (cell, &is_wall) in shut.values_mut().iter_mut().zip(walls.values()) {
+            *cell |= is_wall;
+        }
+        let inside = region::enclosed(&shut, self.how.resolution);
+        if inside.count() == 0 {
+            return Ok(None);
+        }
+        self.cropped(&frame, inside, &walls, &outside.openings).map(Some)
     }
 
     fn rectangle(&self, a: Point, b: Point) -> Result<Traced, DrawingFlaw> {
@@ -184,7 +210,13 @@ impl<'a> Tracer<'a> {
             let blocked = blocked.cells;
             let (reached, meets_border) = region::room(&blocked, start);
             if !meets_border {
-                return self.cropped(&frame, reached, &walls);
+                return self.cropped(&frame, reached, &walls, &[]);
+            }
+            if self.how.gap > 0.0 {
+                let part = openings::part(&blocked, [start], self.how.gap / self.how.resolution);
+                if !part.meets_border {
+                    return self.cropped(&frame, part.cells, &walls, &part.openings);
+                }
             }
             let is_all = from == [0, 0] && to == all.size;
             if !is_all && look < MAX_SIDE as i32 {
@@ -200,8 +232,14 @@ impl<'a> Tracer<'a> {
         }
     }
 
-    /// The room with what stands in it, within one cell of wall.
-    fn cropped(&self, frame: &Frame, mut floor: Grid<bool>, walls: &Grid<bool>) -> Result<Traced, DrawingFlaw> {
+    /// The room with what stands in it, within one cell of wall. `openings` were closed for it.
+    fn cropped(
+        &self,
+        frame: &Frame,
+        mut floor: Grid<bool>,
+        walls: &Grid<bool>,
+        openings: &[[Point; 2]],
+    ) -> Result<Traced, DrawingFlaw> {
         // What stands on the floor has floor beneath it.
         let mut beneath = Canvas::new(frame.size);
         for stroke in solids::solids(self.drawing, &self.how.roles) {
@@ -232,7 +270,10 @@ impl<'a> Tracer<'a> {
             let cell = cut.cell(index);
             cut.values_mut()[index] = floor.is_set(Cell::new(cell.x + from[0], cell.y + from[1]));
         }
-        self.furnished(&part, &cut)
+        let mut traced = self.furnished(&part, &cut)?;
+        let moved = |end: Point| part.cells(frame.point(end)) * self.how.resolution;
+        traced.gaps.extend(openings.iter().map(|ends| ends.map(moved)));
+        Ok(traced)
     }
 
     /// Cells that walls, closed gaps and open obstacles cross.

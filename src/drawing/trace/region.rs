@@ -4,9 +4,11 @@ use crate::{
     geometry::Point,
     grid::{Cell, Grid, chessboard},
 };
+use std::collections::VecDeque;
 
-/// Floor narrower than this between walls is the inside of a wall, m (ours): half the width of the smallest robot.
-const LEAST_WIDTH: f64 = 0.2;
+/// What walls enclose is the inside of a wall if it is nowhere wider than this, m (ours): walls that are drawn as outlines are
+/// rarely thicker, and no room is as narrow throughout.
+const LEAST_WIDTH: f64 = 0.5;
 
 /// The free cells that the border can't be reached from, less what is too narrow to be floor.
 pub(super) fn enclosed(blocked: &Grid<bool>, resolution: f64) -> Grid<bool> {
@@ -59,7 +61,7 @@ fn flood(blocked: &Grid<bool>, start: Cell, marked: &mut Grid<bool>, mut seen: i
     }
 }
 
-/// Where one gets out most easily: the narrowest place, in cells, of the widest way from `start` to the border, and its
+/// Where one gets out most easily: before the narrowest place, in cells, of the widest way from `start` to the border, and its
 /// width in cells.
 pub(super) fn leak(blocked: &Grid<bool>, start: Cell) -> Option<(Point, f64)> {
     let moves = chessboard(blocked);
@@ -71,12 +73,12 @@ pub(super) fn leak(blocked: &Grid<bool>, start: Cell) -> Option<(Point, f64)> {
         if width > from_border(cell) { 255 } else { width as usize }
     };
     // Cells to go on from, by how wide the way to them is, each with its narrowest place.
-    let mut waiting: Vec<Vec<(Cell, Cell)>> = vec![Vec::new(); 256];
+    let mut waiting: Vec<VecDeque<(Cell, Cell)>> = vec![VecDeque::new(); 256];
     let mut seen = blocked.map(|_| false);
     let mut level = width(start);
-    waiting[level].push((start, start));
+    waiting[level].push_back((start, start));
     loop {
-        let Some((cell, narrowest)) = waiting[level].pop() else {
+        let Some((cell, narrowest)) = waiting[level].pop_front() else {
             level = level.checked_sub(1)?;
             continue;
         };
@@ -90,7 +92,7 @@ pub(super) fn leak(blocked: &Grid<bool>, start: Cell) -> Option<(Point, f64)> {
         for next in cell.neighbours() {
             if blocked.get(next) == Some(&false) && !seen[next] {
                 let is_narrower = width(next) < level;
-                waiting[width(next).min(level)].push((next, if is_narrower { next } else { narrowest }));
+                waiting[width(next).min(level)].push_back((next, if is_narrower { next } else { narrowest }));
             }
         }
     }
@@ -132,6 +134,6 @@ mod tests {
         let start = Cell::new(4, 4);
         let (_, meets_border) = room(&blocked, start);
         assert!(meets_border);
-        assert_eq!(leak(&blocked, start), Some((Point::new(10.5, 3.5), 1.0)));
+        assert_eq!(leak(&blocked, start), Some((Point::new(9.5, 3.5), 1.0)));
     }
 }
