@@ -463,3 +463,40 @@ fn compare_says_what_it_does_not_know() {
     let csv = text(&["compare", "--rooms", &narrow, "--planners", "snake", "--robot", "roomba600", "--csv"]);
     assert!(csv.contains("fits nowhere in this room"), "{csv}");
 }
+
+#[test]
+fn sweep_prints_its_numbers_and_writes_every_format() {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("sweep");
+    fs::create_dir_all(&folder).unwrap();
+    let out = |name: &str| folder.join(name).to_string_lossy().into_owned();
+    let files = ["a.csv", "a.yaml", "a.txt", "a.oi.txt", "a.json"].map(out);
+    let mut arguments = vec!["sweep", "--room", "room12ft", "--outline", "rectangle:0.4x0.3", "--scan-width", "0.2"];
+    for file in &files {
+        arguments.extend(["--out", file]);
+    }
+    let report: Value = serde_json::from_str(&text(&arguments)).unwrap();
+    assert!(report["subgoals"].as_u64().unwrap() > 10 && report["coverage"].as_f64().unwrap() > 0.97, "{report}");
+    assert_eq!((report["collisions"].clone(), report["width_m"].as_f64()), (report["resolved"].clone(), Some(0.3)));
+    let [csv, yaml, program, bytes, json] = files.each_ref().map(|file| fs::read_to_string(file).unwrap());
+    assert!(csv.starts_with("x_m,y_m,heading_rad,distance_m,time_s\n"));
+    assert!(yaml.contains("  frame_id: map\nposes:\n- header:\n"));
+    assert!(program.contains("MOVE ") && program.ends_with("STOP\n"));
+    assert!(bytes.contains("\n0.000  80 ") && bytes.lines().last().unwrap().contains("  AD "));
+    let stages: Value = serde_json::from_str(&json).unwrap();
+    let links = stages["links"].as_array().unwrap().len();
+    assert_eq!(links + 1, stages["points"].as_array().unwrap().len());
+    assert_eq!(stages["points"][0]["status"], "left_wall");
+}
+
+#[test]
+fn sweep_says_what_is_wrong() {
+    let with = |more: &[&str]| failure(&[&["sweep", "--room", "room12ft"], more].concat());
+    assert_eq!(with(&["--outline", "star:3"]).0, 2);
+    assert_eq!(with(&["--outline", "circle:99"]).0, 2);
+    assert_eq!(with(&["--cell", "-1"]).0, 2);
+    assert_eq!(with(&["--scan-width", "nan"]).0, 2);
+    assert_eq!(with(&["--out", "path.dwg"]).0, 2);
+    assert_eq!(with(&["--robot", "nobody"]).0, 2);
+    let (code, message) = with(&["--outline", "octagon:9"]);
+    assert!(code == 4 && message.contains("9.00 m wide, fits nowhere"), "{message}");
+}
