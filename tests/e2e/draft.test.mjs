@@ -57,7 +57,7 @@ test("the sample is traced, cut, swept, exported, used and undone", async (t) =>
   const { page, app, screenshot } = await openDraft(t);
   assert.ok(await page.locator("#draft-use").isDisabled());
   const whole = await sample(app);
-  assert.ok(whole > 40 && whole < 70, `${whole} m²`);
+  assert.ok(whole > 30 && whole < 60, `${whole} m²`);
   assert.match(await text(app, "#draft-facts"), /strokes on \d+ layers/);
   assert.equal(await page.locator("#draft-unit").inputValue(), "0.001");
   const layers = await page.locator("#draft-layers tr").count();
@@ -70,17 +70,17 @@ test("the sample is traced, cut, swept, exported, used and undone", async (t) =>
   await page.getByLabel("What FURNITURE is").selectOption("obstacle");
   assert.equal(await floor(app), whole);
 
-  // A room by a click inside, with the doors closed.
-  await page.locator("#draft-gap").fill("1");
+  // A room by a click inside, where doors count as walls.
+  await page.getByLabel("What DOORS is").selectOption("wall");
   await page.getByRole("button", { name: "This room", exact: true }).click();
+  await page.locator("#draft-hint").waitFor();
   assert.match(await text(app, "#draft-hint"), /Click into the room/);
   await click(app, 0.38, 0.3);
   const one = await floor(app);
   assert.ok(one > 5 && one < whole / 2, `${one} of ${whole} m²`);
-  assert.match(await text(app, "#draft-result"), /gaps? closed/);
   await page.getByRole("button", { name: "Whole", exact: true }).click();
-  await page.locator("#draft-gap").fill("0");
-  assert.equal(Math.round(await floor(app)), Math.round(whole));
+  await page.getByLabel("What DOORS is").selectOption("ignored");
+  assert.equal(await floor(app), whole);
 
   await page.locator("[data-stage='1']").click();
   await page.locator("#draft-numbers").waitFor();
@@ -102,7 +102,7 @@ test("the sample is traced, cut, swept, exported, used and undone", async (t) =>
     const [download] = await Promise.all([page.waitForEvent("download"), page.locator(`[data-format=${format}]`).click()]);
     const content = fs.readFileSync(await download.path(), "latin1");
     assert.match(content, start, download.suggestedFilename());
-    if (format === "dxf") assert.ok(["WALLS", "SWEEP_PATH"].every((layer) => content.includes(layer)), "the path beside the drawing");
+    if (format === "dxf") assert.ok(["WALLS", "FURNITURE", "SUBGOALS", "LINKS", "SWEEP"].every((layer) => content.includes(layer)), "the path beside the drawing");
   }
 
   await page.locator("#tab-explore").click();
@@ -192,9 +192,27 @@ test("rectangle and polygon cut the drawing, by pointer and by keys", async (t) 
   await page.keyboard.press("Enter");
   await page.keyboard.press("Escape");
   await page.keyboard.press("Escape");
-  await app.frames(3);
-  assert.equal(await page.locator("#draft-stage").getAttribute("data-tool"), "view");
+  await page.locator("#draft-stage[data-tool=view]").waitFor();
   assert.equal(await floor(app), triangle);
+});
+
+test("gaps between walls are closed as far as one likes", async (t) => {
+  const { page, app } = await openDraft(t);
+  const side = [["WALLS", 0, 0, 4, 0], ["WALLS", 4, 0, 4, 3], ["WALLS", 4, 3, 0, 3], ["WALLS", 0, 3, 0, 2], ["WALLS", 0, 1.2, 0, 0]];
+  await app.bring(dxf("open.dxf", side, { units: 6 }));
+  await page.locator("#draft-gap").fill("0");
+  await page.getByRole("button", { name: "This room", exact: true }).click();
+  await page.locator("#draft-stage[data-tool=room]").waitFor();
+  await click(app, 0.5, 0.5);
+  await page.locator("#draft-stage[data-tool=view]").waitFor();
+  const leak = await text(app, "#draft-result");
+  assert.doesNotMatch(leak, /m² of floor/);
+  assert.ok(leak.length > 20 && (await page.locator("#draft-use").isDisabled()), leak);
+  await page.locator("#draft-gap").fill("1");
+  const closed = await floor(app);
+  assert.ok(closed > 11 && closed < 12.5, `${closed} m²`);
+  assert.match(await text(app, "#draft-result"), /1 gap closed/);
+  assert.ok(await page.locator("#draft-use").isEnabled());
 });
 
 test("what can't be read is refused, and what was there before stays", async (t) => {
@@ -258,40 +276,37 @@ test("100,000 lines are drawn while the page answers", async (t) => {
   const { page, app } = await openDraft(t);
   const lines = box("WALLS", 0, 0, 100, 100);
   for (let i = 0; i < 100_000; i += 1) lines.push(["HATCH", (i % 400) / 4, Math.floor(i / 400) * 0.4, (i % 400) / 4 + 0.2, Math.floor(i / 400) * 0.4 + 0.3]);
+  // What the page's own thread does in one go, however busy the machine is besides.
   await page.evaluate(() => {
-    window.longest = 0;
-    let last = performance.now();
-    const look = () => {
-      const now = performance.now();
-      window.longest = Math.max(window.longest, now - last);
-      if (now - last > 100) (window.longs ??= []).push([Math.round(last), Math.round(now - last), window.mark]);
-      last = now;
-      setTimeout(look);
-    };
-    look();
+    window.tasks = [0];
+    const add = (list) => window.tasks.push(...list.getEntries().map(({ scripts }) => scripts.reduce((sum, { duration }) => sum + duration, 0)));
+    new PerformanceObserver(add).observe({ type: "long-animation-frame" });
+    requestAnimationFrame((from) => {
+      while (performance.now() < from + 150);
+    });
   });
+  const longest = async () => Math.max(...(await page.evaluate(() => window.tasks)));
+  await app.poll(longest, (ms) => ms > 100);
+  await page.evaluate(() => (window.tasks = [0]));
   const file = dxf("large.dxf", lines, { units: 6 });
   // Without the time that the test itself takes to hand the file over.
   await page.evaluate((content) => (window.largeFile = new File([content], "large.dxf")), file.bytes.toString());
   await page.evaluate(() => {
-    window.longest = 0;
     const dataTransfer = new DataTransfer();
     dataTransfer.items.add(window.largeFile);
     document.body.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
   });
   await page.locator("#draft-empty").waitFor({ state: "hidden" });
-  await page.evaluate(() => (window.mark = "facts"));
   assert.match(await text(app, "#draft-facts"), /100,004 strokes/);
-  await page.evaluate(() => (window.mark = "moving"));
   await page.mouse.move(683, 384);
   for (let i = 0; i < 10; i += 1) await page.mouse.wheel(0, i < 5 ? -200 : 200);
   await page.mouse.down();
   await page.mouse.move(500, 300, { steps: 10 });
   await page.mouse.up();
-  const longest = await page.evaluate(() => window.longest);
-  t.diagnostic(JSON.stringify(await page.evaluate(() => window.longs ?? [])));
-  t.diagnostic(`the page was busy for ${longest.toFixed(0)} ms at most`);
-  assert.ok(longest < 100, `${longest} ms`);
+  await app.frames(10);
+  const busy = await longest();
+  t.diagnostic(`the page was busy for ${busy.toFixed(0)} ms at most`);
+  assert.ok(busy < 100, `${busy} ms`);
 });
 
 test("cancelling brings back what was there before", async (t) => {
