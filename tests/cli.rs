@@ -338,6 +338,23 @@ fn convert_writes_what_can_be_read_again() {
 }
 
 #[test]
+fn ros_maps_of_any_mode_are_the_same_room() {
+    let read_back = |image: &str, options: &[&str]| {
+        let out = file(&format!("convert/{image}"), b"");
+        text(&[&["convert", "--room", "flat", "--out", &out], options].concat());
+        let yaml = out.replace(".pgm", ".yaml").replace(".png", ".yaml");
+        let back = file("convert/ros.txt", b"");
+        text(&["convert", "--map", &yaml, "--out", &back]);
+        let map = fs::read_to_string(&back).unwrap();
+        map.lines().filter(|line| !line.starts_with("; name")).collect::<Vec<_>>().join("\n")
+    };
+    let trinary = read_back("trinary.pgm", &[]);
+    assert!(trinary.contains("; resolution 0.05") && trinary.contains("##"));
+    assert_eq!(read_back("scale.png", &["--mode", "scale", "--negate"]), trinary);
+    assert_eq!(read_back("raw.png", &["--mode", "raw"]), trinary);
+}
+
+#[test]
 fn image_of_a_ros_map_is_found_beside_its_yaml() {
     let yaml = file("ros/map.yaml", b"image: map.pgm\nresolution: 0.2\norigin: [0, 0, 0]\n");
     let out = file("ros/map.txt", b"");
@@ -359,7 +376,7 @@ fn failures_have_a_code_and_say_what_to_do() {
         (
             &["convert", "--room", "flat", "--out", "flat.pdf"],
             2,
-            "flat.pdf: no format has this ending; use .txt, .json or .dxf",
+            "flat.pdf: no format has this ending; use one of .txt, .json, .pgm, .png, .dxf, .svg",
         ),
         (&["convert", "--room", "attic", "--out", &out], 2, "there is no room \"attic\"; \"robovac rooms\" lists them"),
         (&["convert", "--out", &out], 2, "--map <FILE>|--room <ID>"),
