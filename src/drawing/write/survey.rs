@@ -68,7 +68,8 @@ impl Survey {
                 continue;
             }
             match (pair.code, place.record.as_slice()) {
-                (2, b"SECTION") => {
+                // Within a section whose end is missing, none begins.
+                (2, b"SECTION") if place.section.is_empty() => {
                     place.section = pair.text().to_vec();
                     if matches!(pair.text(), b"BLOCKS" | b"ENTITIES") {
                         survey.body.get_or_insert(place.start);
