@@ -83,11 +83,6 @@ impl ConfigurationSpace {
         }
         slice
     }
-
-    /// Memory taken, bytes.
-    pub fn bytes(&self) -> usize {
-        8 * Bits::words(self.width, self.height) * self.layers.len()
-    }
 }
 
 /// A slice in the making.

@@ -78,12 +78,6 @@ impl Swath {
         self.canvas.bits.add(&other.canvas.bits);
     }
 
-    /// Whether a cell has been swept.
-    pub fn is_swept(&self, cell: Cell) -> bool {
-        let (x, y) = (cell.x as usize, cell.y as usize);
-        cell.x >= 0 && cell.y >= 0 && x < self.canvas.width && y < self.canvas.height && self.canvas.bits.get(x, y)
-    }
-
     /// Number of cells swept.
     pub fn count(&self) -> usize {
         self.canvas.bits.count()
