@@ -308,7 +308,7 @@ fn convert_makes_a_room_of_a_drawing() {
     let drawing = format!("0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\nA\n70\n1\n{corners}0\nENDSEC\n0\nEOF\n");
     let drawing = file("convert/house.dxf", drawing.as_bytes());
     let out = file("convert/house.txt", b"");
-    let options = ["--units", "cm", "--layer", "A=wall", "--resolution", "0.5", "--region", "room:10,10"];
+    let options = ["--units", "cm", "--layer", "A=wall", "--resolution", "0.5", "--region", "room:150,100"];
     text(&[&["convert", "--map", &drawing, "--out", &out], &options[..]].concat());
     assert!(fs::read_to_string(&out).unwrap().ends_with("#######\n#.....#\n#.....#\n#.....#\n#######\n"));
     for (options, message) in [

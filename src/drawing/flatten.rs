@@ -67,7 +67,7 @@ impl Nurbs<'_> {
     /// The curve from its first point to its last.
     pub fn flatten(&self) -> Vec<Point> {
         let (count, degree) = (self.controls.len(), self.degree);
-        if degree < 2 || degree > MAX_DEGREE || count <= degree {
+        if !(2..=MAX_DEGREE).contains(&degree) || count <= degree {
             return self.controls.to_vec();
         }
         let fits = self.knots.len() == count + degree + 1 && self.knots.windows(2).all(|pair| pair[0] <= pair[1]);

@@ -123,14 +123,14 @@ impl Planner for SubgoalSweep {
             let (step, at, goal) = (progress.steps(), progress.at, points[to].cell);
             if is_straight_free(free, at, goal) {
                 follow(&mut progress, job, &[goal]);
-                ctx.trace(|| link(step, at, &points[to], found, None, &tally));
+                ctx.trace(|| link(step, at, (&points, to), found, None, &tally));
             } else {
                 tally.collisions += 1;
                 // All free cells are connected, so that there is a way.
                 let way = detours.find(at, goal).unwrap_or_default();
                 tally.resolved += usize::from(!way.is_empty());
                 follow(&mut progress, job, way.get(1..).unwrap_or_default());
-                ctx.trace(|| link(step, at, &points[to], found, Some(progress.steps() - step), &tally));
+                ctx.trace(|| link(step, at, (&points, to), found, Some(progress.steps() - step), &tally));
             }
             from = Ok(to);
         }
@@ -196,8 +196,22 @@ fn contacts(points: &[Subgoal], job: &CoverageJob) -> TraceStep {
     }
 }
 
-/// A link, to be shown; `detour` is the length of the way round, in steps.
-fn link(step: usize, at: Cell, to: &Subgoal, found: Found, detour: Option<usize>, tally: &Tally) -> TraceStep {
+/// Lines beside that of a link's end whose points are shown with it.
+const SHOWN_LINES: u32 = 3;
+
+/// A link, to be shown with the points around its end; `detour` is the length of the way round, in steps.
+fn link(
+    step: usize,
+    at: Cell,
+    (points, to): (&[Subgoal], usize),
+    found: Found,
+    detour: Option<usize>,
+    tally: &Tally,
+) -> TraceStep {
+    let near = points.iter().zip(1..).filter(|(point, _)| point.line.abs_diff(points[to].line) <= SHOWN_LINES);
+    let marks = near.map(|(point, number)| (point.cell, number)).collect();
+    let number = to + 1;
+    let to = &points[to];
     let rule = match (found, detour) {
         (_, Some(_)) => "Detour",
         (Found::Across, None) => "Across the line",
@@ -221,8 +235,8 @@ fn link(step: usize, at: Cell, to: &Subgoal, found: Found, detour: Option<usize>
         rule: rule.into(),
         at,
         towards,
-        marks: vec![(to.cell, to.line + 1)],
+        marks,
         sides: None,
-        note: format!("To {}{what} on line {}{round}", to.contact.name(), to.line + 1),
+        note: format!("To point {number}, {}{what}{round}", to.contact.name()),
     }
 }

@@ -12,8 +12,8 @@ from ezdxf import path as ezpath, recover, units
 from ezdxf.math import Matrix44
 
 RELEASES = ["R12", "R2000", "R2004", "R2010", "R2018"]
-# Curves are within 0.1 % of their radius, the largest of which is 300 units.
-TOLERANCE = 0.35
+# Chords are within 0.1 % of the radius from curves, and splines bend with up to 700 units.
+TOLERANCE = 0.7
 
 
 def draw(release, name, fmt):

@@ -14,8 +14,7 @@ use std::fmt::Write;
 /// The robot looks at what it was told every 15 ms (Open Interface, "Serial port": its update period): times between
 /// commands are multiples of it.
 const PERIOD: f64 = 0.015;
-/// Time that the robot gets for a change of mode, s (ours; 20 ms is what the Open Interface asks for between such
-/// commands).
+/// Time that the robot gets for a change of mode, s (ours).
 const MODE_CHANGE: f64 = 2.0 * PERIOD;
 /// Standing still after every move, beyond what its motion model takes to stop, s (ours).
 const REST: f64 = 2.0 * PERIOD;

@@ -1,5 +1,5 @@
 //! The sweeping planner of 001, from the room and the robot's outline to its path: obstacle map, subgoals, links,
-//! detours; and what a robot or another program is given of a path.
+//! detours, and a finish of our own for what these leave out; and what a robot or another program is given of a path.
 //!
 //! Where the registry's planner ([`crate::planner`], `subgoal_sweep`) works on planning cells like every other, this
 //! one works as the paper does: with the outline that the user has drawn, in metres, with scan lines at any distance.

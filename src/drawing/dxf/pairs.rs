@@ -236,15 +236,12 @@ pub(in crate::drawing) fn decode(bytes: &[u8], code_page: &'static encoding_rs::
     let mut result = parts.next().unwrap_or_default().to_owned();
     for part in parts {
         let letter = part.get(..4).and_then(|hex| u32::from_str_radix(hex, 16).ok()).and_then(char::from_u32);
-        match letter {
-            Some(letter) => {
-                result.push(letter);
-                result.push_str(&part[4..]);
-            }
-            None => {
-                result.push_str("\\U+");
-                result.push_str(part);
-            }
+        if let Some(letter) = letter {
+            result.push(letter);
+            result.push_str(&part[4..]);
+        } else {
+            result.push_str("\\U+");
+            result.push_str(part);
         }
     }
     result

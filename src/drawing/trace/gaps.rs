@@ -175,7 +175,9 @@ impl Squares {
                 for column in range(one.x.min(other.x), one.x.max(other.x), self.columns) {
                     let square = row * self.columns + column;
                     let ends = &self.ends[self.starts[square] as usize..self.starts[square + 1] as usize];
-                    ends.iter().for_each(|&end| found(end as usize));
+                    for &end in ends {
+                        found(end as usize);
+                    }
                 }
             }
         }

@@ -110,7 +110,9 @@ fn niches(blocked: &Grid<bool>, cells: &mut Grid<bool>, leads_on: impl Fn(Cell) 
             }
         }
         if is_niche && is_beside {
-            part.into_iter().for_each(|cell| cells[cell] = true);
+            for cell in part {
+                cells[cell] = true;
+            }
         }
     }
 }

@@ -22,7 +22,7 @@ pub(super) fn enclosed(blocked: &Grid<bool>, resolution: f64) -> Grid<bool> {
     let mut inside = blocked.map(|_| false);
     let wide = chessboard(blocked);
     // A square of 2 n - 1 cells lies around a cell that is n moves from the next wall.
-    let least = ((LEAST_WIDTH / resolution + 1.0) / 2.0).clamp(1.0, 255.0) as u8;
+    let least = f64::midpoint(LEAST_WIDTH / resolution, 1.0).clamp(1.0, 255.0) as u8;
     for (cell, &is_outside) in outside.iter() {
         if !is_outside && !inside[cell] && !blocked[cell] && wide[cell] >= least {
             flood(blocked, cell, &mut inside, |_| {});

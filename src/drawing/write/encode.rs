@@ -1,6 +1,7 @@
 //! Pairs of a DXF in the form of the file that they go into.
 
 use crate::drawing::dxf::Form;
+use encoding_rs::Encoding;
 
 /// A value to be written.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,13 +18,14 @@ pub(super) enum Value {
 pub(super) struct Writer {
     form: Form,
     line_end: &'static str,
+    encoding: &'static Encoding,
     pub bytes: Vec<u8>,
 }
 
 impl Writer {
     /// `is_crlf`: whether lines of text end as on Windows.
-    pub fn new(form: Form, is_crlf: bool) -> Self {
-        Self { form, line_end: if is_crlf { "\r\n" } else { "\n" }, bytes: Vec::new() }
+    pub fn new(form: Form, is_crlf: bool, encoding: &'static Encoding) -> Self {
+        Self { form, line_end: if is_crlf { "\r\n" } else { "\n" }, encoding, bytes: Vec::new() }
     }
 
     pub fn text(&mut self, code: i32, value: &str) {
@@ -47,7 +49,9 @@ impl Writer {
                     Value::Short(whole) | Value::Long(whole) => whole.to_string(),
                 };
                 let end = self.line_end;
-                self.bytes.extend(format!("{code:3}{end}{value}{end}").into_bytes());
+                self.bytes.extend(format!("{code:3}{end}").into_bytes());
+                self.bytes.extend_from_slice(&self.encoding.encode(&value).0);
+                self.bytes.extend_from_slice(end.as_bytes());
                 return;
             }
             // No code that is written is above 254 in the old form.
@@ -56,7 +60,8 @@ impl Writer {
         }
         match value {
             Value::Text(text) => {
-                self.bytes.extend(text.bytes().filter(|&byte| byte != 0));
+                let text = self.encoding.encode(text).0;
+                self.bytes.extend(text.iter().filter(|&&byte| byte != 0));
                 self.bytes.push(0);
             }
             Value::Real(real) => self.bytes.extend(real.to_le_bytes()),

@@ -7,9 +7,14 @@ mod template;
 
 pub use room::outlines;
 
-use super::{Overlay, dxf::is_dxf, model::bad};
+use super::{
+    Overlay,
+    dxf::{Pairs, is_dxf},
+    model::bad,
+};
 use crate::floorplan::{DrawingFlaw, MapError};
 use encode::{Value, Writer};
+use encoding_rs::Encoding;
 use survey::Survey;
 
 /// What messages call the drawing, whose name isn't known here.
@@ -44,7 +49,9 @@ pub fn to_dxf(original: Option<&[u8]>, overlays: &[Overlay]) -> Result<Vec<u8>, 
             &template
         }
     };
-    let survey = Survey::of(original).map_err(|(at, flaw)| bad(NAME, &format!("line or byte {at}"), flaw))?;
+    let survey = Survey::of(original).map_err(|(at, flaw)| {
+        bad(NAME, &format!("{} {at}", if Pairs::new(original).is_text() { "line" } else { "byte" }), flaw)
+    })?;
     let Some(entities_end) = survey.entities_end else {
         return Err(bad(NAME, "", DrawingFlaw::CutOff { place: "before the end of its entities" }));
     };
@@ -79,7 +86,11 @@ struct Pen<'a> {
 
 impl Pen<'_> {
     fn writer(&self) -> Writer {
-        Writer::new(self.survey.form, self.survey.is_crlf)
+        Writer::new(self.survey.form, self.survey.is_crlf, self.encoding())
+    }
+
+    fn encoding(&self) -> &'static Encoding {
+        if self.survey.release < FIRST_UNICODE { self.survey.code_page } else { encoding_rs::UTF_8 }
     }
 
     fn has_handles(&self) -> bool {
@@ -119,8 +130,8 @@ impl Pen<'_> {
             c if c.is_control() => "_".to_owned(),
             c if is_old && !matches!(c, 'a'..='z' | 'A'..='Z' | '0'..='9' | '$' | '_' | '-') => "_".to_owned(),
             c if is_old => c.to_ascii_uppercase().to_string(),
-            c if !c.is_ascii() && self.survey.release < FIRST_UNICODE => {
-                // Beyond the basic plane there is no such form.
+            c if self.encoding().encode(c.encode_utf8(&mut [0; 4])).2 => {
+                // Beyond the basic plane there is no form for what the code page lacks.
                 if (c as u32) < 0x1_0000 { format!("\\U+{:04X}", c as u32) } else { "_".to_owned() }
             }
             c => c.to_string(),

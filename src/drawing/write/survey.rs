@@ -1,7 +1,7 @@
 //! What of a DXF must be known to put something into it.
 
 use crate::{
-    drawing::dxf::{Form, Pairs},
+    drawing::dxf::{Form, Pairs, code_page},
     floorplan::DrawingFlaw,
 };
 
@@ -11,6 +11,8 @@ pub(super) struct Survey {
     pub is_crlf: bool,
     /// Number of `$ACADVER`, 1009 for R12; the same if it isn't said.
     pub release: u32,
+    /// The encoding of text of releases before 2007.
+    pub code_page: &'static encoding_rs::Encoding,
     /// The largest handle.
     pub last_handle: u64,
     /// The pair with the value of `$HANDSEED`.
@@ -40,6 +42,7 @@ impl Survey {
             form: pairs.form(),
             is_crlf: first_line.ends_with(b"\r"),
             release: 1009,
+            code_page: encoding_rs::WINDOWS_1252,
             last_handle: 0,
             seed: None,
             layers_end: None,
@@ -75,6 +78,7 @@ impl Survey {
                 (1, b"SECTION") if place.variable == b"$ACADVER" => {
                     survey.release = text().strip_prefix("AC").and_then(|n| n.parse().ok()).unwrap_or(1009);
                 }
+                (3, b"SECTION") if place.variable == b"$DWGCODEPAGE" => survey.code_page = code_page(pair.text()),
                 (5, b"SECTION") if place.variable == b"$HANDSEED" => {
                     survey.seed = Some([pair.start, pairs.position().min(bytes.len())]);
                     survey.take_handle(&text());
