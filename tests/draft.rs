@@ -63,8 +63,8 @@ fn a_distance_of_nothing_changes_nothing() {
 
 #[test]
 fn shades_are_wall_where_they_are_darker_than_said() {
-    let mut board = open(image());
     use Occupancy::{Free, Occupied, Unknown};
+    let mut board = open(image());
     assert_eq!(cells(&board), [Occupied, Unknown, Unknown, Free], "the rules of the map server");
     change(&mut board, |settings| settings.shade = 0.5);
     assert_eq!(cells(&board), [Occupied, Occupied, Free, Free]);
@@ -144,24 +144,23 @@ fn two_files_that_do_not_belong_together_are_refused() {
     assert!(error.contains("scan.pgm") && error.contains("map.txt"), "{error}");
 }
 
-/// A DXF of lines and closed outlines on layers: `(layer, is_closed, corners)`.
-fn dxf(name: &str, units: Option<u8>, strokes: &[(&str, bool, &[(f64, f64)])]) -> SourceFile {
-    let mut text = String::from("0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1015\n");
-    if let Some(units) = units {
-        text += &format!("9\n$INSUNITS\n70\n{units}\n");
-    }
-    text += "0\nENDSEC\n0\nSECTION\n2\nENTITIES\n";
-    for (layer, is_closed, corners) in strokes {
-        text += &format!("0\nLWPOLYLINE\n8\n{layer}\n90\n{}\n70\n{}\n", corners.len(), u8::from(*is_closed));
-        for (x, y) in *corners {
-            text += &format!("10\n{x}\n20\n{y}\n");
-        }
-    }
-    file(name, text + "0\nENDSEC\n0\nEOF\n")
-}
+/// A polyline: its layer, whether it is closed, its corners.
+type Polyline = (&'static str, bool, &'static [(f64, f64)]);
 
-const ROOM: (&str, bool, &[(f64, f64)]) = ("WALLS", true, &[(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)]);
-const TABLE: (&str, bool, &[(f64, f64)]) = ("TABLES", true, &[(1.0, 1.0), (2.0, 1.0), (2.0, 2.0), (1.0, 2.0)]);
+const ROOM: Polyline = ("WALLS", true, &[(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)]);
+const TABLE: Polyline = ("TABLES", true, &[(1.0, 1.0), (2.0, 1.0), (2.0, 2.0), (1.0, 2.0)]);
+
+/// A DXF of polylines.
+fn dxf(name: &str, units: Option<u8>, strokes: &[Polyline]) -> SourceFile {
+    let units = units.map_or_else(String::new, |units| format!("9\n$INSUNITS\n70\n{units}\n"));
+    let polyline = |&(layer, is_closed, corners): &Polyline| {
+        let corners: Vec<String> = corners.iter().map(|(x, y)| format!("10\n{x}\n20\n{y}\n")).collect();
+        format!("0\nLWPOLYLINE\n8\n{layer}\n90\n{}\n70\n{}\n{}", corners.len(), u8::from(is_closed), corners.concat())
+    };
+    let entities: Vec<String> = strokes.iter().map(polyline).collect();
+    let head = format!("0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1015\n{units}0\nENDSEC\n");
+    file(name, format!("{head}0\nSECTION\n2\nENTITIES\n{}0\nENDSEC\n0\nEOF\n", entities.concat()))
+}
 
 /// 4 x 3 with a table of 1 x 1, in metres if `units` is 6.
 fn furnished(units: Option<u8>) -> Board {

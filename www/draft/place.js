@@ -21,7 +21,7 @@ import { startWalls } from "./walls.js";
  * @property {(request: import("./types").Request, doing: string) => Promise<{ result: unknown } | undefined>} ask Nothing if it was refused, which is told, or cancelled.
  * @property {(change: Partial<import("./types").Settings>) => Promise<unknown>} set Chooses.
  * @property {(sweeps: boolean) => Promise<void>} use Makes the draft the room of Explore.
- * @property {() => void} toCanvas Shows the canvas and goes there by keyboard.
+ * @property {(withFocus: boolean) => void} toCanvas Closes the sheet over the canvas; may go there by keyboard too.
  */
 
 /** Larger files can't be a floor plan that is taken. */
@@ -77,9 +77,9 @@ export function startDraft(app, module) {
       toast(`Loaded ${drafter.files.map((file) => file.name).join(" and ")}`);
       byId("tab-explore").click();
     },
-    toCanvas: () => {
+    toCanvas: (withFocus) => {
       /** @type {HTMLElement | null} */ (root.querySelector("[data-sheet][aria-expanded=true]"))?.click();
-      byId("draft-floor").focus();
+      if (withFocus) byId("draft-floor").focus();
     },
   };
 

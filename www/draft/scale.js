@@ -10,7 +10,7 @@ export function startScale(it) {
   onNumber(pixel, (centimetres) => void it.set({ metre: centimetres / 100 }));
   tool.addEventListener("click", () => {
     it.drafter.say({ type: "tool", tool: it.view?.tool === "scale" ? "view" : "scale" });
-    it.toCanvas();
+    it.toCanvas(true);
   });
   const form = typed("draft-distance-form", HTMLFormElement);
   form.addEventListener("submit", async (event) => {

@@ -52,8 +52,6 @@ pub struct DraftView {
     pub body_fault: String,
     /// The sweep, once planned.
     pub sweep: Option<SweepView>,
-    /// Whether the obstacle map is there.
-    pub has_space: bool,
 }
 
 /// A unit that may be chosen.
@@ -166,7 +164,6 @@ impl Board {
             },
             body_fault: outline.err().unwrap_or_default(),
             sweep: self.planned().map(sweep_view),
-            has_space: self.space().is_some(),
         }
     }
 
