@@ -10,7 +10,6 @@ use serde::Serialize;
 
 /// A draft as it is now.
 #[derive(Debug, Clone, Serialize)]
-#[expect(clippy::struct_excessive_bools)]
 pub struct DraftView {
     /// Its name.
     pub name: String,
