@@ -11,8 +11,8 @@ use robovac_playground::{
 };
 use std::{hint::black_box, ops::ControlFlow, time::Duration};
 
-/// A floor of 100 x 75 m in cells of 2.5 cm, 4000 x 3000: corridors every 12 m, rooms of 5 x 5 m with doors of 1 m, in each a desk, a
-/// shelf and a column.
+/// A floor of 100 x 75 m in cells of 2.5 cm, 4000 x 3000: corridors every 12 m, rooms of 5 x 5 m with doors of 1 m,
+/// in each a desk, a shelf and a column.
 fn office() -> FloorPlan {
     let mut sketch = Sketch::open(100.0, 75.0, 0.025);
     for band in 0..6 {

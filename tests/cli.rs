@@ -338,6 +338,23 @@ fn convert_writes_what_can_be_read_again() {
 }
 
 #[test]
+fn ros_maps_of_any_mode_are_the_same_room() {
+    let read_back = |image: &str, options: &[&str]| {
+        let out = file(&format!("convert/{image}"), b"");
+        text(&[&["convert", "--room", "flat", "--out", &out], options].concat());
+        let yaml = out.replace(".pgm", ".yaml").replace(".png", ".yaml");
+        let back = file("convert/ros.txt", b"");
+        text(&["convert", "--map", &yaml, "--out", &back]);
+        let map = fs::read_to_string(&back).unwrap();
+        map.lines().filter(|line| !line.starts_with("; name")).collect::<Vec<_>>().join("\n")
+    };
+    let trinary = read_back("trinary.pgm", &[]);
+    assert!(trinary.contains("; resolution 0.05") && trinary.contains("##"));
+    assert_eq!(read_back("scale.png", &["--mode", "scale", "--negate"]), trinary);
+    assert_eq!(read_back("raw.png", &["--mode", "raw"]), trinary);
+}
+
+#[test]
 fn image_of_a_ros_map_is_found_beside_its_yaml() {
     let yaml = file("ros/map.yaml", b"image: map.pgm\nresolution: 0.2\norigin: [0, 0, 0]\n");
     let out = file("ros/map.txt", b"");
@@ -359,7 +376,7 @@ fn failures_have_a_code_and_say_what_to_do() {
         (
             &["convert", "--room", "flat", "--out", "flat.pdf"],
             2,
-            "flat.pdf: no format has this ending; use .txt, .json or .dxf",
+            "flat.pdf: no format has this ending; use one of .txt, .json, .pgm, .png, .dxf, .svg",
         ),
         (&["convert", "--room", "attic", "--out", &out], 2, "there is no room \"attic\"; \"robovac rooms\" lists them"),
         (&["convert", "--out", &out], 2, "--map <FILE>|--room <ID>"),
@@ -462,4 +479,41 @@ fn compare_says_what_it_does_not_know() {
     let narrow = file("compare/narrow.txt", b"; resolution 0.1\n..\n");
     let csv = text(&["compare", "--rooms", &narrow, "--planners", "snake", "--robot", "roomba600", "--csv"]);
     assert!(csv.contains("fits nowhere in this room"), "{csv}");
+}
+
+#[test]
+fn sweep_prints_its_numbers_and_writes_every_format() {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("sweep");
+    fs::create_dir_all(&folder).unwrap();
+    let out = |name: &str| folder.join(name).to_string_lossy().into_owned();
+    let files = ["a.csv", "a.yaml", "a.txt", "a.oi.txt", "a.json"].map(out);
+    let mut arguments = vec!["sweep", "--room", "room12ft", "--outline", "rectangle:0.4x0.3", "--scan-width", "0.2"];
+    for file in &files {
+        arguments.extend(["--out", file]);
+    }
+    let report: Value = serde_json::from_str(&text(&arguments)).unwrap();
+    assert!(report["subgoals"].as_u64().unwrap() > 10 && report["coverage"].as_f64().unwrap() > 0.97, "{report}");
+    assert_eq!((report["collisions"].clone(), report["width_m"].as_f64()), (report["resolved"].clone(), Some(0.3)));
+    let [csv, yaml, program, bytes, json] = files.each_ref().map(|file| fs::read_to_string(file).unwrap());
+    assert!(csv.starts_with("x_m,y_m,heading_rad,distance_m,time_s\n"));
+    assert!(yaml.contains("  frame_id: map\nposes:\n- header:\n"));
+    assert!(program.contains("MOVE ") && program.ends_with("STOP\n"));
+    assert!(bytes.contains("\n0.000  80 ") && bytes.lines().last().unwrap().contains("  AD "));
+    let stages: Value = serde_json::from_str(&json).unwrap();
+    let links = stages["links"].as_array().unwrap().len();
+    assert_eq!(links + 1, stages["points"].as_array().unwrap().len());
+    assert_eq!(stages["points"][0]["status"], "left_wall");
+}
+
+#[test]
+fn sweep_says_what_is_wrong() {
+    let with = |more: &[&str]| failure(&[&["sweep", "--room", "room12ft"], more].concat());
+    assert_eq!(with(&["--outline", "star:3"]).0, 2);
+    assert_eq!(with(&["--outline", "circle:99"]).0, 2);
+    assert_eq!(with(&["--cell", "-1"]).0, 2);
+    assert_eq!(with(&["--scan-width", "nan"]).0, 2);
+    assert_eq!(with(&["--out", "path.dwg"]).0, 2);
+    assert_eq!(with(&["--robot", "nobody"]).0, 2);
+    let (code, message) = with(&["--outline", "octagon:9"]);
+    assert!(code == 4 && message.contains("9.00 m wide, fits nowhere"), "{message}");
 }

@@ -1,11 +1,13 @@
 //! The drawing board: what comes of files, choices and the hand, without a browser.
 
 use robovac_playground::{
-    app::draft::{Board, BodyChoice, Part, Settings, Tool},
+    app::draft::{Board, BodyChoice, Format, Part, Settings, Tool},
+    drawing::Role,
     floorplan::SourceFile,
     geometry::Point,
     grid::Occupancy,
 };
+use std::ops::ControlFlow;
 
 fn file(name: &str, content: impl Into<Vec<u8>>) -> SourceFile {
     SourceFile { name: name.into(), bytes: content.into() }
@@ -61,8 +63,8 @@ fn a_distance_of_nothing_changes_nothing() {
 
 #[test]
 fn shades_are_wall_where_they_are_darker_than_said() {
-    let mut board = open(image());
     use Occupancy::{Free, Occupied, Unknown};
+    let mut board = open(image());
     assert_eq!(cells(&board), [Occupied, Unknown, Unknown, Free], "the rules of the map server");
     change(&mut board, |settings| settings.shade = 0.5);
     assert_eq!(cells(&board), [Occupied, Occupied, Free, Free]);
@@ -140,4 +142,143 @@ fn whatever_the_page_says_stays_within_what_is_possible() {
 fn two_files_that_do_not_belong_together_are_refused() {
     let error = Board::open(&[image(), file("map.txt", "...\n...\n")]).err().unwrap().to_string();
     assert!(error.contains("scan.pgm") && error.contains("map.txt"), "{error}");
+}
+
+/// A polyline: its layer, whether it is closed, its corners.
+type Polyline = (&'static str, bool, &'static [(f64, f64)]);
+
+const ROOM: Polyline = ("WALLS", true, &[(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)]);
+const TABLE: Polyline = ("TABLES", true, &[(1.0, 1.0), (2.0, 1.0), (2.0, 2.0), (1.0, 2.0)]);
+
+/// A DXF of polylines.
+fn dxf(name: &str, units: Option<u8>, strokes: &[Polyline]) -> SourceFile {
+    let units = units.map_or_else(String::new, |units| format!("9\n$INSUNITS\n70\n{units}\n"));
+    let polyline = |&(layer, is_closed, corners): &Polyline| {
+        let corners: Vec<String> = corners.iter().map(|(x, y)| format!("10\n{x}\n20\n{y}\n")).collect();
+        format!("0\nLWPOLYLINE\n8\n{layer}\n90\n{}\n70\n{}\n{}", corners.len(), u8::from(is_closed), corners.concat())
+    };
+    let entities: Vec<String> = strokes.iter().map(polyline).collect();
+    let head = format!("0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1015\n{units}0\nENDSEC\n");
+    file(name, format!("{head}0\nSECTION\n2\nENTITIES\n{}0\nENDSEC\n0\nEOF\n", entities.concat()))
+}
+
+/// 4 x 3 with a table of 1 x 1, in metres if `units` is 6.
+fn furnished(units: Option<u8>) -> Board {
+    let mut board = open(dxf("room.dxf", units, &[ROOM, TABLE]));
+    change(&mut board, |settings| settings.roles = vec![Role::Wall, Role::Obstacle]);
+    board
+}
+
+fn plan(board: &mut Board) -> Result<(), String> {
+    board.sweep(&mut |_| ControlFlow::Continue(()))
+}
+
+#[test]
+fn a_drawing_without_unit_is_no_room_before_one_is_chosen() {
+    let mut board = furnished(None);
+    let view = board.view();
+    assert!(view.size.is_none() && view.room.is_none() && view.fault.is_empty());
+    assert!(board.import(false).unwrap_err().contains("unit"));
+    assert!(plan(&mut board).unwrap_err().contains("unit"));
+    let sizes: Vec<&str> = view.units.iter().map(|unit| unit.size.as_str()).collect();
+    assert_eq!(sizes, ["4 × 3 mm", "40 × 30 mm", "4.0 × 3.0 m", "102 × 76 mm", "1.2 × 0.9 m"]);
+    change(&mut board, |settings| settings.metre = Some(1.0));
+    assert!(board.view().room.is_some());
+}
+
+#[test]
+fn floor_is_counted_without_what_stands_on_it_once() {
+    let mut board = furnished(Some(6));
+    let near = |board: &Board, floor: f64| assert!((board.floor_m2() - floor).abs() < 0.8, "{}", board.floor_m2());
+    near(&board, 11.0);
+    change(&mut board, |settings| settings.roles[1] = Role::Ignored);
+    near(&board, 12.0);
+}
+
+#[test]
+fn a_sweep_is_for_the_room_and_the_robot_that_it_was_planned_for() {
+    let mut board = furnished(Some(6));
+    plan(&mut board).unwrap();
+    let view = board.view().sweep.unwrap();
+    assert_eq!(view.subgoals[0], view.subgoals[1..].iter().sum::<usize>());
+    assert!(view.subgoals[3] > 0 && view.collisions == view.resolved, "{view:?}");
+    board.set(board.settings().clone());
+    assert!(board.planned().is_some(), "nothing has changed");
+    change(&mut board, |settings| settings.scan_width = Some(0.3));
+    assert!(board.planned().is_none());
+    plan(&mut board).unwrap();
+    change(&mut board, |settings| settings.roles[1] = Role::Ignored);
+    assert!(board.planned().is_none());
+    plan(&mut board).unwrap();
+    change(&mut board, |settings| settings.body = BodyChoice::Circle { radius: 0.1 });
+    assert!(board.planned().is_none() && board.room().is_some());
+}
+
+#[test]
+fn what_can_not_be_swept_says_why_and_leaves_the_room() {
+    let mut board = furnished(Some(6));
+    change(&mut board, |settings| settings.body = BodyChoice::Circle { radius: 4.0 });
+    assert!(plan(&mut board).unwrap_err().contains("fits nowhere"));
+    change(&mut board, |settings| settings.body = BodyChoice::Polygon { corners: "1 1; 2".into() });
+    assert!(plan(&mut board).unwrap_err().contains("corner 2"));
+    assert!(board.view().body_fault.contains("corner 2") && board.room().is_some());
+}
+
+#[test]
+fn a_sweep_leaves_in_every_format() {
+    let mut board = furnished(Some(6));
+    assert!(board.export(Format::Csv).unwrap_err().contains("plan the sweep"));
+    plan(&mut board).unwrap();
+    let text = |format| String::from_utf8(board.export(format).unwrap().bytes).unwrap();
+    let drawing = text(Format::Dxf);
+    for layer in ["WALLS", "TABLES", "SWEEP", "SUBGOALS", "LINKS"] {
+        assert!(drawing.contains(layer), "{layer}");
+    }
+    // It can be opened again, with the path at its place.
+    let again = Board::open(&[file("again.dxf", drawing)]).unwrap();
+    assert_eq!(again.view().size.as_deref(), Some("4.0 × 3.0 m"));
+    assert!(text(Format::Program).contains("FORWARD"));
+    assert!(text(Format::Csv).starts_with("x_m,"));
+    assert!(text(Format::Poses).contains("poses"));
+    let bytes = board.export(Format::Bytes).unwrap();
+    assert_eq!((bytes.name.as_str(), &bytes.bytes[..2]), ("room-sweep.bin", &[128, 131][..]), "Start and Safe");
+    assert!(text(Format::Commands).lines().count() > 10);
+}
+
+#[test]
+fn a_map_that_is_swept_leaves_as_a_drawing_with_its_walls() {
+    let head = "#".repeat(20);
+    let inside = "#..................#\n".repeat(18);
+    let mut board = open(file("map.txt", format!("; resolution 0.1\n{head}\n{inside}{head}\n")));
+    plan(&mut board).unwrap();
+    let drawing = board.export(Format::Dxf).unwrap();
+    let again = Board::open(&[SourceFile { name: drawing.name, bytes: drawing.bytes }]).unwrap();
+    let layers: Vec<String> = again.view().layers.into_iter().map(|layer| layer.name).collect();
+    assert!(["WALLS", "SWEEP"].iter().all(|name| layers.iter().any(|layer| layer == name)), "{layers:?}");
+}
+
+#[test]
+fn the_part_that_is_meant_is_cut_out_and_a_part_outside_says_so() {
+    let mut board = furnished(Some(6));
+    board.set_part(Part::Rectangle { corners: [[4.0, 3.0], [2.5, 0.0]] });
+    assert!((board.floor_m2() - 4.5).abs() < 0.5, "{}", board.floor_m2());
+    board.set_part(Part::Room { at: [100.0, 100.0] });
+    assert!(board.room().is_none() && !board.fault().is_empty());
+    board.set_part(Part::Whole);
+    assert!(board.room().is_some() && board.fault().is_empty());
+}
+
+#[test]
+fn the_sample_drawing_is_a_flat_in_millimetres() {
+    let board = open(file("sample.dxf", include_bytes!("../www/draft/sample.dxf")));
+    let view = board.view();
+    assert_eq!(view.settings.metre, Some(0.001));
+    let roles: Vec<(&str, Role)> = view.layers.iter().map(|layer| (layer.name.as_str(), layer.role)).collect();
+    for role in
+        [("WALLS", Role::Wall), ("FURNITURE", Role::Obstacle), ("DOORS", Role::Ignored), ("DIMENSIONS", Role::Ignored)]
+    {
+        assert!(roles.contains(&role), "{roles:?}");
+    }
+    let room = view.room.unwrap();
+    assert!(room.floor_m2 > 30.0 && room.floor_m2 < 60.0 && room.objects > 20, "{room:?}");
 }

@@ -28,10 +28,10 @@ async function build() {
   /** @type {Format[]} */
   const formats = export_formats();
 
-  const kinds = formats.map(({ id, title, note }, i) =>
+  const kinds = formats.map(({ id, title, note, needs_path }, i) =>
     make(
       "label",
-      { className: "kind" },
+      { className: "kind", ...(needs_path ? { "data-path": "" } : {}) },
       make("input", { type: "radio", name: "kind", value: id, defaultChecked: i === 0 }),
       make("span", {}, make("span", { className: "label" }, title), make("span", { className: "note" }, note)),
     ),

@@ -6,8 +6,8 @@ use super::{
 };
 use crate::{floorplan::FloorPlan, geometry::Point};
 
-/// Answers for a body at heading 0: where it is stopped on a line along x, and whether a straight way is free. What is in the way is as
-/// for [`super::ConfigurationSpace`].
+/// Answers for a body at heading 0: where it is stopped on a line along x, and whether a straight way is free. What
+/// is in the way is as for [`super::ConfigurationSpace`].
 #[derive(Debug, Clone)]
 pub struct Motion {
     scene: Scene,
@@ -23,8 +23,8 @@ impl Motion {
         Ok(Self { scene, sums })
     }
 
-    /// The parts of the line at height `y` on which the body's origin can't be, from left to right, apart from each other; the first
-    /// comes from -∞, the last goes to ∞.
+    /// The parts of the line at height `y` on which the body's origin can't be, from left to right, apart from each
+    /// other; the first comes from -∞, the last goes to ∞.
     pub fn blocked(&self, y: f64) -> Vec<(f64, f64)> {
         let (low, high) = self.sums.reach;
         let (width, height) = self.scene.size;
@@ -80,8 +80,8 @@ impl Motion {
         is_inside && !meets_run && !meets_shape()
     }
 
-    /// Rows of the plan that a body between two heights may touch, by the height of their lower edge; `reach` is the region in which it
-    /// touches a row at the origin.
+    /// Rows of the plan that a body between two heights may touch, by the height of their lower edge; `reach` is the
+    /// region in which it touches a row at the origin.
     fn rows_near(&self, reach: (f64, f64), (bottom, top): (f64, f64)) -> impl Iterator<Item = (f64, &[(f64, f64)])> {
         let side = self.scene.resolution;
         let first = ((bottom - reach.1) / side).floor().max(0.0) as usize;

@@ -2,10 +2,12 @@
 
 use crate::grid::{Cell, Grid};
 
-/// The obstacles of a slice: FULL cells that hang together, corner to corner too. What hangs together with the outside is wall.
+/// The obstacles of a slice: FULL cells that hang together, corner to corner too. What hangs together with the
+/// outside is wall.
 ///
-/// So obstacles that leave no way between them are one to the robot, and one that leaves no way along the wall is part of it. They
-/// are numbered from 1 in the order in which a scan from the top left meets them (001, section 3: `obstacleNo`).
+/// So obstacles that leave no way between them are one to the robot, and one that leaves no way along the wall is
+/// part of it. They are numbered from 1 in the order in which a scan from the top left meets them (001, section 3:
+/// `obstacleNo`).
 #[derive(Debug, Clone)]
 pub struct Obstacles {
     /// Where the runs of every row begin in `runs`, from the bottom row.

@@ -21,10 +21,10 @@ const MAX_SLICE: usize = 1 << 26;
 
 /// Cells FREE or FULL over x, y and heading, bit by bit.
 ///
-/// A cell is FULL if the body, its origin at the cell's centre and turned by the cell's heading, overlaps - by more than a
-/// nanometre, so touching is no overlap - a cell of the plan that isn't known to be free, an object that stands in the way (the
-/// same shapes as for [`crate::coverage::ReachableFloor`], drop-offs among them) or the outside. Exact for convex outlines and for
-/// others, which are cut into convex pieces.
+/// A cell is FULL if the body, its origin at the cell's centre and turned by the cell's heading, overlaps - by more
+/// than a nanometre, so touching is no overlap - a cell of the plan that isn't known to be free, an object that
+/// stands in the way (the same shapes as for [`crate::coverage::ReachableFloor`], drop-offs among them) or the
+/// outside. Exact for convex outlines and for others, which are cut into convex pieces.
 #[derive(Debug, Clone)]
 pub struct ConfigurationSpace {
     /// Side of a cell, m.
@@ -64,7 +64,8 @@ impl ConfigurationSpace {
         Ok(Self { cell, headings, width, height, layers: (0..layers).map(layer).collect() })
     }
 
-    /// Whether the body fits with its origin in the centre of `cell` at heading number `heading`, counted round the circle.
+    /// Whether the body fits with its origin in the centre of `cell` at heading number `heading`, counted round the
+    /// circle.
     #[inline]
     pub fn is_free(&self, cell: Cell, heading: usize) -> bool {
         let is_inside = (0..self.width as i32).contains(&cell.x) && (0..self.height as i32).contains(&cell.y);
@@ -81,11 +82,6 @@ impl ConfigurationSpace {
             }
         }
         slice
-    }
-
-    /// Memory taken, bytes.
-    pub fn bytes(&self) -> usize {
-        8 * Bits::words(self.width, self.height) * self.layers.len()
     }
 }
 
@@ -125,8 +121,8 @@ impl Slice {
         }
     }
 
-    /// Makes FULL what overlaps the cells of the plan. `sum` is that of an upright line at the origin: what it says of a row holds for
-    /// every run of cells, its left end for their left and its right end for their right.
+    /// Makes FULL what overlaps the cells of the plan. `sum` is that of an upright line at the origin: what it says
+    /// of a row holds for every run of cells, its left end for their left and its right end for their right.
     fn draw_runs(&mut self, scene: &Scene, sum: &Sum) {
         let canvas = &mut self.canvas;
         let (low, high) = sum.rows();
@@ -140,9 +136,17 @@ impl Slice {
                 if left == f64::MAX {
                     continue;
                 }
+                // Runs that grow together are filled at once.
+                let mut all = (f64::MAX, f64::MIN);
                 for &(from, to) in runs {
-                    canvas.fill(row, from + left, to + right);
+                    let (from, to) = (from + left, to + right);
+                    if from > all.1 {
+                        canvas.fill(row, all.0, all.1);
+                        all.0 = from;
+                    }
+                    all.1 = to;
                 }
+                canvas.fill(row, all.0, all.1);
             }
         }
     }

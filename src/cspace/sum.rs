@@ -26,8 +26,8 @@ pub(super) enum Sum {
 }
 
 impl Sum {
-    /// Where a convex piece of the outline overlaps a convex polygon by more than a hair. The sides of both are all that can part
-    /// them, as in [`crate::geometry::overlap`].
+    /// Where a convex piece of the outline overlaps a convex polygon by more than a hair. The sides of both are all
+    /// that can part them, as in [`crate::geometry::overlap`].
     pub fn of_polygons(obstacle: &[Point], piece: &[Point]) -> Self {
         let plane = |normal: Vector| (normal, support(obstacle, normal) + support(piece, -normal) - HAIR);
         let own = edges(obstacle).map(|(a, b)| outward(a, b));
@@ -60,8 +60,8 @@ impl Sum {
         }
     }
 
-    /// Whether the straight line between two points goes through the region, or through the one that this becomes when what it is
-    /// the sum of, an upright line, is drawn out from `left` to `right`.
+    /// Whether the straight line between two points goes through the region, or through the one that this becomes
+    /// when what it is the sum of, an upright line, is drawn out from `left` to `right`.
     pub fn meets(&self, from: Point, to: Point, (left, right): (f64, f64)) -> bool {
         match self {
             Self::Planes { planes, rows } => {
@@ -136,7 +136,8 @@ fn comes_near(corners: &[Point], radius: f64, from: Point, to: Point) -> bool {
         || (corners.len() > 2 && enters(from, to, sides().map(|(normal, a)| (normal, a.coords.dot(&normal)))))
 }
 
-/// The part of a row that is nearer than `radius` to a convex polygon: discs around its corners, and its sides moved outwards.
+/// The part of a row that is nearer than `radius` to a convex polygon: discs around its corners, and its sides moved
+/// outwards.
 fn rounded(corners: &[Point], radius: f64, y: f64) -> (f64, f64) {
     let (mut low, mut high) = (f64::MAX, f64::MIN);
     for corner in corners {

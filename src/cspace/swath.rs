@@ -35,7 +35,8 @@ impl Swath {
         }
     }
 
-    /// Sweeps from all cells that are set, the body's origin in their centres and on the way between neighbours in a row.
+    /// Sweeps from all cells that are set, the body's origin in their centres and on the way between neighbours in a
+    /// row.
     pub fn sweep_cells(&mut self, cells: &Grid<bool>) {
         let size = self.canvas.cell;
         for (y, row) in cells.values().chunks(cells.width()).enumerate() {
@@ -50,15 +51,31 @@ impl Swath {
         }
     }
 
+    /// Number of cells of `floor` that a move straight from `from` to `to` would sweep for the first time.
+    pub fn gain(&self, floor: &Self, from: Point, to: Point) -> usize {
+        let (canvas, line) = (&self.canvas, [from, to]);
+        let count = |sum: &Sum| -> usize {
+            let rows = canvas.rows(sum.rows()).map(|row| {
+                let (low, high) = sum.across(canvas.centre(row));
+                let (first, last) = canvas.between(low, high);
+                let columns = first.max(0)..=last.min(canvas.width as i32 - 1);
+                let is_new = |&x: &i32| {
+                    let (x, y) = (x as usize, row as usize);
+                    floor.canvas.bits.get(x, y) && !canvas.bits.get(x, y)
+                };
+                columns.filter(is_new).count()
+            });
+            rows.sum()
+        };
+        if self.mirrored.is_empty() {
+            return count(&Sum::of_round(&line, self.radius));
+        }
+        self.mirrored.iter().map(|piece| count(&Sum::of_polygons(&line, piece))).sum()
+    }
+
     /// Adds what another body of the same room has swept.
     pub fn add(&mut self, other: &Self) {
         self.canvas.bits.add(&other.canvas.bits);
-    }
-
-    /// Whether a cell has been swept.
-    pub fn is_swept(&self, cell: Cell) -> bool {
-        let (x, y) = (cell.x as usize, cell.y as usize);
-        cell.x >= 0 && cell.y >= 0 && x < self.canvas.width && y < self.canvas.height && self.canvas.bits.get(x, y)
     }
 
     /// Number of cells swept.

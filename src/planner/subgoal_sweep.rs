@@ -1,21 +1,25 @@
 //! Subgoal sweep: scan lines from wall to wall and obstacle to obstacle, their ends linked from each to the nearest.
 //!
-//! Hyun (001, Honam University): a robot of any outline, moved in thought along scan lines through the obstacle map, records
-//! where it touches walls and obstacles (section 3, [`stage::subgoals`](super::stage::subgoals)). These subgoal points are linked,
-//! across the line first, then to the nearest that is left (section 4, [`SubgoalScan`]). Links that go through an obstacle get a detour
-//! (section 5, [`Detours`]). What the paper leaves open is told with each stage.
+//! Hyun (001, Honam University): a robot of any outline, moved in thought along scan lines through the obstacle map,
+//! records where it touches walls and obstacles (section 3, [`stage::subgoals`](super::stage::subgoals)). These
+//! subgoal points are linked, across the line first, then to the nearest that is left (section 4, [`SubgoalScan`]).
+//! Links that go through an obstacle get a detour (section 5, [`Detours`]). What the paper leaves open is told with
+//! each stage.
 //!
-//! Here the obstacle map is the planning grid: what is free in it for the robot, walls and obstacles being all the rest. The drafting
-//! room works with the paper's own map, of the robot's true outline and with lines at any distance ([`crate::app::sweep`]).
+//! Here the obstacle map is the planning grid: what is free in it for the robot, walls and obstacles being all the
+//! rest. The drafting room works with the paper's own map, of the robot's true outline and with lines at any distance
+//! ([`crate::app::sweep`]).
 //!
 //! # On a grid
 //!
-//! - *The start.* The paper's robot stands at the first subgoal point, in the upper left. This one may stand anywhere, and goes to the nearest.
+//! - *The start.* The paper's robot stands at the first subgoal point, in the upper left. This one may stand
+//!   anywhere, and goes to the nearest.
 //! - *Links* become steps to neighbouring cells: round one corner where that is free, else along the straight line.
-//! - *Lines.* One on every row, unless asked otherwise: planning cells are as wide as the strip that the robot cleans, or half as wide as
-//!   the octagon, the distance that the paper gives.
-//! - *What is left* between lines that are farther apart than a row, the paper leaves to the width of the robot. A stage of our own, after all links,
-//!   goes to the nearest cell left and along its row, again and again: so every walk covers all.
+//! - *Lines.* One on every row, unless asked otherwise: planning cells are as wide as the strip that the robot
+//!   cleans, or half as wide as the octagon, the distance that the paper gives.
+//! - *What is left* between lines that are farther apart than a row, the paper leaves to the width of the robot. A
+//!   stage of our own, after all links, goes to the nearest cell left and along its row, again and again: so every
+//!   walk covers all.
 //!
 //! O(n) for n cells, and for each detour the cells that its search looks at.
 //!
@@ -26,7 +30,7 @@
 //! let info = find("subgoal_sweep").unwrap();
 //! let planner = info.build(&Params::defaults(info.params));
 //! let path = planner.plan(&job, &mut PlanContext::new(0)).unwrap();
-//! assert_eq!(path.arrows(&job), ">>>>v\n.##.<\n.....\n");
+//! assert_eq!(path.arrows(&job), ">>>>v\no##v<\n^<<><\n");
 //! ```
 
 use super::{
@@ -119,14 +123,14 @@ impl Planner for SubgoalSweep {
             let (step, at, goal) = (progress.steps(), progress.at, points[to].cell);
             if is_straight_free(free, at, goal) {
                 follow(&mut progress, job, &[goal]);
-                ctx.trace(|| link(step, at, &points[to], found, None, &tally));
+                ctx.trace(|| link(step, at, (&points, to), found, None, &tally));
             } else {
                 tally.collisions += 1;
                 // All free cells are connected, so that there is a way.
                 let way = detours.find(at, goal).unwrap_or_default();
                 tally.resolved += usize::from(!way.is_empty());
                 follow(&mut progress, job, way.get(1..).unwrap_or_default());
-                ctx.trace(|| link(step, at, &points[to], found, Some(progress.steps() - step), &tally));
+                ctx.trace(|| link(step, at, (&points, to), found, Some(progress.steps() - step), &tally));
             }
             from = Ok(to);
         }
@@ -192,8 +196,22 @@ fn contacts(points: &[Subgoal], job: &CoverageJob) -> TraceStep {
     }
 }
 
-/// A link, to be shown; `detour` is the length of the way round, in steps.
-fn link(step: usize, at: Cell, to: &Subgoal, found: Found, detour: Option<usize>, tally: &Tally) -> TraceStep {
+/// Lines beside that of a link's end whose points are shown with it.
+const SHOWN_LINES: u32 = 3;
+
+/// A link, to be shown with the points around its end; `detour` is the length of the way round, in steps.
+fn link(
+    step: usize,
+    at: Cell,
+    (points, to): (&[Subgoal], usize),
+    found: Found,
+    detour: Option<usize>,
+    tally: &Tally,
+) -> TraceStep {
+    let near = points.iter().zip(1..).filter(|(point, _)| point.line.abs_diff(points[to].line) <= SHOWN_LINES);
+    let marks = near.map(|(point, number)| (point.cell, number)).collect();
+    let number = to + 1;
+    let to = &points[to];
     let rule = match (found, detour) {
         (_, Some(_)) => "Detour",
         (Found::Across, None) => "Across the line",
@@ -217,8 +235,8 @@ fn link(step: usize, at: Cell, to: &Subgoal, found: Found, detour: Option<usize>
         rule: rule.into(),
         at,
         towards,
-        marks: vec![(to.cell, to.line + 1)],
+        marks,
         sides: None,
-        note: format!("To {}{what} on line {}{round}", to.contact.name(), to.line + 1),
+        note: format!("To point {number}, {}{what}{round}", to.contact.name()),
     }
 }

@@ -5,8 +5,15 @@ import { test } from "node:test";
 import { openApp } from "./app.mjs";
 import { anyFile, openRoom, png, textMap } from "./maps.mjs";
 
-const DRAFT = { address: "#place=draft" };
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
+
+/** Opens the page and goes to the place Floor plan. */
+async function openDraft(t, options = {}) {
+  const opened = await openApp(t, options);
+  await opened.page.locator("#tab-draft").click();
+  await opened.page.locator("#draft-empty").waitFor();
+  return opened;
+}
 
 /** A DXF of lines, each `[layer, x1, y1, x2, y2]`; `units` is its $INSUNITS. */
 function dxf(name, lines, { units, end = true } = {}) {
@@ -47,10 +54,10 @@ async function sample(app) {
 }
 
 test("the sample is traced, cut, swept, exported, used and undone", async (t) => {
-  const { page, app, screenshot } = await openApp(t, DRAFT);
+  const { page, app, screenshot } = await openDraft(t);
   assert.ok(await page.locator("#draft-use").isDisabled());
   const whole = await sample(app);
-  assert.ok(whole > 40 && whole < 70, `${whole} m²`);
+  assert.ok(whole > 30 && whole < 60, `${whole} m²`);
   assert.match(await text(app, "#draft-facts"), /strokes on \d+ layers/);
   assert.equal(await page.locator("#draft-unit").inputValue(), "0.001");
   const layers = await page.locator("#draft-layers tr").count();
@@ -63,17 +70,17 @@ test("the sample is traced, cut, swept, exported, used and undone", async (t) =>
   await page.getByLabel("What FURNITURE is").selectOption("obstacle");
   assert.equal(await floor(app), whole);
 
-  // A room by a click inside, with the doors closed.
-  await page.locator("#draft-gap").fill("1");
-  await page.getByRole("button", { name: "This room" }).click();
+  // A room by a click inside, where doors count as walls.
+  await page.getByLabel("What DOORS is").selectOption("wall");
+  await page.getByRole("button", { name: "This room", exact: true }).click();
+  await page.locator("#draft-hint").waitFor();
   assert.match(await text(app, "#draft-hint"), /Click into the room/);
   await click(app, 0.38, 0.3);
   const one = await floor(app);
   assert.ok(one > 5 && one < whole / 2, `${one} of ${whole} m²`);
-  assert.match(await text(app, "#draft-result"), /gaps? closed/);
   await page.getByRole("button", { name: "Whole", exact: true }).click();
-  await page.locator("#draft-gap").fill("0");
-  assert.equal(Math.round(await floor(app)), Math.round(whole));
+  await page.getByLabel("What DOORS is").selectOption("ignored");
+  assert.equal(await floor(app), whole);
 
   await page.locator("[data-stage='1']").click();
   await page.locator("#draft-numbers").waitFor();
@@ -95,7 +102,7 @@ test("the sample is traced, cut, swept, exported, used and undone", async (t) =>
     const [download] = await Promise.all([page.waitForEvent("download"), page.locator(`[data-format=${format}]`).click()]);
     const content = fs.readFileSync(await download.path(), "latin1");
     assert.match(content, start, download.suggestedFilename());
-    if (format === "dxf") assert.ok(["WALLS", "SWEEP_PATH"].every((layer) => content.includes(layer)), "the path beside the drawing");
+    if (format === "dxf") assert.ok(["WALLS", "FURNITURE", "SUBGOALS", "LINKS", "SWEEP"].every((layer) => content.includes(layer)), "the path beside the drawing");
   }
 
   await page.locator("#tab-explore").click();
@@ -111,7 +118,7 @@ test("the sample is traced, cut, swept, exported, used and undone", async (t) =>
 });
 
 test("a drawing without unit asks for it, with the size of each answer", async (t) => {
-  const { page, app } = await openApp(t, DRAFT);
+  const { page, app } = await openDraft(t);
   assert.ok(await app.bring(dxf("rooms.dxf", TWO_ROOMS)));
   assert.ok(await page.locator("#draft-use").isDisabled(), "nothing is guessed");
   assert.match(await text(app, "#draft-result"), /How long is a unit/);
@@ -124,7 +131,7 @@ test("a drawing without unit asks for it, with the size of each answer", async (
 });
 
 test("two points and their distance set the scale, by pointer and by keys alone", async (t) => {
-  const { page, app } = await openApp(t, DRAFT);
+  const { page, app } = await openDraft(t);
   await app.bring(dxf("rooms.dxf", TWO_ROOMS));
   await page.getByRole("button", { name: "Scale by two points" }).click();
   // The wall is as wide as the canvas but for its margins of 24 pixels.
@@ -157,7 +164,7 @@ test("two points and their distance set the scale, by pointer and by keys alone"
 });
 
 test("rectangle and polygon cut the drawing, by pointer and by keys", async (t) => {
-  const { page, app } = await openApp(t, DRAFT);
+  const { page, app } = await openDraft(t);
   await app.bring(dxf("rooms.dxf", TWO_ROOMS, { units: 6 }));
   const whole = await floor(app);
   const canvas = await page.locator("#draft-floor").boundingBox();
@@ -185,13 +192,31 @@ test("rectangle and polygon cut the drawing, by pointer and by keys", async (t) 
   await page.keyboard.press("Enter");
   await page.keyboard.press("Escape");
   await page.keyboard.press("Escape");
-  await app.frames(3);
-  assert.equal(await page.locator("#draft-stage").getAttribute("data-tool"), "view");
+  await page.locator("#draft-stage[data-tool=view]").waitFor();
   assert.equal(await floor(app), triangle);
 });
 
+test("gaps between walls are closed as far as one likes", async (t) => {
+  const { page, app } = await openDraft(t);
+  const side = [["WALLS", 0, 0, 4, 0], ["WALLS", 4, 0, 4, 3], ["WALLS", 4, 3, 0, 3], ["WALLS", 0, 3, 0, 2], ["WALLS", 0, 1.2, 0, 0]];
+  await app.bring(dxf("open.dxf", side, { units: 6 }));
+  await page.locator("#draft-gap").fill("0");
+  await page.getByRole("button", { name: "This room", exact: true }).click();
+  await page.locator("#draft-stage[data-tool=room]").waitFor();
+  await click(app, 0.5, 0.5);
+  await page.locator("#draft-stage[data-tool=view]").waitFor();
+  const leak = await text(app, "#draft-result");
+  assert.doesNotMatch(leak, /m² of floor/);
+  assert.ok(leak.length > 20 && (await page.locator("#draft-use").isDisabled()), leak);
+  await page.locator("#draft-gap").fill("1");
+  const closed = await floor(app);
+  assert.ok(closed > 11 && closed < 12.5, `${closed} m²`);
+  assert.match(await text(app, "#draft-result"), /1 gap closed/);
+  assert.ok(await page.locator("#draft-use").isEnabled());
+});
+
 test("what can't be read is refused, and what was there before stays", async (t) => {
-  const { page, app } = await openApp(t, DRAFT);
+  const { page, app } = await openDraft(t);
   await app.bring(dxf("rooms.dxf", TWO_ROOMS, { units: 6 }));
   const [before, room] = [await floor(app), await app.room()];
   const block = (name, inside) => ["0", "BLOCK", "8", "0", "2", name, "70", "0", "10", "0", "20", "0", "0", "INSERT", "8", "0", "2", inside, "10", "0", "20", "0", "0", "ENDBLK", "8", "0"];
@@ -213,7 +238,7 @@ test("what can't be read is refused, and what was there before stays", async (t)
 });
 
 test("Explore's room can be swept, and taken back with the planner", async (t) => {
-  const { page, app } = await openApp(t, { address: "#room=hall20&place=draft" });
+  const { page, app } = await openDraft(t, { address: "#room=hall20" });
   await page.locator("#draft-empty [data-draft=explore]").click();
   assert.ok((await floor(app)) > 100);
   await page.locator("#draft-drive").click();
@@ -224,7 +249,7 @@ test("Explore's room can be swept, and taken back with the planner", async (t) =
 });
 
 test("the slice of the obstacle map and the robot's outline", async (t) => {
-  const { page, app } = await openApp(t, DRAFT);
+  const { page, app } = await openDraft(t);
   await app.bring(textMap("room.txt", openRoom(40, 30)));
   await page.locator("#draft-body").selectOption("rectangle");
   await text(app, "#draft-name");
@@ -248,25 +273,25 @@ test("the slice of the obstacle map and the robot's outline", async (t) => {
 });
 
 test("100,000 lines are drawn while the page answers", async (t) => {
-  const { page, app } = await openApp(t, DRAFT);
+  const { page, app } = await openDraft(t);
   const lines = box("WALLS", 0, 0, 100, 100);
   for (let i = 0; i < 100_000; i += 1) lines.push(["HATCH", (i % 400) / 4, Math.floor(i / 400) * 0.4, (i % 400) / 4 + 0.2, Math.floor(i / 400) * 0.4 + 0.3]);
+  // What the page's own thread does in one go, however busy the machine is besides.
   await page.evaluate(() => {
-    window.longest = 0;
-    let last = performance.now();
-    const look = () => {
-      const now = performance.now();
-      window.longest = Math.max(window.longest, now - last);
-      last = now;
-      setTimeout(look);
-    };
-    look();
+    window.tasks = [0];
+    const add = (list) => window.tasks.push(...list.getEntries().map(({ scripts }) => scripts.reduce((sum, { duration }) => sum + duration, 0)));
+    new PerformanceObserver(add).observe({ type: "long-animation-frame" });
+    requestAnimationFrame((from) => {
+      while (performance.now() < from + 150);
+    });
   });
+  const longest = async () => Math.max(...(await page.evaluate(() => window.tasks)));
+  await app.poll(longest, (ms) => ms > 100);
+  await page.evaluate(() => (window.tasks = [0]));
   const file = dxf("large.dxf", lines, { units: 6 });
   // Without the time that the test itself takes to hand the file over.
   await page.evaluate((content) => (window.largeFile = new File([content], "large.dxf")), file.bytes.toString());
   await page.evaluate(() => {
-    window.longest = 0;
     const dataTransfer = new DataTransfer();
     dataTransfer.items.add(window.largeFile);
     document.body.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
@@ -278,13 +303,14 @@ test("100,000 lines are drawn while the page answers", async (t) => {
   await page.mouse.down();
   await page.mouse.move(500, 300, { steps: 10 });
   await page.mouse.up();
-  const longest = await page.evaluate(() => window.longest);
-  t.diagnostic(`the page was busy for ${longest.toFixed(0)} ms at most`);
-  assert.ok(longest < 100, `${longest} ms`);
+  await app.frames(10);
+  const busy = await longest();
+  t.diagnostic(`the page was busy for ${busy.toFixed(0)} ms at most`);
+  assert.ok(busy < 100, `${busy} ms`);
 });
 
 test("cancelling brings back what was there before", async (t) => {
-  const { page, app } = await openApp(t, DRAFT);
+  const { page, app } = await openDraft(t);
   await app.bring(dxf("rooms.dxf", TWO_ROOMS, { units: 6 }));
   await page.locator("#draft-gap").fill("0.5");
   const before = await floor(app);
@@ -306,7 +332,7 @@ test("cancelling brings back what was there before", async (t) => {
 });
 
 test("fits a phone, with sheets under the drawing", async (t) => {
-  const { page, app, screenshot } = await openApp(t, { ...PHONE, ...DRAFT });
+  const { page, app, screenshot } = await openDraft(t, PHONE);
   await sample(app);
   await screenshot("draft-phone");
   const small = () =>
@@ -328,12 +354,12 @@ test("fits a phone, with sheets under the drawing", async (t) => {
   }
   // A tool makes way for the drawing.
   await page.locator("button[data-sheet=draft-setup]").tap();
-  await page.getByRole("button", { name: "This room" }).tap();
+  await page.getByRole("button", { name: "This room", exact: true }).tap();
   await page.locator("#draft-setup").waitFor({ state: "hidden" });
 });
 
 test("one screen on a laptop, in words too", async (t) => {
-  const { page, app } = await openApp(t, DRAFT);
+  const { page, app } = await openDraft(t);
   await sample(app);
   const rails = await page.evaluate(() => [...document.querySelectorAll("#place-draft .rail")].map((rail) => rail.scrollHeight - rail.clientHeight));
   assert.deepEqual(rails, [0, 0], "nothing to be scrolled");

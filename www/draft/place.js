@@ -21,7 +21,7 @@ import { startWalls } from "./walls.js";
  * @property {(request: import("./types").Request, doing: string) => Promise<{ result: unknown } | undefined>} ask Nothing if it was refused, which is told, or cancelled.
  * @property {(change: Partial<import("./types").Settings>) => Promise<unknown>} set Chooses.
  * @property {(sweeps: boolean) => Promise<void>} use Makes the draft the room of Explore.
- * @property {() => void} toCanvas Shows the canvas and goes there by keyboard.
+ * @property {(withFocus: boolean) => void} toCanvas Closes the sheet over the canvas; may go there by keyboard too.
  */
 
 /** Larger files can't be a floor plan that is taken. */
@@ -77,9 +77,9 @@ export function startDraft(app, module) {
       toast(`Loaded ${drafter.files.map((file) => file.name).join(" and ")}`);
       byId("tab-explore").click();
     },
-    toCanvas: () => {
+    toCanvas: (withFocus) => {
       /** @type {HTMLElement | null} */ (root.querySelector("[data-sheet][aria-expanded=true]"))?.click();
-      byId("draft-floor").focus();
+      if (withFocus) byId("draft-floor").focus();
     },
   };
 
@@ -157,7 +157,6 @@ function show(view) {
   setHidden(byId("draft-none"), view !== undefined);
   setText(byId("draft-name"), view?.name ?? "No floor plan yet");
   setText(byId("draft-facts"), view ? facts(view) : "");
-  setText(byId("draft-left-out"), view?.left_out.length ? `Not drawn: ${view.left_out.join(", ")}.` : "");
   setAttribute(byId("draft-floor"), "aria-label", view?.words ?? "Floor plan: nothing here yet");
   setText(byId("draft-said"), view?.words ?? "");
   setText(byId("draft-fault"), view?.fault ?? "");
@@ -168,9 +167,9 @@ function show(view) {
 }
 
 /** @param {DraftView} view */
-function facts({ kind, size, strokes, layers, room }) {
+function facts({ kind, size, strokes, layers, room, left_out }) {
   const what = kind === "drawing" ? `${strokes.toLocaleString("en")} strokes on ${layers.length} layers` : room ? `${room.cells[0]} × ${room.cells[1]} cells of ${(100 * room.resolution).toLocaleString("en", { maximumFractionDigits: 2 })} cm` : "";
-  return [size, what].filter(Boolean).join(" · ");
+  return [size, what, left_out.length && `not drawn: ${left_out.join(", ")}`].filter(Boolean).join(" · ");
 }
 
 /** @param {DraftView} view */

@@ -10,7 +10,7 @@ export function startScale(it) {
   onNumber(pixel, (centimetres) => void it.set({ metre: centimetres / 100 }));
   tool.addEventListener("click", () => {
     it.drafter.say({ type: "tool", tool: it.view?.tool === "scale" ? "view" : "scale" });
-    it.toCanvas();
+    it.toCanvas(true);
   });
   const form = typed("draft-distance-form", HTMLFormElement);
   form.addEventListener("submit", async (event) => {
@@ -54,6 +54,6 @@ export function startScale(it) {
 /** @param {import("./types").DraftView} view */
 function note({ kind, says_unit, settings, is_scalable }) {
   if (!is_scalable) return "A scenario is measured in metres.";
-  if (kind === "drawing") return settings.metre === null ? "The file doesn't say its unit. Choose the one that gives the right size, or scale it by two points." : says_unit ? "As the file says; choose another if the size is wrong." : "";
+  if (kind === "drawing") return settings.metre === null ? "The file doesn't say its unit. Choose the one that gives the right size, or scale it by two points." : "";
   return says_unit ? "" : "The image doesn't say how long a pixel is: 5 cm are assumed.";
 }

@@ -30,7 +30,9 @@ export function startSweep(it) {
   const planned = async () => it.view?.sweep || Boolean(await it.ask({ type: "sweep" }, "Planning the sweep"));
   /** @param {number[]} stages @param {boolean} isMoving */
   const play = async (stages, isMoving) => {
-    if (await planned()) it.drafter.say({ type: "stages", stages, moves: isMoving });
+    if (!(await planned())) return;
+    it.toCanvas(false);
+    it.drafter.say({ type: "stages", stages, moves: isMoving });
   };
   button("draft-play").addEventListener("click", () => void play([1, 2, 3], moves()));
   const stages = [...byId("draft-stages").querySelectorAll("button")];

@@ -54,7 +54,6 @@ export type DraftView = {
   body: [number, number][];
   body_fault: string;
   sweep: SweepView | null;
-  has_space: boolean;
   /** How long the sweep took to be planned. */
   seconds: number;
   /** Stage of the sweep that is shown, 0 for none. */

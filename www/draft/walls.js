@@ -30,7 +30,7 @@ export function startWalls(it) {
         return void it.set({ part: { kind: "whole" } });
       }
       it.drafter.say({ type: "tool", tool: /** @type {import("./types").Tool} */ (part) });
-      it.toCanvas();
+      it.toCanvas(true);
     });
   }
 

@@ -8,8 +8,9 @@ use crate::{
     },
     cspace::{ConfigurationSpace, Outline},
     drawing::{self, Traced, Tracing},
-    floorplan::{FloorPlan, MapError, SourceFile},
-    geometry::{Pose, Vector},
+    floorplan::{FloorPlan, MapError, Object, SourceFile},
+    geometry::{Point, Pose, Vector, contains},
+    grid::Cell,
 };
 use std::ops::ControlFlow;
 
@@ -23,6 +24,8 @@ pub struct Board {
     settings: Settings,
     sheet: Sheet,
     room: Option<Traced>,
+    /// Floor of the room that is free, m².
+    floor: f64,
     fault: String,
     version: u32,
     space: Option<ConfigurationSpace>,
@@ -42,6 +45,7 @@ impl Board {
             settings,
             sheet,
             room: None,
+            floor: 0.0,
             fault: String::new(),
             version: 0,
             space: None,
@@ -70,6 +74,11 @@ impl Board {
     /// The room, if there is one.
     pub fn room(&self) -> Option<&Traced> {
         self.room.as_ref()
+    }
+
+    /// Floor of the room that is free, m².
+    pub fn floor_m2(&self) -> f64 {
+        self.floor
     }
 
     /// Why there is no room, or what else is wrong; empty if nothing.
@@ -141,7 +150,10 @@ impl Board {
             }
         };
         match traced {
-            Ok(traced) => self.room = Some(traced),
+            Ok(traced) => {
+                self.floor = free_floor(&traced.plan);
+                self.room = Some(traced);
+            }
             Err(error) => self.fault = error.to_string(),
         }
     }
@@ -220,6 +232,37 @@ impl Board {
             _ => "there is no room yet".to_owned(),
         }
     }
+}
+
+/// Floor on which nothing stands, m²; by the centres of the cells.
+fn free_floor(plan: &FloorPlan) -> f64 {
+    let mut free = plan.occupancy.map(|cell| cell.is_free());
+    let mut take = |low: Point, high: Point, holds: &dyn Fn(Point) -> bool| {
+        let (low, high) = (plan.cell_at(low), plan.cell_at(high));
+        for y in low.y.max(0)..=high.y.min(free.height() as i32 - 1) {
+            for x in low.x.max(0)..=high.x.min(free.width() as i32 - 1) {
+                let cell = Cell::new(x, y);
+                free[cell] &= !holds(plan.centre(cell));
+            }
+        }
+    };
+    for object in &plan.objects {
+        match object {
+            Object::Furniture { outline } | Object::DropOff { outline } => {
+                let first = outline.first().copied().unwrap_or_else(Point::origin);
+                let (low, high) = outline.iter().fold((first, first), |(low, high), point| {
+                    (low.coords.inf(&point.coords).into(), high.coords.sup(&point.coords).into())
+                });
+                take(low, high, &|at| contains(outline, at));
+            }
+            Object::Leg { at, radius } => {
+                let reach = Vector::new(*radius, *radius);
+                take(at - reach, at + reach, &|place| (place - at).norm() <= *radius);
+            }
+            _ => {}
+        }
+    }
+    free.count() as f64 * plan.resolution * plan.resolution
 }
 
 /// A map whose cells are `metre` wide, with its start where it was in the picture.

@@ -2,10 +2,14 @@
 
 use super::{Board, Source};
 use crate::{
-    app::outlines,
+    app::{
+        outlines,
+        sweep::{Sweep, commands, commands_text, overlays, program, to_csv, to_ros_path},
+    },
     drawing::{Overlay, Traced, to_dxf},
     geometry::Point,
     grid::Occupancy,
+    robot,
 };
 use serde::{Deserialize, Serialize};
 
@@ -18,6 +22,16 @@ const MOST_CORNERS: usize = 200_000;
 pub enum Format {
     /// The path on layers of its own, beside the drawing.
     Dxf,
+    /// A program for people: turns and straight ways.
+    Program,
+    /// Bytes of the Open Interface, as they go to a robot.
+    Bytes,
+    /// The same with their times and meanings, as text.
+    Commands,
+    /// Places with times.
+    Csv,
+    /// A path of ROS.
+    Poses,
 }
 
 /// A file.
@@ -34,45 +48,38 @@ pub struct Export {
 impl Board {
     /// The sweep as a file.
     pub fn export(&self, format: Format) -> Result<Export, String> {
-        let (Some(room), Some(_)) = (self.room(), self.planned()) else {
+        let (Some(room), Some(sweep)) = (self.room(), self.planned()) else {
             return Err("plan the sweep first".to_owned());
         };
-        let name = |ending: &str| format!("{}-sweep.{ending}", self.source().name());
-        match format {
-            Format::Dxf => {
-                let original =
-                    if let Source::Drawing { original, .. } = self.source() { original.as_deref() } else { None };
-                let mut overlays = self.overlays(room);
-                if original.is_none() {
-                    overlays.extend(walls(room));
-                }
-                let bytes = to_dxf(original, &overlays).map_err(|error| error.to_string())?;
-                Ok(Export { name: name("dxf"), media: "image/vnd.dxf", bytes })
+        // Commands are for a robot that there is: the one that was chosen, or else the one that the interface is of.
+        let chosen = self.settings().body.model().and_then(robot::model);
+        let model = chosen.or(robot::model("roomba600")).ok_or("there is no robot to be commanded")?;
+        // As the planner has it: the robot looks along x when it begins, or as the room's start says.
+        let (path, heading) = (&sweep.path, room.plan.start.map_or(0.0, |start| start.heading));
+        let (ending, media, bytes) = match format {
+            Format::Dxf => ("dxf", "image/vnd.dxf", self.dxf(room, sweep)?),
+            Format::Program => ("txt", "text/plain", program(path, heading, model).into_bytes()),
+            Format::Bytes => {
+                let bytes = commands(path, heading, model).into_iter().flat_map(|command| command.bytes);
+                ("bin", "application/octet-stream", bytes.collect())
             }
-        }
+            Format::Commands => {
+                let text = commands_text(&commands(path, heading, model), model);
+                ("commands.txt", "text/plain", text.into_bytes())
+            }
+            Format::Csv => ("csv", "text/csv", to_csv(path, heading, model).into_bytes()),
+            Format::Poses => ("yaml", "text/yaml", to_ros_path(path, heading, &room.plan, model).into_bytes()),
+        };
+        Ok(Export { name: format!("{}-sweep.{ending}", self.source().name()), media, bytes })
     }
 
-    fn overlays(&self, room: &Traced) -> Vec<Overlay> {
-        let Some(sweep) = self.planned() else { return Vec::new() };
-        let to_drawing = |point: &Point| Point::from(room.corner + point.coords / room.metre);
-        let line = |points: &[Point]| points.iter().map(to_drawing).collect::<Vec<_>>();
-        // A cross of a tenth of the scan width at every subgoal.
-        let arm = 0.05 * sweep.scan_width;
-        let crosses = sweep.subgoals.iter().flat_map(|subgoal| {
-            let Point { coords } = subgoal.at;
-            let at = |x: f64, y: f64| Point::new(coords.x + x, coords.y + y);
-            [line(&[at(-arm, 0.0), at(arm, 0.0)]), line(&[at(0.0, -arm), at(0.0, arm)])]
-        });
-        let detours = sweep.links.iter().filter(|link| link.collides && !link.way.is_empty());
-        vec![
-            Overlay { layer: "SWEEP_PATH".to_owned(), colour: 5, lines: vec![line(&sweep.path)] },
-            Overlay {
-                layer: "SWEEP_DETOURS".to_owned(),
-                colour: 3,
-                lines: detours.map(|link| line(&link.way)).collect(),
-            },
-            Overlay { layer: "SWEEP_SUBGOALS".to_owned(), colour: 1, lines: crosses.collect() },
-        ]
+    fn dxf(&self, room: &Traced, sweep: &Sweep) -> Result<Vec<u8>, String> {
+        let original = if let Source::Drawing { original, .. } = self.source() { original.as_deref() } else { None };
+        let mut layers = overlays(sweep, room.corner, room.metre);
+        if original.is_none() {
+            layers.extend(walls(room));
+        }
+        to_dxf(original, &layers).map_err(|error| error.to_string())
     }
 }
 

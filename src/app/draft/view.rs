@@ -10,6 +10,7 @@ use serde::Serialize;
 
 /// A draft as it is now.
 #[derive(Debug, Clone, Serialize)]
+#[expect(clippy::struct_excessive_bools)]
 pub struct DraftView {
     /// Its name.
     pub name: String,
@@ -51,8 +52,6 @@ pub struct DraftView {
     pub body_fault: String,
     /// The sweep, once planned.
     pub sweep: Option<SweepView>,
-    /// Whether the obstacle map is there.
-    pub has_space: bool,
 }
 
 /// A unit that may be chosen.
@@ -88,7 +87,7 @@ pub struct RoomView {
     pub height_m: f64,
     /// Columns and rows.
     pub cells: [usize; 2],
-    /// Free floor, m².
+    /// Floor on which nothing stands, m².
     pub floor_m2: f64,
     /// Side of a cell, m.
     pub resolution: f64,
@@ -165,19 +164,17 @@ impl Board {
             },
             body_fault: outline.err().unwrap_or_default(),
             sweep: self.planned().map(sweep_view),
-            has_space: self.space().is_some(),
         }
     }
 
     fn room_view(&self) -> Option<RoomView> {
         let room = self.room()?;
         let (plan, cells) = (&room.plan, &room.plan.occupancy);
-        let free = cells.values().iter().filter(|cell| cell.is_free()).count();
         Some(RoomView {
             width_m: plan.width_m(),
             height_m: plan.height_m(),
             cells: [cells.width(), cells.height()],
-            floor_m2: free as f64 * plan.resolution * plan.resolution,
+            floor_m2: self.floor_m2(),
             resolution: plan.resolution,
             objects: plan.objects.len(),
             gaps: room.gaps.len(),

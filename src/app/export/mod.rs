@@ -11,7 +11,7 @@ use crate::{
         planning::choose_robot,
         sweep::{commands, commands_text, program, to_csv, to_ros_path},
     },
-    floorplan::{FloorPlan, MapImage, Mode, RosMapError, Scenario, to_ascii, to_ros_map},
+    floorplan::{FloorPlan, MapError, MapImage, Mode, RosMapError, Scenario, to_ascii, to_ros_map},
     geometry::Point,
     robot::{RobotModel, model},
 };
@@ -72,6 +72,13 @@ pub const FORMATS: &[Format] = &[
         note: "Walls, furniture and path for papers and web pages; one unit is a millimetre.",
         needs_path: false,
     },
+    #[cfg(feature = "draft")]
+    Format {
+        id: "dxf",
+        title: "DXF drawing",
+        note: "Walls, furniture and path on layers of their own, in metres, for CAD programs.",
+        needs_path: false,
+    },
     Format {
         id: "path_csv",
         title: "Path, CSV table",
@@ -127,6 +134,9 @@ pub enum ExportError {
     /// The format holds a path and there is none.
     #[error("{0} holds a path, and there is none yet; plan one first")]
     NoPath(&'static str),
+    /// The drawing can't be written.
+    #[error(transparent)]
+    Drawing(#[from] MapError),
     /// The scenario's robot isn't known.
     #[error("the robot of this room isn't known; choose another one")]
     NoRobot,
@@ -152,6 +162,8 @@ impl Exported<'_> {
             "scenario" => Ok(self.one("json", "application/json", self.scenario.to_json())),
             "text" => Ok(self.one("txt", "text/plain", to_ascii(self.plan))),
             "svg" => Ok(self.one("svg", "image/svg+xml", to_svg(self.plan, self.path))),
+            #[cfg(feature = "draft")]
+            "dxf" => self.dxf(),
             "ros_pgm" => self.ros_map(MapImage::Pgm),
             "ros_png" => self.ros_map(MapImage::Png),
             "path_csv" => Ok(self.one("csv", "text/csv", to_csv(self.path, self.heading(), &self.robot()?))),
@@ -182,6 +194,17 @@ impl Exported<'_> {
 
     fn one(&self, ending: &str, kind: &'static str, text: String) -> Vec<ExportFile> {
         vec![ExportFile { name: format!("{}.{ending}", self.stem), kind, bytes: text.into_bytes() }]
+    }
+
+    #[cfg(feature = "draft")]
+    fn dxf(&self) -> Result<Vec<ExportFile>, ExportError> {
+        let mut overlays = crate::drawing::outlines(self.plan);
+        if !self.path.is_empty() {
+            let path = self.path.iter().map(|&at| self.plan.origin.to_world(at)).collect();
+            overlays.push(crate::drawing::Overlay { layer: "PATH".to_owned(), colour: 5, lines: vec![path] });
+        }
+        let bytes = crate::drawing::to_dxf(None, &overlays)?;
+        Ok(vec![ExportFile { name: format!("{}.dxf", self.stem), kind: "image/vnd.dxf", bytes }])
     }
 
     fn ros_map(&self, image: MapImage) -> Result<Vec<ExportFile>, ExportError> {

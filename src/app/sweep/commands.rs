@@ -1,7 +1,7 @@
 //! Paths as bytes of the Open Interface, to be sent at their times.
 //!
-//! Robots of the 600 series have no script commands (opcodes 152 to 158 are the Create's of 2006), and drive on until they are told otherwise: so a
-//! path is a list of commands, each with the time at which it is to be sent.
+//! Robots of the 600 series have no script commands (opcodes 152 to 158 are the Create's of 2006), and drive on until
+//! they are told otherwise: so a path is a list of commands, each with the time at which it is to be sent.
 
 use crate::{
     geometry::{Point, Pose, Vector, difference},
@@ -11,9 +11,10 @@ use crate::{
 };
 use std::fmt::Write;
 
-/// The robot looks at what it was told every 15 ms (Open Interface, "Serial port": its update period): times between commands are multiples of it.
+/// The robot looks at what it was told every 15 ms (Open Interface, "Serial port": its update period): times between
+/// commands are multiples of it.
 const PERIOD: f64 = 0.015;
-/// Time that the robot gets for a change of mode, s (ours; 20 ms is what the Open Interface asks for between such commands).
+/// Time that the robot gets for a change of mode, s (ours).
 const MODE_CHANGE: f64 = 2.0 * PERIOD;
 /// Standing still after every move, beyond what its motion model takes to stop, s (ours).
 const REST: f64 = 2.0 * PERIOD;
@@ -36,12 +37,13 @@ pub struct TimedCommand {
     pub meaning: String,
 }
 
-/// Commands that drive a Roomba of the 600 series along `path` from `heading` rad: Start and Safe first, then a turn on the spot and a straight way for every
-/// piece, each ended by wheel speeds of 0; then Stop.
+/// Commands that drive a Roomba of the 600 series along `path` from `heading` rad: Start and Safe first, then a turn
+/// on the spot and a straight way for every piece, each ended by wheel speeds of 0; then Stop.
 ///
-/// Speeds are those that the robot's controller keeps ([`RobotModel::speed_steps`]), in whole mm/s, and every time is distance by speed: what a wheel that speeds
-/// up evenly falls behind it makes up when it slows down. As times are whole periods, a move ends up to 2 mm or a quarter of a degree off; the next
-/// one begins from there, so that this never adds up. What slips, does.
+/// Speeds are those that the robot's controller keeps ([`RobotModel::speed_steps`]), in whole mm/s, and every time is
+/// distance by speed: what a wheel that speeds up evenly falls behind it makes up when it slows down. As times are
+/// whole periods, a move ends up to 2 mm or a quarter of a degree off; the next one begins from there, so that this
+/// never adds up. What slips, does.
 pub fn commands(path: &[Point], heading: f64, robot: &RobotModel) -> Vec<TimedCommand> {
     let mut list = List { robot, commands: Vec::new(), now: 0.0 };
     list.send(Command::Start, MODE_CHANGE, "start the interface".to_owned());
@@ -62,7 +64,7 @@ pub fn commands(path: &[Point], heading: f64, robot: &RobotModel) -> Vec<TimedCo
         }
     }
     list.send(Command::DriveDirect { right: 0, left: 0 }, PERIOD, "stand still".to_owned());
-    list.send(Command::Stop, 0.0, "end the interface".to_owned());
+    list.send(Command::Stop, MODE_CHANGE, "end the interface".to_owned());
     list.commands
 }
 

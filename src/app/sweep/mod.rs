@@ -1,17 +1,20 @@
-//! The sweeping planner of 001, from the room and the robot's outline to its path: obstacle map, subgoals, links, detours; and what a robot
-//! or another program is given of a path.
+//! The sweeping planner of 001, from the room and the robot's outline to its path: obstacle map, subgoals, links,
+//! detours, and a finish of our own for what these leave out; and what a robot or another program is given of a path.
 //!
-//! Where the registry's planner ([`crate::planner`], `subgoal_sweep`) works on planning cells like every other, this one works as the paper
-//! does: with the outline that the user has drawn, in metres, with scan lines at any distance. The robot keeps heading 0 and moves
-//! in every direction (section 2).
+//! Where the registry's planner ([`crate::planner`], `subgoal_sweep`) works on planning cells like every other, this
+//! one works as the paper does: with the outline that the user has drawn, in metres, with scan lines at any distance.
+//! The robot keeps heading 0 and moves in every direction (section 2).
 
 mod commands;
+mod cover;
 mod error;
+mod finish;
+mod linker;
 #[cfg(feature = "draft")]
 mod overlay;
 mod pipeline;
 mod program;
-mod sweep;
+mod stages;
 mod track;
 
 pub use crate::planner::stage::Contact;
@@ -21,5 +24,5 @@ pub use error::SweepError;
 pub use overlay::overlays;
 pub use pipeline::{SCAN_WIDTHS, sweep};
 pub use program::program;
-pub use sweep::{Link, Subgoal, Sweep, SweepSetup};
+pub use stages::{Link, Subgoal, Sweep, SweepSetup};
 pub use track::{to_csv, to_ros_path};

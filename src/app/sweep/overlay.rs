@@ -9,9 +9,10 @@ use crate::{
 /// Half the size of the cross that marks a subgoal, as a share of the distance between scan lines.
 const CROSS: f64 = 0.25;
 
-/// The sweep on three layers in drawing units: SUBGOALS, a cross a point (AutoCAD colour 1, red); LINKS, the straight links of Fig. 4, through
-/// obstacles or not (2, yellow); SWEEP, the path of Fig. 5 (5, blue). `corner` is where the room's lower left corner lies in the drawing, and `metre` how many
-/// metres a drawing unit has, as in [`crate::drawing::Traced`].
+/// The sweep on three layers in drawing units: SUBGOALS, a cross a point (AutoCAD colour 1, red); LINKS, the straight
+/// links of Fig. 4, through obstacles or not (2, yellow); SWEEP, the path of Fig. 5 (5, blue). `corner` is where the
+/// room's lower left corner lies in the drawing, and `metre` how many metres a drawing unit has, as in
+/// [`crate::drawing::Traced`].
 pub fn overlays(sweep: &Sweep, corner: Vector, metre: f64) -> Vec<Overlay> {
     let place = |point: Point| Point::from(corner + point.coords / metre);
     let arm = CROSS * sweep.scan_width;

@@ -1,12 +1,17 @@
 //! The stages one after the other.
 
-use super::{Link, Subgoal, Sweep, SweepError, SweepSetup};
+use super::{
+    Link, Subgoal, Sweep, SweepError, SweepSetup,
+    cover::Cover,
+    finish::finish,
+    linker::{Line, Linker},
+};
 use crate::{
-    cspace::{ConfigurationSpace, Motion, Obstacles, Swath},
+    cspace::{ConfigurationSpace, Motion, Obstacles},
     floorplan::{FloorPlan, MAX_RESOLUTION, MIN_RESOLUTION},
     geometry::{Point, Pose},
     grid::{Cell, Grid, largest_part, reachable},
-    planner::stage::{Beside, Detours, SubgoalScan, is_straight_free, scan_rows, subgoals},
+    planner::stage::{self, Beside, Detours, SubgoalScan, scan_rows, subgoals},
 };
 use std::ops::{ControlFlow, RangeInclusive};
 
@@ -17,14 +22,15 @@ const MAX_HEADINGS: usize = 360;
 /// Links between two reports.
 const REPORT_EVERY: usize = 256;
 
-/// How far the stages are when they end, 0 to 1: the obstacle map, subgoals, links; the rest is for coverage.
-const DONE: [f64; 3] = [0.25, 0.3, 0.85];
+/// How far the stages are when they end, 0 to 1: the obstacle map, subgoals, links, finish.
+const DONE: [f64; 4] = [0.25, 0.3, 0.8, 0.95];
 
 /// Plans a sweep of `plan`. `observe` is told how far it is, 0 to 1, and says whether to go on.
 ///
 /// Of the obstacle map only heading 0 is made here, which is all that the sweep needs; the other headings are
-/// [`ConfigurationSpace`]'s. Without a start the robot begins at the first subgoal point of the largest part of the room, as the paper's
-/// does (section 4). With one that isn't FREE it begins in the nearest cell that is. Subgoals that it can't get to are left out.
+/// [`ConfigurationSpace`]'s. Without a start the robot begins at the first subgoal point of the largest part of the
+/// room, as the paper's does (section 4). With one that isn't FREE it begins in the nearest cell that is. Subgoals
+/// that it can't get to are left out.
 pub fn sweep(
     plan: &FloorPlan,
     setup: &SweepSetup,
@@ -52,14 +58,8 @@ pub fn sweep(
         return Err(fits_nowhere);
     }
     report(DONE[1])?;
-    let mut linker = Linker {
-        free: &reached,
-        cells: points.iter().map(|p| p.cell).collect(),
-        places: &places,
-        motion: &motion,
-        detours: Detours::new(&reached),
-        cell: setup.cell,
-    };
+    let mut linker = Linker { free: &reached, motion: &motion, detours: Detours::new(&reached), cell: setup.cell };
+    let stop = |number: usize| (points[number].cell, places[number]);
     let mut scan = SubgoalScan::new(&points, Beside::Never);
     let start = setup.start.map(|pose| start_place(pose, begin, &motion, setup.cell));
     let first = match start {
@@ -69,23 +69,29 @@ pub fn sweep(
     scan.track(first);
     let mut path = Line::default();
     if let Some(start) = start {
-        path.extend(&linker.way((begin, start), (points[first].cell, places[first])).0);
+        path.extend(&linker.way((begin, start), stop(first)).0);
     }
     path.extend(&[places[first]]);
     let mut links: Vec<Link> = Vec::with_capacity(points.len());
     let mut from = first;
     while let Some((to, _)) = scan.next(&reached, Ok(from)) {
-        if links.len() % REPORT_EVERY == 0 {
+        if links.len().is_multiple_of(REPORT_EVERY) {
             report(DONE[1] + (DONE[2] - DONE[1]) * links.len() as f64 / points.len() as f64)?;
         }
         scan.track(to);
-        let (way, collides) = linker.link(from, to);
+        let (way, collides) = linker.way(stop(from), stop(to));
         path.extend(&way);
         links.push(Link { from, to, collides, way });
         from = to;
     }
     report(DONE[2])?;
-    let coverage = coverage(outline, &reached, setup.cell, &path.corners);
+    let mut cover = Cover::new(outline, &reached, setup.cell, &path.corners);
+    let linked_share = cover.share();
+    let mut told = |share: f64| report(DONE[2] + (DONE[3] - DONE[2]) * share);
+    let finish = finish(&mut linker, &mut cover, &rows, stop(from), &mut told)?;
+    for way in &finish {
+        path.extend(way);
+    }
     let collisions = links.iter().filter(|link| link.collides).count();
     let resolved = links.iter().filter(|link| link.collides && !link.way.is_empty()).count();
     let length = path.corners.windows(2).map(|piece| (piece[1] - piece[0]).norm()).sum();
@@ -93,8 +99,20 @@ pub fn sweep(
     let points = points.map(|(p, &at)| Subgoal { at, contact: p.contact, line: p.line, obstacle: p.obstacle });
     let subgoals = points.collect();
     report(1.0)?;
-    let cell = setup.cell;
-    Ok(Sweep { free, cell, scan_width, subgoals, links, collisions, resolved, path: path.corners, length, coverage })
+    Ok(Sweep {
+        free,
+        cell: setup.cell,
+        scan_width,
+        subgoals,
+        links,
+        collisions,
+        resolved,
+        linked_share,
+        finish,
+        path: path.corners,
+        length,
+        coverage: cover.share(),
+    })
 }
 
 /// Says which number is out of range.
@@ -141,9 +159,9 @@ fn start_place(start: Pose, begin: Cell, motion: &Motion, cell: f64) -> Point {
 }
 
 /// Where the body's origin is when it touches: less than a cell beyond the centre of the last FREE cell of the run.
-fn places(points: &[crate::planner::stage::Subgoal], motion: &Motion, cell: f64) -> Vec<Point> {
+fn places(points: &[stage::Subgoal], motion: &Motion, cell: f64) -> Vec<Point> {
     let mut blocked = (None, Vec::new());
-    let place = |point: &crate::planner::stage::Subgoal| {
+    let place = |point: &stage::Subgoal| {
         let centre = point.cell.centre(cell);
         if blocked.0 != Some(point.line) {
             blocked = (Some(point.line), motion.blocked(centre.y));
@@ -154,83 +172,12 @@ fn places(points: &[crate::planner::stage::Subgoal], motion: &Motion, cell: f64)
         } else {
             blocked.1.get(next).map(|part| part.0)
         };
+        // A nanometre off, so that rounding doesn't put it inside.
+        let found = found.map(|x| if point.contact.is_left() { x + 1e-9 } else { x - 1e-9 });
         // Never farther than the FULL cell's centre, nor on the wrong side.
         let x = found.filter(|x| (x - centre.x).abs() <= cell).unwrap_or(centre.x);
         let is_on = if point.contact.is_left() { x <= centre.x } else { x >= centre.x };
         Point::new(if is_on { x } else { centre.x }, centre.y)
     };
     points.iter().map(place).collect()
-}
-
-/// Makes ways between subgoals.
-struct Linker<'a> {
-    free: &'a Grid<bool>,
-    cells: Vec<Cell>,
-    places: &'a [Point],
-    motion: &'a Motion,
-    detours: Detours<'a>,
-    /// Side of a cell, m.
-    cell: f64,
-}
-
-impl Linker<'_> {
-    /// The way from one subgoal to another, and whether the straight one collides.
-    fn link(&mut self, from: usize, to: usize) -> (Vec<Point>, bool) {
-        self.way((self.cells[from], self.places[from]), (self.cells[to], self.places[to]))
-    }
-
-    /// The way from a place in a cell to a place in another. The straight way collides if the line between the cells' centres leaves the
-    /// FREE cells (the check of the paper's map). Where it doesn't, it is driven between the places themselves if that is free to the nanometre,
-    /// or else by the centres.
-    fn way(&mut self, from: (Cell, Point), to: (Cell, Point)) -> (Vec<Point>, bool) {
-        let mut line = Line::default();
-        line.extend(&[from.1]);
-        let collides = !is_straight_free(self.free, from.0, to.0);
-        if collides {
-            let Some(corners) = self.detours.find(from.0, to.0) else { return (Vec::new(), true) };
-            let centres: Vec<Point> = corners.into_iter().map(|corner| corner.centre(self.cell)).collect();
-            line.extend(&centres);
-        } else if from.0.y != to.0.y && !self.motion.is_free(from.1, to.1) {
-            line.extend(&[from.0, to.0].map(|cell| cell.centre(self.cell)));
-        }
-        line.extend(&[to.1]);
-        (line.corners, collides)
-    }
-}
-
-/// Corners of a line, without those at which it doesn't turn.
-#[derive(Default)]
-struct Line {
-    corners: Vec<Point>,
-}
-
-impl Line {
-    fn extend(&mut self, points: &[Point]) {
-        for &point in points {
-            let last = self.corners.last().copied();
-            if last.is_some_and(|last| (point - last).norm() < 1e-9) {
-                continue;
-            }
-            if let [.., before, last] = self.corners[..] {
-                let (there, on) = (last - before, point - last);
-                if there.perp(&on).abs() <= 1e-9 * there.norm() * on.norm() && there.dot(&on) > 0.0 {
-                    self.corners.pop();
-                }
-            }
-            self.corners.push(point);
-        }
-    }
-}
-
-/// See [`Sweep::coverage`].
-fn coverage(outline: &crate::cspace::Outline, reached: &Grid<bool>, cell: f64, path: &[Point]) -> f64 {
-    let nothing = Swath::new(outline, reached.width(), reached.height(), cell);
-    let (mut floor, mut swept) = (nothing.clone(), nothing);
-    floor.sweep_cells(reached);
-    if let &[only] = path {
-        swept.sweep(only, only);
-    }
-    path.windows(2).for_each(|piece| swept.sweep(piece[0], piece[1]));
-    floor.add(&swept);
-    if floor.count() == 0 { 0.0 } else { swept.count() as f64 / floor.count() as f64 }
 }

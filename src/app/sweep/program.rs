@@ -11,13 +11,13 @@ use std::fmt::Write;
 /// Smallest angle that is printed, degrees.
 const LEAST_TURN: f64 = 0.05;
 
-/// A program that drives a robot along `path` from `heading` rad, in a format of our own: a command a line, in the order in which they are to be
-/// carried out, each from rest to rest; `;` begins a comment.
+/// A program that drives a robot along `path` from `heading` rad, in a format of our own: a command a line, in the
+/// order in which they are to be carried out, each from rest to rest; `;` begins a comment.
 ///
 /// - `TURN left 90.0 deg`, `TURN right 45.0 deg`: turns on the spot.
 /// - `FORWARD 3.250 m`: drives straight ahead.
-/// - `MOVE 3.250 m at 90.0 deg`: moves straight without turning, at an angle to where it looks, counter-clockwise; robots that move in every
-///   direction do this instead of the other two.
+/// - `MOVE 3.250 m at 90.0 deg`: moves straight without turning, at an angle to where it looks, counter-clockwise;
+///   robots that move in every direction do this instead of the other two.
 /// - `STOP`: the end.
 ///
 /// Angles are rounded so that their sum never is off by more than the rounding of one, and so are lengths.

@@ -22,8 +22,9 @@ pub(super) struct Waypoint {
     pub time: f64,
 }
 
-/// The places at which a robot that stands at the start of `path` with `heading` rad stops: every corner, and those at which it turns
-/// twice, before and after. Times are by its motion model, from rest to rest. A robot that moves in every direction keeps its heading.
+/// The places at which a robot that stands at the start of `path` with `heading` rad stops: every corner, and those
+/// at which it turns twice, before and after. Times are by its motion model, from rest to rest. A robot that moves in
+/// every direction keeps its heading.
 pub(super) fn waypoints(path: &[Point], heading: f64, robot: &RobotModel) -> Vec<Waypoint> {
     let Some(&first) = path.first() else { return Vec::new() };
     let mut at = Waypoint { pose: Pose::new(first.x, first.y, heading), distance: 0.0, time: 0.0 };
@@ -51,8 +52,9 @@ pub(super) fn waypoints(path: &[Point], heading: f64, robot: &RobotModel) -> Vec
     stops
 }
 
-/// A path as a table: `x_m,y_m,heading_rad,distance_m,time_s`, in the room (metres from its lower left corner, headings counter-clockwise
-/// from +x), a line for every stop of a robot that begins with `heading` rad. Times are by the robot's motion model, from rest to rest.
+/// A path as a table: `x_m,y_m,heading_rad,distance_m,time_s`, in the room (metres from its lower left corner,
+/// headings counter-clockwise from +x), a line for every stop of a robot that begins with `heading` rad. Times are by
+/// the robot's motion model, from rest to rest.
 pub fn to_csv(path: &[Point], heading: f64, robot: &RobotModel) -> String {
     let mut text = "x_m,y_m,heading_rad,distance_m,time_s\n".to_owned();
     for Waypoint { pose, distance, time } in waypoints(path, heading, robot) {
@@ -61,8 +63,8 @@ pub fn to_csv(path: &[Point], heading: f64, robot: &RobotModel) -> String {
     text
 }
 
-/// A path as a `nav_msgs/Path` in YAML, as `ros2 topic pub` takes it: frame `map`, REP 103, the plan's origin applied. The stamps of the
-/// poses are seconds from the start, by the robot's motion model.
+/// A path as a `nav_msgs/Path` in YAML, as `ros2 topic pub` takes it: frame `map`, REP 103, the plan's origin
+/// applied. The stamps of the poses are seconds from the start, by the robot's motion model.
 pub fn to_ros_path(path: &[Point], heading: f64, plan: &FloorPlan, robot: &RobotModel) -> String {
     let stops = waypoints(path, heading, robot);
     let mut text = "header:\n  stamp: {sec: 0, nanosec: 0}\n  frame_id: map\n".to_owned();

@@ -30,8 +30,8 @@ pub struct Arguments {
     /// Side of the obstacle map's cells in metres [default: a quarter of the outline's width]
     #[arg(long, value_name = "M", allow_hyphen_values = true)]
     cell: Option<f64>,
-    /// File to write, may be given several times; its ending chooses what: .csv table, .yaml ROS path, .oi.txt Open Interface
-    /// bytes for a Roomba 600, .txt program, .json all stages
+    /// File to write, may be given several times; its ending chooses what: .csv table, .yaml ROS path, .oi.txt Open
+    /// Interface bytes for a Roomba 600, .txt program, .json all stages
     #[arg(long, value_name = "FILE")]
     out: Vec<PathBuf>,
 }
@@ -48,6 +48,8 @@ struct Report<'a> {
     subgoals: usize,
     collisions: usize,
     resolved: usize,
+    linked_share: f64,
+    finishing_strokes: usize,
     length_m: f64,
     coverage: f64,
     planning_s: f64,
@@ -117,6 +119,8 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
         subgoals: found.subgoals.len(),
         collisions: found.collisions,
         resolved: found.resolved,
+        linked_share: found.linked_share,
+        finishing_strokes: found.finish.len(),
         length_m: found.length,
         coverage: found.coverage,
         planning_s: begin.elapsed().as_secs_f64(),

@@ -1,18 +1,20 @@
 //! Stage: a way round what stands in the way of a straight link (001, section 5).
 //!
-//! The paper calls the procedure of Hyun & Suh (A heuristic collision-free path planning algorithm for robots, IROS 1995), and prints nothing
-//! of it. Figure 6 shows what it is for: a short way with few corners, round the obstacle and back to the point that was meant. That is what is
-//! done here: A* (Hart, Nilsson & Raphael 1968) over the eight neighbours of a cell, no corner cut, finds a shortest way on the grid and is
-//! complete; then the way is pulled taut, corner by corner, as far as the straight line stays in FREE cells. What is left
-//! is within a few percent of the shortest.
+//! The paper calls the procedure of Hyun & Suh (A heuristic collision-free path planning algorithm for robots, IROS
+//! 1995), and prints nothing of it. Figure 6 shows what it is for: a short way with few corners, round the obstacle
+//! and back to the point that was meant. That is what is done here: A* (Hart, Nilsson & Raphael 1968) over the eight
+//! neighbours of a cell, no corner cut, finds a shortest way on the grid and is complete; then the way is pulled
+//! taut, corner by corner, as far as the straight line stays in FREE cells. What is left is within a few percent of
+//! the shortest.
 
 use super::{frame::Frame, is_straight_free};
 use crate::grid::{Cell, Grid};
-use std::{cmp::Reverse, collections::BinaryHeap};
 
 /// Costs of a step straight and slantwise: 99/70 is the square root of 2 but for 0.00007.
 const STRAIGHT: u32 = 70;
 const SLANTED: u32 = 99;
+/// Buckets of the queue: more than the estimate for a whole way can grow by in one step, a power of two.
+const BUCKETS: usize = 256;
 /// Corners that are looked ahead while a way is pulled taut.
 const LOOK_AHEAD: usize = 64;
 
@@ -26,8 +28,7 @@ pub struct Detours<'a> {
     base: u32,
     /// The dearest way of the last search.
     dearest: u32,
-    /// The estimate for the whole way, what remains of it, and the cell's number.
-    queue: BinaryHeap<Reverse<(u32, u32, u32)>>,
+    queue: Queue,
 }
 
 const WALL: u32 = u32::MAX;
@@ -36,7 +37,7 @@ impl<'a> Detours<'a> {
     /// Searches through `free` cells.
     pub fn new(free: &'a Grid<bool>) -> Self {
         let frame = Frame::around(free);
-        Self { free, frame, reached: frame.drawn(free, 0, WALL), base: 1, dearest: 0, queue: BinaryHeap::new() }
+        Self { free, frame, reached: frame.drawn(free, 0, WALL), base: 1, dearest: 0, queue: Queue::default() }
     }
 
     /// Corners of a short way, ends included, whose straight pieces stay in free cells; `None` if there is no way.
@@ -47,8 +48,7 @@ impl<'a> Detours<'a> {
         self.make_old();
         let goal = self.frame.index(to);
         self.reach(self.frame.index(from), 0, to);
-        while let Some(Reverse((estimate, remaining, index))) = self.queue.pop() {
-            let (index, cost) = (index as usize, estimate - remaining);
+        while let Some((index, cost)) = self.queue.pop() {
             if index == goal {
                 let way = self.trace_back(index);
                 return Some(pulled(self.free, &way));
@@ -91,8 +91,7 @@ impl<'a> Detours<'a> {
         let cell = self.frame.cell(index);
         let (dx, dy) = (cell.x.abs_diff(to.x), cell.y.abs_diff(to.y));
         let remaining = STRAIGHT * dx.abs_diff(dy) + SLANTED * dx.min(dy);
-        // The second number makes it look first at what is nearest to the goal.
-        self.queue.push(Reverse((cost + remaining, remaining, index as u32)));
+        self.queue.push(cost + remaining, index, cost);
     }
 
     /// Makes all marks those of a search before.
@@ -121,6 +120,53 @@ impl<'a> Detours<'a> {
         }
         way.reverse();
         way
+    }
+}
+
+/// Cells to look at, those with the lowest estimate for the whole way first, of these the latest: that leads on
+/// towards the goal. Estimates never fall, nor grow by more than the number of buckets, so that there is one for each
+/// (Dial 1969).
+#[derive(Debug)]
+struct Queue {
+    /// Numbers of cells, and what the ways there cost.
+    buckets: Vec<Vec<(u32, u32)>>,
+    /// The lowest estimate.
+    lowest: u32,
+    count: usize,
+}
+
+impl Default for Queue {
+    fn default() -> Self {
+        Self { buckets: vec![Vec::new(); BUCKETS], lowest: u32::MAX, count: 0 }
+    }
+}
+
+impl Queue {
+    fn clear(&mut self) {
+        self.buckets.iter_mut().for_each(Vec::clear);
+        (self.lowest, self.count) = (u32::MAX, 0);
+    }
+
+    #[inline]
+    fn push(&mut self, estimate: u32, index: usize, cost: u32) {
+        // The first is the lowest of all.
+        self.lowest = self.lowest.min(estimate);
+        self.buckets[estimate as usize % BUCKETS].push((index as u32, cost));
+        self.count += 1;
+    }
+
+    #[inline]
+    fn pop(&mut self) -> Option<(usize, u32)> {
+        if self.count == 0 {
+            return None;
+        }
+        loop {
+            if let Some((index, cost)) = self.buckets[self.lowest as usize % BUCKETS].pop() {
+                self.count -= 1;
+                return Some((index as usize, cost));
+            }
+            self.lowest += 1;
+        }
     }
 }
 

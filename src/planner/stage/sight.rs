@@ -1,11 +1,11 @@
 //! Stage: straight ways over a grid of free cells.
 
 use crate::grid::{Cell, Direction, Grid};
-use std::ops::ControlFlow;
+use std::{cmp::Ordering, ops::ControlFlow};
 
-/// Tells `visit` every cell that the straight line between two cells' centres touches, in its order, until it breaks; where the line
-/// goes through a corner exactly, the two cells beside it as well. In whole numbers, so there is no rounding (Dedu, Bresenham-based
-/// supercover line algorithm, 2001).
+/// Tells `visit` every cell that the straight line between two cells' centres touches, in its order, until it breaks;
+/// where the line goes through a corner exactly, the two cells beside it as well. In whole numbers, so there is no
+/// rounding (Dedu, Bresenham-based supercover line algorithm, 2001).
 pub fn supercover(from: Cell, to: Cell, mut visit: impl FnMut(Cell) -> ControlFlow<()>) -> ControlFlow<()> {
     let (dx, dy) = (i64::from(to.x) - i64::from(from.x), i64::from(to.y) - i64::from(from.y));
     let (right, up) = (dx.signum() as i32, dy.signum() as i32);
@@ -16,17 +16,21 @@ pub fn supercover(from: Cell, to: Cell, mut visit: impl FnMut(Cell) -> ControlFl
     visit(cell)?;
     while cell != to {
         let (beside, ahead) = (Cell::new(cell.x + right, cell.y), Cell::new(cell.x, cell.y + up));
-        if error > 0 {
-            cell = beside;
-            error -= 2 * dy;
-        } else if error < 0 {
-            cell = ahead;
-            error += 2 * dx;
-        } else {
-            visit(beside)?;
-            visit(ahead)?;
-            cell = Cell::new(beside.x, ahead.y);
-            error += 2 * (dx - dy);
+        match error.cmp(&0) {
+            Ordering::Greater => {
+                cell = beside;
+                error -= 2 * dy;
+            }
+            Ordering::Less => {
+                cell = ahead;
+                error += 2 * dx;
+            }
+            Ordering::Equal => {
+                visit(beside)?;
+                visit(ahead)?;
+                cell = Cell::new(beside.x, ahead.y);
+                error += 2 * (dx - dy);
+            }
         }
         visit(cell)?;
     }
@@ -39,8 +43,8 @@ pub fn is_straight_free(free: &Grid<bool>, from: Cell, to: Cell) -> bool {
     supercover(from, to, look).is_continue()
 }
 
-/// Single steps along a straight way that is free, `from` left out: round one corner if those cells are free, first on in the direction of
-/// `facing` if that helps; else as a staircase along the line.
+/// Single steps along a straight way that is free, `from` left out: round one corner if those cells are free, first
+/// on in the direction of `facing` if that helps; else as a staircase along the line.
 pub fn steps_along(free: &Grid<bool>, from: Cell, to: Cell, facing: Direction) -> Vec<Cell> {
     let (level, upright) = (Cell::new(to.x, from.y), Cell::new(from.x, to.y));
     let ahead = from.step(facing);
@@ -82,7 +86,8 @@ mod tests {
 
     #[test]
     fn supercover_touches_what_the_line_touches() {
-        // By the definition: squares that share a point with the line 5 y = 3 x. A square reaches 4 to both sides of it.
+        // By the definition: squares that share a point with the line 5 y = 3 x. A square reaches 4 to both sides of
+        // it.
         let mut expected = Grid::filled(6, 4, false);
         for index in 0..24 {
             let cell = expected.cell(index);

@@ -1,17 +1,21 @@
 //! Stage: the order in which subgoal points are linked (001, section 4).
 //!
-//! From a LEFT point to a RIGHT one (case 1) and from a RIGHT one to a LEFT one (case 2): first on its line (steps 1 and 2), then, if asked for, on the lines
-//! beside it (steps 3 to 5), else to the nearest of all that are left (step 6). Every point is linked once, so the path never closes (step 7).
+//! From a LEFT point to a RIGHT one (case 1) and from a RIGHT one to a LEFT one (case 2): first on its line (steps 1
+//! and 2), then, if asked for, on the lines beside it (steps 3 to 5), else to the nearest of all that are left (step
+//! 6). Every point is linked once, so the path never closes (step 7).
 //!
 //! # Where the paper is sloppy
 //!
-//! - *Step 2* asks whether the nearest point across is TRACKED and goes to step 6 if so and if the way there is clear: as printed the robot would
-//!   never take a point across that is UNTRACKED. Read as: if it is UNTRACKED and the way is clear, link it. Of the points across on a line only
-//!   the other end of the robot's own run has a clear way, as between runs there is something.
-//! - *Case 2* prints "LEFT_WALL and RIGHT_OBSTACLE" for what takes the place of RIGHT_WALL and RIGHT_OBSTACLE: LEFT_OBSTACLE is meant.
-//! - *Steps 3 to 5* look for a point across one line above, then one line below. As printed, once a line is swept the robot would cross the room
-//!   slantwise to the far end of the next line, and sweep everything twice ([`Beside::First`]). With the printed TRACKED of step 2 it would
-//!   come to step 6 then, which leads to the near end of the next line as figure 4's lines ask for ([`Beside::Never`], the default).
+//! - *Step 2* asks whether the nearest point across is TRACKED and goes to step 6 if so and if the way there is
+//!   clear: as printed the robot would never take a point across that is UNTRACKED. Read as: if it is UNTRACKED and
+//!   the way is clear, link it. Of the points across on a line only the other end of the robot's own run has a clear
+//!   way, as between runs there is something.
+//! - *Case 2* prints "`LEFT_WALL` and `RIGHT_OBSTACLE`" for what takes the place of `RIGHT_WALL` and
+//!   `RIGHT_OBSTACLE`: `LEFT_OBSTACLE` is meant.
+//! - *Steps 3 to 5* look for a point across one line above, then one line below. As printed, once a line is swept the
+//!   robot would cross the room slantwise to the far end of the next line, and sweep everything twice
+//!   ([`Beside::First`]). With the printed TRACKED of step 2 it would come to step 6 then, which leads to the near
+//!   end of the next line as figure 4's lines ask for ([`Beside::Never`], the default).
 //! - *Ties* are for nobody in the paper: here the lower line comes first, and on a line the left point.
 
 use super::{is_straight_free, subgoals::Subgoal};
@@ -242,14 +246,15 @@ mod tests {
         ..###..
         .......";
 
-    /// 001, section 4: from LEFT to RIGHT and from RIGHT to LEFT in turn along a line, to the nearest at its end; begins with the first entry.
+    /// 001, section 4: from LEFT to RIGHT and from RIGHT to LEFT in turn along a line, to the nearest at its end;
+    /// begins with the first entry.
     #[test]
     fn lines_are_swept_to_and_fro() {
+        use Found::{Across, Nearest};
         let (points, links) = order("....\n....\n....", Beside::Never);
         let cells: Vec<_> = links.iter().map(|&(n, _)| (points[n].cell.x, points[n].cell.y)).collect();
         assert_eq!(cells, [(0, 2), (3, 2), (3, 1), (0, 1), (0, 0), (3, 0)]);
         assert_eq!(points[0].contact, Contact::LeftWall);
-        use Found::{Across, Nearest};
         assert!(links.iter().map(|l| l.1).eq([Nearest, Across, Nearest, Across, Nearest, Across]));
     }
 

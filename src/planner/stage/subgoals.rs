@@ -1,19 +1,21 @@
 //! Stage: subgoal points, where a robot that scans the room line by line meets something (001, section 3).
 //!
-//! Steps 1 to 5 of the paper: the robot, turned to heading 0, begins at the upper left, moves along x until it touches something, moves on
-//! by a line's distance, comes back, and so on to the lower right. Every contact is recorded with what is touched, on which side, and the
-//! obstacle's number.
+//! Steps 1 to 5 of the paper: the robot, turned to heading 0, begins at the upper left, moves along x until it
+//! touches something, moves on by a line's distance, comes back, and so on to the lower right. Every contact is
+//! recorded with what is touched, on which side, and the obstacle's number.
 //!
 //! # Where the paper is sloppy
 //!
-//! - *Ends of a line.* Step 2 records what is met on the way to the right as RIGHT, step 3 on the way back as LEFT, each on lines of its own:
-//!   read as printed every line has one end only, and nothing is said of what lies behind an obstacle. Figure 3 and section 4, which looks for
-//!   the point across on the same line, need both. Here every line gives both ends of each of its free runs: LEFT where the robot's left
-//!   side touches in the paper's sense (smaller x), RIGHT at the other.
-//! - *Step 4* moves by another line and goes back to step 1, which would reset `x`, `y` and `i`: read as going on with step 2.
+//! - *Ends of a line.* Step 2 records what is met on the way to the right as RIGHT, step 3 on the way back as LEFT,
+//!   each on lines of its own: read as printed every line has one end only, and nothing is said of what lies behind
+//!   an obstacle. Figure 3 and section 4, which looks for the point across on the same line, need both. Here every
+//!   line gives both ends of each of its free runs: LEFT where the robot's left side touches in the paper's sense
+//!   (smaller x), RIGHT at the other.
+//! - *Step 4* moves by another line and goes back to step 1, which would reset `x`, `y` and `i`: read as going on
+//!   with step 2.
 //! - *Step 1* moves along x and y to find a first place: here the first line is the topmost row with a free cell.
-//! - *The last line.* Step 3 ends at the lower right. The lowest row with a free cell is made a line too if none falls on it: so the floor along the
-//!   lower wall isn't left out (ours).
+//! - *The last line.* Step 3 ends at the lower right. The lowest row with a free cell is made a line too if none
+//!   falls on it: so the floor along the lower wall isn't left out (ours).
 //! - Lines are recorded to the right and to the left in turn, as the paper's robot moves.
 
 use crate::{
@@ -65,8 +67,8 @@ pub struct Subgoal {
     pub obstacle: Option<u32>,
 }
 
-/// Rows of the scan lines, from the top: `distance` rows apart, which needn't be a whole number but is at least 1, from the topmost free row to the
-/// lowest.
+/// Rows of the scan lines, from the top: `distance` rows apart, which needn't be a whole number but is at least 1,
+/// from the topmost free row to the lowest.
 pub fn scan_rows(free: &Grid<bool>, distance: f64) -> Vec<i32> {
     let width = free.width();
     let has_free = |&y: &i32| free.values()[y as usize * width..][..width].contains(&true);
@@ -123,7 +125,8 @@ mod tests {
         subgoals(&free, &scan_rows(&free, distance), &Obstacles::of(&free))
     }
 
-    /// 001, section 3, steps 1 to 3: from the upper left, to the right and to the left in turn, contacts with walls and obstacles.
+    /// 001, section 3, steps 1 to 3: from the upper left, to the right and to the left in turn, contacts with walls
+    /// and obstacles.
     #[test]
     fn contacts_are_recorded_in_the_order_of_the_scan() {
         use Contact::{LeftObstacle, LeftWall, RightObstacle, RightWall};

@@ -205,8 +205,7 @@ fn paths(drawing: &Drawing, place: impl Fn(&Point) -> Point) -> Result<Vec<Path2
     let paths = drawing.layers.iter().map(|_| Path2d::new()).collect::<Result<Vec<_>, _>>()?;
     for stroke in &drawing.strokes {
         let Some(path) = paths.get(stroke.layer as usize) else { continue };
-        let corners = drawing.points.get(stroke.points.start as usize..stroke.points.end as usize);
-        for (index, corner) in corners.unwrap_or_default().iter().enumerate() {
+        for (index, corner) in drawing.corners(stroke).iter().enumerate() {
             let at = place(corner);
             if index == 0 { path.move_to(at.x, at.y) } else { path.line_to(at.x, at.y) }
         }

@@ -65,14 +65,18 @@ pub struct Sweep {
     pub collisions: usize,
     /// Of these, those with a detour.
     pub resolved: usize,
-    /// Corners of the path, m.
+    /// Share of the reachable floor that is swept when all points are linked: what the paper's method reaches.
+    pub linked_share: f64,
+    /// Stage 4, ours: strokes along edges of obstacles that lie between two scan lines, each with the way there; m.
+    pub finish: Vec<Vec<Point>>,
+    /// Corners of the whole path, m.
     pub path: Vec<Point>,
     /// Length of the path, m.
     pub length: f64,
     /// Share of the reachable floor that the outline sweeps, 0 to 1.
     ///
-    /// Reachable is the floor under the outline at heading 0 in any FREE cell that the robot gets to, in steps to neighbouring FREE
-    /// cells, and on the path; swept is the floor under the outline on the path. Floor is counted in cells of the obstacle map by their
-    /// centres, so the share is known to about half a cell along every edge.
+    /// Reachable is the floor under the outline at heading 0 in any FREE cell that the robot gets to, in steps to
+    /// neighbouring FREE cells, and on the path; swept is the floor under the outline on the path. Floor is counted
+    /// in cells of the obstacle map by their centres, so the share is known to about half a cell along every edge.
     pub coverage: f64,
 }
