@@ -321,7 +321,7 @@ fn convert_makes_a_room_of_a_drawing() {
         let (_, said) = failure(&[&["convert", "--map", &drawing, "--out", &out], options].concat());
         assert!(said.contains(message), "{said}");
     }
-    let (code, said) = failure(&["plan", "--map", &drawing]);
+    let (code, said) = failure(&["plan", "--planner", "boustrophedon", "--map", &drawing]);
     assert!(code == 3 && said.contains("is a DXF drawing, of which a room has to be made first"), "{said}");
 }
 

@@ -181,7 +181,7 @@ proptest! {
                 1 => lines.swap(line, other),
                 2 => lines.insert(line, lines[other].clone()),
                 3 => lines[line] = WORDS[usize::from(byte) % WORDS.len()].to_owned(),
-                _ => lines.truncate(line.max(4)),
+                _ => lines.truncate(line.max(20)),
             }
         }
         let bytes = lines.join("\n").into_bytes();

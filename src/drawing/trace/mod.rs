@@ -47,7 +47,7 @@ const FIRST_LOOK: i32 = 512;
 ///     Tracing { roles: vec![Role::Wall], metre: 0.001, gap: 0.0, resolution: 0.5, region: Region::Whole };
 /// let room = trace(&drawing, &how)?;
 /// assert!(to_ascii(&room.plan).ends_with(
-///     "###########\n###########\n###########\n###.....###\n###.....###\n###.....###\n###########\n###########\n###########\n"
+///     "##########\n##########\n###.....##\n###.....##\n###.....##\n##########\n##########\n##########\n"
 /// ));
 /// # Ok::<(), robovac_playground::floorplan::MapError>(())
 /// ```
