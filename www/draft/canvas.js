@@ -46,10 +46,11 @@ export function startCanvas(it) {
     canvas.addEventListener("keydown", (event) => {
       const action = KEYS[event.key];
       if (!action || event.ctrlKey || event.metaKey || event.altKey) return;
-      // Escape closes other things where no tool is in the hand.
-      if (action === "escape" && it.view?.tool === "view") return;
-      event.preventDefault();
-      event.stopPropagation();
+      // Escape closes other things where no tool is in the hand; whether one is, the worker knows first.
+      if (action !== "escape" || it.view?.tool !== "view") {
+        event.preventDefault();
+        event.stopPropagation();
+      }
       it.drafter.say({ type: "key", action, fine: event.shiftKey });
     });
   };
