@@ -73,13 +73,11 @@ impl DrawingOptions {
                 "ignored" => Role::Ignored,
                 _ => return bad("a layer is wall, obstacle or ignored"),
             };
-            match drawing.layers.iter().position(|layer| layer.name == name) {
-                Some(index) => roles[index] = role,
-                None => {
-                    let names: Vec<&str> = drawing.layers.iter().map(|layer| layer.name.as_str()).collect();
-                    return bad(&format!("the drawing has no such layer, it has {}", names.join(", ")));
-                }
-            }
+            let Some(index) = drawing.layers.iter().position(|layer| layer.name == name) else {
+                let names: Vec<&str> = drawing.layers.iter().map(|layer| layer.name.as_str()).collect();
+                return bad(&format!("the drawing has no such layer, it has {}", names.join(", ")));
+            };
+            roles[index] = role;
         }
         Ok(roles)
     }
