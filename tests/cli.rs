@@ -303,8 +303,7 @@ fn bench_names_its_cases_and_their_times() {
 
 #[test]
 fn convert_makes_a_room_of_a_drawing() {
-    let corners: String =
-        [(0, 0), (300, 0), (300, 200), (0, 200)].iter().map(|(x, y)| format!("10\n{x}\n20\n{y}\n")).collect();
+    let corners: String = [(0, 0), (300, 0), (300, 200), (0, 200)].map(|(x, y)| format!("10\n{x}\n20\n{y}\n")).concat();
     let drawing = format!("0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\nA\n70\n1\n{corners}0\nENDSEC\n0\nEOF\n");
     let drawing = file("convert/house.dxf", drawing.as_bytes());
     let out = file("convert/house.txt", b"");
