@@ -119,3 +119,23 @@ fn doors_in_walls_drawn_as_outlines_are_closed() {
     let both = fine(0.9, Region::Whole).unwrap();
     assert!((22.5..25.5).contains(&floor(&both)), "{}\n{}", floor(&both), to_ascii(&both.plan));
 }
+
+/// Two rooms of 3 m x 3 m side by side, the wall between them two blocks of 20 cm that leave a door of 80 cm.
+const TWO_ROOMS: &str = "0 LWPOLYLINE 8 WALL 70 1 10 0 20 0 10 6200 20 0 10 6200 20 3000 10 0 20 3000 \
+    0 LWPOLYLINE 8 WALL 70 1 10 3000 20 0 10 3200 20 0 10 3200 20 1200 10 3000 20 1200 \
+    0 LWPOLYLINE 8 WALL 70 1 10 3000 20 2000 10 3200 20 2000 10 3200 20 3000 10 3000 20 3000";
+
+#[test]
+fn a_room_ends_at_its_open_doors_if_gaps_are_closed() {
+    let flat = drawn(&entities(TWO_ROOMS)).unwrap();
+    let roles = vec![Role::Wall];
+    let room = |gap: f64| {
+        let region = Region::Room(Point::new(1000.0, 1500.0));
+        let how = Tracing { roles: roles.clone(), metre: 0.001, gap, resolution: 0.05, region };
+        trace(&flat, &how).unwrap()
+    };
+    let (both, one) = (room(0.0), room(1.0));
+    assert!(both.plan.width_m() > 6.0 && both.gaps.is_empty());
+    assert!((3.0..3.5).contains(&one.plan.width_m()), "{}", to_ascii(&one.plan));
+    assert_eq!(one.gaps.len(), 1);
+}

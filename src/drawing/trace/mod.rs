@@ -35,8 +35,9 @@ const FIRST_LOOK: i32 = 512;
 /// as long as rooms may have more of them; else the cells that it covers.
 ///
 /// Of a whole drawing, floor is what can't be reached from outside, if walls enclose anything; else the box around it.
-/// Openings between free ends of walls are closed by lines. If one still gets out of what is chosen, openings up to
-/// the same width are closed however the walls beside them are drawn: walls that are outlines have no free ends.
+/// Openings between free ends of walls are closed by lines. Where a room is chosen, and where one still gets out of the
+/// whole, openings up to the same width are closed however the walls beside them are drawn: walls that are outlines have no
+/// free ends.
 ///
 /// ```
 /// use robovac_playground::{drawing::{Region, Role, Tracing, read, trace}, floorplan::{SourceFile, to_ascii}};
@@ -208,15 +209,16 @@ impl<'a> Tracer<'a> {
                 *cell |= is_wall;
             }
             let blocked = blocked.cells;
+            if self.how.gap > 0.0 {
+                // Furniture makes no doors. In a corridor as narrow as a door there is nothing to be closed.
+                let part = openings::part(&walls, [start], self.how.gap / self.how.resolution);
+                if !part.meets_border && part.cells.is_set(start) {
+                    return self.cropped(&frame, part.cells, &walls, &part.openings);
+                }
+            }
             let (reached, meets_border) = region::room(&blocked, start);
             if !meets_border {
                 return self.cropped(&frame, reached, &walls, &[]);
-            }
-            if self.how.gap > 0.0 {
-                let part = openings::part(&blocked, [start], self.how.gap / self.how.resolution);
-                if !part.meets_border {
-                    return self.cropped(&frame, part.cells, &walls, &part.openings);
-                }
             }
             let is_all = from == [0, 0] && to == all.size;
             if !is_all && look < MAX_SIDE as i32 {
