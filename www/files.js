@@ -17,7 +17,11 @@ export function startFiles(app) {
 
   const scenario = () => app.act((p) => download(`${fileName(app.view.room.title)}.json`, p.scenario_json(), "application/json"));
   // What can't be loaded just now shouldn't keep anyone from saving.
-  button("save").addEventListener("click", () => void import("./save.js").then(({ openSave }) => openSave(app)).catch(scenario));
+  const save = button("save");
+  save.addEventListener("click", () => {
+    save.setAttribute("aria-busy", "true");
+    void import("./save.js").then(({ openSave }) => openSave(app)).catch(scenario).finally(() => save.removeAttribute("aria-busy"));
+  });
 
   const share = button("share");
   share.disabled = false;

@@ -20,6 +20,7 @@ mod comparison;
 mod comparison_view;
 #[cfg(feature = "draft")]
 mod drafting;
+#[cfg(feature = "draft")]
 mod export;
 #[cfg(feature = "page")]
 mod furnish;
@@ -68,6 +69,7 @@ pub use bench::bench;
 pub use comparison::Comparison;
 #[cfg(feature = "draft")]
 pub use drafting::Drafting;
+#[cfg(feature = "draft")]
 pub use export::{export_files, export_formats};
 #[cfg(any(feature = "compare", feature = "robot"))]
 pub use guest::Guest;

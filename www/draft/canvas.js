@@ -14,7 +14,7 @@ const HINTS = {
   scale: "Click two points whose distance you know. By keys: arrows move the crosshair, Enter sets a point, Escape ends.",
   rectangle: "Drag over the part that is meant, or click two corners. By keys: arrows and Enter.",
   polygon: "Click the corners; Enter or a double click closes the polygon, Escape takes it back. By keys: arrows and Enter, twice to close.",
-  room: "Click into the room that is meant. Where doors stand open it goes on: let their layer be walls to end it there. By keys: arrows and Enter.",
+  room: "Click into the room that is meant. Doors that stand open end it if gaps as wide as they are closed. By keys: arrows and Enter.",
 };
 
 /** @param {Desk} it @returns {(canvas: HTMLCanvasElement) => void} what to call for every new canvas */
