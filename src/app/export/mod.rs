@@ -63,7 +63,7 @@ pub const FORMATS: &[Format] = &[
     Format {
         id: "ros_png",
         title: "ROS map, PNG",
-        note: "The same with an image that every program shows.",
+        note: "An image that every program shows and its YAML file; furniture counts as wall.",
         needs_path: false,
     },
     Format {
