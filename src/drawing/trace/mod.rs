@@ -246,9 +246,10 @@ impl<'a> Tracer<'a> {
     ) -> Result<Traced, DrawingFlaw> {
         // What stands on the floor has floor beneath it.
         let mut beneath = Canvas::new(frame.size);
+        let on_floor = solids::Floor::new(&floor);
         for stroke in solids::solids(self.drawing, &self.how.roles) {
             let outline = solids::in_cells(self.drawing, stroke, frame);
-            if solids::touches(&outline, &floor) {
+            if on_floor.touches(&outline) {
                 beneath.fill(&outline)?;
             }
         }
