@@ -35,9 +35,8 @@ const FIRST_LOOK: i32 = 512;
 /// as long as rooms may have more of them; else the cells that it covers.
 ///
 /// Of a whole drawing, floor is what can't be reached from outside, if walls enclose anything; else the box around it.
-/// Openings between free ends of walls are closed by lines. Where a room is chosen, and where the whole
-/// gets larger by it, openings up to the same width are closed however the walls beside them are drawn: walls that are outlines have no
-/// free ends.
+/// Openings between free ends of walls are closed by lines. Where a room is chosen, and where the whole gets larger by it,
+/// openings up to the same width are closed however the walls beside them are drawn: walls that are outlines have no free ends.
 ///
 /// ```
 /// use robovac_playground::{drawing::{Region, Role, Tracing, read, trace}, floorplan::{SourceFile, to_ascii}};
