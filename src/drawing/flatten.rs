@@ -3,6 +3,7 @@
 //! Nobody knows a drawing's unit when it is read, so that curves are divided by how far they turn: at least every
 //! [`STEP`]. The chords of an arc then lie within 0.1 % of its radius from it.
 
+use super::model::MAX_POINTS;
 use crate::{
     geometry::{Point, Vector},
     math::{PI, TAU, atan2, ceil, sin_cos},
@@ -64,7 +65,7 @@ pub(super) struct Nurbs<'a> {
 }
 
 impl Nurbs<'_> {
-    /// The curve from its first point to its last.
+    /// The curve from its first point to its last; a little more than [`MAX_POINTS`] at most, which is refused then.
     pub fn flatten(&self) -> Vec<Point> {
         let (count, degree) = (self.controls.len(), self.degree);
         if !(2..=MAX_DEGREE).contains(&degree) || count <= degree {
@@ -82,6 +83,9 @@ impl Nurbs<'_> {
         let mut points = Vec::new();
         for span in degree..count {
             let (low, high) = (knots[span], knots[span + 1]);
+            if points.len() > MAX_POINTS {
+                break;
+            }
             if low >= high {
                 continue;
             }
@@ -143,7 +147,8 @@ impl Nurbs<'_> {
     }
 }
 
-/// A curve through all `points` (Catmull and Rom's): what a spline looks like that only tells where it passes.
+/// A curve through all `points` (Catmull and Rom's): what a spline looks like that only tells where it passes. A little more
+/// than [`MAX_POINTS`] at most.
 pub(super) fn through(points: &[Point], is_closed: bool) -> Vec<Point> {
     let count = points.len();
     if count < 3 {
@@ -155,7 +160,7 @@ pub(super) fn through(points: &[Point], is_closed: bool) -> Vec<Point> {
     };
     let spans = if is_closed { count } else { count - 1 };
     let mut curve = Vec::new();
-    for i in 0..spans as isize {
+    for i in 0..spans.min(MAX_POINTS / 8 + 1) as isize {
         let [a, b, c, d] = [at(i - 1), at(i), at(i + 1), at(i + 2)];
         curve.extend((0..8).map(|step| {
             let t = f64::from(step) / 8.0;
@@ -221,6 +226,19 @@ mod tests {
         // Knots that don't fit are made up; the ends stay.
         let bent = Nurbs { knots: &[3.0, 1.0], weights: &[], ..circle };
         assert_eq!(bent.flatten().last(), controls.last());
+    }
+
+    #[test]
+    fn a_long_spline_is_not_flattened_far_beyond_the_limit() {
+        let controls: Vec<Point> =
+            (0..400).map(|i| Point::new(f64::from(i % 2), f64::from(u8::from(i % 8 < 3)))).collect();
+        let spline = |degree, controls| Nurbs { degree, knots: &[], weights: &[], controls };
+        let each = spline(2, &controls[..102]).flatten().len() / 100;
+        let long: Vec<Point> = controls.iter().copied().cycle().take(2 * MAX_POINTS / each).collect();
+        let count = spline(2, &long).flatten().len();
+        assert!((MAX_POINTS + 1..MAX_POINTS + 1100).contains(&count), "{count}, {each} a span");
+        let count = through(&vec![Point::origin(); MAX_POINTS], false).len();
+        assert!((MAX_POINTS + 1..MAX_POINTS + 20).contains(&count), "{count}");
     }
 
     #[test]

@@ -7,7 +7,7 @@ use super::{
 use crate::{
     floorplan::{DrawingFlaw, MapError, SourceFile},
     geometry::Point,
-    math::{PI, cos},
+    math::{PI, cos, exp},
 };
 use geojson::{Feature, GeoJson, Geometry, GeometryValue, JsonObject};
 
@@ -15,6 +15,8 @@ use geojson::{Feature, GeoJson, Geometry, GeometryValue, JsonObject};
 const LAYER_KEYS: [&str; 3] = ["layer", "class", "name"];
 /// The earth's mean radius, m (IUGG).
 const EARTH: f64 = 6_371_008.8;
+/// The radius that the Mercator projection of web maps is made with, m (WGS 84's at the equator).
+const EQUATOR: f64 = 6_378_137.0;
 /// Widest extent in degrees that can be a building's coordinates on the earth, rather than a plan's in metres (ours): 10 km.
 const WIDEST: f64 = 0.1;
 /// Deepest nesting of collections.
@@ -36,8 +38,8 @@ pub(super) fn is_geojson(bytes: &[u8]) -> bool {
 }
 
 /// Reads GeoJSON. If all coordinates can be longitudes and latitudes of one building they are projected to metres around
-/// their middle (equirectangular: east, north), else they are taken as they are, in units to be asked for. A `crs` other
-/// than the longitudes and latitudes that GeoJSON always has since 2016 says that they are projected, in metres.
+/// their middle (equirectangular: east, north), whatever a `crs` says. Else they are taken as they are: in metres if the `crs`
+/// is known to have them, in those of the Mercator projection of web maps, or in units to be asked for.
 pub(super) fn read(file: &SourceFile) -> Result<Drawing, MapError> {
     let bytes = file.bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&file.bytes);
     let refuse = |place: &str, flaw| bad(&file.name, place, flaw);
@@ -51,7 +53,7 @@ pub(super) fn read(file: &SourceFile) -> Result<Drawing, MapError> {
             return Err(refuse(&place, DrawingFlaw::Parser { cause: error.to_string() }));
         }
     };
-    let is_projected = has_projected_crs(&parsed);
+    let code = epsg_code(&parsed);
     let mut reader = Reader { builder: Builder::new(), shapes: Vec::new() };
     let read = match parsed {
         GeoJson::FeatureCollection(collection) => {
@@ -60,20 +62,34 @@ pub(super) fn read(file: &SourceFile) -> Result<Drawing, MapError> {
         GeoJson::Feature(feature) => reader.feature(1, feature),
         GeoJson::Geometry(geometry) => reader.top(1, "0", &geometry),
     };
-    read.and_then(|()| reader.draw(is_projected))
+    read.and_then(|()| reader.draw(code))
         .map_err(|(feature, flaw)| refuse(&format!("feature {feature}"), flaw))
         .and_then(|(builder, metre)| builder.finish(&file.name, metre))
 }
 
-/// Whether a coordinate reference system is given that isn't degrees.
-fn has_projected_crs(parsed: &GeoJson) -> bool {
+/// Number of the coordinate reference system in the EPSG's register, if one is given.
+fn epsg_code(parsed: &GeoJson) -> Option<u32> {
     let members = match parsed {
         GeoJson::FeatureCollection(collection) => &collection.foreign_members,
         GeoJson::Feature(feature) => &feature.foreign_members,
         GeoJson::Geometry(geometry) => &geometry.foreign_members,
     };
-    let name = members.as_ref().and_then(|members| members.get("crs")?.get("properties")?.get("name")?.as_str());
-    name.is_some_and(|name| !["CRS84", "4326", "4258", "4269"].iter().any(|degrees| name.ends_with(degrees)))
+    let name = members.as_ref()?.get("crs")?.get("properties")?.get("name")?.as_str()?;
+    let (authority, code) = name.rsplit_once(':')?;
+    authority.to_uppercase().contains("EPSG").then(|| code.parse().ok())?
+}
+
+/// Whether it is the Mercator projection of web maps: 3857, and 900913, its nickname of old.
+fn is_web_mercator(code: u32) -> bool {
+    matches!(code, 3857 | 900_913)
+}
+
+/// Whether coordinates of that system are eastings and northings in metres, true to a thousandth or so: UTM on WGS 84, ETRS89
+/// and NAD83, the MGA of Australia, and the national grids of Europe and New Zealand (EPSG's register).
+fn is_metric(code: u32) -> bool {
+    matches!(code, 32601..=32660 | 32701..=32760 | 25828..=25838 | 26901..=26923 | 28346..=28359 | 7846..=7859)
+        || matches!(code, 2056 | 21781 | 27700 | 28992 | 31370 | 2154 | 31466..=31469 | 31254..=31259 | 31287)
+        || matches!(code, 3006 | 3067 | 2180 | 2193)
 }
 
 struct Shape {
@@ -154,8 +170,15 @@ impl Reader {
         Ok(())
     }
 
-    fn draw(mut self, is_projected: bool) -> Result<(Builder, Option<f64>), Refused> {
-        let middle = if is_projected { None } else { self.place_on_earth() };
+    fn draw(mut self, code: Option<u32>) -> Result<(Builder, Option<f64>), Refused> {
+        let bounds = self.bounds();
+        let middle = bounds.and_then(place_on_earth);
+        let metre = match (code, bounds) {
+            _ if middle.is_some() => Some(1.0),
+            (Some(code), Some([low, high])) if is_web_mercator(code) => Some(mercator_metre(0.5 * (low.y + high.y))),
+            (Some(code), _) if is_metric(code) => Some(1.0),
+            _ => None,
+        };
         for shape in self.shapes {
             let points = shape.points.into_iter().map(|p| match middle {
                 Some(middle) => {
@@ -168,18 +191,30 @@ impl Reader {
                 .stroke(shape.layer, shape.feature, shape.is_closed, points)
                 .map_err(|flaw| (shape.feature, flaw))?;
         }
-        Ok((self.builder, (is_projected || middle.is_some()).then_some(1.0)))
+        Ok((self.builder, metre))
     }
 
-    /// The middle of all points, in degrees, if they can be one building's on the earth.
-    fn place_on_earth(&self) -> Option<Point> {
+    /// The box around all points.
+    fn bounds(&self) -> Option<[Point; 2]> {
         let mut points = self.shapes.iter().flat_map(|shape| &shape.points);
         let &first = points.next()?;
-        let (low, high) = points.fold((first, first), |(low, high), p| (low.inf(p), high.sup(p)));
-        let fits = low.x >= -180.0 && high.x <= 180.0 && low.y >= -90.0 && high.y <= 90.0;
-        let is_small = (high - low).max() <= WIDEST;
-        (fits && is_small).then(|| nalgebra::center(&low, &high))
+        Some(points.fold([first; 2], |[low, high], p| [low.inf(p), high.sup(p)]))
     }
+}
+
+/// The middle of the box, in degrees, if it can be one building's on the earth.
+fn place_on_earth([low, high]: [Point; 2]) -> Option<Point> {
+    let fits = low.x >= -180.0 && high.x <= 180.0 && low.y >= -90.0 && high.y <= 90.0;
+    let is_small = (high - low).max() <= WIDEST;
+    (fits && is_small).then(|| nalgebra::center(&low, &high))
+}
+
+/// How long a unit of the web maps' Mercator projection is at that northing, m: the cosine of the latitude (Snyder, Map
+/// projections, 1987, p. 41: y = R artanh(sin latitude)), within 0.7 % as the earth is no sphere.
+fn mercator_metre(northing: f64) -> f64 {
+    // The projection ends at 20 037 508 m.
+    let y = (northing / EQUATOR).clamp(-PI, PI);
+    2.0 / (exp(y) + exp(-y))
 }
 
 fn layer_of(properties: &JsonObject) -> Option<String> {

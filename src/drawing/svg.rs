@@ -7,7 +7,7 @@ use super::{
     Drawing,
     colours::true_colour,
     flatten::Nurbs,
-    model::{Builder, bad},
+    model::{Builder, MAX_POINTS, bad},
 };
 use crate::{
     floorplan::{DrawingFlaw, MapError, SourceFile},
@@ -196,6 +196,9 @@ impl Painter {
         };
         let mut points: Vec<Point> = Vec::new();
         for segment in path.data().segments() {
+            if points.len() > MAX_POINTS {
+                break;
+            }
             let curve = match segment {
                 PathSegment::MoveTo(to) => {
                     self.builder.stroke(layer, self.paths, is_area, points.drain(..))?;

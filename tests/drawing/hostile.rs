@@ -113,6 +113,22 @@ fn a_thousand_million_entities_by_nesting_are_refused_at_once() {
 }
 
 #[test]
+fn inserts_that_draw_nothing_are_counted_too() {
+    let array = "0 INSERT 8 ROWS 2 A 10 0 20 0 70 1000 71 900 44 1 45 1";
+    let missing = format!("0 BLOCK 2 A 10 0 20 0 {LINE}{} 0 ENDBLK", " 0 INSERT 2 X".repeat(1000));
+    let message = refusal(dxf(&[("BLOCKS", &missing), ("ENTITIES", &format!("{LINE} {array}"))]));
+    assert!(
+        message.contains("entity 2 on layer \"ROWS\"") && message.contains("more than 2000000 inserts"),
+        "{message}"
+    );
+    // Strokes without a length aren't kept: these would be 2 500 million of them.
+    let empty = format!("0 BLOCK 2 A 10 0 20 0 {LINE}{} 0 ENDBLK", " 0 LWPOLYLINE 8 0".repeat(10_000));
+    let array = "0 INSERT 2 A 10 0 20 0 70 500 71 500 44 1 45 1";
+    let drawing = drawn(&dxf(&[("BLOCKS", &empty), ("ENTITIES", array)])).unwrap();
+    assert_eq!(drawing.strokes.len(), 250_000);
+}
+
+#[test]
 fn deep_nesting_is_refused() {
     let mut blocks = format!("0 BLOCK 2 B0 10 0 20 0 {LINE} 0 ENDBLK");
     for level in 1..5000 {

@@ -139,3 +139,31 @@ fn a_room_ends_at_its_open_doors_if_gaps_are_closed() {
     assert!((3.0..3.5).contains(&one.plan.width_m()), "{}", to_ascii(&one.plan));
     assert_eq!(one.gaps.len(), 1);
 }
+
+/// A flat of 7.4 m x 5.4 m whose walls are one outline of 30 cm, with a front door of 90 cm.
+const OPEN_FLAT: &str = "0 LWPOLYLINE 8 WALL 70 1 10 3000 20 0 10 0 20 0 10 0 20 6000 10 8000 20 6000 10 8000 20 0 10 3900 20 0 \
+    10 3900 20 300 10 7700 20 300 10 7700 20 5700 10 300 20 5700 10 300 20 300 10 3000 20 300";
+
+#[test]
+fn a_hollow_column_does_not_make_the_rest_of_the_flat_outside() {
+    let column = "0 LWPOLYLINE 8 WALL 70 1 10 5000 20 3000 10 5650 20 3000 10 5650 20 3650 10 5000 20 3650";
+    for text in [OPEN_FLAT.to_owned(), format!("{OPEN_FLAT} {column}")] {
+        let flat = drawn(&entities(&text)).unwrap();
+        let how = Tracing { roles: vec![Role::Wall], metre: 0.001, gap: 1.0, resolution: 0.05, region: Region::Whole };
+        let room = trace(&flat, &how).unwrap();
+        let floor = room.plan.occupancy.values().iter().filter(|cell| cell.is_free()).count() as f64 * 0.05 * 0.05;
+        assert!((36.0..41.0).contains(&floor), "{floor}\n{}", to_ascii(&room.plan));
+        assert_eq!(room.gaps.len(), 1);
+    }
+}
+
+#[test]
+fn the_inside_of_an_outlined_wall_is_not_floor_at_coarse_cells() {
+    let flat = drawn(&entities(OPEN_FLAT)).unwrap();
+    for resolution in [0.1, 0.2] {
+        let how = Tracing { roles: vec![Role::Wall], metre: 0.001, gap: 0.0, resolution, region: Region::Whole };
+        // The door stands open: all is outside, with a metre around.
+        let room = trace(&flat, &how).unwrap();
+        assert!((room.plan.width_m() - 10.0).abs() < 0.5, "{}", to_ascii(&room.plan));
+    }
+}

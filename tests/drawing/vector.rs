@@ -101,6 +101,38 @@ fn plans_in_their_own_units_stay() {
 }
 
 #[test]
+fn what_a_crs_calls_metres_need_not_be_any() {
+    let crs = |name: &str, [x, y]: [f64; 2], size: f64| {
+        let (right, top) = (x + size, y + size);
+        let text = format!(
+            "{{\"type\":\"Polygon\",\"crs\":{{\"type\":\"name\",\"properties\":{{\"name\":\"{name}\"}}}},\
+             \"coordinates\":[[[{x},{y}],[{right},{y}],[{right},{top}],[{x},{y}]]]}}"
+        );
+        geo(&text).unwrap()
+    };
+    // The web maps' Mercator projection at 50° north: 31.11 of its units are 20 m.
+    for name in ["urn:ogc:def:crs:EPSG::3857", "EPSG:900913"] {
+        let metre = crs(name, [1e6, 6_446_275.0], 31.1).metre.unwrap();
+        assert!((metre - 50.0_f64.to_radians().cos()).abs() < 1e-4, "{metre}");
+    }
+    // Degrees stay degrees in systems that nobody here has heard of: a fifth of a thousandth of one is 22 m.
+    let australia = crs("urn:ogc:def:crs:EPSG::4283", [151.0, -33.0], 0.0002);
+    let height = australia.points[2].y - australia.points[0].y;
+    assert!(australia.metre == Some(1.0) && (height - 22.24).abs() < 0.01, "{height}");
+    // New York's grid is in feet.
+    assert_eq!(crs("urn:ogc:def:crs:EPSG::2263", [1e6, 2e5], 30.0).metre, None);
+    assert_eq!(crs("urn:ogc:def:crs:EPSG::32633", [4e5, 5e6], 30.0).metre, Some(1.0));
+}
+
+#[test]
+fn curves_beyond_the_limit_are_refused_with_their_path() {
+    let loops = "C900 900 0 900 900 0C900 900 0 900 0 300".repeat(20_000);
+    let message = svg("viewBox=\"0 0 9 9\"", &format!("{LINE}<path stroke=\"red\" d=\"M0 0{loops}\"/>"));
+    let message = message.unwrap_err().to_string();
+    assert!(message.contains("path 2") && message.contains("more than 2000000 corners"), "{message}");
+}
+
+#[test]
 fn geojson_that_cannot_be_is_refused() {
     for (text, expected) in [
         ("{\"type\":\"Feature\",\"geometry\":", "cut off"),

@@ -6,7 +6,10 @@
 
 use super::local::{Affine, Content, Insert, Source};
 use crate::{
-    drawing::flatten::{Nurbs, bulge, ellipse, through},
+    drawing::{
+        flatten::{Nurbs, bulge, ellipse, through},
+        model::MAX_POINTS,
+    },
     floorplan::DrawingFlaw,
     geometry::{Point, Vector},
     math::{TAU, sin_cos},
@@ -162,13 +165,14 @@ fn draw(entity: &EntityType, source: Source, block: &str, content: &mut Content)
             let map =
                 Affine { x: turn.x * or_one(given.x_scale_factor), y: turn.y * or_one(given.y_scale_factor), ..turn };
             let counted = |count: i16| u32::try_from(count).unwrap_or(1).max(1);
-            content.insert(Insert {
+            let insert = Insert {
                 source,
                 block: block.to_owned(),
                 map,
                 count: [counted(given.column_count), counted(given.row_count)],
                 step: [turn.x * given.column_spacing, turn.y * given.row_spacing],
-            });
+            };
+            content.insert(insert)?;
         }
         _ => return Ok(Drawn::No("other entities")),
     }
@@ -188,10 +192,14 @@ fn round(
     content.stroke(source, is_closed, points.into_iter().map(|point| map.apply(point)))
 }
 
+/// Its corners with those of its arcs; a little more than [`MAX_POINTS`] at most, which is refused then.
 fn corners(polyline: &LwPolyline) -> Vec<Point> {
     let vertices = &polyline.vertices;
     let mut points = Vec::with_capacity(vertices.len());
     for (i, vertex) in vertices.iter().enumerate() {
+        if points.len() > MAX_POINTS {
+            break;
+        }
         let here = Point::new(vertex.x, vertex.y);
         points.push(here);
         let next = match vertices.get(i + 1) {
@@ -217,4 +225,17 @@ fn curve(spline: &Spline) -> Vec<Point> {
         controls: &points(&spline.control_points),
     }
     .flatten()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_polyline_of_arcs_is_not_flattened_far_beyond_the_limit() {
+        let vertex = |i: usize| dxf::LwPolylineVertex { x: (i % 2) as f64, bulge: 9.0, ..Default::default() };
+        let polyline = LwPolyline { vertices: (0..100_000).map(vertex).collect(), ..LwPolyline::default() };
+        let corners = corners(&polyline).len();
+        assert!((MAX_POINTS + 1..MAX_POINTS + 80).contains(&corners), "{corners}");
+    }
 }

@@ -1,7 +1,7 @@
 //! Inserts blocks into model space.
 
 use super::{
-    local::{Affine, Content, Insert, Source},
+    local::{Affine, Content, Insert, MAX_INSERTS, Source},
     scan::{Scanned, Stopped},
 };
 use crate::{
@@ -20,13 +20,13 @@ pub(super) fn expand(scanned: &mut Scanned) -> Result<(), Stopped> {
     for (index, body) in content.bodies.iter().enumerate().skip(1) {
         by_name.entry(body.name.to_uppercase()).or_insert(index);
     }
-    let mut count = Count { content, by_name, corners: vec![None; content.bodies.len()], path: Vec::new() };
+    let mut count = Count { content, by_name, sizes: vec![None; content.bodies.len()], path: Vec::new() };
     let stop =
         |builder: &Builder, (source, flaw): (Source, DrawingFlaw)| (content.place(&source, builder, *is_text), flaw);
     count.body(0).map_err(|refused| stop(builder, refused))?;
-    let Count { by_name, corners, .. } = count;
+    let Count { by_name, sizes, .. } = count;
     let zero = builder.layer("0").map_err(|flaw| (String::new(), flaw))?;
-    let mut draw = Draw { content, by_name: &by_name, corners: &corners, builder, zero, missing: 0 };
+    let mut draw = Draw { content, by_name: &by_name, sizes: &sizes, builder, zero, missing: 0 };
     let drawn = draw.body(0, &Affine::IDENTITY, None);
     let missing = draw.missing;
     drawn.map_err(|refused| stop(builder, refused))?;
@@ -34,23 +34,30 @@ pub(super) fn expand(scanned: &mut Scanned) -> Result<(), Stopped> {
     Ok(())
 }
 
+/// What a body holds with all that is inserted into it.
+#[derive(Clone, Copy)]
+struct Size {
+    corners: u64,
+    /// Inserts that are looked at to draw it.
+    inserts: u64,
+}
+
 struct Count<'a> {
     content: &'a Content,
     by_name: BTreeMap<String, usize>,
-    /// Corners of every body with all that is inserted into it.
-    corners: Vec<Option<u64>>,
+    sizes: Vec<Option<Size>>,
     /// Bodies that are being counted, outermost first.
     path: Vec<usize>,
 }
 
 impl Count<'_> {
-    fn body(&mut self, index: usize) -> Result<u64, (Source, DrawingFlaw)> {
-        if let Some(corners) = self.corners[index] {
-            return Ok(corners);
+    fn body(&mut self, index: usize) -> Result<Size, (Source, DrawingFlaw)> {
+        if let Some(size) = self.sizes[index] {
+            return Ok(size);
         }
         let body = &self.content.bodies[index];
         let own: usize = self.content.strokes[body.strokes.clone()].iter().map(|stroke| stroke.points.len()).sum();
-        let mut corners = own as u64;
+        let mut size = Size { corners: own as u64, inserts: body.inserts.len() as u64 };
         self.path.push(index);
         for insert in &self.content.inserts[body.inserts.clone()] {
             let Some(&inserted) = self.by_name.get(&insert.block.to_uppercase()) else { continue };
@@ -64,21 +71,31 @@ impl Count<'_> {
             }
             let [columns, rows] = insert.count.map(u64::from);
             let each = self.body(inserted)?;
-            corners = corners.saturating_add(each.saturating_mul(columns * rows));
-            if corners > MAX_POINTS as u64 {
-                return Err((insert.source, DrawingFlaw::TooMany { what: "corners", most: MAX_POINTS }));
+            // Rows and columns of nothing are still nothing.
+            if each.corners == 0 {
+                continue;
             }
+            size.corners = size.corners.saturating_add(each.corners.saturating_mul(columns * rows));
+            size.inserts = size.inserts.saturating_add((each.inserts + 1).saturating_mul(columns * rows) - 1);
+            let refused = if size.corners > MAX_POINTS as u64 {
+                DrawingFlaw::TooMany { what: "corners", most: MAX_POINTS }
+            } else if size.inserts > MAX_INSERTS as u64 {
+                DrawingFlaw::TooMany { what: "inserts", most: MAX_INSERTS }
+            } else {
+                continue;
+            };
+            return Err((insert.source, refused));
         }
         self.path.pop();
-        self.corners[index] = Some(corners);
-        Ok(corners)
+        self.sizes[index] = Some(size);
+        Ok(size)
     }
 }
 
 struct Draw<'a> {
     content: &'a Content,
     by_name: &'a BTreeMap<String, usize>,
-    corners: &'a [Option<u64>],
+    sizes: &'a [Option<Size>],
     builder: &'a mut Builder,
     /// The layer that leaves it to the insert.
     zero: u32,
@@ -114,8 +131,7 @@ impl Draw<'_> {
             self.missing += 1;
             return Ok(());
         };
-        // Rows and columns of nothing are still nothing.
-        if self.corners[inserted].unwrap_or(0) == 0 {
+        if self.sizes[inserted].is_none_or(|size| size.corners == 0) {
             return Ok(());
         }
         let base = self.content.bodies[inserted].base.coords;

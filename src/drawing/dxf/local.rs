@@ -7,6 +7,9 @@ use crate::{
 };
 use std::ops::Range;
 
+/// Most inserts of a drawing, those that inserted blocks bring along too (ours): one for every corner that it can have.
+pub(super) const MAX_INSERTS: usize = MAX_POINTS;
+
 /// Where an entity comes from, for messages and for [`crate::drawing::Stroke::entity`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Source {
@@ -61,7 +64,7 @@ impl Content {
         Self { bodies: vec![model], strokes: Vec::new(), inserts: Vec::new(), points: Vec::new() }
     }
 
-    /// Adds a polyline. What one body holds must come in one go.
+    /// Adds a polyline, if it has a length. What one body holds must come in one go.
     pub fn stroke(
         &mut self,
         source: Source,
@@ -73,6 +76,10 @@ impl Content {
         if self.points.len() > MAX_POINTS {
             return Err(DrawingFlaw::TooMany { what: "corners", most: MAX_POINTS });
         }
+        if self.points.len() < start + 2 {
+            self.points.truncate(start);
+            return Ok(());
+        }
         self.strokes.push(LocalStroke { source, is_closed, points: start..self.points.len() });
         let end = self.strokes.len();
         let range = &mut self.bodies[source.body].strokes;
@@ -81,12 +88,16 @@ impl Content {
     }
 
     /// Adds an insert.
-    pub fn insert(&mut self, insert: Insert) {
+    pub fn insert(&mut self, insert: Insert) -> Result<(), DrawingFlaw> {
+        if self.inserts.len() >= MAX_INSERTS {
+            return Err(DrawingFlaw::TooMany { what: "inserts", most: MAX_INSERTS });
+        }
         let body = insert.source.body;
         self.inserts.push(insert);
         let end = self.inserts.len();
         let range = &mut self.bodies[body].inserts;
         *range = if range.start == range.end { end - 1..end } else { range.start..end };
+        Ok(())
     }
 }
 
@@ -123,5 +134,24 @@ impl Affine {
     /// The same, moved by `step`.
     pub fn moved(&self, step: Vector) -> Self {
         Self { origin: self.origin + step, ..*self }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn entities_that_draw_nothing_do_not_pile_up() {
+        let source = Source { number: 1, layer: 0, at: 1, body: 0 };
+        let mut content = Content::new();
+        assert!(content.stroke(source, true, []).is_ok() && content.stroke(source, false, [Point::origin()]).is_ok());
+        assert!(content.strokes.is_empty() && content.points.is_empty());
+        let mut insert = || {
+            let (map, step) = (Affine::IDENTITY, [Vector::zeros(); 2]);
+            content.insert(Insert { source, block: String::new(), map, count: [1; 2], step })
+        };
+        assert!((0..MAX_INSERTS).all(|_| insert().is_ok()));
+        assert!(matches!(insert(), Err(DrawingFlaw::TooMany { what: "inserts", .. })));
     }
 }

@@ -4,10 +4,15 @@ use crate::{
     geometry::{Point, nearest_on_segment},
     math::{ceil, floor},
 };
+use std::ops::ControlFlow;
 
-/// Most comparisons of an end with an end or a segment (ours): what would take longer has its ends heaped up, and the
-/// farthest of them are left open.
+/// Most comparisons of an end with an end or a segment, and squares looked into for them (ours): what would take longer has
+/// its ends heaped up, and those that weren't compared with all by then are left open.
 const MAX_COMPARISONS: usize = 40_000_000;
+
+/// A place of an end's own wall is the other side of a gap if the way to it along the wall is this many times as long as
+/// straight there (ours): around a right angle it is 1.4 times as long, around a half circle 1.6 times.
+const DETOUR: f64 = 3.0;
 
 /// Most squares along a side of the grid that ends are sorted into.
 const MAX_SQUARES: usize = 1024;
@@ -29,50 +34,66 @@ pub(super) fn bridges(walls: &[Wall<'_>], gap: f64, touching: f64) -> Vec<[Point
     }
     let Some(squares) = Squares::of(&ends, gap.max(touching)) else { return Vec::new() };
     let mut left = MAX_COMPARISONS;
-    // The nearest place of another wall for every end; and its own wall's, apart from where the end itself belongs.
+    // The nearest place of another wall for every end; and of its own, unless the wall just goes on to there.
     for (wall, stroke) in walls.iter().enumerate() {
         let count = stroke.corners.len();
         let segments = if stroke.is_closed { count } else { count.saturating_sub(1) };
+        let length = length(stroke);
+        let mut before = 0.0;
         for i in 0..segments {
             let (a, b) = (stroke.corners[i], stroke.corners[(i + 1) % count]);
-            squares.near(a, b, |index| {
+            let searched = squares.near(a, b, &mut left, |index| {
                 let end = &mut ends[index];
-                left = left.saturating_sub(1);
-                let is_own = end.wall == wall && (end.corner == i || end.corner == i + 1);
-                if is_own || left == 0 {
-                    return;
-                }
                 let at = nearest_on_segment(a, b, end.at);
                 let away = (at - end.at).norm();
-                // Next to its own end a wall's other segments are near without being another side of a gap.
-                let is_bend = end.wall == wall && away > touching && i.abs_diff(end.corner) <= 2;
-                if away <= gap.max(touching) && !is_bend && end.nearest.is_none_or(|(best, _)| away < best) {
+                if end.wall == wall {
+                    let along = before + (at - a).norm();
+                    let along = if end.corner == 0 { along } else { length - along };
+                    if along <= DETOUR * away.max(touching) {
+                        return;
+                    }
+                }
+                if away <= gap.max(touching) && end.nearest.is_none_or(|(best, _)| away < best) {
                     end.nearest = Some((away, at));
                 }
             });
+            if searched.is_break() {
+                // No end has been compared with all walls.
+                return Vec::new();
+            }
+            before += (b - a).norm();
         }
     }
     let mut candidates: Vec<Candidate> = Vec::new();
     let is_free = |end: &End| end.nearest.is_none_or(|(away, _)| away > touching);
     for (index, end) in ends.iter().enumerate().filter(|(_, end)| is_free(end)) {
+        let finished = candidates.len();
+        let mut searched = ControlFlow::Continue(());
         if let Some((away, at)) = end.nearest {
             // The end of a wall may be its nearest place.
             let mut to = None;
-            squares.near(at, at, |other| {
-                left = left.saturating_sub(1);
-                if left > 0 && other != index && is_free(&ends[other]) && (ends[other].at - at).norm() <= touching {
+            searched = squares.near(at, at, &mut left, |other| {
+                if other != index && is_free(&ends[other]) && (ends[other].at - at).norm() <= touching {
                     to = Some(other);
                 }
             });
             candidates.push(Candidate { away, from: index, to, needs_end: false, at });
         }
-        squares.near(end.at, end.at, |other| {
-            left = left.saturating_sub(1);
-            let away = (ends[other].at - end.at).norm();
-            if left > 0 && other > index && is_free(&ends[other]) && away <= gap {
-                candidates.push(Candidate { away, from: index, to: Some(other), needs_end: true, at: ends[other].at });
-            }
-        });
+        if searched.is_continue() {
+            searched = squares.near(end.at, end.at, &mut left, |other| {
+                let away = (ends[other].at - end.at).norm();
+                // The two ends of a short wall are no gap.
+                let is_short = ends[other].wall == end.wall && length(&walls[end.wall]) <= DETOUR * away;
+                if other > index && is_free(&ends[other]) && away <= gap && !is_short {
+                    let at = ends[other].at;
+                    candidates.push(Candidate { away, from: index, to: Some(other), needs_end: true, at });
+                }
+            });
+        }
+        if searched.is_break() {
+            candidates.truncate(finished);
+            break;
+        }
     }
     // Two ends that meet close two gaps at once: they come before an end and a wall just as near.
     candidates.sort_by(|one, other| {
@@ -91,6 +112,11 @@ pub(super) fn bridges(walls: &[Wall<'_>], gap: f64, touching: f64) -> Vec<[Point
         bridges.push([ends[from].at, to.map_or(at, |to| ends[to].at)]);
     }
     bridges
+}
+
+/// Of a stroke from its first corner to its last; a closed one has no ends that it would matter to.
+fn length(stroke: &Wall<'_>) -> f64 {
+    if stroke.is_closed { 0.0 } else { stroke.corners.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum() }
 }
 
 struct End {
@@ -154,14 +180,14 @@ impl Squares {
         Some(squares)
     }
 
-    /// All ends that may be within reach of the segment; some may come twice.
-    fn near(&self, a: Point, b: Point, mut found: impl FnMut(usize)) {
+    /// All ends that may be within reach of the segment; some may come twice. Stops when no comparisons are `left`.
+    fn near(&self, a: Point, b: Point, left: &mut usize, mut found: impl FnMut(usize)) -> ControlFlow<()> {
         let (from, to) = ((a - self.low) / self.side, (b - self.low) / self.side);
         let reach = self.reach / self.side;
         // Only what crosses the squares, in pieces no longer than a few of them.
         let Some((from, to)) = clip(Point::from(from), Point::from(to), self.columns as f64, self.rows as f64, reach)
         else {
-            return;
+            return ControlFlow::Continue(());
         };
         let pieces = ceil((to - from).norm() / 4.0).max(1);
         for piece in 0..pieces {
@@ -175,12 +201,18 @@ impl Squares {
                 for column in range(one.x.min(other.x), one.x.max(other.x), self.columns) {
                     let square = row * self.columns + column;
                     let ends = &self.ends[self.starts[square] as usize..self.starts[square + 1] as usize];
+                    let Some(rest) = left.checked_sub(1 + ends.len()) else {
+                        *left = 0;
+                        return ControlFlow::Break(());
+                    };
+                    *left = rest;
                     for &end in ends {
                         found(end as usize);
                     }
                 }
             }
         }
+        ControlFlow::Continue(())
     }
 }
 
@@ -245,5 +277,34 @@ mod tests {
         let walls: &[&[(f64, f64)]] =
             &[&[(-1.0, 0.0), (0.0, 0.0)], &[(0.2, 0.0), (0.25, 5.0)], &[(0.2, -0.3), (0.25, -5.0)]];
         assert_eq!(closed(walls, 0.4), [[(0.0, 0.0), (0.2, 0.0)], [(0.2, -0.3), (0.2, 0.0)]]);
+    }
+
+    #[test]
+    fn ends_of_a_curved_wall_are_not_joined_to_the_wall_itself() {
+        let at = |degrees: i32| {
+            let angle = f64::from(degrees).to_radians();
+            (2.0 * angle.cos(), 2.0 * angle.sin())
+        };
+        let arc: Vec<(f64, f64)> = (13..=347).step_by(2).map(at).collect();
+        assert_eq!(closed(&[&arc], 1.0), [[at(13), at(347)]]);
+        assert!(closed(&[&arc], 0.8).is_empty());
+        // Nor is a short wall to itself.
+        assert!(closed(&[&[(0.0, 0.0), (0.5, 0.0)]], 1.0).is_empty());
+    }
+
+    #[test]
+    fn a_spent_budget_ends_the_search_and_joins_no_ends() {
+        // 7000 strokes with all their ends near one another.
+        let strokes: Vec<[Point; 2]> = (0..7000)
+            .map(|i| [0.0, 0.5].map(|y| Point::new(f64::from(i) * 1e-4, y + f64::from(i % 7) * 0.01)))
+            .collect();
+        let walls: Vec<Wall<'_>> = strokes.iter().map(|corners| Wall { corners, is_closed: false }).collect();
+        assert!(bridges(&walls, 1.0, 1e-6).is_empty());
+        let ends: Vec<End> =
+            strokes.iter().map(|corners| End { at: corners[0], wall: 0, corner: 0, nearest: None }).collect();
+        let squares = Squares::of(&ends, 1.0).unwrap();
+        let (mut left, mut seen) = (6999, 0);
+        assert!(squares.near(ends[0].at, ends[0].at, &mut left, |_| seen += 1).is_break());
+        assert_eq!((left, seen), (0, 0));
     }
 }

@@ -35,9 +35,8 @@ const FIRST_LOOK: i32 = 512;
 /// as long as rooms may have more of them; else the cells that it covers.
 ///
 /// Of a whole drawing, floor is what can't be reached from outside, if walls enclose anything; else the box around it.
-/// Openings between free ends of walls are closed by lines. Where a room is chosen, and where one still gets out of the
-/// whole, openings up to the same width are closed however the walls beside them are drawn: walls that are outlines have no
-/// free ends.
+/// Openings between free ends of walls are closed by lines. Where a room is chosen, and where the whole gets larger by it,
+/// openings up to the same width are closed however the walls beside them are drawn: walls that are outlines have no free ends.
 ///
 /// ```
 /// use robovac_playground::{drawing::{Region, Role, Tracing, read, trace}, floorplan::{SourceFile, to_ascii}};
@@ -114,11 +113,13 @@ impl<'a> Tracer<'a> {
         frame.check(self.how.metre)?;
         let walls = self.walls(&frame)?;
         let inside = region::enclosed(&walls, self.how.resolution);
-        if inside.count() > 0 {
-            return self.furnished(&frame, &inside);
-        }
-        if let Some(traced) = self.whole_with_open_doors()? {
+        let closed = inside.count();
+        // A column or one closed room doesn't make the rooms with open doors outside.
+        if let Some(traced) = self.whole_with_open_doors(closed)? {
             return Ok(traced);
+        }
+        if closed > 0 {
+            return self.furnished(&frame, &inside);
         }
         let margin = ceil(OPEN_MARGIN / self.how.resolution).max(MARGIN);
         let frame = Frame::around(&self.bounds, self.side, margin);
@@ -127,8 +128,8 @@ impl<'a> Tracer<'a> {
         self.furnished(&frame, &walls.map(|is_wall| !is_wall))
     }
 
-    /// What walls enclose if openings in them are closed, if that is anything.
-    fn whole_with_open_doors(&self) -> Result<Option<Traced>, DrawingFlaw> {
+    /// What walls enclose if openings in them are closed, if that is more than the `closed` cells that they enclose anyway.
+    fn whole_with_open_doors(&self, closed: usize) -> Result<Option<Traced>, DrawingFlaw> {
         let gap = self.how.gap / self.how.resolution;
         let frame = Frame::around(&self.bounds, self.side, ceil(gap.min(1e6)).saturating_add(MARGIN));
         if gap <= 0.0 || frame.check(self.how.metre).is_err() {
@@ -141,7 +142,7 @@ impl<'a> Tracer<'a> {
             *cell |= is_wall;
         }
         let inside = region::enclosed(&shut, self.how.resolution);
-        if inside.count() == 0 {
+        if inside.count() <= closed {
             return Ok(None);
         }
         self.cropped(&frame, inside, &walls, &outside.openings).map(Some)
@@ -244,9 +245,10 @@ impl<'a> Tracer<'a> {
     ) -> Result<Traced, DrawingFlaw> {
         // What stands on the floor has floor beneath it.
         let mut beneath = Canvas::new(frame.size);
+        let on_floor = solids::Floor::new(&floor);
         for stroke in solids::solids(self.drawing, &self.how.roles) {
             let outline = solids::in_cells(self.drawing, stroke, frame);
-            if solids::touches(&outline, &floor) {
+            if on_floor.touches(&outline) {
                 beneath.fill(&outline)?;
             }
         }

@@ -3,6 +3,7 @@
 use crate::{
     geometry::Point,
     grid::{Cell, Grid, chessboard},
+    math::ceil,
 };
 use std::collections::VecDeque;
 
@@ -21,8 +22,9 @@ pub(super) fn enclosed(blocked: &Grid<bool>, resolution: f64) -> Grid<bool> {
     }
     let mut inside = blocked.map(|_| false);
     let wide = chessboard(blocked);
-    // A square of 2 n - 1 cells lies around a cell that is n moves from the next wall.
-    let least = f64::midpoint(LEAST_WIDTH / resolution, 1.0).clamp(1.0, 255.0) as u8;
+    // A square of 2 n - 1 cells lies around a cell that is n moves from the next wall. One cell is never known to be more
+    // than the inside of a wall.
+    let least = ceil(f64::midpoint(LEAST_WIDTH / resolution, 1.0) - 1e-9).clamp(2, 255) as u8;
     for (cell, &is_outside) in outside.iter() {
         if !is_outside && !inside[cell] && !blocked[cell] && wide[cell] >= least {
             flood(blocked, cell, &mut inside, |_| {});
@@ -105,16 +107,32 @@ mod tests {
 
     #[test]
     fn what_the_border_reaches_is_outside() {
-        let blocked =
-            from_picture("..........\n.########.\n.#..#...#.\n.#..#...#.\n.####.###.\n..........\n", |c| c == '#')
-                .unwrap();
+        let blocked = from_picture(
+            "...........\n\
+             .#########.\n\
+             .#...#...#.\n\
+             .#...#...#.\n\
+             .#...#...#.\n\
+             .#####.###.\n\
+             ...........\n",
+            |c| c == '#',
+        )
+        .unwrap();
         let inside = enclosed(&blocked, 0.2);
         assert_eq!(
             picture(&inside, |&is_set| if is_set { '#' } else { '.' }).trim(),
-            "..........\n..........\n..##......\n..##......\n..........\n.........."
+            "...........\n...........\n..###......\n..###......\n..###......\n...........\n..........."
         );
-        // Two cells of 5 cm are the inside of a wall.
+        // Three cells of 5 cm are the inside of a wall.
         assert_eq!(enclosed(&blocked, 0.05).count(), 0);
+    }
+
+    #[test]
+    fn the_inside_of_a_hollow_wall_is_no_room_at_coarse_cells() {
+        let hollow = from_picture("......\n.####.\n.#..#.\n.#..#.\n.####.\n......\n", |c| c == '#').unwrap();
+        for resolution in [0.05, 0.2, 0.25, 0.5] {
+            assert_eq!(enclosed(&hollow, resolution).count(), 0, "{resolution}");
+        }
     }
 
     #[test]

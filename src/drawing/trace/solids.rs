@@ -1,6 +1,9 @@
 //! Closed outlines of things on the floor.
 
-use super::{frame::Frame, raster::Canvas};
+use super::{
+    frame::{Bounds, Frame},
+    raster::Canvas,
+};
 use crate::{
     drawing::{Drawing, Role, model::Stroke},
     floorplan::{
@@ -35,12 +38,13 @@ pub(super) fn furnish(
     frame: &Frame,
 ) -> Result<(), DrawingFlaw> {
     let free = plan.occupancy.map(|cell| cell.is_free());
+    let floor = Floor::new(&free);
     let mut rest = Canvas::new(frame.size);
     for stroke in solids(drawing, roles) {
         let outline = in_cells(drawing, stroke, frame);
         let object = if plan.objects.len() < MAX_OBJECTS { object(&outline, plan) } else { None };
         match object {
-            Some(object) if touches(&outline, &free) => plan.objects.push(object),
+            Some(object) if floor.touches(&outline) => plan.objects.push(object),
             Some(_) => {}
             None => rest.fill(&outline)?,
         }
@@ -53,17 +57,44 @@ pub(super) fn furnish(
     Ok(())
 }
 
-/// Whether there is floor under an outline or beside it, looked for along its edges and in its middle. In cells.
-pub(super) fn touches(outline: &[Point], free: &Grid<bool>) -> bool {
-    let (width, height) = (free.width() as f64, free.height() as f64);
-    let near = |point: Point| Cell::new(floor(point.x), floor(point.y)).block().any(|cell| free.is_set(cell));
-    let edges = outline.iter().copied().zip(outline.iter().copied().cycle().skip(1));
-    let outside = |a: f64, b: f64, size: f64| a.max(b) < -1.0 || a.min(b) > size + 1.0;
-    near(middle(outline))
-        || edges.filter(|(a, b)| !outside(a.x, b.x, width) && !outside(a.y, b.y, height)).any(|(a, b)| {
-            let steps = ceil((b - a).norm()).clamp(1, 4 * MAX_SIDE as i32);
-            (0..steps).any(|i| near(a + (b - a) * (f64::from(i) / f64::from(steps))))
-        })
+/// The floor that things stand on, with the box around it: most of a large drawing lies outside.
+pub(super) struct Floor<'a> {
+    free: &'a Grid<bool>,
+    bounds: Option<Bounds>,
+}
+
+impl<'a> Floor<'a> {
+    pub fn new(free: &'a Grid<bool>) -> Self {
+        let cells = free.iter().filter(|(_, is_free)| **is_free);
+        let corner = |cell: Cell, side: i32| Point::new(f64::from(cell.x + side), f64::from(cell.y + side));
+        // With the cells beside it.
+        let bounds = Bounds::of(cells.flat_map(|(cell, _)| [corner(cell, -1), corner(cell, 2)]));
+        Self { free, bounds }
+    }
+
+    /// Whether there is floor under an outline or beside it, looked for along its edges and in its middle. In cells.
+    pub fn touches(&self, outline: &[Point]) -> bool {
+        let meets = |points: &[Point]| match (self.bounds, Bounds::of(points.iter().copied())) {
+            (Some(ours), Some(other)) => {
+                let is_apart = |axis: usize| ours.low[axis] > other.high[axis] || other.low[axis] > ours.high[axis];
+                !is_apart(0) && !is_apart(1)
+            }
+            _ => false,
+        };
+        if !meets(outline) {
+            return false;
+        }
+        let near = |point: Point| {
+            let at = Cell::new(floor(point.x), floor(point.y));
+            at.block().any(|cell| self.free.is_set(cell))
+        };
+        let edges = outline.iter().copied().zip(outline.iter().copied().cycle().skip(1));
+        near(middle(outline))
+            || edges.filter(|&(a, b)| meets(&[a, b])).any(|(a, b)| {
+                let steps = ceil((b - a).norm()).clamp(1, 4 * MAX_SIDE as i32);
+                (0..steps).any(|i| near(a + (b - a) * (f64::from(i) / f64::from(steps))))
+            })
+    }
 }
 
 /// The outline as an object of the room, if it can be one.
@@ -90,4 +121,23 @@ fn circle(corners: &[Point]) -> Option<(Point, f64)> {
     let radius = (corners[0] - centre).norm();
     let is_round = corners.iter().all(|corner| ((corner - centre).norm() - radius).abs() <= CIRCLE_ERROR * radius);
     is_round.then_some((centre, radius))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_stands_beside_the_box_around_the_floor_does_not_touch_it() {
+        let mut free = Grid::filled(100, 100, false);
+        for x in 40..43 {
+            free.values_mut()[40 * 100 + x] = true;
+        }
+        let square =
+            |low: f64, high: f64| [(low, low), (high, low), (high, high), (low, high)].map(|(x, y)| Point::new(x, y));
+        let on = |floor: &Grid<bool>, outline: &[Point]| Floor::new(floor).touches(outline);
+        assert!(on(&free, &square(41.0, 90.0)) && on(&free, &square(37.0, 39.5)) && on(&free, &square(20.0, 62.0)));
+        assert!(!on(&free, &square(43.5, 90.0)) && !on(&free, &square(1.0, 38.5)));
+        assert!(!on(&Grid::filled(9, 9, false), &square(1.0, 8.0)));
+    }
 }
