@@ -130,6 +130,39 @@ test("a drawing without unit asks for it, with the size of each answer", async (
   assert.equal(await app.message(), "");
 });
 
+test("choices that follow quickly all count, and none counts for a file that was opened since", async (t) => {
+  const { page, app } = await openDraft(t);
+  const whole = await sample(app);
+  const choose = (...roles) =>
+    page.evaluate((list) => {
+      for (const [layer, role] of list) {
+        const menu = document.querySelector(`[aria-label="What ${layer} is"]`);
+        menu.value = role;
+        menu.dispatchEvent(new Event("change", { bubbles: true }));
+      }
+    }, roles);
+  await choose(["FURNITURE", "ignored"], ["DOORS", "wall"]);
+  const changed = await floor(app);
+  assert.notEqual(changed, whole);
+  assert.equal(await page.getByLabel("What FURNITURE is").inputValue(), "ignored");
+  assert.equal(await page.getByLabel("What DOORS is").inputValue(), "wall");
+
+  // Between the opening of a file and its picture.
+  await page.evaluate(() => {
+    const observer = new MutationObserver(() => {
+      observer.disconnect();
+      const gap = document.getElementById("draft-gap");
+      gap.value = "0.5";
+      gap.dispatchEvent(new Event("change", { bubbles: true }));
+    });
+    observer.observe(document.getElementById("place-draft"), { attributeFilter: ["aria-busy"] });
+  });
+  assert.ok(await app.bring(png("image.png", openRoom(40, 30))));
+  assert.equal(await floor(app), 3, "40 by 30 cells of 5 cm");
+  assert.equal(await page.locator("#draft-pixel").inputValue(), "5");
+  assert.equal(await page.locator("#draft-gap").inputValue(), "0.1");
+});
+
 test("two points and their distance set the scale, by pointer and by keys alone", async (t) => {
   const { page, app } = await openDraft(t);
   await app.bring(dxf("rooms.dxf", TWO_ROOMS));

@@ -19,6 +19,7 @@ import { startWalls } from "./walls.js";
  * @property {Drafter} drafter
  * @property {DraftView | undefined} view The latest view; none while the board is empty.
  * @property {(request: import("./types").Request, doing: string) => Promise<{ result: unknown } | undefined>} ask Nothing if it was refused, which is told, or cancelled.
+ * @property {() => import("./types").Settings | undefined} wanted What is chosen, with what is still on its way to the board.
  * @property {(change: Partial<import("./types").Settings>) => Promise<unknown>} set Chooses.
  * @property {(sweeps: boolean) => Promise<void>} use Makes the draft the room of Explore.
  * @property {(withFocus: boolean) => void} toCanvas Closes the sheet over the canvas; may go there by keyboard too.
@@ -50,6 +51,11 @@ export function startDraft(app, module) {
     }, PATIENCE_MS);
   };
 
+  /** What was chosen and isn't answered. @type {Partial<import("./types").Settings>} */
+  let chosen = {};
+  /** Files that are being opened: what is chosen meanwhile was meant for those before. */
+  let opening = 0;
+
   /** @type {Desk} */
   const it = {
     app,
@@ -70,7 +76,13 @@ export function startDraft(app, module) {
         showDoing();
       }
     },
-    set: async (change) => it.view && it.ask({ type: "set", settings: { ...it.view.settings, ...change } }, it.view.kind === "drawing" ? "Tracing the room" : "Reading the map"),
+    wanted: () => it.view && { ...it.view.settings, ...chosen },
+    set: async (change) => {
+      if (!it.view || opening > 0) return;
+      const mine = (chosen = { ...chosen, ...change });
+      await it.ask({ type: "set", settings: change }, it.view.kind === "drawing" ? "Tracing the room" : "Reading the map");
+      if (chosen === mine) chosen = {};
+    },
     use: async (sweeps) => {
       const answer = await it.ask({ type: "room", sweeps }, "Making the room");
       if (!answer || !app.act((p) => p.take_map(answer.result))) return;
@@ -90,7 +102,9 @@ export function startDraft(app, module) {
     const names = files.map((file) => file.name).join(" and ");
     const large = files.find((file) => file.size > MOST_BYTES);
     if (large) complain(`${large.name} is larger than 64 MB. Export a smaller map, at most 4096 cells a side.`);
+    else [opening, chosen] = [opening + 1, {}];
     const isOpen = !large && (await it.ask({ type: "open", files }, `Reading ${names}`));
+    if (!large) opening -= 1;
     // Tests wait for this.
     root.dataset.taken = `${++taken} ${isOpen ? "open" : "refused"}`;
   };

@@ -78,7 +78,7 @@ export type SweepView = {
 export type Request =
   | { type: "open"; files: File[] }
   | { type: "restore"; files: File[]; settings: Settings | null }
-  | { type: "set"; settings: Settings }
+  | { type: "set"; settings: Partial<Settings> }
   | { type: "scale"; metres: number }
   | { type: "sweep" }
   | { type: "slice"; heading: number }
