@@ -358,10 +358,52 @@ test("cancelling brings back what was there before", async (t) => {
     const look = () => (document.getElementById("place-draft").ariaBusy === "true" ? done(document.getElementById("draft-cancel").click()) : requestAnimationFrame(look));
     look();
   }));
+  // Again while it is brought back, which takes its time too.
+  const busy = await page.evaluate(async () => {
+    document.getElementById("draft-cancel").click();
+    document.getElementById("draft-cancel").click();
+    await new Promise((done) => setTimeout(done));
+    return document.getElementById("place-draft").ariaBusy;
+  });
+  assert.equal(busy, "true");
   assert.equal(await text(app, "#draft-name"), "rooms");
   await app.poll(() => floor(app), (area) => area === before);
   assert.equal(await page.locator("#draft-gap").inputValue(), "0.5");
   assert.equal(await app.message(), "");
+});
+
+test("a board that breaks comes back, but not for ever", async (t) => {
+  const { page, app } = await openApp(t);
+  // It breaks where gaps of 1.5 m are closed, and again where those of 1 m were before.
+  await page.route("**/draft/worker.js", async (route) => {
+    const response = await route.fetch();
+    const breaks = `self.addEventListener("message", (event) => {
+      const { type, settings } = event.data;
+      if (!settings || settings.gap !== { set: 1.5, restore: 1 }[type]) return;
+      event.stopImmediatePropagation();
+      for (const message of [{ type: "progress", done: 0 }, { type: "broken", message: "made to break" }]) self.postMessage(message);
+    });`;
+    await route.fulfill({ response, body: `${breaks}\n${await response.text()}` });
+  });
+  let workers = 0;
+  page.on("worker", () => (workers += 1));
+  await page.locator("#tab-draft").click();
+  await page.locator("#draft-empty").waitFor();
+  await app.bring(dxf("rooms.dxf", TWO_ROOMS, { units: 6 }));
+  const before = await floor(app);
+  await page.locator("#draft-gap").fill("1.5");
+  await app.poll(() => app.message(), (message) => /made to break.*laid out again/.test(message));
+  assert.equal(await floor(app), before);
+  assert.match(await app.message(), /made to break/, "still to be read");
+  await page.locator("#draft-gap").fill("1");
+  await text(app, "#draft-name");
+  assert.equal(workers, 2);
+  await page.locator("#draft-gap").fill("1.5");
+  await app.poll(() => app.message(), (message) => /made to break.*Open the file again/.test(message));
+  assert.equal(await text(app, "#draft-name"), "No floor plan yet");
+  assert.equal(workers, 3, "no more of them");
+  await app.bring(dxf("rooms.dxf", TWO_ROOMS, { units: 6 }));
+  assert.equal(await floor(app), before);
 });
 
 test("fits a phone, with sheets under the drawing", async (t) => {

@@ -66,7 +66,8 @@ export function startDraft(app, module) {
       if (doing.length === 1) showDoing();
       try {
         const result = await drafter.ask(request);
-        forgive();
+        // What went wrong before is still to be read.
+        if (request.type !== "restore") forgive();
         return { result };
       } catch (error) {
         if (error !== CANCELLED) complain(error instanceof Error ? error.message : String(error));
@@ -121,7 +122,8 @@ export function startDraft(app, module) {
     for (const update of updates) update(view);
   };
   drafter.onprogress = (done) => setAttribute(byId("draft-progress"), "value", String(Math.floor(100 * done)));
-  drafter.onbroken = (message) => complain(`The drawing board met an error of its own (${message}). What was on it before has been laid out again; Explore is untouched.`);
+  drafter.onrestore = (request) => void it.ask(request, "Laying out what was there before");
+  drafter.onbroken = (message, returns) => complain(`The drawing board met an error of its own (${message}). ${returns ? "What was on it before is laid out again" : "Open the file again, or another one"}; Explore is untouched.`);
   drafter.start();
   drafter.onview(undefined);
 

@@ -77,7 +77,7 @@ export type SweepView = {
 /** What the page wants to be answered. */
 export type Request =
   | { type: "open"; files: File[] }
-  | { type: "restore"; files: File[]; settings: Settings | null }
+  | { type: "restore"; files: File[]; settings: Settings }
   | { type: "set"; settings: Partial<Settings> }
   | { type: "scale"; metres: number }
   | { type: "sweep" }
