@@ -406,6 +406,39 @@ test("a board that breaks comes back, but not for ever", async (t) => {
   assert.equal(await floor(app), before);
 });
 
+test("a pinch with the rectangle in the hand leaves no corner behind", async (t) => {
+  const { page, app } = await openDraft(t, PHONE);
+  await app.bring(dxf("rooms.dxf", TWO_ROOMS, { units: 6 }));
+  const whole = await floor(app);
+  await page.locator("button[data-sheet=draft-setup]").tap();
+  await page.getByRole("button", { name: "Rectangle" }).tap();
+  await page.locator("#draft-setup").waitFor({ state: "hidden" });
+  const { x, y, width, height } = await page.locator("#draft-floor").boundingBox();
+  const browser = await page.context().newCDPSession(page);
+  const touch = (type, ...shares) => browser.send("Input.dispatchTouchEvent", { type, touchPoints: shares.map(([u, v], id) => ({ x: x + u * width, y: y + v * height, id })) });
+  await touch("touchStart", [0.4, 0.5]);
+  await touch("touchStart", [0.4, 0.5], [0.6, 0.5]);
+  await touch("touchMove", [0.39, 0.5], [0.61, 0.5]);
+  await touch("touchEnd");
+  await app.frames(3);
+  assert.equal(await floor(app), whole);
+  await touch("touchStart", [0.3, 0.42]);
+  await touch("touchMove", [0.5, 0.5]);
+  await touch("touchMove", [0.6, 0.58]);
+  await touch("touchEnd");
+  await app.poll(() => floor(app), (part) => part > 0 && part < whole);
+});
+
+test("a cell without a width is refused, and the map stays", async (t) => {
+  const { page, app } = await openDraft(t);
+  await app.bring(png("image.png", openRoom(40, 30)));
+  await page.locator("#draft-pixel").fill("0");
+  await page.keyboard.press("Tab");
+  await app.poll(() => app.message(), (message) => /0 cm wide.*0\.1 to 10000 cm/.test(message));
+  assert.equal(await floor(app), 3);
+  assert.equal(await page.locator("#draft-pixel").inputValue(), "5");
+});
+
 test("fits a phone, with sheets under the drawing", async (t) => {
   const { page, app, screenshot } = await openDraft(t, PHONE);
   await sample(app);
