@@ -174,7 +174,7 @@ fn overlays_are_in_drawing_units() {
     // A drawing in millimetres.
     let layers = overlays(&found, Vector::new(5000.0, -1000.0), 0.001);
     let names: Vec<&str> = layers.iter().map(|layer| layer.layer.as_str()).collect();
-    assert_eq!(names, ["SUBGOALS", "LINKS", "SWEEP"]);
+    assert_eq!(names, ["SWEEP_SUBGOALS", "SWEEP_LINKS", "SWEEP_PATH"]);
     assert_eq!(layers[0].lines.len(), 2 * found.subgoals.len());
     assert_eq!(layers[1].lines.len(), found.links.len());
     let first = layers[2].lines[0][0];

@@ -31,7 +31,7 @@ async function build() {
   const kinds = formats.map(({ id, title, note, needs_path }, i) =>
     make(
       "label",
-      { className: "kind", ...(needs_path ? { "data-path": "" } : {}) },
+      { className: "save-kind", ...(needs_path ? { "data-path": "" } : {}) },
       make("input", { type: "radio", name: "kind", value: id, defaultChecked: i === 0 }),
       make("span", {}, make("span", { className: "label" }, title), make("span", { className: "note" }, note)),
     ),
@@ -51,7 +51,7 @@ async function build() {
     "form",
     { method: "dialog" },
     make("header", {}, make("h2", { id: "save-title" }, "Save as"), closer()),
-    make("fieldset", { className: "kinds" }, make("legend", { className: "hidden-text" }, "Kind of file"), ...kinds),
+    make("fieldset", { className: "save-kinds" }, make("legend", { className: "hidden-text" }, "Kind of file"), ...kinds),
     ros,
     complaint,
     make("div", { className: "row" }, save),

@@ -99,6 +99,7 @@ const IGNORED: &[&str] = &[
 const OBSTACLES: &[&str] = &[
     "FURN",
     "OBSTACLE",
+    "STAIR",
     "OBST",
     "EQPM",
     "EQUIP",

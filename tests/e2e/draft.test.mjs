@@ -97,12 +97,12 @@ test("the sample is traced, cut, swept, exported, used and undone", async (t) =>
   await screenshot("draft-sweep");
   assert.match(await page.locator("#draft-floor").getAttribute("aria-label"), /sweep of [\d.]+ metres/);
 
-  const starts = { dxf: /^\s*0\r?\n\s*SECTION|^\s*999/, program: /./, bytes: /^[\x80-\x83]/, csv: /^x/, poses: /./ };
+  const starts = { dxf: /^\s*0\r?\n\s*SECTION|^\s*999/, program: /./, commands: /80/, csv: /^x/, poses: /./ };
   for (const [format, start] of Object.entries(starts)) {
     const [download] = await Promise.all([page.waitForEvent("download"), page.locator(`[data-format=${format}]`).click()]);
     const content = fs.readFileSync(await download.path(), "latin1");
     assert.match(content, start, download.suggestedFilename());
-    if (format === "dxf") assert.ok(["WALLS", "FURNITURE", "SUBGOALS", "LINKS", "SWEEP"].every((layer) => content.includes(layer)), "the path beside the drawing");
+    if (format === "dxf") assert.ok(["WALLS", "FURNITURE", "SWEEP_SUBGOALS", "SWEEP_LINKS", "SWEEP_PATH"].every((layer) => content.includes(layer)), "the path beside the drawing");
   }
 
   await page.locator("#tab-explore").click();

@@ -21,8 +21,8 @@ async function placing(app, kind) {
 const selected = (page) => page.locator("#selected").evaluate((menu) => menu.selectedOptions[0]?.textContent);
 
 /** What a saved scenario says. */
-async function saved(page) {
-  const [download] = await Promise.all([page.waitForEvent("download"), page.locator("#save").click()]);
+async function saved(app) {
+  const [download] = await app.save("scenario");
   return fs.readFileSync(await download.path(), "utf8");
 }
 
@@ -32,22 +32,22 @@ test("places, moves, undoes, deletes and saves objects with the mouse", async (t
   await placing(app, "furniture");
   await app.drag([0.45, 0.4], [0.6, 0.5]);
   assert.equal(await selected(page), "Furniture");
-  const before = JSON.parse(await saved(page)).objects;
+  const before = JSON.parse(await saved(app)).objects;
   assert.equal(before[0].furniture.outline.length, 4);
   assert.equal(await app.room(), "Empty room (changed)");
 
   // With the view tool it is dragged by its middle.
   await app.tool("view");
   await app.drag([0.525, 0.45], [0.6, 0.6]);
-  const after = JSON.parse(await saved(page)).objects;
+  const after = JSON.parse(await saved(app)).objects;
   const [x, y] = [0, 1].map((axis) => after[0].furniture.outline[0][axis] - before[0].furniture.outline[0][axis]);
   assert.ok(x > 0.1 && y < -0.1, `right and down: ${x} ${y}`);
   await app.press("Undo");
   await app.settled();
-  assert.deepEqual(JSON.parse(await saved(page)).objects, before);
+  assert.deepEqual(JSON.parse(await saved(app)).objects, before);
   await app.press("Redo");
   await app.settled();
-  assert.deepEqual(JSON.parse(await saved(page)).objects, after);
+  assert.deepEqual(JSON.parse(await saved(app)).objects, after);
 
   await placing(app, "pet");
   await app.drag([0.3, 0.7], [0.4, 0.7]);
@@ -67,7 +67,7 @@ test("works without a mouse", async (t) => {
   await page.keyboard.press("Enter");
   await app.settled();
   assert.equal(await selected(page), "Furniture");
-  const corner = async () => JSON.parse(await saved(page)).objects[0].furniture.outline[0];
+  const corner = async () => JSON.parse(await saved(app)).objects[0].furniture.outline[0];
   const [x, y] = await corner();
   await page.locator("#floor").focus();
   await page.keyboard.press("ArrowRight");
@@ -99,20 +99,20 @@ test("what can't be there says why, and what is kept survives a reload", async (
   await app.drag([0.45, 0.65], [0.6, 0.45]);
   assert.match(await app.message(), /^The dock at .* looks into furniture/);
   assert.deepEqual(await names(page), ["Dock"]);
-  const kept = JSON.parse(await saved(page)).objects;
+  const kept = JSON.parse(await saved(app)).objects;
 
   await app.linked("room", (room) => room === "own");
   // It is kept twice a second.
   await page.waitForFunction(() => localStorage.getItem("own-room")?.includes('"dock"'));
   await page.reload();
   await app.settled();
-  assert.deepEqual(JSON.parse(await saved(page)).objects, kept);
+  assert.deepEqual(JSON.parse(await saved(app)).objects, kept);
 });
 
 test("a scenario that can't be is refused with path, line and reason, and the room stays", async (t) => {
   const { page, app } = await openApp(t, { address: "#room=living&behaviour=bounce&speed=1" });
   await app.pause();
-  const text = await saved(page);
+  const text = await saved(app);
   const [room, area] = [await app.room(), await app.reachableArea()];
   const cases = [
     ['"version": 2', '"version": 9', /line \d+, column \d+, version: this is a scenario of version 9/],

@@ -2,19 +2,11 @@
 
 use super::{Board, Source};
 use crate::{
-    app::{
-        outlines,
-        sweep::{Sweep, commands, commands_text, overlays, program, to_csv, to_ros_path},
-    },
-    drawing::{Overlay, Traced, to_dxf},
-    geometry::Point,
-    grid::Occupancy,
+    app::sweep::{Sweep, commands, commands_text, program, sweep_dxf, to_csv, to_ros_path},
+    drawing::Traced,
     robot,
 };
 use serde::{Deserialize, Serialize};
-
-/// Corners of walls above which they are left out beside a sweep that wasn't drawn in CAD.
-const MOST_CORNERS: usize = 200_000;
 
 /// A kind of file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -24,9 +16,7 @@ pub enum Format {
     Dxf,
     /// A program for people: turns and straight ways.
     Program,
-    /// Bytes of the Open Interface, as they go to a robot.
-    Bytes,
-    /// The same with their times and meanings, as text.
+    /// Bytes of the Open Interface with their times and meanings, as text. Always for the Roomba: no other robot here speaks it.
     Commands,
     /// Places with times.
     Csv,
@@ -53,19 +43,16 @@ impl Board {
         };
         // Commands are for a robot that there is: the one that was chosen, or else the one that the interface is of.
         let chosen = self.settings().body.model().and_then(robot::model);
-        let model = chosen.or(robot::model("roomba600")).ok_or("there is no robot to be commanded")?;
+        let roomba = robot::model("roomba600").ok_or("there is no robot to be commanded")?;
+        let model = chosen.unwrap_or(roomba);
         // As the planner has it: the robot looks along x when it begins, or as the room's start says.
         let (path, heading) = (&sweep.path, room.plan.start.map_or(0.0, |start| start.heading));
         let (ending, media, bytes) = match format {
             Format::Dxf => ("dxf", "image/vnd.dxf", self.dxf(room, sweep)?),
             Format::Program => ("txt", "text/plain", program(path, heading, model).into_bytes()),
-            Format::Bytes => {
-                let bytes = commands(path, heading, model).into_iter().flat_map(|command| command.bytes);
-                ("bin", "application/octet-stream", bytes.collect())
-            }
             Format::Commands => {
-                let text = commands_text(&commands(path, heading, model), model);
-                ("commands.txt", "text/plain", text.into_bytes())
+                let text = commands_text(&commands(path, heading, roomba), roomba);
+                ("oi.txt", "text/plain", text.into_bytes())
             }
             Format::Csv => ("csv", "text/csv", to_csv(path, heading, model).into_bytes()),
             Format::Poses => ("yaml", "text/yaml", to_ros_path(path, heading, &room.plan, model).into_bytes()),
@@ -75,23 +62,6 @@ impl Board {
 
     fn dxf(&self, room: &Traced, sweep: &Sweep) -> Result<Vec<u8>, String> {
         let original = if let Source::Drawing { original, .. } = self.source() { original.as_deref() } else { None };
-        let mut layers = overlays(sweep, room.corner, room.metre);
-        if original.is_none() {
-            layers.extend(walls(room));
-        }
-        to_dxf(original, &layers).map_err(|error| error.to_string())
+        sweep_dxf(sweep, room, original).map_err(|error| error.to_string())
     }
-}
-
-/// Walls of a room that wasn't drawn in CAD.
-fn walls(room: &Traced) -> Option<Overlay> {
-    let cells = room.plan.occupancy.map(|&cell| cell == Occupancy::Occupied);
-    let side = room.plan.resolution / room.metre;
-    let lines = outlines(&cells, MOST_CORNERS)?.into_iter().map(|corners| {
-        let closed = corners.iter().chain(corners.first());
-        closed
-            .map(|corner| Point::from(room.corner) + Point::new(f64::from(corner.x), f64::from(corner.y)).coords * side)
-            .collect()
-    });
-    Some(Overlay { layer: "WALLS".to_owned(), colour: 7, lines: lines.collect() })
 }

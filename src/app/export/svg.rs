@@ -21,7 +21,7 @@ pub fn to_svg(plan: &FloorPlan, path: &[Point]) -> String {
     // Writing to a string can't fail.
     let _ = write!(
         svg,
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width:.0} {height:.0}\">\n\
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width:.0}mm\" height=\"{height:.0}mm\" viewBox=\"0 0 {width:.0} {height:.0}\">\n\
          <title>{title}</title>\n<desc>{width_m:.2} m x {height_m:.2} m; one unit is one millimetre</desc>\n\
          <rect id=\"floor\" width=\"{width:.0}\" height=\"{height:.0}\" fill=\"#fff\"/>\n",
         title = escaped(&plan.name),

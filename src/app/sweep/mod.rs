@@ -21,7 +21,7 @@ pub use crate::planner::stage::Contact;
 pub use commands::{TimedCommand, commands, commands_text};
 pub use error::SweepError;
 #[cfg(feature = "draft")]
-pub use overlay::overlays;
+pub use overlay::{overlays, sweep_dxf};
 pub use pipeline::{SCAN_WIDTHS, sweep};
 pub use program::program;
 pub use stages::{Link, Subgoal, Sweep, SweepSetup};

@@ -127,6 +127,11 @@ fn check(setup: &SweepSetup, scan_width: f64) -> Result<(), SweepError> {
         let expected = format!("{} to {} m", SCAN_WIDTHS.start(), SCAN_WIDTHS.end());
         return refuse("the distance between scan lines", scan_width, expected);
     }
+    // Lines are rows of cells.
+    if scan_width < setup.cell {
+        let expected = format!("at most the distance between scan lines, {scan_width:.3} m");
+        return refuse("the side of the obstacle map's cells", setup.cell, expected);
+    }
     if !(1..=MAX_HEADINGS).contains(&setup.headings) {
         return refuse("the number of headings", setup.headings as f64, format!("1 to {MAX_HEADINGS}"));
     }

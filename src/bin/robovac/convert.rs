@@ -45,7 +45,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     };
     let drawing = arguments.source.file()?.filter(is_drawing);
     let plan = match &drawing {
-        Some(file) => arguments.drawing.trace(file)?,
+        Some(file) => arguments.drawing.trace(file)?.plan,
         None => arguments.source.plan()?,
     };
     let scenario = Scenario::of(&plan);

@@ -2,8 +2,8 @@
 
 use super::failure::Failure;
 use robovac_playground::{
-    drawing::{Drawing, Region, Role, Tracing, read, trace},
-    floorplan::{FloorPlan, SourceFile},
+    drawing::{Drawing, Region, Role, Traced, Tracing, read, trace},
+    floorplan::SourceFile,
     geometry::Point,
 };
 
@@ -29,8 +29,8 @@ pub struct DrawingOptions {
 }
 
 impl DrawingOptions {
-    /// The room in a drawing.
-    pub fn trace(&self, file: &SourceFile) -> Result<FloorPlan, Failure> {
+    /// The room in a drawing, and where it is there.
+    pub fn trace(&self, file: &SourceFile) -> Result<Traced, Failure> {
         let drawing = read(file)?;
         let how = Tracing {
             roles: self.roles(&drawing)?,
@@ -39,7 +39,7 @@ impl DrawingOptions {
             resolution: self.resolution,
             region: self.region()?,
         };
-        Ok(trace(&drawing, &how)?.plan)
+        Ok(trace(&drawing, &how)?)
     }
 
     fn metre(&self, drawing: &Drawing) -> Result<f64, Failure> {

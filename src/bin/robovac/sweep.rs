@@ -1,13 +1,13 @@
 //! `sweep`: the sweeping planner of 001, with a robot of any outline.
 
-use super::{failure::Failure, output, source::Source};
+use super::{drawing::DrawingOptions, failure::Failure, output, source::Source};
 use robovac_playground::{
     app::sweep::{
-        Contact, Sweep, SweepError, SweepSetup, commands, commands_text, program, sweep, to_csv, to_ros_path,
+        Contact, Sweep, SweepError, SweepSetup, commands, commands_text, program, sweep, sweep_dxf, to_csv, to_ros_path,
     },
     cspace::{CspaceError, Outline},
-    floorplan::FloorPlan,
-    geometry::Point,
+    drawing::{Traced, is_drawing, is_dxf},
+    geometry::{Point, Vector},
     robot::{RobotModel, model},
 };
 use serde::Serialize;
@@ -18,6 +18,8 @@ use std::{fs, ops::ControlFlow, path::PathBuf, time::Instant};
 pub struct Arguments {
     #[command(flatten)]
     source: Source,
+    #[command(flatten)]
+    drawing: DrawingOptions,
     /// Robot that drives, see "robovac robots"; its body is the outline unless --outline says otherwise
     #[arg(long, value_name = "ID", default_value = "octagon")]
     robot: String,
@@ -89,6 +91,7 @@ enum Format {
     Bytes,
     Program,
     Json,
+    Dxf,
 }
 
 /// Plans, writes the files, and returns the numbers that are to be printed.
@@ -98,7 +101,13 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     // What can't be written is told before anything is planned.
     let formats: Vec<Format> = arguments.out.iter().map(|out| format_of(out)).collect::<Result<_, _>>()?;
     let outline = arguments.outline.as_deref().map_or_else(|| Ok(Outline::of(robot)), parse_outline)?;
-    let plan = arguments.source.plan()?;
+    let file = arguments.source.file()?.filter(is_drawing);
+    let room = match &file {
+        Some(file) => arguments.drawing.trace(file)?,
+        None => Traced { plan: arguments.source.plan()?, corner: Vector::zeros(), metre: 1.0, gaps: Vec::new() },
+    };
+    let original = file.as_ref().map(|file| file.bytes.as_slice()).filter(|bytes| is_dxf(bytes));
+    let plan = &room.plan;
     let width = outline.width();
     let setup = SweepSetup {
         outline,
@@ -108,7 +117,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
         start: plan.start,
     };
     let begin = Instant::now();
-    let found = sweep(&plan, &setup, &mut |_| ControlFlow::Continue(()))?;
+    let found = sweep(plan, &setup, &mut |_| ControlFlow::Continue(()))?;
     let report = Report {
         room: &plan.name,
         robot: robot.id,
@@ -127,8 +136,8 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     };
     let heading = plan.start.map_or(0.0, |start| start.heading);
     for (out, format) in arguments.out.iter().zip(formats) {
-        let text = written(format, &found, &report, (&plan, robot, heading))?;
-        fs::write(out, text).map_err(|error| Failure::io(out.display(), &error))?;
+        let content = written(format, &found, &report, (&room, original), (robot, heading))?;
+        fs::write(out, content).map_err(|error| Failure::io(out.display(), &error))?;
     }
     Ok(output::json(&report))
 }
@@ -142,9 +151,10 @@ fn format_of(out: &std::path::Path) -> Result<Format, Failure> {
         (".yaml", Format::Yaml),
         (".txt", Format::Program),
         (".json", Format::Json),
+        (".dxf", Format::Dxf),
     ];
     endings.into_iter().find(|(ending, _)| name.ends_with(ending)).map(|(_, format)| format).ok_or_else(|| {
-        let endings = ".csv, .yaml, .oi.txt, .txt or .json";
+        let endings = ".csv, .yaml, .oi.txt, .txt, .json or .dxf";
         Failure::usage(format!("--out {}: no format has this ending; use {endings}", out.display()))
     })
 }
@@ -153,18 +163,21 @@ fn written(
     format: Format,
     found: &Sweep,
     report: &Report<'_>,
-    (plan, robot, heading): (&FloorPlan, &RobotModel, f64),
-) -> Result<String, Failure> {
-    Ok(match format {
+    (room, original): (&Traced, Option<&[u8]>),
+    (robot, heading): (&RobotModel, f64),
+) -> Result<Vec<u8>, Failure> {
+    let text = match format {
+        Format::Dxf => return Ok(sweep_dxf(found, room, original)?),
         Format::Csv => to_csv(&found.path, heading, robot),
-        Format::Yaml => to_ros_path(&found.path, heading, plan, robot),
+        Format::Yaml => to_ros_path(&found.path, heading, &room.plan, robot),
         Format::Program => program(&found.path, heading, robot),
         Format::Bytes => {
             let roomba = model("roomba600").ok_or_else(|| Failure::unknown("robot", "roomba600", "robots"))?;
             commands_text(&commands(&found.path, heading, roomba), roomba)
         }
         Format::Json => output::json(&stages(found, report)),
-    })
+    };
+    Ok(text.into_bytes())
 }
 
 fn stages<'a>(found: &Sweep, report: &'a Report<'a>) -> Stages<'a> {

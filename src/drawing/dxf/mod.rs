@@ -12,7 +12,8 @@ mod pairs;
 mod scan;
 mod units;
 
-pub(super) use pairs::{Form, Pairs, code_page, is_dxf};
+pub use pairs::is_dxf;
+pub(super) use pairs::{Form, Pairs, code_page};
 
 use super::{Drawing, model::bad};
 use crate::floorplan::{MapError, SourceFile};
