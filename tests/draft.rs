@@ -1,11 +1,11 @@
 //! The drawing board: what comes of files, choices and the hand, without a browser.
 
 use robovac_playground::{
-    app::draft::{Board, BodyChoice, Format, Part, Settings, Tool},
+    app::draft::{Board, BodyChoice, Format, Part, Settings, Source, Tool, coarse},
     drawing::Role,
     floorplan::SourceFile,
     geometry::Point,
-    grid::Occupancy,
+    grid::{Grid, Occupancy},
 };
 use std::ops::ControlFlow;
 
@@ -27,7 +27,7 @@ fn open(file: SourceFile) -> Board {
 fn change(board: &mut Board, what: impl FnOnce(&mut Settings)) {
     let mut settings = board.settings().clone();
     what(&mut settings);
-    board.set(settings);
+    board.set(settings).unwrap();
 }
 
 fn cells(board: &Board) -> Vec<Occupancy> {
@@ -72,7 +72,9 @@ fn shades_are_wall_where_they_are_darker_than_said() {
     assert_eq!(cells(&board), [Occupied, Free, Free, Free]);
     change(&mut board, |settings| settings.negate = true);
     assert_eq!(cells(&board), [Free, Occupied, Occupied, Occupied]);
+    let version = board.version();
     change(&mut board, |settings| settings.shade = 0.0);
+    assert_ne!(board.version(), version, "the picture of the room goes with it");
     assert!(board.room().is_none() && board.fault().contains("no free cell"), "{}", board.fault());
     assert!(board.import(false).is_err());
     change(&mut board, |settings| (settings.shade, settings.negate) = (0.5, false));
@@ -121,7 +123,7 @@ fn whatever_the_page_says_stays_within_what_is_possible() {
     let mut board = open(image());
     change(&mut board, |settings| {
         *settings = Settings {
-            metre: Some(f64::NAN),
+            metre: None,
             gap: 1e9,
             resolution: -1.0,
             shade: 7.0,
@@ -133,9 +135,38 @@ fn whatever_the_page_says_stays_within_what_is_possible() {
         }
     });
     let settings = board.settings();
-    assert_eq!((settings.metre, settings.gap, settings.shade, settings.headings), (None, 1.5, 1.0, 1));
+    assert_eq!((settings.metre, settings.gap, settings.shade, settings.headings), (Some(0.05), 1.5, 1.0, 1));
     assert!(settings.resolution > 0.0 && settings.cell > 0.0 && settings.scan_width.is_none());
-    assert!(board.description().contains("unit isn't known"));
+}
+
+#[test]
+fn cells_that_no_map_has_are_refused_and_the_width_stays() {
+    let mut board = open(image());
+    for metre in [0.0, -0.05, 0.000_999, 100.1, f64::NAN, f64::INFINITY] {
+        let error = board.set(Settings { metre: Some(metre), ..board.settings().clone() }).unwrap_err();
+        assert!(error.contains("0.1 to 10000 cm"), "{error}");
+        assert_eq!(board.settings().metre, Some(0.05));
+    }
+    for metre in [0.001, 100.0] {
+        change(&mut board, |settings| settings.metre = Some(metre));
+        assert_eq!(board.room().unwrap().plan.resolution, metre);
+    }
+    let mut drawing = furnished(None);
+    assert!(drawing.description().contains("unit isn't known"));
+    change(&mut drawing, |settings| settings.metre = Some(0.000_001));
+    change(&mut drawing, |settings| settings.metre = Some(-1.0));
+    assert_eq!(drawing.settings().metre, Some(0.000_001), "the unit of a drawing is no cell");
+}
+
+#[test]
+fn a_slice_too_large_for_a_picture_is_coarser_and_free_only_where_all_of_it_is() {
+    let mut free = Grid::filled(7, 4, true);
+    free.values_mut()[6] = false;
+    free.values_mut()[7 + 2] = false;
+    let (grid, times) = coarse(free.clone(), 3);
+    assert_eq!((grid.width(), grid.height(), times), (3, 2, 3));
+    assert_eq!(grid.values(), [false, true, false, true, true, true]);
+    assert_eq!(coarse(free.clone(), 7), (free, 1), "one that fits stays");
 }
 
 #[test]
@@ -202,7 +233,7 @@ fn a_sweep_is_for_the_room_and_the_robot_that_it_was_planned_for() {
     let view = board.view().sweep.unwrap();
     assert_eq!(view.subgoals[0], view.subgoals[1..].iter().sum::<usize>());
     assert!(view.subgoals[3] > 0 && view.collisions == view.resolved, "{view:?}");
-    board.set(board.settings().clone());
+    board.set(board.settings().clone()).unwrap();
     assert!(board.planned().is_some(), "nothing has changed");
     change(&mut board, |settings| settings.scan_width = Some(0.3));
     assert!(board.planned().is_none());
@@ -257,13 +288,32 @@ fn a_map_that_is_swept_leaves_as_a_drawing_with_its_walls() {
 }
 
 #[test]
+fn only_a_dxf_is_what_an_exported_drawing_begins_with() {
+    const MARK: &str = "\u{feff}";
+    let svg = "<svg xmlns='http://www.w3.org/2000/svg' width='4m' viewBox='0 0 4 3'><rect width='4' height='3' stroke='#000'/></svg>";
+    let geojson = r#"{"type": "Polygon", "coordinates": [[[0, 0], [4, 0], [4, 3], [0, 3], [0, 0]]]}"#;
+    let drawing = dxf("room.dxf", Some(6), &[ROOM]);
+    for (name, content, is_dxf) in [
+        ("room.svg", svg.as_bytes(), false),
+        ("room.geojson", geojson.as_bytes(), false),
+        ("room.dxf", drawing.bytes.as_slice(), true),
+    ] {
+        for mark in ["", MARK] {
+            let board = open(file(name, [mark.as_bytes(), content].concat()));
+            let Source::Drawing { original, .. } = board.source() else { panic!("{name} is no drawing") };
+            assert_eq!(original.is_some(), is_dxf, "{name} with mark {mark:?}");
+        }
+    }
+}
+
+#[test]
 fn the_part_that_is_meant_is_cut_out_and_a_part_outside_says_so() {
     let mut board = furnished(Some(6));
-    board.set_part(Part::Rectangle { corners: [[4.0, 3.0], [2.5, 0.0]] });
+    board.set_part(Part::Rectangle { corners: [[4.0, 3.0], [2.5, 0.0]] }).unwrap();
     assert!((board.floor_m2() - 4.5).abs() < 0.5, "{}", board.floor_m2());
-    board.set_part(Part::Room { at: [100.0, 100.0] });
+    board.set_part(Part::Room { at: [100.0, 100.0] }).unwrap();
     assert!(board.room().is_none() && !board.fault().is_empty());
-    board.set_part(Part::Whole);
+    board.set_part(Part::Whole).unwrap();
     assert!(board.room().is_some() && board.fault().is_empty());
 }
 

@@ -20,7 +20,7 @@ mod write;
 pub use dxf::is_dxf;
 pub use model::{Drawing, Layer, MAX_COORDINATE, MAX_LAYERS, MAX_POINTS, Role, Stroke};
 pub use overlay::Overlay;
-pub use read::{is_drawing, read};
+pub use read::{is_drawing, is_dxf, read};
 pub use trace::trace;
 pub use tracing::{Region, Traced, Tracing};
 pub use write::{outlines, to_dxf};

@@ -38,6 +38,18 @@ pub fn is_drawing(file: &SourceFile) -> bool {
     kind(&file.bytes).is_some()
 }
 
+/// Whether a file is a DXF, by its content.
+///
+/// ```
+/// use robovac_playground::{drawing::is_dxf, floorplan::SourceFile};
+/// let file = |bytes: &[u8]| SourceFile { name: "room".into(), bytes: bytes.into() };
+/// assert!(is_dxf(&file(b"  0\nSECTION\n  2\nENTITIES\n")));
+/// assert!(!is_dxf(&file(b"\xef\xbb\xbf<svg xmlns='http://www.w3.org/2000/svg'/>")));
+/// ```
+pub fn is_dxf(file: &SourceFile) -> bool {
+    matches!(kind(&file.bytes), Some(Kind::Dxf))
+}
+
 fn kind(bytes: &[u8]) -> Option<Kind> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     if dxf::is_dxf(bytes) {

@@ -8,7 +8,7 @@ use super::{clock, map, to_js};
 use crate::{
     app::{
         Viewport,
-        draft::{Board, Format, Part, Settings, Tool},
+        draft::{Board, Format, Part, Settings, Tool, coarse},
     },
     geometry::{Point, Vector},
 };
@@ -18,6 +18,8 @@ use std::ops::ControlFlow;
 use wasm_bindgen::prelude::*;
 use web_sys::OffscreenCanvas;
 
+/// Pixels on a side of a canvas, at most: what all browsers can do; some stop at 8192.
+const MOST_PIXELS: usize = 8192;
 /// How far the pointer has to move to mean more than a click, CSS pixels.
 const LEAST_DRAG_PX: f64 = 4.0;
 /// Points closer than this are the same for a pointer, and for keys, CSS pixels.
@@ -85,10 +87,7 @@ impl Drafting {
     /// Chooses all of what `view` has as settings.
     pub fn set(&mut self, settings: JsValue) -> Result<(), JsValue> {
         let settings: Settings = serde_wasm_bindgen::from_value(settings).map_err(|e| e.to_string())?;
-        self.change(|board| {
-            board.set(settings);
-            Ok(())
-        })
+        self.change(|board| board.set(settings))
     }
 
     /// Chooses what clicks mean: `view`, `scale`, `rectangle`, `polygon` or `room`.
@@ -143,7 +142,8 @@ impl Drafting {
         let board = self.board.as_mut().ok_or("there is no floor plan yet")?;
         let space = board.make_space()?;
         let heading = heading.min(space.headings.saturating_sub(1));
-        self.painter.take_slice(&space.slice(heading), space.cell)?;
+        let (slice, times) = coarse(space.slice(heading), MOST_PIXELS);
+        self.painter.take_slice(&slice, space.cell * times as f64)?;
         self.shown.slice = Some(heading);
         Ok(())
     }
@@ -207,8 +207,11 @@ impl Drafting {
                 }
                 true
             }
-            ("cancel", _) => {
-                self.gesture = None;
+            ("cancel", gesture) => {
+                // A pinch begins like a rectangle.
+                if gesture.take().is_some_and(|gesture| gesture.draws) {
+                    board.hand.points.clear();
+                }
                 true
             }
             _ => false,
@@ -307,11 +310,8 @@ impl Drafting {
 
     fn mean(&mut self, part: Option<Part>) {
         if let Some(part) = part {
-            // Choosing a part can't fail.
-            let _ = self.change(|board| {
-                board.set_part(part);
-                Ok(())
-            });
+            // Choosing a part can't be refused.
+            let _ = self.change(|board| board.set_part(part));
         }
     }
 }

@@ -130,6 +130,39 @@ test("a drawing without unit asks for it, with the size of each answer", async (
   assert.equal(await app.message(), "");
 });
 
+test("choices that follow quickly all count, and none counts for a file that was opened since", async (t) => {
+  const { page, app } = await openDraft(t);
+  const whole = await sample(app);
+  const choose = (...roles) =>
+    page.evaluate((list) => {
+      for (const [layer, role] of list) {
+        const menu = document.querySelector(`[aria-label="What ${layer} is"]`);
+        menu.value = role;
+        menu.dispatchEvent(new Event("change", { bubbles: true }));
+      }
+    }, roles);
+  await choose(["FURNITURE", "ignored"], ["DOORS", "wall"]);
+  const changed = await floor(app);
+  assert.notEqual(changed, whole);
+  assert.equal(await page.getByLabel("What FURNITURE is").inputValue(), "ignored");
+  assert.equal(await page.getByLabel("What DOORS is").inputValue(), "wall");
+
+  // Between the opening of a file and its picture.
+  await page.evaluate(() => {
+    const observer = new MutationObserver(() => {
+      observer.disconnect();
+      const gap = document.getElementById("draft-gap");
+      gap.value = "0.5";
+      gap.dispatchEvent(new Event("change", { bubbles: true }));
+    });
+    observer.observe(document.getElementById("place-draft"), { attributeFilter: ["aria-busy"] });
+  });
+  assert.ok(await app.bring(png("image.png", openRoom(40, 30))));
+  assert.equal(await floor(app), 3, "40 by 30 cells of 5 cm");
+  assert.equal(await page.locator("#draft-pixel").inputValue(), "5");
+  assert.equal(await page.locator("#draft-gap").inputValue(), "0.1");
+});
+
 test("two points and their distance set the scale, by pointer and by keys alone", async (t) => {
   const { page, app } = await openDraft(t);
   await app.bring(dxf("rooms.dxf", TWO_ROOMS));
@@ -325,10 +358,85 @@ test("cancelling brings back what was there before", async (t) => {
     const look = () => (document.getElementById("place-draft").ariaBusy === "true" ? done(document.getElementById("draft-cancel").click()) : requestAnimationFrame(look));
     look();
   }));
+  // Again while it is brought back, which takes its time too.
+  const busy = await page.evaluate(async () => {
+    document.getElementById("draft-cancel").click();
+    document.getElementById("draft-cancel").click();
+    await new Promise((done) => setTimeout(done));
+    return document.getElementById("place-draft").ariaBusy;
+  });
+  assert.equal(busy, "true");
   assert.equal(await text(app, "#draft-name"), "rooms");
   await app.poll(() => floor(app), (area) => area === before);
   assert.equal(await page.locator("#draft-gap").inputValue(), "0.5");
   assert.equal(await app.message(), "");
+});
+
+test("a board that breaks comes back, but not for ever", async (t) => {
+  const { page, app } = await openApp(t);
+  // It breaks where gaps of 1.5 m are closed, and again where those of 1 m were before.
+  await page.route("**/draft/worker.js", async (route) => {
+    const response = await route.fetch();
+    const breaks = `self.addEventListener("message", (event) => {
+      const { type, settings } = event.data;
+      if (!settings || settings.gap !== { set: 1.5, restore: 1 }[type]) return;
+      event.stopImmediatePropagation();
+      for (const message of [{ type: "progress", done: 0 }, { type: "broken", message: "made to break" }]) self.postMessage(message);
+    });`;
+    await route.fulfill({ response, body: `${breaks}\n${await response.text()}` });
+  });
+  let workers = 0;
+  page.on("worker", () => (workers += 1));
+  await page.locator("#tab-draft").click();
+  await page.locator("#draft-empty").waitFor();
+  await app.bring(dxf("rooms.dxf", TWO_ROOMS, { units: 6 }));
+  const before = await floor(app);
+  await page.locator("#draft-gap").fill("1.5");
+  await app.poll(() => app.message(), (message) => /made to break.*laid out again/.test(message));
+  assert.equal(await floor(app), before);
+  assert.match(await app.message(), /made to break/, "still to be read");
+  await page.locator("#draft-gap").fill("1");
+  await text(app, "#draft-name");
+  assert.equal(workers, 2);
+  await page.locator("#draft-gap").fill("1.5");
+  await app.poll(() => app.message(), (message) => /made to break.*Open the file again/.test(message));
+  assert.equal(await text(app, "#draft-name"), "No floor plan yet");
+  assert.equal(workers, 3, "no more of them");
+  await app.bring(dxf("rooms.dxf", TWO_ROOMS, { units: 6 }));
+  assert.equal(await floor(app), before);
+});
+
+test("a pinch with the rectangle in the hand leaves no corner behind", async (t) => {
+  const { page, app } = await openDraft(t, PHONE);
+  await app.bring(dxf("rooms.dxf", TWO_ROOMS, { units: 6 }));
+  const whole = await floor(app);
+  await page.locator("button[data-sheet=draft-setup]").tap();
+  await page.getByRole("button", { name: "Rectangle" }).tap();
+  await page.locator("#draft-setup").waitFor({ state: "hidden" });
+  const { x, y, width, height } = await page.locator("#draft-floor").boundingBox();
+  const browser = await page.context().newCDPSession(page);
+  const touch = (type, ...shares) => browser.send("Input.dispatchTouchEvent", { type, touchPoints: shares.map(([u, v], id) => ({ x: x + u * width, y: y + v * height, id })) });
+  await touch("touchStart", [0.4, 0.5]);
+  await touch("touchStart", [0.4, 0.5], [0.6, 0.5]);
+  await touch("touchMove", [0.39, 0.5], [0.61, 0.5]);
+  await touch("touchEnd");
+  await app.frames(3);
+  assert.equal(await floor(app), whole);
+  await touch("touchStart", [0.3, 0.42]);
+  await touch("touchMove", [0.5, 0.5]);
+  await touch("touchMove", [0.6, 0.58]);
+  await touch("touchEnd");
+  await app.poll(() => floor(app), (part) => part > 0 && part < whole);
+});
+
+test("a cell without a width is refused, and the map stays", async (t) => {
+  const { page, app } = await openDraft(t);
+  await app.bring(png("image.png", openRoom(40, 30)));
+  await page.locator("#draft-pixel").fill("0");
+  await page.keyboard.press("Tab");
+  await app.poll(() => app.message(), (message) => /0 cm wide.*0\.1 to 10000 cm/.test(message));
+  assert.equal(await floor(app), 3);
+  assert.equal(await page.locator("#draft-pixel").inputValue(), "5");
 });
 
 test("fits a phone, with sheets under the drawing", async (t) => {

@@ -31,7 +31,7 @@ export function startBody(it) {
     const field = fields[name];
     if (field) {
       onNumber(field, (value) => {
-        const body = it.view?.settings.body;
+        const body = it.wanted()?.body;
         const key = body && FIGURES[body.kind]?.[index]?.[0];
         if (body && key) choose(/** @type {Body} */ ({ ...body, [key]: value }));
       });

@@ -20,8 +20,14 @@ export class Drafter {
   onprogress = () => {};
   /** The board is a new one; its canvas too. @type {(canvas: HTMLCanvasElement) => void} */
   onstart = () => {};
-  /** @type {(message: string) => void} */
+  /** It broke; whether what was on the board comes back. @type {(message: string, returns: boolean) => void} */
   onbroken = () => {};
+  /** What was on the board is to be asked for again. @type {(request: Request) => void} */
+  onrestore = () => {};
+  /** What the board last had. @type {{ files: File[], settings: import("./types").Settings } | undefined} */
+  #good;
+  /** Breaks since the board last did what somebody asked of it. */
+  #breaks = 0;
   /** Asked and not answered. @type {Map<number, Waiting>} */
   #waiting = new Map();
   #asked = 0;
@@ -75,15 +81,14 @@ export class Drafter {
     const waiting = [...this.#waiting.values()];
     this.#waiting.clear();
     this.start();
-    // What can't even be brought back is given up.
-    if (this.files.length && !waiting.some(({ request }) => request.type === "restore")) {
-      this.ask({ type: "restore", files: this.files, settings: this.view?.settings ?? null }).catch(() => this.#clear());
-    } else this.#clear();
+    if (this.#good) this.onrestore({ type: "restore", ...this.#good });
+    else this.#clear();
     for (const { reject } of waiting) reject(CANCELLED);
   }
 
   #clear() {
     this.files = [];
+    this.#good = undefined;
     this.#show(undefined);
   }
 
@@ -95,8 +100,12 @@ export class Drafter {
     if (message.type === "view") return this.#show(message.view);
     const waiting = this.#waiting.get(message.id);
     this.#waiting.delete(message.id);
+    const asked = waiting?.request.type;
     if (message.type === "answer" && waiting?.request.type === "open") this.files = waiting.request.files;
-    this.#show(message.view);
+    if (message.type === "answer" && asked !== "restore") this.#breaks = 0;
+    // What can't even be brought back is given up.
+    if (asked === "restore" && !message.view) this.#clear();
+    else this.#show(message.view);
     if (message.type === "answer") waiting?.resolve(message.result);
     else waiting?.reject(message.message);
   }
@@ -104,18 +113,22 @@ export class Drafter {
   /** @param {DraftView | undefined} view */
   #show(view) {
     this.view = view;
+    if (view) this.#good = { files: this.files, settings: view.settings };
     this.onview(view);
   }
 
   /** @param {string} message */
   #broke(message) {
-    if (this.#isAlive) this.cancel();
+    const returns = this.#isAlive && ++this.#breaks < 2 && this.#good !== undefined;
+    if (returns) this.cancel();
     else {
       this.#worker?.terminate();
       this.#worker = undefined;
       for (const { reject } of this.#waiting.values()) reject(CANCELLED);
       this.#waiting.clear();
+      // The next request starts it again.
+      this.#clear();
     }
-    this.onbroken(message);
+    this.onbroken(message, returns);
   }
 }

@@ -20,7 +20,7 @@ export function startLayers(it) {
           const menu = make("select", { "aria-label": `What ${name} is` });
           fill(menu, ROLES);
           menu.addEventListener("change", () => {
-            const roles = [...(it.view?.settings.roles ?? [])];
+            const roles = [...(it.wanted()?.roles ?? [])];
             roles[index] = /** @type {import("./types").Role} */ (menu.value);
             void it.set({ roles });
           });

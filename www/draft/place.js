@@ -19,6 +19,7 @@ import { startWalls } from "./walls.js";
  * @property {Drafter} drafter
  * @property {DraftView | undefined} view The latest view; none while the board is empty.
  * @property {(request: import("./types").Request, doing: string) => Promise<{ result: unknown } | undefined>} ask Nothing if it was refused, which is told, or cancelled.
+ * @property {() => import("./types").Settings | undefined} wanted What is chosen, with what is still on its way to the board.
  * @property {(change: Partial<import("./types").Settings>) => Promise<unknown>} set Chooses.
  * @property {(sweeps: boolean) => Promise<void>} use Makes the draft the room of Explore.
  * @property {(withFocus: boolean) => void} toCanvas Closes the sheet over the canvas; may go there by keyboard too.
@@ -50,6 +51,11 @@ export function startDraft(app, module) {
     }, PATIENCE_MS);
   };
 
+  /** What was chosen and isn't answered. @type {Partial<import("./types").Settings>} */
+  let chosen = {};
+  /** Files that are being opened: what is chosen meanwhile was meant for those before. */
+  let opening = 0;
+
   /** @type {Desk} */
   const it = {
     app,
@@ -60,7 +66,8 @@ export function startDraft(app, module) {
       if (doing.length === 1) showDoing();
       try {
         const result = await drafter.ask(request);
-        forgive();
+        // What went wrong before is still to be read.
+        if (request.type !== "restore") forgive();
         return { result };
       } catch (error) {
         if (error !== CANCELLED) complain(error instanceof Error ? error.message : String(error));
@@ -70,7 +77,13 @@ export function startDraft(app, module) {
         showDoing();
       }
     },
-    set: async (change) => it.view && it.ask({ type: "set", settings: { ...it.view.settings, ...change } }, it.view.kind === "drawing" ? "Tracing the room" : "Reading the map"),
+    wanted: () => it.view && { ...it.view.settings, ...chosen },
+    set: async (change) => {
+      if (!it.view || opening > 0) return;
+      const mine = (chosen = { ...chosen, ...change });
+      await it.ask({ type: "set", settings: change }, it.view.kind === "drawing" ? "Tracing the room" : "Reading the map");
+      if (chosen === mine) chosen = {};
+    },
     use: async (sweeps) => {
       const answer = await it.ask({ type: "room", sweeps }, "Making the room");
       if (!answer || !app.act((p) => p.take_map(answer.result))) return;
@@ -90,7 +103,9 @@ export function startDraft(app, module) {
     const names = files.map((file) => file.name).join(" and ");
     const large = files.find((file) => file.size > MOST_BYTES);
     if (large) complain(`${large.name} is larger than 64 MB. Export a smaller map, at most 4096 cells a side.`);
+    else [opening, chosen] = [opening + 1, {}];
     const isOpen = !large && (await it.ask({ type: "open", files }, `Reading ${names}`));
+    if (!large) opening -= 1;
     // Tests wait for this.
     root.dataset.taken = `${++taken} ${isOpen ? "open" : "refused"}`;
   };
@@ -107,7 +122,8 @@ export function startDraft(app, module) {
     for (const update of updates) update(view);
   };
   drafter.onprogress = (done) => setAttribute(byId("draft-progress"), "value", String(Math.floor(100 * done)));
-  drafter.onbroken = (message) => complain(`The drawing board met an error of its own (${message}). What was on it before has been laid out again; Explore is untouched.`);
+  drafter.onrestore = (request) => void it.ask(request, "Laying out what was there before");
+  drafter.onbroken = (message, returns) => complain(`The drawing board met an error of its own (${message}). ${returns ? "What was on it before is laid out again" : "Open the file again, or another one"}; Explore is untouched.`);
   drafter.start();
   drafter.onview(undefined);
 

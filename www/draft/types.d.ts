@@ -77,8 +77,8 @@ export type SweepView = {
 /** What the page wants to be answered. */
 export type Request =
   | { type: "open"; files: File[] }
-  | { type: "restore"; files: File[]; settings: Settings | null }
-  | { type: "set"; settings: Settings }
+  | { type: "restore"; files: File[]; settings: Settings }
+  | { type: "set"; settings: Partial<Settings> }
   | { type: "scale"; metres: number }
   | { type: "sweep" }
   | { type: "slice"; heading: number }

@@ -82,9 +82,10 @@ async function answer(request) {
     case "open":
       board.open(await read(request.files));
       stages = [];
-      return request.type === "restore" && request.settings && board.set(request.settings);
+      return request.type === "restore" && board.set(request.settings);
     case "set":
-      return board.set(request.settings);
+      // On top of what the hand has chosen on the canvas meanwhile.
+      return board.set({ ...board.view()?.settings, ...request.settings });
     case "scale":
       return board.scale_to(request.metres);
     case "sweep":

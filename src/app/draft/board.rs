@@ -101,9 +101,9 @@ impl Board {
         self.space.as_ref()
     }
 
-    /// Chooses; does again what depends on it.
-    pub fn set(&mut self, settings: Settings) {
-        let settings = settings.checked(&self.source);
+    /// Chooses; does again what depends on it. Changes nothing if a map's cells can't be as wide as that.
+    pub fn set(&mut self, settings: Settings) -> Result<(), String> {
+        let settings = settings.checked(&self.source, &self.settings)?;
         let before = std::mem::replace(&mut self.settings, settings);
         let now = &self.settings;
         if (before.shade, before.negate) != (now.shade, now.negate) {
@@ -111,13 +111,16 @@ impl Board {
             if let Err(error) = self.source.shade(&shading) {
                 self.fault = error.to_string();
                 (self.room, self.space, self.sweep) = (None, None, None);
-                return;
+                self.version += 1;
+            } else {
+                self.trace();
             }
-            return self.trace();
+            return Ok(());
         }
         let room = |s: &Settings| (s.metre, s.roles.clone(), s.gap, s.resolution, s.part.clone());
         if room(&before) != room(now) {
-            return self.trace();
+            self.trace();
+            return Ok(());
         }
         let space = |s: &Settings| (s.body.clone(), s.cell, s.headings);
         if space(&before) != space(now) {
@@ -125,11 +128,12 @@ impl Board {
         } else if before.scan_width != now.scan_width {
             self.sweep = None;
         }
+        Ok(())
     }
 
     /// The part that is meant.
-    pub fn set_part(&mut self, part: Part) {
-        self.set(Settings { part, ..self.settings.clone() });
+    pub fn set_part(&mut self, part: Part) -> Result<(), String> {
+        self.set(Settings { part, ..self.settings.clone() })
     }
 
     /// The room anew.
@@ -219,7 +223,7 @@ impl Board {
         if !(metres > 0.0 && metres.is_finite()) {
             return Err(format!("a distance can't be {metres} m; type a length greater than 0"));
         }
-        self.set(Settings { metre: Some(metres / units), ..self.settings.clone() });
+        self.set(Settings { metre: Some(metres / units), ..self.settings.clone() })?;
         self.hand.escape();
         self.hand.escape();
         Ok(())

@@ -5,6 +5,7 @@
 
 mod board;
 mod body;
+mod coarse;
 mod colour;
 mod export;
 mod hand;
@@ -16,6 +17,7 @@ mod view;
 
 pub use board::{Board, PLANNER};
 pub use body::{BodyChoice, BodyError};
+pub use coarse::coarse;
 pub use colour::seen_on;
 pub use export::{Export, Format};
 pub use hand::{Hand, Tool};

@@ -3,7 +3,7 @@
 use super::{BodyChoice, Source};
 use crate::{
     drawing::{Region, Role},
-    floorplan::{DEFAULT_IMAGE_RESOLUTION, Shading},
+    floorplan::{DEFAULT_IMAGE_RESOLUTION, MAX_RESOLUTION, MIN_RESOLUTION, Shading},
     geometry::Point,
 };
 use serde::{Deserialize, Serialize};
@@ -91,13 +91,19 @@ impl Settings {
         }
     }
 
-    /// The same within what is possible.
-    pub fn checked(mut self, source: &Source) -> Self {
+    /// The same within what is possible; a unit that can't be is as it was `before`. Refuses cells of a map that are too
+    /// small or too large: no other width is as good as the one that was meant.
+    pub fn checked(mut self, source: &Source, before: &Self) -> Result<Self, String> {
         let positive = |value: f64| (value > 0.0).then_some(value);
-        self.metre = self.metre.and_then(positive).filter(|metre| metre.is_finite());
         if !source.is_scalable() {
             self.metre = source.metre();
+        } else if let (None, Some(metre)) = (source.drawing(), self.metre)
+            && !(MIN_RESOLUTION..=MAX_RESOLUTION).contains(&metre)
+        {
+            let [found, least, most] = [metre, MIN_RESOLUTION, MAX_RESOLUTION].map(|metres| 100.0 * metres);
+            return Err(format!("A cell can't be {found} cm wide. Choose {least} to {most} cm."));
         }
+        self.metre = self.metre.and_then(positive).filter(|metre| metre.is_finite()).or(before.metre);
         self.roles.resize(source.drawing().map_or(0, |drawing| drawing.layers.len()), Role::Ignored);
         self.gap = self.gap.clamp(0.0, MOST_GAP);
         self.shade = self.shade.clamp(0.0, 1.0);
@@ -105,7 +111,7 @@ impl Settings {
         self.cell = self.cell.clamp(0.01, 1.0);
         self.headings = self.headings.clamp(1, MOST_HEADINGS);
         self.scan_width = self.scan_width.and_then(positive);
-        self
+        Ok(self)
     }
 
     /// How an image is read. What lies between wall and floor is unknown; where people set the shade themselves, nothing does.

@@ -40,10 +40,8 @@ impl Source {
             if let Some(other) = files.iter().find(|&other| !std::ptr::eq(other, file)) {
                 return Err(MapError::TwoMaps { first: file.name.clone(), second: other.name.clone() });
             }
-            let drawing = drawing::read(file)?;
-            let is_dxf =
-                !file.bytes.trim_ascii_start().starts_with(b"<") && !file.bytes.trim_ascii_start().starts_with(b"{");
-            return Ok(Self::Drawing { drawing, original: is_dxf.then(|| file.bytes.clone()) });
+            let original = drawing::is_dxf(file).then(|| file.bytes.clone());
+            return Ok(Self::Drawing { drawing: drawing::read(file)?, original });
         }
         if let [file] = files
             && floorplan::is_image(file)
