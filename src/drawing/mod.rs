@@ -17,7 +17,6 @@ mod trace;
 mod tracing;
 mod write;
 
-pub use dxf::is_dxf;
 pub use model::{Drawing, Layer, MAX_COORDINATE, MAX_LAYERS, MAX_POINTS, Role, Stroke};
 pub use overlay::Overlay;
 pub use read::{is_drawing, is_dxf, read};

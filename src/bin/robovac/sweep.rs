@@ -106,7 +106,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
         Some(file) => arguments.drawing.trace(file)?,
         None => Traced { plan: arguments.source.plan()?, corner: Vector::zeros(), metre: 1.0, gaps: Vec::new() },
     };
-    let original = file.as_ref().map(|file| file.bytes.as_slice()).filter(|bytes| is_dxf(bytes));
+    let original = file.as_ref().filter(|file| is_dxf(file)).map(|file| file.bytes.as_slice());
     let plan = &room.plan;
     let width = outline.width();
     let setup = SweepSetup {

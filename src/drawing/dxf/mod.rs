@@ -12,8 +12,7 @@ mod pairs;
 mod scan;
 mod units;
 
-pub use pairs::is_dxf;
-pub(super) use pairs::{Form, Pairs, code_page};
+pub(super) use pairs::{Form, Pairs, code_page, is_dxf};
 
 use super::{Drawing, model::bad};
 use crate::floorplan::{MapError, SourceFile};

@@ -59,7 +59,7 @@ impl<'a> Pair<'a> {
 }
 
 /// Whether the bytes are a DXF: binary, or a text that begins with a section or a comment.
-pub fn is_dxf(bytes: &[u8]) -> bool {
+pub(in crate::drawing) fn is_dxf(bytes: &[u8]) -> bool {
     if bytes.starts_with(BINARY) {
         return true;
     }
