@@ -78,8 +78,6 @@ async function build() {
     if (!chosen()) /** @type {HTMLInputElement} */ (kinds[0]?.querySelector("input")).checked = true;
     complaint.hidden = true;
     form.onsubmit = (event) => {
-      // The button that closes has nothing to save.
-      if (event.submitter !== save) return;
       try {
         const files = export_files(chosen(), app.playground.scenario_json(), path, fileName(app.view.room.title), mode.value, negate.checked);
         for (const { name, bytes, kind } of files) download(name, bytes, kind);
@@ -95,7 +93,8 @@ async function build() {
 }
 
 function closer() {
-  const close = make("button", { className: "quiet square", "aria-label": "Close" });
+  const close = make("button", { type: "button", className: "quiet square", "aria-label": "Close" });
+  close.addEventListener("click", () => close.closest("dialog")?.close());
   // The same cross as everywhere.
   close.append(/** @type {Node} */ (byId("help").querySelector("header .icon")).cloneNode(true));
   return close;

@@ -39,6 +39,16 @@ test("the dialog is left by Escape, remembers nothing, and its faults are told i
   assert.equal(await page.evaluate(() => document.activeElement?.id), "save-now");
   await page.keyboard.press("Escape");
   assert.equal(await page.locator("#save-as[open]").count(), 0);
+  // Enter on a kind saves it.
+  await page.locator("#save").click();
+  await page.locator("#save-as input[value=svg]").check();
+  const byKey = page.waitForEvent("download");
+  await page.locator("#save-as input[value=svg]").press("Enter");
+  assert.equal((await byKey).suggestedFilename(), "l-shaped-room.svg");
+  await page.locator("#save-as").waitFor({ state: "hidden" });
+  await page.locator("#save").click();
+  await page.locator("#save-as").getByRole("button", { name: "Close" }).click();
+  assert.equal(await page.locator("#save-as[open]").count(), 0);
   const [drawing] = await app.save("svg");
   assert.equal(drawing.suggestedFilename(), "l-shaped-room.svg");
   const svg = fs.readFileSync(await drawing.path(), "utf8");
