@@ -123,6 +123,9 @@ fn bad_numbers_are_refused_and_cancelling_is_honoured() {
     for cell in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         assert!(matches!(error(&SweepSetup { cell, ..good.clone() }), SweepError::Value { .. }));
     }
+    let thin = Outline::circle(0.02).unwrap();
+    let message = error(&SweepSetup { outline: thin, ..good.clone() }).to_string();
+    assert!(message.contains("at most the distance between scan lines, 0.020 m"), "{message}");
     for width in [0.0, f64::NAN, 1e9] {
         let scan_width = Some(width);
         assert!(matches!(error(&SweepSetup { scan_width, ..good.clone() }), SweepError::Value { .. }));

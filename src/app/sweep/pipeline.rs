@@ -45,6 +45,11 @@ pub fn sweep(
     check(setup, scan_width)?;
     report(0.0)?;
     let map = ConfigurationSpace::new(plan, outline, setup.cell, 1)?;
+    // Lines are rows of cells. An outline that won't do, which has no width either, was refused before.
+    if scan_width < setup.cell {
+        let expected = format!("at most the distance between scan lines, {scan_width:.3} m");
+        return Err(SweepError::Value { what: "the side of the obstacle map's cells", value: setup.cell, expected });
+    }
     let motion = Motion::new(plan, outline)?;
     let free = map.slice(0);
     report(DONE[0])?;
@@ -126,11 +131,6 @@ fn check(setup: &SweepSetup, scan_width: f64) -> Result<(), SweepError> {
     if setup.scan_width.is_some() && !SCAN_WIDTHS.contains(&scan_width) {
         let expected = format!("{} to {} m", SCAN_WIDTHS.start(), SCAN_WIDTHS.end());
         return refuse("the distance between scan lines", scan_width, expected);
-    }
-    // Lines are rows of cells.
-    if scan_width < setup.cell {
-        let expected = format!("at most the distance between scan lines, {scan_width:.3} m");
-        return refuse("the side of the obstacle map's cells", setup.cell, expected);
     }
     if !(1..=MAX_HEADINGS).contains(&setup.headings) {
         return refuse("the number of headings", setup.headings as f64, format!("1 to {MAX_HEADINGS}"));
