@@ -10,6 +10,9 @@ TOOLS=${ROBOVAC_TOOLS:-${XDG_CACHE_HOME:-$HOME/.cache}/robovac-playground}
 # Independent drivers, for the tests alone.
 DRIVERS=$ROOT/target/drivers
 
+# The native program as tests build it.
+ROBOVAC=$(realpath -m "${CARGO_TARGET_DIR:-$ROOT/target}")/debug/robovac
+
 WASM_TARGET=wasm32-unknown-unknown
 TRUNK_VERSION=0.22.1
 # The command-line tool must equal the crate exactly, so the lock file decides.

@@ -375,7 +375,7 @@ test("cancelling brings back what was there before", async (t) => {
 test("a board that breaks comes back, but not for ever", async (t) => {
   const { page, app } = await openApp(t);
   // It breaks where gaps of 1.5 m are closed, and again where those of 1 m were before.
-  await page.route("**/draft/worker.js", async (route) => {
+  await page.route("**/draft/worker.js*", async (route) => {
     const response = await route.fetch();
     const breaks = `self.addEventListener("message", (event) => {
       const { type, settings } = event.data;
