@@ -4,6 +4,7 @@ mod cell;
 mod chessboard;
 mod clearance;
 mod occupancy;
+mod outline;
 mod picture;
 mod reach;
 
@@ -11,6 +12,7 @@ pub use cell::{Cell, Direction};
 pub use chessboard::chessboard;
 pub use clearance::clearance;
 pub use occupancy::Occupancy;
+pub use outline::outlines;
 pub use picture::{from_picture, picture};
 pub use reach::{largest_part, reachable};
 

@@ -10,10 +10,10 @@ use super::{
     robot, search, sensed,
 };
 use crate::{
-    app::{Palette, RobotView, Scene, Shows, Viewport, outlines},
+    app::{Palette, RobotView, Scene, Shows, Viewport},
     floorplan::Object,
     geometry::{Point, Pose, Vector},
-    grid::{Cell, Grid, Occupancy},
+    grid::{Cell, Grid, Occupancy, outlines},
 };
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, OffscreenCanvasRenderingContext2d, Path2d};

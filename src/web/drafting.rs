@@ -161,7 +161,7 @@ impl Drafting {
         let file = self.board.as_ref().ok_or("there is no floor plan yet")?.export(format)?;
         let object = js_sys::Object::new();
         Reflect::set(&object, &"name".into(), &file.name.into())?;
-        Reflect::set(&object, &"media".into(), &file.media.into())?;
+        Reflect::set(&object, &"media".into(), &file.kind.into())?;
         Reflect::set(&object, &"bytes".into(), &Uint8Array::from(file.bytes.as_slice()))?;
         Ok(object.into())
     }

@@ -2,6 +2,7 @@
 
 use super::{Board, Source};
 use crate::{
+    app::export::ExportFile,
     app::sweep::{Sweep, commands, commands_text, program, sweep_dxf, to_csv, to_ros_path},
     drawing::Traced,
     robot,
@@ -24,20 +25,9 @@ pub enum Format {
     Poses,
 }
 
-/// A file.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Export {
-    /// Its name.
-    pub name: String,
-    /// Its media type.
-    pub media: &'static str,
-    /// Its content.
-    pub bytes: Vec<u8>,
-}
-
 impl Board {
     /// The sweep as a file.
-    pub fn export(&self, format: Format) -> Result<Export, String> {
+    pub fn export(&self, format: Format) -> Result<ExportFile, String> {
         let (Some(room), Some(sweep)) = (self.room(), self.planned()) else {
             return Err("plan the sweep first".to_owned());
         };
@@ -47,7 +37,7 @@ impl Board {
         let model = chosen.unwrap_or(roomba);
         // As the planner has it: the robot looks along x when it begins, or as the room's start says.
         let (path, heading) = (&sweep.path, room.plan.start.map_or(0.0, |start| start.heading));
-        let (ending, media, bytes) = match format {
+        let (ending, kind, bytes) = match format {
             Format::Dxf => ("dxf", "image/vnd.dxf", self.dxf(room, sweep)?),
             Format::Program => ("txt", "text/plain", program(path, heading, model).into_bytes()),
             Format::Commands => {
@@ -57,7 +47,7 @@ impl Board {
             Format::Csv => ("csv", "text/csv", to_csv(path, heading, model).into_bytes()),
             Format::Poses => ("yaml", "text/yaml", to_ros_path(path, heading, &room.plan, model).into_bytes()),
         };
-        Ok(Export { name: format!("{}-sweep.{ending}", self.source().name()), media, bytes })
+        Ok(ExportFile { name: format!("{}-sweep.{ending}", self.source().name()), kind, bytes })
     }
 
     fn dxf(&self, room: &Traced, sweep: &Sweep) -> Result<Vec<u8>, String> {

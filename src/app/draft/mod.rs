@@ -19,7 +19,7 @@ pub use board::{Board, PLANNER};
 pub use body::{BodyChoice, BodyError};
 pub use coarse::coarse;
 pub use colour::seen_on;
-pub use export::{Export, Format};
+pub use export::Format;
 pub use hand::{Hand, Tool};
 pub use settings::{CELLS, Part, Settings};
 pub use sheet::Sheet;

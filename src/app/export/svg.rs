@@ -1,11 +1,10 @@
 //! A room and a path as an SVG drawing.
 
 use crate::{
-    app::outlines,
     coverage::obstacles,
     floorplan::FloorPlan,
     geometry::{Point, Shape},
-    grid::{Cell, Grid, Occupancy},
+    grid::{Cell, Grid, Occupancy, outlines},
 };
 use std::fmt::Write;
 

@@ -1,6 +1,6 @@
-//! Outlines of the set cells of a grid, so that walls can be filled as shapes with crisp edges.
+//! Outlines of the set cells of a grid, so that walls can be filled as shapes with crisp edges, and written as lines.
 
-use crate::grid::{Cell, Direction, Grid};
+use super::{Cell, Direction, Grid};
 
 /// Closed outlines of the set cells, as corners of cells ((0, 0) is the lower-left corner of the grid); the set cells
 /// lie to the left of each line. Corners on straight pieces are left out.
@@ -8,7 +8,7 @@ use crate::grid::{Cell, Direction, Grid};
 /// `None` if there are more than `most` corners: then a picture of the cells is cheaper to draw.
 ///
 /// ```
-/// use robovac_playground::{app::outlines, grid::{Cell, Grid}};
+/// use robovac_playground::grid::{Cell, Grid, outlines};
 /// let square = outlines(&Grid::filled(3, 2, true), 100).unwrap();
 /// assert_eq!(square, [[Cell::new(0, 0), Cell::new(3, 0), Cell::new(3, 2), Cell::new(0, 2)]]);
 /// ```
