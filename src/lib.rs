@@ -12,6 +12,7 @@
 //! - [`cspace`]: where a body of any outline fits: the configuration space over x, y and heading
 //! - [`registry`]: what planners and behaviours have in common: parameters, explanations
 //! - [`planner`]: one file a planner, and the registry that menus, tests and command line iterate
+//! - [`mapping`]: maps that a robot makes, and where it believes to be on them
 //! - [`controller`]: what drives a robot from what it senses: one file a behaviour, and their registry
 //! - [`sim`]: the simulated robot and the world around it
 //! - [`oi`]: the Open Interface, the language of real Roombas
@@ -30,6 +31,8 @@ pub mod drawing;
 pub mod floorplan;
 pub mod geometry;
 pub mod grid;
+#[cfg(feature = "mapping")]
+pub mod mapping;
 pub mod math;
 pub mod metrics;
 pub mod oi;

@@ -25,6 +25,8 @@ mod session;
 mod settings;
 mod shows;
 mod state;
+#[cfg(feature = "survey")]
+pub mod survey;
 pub mod sweep;
 mod view;
 mod viewport;

@@ -60,6 +60,12 @@ pub trait Controller {
         None
     }
 
+    /// The map that it makes and its place on it, if it makes one.
+    #[cfg(feature = "mapping")]
+    fn mapper(&self) -> Option<&crate::mapping::Mapper> {
+        None
+    }
+
     /// A copy in the same state, so that a run can be recorded and gone back to.
     fn boxed_clone(&self) -> Box<dyn Controller>;
 }
@@ -69,10 +75,10 @@ pub type Build = fn(&Setup<'_>) -> Box<dyn Controller>;
 
 /// Two lists of the same behaviours: what they say of themselves, and how they are made.
 macro_rules! registry {
-    ($($behaviour:ident),* $(,)?) => {
+    ($($(#[$when:meta])* $behaviour:ident),* $(,)?) => {
         /// All behaviours, in the order of the menus.
-        pub const BEHAVIOURS: &[&BehaviourInfo] = &[$(&$behaviour::INFO),*];
-        const BUILDERS: &[(&str, Build)] = &[$(($behaviour::INFO.id, $behaviour::BUILD)),*];
+        pub const BEHAVIOURS: &[&BehaviourInfo] = &[$($(#[$when])* &$behaviour::INFO),*];
+        const BUILDERS: &[(&str, Build)] = &[$($(#[$when])* ($behaviour::INFO.id, $behaviour::BUILD)),*];
     };
 }
 

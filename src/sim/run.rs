@@ -1,6 +1,8 @@
 //! A whole run: one robot, one controller, one floor.
 
 use super::{Event, Input, Life, Noise, STEP_S, SimRobot, SlipLevel, What, World, event::Signs};
+#[cfg(feature = "mapping")]
+use crate::mapping::Mapper;
 use crate::{
     controller::{Controller, interlock::Blocked},
     coverage::{CoverageTracker, ReachableFloor},
@@ -73,6 +75,9 @@ pub struct Run {
     trail: Trail,
     /// Where the robot believes to be if its controller doesn't keep track, and where it believes to have been.
     odometry: Option<Odometry>,
+    /// What makes a map, whoever drives.
+    #[cfg(feature = "mapping")]
+    mapper: Option<Box<Mapper>>,
     believed: Trail,
     events: VecDeque<Event>,
 }
@@ -104,8 +109,23 @@ impl Run {
             believed: trail.clone(),
             trail,
             odometry,
+            #[cfg(feature = "mapping")]
+            mapper: None,
             events: VecDeque::new(),
         }
+    }
+
+    /// Lets the robot make a map, whoever drives it. A controller that makes one of its own keeps to that.
+    #[cfg(feature = "mapping")]
+    pub fn with_mapper(mut self, mapper: Mapper) -> Self {
+        self.mapper = Some(Box::new(mapper));
+        self
+    }
+
+    /// The map that the robot makes, and its place on it.
+    #[cfg(feature = "mapping")]
+    pub fn mapper(&self) -> Option<&Mapper> {
+        self.controller.mapper().or(self.mapper.as_deref())
     }
 
     /// Advances by [`STEP_S`]; does nothing once the run is finished.
@@ -229,6 +249,10 @@ impl Run {
         if let Some(odometry) = &mut self.odometry {
             odometry.update(self.robot.sensors());
         }
+        #[cfg(feature = "mapping")]
+        if let Some(mapper) = &mut self.mapper {
+            mapper.update(self.robot.sensors());
+        }
         if let Some(estimate) = self.estimate() {
             self.believed.extend(estimate.position());
         }
@@ -270,6 +294,10 @@ impl Run {
 
     /// Where it believes to be: by its controller, or by counting wheel turns if the controller doesn't care.
     pub fn estimate(&self) -> Option<Pose> {
+        #[cfg(feature = "mapping")]
+        if let Some(mapper) = self.mapper() {
+            return Some(mapper.pose());
+        }
         self.controller.estimate().or(self.odometry.as_ref().map(Odometry::pose))
     }
 
@@ -335,7 +363,10 @@ impl Run {
 
     /// Roughly the memory that a clone takes, bytes.
     pub fn bytes(&self) -> usize {
-        self.tracker.bytes() + self.life.bytes() + 2 * TRAIL.0 * size_of::<Point>()
+        let own = self.tracker.bytes() + self.life.bytes() + 2 * TRAIL.0 * size_of::<Point>();
+        #[cfg(feature = "mapping")]
+        let own = own + self.mapper().map_or(0, Mapper::bytes);
+        own
     }
 
     /// A number that two runs share only if they are in the same state, to the last bit (FNV-1a).
@@ -376,6 +407,8 @@ impl Clone for Run {
             tracker: self.tracker.clone(),
             trail: self.trail.clone(),
             odometry: self.odometry.clone(),
+            #[cfg(feature = "mapping")]
+            mapper: self.mapper.clone(),
             believed: self.believed.clone(),
             events: self.events.clone(),
             ..*self
