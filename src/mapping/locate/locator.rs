@@ -14,9 +14,13 @@ use std::{collections::BTreeMap, sync::Arc};
 /// Stream of its random numbers.
 const STREAM: u64 = 12;
 /// Way and turn after which it looks again, m and rad.
-const STRIDE: (f64, f64) = (0.04, 0.12);
+const STRIDE: (f64, f64) = (0.06, 0.15);
 /// Poses that are drawn at once while it knows nothing, and how many times.
 const DRAWS: (usize, u32) = (20_000, 10);
+/// While it isn't sure, it draws so many at every so many-th look.
+const AGAIN: (usize, u32) = (6000, 6);
+/// Weight of these, as a share of all.
+const CHANCE: f64 = 0.03;
 /// Fewest and most particles.
 const COUNT: (usize, usize) = (400, 8000);
 /// Particles for each place that is still possible.
@@ -33,6 +37,8 @@ const MEMORY: (f64, f64) = (0.1, 0.01);
 const LOST: f64 = 1.5;
 /// It is sure if so much of the weight lies within so many metres of its estimate.
 const SURE: (f64, f64) = (0.9, 0.25);
+/// And for so many looks.
+const SURE_LOOKS: u32 = 40;
 
 /// What a locator is made from.
 #[derive(Debug, Clone)]
@@ -61,6 +67,9 @@ pub struct Locator {
     lifted: bool,
     /// Draws that are left of a search all over the map.
     draws: u32,
+    /// Looks since the search, and those for which nearly all the weight has been in one place.
+    looks: u32,
+    agreed: u32,
     particles: Vec<Particle>,
     /// Mean fits of the latest readings: short and long memory.
     fits: Option<(f64, f64)>,
@@ -78,7 +87,6 @@ struct Particle {
 struct Estimate {
     pose: Pose,
     spread: Spread,
-    share: f64,
     /// Odometry at the moment of the estimate.
     odometry: Pose,
 }
@@ -106,6 +114,8 @@ impl Locator {
             bumped: false,
             lifted: false,
             draws: DRAWS.1,
+            looks: 0,
+            agreed: 0,
             particles: Vec::new(),
             fits: None,
             estimate: None,
@@ -131,6 +141,7 @@ impl Locator {
         if gone < STRIDE.0 && turned < STRIDE.1 && !is_new {
             return;
         }
+        self.looks = self.looks.wrapping_add(1);
         let reading = Reading::new(&self.setup.robot, sensed);
         self.advance(now, gone, turned);
         self.draw(&reading);
@@ -143,6 +154,7 @@ impl Locator {
     pub fn forget(&mut self) {
         self.particles.clear();
         self.draws = DRAWS.1;
+        self.agreed = 0;
         self.fits = None;
         self.estimate = None;
         self.looked = self.odometry.pose();
@@ -161,7 +173,7 @@ impl Locator {
 
     /// Whether hardly any other place is possible.
     pub fn is_sure(&self) -> bool {
-        self.draws == 0 && self.estimate.is_some_and(|estimate| estimate.share >= SURE.0)
+        self.agreed >= SURE_LOOKS
     }
 
     /// Poses that are possible, with their weights, which add up to 1.
@@ -183,14 +195,21 @@ impl Locator {
 
     /// While it searches, draws poses that fit the reading, wherever something is near.
     fn draw(&mut self, reading: &Reading) {
-        if self.draws == 0 || !reading.meets_something() {
+        let count = match self.draws {
+            0 if !self.is_sure() && self.looks.is_multiple_of(AGAIN.1) => AGAIN.0,
+            0 => 0,
+            _ => DRAWS.0,
+        };
+        if count == 0 || !reading.meets_something() {
             return;
         }
-        self.draws -= 1;
+        let is_searching = self.draws > 0;
+        let share = if is_searching { COUNT.1 / 2 } else { COUNT.1 / 16 };
+        self.draws = self.draws.saturating_sub(1);
         let reach = self.setup.robot.radius + reading.reach();
         let half = 0.5 * self.field.resolution();
         let mut drawn = Vec::new();
-        for _ in 0..DRAWS.0 {
+        for _ in 0..count {
             let at = self.near[self.rng.random_range(0..self.near.len())];
             let [x, y] = [0.0; 2].map(|_: f64| self.rng.random_range(-half..half));
             let at = Point::new(at.x + x, at.y + y);
@@ -204,13 +223,16 @@ impl Locator {
                 drawn.push(Particle { pose, weight: fit });
             }
         }
-        let share = COUNT.1 / 2;
         let drawn = resampled(&drawn, share.min(drawn.len()), &mut self.rng);
         // Those that have come so far have earned as much as the new ones.
         let old = self.particles.len().max(1) as f64;
         let top = self.particles.iter().map(|p| p.weight).fold(f64::NEG_INFINITY, f64::max);
         let mean = self.particles.iter().map(|p| math::exp(p.weight - top)).sum::<f64>() / old;
-        let weight = if self.particles.is_empty() { 0.0 } else { top + math::ln(mean.max(1e-300)) };
+        let mut weight = if self.particles.is_empty() { 0.0 } else { top + math::ln(mean.max(1e-300)) };
+        if !is_searching {
+            // All new ones together are given a small chance.
+            weight += math::ln(CHANCE * old / drawn.len().max(1) as f64);
+        }
         self.particles.extend(drawn.into_iter().map(|p| Particle { weight, ..p }));
     }
 
@@ -280,6 +302,7 @@ impl Locator {
         let near: Vec<(Pose, f64)> =
             self.particles.iter().zip(&weights).map(|(p, &w)| (p.pose, w)).filter(|(p, _)| is_near(*p)).collect();
         let share: f64 = near.iter().map(|(_, w)| w).sum();
+        self.agreed = if share >= SURE.0 && self.draws == 0 { self.agreed + 1 } else { 0 };
         let mean = |f: &dyn Fn(Pose) -> f64| near.iter().map(|&(p, w)| w * f(p)).sum::<f64>() / share;
         let (mx, my) = (mean(&|p| p.x), mean(&|p| p.y));
         let heading = math::atan2(mean(&|p| math::sin(p.heading)), mean(&|p| math::cos(p.heading)));
@@ -291,7 +314,7 @@ impl Locator {
         let turned = |p: Pose| difference(heading, p.heading);
         let spread = Spread { position, heading: mean(&|p| turned(p) * turned(p)).sqrt() };
         self.estimate =
-            Some(Estimate { pose: Pose::new(mx, my, heading), spread, share, odometry: self.odometry.pose() });
+            Some(Estimate { pose: Pose::new(mx, my, heading), spread, odometry: self.odometry.pose() });
     }
 
     /// Weights that add up to 1.
