@@ -516,3 +516,23 @@ fn sweep_says_what_is_wrong() {
     let (code, message) = with(&["--outline", "octagon:9"]);
     assert!(code == 4 && message.contains("9.00 m wide, fits nowhere"), "{message}");
 }
+
+#[test]
+fn maps_are_measured_with_and_without_correction() {
+    let arguments = ["map", "--room", "bedroom", "--behaviour", "bounce", "--minutes", "2", "--seeds", "2"];
+    let noisy = ["--slip", "typical", "--noise", "typical"];
+    let json = [&arguments[..], &noisy[..], &["--json"]].concat();
+    let outcomes: Value = serde_json::from_str(&text(&json)).unwrap();
+    let outcomes = outcomes.as_array().unwrap();
+    assert_eq!(outcomes.len(), 4);
+    for outcome in outcomes {
+        for share in ["right", "known", "boundary"] {
+            assert!((0.0..=1.0).contains(&outcome[share].as_f64().unwrap()), "{outcome}");
+        }
+        assert!(outcome["error_m"][2].as_f64().unwrap() >= outcome["error_m"][1].as_f64().unwrap(), "{outcome}");
+    }
+    let table = text(&[&arguments[..], &["--tracking", "corrected"]].concat());
+    assert!(table.starts_with("corrected\n") && !table.contains("odometry") && table.contains("median"), "{table}");
+    let (code, message) = failure(&["map", "--room", "bedroom", "--behaviour", "sleep"]);
+    assert!(code == 2 && message.contains("sleep"), "{message}");
+}

@@ -6,13 +6,16 @@ use robovac_playground::{
         link::{Link, Request},
     },
     controller::{self, Setup},
+    coverage::ReachableFloor,
     floorplan::room,
+    mapping::{Mapper, MapperSetup, Tracking},
     oi::emulator::{Emulator, personality},
     planner::PLANNERS,
     registry::Params,
-    robot::model,
-    sim::Conditions,
+    robot::{OdometryModel, model},
+    sim::{Conditions, Noise, NoiseLevel, Run, RunSetup, SlipLevel, World},
 };
+use std::sync::Arc;
 use wasm_bindgen_test::wasm_bindgen_test;
 #[cfg(target_arch = "wasm32")]
 wasm_bindgen_test::wasm_bindgen_test_configure!(run_in_browser);
@@ -116,4 +119,29 @@ fn walks_of_all_planners() {
         return;
     }
     assert_eq!(digests, include_str!("golden/walks.txt"));
+}
+
+/// Five minutes of mapping with correction, with its looking again: the pose and every cell.
+#[wasm_bindgen_test(unsupported = test)]
+fn map_of_a_bedroom() {
+    let (plan, robot) = ((room("bedroom").unwrap().build)(), model("roomba600").unwrap().clone());
+    let floor = Arc::new(ReachableFloor::new(&plan, &robot, None).unwrap());
+    let info = controller::find("bounce").unwrap();
+    let params = Params::defaults(info.params);
+    let behaviour = info.build(&Setup { robot: &robot, params: &params, seed: 5 }).unwrap();
+    let (start, tracking, odometry) = (floor.start, Tracking::Corrected, OdometryModel::Arc);
+    let mapper = Mapper::new(MapperSetup { robot: robot.clone(), start, tracking, odometry, seed: 5 });
+    let noise = Noise::all(NoiseLevel::Typical);
+    let conditions = Conditions { slip: SlipLevel::Typical, noise, ..Conditions::default() };
+    let setup = RunSetup { floor, world: Arc::new(World::new(&plan)), robot, conditions, seed: 5 };
+    let mut run = Run::new(&setup, behaviour).with_mapper(mapper);
+    while run.time_s() < 300.0 {
+        run.step();
+    }
+    let mapper = run.mapper().unwrap();
+    let pose = mapper.pose();
+    let cells = mapper.map().iter().flat_map(|(cell, odds)| [cell.x as u64, cell.y as u64, odds.to_bits()]);
+    let words = [pose.x, pose.y, pose.heading].map(f64::to_bits).into_iter().chain(cells);
+    let digest = words.fold(0xcbf2_9ce4_8422_2325_u64, |hash, word| (hash ^ word).wrapping_mul(0x0100_0000_01b3));
+    assert_eq!(format!("{digest:016x}"), "94ec9ba049efd3de");
 }

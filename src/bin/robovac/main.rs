@@ -19,6 +19,8 @@ mod list;
 #[cfg(not(target_arch = "wasm32"))]
 mod locate;
 #[cfg(not(target_arch = "wasm32"))]
+mod map;
+#[cfg(not(target_arch = "wasm32"))]
 mod monitor;
 #[cfg(not(target_arch = "wasm32"))]
 mod montecarlo;
@@ -49,8 +51,8 @@ fn main() -> std::process::ExitCode {
 #[cfg(not(target_arch = "wasm32"))]
 mod native {
     use super::{
-        bench, compare, convert, failure::OK, list, locate, monitor, montecarlo, output::print, plan, simulate, sweep,
-        virtual_roomba,
+        bench, compare, convert, failure::OK, list, locate, map, monitor, montecarlo, output::print, plan, simulate,
+        sweep, virtual_roomba,
     };
     use clap::{Parser, Subcommand};
     use std::{io::Write, process::ExitCode};
@@ -95,6 +97,7 @@ Exit codes:
         Locate(locate::Arguments),
         Convert(convert::Arguments),
         Bench(bench::Arguments),
+        Map(map::Arguments),
         Monitor(monitor::Arguments),
         VirtualRoomba(virtual_roomba::Arguments),
     }
@@ -115,6 +118,7 @@ Exit codes:
             Command::Locate(arguments) => locate::run(&arguments),
             Command::Convert(arguments) => convert::run(&arguments),
             Command::Bench(arguments) => bench::run(&arguments),
+            Command::Map(arguments) => map::run(&arguments),
             Command::Monitor(arguments) => monitor::run(&arguments),
             Command::VirtualRoomba(arguments) => virtual_roomba::run(&arguments),
         };

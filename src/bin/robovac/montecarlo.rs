@@ -193,7 +193,7 @@ fn share(reached: usize, runs: usize) -> String {
     format!("{:.0} %", 100.0 * reached as f64 / runs as f64)
 }
 
-fn parse_minutes(text: &str) -> Result<f64, String> {
+pub fn parse_minutes(text: &str) -> Result<f64, String> {
     let minutes = text.parse().ok().filter(|minutes: &f64| (0.1..=6000.0).contains(minutes));
     minutes.ok_or_else(|| "give a number of minutes from 0.1 to 6000, e.g. 30".to_owned())
 }

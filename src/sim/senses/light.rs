@@ -1,10 +1,6 @@
 //! Light bumper and wall sensor: infrared light that things ahead send back.
 //!
-//! How the signal falls with distance is a Create 3's, whose sensors have the same range of values: the means of its
-//! seven sensors at a white baseboard were 3545, 2961, 1291, 359, 93, 38 and 25 at 15, 25, 50, 110, 200, 300 and 400 mm
-//! from the bumper (github.com/slowrunner, Create3-WaLI, `create3_ir_dist.py`). The law `A / (d + d0)²` with A = 5.8 and
-//! d0 = 17 mm, bent over towards 4095, meets the first four within 15 %; beyond, the signal fades out at the model's
-//! range, which is a figure of the model.
+//! How the signal falls with distance is the law in [`crate::robot::light_at`].
 //!
 //! The light comes back with the cosine of the angle at which it meets the surface (Lambert), and with the
 //! surface's reflectance: 1 for walls, 0.7 for furniture, 0.6 for what moves, in shoes and fur (ours). One ray stands for the beam of about 10
@@ -18,14 +14,10 @@ use crate::{
     coverage::{Hit, Surface},
     geometry::Point,
     math,
-    robot::{LightBumper, Sensors},
+    robot::{LightBumper, MOST_LIGHT, Sensors, light_at},
     sim::SensorKind,
 };
 
-/// A and d0 of the law, m² and m.
-const LAW: (f64, f64) = (5.8, 0.017);
-/// Largest value.
-const MOST: f64 = 4095.0;
 /// Value with nothing there and no noise.
 const IDLE: f64 = 12.0;
 /// Signals above this mean that something is near: a wall ahead at 13 cm.
@@ -61,7 +53,7 @@ impl LightBeams {
             if light > 0.0 {
                 value += light * (1.0 + deviation * noise.normal(slot)).max(0.0);
             }
-            let signal = value.min(MOST) as u16;
+            let signal = value.min(MOST_LIGHT) as u16;
             sensors.light_signal[index] = signal;
             sensors.light_bumper[index] = signal > THRESHOLD;
         }
@@ -97,22 +89,5 @@ fn strength(hit: Hit, range: f64) -> f64 {
         Surface::Object => 0.7,
         Surface::Mover => 0.6,
     };
-    let distance = hit.distance + LAW.1;
-    let light = reflectance * hit.cosine * LAW.0 / (distance * distance);
-    let share = hit.distance / range;
-    let fading = 1.0 - share * share * share * share;
-    fading * light / (1.0 + (light / MOST) * (light / MOST)).sqrt()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn signals_fall_as_those_measured_on_a_create_3() {
-        for (distance, measured) in [(0.015, 3545.0), (0.025, 2961.0), (0.05, 1291.0), (0.11, 359.0)] {
-            let light = strength(Hit { distance, cosine: 1.0, surface: Surface::Wall }, 0.2);
-            assert!((light / measured - 1.0).abs() < 0.15, "{distance} m: {light}, measured {measured}");
-        }
-    }
+    light_at(hit.distance, reflectance * hit.cosine, range)
 }
