@@ -8,6 +8,8 @@ mod bounce;
 mod cleaning_cycle;
 mod command;
 mod dock;
+#[cfg(feature = "mapping")]
+mod explore;
 mod follow_path;
 mod info;
 pub mod interlock;
@@ -75,10 +77,11 @@ pub type Build = fn(&Setup<'_>) -> Box<dyn Controller>;
 
 /// Two lists of the same behaviours: what they say of themselves, and how they are made.
 macro_rules! registry {
-    ($($(#[$when:meta])* $behaviour:ident),* $(,)?) => {
+    ($($(#[$when:meta])* $($behaviour:ident)::+),* $(,)?) => {
         /// All behaviours, in the order of the menus.
-        pub const BEHAVIOURS: &[&BehaviourInfo] = &[$($(#[$when])* &$behaviour::INFO),*];
-        const BUILDERS: &[(&str, Build)] = &[$($(#[$when])* ($behaviour::INFO.id, $behaviour::BUILD)),*];
+        pub const BEHAVIOURS: &[&BehaviourInfo] = &[$($(#[$when])* &$($behaviour::)+INFO),*];
+        const BUILDERS: &[(&str, Build)] =
+            &[$($(#[$when])* ($($behaviour::)+INFO.id, $($behaviour::)+BUILD)),*];
     };
 }
 
@@ -92,6 +95,18 @@ registry! {
     bounce,
     dock,
     manual,
+    #[cfg(feature = "mapping")]
+    explore::forward_rotate,
+    #[cfg(feature = "mapping")]
+    explore::left_right,
+    #[cfg(feature = "mapping")]
+    explore::look_ahead,
+    #[cfg(feature = "mapping")]
+    explore::look_around,
+    #[cfg(feature = "mapping")]
+    explore::until_obstacle,
+    #[cfg(feature = "mapping")]
+    explore::edge,
 }
 
 impl BehaviourInfo {

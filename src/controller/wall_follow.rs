@@ -84,7 +84,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         },
         fails: Example { room: "empty", why: "It cleans the border again and again and never sees the middle." },
     },
-    claims: Claims { ends: false, cleans: true, manual: false },
+    claims: Claims { ends: false, cleans: true, manual: false, explores: false },
     params: &[
         ParamSpec {
             id: "on",
