@@ -68,6 +68,11 @@ pub trait Controller {
         None
     }
 
+    /// Learns where it starts, in the frame that its map is to have; to be called before the first step, by those who know.
+    /// A map that nobody tells of begins at the origin, heading along x.
+    #[cfg(feature = "mapping")]
+    fn start_at(&mut self, _: Pose) {}
+
     /// A copy in the same state, so that a run can be recorded and gone back to.
     fn boxed_clone(&self) -> Box<dyn Controller>;
 }
@@ -107,6 +112,8 @@ registry! {
     explore::until_obstacle,
     #[cfg(feature = "mapping")]
     explore::edge,
+    #[cfg(feature = "mapping")]
+    explore::frontier,
 }
 
 impl BehaviourInfo {

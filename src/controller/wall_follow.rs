@@ -164,6 +164,18 @@ impl WallFollow {
         Self::new(setup, Some(SIGNAL), 1, 0.08)
     }
 
+    /// Along whatever it meets, round and round.
+    #[cfg(feature = "mapping")]
+    pub(super) fn endless(setup: &Setup<'_>) -> Self {
+        Self::new(setup, Some(SIGNAL), 0, 0.08)
+    }
+
+    /// Whether it has a wall to follow.
+    #[cfg(feature = "mapping")]
+    pub(super) fn has_wall(&self) -> bool {
+        self.phase != Phase::Seek
+    }
+
     fn feel(&mut self, turned: f64) {
         let met = if let Phase::Follow { met, .. } = self.phase { met } else { turned };
         self.phase = Phase::Follow { met, felt: turned };

@@ -62,7 +62,9 @@ impl Boundary {
             };
             meet(touched(walls, place, near));
             if light.is_some() && !walls.are_far_from(place, walls.body_radius + LIGHT_REACH) {
-                directions.iter().for_each(|&direction| meet(lit(walls, place, direction, LIGHT_REACH)));
+                for &direction in &directions {
+                    meet(lit(walls, place, direction, LIGHT_REACH));
+                }
             }
         }
         let count = cells.values().iter().filter(|met| **met).count();

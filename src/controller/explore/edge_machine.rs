@@ -40,6 +40,20 @@ pub(super) enum Twist {
     Forward,
 }
 
+/// What a group of rules says.
+enum Ruled {
+    /// None of them holds: the next ones are asked.
+    Not,
+    /// One does, and gives a command or none.
+    Told(Option<Twist>),
+}
+
+impl Ruled {
+    fn or_else(self, next: impl FnOnce() -> Self) -> Self {
+        if let Self::Not = self { next() } else { self }
+    }
+}
+
 /// Calls after which a rotation counts as stuck, and the most after which it ends: `random.randint(100, 200)`.
 pub(super) const STUCK: (u32, u32) = (100, 200);
 /// Rotations towards the end of an edge before step one begins: more than this.
@@ -99,16 +113,19 @@ impl EdgeMachine {
         }
         let seen = Seen::of(bumper, self.obstacle);
         let on_the_way_around = match self.edge_detected {
-            1 if self.rotation.counter > ROTATIONS_BEFORE => Some(self.forward_past_the_edge(&seen)),
-            2 if self.rotation.counter > ROTATIONS => Some(self.rotated_past_the_edge(&seen)),
-            3 => Some(self.zigzag(&seen)),
-            _ => None,
+            1 if self.rotation.counter > ROTATIONS_BEFORE => Ruled::Told(self.forward_past_the_edge(&seen)),
+            2 if self.rotation.counter > ROTATIONS => Ruled::Told(self.rotated_past_the_edge(&seen)),
+            3 => Ruled::Told(self.zigzag(&seen)),
+            _ => Ruled::Not,
         };
-        on_the_way_around
+        let ruled = on_the_way_around
             .or_else(|| self.rotate(&seen))
             .or_else(|| self.meet(bumper, &seen))
-            .or_else(|| self.keep_to_the_edge(bumper, &seen))
-            .unwrap_or(Some(Twist::Forward))
+            .or_else(|| self.keep_to_the_edge(bumper, &seen));
+        match ruled {
+            Ruled::Not => Some(Twist::Forward),
+            Ruled::Told(command) => command,
+        }
     }
 
     /// "Rotate for random amount and reset status".
@@ -183,22 +200,22 @@ impl EdgeMachine {
     }
 
     /// Rotates until only the outer light sensor on the obstacle's side sees it.
-    fn rotate(&mut self, seen: &Seen) -> Option<Option<Twist>> {
+    fn rotate(&mut self, seen: &Seen) -> Ruled {
         let twist = match self.rotation.position {
-            Position::None => return None,
+            Position::None => return Ruled::Not,
             Position::Right => Twist::Right,
             Position::Left => Twist::Left,
         };
         if seen.only_outer_light {
             self.reset_status();
-            return Some(Some(Twist::Forward));
+            return Ruled::Told(Some(Twist::Forward));
         }
         self.rotation.counter += 1;
-        Some(Some(twist))
+        Ruled::Told(Some(twist))
     }
 
     /// What the bumper has met.
-    fn meet(&mut self, bumper: &Sensors, seen: &Seen) -> Option<Option<Twist>> {
+    fn meet(&mut self, bumper: &Sensors, seen: &Seen) -> Ruled {
         let [_, front_left, .., front_right, _] = bumper.light_bumper;
         if bumper.bump_left && bumper.bump_right {
             if self.obstacle.is_none() {
@@ -206,33 +223,33 @@ impl EdgeMachine {
                 self.obstacle = if front_left && !front_right { Position::Left } else { Position::Right };
             }
             self.rotation.set_position(self.obstacle.switched());
-            return Some(None);
+            return Ruled::Told(None);
         }
         if self.obstacle.is_none() && (bumper.bump_left || bumper.bump_right) {
             self.obstacle = if bumper.bump_right { Position::Right } else { Position::Left };
             self.rotation.set_position(self.obstacle.switched());
-            return Some(None);
+            return Ruled::Told(None);
         }
-        seen.bumper.then(|| Some(self.away()))
+        if seen.bumper { Ruled::Told(Some(self.away())) } else { Ruled::Not }
     }
 
     /// What the light sensors have lost.
-    fn keep_to_the_edge(&mut self, bumper: &Sensors, seen: &Seen) -> Option<Option<Twist>> {
+    fn keep_to_the_edge(&mut self, bumper: &Sensors, seen: &Seen) -> Ruled {
         if self.obstacle.is_none() {
-            return None;
+            return Ruled::Not;
         }
         if !seen.any_light {
             self.rotation.set_position(self.obstacle);
             self.edge_detected = 1;
-            return Some(None);
+            return Ruled::Told(None);
         }
         let [left, front_left, .., front_right, right] = bumper.light_bumper;
         let (outer, front) = if self.obstacle.is_left() { (left, front_left) } else { (right, front_right) };
         if outer {
-            return None;
+            return Ruled::Not;
         }
         self.rotation.set_position(if front { self.obstacle.switched() } else { self.obstacle });
-        Some(None)
+        Ruled::Told(None)
     }
 
     /// A rotation away from the obstacle.
@@ -242,6 +259,7 @@ impl EdgeMachine {
 }
 
 /// What the print asks of the side on which the obstacle is; all false without one.
+#[expect(clippy::struct_excessive_bools)]
 struct Seen {
     /// The bumper on that side.
     bumper: bool,

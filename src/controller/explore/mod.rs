@@ -5,15 +5,18 @@
 //! following of edges; what they share is in [`options`] (phases 1 to 4) and [`obstacles`] (what counts as an obstacle).
 //! The thesis prints code for the last phase alone and tells the others in a paragraph each.
 
+mod chart;
 pub(super) mod edge;
 mod edge_machine;
 pub(super) mod forward_rotate;
+pub(super) mod frontier;
 pub(super) mod left_right;
 pub(super) mod look_ahead;
 pub(super) mod look_around;
 mod obstacles;
 mod options;
 mod position;
+mod trace;
 pub(super) mod until_obstacle;
 
 #[cfg(test)]

@@ -10,6 +10,7 @@ use crate::{
 const TURNED_AWAY: f64 = 0.5 * math::FRAC_PI_2;
 
 /// Where obstacles are, as the robot looks.
+#[expect(clippy::struct_excessive_bools)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct Obstacles {
     /// Directly ahead: one of the two middle light sensors (12 degrees off), or a contact.
