@@ -10,9 +10,11 @@ mod mapper;
 mod marks;
 mod occupancy_map;
 mod spread;
+mod thesis_grid;
 
 pub use layer::Layer;
 pub use mapper::{Mapper, MapperSetup, Tracking};
 pub use marks::{Mark, Marks};
 pub use occupancy_map::OccupancyMap;
 pub use spread::Spread;
+pub use thesis_grid::{CellStatus, ThesisGrid};

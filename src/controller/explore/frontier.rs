@@ -47,8 +47,8 @@ use crate::{
 
 /// Way along a wall that was followed before after which it is known, m.
 const OVERLAP: f64 = 0.6;
-/// How much farther the end of a wall may seem than it is, m: unknown floor nearby comes first.
-const WALL_LATER: f64 = 0.5;
+/// How much farther away than unknown floor the end of a wall may be and still come first, m.
+const WALL_FIRST: f64 = 3.0;
 /// What a metre of a lane is worth, as a way, and how many metres count.
 const WORTH: (f64, f64) = (0.5, 2.0);
 /// How much may be spent on a place before it is given up, and the side of places, m.
@@ -121,7 +121,7 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
             id: "leg",
             label: "Along a wall",
             help: "How far it follows a wall before it sees to what is near; short legs make short loops.",
-            kind: ParamKind::Number { min: 2.0, max: 100.0, step: 1.0, default: 12.0, unit: "m" },
+            kind: ParamKind::Number { min: 2.0, max: 100.0, step: 1.0, default: 25.0, unit: "m" },
         },
         ParamSpec {
             id: "home",
@@ -262,7 +262,7 @@ impl Frontier {
         let floor = self.nearest_lane(chart, ways);
         let wall = self.nearest_end(chart, ways);
         match (floor, wall) {
-            (Some(lane), wall) if wall.is_none_or(|(_, way)| value(&lane) < way + WALL_LATER) => {
+            (Some(lane), wall) if wall.is_none_or(|(_, way)| value(&lane) < way - WALL_FIRST) => {
                 let mut line = chart.line(ways, lane.from);
                 line.extend([chart.centre(lane.entry), chart.centre(lane.end)]);
                 self.drive(here, line, (Goal::Floor, chart.centre(lane.entry)));
@@ -407,8 +407,10 @@ impl Habit for Frontier {
             self.choose();
             return;
         }
-        match self.phase {
+        match &self.phase {
             Phase::Follow { .. } => self.wall.hit(pilot, hit),
+            // Turned away from what it touches, it may drive off.
+            Phase::Drive { route, .. } if !route.is_driving() => {}
             Phase::Drive { to: Goal::Floor, .. } if !self.trace.has_any(pose) => {
                 self.follow(pilot);
                 self.wall.hit(pilot, hit);
