@@ -4,8 +4,8 @@ use crate::support::{conditions, lay_out, run_with};
 use robovac_playground::{
     controller::{self, BEHAVIOURS},
     coverage::{Boundary, BoundaryTracker},
-    floorplan::{FloorPlan, Sketch},
-    geometry::{Pose, difference},
+    floorplan::{FloorPlan, Object, Sketch, Who, room},
+    geometry::{Point, Pose, difference},
     registry::{ParamValue, Params},
     robot::model,
     sim::{NoiseLevel, Run},
@@ -30,8 +30,12 @@ impl Explored {
     fn new(plan: &FloorPlan, id: &str, given: &[(&str, &str)], noise: NoiseLevel, seed: u64) -> Self {
         let robot = model("roomba600").expect("it ships");
         let info = controller::find(id).expect("it is in the registry");
-        let given = given.iter().map(|&(id, word)| (id, ParamValue::Choice(word.to_owned())));
-        let params = Params::checked(info.params, given).expect("they are choices");
+        let value = |word: &str| match word {
+            "yes" | "no" => ParamValue::Flag(word == "yes"),
+            _ => ParamValue::Choice(word.to_owned()),
+        };
+        let given = given.iter().map(|&(id, word)| (id, value(word)));
+        let params = Params::checked(info.params, given).expect("they are choices and flags");
         let setup = lay_out(plan, robot, conditions(noise)).expect("it fits");
         let tracker = BoundaryTracker::new(&Arc::new(Boundary::new(&setup.floor, robot)));
         Self { run: run_with(&setup, info, &params, seed), tracker }
@@ -95,7 +99,7 @@ fn edge_following_completes_the_closed_loop() {
     }
 }
 
-/// Each phase is there because the one before fell short: what they know of a room of 12 by 12 feet after ten minutes.
+/// What each of them knows of a bare room after ten minutes.
 #[test]
 fn everybody_who_explores_gets_to_know_a_room() {
     let plan = Sketch::open(3.0, 2.5, 0.05).start(1.5, 1.2, 20.0).finish("open", "");
@@ -105,4 +109,53 @@ fn everybody_who_explores_gets_to_know_a_room() {
         println!("{}: {share}", info.id);
         assert!(share > 0.3, "{}: {share}", info.id);
     }
+}
+
+/// A run of the frontier explorer in one of the rooms that ship.
+fn frontier(id: &str, given: &[(&str, &str)], seed: u64) -> Explored {
+    let plan = (room(id).expect("it ships").build)();
+    Explored::new(&plan, "explore_frontier", given, NoiseLevel::Typical, seed)
+}
+
+#[test]
+fn the_frontier_explorer_meets_what_there_is_to_be_met() {
+    for (id, minutes) in [("tshape", 6.0), ("kitchen", 8.0), ("maze", 11.0)] {
+        let share = frontier(id, &[], 2).explore(minutes);
+        assert!(share > 0.9, "{id}: {share}");
+    }
+}
+
+/// How long it takes depends on how much of what it senses its map understands.
+#[test]
+fn the_frontier_explorer_knows_when_its_map_is_complete_and_comes_back_if_asked_to() {
+    for home in ["no", "yes"] {
+        let mut explored = frontier("room12ft", &[("home", home)], 2);
+        let start = explored.run.pose().position();
+        let share = explored.explore(40.0);
+        assert!(explored.run.is_finished(), "{}", explored.run.activity());
+        assert!(share > 0.95, "{share}");
+        assert!(explored.run.mapper().is_some_and(|mapper| mapper.map().bounds().is_some()));
+        let left = (explored.run.pose().position() - start).norm();
+        assert!(home == "no" || left < 0.4, "{left} m from the start");
+    }
+}
+
+#[test]
+fn the_frontier_explorer_maps_by_odometry_alone_as_well() {
+    let share = frontier("kitchen", &[("tracking", "odometry")], 1).explore(12.0);
+    assert!(share > 0.8, "{share}");
+}
+
+/// People who walk about stand in its way, and leave feet on its map where none are any more.
+#[test]
+fn the_frontier_explorer_copes_with_people() {
+    let mut plan = (room("living").expect("it ships").build)();
+    let walk = |x: f64, y: f64| Point::new(x, y);
+    let (width, height) = (plan.width_m(), plan.height_m());
+    let path =
+        vec![walk(0.3 * width, 0.35 * height), walk(0.7 * width, 0.35 * height), walk(0.5 * width, 0.7 * height)];
+    plan.objects.push(Object::Mover { who: Who::Person, path });
+    let mut explored = Explored::new(&plan, "explore_frontier", &[], NoiseLevel::Typical, 4);
+    let share = explored.explore(20.0);
+    assert!(share > 0.85, "{share}");
 }

@@ -1,9 +1,10 @@
 //! What a map says about where the robot can go, and what is worth going for.
 
+use super::barred::Barred;
 use crate::{
     geometry::Point,
     grid::{Cell, Grid, Occupancy, clearance},
-    mapping::{Layer, OccupancyMap},
+    mapping::OccupancyMap,
 };
 use std::{
     cmp::Reverse,
@@ -23,6 +24,8 @@ const NARROW: u32 = 3;
 const AROUND: f64 = 0.2;
 /// Shortest piece of unknown floor that is worth going to, cells.
 const SHORTEST: usize = 4;
+/// What a metre of a lane is worth, as a way, and how many metres count.
+const WORTH: (f64, f64) = (0.5, 2.0);
 /// Known cells that a lane may cross between unknown ones.
 const BRIDGE: usize = 6;
 
@@ -60,10 +63,17 @@ pub(super) struct Lane {
     pub length: f64,
 }
 
+impl Lane {
+    /// What it costs to see it, m.
+    pub fn cost(&self) -> f64 {
+        self.way - WORTH.0 * self.length.min(WORTH.1)
+    }
+}
+
 impl Chart {
     /// What `map` says to a robot of `radius` metres at `robot`; cells that are `barred` count as occupied. At obstacles it
     /// allows for `slack` metres.
-    pub fn new(map: &OccupancyMap, barred: &Layer<u8>, robot: Point, (radius, slack): (f64, f64)) -> Self {
+    pub fn new(map: &OccupancyMap, barred: &Barred, robot: Point, (radius, slack): (f64, f64)) -> Self {
         let here = map.cell_at(robot);
         let (low, high) = map.bounds().unwrap_or((here, here));
         let low = Cell::new(low.x.min(here.x) - MARGIN, low.y.min(here.y) - MARGIN);
@@ -72,7 +82,7 @@ impl Chart {
         let mut ground = Grid::filled(width, height, Occupancy::Unknown);
         for (index, value) in ground.values_mut().iter_mut().enumerate() {
             let cell = Cell::new(low.x + (index % width) as i32, low.y + (index / width) as i32);
-            *value = if barred.get(cell) > 0 { Occupancy::Occupied } else { map.occupancy(cell) };
+            *value = if barred.has(cell) { Occupancy::Occupied } else { map.occupancy(cell) };
         }
         let blocked = ground.map(|&what| what == Occupancy::Occupied);
         let resolution = map.resolution();
@@ -137,7 +147,7 @@ impl Chart {
     }
 
     /// Unknown floor that can be entered from known floor, along lines `spacing` cells apart in both directions.
-    pub fn lanes(&self, ways: &Ways, spacing: i32) -> Vec<Lane> {
+    fn lanes(&self, ways: &Ways, spacing: i32) -> Vec<Lane> {
         let mut lanes = Vec::new();
         for (cell, _) in self.ground.iter() {
             let column = (cell.x + self.low.x).rem_euclid(spacing) == 0;
@@ -157,6 +167,12 @@ impl Chart {
             }
         }
         lanes
+    }
+
+    /// The lane that costs least to see, of those whose entries `allow` lets through.
+    pub fn nearest_lane(&self, ways: &Ways, spacing: i32, allow: impl Fn(Point) -> bool) -> Option<Lane> {
+        let lanes = self.lanes(ways, spacing).into_iter().filter(|lane| allow(self.centre(lane.entry)));
+        lanes.min_by(|a, b| a.cost().total_cmp(&b.cost()).then(a.entry.cmp(&b.entry)))
     }
 
     /// The last unknown cell from `cell` on in that direction, and how many there are on the way.
@@ -220,6 +236,7 @@ impl Ways {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::Pose;
 
     /// A map from a picture: `#` occupied, `.` free, anything else unknown; 5 cm cells, lower left at the origin.
     fn map(picture: &str) -> OccupancyMap {
@@ -238,7 +255,7 @@ mod tests {
     }
 
     fn chart(picture: &str, radius: f64) -> Chart {
-        Chart::new(&map(picture), &Layer::new(), Point::new(0.1, 0.1), (radius, 0.03))
+        Chart::new(&map(picture), &Barred::new(0.05), Point::new(0.1, 0.1), (radius, 0.03))
     }
 
     #[test]
@@ -272,9 +289,9 @@ mod tests {
     #[test]
     fn what_is_barred_is_no_way() {
         let picture = "..........\n..........\n..........\n..........";
-        let mut barred = Layer::new();
-        for y in -20..20 {
-            barred.update(Cell::new(5, y), |_| 1);
+        let mut barred = Barred::new(0.05);
+        for y in -10..10 {
+            barred.met(Pose::new(0.27, 0.04 * f64::from(y), 0.0), -0.03, 0.0);
         }
         let chart = Chart::new(&map(picture), &barred, Point::new(0.1, 0.1), (0.03, 0.01));
         let ways = chart.ways(Point::new(0.1, 0.1));

@@ -28,8 +28,9 @@
 
 use super::{
     BACK_FROM_EDGE,
-    chart::{Chart, Lane, SLACK, Ways},
+    barred::Barred,
     trace::Trace,
+    tries::{THERE, Tries},
 };
 use crate::{
     controller::{
@@ -38,48 +39,25 @@ use crate::{
         wall_follow::WallFollow,
     },
     geometry::{Point, Pose},
-    grid::Cell,
-    mapping::{Layer, Mapper, MapperSetup, Tracking},
-    math,
+    mapping::{Mapper, MapperSetup, Tracking},
     registry::{Example, Explainer, ParamKind, ParamSpec},
     robot::{Drive, OdometryModel, Sensors},
 };
 
 /// Way along a wall that was followed before after which it is known, m.
 const OVERLAP: f64 = 0.6;
-/// How much farther away than unknown floor the end of a wall may be and still come first, m.
-const WALL_FIRST: f64 = 3.0;
-/// What a metre of a lane is worth, as a way, and how many metres count.
-const WORTH: (f64, f64) = (0.5, 2.0);
-/// How much may be spent on a place before it is given up, and the side of places, m.
-const TRIES: (u8, f64) = (8, 0.1);
-/// What it costs to set out for it, and to get there in vain; how near that is, m.
-const SET_OUT: u8 = 1;
-const IN_VAIN: u8 = 3;
-const THERE: f64 = 0.4;
 /// Way back from what was met, m.
 const BACK: f64 = 0.03;
-/// Distance from the body and radius of what is barred, m: where the floor ends, and where something was met that the map
-/// doesn't have.
-const BARRED: (f64, f64) = (0.05, 0.1);
-const MET: (f64, f64) = (0.03, 0.05);
-/// Values of barred cells: for as long as there is something else to do, and for ever.
-const FOR_NOW: u8 = 1;
-const FOR_EVER: u8 = 2;
 /// Directions of what the bumper felt on one side, rad.
 const SIDE: f64 = 0.6;
 /// Signal of the two middle light sensors at which something is met: a wall at 8 cm.
 const AHEAD: u16 = 600;
 /// Share of the speed with something in sight.
 const CAREFUL: f64 = 0.45;
-/// How long a route may take: s, and s/m.
-const PATIENCE: (f64, f64) = (8.0, 8.0);
 /// How far it looks for a wall that it has lost, m.
 const LOST: f64 = 1.5;
 /// A robot that has moved less than that in so long is stuck, m and s.
 const STUCK: (f64, f64) = (0.15, 25.0);
-/// How often it looks around once more when nothing seems left.
-const DOUBTS: u32 = 2;
 
 pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
     id: "explore_frontier",
@@ -142,29 +120,29 @@ pub(in crate::controller) const BUILD: Build = |setup| {
 
 /// The habit.
 #[derive(Clone)]
-struct Frontier {
-    mapper: Mapper,
+pub(super) struct Frontier {
+    pub(super) mapper: Mapper,
     /// Lanes are so many cells apart.
-    spacing: i32,
+    pub(super) spacing: i32,
     /// Metres along a wall.
     leg: f64,
-    comes_back: bool,
+    pub(super) comes_back: bool,
     wall: WallFollow,
-    trace: Trace,
-    phase: Phase,
+    pub(super) trace: Trace,
+    pub(super) phase: Phase,
     /// Where it left walls that go on.
-    ends: Vec<Pose>,
+    pub(super) ends: Vec<Pose>,
     /// How often places have been gone for.
-    tries: Layer<u8>,
+    pub(super) tries: Tries,
     /// Cells of the map that are not to be entered.
-    barred: Layer<u8>,
-    doubts: u32,
+    pub(super) barred: Barred,
+    pub(super) doubts: u32,
     /// Where it was last seen to move, and how long ago, s.
     moved: (Point, f64),
 }
 
 #[derive(Clone)]
-enum Phase {
+pub(super) enum Phase {
     /// Looks for a wall or follows one; it was so far ahead (m, of the pilot) when it began, and when it last felt one.
     Follow {
         began: f64,
@@ -185,11 +163,11 @@ enum Phase {
 
 /// What it drives for.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Goal {
+pub(super) enum Goal {
     /// To see a lane.
     Floor,
-    /// To go on along a wall.
-    Wall,
+    /// To go on along a wall where it left it.
+    Wall(Pose),
     Home,
 }
 
@@ -204,119 +182,40 @@ impl Frontier {
             trace: Trace::default(),
             phase: Phase::Choose,
             ends: Vec::new(),
-            tries: Layer::new(),
-            barred: Layer::new(),
+            tries: Tries::default(),
+            barred: Barred::new(resolution),
             doubts: 0,
             moved: (Point::origin(), 0.0),
             mapper,
         }
     }
 
-    fn follow(&mut self, pilot: &mut Pilot) {
+    pub(super) fn follow(&mut self, pilot: &mut Pilot) {
         self.wall.begin(pilot);
         self.phase = Phase::Follow { began: pilot.ahead(), felt: pilot.ahead(), has_met: false };
     }
 
     fn choose(&mut self) {
-        if let Phase::Drive { place, .. } = self.phase
-            && (self.mapper.pose().position() - place).norm() < THERE
-        {
-            self.spend(place, IN_VAIN);
+        if let Phase::Drive { place, .. } = self.phase {
+            self.tries.stopped(self.mapper.pose().position(), place);
         }
         self.trace.stop();
         self.phase = Phase::Choose;
     }
 
-    /// Whether a place has been gone for too often; if not, it is now.
-    fn has_tried(&self, place: Point) -> bool {
-        self.tries.get(Cell::at(place, TRIES.1)) >= TRIES.0
-    }
-
-    fn spend(&mut self, place: Point, much: u8) {
-        self.tries.update(Cell::at(place, TRIES.1), |spent| spent.saturating_add(much));
-    }
-
-    /// Looks for the next goal. A map that errs may show no way where there is one: then it squeezes through.
-    fn decide(&mut self, pilot: &mut Pilot) {
-        let here = self.mapper.pose().position();
-        let trace = &self.trace;
-        self.ends.retain(|&end| !trace.has(beyond(end)));
-        for slack in SLACK {
-            let chart = Chart::new(self.mapper.map(), &self.barred, here, (pilot.robot.radius, slack));
-            let ways = chart.ways(here);
-            if self.go_for_the_nearest(&chart, &ways, here) {
-                return;
-            }
-        }
-        if self.doubts < DOUBTS {
-            self.doubts += 1;
-            self.unbar();
-            self.follow(pilot);
-        } else if !self.comes_back || !self.go_home(pilot, here) {
-            self.phase = Phase::Done;
-        }
-    }
-
-    /// Whether there is something to go for.
-    fn go_for_the_nearest(&mut self, chart: &Chart, ways: &Ways, here: Point) -> bool {
-        let floor = self.nearest_lane(chart, ways);
-        let wall = self.nearest_end(chart, ways);
-        match (floor, wall) {
-            (Some(lane), wall) if wall.is_none_or(|(_, way)| value(&lane) < way - WALL_FIRST) => {
-                let mut line = chart.line(ways, lane.from);
-                line.extend([chart.centre(lane.entry), chart.centre(lane.end)]);
-                self.drive(here, line, (Goal::Floor, chart.centre(lane.entry)));
-            }
-            (_, Some((index, _))) => {
-                let end = self.ends.remove(index);
-                let mut line = chart.line(ways, chart.cell_at(end.position()));
-                line.extend([end.position(), beyond(end).position()]);
-                self.drive(here, line, (Goal::Wall, end.position()));
-            }
-            _ => return false,
-        }
-        true
-    }
-
-    /// Whether there is a way back to the start, once.
-    fn go_home(&mut self, pilot: &Pilot, here: Point) -> bool {
-        self.comes_back = false;
-        let chart = Chart::new(self.mapper.map(), &self.barred, here, (pilot.robot.radius, SLACK[1]));
-        let ways = chart.ways(here);
-        let start = chart.cell_at(self.mapper.setup().start.position());
-        if ways.reaches(start) {
-            self.drive(here, chart.line(&ways, start), (Goal::Home, chart.centre(start)));
-        }
-        ways.reaches(start)
-    }
-
-    fn nearest_lane(&self, chart: &Chart, ways: &Ways) -> Option<Lane> {
-        let lanes = chart.lanes(ways, self.spacing).into_iter();
-        let untried = lanes.filter(|lane| !self.has_tried(chart.centre(lane.entry)));
-        untried.min_by(|a, b| value(a).total_cmp(&value(b)).then(a.entry.cmp(&b.entry)))
-    }
-
-    /// The end of a wall that is nearest, by its index, and the way to it, m.
-    fn nearest_end(&self, chart: &Chart, ways: &Ways) -> Option<(usize, f64)> {
-        let resolution = self.mapper.map().resolution();
-        let ends = self.ends.iter().enumerate().filter(|(_, end)| !self.has_tried(end.position()));
-        let ways =
-            ends.filter_map(|(index, end)| Some((index, ways.cost(chart.cell_at(end.position()))? * resolution)));
-        ways.min_by(|a, b| a.1.total_cmp(&b.1))
-    }
-
-    fn drive(&mut self, from: Point, line: Vec<Point>, (to, place): (Goal, Point)) {
-        self.spend(place, SET_OUT);
-        let route = Route::new(from, line);
-        let patience = PATIENCE.0 + PATIENCE.1 * route.left(from);
-        self.phase = Phase::Drive { route, patience, to, place };
-    }
-
     /// Something is in the way of a route, so far to the left of straight ahead, rad: a wall that is new is followed, anything
     /// else driven around.
     fn meet(&mut self, pilot: &mut Pilot, aside: f64) {
-        if self.trace.has_any(self.mapper.pose()) {
-            self.bar(pilot.robot.radius, aside, MET, FOR_NOW);
+        let pose = self.mapper.pose();
+        if let Phase::Drive { to: Goal::Wall(end), .. } = self.phase {
+            if (pose.position() - end.position()).norm() < THERE {
+                self.follow(pilot);
+                return;
+            }
+            self.ends.push(end);
+        }
+        if self.trace.has_any(pose) {
+            self.barred.met(pose, pilot.robot.radius, aside);
             self.choose();
         } else {
             self.follow(pilot);
@@ -380,7 +279,7 @@ impl Habit for Frontier {
                 *patience -= dt_s;
                 let to = *to;
                 let [_, lights @ .., _] = sensed.light_signal;
-                if to != Goal::Wall && lights[1].max(lights[2]) > AHEAD && route.is_driving() {
+                if lights[1].max(lights[2]) > AHEAD && route.is_driving() {
                     self.meet(pilot, 0.0);
                     return Drive::STOP;
                 }
@@ -389,7 +288,7 @@ impl Habit for Frontier {
                 let drive = if *patience > 0.0 { route.steer(self.mapper.pose(), &pilot.robot, speed) } else { None };
                 if drive.is_none() {
                     match to {
-                        Goal::Wall => self.follow(pilot),
+                        Goal::Wall(_) => self.follow(pilot),
                         Goal::Floor => self.choose(),
                         Goal::Home => self.phase = Phase::Done,
                     }
@@ -402,7 +301,7 @@ impl Habit for Frontier {
     fn hit(&mut self, pilot: &mut Pilot, hit: Hit) {
         let pose = self.mapper.pose();
         if hit.kind != Kind::Bump {
-            self.bar(pilot.robot.radius, 0.0, BARRED, FOR_EVER);
+            self.barred.edge(pose, pilot.robot.radius);
             pilot.answer(hit, BACK_FROM_EDGE, &[]);
             self.choose();
             return;
@@ -437,7 +336,7 @@ impl Habit for Frontier {
             Phase::Follow { .. } => self.wall.activity(),
             Phase::Choose => "looking at its map",
             Phase::Drive { to: Goal::Floor, .. } => "driving to unknown floor",
-            Phase::Drive { to: Goal::Wall, .. } => "driving to where a wall goes on",
+            Phase::Drive { to: Goal::Wall(_), .. } => "driving to where a wall goes on",
             Phase::Drive { to: Goal::Home, .. } => "driving back to the start",
             Phase::Done => "done: the map is complete",
         }
@@ -454,40 +353,4 @@ impl Habit for Frontier {
     fn boxed_clone(&self) -> Box<dyn Habit> {
         Box::new(self.clone())
     }
-}
-
-impl Frontier {
-    /// A disc beside the body, so far to the left of straight ahead (rad), is not to be entered.
-    fn bar(&mut self, body: f64, aside: f64, (distance, radius): (f64, f64), how: u8) {
-        let side = self.mapper.map().resolution();
-        let (sin, cos) = math::sin_cos(aside);
-        let middle = self.mapper.pose().to_world(Point::new(cos, sin) * (body + distance));
-        let (cell, reach) = (Cell::at(middle, side), (radius / side).ceil() as i32);
-        for y in cell.y - reach..=cell.y + reach {
-            for x in cell.x - reach..=cell.x + reach {
-                if (Cell::new(x, y).centre(side) - middle).norm() <= radius {
-                    self.barred.update(Cell::new(x, y), |before| before.max(how));
-                }
-            }
-        }
-    }
-
-    /// What was in the way may be gone.
-    fn unbar(&mut self) {
-        let met: Vec<Cell> = self.barred.iter().filter(|(_, how)| *how == FOR_NOW).map(|(cell, _)| cell).collect();
-        for cell in met {
-            self.barred.update(cell, |_| 0);
-        }
-    }
-}
-
-/// What it costs to see a lane, m.
-fn value(lane: &Lane) -> f64 {
-    lane.way - WORTH.0 * lane.length.min(WORTH.1)
-}
-
-/// A little farther on.
-fn beyond(pose: Pose) -> Pose {
-    let Point { coords, .. } = pose.to_world(Point::new(0.3, 0.0));
-    Pose::new(coords.x, coords.y, pose.heading)
 }

@@ -4,12 +4,17 @@
 //! The first six are the phases of the exploration strategy that Krapinec 2025 (004, chapter 7) grew, from chance to the
 //! following of edges; what they share is in [`options`] (phases 1 to 4) and [`obstacles`] (what counts as an obstacle).
 //! The thesis prints code for the last phase alone and tells the others in a paragraph each.
+//!
+//! The seventh, [`frontier`], makes a map as it goes and drives by it: [`chart`] says where it can go and what is worth going
+//! for, [`trace`] which walls it has followed, [`tries`] and [`barred`] what is to be left alone.
 
+mod barred;
 mod chart;
 pub(super) mod edge;
 mod edge_machine;
 pub(super) mod forward_rotate;
 pub(super) mod frontier;
+mod goals;
 pub(super) mod left_right;
 pub(super) mod look_ahead;
 pub(super) mod look_around;
@@ -17,6 +22,7 @@ mod obstacles;
 mod options;
 mod position;
 mod trace;
+mod tries;
 pub(super) mod until_obstacle;
 
 #[cfg(test)]
