@@ -14,7 +14,7 @@ use crate::{
 use std::sync::Arc;
 
 /// Way from the body's edge that a beam of the light bumper counts for, m (ours): a wall straight ahead is reported from 13 cm
-/// on, what is slanted or darker from less.
+/// on, what is slanted or darker from less. Deep corners are farther away.
 const LIGHT_REACH: f64 = 0.05;
 /// Distance of the body from a wall that counts as a contact, m.
 const TOUCH: f64 = 0.01;
@@ -45,7 +45,7 @@ pub struct BoundaryTracker {
 
 impl Boundary {
     /// What `robot` can meet on `floor`: from the middle of every fine cell where it can stand, the nearest point of a wall
-    /// that it touches within a cell and a half, and what beams in 48 directions meet within 10 cm of its edge.
+    /// that it touches within a cell and a half, and what beams in 48 directions meet within 5 cm of its edge.
     pub fn new(floor: &Arc<ReachableFloor>, robot: &RobotModel) -> Self {
         let walls = &floor.walls;
         let light = robot.sensors.light_bumper;
@@ -159,11 +159,11 @@ mod tests {
     }
 
     #[test]
-    fn light_sees_walls_up_to_the_corners_and_a_bumper_what_the_body_touches() {
+    fn light_sees_walls_nearly_up_to_the_corners_and_a_bumper_what_the_body_touches() {
         let faces = 2 * (40 + 30);
         let by_light = boundary("roomba600");
         // The leg is 2 cm thick and stands where four cells meet.
-        assert!((faces - 6..=faces + 4).contains(&by_light.count()), "{}", by_light.count());
+        assert!((faces - 12..=faces + 4).contains(&by_light.count()), "{}", by_light.count());
         let by_touch = boundary("dvr1");
         let hidden = 8.0 * 0.145 / SIDE;
         let expected = faces as f64 - hidden;

@@ -46,6 +46,8 @@ use crate::{
 
 /// Way along a wall that was followed before after which it is known, m.
 const OVERLAP: f64 = 0.6;
+/// How often it sets out for the start.
+const WAYS_HOME: u32 = 5;
 /// Way back from what was met, m.
 const BACK: f64 = 0.03;
 /// Directions of what the bumper felt on one side, rad.
@@ -126,7 +128,8 @@ pub(super) struct Frontier {
     pub(super) spacing: i32,
     /// Metres along a wall.
     leg: f64,
-    pub(super) comes_back: bool,
+    /// How often it may still set out for the start.
+    pub(super) ways_home: u32,
     wall: WallFollow,
     pub(super) trace: Trace,
     pub(super) phase: Phase,
@@ -177,7 +180,7 @@ impl Frontier {
         Self {
             spacing: ((setup.params.number("lane") / 100.0 / resolution).round() as i32).max(1),
             leg: setup.params.number("leg"),
-            comes_back: setup.params.flag("home"),
+            ways_home: if setup.params.flag("home") { WAYS_HOME } else { 0 },
             wall: WallFollow::endless(setup),
             trace: Trace::default(),
             phase: Phase::Choose,
@@ -290,6 +293,8 @@ impl Habit for Frontier {
                     match to {
                         Goal::Wall(_) => self.follow(pilot),
                         Goal::Floor => self.choose(),
+                        // Where it gave up on the way, it may try again.
+                        Goal::Home if *patience < 0.0 => self.choose(),
                         Goal::Home => self.phase = Phase::Done,
                     }
                 }

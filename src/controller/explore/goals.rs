@@ -35,7 +35,7 @@ impl Frontier {
             self.doubts += 1;
             self.barred.forget();
             self.follow(pilot);
-        } else if !self.comes_back || !self.go_home(pilot, here) {
+        } else if !self.go_home(pilot, here) {
             self.phase = Phase::Done;
         }
     }
@@ -65,16 +65,19 @@ impl Frontier {
         true
     }
 
-    /// Whether there is a way back to the start, once.
+    /// Whether it sets out for the start.
     fn go_home(&mut self, pilot: &Pilot, here: Point) -> bool {
-        self.comes_back = false;
-        let chart = Chart::new(self.mapper.map(), &self.barred, here, (pilot.robot.radius, SLACK[1]));
-        let ways = chart.ways(here);
-        let start = chart.cell_at(self.mapper.setup().start.position());
-        if ways.reaches(start) {
-            self.drive(here, chart.line(&ways, start), (Goal::Home, chart.centre(start)));
+        for slack in SLACK {
+            let chart = Chart::new(self.mapper.map(), &self.barred, here, (pilot.robot.radius, slack));
+            let ways = chart.ways(here);
+            let start = chart.cell_at(self.mapper.setup().start.position());
+            if self.ways_home > 0 && ways.reaches(start) {
+                self.ways_home -= 1;
+                self.drive(here, chart.line(&ways, start), (Goal::Home, chart.centre(start)));
+                return true;
+            }
         }
-        ways.reaches(start)
+        false
     }
 
     /// The end of a wall that is nearest, by its index, and the way to it, m.
