@@ -58,6 +58,14 @@ fn rectangular_robot_by_stairs() {
     assert_eq!(format!("{:016x}", digest(link, 300.0)), "9ef3774bb4a9a31c");
 }
 
+/// The two ends of the thesis' strategy, by chance and rule by rule, in a room with an island.
+#[wasm_bindgen_test(unsupported = test)]
+fn exploring_a_kitchen() {
+    let link = |phase| format!("room=kitchen&behaviour=explore_{phase}&slip=typical&noise=typical&seed=5");
+    let digests = ["look_around", "edge"].map(|phase| format!("{:016x}", digest(&link(phase), 600.0)));
+    assert_eq!(digests, ["0ad98d998eb65dfd", "6b8d635ae2baad20"]);
+}
+
 /// A minute at the two ends of a bad line: every byte, and its time.
 #[wasm_bindgen_test(unsupported = test)]
 fn ride_over_a_bad_line() {

@@ -70,6 +70,41 @@ fn curve_and_times_tell_of_the_same_run() {
     assert!(outcome.curve[sample] <= GOALS[0] && GOALS[0] <= outcome.curve[sample + 1]);
 }
 
+/// Those that explore are measured by the boundary that they have met, and stop when their map is complete.
+#[test]
+fn exploring_behaviours_are_measured_by_the_boundary() {
+    let lab = lab(600.0);
+    let boundary = |name: &str| lab.run(&entrant(name), 3).expect("it runs");
+    let [chance, edge, frontier] = ["explore_left_right", "explore_edge", "explore_frontier"].map(boundary);
+    for outcome in [&chance, &edge, &frontier] {
+        assert_eq!(outcome.curve[0], 0.0, "nothing is met in the middle of a room");
+        assert!(outcome.curve.is_sorted() && outcome.coverage() <= 1.0);
+    }
+    assert!(edge.coverage() > 0.9 && frontier.coverage() > 0.95 && chance.coverage() < 0.7);
+    assert!(frontier.reached_s[0] < edge.reached_s[0] && edge.reached_s[0] < 600.0, "{:?}", edge.reached_s);
+    assert_eq!(lab.run(&entrant("explore_edge"), 3), Some(edge));
+    // In the same lab, others are measured by the floor.
+    assert!(lab.run(&entrant("bounce"), 3).expect("it runs").curve[0] > 0.0);
+}
+
+#[test]
+fn a_study_offers_those_that_explore_and_exports_say_what_is_measured() {
+    let session = session("room=room12ft&robot=roomba600");
+    let usual = Study::new();
+    let explores =
+        |study: &Study| (0..study.entrants().len()).filter(|&i| study.entrants()[i].explores()).collect::<Vec<_>>();
+    assert_eq!(explores(&usual).len(), 7);
+    assert!(explores(&usual).iter().all(|&i| !usual.is_chosen(i)), "a study of cleaners is as it was");
+    let mut study = study(&session, "bounce,explore_edge", "", 1);
+    work(&mut study);
+    let (head, entries) = study.export().expect("there is a room");
+    let csv = to_csv(&head, &entries);
+    let ends: Vec<&str> = csv.lines().filter_map(|line| line.rsplit(',').next()).collect();
+    assert_eq!(ends, ["measure", "floor", "boundary"]);
+    let json: Value = serde_json::from_str(&to_json(&head, &entries)).expect("it is JSON");
+    assert_eq!([0, 1].map(|i| json["algorithms"][i]["measure"].clone()), ["floor", "boundary"]);
+}
+
 #[test]
 fn outcomes_cross_to_another_thread_and_back() {
     let outcomes = [
@@ -249,7 +284,7 @@ fn link_brings_back_the_choices_and_bad_ones_are_refused() {
     assert!(link.contains("paths=spiral,snake~patience:3&"), "{link}");
     for (bad, why) in [
         ("runs=snail", "there is no behaviour \"snail\""),
-        ("runs=manual", "there is no algorithm that cleans by itself \"manual\""),
+        ("runs=manual", "there is no algorithm that cleans or explores by itself \"manual\""),
         ("paths=bounce", "there is no planner \"bounce\""),
         ("paths=snake~patience:99", "takes a whole number from 0 to 20"),
         ("times=0", "can't be \"0\"; it takes a whole number from 1 to 1000"),

@@ -23,6 +23,12 @@ const FIGURE = {
   study: "runs=random_walk,spiral_out,s_path,wall_follow,cleaning_cycle&paths=&times=100&minutes=60",
 };
 
+/** The phases of the exploration strategy of Krapinec 2025, chapter 7, and the frontier explorer. */
+const PHASES = {
+  place: "room=flat&robot=roomba600&slip=typical&noise=typical",
+  study: `runs=${["forward_rotate", "left_right", "look_ahead", "look_around", "until_obstacle", "edge", "frontier"].map((id) => `explore_${id}`).join()}&paths=&times=20&minutes=30`,
+};
+
 /**
  * @param {import("./main.js").App} app
  * @param {WebAssembly.Module} module
@@ -49,10 +55,11 @@ export function startRuns(app, module, guard, guest) {
       began = { at: performance.now(), done: s.view().done };
     });
   button("runs-go").addEventListener("click", () => (view.running ? act((s) => s.cancel()) : run()));
-  button("runs-figure").addEventListener("click", () => {
-    if (!app.act((p) => p.restore(FIGURE.place))) return;
-    if (act((s) => s.restore(FIGURE.study))) run();
-  });
+  for (const [id, { place, study: chosen }] of /** @type {const} */ ([["runs-figure", FIGURE], ["runs-phases", PHASES]])) {
+    button(id).addEventListener("click", () => {
+      if (app.act((p) => p.restore(place)) && act((s) => s.restore(chosen))) run();
+    });
+  }
   select("runs-seeds").addEventListener("change", () => act((s) => s.set_seeds(Number(select("runs-seeds").value))));
   select("runs-minutes").addEventListener("change", () => act((s) => s.set_minutes(Number(select("runs-minutes").value))));
   const items = offer.entrants.map((entrant, index) =>
@@ -61,11 +68,11 @@ export function startRuns(app, module, guard, guest) {
       setParam: (param, text) => act((s) => s.set_param(index, param, text)),
     }),
   );
-  offer.entrants.forEach(({ kind, summary }, index) => {
+  offer.entrants.forEach(({ kind, explores, summary }, index) => {
     const item = items[index];
     if (!item) return;
     item.querySelector("label")?.setAttribute("data-tip", summary);
-    byId(kind === "behaviour" ? "runs-behaviours" : "runs-planners").append(item);
+    byId(explores ? "runs-explorers" : kind === "behaviour" ? "runs-behaviours" : "runs-planners").append(item);
   });
 
   const results = () => {
@@ -74,6 +81,7 @@ export function startRuns(app, module, guard, guest) {
     shown.sort((a, b) => a.entrant.kind.localeCompare(b.entrant.kind) || a.index - b.index);
     const rows = shown.map(({ entrant, index }) => ({
       title: entrant.title,
+      explores: entrant.explores,
       mark: swatch(entrant.number, entrant.kind),
       summary: study.summary(index),
       failure: view.entrants[index]?.failure ?? "",
@@ -87,7 +95,7 @@ export function startRuns(app, module, guard, guest) {
     setHidden(byId("runs-chart"), known.length === 0);
     /** @type {import("./types").RunsPlace | null} */
     const place = study.place();
-    setText(byId("runs-title"), place ? titleOf(app, place, view) : "");
+    setText(byId("runs-title"), place ? titleOf(app, place, view, rows) : "");
     setText(byId("runs-note"), "Lines and large numbers are medians; bands and small numbers show where four out of five runs lie (10 to 90 % quantiles).");
     chart.show(known.map((row) => ({ ...row, ...bandsOf(study.curve(row.index)) })), view.minutes);
     showTable(rows, view.minutes, (which) => chart.stress(which === undefined ? undefined : known.findIndex((row) => row === rows[which])));
@@ -132,10 +140,12 @@ function bandsOf(flat) {
   return { low: flat.subarray(0, third), median: flat.subarray(third, 2 * third), high: flat.subarray(2 * third) };
 }
 
-/** @param {import("./main.js").App} app @param {import("./types").RunsPlace} place @param {View} view */
-function titleOf({ catalogue }, { room, robot, slip, noise, quantised }, { minutes }) {
+/** @param {import("./main.js").App} app @param {import("./types").RunsPlace} place @param {View} view @param {{ explores: boolean }[]} rows */
+function titleOf({ catalogue }, { room, robot, slip, noise, quantised }, { minutes }, rows) {
+  const all = rows.every(({ explores }) => explores);
+  const what = all ? "Boundary met" : rows.some(({ explores }) => explores) ? "Clean floor, or boundary met by those that explore," : "Clean floor";
   const title = catalogue.robots.find(({ id }) => id === robot)?.title ?? robot;
-  return `Clean floor over ${minutes} minutes: ${room}, ${title}, slip ${slip}, noise ${noise}${quantised ? ", quantised wheels" : ""}`;
+  return `${what} over ${minutes} minutes: ${room}, ${title}, slip ${slip}, noise ${noise}${quantised ? ", quantised wheels" : ""}`;
 }
 
 /** @param {View} view @param {Offer} offer @param {HTMLElement[]} items */

@@ -262,7 +262,7 @@ export type CompareTable = {
 
 /** What there is to run many times (src/web/montecarlo.rs). */
 export type RunsOffer = {
-  entrants: { id: string; title: string; summary: string; kind: "planner" | "behaviour"; number: number; params: ParamSpec[] }[];
+  entrants: { id: string; title: string; summary: string; kind: "planner" | "behaviour"; explores: boolean; number: number; params: ParamSpec[] }[];
   seeds: number[];
   minutes: number[];
 };
@@ -289,7 +289,7 @@ export type RunsSummary = {
   runs: number;
   /** 0 to 1 */
   coverage: Band;
-  /** When shares of the floor had been swept; `null` where too few runs got there in time. */
+  /** When shares of the floor had been swept, or of the boundary met; `null` where too few runs got there in time. */
   time_to: { percent: number; reached: number; low_s: number | null; median_s: number | null; high_s: number | null }[];
   distance_m: Band;
   bumps: Band;

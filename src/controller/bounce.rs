@@ -53,7 +53,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         },
         fails: Example { room: "maze", why: "It comes through a door only if it happens to aim at it." },
     },
-    claims: Claims { ends: false, cleans: true, manual: false },
+    claims: Claims { ends: false, cleans: true, manual: false, explores: false },
     params: &[
         ParamSpec {
             id: "least",

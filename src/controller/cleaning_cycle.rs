@@ -66,7 +66,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
             why: "Three of the four can do nothing among so many things, and take their time all the same.",
         },
     },
-    claims: Claims { ends: false, cleans: true, manual: false },
+    claims: Claims { ends: false, cleans: true, manual: false, explores: false },
     params: &[
         ParamSpec {
             id: "durations",

@@ -71,7 +71,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         shines: Example { room: "room12ft", why: "In one room its beams are soon seen." },
         fails: Example { room: "maze", why: "The beams end at the next wall, and chance has to find the way there." },
     },
-    claims: Claims { ends: true, cleans: false, manual: false },
+    claims: Claims { ends: true, cleans: false, manual: false, explores: false },
     params: &[],
 };
 

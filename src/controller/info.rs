@@ -27,6 +27,7 @@ pub struct BehaviourInfo {
 }
 
 /// Properties of a behaviour that the contract test checks.
+#[expect(clippy::struct_excessive_bools)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Claims {
     /// Comes to an end by itself; others go on until the battery is empty.
@@ -35,6 +36,8 @@ pub struct Claims {
     pub cleans: bool,
     /// Is driven by a person.
     pub manual: bool,
+    /// Explores: is there to see walls and furniture, for a map. What it cleans on the way doesn't count.
+    pub explores: bool,
 }
 
 /// What a behaviour is made from.

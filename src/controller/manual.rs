@@ -50,7 +50,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         shines: Example { room: "room12ft", why: "One room that fits into your head." },
         fails: Example { room: "clutter", why: "Try to leave nothing out." },
     },
-    claims: Claims { ends: false, cleans: false, manual: true },
+    claims: Claims { ends: false, cleans: false, manual: true, explores: false },
     params: &[ParamSpec {
         id: "careful",
         label: "Reverse only the way it came",

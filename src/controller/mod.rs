@@ -8,6 +8,8 @@ mod bounce;
 mod cleaning_cycle;
 mod command;
 mod dock;
+#[cfg(feature = "mapping")]
+mod explore;
 mod follow_path;
 mod info;
 pub mod interlock;
@@ -66,6 +68,11 @@ pub trait Controller {
         None
     }
 
+    /// Learns where it starts, in the frame that its map is to have; to be called before the first step, by those who know.
+    /// A map that nobody tells of begins at the origin, heading along x.
+    #[cfg(feature = "mapping")]
+    fn start_at(&mut self, _: Pose) {}
+
     /// A copy in the same state, so that a run can be recorded and gone back to.
     fn boxed_clone(&self) -> Box<dyn Controller>;
 }
@@ -75,10 +82,11 @@ pub type Build = fn(&Setup<'_>) -> Box<dyn Controller>;
 
 /// Two lists of the same behaviours: what they say of themselves, and how they are made.
 macro_rules! registry {
-    ($($(#[$when:meta])* $behaviour:ident),* $(,)?) => {
+    ($($(#[$when:meta])* $($behaviour:ident)::+),* $(,)?) => {
         /// All behaviours, in the order of the menus.
-        pub const BEHAVIOURS: &[&BehaviourInfo] = &[$($(#[$when])* &$behaviour::INFO),*];
-        const BUILDERS: &[(&str, Build)] = &[$($(#[$when])* ($behaviour::INFO.id, $behaviour::BUILD)),*];
+        pub const BEHAVIOURS: &[&BehaviourInfo] = &[$($(#[$when])* &$($behaviour::)+INFO),*];
+        const BUILDERS: &[(&str, Build)] =
+            &[$($(#[$when])* ($($behaviour::)+INFO.id, $($behaviour::)+BUILD)),*];
     };
 }
 
@@ -92,6 +100,20 @@ registry! {
     bounce,
     dock,
     manual,
+    #[cfg(feature = "mapping")]
+    explore::forward_rotate,
+    #[cfg(feature = "mapping")]
+    explore::left_right,
+    #[cfg(feature = "mapping")]
+    explore::look_ahead,
+    #[cfg(feature = "mapping")]
+    explore::look_around,
+    #[cfg(feature = "mapping")]
+    explore::until_obstacle,
+    #[cfg(feature = "mapping")]
+    explore::edge,
+    #[cfg(feature = "mapping")]
+    explore::frontier,
 }
 
 impl BehaviourInfo {

@@ -61,7 +61,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
             why: "It comes through a door only if it happens to aim at it: most of the maze is never seen.",
         },
     },
-    claims: Claims { ends: false, cleans: true, manual: false },
+    claims: Claims { ends: false, cleans: true, manual: false, explores: false },
     params: &[
         ParamSpec {
             id: "least",

@@ -66,7 +66,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
             why: "Lanes end before they have begun, and every collision costs four motions.",
         },
     },
-    claims: Claims { ends: false, cleans: true, manual: false },
+    claims: Claims { ends: false, cleans: true, manual: false, explores: false },
     params: &[
         ParamSpec {
             id: "lane",

@@ -60,7 +60,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         },
         fails: Example { room: "clutter", why: "No circle comes round before it hits something." },
     },
-    claims: Claims { ends: false, cleans: true, manual: false },
+    claims: Claims { ends: false, cleans: true, manual: false, explores: false },
     params: &[
         ParamSpec {
             id: "pitch",

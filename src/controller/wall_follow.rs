@@ -84,7 +84,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         },
         fails: Example { room: "empty", why: "It cleans the border again and again and never sees the middle." },
     },
-    claims: Claims { ends: false, cleans: true, manual: false },
+    claims: Claims { ends: false, cleans: true, manual: false, explores: false },
     params: &[
         ParamSpec {
             id: "on",
@@ -162,6 +162,18 @@ impl WallFollow {
     /// As the parameters have it unless asked for otherwise.
     pub(super) fn usual(setup: &Setup<'_>) -> Self {
         Self::new(setup, Some(SIGNAL), 1, 0.08)
+    }
+
+    /// Along whatever it meets, round and round.
+    #[cfg(feature = "mapping")]
+    pub(super) fn endless(setup: &Setup<'_>) -> Self {
+        Self::new(setup, Some(SIGNAL), 0, 0.08)
+    }
+
+    /// Whether it has a wall to follow.
+    #[cfg(feature = "mapping")]
+    pub(super) fn has_wall(&self) -> bool {
+        self.phase != Phase::Seek
     }
 
     fn feel(&mut self, turned: f64) {

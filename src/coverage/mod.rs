@@ -8,6 +8,7 @@
 //! Obstacles are walls on the plan's grid and the objects that stand in the room; stairs are no obstacle to a body, but
 //! neither floor nor a place to stand.
 
+mod boundary;
 mod floor;
 mod floor_error;
 mod lattice;
@@ -17,6 +18,7 @@ mod stamp;
 mod tracker;
 mod walls;
 
+pub use boundary::{Boundary, BoundaryTracker};
 pub use floor::{ReachableFloor, fine_resolution};
 pub use floor_error::FloorError;
 pub use lattice::Lattice;

@@ -47,6 +47,7 @@ mod paint;
 mod quality;
 mod reckoning;
 mod spread;
+mod thesis_grid;
 
 pub use layer::Layer;
 pub use mapper::{Mapper, MapperSetup, RESOLUTION, Tracking};
@@ -54,3 +55,4 @@ pub use marks::{Mark, Marks};
 pub use occupancy_map::OccupancyMap;
 pub use quality::{MapQuality, Truth};
 pub use spread::Spread;
+pub use thesis_grid::{CellStatus, ThesisGrid};

@@ -84,8 +84,11 @@ pub struct Run {
 
 impl Run {
     /// A robot at the start, about to be driven by `controller`.
-    pub fn new(setup: &RunSetup, controller: Box<dyn Controller>) -> Self {
+    #[cfg_attr(not(feature = "mapping"), expect(unused_mut))]
+    pub fn new(setup: &RunSetup, mut controller: Box<dyn Controller>) -> Self {
         let floor = Arc::clone(&setup.floor);
+        #[cfg(feature = "mapping")]
+        controller.start_at(floor.start);
         let mut tracker = CoverageTracker::new(&floor);
         tracker.sweep_to(&floor, floor.start.position());
         let world = Arc::clone(&setup.world);

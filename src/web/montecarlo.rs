@@ -36,6 +36,8 @@ struct EntrantOffer {
     summary: &'static str,
     /// `planner` or `behaviour`.
     kind: &'static str,
+    /// Whether it is measured by the boundary that it has met, and not by clean floor.
+    explores: bool,
     /// Its place in the registry of its kind.
     number: usize,
     params: Vec<Param>,
@@ -95,6 +97,7 @@ impl MonteCarlo {
                     .planner()
                     .map_or_else(|| algorithm.behaviour().map_or("", |info| info.summary), |info| info.summary),
                 kind: algorithm.kind(),
+                explores: entrant.explores(),
                 number: number.unwrap_or(0),
                 params: params(algorithm.params()),
             }

@@ -2,6 +2,7 @@
 
 mod contract;
 mod docking;
+mod exploring;
 mod papers;
 mod paths;
 mod stairs;

@@ -60,6 +60,11 @@ impl Entrant {
         self.algorithm.planner().is_some_and(|planner| planner.claims.deterministic)
     }
 
+    /// Whether it explores: then what counts is the boundary that it has met, and not the floor that it has swept.
+    pub fn explores(&self) -> bool {
+        self.algorithm.behaviour().is_some_and(|info| info.claims.explores)
+    }
+
     /// Sets a parameter from what a form or a link says.
     pub fn set(&mut self, id: &str, text: &str) -> Result<(), SettingsError> {
         Ok(self.params.set_text(self.algorithm.params(), id, text)?)

@@ -290,7 +290,10 @@ impl Link {
         self.known.apply(model)
     }
 
-    fn set_off(&mut self, now: f64, title: &str, controller: Box<dyn Controller>, start: Pose, is_manual: bool) {
+    #[cfg_attr(not(feature = "mapping"), expect(unused_mut))]
+    fn set_off(&mut self, now: f64, title: &str, mut controller: Box<dyn Controller>, start: Pose, is_manual: bool) {
+        #[cfg(feature = "mapping")]
+        controller.start_at(start);
         self.end_ride("Something else began.");
         self.beaten_at = now;
         self.place(start);

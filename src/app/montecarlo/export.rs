@@ -47,6 +47,8 @@ struct JsonStudy<'a> {
 struct JsonAlgorithm<'a> {
     algorithm: &'static str,
     kind: &'static str,
+    /// What coverage and times are of.
+    measure: &'static str,
     params: &'a Params,
     #[serde(skip_serializing_if = "Option::is_none")]
     error: Option<&'a str>,
@@ -97,7 +99,7 @@ pub fn to_json(head: &Head<'_>, entries: &[Entry<'_>]) -> String {
 pub fn to_csv(head: &Head<'_>, entries: &[Entry<'_>]) -> String {
     let mut csv = String::from(
         "room,robot,slip,noise,quantised,minutes,kind,algorithm,seed,error,coverage [%],time to 90 % [s],time to 99 % [s],\
-         time [s],distance [m],bumps,falls,dirt left [%],digest\n",
+         time [s],distance [m],bumps,falls,dirt left [%],digest,measure\n",
     );
     let Conditions { slip, quantised, .. } = head.conditions;
     let common = format!(
@@ -109,10 +111,10 @@ pub fn to_csv(head: &Head<'_>, entries: &[Entry<'_>]) -> String {
         head.minutes
     );
     for (entrant, result) in entries {
-        let kind = entrant.algorithm.kind();
+        let (kind, measure) = (entrant.algorithm.kind(), measure(entrant));
         // Writing to a string doesn't fail.
         let _ = match result {
-            Err(error) => writeln!(csv, "{common},{kind},{entrant},,{},,,,,,,,,", quoted(error)),
+            Err(error) => writeln!(csv, "{common},{kind},{entrant},,{},,,,,,,,,,{measure}", quoted(error)),
             Ok(runs) => runs.iter().try_for_each(|run| {
                 let [to_90, to_99] = run.reached_s.map(|s| if s.is_finite() { s.to_string() } else { String::new() });
                 let Outcome { seed, time_s, distance_m, bumps, falls, digest, .. } = run;
@@ -120,12 +122,17 @@ pub fn to_csv(head: &Head<'_>, entries: &[Entry<'_>]) -> String {
                 let dirt = run.dirt_left.map(|left| (100.0 * left).to_string()).unwrap_or_default();
                 writeln!(
                     csv,
-                    "{common},{kind},{entrant},{seed},,{coverage},{to_90},{to_99},{time_s},{distance_m},{bumps},{falls},{dirt},{digest:016x}"
+                    "{common},{kind},{entrant},{seed},,{coverage},{to_90},{to_99},{time_s},{distance_m},{bumps},{falls},{dirt},{digest:016x},{measure}"
                 )
             }),
         };
     }
     csv
+}
+
+/// What a share of is told: floor that was swept, or boundary that was met.
+fn measure(entrant: &Entrant) -> &'static str {
+    if entrant.explores() { "boundary" } else { "floor" }
 }
 
 impl<'a> JsonAlgorithm<'a> {
@@ -136,6 +143,7 @@ impl<'a> JsonAlgorithm<'a> {
         Self {
             algorithm: entrant.id(),
             kind: entrant.algorithm.kind(),
+            measure: measure(entrant),
             params: &entrant.params,
             error: result.as_ref().err().copied(),
             summary: Summary::of(runs),

@@ -5,14 +5,17 @@ use crate::{
         Algorithm, PlanRequest, Planned, Prepared,
         compare::{Entrant, TrialError},
     },
-    coverage::FloorError,
+    coverage::{Boundary, BoundaryTracker, FloorError},
     floorplan::FloorPlan,
     geometry::{Point, Pose},
     planner::Observer,
     robot::{OdometryModel, RobotModel},
     sim::{Conditions, STEP_S},
 };
-use std::{collections::BTreeMap, sync::Arc};
+use std::{
+    collections::BTreeMap,
+    sync::{Arc, OnceLock},
+};
 
 use super::Outcome;
 
@@ -38,6 +41,8 @@ pub struct Lab {
     terms: Terms,
     /// By the names of the entrants.
     lines: BTreeMap<String, Result<Arc<[Point]>, TrialError>>,
+    /// What there is to be met by those that explore, once one of them is run.
+    boundary: OnceLock<Arc<Boundary>>,
 }
 
 impl Lab {
@@ -54,7 +59,7 @@ impl Lab {
 
     /// A lab where everything has been laid out already.
     pub fn on(prepared: Prepared, terms: Terms) -> Self {
-        Self { prepared, terms, lines: BTreeMap::new() }
+        Self { prepared, terms, lines: BTreeMap::new(), boundary: OnceLock::new() }
     }
 
     /// Lets an entrant plan that plans and hasn't yet. To be called before its runs.
@@ -82,6 +87,11 @@ impl Lab {
                 prepared.run_along(line, *conditions, *odometry, seed)
             }
         };
+        if entrant.explores() {
+            let Prepared { floor, robot, .. } = prepared;
+            let boundary = self.boundary.get_or_init(|| Arc::new(Boundary::new(floor, robot)));
+            return Some(Outcome::of_exploring(run, seed, *duration_s, BoundaryTracker::new(boundary)));
+        }
         Some(Outcome::of(run, seed, *duration_s))
     }
 }

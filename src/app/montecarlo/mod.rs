@@ -1,7 +1,8 @@
 //! Many runs of the same algorithms with different seeds: what chance makes of them (Monte Carlo).
 //!
 //! A run is one algorithm with one seed, made in a [`Lab`]; its [`Outcome`] is coverage over time and what happened on
-//! the way. A [`Tally`] takes outcomes as they come, in any order, and sums them up. [`Study`] is what the page has:
+//! the way. For behaviours that explore, the share of the [boundary](crate::coverage::Boundary) that they have met takes the
+//! place of coverage. A [`Tally`] takes outcomes as they come, in any order, and sums them up. [`Study`] is what the page has:
 //! it says which runs are missing and keeps what came out. The command line makes the same runs on all cores.
 
 mod export;

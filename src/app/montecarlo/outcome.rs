@@ -1,8 +1,11 @@
 //! What came out of one run.
 
-use crate::sim::{Run, STEP_S};
+use crate::{
+    coverage::BoundaryTracker,
+    sim::{Run, STEP_S},
+};
 
-/// Shares of the reachable floor whose times are taken.
+/// Shares whose times are taken: of the reachable floor, or of the boundary for those that explore.
 pub const GOALS: [f64; 2] = [0.9, 0.99];
 /// Coverage is taken so often, at equal distances in time, and at the start.
 pub const SAMPLES: usize = 200;
@@ -12,10 +15,10 @@ pub const SAMPLES: usize = 200;
 pub struct Outcome {
     /// Seed of everything random in it.
     pub seed: u64,
-    /// Swept share of the reachable floor, 0 to 1, at the start and at the end of each of [`SAMPLES`] equal parts of the
-    /// time. After the end of a run that ended by itself it stays.
+    /// Swept share of the reachable floor, or share of the boundary that has been met, 0 to 1, at the start and at the end of
+    /// each of [`SAMPLES`] equal parts of the time. After the end of a run that ended by itself it stays.
     pub curve: Vec<f64>,
-    /// When the shares of [`GOALS`] had been swept, s; infinite if that didn't happen in time.
+    /// When the shares of [`GOALS`] had been swept or met, s; infinite if that didn't happen in time.
     pub reached_s: [f64; GOALS.len()],
     /// Simulated time, s; less than was given if the run ended by itself.
     pub time_s: f64,
@@ -36,10 +39,24 @@ const HEAD: usize = 9 + GOALS.len();
 
 impl Outcome {
     /// Makes `run`, which was made with `seed`, go on for `duration_s` seconds from its start.
-    pub fn of(mut run: Run, seed: u64, duration_s: f64) -> Self {
+    pub fn of(run: Run, seed: u64, duration_s: f64) -> Self {
+        Self::by(run, seed, duration_s, Run::coverage)
+    }
+
+    /// The same for a run of somebody who explores: what counts is how much of the boundary it has met.
+    pub fn of_exploring(run: Run, seed: u64, duration_s: f64, mut tracker: BoundaryTracker) -> Self {
+        Self::by(run, seed, duration_s, |run| {
+            tracker.update(run.pose(), run.sensors());
+            tracker.share()
+        })
+    }
+
+    /// By the share that `share` tells after each step.
+    fn by(mut run: Run, seed: u64, duration_s: f64, mut share: impl FnMut(&Run) -> f64) -> Self {
         let steps = (duration_s / STEP_S).round() as u64;
         let mut curve = Vec::with_capacity(SAMPLES + 1);
-        curve.push(run.coverage());
+        let mut now = share(&run);
+        curve.push(now);
         let mut reached_s = [f64::INFINITY; GOALS.len()];
         let mut next = 0;
         let has_dirt = run.dirt_left() > 0.0;
@@ -47,12 +64,13 @@ impl Outcome {
             let until = steps * sample / SAMPLES as u64;
             while run.steps() < until && !run.is_finished() {
                 run.step();
-                while GOALS.get(next).is_some_and(|&goal| run.coverage() >= goal) {
+                now = share(&run);
+                while GOALS.get(next).is_some_and(|&goal| now >= goal) {
                     reached_s[next] = run.time_s();
                     next += 1;
                 }
             }
-            curve.push(run.coverage());
+            curve.push(now);
         }
         Self {
             seed,
@@ -67,7 +85,7 @@ impl Outcome {
         }
     }
 
-    /// Coverage at the end, 0 to 1.
+    /// Share at the end, 0 to 1.
     pub fn coverage(&self) -> f64 {
         self.curve.last().copied().unwrap_or(0.0)
     }

@@ -100,12 +100,13 @@ impl Base {
 }
 
 impl Study {
-    /// The first behaviours, about to be run.
+    /// The behaviours that clean, about to be run.
     pub fn new() -> Self {
-        let takes_part =
-            |algorithm: &Algorithm| algorithm.behaviour().is_none_or(|info| info.claims.cleans && !info.claims.manual);
+        let takes_part = |algorithm: &Algorithm| {
+            algorithm.behaviour().is_none_or(|info| (info.claims.cleans || info.claims.explores) && !info.claims.manual)
+        };
         let entrants: Vec<Entrant> = Algorithm::all().filter(takes_part).map(Entrant::new).collect();
-        let behaves = |&index: &usize| entrants[index].algorithm.behaviour().is_some();
+        let behaves = |&index: &usize| entrants[index].algorithm.behaviour().is_some_and(|info| info.claims.cleans);
         let chosen = (0..entrants.len()).filter(behaves).collect();
         Self {
             base: None,
@@ -192,7 +193,7 @@ impl Study {
     fn index(&self, wanted: Algorithm) -> Result<usize, SettingsError> {
         let is_wanted = |e: &Entrant| e.algorithm.kind() == wanted.kind() && e.id() == wanted.id();
         self.entrants.iter().position(is_wanted).ok_or_else(|| SettingsError::Unknown {
-            kind: "algorithm that cleans by itself",
+            kind: "algorithm that cleans or explores by itself",
             id: wanted.id().to_owned(),
             known: self.entrants.iter().map(Entrant::id).collect::<Vec<_>>().join(", "),
         })

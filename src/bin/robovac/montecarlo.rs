@@ -175,7 +175,12 @@ fn table(head: &Head<'_>, placement: &Placement, arguments: &Arguments, entries:
             band(bumps, 0)
         );
     }
-    text + "\nMedians; in brackets from where to where four in five runs lie. A dash: too few runs got there in time.\n"
+    text +=
+        "\nMedians; in brackets from where to where four in five runs lie. A dash: too few runs got there in time.\n";
+    if entries.iter().any(|(entrant, _)| entrant.explores()) {
+        text += "Coverage of behaviours that explore: share of the walls and furniture in reach that light or bumper have met.\n";
+    }
+    text
 }
 
 fn band(Band { low, median, high }: Band, digits: usize) -> String {

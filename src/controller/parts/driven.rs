@@ -5,6 +5,8 @@ use crate::{
     controller::{Command, Controller, Setup, interlock::Blocked},
     robot::{Drive, Sensors},
 };
+#[cfg(feature = "mapping")]
+use crate::{geometry::Pose, mapping::Mapper};
 
 /// What is a behaviour's own: how it drives on free floor, and what it does when something is in the way.
 pub(in crate::controller) trait Habit {
@@ -21,6 +23,16 @@ pub(in crate::controller) trait Habit {
     fn blocked(&self) -> Option<Blocked> {
         None
     }
+
+    /// The map that it makes, if it makes one.
+    #[cfg(feature = "mapping")]
+    fn mapper(&self) -> Option<&Mapper> {
+        None
+    }
+
+    /// Learns where it starts, in the frame that its map is to have.
+    #[cfg(feature = "mapping")]
+    fn start_at(&mut self, _: Pose) {}
 
     /// Drives on; called while no motions of the pilot are under way. It may order some instead.
     fn roam(&mut self, pilot: &mut Pilot, sensed: &Sensors, dt_s: f64) -> Drive;
@@ -127,6 +139,16 @@ impl Controller for Driven {
 
     fn blocked(&self) -> Option<Blocked> {
         self.habit.blocked()
+    }
+
+    #[cfg(feature = "mapping")]
+    fn mapper(&self) -> Option<&Mapper> {
+        self.habit.mapper()
+    }
+
+    #[cfg(feature = "mapping")]
+    fn start_at(&mut self, start: Pose) {
+        self.habit.start_at(start);
     }
 
     fn boxed_clone(&self) -> Box<dyn Controller> {

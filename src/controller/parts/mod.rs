@@ -6,6 +6,8 @@ mod driven;
 mod hit;
 mod home;
 mod pilot;
+#[cfg(feature = "mapping")]
+mod route;
 mod trail;
 mod travel;
 mod voids;
@@ -16,3 +18,5 @@ pub(super) use driven::{Driven, Habit};
 pub(super) use hit::{Hit, Kind, Side};
 pub(super) use home::{GO_HOME, LEAVE_HOME};
 pub(super) use pilot::{By, Move, Pilot};
+#[cfg(feature = "mapping")]
+pub(super) use route::Route;

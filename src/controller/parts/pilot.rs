@@ -242,6 +242,12 @@ impl Pilot {
         self.trail.length() > CLOSE_ENOUGH
     }
 
+    /// How much of the ground behind it it knows, m.
+    #[cfg(feature = "mapping")]
+    pub(in crate::controller) fn way_back(&self) -> f64 {
+        self.trail.length()
+    }
+
     /// Takes so many metres straight behind it for known ground.
     pub(in crate::controller) fn assume_way_back(&mut self, metres: f64) {
         self.trail.assume(metres);

@@ -1,0 +1,51 @@
+//! Behaviours that explore: they drive so that a map of the room can be made, with a bumper and a light that reaches a
+//! hand's breadth.
+//!
+//! The first six are the phases of the exploration strategy that Krapinec 2025 (004, chapter 7) grew, from chance to the
+//! following of edges; what they share is in [`options`] (phases 1 to 4) and [`obstacles`] (what counts as an obstacle).
+//! The thesis prints code for the last phase alone and tells the others in a paragraph each.
+//!
+//! The seventh, [`frontier`], makes a map as it goes and drives by it: [`chart`] says where it can go and what is worth going
+//! for, [`trace`] which walls it has followed, [`tries`] and [`barred`] what is to be left alone.
+
+mod barred;
+mod chart;
+pub(super) mod edge;
+mod edge_machine;
+pub(super) mod forward_rotate;
+pub(super) mod frontier;
+mod goals;
+pub(super) mod left_right;
+pub(super) mod look_ahead;
+pub(super) mod look_around;
+mod obstacles;
+mod options;
+mod position;
+mod trace;
+mod tries;
+pub(super) mod until_obstacle;
+
+#[cfg(test)]
+mod edge_rules;
+
+use super::parts::{Hit, Move, Pilot};
+use rand::RngExt;
+
+/// Where the thesis is kept.
+const THESIS: &str = "https://urn.nsk.hr/urn:nbn:hr:168:101738";
+/// Way back from the edge of the floor, m, if so much is known: whoever turns by chance had better not do it there (ours).
+const BACK_FROM_EDGE: f64 = 0.15;
+/// Turn away from the edge of the floor or from a virtual wall, rad, drawn between these (ours).
+const LEAVE: (f64, f64) = (1.6, 2.6);
+
+/// What all phases do where the floor ends or a virtual wall is: the thesis knows neither.
+fn turn_back(pilot: &mut Pilot, hit: Hit) {
+    let side = pilot.away_from(hit);
+    let turn = leave(pilot, side);
+    pilot.answer(hit, BACK_FROM_EDGE, &[turn]);
+}
+
+/// A turn away, to the left for a `side` of 1 and to the right for -1.
+fn leave(pilot: &mut Pilot, side: f64) -> Move {
+    Move::Turn(side * pilot.rng.random_range(LEAVE.0..LEAVE.1))
+}
