@@ -78,6 +78,9 @@ pub struct Run {
     /// What makes a map, whoever drives.
     #[cfg(feature = "mapping")]
     mapper: Option<Box<Mapper>>,
+    /// What maps beside it for comparison.
+    #[cfg(feature = "mapping")]
+    baseline: Option<Box<Mapper>>,
     believed: Trail,
     events: VecDeque<Event>,
 }
@@ -111,6 +114,8 @@ impl Run {
             odometry,
             #[cfg(feature = "mapping")]
             mapper: None,
+            #[cfg(feature = "mapping")]
+            baseline: None,
             events: VecDeque::new(),
         }
     }
@@ -120,6 +125,19 @@ impl Run {
     pub fn with_mapper(mut self, mapper: Mapper) -> Self {
         self.mapper = Some(Box::new(mapper));
         self
+    }
+
+    /// Lets a second mapper see the same, for comparison: nobody acts on what it believes.
+    #[cfg(feature = "mapping")]
+    pub fn with_baseline(mut self, mapper: Mapper) -> Self {
+        self.baseline = Some(Box::new(mapper));
+        self
+    }
+
+    /// What the second mapper believes.
+    #[cfg(feature = "mapping")]
+    pub fn baseline(&self) -> Option<&Mapper> {
+        self.baseline.as_deref()
     }
 
     /// The map that the robot makes, and its place on it.
@@ -250,7 +268,7 @@ impl Run {
             odometry.update(self.robot.sensors());
         }
         #[cfg(feature = "mapping")]
-        if let Some(mapper) = &mut self.mapper {
+        for mapper in [&mut self.mapper, &mut self.baseline].into_iter().flatten() {
             mapper.update(self.robot.sensors());
         }
         if let Some(estimate) = self.estimate() {
@@ -365,7 +383,7 @@ impl Run {
     pub fn bytes(&self) -> usize {
         let own = self.tracker.bytes() + self.life.bytes() + 2 * TRAIL.0 * size_of::<Point>();
         #[cfg(feature = "mapping")]
-        let own = own + self.mapper().map_or(0, Mapper::bytes);
+        let own = own + [self.mapper(), self.baseline()].into_iter().flatten().map(Mapper::bytes).sum::<usize>();
         own
     }
 
@@ -409,6 +427,8 @@ impl Clone for Run {
             odometry: self.odometry.clone(),
             #[cfg(feature = "mapping")]
             mapper: self.mapper.clone(),
+            #[cfg(feature = "mapping")]
+            baseline: self.baseline.clone(),
             believed: self.believed.clone(),
             events: self.events.clone(),
             ..*self

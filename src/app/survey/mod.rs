@@ -1,1 +1,27 @@
 //! The place Map: a robot that makes a map of a room that it has never seen, and what it makes of it.
+//!
+//! [`Survey`] is what the page has: a room taken over from the session, a robot in it that explores and maps, and time. What it
+//! believes is in its run's mapper; [`Truth`] is what quality figures compare that with, and nothing else sees it. [`Stored`]
+//! brings all of it over a reload.
+
+mod curve;
+mod figures;
+mod layers;
+mod numbers;
+mod setup;
+mod state;
+mod store;
+mod survey;
+mod truth;
+mod view;
+mod words;
+
+pub use curve::Sample;
+pub use figures::Figures;
+pub use layers::Layers;
+pub use setup::{SurveySetup, explorers};
+pub use state::{Deed, Phase};
+pub use store::{STORE_VERSION, StoreError, Stored};
+pub use survey::Survey;
+pub use truth::{Truth, Verdict};
+pub use view::SurveyView;
