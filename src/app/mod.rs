@@ -10,6 +10,8 @@ mod editor;
 pub mod export;
 mod furnisher;
 mod import;
+#[cfg(feature = "mapping")]
+pub mod kidnapping;
 pub mod link;
 pub mod montecarlo;
 mod objects;

@@ -6,6 +6,7 @@
 //! where it found dirt. Everything is in the frame of the pose that it started from (REP 103).
 
 mod layer;
+pub mod locate;
 mod mapper;
 mod marks;
 mod occupancy_map;

@@ -17,6 +17,8 @@ mod failure;
 #[cfg(not(target_arch = "wasm32"))]
 mod list;
 #[cfg(not(target_arch = "wasm32"))]
+mod locate;
+#[cfg(not(target_arch = "wasm32"))]
 mod monitor;
 #[cfg(not(target_arch = "wasm32"))]
 mod montecarlo;
@@ -47,7 +49,7 @@ fn main() -> std::process::ExitCode {
 #[cfg(not(target_arch = "wasm32"))]
 mod native {
     use super::{
-        bench, compare, convert, failure::OK, list, monitor, montecarlo, output::print, plan, simulate, sweep,
+        bench, compare, convert, failure::OK, list, locate, monitor, montecarlo, output::print, plan, simulate, sweep,
         virtual_roomba,
     };
     use clap::{Parser, Subcommand};
@@ -90,6 +92,7 @@ Exit codes:
         Simulate(simulate::Arguments),
         Montecarlo(montecarlo::Arguments),
         Compare(compare::Arguments),
+        Locate(locate::Arguments),
         Convert(convert::Arguments),
         Bench(bench::Arguments),
         Monitor(monitor::Arguments),
@@ -109,6 +112,7 @@ Exit codes:
             Command::Simulate(arguments) => simulate::run(&arguments),
             Command::Montecarlo(arguments) => montecarlo::run(&arguments),
             Command::Compare(arguments) => compare::run(&arguments),
+            Command::Locate(arguments) => locate::run(&arguments),
             Command::Convert(arguments) => convert::run(&arguments),
             Command::Bench(arguments) => bench::run(&arguments),
             Command::Monitor(arguments) => monitor::run(&arguments),
