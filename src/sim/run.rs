@@ -2,7 +2,7 @@
 
 use super::{Event, Input, Life, Noise, STEP_S, SimRobot, SlipLevel, What, World, event::Signs};
 #[cfg(feature = "mapping")]
-use crate::mapping::Mapper;
+use crate::mapping::{Mapper, locate::Locator};
 use crate::{
     controller::{Controller, interlock::Blocked},
     coverage::{CoverageTracker, ReachableFloor},
@@ -81,6 +81,9 @@ pub struct Run {
     /// What maps beside it for comparison.
     #[cfg(feature = "mapping")]
     baseline: Option<Box<Mapper>>,
+    /// What looks for it on a map that it knows.
+    #[cfg(feature = "mapping")]
+    locator: Option<Box<Locator>>,
     believed: Trail,
     events: VecDeque<Event>,
 }
@@ -116,6 +119,8 @@ impl Run {
             mapper: None,
             #[cfg(feature = "mapping")]
             baseline: None,
+            #[cfg(feature = "mapping")]
+            locator: None,
             events: VecDeque::new(),
         }
     }
@@ -132,6 +137,19 @@ impl Run {
     pub fn with_baseline(mut self, mapper: Mapper) -> Self {
         self.baseline = Some(Box::new(mapper));
         self
+    }
+
+    /// Lets something look for the robot on a map that it knows.
+    #[cfg(feature = "mapping")]
+    pub fn with_locator(mut self, locator: Locator) -> Self {
+        self.locator = Some(Box::new(locator));
+        self
+    }
+
+    /// What looks for the robot on a map that it knows.
+    #[cfg(feature = "mapping")]
+    pub fn locator(&self) -> Option<&Locator> {
+        self.locator.as_deref()
     }
 
     /// What the second mapper believes.
@@ -270,6 +288,10 @@ impl Run {
         #[cfg(feature = "mapping")]
         for mapper in [&mut self.mapper, &mut self.baseline].into_iter().flatten() {
             mapper.update(self.robot.sensors());
+        }
+        #[cfg(feature = "mapping")]
+        if let Some(locator) = &mut self.locator {
+            locator.update(self.robot.sensors());
         }
         if let Some(estimate) = self.estimate() {
             self.believed.extend(estimate.position());
@@ -429,6 +451,8 @@ impl Clone for Run {
             mapper: self.mapper.clone(),
             #[cfg(feature = "mapping")]
             baseline: self.baseline.clone(),
+            #[cfg(feature = "mapping")]
+            locator: self.locator.clone(),
             believed: self.believed.clone(),
             events: self.events.clone(),
             ..*self

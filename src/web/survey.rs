@@ -145,9 +145,11 @@ impl Survey {
         self.state.description()
     }
 
-    /// The figures over time: seconds, share of the boundary mapped, pose error and that of odometry alone (m), in turn.
+    /// The figures over time: seconds, share of the boundary mapped, pose error and that of odometry alone (m,
+    /// NaN while there is none), in turn.
     pub fn curve(&self) -> Float64Array {
-        let numbers = |s: &survey::Sample| [s.time_s, s.boundary, s.position_m, s.odometry_m];
+        let metres = |error: Option<f64>| error.unwrap_or(f64::NAN);
+        let numbers = |s: &survey::Sample| [s.time_s, s.boundary, metres(s.position_m), metres(s.odometry_m)];
         let curve: Vec<f64> = self.state.samples().iter().flat_map(numbers).collect();
         Float64Array::from(curve.as_slice())
     }
@@ -179,6 +181,23 @@ impl Survey {
     /// The map as a ROS map: `{ name, bytes, kind }` of its image and its description, called `stem`.
     pub fn ros_map(&self, stem: &str) -> Result<Array, JsValue> {
         ros_map(&self.mapped()?, stem)
+    }
+
+    /// Gives the robot a map that a worker has read, and puts it down anywhere. Throws a sentence for users and changes
+    /// nothing if that can't be.
+    pub fn open(&mut self, map: &JsValue) -> Result<(), JsValue> {
+        let import = map::import_from_js(map)?;
+        Ok(self.state.open(&import.plan).map_err(|e| e.to_string())?)
+    }
+
+    /// The same with the map that it has made.
+    pub fn open_own(&mut self) -> Result<(), JsValue> {
+        Ok(self.state.open_own().map_err(|e| e.to_string())?)
+    }
+
+    /// Takes the map away that it was given.
+    pub fn close_map(&mut self) {
+        self.state.close_map();
     }
 
     // ---- the view

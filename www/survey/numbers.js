@@ -14,8 +14,8 @@ const centimetres = (metres) => (metres < 1 ? `${(100 * metres).toFixed(1)} cm` 
 
 /** @type {Row[]} */
 const ROWS = [
-  { label: "Position error", tip: "Distance between where the robot is and where it believes to be, now.", of: ({ position_m }) => centimetres(position_m) },
-  { label: "Heading error", tip: "Angle between the way that the robot looks and the way that it believes to look, now.", of: ({ heading_deg }) => `${heading_deg.toFixed(1)}°` },
+  { label: "Position error", tip: "Distance between where the robot is and where it believes to be, now.", of: ({ position_m }) => (position_m === null ? "lost" : centimetres(position_m)) },
+  { label: "Heading error", tip: "Angle between the way that the robot looks and the way that it believes to look, now.", of: ({ heading_deg }) => (heading_deg === null ? "lost" : `${heading_deg.toFixed(1)}°`) },
   { label: "Cells right", tip: "Share of the known cells of the map that are right to within one cell of 5 cm.", of: ({ right }) => `${percent(right)} %` },
   { label: "Boundary mapped", tip: "Share of the walls and furniture that the bumper can reach which are on the map, to within one cell.", of: ({ boundary }) => `${percent(boundary)} %` },
   { label: "Floor known", tip: "Share of the floor that the robot's body can cover which it knows to be free.", of: ({ known }) => `${percent(known)} %` },
@@ -46,12 +46,12 @@ export function startNumbers(_it) {
       });
     }
     for (const { row, cell } of single) setText(cell, row.of(view));
-    setText(byId("survey-here"), view.tracking === "odometry" ? "Robot" : "Corrected");
+    setText(byId("survey-here"), view.known !== null ? "Lost, found" : view.tracking === "odometry" ? "Robot" : "Corrected");
     const has = view.figures && view.time_s > 0;
     setText(byId("survey-n-boundary"), view.figures ? percent(view.figures.boundary) : "–");
     setText(byId("survey-n-time"), clock(view.time_s));
     const error = view.figures?.position_m ?? 0;
-    setText(byId("survey-n-error"), has ? (error < 1 ? (100 * error).toFixed(error < 0.1 ? 1 : 0) : error.toFixed(2)) : "–");
-    setText(byId("survey-n-error-unit"), error < 1 ? "cm" : "m");
+    setText(byId("survey-n-error"), has && view.figures?.position_m === null ? "lost" : has ? (error < 1 ? (100 * error).toFixed(error < 0.1 ? 1 : 0) : error.toFixed(2)) : "–");
+    setText(byId("survey-n-error-unit"), view.figures?.position_m === null ? "" : error < 1 ? "cm" : "m");
   };
 }

@@ -109,6 +109,14 @@ function show(view) {
   setText(byId("survey-activity"), view.activity ? `${view.activity.charAt(0).toUpperCase()}${view.activity.slice(1)}` : "");
   setHidden(byId("survey-activity"), !view.activity || !["playing", "paused"].includes(view.phase));
   setHidden(byId("survey-held"), !view.is_carried);
+  setHidden(byId("survey-hint-new"), view.known !== null);
+  setHidden(byId("survey-hint-lost"), view.known === null);
+  setHidden(byId("survey-known"), view.known === null);
+  setText(byId("survey-known-name"), view.known ?? "");
+  const sure = view.is_sure === null ? "" : view.is_sure ? "Sure where it is" : view.figures?.position_m === null ? "Lost" : "Guesses where it is";
+  setHidden(byId("survey-sure"), !sure || view.phase === "ready");
+  setText(byId("survey-sure"), sure);
+  setAttribute(byId("survey-sure"), "data-sure", String(view.is_sure));
 }
 
 /**

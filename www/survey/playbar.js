@@ -35,7 +35,7 @@ export function startPlaybar(it) {
     setEnabled(button("survey-reset"), can.seek);
     const running = isMoving();
     if (changed(button("survey-play"), "running", running)) {
-      const name = running ? "Pause" : "Explore";
+      const name = running ? "Pause" : "Let it drive";
       button("survey-play").setAttribute("aria-label", name);
       button("survey-play").title = `${name} (space)`;
       byId("survey-play-icon").setAttribute("href", running ? "#i-pause" : "#i-play");
@@ -79,7 +79,7 @@ function drawCurves(curve, range) {
   let most = 0.1;
   for (let i = 0; i < curve.length; i += 4) {
     boundary += `L${x(curve[i] ?? 0)} ${(99.5 - 99 * (curve[i + 1] ?? 0)).toFixed(1)}`;
-    most = Math.max(most, curve[i + 2] ?? 0, curve[i + 3] ?? 0);
+    most = Math.max(most, curve[i + 2] || 0, curve[i + 3] || 0);
   }
   setAttribute(byId("survey-curve"), "d", boundary);
   const end = curve.length >= 4 ? x(curve[curve.length - 4] ?? 0) : "0";
@@ -87,8 +87,14 @@ function drawCurves(curve, range) {
   // Drift, beside, with a scale that holds all of it.
   const top = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50].find((limit) => limit >= most) ?? 100;
   for (const [id, at] of /** @type {const} */ ([["survey-drift-here", 2], ["survey-drift-odometry", 3]])) {
-    let line = "M0 100";
-    for (let i = 0; i < curve.length; i += 4) line += `L${x(curve[i] ?? 0)} ${(100 - (100 * (curve[i + at] ?? 0)) / top).toFixed(1)}`;
+    let line = "";
+    let isDown = false;
+    for (let i = 0; i < curve.length; i += 4) {
+      const error = curve[i + at] ?? NaN;
+      // While it has no idea where it is, there is no line.
+      if (!Number.isNaN(error)) line += `${isDown ? "L" : "M"}${x(curve[i] ?? 0)} ${(100 - (100 * error) / top).toFixed(1)}`;
+      isDown = !Number.isNaN(error);
+    }
     setAttribute(byId(id), "d", line);
   }
   setText(byId("survey-drift-top"), top < 1 ? `${top * 100} cm` : `${top} m`);

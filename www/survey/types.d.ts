@@ -2,10 +2,10 @@
 
 export type Phase = "failed" | "ready" | "playing" | "paused" | "held" | "seeking" | "resuming" | "finished";
 
-/** How far a mapper is from the truth; shares from 0 to 1. */
+/** How far a mapper is from the truth; shares from 0 to 1. Errors are `null` while the robot has no idea where it is. */
 export type Figures = {
-  position_m: number;
-  heading_deg: number;
+  position_m: number | null;
+  heading_deg: number | null;
   /** Known cells that are right within one cell. */
   right: number;
   /** Floor that the body can cover and that is known to be free. */
@@ -16,7 +16,7 @@ export type Figures = {
 
 export type SurveyView = {
   phase: Phase;
-  can: Record<"play" | "pause" | "step" | "seek" | "lift" | "put_down" | "forget" | "use_map", boolean>;
+  can: Record<"play" | "pause" | "step" | "seek" | "lift" | "put_down" | "forget" | "use_map" | "open", boolean>;
   /** Why the robot can't be put into the room; "" if it can. */
   complaint: string;
   title: string;
@@ -39,6 +39,10 @@ export type SurveyView = {
   odometry: Figures | null;
   /** Standard deviations that the robot believes in: position (m) and heading (degrees). */
   spread: [position: number, heading: number] | null;
+  /** Name of the map that the robot was given; `null` if it makes its own. */
+  known: string | null;
+  /** Whether it is sure of its place on that; `null` if it was never lost. */
+  is_sure: boolean | null;
   cleaned_m2: number;
   coverage: number;
   dirt_m2: number;

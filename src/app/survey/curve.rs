@@ -12,10 +12,10 @@ pub struct Sample {
     pub time_s: f64,
     /// Share of the boundary that is on the map.
     pub boundary: f64,
-    /// Distance between belief and truth, m.
-    pub position_m: f64,
+    /// Distance between belief and truth, m; `None` while the robot has no idea where it is.
+    pub position_m: Option<f64>,
     /// The same by odometry alone, m.
-    pub odometry_m: f64,
+    pub odometry_m: Option<f64>,
 }
 
 /// Samples of a run up to where it was simulated.

@@ -4,16 +4,16 @@ use super::{Truth, Verdict, truth::around};
 use crate::{
     geometry::{Pose, difference},
     grid::Occupancy,
-    mapping::{Mapper, OccupancyMap},
+    mapping::OccupancyMap,
 };
 
 /// How far a mapper is from the truth.
 #[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize)]
 pub struct Figures {
-    /// Distance between where the robot is and where it believes to be, m.
-    pub position_m: f64,
+    /// Distance between where the robot is and where it believes to be, m; `None` while it has no idea.
+    pub position_m: Option<f64>,
     /// Angle between its heading and what it believes that to be, degrees, 0 to 180.
-    pub heading_deg: f64,
+    pub heading_deg: Option<f64>,
     /// Share of the known cells that are right within one cell, 0 to 1; 1 while nothing is known.
     pub right: f64,
     /// Share of the floor that the body can cover which is known to be free, 0 to 1.
@@ -23,13 +23,11 @@ pub struct Figures {
 }
 
 impl Figures {
-    /// The figures of `mapper` while the robot is at `pose`.
-    pub fn of(mapper: &Mapper, pose: Pose, truth: &Truth) -> Self {
-        let believed = mapper.pose();
-        let map = mapper.map();
+    /// The figures of a robot that believes to be at `believed` on `map` while it is at `pose`.
+    pub fn of(map: &OccupancyMap, believed: Option<Pose>, pose: Pose, truth: &Truth) -> Self {
         Self {
-            position_m: (believed.position() - pose.position()).norm(),
-            heading_deg: difference(pose.heading, believed.heading).abs().to_degrees(),
+            position_m: believed.map(|believed| (believed.position() - pose.position()).norm()),
+            heading_deg: believed.map(|believed| difference(pose.heading, believed.heading).abs().to_degrees()),
             right: right(map, truth),
             known: share(truth.covered().iter().filter(|(_, is)| **is).map(|(cell, _)| cell), |cell| {
                 map.occupancy(cell) == Occupancy::Free

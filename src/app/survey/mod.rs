@@ -4,8 +4,10 @@
 //! believes is in its run's mapper; [`Truth`] is what quality figures compare that with, and nothing else sees it. [`Stored`]
 //! brings all of it over a reload.
 
+mod belief;
 mod curve;
 mod figures;
+mod known;
 mod layers;
 mod numbers;
 mod setup;
@@ -16,8 +18,10 @@ mod truth;
 mod view;
 mod words;
 
+pub use belief::Belief;
 pub use curve::Sample;
 pub use figures::Figures;
+pub use known::{Known, OpenError};
 pub use layers::Layers;
 pub use setup::{SurveySetup, explorers};
 pub use state::{Deed, Phase};

@@ -16,6 +16,9 @@ const ROVERS: [&str; 3] = ["wall_follow", "bounce", "random_walk"];
 /// Simulated time per time that a survey begins with: a flat takes a robot twenty minutes.
 const SPEED: f64 = 64.0;
 
+/// Names of choices in links; parameters of the behaviour begin with `x.` beside them.
+const KEYS: [&str; 7] = ["explorer", "track", "counts", "wheels", "senses", "layers", "pace"];
+
 /// Behaviours that a survey can be made with, those made for it first.
 pub fn explorers() -> impl Iterator<Item = &'static BehaviourInfo> {
     let made_for_it = BEHAVIOURS.iter().copied().filter(|b| b.id.starts_with("explore_"));
@@ -177,7 +180,9 @@ impl SurveySetup {
         let mut next = Self { left: self.left.clone(), ..Self::new() };
         let mut pairs: Vec<_> =
             link.trim_start_matches('#').split('&').filter_map(|pair| pair.split_once('=')).collect();
-        if !pairs.iter().any(|(key, _)| *key == "explorer") {
+        // A link that says nothing of this place leaves everything as it is.
+        let is_ours = |key: &str| KEYS.contains(&key) || key.starts_with("x.");
+        if !pairs.iter().any(|(key, _)| is_ours(key)) {
             return Ok(());
         }
         // Parameters are those of the behaviour.

@@ -1,16 +1,21 @@
 //! A room, a robot that explores and maps it, and time.
 
 use super::{
-    Deed, Figures, Phase, Sample, StoreError, Stored, SurveySetup, Truth, curve::Curve, numbers::digest, store::Still,
+    Belief, Deed, Figures, Known, OpenError, Phase, Sample, StoreError, Stored, SurveySetup, Truth, curve::Curve,
+    numbers::digest, store::Still,
 };
 use crate::{
     app::{Prepared, Recording, Session, SettingsError},
     controller::Setup,
+    coverage::ReachableFloor,
     floorplan::{FloorPlan, Scenario},
     geometry::Pose,
-    mapping::{Mapper, MapperSetup, Marks, OccupancyMap, Tracking},
+    mapping::{Mapper, MapperSetup, Tracking},
+    math,
+    rng::seeded,
     sim::{Conditions, Input, Run, STEP_S},
 };
+use rand::RngExt;
 use std::sync::Arc;
 
 /// Longest time between two frames that is made up for, s.
@@ -20,11 +25,16 @@ const STEP_LENGTH_S: f64 = 5.0;
 /// Time on the wall between two looks at the figures while time goes on, s.
 const FIGURES_EVERY: f64 = 0.25;
 
+/// Stream of the places where a robot is put down that is to find itself.
+const STREAM: u64 = 14;
+
 /// Everything that the place Map has.
 pub struct Survey {
     pub(super) setup: SurveySetup,
     pub(super) base: Option<Base>,
     pub(super) stage: Option<Stage>,
+    /// The map that the robot has been given.
+    pub(super) known: Option<Known>,
     pub(super) playing: bool,
     due: f64,
     pub(super) speed_factor: f64,
@@ -60,6 +70,8 @@ impl Base {
 pub(super) struct Stage {
     pub recording: Recording,
     pub truth: Truth,
+    /// The map that the robot has been given.
+    pub known: Option<Known>,
     pub curve: Curve,
     /// Figures of the map, and of one by odometry alone, after so many steps.
     pub figures: [Figures; 2],
@@ -77,19 +89,6 @@ pub(super) struct Return {
     is_seeking: bool,
 }
 
-/// What the robot believes at the moment that is shown.
-#[derive(Clone, Copy)]
-pub struct Belief<'a> {
-    /// The map.
-    pub map: &'a OccupancyMap,
-    /// What was cleaned, and where dirt was found.
-    pub marks: &'a Marks,
-    /// Where it believes to be.
-    pub pose: Pose,
-    /// Who believes it; `None` while a survey that was left is on its way back.
-    pub mapper: Option<&'a Mapper>,
-}
-
 impl Survey {
     /// Nothing yet: see [`Survey::take`].
     pub fn new() -> Self {
@@ -97,6 +96,7 @@ impl Survey {
             setup: SurveySetup::new(),
             base: None,
             stage: None,
+            known: None,
             playing: false,
             due: 0.0,
             speed_factor: 0.0,
@@ -131,6 +131,8 @@ impl Survey {
             plan_version: version,
         });
         if !is_same {
+            // A map of another room is of no use here.
+            self.known = None;
             self.begin();
         }
     }
@@ -169,7 +171,8 @@ impl Survey {
     /// Everything that determines the run: the same recipe makes the same map, tomorrow too.
     pub fn recipe(&self) -> String {
         let place = self.base.as_ref().map_or("", |base| &base.place);
-        format!("{place} {}", self.setup.recipe().trim_end())
+        let known = self.known.as_ref().map_or(String::new(), |known| format!(" known={:016x}", known.digest()));
+        format!("{place} {}{known}", self.setup.recipe().trim_end())
     }
 
     /// Forgets the map: the robot stands at the start again, and knows nothing.
@@ -179,7 +182,15 @@ impl Survey {
 
     /// Puts the robot at the start, if it fits in.
     fn begin(&mut self) {
-        self.stage = self.new_run().map(|(run, truth)| Stage::new(run, truth));
+        self.stage = self.new_run().map(|(run, truth)| Stage::new(run, truth, self.known.clone()));
+        if let (Some(stage), Some(base)) = (&mut self.stage, &self.base)
+            && stage.known.is_some()
+        {
+            // Nobody tells it where.
+            let place = anywhere(stage.run().floor(), base.seed);
+            stage.recording.input(Input::Lift);
+            stage.recording.input(Input::PutDown(place.unwrap_or(stage.run().pose())));
+        }
         self.playing = false;
         self.due = 0.0;
         self.version += 1;
@@ -207,6 +218,10 @@ impl Survey {
         // A controller that makes a map of its own acts by that.
         let run = if run.mapper().is_none() { run.with_mapper(mapper(setup.tracking)) } else { run };
         let run = run.with_baseline(mapper(Tracking::Odometry));
+        let run = match &self.known {
+            Some(known) => run.with_locator(known.locator(robot, setup.odometry, base.seed)?),
+            None => run,
+        };
         let resolution = run.mapper()?.map().resolution();
         let truth = Truth::new(&prepared.floor, robot.radius, resolution);
         Some((run, truth))
@@ -380,11 +395,7 @@ impl Survey {
     /// What the robot believes.
     pub fn belief(&self) -> Option<Belief<'_>> {
         let stage = self.stage.as_ref()?;
-        if let Some(Return { still, .. }) = &stage.returning {
-            return Some(Belief { map: &still.map, marks: &still.marks, pose: still.pose, mapper: None });
-        }
-        let mapper = stage.run().mapper()?;
-        Some(Belief { map: mapper.map(), marks: mapper.marks(), pose: mapper.pose(), mapper: Some(mapper) })
+        stage.returning.as_ref().map(|way| Belief::left(&way.still)).or_else(|| stage.belief())
     }
 
     /// Figures of the map, and of one by odometry alone.
@@ -405,11 +416,41 @@ impl Survey {
         }
     }
 
+    // ---- a map that it knows
+
+    /// Gives the robot a map, and puts it down anywhere in the room: it has to find out where. On an error everything stays
+    /// as it was.
+    pub fn open(&mut self, plan: &FloorPlan) -> Result<(), OpenError> {
+        let (Some(base), Some(prepared)) = (&self.base, self.prepared()) else { return Err(OpenError::NoRoom) };
+        let known = Known::new(plan, base.plan.origin, &prepared.robot)?;
+        self.lose(known)
+    }
+
+    /// The same with the map that it has made.
+    pub fn open_own(&mut self) -> Result<(), OpenError> {
+        let (Some(belief), Some(prepared)) = (self.belief(), self.prepared()) else { return Err(OpenError::NoRoom) };
+        let known = Known::of(belief.map.clone(), "its own map".to_owned(), &prepared.robot)?;
+        self.lose(known)
+    }
+
+    fn lose(&mut self, known: Known) -> Result<(), OpenError> {
+        self.known = Some(known);
+        self.begin();
+        Ok(())
+    }
+
+    /// Takes the map away that it was given: it explores and maps again.
+    pub fn close_map(&mut self) {
+        if self.known.take().is_some() {
+            self.begin();
+        }
+    }
+
     // ---- what is kept
 
     /// The survey as text, to be brought back by [`Survey::resume`]; `None` while there is nothing worth it.
     pub fn store(&self) -> Option<String> {
-        let stage = self.stage.as_ref().filter(|stage| stage.returning.is_none())?;
+        let stage = self.stage.as_ref().filter(|stage| stage.returning.is_none() && stage.known.is_none())?;
         let run = stage.run();
         let end = (stage.recording.end_s() / STEP_S).round() as u64;
         let belief = self.belief().filter(|_| end > 0)?;
@@ -420,7 +461,7 @@ impl Survey {
             shown: run.steps(),
             digest: run.digest(),
             inputs: stage.recording.inputs().to_vec(),
-            pose: belief.pose,
+            pose: belief.pose()?,
             map: belief.map.clone(),
             marks: belief.marks.clone(),
         };
@@ -436,7 +477,7 @@ impl Survey {
         }
         let Some((run, truth)) = self.new_run() else { return Ok(()) };
         let Stored { end, shown, digest, inputs, .. } = stored;
-        let mut stage = Stage::new(run, truth);
+        let mut stage = Stage::new(run, truth, None);
         stage.recording = stage.recording.with_inputs(inputs);
         let still = Still { map: stored.map, marks: stored.marks, pose: stored.pose };
         stage.returning = Some(Return { still, end, shown, digest, is_seeking: false });
@@ -461,10 +502,11 @@ impl Survey {
 }
 
 impl Stage {
-    fn new(run: Run, truth: Truth) -> Self {
+    fn new(run: Run, truth: Truth, known: Option<Known>) -> Self {
         let mut stage = Self {
             recording: Recording::new(run),
             truth,
+            known,
             curve: Curve::new(),
             figures: [Figures::default(); 2],
             counted: None,
@@ -476,6 +518,14 @@ impl Stage {
 
     pub fn run(&self) -> &Run {
         self.recording.run()
+    }
+
+    /// What the robot believes.
+    fn belief(&self) -> Option<Belief<'_>> {
+        match (&self.known, self.run().locator()) {
+            (Some(known), Some(locator)) => Some(Belief::on(known, locator)),
+            _ => self.run().mapper().map(Belief::of),
+        }
     }
 
     /// Up to `steps` steps, with a look at the figures now and then; returns how many were taken.
@@ -512,8 +562,10 @@ impl Stage {
             return;
         }
         self.counted = Some(now);
-        let figures = |mapper: Option<&Mapper>| mapper.map(|mapper| Figures::of(mapper, run.pose(), &self.truth));
-        self.figures = [run.mapper(), run.baseline()].map(|mapper| figures(mapper).unwrap_or_default());
+        let of = |map, believed| Figures::of(map, believed, run.pose(), &self.truth);
+        let here = self.belief().map(|belief| of(belief.map, belief.pose()));
+        let odometry = run.baseline().map(|mapper| of(mapper.map(), Some(mapper.pose())));
+        self.figures = [here, odometry].map(Option::unwrap_or_default);
     }
 
     /// Drives on to where the survey was left. Once there, says whether everything is as it was then.
@@ -542,6 +594,16 @@ impl Default for Survey {
     fn default() -> Self {
         Self::new()
     }
+}
+
+/// A place where the robot can stand.
+fn anywhere(floor: &ReachableFloor, seed: u64) -> Option<Pose> {
+    let mut rng = seeded(seed, STREAM);
+    let places = floor.standing.count();
+    let chosen = (places > 0).then(|| rng.random_range(0..places))?;
+    let (cell, _) = floor.standing.iter().filter(|(_, stands)| **stands).nth(chosen)?;
+    let place = floor.standing_place(cell);
+    Some(Pose::new(place.x, place.y, rng.random_range(-math::PI..math::PI)))
 }
 
 /// Tells room, start, robot, conditions and seed of a session from others, also tomorrow.

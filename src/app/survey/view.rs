@@ -47,6 +47,10 @@ pub struct SurveyView {
     pub odometry: Option<Figures>,
     /// Standard deviations that the robot believes in: along the longer axis of the ellipse (m), and heading (degrees).
     pub spread: Option<[f64; 2]>,
+    /// Name of the map that the robot was given; `None` if it makes its own.
+    pub known: Option<String>,
+    /// Whether it is sure of its place on that; `None` if it was never lost.
+    pub is_sure: Option<bool>,
     /// Floor that the robot believes to have cleaned, m².
     pub cleaned_m2: f64,
     /// Share of the reachable floor that it really has cleaned.
@@ -79,6 +83,8 @@ pub struct Can {
     pub forget: bool,
     /// Take the map away.
     pub use_map: bool,
+    /// Give the robot a map.
+    pub open: bool,
 }
 
 impl Survey {
@@ -97,10 +103,9 @@ impl Survey {
                 belief.marks.cells(mark).count() as f64 * side * side
             })
         };
-        let spread = belief.and_then(|belief| belief.mapper).map(|mapper| {
-            let spread = mapper.spread();
-            [spread.ellipse().0[0], spread.heading.to_degrees()]
-        });
+        let spread = belief
+            .and_then(|belief| belief.spread())
+            .map(|spread| [spread.ellipse().0[0], spread.heading.to_degrees()]);
         SurveyView {
             phase: self.phase(),
             can: Can {
@@ -112,6 +117,7 @@ impl Survey {
                 put_down: can(Deed::PutDown),
                 forget: can(Deed::Forget),
                 use_map: can(Deed::UseMap) && belief.is_some_and(|belief| belief.map.bounds().is_some()),
+                open: can(Deed::Open),
             },
             complaint: self.complaint().to_owned(),
             title: self.base.as_ref().map_or(String::new(), |base| base.title.clone()),
@@ -131,6 +137,8 @@ impl Survey {
             figures: figures.map(|[here, _]| here),
             odometry: figures.map(|[_, odometry]| odometry),
             spread,
+            known: self.known.as_ref().map(|known| known.name().to_owned()),
+            is_sure: belief.and_then(|belief| belief.is_sure()),
             cleaned_m2: area(Mark::Cleaned),
             coverage: run.map_or(0.0, |run| run.coverage()),
             dirt_m2: area(Mark::Dirty),

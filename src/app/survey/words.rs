@@ -17,6 +17,14 @@ impl Survey {
         if run.steps() == 0 {
             return format!("Map of {title}: empty. The robot stands at its start and knows nothing of the room.");
         }
+        if let Some(is_sure) = self.belief().and_then(|belief| belief.is_sure()) {
+            let place = match (here.position_m, is_sure) {
+                (None, _) => "has no idea where it is".to_owned(),
+                (Some(off), false) => format!("guesses where it is, {} off", length(off)),
+                (Some(off), true) => format!("is sure where it is, {} off", length(off)),
+            };
+            return format!("{}: the robot knows a map of the room, and {place}.", minutes(run.time_s()));
+        }
         let held = if self.phase() == Phase::Held { " Somebody holds it." } else { "" };
         format!(
             "{}: {:.0} % of the boundary mapped, {:.0} % of the floor known. The robot believes to be {} from where it is; by \
@@ -24,8 +32,8 @@ impl Survey {
             minutes(run.time_s()),
             (100.0 * here.boundary).floor(),
             (100.0 * here.known).floor(),
-            length(here.position_m),
-            length(odometry.position_m),
+            length(here.position_m.unwrap_or(0.0)),
+            length(odometry.position_m.unwrap_or(0.0)),
         )
     }
 }

@@ -5,8 +5,8 @@ use crate::{
     geometry::{Point, Pose},
     mapping::Spread,
     math::{self, TAU},
+    web::robot::dash,
 };
-use js_sys::Array;
 use wasm_bindgen::JsValue;
 use web_sys::CanvasRenderingContext2d;
 
@@ -61,8 +61,7 @@ pub(super) fn ghost(
     context.move_to(0.45 * radius, 0.0);
     context.line_to(1.25 * radius, 0.0);
     for (width, colour, dashes) in [(4.5, halo, &[][..]), (2.25, colour, &dashes[..])] {
-        let list: Array = dashes.iter().map(|&dash| JsValue::from(dash)).collect();
-        context.set_line_dash(&list)?;
+        dash(context, dashes)?;
         context.set_line_width(width);
         context.set_stroke_style_str(colour);
         context.stroke();

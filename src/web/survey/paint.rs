@@ -82,7 +82,8 @@ impl Painter {
         self.last = Some(now);
         let ink = Ink::of(dark);
         self.update_cells(survey, shown, ink)?;
-        let (width, height) = (viewport.size * viewport.pixel_ratio).map(|side| side.round().max(1.0) as u32).into();
+        let size = viewport.size * viewport.pixel_ratio;
+        let (width, height) = (size.x.round().max(1.0) as u32, size.y.round().max(1.0) as u32);
         if (self.element.width(), self.element.height()) != (width, height) {
             self.element.set_width(width);
             self.element.set_height(height);
@@ -140,6 +141,8 @@ impl Painter {
     fn draw_signs(&self, viewport: &Viewport, ink: &Ink) -> Result<(), JsValue> {
         let resolution = self.cells.resolution();
         let half = (0.5 * resolution * viewport.scale).max(1.5);
+        // Small squares side by side would be a blot.
+        let is_fine = half < 3.5;
         let context = &self.context;
         let kinds = [
             (Sign::Verdict(Verdict::Unseen), ink.unseen),
@@ -160,6 +163,7 @@ impl Painter {
                         context.move_to(at.x - half, at.y + half);
                         context.line_to(at.x + half, at.y - half);
                     }
+                    Sign::Verdict(Verdict::Missed) if is_fine && (cell.x + cell.y).rem_euclid(2) != 0 => {}
                     Sign::Verdict(Verdict::Missed) => {
                         context.rect(at.x - inner, at.y - inner, 2.0 * inner, 2.0 * inner)
                     }
@@ -275,14 +279,20 @@ fn draw_robots(
     };
     let has = |layer: &str| survey.setup().layers.has(layer);
     let model = &prepared.robot;
-    let view = RobotView { pose: belief.pose, is_lifted: false, ..RobotView::of(run, model, false) };
-    let Some(mapper) = belief.mapper else {
-        return robot::draw(context, palette, &view, viewport.to_screen(belief.pose.position()), viewport.scale);
+    let view = RobotView { is_lifted: false, ..RobotView::of(run, model, false) };
+    let solid = |pose: Pose, is_lifted: bool| {
+        let view = RobotView { pose, is_lifted, ..view };
+        robot::draw(context, palette, &view, viewport.to_screen(pose.position()), viewport.scale)
     };
+    if let (Some(pose), true) = (belief.pose(), survey.returned().is_some()) {
+        return solid(pose, false);
+    }
     let robot = (model.radius, viewport);
     if has("trails") {
         marks::trail(context, viewport, run.trail(), (ink.truth, 1.75));
-        marks::trail(context, viewport, run.believed_trail(), (ink.belief, 2.5));
+        if run.locator().is_none() {
+            marks::trail(context, viewport, run.believed_trail(), (ink.belief, 2.5));
+        }
     }
     if has("odometry")
         && let Some(other) = run.baseline()
@@ -292,20 +302,23 @@ fn draw_robots(
     if has("robot") && held.is_none() {
         marks::ghost(context, robot, run.pose(), (ink.truth, ink.halo, [6.0, 4.0]))?;
     }
-    if has("particles") {
-        marks::particles(context, viewport, &mapper.particles(), ink.belief);
+    // Who is lost has many.
+    if has("particles") || belief.is_sure() == Some(false) {
+        marks::particles(context, viewport, &belief.particles(), ink.belief);
     }
-    if has("uncertainty") {
-        marks::doubt(context, robot, belief.pose, &mapper.spread(), (ink.doubt, ink.belief))?;
+    if let (true, Some(pose), Some(spread)) = (has("uncertainty"), belief.pose(), belief.spread()) {
+        marks::doubt(context, robot, pose, &spread, (ink.doubt, ink.belief))?;
     }
-    if held.is_some() {
-        context.set_global_alpha(0.45);
+    if let Some(pose) = belief.pose() {
+        // Of a place that it only guesses, a shadow.
+        if held.is_some() || belief.is_sure() == Some(false) {
+            context.set_global_alpha(0.45);
+        }
+        solid(pose, false)?;
+        context.set_global_alpha(1.0);
     }
-    robot::draw(context, palette, &view, viewport.to_screen(belief.pose.position()), viewport.scale)?;
-    context.set_global_alpha(1.0);
     if let Some(pose) = held {
-        let view = RobotView { pose, is_lifted: true, ..view };
-        robot::draw(context, palette, &view, viewport.to_screen(pose.position()), viewport.scale)?;
+        solid(pose, true)?;
         marks::ghost(context, robot, pose, (ink.truth, ink.halo, [6.0, 4.0]))?;
     }
     Ok(())
