@@ -343,5 +343,7 @@ fn a_map_that_nobody_can_find_himself_on_is_refused_and_the_current_one_stays() 
         *cell = Occupancy::Occupied;
     }
     assert_eq!(survey.open(&plan), Err(OpenError::NothingOnIt));
+    plan.resolution = 50.0;
+    assert!(matches!(survey.open(&plan), Err(OpenError::TooLarge { .. })));
     assert_eq!((survey.run().expect("there is a run").digest(), known(&survey)), (digest, cells));
 }

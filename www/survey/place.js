@@ -23,6 +23,8 @@ import { startUses } from "./uses.js";
  * @property {(layer: string) => void} toggle Shows a layer, or no longer.
  */
 
+/** Name of what is stored of choices. */
+const CHOICES = "map-choices";
 /** Milliseconds between descriptions in words. */
 const TOLD_EVERY = 4000;
 
@@ -32,6 +34,7 @@ export function startSurvey(app) {
   const survey = new Survey(canvas);
   const follow = startGuest(app);
   follow((guest) => survey.take(guest));
+  recall(survey);
   /** @type {Surveying} */
   const it = {
     app,
@@ -79,7 +82,11 @@ export function startSurvey(app) {
     },
     /** @param {string} key */
     key: (key) => picture.key(key),
-    link: () => `place=map&${survey.link()}`,
+    link() {
+      const link = survey.link();
+      remember(link);
+      return `place=map&${link}`;
+    },
     /** @param {string} link */
     restore(link) {
       keeping.save();
@@ -92,6 +99,24 @@ export function startSurvey(app) {
     /** @param {boolean} dark */
     setDark: (dark) => survey.set_dark(dark),
   };
+}
+
+/** Takes the choices that were made last in this browser: with them comes what was mapped. @param {Survey} survey */
+function recall(survey) {
+  try {
+    survey.restore(localStorage.getItem(CHOICES) ?? "");
+  } catch {
+    // There is no storage, or they were made by another version.
+  }
+}
+
+/** @param {string} link */
+function remember(link) {
+  try {
+    localStorage.setItem(CHOICES, link);
+  } catch {
+    // Without storage they last as long as the page.
+  }
 }
 
 /** What is neither number nor choice. @param {SurveyView} view */

@@ -12,8 +12,8 @@ export function startUses(it, keeping) {
   const { app, survey } = it;
   button("survey-room-use").addEventListener("click", () => {
     keeping.save();
-    let room;
-    if (!app.act(() => (room = survey.room())) || !app.act((p) => p.take_map(room))) return;
+    // The map is made before anything of Explore is touched.
+    if (!app.act((p) => p.take_map(survey.room()))) return;
     toast("The map is the room now");
     byId("tab-explore").click();
   });

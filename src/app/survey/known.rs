@@ -16,9 +16,13 @@ use std::{fmt::Write, sync::Arc};
 
 /// Log odds of a cell that a file is sure of.
 const SURE: f64 = 5.0;
+/// Longest side of a map, m: no robot has a larger home.
+const MOST_M: f64 = 200.0;
+/// Lengths that aren't told apart, m.
+const TINY: f64 = 1e-6;
 
 /// Why a map can't be given to the robot.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum OpenError {
     /// There is no robot that it could be given to.
     #[error("the robot can't be put into this room, so it has no use for a map; choose another room in Explore")]
@@ -28,6 +32,16 @@ pub enum OpenError {
         "the robot can't find itself on this map: it has no walls, or no place where the robot fits; choose a map with both"
     )]
     NothingOnIt,
+    /// It is larger than any home.
+    #[error(
+        "this map is {width:.0} x {height:.0} m large; the robot takes up to {MOST_M} m a side: check its resolution"
+    )]
+    TooLarge {
+        /// Its width, m.
+        width: f64,
+        /// Its height, m.
+        height: f64,
+    },
 }
 
 /// A map that the robot knows and does not change.
@@ -40,21 +54,41 @@ pub struct Known {
 }
 
 impl Known {
-    /// The map that `plan` is, in the frame of a room whose lower-left corner lies at `origin` in the frame of that file: as
-    /// files say where their corner lies, a map that was exported comes back where it was.
-    pub(super) fn new(plan: &FloorPlan, origin: Pose, robot: &RobotModel) -> Result<Self, OpenError> {
+    /// The map that `plan` is, in cells of `resolution` metres, in the frame of a room whose lower-left corner lies at
+    /// `origin` in the frame of that file: as files say where their corner lies, a map that was exported comes back where it
+    /// was.
+    pub(super) fn new(plan: &FloorPlan, origin: Pose, resolution: f64, robot: &RobotModel) -> Result<Self, OpenError> {
+        let [width, height] = [plan.width_m(), plan.height_m()];
+        if width.max(height) > MOST_M {
+            return Err(OpenError::TooLarge { width, height });
+        }
         let plan = with_objects(plan);
-        let mut map = OccupancyMap::new(plan.resolution);
-        let shift =
-            |far: f64| if far.is_finite() && far.abs() < 1e4 { (far / plan.resolution).round() as i32 } else { 0 };
+        let shift = |far: f64| if far.is_finite() && far.abs() < MOST_M { far } else { 0.0 };
         let (right, up) = (shift(plan.origin.x - origin.x), shift(plan.origin.y - origin.y));
-        for (cell, &occupancy) in plan.occupancy.iter() {
-            let odds = match occupancy {
-                Occupancy::Unknown => continue,
-                Occupancy::Free => -SURE,
-                Occupancy::Occupied => SURE,
-            };
-            map.add(Cell::new(cell.x + right, cell.y + up), odds);
+        // Cells that only touch don't count.
+        let cells =
+            |from: f64, to: f64, side: f64| ((from + TINY) / side).floor() as i32..=((to - TINY) / side).floor() as i32;
+        let mut map = OccupancyMap::new(resolution);
+        for y in cells(up, up + height, resolution) {
+            for x in cells(right, right + width, resolution) {
+                let low = [f64::from(x) * resolution - right, f64::from(y) * resolution - up];
+                let mut covered = cells(low[1], low[1] + resolution, plan.resolution).flat_map(|row| {
+                    let columns = cells(low[0], low[0] + resolution, plan.resolution);
+                    columns.map(move |column| (column, row))
+                });
+                let mut is_free = false;
+                let is_occupied = covered.any(|(column, row)| match plan.occupancy.get(Cell::new(column, row)) {
+                    Some(Occupancy::Occupied) => true,
+                    Some(Occupancy::Free) => {
+                        is_free = true;
+                        false
+                    }
+                    _ => false,
+                });
+                if is_occupied || is_free {
+                    map.add(Cell::new(x, y), if is_occupied { SURE } else { -SURE });
+                }
+            }
         }
         Self::of(map, plan.name.clone(), robot)
     }

@@ -8,7 +8,7 @@ use serde::Serialize;
 pub enum Phase {
     /// The robot doesn't fit into the room.
     Failed,
-    /// The robot stands at the start and knows nothing.
+    /// The robot stands at the start and has never set off.
     Ready,
     /// Time goes on.
     Playing,

@@ -239,7 +239,7 @@ impl Survey {
             () if run.is_lifted() => Phase::Held,
             () if run.is_finished() => Phase::Finished,
             () if self.playing => Phase::Playing,
-            () if run.steps() == 0 => Phase::Ready,
+            () if run.steps() == 0 && stage.recording.end_s() == 0.0 => Phase::Ready,
             () => Phase::Paused,
         }
     }
@@ -354,6 +354,8 @@ impl Survey {
             stage.recording.input(input);
             let run = stage.recording.run();
             stage.curve.cut(run.steps(), run.time_s());
+            // Nothing was driven, and yet it may be elsewhere.
+            stage.counted = None;
         }
         self.refresh();
     }
@@ -421,8 +423,10 @@ impl Survey {
     /// Gives the robot a map, and puts it down anywhere in the room: it has to find out where. On an error everything stays
     /// as it was.
     pub fn open(&mut self, plan: &FloorPlan) -> Result<(), OpenError> {
-        let (Some(base), Some(prepared)) = (&self.base, self.prepared()) else { return Err(OpenError::NoRoom) };
-        let known = Known::new(plan, base.plan.origin, &prepared.robot)?;
+        let (Some(base), Some(prepared), Some(truth)) = (&self.base, self.prepared(), self.truth()) else {
+            return Err(OpenError::NoRoom);
+        };
+        let known = Known::new(plan, base.plan.origin, truth.resolution(), &prepared.robot)?;
         self.lose(known)
     }
 
