@@ -50,6 +50,7 @@ export function startNumbers(_it) {
     const has = view.figures && view.time_s > 0;
     setText(byId("survey-n-boundary"), view.figures ? percent(view.figures.boundary) : "–");
     setText(byId("survey-n-time"), clock(view.time_s));
+    setText(byId("survey-n-time-unit"), view.time_s < 3600 ? "min" : "h");
     const error = view.figures?.position_m ?? 0;
     setText(byId("survey-n-error"), has && view.figures?.position_m === null ? "lost" : has ? (error < 1 ? (100 * error).toFixed(error < 0.1 ? 1 : 0) : error.toFixed(2)) : "–");
     setText(byId("survey-n-error-unit"), view.figures?.position_m === null ? "" : error < 1 ? "cm" : "m");

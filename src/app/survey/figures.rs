@@ -29,10 +29,8 @@ impl Figures {
             position_m: believed.map(|believed| (believed.position() - pose.position()).norm()),
             heading_deg: believed.map(|believed| difference(pose.heading, believed.heading).abs().to_degrees()),
             right: right(map, truth),
-            known: share(truth.covered().iter().filter(|(_, is)| **is).map(|(cell, _)| cell), |cell| {
-                map.occupancy(cell) == Occupancy::Free
-            }),
-            boundary: share(truth.boundary().iter().filter(|(_, is)| **is).map(|(cell, _)| cell), |cell| {
+            known: share(truth.covered(), |cell| map.occupancy(cell) == Occupancy::Free),
+            boundary: share(truth.boundary(), |cell| {
                 around(cell).any(|near| map.occupancy(near) == Occupancy::Occupied)
             }),
         }

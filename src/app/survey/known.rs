@@ -1,8 +1,9 @@
 //! A map that the robot is given: its own, or one from a file.
 
-use super::numbers::digest;
+use super::{Survey, numbers::digest};
 use crate::{
     app::export::with_objects,
+    coverage::ReachableFloor,
     floorplan::FloorPlan,
     geometry::Pose,
     grid::{Cell, Occupancy},
@@ -10,10 +11,16 @@ use crate::{
         Marks, OccupancyMap,
         locate::{Locator, LocatorSetup},
     },
+    math,
+    rng::seeded,
     robot::{OdometryModel, RobotModel},
+    sim::Input,
 };
+use rand::RngExt;
 use std::{fmt::Write, sync::Arc};
 
+/// Stream of the places where a robot is put down that is to find itself.
+const STREAM: u64 = 14;
 /// Log odds of a cell that a file is sure of.
 const SURE: f64 = 5.0;
 /// Longest side of a map, m: no robot has a larger home.
@@ -53,6 +60,19 @@ pub struct Known {
     digest: u64,
 }
 
+/// Adds walls where the floor ends with the file: its outside counts as wall.
+fn wall_in(map: &mut OccupancyMap, [left, right, bottom, top]: [i32; 4]) {
+    let is_floor = |map: &OccupancyMap, x, y| {
+        (-1..=1).any(|dy| (-1..=1).any(|dx| map.occupancy(Cell::new(x + dx, y + dy)) == Occupancy::Free))
+    };
+    let sides = (left - 1..=right + 1).flat_map(|x| [(x, bottom - 1), (x, top + 1)]);
+    let ends = (bottom..=top).flat_map(|y| [(left - 1, y), (right + 1, y)]);
+    let walls: Vec<(i32, i32)> = sides.chain(ends).filter(|&(x, y)| is_floor(map, x, y)).collect();
+    for (x, y) in walls {
+        map.add(Cell::new(x, y), SURE);
+    }
+}
+
 impl Known {
     /// The map that `plan` is, in cells of `resolution` metres, in the frame of a room whose lower-left corner lies at
     /// `origin` in the frame of that file: as files say where their corner lies, a map that was exported comes back where it
@@ -90,6 +110,8 @@ impl Known {
                 }
             }
         }
+        let (columns, rows) = (cells(right, right + width, resolution), cells(up, up + height, resolution));
+        wall_in(&mut map, [*columns.start(), *columns.end(), *rows.start(), *rows.end()]);
         Self::of(map, plan.name.clone(), robot)
     }
 
@@ -127,4 +149,57 @@ impl Known {
     pub(super) fn digest(&self) -> u64 {
         self.digest
     }
+}
+
+impl Survey {
+    /// Gives the robot a map, and puts it down anywhere in the room: it has to find out where. On an error everything stays
+    /// as it was.
+    pub fn open(&mut self, plan: &FloorPlan) -> Result<(), OpenError> {
+        let (Some(base), Some(prepared), Some(truth)) = (&self.base, self.prepared(), self.truth()) else {
+            return Err(OpenError::NoRoom);
+        };
+        let known = Known::new(plan, base.plan.origin, truth.resolution(), &prepared.robot)?;
+        self.give(known);
+        Ok(())
+    }
+
+    /// The same with the map that it has made.
+    pub fn open_own(&mut self) -> Result<(), OpenError> {
+        let (Some(belief), Some(prepared)) = (self.belief(), self.prepared()) else { return Err(OpenError::NoRoom) };
+        let known = Known::of(belief.map.clone(), "its own map".to_owned(), &prepared.robot)?;
+        self.give(known);
+        Ok(())
+    }
+
+    fn give(&mut self, known: Known) {
+        self.known = Some(known);
+        self.begin();
+    }
+
+    /// Puts the robot down anywhere; nobody tells it where.
+    pub(super) fn lose(&mut self) {
+        let seed = self.base.as_ref().map_or(0, |base| base.seed);
+        if let Some(stage) = &mut self.stage {
+            let place = anywhere(stage.run().floor(), seed).unwrap_or(stage.run().pose());
+            stage.input(Input::Lift);
+            stage.input(Input::PutDown(place));
+        }
+    }
+
+    /// Takes the map away that it was given: it explores and maps again.
+    pub fn close_map(&mut self) {
+        if self.known.take().is_some() {
+            self.begin();
+        }
+    }
+}
+
+/// A place where the robot can stand.
+fn anywhere(floor: &ReachableFloor, seed: u64) -> Option<Pose> {
+    let mut rng = seeded(seed, STREAM);
+    let places = floor.standing.count();
+    let chosen = (places > 0).then(|| rng.random_range(0..places))?;
+    let (cell, _) = floor.standing.iter().filter(|(_, stands)| **stands).nth(chosen)?;
+    let place = floor.standing_place(cell);
+    Some(Pose::new(place.x, place.y, rng.random_range(-math::PI..math::PI)))
 }

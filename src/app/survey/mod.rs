@@ -4,16 +4,19 @@
 //! believes is in its run's mapper; [`Truth`] is what quality figures compare that with, and nothing else sees it. [`Stored`]
 //! brings all of it over a reload.
 
+mod base;
 mod belief;
 mod curve;
 mod figures;
+mod keeping;
 mod known;
 mod layers;
 mod numbers;
+mod session;
 mod setup;
+mod stage;
 mod state;
 mod store;
-mod survey;
 mod truth;
 mod view;
 mod words;
@@ -23,9 +26,9 @@ pub use curve::Sample;
 pub use figures::Figures;
 pub use known::{Known, OpenError};
 pub use layers::Layers;
+pub use session::Survey;
 pub use setup::{SurveySetup, explorers};
 pub use state::{Deed, Phase};
 pub use store::{STORE_VERSION, StoreError, Stored};
-pub use survey::Survey;
 pub use truth::{Truth, Verdict};
 pub use view::SurveyView;

@@ -218,7 +218,9 @@ fn cells(values: impl Iterator<Item = (Cell, i64)>) -> Vec<u8> {
         };
         let length = rest.iter().enumerate().take_while(|&item| is_next(item)).count();
         let numbers = [i64::from(first.y - y), i64::from(first.x - x), length as i64, *value];
-        numbers.into_iter().for_each(|number| push(&mut bytes, number));
+        for number in numbers {
+            push(&mut bytes, number);
+        }
         (x, y) = (first.x + length as i32, first.y);
         rest = &rest[length..];
     }

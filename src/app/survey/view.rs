@@ -1,7 +1,10 @@
 //! What the page shows of a survey in numbers and words: one snapshot a frame.
 
 use super::{Deed, Figures, Phase, Survey};
-use crate::{mapping::Mark, sim::Conditions};
+use crate::{
+    mapping::Mark,
+    sim::{Conditions, Run},
+};
 use serde::Serialize;
 
 /// Snapshot of a survey. SI units; shares from 0 to 1.
@@ -92,7 +95,7 @@ impl Survey {
     pub fn view(&self) -> SurveyView {
         let can = |deed| self.can(deed);
         let setup = self.setup();
-        let there = self.base.as_ref().map_or(Conditions::default(), |base| base.conditions());
+        let there = self.base.as_ref().map_or(Conditions::default(), |base| base.conditions);
         let conditions = setup.conditions(there);
         let run = self.run();
         let figures = self.figures();
@@ -131,7 +134,7 @@ impl Survey {
             layers: setup.layers.names(),
             speed: setup.speed,
             speed_factor: self.speed_factor,
-            time_s: run.map_or(0.0, |run| run.time_s()),
+            time_s: run.map_or(0.0, Run::time_s),
             end_s: self.stage.as_ref().map_or(0.0, |stage| stage.recording.end_s()),
             returned: self.returned(),
             figures: figures.map(|[here, _]| here),
@@ -140,7 +143,7 @@ impl Survey {
             known: self.known.as_ref().map(|known| known.name().to_owned()),
             is_sure: belief.and_then(|belief| belief.is_sure()),
             cleaned_m2: area(Mark::Cleaned),
-            coverage: run.map_or(0.0, |run| run.coverage()),
+            coverage: run.map_or(0.0, Run::coverage),
             dirt_m2: area(Mark::Dirty),
             samples: self.samples().len(),
             version: self.version() as f64,

@@ -74,11 +74,11 @@ impl Survey {
                 self.viewport.pan(x - from_x, y - from_y);
                 self.hand.gesture = Some(Gesture::Pan { x, y });
             }
-            ("move", Some(Gesture::Grip { x: from_x, y: from_y, grip })) => {
-                if (Point::new(x, y) - Point::new(from_x, from_y)).norm() >= LEAST_LIFT_PX {
-                    self.take_robot();
-                    self.hand.gesture = self.hand.holds().then_some(Gesture::Carry { grip });
-                }
+            ("move", Some(Gesture::Grip { x: from_x, y: from_y, grip }))
+                if (Point::new(x, y) - Point::new(from_x, from_y)).norm() >= LEAST_LIFT_PX =>
+            {
+                self.take_robot();
+                self.hand.gesture = self.hand.holds().then_some(Gesture::Carry { grip });
             }
             ("move", Some(Gesture::Carry { grip })) => self.carry_to(at + grip),
             ("up", Some(Gesture::Carry { .. })) => {

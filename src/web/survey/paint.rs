@@ -165,7 +165,7 @@ impl Painter {
                     }
                     Sign::Verdict(Verdict::Missed) if is_fine && (cell.x + cell.y).rem_euclid(2) != 0 => {}
                     Sign::Verdict(Verdict::Missed) => {
-                        context.rect(at.x - inner, at.y - inner, 2.0 * inner, 2.0 * inner)
+                        context.rect(at.x - inner, at.y - inner, 2.0 * inner, 2.0 * inner);
                     }
                     Sign::Verdict(_) => context.rect(at.x - 0.25 * half, at.y - 0.25 * half, 0.5 * half, 0.5 * half),
                     // Every other one, as a pattern.

@@ -5,7 +5,7 @@ use crate::{
     app::survey::{Survey, Verdict},
     geometry::Point,
     grid::{Cell, Occupancy},
-    mapping::Mark,
+    mapping::{Mapper, Mark, OccupancyMap},
     web::layer::Layer,
 };
 use wasm_bindgen::JsValue;
@@ -49,11 +49,9 @@ impl CellPicture {
         };
         let layers = survey.setup().layers;
         let map = belief.map;
-        let room = truth.solid();
-        let (mut low, mut high) = (Cell::new(-1, -1), Cell::new(room.width() as i32, room.height() as i32));
+        let (mut low, mut high) = truth.bounds();
         let baseline = survey.run().and_then(crate::sim::Run::baseline).filter(|_| layers.has("odometry"));
-        for (a, b) in [Some(map), baseline.map(|mapper| mapper.map())].into_iter().flatten().filter_map(|m| m.bounds())
-        {
+        for (a, b) in [Some(map), baseline.map(Mapper::map)].into_iter().flatten().filter_map(OccupancyMap::bounds) {
             low = Cell::new(low.x.min(a.x), low.y.min(a.y));
             high = Cell::new(high.x.max(b.x), high.y.max(b.y));
         }
