@@ -35,7 +35,8 @@ export function startSetup(it) {
   /** @param {import("../types").AlgorithmEntry} entry */
   const build = (entry) => {
     controls = new Map();
-    const fields = entry.params.map((spec) => {
+    // How it keeps track is chosen for all of them, below.
+    const fields = entry.params.filter(({ id }) => !["tracking", "odometry"].includes(id)).map((spec) => {
       const made = paramField(spec, (text) => void it.set(`x.${spec.id}`, text), "survey");
       controls.set(spec.id, made.controls);
       return made.field;

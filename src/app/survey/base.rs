@@ -50,7 +50,8 @@ impl Base {
         let prepared = self.prepared.as_ref().ok()?;
         let conditions = setup.conditions(self.conditions);
         let robot = &prepared.robot;
-        let controller = setup.behaviour.build(&Setup { robot, params: &setup.params, seed: self.seed })?;
+        let params = setup.driving_params();
+        let controller = setup.behaviour.build(&Setup { robot, params: &params, seed: self.seed })?;
         let start = prepared.floor.start;
         let mapper = |tracking| {
             Mapper::new(MapperSetup {

@@ -13,6 +13,8 @@ use std::collections::BTreeMap;
 
 /// Behaviours that aren't made to explore, but get around enough for it.
 const ROVERS: [&str; 3] = ["wall_follow", "bounce", "random_walk"];
+/// The behaviour that a survey begins with, once it is in the registry.
+const FIRST: &str = "explore_frontier";
 /// Simulated time per time that a survey begins with: a flat takes a robot twenty minutes.
 const SPEED: f64 = 64.0;
 
@@ -51,7 +53,7 @@ pub struct SurveySetup {
 impl SurveySetup {
     /// What the place opens with.
     pub fn new() -> Self {
-        let behaviour = explorers().next().unwrap_or(BEHAVIOURS[0]);
+        let behaviour = controller::find(FIRST).or_else(|| explorers().next()).unwrap_or(BEHAVIOURS[0]);
         Self {
             behaviour,
             params: Params::defaults(behaviour.params),
@@ -116,6 +118,17 @@ impl SurveySetup {
             }
         }
         Ok(())
+    }
+
+    /// Parameters for the behaviour. One that makes a map of its own, to act by it, has parameters for what is chosen here
+    /// for all: how the robot keeps track of itself.
+    pub fn driving_params(&self) -> Params {
+        let mut params = self.params.clone();
+        for (id, value) in [("tracking", self.tracking.id()), ("odometry", self.odometry.id())] {
+            // Others don't have it.
+            let _ = params.set_text(self.behaviour.params, id, value);
+        }
+        params
     }
 
     /// Wheels and sensors as they are here, where Explore has `there`: mapping with perfect ones would be pointless, so
