@@ -201,11 +201,10 @@ impl Painter {
         context.save();
         context.set_transform(scale, 0.0, 0.0, -scale, origin.x, origin.y)?;
         context.set_line_join("round");
-        for (width, colour) in [(3.5, ink.halo), (1.5, ink.truth)] {
-            context.set_line_width(width / viewport.scale);
-            context.set_stroke_style_str(colour);
-            context.stroke_with_path(path);
-        }
+        // Thin, and without a ground of its own: what the robot believes lies right below.
+        context.set_line_width(1.25 / viewport.scale);
+        context.set_stroke_style_str(ink.truth);
+        context.stroke_with_path(path);
         context.restore();
         Ok(())
     }
