@@ -34,7 +34,7 @@ export function startKeys(app) {
 
 /** Ctrl or Cmd and a key. @param {App} app @param {KeyboardEvent} event */
 function withControl({ act, view }, event) {
-  if (["draft", "robot"].includes(place())) return false;
+  if (["map", "draft", "robot"].includes(place())) return false;
   const key = event.key.toLowerCase();
   if (key === "y" || (key === "z" && event.shiftKey)) return view.can.redo && act((p) => p.redo());
   return key === "z" && view.can.undo && act((p) => p.undo());

@@ -112,6 +112,7 @@ async function start() {
    */
   const doors = {
     compare: () => import("./enter-compare.js").then(({ enterCompare }) => enterCompare(app, guard)),
+    map: () => import("./survey/enter.js").then(({ enterSurvey }) => enterSurvey(app)),
     draft: () => import("./draft/enter.js").then(({ enterDraft }) => enterDraft(app)),
     robot: () => import("./link/enter.js").then(({ enterRobot }) => enterRobot(app, guard)),
   };

@@ -2,10 +2,10 @@
 // The places of the page: tabs above, one of them shown, its name in the address.
 import { byId } from "./dom.js";
 
-/** @typedef {"explore" | "compare" | "draft" | "robot"} Place */
+/** @typedef {"explore" | "compare" | "map" | "draft" | "robot"} Place */
 
 /** @type {Place[]} */
-const PLACES = ["explore", "compare", "draft", "robot"];
+const PLACES = ["explore", "compare", "map", "draft", "robot"];
 
 /** @type {Place} */
 let current = "explore";

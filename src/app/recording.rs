@@ -59,6 +59,18 @@ impl Recording {
         }
     }
 
+    /// The same with what a person did in it at another time, after how many steps: it is done again there.
+    #[cfg(feature = "survey")]
+    pub(super) fn with_inputs(self, inputs: Vec<(u64, Input)>) -> Self {
+        Self { inputs, ..self }
+    }
+
+    /// What a person did, after how many steps.
+    #[cfg(feature = "survey")]
+    pub(super) fn inputs(&self) -> &[(u64, Input)] {
+        &self.inputs
+    }
+
     /// The run at the moment that is shown.
     pub fn run(&self) -> &Run {
         &self.run

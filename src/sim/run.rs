@@ -2,7 +2,7 @@
 
 use super::{Event, Input, Life, Noise, STEP_S, SimRobot, SlipLevel, What, World, event::Signs};
 #[cfg(feature = "mapping")]
-use crate::mapping::Mapper;
+use crate::mapping::{Mapper, locate::Locator};
 use crate::{
     controller::{Controller, interlock::Blocked},
     coverage::{CoverageTracker, ReachableFloor},
@@ -78,6 +78,12 @@ pub struct Run {
     /// What makes a map, whoever drives.
     #[cfg(feature = "mapping")]
     mapper: Option<Box<Mapper>>,
+    /// What maps beside it for comparison.
+    #[cfg(feature = "mapping")]
+    baseline: Option<Box<Mapper>>,
+    /// What looks for it on a map that it knows.
+    #[cfg(feature = "mapping")]
+    locator: Option<Box<Locator>>,
     believed: Trail,
     events: VecDeque<Event>,
 }
@@ -114,6 +120,10 @@ impl Run {
             odometry,
             #[cfg(feature = "mapping")]
             mapper: None,
+            #[cfg(feature = "mapping")]
+            baseline: None,
+            #[cfg(feature = "mapping")]
+            locator: None,
             events: VecDeque::new(),
         }
     }
@@ -123,6 +133,32 @@ impl Run {
     pub fn with_mapper(mut self, mapper: Mapper) -> Self {
         self.mapper = Some(Box::new(mapper));
         self
+    }
+
+    /// Lets a second mapper see the same, for comparison: nobody acts on what it believes.
+    #[cfg(feature = "mapping")]
+    pub fn with_baseline(mut self, mapper: Mapper) -> Self {
+        self.baseline = Some(Box::new(mapper));
+        self
+    }
+
+    /// Lets something look for the robot on a map that it knows.
+    #[cfg(feature = "mapping")]
+    pub fn with_locator(mut self, locator: Locator) -> Self {
+        self.locator = Some(Box::new(locator));
+        self
+    }
+
+    /// What looks for the robot on a map that it knows.
+    #[cfg(feature = "mapping")]
+    pub fn locator(&self) -> Option<&Locator> {
+        self.locator.as_deref()
+    }
+
+    /// What the second mapper believes.
+    #[cfg(feature = "mapping")]
+    pub fn baseline(&self) -> Option<&Mapper> {
+        self.baseline.as_deref()
     }
 
     /// The map that the robot makes, and its place on it.
@@ -253,8 +289,12 @@ impl Run {
             odometry.update(self.robot.sensors());
         }
         #[cfg(feature = "mapping")]
-        if let Some(mapper) = &mut self.mapper {
+        for mapper in [&mut self.mapper, &mut self.baseline].into_iter().flatten() {
             mapper.update(self.robot.sensors());
+        }
+        #[cfg(feature = "mapping")]
+        if let Some(locator) = &mut self.locator {
+            locator.update(self.robot.sensors());
         }
         if let Some(estimate) = self.estimate() {
             self.believed.extend(estimate.position());
@@ -368,7 +408,7 @@ impl Run {
     pub fn bytes(&self) -> usize {
         let own = self.tracker.bytes() + self.life.bytes() + 2 * TRAIL.0 * size_of::<Point>();
         #[cfg(feature = "mapping")]
-        let own = own + self.mapper().map_or(0, Mapper::bytes);
+        let own = own + [self.mapper(), self.baseline()].into_iter().flatten().map(Mapper::bytes).sum::<usize>();
         own
     }
 
@@ -412,6 +452,10 @@ impl Clone for Run {
             odometry: self.odometry.clone(),
             #[cfg(feature = "mapping")]
             mapper: self.mapper.clone(),
+            #[cfg(feature = "mapping")]
+            baseline: self.baseline.clone(),
+            #[cfg(feature = "mapping")]
+            locator: self.locator.clone(),
             believed: self.believed.clone(),
             events: self.events.clone(),
             ..*self

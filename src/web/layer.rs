@@ -1,5 +1,6 @@
 //! Pictures that are drawn once and shown often.
 
+#[cfg(any(feature = "page", feature = "compare", feature = "robot", feature = "draft"))]
 use crate::grid::Grid;
 #[cfg(any(feature = "page", feature = "compare", feature = "robot"))]
 use crate::{app::Palette, coverage::CoverageTracker};
@@ -36,6 +37,7 @@ impl Layer {
 }
 
 /// One pixel for each cell of a grid; row 0 of the grid is the lowest.
+#[cfg(any(feature = "page", feature = "compare", feature = "robot", feature = "draft"))]
 pub(super) fn cell_picture<T>(grid: &Grid<T>, colour: impl Fn(&T) -> [u8; 4]) -> Result<Layer, JsValue> {
     let (width, height) = (grid.width() as u32, grid.height() as u32);
     let layer = Layer::new(width, height)?;

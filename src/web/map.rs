@@ -1,8 +1,10 @@
 //! Map files: a worker reads them, as a large one takes its time; a plain object with the room comes back.
 
+#[cfg(any(feature = "workshop", feature = "draft", feature = "survey"))]
+use crate::app::pack;
 #[cfg(any(feature = "workshop", feature = "draft"))]
-use crate::{app::pack, floorplan::SourceFile};
-#[cfg(feature = "page")]
+use crate::floorplan::SourceFile;
+#[cfg(any(feature = "page", feature = "survey"))]
 use crate::{app::unpack, floorplan::FloorPlan, grid::Grid};
 use crate::{
     app::{Choices, Import},
@@ -40,7 +42,7 @@ pub fn read_map(files: &Array) -> Result<JsValue, JsValue> {
 }
 
 /// What `Playground.take_map` takes.
-#[cfg(any(feature = "workshop", feature = "draft"))]
+#[cfg(any(feature = "workshop", feature = "draft", feature = "survey"))]
 pub(super) fn import_to_js(Import { plan, choices }: Import) -> Result<JsValue, JsValue> {
     let numbers = |pose: Pose| [pose.x, pose.y, pose.heading];
     let (width, origin) = (plan.occupancy.width(), numbers(plan.origin));
@@ -68,7 +70,7 @@ fn source_file(file: &JsValue) -> Result<SourceFile, JsValue> {
 }
 
 /// What [`import_to_js`] has made.
-#[cfg(feature = "page")]
+#[cfg(any(feature = "page", feature = "survey"))]
 pub(super) fn import_from_js(object: &JsValue) -> Result<Import, JsValue> {
     let wire: WireMap = serde_wasm_bindgen::from_value(object.clone()).map_err(|e| e.to_string())?;
     let cells = Uint8Array::new(&Reflect::get(object, &"cells".into())?).to_vec();

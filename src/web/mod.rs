@@ -1,10 +1,10 @@
 //! The only code that knows wasm-bindgen, web-sys and js-sys.
 //!
-//! It is compiled into five modules. The page's has one `Playground`, a handful of calls a frame. Compare's, which is
+//! It is compiled into six modules. The page's has one `Playground`, a handful of calls a frame. Compare's, which is
 //! loaded when one first goes there, has a `Guest` that follows the playground, a `Comparison` and a `MonteCarlo`. Robot's
 //! is loaded in the same way, by the page, which has a `Guest` and a `LiveMap`, and by a worker, which has a `Guest`, a
 //! `Link` and perhaps a `VirtualRobot`. The workshop's, which runs in workers and is loaded when it is first needed, has
-//! `plan`, `Trials`, `Runner`, `read_map` and `bench`. The drafting room's has `export_files` for the page, and a
+//! `plan`, `Trials`, `Runner`, `read_map` and `bench`. Map's has a `Guest` and a `Survey`. The drafting room's has `export_files` for the page, and a
 //! `Drafting` for a worker that draws by itself.
 //! Plain objects and arrays go to and fro between them: `request` and `map` say how.
 
@@ -20,25 +20,27 @@ mod comparison;
 mod comparison_view;
 #[cfg(feature = "draft")]
 mod drafting;
+#[cfg(any(feature = "page", feature = "survey"))]
+mod entry;
 #[cfg(feature = "draft")]
 mod export;
 #[cfg(feature = "page")]
 mod furnish;
-#[cfg(any(feature = "compare", feature = "robot"))]
+#[cfg(any(feature = "compare", feature = "robot", feature = "survey"))]
 mod guest;
-#[cfg(any(feature = "page", feature = "compare", feature = "robot", feature = "draft"))]
+#[cfg(any(feature = "page", feature = "compare", feature = "robot", feature = "draft", feature = "survey"))]
 mod layer;
 #[cfg(feature = "robot")]
 mod link;
 #[cfg(feature = "robot")]
 mod live_map;
-#[cfg(any(feature = "page", feature = "workshop", feature = "draft"))]
+#[cfg(any(feature = "page", feature = "workshop", feature = "draft", feature = "survey"))]
 mod map;
 #[cfg(feature = "compare")]
 mod montecarlo;
 #[cfg(any(feature = "page", feature = "compare", feature = "robot"))]
 mod objects;
-#[cfg(any(feature = "page", feature = "compare"))]
+#[cfg(any(feature = "page", feature = "compare", feature = "survey"))]
 mod param;
 #[cfg(feature = "workshop")]
 mod plan_job;
@@ -48,7 +50,7 @@ mod playground;
 mod replay;
 #[cfg(any(feature = "page", feature = "robot", feature = "workshop"))]
 mod request;
-#[cfg(any(feature = "page", feature = "compare", feature = "robot"))]
+#[cfg(any(feature = "page", feature = "compare", feature = "robot", feature = "survey"))]
 mod robot;
 #[cfg(feature = "workshop")]
 mod runner;
@@ -56,6 +58,8 @@ mod runner;
 mod search;
 #[cfg(any(feature = "page", feature = "compare", feature = "robot"))]
 mod sensed;
+#[cfg(feature = "survey")]
+mod survey;
 #[cfg(feature = "workshop")]
 mod trial;
 #[cfg(feature = "robot")]
@@ -71,7 +75,7 @@ pub use comparison::Comparison;
 pub use drafting::Drafting;
 #[cfg(feature = "draft")]
 pub use export::{export_files, export_formats};
-#[cfg(any(feature = "compare", feature = "robot"))]
+#[cfg(any(feature = "compare", feature = "robot", feature = "survey"))]
 pub use guest::Guest;
 #[cfg(feature = "robot")]
 pub use link::Link;
@@ -89,6 +93,8 @@ pub use playground::Playground;
 pub use replay::Replay;
 #[cfg(feature = "workshop")]
 pub use runner::Runner;
+#[cfg(feature = "survey")]
+pub use survey::Survey;
 #[cfg(feature = "workshop")]
 pub use trial::Trials;
 #[cfg(feature = "robot")]
@@ -111,7 +117,7 @@ fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
 }
 
 /// JavaScript catches the message.
-#[cfg(any(feature = "page", feature = "compare", feature = "robot"))]
+#[cfg(any(feature = "page", feature = "compare", feature = "robot", feature = "survey"))]
 impl From<crate::app::SettingsError> for JsValue {
     fn from(error: crate::app::SettingsError) -> Self {
         error.to_string().into()

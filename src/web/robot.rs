@@ -1,8 +1,10 @@
 //! Draws a robot as it is seen from above.
 
+#[cfg(any(feature = "page", feature = "compare", feature = "robot"))]
+use crate::geometry::Pose;
 use crate::{
     app::{Palette, RobotView},
-    geometry::{Point, Pose},
+    geometry::Point,
     math::{self, FRAC_PI_2, TAU},
     robot::{Body, Bumper},
 };
@@ -159,6 +161,7 @@ fn details(
 }
 
 /// Marks the start: a dashed ring with the way to set off.
+#[cfg(any(feature = "page", feature = "compare", feature = "robot"))]
 pub(super) fn draw_start(
     context: &CanvasRenderingContext2d,
     palette: &Palette,
@@ -191,6 +194,7 @@ pub(super) fn draw_start(
 }
 
 /// Marks where the robot believes to be.
+#[cfg(any(feature = "page", feature = "compare", feature = "robot"))]
 pub(super) fn draw_estimate(
     context: &CanvasRenderingContext2d,
     palette: &Palette,
@@ -232,7 +236,8 @@ pub(super) fn disc(
     Ok(())
 }
 
-fn dash(context: &CanvasRenderingContext2d, pattern: &[f64]) -> Result<(), JsValue> {
+/// Lines consist of dashes and gaps of these lengths from now on; of one piece if there are none.
+pub(super) fn dash(context: &CanvasRenderingContext2d, pattern: &[f64]) -> Result<(), JsValue> {
     let list: js_sys::Array = pattern.iter().map(|&length| JsValue::from_f64(length)).collect();
     context.set_line_dash(&list)
 }

@@ -1,0 +1,152 @@
+//! What the page shows of a survey in numbers and words: one snapshot a frame.
+
+use super::{Deed, Figures, Phase, Survey};
+use crate::{
+    mapping::Mark,
+    sim::{Conditions, Run},
+};
+use serde::Serialize;
+
+/// Snapshot of a survey. SI units; shares from 0 to 1.
+#[derive(Debug, Clone, Serialize)]
+pub struct SurveyView {
+    /// What the survey is doing.
+    pub phase: Phase,
+    /// What the user may do.
+    pub can: Can,
+    /// Why the robot can't be put into the room; empty if it can.
+    pub complaint: String,
+    /// Name of the room.
+    pub title: String,
+    /// Id of the behaviour.
+    pub behaviour: &'static str,
+    /// What the robot is doing, in a few words.
+    pub activity: &'static str,
+    /// Its parameters.
+    pub params: crate::registry::Params,
+    /// How the robot keeps track of itself.
+    pub tracking: &'static str,
+    /// How wheel counts become motion.
+    pub counts: &'static str,
+    /// How well the wheels hold.
+    pub wheels: &'static str,
+    /// How much the sensors err; empty if each kind errs otherwise.
+    pub senses: String,
+    /// Layers that are shown.
+    pub layers: Vec<&'static str>,
+    /// Speed asked for, times real time; 0 for as fast as it goes.
+    pub speed: f64,
+    /// Speed reached lately, times real time.
+    pub speed_factor: f64,
+    /// Time shown, s.
+    pub time_s: f64,
+    /// Furthest simulated time, s.
+    pub end_s: f64,
+    /// How far the way back to a survey that was left is done; `None` if there is none.
+    pub returned: Option<f64>,
+    /// Figures of the map.
+    pub figures: Option<Figures>,
+    /// Figures of a map by odometry alone.
+    pub odometry: Option<Figures>,
+    /// Standard deviations that the robot believes in: along the longer axis of the ellipse (m), and heading (degrees).
+    pub spread: Option<[f64; 2]>,
+    /// Name of the map that the robot was given; `None` if it makes its own.
+    pub known: Option<String>,
+    /// Whether it is sure of its place on that; `None` if it was never lost.
+    pub is_sure: Option<bool>,
+    /// Floor that the robot believes to have cleaned, m².
+    pub cleaned_m2: f64,
+    /// Share of the reachable floor that it really has cleaned.
+    pub coverage: f64,
+    /// Places where it has found dirt, m².
+    pub dirt_m2: f64,
+    /// Number of samples of the curve; grows or shrinks with them.
+    pub samples: usize,
+    /// Changes whenever another run, or another moment of it, is shown.
+    pub version: f64,
+}
+
+/// What the user may do now.
+#[expect(clippy::struct_excessive_bools)]
+#[derive(Debug, Clone, Copy, Serialize)]
+pub struct Can {
+    /// Let time go on.
+    pub play: bool,
+    /// Stop time.
+    pub pause: bool,
+    /// Go on by a few seconds.
+    pub step: bool,
+    /// Go to another point of time.
+    pub seek: bool,
+    /// Pick the robot up.
+    pub lift: bool,
+    /// Put it down.
+    pub put_down: bool,
+    /// Begin anew.
+    pub forget: bool,
+    /// Take the map away.
+    pub use_map: bool,
+    /// Give the robot a map.
+    pub open: bool,
+}
+
+impl Survey {
+    /// What the page shows now.
+    pub fn view(&self) -> SurveyView {
+        let can = |deed| self.can(deed);
+        let setup = self.setup();
+        let there = self.base.as_ref().map_or(Conditions::default(), |base| base.conditions);
+        let conditions = setup.conditions(there);
+        let run = self.run();
+        let figures = self.figures();
+        let belief = self.belief();
+        let area = |mark| {
+            belief.map_or(0.0, |belief| {
+                let side = belief.marks.resolution();
+                belief.marks.cells(mark).count() as f64 * side * side
+            })
+        };
+        let spread = belief
+            .and_then(|belief| belief.spread())
+            .map(|spread| [spread.ellipse().0[0], spread.heading.to_degrees()]);
+        SurveyView {
+            phase: self.phase(),
+            can: Can {
+                play: can(Deed::Play),
+                pause: can(Deed::Pause),
+                step: can(Deed::Step),
+                seek: can(Deed::Seek),
+                lift: can(Deed::Lift),
+                put_down: can(Deed::PutDown),
+                forget: can(Deed::Forget),
+                use_map: can(Deed::UseMap) && belief.is_some_and(|belief| belief.map.bounds().is_some()),
+                open: can(Deed::Open),
+            },
+            complaint: self.complaint().to_owned(),
+            title: self.base.as_ref().map_or(String::new(), |base| base.title.clone()),
+            behaviour: setup.behaviour.id,
+            activity: run.map_or("", |run| run.activity()),
+            params: setup.params.clone(),
+            tracking: setup.tracking.id(),
+            counts: setup.odometry.id(),
+            wheels: conditions.slip.id(),
+            senses: conditions.noise.to_string(),
+            layers: setup.layers.names(),
+            speed: setup.speed,
+            speed_factor: self.speed_factor,
+            time_s: run.map_or(0.0, Run::time_s),
+            end_s: self.stage.as_ref().map_or(0.0, |stage| stage.recording.end_s()),
+            returned: self.returned(),
+            figures: figures.map(|[here, _]| here),
+            odometry: figures.map(|[_, odometry]| odometry),
+            spread,
+            known: self.known.as_ref().map(|known| known.name().to_owned()),
+            is_sure: belief.and_then(|belief| belief.is_sure()),
+            cleaned_m2: area(Mark::Cleaned),
+            coverage: run.map_or(0.0, Run::coverage),
+            dirt_m2: area(Mark::Dirty),
+            samples: self.samples().len(),
+            version: self.version() as f64,
+        }
+    }
+}

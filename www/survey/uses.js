@@ -1,0 +1,68 @@
+// @ts-check
+// What can be done with the map: it becomes the room of Explore, or files for other programs; or it is forgotten.
+import { button, byId, input, setEnabled } from "../dom.js";
+import { download, fileName } from "../files.js";
+import { complain, textOf, toast } from "../messages.js";
+
+/**
+ * @param {import("./place.js").Surveying} it
+ * @param {ReturnType<typeof import("./keep.js").startKeeping>} keeping
+ */
+export function startUses(it, keeping) {
+  const { app, survey } = it;
+  button("survey-room-use").addEventListener("click", () => {
+    keeping.save();
+    // The map is made before anything of Explore is touched.
+    if (!app.act((p) => p.take_map(survey.room()))) return;
+    toast("The map is the room now");
+    byId("tab-explore").click();
+  });
+  button("survey-export").addEventListener("click", () => {
+    /** @type {{ name: string, bytes: Uint8Array<ArrayBuffer>, kind: string }[]} */
+    let files = [];
+    if (!app.act(() => (files = survey.ros_map(`${fileName(it.view.title)}-mapped`)))) return;
+    for (const { name, bytes, kind } of files) download(name, bytes, kind);
+    toast("Saved as a ROS map: image and YAML file");
+  });
+  button("survey-forget").addEventListener("click", () => {
+    if (!it.act((s) => s.forget())) return;
+    keeping.forget();
+  });
+  const files = input("survey-files");
+  button("survey-open").addEventListener("click", () => files.click());
+  files.addEventListener("change", async () => {
+    const chosen = [...(files.files ?? [])];
+    // So that the same file can be chosen again.
+    files.value = "";
+    await open(chosen);
+  });
+  /** Gives the robot a map; what can't be read is told, and the current one stays. @param {File[]} chosen */
+  const open = async (chosen) => {
+    if (chosen.length === 0) return;
+    keeping.save();
+    try {
+      const { readMap } = await import("../workers.js");
+      const map = await readMap(await Promise.all(chosen.map(async (file) => ({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) }))));
+      if (it.act((s) => s.open(map))) toast(`The robot knows ${chosen.map(({ name }) => name).join(" and ")}`);
+    } catch (error) {
+      complain(error instanceof Error ? `The map could not be read (${error.message}). Check the connection, then try again.` : textOf(error));
+    }
+    // Tests wait for this.
+    byId("place-map").dataset.opened = String(Number(byId("place-map").dataset.opened ?? 0) + 1);
+  };
+  button("survey-lose").addEventListener("click", () => {
+    keeping.save();
+    if (it.act((s) => s.open_own())) it.act((s) => s.play());
+  });
+  button("survey-close").addEventListener("click", () => it.act((s) => s.close_map()));
+  return {
+    /** @param {import("./types").SurveyView} view */
+    update({ can }) {
+      setEnabled(button("survey-room-use"), can.use_map);
+      setEnabled(button("survey-export"), can.use_map);
+      setEnabled(button("survey-forget"), can.forget);
+      setEnabled(button("survey-open"), can.open);
+      setEnabled(button("survey-lose"), can.open && can.use_map);
+    },
+  };
+}
