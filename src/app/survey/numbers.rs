@@ -91,7 +91,9 @@ mod tests {
     fn whole_numbers_come_back() {
         let values = [0, 1, -1, 63, -64, 64, 500, -500, 1 << 40, i64::MAX, i64::MIN];
         let mut bytes = Vec::new();
-        values.iter().for_each(|&value| push(&mut bytes, value));
+        for value in values {
+            push(&mut bytes, value);
+        }
         let mut rest = &bytes[..];
         assert_eq!(values.map(|_| take(&mut rest)), values.map(Some));
         assert_eq!(take(&mut rest), None);

@@ -23,7 +23,7 @@ const KEYS: [&str; 7] = ["explorer", "track", "counts", "wheels", "senses", "lay
 
 /// Behaviours that a survey can be made with, those made for it first.
 pub fn explorers() -> impl Iterator<Item = &'static BehaviourInfo> {
-    let made_for_it = BEHAVIOURS.iter().copied().filter(|b| b.id.starts_with("explore_"));
+    let made_for_it = BEHAVIOURS.iter().copied().filter(|b| b.claims.explores);
     made_for_it.chain(ROVERS.into_iter().filter_map(controller::find))
 }
 

@@ -3,7 +3,7 @@
 use crate::{
     coverage::ReachableFloor,
     grid::{Cell, Grid, Occupancy},
-    mapping::OccupancyMap,
+    mapping::{self, MapQuality, OccupancyMap},
 };
 
 /// How true a map is of one cell.
@@ -29,6 +29,8 @@ pub struct Truth {
     covered: Grid<bool>,
     /// Obstacles beside those: what a bumper can find.
     boundary: Grid<bool>,
+    /// The same as quality is measured by.
+    measure: mapping::Truth,
 }
 
 impl Truth {
@@ -59,7 +61,12 @@ impl Truth {
             let touches = || around(at).any(|near| covered.is_set(near) && !solid.is_set(near));
             boundary.values_mut()[index] = solid[at] && touches();
         }
-        Self { resolution, solid, covered, boundary }
+        Self { resolution, solid, covered, boundary, measure: mapping::Truth::of(floor, resolution) }
+    }
+
+    /// How good a map is.
+    pub fn quality(&self, map: &OccupancyMap) -> MapQuality {
+        self.measure.quality(map)
     }
 
     /// Side of its cells, m.

@@ -36,9 +36,9 @@ const MEMORY: (f64, f64) = (0.1, 0.01);
 /// Readings fit so much worse than before that it must be elsewhere, mean logarithm of the fit.
 const LOST: f64 = 1.5;
 /// It is sure if so much of the weight lies within so many metres of its estimate.
-const SURE: (f64, f64) = (0.9, 0.25);
+const SURE: (f64, f64) = (0.85, 0.25);
 /// And for so many looks.
-const SURE_LOOKS: u32 = 40;
+const SURE_LOOKS: u32 = 30;
 
 /// What a locator is made from.
 #[derive(Debug, Clone)]
@@ -313,8 +313,7 @@ impl Locator {
         ];
         let turned = |p: Pose| difference(heading, p.heading);
         let spread = Spread { position, heading: mean(&|p| turned(p) * turned(p)).sqrt() };
-        self.estimate =
-            Some(Estimate { pose: Pose::new(mx, my, heading), spread, odometry: self.odometry.pose() });
+        self.estimate = Some(Estimate { pose: Pose::new(mx, my, heading), spread, odometry: self.odometry.pose() });
     }
 
     /// Weights that add up to 1.
