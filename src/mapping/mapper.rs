@@ -19,6 +19,8 @@ use nalgebra::{Matrix3, Vector3};
 
 /// Stream of its random numbers.
 const STREAM: u64 = 60;
+/// Dirt sensor values up to this are the brush's own noise (ours).
+const DIRTY: u8 = 24;
 /// Poses that stand for what it believes.
 const PARTICLES: usize = 24;
 /// Way and turn after which the pose is corrected, m and rad (ours: as long as odometry is good to a few millimetres).
@@ -235,7 +237,7 @@ impl Mapper {
         paint(&mut self.map, pose, &seen, &self.sensors);
         let radius = 0.5 * self.setup.robot.tool_width;
         self.marks.note(pose.position(), radius, Mark::Cleaned);
-        if sensed.dirt > 0 {
+        if sensed.dirt > DIRTY {
             self.marks.note(pose.position(), radius, Mark::Dirty);
         }
         if !corrects {

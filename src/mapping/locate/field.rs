@@ -10,10 +10,12 @@ use crate::{
 const FAR: f64 = 0.6;
 /// Cells around the map, so that walls at its border have a free side.
 const MARGIN: i32 = 2;
+/// Depth inside of obstacles that is told apart, cells.
+const DEEP: f32 = 2.0;
 /// A beam ends this near to something, m.
 const TOUCH: f64 = 0.004;
 
-/// Distance to the nearest occupied cell, m, as a continuous function of the place.
+/// Distance to the nearest occupied cell, m, as a continuous function of the place; negative inside.
 #[derive(Debug, Clone)]
 pub struct DistanceField {
     /// The map's cell that is the grid's lower left.
@@ -46,11 +48,15 @@ impl DistanceField {
         }
         let resolution = map.resolution();
         let limit = (FAR / resolution) as f32;
-        let distance = clearance(&blocked, limit).map(|&cells| cells * resolution as f32);
+        // Negative inside of obstacles: so what is interpolated is zero at their surface, not in the middle of their cells.
+        let (outside, inside) = (clearance(&blocked, limit), clearance(&blocked.map(|&b| !b), DEEP));
+        let metres = |(_, &out): (Cell, &f32), (_, &deep): (Cell, &f32)| (out - deep) * resolution as f32;
+        let values = outside.iter().zip(inside.iter()).map(|(out, deep)| metres(out, deep)).collect();
+        let distance = Grid::from_rows(size[0], values)?;
         (count > 0).then_some(Self { low, resolution, distance, free })
     }
 
-    /// Distance from a point to the nearest obstacle, m, at most 0.6; between the middles of cells, interpolated.
+    /// Distance from a point to the nearest obstacle, m, at most 0.6, negative inside of one; between the middles of cells, interpolated.
     #[inline]
     pub fn distance(&self, at: Point) -> f64 {
         let (x, y) = (at.x / self.resolution - 0.5, at.y / self.resolution - 0.5);
