@@ -47,6 +47,8 @@ test("an event leads back to its time", async (t) => {
   const { page, app } = await openApp(t, { address: BOUNCE });
   await app.poll(() => events(page), (lines) => lines.length >= 6);
   await app.pause();
+  // What happened right before shows a few frames later, on top of the list.
+  await app.frames(20);
   const lines = await app.poll(() => events(page), (lines) => lines.length >= 6);
   const [, seconds] = /^(\d+\.\d) s/.exec(lines[4]);
   await page.locator("#events li button").nth(4).click();

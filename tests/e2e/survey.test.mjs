@@ -132,6 +132,7 @@ test("a reload goes on where it was", async (t) => {
   await page.locator("#tab-map").click();
   await phase("paused");
   assert.equal((await figures(app)).time, late.time);
+  await app.linked("place", (place) => place === "map");
   // Start afresh forgets it for good.
   await page.locator("#survey-forget").click();
   await app.poll(() => stored(page), (count) => count === 0);
