@@ -8,10 +8,12 @@
 //! let info = find("explore_left_right").unwrap();
 //! let (robot, params) = (model("roomba600").unwrap(), Params::defaults(info.params));
 //! let mut explorer = info.build(&Setup { robot, params: &params, seed: 1 }).unwrap();
-//! // It turns both ways.
-//! let mut turned = [false; 2];
-//! for counts in 0..4000_u16 {
-//!     let drive = explorer.step(&Sensors { left_counts: counts, ..Sensors::default() }, 0.015);
+//! // It turns both ways, with wheels that do what they are told.
+//! let (mut turned, mut rolled) = ([false; 2], [0.0; 2]);
+//! for _ in 0..4000 {
+//!     let [left_counts, right_counts] = rolled.map(|metres: f64| (metres * robot.counts_per_metre) as i64 as u16);
+//!     let drive = explorer.step(&Sensors { left_counts, right_counts, ..Sensors::default() }, 0.015);
+//!     rolled = [rolled[0] + 0.015 * drive.left, rolled[1] + 0.015 * drive.right];
 //!     turned = [turned[0] | (drive.left < drive.right), turned[1] | (drive.left > drive.right)];
 //! }
 //! assert_eq!(turned, [true, true]);
