@@ -37,6 +37,13 @@ pub fn distance_of_light(light: f64, share: f64, range: f64) -> f64 {
     0.5 * (near + far)
 }
 
+/// The distance, m, at which something square to the beam would send as much light back as what lies `distance` metres ahead
+/// and sends back only that `share` of it, 0 to 1; near enough that nothing fades out.
+#[inline]
+pub fn apparent_distance(distance: f64, share: f64) -> f64 {
+    (distance + LAW.1) / share.sqrt() - LAW.1
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

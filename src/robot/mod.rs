@@ -11,7 +11,7 @@ mod sensors;
 
 pub use body::{Battery, Body, Bumper, Laser, LightBumper, SensorSuite, SideBrush, Wheels};
 pub use drive::Drive;
-pub use light_law::{MOST_LIGHT, distance_of_light, light_at};
+pub use light_law::{MOST_LIGHT, apparent_distance, distance_of_light, light_at};
 pub use model::{Power, RobotModel};
 pub use models::{MODELS, cell_robot, model};
 pub use odometry::{Odometry, OdometryModel, advance, advance_sideways};

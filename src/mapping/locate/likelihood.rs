@@ -4,7 +4,7 @@ use super::DistanceField;
 use crate::{
     geometry::{Point, Pose, Vector},
     math,
-    robot::{RobotModel, Sensors},
+    robot::{RobotModel, Sensors, apparent_distance, distance_of_light},
 };
 
 /// Signals below this say that nothing is near: above what sensors read in the dark.
@@ -43,7 +43,10 @@ impl Reading {
         let beams = light.map_or_else(Vec::new, |light| {
             let beam = |(angle, &signal): (f64, &u16)| {
                 let (sin, cos) = math::sin_cos(angle);
-                (Vector::new(cos, sin), (signal >= SEEN).then(|| distance_of(signal)))
+                (
+                    Vector::new(cos, sin),
+                    (signal >= SEEN).then(|| distance_of_light(f64::from(signal), REFLECTANCE, light.range)),
+                )
             };
             light.angles.into_iter().zip(&sensed.light_signal).map(beam).collect()
         });
@@ -96,7 +99,7 @@ impl Reading {
                 let away = field.away(from + direction * distance);
                 let length = away.norm();
                 let cosine = if length > 1e-9 { -away.dot(&direction) / length } else { 1.0 };
-                apparent(distance, cosine)
+                apparent_distance(distance, cosine.max(GRAZING))
             });
             fit += match (echo, expected) {
                 (Some(echo), Some(expected)) => {
@@ -131,16 +134,4 @@ impl Reading {
 
 fn square(x: f64) -> f64 {
     x * x
-}
-
-/// The distance at which a surface of middling reflectance, square to the beam, would send that signal back, m.
-fn distance_of(signal: u16) -> f64 {
-    let share = f64::from(signal.min(4094)) / 4095.0;
-    let light = f64::from(signal) / (1.0 - share * share).sqrt();
-    ((REFLECTANCE * 5.8 / light).sqrt() - 0.017).max(0.0)
-}
-
-/// The distance that an obstacle seems to have that is met at a slant: less light comes back, as from farther away.
-fn apparent(distance: f64, cosine: f64) -> f64 {
-    (distance + 0.017) / cosine.max(GRAZING).sqrt() - 0.017
 }
