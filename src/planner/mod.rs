@@ -16,6 +16,7 @@ mod genetic;
 mod grid_tsp;
 mod info;
 mod job;
+pub mod near_optimal;
 mod neural;
 mod objective;
 mod path;
