@@ -28,7 +28,7 @@ fn main() {
     }
     let rounds = args.get(2).map_or(5000, |s| s.parse().unwrap());
     let t = Instant::now();
-    let out = near_optimal::experiment(&job, objective, &walk, rounds, |r, c, b| if r % (rounds / 10).max(1000) == 0 || r == usize::MAX { println!("{r} {c} {b} {:?}", t.elapsed()) });
+    let out = near_optimal::experiment(&job, objective, &walk, rounds, |w, c, b, k| println!("{w} {c} {b} {k} {:?}", t.elapsed()));
     let path = CoveragePath { cells: out };
     path.check(&job).unwrap();
     let visits = path.visits(&job);

@@ -4,8 +4,6 @@ use super::{
     region::{Beyond, Region, Site},
     ways::{PAIRS, Side, Way, Ways, pair},
 };
-use crate::rng::Rng;
-use rand::RngExt;
 use std::{
     collections::HashMap,
     hash::{BuildHasherDefault, Hasher},
@@ -22,13 +20,12 @@ pub(super) const MOST_OPEN: usize = ENTRIES - 2;
 const LABEL: u8 = 63;
 
 /// How to look.
-pub(super) struct Search<'a> {
-    /// Only walks that cost less in the region than this are looked for, in price units.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Search {
+    /// Only walks that seem to cost less in the region than this are looked for, in price units.
     pub limit: i64,
     /// States kept after each cell: the cheapest.
     pub most_states: usize,
-    /// What is added to the cost of each way by chance, at most; none where the best is to be found.
-    pub noise: Option<(i32, &'a mut Rng)>,
 }
 
 /// What was found.
@@ -39,6 +36,8 @@ pub(super) struct Found<'w> {
     pub cost: i64,
     /// Whether nothing was left out.
     pub is_exact: bool,
+    /// Ways that were tried.
+    pub work: usize,
 }
 
 /// A way that a site allows.
@@ -54,11 +53,11 @@ type Choices = [Vec<Choice>; PAIRS];
 
 impl Region {
     /// Looks for a cheaper walk through the region.
-    pub fn search<'w>(&self, costs: (i32, i32), ways: &'w Ways, mut search: Search<'_>) -> Found<'w> {
+    pub fn search<'w>(&self, costs: (i32, i32), ways: &'w Ways, search: Search) -> Found<'w> {
         let choices: Vec<Choices> =
-            self.sites.iter().map(|site| self.choices(site, costs, ways, &mut search.noise)).collect();
+            self.sites.iter().map(|site| self.choices(site, costs, ways)).collect();
         let rest = self.rests(&choices);
-        let mut is_exact = true;
+        let (mut is_exact, mut work) = (true, 0);
         let mut layer = vec![(self.begin(), 0_i64)];
         let mut trails: Vec<Vec<(u32, Choice)>> = Vec::with_capacity(self.sites.len());
         let mut index: HashMap<State, u32, BuildHasherDefault<Mixer>> = HashMap::default();
@@ -85,6 +84,7 @@ impl Region {
                         continue;
                     }
                     let way = &ways.with_halves(choice.halves as usize)[choice.way as usize];
+                    work += 1;
                     let Some(state) = self.after(i, state, way, is_ended) else { continue };
                     match index.entry(state) {
                         std::collections::hash_map::Entry::Occupied(entry) => {
@@ -117,7 +117,7 @@ impl Region {
         }
         let cheapest = layer.iter().enumerate().min_by_key(|(_, (_, cost))| *cost);
         let Some((mut at, _)) = cheapest else {
-            return Found { ways: Vec::new(), cost: search.limit, is_exact };
+            return Found { ways: Vec::new(), cost: self.cost, is_exact, work };
         };
         let mut chosen = Vec::with_capacity(self.sites.len());
         for trail in trails.iter().rev() {
@@ -127,7 +127,7 @@ impl Region {
         }
         chosen.reverse();
         let cost = self.sites.iter().zip(&chosen).map(|(site, way)| i64::from(self.cost_of(costs, site, way))).sum();
-        Found { ways: chosen, cost, is_exact }
+        Found { ways: chosen, cost, is_exact, work }
     }
 
     /// Before the first site.
@@ -226,13 +226,7 @@ impl Region {
     }
 
     /// The ways that a site allows.
-    fn choices(
-        &self,
-        site: &Site,
-        costs: (i32, i32),
-        ways: &Ways,
-        noise: &mut Option<(i32, &mut Rng)>,
-    ) -> Choices {
+    fn choices(&self, site: &Site, costs: (i32, i32), ways: &Ways) -> Choices {
         let mut choices: Choices = Default::default();
         let least = u8::from(site.is_start);
         let most = least + u8::from(self.has_end);
@@ -246,10 +240,7 @@ impl Region {
                 if !fits {
                     continue;
                 }
-                let mut cost = self.cost_of(costs, site, way);
-                if let Some((most, rng)) = noise {
-                    cost += rng.random_range(0..=*most);
-                }
+                let cost = self.seeming_cost_of(costs, site, way);
                 choices[pair(way.used[2], way.used[3])].push(Choice { cost, halves, way: number as u16 });
             }
         }

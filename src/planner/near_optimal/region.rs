@@ -8,7 +8,9 @@ use super::{
 use crate::{
     grid::{Cell, Grid},
     planner::bounds::{Graph, Prices},
+    rng::Rng,
 };
+use rand::RngExt;
 
 /// No site.
 const OUTSIDE: u32 = u32::MAX;
@@ -35,6 +37,18 @@ pub(super) struct Site {
     /// Prices of the sides.
     pub prices: [i32; 4],
     pub is_start: bool,
+    /// What the walk does there now.
+    now: Now,
+    /// What using a side, and turning, costs by chance.
+    noise: [i32; 4],
+    turn_noise: i32,
+}
+
+/// What a walk does in a site.
+#[derive(Debug, Clone, Copy, Default)]
+struct Now {
+    used: [u8; 4],
+    turns: u8,
 }
 
 /// A side of a site through which the walk leaves the region.
@@ -68,17 +82,19 @@ pub(super) struct Region {
     pub heading: (Side, i32),
     /// What the walk costs in the region, in price units.
     pub cost: i64,
+    /// What noise adds to that.
+    disturbed: i64,
     /// Positions of the walk's parts outside, and the plugs at both ends.
-    arcs: Vec<Arc>,
+    pub arcs: Vec<Arc>,
     is_swapped: bool,
 }
 
 /// A part of the walk outside, from one position to another, both included; the second may be smaller in a closed tour.
 #[derive(Debug, Clone, Copy)]
-struct Arc {
-    first: usize,
-    last: usize,
-    plugs: [Option<usize>; 2],
+pub(super) struct Arc {
+    pub first: usize,
+    pub last: usize,
+    pub plugs: [Option<usize>; 2],
 }
 
 /// Where things are looked up.
@@ -118,6 +134,9 @@ impl Region {
                     beyond: [Beyond::Nothing; 4],
                     prices: std::array::from_fn(|side| sides[turned(side)]),
                     is_start: number as usize == graph.start && !tour.is_closed,
+                    now: Now::default(),
+                    noise: [0; 4],
+                    turn_noise: 0,
                 });
             }
         }
@@ -137,6 +156,7 @@ impl Region {
             has_end: false,
             heading: (turned(ground.heading), turn),
             cost: 0,
+            disturbed: 0,
             arcs: Vec::new(),
             is_swapped,
         };
@@ -164,7 +184,13 @@ impl Region {
                 let plug = self.plug(site, side);
                 if is_after { leaves.push((position, other, plug)) } else { comes.push((position, other, plug)) }
             }
-            self.cost += i64::from(self.passage_cost(ground.prices, site, sides.map(|side| side.map(|(side, _)| side))));
+            let sides = sides.map(|side| side.map(|(side, _)| side));
+            let now = &mut self.sites[site].now;
+            sides.into_iter().flatten().for_each(|side| now.used[side] += 1);
+            if let [Some(a), Some(b)] = sides {
+                now.turns += turns(a, b) as u8;
+            }
+            self.cost += i64::from(self.passage_cost(ground.prices, site, sides));
         }
         let (Some(&first), Some(&last)) = (positions.first(), positions.last()) else { return false };
         if tour.is_closed {
@@ -235,167 +261,35 @@ impl Region {
         half_steps * step / 2 + i32::from(way.turns) * turn + sides + first
     }
 
+    /// What a way seems to cost in a site, noise included.
+    pub fn seeming_cost_of(&self, costs: (i32, i32), site: &Site, way: &Way) -> i32 {
+        let noise: i32 = (0..4).map(|side| i32::from(way.used[side]) * site.noise[side]).sum();
+        self.cost_of(costs, site, way) + noise + i32::from(way.turns) * site.turn_noise
+    }
+
     /// Cost of the turn from the heading to the first step.
     pub fn first_turn(&self, side: Side) -> i32 {
         let (heading, turn) = self.heading;
         turn * turns(heading ^ 2, side) as i32
     }
 
-    /// The walk that does in each site what `ways` say, its parts outside put in; `None` if they don't fit together.
-    pub fn walk(&self, tour: &Tour, ways: &[&Way]) -> Option<Vec<u32>> {
-        Linker::new(self, tour, ways)?.walk(tour)
-    }
-}
-
-/// Ends of pieces at the two halves of an edge.
-type Ends = [Vec<(usize, usize)>; 2];
-
-/// Pieces of a walk that are linked where they use the same edges.
-struct Linker<'a> {
-    region: &'a Region,
-    /// Cells of the region that are passed, and parts outside.
-    pieces: Vec<Piece>,
-    /// Per piece and end the piece that it's linked with, and that one's end.
-    mates: Vec<[Option<(usize, usize)>; 2]>,
-    begin: usize,
-}
-
-#[derive(Clone, Copy)]
-enum Piece {
-    Cell(u32),
-    Arc(usize),
-}
-
-impl<'a> Linker<'a> {
-    fn new(region: &'a Region, tour: &Tour, ways: &[&Way]) -> Option<Self> {
-        let sites = region.sites.len();
-        let mut edges: Vec<Ends> = vec![Default::default(); 2 * sites + region.plugs.len()];
-        let mut pieces = Vec::new();
-        let mut begin = None;
-        // The site to the left, and the one below in every column.
-        let (mut left, mut below) = (0, vec![0; region.columns]);
-        for (i, (site, way)) in region.sites.iter().zip(ways).enumerate() {
-            let edge_at = |side: Side| match (site.beyond[side], side) {
-                (Beyond::Plug(plug), _) => Some((2 * sites + plug, 0)),
-                (Beyond::Nothing, _) => None,
-                (Beyond::Site, 0 | 1) => Some((2 * i + side, 0)),
-                (Beyond::Site, 2) => Some((2 * left, 1)),
-                (Beyond::Site, _) => Some((2 * below[site.column] + 1, 1)),
-            };
-            for &passage in &way.passages {
-                for (end, side) in passage.into_iter().enumerate() {
-                    let (edge, half) = edge_at(side)?;
-                    edges[edge][half].push((pieces.len(), end));
-                }
-                pieces.push(Piece::Cell(site.cell));
-            }
-            for (h, &side) in way.halves.iter().enumerate() {
-                // The first half of the start's cell is the walk's first step.
-                let is_first = site.is_start && h == 0;
-                if is_first {
-                    begin = Some(pieces.len());
-                }
-                let (edge, half) = edge_at(side)?;
-                edges[edge][half].push((pieces.len(), usize::from(is_first)));
-                pieces.push(Piece::Cell(site.cell));
-            }
-            left = i;
-            below[site.column] = i;
-        }
-        for (i, arc) in region.arcs.iter().enumerate() {
-            if arc.plugs[0].is_none() {
-                begin = Some(pieces.len());
-            }
-            for (end, plug) in arc.plugs.into_iter().enumerate().filter_map(|(end, plug)| Some((end, plug?))) {
-                edges[2 * sites + plug][1].push((pieces.len(), end));
-            }
-            pieces.push(Piece::Arc(i));
-        }
-        let begin = if tour.is_closed { 0 } else { begin? };
-        let mut linker = Self { region, mates: vec![[None; 2]; pieces.len()], pieces, begin };
-        linker.link(&edges)?;
-        Some(linker)
-    }
-
-    /// Links pieces at all edges, such that all are one.
-    fn link(&mut self, edges: &[Ends]) -> Option<()> {
-        let mut parents: Vec<usize> = (0..self.pieces.len()).collect();
-        for [ends, others] in edges {
-            if ends.len() != others.len() {
-                return None;
-            }
-            for (&a, &b) in ends.iter().zip(others) {
-                self.join(a, b);
-                unite(&mut parents, a.0, b.0);
-            }
-        }
-        // What uses the same edge can be exchanged there: two loops become one.
-        for [ends, others] in edges {
-            for i in 1..ends.len() {
-                if unite(&mut parents, ends[0].0, ends[i].0) {
-                    let (a, b) = (self.mates[ends[0].0][ends[0].1]?, self.mates[ends[i].0][ends[i].1]?);
-                    self.join(ends[0], b);
-                    self.join(ends[i], a);
+    /// Makes every side and every turn dearer or cheaper by chance, by up to `most` price units each, so that another
+    /// walk may seem cheaper than the one there is; sites know what that adds to the walk there is.
+    pub fn disturb(&mut self, most: i32, rng: &mut Rng) {
+        for site in &mut self.sites {
+            for side in 0..2 {
+                if site.beyond[side] == Beyond::Site {
+                    site.noise[side] = rng.random_range(-most..=most);
                 }
             }
-            debug_assert_eq!(ends.len(), others.len());
-        }
-        Some(())
-    }
-
-    fn join(&mut self, a: (usize, usize), b: (usize, usize)) {
-        self.mates[a.0][a.1] = Some(b);
-        self.mates[b.0][b.1] = Some(a);
-    }
-
-    /// All pieces in a row.
-    fn walk(&self, tour: &Tour) -> Option<Vec<u32>> {
-        let mut cells = Vec::with_capacity(tour.cells.len() + 64);
-        let mut count = 0;
-        let (mut piece, mut entry) = (self.begin, 0);
-        loop {
-            count += 1;
-            match self.pieces[piece] {
-                Piece::Cell(cell) => cells.push(cell),
-                Piece::Arc(arc) => self.region.arcs[arc].append(tour, entry == 1, &mut cells),
-            }
-            let Some((next, end)) = self.mates[piece][1 - entry] else { break };
-            (piece, entry) = (next, end);
-            if piece == self.begin || count > self.pieces.len() {
-                break;
-            }
-        }
-        (count == self.pieces.len()).then_some(cells)
-    }
-}
-
-impl Arc {
-    /// Appends its cells.
-    fn append(&self, tour: &Tour, is_reversed: bool, cells: &mut Vec<u32>) {
-        let begin = cells.len();
-        if self.first <= self.last {
-            cells.extend_from_slice(&tour.cells[self.first..=self.last]);
-        } else {
-            cells.extend_from_slice(&tour.cells[self.first..]);
-            cells.extend_from_slice(&tour.cells[..=self.last]);
-        }
-        if is_reversed {
-            cells[begin..].reverse();
+            site.turn_noise = rng.random_range(-most..=most);
+            let sides: i32 = (0..4).map(|side| i32::from(site.now.used[side]) * site.noise[side]).sum();
+            self.disturbed += i64::from(sides + i32::from(site.now.turns) * site.turn_noise);
         }
     }
-}
 
-fn root(parents: &mut [usize], mut at: usize) -> usize {
-    while parents[at] != at {
-        parents[at] = parents[parents[at]];
-        at = parents[at];
+    /// What the walk that there is costs in the region, noise included.
+    pub fn seeming_cost(&self) -> i64 {
+        self.cost + self.disturbed
     }
-    at
-}
-
-/// Whether the two were apart.
-fn unite(parents: &mut [usize], a: usize, b: usize) -> bool {
-    let (a, b) = (root(parents, a), root(parents, b));
-    parents[a] = b;
-    a != b
 }

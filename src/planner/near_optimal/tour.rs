@@ -1,10 +1,8 @@
 //! A walk that is rebuilt piece by piece, and where it visits each cell.
 
-use crate::planner::bounds::Graph;
-
 const NONE: u32 = u32::MAX;
 
-/// A walk by the cells' numbers in a [`Graph`].
+/// A walk by the cells' numbers. Numbers beyond those of the cells are markers, which are no place.
 #[derive(Debug, Clone)]
 pub(super) struct Tour {
     /// In order; of a closed tour without the return to its first cell.
@@ -17,20 +15,24 @@ pub(super) struct Tour {
 }
 
 impl Tour {
-    pub fn new(graph: &Graph, cells: Vec<u32>, is_closed: bool) -> Self {
-        let mut tour = Self { cells: Vec::new(), is_closed, first: vec![NONE; graph.len()], next: Vec::new() };
+    /// A walk in a room of `count` cells.
+    pub fn new(count: usize, cells: Vec<u32>, is_closed: bool) -> Self {
+        let mut tour = Self { cells: Vec::new(), is_closed, first: vec![NONE; count], next: Vec::new() };
         tour.replace(cells);
         tour
     }
 
     /// Takes another walk over the same cells; gives the old one back.
     pub fn replace(&mut self, cells: Vec<u32>) -> Vec<u32> {
-        self.first.fill(NONE);
+        for &cell in &self.cells {
+            if let Some(first) = self.first.get_mut(cell as usize) {
+                *first = NONE;
+            }
+        }
         self.next.clear();
         for (i, &cell) in cells.iter().enumerate() {
-            let first = &mut self.first[cell as usize];
-            self.next.push(*first);
-            *first = i as u32;
+            let before = self.first.get_mut(cell as usize).map_or(NONE, |first| std::mem::replace(first, i as u32));
+            self.next.push(before);
         }
         std::mem::replace(&mut self.cells, cells)
     }
