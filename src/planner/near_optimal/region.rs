@@ -1,8 +1,8 @@
 //! A part of the room that is walked anew, while the rest of the walk stays.
 
 use super::{
-    tour::Tour,
     frontier::MOST_OPEN,
+    tour::Tour,
     ways::{MOST_USES, Side, Way, turns},
 };
 use crate::{
@@ -54,8 +54,6 @@ struct Now {
 /// A side of a site through which the walk leaves the region.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Plug {
-    pub site: usize,
-    pub side: Side,
     /// How often the walk uses it.
     pub uses: u8,
     /// Plugs with the same number are connected outside.
@@ -98,6 +96,7 @@ pub(super) struct Arc {
 }
 
 /// Where things are looked up.
+#[derive(Clone, Copy)]
 pub(super) struct Ground<'a> {
     pub graph: &'a Graph,
     pub prices: &'a Prices,
@@ -106,6 +105,13 @@ pub(super) struct Ground<'a> {
     /// Sides of the heading, and whether the turn from it counts.
     pub heading: Side,
     pub counts_first_turn: bool,
+}
+
+impl Ground<'_> {
+    /// Costs of a step and of a quarter turn, in price units.
+    pub fn costs(&self) -> (i32, i32) {
+        (self.prices.step, self.prices.turn)
+    }
 }
 
 fn swapped(side: Side) -> Side {
@@ -117,8 +123,7 @@ impl Region {
     pub fn new(ground: &Ground<'_>, tour: &Tour, window: Window, site_of: &mut [u32]) -> Option<Self> {
         let Ground { graph, prices, numbers, .. } = ground;
         let is_swapped = window.width > window.height;
-        let (columns, rows) =
-            if is_swapped { (window.height, window.width) } else { (window.width, window.height) };
+        let (columns, rows) = if is_swapped { (window.height, window.width) } else { (window.width, window.height) };
         let turned = |side: Side| if is_swapped { swapped(side) } else { side };
         let mut sites = Vec::new();
         for row in 0..rows {
@@ -204,12 +209,18 @@ impl Region {
                 let (_, other, plug) = comes.remove(0);
                 self.arcs.push(Arc { first: 0, last: other, plugs: [None, Some(plug)] });
             }
-            if !self.has_end && let Some((_, other, plug)) = leaves.pop() {
+            if !self.has_end
+                && let Some((_, other, plug)) = leaves.pop()
+            {
                 self.arcs.push(Arc { first: other, last: tour.cells.len() - 1, plugs: [Some(plug), None] });
             }
         }
         let between = leaves.into_iter().zip(comes);
-        self.arcs.extend(between.map(|(from, to)| Arc { first: from.1, last: to.1, plugs: [Some(from.2), Some(to.2)] }));
+        self.arcs.extend(between.map(|(from, to)| Arc {
+            first: from.1,
+            last: to.1,
+            plugs: [Some(from.2), Some(to.2)],
+        }));
         let is_too_much = |plug: &Plug| usize::from(plug.uses) > MOST_USES;
         if self.plugs.len() + self.columns > MOST_OPEN || self.plugs.iter().any(is_too_much) {
             return false;
@@ -238,7 +249,7 @@ impl Region {
             return plug;
         }
         self.sites[site].beyond[side] = Beyond::Plug(self.plugs.len());
-        self.plugs.push(Plug { site, side, uses: 1, label: 0 });
+        self.plugs.push(Plug { uses: 1, label: 0 });
         self.plugs.len() - 1
     }
 
