@@ -1,8 +1,13 @@
 //! A whole run: one robot, one controller, one floor.
 
 use super::{Event, Input, Life, Noise, STEP_S, SimRobot, SlipLevel, What, World, event::Signs};
+#[cfg(feature = "cleaning")]
+use crate::controller;
 #[cfg(feature = "mapping")]
-use crate::mapping::{Mapper, locate::Locator};
+use crate::{
+    controller::Intent,
+    mapping::{Mapper, locate::Locator},
+};
 use crate::{
     controller::{Controller, interlock::Blocked},
     coverage::{CoverageTracker, ReachableFloor},
@@ -167,6 +172,12 @@ impl Run {
         self.controller.mapper().or(self.mapper.as_deref())
     }
 
+    /// What its controller is going for on its map.
+    #[cfg(feature = "mapping")]
+    pub fn intent(&self) -> Option<Intent<'_>> {
+        self.controller.intent()
+    }
+
     /// Advances by [`STEP_S`]; does nothing once the run is finished.
     pub fn step(&mut self) {
         if self.is_finished() {
@@ -218,6 +229,20 @@ impl Run {
                 self.tracker.lift();
                 self.trail.0.clear();
                 self.note(What::PutDown);
+            }
+            #[cfg(feature = "cleaning")]
+            Input::Clean(planner) => {
+                // What it was given to know counts, whatever the behaviour has mapped since.
+                let mapper = self.mapper.take().map(|mapper| *mapper).or_else(|| self.controller.mapper().cloned());
+                if let Some(mut mapper) = mapper {
+                    if let Some(locator) = self.locator.take().filter(|locator| locator.is_sure())
+                        && let Some((pose, spread)) = locator.pose().zip(locator.spread())
+                    {
+                        mapper.relocate(pose, &spread);
+                    }
+                    self.controller = controller::clean_by_map(mapper, planner);
+                    self.odometry = None;
+                }
             }
         }
     }

@@ -16,7 +16,7 @@ export type Figures = {
 
 export type SurveyView = {
   phase: Phase;
-  can: Record<"play" | "pause" | "step" | "seek" | "lift" | "put_down" | "forget" | "use_map" | "open", boolean>;
+  can: Record<"play" | "pause" | "step" | "seek" | "lift" | "put_down" | "forget" | "use_map" | "clean" | "open", boolean>;
   /** Why the robot can't be put into the room; "" if it can. */
   complaint: string;
   title: string;
@@ -43,6 +43,10 @@ export type SurveyView = {
   known: string | null;
   /** Whether it is sure of its place on that; `null` if it was never lost. */
   is_sure: boolean | null;
+  planner: string;
+  is_cleaning: boolean;
+  /** Floor that it can get to by its map: swept as it believes, and all; `null` unless it cleans by that. */
+  by_map: [swept: number, all: number] | null;
   cleaned_m2: number;
   coverage: number;
   dirt_m2: number;

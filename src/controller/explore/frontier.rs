@@ -28,14 +28,13 @@
 
 use super::{
     BACK_FROM_EDGE,
-    barred::Barred,
     trace::Trace,
     tries::{THERE, Tries},
 };
 use crate::{
     controller::{
-        BehaviourInfo, Build, Claims, Setup,
-        parts::{Driven, Habit, Hit, Kind, Pilot, Route, Side},
+        BehaviourInfo, Build, Claims, Intent, Setup,
+        parts::{Barred, Driven, Habit, Hit, Kind, Pilot, Route, Side},
         wall_follow::WallFollow,
     },
     geometry::{Point, Pose},
@@ -140,6 +139,8 @@ pub(super) struct Frontier {
     /// Cells of the map that are not to be entered.
     pub(super) barred: Barred,
     pub(super) doubts: u32,
+    /// Lanes that it could go for when it last chose, m.
+    pub(super) lanes: Vec<[Point; 2]>,
     /// Where it was last seen to move, and how long ago, s.
     moved: (Point, f64),
 }
@@ -188,6 +189,7 @@ impl Frontier {
             tries: Tries::default(),
             barred: Barred::new(resolution),
             doubts: 0,
+            lanes: Vec::new(),
             moved: (Point::origin(), 0.0),
             mapper,
         }
@@ -349,6 +351,11 @@ impl Habit for Frontier {
 
     fn mapper(&self) -> Option<&Mapper> {
         Some(&self.mapper)
+    }
+
+    fn intent(&self) -> Option<Intent<'_>> {
+        let route = if let Phase::Drive { route, .. } = &self.phase { route.rest() } else { &[] };
+        Some(Intent { route, frontiers: &self.lanes, ..Intent::default() })
     }
 
     fn start_at(&mut self, start: Pose) {
