@@ -110,7 +110,7 @@ impl Mapper {
     pub fn new(setup: MapperSetup) -> Self {
         Self {
             sensors: SensorModel::new(&setup.robot),
-            rolling: Rolling::new(&setup.robot),
+            rolling: Rolling::new(&setup.robot, setup.odometry),
             way: Reckoning::new(&setup.robot, setup.odometry, Wheels::default()),
             scan: Multiscan::default(),
             belief: Belief::new(setup.start),

@@ -89,6 +89,9 @@ pub struct Run {
     /// What looks for it on a map that it knows.
     #[cfg(feature = "mapping")]
     locator: Option<Box<Locator>>,
+    /// What the ways of dead reckoning would say, for comparison.
+    #[cfg(feature = "mapping")]
+    reckoned: Vec<Odometry>,
     believed: Trail,
     events: VecDeque<Event>,
 }
@@ -129,6 +132,8 @@ impl Run {
             baseline: None,
             #[cfg(feature = "mapping")]
             locator: None,
+            #[cfg(feature = "mapping")]
+            reckoned: Vec::new(),
             events: VecDeque::new(),
         }
     }
@@ -152,6 +157,23 @@ impl Run {
     pub fn with_locator(mut self, locator: Locator) -> Self {
         self.locator = Some(Box::new(locator));
         self
+    }
+
+    /// Lets dead reckoning of all ways go along, for comparison.
+    #[cfg(feature = "mapping")]
+    pub fn with_reckoning(mut self, robot: &RobotModel) -> Self {
+        let start = self.floor.start;
+        self.reckoned = OdometryModel::ALL.map(|(model, _)| Odometry::new(robot, model, start)).into();
+        self
+    }
+
+    /// How far off the ways of dead reckoning are, in the order of [`OdometryModel::ALL`]: m and rad; empty unless they go along.
+    #[cfg(feature = "mapping")]
+    pub fn drifts(&self) -> Vec<[f64; 2]> {
+        let truth = self.pose();
+        let off =
+            |pose: Pose| [(pose.position() - truth.position()).norm(), difference(truth.heading, pose.heading).abs()];
+        self.reckoned.iter().map(|odometry| off(odometry.pose())).collect()
     }
 
     /// What looks for the robot on a map that it knows.
@@ -318,6 +340,10 @@ impl Run {
             mapper.update(self.robot.sensors());
         }
         #[cfg(feature = "mapping")]
+        for odometry in &mut self.reckoned {
+            odometry.update(self.robot.sensors());
+        }
+        #[cfg(feature = "mapping")]
         if let Some(locator) = &mut self.locator {
             locator.update(self.robot.sensors());
         }
@@ -481,6 +507,8 @@ impl Clone for Run {
             baseline: self.baseline.clone(),
             #[cfg(feature = "mapping")]
             locator: self.locator.clone(),
+            #[cfg(feature = "mapping")]
+            reckoned: self.reckoned.clone(),
             believed: self.believed.clone(),
             events: self.events.clone(),
             ..*self

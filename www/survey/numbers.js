@@ -29,6 +29,12 @@ const SINGLE = [
   { label: "Dirt found", tip: "Area of the spots where its dirt sensor spoke.", of: ({ dirt_m2 }) => `${dirt_m2.toFixed(2)} m²` },
 ];
 
+/** Ways of dead reckoning, in the order of `view.drifts`. */
+const RECKONINGS = ["Counts, arcs", "Counts, straight", "Packets, arcs", "Packets, straight"].map((label, i) => ({
+  label,
+  tip: `Where the robot would believe to be ${i < 2 ? "by encoder counts" : "by packets 19 and 20, whole millimetres and degrees told every 0.24 s"} alone, each step taken ${i % 2 === 0 ? "along an arc" : "straight, then turned"}.`,
+}));
+
 /** @param {import("./place.js").Surveying} _it */
 export function startNumbers(_it) {
   /** @param {{ label: string, tip: string }} row @param {HTMLElement[]} cells */
@@ -36,6 +42,8 @@ export function startNumbers(_it) {
   const rows = ROWS.map((row) => ({ row, cells: [make("td"), make("td")] }));
   const single = SINGLE.map((row) => ({ row, cell: make("td", { colSpan: 2 }) }));
   byId("survey-figures").replaceChildren(...rows.map(({ row, cells }) => line(row, cells)));
+  const drifts = RECKONINGS.map((row) => ({ row, cells: [make("td"), make("td")] }));
+  byId("survey-drifts").replaceChildren(...drifts.map(({ row, cells }) => line(row, cells)));
   byId("survey-more").replaceChildren(...single.map(({ row, cell }) => line(row, [cell])));
 
   /** @param {SurveyView} view */
@@ -46,6 +54,10 @@ export function startNumbers(_it) {
         if (cell) setText(cell, figures && view.time_s > 0 ? row.of(figures) : "–");
       });
     }
+    drifts.forEach(({ cells }, i) => {
+      const [position, heading] = view.drifts[i] ?? [0, 0];
+      [centimetres(position), `${heading.toFixed(1)}°`].forEach((text, j) => cells[j] && setText(cells[j], view.time_s > 0 ? text : "–"));
+    });
     for (const { row, cell } of single) setText(cell, row.of(view));
     setText(byId("survey-here"), view.known !== null ? "Lost, found" : view.tracking === "odometry" ? "Robot" : "Corrected");
     const has = view.figures && view.time_s > 0;

@@ -37,6 +37,8 @@ export type SurveyView = {
   returned: number | null;
   figures: Figures | null;
   odometry: Figures | null;
+  /** How far off dead reckoning would be, by counts along arcs and in straight pieces, then by packets: m and degrees. */
+  drifts: [position: number, heading: number][];
   /** Standard deviations that the robot believes in: position (m) and heading (degrees). */
   spread: [position: number, heading: number] | null;
   /** Name of the map that the robot was given; `null` if it makes its own. */

@@ -69,7 +69,7 @@ impl Base {
             None if run.mapper().is_none() => run.with_mapper(mapper(setup.tracking)),
             None => run,
         };
-        let run = run.with_baseline(mapper(Tracking::Odometry));
+        let run = run.with_baseline(mapper(Tracking::Odometry)).with_reckoning(robot);
         let run = match known {
             Some(known) => run.with_locator(known.locator(robot, setup.odometry, self.seed)?),
             None => run,

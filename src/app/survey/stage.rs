@@ -74,14 +74,12 @@ impl Stage {
     /// What the robot believes.
     pub fn belief(&self) -> Option<Belief<'_>> {
         let run = self.run();
-        match (&self.known, run.locator()) {
-            (Some(known), Some(locator)) => Some(Belief::on(known, locator)),
-            _ => {
-                let mapper = run.mapper()?;
-                let locator = run.intent().and_then(|intent| intent.locator);
-                Some(locator.map_or(Belief::of(mapper), |locator| Belief::lost(mapper, locator)))
-            }
+        if let (Some(known), Some(locator)) = (&self.known, run.locator()) {
+            return Some(Belief::on(known, locator));
         }
+        let mapper = run.mapper()?;
+        let locator = run.intent().and_then(|intent| intent.locator);
+        Some(locator.map_or(Belief::of(mapper), |locator| Belief::lost(mapper, locator)))
     }
 
     /// Up to `steps` steps, with a look at the figures now and then; returns how many were taken.

@@ -48,6 +48,8 @@ pub struct SurveyView {
     pub figures: Option<Figures>,
     /// Figures of a map by odometry alone.
     pub odometry: Option<Figures>,
+    /// How far off dead reckoning would be, one for each odometry model in the order of their registry: m and degrees.
+    pub drifts: Vec<[f64; 2]>,
     /// Standard deviations that the robot believes in: along the longer axis of the ellipse (m), and heading (degrees).
     pub spread: Option<[f64; 2]>,
     /// Name of the map that the robot was given; `None` if it makes its own.
@@ -150,6 +152,9 @@ impl Survey {
             returned: self.returned(),
             figures: figures.map(|[here, _]| here),
             odometry: figures.map(|[_, odometry]| odometry),
+            drifts: run.map_or_else(Vec::new, |run| {
+                run.drifts().into_iter().map(|[off, turned]| [off, turned.to_degrees()]).collect()
+            }),
             spread,
             known: self.known.as_ref().map(|known| known.name().to_owned()),
             is_sure: belief.and_then(|belief| belief.is_sure()),

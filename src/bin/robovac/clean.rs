@@ -179,5 +179,8 @@ fn row(numbers: &[f64; 7]) -> String {
         5 => format!("{:.1} cm", 100.0 * number),
         _ => format!("{number:.0}"),
     };
-    numbers.iter().enumerate().map(cell).map(|cell| format!(" {cell:>9}")).collect()
+    numbers.iter().enumerate().map(cell).fold(String::new(), |mut text, cell| {
+        let _ = write!(text, " {cell:>9}");
+        text
+    })
 }

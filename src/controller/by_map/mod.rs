@@ -43,10 +43,12 @@ use crate::{
 use std::sync::Arc;
 
 /// What it goes for, the first of these before the next. At first it keeps off obstacles, as what lies along walls is mostly clean
-/// after exploring; then come strips along walls; in the end it squeezes through. Small pieces aren't worth the way by then.
-const AIMS: [Aim; 4] = [
+/// after exploring; then come strips between lanes and along walls; in the end it squeezes through. Small pieces aren't worth
+/// the way by then.
+const AIMS: [Aim; 5] = [
     Aim { slack: -0.04, share: 0.4, cells: 1 },
     Aim { slack: 0.0, share: 0.4, cells: 2 },
+    Aim { slack: -0.02, share: 0.2, cells: 2 },
     Aim { slack: 0.01, share: 0.2, cells: 4 },
     Aim { slack: 0.05, share: 0.4, cells: 4 },
 ];

@@ -91,6 +91,19 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
             kind: ParamKind::Choice { options: &[("corrected", "corrected"), ("odometry", "odometry alone")] },
         },
         ParamSpec {
+            id: "odometry",
+            label: "Odometry",
+            help: "How wheels that have rolled become motion: encoder counts or distance and angle packets, along arcs or in straight pieces.",
+            kind: ParamKind::Choice {
+                options: &[
+                    ("arc", "counts, arcs"),
+                    ("straight", "counts, straight"),
+                    ("packet_arc", "packets, arcs"),
+                    ("packet_straight", "packets, straight"),
+                ],
+            },
+        },
+        ParamSpec {
             id: "lane",
             label: "Lanes",
             help: "Distance of the lanes on open floor; things narrower than what is left between them may stay unseen.",
@@ -114,8 +127,8 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
 pub(in crate::controller) const BUILD: Build = |setup| {
     let tracking = Tracking::parse(setup.params.choice("tracking")).unwrap_or_default();
     let start = Pose::new(0.0, 0.0, 0.0);
-    let mapper =
-        MapperSetup { robot: setup.robot.clone(), start, tracking, odometry: OdometryModel::Arc, seed: setup.seed };
+    let odometry = OdometryModel::parse(setup.params.choice("odometry")).unwrap_or_default();
+    let mapper = MapperSetup { robot: setup.robot.clone(), start, tracking, odometry, seed: setup.seed };
     Driven::boxed(setup, Frontier::new(setup, Mapper::new(mapper)))
 };
 
