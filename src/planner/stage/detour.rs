@@ -56,28 +56,34 @@ impl<'a> Detours<'a> {
             if self.reached[index] < self.base + cost {
                 continue;
             }
-            for (next, step) in self.neighbours(index) {
+            let (steps, count) = self.steps(index);
+            for &(next, step) in &steps[..count] {
                 self.reach(next, cost + step, to);
             }
         }
         None
     }
 
-    /// Free neighbours and what a step there costs; slantwise only past two free cells.
-    fn neighbours(&self, index: usize) -> impl Iterator<Item = (usize, u32)> + use<'a> {
+    /// Free neighbours and what a step there costs, and how many there are; slantwise only past two free cells.
+    #[inline]
+    fn steps(&self, index: usize) -> ([(usize, u32); 8], usize) {
         let [right, up, left, down] = self.frame.neighbours(index);
-        let stride = self.frame.stride();
-        let open = [right, up, left, down].map(|next| self.reached[next] != WALL);
-        let slanted = [
-            (up + 1, open[0] && open[1]),
-            (up - 1, open[1] && open[2]),
-            (index - stride - 1, open[2] && open[3]),
-            (index - stride + 1, open[3] && open[0]),
-        ]
-        .map(|(next, is_open)| (next, is_open && self.reached[next] != WALL, SLANTED));
-        let straight =
-            [(right, open[0], STRAIGHT), (up, open[1], STRAIGHT), (left, open[2], STRAIGHT), (down, open[3], STRAIGHT)];
-        straight.into_iter().chain(slanted).filter(|&(_, is_open, _)| is_open).map(|(next, _, step)| (next, step))
+        let (mut steps, mut count) = ([(0, 0); 8], 0);
+        let mut look = |next: usize, is_open: bool, step: u32| {
+            let is_open = is_open && self.reached[next] != WALL;
+            if is_open {
+                steps[count] = (next, step);
+                count += 1;
+            }
+            is_open
+        };
+        let (is_right, is_up) = (look(right, true, STRAIGHT), look(up, true, STRAIGHT));
+        let (is_left, is_down) = (look(left, true, STRAIGHT), look(down, true, STRAIGHT));
+        look(up + 1, is_right && is_up, SLANTED);
+        look(up - 1, is_up && is_left, SLANTED);
+        look(down - 1, is_left && is_down, SLANTED);
+        look(down + 1, is_down && is_right, SLANTED);
+        (steps, count)
     }
 
     #[inline]
@@ -111,10 +117,10 @@ impl<'a> Detours<'a> {
         let mut index = goal;
         while self.reached[index] > self.base {
             let here = self.reached[index];
-            let before = self
-                .neighbours(index)
-                .find(|&(next, step)| self.reached[next] >= self.base && self.reached[next] + step == here);
-            let Some((next, _)) = before else { break };
+            let (steps, count) = self.steps(index);
+            let is_before =
+                |&&(next, step): &&(usize, u32)| self.reached[next] >= self.base && self.reached[next] + step == here;
+            let Some(&(next, _)) = steps[..count].iter().find(is_before) else { break };
             index = next;
             way.push(self.frame.cell(index));
         }
