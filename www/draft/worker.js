@@ -82,7 +82,7 @@ async function answer(request) {
     case "open":
       board.open(await read(request.files));
       stages = [];
-      return request.type === "restore" && board.set(request.settings);
+      return request.type === "restore" && board.set({ ...board.view()?.settings, ...request.settings });
     case "set":
       // On top of what the hand has chosen on the canvas meanwhile.
       return board.set({ ...board.view()?.settings, ...request.settings });
