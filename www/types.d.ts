@@ -298,13 +298,15 @@ export type RunsSummary = {
   dirt_left: Band | null;
 };
 
-/** One case of the benchmark (src/app/bench.rs). */
+/** One case of the benchmark (src/app/bench). */
 export type BenchResult = {
   name: string;
   /** Median time of one run. */
   ms: number;
-  /** For the simulator: simulated time per time taken. */
+  /** For what stands for a time of the robot's: that time per time taken. */
   times_real_time: number | null;
+  /** All memory that the module has had by then, 10^6 bytes; where it can tell. */
+  memory_mb: number | null;
 };
 
 /** What the benchmark's worker says. */

@@ -5,10 +5,10 @@
 //! is loaded in the same way, by the page, which has a `Guest` and a `LiveMap`, and by a worker, which has a `Guest`, a
 //! `Link` and perhaps a `VirtualRobot`. The workshop's, which runs in workers and is loaded when it is first needed, has
 //! `plan`, `Trials`, `Runner`, `read_map` and `bench`. Map's has a `Guest` and a `Survey`. The drafting room's has `export_files` for the page, and a
-//! `Drafting` for a worker that draws by itself.
+//! `Drafting` for a worker that draws by itself, beside `bench_draft`.
 //! Plain objects and arrays go to and fro between them: `request` and `map` say how.
 
-#[cfg(feature = "workshop")]
+#[cfg(any(feature = "workshop", feature = "draft"))]
 mod bench;
 #[cfg(any(feature = "page", feature = "compare", feature = "robot"))]
 mod canvas;
@@ -69,6 +69,8 @@ mod walk;
 
 #[cfg(feature = "workshop")]
 pub use bench::bench;
+#[cfg(feature = "draft")]
+pub use bench::{bench_draft, office_drawing};
 #[cfg(feature = "compare")]
 pub use comparison::Comparison;
 #[cfg(feature = "draft")]
