@@ -239,7 +239,7 @@ fn scenario_with_a_seed_that_no_link_can_hold_is_refused() {
 }
 
 fn answer(cells: Vec<Cell>) -> Answer {
-    Answer { path: CoveragePath { cells }, seconds: 0.1, trace: Vec::new() }
+    Answer { path: CoveragePath { cells }, seconds: 0.1, proof: None, trace: Vec::new() }
 }
 
 #[test]

@@ -3,12 +3,11 @@
 //! [`WalkMetrics`] are those of the walk on the planning grid, [`DriveMetrics`] those of the line that the robot drives,
 //! [`Bounds`] say how good any walk can be. [`METRICS`] is the list by which tables are made.
 
-mod bounds;
 mod drive;
 mod list;
 mod walk;
 
-pub use bounds::{Bounds, TURN_STEPS};
+pub use crate::planner::{Bounds, TURN_STEPS};
 pub use drive::DriveMetrics;
 pub use list::{Better, METRICS, MetricInfo, PlanNumbers};
 pub use walk::WalkMetrics;

@@ -51,7 +51,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
             why: "All lanes lie one way, so that half of the arms are mown across, in short lanes full of turns.",
         },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true, traces: false },
+    claims: Claims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
     params: &[
         ParamSpec {
             id: "lanes",

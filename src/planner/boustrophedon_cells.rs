@@ -56,7 +56,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
             why: "Rings along the walls go round both corners without a break and need a little less.",
         },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true, traces: false },
+    claims: Claims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
     params: &[
         ParamSpec {
             id: "effort",

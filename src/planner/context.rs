@@ -1,6 +1,6 @@
 //! What a planner may ask of its surroundings: random numbers, and whether to go on.
 
-use super::TraceStep;
+use super::{Proof, TraceStep};
 use crate::{
     grid::Cell,
     rng::{Rng, seeded},
@@ -22,12 +22,25 @@ pub enum PlanError {
 pub struct PlanContext<'a> {
     /// The run's random numbers.
     pub rng: Rng,
+    /// How good the best walk so far is known to be; planners that prove nothing leave it alone.
+    pub proof: Option<Proof>,
     observer: Option<Observer<'a>>,
     tracer: Option<Tracer<'a>>,
 }
 
-/// Is told how far a planner is (0 to 1) and the best walk so far; says whether to go on.
-pub type Observer<'a> = &'a mut dyn FnMut(f64, &[Cell]) -> ControlFlow<()>;
+/// How far a planner is.
+#[derive(Debug, Clone, Copy)]
+pub struct Report<'a> {
+    /// Share of the work that is done, 0 to 1.
+    pub done: f64,
+    /// The best walk so far; empty before the first.
+    pub walk: &'a [Cell],
+    /// How good that walk is known to be.
+    pub proof: Option<Proof>,
+}
+
+/// Is told how far a planner is; says whether to go on.
+pub type Observer<'a> = &'a mut dyn FnMut(Report<'_>) -> ControlFlow<()>;
 
 /// Is told every decision.
 pub type Tracer<'a> = &'a mut dyn FnMut(TraceStep);
@@ -35,12 +48,12 @@ pub type Tracer<'a> = &'a mut dyn FnMut(TraceStep);
 impl<'a> PlanContext<'a> {
     /// A run that nobody watches.
     pub fn new(seed: u64) -> Self {
-        Self { rng: seeded(seed, 0), observer: None, tracer: None }
+        Self { rng: seeded(seed, 0), proof: None, observer: None, tracer: None }
     }
 
     /// A run that reports to `observer`.
     pub fn observed(seed: u64, observer: Observer<'a>) -> Self {
-        Self { rng: seeded(seed, 0), observer: Some(observer), tracer: None }
+        Self { rng: seeded(seed, 0), proof: None, observer: Some(observer), tracer: None }
     }
 
     /// The same run, its decisions told to `tracer`.
@@ -62,8 +75,9 @@ impl<'a> PlanContext<'a> {
     }
 
     /// To be called every few milliseconds: reports how far the planner is, 0 to 1, and the walk that it has so far.
-    pub fn checkpoint(&mut self, done: f64, so_far: &[Cell]) -> Result<(), PlanError> {
-        match self.observer.as_mut().map(|observe| observe(done, so_far)) {
+    pub fn checkpoint(&mut self, done: f64, walk: &[Cell]) -> Result<(), PlanError> {
+        let report = Report { done, walk, proof: self.proof };
+        match self.observer.as_mut().map(|observe| observe(report)) {
             Some(ControlFlow::Break(())) => Err(PlanError::Cancelled),
             _ => Ok(()),
         }

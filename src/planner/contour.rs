@@ -58,7 +58,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
             why: "A slanted wall is a stair of cells, and every ring repeats all of its steps.",
         },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true, traces: false },
+    claims: Claims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
     params: &[ParamSpec {
         id: "order",
         label: "Order",

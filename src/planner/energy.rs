@@ -64,7 +64,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         shines: Example { room: "lshape", why: "One long meander round the corner, as good as planned." },
         fails: Example { room: "maze", why: "It can't see which way ends, and drives back for what it has left." },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true, traces: false },
+    claims: Claims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
     params: &[
         weight("rotation", "Turning", "Energy of a quarter turn; that of a step is 1.", 1.0),
         weight("visited", "Clean floor", "How much each clean cell of the eight around lowers the energy.", 0.5),

@@ -63,7 +63,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         shines: Example { room: "thesis8", why: "Small enough to find about the best walk there is." },
         fails: Example { room: "spiral", why: "Patches that change at random seldom straighten a whole lane." },
     },
-    claims: Claims { complete: true, deterministic: false, fast: false, traces: false },
+    claims: Claims { complete: true, deterministic: false, fast: false, traces: false, anytime: false },
     params: &[
         number(
             "generations",

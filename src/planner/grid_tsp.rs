@@ -59,7 +59,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
             why: "Rings along the walls need no search at all and end up a little better.",
         },
     },
-    claims: Claims { complete: true, deterministic: true, fast: false, traces: false },
+    claims: Claims { complete: true, deterministic: true, fast: false, traces: false, anytime: false },
     params: &[
         ParamSpec {
             id: "effort",

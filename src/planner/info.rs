@@ -35,6 +35,8 @@ pub struct Claims {
     pub fast: bool,
     /// Explains every step by [`PlanContext::trace`](super::PlanContext::trace).
     pub traces: bool,
+    /// Every walk that it reports is complete, and it may be stopped at any time.
+    pub anytime: bool,
 }
 
 /// Free cells up to which planners that don't claim to be fast stay usable.

@@ -6,6 +6,7 @@
 //! contract tests and benchmarks iterate [`PLANNERS`].
 
 mod backtracking_spiral;
+mod bounds;
 mod boustrophedon;
 mod boustrophedon_cells;
 mod context;
@@ -15,7 +16,9 @@ mod genetic;
 mod grid_tsp;
 mod info;
 mod job;
+pub mod near_optimal;
 mod neural;
+mod objective;
 mod path;
 mod s_shape;
 mod snake;
@@ -29,9 +32,11 @@ mod wavefront_path;
 pub mod stage;
 
 pub use crate::registry::{Example, Explainer, ParamError, ParamKind, ParamSpec, ParamValue, Params};
-pub use context::{Observer, PlanContext, PlanError, Tracer};
+pub use bounds::{Bounds, Relaxation, TURN_STEPS};
+pub use context::{Observer, PlanContext, PlanError, Report, Tracer};
 pub use info::{Claims, PlannerInfo, SLOW_CELLS};
 pub use job::CoverageJob;
+pub use objective::{Finish, Objective, Proof};
 pub use path::{CoveragePath, PathError};
 pub use trace::TraceStep;
 

@@ -62,7 +62,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         },
         fails: Example { room: "maze", why: "Floor left on many sides draws the robot to and fro." },
     },
-    claims: Claims { complete: true, deterministic: true, fast: false, traces: false },
+    claims: Claims { complete: true, deterministic: true, fast: false, traces: false, anytime: false },
     params: &[
         ParamSpec {
             id: "straight",

@@ -56,7 +56,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         },
         fails: Example { room: "maze", why: "Every dead end of the maze is one for the robot, too." },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true, traces: false },
+    claims: Claims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
     params: &[ParamSpec {
         id: "lanes",
         label: "Lanes",

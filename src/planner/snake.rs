@@ -68,7 +68,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         shines: Example { room: "empty", why: "Nothing in the way: a lawn mower's U-turns from wall to wall." },
         fails: Example { room: "maze", why: "Ways that were passed are left behind and come back to again and again." },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true, traces: true },
+    claims: Claims { complete: true, deterministic: true, fast: true, traces: true, anytime: false },
     params: &[ParamSpec {
         id: "patience",
         label: "Patience",

@@ -61,7 +61,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
             why: "Circles are square here: slanted walls stop them early and leave scraps to come back for.",
         },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true, traces: false },
+    claims: Claims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
     params: &[
         ParamSpec {
             id: "room",

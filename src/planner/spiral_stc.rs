@@ -60,7 +60,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
             why: "Where squares of four cells don't fit the corridor it goes there and back, again and again.",
         },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true, traces: false },
+    claims: Claims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
     params: &[ParamSpec {
         id: "tree",
         label: "Tree",

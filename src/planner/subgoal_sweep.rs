@@ -66,7 +66,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         shines: Example { room: "empty", why: "Nothing in the way: line after line, and no way driven twice." },
         fails: Example { room: "maze", why: "The nearest point is often behind a wall, and the detour long." },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true, traces: true },
+    claims: Claims { complete: true, deterministic: true, fast: true, traces: true, anytime: false },
     params: &[
         ParamSpec {
             id: "scan_lines",

@@ -61,7 +61,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
             why: "Straight fronts meet slanted walls, and every one of them ends in a corner left behind.",
         },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true, traces: false },
+    claims: Claims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
     params: &[GOAL],
 };
 

@@ -58,7 +58,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
             why: "Follows the slanted walls, which are stairs of cells, and so turns at every step of them.",
         },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true, traces: false },
+    claims: Claims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
     params: &[
         ParamSpec {
             id: "alpha",

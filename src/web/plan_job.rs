@@ -1,7 +1,7 @@
 //! Planning in a worker.
 
 use super::{clock, request::request_from_js, walk::flat};
-use crate::grid::Cell;
+use crate::planner::Report;
 use js_sys::{Function, Object, Reflect};
 use std::ops::ControlFlow;
 use wasm_bindgen::prelude::*;
@@ -26,14 +26,14 @@ pub fn plan(request: &JsValue, on_progress: &Function) -> Result<JsValue, JsValu
 }
 
 /// Tells `on_progress` now and then how far a planner is.
-pub(super) fn reporter(on_progress: &Function) -> impl FnMut(f64, &[Cell]) -> ControlFlow<()> {
+pub(super) fn reporter(on_progress: &Function) -> impl FnMut(Report<'_>) -> ControlFlow<()> {
     let mut reported = clock();
-    move |done, so_far| {
+    move |Report { done, walk, .. }| {
         let now = clock();
         if now - reported >= REPORT_EVERY_MS {
             reported = now;
             // A page that can't take the report shouldn't stop the planner.
-            let _ = on_progress.call2(&JsValue::NULL, &done.into(), &flat(so_far));
+            let _ = on_progress.call2(&JsValue::NULL, &done.into(), &flat(walk));
         }
         ControlFlow::Continue(())
     }

@@ -163,7 +163,7 @@ impl Playground {
     pub fn plan_finished(&mut self, id: u32, cells: &[u32], seconds: f64, trace: JsValue) -> Result<(), JsValue> {
         let trace: Vec<TraceStep> = serde_wasm_bindgen::from_value(trace).map_err(|e| e.to_string())?;
         let path = CoveragePath { cells: walk::cells(cells) };
-        self.session.plan_finished(id, Answer { path, seconds, trace });
+        self.session.plan_finished(id, Answer { path, seconds, proof: None, trace });
         Ok(())
     }
 

@@ -7,7 +7,7 @@ use robovac_playground::{
     metrics::WalkMetrics,
     planner::{
         CoverageJob, CoveragePath, Explainer, PLANNERS, ParamKind, ParamValue, Params, PlanContext, PlanError, Planner,
-        PlannerInfo, SLOW_CELLS,
+        PlannerInfo, Report, SLOW_CELLS,
     },
 };
 use std::ops::ControlFlow;
@@ -147,7 +147,7 @@ fn cancelling_is_honoured_at_the_first_checkpoint() {
     let job = CoverageJob::new(&free, Cell::new(0, 0), Direction::Right).expect("the start is free");
     for info in PLANNERS {
         let mut calls = 0;
-        let mut observer = |_: f64, _: &[Cell]| {
+        let mut observer = |_: Report<'_>| {
             calls += 1;
             ControlFlow::Break(())
         };
@@ -164,7 +164,7 @@ fn reports_show_progress_and_walks_that_can_be_driven() {
         let free = robovac_playground::floorplan::generate::random_hall(side, side, 1);
         let job = CoverageJob::new(&free, Cell::new(0, 0), Direction::Right).expect("the start is free");
         let (mut calls, mut last) = (0, 0.0);
-        let mut observer = |done: f64, so_far: &[Cell]| {
+        let mut observer = |Report { done, walk: so_far, .. }: Report<'_>| {
             calls += 1;
             assert!((last..=1.0).contains(&done), "{} reports {done} after {last}", info.id);
             last = done;

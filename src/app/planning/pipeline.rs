@@ -6,7 +6,9 @@ use crate::{
     floorplan::FloorPlan,
     geometry::{Point, Pose},
     metrics::{Bounds, DriveMetrics, PlanNumbers, WalkMetrics},
-    planner::{CoverageJob, CoveragePath, Observer, Params, PathError, PlanContext, PlanError, PlannerInfo, TraceStep},
+    planner::{
+        CoverageJob, CoveragePath, Observer, Params, PathError, PlanContext, PlanError, PlannerInfo, Proof, TraceStep,
+    },
     robot::{OdometryModel, RobotModel},
     sim::{Conditions, Run, RunSetup, World},
 };
@@ -49,6 +51,8 @@ pub struct Answer {
     pub path: CoveragePath,
     /// Time that planning took, s.
     pub seconds: f64,
+    /// How good the walk is known to be, for planners that prove it.
+    pub proof: Option<Proof>,
     /// The planner's decisions, if it tells them and the room isn't larger than [`MOST_SEARCH_CELLS`].
     pub trace: Vec<TraceStep>,
 }
@@ -138,8 +142,9 @@ impl PlanRequest {
         }
         let began = clock();
         let path = planner.plan(&self.job, &mut ctx)?;
+        let proof = ctx.proof;
         let seconds = (clock() - began).max(0.0);
-        Ok(Answer { path, seconds, trace })
+        Ok(Answer { path, seconds, proof, trace })
     }
 }
 

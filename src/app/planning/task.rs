@@ -291,7 +291,7 @@ mod tests {
         let now = Shared::new(10.0);
         let clock = || now.replace(now.get() + 2.5);
         assert_eq!(task.solve(clock, None).unwrap().planned.planning_s, 2.5);
-        let mut stop = |_: f64, _: &[Cell]| std::ops::ControlFlow::Break(());
+        let mut stop = |_: crate::planner::Report<'_>| std::ops::ControlFlow::Break(());
         assert_eq!(task.solve(|| 0.0, Some(&mut stop)).unwrap_err(), PlanningError::Plan(PlanError::Cancelled));
     }
 }

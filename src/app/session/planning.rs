@@ -21,7 +21,7 @@ impl Session {
             return Some(request);
         }
         let path = CoveragePath { cells: opening::from_runs(request.job.start, opening::WALK) };
-        self.plan_finished(request.id, Answer { path, seconds: 0.0, trace: Vec::new() });
+        self.plan_finished(request.id, Answer { path, seconds: 0.0, proof: None, trace: Vec::new() });
         None
     }
 

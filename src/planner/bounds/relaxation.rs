@@ -26,16 +26,10 @@ use super::{
     cuts::Cuts,
     graph::{Graph, NONE},
 };
-
-/// What a step and a quarter turn cost.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Weights {
-    pub step: u32,
-    pub turn: u32,
-}
+use crate::planner::{CoverageJob, Finish, Objective};
 
 /// About how many price units the larger weight is.
-pub(super) const UNITS: u32 = 4096;
+pub const UNITS: u32 = 4096;
 /// The price of a side with a wall: more than any way through others.
 const WALL: i32 = 1 << 20;
 /// Cells visited by all sweeps together, within the two limits below.
@@ -48,34 +42,80 @@ const HASTY: (i32, i32) = (410, 102);
 const PATIENT: (i32, i32) = (256, 77);
 const MANY_SWEEPS: usize = 50;
 
-/// Everything in price units.
-struct Prices {
-    step: i32,
-    turn: i32,
-    /// Largest price but for walls.
-    limit: i32,
-    /// Per cell and side, counter-clockwise from the right.
-    sides: Vec<[i32; 4]>,
+/// Sweeps for a room of that many cells where time is short.
+pub(super) fn effort(cells: usize) -> usize {
+    (EFFORT / cells.max(1)).clamp(FEWEST_SWEEPS, MOST_SWEEPS)
 }
 
-/// A bound on step x S + turn x T; weights up to [`UNITS`].
-pub(super) fn least(graph: &Graph, cuts: &Cuts, weights: Weights) -> u64 {
-    if graph.len() < 2 {
-        return 0;
+/// Prices on the sides of all cells, in price units: the reduced cost of a passage through sides a and b of a cell is
+/// step + turn x (quarter turns from a to b) + the prices of both sides, and none is below 0.
+pub struct Prices {
+    /// Price units in one unit of the objective.
+    pub unit: i32,
+    /// What a step costs.
+    pub step: i32,
+    /// What a quarter turn costs.
+    pub turn: i32,
+    /// Per cell and side, counter-clockwise from the right; walls are dearer than any way.
+    pub sides: Vec<[i32; 4]>,
+    /// Largest price but for walls.
+    limit: i32,
+    objective: Objective,
+    swept: usize,
+}
+
+/// A bound that rises the longer one works at it.
+pub struct Relaxation {
+    /// The cells.
+    pub graph: Graph,
+    cuts: Cuts,
+    /// The prices so far.
+    pub prices: Prices,
+    bound: u64,
+}
+
+impl Relaxation {
+    /// No work done yet; weights above [`UNITS`] count as that.
+    pub fn new(job: &CoverageJob, objective: Objective) -> Self {
+        let graph = Graph::new(&job.free, job.start);
+        let cuts = Cuts::of(&graph);
+        let prices = Prices::new(&graph, objective);
+        let bound = prices.bound(&graph, &cuts);
+        Self { graph, cuts, prices, bound }
     }
-    // Even, as half a step is needed.
-    let unit = ((UNITS / weights.step.max(weights.turn).max(1)) & !1).max(2);
-    let (step, turn) = ((weights.step * unit) as i32, (weights.turn * unit) as i32);
-    let sides = graph.neighbours.iter().map(|n| n.map(|next| if next == NONE { WALL } else { 0 })).collect();
-    let mut prices = Prices { step, turn, limit: step + turn + turn / 2, sides };
-    let sweeps = (EFFORT / graph.len()).clamp(FEWEST_SWEEPS, MOST_SWEEPS);
-    for sweep in 0..sweeps {
-        prices.sweep(graph, sweep, if sweeps < MANY_SWEEPS { HASTY } else { PATIENT });
+
+    /// Visits about that many cells to make prices better; whether more work may help.
+    pub fn improve(&mut self, cells: usize) -> bool {
+        let before = self.bound;
+        self.prices.work(&self.graph, cells.div_ceil(self.graph.len().max(1)));
+        self.bound = self.prices.bound(&self.graph, &self.cuts).max(before);
+        self.bound > before || self.prices.swept < MOST_SWEEPS
     }
-    prices.bound(graph, cuts).div_ceil(u64::from(unit))
+
+    /// No walk costs less, in the objective's weights.
+    pub fn bound(&self) -> u64 {
+        self.bound
+    }
 }
 
 impl Prices {
+    pub(super) fn new(graph: &Graph, objective: Objective) -> Self {
+        let (step, turn) = (objective.step.min(UNITS), objective.turn.min(UNITS));
+        // Even, as half a step is needed.
+        let unit = ((UNITS / step.max(turn).max(1)) & !1).max(2) as i32;
+        let (step, turn) = (step as i32 * unit, turn as i32 * unit);
+        let sides = graph.neighbours.iter().map(|n| n.map(|next| if next == NONE { WALL } else { 0 })).collect();
+        Self { unit, step, turn, limit: step + turn + turn / 2, sides, objective, swept: 0 }
+    }
+
+    /// That many sweeps.
+    pub(super) fn work(&mut self, graph: &Graph, sweeps: usize) {
+        for _ in 0..sweeps {
+            self.sweep(graph, self.swept, if effort(graph.len()) < MANY_SWEEPS { HASTY } else { PATIENT });
+            self.swept += 1;
+        }
+    }
+
     /// Shifts the prices of all edges once.
     fn sweep(&mut self, graph: &Graph, index: usize, (overshoot, kept): (i32, i32)) {
         let shares = if index.is_multiple_of(2) { (overshoot, kept) } else { (overshoot, 256 - kept) };
@@ -147,8 +187,11 @@ impl Prices {
         (self.step + passage, self.step / 2 + along_x.min(along_y))
     }
 
-    /// The bound by these prices, in units.
-    fn bound(&self, graph: &Graph, cuts: &Cuts) -> u64 {
+    /// The bound by these prices, in units of the objective.
+    pub(super) fn bound(&self, graph: &Graph, cuts: &Cuts) -> u64 {
+        if graph.len() < 2 {
+            return 0;
+        }
         let mut sum = 0;
         for (cell, &excess) in cuts.excess.iter().enumerate() {
             let (passage, _) = self.visits(cell);
@@ -157,10 +200,30 @@ impl Prices {
             }
             sum += i64::from(passage) * (1 + i64::from(excess));
         }
+        if self.objective.finish == Finish::Start {
+            return (sum as u64).div_ceil(self.unit as u64);
+        }
         let saved = |(passage, half): (i32, i32)| i64::from(passage - half);
         let at_start = saved(self.visits(graph.start));
         let below = cuts.sums_below(|cell| i64::from(self.visits(cell).0));
         let at_end = below.map(|(cell, sum)| saved(self.visits(cell)) + sum).max().unwrap_or(0);
-        (sum - at_start - at_end).max(0) as u64
+        ((sum - at_start - at_end).max(0) as u64).div_ceil(self.unit as u64)
+    }
+}
+
+impl Prices {
+    /// By how much a visit of a cell through two sides costs more than the cheapest passage, in price units; the walk's
+    /// first and last visit have one side, and none.
+    pub fn excess(&self, cell: usize, from: Option<usize>, to: Option<usize>) -> i32 {
+        let (passage, half) = self.visits(cell);
+        let sides = &self.sides[cell];
+        match (from, to) {
+            (Some(a), Some(b)) => {
+                let turns = [2, 1, 0, 1][(a + 4 - b) & 3];
+                self.step + self.turn * turns + sides[a] + sides[b] - passage
+            }
+            (Some(side), None) | (None, Some(side)) => self.step / 2 + sides[side] - half,
+            (None, None) => 0,
+        }
     }
 }

@@ -28,10 +28,11 @@ mod cuts;
 mod graph;
 mod relaxation;
 
-use crate::{grid::Grid, planner::CoverageJob};
+use super::{CoverageJob, Objective};
+use crate::grid::Grid;
 use cuts::Cuts;
-use graph::Graph;
-use relaxation::Weights;
+pub use graph::Graph;
+pub use relaxation::{Prices, Relaxation};
 use serde::{Deserialize, Serialize};
 
 /// Steps that a quarter turn counts as where steps and turns are put into one number.
@@ -63,8 +64,7 @@ impl Bounds {
     pub fn of(job: &CoverageJob) -> Self {
         let (graph, cuts) = laid_out(job);
         let (steps, turns) = (fewest_steps(job, &cuts), fewest_turns(job, &graph, &cuts));
-        let weights = Weights { step: 1, turn: TURN_STEPS as u32 };
-        let cost = relaxation::least(&graph, &cuts, weights) as usize;
+        let cost = least(&graph, &cuts, Objective::open(1, TURN_STEPS as u32)) as usize;
         Self { steps, turns, cost: cost.max(steps + TURN_STEPS * turns) }
     }
 
@@ -74,7 +74,7 @@ impl Bounds {
         let (graph, cuts) = laid_out(job);
         let parts = u64::from(step) * fewest_steps(job, &cuts) as u64
             + u64::from(turn) * fewest_turns(job, &graph, &cuts) as u64;
-        relaxation::least(&graph, &cuts, Weights { step, turn }).max(parts)
+        least(&graph, &cuts, Objective::open(step, turn)).max(parts)
     }
 }
 
@@ -82,6 +82,12 @@ fn laid_out(job: &CoverageJob) -> (Graph, Cuts) {
     let graph = Graph::new(&job.free, job.start);
     let cuts = Cuts::of(&graph);
     (graph, cuts)
+}
+
+fn least(graph: &Graph, cuts: &Cuts, objective: Objective) -> u64 {
+    let mut prices = Prices::new(graph, objective);
+    prices.work(graph, relaxation::effort(graph.len()));
+    prices.bound(graph, cuts)
 }
 
 fn fewest_steps(job: &CoverageJob, cuts: &Cuts) -> usize {
@@ -96,7 +102,7 @@ fn fewest_steps(job: &CoverageJob, cuts: &Cuts) -> usize {
 
 fn fewest_turns(job: &CoverageJob, graph: &Graph, cuts: &Cuts) -> usize {
     let by_square = 2 * largest_square(&job.free).saturating_sub(1);
-    by_square.max(relaxation::least(graph, cuts, Weights { step: 0, turn: 1 }) as usize)
+    by_square.max(least(graph, cuts, Objective::open(0, 1)) as usize)
 }
 
 /// Side of the largest square of free cells.

@@ -3,10 +3,10 @@
 use crate::grid::{Cell, Grid};
 
 /// No neighbour on that side.
-pub(super) const NONE: u32 = u32::MAX;
+pub const NONE: u32 = u32::MAX;
 
 /// The free cells of a job.
-pub(super) struct Graph {
+pub struct Graph {
     /// Per cell its neighbours counter-clockwise from the right, [`NONE`] where there is a wall.
     pub neighbours: Vec<[u32; 4]>,
     /// Number of the start.
