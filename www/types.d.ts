@@ -104,10 +104,12 @@ export type PlanNumbers = {
   overlap_m2: number;
   /** `null` for a plan that was made in advance. */
   planning_s: number | null;
+  /** By how much it costs more than any plan must, as a share of that; 0 if it is proven to be the best, `null` if nothing is proven. */
+  above_bound: number | null;
 };
 
 export type State = "planning" | "ready" | "playing" | "paused" | "finished" | "seeking" | "failed";
-export type Action = "play" | "pause" | "step" | "reset" | "cancel" | "seek" | "undo" | "redo" | "edit" | "lift";
+export type Action = "play" | "pause" | "step" | "reset" | "cancel" | "keep" | "seek" | "undo" | "redo" | "edit" | "lift";
 export type Tool = "view" | "wall" | "erase" | "start" | "place";
 
 export type View = {
@@ -196,9 +198,13 @@ export type ToWorker =
   | { type: "trial"; request: { id: number } }
   | { type: "runs"; request: { id: number } }
   | { type: "read"; request: { id: number; files: { name: string; bytes: Uint8Array }[] } };
+/** What a plan costs, and what any must cost. */
+export type Proof = Float64Array;
 export type FromWorker =
-  | { type: "progress"; id: number; done: number; cells: Uint32Array }
-  | { type: "finished"; id: number; cells: Uint32Array; seconds: number; trace: unknown }
+  | { type: "progress"; id: number; done: number; cells: Uint32Array; proof: Proof | undefined }
+  /** If the planner proves nothing, the worker does, and tells later. */
+  | { type: "finished"; id: number; cells: Uint32Array; seconds: number; trace: unknown; proof: Proof | undefined }
+  | { type: "proven"; id: number; proof: Proof | undefined }
   | { type: "failed"; id: number; message: string };
 
 export type FromTrial =

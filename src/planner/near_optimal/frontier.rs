@@ -54,8 +54,7 @@ type Choices = [Vec<Choice>; PAIRS];
 impl Region {
     /// Looks for a cheaper walk through the region.
     pub fn search<'w>(&self, costs: (i32, i32), ways: &'w Ways, search: Search) -> Found<'w> {
-        let choices: Vec<Choices> =
-            self.sites.iter().map(|site| self.choices(site, costs, ways)).collect();
+        let choices: Vec<Choices> = self.sites.iter().map(|site| self.choices(site, costs, ways)).collect();
         let rest = self.rests(&choices);
         let (mut is_exact, mut work) = (true, 0);
         let mut layer = vec![(self.begin(), 0_i64)];
@@ -190,7 +189,9 @@ impl Region {
                     fresh += 1;
                     label = fresh;
                 }
-                for side in (0..2).filter(|&side| is_open(side) && way.used[side] > 0 && way.groups[side] == group as u8) {
+                for side in
+                    (0..2).filter(|&side| is_open(side) && way.used[side] > 0 && way.groups[side] == group as u8)
+                {
                     state[slots[side]] = way.used[side] << 6 | label;
                 }
             }

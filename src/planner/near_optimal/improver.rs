@@ -180,8 +180,7 @@ impl<'a> Improver<'a> {
                 let share = 1.0 - (shake as f64 + 1.0) / SHAKES as f64;
                 let side = improver.rng.random_range(6..=largest);
                 let at = |low: i32, high: i32, rng: &mut Rng| rng.random_range(low - side / 2..high - side / 2);
-                let corner =
-                    Cell::new(at(low.x, high.x, &mut improver.rng), at(low.y, high.y, &mut improver.rng));
+                let corner = Cell::new(at(low.x, high.x, &mut improver.rng), at(low.y, high.y, &mut improver.rng));
                 let window = block.window(corner, side, side);
                 *cost += improver.rebuild(tour, window, most_states, (noise * share) as i32).unwrap_or(0);
             }
@@ -205,8 +204,7 @@ impl<'a> Improver<'a> {
             };
             prices.excess(cell as usize, side(before), side(after))
         };
-        let tries: [usize; CANDIDATES] =
-            std::array::from_fn(|_| self.rng.random_range(0..self.tour.cells.len()));
+        let tries: [usize; CANDIDATES] = std::array::from_fn(|_| self.rng.random_range(0..self.tour.cells.len()));
         let position = tries.into_iter().max_by_key(|&position| excess(position)).unwrap_or(0);
         self.cells[self.tour.cells[position] as usize]
     }
@@ -231,7 +229,8 @@ impl Block {
 
     /// Blocks of `side` cells that cover it, and overlap by `overlap`.
     fn parts(self, side: i32, overlap: i32) -> Vec<Self> {
-        let starts = |low: i32, high: i32| (low..(high - overlap).max(low + 1)).step_by((side - overlap).max(1) as usize);
+        let starts =
+            |low: i32, high: i32| (low..(high - overlap).max(low + 1)).step_by((side - overlap).max(1) as usize);
         let mut parts = Vec::new();
         for y in starts(self.low.y, self.high.y) {
             for x in starts(self.low.x, self.high.x) {

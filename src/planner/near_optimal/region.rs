@@ -1,8 +1,8 @@
 //! A part of the room that is walked anew, while the rest of the walk stays.
 
 use super::{
-    tour::Tour,
     frontier::MOST_OPEN,
+    tour::Tour,
     ways::{MOST_USES, Side, Way, turns},
 };
 use crate::{
@@ -117,8 +117,7 @@ impl Region {
     pub fn new(ground: &Ground<'_>, tour: &Tour, window: Window, site_of: &mut [u32]) -> Option<Self> {
         let Ground { graph, prices, numbers, .. } = ground;
         let is_swapped = window.width > window.height;
-        let (columns, rows) =
-            if is_swapped { (window.height, window.width) } else { (window.width, window.height) };
+        let (columns, rows) = if is_swapped { (window.height, window.width) } else { (window.width, window.height) };
         let turned = |side: Side| if is_swapped { swapped(side) } else { side };
         let mut sites = Vec::new();
         for row in 0..rows {
@@ -204,12 +203,18 @@ impl Region {
                 let (_, other, plug) = comes.remove(0);
                 self.arcs.push(Arc { first: 0, last: other, plugs: [None, Some(plug)] });
             }
-            if !self.has_end && let Some((_, other, plug)) = leaves.pop() {
+            if !self.has_end
+                && let Some((_, other, plug)) = leaves.pop()
+            {
                 self.arcs.push(Arc { first: other, last: tour.cells.len() - 1, plugs: [Some(plug), None] });
             }
         }
         let between = leaves.into_iter().zip(comes);
-        self.arcs.extend(between.map(|(from, to)| Arc { first: from.1, last: to.1, plugs: [Some(from.2), Some(to.2)] }));
+        self.arcs.extend(between.map(|(from, to)| Arc {
+            first: from.1,
+            last: to.1,
+            plugs: [Some(from.2), Some(to.2)],
+        }));
         let is_too_much = |plug: &Plug| usize::from(plug.uses) > MOST_USES;
         if self.plugs.len() + self.columns > MOST_OPEN || self.plugs.iter().any(is_too_much) {
             return false;
