@@ -16,7 +16,7 @@ mod genetic;
 mod grid_tsp;
 mod info;
 mod job;
-pub mod near_optimal;
+mod near_optimal;
 mod neural;
 mod objective;
 mod path;
@@ -75,6 +75,7 @@ registry! {
     genetic,
     grid_tsp,
     energy,
+    near_optimal,
     neural,
 }
 

@@ -7,13 +7,15 @@ use super::{
     tour::Tour,
     ways::Ways,
 };
-use crate::{grid::Cell, rng::Rng};
+use crate::{
+    grid::{Cell, Grid},
+    rng::Rng,
+};
 use rand::RngExt;
 use std::collections::VecDeque;
 
 /// A walk that gets better.
-pub(super) struct Improver<'a> {
-    pub ground: Ground<'a>,
+pub(super) struct Improver {
     ways: Ways,
     /// The free cells, by their numbers.
     cells: Vec<Cell>,
@@ -28,7 +30,7 @@ pub(super) struct Improver<'a> {
 
 /// A rectangle of the room, its upper right corner not included.
 #[derive(Debug, Clone, Copy)]
-struct Block {
+pub(super) struct Block {
     low: Cell,
     high: Cell,
 }
@@ -39,21 +41,22 @@ const WORK_PER_WINDOW: usize = 300;
 const BLOCK: i32 = 28;
 /// Windows that are tried while a block is shaken.
 const SHAKES: usize = 40;
+/// Side of the windows that settle after that.
+const SETTLED: usize = 8;
 /// Cells of which the one where the walk is dearest is shaken.
 const CANDIDATES: usize = 3;
 
-impl<'a> Improver<'a> {
+impl Improver {
     /// Nothing improved yet.
-    pub fn new(ground: Ground<'a>, cells: Vec<Cell>, tour: Tour, cost: i64, rng: Rng) -> Self {
+    pub fn new(cells: Vec<Cell>, tour: Tour, rng: Rng) -> Self {
         let site_of = vec![u32::MAX; cells.len()];
-        Self { ground, ways: Ways::new(2), cells, tour, cost, work: 0, site_of, rng }
+        Self { ways: Ways::new(2), cells, tour, cost: 0, work: 0, site_of, rng }
     }
 
-    /// The walk, from cell to cell.
-    pub fn walk(&self) -> Vec<Cell> {
-        let mut walk: Vec<Cell> = self.tour.cells.iter().map(|&number| self.cells[number as usize]).collect();
+    /// A walk from cell to cell, begun in `start`.
+    pub fn walk(&self, numbers: &[u32], start: Cell) -> Vec<Cell> {
+        let mut walk: Vec<Cell> = numbers.iter().map(|&number| self.cells[number as usize]).collect();
         if self.tour.is_closed {
-            let start = self.cells[self.ground.graph.start];
             let at = walk.iter().position(|&cell| cell == start).unwrap_or(0);
             walk.rotate_left(at);
             walk.push(start);
@@ -61,19 +64,22 @@ impl<'a> Improver<'a> {
         walk
     }
 
-    fn costs(&self) -> (i32, i32) {
-        (self.ground.prices.step, self.ground.prices.turn)
-    }
-
     /// Walks a window of `tour` anew if that's cheaper, or seems so by noise; the change of cost.
-    fn rebuild(&mut self, tour: &mut Tour, window: Window, most_states: usize, noise: i32) -> Option<i64> {
+    fn rebuild(
+        &mut self,
+        ground: &Ground<'_>,
+        tour: &mut Tour,
+        window: Window,
+        most_states: usize,
+        noise: i32,
+    ) -> Option<i64> {
         self.work += WORK_PER_WINDOW;
-        let mut region = Region::new(&self.ground, tour, window, &mut self.site_of)?;
+        let mut region = Region::new(ground, tour, window, &mut self.site_of)?;
         if noise > 0 {
             region.disturb(noise, &mut self.rng);
         }
         let search = Search { limit: region.seeming_cost(), most_states };
-        let found = region.search(self.costs(), &self.ways, search);
+        let found = region.search(ground.costs(), &self.ways, search);
         self.work += found.work;
         if found.ways.is_empty() {
             return None;
@@ -82,31 +88,25 @@ impl<'a> Improver<'a> {
         Some(found.cost - region.cost)
     }
 
-    /// Rebuilds windows of `side` cells until none gets cheaper; `report` is told the share done, and may stop it.
-    pub fn settle<E>(
-        &mut self,
-        side: usize,
-        most_states: usize,
-        mut report: impl FnMut(&Self, f64) -> Result<(), E>,
-    ) -> Result<(), E> {
-        let (width, height) = (self.ground.numbers.width() as i32, self.ground.numbers.height() as i32);
+    /// Blocks that cover the room and overlap by `overlap` cells: one, unless the room is large.
+    pub fn blocks(&self, numbers: &Grid<u32>, overlap: usize) -> Vec<Block> {
+        let (width, height) = (numbers.width() as i32, numbers.height() as i32);
         let room = Block { low: Cell::new(0, 0), high: Cell::new(width, height) };
-        let blocks = room.parts(if self.cells.len() > FOLDED { FOLD } else { width.max(height) }, side as i32);
-        for (i, &block) in blocks.iter().enumerate() {
-            let mut failed = None;
-            self.within(block, |improver, tour, cost| {
-                improver.settle_block(tour, cost, block, side, most_states, |improver, done| {
-                    let result = report(improver, (i as f64 + done) / blocks.len() as f64);
-                    let is_ok = result.is_ok();
-                    failed = result.err();
-                    is_ok
-                });
-            });
-            if let Some(error) = failed {
-                return Err(error);
-            }
-        }
-        Ok(())
+        if self.cells.len() > FOLDED { room.parts(FOLD, overlap as i32) } else { vec![room] }
+    }
+
+    /// Rebuilds windows of `side` cells in a block until none gets cheaper; asks before each whether to go on, and tells
+    /// about which share is done.
+    pub fn settle(
+        &mut self,
+        ground: &Ground<'_>,
+        block: Block,
+        (side, most_states): (usize, usize),
+        goes_on: impl FnMut(usize, f64) -> bool,
+    ) {
+        self.within(block, |improver, tour, cost| {
+            *cost += improver.settle_windows(ground, tour, block, (side, most_states), goes_on);
+        });
     }
 
     /// Lets `act` change the walk in a block, what lies elsewhere folded up if the room is large.
@@ -127,15 +127,16 @@ impl<'a> Improver<'a> {
         self.cost += cost;
     }
 
-    fn settle_block(
+    /// The change of cost.
+    fn settle_windows(
         &mut self,
+        ground: &Ground<'_>,
         tour: &mut Tour,
-        cost: &mut i64,
         block: Block,
-        side: usize,
-        most_states: usize,
-        mut goes_on: impl FnMut(&Self, f64) -> bool,
-    ) {
+        (side, most_states): (usize, usize),
+        mut goes_on: impl FnMut(usize, f64) -> bool,
+    ) -> i64 {
+        let mut cost = 0;
         let stride = (side as i32 / 2).max(1);
         let columns = ((block.high.x - block.low.x + stride - 1) / stride).max(1) as usize;
         let rows = ((block.high.y - block.low.y + stride - 1) / stride).max(1) as usize;
@@ -145,14 +146,14 @@ impl<'a> Improver<'a> {
         while let Some(at) = queue.pop_front() {
             is_queued[at] = false;
             tried += 1;
-            if !goes_on(self, tried as f64 / (tried + queue.len()) as f64) {
-                return;
+            if !goes_on(self.work, tried as f64 / (tried + queue.len()) as f64) {
+                break;
             }
             let (column, row) = (at % columns, at / columns);
             let low = Cell::new(block.low.x + stride * column as i32, block.low.y + stride * row as i32);
             let window = block.window(low, side as i32, side as i32);
-            let Some(change) = self.rebuild(tour, window, most_states, 0) else { continue };
-            *cost += change;
+            let Some(change) = self.rebuild(ground, tour, window, most_states, 0) else { continue };
+            cost += change;
             for y in row.saturating_sub(2)..(row + 3).min(rows) {
                 for x in column.saturating_sub(2)..(column + 3).min(columns) {
                     let near = y * columns + x;
@@ -162,19 +163,20 @@ impl<'a> Improver<'a> {
                 }
             }
         }
+        cost
     }
 
     /// Shakes one block: rebuilds windows with noise that fades away, and takes it all back if that made the walk dearer.
-    pub fn shake(&mut self, noise: f64, largest: i32, most_states: usize) {
-        let centre = self.dear_cell();
-        let (width, height) = (self.ground.numbers.width() as i32, self.ground.numbers.height() as i32);
+    pub fn shake(&mut self, ground: &Ground<'_>, noise: f64, (largest, most_states): (i32, usize)) {
+        let centre = self.dear_cell(ground);
+        let (width, height) = (ground.numbers.width() as i32, ground.numbers.height() as i32);
         let low = |at: i32, most: i32| (at - BLOCK / 2).clamp(0, (most - BLOCK).max(0));
         let low = Cell::new(low(centre.x, width), low(centre.y, height));
         let high = Cell::new((low.x + BLOCK).min(width), (low.y + BLOCK).min(height));
         let block = Block { low, high };
         self.within(block, |improver, tour, cost| {
             let before = tour.cells.clone();
-            let (step, turn) = improver.costs();
+            let (step, turn) = ground.costs();
             let noise = noise * f64::from(step + turn);
             for shake in 0..SHAKES {
                 let share = 1.0 - (shake as f64 + 1.0) / SHAKES as f64;
@@ -182,9 +184,9 @@ impl<'a> Improver<'a> {
                 let at = |low: i32, high: i32, rng: &mut Rng| rng.random_range(low - side / 2..high - side / 2);
                 let corner = Cell::new(at(low.x, high.x, &mut improver.rng), at(low.y, high.y, &mut improver.rng));
                 let window = block.window(corner, side, side);
-                *cost += improver.rebuild(tour, window, most_states, (noise * share) as i32).unwrap_or(0);
+                *cost += improver.rebuild(ground, tour, window, most_states, (noise * share) as i32).unwrap_or(0);
             }
-            improver.settle_block(tour, cost, block, largest.min(8) as usize, most_states, |_, _| true);
+            *cost += improver.settle_windows(ground, tour, block, (SETTLED, most_states), |_, _| true);
             if *cost > 0 {
                 tour.replace(before);
                 *cost = 0;
@@ -193,8 +195,8 @@ impl<'a> Improver<'a> {
     }
 
     /// A cell by chance, rather one where the walk costs more than a passage must.
-    fn dear_cell(&mut self) -> Cell {
-        let Ground { graph, prices, .. } = self.ground;
+    fn dear_cell(&mut self, ground: &Ground<'_>) -> Cell {
+        let Ground { graph, prices, .. } = *ground;
         let excess = |position: usize| {
             let [before, after] = [false, true].map(|is_after| self.tour.beside(position, is_after));
             let cell = self.tour.cells[position];

@@ -54,8 +54,6 @@ struct Now {
 /// A side of a site through which the walk leaves the region.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Plug {
-    pub site: usize,
-    pub side: Side,
     /// How often the walk uses it.
     pub uses: u8,
     /// Plugs with the same number are connected outside.
@@ -98,6 +96,7 @@ pub(super) struct Arc {
 }
 
 /// Where things are looked up.
+#[derive(Clone, Copy)]
 pub(super) struct Ground<'a> {
     pub graph: &'a Graph,
     pub prices: &'a Prices,
@@ -106,6 +105,13 @@ pub(super) struct Ground<'a> {
     /// Sides of the heading, and whether the turn from it counts.
     pub heading: Side,
     pub counts_first_turn: bool,
+}
+
+impl Ground<'_> {
+    /// Costs of a step and of a quarter turn, in price units.
+    pub fn costs(&self) -> (i32, i32) {
+        (self.prices.step, self.prices.turn)
+    }
 }
 
 fn swapped(side: Side) -> Side {
@@ -243,7 +249,7 @@ impl Region {
             return plug;
         }
         self.sites[site].beyond[side] = Beyond::Plug(self.plugs.len());
-        self.plugs.push(Plug { site, side, uses: 1, label: 0 });
+        self.plugs.push(Plug { uses: 1, label: 0 });
         self.plugs.len() - 1
     }
 
