@@ -4,12 +4,12 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use robovac_playground::{
-    app::bench::office_drawing,
+    app::{bench::office_drawing, draft::Board},
     drawing::{Overlay, Region, Role, Tracing, read, to_dxf, trace},
     floorplan::SourceFile,
     geometry::Point,
 };
-use std::{hint::black_box, time::Duration};
+use std::{hint::black_box, ops::ControlFlow, time::Duration};
 
 fn drawings(criterion: &mut Criterion) {
     let file = SourceFile { name: "office.dxf".to_owned(), bytes: office_drawing(100_000) };
@@ -22,6 +22,9 @@ fn drawings(criterion: &mut Criterion) {
     group.bench_function("trace whole", |b| b.iter(|| trace(black_box(&drawing), &how)));
     let room = Tracing { region: Region::Room(Point::new(52_500.0, 38_000.0)), ..how };
     group.bench_function("trace room", |b| b.iter(|| trace(black_box(&drawing), &room)));
+    if let Ok(mut board) = Board::open(std::slice::from_ref(&file)) {
+        group.bench_function("sweep", |b| b.iter(|| board.sweep(&mut |_| ControlFlow::Continue(()))));
+    }
     let lines = vec![(0..10_000).map(|i| Point::new(f64::from(i), f64::from(i % 7))).collect()];
     let overlays = [Overlay { layer: "PATH".to_owned(), colour: 1, lines }];
     group.bench_function("write beside", |b| b.iter(|| to_dxf(Some(black_box(&file.bytes)), &overlays)));

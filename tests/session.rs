@@ -7,6 +7,7 @@ use robovac_playground::{
     grid::Cell,
     planner::{CoveragePath, Proof, Report},
 };
+use std::ops::ControlFlow;
 
 fn opened() -> Session {
     let mut session = Session::new();
@@ -297,6 +298,28 @@ fn gap_is_shown_while_planning_and_afterwards() {
     session.plan_now(|| 0.0);
     session.plan_proven(request.id + 1, Proof { cost: 3, bound: 1 });
     assert_eq!(shown(&session), Some(0.0));
+}
+
+#[test]
+fn best_walk_so_far_is_kept() {
+    let mut session = Session::new();
+    session.select_room("office").unwrap();
+    session.configure(|s| s.select_algorithm("near_optimal")).unwrap();
+    let request = session.take_plan_request().unwrap();
+    let mut gaps = Vec::new();
+    // As the page does it: somebody presses the button as soon as there is one.
+    let mut watch = |report: Report<'_>| {
+        session.plan_progress(request.id, report);
+        gaps.extend(session.view().plan.unwrap().above_bound);
+        if session.view().can.keep { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    assert!(request.serve(|| 0.0, Some(&mut watch)).is_err());
+    session.keep_plan(1.5);
+    let plan = session.view().plan.unwrap();
+    assert_eq!((session.state(), plan.planning_s), (State::Playing, Some(1.5)));
+    let walk = plan.walk.unwrap();
+    assert_eq!(walk.visited_cells, walk.reachable_cells);
+    assert!(plan.above_bound.is_some_and(|gap| gap > 0.0 && Some(&gap) == gaps.last()), "{gaps:?}");
 }
 
 #[test]

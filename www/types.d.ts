@@ -25,6 +25,8 @@ export type AlgorithmEntry = {
   deterministic: boolean;
   /** Plans a million cells in about a second. */
   fast: boolean;
+  /** Improves a complete plan, and may be stopped with it. */
+  anytime: boolean;
   /** Comes to an end by itself. */
   ends: boolean;
   /** Cleans, rather than going somewhere. */

@@ -46,10 +46,10 @@ impl Session {
         }
     }
 
-    /// Whether the planner at work has a walk that can be driven, and may be stopped with it.
+    /// Whether the planner at work may be stopped with a walk that cleans all: only of such a one anything is proven.
     pub(super) fn can_keep(&self) -> bool {
         let is_anytime = self.settings.algorithm.planner().is_some_and(|planner| planner.claims.anytime);
-        is_anytime && self.planning.as_ref().is_some_and(|planning| !planning.walk.is_empty())
+        is_anytime && self.planning.as_ref().is_some_and(|planning| planning.proof.is_some())
     }
 
     /// The user is content with the best walk so far, `seconds` after the planner began. Cancels if there is none.
