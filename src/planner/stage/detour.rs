@@ -47,7 +47,7 @@ impl<'a> Detours<'a> {
         }
         self.make_old();
         let goal = self.frame.index(to);
-        self.reach(self.frame.index(from), 0, to);
+        self.reach(self.frame.index(from), from, 0, to);
         while let Some((index, cost)) = self.queue.pop() {
             if index == goal {
                 let way = self.trace_back(index);
@@ -56,12 +56,33 @@ impl<'a> Detours<'a> {
             if self.reached[index] < self.base + cost {
                 continue;
             }
-            let (steps, count) = self.steps(index);
-            for &(next, step) in &steps[..count] {
-                self.reach(next, cost + step, to);
-            }
+            self.reach_neighbours(index, cost, to);
         }
         None
+    }
+
+    /// The order is that of [`Self::steps`].
+    #[inline]
+    fn reach_neighbours(&mut self, index: usize, cost: u32, to: Cell) {
+        let [right, up, left, down] = self.frame.neighbours(index);
+        let Cell { x, y } = self.frame.cell(index);
+        let (straight, slanted) = (cost + STRAIGHT, cost + SLANTED);
+        let is_right = self.reach(right, Cell::new(x + 1, y), straight, to);
+        let is_up = self.reach(up, Cell::new(x, y + 1), straight, to);
+        let is_left = self.reach(left, Cell::new(x - 1, y), straight, to);
+        let is_down = self.reach(down, Cell::new(x, y - 1), straight, to);
+        if is_right && is_up {
+            self.reach(up + 1, Cell::new(x + 1, y + 1), slanted, to);
+        }
+        if is_up && is_left {
+            self.reach(up - 1, Cell::new(x - 1, y + 1), slanted, to);
+        }
+        if is_left && is_down {
+            self.reach(down - 1, Cell::new(x - 1, y - 1), slanted, to);
+        }
+        if is_down && is_right {
+            self.reach(down + 1, Cell::new(x + 1, y - 1), slanted, to);
+        }
     }
 
     /// Free neighbours and what a step there costs, and how many there are; slantwise only past two free cells.
@@ -86,18 +107,22 @@ impl<'a> Detours<'a> {
         (steps, count)
     }
 
+    /// Notes a way of that cost to a cell; whether the cell is free.
     #[inline]
-    fn reach(&mut self, index: usize, cost: u32, to: Cell) {
+    fn reach(&mut self, index: usize, cell: Cell, cost: u32, to: Cell) -> bool {
         let mark = self.reached[index];
         if mark >= self.base && mark <= self.base + cost {
-            return;
+            return true;
+        }
+        if mark == WALL {
+            return false;
         }
         self.reached[index] = self.base + cost;
         self.dearest = self.dearest.max(cost);
-        let cell = self.frame.cell(index);
         let (dx, dy) = (cell.x.abs_diff(to.x), cell.y.abs_diff(to.y));
         let remaining = STRAIGHT * dx.abs_diff(dy) + SLANTED * dx.min(dy);
         self.queue.push(cost + remaining, index, cost);
+        true
     }
 
     /// Makes all marks those of a search before.
