@@ -144,7 +144,6 @@ fn a_robot_that_is_carried_off_finds_itself_and_goes_on_cleaning() {
     survey.run_ahead(60.0);
     let marks = |survey: &Survey| survey.belief().expect("there is a robot").marks.cells(Mark::Cleaned).count();
     survey.lift();
-    survey.run_ahead(2.0);
     survey.put_down(Pose::new(1.0, 1.6, 2.0));
     survey.run_ahead(2.0);
     assert_eq!((survey.view().is_sure, survey.view().activity), (Some(false), "looking for itself on its map"));
