@@ -1,11 +1,11 @@
 //! What a robot that cleans by its map goes for next.
 
 use super::{
-    ByMap, End, Phase,
+    ByMap, DOCK_S, End, Phase,
     remains::{Aim, Look, Remains},
 };
 use crate::{
-    controller::parts::{Pilot, Route},
+    controller::parts::{Habit, Pilot, Route},
     geometry::Point,
     mapping::Mark,
     planner::{self, PlanContext},
@@ -32,7 +32,7 @@ const BEFORE_DOCK: f64 = 0.7;
 
 impl ByMap {
     /// Looks for what is next: the nearest part of what is left. Where the map shows no way, it squeezes through.
-    pub(super) fn decide(&mut self, pilot: &Pilot) {
+    pub(super) fn decide(&mut self, pilot: &mut Pilot) {
         for aim in AIMS {
             if self.set_out(pilot, aim) {
                 return;
@@ -87,7 +87,7 @@ impl ByMap {
     }
 
     /// Nothing is left: back to its dock, if it began there.
-    fn finish(&mut self, pilot: &Pilot) {
+    fn finish(&mut self, pilot: &mut Pilot) {
         let look = Look { robot: &pilot.robot, aim: AIMS[1], barred: &self.barred, is_spent: &|_| false };
         let remains = Remains::new(&self.mapper, &look);
         let is_clean = remains.as_ref().is_some_and(|remains| remains.nearest(AIMS[1].cells).is_none());
@@ -99,6 +99,10 @@ impl ByMap {
             Some(line) => {
                 let (route, patience) = self.route(line);
                 Phase::Return { route, patience, end }
+            }
+            None if self.mapper.began_on_dock() => {
+                self.dock.begin(pilot);
+                Phase::Dock { patience: DOCK_S, end }
             }
             None => Phase::Done(end),
         };
