@@ -5,11 +5,13 @@ use robovac_playground::{
         Session,
         survey::{Deed, Phase, STORE_VERSION, StoreError, Stored, Survey, cleaners},
     },
-    controller::clean_by_map,
+    controller::{self, clean_by_map},
     floorplan::room,
     geometry::Pose,
-    mapping::{Mapper, Mark},
-    sim::{Input, Run, STEP_S},
+    mapping::{Mapper, MapperSetup, Mark, Tracking},
+    registry::Params,
+    robot::{BatteryReading, OdometryModel, Sensors},
+    sim::{Conditions, Input, Noise, NoiseLevel, Run, STEP_S, SlipLevel},
 };
 
 /// A survey of the room of a link.
@@ -144,7 +146,6 @@ fn a_robot_that_is_carried_off_finds_itself_and_goes_on_cleaning() {
     survey.run_ahead(60.0);
     let marks = |survey: &Survey| survey.belief().expect("there is a robot").marks.cells(Mark::Cleaned).count();
     survey.lift();
-    survey.run_ahead(2.0);
     survey.put_down(Pose::new(1.0, 1.6, 2.0));
     survey.run_ahead(2.0);
     assert_eq!((survey.view().is_sure, survey.view().activity), (Some(false), "looking for itself on its map"));
@@ -229,4 +230,32 @@ fn a_search_on_a_map_that_was_given_survives_a_reload() {
     let mut other = self::survey("room=bedroom&robot=roomba600&seed=1");
     assert!(matches!(other.resume(&text), Err(StoreError::Another { .. })));
     assert_eq!(other.view().known, None);
+}
+
+#[test]
+fn who_began_on_a_dock_goes_back_to_it() {
+    let mut session = Session::new();
+    session.restore("room=living&robot=roomba600&seed=3&start=0.6,1,180").expect("a link of ours");
+    let prepared = session.prepared().expect("it fits");
+    let (robot, start, odometry) = (prepared.robot.clone(), prepared.floor.start, OdometryModel::Arc);
+    assert!(start.heading.abs() > 3.0, "it looks at its dock, which is on the left: {start}");
+    let mut mapper = Mapper::new(MapperSetup { robot, start, tracking: Tracking::Corrected, odometry, seed: 3 });
+    let battery = BatteryReading { on_dock: true, ..BatteryReading::default() };
+    mapper.update(&Sensors { battery, ..Sensors::default() });
+    assert!(mapper.began_on_dock());
+    let noise = Noise::all(NoiseLevel::Typical);
+    let conditions = Conditions { slip: SlipLevel::Typical, noise, ..Conditions::default() };
+    let info = controller::find("bounce").expect("it exists");
+    let params = Params::defaults(info.params);
+    let run = prepared.run_behaviour(info, &params, conditions, 3).expect("it exists");
+    let mut run = run.with_mapper(mapper);
+    while run.time_s() < 400.0 {
+        run.step();
+    }
+    run.apply(Input::Clean("boustrophedon"));
+    while !run.is_finished() && run.time_s() < 5000.0 {
+        run.step();
+    }
+    assert!(run.is_finished() && run.activity().starts_with("done"), "{}", run.activity());
+    assert!(run.sensors().battery.on_dock, "it stands at {} in the end, {}", run.pose(), run.activity());
 }

@@ -244,6 +244,8 @@ fn a_kidnapped_robot_does_not_know() {
     let before = survey.belief().and_then(|belief| belief.pose()).expect("it believes something");
     survey.lift();
     survey.put_down(Pose::new(2.5, 2.5, 0.0));
+    survey.run_ahead(0.1);
+    assert_eq!(survey.view().is_sure, Some(false), "it has felt that it was carried");
     let belief = survey.belief().and_then(|belief| belief.pose()).expect("it believes something");
     let truth = survey.run().expect("there is a run").pose();
     assert!((belief.position() - before.position()).norm() < 0.05, "{belief} was {before}");

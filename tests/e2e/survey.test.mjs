@@ -218,10 +218,12 @@ test("it cleans by its own map, which time can be gone back over and a reload br
   assert.ok(await page.locator("#survey-clean").isDisabled(), "there is no map");
   await page.locator("#survey-planner").selectOption("boustrophedon");
   assert.equal(await app.linked("clean", (id) => id !== undefined), "boustrophedon");
-  const { time } = await explore(app, 90);
+  const { time } = await explore(app, 200);
+  // Not so fast, so that there is something left to be stopped.
+  await page.locator("#survey-speed").selectOption("16");
   await page.locator("#survey-clean").click();
   await phase("playing");
-  await app.poll(() => figures(app), (now) => now.time >= time + 60);
+  await app.poll(() => figures(app), (now) => now.time >= time + 20);
   await page.locator("#survey-play").click();
   await phase("paused");
   assert.match(await page.locator("#survey-activity").textContent(), /clean|map|backing|turning/i);
@@ -245,10 +247,11 @@ test("it cleans by its own map, which time can be gone back over and a reload br
 
 test("carried off while it cleans, it finds itself on its map and goes on", async (t) => {
   const { page, app, phase } = await openSurvey(t, { link: SMALL.replace("bounce", "explore_frontier") });
-  await explore(app, 400);
+  const { time } = await explore(app, 200);
+  await page.locator("#survey-speed").selectOption("16");
   await page.locator("#survey-clean").click();
   await phase("playing");
-  await app.poll(() => figures(app), (now) => now.time >= 420);
+  await app.poll(() => figures(app), (now) => now.time >= time + 5);
   await page.keyboard.press("p");
   await phase("held");
   await page.locator("#survey-floor").focus();
@@ -259,6 +262,7 @@ test("carried off while it cleans, it finds itself on its map and goes on", asyn
   if ((await page.locator("#place-map").getAttribute("data-phase")) === "paused") await page.locator("#survey-play").click();
   await app.poll(() => page.locator("#survey-activity").textContent(), (text) => /looking for itself/i.test(text));
   assert.ok(await page.locator("#survey-sure").isVisible());
+  await page.locator("#survey-speed").selectOption("256");
   await app.poll(() => page.locator("#survey-activity").textContent(), (text) => /cleaning by its map|done/i.test(text));
   assert.ok(await page.locator("#survey-sure").isHidden());
 });

@@ -13,6 +13,8 @@ use std::sync::Arc;
 const LONGEST_FRAME: f64 = 0.1;
 /// Robot time of a single step, s.
 const STEP_LENGTH_S: f64 = 5.0;
+/// Time in the air that a hand takes at least, s: what is shown meanwhile stands still.
+const IN_THE_AIR_S: f64 = 0.6;
 /// Time on the wall between two looks at the figures while time goes on, s.
 const FIGURES_EVERY: f64 = 0.25;
 
@@ -254,9 +256,13 @@ impl Survey {
         }
     }
 
-    /// Puts a robot that was picked up down at `pose`, or at the nearest place where it fits. It isn't told.
+    /// Puts a robot that was picked up down at `pose`, or at the nearest place where it fits. It isn't told where, but it has felt
+    /// its wheels hang down for a moment.
     pub fn put_down(&mut self, pose: Pose) {
         if self.can(Deed::PutDown) {
+            if let Some(stage) = &mut self.stage {
+                stage.advance((IN_THE_AIR_S / STEP_S) as u64, &mut || true);
+            }
             self.input(Input::PutDown(pose));
         }
     }

@@ -16,13 +16,11 @@
 //!
 //! Planning by parts of what is left, on a map that changes, and all figures here are ours.
 
+mod aims;
 mod remains;
 mod spent;
 
-use self::{
-    remains::{Aim, Look, Remains, name_at},
-    spent::Spent,
-};
+use self::{remains::name_at, spent::Spent};
 use super::{
     Controller, Intent, Setup,
     dock::Dock,
@@ -33,27 +31,14 @@ use crate::{
     geometry::Point,
     grid::Cell,
     mapping::{
-        Layer, Mapper, Mark,
+        Layer, Mapper,
         locate::{Locator, LocatorSetup},
     },
-    planner::{self, PlanContext},
     registry::Params,
     robot::{Drive, Sensors},
 };
 use std::sync::Arc;
 
-/// What it goes for, the first of these before the next. At first it keeps off obstacles, as what lies along walls is mostly clean
-/// after exploring; then come strips between lanes and along walls; in the end it squeezes through. Small pieces aren't worth
-/// the way by then.
-const AIMS: [Aim; 5] = [
-    Aim { slack: -0.04, share: 0.4, cells: 1 },
-    Aim { slack: 0.0, share: 0.4, cells: 2 },
-    Aim { slack: -0.02, share: 0.2, cells: 2 },
-    Aim { slack: 0.01, share: 0.2, cells: 4 },
-    Aim { slack: 0.05, share: 0.4, cells: 4 },
-];
-/// How long a line may take: s, s/m, and s for every corner.
-const PATIENCE: (f64, f64, f64) = (8.0, 6.0, 3.0);
 /// A robot that has moved less than that in so long is stuck, m and s; and how often it may be.
 const STUCK: (f64, f64) = (0.15, 25.0);
 const MOST_STUCK: u32 = 12;
@@ -68,11 +53,8 @@ const SIDE: f64 = 0.6;
 const CAREFUL: f64 = 0.45;
 /// How long it looks for itself, s.
 const SEARCH_S: f64 = 900.0;
-/// Cells of the map that it must have swept since nothing seemed left for it to look around once more: half a square metre.
-const WORTH: usize = 200;
-/// How long it tries to get onto its dock, s, and how far before it it begins with that, m.
+/// How long it tries to get onto its dock, s.
 const DOCK_S: f64 = 400.0;
-const BEFORE_DOCK: f64 = 0.7;
 
 /// Cleans what `mapper` has left, by a plan of the planner with that id.
 pub fn clean_by_map(mapper: Mapper, planner: &'static str) -> Box<dyn Controller> {
@@ -161,79 +143,6 @@ impl ByMap {
             dock: Dock::new(setup),
             mapper,
         }
-    }
-
-    /// Looks for what is next: the nearest part of what is left. Where the map shows no way, it squeezes through.
-    fn decide(&mut self, pilot: &Pilot) {
-        for aim in AIMS {
-            if self.set_out(pilot, aim) {
-                return;
-            }
-        }
-        let swept = self.mapper.marks().cells(Mark::Cleaned).count();
-        if swept > self.swept + WORTH {
-            self.swept = swept;
-            self.barred.forget();
-            self.spent.forgive();
-            return;
-        }
-        self.finish(pilot);
-    }
-
-    /// Whether there is something to set out for.
-    fn set_out(&mut self, pilot: &Pilot, aim: Aim) -> bool {
-        let is_spent = |cell| self.spent.is_up(cell);
-        let look = Look { robot: &pilot.robot, aim, barred: &self.barred, is_spent: &is_spent };
-        let Some(remains) = Remains::new(&self.mapper, &look) else { return false };
-        if aim.slack <= 0.0 {
-            self.look_around(&remains);
-        }
-        let Some((part, start)) = remains.nearest(aim.cells) else { return false };
-        let goal = remains.name(start);
-        self.spent.set_out(goal);
-        let job = remains.job(part, start, &pilot.robot);
-        let Some(info) = planner::find(self.planner) else { return false };
-        let planner = info.build(&Params::defaults(info.params));
-        let seed = self.mapper.setup().seed;
-        let Ok(path) = planner.plan(&job, &mut PlanContext::new(seed)) else { return false };
-        let line = remains.line(&path.cells);
-        let (route, patience) = self.route(line);
-        self.phase = Phase::Clean { route, patience, goal };
-        true
-    }
-
-    /// Notes where it can get to. Where it stands in a nook, that isn't much less than before.
-    fn look_around(&mut self, remains: &Remains) {
-        let reach = remains.reach();
-        if 2 * reach.iter().count() > self.reach.iter().count() {
-            self.reach = Arc::new(reach);
-        }
-    }
-
-    fn route(&self, line: Vec<Point>) -> (Route, f64) {
-        let from = self.mapper.pose().position();
-        let corners = line.len() as f64;
-        let route = Route::new(from, line);
-        let patience = PATIENCE.0 + PATIENCE.1 * route.left(from) + PATIENCE.2 * corners;
-        (route, patience)
-    }
-
-    /// Nothing is left: back to its dock, if it began there.
-    fn finish(&mut self, pilot: &Pilot) {
-        let look = Look { robot: &pilot.robot, aim: AIMS[1], barred: &self.barred, is_spent: &|_| false };
-        let remains = Remains::new(&self.mapper, &look);
-        let is_clean = remains.as_ref().is_some_and(|remains| remains.nearest(AIMS[1].cells).is_none());
-        let end = if is_clean { End::Clean } else { End::NothingReachable };
-        let start = self.mapper.setup().start;
-        let before = start.to_world(Point::new(-BEFORE_DOCK, 0.0));
-        let way = remains.filter(|_| self.mapper.began_on_dock()).and_then(|remains| remains.way(before));
-        self.phase = match way {
-            Some(line) => {
-                let (route, patience) = self.route(line);
-                Phase::Return { route, patience, end }
-            }
-            None => Phase::Done(end),
-        };
     }
 
     /// Something stops it: what it was going for, it won't go for again and again.
