@@ -40,7 +40,7 @@ const WORK_PER_WINDOW: usize = 300;
 /// Side of a block that is shaken at once, cells.
 const BLOCK: i32 = 28;
 /// Windows that are tried while a block is shaken.
-const SHAKES: usize = 40;
+const SHAKES: usize = 120;
 /// Side of the windows that settle after that.
 const SETTLED: usize = 8;
 /// Cells of which the one where the walk is dearest is shaken.
@@ -186,7 +186,14 @@ impl Improver {
     }
 
     /// Shakes one block: rebuilds windows with noise that fades away, and takes it all back if that made the walk dearer.
-    pub fn shake(&mut self, ground: &Ground<'_>, noise: f64, (largest, most_states): (i32, usize)) {
+    /// Asks before each window whether to go on.
+    pub fn shake(
+        &mut self,
+        ground: &Ground<'_>,
+        noise: f64,
+        (largest, most_states): (i32, usize),
+        mut goes_on: impl FnMut() -> bool,
+    ) {
         let centre = self.dear_cell(ground);
         let (width, height) = (ground.numbers.width() as i32, ground.numbers.height() as i32);
         let low = |at: i32, most: i32| (at - BLOCK / 2).clamp(0, (most - BLOCK).max(0));
@@ -198,6 +205,9 @@ impl Improver {
             let (step, turn) = ground.costs();
             let noise = noise * f64::from(step + turn);
             for shake in 0..SHAKES {
+                if !goes_on() {
+                    break;
+                }
                 let share = 1.0 - (shake as f64 + 1.0) / SHAKES as f64;
                 let side = improver.rng.random_range(6..=largest);
                 let at = |low: i32, high: i32, rng: &mut Rng| rng.random_range(low - side / 2..high - side / 2);
@@ -205,7 +215,7 @@ impl Improver {
                 let window = block.window(corner, side, side);
                 *cost += improver.rebuild(ground, tour, window, most_states, (noise * share) as i32).unwrap_or(0);
             }
-            *cost += improver.settle_windows(ground, tour, block, (SETTLED, most_states), |_, _| true);
+            *cost += improver.settle_windows(ground, tour, block, (SETTLED, most_states), |_, _| goes_on());
             if *cost > 0 {
                 tour.replace(before);
                 *cost = 0;

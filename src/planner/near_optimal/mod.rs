@@ -44,7 +44,7 @@ mod work;
 use super::{
     Build, Claims, CoverageJob, CoveragePath, Example, Explainer, Finish, Objective, ParamKind, ParamSpec, Params,
     PlanContext, PlanError, Planner, PlannerInfo, Report, boustrophedon, boustrophedon_cells,
-    stage::{Costs, between},
+    stage::{Costs, MAX_CELLS_FOR_ALL, between},
 };
 use crate::{grid::Cell, rng::seeded};
 use rand::RngExt;
@@ -150,7 +150,9 @@ impl Planner for NearOptimal {
         let first = fast_walk(&boustrophedon::INFO, boustrophedon::BUILD, job, &[], [0.0, FIRST], ctx)?;
         work.begin_with(first, ctx);
         work.relaxation.improve(HASTY);
-        work.settle(FIRST_WINDOWS, FIRST, Some(SETTLED), ctx)?;
+        if job.cells() <= MAX_CELLS_FOR_ALL {
+            work.settle(FIRST_WINDOWS, FIRST, Some(SETTLED), ctx)?;
+        }
         if most > 0.0 {
             let (info, build) = (&boustrophedon_cells::INFO, boustrophedon_cells::BUILD);
             let second = fast_walk(info, build, job, &work.shown, [SETTLED, SECOND], ctx)?;

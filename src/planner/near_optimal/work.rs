@@ -30,9 +30,9 @@ pub(super) struct Work<'j> {
 /// No cell.
 const NONE: u32 = u32::MAX;
 /// Noise of one shake after the other, in shares of a step and a quarter turn (ours).
-const NOISES: [f64; 4] = [0.02, 0.05, 0.1, 0.05];
+const NOISES: [f64; 4] = [0.12, 0.3, 0.6, 0.3];
 /// Largest window of a shaken block, cells, and states kept.
-const SHAKEN: (i32, usize) = (10, 700);
+const SHAKEN: (i32, usize) = (12, 700);
 /// Largest grid, walls included, of which all walks are tried.
 const LARGEST_SOLVED: usize = 1_000;
 /// Work between two improvements of the prices, and cells visited by one.
@@ -177,10 +177,14 @@ impl<'j> Work<'j> {
                 break;
             }
             ctx.proof = Some(self.proof());
-            ctx.checkpoint(self.share(before), &self.shown)?;
-            let Self { improver, relaxation, numbers, .. } = self;
+            let (done, mut result) = (self.share(before), Ok(()));
+            let Self { improver, relaxation, numbers, shown, .. } = self;
             let ground = Ground::new(self.job, self.objective, relaxation, numbers);
-            improver.shake(&ground, NOISES[shake % NOISES.len()], SHAKEN);
+            improver.shake(&ground, NOISES[shake % NOISES.len()], SHAKEN, || {
+                result = result.and_then(|()| ctx.checkpoint(done, shown));
+                result.is_ok()
+            });
+            result?;
             self.keep(ctx);
             if self.improver.work > priced + WORK_PER_PRICING {
                 priced = self.improver.work;
