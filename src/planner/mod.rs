@@ -16,6 +16,7 @@ mod genetic;
 mod grid_tsp;
 mod info;
 mod job;
+mod near_optimal;
 mod neural;
 mod objective;
 mod path;
@@ -74,6 +75,7 @@ registry! {
     genetic,
     grid_tsp,
     energy,
+    near_optimal,
     neural,
 }
 

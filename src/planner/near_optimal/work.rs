@@ -1,0 +1,181 @@
+//! One run of the planner: the walk it works at, the best so far, the prices, and what is left of the effort.
+
+use super::{improver::Improver, region::Ground, tour::Tour};
+use crate::{
+    grid::{Cell, Direction, Grid},
+    planner::{
+        CoverageJob, Finish, Objective, PlanContext, PlanError, Proof, Relaxation,
+        stage::{Costs, Stop, Transit, between},
+    },
+    rng::Rng,
+};
+
+/// Everything that a run needs.
+pub(super) struct Work<'j> {
+    job: &'j CoverageJob,
+    objective: Objective,
+    numbers: Grid<u32>,
+    pub relaxation: Relaxation,
+    improver: Improver,
+    /// The best walk so far, by the cells' numbers, and its cost in price units.
+    best: (Vec<u32>, i64),
+    /// The same walk to be shown, if somebody looks.
+    pub shown: Vec<Cell>,
+    /// The effort: ways to be tried in windows.
+    most: usize,
+}
+
+/// No cell.
+const NONE: u32 = u32::MAX;
+/// Noise of one shake after the other, in shares of a step and a quarter turn (ours).
+const NOISES: [f64; 4] = [0.02, 0.05, 0.1, 0.05];
+/// Largest window of a shaken block, cells, and states kept.
+const SHAKEN: (i32, usize) = (10, 700);
+/// Work between two improvements of the prices, and cells visited by one.
+const WORK_PER_PRICING: usize = 1_000_000;
+const PRICING: usize = 2_000_000;
+
+impl<'j> Work<'j> {
+    /// Nothing found yet.
+    pub fn new(job: &'j CoverageJob, objective: Objective, most: usize, rng: Rng) -> Self {
+        let mut count = 0;
+        let numbers = job.free.map(|&is_free| {
+            let number = if is_free { count } else { NONE };
+            count += u32::from(is_free);
+            number
+        });
+        let cells: Vec<Cell> = job.free.iter().filter(|&(_, &is_free)| is_free).map(|(cell, _)| cell).collect();
+        let is_closed = objective.finish == Finish::Start;
+        let improver = Improver::new(cells, Tour::new(count as usize, Vec::new(), is_closed), rng);
+        let relaxation = Relaxation::new(job, objective);
+        Self { job, objective, numbers, relaxation, improver, best: (Vec::new(), i64::MAX), shown: Vec::new(), most }
+    }
+
+    /// Goes on with `walk`, which is closed if a tour is asked for.
+    pub fn begin_with(&mut self, mut walk: Vec<Cell>, ctx: &PlanContext<'_>) {
+        let is_closed = self.objective.finish == Finish::Start;
+        if is_closed {
+            close(self.job, self.objective, &mut walk);
+        }
+        let unit = i64::from(self.relaxation.prices.unit);
+        self.improver.cost = self.objective.of_walk(self.job, &walk) as i64 * unit;
+        let steps = walk.len() - usize::from(is_closed);
+        self.improver.tour.replace(walk[..steps].iter().map(|&cell| self.numbers[cell]).collect());
+        self.keep(ctx);
+    }
+
+    /// Goes on with the best walk so far.
+    pub fn begin_with_best(&mut self) {
+        self.improver.tour.replace(self.best.0.clone());
+        self.improver.cost = self.best.1;
+    }
+
+    /// Remembers the walk if it's the best so far.
+    fn keep(&mut self, ctx: &PlanContext<'_>) {
+        if self.improver.cost < self.best.1 {
+            self.best.0.clone_from(&self.improver.tour.cells);
+            self.best.1 = self.improver.cost;
+            if ctx.is_observed() {
+                self.shown = self.walk();
+            }
+        }
+    }
+
+    /// The best walk so far.
+    pub fn walk(&self) -> Vec<Cell> {
+        self.improver.walk(&self.best.0, self.job.start)
+    }
+
+    /// How good the best walk is known to be.
+    pub fn proof(&self) -> Proof {
+        let unit = i64::from(self.relaxation.prices.unit);
+        Proof { cost: (self.best.1 / unit) as u64, bound: self.relaxation.bound() }
+    }
+
+    /// Whether there is nothing left to do.
+    fn is_over(&self) -> bool {
+        let Proof { cost, bound } = self.proof();
+        cost <= bound || self.improver.work >= self.most
+    }
+
+    /// The share of the work that is done, `before` at first.
+    fn share(&self, before: f64) -> f64 {
+        between([before, 1.0], self.improver.work as f64 / self.most.max(1) as f64)
+    }
+
+    /// Settles windows of some side, with some states kept, in the whole room; `shares` of all work lie before and after.
+    /// Without shares the work done tells them.
+    pub fn settle(
+        &mut self,
+        windows: (usize, usize),
+        before: f64,
+        after: Option<f64>,
+        ctx: &mut PlanContext<'_>,
+    ) -> Result<(), PlanError> {
+        let blocks = self.improver.blocks(&self.numbers, windows.0);
+        for (i, &block) in blocks.iter().enumerate() {
+            if self.is_over() {
+                break;
+            }
+            ctx.proof = Some(self.proof());
+            let (most, mut result) = (self.most, Ok(()));
+            let Self { improver, relaxation, numbers, shown, .. } = self;
+            let ground = Ground::new(self.job, self.objective, relaxation, numbers);
+            improver.settle(&ground, block, windows, |work, done| {
+                let done = match after {
+                    Some(after) => between([before, after], (i as f64 + done) / blocks.len() as f64),
+                    None => between([before, 1.0], work as f64 / most as f64),
+                };
+                result = ctx.checkpoint(done, shown);
+                result.is_ok() && work < most
+            });
+            result?;
+            self.keep(ctx);
+        }
+        Ok(())
+    }
+
+    /// Shakes the walk until there is nothing left to do.
+    pub fn shake(&mut self, before: f64, ctx: &mut PlanContext<'_>) -> Result<(), PlanError> {
+        let mut priced = self.improver.work;
+        for shake in 0.. {
+            if self.is_over() {
+                break;
+            }
+            ctx.proof = Some(self.proof());
+            ctx.checkpoint(self.share(before), &self.shown)?;
+            let Self { improver, relaxation, numbers, .. } = self;
+            let ground = Ground::new(self.job, self.objective, relaxation, numbers);
+            improver.shake(&ground, NOISES[shake % NOISES.len()], SHAKEN);
+            self.keep(ctx);
+            if self.improver.work > priced + WORK_PER_PRICING {
+                priced = self.improver.work;
+                self.relaxation.improve(PRICING);
+            }
+        }
+        Ok(())
+    }
+}
+
+impl<'a> Ground<'a> {
+    fn new(job: &CoverageJob, objective: Objective, relaxation: &'a Relaxation, numbers: &'a Grid<u32>) -> Self {
+        Self {
+            graph: &relaxation.graph,
+            prices: &relaxation.prices,
+            numbers,
+            heading: job.heading as usize,
+            counts_first_turn: objective.counts_first_turn,
+        }
+    }
+}
+
+/// Appends the cheapest way back to the start.
+fn close(job: &CoverageJob, objective: Objective, walk: &mut Vec<Cell>) {
+    let Some(&last) = walk.last().filter(|&&last| last != job.start) else { return };
+    let looks = |a: Option<&Cell>, b: Option<&Cell>| -> Option<Direction> { a?.direction_to(*b?) };
+    let arrived = walk.len().checked_sub(2).and_then(|i| looks(walk.get(i), Some(&last)));
+    let leaves = looks(walk.first(), walk.get(1));
+    let mut transit = Transit::new(&job.free, Costs { step: objective.step, turn: objective.turn });
+    let (from, to) = (Stop { cell: last, heading: arrived }, Stop { cell: job.start, heading: leaves });
+    let _ = transit.append_way(from, to, u32::MAX, walk);
+}
