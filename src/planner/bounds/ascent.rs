@@ -21,7 +21,7 @@ const MEMORY: usize = 30_000_000;
 /// How much is hoped for at first, as a share of the bound.
 const HOPE: f64 = 0.002;
 /// When to give up, likewise.
-const DESPAIR: f64 = 2e-6;
+const DESPAIR: f64 = 1e-4;
 /// An ascent by one way to cut a room into strips.
 pub(super) struct Ascent {
     strips: Strips,
@@ -56,16 +56,13 @@ impl Ascent {
         }
     }
 
-    /// Whether there is but one strip, which no price can make better.
-    fn is_whole(&self) -> bool {
-        self.strips.len() == 1
+    /// Whether there is but one strip, or all agree, so that no prices and no strips can be better.
+    pub fn is_final(&self) -> bool {
+        self.strips.len() == 1 || self.agrees
     }
 
     /// The same with higher strips, as far as memory allows.
     pub fn higher(&self, graph: &Graph) -> Option<Self> {
-        if self.is_whole() || self.agrees {
-            return None;
-        }
         let heights = self.strips.height + 1..=graph.numbers.width().max(graph.numbers.height());
         let higher = |height| Self::new(graph, &self.best, self.upright, height);
         let mut higher = heights.map(higher).find(|higher| higher.strips.len() < self.strips.len())?;
@@ -122,7 +119,7 @@ impl Ascent {
             }
         }
         self.agrees = length == 0.0;
-        if self.agrees || self.is_whole() || self.hope < self.bound as f64 * DESPAIR {
+        if self.is_final() || self.hope < self.bound as f64 * DESPAIR {
             return false;
         }
         let pace = (self.bound as f64 + self.hope - solution.bound as f64) / length;
@@ -138,5 +135,5 @@ impl Ascent {
 
 /// About how many cells could be visited in the time that a step takes for one, by the height of strips.
 pub(super) fn step_effort(prices: &Prices, height: usize) -> usize {
-    3_usize.pow(height as u32) * if prices.is_open() { 3 } else { 1 } / 2
+    3_usize.saturating_pow(height as u32).saturating_mul(if prices.is_open() { 3 } else { 1 }) / 2
 }

@@ -34,6 +34,7 @@ use super::{
     primal_dual::{PrimalDual, Programme},
 };
 use crate::planner::{CoverageJob, Objective};
+use std::collections::VecDeque;
 
 /// Steps of the primal-dual iteration between two looks at how good its prices are, at least.
 const PATIENCE: usize = 50;
@@ -67,7 +68,9 @@ pub struct Relaxation {
     last_rise: usize,
     risen_to: u64,
     crossings: Option<Crossings>,
-    ascent: Option<Ascent>,
+    /// Ascents to be gone on with, in turn: by rows and by columns, higher and higher ones.
+    ascents: VecDeque<Ascent>,
+    is_in_strips: bool,
 }
 
 impl Relaxation {
@@ -90,7 +93,8 @@ impl Relaxation {
             last_rise: 0,
             risen_to: 0,
             crossings: None,
-            ascent: None,
+            ascents: VecDeque::new(),
+            is_in_strips: false,
         }
     }
 
@@ -139,25 +143,33 @@ impl Relaxation {
     fn ascend(&mut self, cells: usize) -> bool {
         let crossings = self.crossings.get_or_insert_with(|| Crossings::new(self.prices.first_quarters()));
         let mut done = 0;
+        if !self.is_in_strips {
+            self.is_in_strips = true;
+            for upright in [false, true] {
+                let mut ascent = Ascent::new(&self.graph, &self.prices, upright, FIRST_HEIGHT);
+                ascent.step(&self.graph, &self.cuts, crossings);
+                self.bound = self.bound.max(ascent.bound());
+                done += ascent.effort(&self.graph);
+                self.ascents.push_back(ascent);
+            }
+            // The better ones first.
+            if self.ascents[0].bound() < self.ascents[1].bound() {
+                self.ascents.swap(0, 1);
+            }
+        }
         while done < cells {
-            let Some(ascent) = &mut self.ascent else {
-                let [lying, standing] = [false, true].map(|upright| {
-                    let mut ascent = Ascent::new(&self.graph, &self.prices, upright, FIRST_HEIGHT);
-                    ascent.step(&self.graph, &self.cuts, crossings);
-                    done += ascent.effort(&self.graph);
-                    ascent
-                });
-                self.ascent = Some(if lying.bound() < standing.bound() { standing } else { lying });
-                continue;
+            let Some(mut ascent) = self.ascents.pop_front() else {
+                return false;
             };
             done += ascent.effort(&self.graph);
             let goes_on = ascent.step(&self.graph, &self.cuts, crossings);
             self.bound = self.bound.max(ascent.bound());
-            if !goes_on {
-                match ascent.higher(&self.graph) {
-                    Some(higher) => *ascent = higher,
-                    None => return false,
-                }
+            if goes_on {
+                self.ascents.push_front(ascent);
+            } else if ascent.is_final() {
+                self.ascents.clear();
+            } else {
+                self.ascents.extend(ascent.higher(&self.graph));
             }
         }
         true
