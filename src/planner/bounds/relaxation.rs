@@ -46,15 +46,13 @@ const LULL: usize = 3;
 const LEAST_STEPS: usize = 600;
 /// What counts as success: a rise by one in so many.
 const RISE: u64 = 2000;
-/// Height of the first strips.
-const FIRST_HEIGHT: usize = 4;
 
 /// A bound that rises the longer one works at it.
 pub struct Relaxation {
     /// The cells.
     pub graph: Graph,
     cuts: Cuts,
-    /// The best prices so far.
+    /// The best prices so far, of single cells.
     pub prices: Prices,
     /// The bound that they give, and the best bound.
     cell_bound: u64,
@@ -107,10 +105,10 @@ impl Relaxation {
         let limit = if self.graph.len() > MOST_CELLS { MOST_SWEEPS } else { effort(self.graph.len()) };
         let sweeps = rounds.min(limit - self.swept.min(limit));
         if sweeps > 0 {
-            let before = self.prices.clone();
             self.prices.diffuse(&self.graph, self.swept, sweeps);
             self.swept += sweeps;
-            self.look(before);
+            self.cell_bound = self.prices.bound(&self.graph, &self.cuts);
+            self.bound = self.bound.max(self.cell_bound);
             return true;
         }
         if self.graph.len() > MOST_CELLS {
@@ -146,7 +144,7 @@ impl Relaxation {
         if !self.is_in_strips {
             self.is_in_strips = true;
             for upright in [false, true] {
-                let mut ascent = Ascent::new(&self.graph, &self.prices, upright, FIRST_HEIGHT);
+                let mut ascent = Ascent::first(&self.graph, &self.prices, upright);
                 ascent.step(&self.graph, &self.cuts, crossings);
                 self.bound = self.bound.max(ascent.bound());
                 done += ascent.effort(&self.graph);
