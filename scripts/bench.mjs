@@ -42,7 +42,7 @@ if (!fs.existsSync(path.join(DIST, "www/bench.html"))) {
 }
 const nativeMs = native();
 const wasmMs = await inBrowser();
-const columns = (name, ...cells) => `    ${name.padEnd(40)}${cells.map((cell) => cell.padStart(14)).join("")}`;
+const columns = (name, ...cells) => `    ${name.padEnd(48)}${cells.map((cell) => cell.padStart(14)).join("")}`;
 console.log(columns("", "native ms", "wasm ms", "wasm / native"));
 for (const [name, ms] of wasmMs) {
   const reference = nativeMs.get(name);

@@ -5,8 +5,9 @@ use robovac_playground::{
     floorplan::{Object, ROOMS, SourceFile},
     geometry::{Point, Pose},
     grid::Cell,
-    planner::CoveragePath,
+    planner::{CoveragePath, Proof, Report},
 };
+use std::ops::ControlFlow;
 
 fn opened() -> Session {
     let mut session = Session::new();
@@ -250,7 +251,8 @@ fn late_answers_of_older_plans_are_dropped() {
     session.select_room("empty").unwrap();
     session.plan_finished(old.id, answer(vec![old.job.start]));
     assert_eq!(session.state(), State::Planning);
-    session.plan_progress(old.id, 0.5, &[Cell::new(0, 0)]);
+    session.plan_progress(old.id, Report { done: 0.5, walk: &[Cell::new(0, 0)], proof: None });
+    session.plan_proven(old.id, Proof { cost: 2, bound: 1 });
     assert!(session.preview().is_empty());
 }
 
@@ -274,6 +276,62 @@ fn cancelled_plan_leaves_the_room_and_says_so() {
     session.play();
     session.plan_now(|| 0.0);
     assert_eq!(session.state(), State::Playing);
+}
+
+#[test]
+fn gap_is_shown_while_planning_and_afterwards() {
+    let mut session = Session::new();
+    session.select_room("empty").unwrap();
+    let request = session.take_plan_request().unwrap();
+    let shown = |session: &Session| session.view().plan.unwrap().above_bound;
+    assert_eq!(shown(&session), None);
+    let proof = Some(Proof { cost: 110, bound: 100 });
+    session.plan_progress(request.id, Report { done: 0.5, walk: &[request.job.start], proof });
+    assert_eq!(shown(&session), Some(0.1));
+    let mut answer = request.serve(|| 0.0, None).unwrap();
+    answer.proof = proof;
+    session.plan_finished(request.id, answer);
+    assert_eq!(shown(&session), Some(0.1));
+    session.plan_proven(request.id, Proof { cost: 100, bound: 100 });
+    assert_eq!(shown(&session), Some(0.0));
+    // Of another plan it says nothing.
+    session.plan_now(|| 0.0);
+    session.plan_proven(request.id + 1, Proof { cost: 3, bound: 1 });
+    assert_eq!(shown(&session), Some(0.0));
+}
+
+#[test]
+fn best_walk_so_far_is_kept() {
+    let mut session = Session::new();
+    session.select_room("office").unwrap();
+    session.configure(|s| s.select_algorithm("near_optimal")).unwrap();
+    let request = session.take_plan_request().unwrap();
+    let mut gaps = Vec::new();
+    // As the page does it: somebody presses the button as soon as there is one.
+    let mut watch = |report: Report<'_>| {
+        session.plan_progress(request.id, report);
+        gaps.extend(session.view().plan.unwrap().above_bound);
+        if session.view().can.keep { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    assert!(request.serve(|| 0.0, Some(&mut watch)).is_err());
+    session.keep_plan(1.5);
+    let plan = session.view().plan.unwrap();
+    assert_eq!((session.state(), plan.planning_s), (State::Playing, Some(1.5)));
+    let walk = plan.walk.unwrap();
+    assert_eq!(walk.visited_cells, walk.reachable_cells);
+    assert!(plan.above_bound.is_some_and(|gap| gap > 0.0 && Some(&gap) == gaps.last()), "{gaps:?}");
+}
+
+#[test]
+fn half_a_walk_is_not_kept() {
+    let mut session = Session::new();
+    session.select_room("empty").unwrap();
+    session.configure(|s| s.select_algorithm("snake")).unwrap();
+    let request = session.take_plan_request().unwrap();
+    session.plan_progress(request.id, Report { done: 0.5, walk: &[request.job.start], proof: None });
+    assert!(session.view().can.cancel && !session.view().can.keep);
+    session.keep_plan(1.0);
+    assert_eq!((session.state(), session.planned().is_some()), (State::Failed, false));
 }
 
 #[test]

@@ -9,6 +9,7 @@ use robovac_playground::{
     geometry::Pose,
     grid::{Cell, Occupancy},
     mapping::{Mark, OccupancyMap},
+    robot::OdometryModel,
     sim::{Run, STEP_S},
 };
 
@@ -85,15 +86,27 @@ fn perfect_wheels_are_typical_here_unless_asked_for() {
 }
 
 #[test]
-fn both_odometry_models_can_be_chosen_and_differ() {
+fn all_odometry_models_can_be_chosen_and_differ() {
     let mut poses = Vec::new();
-    for model in ["arc", "straight"] {
+    for (model, _) in OdometryModel::ALL.map(|(model, id)| (id, model)) {
         let mut survey = small();
         survey.set("counts", model).expect("a model");
         survey.run_ahead(60.0);
         poses.push(survey.run().and_then(|run| run.baseline()).expect("there is one").pose());
+        // The robot that follows walls by what it feels drives the same, whatever anyone reckons.
+        let view = survey.view();
+        assert_eq!(view.drifts.len(), OdometryModel::ALL.len());
+        let [off, turned] = view.drifts[0];
+        let [whole, degrees] = view.drifts[2];
+        assert!(off < 0.5 && turned < 20.0, "counts are off by {off} m, {turned} degrees");
+        assert!(
+            whole > off || degrees > turned,
+            "whole millimetres and degrees lose something: {whole} m, {degrees} degrees"
+        );
     }
-    assert_ne!(poses[0], poses[1]);
+    for (i, pose) in poses.iter().enumerate() {
+        assert!(poses[..i].iter().all(|other| other != pose), "{i} is like another");
+    }
     assert!(small().set("counts", "spiral").unwrap_err().to_string().contains("arc"));
 }
 

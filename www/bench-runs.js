@@ -47,5 +47,5 @@ export async function measureRuns(module) {
   await Promise.all(Array.from({ length: cores }, work));
   const ms = performance.now() - began;
   const name = `Monte Carlo: ${SEEDS} runs of ${MINUTES} min, ${cores} workers`;
-  return { name, ms, times_real_time: (SEEDS * MINUTES * 60) / (ms / 1000) };
+  return { name, ms, times_real_time: (SEEDS * MINUTES * 60) / (ms / 1000), memory_mb: null };
 }

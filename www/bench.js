@@ -10,18 +10,19 @@ import { compile, missing } from "./wasm.js";
  * @typedef {import("./types").FromBench} FromBench
  */
 
+/** Milliseconds between two looks at whether the page still answers. */
+const LOOK_EVERY = 5;
+
 /**
- * Runs the benchmark in a worker.
+ * Runs all cases of a module in a worker.
+ * @param {URL} script @param {WebAssembly.Module} module
  * @param {(result: BenchResult) => void} show Is told each result as it comes.
  * @returns {Promise<BenchResult[]>}
  */
-async function measure(show) {
-  const lack = missing();
-  if (lack) throw new Error(`this browser lacks ${lack}`);
-  const module = await compile(new URL("../workshop_bg.wasm", import.meta.url));
-  const worker = new Worker(new URL("./bench-worker.js", import.meta.url), { type: "module" });
+async function inWorker(script, module, show) {
+  const worker = new Worker(script, { type: "module" });
   try {
-    const results = await new Promise((/** @type {(results: BenchResult[]) => void} */ resolve, reject) => {
+    return await new Promise((resolve, reject) => {
       worker.addEventListener("message", (/** @type {MessageEvent<FromBench>} */ { data }) => {
         if (data.type === "result") show(data.result);
         else if (data.type === "finished") resolve(data.results);
@@ -30,18 +31,53 @@ async function measure(show) {
       worker.addEventListener("error", (event) => reject(new Error(event.message || "the worker could not be loaded")));
       worker.postMessage({ module });
     });
-    // By itself: it takes all cores.
-    const runs = await measureRuns(module);
-    show(runs);
-    return [...results, runs];
   } finally {
     worker.terminate();
   }
 }
 
+/** The longest that the page didn't answer while something was done. @param {() => Promise<unknown>} what */
+async function longestPause(what) {
+  let [last, longest] = [performance.now(), 0];
+  const look = () => {
+    const now = performance.now();
+    [last, longest] = [now, Math.max(longest, now - last)];
+  };
+  const looking = setInterval(look, LOOK_EVERY);
+  await what();
+  clearInterval(looking);
+  look();
+  return longest;
+}
+
+/**
+ * Runs the benchmark, one worker after the other.
+ * @param {(result: BenchResult) => void} show Is told each result as it comes.
+ * @returns {Promise<BenchResult[]>}
+ */
+async function measure(show) {
+  const lack = missing();
+  if (lack) throw new Error(`this browser lacks ${lack}`);
+  /** @type {BenchResult[]} */
+  const results = [];
+  /** @param {BenchResult} result */
+  const take = (result) => {
+    results.push(result);
+    show(result);
+  };
+  const draft = await compile(new URL("../draft_bg.wasm", import.meta.url));
+  const ms = await longestPause(() => inWorker(new URL("./bench-draft-worker.js", import.meta.url), draft, take));
+  take({ name: "longest pause of the page meanwhile", ms, times_real_time: null, memory_mb: null });
+  const workshop = await compile(new URL("../workshop_bg.wasm", import.meta.url));
+  await inWorker(new URL("./bench-worker.js", import.meta.url), workshop, take);
+  // By itself: it takes all cores.
+  take(await measureRuns(workshop));
+  return results;
+}
+
 /** @param {BenchResult} result */
-function addRow({ name, ms, times_real_time: times }) {
-  const cells = [ms.toFixed(2), times === null ? "" : pace(times)].map((text) => make("td", {}, text));
+function addRow({ name, ms, times_real_time: times, memory_mb: memory }) {
+  const cells = [ms.toFixed(2), times === null ? "" : pace(times), memory === null ? "" : memory.toFixed(0)].map((text) => make("td", {}, text));
   byId("results").append(make("tr", {}, make("th", { scope: "row" }, name), ...cells));
 }
 

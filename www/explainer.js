@@ -10,6 +10,7 @@ const PLANNER_CLAIMS = [
   ["complete", "visits every cell", "may miss cells", "Visits every cell of the planning grid that can be reached; tests hold it to that in every room. Coverage may still stay a little below 100 %: cells are coarser than the floor, and slivers along walls remain.", "Gives no promise to visit every cell that can be reached."],
   ["deterministic", "same plan every time", "uses chance", "Gives the same plan whatever the seed.", "Draws random numbers; another seed gives another plan."],
   ["fast", "fast in large halls", "takes its time", "Plans a million cells in about a second.", "Meant for rooms of up to 200 × 200 cells; shows its best plan so far and can be cancelled."],
+  ["anytime", "stops when you like", "", "Has a complete plan early on and improves it; stop it and it keeps the best so far.", ""],
 ];
 
 /** @type {Claim[]} */
@@ -29,7 +30,8 @@ const MANUAL_CLAIMS = [["manual", "you drive", "", "A person is at the controls;
  */
 export function explainer(algorithm, rooms, openRoom) {
   const plans = algorithm.kind === "planner";
-  const claims = (plans ? PLANNER_CLAIMS : algorithm.manual ? MANUAL_CLAIMS : BEHAVIOUR_CLAIMS).map(([key, yes, no, tipYes, tipNo]) =>
+  const told = (plans ? PLANNER_CLAIMS : algorithm.manual ? MANUAL_CLAIMS : BEHAVIOUR_CLAIMS).filter(([key, , no]) => algorithm[key] || no);
+  const claims = told.map(([key, yes, no, tipYes, tipNo]) =>
     make("li", { "data-tip": algorithm[key] ? tipYes : tipNo, className: algorithm[key] ? "yes" : "no" }, make("button", { type: "button", className: "term" }, algorithm[key] ? yes : no)),
   );
   /** @param {string} title @param {{ room: string, why: string }} example */

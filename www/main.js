@@ -32,6 +32,7 @@ import { compile, missing } from "./wasm.js";
  * @property {(files: { name: string, bytes: Uint8Array }[]) => Promise<boolean>} takeFiles Reads a map and takes it; says whether it worked.
  * @property {(files: File[]) => void} bring Shows files as a floor plan, before they become the room.
  * @property {() => void} cancelPlanning
+ * @property {() => void} keepPlan Ends planning with the best plan so far.
  * @property {() => string} link What leads back to what is shown, behind `#`.
  * @property {(key: string) => boolean} placeKey A single key in another place; says whether it was used.
  */
@@ -96,12 +97,17 @@ async function start() {
       planning.cancel();
       app.act((p) => p.cancel_plan());
     },
+    keepPlan: () => {
+      const seconds = planning.cancel();
+      app.act((p) => p.keep_plan(seconds));
+    },
     link: () => [playground.link(), ...(here() ? [here()?.link()] : [])].join("&"),
     placeKey: (key) => here()?.key(key) ?? false,
   };
   const planning = new Planning({
-    progress: (id, done, cells) => guard(() => playground.plan_progress(id, done, cells)),
-    finished: (id, cells, seconds, trace) => guard(() => playground.plan_finished(id, cells, seconds, trace)),
+    progress: (id, done, cells, proof) => guard(() => playground.plan_progress(id, done, cells, proof)),
+    finished: (id, cells, seconds, trace, proof) => guard(() => playground.plan_finished(id, cells, seconds, trace, proof)),
+    proven: (id, proof) => guard(() => playground.plan_proven(id, proof)),
     failed: (id, message) => guard(() => playground.plan_failed(id, message)),
   });
 

@@ -3,9 +3,11 @@
 
 /**
  * @typedef {import("./types").FromWorker} FromWorker
+ * @typedef {import("./types").Proof | undefined} Proof
  * @typedef {object} Listeners
- * @property {(id: number, done: number, cells: Uint32Array) => void} progress
- * @property {(id: number, cells: Uint32Array, seconds: number, trace: unknown) => void} finished
+ * @property {(id: number, done: number, cells: Uint32Array, proof: Proof) => void} progress
+ * @property {(id: number, cells: Uint32Array, seconds: number, trace: unknown, proof: Proof) => void} finished
+ * @property {(id: number, proof: Proof) => void} proven What is known of a plan that has been told.
  * @property {(id: number, message: string) => void} failed
  */
 
@@ -16,8 +18,10 @@ export class Planning {
   #worker;
   /** Number of the request being worked on. @type {number | undefined} */
   #busy;
-  /** Whether the worker has that request. */
+  /** Whether the worker has a request that it isn't done with, and which: what it proves comes after the plan. */
   #sent = false;
+  #proving = NaN;
+  #began = 0;
 
   /** @param {Listeners} listeners */
   constructor(listeners) {
@@ -33,6 +37,7 @@ export class Planning {
       (worker) => {
         if (this.#busy !== request.id) return;
         this.#sent = true;
+        this.#began = performance.now();
         worker.postMessage({ type: "plan", request });
       },
       (error) => {
@@ -44,15 +49,18 @@ export class Planning {
     );
   }
 
-  /** Ends the current planning at once, whatever the worker is doing. */
+  /** Ends the current planning at once, whatever the worker is doing. @returns {number} Seconds since that began. */
   cancel() {
     this.#busy = undefined;
-    if (!this.#sent) return;
+    this.#proving = NaN;
+    const seconds = (performance.now() - this.#began) / 1000;
+    if (!this.#sent) return seconds;
     this.#sent = false;
     void this.#worker?.then((worker) => worker.terminate());
     this.#worker = this.#hire();
     // Whoever needs it is told.
     this.#worker.catch(() => {});
+    return seconds;
   }
 
   /** A fresh worker, warmed up before it is needed; the compiled module is shared. */
@@ -79,14 +87,21 @@ export class Planning {
 
   /** @param {FromWorker} message */
   #hear(message) {
-    if (message.id !== this.#busy) return;
+    const { id } = message;
+    if (message.type === "proven" && id === this.#proving) {
+      this.#proving = NaN;
+      this.#sent = false;
+      this.#listeners.proven(id, message.proof);
+    }
+    if (id !== this.#busy) return;
     if (message.type === "progress") {
-      this.#listeners.progress(message.id, message.done, message.cells);
+      this.#listeners.progress(id, message.done, message.cells, message.proof);
       return;
     }
     this.#busy = undefined;
-    this.#sent = false;
-    if (message.type === "finished") this.#listeners.finished(message.id, message.cells, message.seconds, message.trace);
-    else this.#listeners.failed(message.id, message.message);
+    this.#sent = message.type === "finished" && !message.proof;
+    if (this.#sent) this.#proving = id;
+    if (message.type === "finished") this.#listeners.finished(id, message.cells, message.seconds, message.trace, message.proof);
+    else if (message.type === "failed") this.#listeners.failed(id, message.message);
   }
 }

@@ -152,4 +152,5 @@ function startToolbar(app) {
   button("zoom-fit").addEventListener("click", () => app.act((p) => p.fit()));
   for (const id of ["zoom-in", "zoom-out", "zoom-fit"]) button(id).disabled = false;
   button("planning-cancel").addEventListener("click", () => app.cancelPlanning());
+  button("planning-keep").addEventListener("click", () => app.view.can.keep && app.keepPlan());
 }

@@ -25,6 +25,8 @@ export type AlgorithmEntry = {
   deterministic: boolean;
   /** Plans a million cells in about a second. */
   fast: boolean;
+  /** Improves a complete plan, and may be stopped with it. */
+  anytime: boolean;
   /** Comes to an end by itself. */
   ends: boolean;
   /** Cleans, rather than going somewhere. */
@@ -104,10 +106,12 @@ export type PlanNumbers = {
   overlap_m2: number;
   /** `null` for a plan that was made in advance. */
   planning_s: number | null;
+  /** By how much it costs more than any plan must, as a share of that; 0 if it is proven to be the best, `null` if nothing is proven. */
+  above_bound: number | null;
 };
 
 export type State = "planning" | "ready" | "playing" | "paused" | "finished" | "seeking" | "failed";
-export type Action = "play" | "pause" | "step" | "reset" | "cancel" | "seek" | "undo" | "redo" | "edit" | "lift";
+export type Action = "play" | "pause" | "step" | "reset" | "cancel" | "keep" | "seek" | "undo" | "redo" | "edit" | "lift";
 export type Tool = "view" | "wall" | "erase" | "start" | "place";
 
 export type View = {
@@ -196,9 +200,13 @@ export type ToWorker =
   | { type: "trial"; request: { id: number } }
   | { type: "runs"; request: { id: number } }
   | { type: "read"; request: { id: number; files: { name: string; bytes: Uint8Array }[] } };
+/** What a plan costs, and what any must cost. */
+export type Proof = Float64Array;
 export type FromWorker =
-  | { type: "progress"; id: number; done: number; cells: Uint32Array }
-  | { type: "finished"; id: number; cells: Uint32Array; seconds: number; trace: unknown }
+  | { type: "progress"; id: number; done: number; cells: Uint32Array; proof: Proof | undefined }
+  /** If the planner proves nothing, the worker does, and tells later. */
+  | { type: "finished"; id: number; cells: Uint32Array; seconds: number; trace: unknown; proof: Proof | undefined }
+  | { type: "proven"; id: number; proof: Proof | undefined }
   | { type: "failed"; id: number; message: string };
 
 export type FromTrial =
@@ -298,13 +306,15 @@ export type RunsSummary = {
   dirt_left: Band | null;
 };
 
-/** One case of the benchmark (src/app/bench.rs). */
+/** One case of the benchmark (src/app/bench). */
 export type BenchResult = {
   name: string;
   /** Median time of one run. */
   ms: number;
-  /** For the simulator: simulated time per time taken. */
+  /** For what stands for a time of the robot's: that time per time taken. */
   times_real_time: number | null;
+  /** All memory that the module has had by then, 10^6 bytes; where it can tell. */
+  memory_mb: number | null;
 };
 
 /** What the benchmark's worker says. */

@@ -28,6 +28,7 @@ const PLAN_METRICS = [
   { label: "Steps", tip: "Steps from one cell to the next.", plan: (p) => count(p.steps) },
   { label: "Revisits", tip: "Visits to cells beyond the first to each: driving that cleans nothing new.", plan: (p) => count(p.revisits) },
   { label: "Turns", tip: "Quarter turns between steps on the grid; a reversal counts as two.", plan: (p) => count(p.turns) },
+  { label: "Above the bound", tip: "How much more the plan costs than any plan over these cells must, in steps + 2 × quarter turns, or in the weights that its planner was given. At 0 % it is proven to be the best.", plan: (p) => (p.above_bound === null ? "–" : p.above_bound === 0 ? "proven optimal" : `${gap(p.above_bound)} %`) },
   { label: "Planned in", tip: "Time that this computer took to work out the plan. That of the opening scene comes with the page.", plan: (p) => (p.planning_s === null ? "made in advance" : took(p.planning_s)) },
 ];
 
@@ -86,6 +87,9 @@ export function updateView({ view, playground }) {
   }
 }
 
+/** A share in percent, rounded up: nothing but 0 is shown as that. @param {number} share */
+const gap = (share) => (Math.ceil(share * 1000 - 1e-6) / 10).toFixed(1);
+
 /** @param {View} view */
 function updatePlanning({ state, plan, can }) {
   const planning = state === "planning";
@@ -94,6 +98,10 @@ function updatePlanning({ state, plan, can }) {
   setText(byId("planning-percent"), `${done} %`);
   setAttribute(typed("planning-bar", HTMLProgressElement), "value", String(done));
   setEnabled(button("planning-cancel"), can.cancel);
+  const above = planning ? (plan?.above_bound ?? null) : null;
+  setHidden(byId("planning-gap"), above === null);
+  setText(byId("planning-gap"), above === null ? "" : above === 0 ? "Proven optimal" : `${gap(above)} % above the proven bound`);
+  setHidden(byId("planning-keep"), !can.keep);
 }
 
 /** @param {View} view */

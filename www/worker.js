@@ -1,6 +1,6 @@
 // @ts-check
 // Plans and reads maps away from the page, which stays responsive; to cancel, the page ends this worker.
-import init, { Runner, Trials, plan, read_map } from "../workshop.js";
+import init, { Runner, Trials, plan, prove, read_map } from "../workshop.js";
 
 /** @typedef {import("./types").FromWorker | import("./types").FromTrial | import("./types").FromRuns | import("./types").FromReader} Answer */
 
@@ -26,11 +26,13 @@ self.addEventListener("message", async (/** @type {MessageEvent<import("./types"
   }
   await ready;
   const { id } = message.request;
-  const report = (/** @type {number} */ done, /** @type {Uint32Array} */ cells) => answer({ type: "progress", id, done, cells }, [cells.buffer]);
+  /** @param {number} done @param {Uint32Array} cells @param {import("./types").Proof | undefined} proof */
+  const report = (done, cells, proof) => answer({ type: "progress", id, done, cells, proof }, [cells.buffer]);
   try {
     if (message.type === "plan") {
-      const { cells, seconds, trace } = plan(message.request, report);
-      answer({ type: "finished", id, cells, seconds, trace }, [cells.buffer]);
+      const { cells, seconds, trace, proof } = plan(message.request, report);
+      answer({ type: "finished", id, cells, seconds, trace, proof });
+      if (!proof) answer({ type: "proven", id, proof: prove(message.request, cells) });
     } else if (message.type === "read") {
       const map = read_map(message.request.files);
       answer({ type: "read", id, map }, [map.cells.buffer]);

@@ -117,6 +117,11 @@ impl Recording {
         self.run.apply(input);
     }
 
+    /// Whether the run has come to its end, and nobody has done anything to it there that would let it go on.
+    pub fn is_over(&self) -> bool {
+        self.run.is_finished() && self.applied == self.inputs.len()
+    }
+
     /// One simulation step.
     pub fn step(&mut self) {
         while let Some(&(_, input)) = self.inputs.get(self.applied).filter(|(step, _)| *step <= self.run.steps()) {
@@ -140,7 +145,7 @@ impl Recording {
     /// Up to `steps` steps, as long as `has_time` says so; returns how many were taken.
     pub fn advance(&mut self, steps: u64, has_time: &mut dyn FnMut() -> bool) -> u64 {
         let mut taken = 0;
-        while taken < steps && !self.run.is_finished() && has_time() {
+        while taken < steps && !self.is_over() && has_time() {
             for _ in 0..CHUNK.min(steps - taken) {
                 self.step();
                 taken += 1;
@@ -168,7 +173,7 @@ impl Recording {
         if let Some(goal) = self.goal {
             let left = goal.saturating_sub(self.run.steps());
             self.advance(left, has_time);
-            if self.run.steps() >= goal || self.run.is_finished() {
+            if self.run.steps() >= goal || self.is_over() {
                 self.goal = None;
             }
         }

@@ -93,6 +93,8 @@ pub struct Can {
     pub reset: bool,
     /// Stop the planner.
     pub cancel: bool,
+    /// Stop it, and drive the best walk that it has found.
+    pub keep: bool,
     /// Go to another point of time.
     pub seek: bool,
     /// Change something.
@@ -154,4 +156,7 @@ pub struct PlanView {
     pub drive: Option<DriveMetrics>,
     /// Time that planning took, s; `None` while it goes on, and for a plan that was made in advance.
     pub planning_s: Option<f64>,
+    /// By how much the plan, or the best walk so far, costs more than any walk must, as a share of that; 0 if it is proven
+    /// to be the best, `None` if nothing is proven.
+    pub above_bound: Option<f64>,
 }

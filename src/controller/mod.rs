@@ -5,6 +5,8 @@
 //! list it below; menus, forms, command line and the contract test iterate [`BEHAVIOURS`].
 
 mod bounce;
+#[cfg(feature = "cleaning")]
+mod by_map;
 mod cleaning_cycle;
 mod command;
 mod dock;
@@ -12,6 +14,8 @@ mod dock;
 mod explore;
 mod follow_path;
 mod info;
+#[cfg(feature = "mapping")]
+mod intent;
 pub mod interlock;
 mod manual;
 mod parts;
@@ -21,9 +25,13 @@ mod spiral;
 mod timing;
 mod wall_follow;
 
+#[cfg(feature = "cleaning")]
+pub use by_map::clean_by_map;
 pub use command::Command;
 pub use follow_path::FollowPath;
 pub use info::{BehaviourInfo, Claims, Setup};
+#[cfg(feature = "mapping")]
+pub use intent::Intent;
 pub use timing::Timing;
 
 use crate::{
@@ -65,6 +73,12 @@ pub trait Controller {
     /// The map that it makes and its place on it, if it makes one.
     #[cfg(feature = "mapping")]
     fn mapper(&self) -> Option<&crate::mapping::Mapper> {
+        None
+    }
+
+    /// What it is going for on its map, if it makes one and drives by it.
+    #[cfg(feature = "mapping")]
+    fn intent(&self) -> Option<Intent<'_>> {
         None
     }
 

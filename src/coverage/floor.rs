@@ -5,8 +5,11 @@ use crate::{
     floorplan::FloorPlan,
     geometry::{Point, Pose, Vector},
     grid::{Cell, Direction, Grid, largest_part, reachable},
+    math,
+    rng::Rng,
     robot::RobotModel,
 };
+use rand::RngExt;
 
 /// Side that fine cells should not exceed, m: a tool of 17 cm is then known to about a centimetre, whatever lanes it
 /// drives; with cells of 5 cm it would be 15 or 20 cm wide.
@@ -112,6 +115,15 @@ impl ReachableFloor {
         }
         let place = nearest(&self.standing, self.resolution, point, is_free).unwrap_or(self.start.position());
         Pose::new(place.x, place.y, pose.heading)
+    }
+
+    /// A place and a heading drawn from all that the robot can stand at.
+    pub fn anywhere(&self, rng: &mut Rng) -> Option<Pose> {
+        let places = self.standing.count();
+        let chosen = (places > 0).then(|| rng.random_range(0..places))?;
+        let (cell, _) = self.standing.iter().filter(|(_, stands)| **stands).nth(chosen)?;
+        let place = self.standing_place(cell);
+        Some(Pose::new(place.x, place.y, rng.random_range(-math::PI..math::PI)))
     }
 
     /// What a careful robot's body keeps off: walls, furniture, drop-offs, and virtual walls that it sees.

@@ -34,6 +34,23 @@ impl Bits {
         self.words[y * self.stride + x / 64] >> (x % 64) & 1 == 1
     }
 
+    /// Number of bits from column `first` to column `last` of a row, both inside, that are set here and not in another grid
+    /// of the same size; 0 if `last` is before `first`.
+    pub fn count_without(&self, other: &Self, y: usize, first: usize, last: usize) -> usize {
+        if first > last {
+            return 0;
+        }
+        let (begin, end) = (first / 64, last / 64);
+        let row = y * self.stride + begin..=y * self.stride + end;
+        let words = self.words[row.clone()].iter().zip(&other.words[row]).zip(begin..);
+        let counts = words.map(|((word, other), place)| {
+            let from = if place == begin { u64::MAX << (first % 64) } else { u64::MAX };
+            let to = if place == end { u64::MAX >> (63 - last % 64) } else { u64::MAX };
+            (word & !other & from & to).count_ones() as usize
+        });
+        counts.sum()
+    }
+
     /// Sets the bits from column `first` to column `last` of a row, both inside; none if `last` is before `first`.
     #[inline]
     pub fn set(&mut self, y: usize, first: usize, last: usize) {
@@ -67,6 +84,19 @@ mod tests {
                     assert_eq!(bits.get(x, y), y == 1 && (first..=last).contains(&x), "{first} {last} {x} {y}");
                 }
             }
+        }
+    }
+
+    #[test]
+    fn bits_that_only_one_has_are_counted_across_words() {
+        let (mut bits, mut other) = (Bits::new(200, 3), Bits::new(200, 3));
+        bits.set(1, 3, 150);
+        other.set(1, 60, 70);
+        other.set(1, 149, 199);
+        for (first, last) in [(0, 0), (0, 199), (3, 63), (63, 64), (61, 69), (70, 148), (128, 160), (9, 8)] {
+            let expected = (first..=last).filter(|&x| bits.get(x, 1) && !other.get(x, 1)).count();
+            assert_eq!(bits.count_without(&other, 1, first, last), expected, "{first} {last}");
+            assert_eq!(bits.count_without(&other, 0, first, last), 0);
         }
     }
 }

@@ -1,6 +1,10 @@
 //! What a body can't go through, and the sums of it with the outline.
 
-use super::{Outline, outline::bounds, sum::Sum};
+use super::{
+    Outline,
+    outline::bounds,
+    sum::{Piece, Sum},
+};
 use crate::{
     coverage::{drop_offs, obstacles},
     floorplan::FloorPlan,
@@ -68,7 +72,9 @@ impl Scene {
             },
             Outline::Polygon(_) => {
                 let pieces = outline.pieces(heading);
-                let sum = |shape: &Shape, piece: &[Point]| match shape {
+                let reach = bounds(&pieces.concat());
+                let pieces: Vec<Piece> = pieces.into_iter().map(Piece::new).collect();
+                let sum = |shape: &Shape, piece: &Piece| match shape {
                     Shape::Disc { centre, radius } => Sum::of_disc(*centre, *radius, piece),
                     Shape::Convex(corners) => Sum::of_polygons(corners, piece),
                 };
@@ -79,7 +85,7 @@ impl Scene {
                         .iter()
                         .flat_map(|shape| pieces.iter().map(move |piece| sum(shape, piece)))
                         .collect(),
-                    reach: bounds(&pieces.concat()),
+                    reach,
                 }
             }
         }

@@ -25,22 +25,41 @@ pub(super) enum Sum {
     },
 }
 
+/// A convex piece of an outline, with what every sum with it takes.
+#[derive(Debug, Clone)]
+pub(super) struct Piece {
+    pub corners: Vec<Point>,
+    /// Normals of the sides of its mirror image, and how far that reaches along them.
+    sides: Vec<(Vector, f64)>,
+    /// The box around it.
+    bounds: (Point, Point),
+}
+
+impl Piece {
+    /// With counter-clockwise corners.
+    pub fn new(corners: Vec<Point>) -> Self {
+        let normals = edges(&corners).map(|(a, b)| -outward(a, b)).filter(|normal| *normal != Vector::zeros());
+        let sides = normals.map(|normal| (normal, support(&corners, -normal))).collect();
+        Self { sides, bounds: bounds(&corners), corners }
+    }
+}
+
 impl Sum {
     /// Where a convex piece of the outline overlaps a convex polygon by more than a hair. The sides of both are all
     /// that can part them, as in [`crate::geometry::overlap`].
-    pub fn of_polygons(obstacle: &[Point], piece: &[Point]) -> Self {
-        let plane = |normal: Vector| (normal, support(obstacle, normal) + support(piece, -normal) - HAIR);
-        let own = edges(obstacle).map(|(a, b)| outward(a, b));
-        let mirrored = edges(piece).map(|(a, b)| -outward(a, b));
+    pub fn of_polygons(obstacle: &[Point], piece: &Piece) -> Self {
         // A side without length parts nothing.
-        let planes = own.chain(mirrored).filter(|n| *n != Vector::zeros()).map(plane).collect();
-        let ((low, high), (own_low, own_high)) = (bounds(obstacle), bounds(piece));
+        let own = edges(obstacle).map(|(a, b)| outward(a, b)).filter(|normal| *normal != Vector::zeros());
+        let own = own.map(|normal| (normal, support(&piece.corners, -normal)));
+        let plane = |(normal, reach): (Vector, f64)| (normal, support(obstacle, normal) + reach - HAIR);
+        let planes = own.chain(piece.sides.iter().copied()).map(plane).collect();
+        let ((low, high), (own_low, own_high)) = (bounds(obstacle), piece.bounds);
         Self::Planes { planes, rows: (low.y - own_high.y + HAIR, high.y - own_low.y - HAIR) }
     }
 
     /// Where a convex piece of the outline overlaps a disc.
-    pub fn of_disc(centre: Point, radius: f64, piece: &[Point]) -> Self {
-        let corners = piece.iter().map(|p| centre - p.coords).collect();
+    pub fn of_disc(centre: Point, radius: f64, piece: &Piece) -> Self {
+        let corners = piece.corners.iter().map(|p| centre - p.coords).collect();
         Self::Rounded { corners, radius: radius - HAIR }
     }
 

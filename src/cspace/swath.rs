@@ -1,6 +1,10 @@
 //! The floor that a body sweeps while it moves without turning.
 
-use super::{Outline, canvas::Canvas, sum::Sum};
+use super::{
+    Outline,
+    canvas::Canvas,
+    sum::{Piece, Sum},
+};
 use crate::{
     geometry::Point,
     grid::{Cell, Grid},
@@ -11,7 +15,7 @@ use crate::{
 pub struct Swath {
     canvas: Canvas,
     /// The outline's pieces mirrored: the floor under a body that moves is what its mirror image would touch.
-    mirrored: Vec<Vec<Point>>,
+    mirrored: Vec<Piece>,
     radius: f64,
 }
 
@@ -19,7 +23,7 @@ impl Swath {
     /// Nothing swept, on `width` x `height` cells of `cell` metres.
     pub fn new(outline: &Outline, width: usize, height: usize, cell: f64) -> Self {
         let radius = if let Outline::Circle { radius } = outline { *radius } else { 0.0 };
-        let mirror = |piece: Vec<Point>| piece.into_iter().map(|p| -p).collect();
+        let mirror = |piece: Vec<Point>| Piece::new(piece.into_iter().map(|p| -p).collect());
         let mirrored = outline.pieces(0.0).into_iter().map(mirror).collect();
         Self { canvas: Canvas::new(width, height, cell), mirrored, radius }
     }
@@ -58,12 +62,11 @@ impl Swath {
             let rows = canvas.rows(sum.rows()).map(|row| {
                 let (low, high) = sum.across(canvas.centre(row));
                 let (first, last) = canvas.between(low, high);
-                let columns = first.max(0)..=last.min(canvas.width as i32 - 1);
-                let is_new = |&x: &i32| {
-                    let (x, y) = (x as usize, row as usize);
-                    floor.canvas.bits.get(x, y) && !canvas.bits.get(x, y)
-                };
-                columns.filter(is_new).count()
+                let (first, last) = (first.max(0), last.min(canvas.width as i32 - 1));
+                if first > last {
+                    return 0;
+                }
+                floor.canvas.bits.count_without(&canvas.bits, row as usize, first as usize, last as usize)
             });
             rows.sum()
         };

@@ -110,7 +110,7 @@ impl Mapper {
     pub fn new(setup: MapperSetup) -> Self {
         Self {
             sensors: SensorModel::new(&setup.robot),
-            rolling: Rolling::new(&setup.robot),
+            rolling: Rolling::new(&setup.robot, setup.odometry),
             way: Reckoning::new(&setup.robot, setup.odometry, Wheels::default()),
             scan: Multiscan::default(),
             belief: Belief::new(setup.start),
@@ -125,6 +125,14 @@ impl Mapper {
             looks: 0,
             setup,
         }
+    }
+
+    /// The same with a map that was made before, on which it has yet to find itself: until [`Mapper::relocate`], it is lost. What
+    /// corrects its pose then is what it meets from there on, as that is kept finer than the cells of a map.
+    pub fn knowing(mut self, map: OccupancyMap, marks: Marks) -> Self {
+        (self.map, self.marks) = (map, marks);
+        (self.memory, self.is_lost) = (None, true);
+        self
     }
 
     /// Takes the next reading.
@@ -150,6 +158,11 @@ impl Mapper {
     /// alone. By odometry alone it never knows.
     pub fn is_lost(&self) -> bool {
         self.is_lost
+    }
+
+    /// Whether it stood on a dock before it had gone anywhere.
+    pub fn began_on_dock(&self) -> bool {
+        self.docked.is_some()
     }
 
     /// What it is made from.

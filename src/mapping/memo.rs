@@ -4,7 +4,7 @@
 //! metres, and all that is mapped later hangs on what was mapped then. So the filter goes over its first readings again
 //! once it knows the wheels.
 
-use crate::robot::{BatteryReading, Sensors};
+use crate::robot::{BatteryReading, Moved, Sensors};
 use std::sync::Arc;
 
 /// Readings of one piece of the list.
@@ -14,6 +14,7 @@ const PIECE: usize = 512;
 #[derive(Debug, Clone, Copy)]
 struct Memo {
     counts: [u16; 3],
+    moved: Option<Moved>,
     light: [u16; 6],
     bumps: [bool; 2],
     progresses: bool,
@@ -32,6 +33,7 @@ impl Memory {
     pub fn add(&mut self, sensed: &Sensors) {
         self.last.push(Memo {
             counts: [sensed.left_counts, sensed.right_counts, sensed.lateral_counts],
+            moved: sensed.moved,
             light: sensed.light_signal,
             bumps: [sensed.bump_left, sensed.bump_right],
             progresses: sensed.stasis,
@@ -49,6 +51,7 @@ impl Memory {
             left_counts: memo.counts[0],
             right_counts: memo.counts[1],
             lateral_counts: memo.counts[2],
+            moved: memo.moved,
             light_signal: memo.light,
             bump_left: memo.bumps[0],
             bump_right: memo.bumps[1],

@@ -10,7 +10,7 @@
 use crate::{
     geometry::{Point, Pose},
     math,
-    robot::{OdometryModel, RobotModel, Sensors, advance, advance_sideways},
+    robot::{OdometryModel, RobotModel, RollingScale, Sensors, advance, advance_sideways},
 };
 use nalgebra::{Matrix3, Matrix3x2};
 
@@ -35,20 +35,22 @@ pub(super) struct Wheels {
 /// Counts as they come, turned into ways of the wheels.
 #[derive(Debug, Clone)]
 pub(super) struct Rolling {
-    metres_per_count: f64,
+    scale: RollingScale,
+    model: OdometryModel,
     last: Option<[u16; 3]>,
 }
 
 impl Rolling {
-    pub fn new(robot: &RobotModel) -> Self {
-        Self { metres_per_count: 1.0 / robot.counts_per_metre, last: None }
+    pub fn new(robot: &RobotModel, model: OdometryModel) -> Self {
+        Self { scale: RollingScale::of(robot), model, last: None }
     }
 
     /// What the wheels have rolled since the last reading: left, right, sideways, m.
     pub fn take(&mut self, sensed: &Sensors) -> [f64; 3] {
         let counts = [sensed.left_counts, sensed.right_counts, sensed.lateral_counts];
         let last = self.last.replace(counts).unwrap_or(counts);
-        let rolled = [0, 1, 2].map(|i| f64::from(counts[i].wrapping_sub(last[i]) as i16) * self.metres_per_count);
+        let since = [0, 1, 2].map(|i| counts[i].wrapping_sub(last[i]) as i16);
+        let rolled = self.model.rolled(sensed, since, self.scale);
         if rolled.iter().any(|way| way.abs() > MOST_AT_ONCE) { [0.0; 3] } else { rolled }
     }
 }

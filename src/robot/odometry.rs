@@ -1,4 +1,4 @@
-//! Pose estimate from encoder counts (004, section 4.2).
+//! Pose estimate from encoder counts, or from the packets that tell distance and angle (004, section 4.2).
 
 use super::{RobotModel, Sensors};
 use crate::{
@@ -7,20 +7,45 @@ use crate::{
 };
 use serde::{Deserialize, Serialize};
 
-/// How a pair of wheel distances becomes a change of pose.
+/// How wheels that have rolled become a change of pose: what tells of them, and along which line that is taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[serde(rename_all = "snake_case")]
 pub enum OdometryModel {
     /// The robot moved on a circular arc: exact while both wheel speeds are constant.
     #[default]
     Arc,
     /// The robot moved straight along its old heading, then turned: good for small steps only.
     Straight,
+    /// The same as [`Arc`](Self::Arc) by distance and angle in whole millimetres and degrees (packets 19 and 20).
+    PacketArc,
+    /// The same as [`Straight`](Self::Straight) by these.
+    PacketStraight,
 }
 
 impl OdometryModel {
     /// All models, with their names in links and on the command line.
-    pub const ALL: [(Self, &'static str); 2] = [(Self::Arc, "arc"), (Self::Straight, "straight")];
+    pub const ALL: [(Self, &'static str); 4] = [
+        (Self::Arc, "arc"),
+        (Self::Straight, "straight"),
+        (Self::PacketArc, "packet_arc"),
+        (Self::PacketStraight, "packet_straight"),
+    ];
+
+    /// Whether it goes by distance and angle instead of counts.
+    pub fn is_by_packets(self) -> bool {
+        matches!(self, Self::PacketArc | Self::PacketStraight)
+    }
+
+    /// What tells it of the wheels: left, right, sideways, m. `since` are counts since the last reading.
+    pub fn rolled(self, sensed: &Sensors, since: [i16; 3], robot: RollingScale) -> [f64; 3] {
+        let metres = since.map(|counts| f64::from(counts) * robot.metres_per_count);
+        if !self.is_by_packets() {
+            return metres;
+        }
+        // No packet tells of sideways motion.
+        let [left, right] = sensed.moved.map_or([0.0; 2], |moved| moved.rolled(robot.wheel_base));
+        [left, right, metres[2]]
+    }
 
     /// The model of that name.
     pub fn parse(name: &str) -> Option<Self> {
@@ -33,12 +58,27 @@ impl OdometryModel {
     }
 }
 
+/// What turns counts and angles into ways.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RollingScale {
+    /// Way of a count, m.
+    pub metres_per_count: f64,
+    /// Distance between the wheels, m.
+    pub wheel_base: f64,
+}
+
+impl RollingScale {
+    /// That of a robot.
+    pub fn of(robot: &RobotModel) -> Self {
+        Self { metres_per_count: 1.0 / robot.counts_per_metre, wheel_base: robot.wheel_base }
+    }
+}
+
 /// Dead reckoning: sums up what the wheels did since the start.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Odometry {
     model: OdometryModel,
-    metres_per_count: f64,
-    wheel_base: f64,
+    scale: RollingScale,
     /// Counts of the last reading: left, right, sideways.
     last: Option<[u16; 3]>,
     pose: Pose,
@@ -47,7 +87,7 @@ pub struct Odometry {
 impl Odometry {
     /// An estimate that starts at `pose`; the first reading only sets where the counters stand.
     pub fn new(robot: &RobotModel, model: OdometryModel, pose: Pose) -> Self {
-        Self { model, metres_per_count: 1.0 / robot.counts_per_metre, wheel_base: robot.wheel_base, last: None, pose }
+        Self { model, scale: RollingScale::of(robot), last: None, pose }
     }
 
     /// The estimate.
@@ -59,17 +99,18 @@ impl Odometry {
     pub fn update(&mut self, sensed: &Sensors) {
         let counts = [sensed.left_counts, sensed.right_counts, sensed.lateral_counts];
         let last = self.last.replace(counts).unwrap_or(counts);
-        if counts == last {
+        let since = [0, 1, 2].map(|i| counts[i].wrapping_sub(last[i]) as i16);
+        let rolled @ [left, right, lateral] = self.model.rolled(sensed, since, self.scale);
+        if rolled == [0.0; 3] {
             return;
         }
-        let metres = |i: usize| f64::from(counts[i].wrapping_sub(last[i]) as i16) * self.metres_per_count;
-        let (left, right) = (metres(0), metres(1));
+        let base = self.scale.wheel_base;
         self.pose = match self.model {
-            OdometryModel::Arc => advance_sideways(self.pose, [left, right, metres(2)], self.wheel_base),
-            OdometryModel::Straight => {
-                let along = self.pose.to_world(Point::new(0.0, metres(2)));
+            OdometryModel::Arc | OdometryModel::PacketArc => advance_sideways(self.pose, rolled, base),
+            OdometryModel::Straight | OdometryModel::PacketStraight => {
+                let along = self.pose.to_world(Point::new(0.0, lateral));
                 let shifted = Pose { x: along.x, y: along.y, ..self.pose };
-                advance(shifted, left, right, self.wheel_base, OdometryModel::Straight)
+                advance(shifted, left, right, base, OdometryModel::Straight)
             }
         };
     }
@@ -100,8 +141,8 @@ pub fn advance_sideways(pose: Pose, [left, right, lateral]: [f64; 3], wheel_base
 /// quotes; the sign in its text is the other way round.
 pub fn advance(pose: Pose, left: f64, right: f64, wheel_base: f64, model: OdometryModel) -> Pose {
     match model {
-        OdometryModel::Arc => advance_sideways(pose, [left, right, 0.0], wheel_base),
-        OdometryModel::Straight => {
+        OdometryModel::Arc | OdometryModel::PacketArc => advance_sideways(pose, [left, right, 0.0], wheel_base),
+        OdometryModel::Straight | OdometryModel::PacketStraight => {
             let (distance, turn) = (0.5 * (left + right), (right - left) / wheel_base);
             let along = pose.direction() * distance;
             Pose::new(pose.x + along.x, pose.y + along.y, pose.heading + turn)

@@ -1,5 +1,6 @@
 //! What a controller gets to know: exactly what the Open Interface reports, in the same units.
 
+use super::Moved;
 use std::sync::Arc;
 
 /// One reading of all sensors. Controllers see nothing else of the world. What a robot doesn't have stays at its default.
@@ -41,6 +42,8 @@ pub struct Sensors {
     pub right_counts: u16,
     /// Encoder of the sideways motion, left positive, wraps at 65536; only robots that move in all directions have one.
     pub lateral_counts: u16,
+    /// Distance and angle since they were last told, if they were asked for with this reading (packets 19 and 20).
+    pub moved: Option<Moved>,
     /// The castor's wheel turns: the robot makes forward progress (packet 58, bit 0 toggles; here, whether it does).
     pub stasis: bool,
     /// Motors that draw too much current (packet 14).

@@ -11,4 +11,7 @@ pub enum Input {
     Lift,
     /// Puts it down here, as near as it fits.
     PutDown(Pose),
+    /// Tells it to clean what is left by the map that it has made, by a plan of the planner with that id.
+    #[cfg(feature = "cleaning")]
+    Clean(&'static str),
 }

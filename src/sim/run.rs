@@ -1,8 +1,13 @@
 //! A whole run: one robot, one controller, one floor.
 
 use super::{Event, Input, Life, Noise, STEP_S, SimRobot, SlipLevel, What, World, event::Signs};
+#[cfg(feature = "cleaning")]
+use crate::controller;
 #[cfg(feature = "mapping")]
-use crate::mapping::{Mapper, locate::Locator};
+use crate::{
+    controller::Intent,
+    mapping::{Mapper, locate::Locator},
+};
 use crate::{
     controller::{Controller, interlock::Blocked},
     coverage::{CoverageTracker, ReachableFloor},
@@ -84,6 +89,9 @@ pub struct Run {
     /// What looks for it on a map that it knows.
     #[cfg(feature = "mapping")]
     locator: Option<Box<Locator>>,
+    /// What the ways of dead reckoning would say, for comparison.
+    #[cfg(feature = "mapping")]
+    reckoned: Vec<Odometry>,
     believed: Trail,
     events: VecDeque<Event>,
 }
@@ -124,6 +132,8 @@ impl Run {
             baseline: None,
             #[cfg(feature = "mapping")]
             locator: None,
+            #[cfg(feature = "mapping")]
+            reckoned: Vec::new(),
             events: VecDeque::new(),
         }
     }
@@ -149,6 +159,23 @@ impl Run {
         self
     }
 
+    /// Lets dead reckoning of all ways go along, for comparison.
+    #[cfg(feature = "mapping")]
+    pub fn with_reckoning(mut self, robot: &RobotModel) -> Self {
+        let start = self.floor.start;
+        self.reckoned = OdometryModel::ALL.map(|(model, _)| Odometry::new(robot, model, start)).into();
+        self
+    }
+
+    /// How far off the ways of dead reckoning are, in the order of [`OdometryModel::ALL`]: m and rad; empty unless they go along.
+    #[cfg(feature = "mapping")]
+    pub fn drifts(&self) -> Vec<[f64; 2]> {
+        let truth = self.pose();
+        let off =
+            |pose: Pose| [(pose.position() - truth.position()).norm(), difference(truth.heading, pose.heading).abs()];
+        self.reckoned.iter().map(|odometry| off(odometry.pose())).collect()
+    }
+
     /// What looks for the robot on a map that it knows.
     #[cfg(feature = "mapping")]
     pub fn locator(&self) -> Option<&Locator> {
@@ -165,6 +192,12 @@ impl Run {
     #[cfg(feature = "mapping")]
     pub fn mapper(&self) -> Option<&Mapper> {
         self.controller.mapper().or(self.mapper.as_deref())
+    }
+
+    /// What its controller is going for on its map.
+    #[cfg(feature = "mapping")]
+    pub fn intent(&self) -> Option<Intent<'_>> {
+        self.controller.intent()
     }
 
     /// Advances by [`STEP_S`]; does nothing once the run is finished.
@@ -218,6 +251,20 @@ impl Run {
                 self.tracker.lift();
                 self.trail.0.clear();
                 self.note(What::PutDown);
+            }
+            #[cfg(feature = "cleaning")]
+            Input::Clean(planner) => {
+                // What it was given to know counts, whatever the behaviour has mapped since.
+                let mapper = self.mapper.take().map(|mapper| *mapper).or_else(|| self.controller.mapper().cloned());
+                if let Some(mut mapper) = mapper {
+                    if let Some(locator) = self.locator.take().filter(|locator| locator.is_sure())
+                        && let Some((pose, spread)) = locator.pose().zip(locator.spread())
+                    {
+                        mapper.relocate(pose, &spread);
+                    }
+                    self.controller = controller::clean_by_map(mapper, planner);
+                    self.odometry = None;
+                }
             }
         }
     }
@@ -291,6 +338,10 @@ impl Run {
         #[cfg(feature = "mapping")]
         for mapper in [&mut self.mapper, &mut self.baseline].into_iter().flatten() {
             mapper.update(self.robot.sensors());
+        }
+        #[cfg(feature = "mapping")]
+        for odometry in &mut self.reckoned {
+            odometry.update(self.robot.sensors());
         }
         #[cfg(feature = "mapping")]
         if let Some(locator) = &mut self.locator {
@@ -456,6 +507,8 @@ impl Clone for Run {
             baseline: self.baseline.clone(),
             #[cfg(feature = "mapping")]
             locator: self.locator.clone(),
+            #[cfg(feature = "mapping")]
+            reckoned: self.reckoned.clone(),
             believed: self.believed.clone(),
             events: self.events.clone(),
             ..*self

@@ -130,6 +130,11 @@ impl Drafting {
         Ok(())
     }
 
+    /// Plans a sweep of a tiny room: the browser compiles what it takes, and nobody has to wait for that later.
+    pub fn warm_up(&self) {
+        crate::app::draft::warm_up();
+    }
+
     /// Shows a stage of the sweep, 1 to 3, as far as `share`, 0 to 1; stage 0 for none.
     pub fn show_stage(&mut self, stage: u8, share: f64) {
         (self.shown.stage, self.shown.share) = (stage.min(3), share.clamp(0.0, 1.0));

@@ -4,11 +4,11 @@
 //! loaded when one first goes there, has a `Guest` that follows the playground, a `Comparison` and a `MonteCarlo`. Robot's
 //! is loaded in the same way, by the page, which has a `Guest` and a `LiveMap`, and by a worker, which has a `Guest`, a
 //! `Link` and perhaps a `VirtualRobot`. The workshop's, which runs in workers and is loaded when it is first needed, has
-//! `plan`, `Trials`, `Runner`, `read_map` and `bench`. Map's has a `Guest` and a `Survey`. The drafting room's has `export_files` for the page, and a
-//! `Drafting` for a worker that draws by itself.
+//! `plan` and `prove`, `Trials`, `Runner`, `read_map` and `bench`. Map's has a `Guest` and a `Survey`. The drafting room's has `export_files` for the page, and a
+//! `Drafting` for a worker that draws by itself, beside `bench_draft`.
 //! Plain objects and arrays go to and fro between them: `request` and `map` say how.
 
-#[cfg(feature = "workshop")]
+#[cfg(any(feature = "workshop", feature = "draft"))]
 mod bench;
 #[cfg(any(feature = "page", feature = "compare", feature = "robot"))]
 mod canvas;
@@ -46,6 +46,8 @@ mod param;
 mod plan_job;
 #[cfg(feature = "page")]
 mod playground;
+#[cfg(any(feature = "page", feature = "workshop"))]
+mod proof;
 #[cfg(feature = "robot")]
 mod replay;
 #[cfg(any(feature = "page", feature = "robot", feature = "workshop"))]
@@ -69,6 +71,8 @@ mod walk;
 
 #[cfg(feature = "workshop")]
 pub use bench::bench;
+#[cfg(feature = "draft")]
+pub use bench::{bench_draft, office_drawing};
 #[cfg(feature = "compare")]
 pub use comparison::Comparison;
 #[cfg(feature = "draft")]
@@ -86,7 +90,7 @@ pub use map::read_map;
 #[cfg(feature = "compare")]
 pub use montecarlo::MonteCarlo;
 #[cfg(feature = "workshop")]
-pub use plan_job::plan;
+pub use plan_job::{plan, prove};
 #[cfg(feature = "page")]
 pub use playground::Playground;
 #[cfg(feature = "robot")]

@@ -1,7 +1,15 @@
 //! Planning in a worker.
 
-use super::{clock, request::request_from_js, walk::flat};
-use crate::planner::Report;
+use super::{
+    clock,
+    proof::proof_to_js,
+    request::request_from_js,
+    walk::{self, flat},
+};
+use crate::{
+    metrics::WalkMetrics,
+    planner::{Bounds, CoveragePath, Proof, Report},
+};
 use js_sys::{Function, Object, Reflect};
 use std::ops::ControlFlow;
 use wasm_bindgen::prelude::*;
@@ -11,8 +19,9 @@ const REPORT_EVERY_MS: f64 = 100.0;
 
 /// Plans a request made by `Playground.take_plan_request`. To be called in a worker, as it blocks until it is done.
 ///
-/// `on_progress(done, cells)` is called about ten times a second with the share done, 0 to 1, and the best walk so far
-/// as x, y, x, y, ... Returns `{ cells, seconds, trace }`; throws a message if the request is not valid.
+/// `on_progress(done, cells, proof)` is called about ten times a second with the share done, 0 to 1, the best walk so far
+/// as x, y, x, y, ..., and what is proven of it, `[cost, bound]` or nothing. Returns `{ cells, seconds, trace, proof }`;
+/// throws a message if the request is not valid.
 #[wasm_bindgen]
 pub fn plan(request: &JsValue, on_progress: &Function) -> Result<JsValue, JsValue> {
     let request = request_from_js(request)?;
@@ -22,18 +31,30 @@ pub fn plan(request: &JsValue, on_progress: &Function) -> Result<JsValue, JsValu
     Reflect::set(&result, &"cells".into(), &flat(&answer.path.cells))?;
     Reflect::set(&result, &"seconds".into(), &answer.seconds.into())?;
     Reflect::set(&result, &"trace".into(), &super::to_js(&answer.trace)?)?;
+    Reflect::set(&result, &"proof".into(), &proof_to_js(answer.proof))?;
     Ok(result.into())
+}
+
+/// What is proven of the walk that a planner has made for that request, in steps + 2 x quarter turns; nothing if it misses
+/// cells, as it needn't be as long then. Takes as long as [`Bounds::of`].
+#[wasm_bindgen]
+pub fn prove(request: &JsValue, cells: &[u32]) -> Result<JsValue, JsValue> {
+    let job = request_from_js(request)?.job;
+    let walk = WalkMetrics::of(&job, &CoveragePath { cells: walk::cells(cells) });
+    let proof = (walk.visited_cells == walk.reachable_cells)
+        .then(|| Proof { cost: walk.cost() as u64, bound: Bounds::of(&job).cost as u64 });
+    Ok(proof_to_js(proof))
 }
 
 /// Tells `on_progress` now and then how far a planner is.
 pub(super) fn reporter(on_progress: &Function) -> impl FnMut(Report<'_>) -> ControlFlow<()> {
     let mut reported = clock();
-    move |Report { done, walk, .. }| {
+    move |Report { done, walk, proof }| {
         let now = clock();
         if now - reported >= REPORT_EVERY_MS {
             reported = now;
             // A page that can't take the report shouldn't stop the planner.
-            let _ = on_progress.call2(&JsValue::NULL, &done.into(), &flat(walk));
+            let _ = on_progress.call3(&JsValue::NULL, &done.into(), &flat(walk), &proof_to_js(proof));
         }
         ControlFlow::Continue(())
     }

@@ -3,12 +3,12 @@
 mod hand;
 
 use self::hand::Carried;
-use super::{canvas::Canvas, catalogue::Catalogue, clock, map, request, to_js, walk};
+use super::{canvas::Canvas, catalogue::Catalogue, clock, map, proof::proof_from_js, request, to_js, walk};
 use crate::{
     app::{Answer, Brush, Furnisher, RobotView, Scene, Session, SettingsError, Viewport},
     geometry::{Point, Pose, Vector},
     grid::Cell,
-    planner::{CoveragePath, TraceStep},
+    planner::{CoveragePath, Report, TraceStep},
 };
 use js_sys::{Float64Array, Reflect};
 use wasm_bindgen::prelude::*;
@@ -154,17 +154,32 @@ impl Playground {
         request.map_or(Ok(JsValue::UNDEFINED), |request| request::request_to_js(&request))
     }
 
-    /// The worker reports the share done and its best walk so far.
-    pub fn plan_progress(&mut self, id: u32, done: f64, cells: &[u32]) {
-        self.session.plan_progress(id, done, &walk::cells(cells));
+    /// The worker reports the share done, its best walk so far and, as cost and bound, what is proven of that.
+    pub fn plan_progress(&mut self, id: u32, done: f64, cells: &[u32], proof: Option<Vec<f64>>) {
+        let proof = proof_from_js(proof.as_deref());
+        self.session.plan_progress(id, Report { done, walk: &walk::cells(cells), proof });
     }
 
     /// The worker is done.
-    pub fn plan_finished(&mut self, id: u32, cells: &[u32], seconds: f64, trace: JsValue) -> Result<(), JsValue> {
+    pub fn plan_finished(
+        &mut self,
+        id: u32,
+        cells: &[u32],
+        seconds: f64,
+        trace: JsValue,
+        proof: Option<Vec<f64>>,
+    ) -> Result<(), JsValue> {
         let trace: Vec<TraceStep> = serde_wasm_bindgen::from_value(trace).map_err(|e| e.to_string())?;
         let path = CoveragePath { cells: walk::cells(cells) };
-        self.session.plan_finished(id, Answer { path, seconds, proof: None, trace });
+        self.session.plan_finished(id, Answer { path, seconds, proof: proof_from_js(proof.as_deref()), trace });
         Ok(())
+    }
+
+    /// The worker has worked out what is proven of a plan that it has made.
+    pub fn plan_proven(&mut self, id: u32, proof: Option<Vec<f64>>) {
+        if let Some(proof) = proof_from_js(proof.as_deref()) {
+            self.session.plan_proven(id, proof);
+        }
     }
 
     /// The worker gave up.
@@ -175,6 +190,11 @@ impl Playground {
     /// The user doesn't want to wait. The worker has to be ended by the page.
     pub fn cancel_plan(&mut self) {
         self.session.cancel_plan();
+    }
+
+    /// The user is content with the best walk so far, `seconds` after the worker began; likewise.
+    pub fn keep_plan(&mut self, seconds: f64) {
+        self.session.keep_plan(seconds);
     }
 
     // ---- choices; each throws a message and changes nothing if the choice isn't possible

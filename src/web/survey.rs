@@ -89,6 +89,11 @@ impl Survey {
         self.state.recipe()
     }
 
+    /// The same of a run on which the robot makes its map itself.
+    pub fn home(&self) -> String {
+        self.state.home()
+    }
+
     // ---- time
 
     /// Lets the time since the last call pass, and draws.
@@ -124,6 +129,16 @@ impl Survey {
     /// Goes to another point of the time simulated so far, s.
     pub fn seek(&mut self, time_s: f64) {
         self.state.seek(time_s);
+    }
+
+    /// Lets the robot clean what is left by the map that it has.
+    pub fn clean(&mut self) {
+        self.state.clean();
+    }
+
+    /// Planners that what is left can be planned with: `[id, title]` each.
+    pub fn cleaners() -> Result<JsValue, JsValue> {
+        to_js(&survey::cleaners().map(|info| [info.id, info.title]).collect::<Vec<_>>())
     }
 
     /// Forgets the map.

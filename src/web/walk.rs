@@ -12,7 +12,6 @@ pub(super) fn flat(cells: &[Cell]) -> Uint32Array {
 }
 
 /// The inverse of [`flat`].
-#[cfg(any(feature = "page", feature = "compare", feature = "robot"))]
 pub(super) fn cells(flat: &[u32]) -> Vec<Cell> {
     flat.chunks_exact(2).map(|c| Cell::new(c[0] as i32, c[1] as i32)).collect()
 }

@@ -213,6 +213,78 @@ test("maps that can't be opened are explained, and the current one stays", async
   }
 });
 
+test("it cleans by its own map, which time can be gone back over and a reload brings back", async (t) => {
+  const { page, app, phase } = await openSurvey(t);
+  assert.ok(await page.locator("#survey-clean").isDisabled(), "there is no map");
+  await page.locator("#survey-planner").selectOption("boustrophedon");
+  assert.equal(await app.linked("clean", (id) => id !== undefined), "boustrophedon");
+  const { time } = await explore(app, 90);
+  await page.locator("#survey-clean").click();
+  await phase("playing");
+  await app.poll(() => figures(app), (now) => now.time >= time + 60);
+  await page.locator("#survey-play").click();
+  await phase("paused");
+  assert.match(await page.locator("#survey-activity").textContent(), /clean|map|backing|turning/i);
+  const numbers = () => page.locator("#survey-more").textContent();
+  assert.match(await numbers(), /Cleaned by its map[\d.]+ %, [\d.]+ m² left/);
+  const end = (await figures(app)).time;
+  assert.equal(seconds(await page.locator("#survey-drift-end").textContent()), end, "the axis of errors ends where the clock is");
+  const before = [await figures(app), await numbers()];
+  await app.poll(() => stored(page), (count) => count === 1);
+  await app.frames(40);
+  await page.reload();
+  await page.locator("#survey-play").waitFor();
+  await phase("paused");
+  assert.deepEqual([await figures(app), await numbers()], before);
+  assert.equal(await page.locator("#place-map").getAttribute("data-cleaning"), "true");
+  // Before it began to clean.
+  await page.keyboard.press("r");
+  await app.poll(() => page.locator("#place-map").getAttribute("data-cleaning"), (is) => is === "false");
+  assert.match(await numbers(), /Cleaned by its map–/);
+});
+
+test("carried off while it cleans, it finds itself on its map and goes on", async (t) => {
+  const { page, app, phase } = await openSurvey(t, { link: SMALL.replace("bounce", "explore_frontier") });
+  await explore(app, 400);
+  await page.locator("#survey-clean").click();
+  await phase("playing");
+  await app.poll(() => figures(app), (now) => now.time >= 420);
+  await page.keyboard.press("p");
+  await phase("held");
+  await page.locator("#survey-floor").focus();
+  for (let i = 0; i < 8; i++) await page.keyboard.press("ArrowRight");
+  for (let i = 0; i < 3; i++) await page.keyboard.press("Shift+ArrowLeft");
+  await page.keyboard.press("Enter");
+  await phase("playing", "paused");
+  if ((await page.locator("#place-map").getAttribute("data-phase")) === "paused") await page.locator("#survey-play").click();
+  await app.poll(() => page.locator("#survey-activity").textContent(), (text) => /looking for itself/i.test(text));
+  assert.ok(await page.locator("#survey-sure").isVisible());
+  await app.poll(() => page.locator("#survey-activity").textContent(), (text) => /cleaning by its map|done/i.test(text));
+  assert.ok(await page.locator("#survey-sure").isHidden());
+});
+
+test("a search on a map that was given goes on after a reload, until the map is given back", async (t) => {
+  const { page, app, phase } = await openSurvey(t);
+  await explore(app, 150);
+  await give(page, app, await exported(page));
+  await phase("ready");
+  const before = await explore(app, 30);
+  await app.poll(() => stored(page), (count) => count === 3);
+  await app.frames(40);
+  await page.reload();
+  await page.locator("#survey-play").waitFor();
+  await phase("paused");
+  assert.ok(await page.locator("#survey-known").isVisible());
+  assert.deepEqual(await figures(app), before);
+  await page.locator("#survey-close").click();
+  await app.poll(() => figures(app), ({ time }) => time >= 150);
+  await phase("paused");
+  await page.reload();
+  await page.locator("#survey-play").waitFor();
+  await phase("paused");
+  assert.ok(await page.locator("#survey-known").isHidden());
+});
+
 test("on a phone it fits, and its panels are sheets", async (t) => {
   const { page, app } = await openSurvey(t, PHONE);
   await explore(app, 30);

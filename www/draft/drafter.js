@@ -101,7 +101,9 @@ export class Drafter {
     const waiting = this.#waiting.get(message.id);
     this.#waiting.delete(message.id);
     const asked = waiting?.request.type;
-    if (message.type === "answer" && waiting?.request.type === "open") this.files = waiting.request.files;
+    const request = waiting?.request;
+    // What is brought back is on the board even if what was chosen for it is refused.
+    if ((request?.type === "open" && message.type === "answer") || (request?.type === "restore" && message.view)) this.files = request.files;
     if (message.type === "answer" && asked !== "restore") this.#breaks = 0;
     // What can't even be brought back is given up.
     if (asked === "restore" && !message.view) this.#clear();

@@ -2,11 +2,12 @@
 // The place Floor plan: what is brought is looked at, scaled, traced and swept before it becomes the room of Explore.
 import { button, byId, input, setAttribute, setHidden, setText, typed } from "../dom.js";
 import { fileName } from "../files.js";
-import { complain, forgive, toast } from "../messages.js";
+import { complain, forgive, textOf, toast } from "../messages.js";
 import { startSheets } from "../sheets.js";
 import { startBody } from "./body.js";
 import { startCanvas } from "./canvas.js";
 import { CANCELLED, Drafter } from "./drafter.js";
+import { startKeeping } from "./keep.js";
 import { startLayers } from "./layers.js";
 import { startScale } from "./scale.js";
 import { startSweep } from "./sweep.js";
@@ -18,7 +19,7 @@ import { startWalls } from "./walls.js";
  * @property {import("../main.js").App} app
  * @property {Drafter} drafter
  * @property {DraftView | undefined} view The latest view; none while the board is empty.
- * @property {(request: import("./types").Request, doing: string) => Promise<{ result: unknown } | undefined>} ask Nothing if it was refused, which is told, or cancelled.
+ * @property {(request: import("./types").Request, doing: string, refused?: (why: string) => void) => Promise<{ result: unknown } | undefined>} ask Nothing if it was refused, which is told, or cancelled.
  * @property {() => import("./types").Settings | undefined} wanted What is chosen, with what is still on its way to the board.
  * @property {(change: Partial<import("./types").Settings>) => Promise<unknown>} set Chooses.
  * @property {(sweeps: boolean) => Promise<void>} use Makes the draft the room of Explore.
@@ -61,7 +62,7 @@ export function startDraft(app, module) {
     app,
     drafter,
     view: undefined,
-    ask: async (request, what) => {
+    ask: async (request, what, refused = complain) => {
       doing.push(what);
       if (doing.length === 1) showDoing();
       try {
@@ -70,7 +71,7 @@ export function startDraft(app, module) {
         if (request.type !== "restore") forgive();
         return { result };
       } catch (error) {
-        if (error !== CANCELLED) complain(error instanceof Error ? error.message : String(error));
+        if (error !== CANCELLED) refused(textOf(error));
         return undefined;
       } finally {
         doing.shift();
@@ -112,6 +113,7 @@ export function startDraft(app, module) {
 
   const updates = [startScale, startLayers, startWalls, startBody, startSweep].map((begin) => begin(it));
   const sized = startCanvas(it);
+  const keeping = startKeeping(it);
   drafter.onstart = (canvas) => {
     sized(canvas);
     drafter.say({ type: "dark", dark: isDark });
@@ -120,12 +122,14 @@ export function startDraft(app, module) {
     it.view = view;
     show(view);
     for (const update of updates) update(view);
+    keeping.saw();
   };
   drafter.onprogress = (done) => setAttribute(byId("draft-progress"), "value", String(Math.floor(100 * done)));
   drafter.onrestore = (request) => void it.ask(request, "Laying out what was there before");
-  drafter.onbroken = (message, returns) => complain(`The drawing board met an error of its own (${message}). ${returns ? "What was on it before is laid out again" : "Open the file again, or another one"}; Explore is untouched.`);
+  drafter.onbroken = (message, returns) => keeping.broke(message) || complain(`The drawing board met an error of its own (${message}). ${returns ? "What was on it before is laid out again" : "Open the file again, or another one"}; Explore is untouched.`);
   drafter.start();
   drafter.onview(undefined);
+  void keeping.bring(() => opening === 0 && taken === 0);
 
   button("draft-cancel").addEventListener("click", () => drafter.cancel());
   button("draft-use").addEventListener("click", () => void it.use(false));
@@ -178,8 +182,7 @@ function show(view) {
   setText(byId("draft-fault"), view?.fault ?? "");
   setText(byId("draft-title"), view?.name ?? "No floor plan yet");
   setText(byId("draft-result"), view ? result(view) : "Choose or drop a file to see it here with its size.");
-  const use = button("draft-use");
-  use.disabled = !view?.room;
+  button("draft-use").disabled = !view?.room;
 }
 
 /** @param {DraftView} view */

@@ -77,7 +77,8 @@ export type SweepView = {
 /** What the page wants to be answered. */
 export type Request =
   | { type: "open"; files: File[] }
-  | { type: "restore"; files: File[]; settings: Settings }
+  /** The draft may have been kept by another version, with other settings. */
+  | { type: "restore"; files: File[]; settings: Partial<Settings> }
   | { type: "set"; settings: Partial<Settings> }
   | { type: "scale"; metres: number }
   | { type: "sweep" }

@@ -17,6 +17,8 @@ let board;
 let doing = Promise.resolve();
 let isDrawing = false;
 let isBroken = false;
+/** Whether what a sweep takes has been compiled, before somebody waits for it. */
+let isWarm = false;
 let moved = -Infinity;
 /** Stages that are still to be shown, and when the first of them began. @type {number[]} */
 let stages = [];
@@ -82,7 +84,7 @@ async function answer(request) {
     case "open":
       board.open(await read(request.files));
       stages = [];
-      return request.type === "restore" && board.set(request.settings);
+      return request.type === "restore" && board.set({ ...board.view()?.settings, ...request.settings });
     case "set":
       // On top of what the hand has chosen on the canvas meanwhile.
       return board.set({ ...board.view()?.settings, ...request.settings });
@@ -144,6 +146,8 @@ async function take(message) {
     try {
       const result = await answer(message);
       tell({ type: "answer", id, result, view: board.view() });
+      if (!isWarm) setTimeout(() => board.warm_up(), REST_MS);
+      isWarm = true;
     } catch (error) {
       // Rust throws messages for users; anything else is a mistake of ours.
       if (error instanceof Error) throw error;

@@ -47,20 +47,31 @@ export function startKeeping(it) {
   const look = async (now) => {
     [recipe, isKnown, kept, text] = [now, false, "", ""];
     try {
-      const found = /** @type {Kept | undefined} */ (await done((await open()).transaction(KEPT).objectStore(KEPT).get(now)));
+      let found = await get(now);
+      // The robot had been given a map.
+      const given = now === survey.home() ? await get(mark(now)) : undefined;
+      if (given) found = (await get(given.text)) ?? found;
       // Something else may have been chosen or begun meanwhile.
       if (recipe !== now || survey.recipe() !== now) return;
       if (found && it.view.time_s === 0 && it.view.end_s === 0) bring(found);
+      isKnown = true;
     } catch (error) {
       warn(error);
+      isKnown ||= recipe === now;
     }
-    if (recipe === now) isKnown = true;
   };
+
+  /** @param {string} key @returns {Promise<Kept | undefined>} */
+  const get = async (key) => done((await open()).transaction(KEPT).objectStore(KEPT).get(key));
+
+  /** @param {string} key */
+  const remove = (key) => void open().then((database) => done(database.transaction(KEPT, "readwrite").objectStore(KEPT).delete(key))).catch(warn);
 
   /** @param {Kept} found */
   const bring = (found) => {
     try {
       survey.resume(found.text);
+      recipe = survey.recipe();
       text = found.text;
       kept = moment(it);
     } catch (error) {
@@ -98,7 +109,10 @@ export function startKeeping(it) {
     if (!now) return;
     kept = moment(it);
     text = now;
-    void open().then((database) => write(database, { recipe, text: now, saved: Date.now() })).catch(warn);
+    const what = { recipe, text: now, saved: Date.now() };
+    const home = survey.home();
+    const given = home === recipe ? [] : [{ recipe: mark(home), text: recipe, saved: Date.now() }];
+    void open().then((database) => write(database, [what, ...given])).catch(warn);
   };
   for (const [target, event] of /** @type {[EventTarget, string][]} */ ([[window, "pagehide"], [document, "visibilitychange"]])) {
     target.addEventListener(event, () => save());
@@ -123,10 +137,15 @@ export function startKeeping(it) {
     /** Forgets what was kept of what is shown. */
     forget() {
       kept = "";
-      void open().then((database) => done(database.transaction(KEPT, "readwrite").objectStore(KEPT).delete(recipe))).catch(warn);
+      remove(recipe);
     },
+    /** The map that the robot was given is given back, or another one comes: a reload won't bring it. */
+    leave: () => remove(mark(survey.home())),
   };
 }
+
+/** Under which it is kept that the robot had been given a map, with its recipe for a text. @param {string} home */
+const mark = (home) => `given a map: ${home}`;
 
 /** Tells one state of a survey from another. @param {Surveying} it */
 const moment = ({ view }) => `${view.time_s} ${view.end_s} ${view.version} ${view.phase === "held"}`;
@@ -141,10 +160,10 @@ function openDatabase() {
   return done(request);
 }
 
-/** @param {IDBDatabase} database @param {Kept} what */
+/** @param {IDBDatabase} database @param {Kept[]} what */
 async function write(database, what) {
   const store = database.transaction(KEPT, "readwrite").objectStore(KEPT);
-  await done(store.put(what));
+  for (const each of what) await done(store.put(each));
   const all = /** @type {Kept[]} */ (await done(store.getAll()));
   const old = all.sort((a, b) => b.saved - a.saved).slice(MOST);
   for (const { recipe } of old) await done(store.delete(recipe));

@@ -24,9 +24,16 @@ const ROWS = [
 /** @type {{ label: string, tip: string, of: (view: SurveyView) => string }[]} */
 const SINGLE = [
   { label: "Sure of itself to", tip: "One standard deviation of the position, along the longer axis, and of the heading, as the robot itself estimates them. The ellipse and the wedge on the map show two.", of: ({ spread }) => (spread ? `±${centimetres(spread[0])}, ±${spread[1].toFixed(1)}°` : "–") },
-  { label: "Cleaned", tip: "Share of the reachable floor that its brush really has swept; in brackets the area that it believes to have cleaned.", of: ({ coverage, cleaned_m2 }) => `${percent(coverage)} % (${cleaned_m2.toFixed(1)} m²)` },
+  { label: "Cleaned by its map", tip: "Share of the floor that it can get to by its own map which it believes to have swept, and what is left of that; once it cleans by its map.", of: ({ by_map }) => (by_map ? `${percent(by_map[0] / Math.max(by_map[1], 1e-9))} %, ${(by_map[1] - by_map[0]).toFixed(1)} m² left` : "–") },
+  { label: "Really cleaned", tip: "Share of the reachable floor that its brush really has swept; in brackets the area that it believes to have cleaned.", of: ({ coverage, cleaned_m2 }) => `${percent(coverage)} % (${cleaned_m2.toFixed(1)} m²)` },
   { label: "Dirt found", tip: "Area of the spots where its dirt sensor spoke.", of: ({ dirt_m2 }) => `${dirt_m2.toFixed(2)} m²` },
 ];
+
+/** Ways of dead reckoning, in the order of `view.drifts`. */
+const RECKONINGS = ["Counts, arcs", "Counts, straight", "Packets, arcs", "Packets, straight"].map((label, i) => ({
+  label,
+  tip: `Where the robot would believe to be ${i < 2 ? "by encoder counts" : "by packets 19 and 20, whole millimetres and degrees told every 0.24 s"} alone, each step taken ${i % 2 === 0 ? "along an arc" : "straight, then turned"}.`,
+}));
 
 /** @param {import("./place.js").Surveying} _it */
 export function startNumbers(_it) {
@@ -35,6 +42,8 @@ export function startNumbers(_it) {
   const rows = ROWS.map((row) => ({ row, cells: [make("td"), make("td")] }));
   const single = SINGLE.map((row) => ({ row, cell: make("td", { colSpan: 2 }) }));
   byId("survey-figures").replaceChildren(...rows.map(({ row, cells }) => line(row, cells)));
+  const drifts = RECKONINGS.map((row) => ({ row, cells: [make("td"), make("td")] }));
+  byId("survey-drifts").replaceChildren(...drifts.map(({ row, cells }) => line(row, cells)));
   byId("survey-more").replaceChildren(...single.map(({ row, cell }) => line(row, [cell])));
 
   /** @param {SurveyView} view */
@@ -45,6 +54,10 @@ export function startNumbers(_it) {
         if (cell) setText(cell, figures && view.time_s > 0 ? row.of(figures) : "–");
       });
     }
+    drifts.forEach(({ cells }, i) => {
+      const [position, heading] = view.drifts[i] ?? [0, 0];
+      [centimetres(position), `${heading.toFixed(1)}°`].forEach((text, j) => cells[j] && setText(cells[j], view.time_s > 0 ? text : "–"));
+    });
     for (const { row, cell } of single) setText(cell, row.of(view));
     setText(byId("survey-here"), view.known !== null ? "Lost, found" : view.tracking === "odometry" ? "Robot" : "Corrected");
     const has = view.figures && view.time_s > 0;

@@ -18,6 +18,7 @@ import { startUses } from "./uses.js";
  * @property {Survey} survey
  * @property {SurveyView} view The latest view.
  * @property {import("../types").AlgorithmEntry[]} explorers
+ * @property {[string, string][]} cleaners Planners of what is left.
  * @property {(what: (survey: Survey) => void) => boolean} act Does something that may fail; says whether it worked.
  * @property {(key: string, value: string) => boolean} set Chooses.
  * @property {(layer: string) => void} toggle Shows a layer, or no longer.
@@ -41,6 +42,7 @@ export function startSurvey(app) {
     survey,
     view: survey.view(),
     explorers: Survey.explorers(),
+    cleaners: Survey.cleaners(),
     act: (what) => app.act(() => what(survey)),
     set: (key, value) => {
       // Another choice begins another run; what was reached stays with the choices that led there.
@@ -123,6 +125,7 @@ function remember(link) {
 function show(view) {
   const root = byId("place-map");
   setAttribute(root, "data-phase", view.phase);
+  setAttribute(root, "data-cleaning", String(view.is_cleaning));
   setHidden(byId("survey-hint"), view.phase !== "ready");
   setHidden(byId("survey-return"), view.returned === null);
   if (view.returned !== null) {

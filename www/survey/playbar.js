@@ -59,7 +59,7 @@ export function startPlaybar(it) {
     const is = `${view.samples} ${view.version} ${range} ${view.end_s}`;
     if ((now - drawn > REDRAW || !running) && changed(scrubber, "curve", is)) {
       drawn = now;
-      drawCurves(it.survey.curve(), range);
+      drawCurves(it.survey.curve(), range, view.end_s);
       drawTicks(range);
     }
   };
@@ -72,8 +72,8 @@ export function rangeOf(view) {
   return range;
 }
 
-/** @param {Float64Array} curve Four numbers a sample. @param {number} range */
-function drawCurves(curve, range) {
+/** @param {Float64Array} curve Four numbers a sample. @param {number} range @param {number} end Time that the run has come to, s. */
+function drawCurves(curve, range, end) {
   const x = (/** @type {number} */ time) => ((1000 * time) / range).toFixed(1);
   let boundary = "M0 99.5";
   let most = 0.1;
@@ -82,9 +82,11 @@ function drawCurves(curve, range) {
     most = Math.max(most, curve[i + 2] || 0, curve[i + 3] || 0);
   }
   setAttribute(byId("survey-curve"), "d", boundary);
-  const end = curve.length >= 4 ? x(curve[curve.length - 4] ?? 0) : "0";
-  setAttribute(byId("survey-area"), "d", `${boundary}L${end} 100L0 100Z`);
-  // Drift, beside, with a scale that holds all of it.
+  const last = curve.length >= 4 ? x(curve[curve.length - 4] ?? 0) : "0";
+  setAttribute(byId("survey-area"), "d", `${boundary}L${last} 100L0 100Z`);
+  // Drift, beside, with scales that hold all of it: it ends where the clock is, or was last.
+  const span = Math.max(end, 1);
+  const across = (/** @type {number} */ time) => ((1000 * time) / span).toFixed(1);
   const top = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50].find((limit) => limit >= most) ?? 100;
   for (const [id, at] of /** @type {const} */ ([["survey-drift-here", 2], ["survey-drift-odometry", 3]])) {
     let line = "";
@@ -92,13 +94,13 @@ function drawCurves(curve, range) {
     for (let i = 0; i < curve.length; i += 4) {
       const error = curve[i + at] ?? NaN;
       // While it has no idea where it is, there is no line.
-      if (!Number.isNaN(error)) line += `${isDown ? "L" : "M"}${x(curve[i] ?? 0)} ${(100 - (100 * error) / top).toFixed(1)}`;
+      if (!Number.isNaN(error)) line += `${isDown ? "L" : "M"}${across(curve[i] ?? 0)} ${(100 - (100 * error) / top).toFixed(1)}`;
       isDown = !Number.isNaN(error);
     }
     setAttribute(byId(id), "d", line);
   }
   setText(byId("survey-drift-top"), top < 1 ? `${top * 100} cm` : `${top} m`);
-  setText(byId("survey-drift-end"), clock(range));
+  setText(byId("survey-drift-end"), clock(end));
 }
 
 /** @param {number} range */

@@ -16,7 +16,7 @@ export type Figures = {
 
 export type SurveyView = {
   phase: Phase;
-  can: Record<"play" | "pause" | "step" | "seek" | "lift" | "put_down" | "forget" | "use_map" | "open", boolean>;
+  can: Record<"play" | "pause" | "step" | "seek" | "lift" | "put_down" | "forget" | "use_map" | "clean" | "open", boolean>;
   /** Why the robot can't be put into the room; "" if it can. */
   complaint: string;
   title: string;
@@ -37,12 +37,18 @@ export type SurveyView = {
   returned: number | null;
   figures: Figures | null;
   odometry: Figures | null;
+  /** How far off dead reckoning would be, by counts along arcs and in straight pieces, then by packets: m and degrees. */
+  drifts: [position: number, heading: number][];
   /** Standard deviations that the robot believes in: position (m) and heading (degrees). */
   spread: [position: number, heading: number] | null;
   /** Name of the map that the robot was given; `null` if it makes its own. */
   known: string | null;
   /** Whether it is sure of its place on that; `null` if it was never lost. */
   is_sure: boolean | null;
+  planner: string;
+  is_cleaning: boolean;
+  /** Floor that it can get to by its map: swept as it believes, and all; `null` unless it cleans by that. */
+  by_map: [swept: number, all: number] | null;
   cleaned_m2: number;
   coverage: number;
   dirt_m2: number;

@@ -1,6 +1,6 @@
 // @ts-check
 // What can be done with the map: it becomes the room of Explore, or files for other programs; or it is forgotten.
-import { button, byId, input, setEnabled } from "../dom.js";
+import { button, byId, changed, fill, input, select, setEnabled, setText } from "../dom.js";
 import { download, fileName } from "../files.js";
 import { complain, textOf, toast } from "../messages.js";
 
@@ -28,6 +28,12 @@ export function startUses(it, keeping) {
     if (!it.act((s) => s.forget())) return;
     keeping.forget();
   });
+  button("survey-clean").addEventListener("click", () => it.act((s) => s.clean()));
+  fill(select("survey-planner"), it.cleaners);
+  select("survey-planner").addEventListener("change", () => {
+    it.set("clean", select("survey-planner").value);
+    changed(select("survey-planner"), "value", undefined);
+  });
   const files = input("survey-files");
   button("survey-open").addEventListener("click", () => files.click());
   files.addEventListener("change", async () => {
@@ -43,6 +49,7 @@ export function startUses(it, keeping) {
     try {
       const { readMap } = await import("../workers.js");
       const map = await readMap(await Promise.all(chosen.map(async (file) => ({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) }))));
+      keeping.leave();
       if (it.act((s) => s.open(map))) toast(`The robot knows ${chosen.map(({ name }) => name).join(" and ")}`);
     } catch (error) {
       complain(error instanceof Error ? `The map could not be read (${error.message}). Check the connection, then try again.` : textOf(error));
@@ -54,10 +61,17 @@ export function startUses(it, keeping) {
     keeping.save();
     if (it.act((s) => s.open_own())) it.act((s) => s.play());
   });
-  button("survey-close").addEventListener("click", () => it.act((s) => s.close_map()));
+  button("survey-close").addEventListener("click", () => {
+    keeping.save();
+    keeping.leave();
+    it.act((s) => s.close_map());
+  });
   return {
     /** @param {import("./types").SurveyView} view */
-    update({ can }) {
+    update({ can, planner, is_cleaning: isCleaning }) {
+      setEnabled(button("survey-clean"), can.clean);
+      setText(button("survey-clean"), isCleaning ? "Plan anew what is left" : "Clean with this map");
+      if (changed(select("survey-planner"), "value", planner)) select("survey-planner").value = planner;
       setEnabled(button("survey-room-use"), can.use_map);
       setEnabled(button("survey-export"), can.use_map);
       setEnabled(button("survey-forget"), can.forget);

@@ -8,7 +8,7 @@ use crate::{
     },
     cspace::{ConfigurationSpace, Outline},
     drawing::{self, Traced, Tracing},
-    floorplan::{FloorPlan, MapError, Object, SourceFile},
+    floorplan::{FloorPlan, MapError, Object, Sketch, SourceFile},
     geometry::{Point, Pose, Vector, contains},
     grid::Cell,
 };
@@ -236,6 +236,14 @@ impl Board {
             _ => "there is no room yet".to_owned(),
         }
     }
+}
+
+/// Goes through all stages of a sweep, collisions and strokes along edges included, in a room that takes no time.
+pub fn warm_up() {
+    let plan = Sketch::open(4.0, 4.0, 0.1).fill(&[[1.0, 2.1, 3.0, 2.75]]).disc(1.5, 1.0, 0.3).finish("", "");
+    let Ok(outline) = Outline::octagon(0.4) else { return };
+    let setup = SweepSetup { outline, scan_width: None, cell: 0.1, headings: 1, start: None };
+    let _ = sweep(&plan, &setup, &mut |_| ControlFlow::Continue(()));
 }
 
 /// Floor on which nothing stands, m²; by the centres of the cells.

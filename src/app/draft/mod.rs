@@ -15,7 +15,7 @@ mod source;
 mod unit;
 mod view;
 
-pub use board::{Board, PLANNER};
+pub use board::{Board, PLANNER, warm_up};
 pub use body::{BodyChoice, BodyError};
 pub use coarse::coarse;
 pub use colour::seen_on;

@@ -71,6 +71,8 @@ pub struct Planned {
     pub drive: DriveMetrics,
     /// Time that planning took, s.
     pub planning_s: f64,
+    /// How good the walk is known to be, once somebody has proven it.
+    pub proof: Option<Proof>,
 }
 
 impl Prepared {
@@ -151,7 +153,7 @@ impl PlanRequest {
 impl Planned {
     /// Checks a walk and works out its line and numbers.
     pub fn new(prepared: &Prepared, answer: &Answer) -> Result<Self, PathError> {
-        let Answer { path, seconds, .. } = answer;
+        let Answer { path, seconds, proof, .. } = answer;
         path.check(&prepared.job)?;
         let line: Arc<[Point]> = prepared.lattice.polyline(&prepared.floor, &path.cells).into();
         Ok(Self {
@@ -159,6 +161,7 @@ impl Planned {
             drive: DriveMetrics::of(&prepared.floor, &prepared.robot, &line),
             line,
             planning_s: *seconds,
+            proof: *proof,
         })
     }
 

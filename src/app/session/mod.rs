@@ -13,6 +13,8 @@ use crate::{
     controller::Command,
     floorplan::{self, FloorPlan, MapError, RoomInfo, Scenario, SourceFile},
     geometry::{Point, Pose},
+    grid::Cell,
+    planner::Proof,
     sim::{Input, NoiseLevel, STEP_S, SensorKind},
 };
 use std::sync::Arc;
@@ -47,6 +49,8 @@ pub struct Session {
     /// Whether the planner's decisions are to be shown, and they, once they are known.
     shows_search: bool,
     search: Option<Search>,
+    /// Whether somebody was content with the plan before its planner was.
+    is_cut_short: bool,
 }
 
 /// Why files can't be taken.
@@ -65,8 +69,11 @@ struct Planning {
     request: Option<PlanRequest>,
     id: u32,
     progress: f64,
-    /// The best walk so far, as the line that the robot would drive.
+    /// The best walk so far, and as the line that the robot would drive.
+    walk: Vec<Cell>,
     preview: Vec<Point>,
+    /// How good that walk is known to be.
+    proof: Option<Proof>,
 }
 
 /// Something to tell the user.
@@ -96,6 +103,7 @@ impl Session {
             message: None,
             shows_search: false,
             search: None,
+            is_cut_short: false,
         };
         session.prepare();
         session

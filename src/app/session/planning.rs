@@ -4,8 +4,7 @@ use super::{Planning, Session, sentence};
 use crate::{
     app::{Algorithm, Answer, PlanRequest, Planned, Prepared, Recording, Search, Settings, State, opening},
     floorplan,
-    grid::Cell,
-    planner::{CoveragePath, PlanError},
+    planner::{CoveragePath, PlanError, Proof, Report},
 };
 
 /// Share of the reachable floor below which a plan is worth a warning.
@@ -35,13 +34,41 @@ impl Session {
         }
     }
 
-    /// A planner reports how far it is, 0 to 1, and its best walk so far.
-    pub fn plan_progress(&mut self, id: u32, done: f64, so_far: &[Cell]) {
+    /// A planner reports how far it is, its best walk so far, and what is proven of that.
+    pub fn plan_progress(&mut self, id: u32, Report { done, walk, proof }: Report<'_>) {
         let Some(planning) = self.planning.as_mut().filter(|p| p.id == id) else { return };
-        planning.progress = done;
+        (planning.progress, planning.proof) = (done, proof);
+        planning.walk.clear();
+        planning.walk.extend_from_slice(walk);
         if let Some(prepared) = &self.prepared {
-            planning.preview = prepared.lattice.anchors(so_far);
+            planning.preview = prepared.lattice.anchors(walk);
             self.previews += 1;
+        }
+    }
+
+    /// Whether the planner at work may be stopped with a walk that cleans all: only of such a one anything is proven.
+    pub(super) fn can_keep(&self) -> bool {
+        let is_anytime = self.settings.algorithm.planner().is_some_and(|planner| planner.claims.anytime);
+        is_anytime && self.planning.as_ref().is_some_and(|planning| planning.proof.is_some())
+    }
+
+    /// The user is content with the best walk so far, `seconds` after the planner began. Cancels if there is none.
+    pub fn keep_plan(&mut self, seconds: f64) {
+        let Some(planning) = self.planning.as_mut() else { return };
+        let (id, proof, cells) = (planning.id, planning.proof, planning.walk.clone());
+        if !self.can_keep() {
+            return self.cancel_plan();
+        }
+        self.is_cut_short = true;
+        self.plan_finished(id, Answer { path: CoveragePath { cells }, seconds, proof, trace: Vec::new() });
+    }
+
+    /// How good the plan of a request is was proven after it had been made.
+    pub fn plan_proven(&mut self, id: u32, proof: Proof) {
+        if id == self.requests
+            && let Some(planned) = &mut self.planned
+        {
+            planned.proof = Some(proof);
         }
     }
 
@@ -120,6 +147,7 @@ impl Session {
         self.playing |= self.state() == State::Finished;
         self.planned = None;
         self.search = None;
+        self.is_cut_short = false;
         self.recording = None;
         self.planning = None;
         self.due = 0.0;
@@ -136,8 +164,9 @@ impl Session {
                     Algorithm::Planner(planner) => {
                         let (params, job) = (params.clone(), prepared.job.clone());
                         let request = Some(PlanRequest { id: self.requests, planner, params, seed, job });
-                        self.planning =
-                            Some(Planning { id: self.requests, progress: 0.0, preview: Vec::new(), request });
+                        let (walk, preview) = (Vec::new(), Vec::new());
+                        let id = self.requests;
+                        self.planning = Some(Planning { request, id, progress: 0.0, walk, preview, proof: None });
                     }
                     // Nothing to wait for: it knows nothing of the room.
                     Algorithm::Behaviour(behaviour) => {

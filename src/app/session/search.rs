@@ -33,6 +33,9 @@ impl Session {
         match (self.decision(), &self.prepared) {
             _ if !is_shown => String::new(),
             (Some(step), _) => format!("{}.", step.note),
+            (None, _) if self.is_cut_short => {
+                "The search was stopped before its end, so there is no record of it. Plan again to see it.".to_owned()
+            }
             (None, Some(prepared)) if self.search.is_none() => {
                 let cells = prepared.job.cells();
                 format!("The search is shown in rooms of up to {MOST_SEARCH_CELLS} cells; this one has {cells}.")

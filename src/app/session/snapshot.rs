@@ -6,6 +6,7 @@ use crate::{
         Action, Recording, RobotView, Scene, SearchScene, Sensed, Shows, State, View, diary_version, in_words,
         view::{Can, PlanView, RoomView, SearchView},
     },
+    planner::Proof,
     sim::{Run, SensorKind, SlipLevel},
 };
 
@@ -101,6 +102,7 @@ impl Session {
             step: state.allows(Action::Step),
             reset: state.allows(Action::Reset),
             cancel: state.allows(Action::Cancel),
+            keep: state.allows(Action::Cancel) && self.can_keep(),
             seek: state.allows(Action::Seek),
             edit: state.allows(Action::Edit),
             lift: state.allows(Action::Lift) && !self.is_lifted(),
@@ -117,6 +119,7 @@ impl Session {
                 walk: None,
                 drive: None,
                 planning_s: None,
+                above_bound: planning.proof.map(Proof::gap),
             });
         }
         self.planned.as_ref().map(|planned| PlanView {
@@ -125,6 +128,7 @@ impl Session {
             walk: Some(planned.walk),
             drive: Some(planned.drive),
             planning_s: (!self.is_opening).then_some(planned.planning_s),
+            above_bound: planned.proof.map(Proof::gap),
         })
     }
 

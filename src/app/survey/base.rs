@@ -64,8 +64,12 @@ impl Base {
         };
         let run = Run::new(&prepared.setup(conditions, self.seed), controller);
         // A controller that makes a map of its own acts by that.
-        let run = if run.mapper().is_none() { run.with_mapper(mapper(setup.tracking)) } else { run };
-        let run = run.with_baseline(mapper(Tracking::Odometry));
+        let run = match known {
+            Some(known) => run.with_mapper(mapper(setup.tracking).knowing(known.map().clone(), known.marks().clone())),
+            None if run.mapper().is_none() => run.with_mapper(mapper(setup.tracking)),
+            None => run,
+        };
+        let run = run.with_baseline(mapper(Tracking::Odometry)).with_reckoning(robot);
         let run = match known {
             Some(known) => run.with_locator(known.locator(robot, setup.odometry, self.seed)?),
             None => run,

@@ -36,6 +36,10 @@ impl<'a> Belief<'a> {
         Self { map: known.map(), marks: known.marks(), source: Source::Locator(locator) }
     }
 
+    pub(super) fn lost(mapper: &'a Mapper, locator: &'a Locator) -> Self {
+        Self { map: mapper.map(), marks: mapper.marks(), source: Source::Locator(locator) }
+    }
+
     pub(super) fn left(still: &'a Still) -> Self {
         Self { map: &still.map, marks: &still.marks, source: Source::Store(still.pose) }
     }
@@ -67,8 +71,12 @@ impl<'a> Belief<'a> {
         }
     }
 
-    /// Whether hardly any other place is possible; `None` for a robot that was never lost.
+    /// Whether hardly any other place is possible; `None` for a robot that isn't lost.
     pub fn is_sure(&self) -> Option<bool> {
-        if let Source::Locator(locator) = self.source { Some(locator.is_sure()) } else { None }
+        match self.source {
+            Source::Locator(locator) => Some(locator.is_sure()),
+            Source::Mapper(mapper) if mapper.is_lost() => Some(false),
+            _ => None,
+        }
     }
 }

@@ -1,12 +1,12 @@
 //! How a survey is stored, and brought back.
 
-use super::{StoreError, Stored, Survey, stage::Return};
+use super::{Known, StoreError, Stored, Survey, stage::Return};
 use crate::sim::STEP_S;
 
 impl Survey {
     /// The survey as text, to be brought back by [`Survey::resume`]; `None` while there is nothing worth it.
     pub fn store(&self) -> Option<String> {
-        let stage = self.stage.as_ref().filter(|stage| stage.returning.is_none() && stage.known.is_none())?;
+        let stage = self.stage.as_ref().filter(|stage| stage.returning.is_none())?;
         let run = stage.run();
         let end = (stage.recording.end_s() / STEP_S).round() as u64;
         let belief = self.belief().filter(|_| end > 0)?;
@@ -17,9 +17,10 @@ impl Survey {
             shown: run.steps(),
             digest: run.digest(),
             inputs: stage.recording.inputs().to_vec(),
-            pose: belief.pose()?,
+            pose: belief.pose().or_else(|| run.estimate())?,
             map: belief.map.clone(),
             marks: belief.marks.clone(),
+            known: stage.known.as_ref().map(|known| (known.name().to_owned(), known.map().clone())),
         };
         Some(stored.to_text())
     }
@@ -28,10 +29,19 @@ impl Survey {
     /// again, by the frames that follow, through all that it did. On an error everything stays as it was.
     pub fn resume(&mut self, text: &str) -> Result<(), StoreError> {
         let stored = Stored::from_text(text)?;
-        if stored.recipe != self.recipe() {
+        let robot = self.prepared().map(|prepared| &prepared.robot);
+        let known = match (&stored.known, robot) {
+            (Some((name, map)), Some(robot)) => {
+                let of_no_use = |_| StoreError::Damaged { what: "nobody can find himself on the map that was given" };
+                Some(Known::of(map.clone(), name.clone(), robot).map_err(of_no_use)?)
+            }
+            _ => None,
+        };
+        if stored.recipe != self.recipe_on(known.as_ref()) {
             return Err(StoreError::Another { title: stored.title });
         }
-        let Some(mut stage) = self.new_stage(None) else { return Ok(()) };
+        let Some(mut stage) = self.new_stage(known.clone()) else { return Ok(()) };
+        self.known = known;
         stage.recording = stage.recording.with_inputs(stored.inputs.clone());
         stage.returning = Some(Return::to(stored));
         self.stage = Some(stage);

@@ -3,7 +3,6 @@
 use super::{Survey, numbers::digest};
 use crate::{
     app::export::with_objects,
-    coverage::ReachableFloor,
     floorplan::FloorPlan,
     geometry::Pose,
     grid::{Cell, Occupancy},
@@ -11,12 +10,10 @@ use crate::{
         Marks, OccupancyMap,
         locate::{Locator, LocatorSetup},
     },
-    math,
     rng::seeded,
     robot::{OdometryModel, RobotModel},
     sim::Input,
 };
-use rand::RngExt;
 use std::{fmt::Write, sync::Arc};
 
 /// Stream of the places where a robot is put down that is to find itself.
@@ -180,7 +177,7 @@ impl Survey {
     pub(super) fn lose(&mut self) {
         let seed = self.base.as_ref().map_or(0, |base| base.seed);
         if let Some(stage) = &mut self.stage {
-            let place = anywhere(stage.run().floor(), seed).unwrap_or(stage.run().pose());
+            let place = stage.run().floor().anywhere(&mut seeded(seed, STREAM)).unwrap_or(stage.run().pose());
             stage.input(Input::Lift);
             stage.input(Input::PutDown(place));
         }
@@ -192,14 +189,4 @@ impl Survey {
             self.begin();
         }
     }
-}
-
-/// A place where the robot can stand.
-fn anywhere(floor: &ReachableFloor, seed: u64) -> Option<Pose> {
-    let mut rng = seeded(seed, STREAM);
-    let places = floor.standing.count();
-    let chosen = (places > 0).then(|| rng.random_range(0..places))?;
-    let (cell, _) = floor.standing.iter().filter(|(_, stands)| **stands).nth(chosen)?;
-    let place = floor.standing_place(cell);
-    Some(Pose::new(place.x, place.y, rng.random_range(-math::PI..math::PI)))
 }

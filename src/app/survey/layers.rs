@@ -3,11 +3,23 @@
 use crate::app::SettingsError;
 
 /// Layers of the picture; each can be shown or not.
-pub const LAYERS: [&str; 10] =
-    ["belief", "truth", "difference", "cleaned", "dirt", "particles", "uncertainty", "robot", "trails", "odometry"];
+pub const LAYERS: [&str; 12] = [
+    "belief",
+    "truth",
+    "difference",
+    "cleaned",
+    "left",
+    "goals",
+    "dirt",
+    "particles",
+    "uncertainty",
+    "robot",
+    "trails",
+    "odometry",
+];
 
 /// Those that the page opens with.
-const FIRST: [&str; 6] = ["belief", "truth", "cleaned", "uncertainty", "robot", "trails"];
+const FIRST: [&str; 8] = ["belief", "truth", "cleaned", "left", "goals", "uncertainty", "robot", "trails"];
 
 /// The layers that are shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -27,7 +27,7 @@ pub use figures::Figures;
 pub use known::{Known, OpenError};
 pub use layers::Layers;
 pub use session::Survey;
-pub use setup::{SurveySetup, explorers};
+pub use setup::{SurveySetup, cleaners, explorers};
 pub use state::{Deed, Phase};
 pub use store::{STORE_VERSION, StoreError, Stored};
 pub use truth::{Truth, Verdict};

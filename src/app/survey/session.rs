@@ -102,8 +102,17 @@ impl Survey {
 
     /// Everything that determines the run: the same recipe makes the same map, tomorrow too.
     pub fn recipe(&self) -> String {
+        self.recipe_on(self.known.as_ref())
+    }
+
+    /// The same of a run on which the robot makes its map itself.
+    pub fn home(&self) -> String {
+        self.recipe_on(None)
+    }
+
+    pub(super) fn recipe_on(&self, known: Option<&Known>) -> String {
         let place = self.base.as_ref().map_or("", |base| &base.place);
-        let known = self.known.as_ref().map_or(String::new(), |known| format!(" known={:016x}", known.digest()));
+        let known = known.map_or(String::new(), |known| format!(" known={:016x}", known.digest()));
         format!("{place} {}{known}", self.setup.recipe().trim_end())
     }
 
@@ -140,7 +149,7 @@ impl Survey {
             () if stage.returning.is_some() => Phase::Resuming,
             () if stage.recording.is_seeking() => Phase::Seeking,
             () if run.is_lifted() => Phase::Held,
-            () if run.is_finished() => Phase::Finished,
+            () if stage.recording.is_over() => Phase::Finished,
             () if self.playing => Phase::Playing,
             () if run.steps() == 0 && stage.recording.end_s() == 0.0 => Phase::Ready,
             () => Phase::Paused,
@@ -177,7 +186,7 @@ impl Survey {
                     let weight = if self.speed_factor > 0.0 { 0.1 } else { 1.0 };
                     self.speed_factor += weight * (factor - self.speed_factor);
                 }
-                if stage.run().is_finished() {
+                if stage.recording.is_over() {
                     self.playing = false;
                 }
             }
@@ -250,6 +259,19 @@ impl Survey {
         if self.can(Deed::PutDown) {
             self.input(Input::PutDown(pose));
         }
+    }
+
+    /// Tells the robot to clean what is left by the map that it has, and lets time go on.
+    pub fn clean(&mut self) {
+        if self.can_clean() {
+            self.input(Input::Clean(self.setup.planner.id));
+            self.playing = true;
+        }
+    }
+
+    /// Whether it can be told so: it needs a map.
+    pub fn can_clean(&self) -> bool {
+        self.can(Deed::Clean) && self.belief().is_some_and(|belief| belief.map.bounds().is_some())
     }
 
     fn input(&mut self, input: Input) {

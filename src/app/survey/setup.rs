@@ -5,6 +5,7 @@ use crate::{
     app::SettingsError,
     controller::{self, BEHAVIOURS, BehaviourInfo},
     mapping::Tracking,
+    planner::{self, PLANNERS, PlannerInfo},
     registry::Params,
     robot::OdometryModel,
     sim::{Conditions, Noise, NoiseLevel, SlipLevel},
@@ -15,16 +16,23 @@ use std::collections::BTreeMap;
 const ROVERS: [&str; 3] = ["wall_follow", "bounce", "random_walk"];
 /// The behaviour that a survey begins with, once it is in the registry.
 const FIRST: &str = "explore_frontier";
+/// The planner that a survey begins with.
+const FIRST_CLEANER: &str = "boustrophedon_cells";
 /// Simulated time per time that a survey begins with: a flat takes a robot twenty minutes.
 const SPEED: f64 = 64.0;
 
 /// Names of choices in links; parameters of the behaviour begin with `x.` beside them.
-const KEYS: [&str; 7] = ["explorer", "track", "counts", "wheels", "senses", "layers", "pace"];
+const KEYS: [&str; 8] = ["explorer", "track", "counts", "wheels", "senses", "layers", "pace", "clean"];
 
 /// Behaviours that a survey can be made with, those made for it first.
 pub fn explorers() -> impl Iterator<Item = &'static BehaviourInfo> {
     let made_for_it = BEHAVIOURS.iter().copied().filter(|b| b.claims.explores);
     made_for_it.chain(ROVERS.into_iter().filter_map(controller::find))
+}
+
+/// Planners that what is left can be planned with: those that miss nothing and take a moment, as the robot waits.
+pub fn cleaners() -> impl Iterator<Item = &'static PlannerInfo> {
+    PLANNERS.iter().copied().filter(|info| info.claims.complete && info.claims.fast)
 }
 
 /// Everything that is chosen in the place Map; room, robot, start and seed are Explore's.
@@ -44,6 +52,8 @@ pub struct SurveySetup {
     pub slip: Option<SlipLevel>,
     /// How much the sensors err, if not as in Explore.
     pub noise: Option<NoiseLevel>,
+    /// What plans the cleaning of what is left.
+    pub planner: &'static PlannerInfo,
     /// What is drawn.
     pub layers: Layers,
     /// Times real time; 0 for as fast as it goes.
@@ -62,6 +72,7 @@ impl SurveySetup {
             odometry: OdometryModel::Arc,
             slip: None,
             noise: None,
+            planner: planner::find(FIRST_CLEANER).or_else(|| cleaners().next()).unwrap_or(PLANNERS[0]),
             layers: Layers::default(),
             speed: SPEED,
         }
@@ -101,6 +112,14 @@ impl SurveySetup {
             "senses" => {
                 let known = NoiseLevel::ALL.map(|(_, name)| name);
                 self.noise = Some(NoiseLevel::parse(value).ok_or_else(|| unknown("noise level", &known))?);
+            }
+            "clean" => {
+                self.planner = cleaners().find(|info| info.id == value).ok_or_else(|| {
+                    unknown(
+                        "planner that is fast and misses nothing",
+                        &cleaners().map(|info| info.id).collect::<Vec<_>>(),
+                    )
+                })?;
             }
             "layers" => self.layers = Layers::from_link(value)?,
             "pace" => {
@@ -150,7 +169,7 @@ impl SurveySetup {
     pub fn recipe(&self) -> String {
         self.pairs()
             .into_iter()
-            .filter(|(key, _)| !["layers", "pace"].contains(&key.as_str()))
+            .filter(|(key, _)| !["layers", "pace", "clean"].contains(&key.as_str()))
             .fold(String::new(), |text, (key, value)| format!("{text}{key}={value} "))
     }
 
@@ -178,6 +197,9 @@ impl SurveySetup {
         }
         if let Some(noise) = self.noise {
             push("senses", noise.id().to_owned());
+        }
+        if self.planner.id != first.planner.id {
+            push("clean", self.planner.id.to_owned());
         }
         if self.layers != first.layers {
             push("layers", self.layers.to_link());

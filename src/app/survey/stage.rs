@@ -73,10 +73,13 @@ impl Stage {
 
     /// What the robot believes.
     pub fn belief(&self) -> Option<Belief<'_>> {
-        match (&self.known, self.run().locator()) {
-            (Some(known), Some(locator)) => Some(Belief::on(known, locator)),
-            _ => self.run().mapper().map(Belief::of),
+        let run = self.run();
+        if let (Some(known), Some(locator)) = (&self.known, run.locator()) {
+            return Some(Belief::on(known, locator));
         }
+        let mapper = run.mapper()?;
+        let locator = run.intent().and_then(|intent| intent.locator);
+        Some(locator.map_or(Belief::of(mapper), |locator| Belief::lost(mapper, locator)))
     }
 
     /// Up to `steps` steps, with a look at the figures now and then; returns how many were taken.
@@ -124,7 +127,7 @@ impl Stage {
         let &Return { end, shown, digest, is_seeking, .. } = self.returning.as_ref()?;
         if !is_seeking {
             self.advance(end.saturating_sub(self.run().steps()), has_time);
-            if self.run().steps() < end && !self.run().is_finished() {
+            if self.run().steps() < end && !self.recording.is_over() {
                 return None;
             }
             self.recording.seek(shown as f64 * STEP_S);

@@ -41,7 +41,7 @@ pub enum Deed {
     PutDown,
     /// Forget the map and begin anew.
     Forget,
-    /// Clean what is left by the map.
+    /// Let the robot clean what is left by its map.
     Clean,
     /// Take the map away: as a room, as files.
     UseMap,
@@ -101,6 +101,7 @@ mod tests {
         assert_eq!(with(Deed::PutDown), [Phase::Held]);
         assert_eq!(with(Deed::Lift), [Phase::Playing, Phase::Paused]);
         assert_eq!(with(Deed::Play), [Phase::Ready, Phase::Paused]);
+        assert_eq!(with(Deed::Clean), [Phase::Playing, Phase::Paused, Phase::Finished]);
     }
 
     #[test]

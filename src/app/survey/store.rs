@@ -10,12 +10,15 @@ use crate::{
     geometry::Pose,
     grid::Cell,
     mapping::{Mark, Marks, OccupancyMap},
+    planner,
     sim::Input,
 };
 use serde::{Deserialize, Serialize};
 
-/// Version of what is stored; a program reads its own alone.
-pub const STORE_VERSION: u32 = 1;
+/// Version of what is stored.
+pub const STORE_VERSION: u32 = 2;
+/// The oldest version that it still reads: version 1 has no cleaning by the map, and no map that was given, and is else the same.
+const OLDEST: u32 = 1;
 /// What says that a text is a stored survey.
 const FORMAT: &str = "robovac-survey";
 /// Log odds are stored in hundredths.
@@ -43,6 +46,15 @@ pub enum StoreError {
     Damaged {
         /// What is wrong.
         what: &'static str,
+    },
+    /// The robot was told to clean by a plan of a planner that this page doesn't have.
+    #[error(
+        "the stored robot cleans by a plan of \"{id}\", a planner that this version of the page doesn't have, so it can't go on \
+         here"
+    )]
+    Planner {
+        /// The planner's id.
+        id: String,
     },
     /// It is of another room or robot, or was made otherwise.
     #[error("the stored map is of another survey, in \"{title}\"; choose that room, robot and behaviour first")]
@@ -73,6 +85,8 @@ pub struct Stored {
     pub map: OccupancyMap,
     /// What it had cleaned, and where it had found dirt.
     pub marks: Marks,
+    /// The map that it was given, with its name.
+    pub known: Option<(String, OccupancyMap)>,
 }
 
 /// Map, marks and pose of a survey that was left.
@@ -111,6 +125,8 @@ struct Body {
     resolution: f64,
     map: String,
     marks: String,
+    #[serde(default)]
+    known: Option<[String; 2]>,
 }
 
 /// What a person did.
@@ -119,6 +135,8 @@ struct Body {
 enum Deed {
     Lift,
     PutDown([f64; 3]),
+    /// By the planner with that id.
+    Clean(String),
 }
 
 impl Stored {
@@ -129,8 +147,10 @@ impl Stored {
             Input::PutDown(pose) => Some((step, Deed::PutDown([pose.x, pose.y, pose.heading]))),
             // Behaviours that explore don't listen to a joystick.
             Input::Command(_) => None,
+            Input::Clean(planner) => Some((step, Deed::Clean(planner.to_owned()))),
         };
-        let odds = self.map.iter().map(|(cell, odds)| (cell, (odds / UNIT).round() as i64));
+        let packed =
+            |map: &OccupancyMap| to_text(&cells(map.iter().map(|(cell, odds)| (cell, (odds / UNIT).round() as i64))));
         let bits =
             |cell| i64::from(self.marks.has(cell, Mark::Cleaned)) + 2 * i64::from(self.marks.has(cell, Mark::Dirty));
         let dirty = self.marks.cells(Mark::Dirty).filter(|&cell| !self.marks.has(cell, Mark::Cleaned));
@@ -144,7 +164,8 @@ impl Stored {
             inputs: self.inputs.iter().filter_map(deed).collect(),
             pose: [self.pose.x, self.pose.y, self.pose.heading],
             resolution: self.map.resolution(),
-            map: to_text(&cells(odds)),
+            map: packed(&self.map),
+            known: self.known.as_ref().map(|(name, map)| [name.clone(), packed(map)]),
             marks: to_text(&cells(noted)),
         };
         let body = serde_json::to_string(&body).unwrap_or_default();
@@ -159,7 +180,7 @@ impl Stored {
         if stamp.format != FORMAT {
             return Err(StoreError::NotASurvey(format!("its format is \"{}\"", stamp.format)));
         }
-        if stamp.version != STORE_VERSION {
+        if !(OLDEST..=STORE_VERSION).contains(&stamp.version) {
             return Err(StoreError::Version { found: stamp.version });
         }
         let damaged = |what| StoreError::Damaged { what };
@@ -172,11 +193,16 @@ impl Stored {
             return Err(damaged("its scale or pose is no number"));
         }
         let list = |text: &str| from_text(text).and_then(|bytes| cells_of(&bytes));
-        let mut map = OccupancyMap::new(body.resolution);
-        for (cell, odds) in list(&body.map).ok_or_else(|| damaged("its map can't be read"))? {
-            // A little more than stored, so that rounding doesn't make it a little less.
-            map.add(cell, (odds as f64 + 0.1 * odds.signum() as f64) * UNIT);
-        }
+        let unpacked = |text: &str| {
+            let mut map = OccupancyMap::new(body.resolution);
+            for (cell, odds) in list(text).ok_or_else(|| damaged("its map can't be read"))? {
+                // A little more than stored, so that rounding doesn't make it a little less.
+                map.add(cell, (odds as f64 + 0.1 * odds.signum() as f64) * UNIT);
+            }
+            Ok(map)
+        };
+        let map = unpacked(&body.map)?;
+        let known = body.known.as_ref().map(|[name, text]| Ok((name.clone(), unpacked(text)?))).transpose()?;
         let mut marks = Marks::new(body.resolution);
         for (cell, bits) in list(&body.marks).ok_or_else(|| damaged("its marks can't be read"))? {
             for mark in [Mark::Cleaned, Mark::Dirty] {
@@ -187,8 +213,12 @@ impl Stored {
         }
         let pose = |[x, y, heading]: [f64; 3]| Pose::new(x, y, heading);
         let input = |(step, deed)| match deed {
-            Deed::Lift => (step, Input::Lift),
-            Deed::PutDown(place) => (step, Input::PutDown(pose(place))),
+            Deed::Lift => Ok((step, Input::Lift)),
+            Deed::PutDown(place) => Ok((step, Input::PutDown(pose(place)))),
+            Deed::Clean(id) => match planner::find(&id) {
+                Some(info) => Ok((step, Input::Clean(info.id))),
+                None => Err(StoreError::Planner { id }),
+            },
         };
         Ok(Self {
             recipe: body.recipe,
@@ -196,10 +226,11 @@ impl Stored {
             end: body.end,
             shown: body.shown.min(body.end),
             digest: u64::from_str_radix(&body.digest, 16).map_err(|_| damaged("its digest is none"))?,
-            inputs: body.inputs.into_iter().map(input).collect(),
+            inputs: body.inputs.into_iter().map(input).collect::<Result<_, _>>()?,
             pose: pose(body.pose),
             map,
             marks,
+            known,
         })
     }
 }

@@ -48,12 +48,21 @@ pub struct SurveyView {
     pub figures: Option<Figures>,
     /// Figures of a map by odometry alone.
     pub odometry: Option<Figures>,
+    /// How far off dead reckoning would be, one for each odometry model in the order of their registry: m and degrees.
+    pub drifts: Vec<[f64; 2]>,
     /// Standard deviations that the robot believes in: along the longer axis of the ellipse (m), and heading (degrees).
     pub spread: Option<[f64; 2]>,
     /// Name of the map that the robot was given; `None` if it makes its own.
     pub known: Option<String>,
     /// Whether it is sure of its place on that; `None` if it was never lost.
     pub is_sure: Option<bool>,
+    /// Id of the planner of what is left.
+    pub planner: &'static str,
+    /// Whether it cleans by its map.
+    pub is_cleaning: bool,
+    /// Floor that it can get to by its map and believes to have swept, and all that it can get to, m²; `None` unless it cleans
+    /// by that.
+    pub by_map: Option<[f64; 2]>,
     /// Floor that the robot believes to have cleaned, m².
     pub cleaned_m2: f64,
     /// Share of the reachable floor that it really has cleaned.
@@ -86,6 +95,8 @@ pub struct Can {
     pub forget: bool,
     /// Take the map away.
     pub use_map: bool,
+    /// Let it clean by its map.
+    pub clean: bool,
     /// Give the robot a map.
     pub open: bool,
 }
@@ -100,6 +111,7 @@ impl Survey {
         let run = self.run();
         let figures = self.figures();
         let belief = self.belief();
+        let reach = run.and_then(Run::intent).filter(|intent| intent.reach.is_some() && self.returned().is_none());
         let area = |mark| {
             belief.map_or(0.0, |belief| {
                 let side = belief.marks.resolution();
@@ -120,6 +132,7 @@ impl Survey {
                 put_down: can(Deed::PutDown),
                 forget: can(Deed::Forget),
                 use_map: can(Deed::UseMap) && belief.is_some_and(|belief| belief.map.bounds().is_some()),
+                clean: self.can_clean(),
                 open: can(Deed::Open),
             },
             complaint: self.complaint().to_owned(),
@@ -139,9 +152,15 @@ impl Survey {
             returned: self.returned(),
             figures: figures.map(|[here, _]| here),
             odometry: figures.map(|[_, odometry]| odometry),
+            drifts: run.map_or_else(Vec::new, |run| {
+                run.drifts().into_iter().map(|[off, turned]| [off, turned.to_degrees()]).collect()
+            }),
             spread,
             known: self.known.as_ref().map(|known| known.name().to_owned()),
             is_sure: belief.and_then(|belief| belief.is_sure()),
+            planner: setup.planner.id,
+            is_cleaning: reach.is_some(),
+            by_map: reach.zip(belief).and_then(|(intent, belief)| intent.swept(belief.marks)),
             cleaned_m2: area(Mark::Cleaned),
             coverage: run.map_or(0.0, Run::coverage),
             dirt_m2: area(Mark::Dirty),

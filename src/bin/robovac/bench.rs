@@ -1,7 +1,7 @@
 //! `bench`: how fast planning and simulating are here, to be compared with the browser.
 
 use super::{failure::Failure, output};
-use robovac_playground::app::bench::{self, BenchResult};
+use robovac_playground::app::bench::{self, Bench, BenchResult};
 use std::time::Instant;
 
 /// Time the planners and the simulator, on the same work as bench.html in the browser
@@ -17,15 +17,23 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let begin = Instant::now();
     let clock = || begin.elapsed().as_secs_f64();
     if arguments.json {
-        return Ok(output::json(&bench::run(&clock, &mut |_| {})));
+        return Ok(output::json(&all(&clock, &mut |_| {})));
     }
     let mut written = output::print(&line("", "ms, median", "times real time"));
-    bench::run(&clock, &mut |result| {
+    all(&clock, &mut |result| {
         if written.is_ok() {
             written = output::print(&row(result));
         }
     });
     written.map(|()| String::new())
+}
+
+fn all(clock: &dyn Fn() -> f64, report: &mut dyn FnMut(&BenchResult)) -> Vec<BenchResult> {
+    let mut bench = Bench::new(clock, &|| None, report);
+    for cases in [bench::planning, bench::mapping, bench::streaming, bench::drafting] {
+        cases(&mut bench);
+    }
+    bench.into_results()
 }
 
 fn row(result: &BenchResult) -> String {
@@ -34,5 +42,5 @@ fn row(result: &BenchResult) -> String {
 }
 
 fn line(name: &str, ms: &str, times_real_time: &str) -> String {
-    format!("{name:34}{ms:>12}{times_real_time:>18}").trim_end().to_owned() + "\n"
+    format!("{name:44}{ms:>12}{times_real_time:>18}").trim_end().to_owned() + "\n"
 }

@@ -5,6 +5,8 @@
 #[cfg(not(target_arch = "wasm32"))]
 mod bench;
 #[cfg(not(target_arch = "wasm32"))]
+mod clean;
+#[cfg(not(target_arch = "wasm32"))]
 mod compare;
 #[cfg(not(target_arch = "wasm32"))]
 mod conditions;
@@ -51,8 +53,8 @@ fn main() -> std::process::ExitCode {
 #[cfg(not(target_arch = "wasm32"))]
 mod native {
     use super::{
-        bench, compare, convert, failure::OK, list, locate, map, monitor, montecarlo, output::print, plan, simulate,
-        sweep, virtual_roomba,
+        bench, clean, compare, convert, failure::OK, list, locate, map, monitor, montecarlo, output::print, plan,
+        simulate, sweep, virtual_roomba,
     };
     use clap::{Parser, Subcommand};
     use std::{io::Write, process::ExitCode};
@@ -93,6 +95,7 @@ Exit codes:
         Sweep(sweep::Arguments),
         Simulate(simulate::Arguments),
         Montecarlo(montecarlo::Arguments),
+        Clean(clean::Arguments),
         Compare(compare::Arguments),
         Locate(locate::Arguments),
         Convert(convert::Arguments),
@@ -114,6 +117,7 @@ Exit codes:
             Command::Sweep(arguments) => sweep::run(&arguments),
             Command::Simulate(arguments) => simulate::run(&arguments),
             Command::Montecarlo(arguments) => montecarlo::run(&arguments),
+            Command::Clean(arguments) => clean::run(&arguments),
             Command::Compare(arguments) => compare::run(&arguments),
             Command::Locate(arguments) => locate::run(&arguments),
             Command::Convert(arguments) => convert::run(&arguments),

@@ -1,7 +1,7 @@
 //! What a map says about where the robot can go, and what is worth going for.
 
-use super::barred::Barred;
 use crate::{
+    controller::parts::Barred,
     geometry::Point,
     grid::{Cell, Grid, Occupancy, clearance},
     mapping::OccupancyMap,
@@ -146,8 +146,9 @@ impl Chart {
         ways
     }
 
-    /// Unknown floor that can be entered from known floor, along lines `spacing` cells apart in both directions.
-    fn lanes(&self, ways: &Ways, spacing: i32) -> Vec<Lane> {
+    /// Unknown floor that can be entered from known floor, along lines `spacing` cells apart in both directions; `allow` says
+    /// which entries count.
+    pub fn lanes(&self, ways: &Ways, spacing: i32, allow: impl Fn(Point) -> bool) -> Vec<Lane> {
         let mut lanes = Vec::new();
         for (cell, _) in self.ground.iter() {
             let column = (cell.x + self.low.x).rem_euclid(spacing) == 0;
@@ -160,7 +161,7 @@ impl Chart {
             let directions = [(column, 0, 1), (column, 0, -1), (row, 1, 0), (row, -1, 0)];
             let runs = directions.into_iter().filter(|run| run.0).map(|(_, dx, dy)| self.run(cell, dx, dy));
             let Some((end, cells)) = runs.max_by_key(|&(end, cells)| (cells, Reverse(end))) else { continue };
-            if cells >= SHORTEST {
+            if cells >= SHORTEST && allow(self.centre(cell)) {
                 let way = f64::from(ways.cost[from]) / f64::from(STEP.0) * self.resolution;
                 let length = cells as f64 * self.resolution;
                 lanes.push(Lane { from, entry: cell, end, way, length });
@@ -169,10 +170,9 @@ impl Chart {
         lanes
     }
 
-    /// The lane that costs least to see, of those whose entries `allow` lets through.
-    pub fn nearest_lane(&self, ways: &Ways, spacing: i32, allow: impl Fn(Point) -> bool) -> Option<Lane> {
-        let lanes = self.lanes(ways, spacing).into_iter().filter(|lane| allow(self.centre(lane.entry)));
-        lanes.min_by(|a, b| a.cost().total_cmp(&b.cost()).then(a.entry.cmp(&b.entry)))
+    /// The lane that costs least to see.
+    pub fn nearest(lanes: Vec<Lane>) -> Option<Lane> {
+        lanes.into_iter().min_by(|a, b| a.cost().total_cmp(&b.cost()).then(a.entry.cmp(&b.entry)))
     }
 
     /// The last unknown cell from `cell` on in that direction, and how many there are on the way.
@@ -279,7 +279,7 @@ mod tests {
         let lanes = |radius| {
             let chart = chart(&picture, radius);
             let ways = chart.ways(Point::new(0.65, 0.2));
-            chart.lanes(&ways, 3).into_iter().map(|lane| chart.centre(lane.entry)).collect::<Vec<_>>()
+            chart.lanes(&ways, 3, |_| true).into_iter().map(|lane| chart.centre(lane.entry)).collect::<Vec<_>>()
         };
         let found = lanes(0.04);
         assert!(found.iter().any(|p| p.x > 0.9), "{found:?}");

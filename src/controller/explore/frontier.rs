@@ -28,14 +28,13 @@
 
 use super::{
     BACK_FROM_EDGE,
-    barred::Barred,
     trace::Trace,
     tries::{THERE, Tries},
 };
 use crate::{
     controller::{
-        BehaviourInfo, Build, Claims, Setup,
-        parts::{Driven, Habit, Hit, Kind, Pilot, Route, Side},
+        BehaviourInfo, Build, Claims, Intent, Setup,
+        parts::{Barred, Driven, Habit, Hit, Kind, Pilot, Route, Side},
         wall_follow::WallFollow,
     },
     geometry::{Point, Pose},
@@ -92,6 +91,19 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
             kind: ParamKind::Choice { options: &[("corrected", "corrected"), ("odometry", "odometry alone")] },
         },
         ParamSpec {
+            id: "odometry",
+            label: "Odometry",
+            help: "How wheels that have rolled become motion: encoder counts or distance and angle packets, along arcs or in straight pieces.",
+            kind: ParamKind::Choice {
+                options: &[
+                    ("arc", "counts, arcs"),
+                    ("straight", "counts, straight"),
+                    ("packet_arc", "packets, arcs"),
+                    ("packet_straight", "packets, straight"),
+                ],
+            },
+        },
+        ParamSpec {
             id: "lane",
             label: "Lanes",
             help: "Distance of the lanes on open floor; things narrower than what is left between them may stay unseen.",
@@ -115,8 +127,8 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
 pub(in crate::controller) const BUILD: Build = |setup| {
     let tracking = Tracking::parse(setup.params.choice("tracking")).unwrap_or_default();
     let start = Pose::new(0.0, 0.0, 0.0);
-    let mapper =
-        MapperSetup { robot: setup.robot.clone(), start, tracking, odometry: OdometryModel::Arc, seed: setup.seed };
+    let odometry = OdometryModel::parse(setup.params.choice("odometry")).unwrap_or_default();
+    let mapper = MapperSetup { robot: setup.robot.clone(), start, tracking, odometry, seed: setup.seed };
     Driven::boxed(setup, Frontier::new(setup, Mapper::new(mapper)))
 };
 
@@ -140,6 +152,8 @@ pub(super) struct Frontier {
     /// Cells of the map that are not to be entered.
     pub(super) barred: Barred,
     pub(super) doubts: u32,
+    /// Lanes that it could go for when it last chose, m.
+    pub(super) lanes: Vec<[Point; 2]>,
     /// Where it was last seen to move, and how long ago, s.
     moved: (Point, f64),
 }
@@ -188,6 +202,7 @@ impl Frontier {
             tries: Tries::default(),
             barred: Barred::new(resolution),
             doubts: 0,
+            lanes: Vec::new(),
             moved: (Point::origin(), 0.0),
             mapper,
         }
@@ -349,6 +364,11 @@ impl Habit for Frontier {
 
     fn mapper(&self) -> Option<&Mapper> {
         Some(&self.mapper)
+    }
+
+    fn intent(&self) -> Option<Intent<'_>> {
+        let route = if let Phase::Drive { route, .. } = &self.phase { route.rest() } else { &[] };
+        Some(Intent { route, frontiers: &self.lanes, ..Intent::default() })
     }
 
     fn start_at(&mut self, start: Pose) {

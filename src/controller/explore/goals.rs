@@ -42,7 +42,9 @@ impl Frontier {
 
     /// Whether there is something to go for.
     fn go_for_the_nearest(&mut self, pilot: &mut Pilot, chart: &Chart, ways: &Ways, here: Point) -> bool {
-        let floor = chart.nearest_lane(ways, self.spacing, |place| self.tries.allow(place));
+        let lanes = chart.lanes(ways, self.spacing, |place| self.tries.allow(place));
+        self.lanes = lanes.iter().map(|lane| [lane.entry, lane.end].map(|cell| chart.centre(cell))).collect();
+        let floor = Chart::nearest(lanes);
         let wall = self.nearest_end(chart, ways);
         match (floor, wall) {
             (Some(lane), wall) if wall.is_none_or(|(_, way)| lane.cost() < way - WALL_FIRST) => {

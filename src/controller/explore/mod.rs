@@ -6,9 +6,8 @@
 //! The thesis prints code for the last phase alone and tells the others in a paragraph each.
 //!
 //! The seventh, [`frontier`], makes a map as it goes and drives by it: [`chart`] says where it can go and what is worth going
-//! for, [`trace`] which walls it has followed, [`tries`] and [`barred`] what is to be left alone.
+//! for, [`trace`] which walls it has followed, [`tries`] what is to be left alone.
 
-mod barred;
 mod chart;
 pub(super) mod edge;
 mod edge_machine;

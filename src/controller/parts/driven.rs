@@ -1,12 +1,12 @@
 //! A behaviour as a controller: the reflexes that all have, around what is its own.
 
 use super::{hit::Hit, home::Home, pilot::Pilot};
+#[cfg(feature = "mapping")]
+use crate::{controller::Intent, geometry::Pose, mapping::Mapper};
 use crate::{
     controller::{Command, Controller, Setup, interlock::Blocked},
     robot::{Drive, Sensors},
 };
-#[cfg(feature = "mapping")]
-use crate::{geometry::Pose, mapping::Mapper};
 
 /// What is a behaviour's own: how it drives on free floor, and what it does when something is in the way.
 pub(in crate::controller) trait Habit {
@@ -27,6 +27,12 @@ pub(in crate::controller) trait Habit {
     /// The map that it makes, if it makes one.
     #[cfg(feature = "mapping")]
     fn mapper(&self) -> Option<&Mapper> {
+        None
+    }
+
+    /// What it is going for on that map.
+    #[cfg(feature = "mapping")]
+    fn intent(&self) -> Option<Intent<'_>> {
         None
     }
 
@@ -144,6 +150,11 @@ impl Controller for Driven {
     #[cfg(feature = "mapping")]
     fn mapper(&self) -> Option<&Mapper> {
         self.habit.mapper()
+    }
+
+    #[cfg(feature = "mapping")]
+    fn intent(&self) -> Option<Intent<'_>> {
+        self.habit.intent()
     }
 
     #[cfg(feature = "mapping")]

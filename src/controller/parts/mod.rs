@@ -1,5 +1,7 @@
 //! What behaviours have in common: each part is one thing that several of them do.
 
+#[cfg(feature = "mapping")]
+mod barred;
 mod beacon;
 mod braking;
 mod driven;
@@ -12,6 +14,8 @@ mod trail;
 mod travel;
 mod voids;
 
+#[cfg(feature = "mapping")]
+pub(super) use barred::Barred;
 pub(super) use beacon::Beacon;
 pub(super) use braking::safe_speed;
 pub(super) use driven::{Driven, Habit};

@@ -40,9 +40,14 @@ impl Route {
 
     /// Length that is left, m.
     pub(in crate::controller) fn left(&self, at: Point) -> f64 {
-        let rest = self.line.get(self.next..).unwrap_or_default();
+        let rest = self.rest();
         let corners = std::iter::once(&at).chain(rest);
         corners.zip(rest).map(|(a, b)| (b - a).norm()).sum()
+    }
+
+    /// Corners that are left.
+    pub(in crate::controller) fn rest(&self) -> &[Point] {
+        self.line.get(self.next..).unwrap_or_default()
     }
 
     /// Whether it drives ahead, and doesn't turn on the spot.

@@ -26,6 +26,8 @@ pub(super) struct Search {
     pub limit: i64,
     /// States kept after each cell: the cheapest.
     pub most_states: usize,
+    /// Whether to give up where there are more.
+    pub is_all_or_nothing: bool,
 }
 
 /// What was found.
@@ -52,8 +54,14 @@ struct Choice {
 type Choices = [Vec<Choice>; PAIRS];
 
 impl Region {
-    /// Looks for a cheaper walk through the region.
-    pub fn search<'w>(&self, costs: (i32, i32), ways: &'w Ways, search: Search) -> Found<'w> {
+    /// Looks for a cheaper walk through the region. Asks before each site whether to go on, and tells how much work is done.
+    pub fn search<'w>(
+        &self,
+        costs: (i32, i32),
+        ways: &'w Ways,
+        search: Search,
+        mut goes_on: impl FnMut(usize) -> bool,
+    ) -> Found<'w> {
         let choices: Vec<Choices> = self.sites.iter().map(|site| self.choices(site, costs, ways)).collect();
         let rest = self.rests(&choices);
         let (mut is_exact, mut work) = (true, 0);
@@ -61,6 +69,9 @@ impl Region {
         let mut trails: Vec<Vec<(u32, Choice)>> = Vec::with_capacity(self.sites.len());
         let mut index: HashMap<State, u32, BuildHasherDefault<Mixer>> = HashMap::default();
         for (i, site) in self.sites.iter().enumerate() {
+            if !goes_on(work) {
+                return Found { ways: Vec::new(), cost: self.cost, is_exact: false, work };
+            }
             let mut next: Vec<(State, i64)> = Vec::new();
             let mut trail = Vec::new();
             index.clear();
@@ -103,6 +114,9 @@ impl Region {
             }
             if next.len() > search.most_states {
                 is_exact = false;
+                if search.is_all_or_nothing {
+                    return Found { ways: Vec::new(), cost: self.cost, is_exact, work };
+                }
                 let worth = |&(state, cost): &(State, i64)| cost + rest[i + 1][usize::from(state[END] == 1)];
                 let mut order: Vec<u32> = (0..next.len() as u32).collect();
                 order.select_nth_unstable_by_key(search.most_states, |&k| (worth(&next[k as usize]), k));

@@ -78,8 +78,8 @@ impl Improver {
         if noise > 0 {
             region.disturb(noise, &mut self.rng);
         }
-        let search = Search { limit: region.seeming_cost(), most_states };
-        let found = region.search(ground.costs(), &self.ways, search);
+        let search = Search { limit: region.seeming_cost(), most_states, is_all_or_nothing: false };
+        let found = region.search(ground.costs(), &self.ways, search, |_| true);
         self.work += found.work;
         if found.ways.is_empty() {
             return None;
@@ -164,6 +164,25 @@ impl Improver {
             }
         }
         cost
+    }
+
+    /// Looks for the best walk of all by taking the whole room for a window, with at most so many states after each cell;
+    /// whether the walk is the best of all now. `goes_on` is asked now and then.
+    pub fn solve(&mut self, ground: &Ground<'_>, most_states: usize, mut goes_on: impl FnMut() -> bool) -> bool {
+        let (width, height) = (ground.numbers.width(), ground.numbers.height());
+        let window = Window { corner: Cell::new(0, 0), width, height };
+        // The turn from the robot's heading may ask for a third use of an edge.
+        let ways = Ways::new(if ground.counts_first_turn { 3 } else { 2 });
+        let Some(region) = Region::new(ground, &self.tour, window, &mut self.site_of) else { return false };
+        let search = Search { limit: region.cost, most_states, is_all_or_nothing: true };
+        let found = region.search(ground.costs(), &ways, search, |_| goes_on());
+        if let Some(walk) =
+            Some(&found.ways).filter(|ways| !ways.is_empty()).and_then(|ways| region.walk(&self.tour, ways))
+        {
+            self.tour.replace(walk);
+            self.cost += found.cost - region.cost;
+        }
+        found.is_exact
     }
 
     /// Shakes one block: rebuilds windows with noise that fades away, and takes it all back if that made the walk dearer.

@@ -88,7 +88,8 @@ pub const INFO: PlannerInfo = PlannerInfo {
         ParamSpec {
             id: "turn",
             label: "Quarter turn",
-            help: "Steps that a quarter turn counts as; 0 for as long as the robot takes for it.",
+            help: "Steps that a quarter turn counts as; 0 for as long as the robot takes for it, and then the turn to its \
+                   first step counts, too.",
             kind: ParamKind::Number { min: 0.0, max: 64.0, step: 0.5, default: 0.0, unit: "steps" },
         },
     ],
@@ -122,6 +123,9 @@ const PATIENT: usize = 6_000_000;
 /// Windows that settle one after the other: sides in cells, and states kept in each cell.
 const FIRST_WINDOWS: (usize, usize) = (6, 200);
 const WINDOWS: [(usize, usize); 3] = [(8, 500), (10, 1_000), (12, 1_000)];
+/// States after each cell with which small rooms are tried to be solved: when the walk has settled, and in the end.
+const FEW_STATES: usize = 5_000;
+const MANY_STATES: usize = 100_000;
 /// Shares of the work that are done after the stages.
 const FIRST: f64 = 0.03;
 const SETTLED: f64 = 0.08;
@@ -138,7 +142,7 @@ impl Planner for NearOptimal {
             step: costs.step,
             turn: costs.turn,
             finish: self.finish,
-            counts_first_turn: self.finish == Finish::Anywhere,
+            counts_first_turn: self.turn.is_none() && self.finish == Finish::Anywhere,
         };
         let cells = job.cells() as f64;
         let most = self.effort * (WORK_PER_CELL * cells).min(MOST_WORK).max(LEAST_WORK_PER_CELL * cells);
@@ -157,7 +161,9 @@ impl Planner for NearOptimal {
             for windows in WINDOWS {
                 work.settle(windows, SECOND, None, ctx)?;
             }
+            work.solve(FEW_STATES, SECOND, ctx)?;
             work.shake(SECOND, ctx)?;
+            work.solve(MANY_STATES, SECOND, ctx)?;
         }
         ctx.proof = Some(work.proof());
         Ok(CoveragePath { cells: work.walk() })

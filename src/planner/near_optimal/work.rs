@@ -23,6 +23,8 @@ pub(super) struct Work<'j> {
     pub shown: Vec<Cell>,
     /// The effort: ways to be tried in windows.
     most: usize,
+    /// Whether no walk is better than the best, by having tried them all.
+    is_solved: bool,
 }
 
 /// No cell.
@@ -31,6 +33,8 @@ const NONE: u32 = u32::MAX;
 const NOISES: [f64; 4] = [0.02, 0.05, 0.1, 0.05];
 /// Largest window of a shaken block, cells, and states kept.
 const SHAKEN: (i32, usize) = (10, 700);
+/// Largest grid, walls included, of which all walks are tried.
+const LARGEST_SOLVED: usize = 1_000;
 /// Work between two improvements of the prices, and cells visited by one.
 const WORK_PER_PRICING: usize = 1_000_000;
 const PRICING: usize = 2_000_000;
@@ -48,7 +52,17 @@ impl<'j> Work<'j> {
         let is_closed = objective.finish == Finish::Start;
         let improver = Improver::new(cells, Tour::new(count as usize, Vec::new(), is_closed), rng);
         let relaxation = Relaxation::new(job, objective);
-        Self { job, objective, numbers, relaxation, improver, best: (Vec::new(), i64::MAX), shown: Vec::new(), most }
+        Self {
+            job,
+            objective,
+            numbers,
+            relaxation,
+            improver,
+            best: (Vec::new(), i64::MAX),
+            shown: Vec::new(),
+            most,
+            is_solved: false,
+        }
     }
 
     /// Goes on with `walk`, which is closed if a tour is asked for.
@@ -89,7 +103,8 @@ impl<'j> Work<'j> {
     /// How good the best walk is known to be.
     pub fn proof(&self) -> Proof {
         let unit = i64::from(self.relaxation.prices.unit);
-        Proof { cost: (self.best.1 / unit) as u64, bound: self.relaxation.bound() }
+        let cost = (self.best.1 / unit) as u64;
+        Proof { cost, bound: if self.is_solved { cost } else { self.relaxation.bound() } }
     }
 
     /// Whether there is nothing left to do.
@@ -132,6 +147,25 @@ impl<'j> Work<'j> {
             result?;
             self.keep(ctx);
         }
+        Ok(())
+    }
+
+    /// Tries all walks that may be better than the best so far, if the room is so small that they are few: no more than
+    /// `most_states` states of the frontier at a time.
+    pub fn solve(&mut self, most_states: usize, before: f64, ctx: &mut PlanContext<'_>) -> Result<(), PlanError> {
+        let Proof { cost, bound } = self.proof();
+        if cost <= bound || self.numbers.len() > LARGEST_SOLVED {
+            return Ok(());
+        }
+        let (done, mut result) = (self.share(before), Ok(()));
+        let Self { improver, relaxation, numbers, shown, .. } = self;
+        let ground = Ground::new(self.job, self.objective, relaxation, numbers);
+        self.is_solved = improver.solve(&ground, most_states, || {
+            result = ctx.checkpoint(done, shown);
+            result.is_ok()
+        });
+        result?;
+        self.keep(ctx);
         Ok(())
     }
 

@@ -47,7 +47,7 @@ impl<'a> Detours<'a> {
         }
         self.make_old();
         let goal = self.frame.index(to);
-        self.reach(self.frame.index(from), 0, to);
+        self.reach(self.frame.index(from), from, 0, to);
         while let Some((index, cost)) = self.queue.pop() {
             if index == goal {
                 let way = self.trace_back(index);
@@ -56,42 +56,73 @@ impl<'a> Detours<'a> {
             if self.reached[index] < self.base + cost {
                 continue;
             }
-            for (next, step) in self.neighbours(index) {
-                self.reach(next, cost + step, to);
-            }
+            self.reach_neighbours(index, cost, to);
         }
         None
     }
 
-    /// Free neighbours and what a step there costs; slantwise only past two free cells.
-    fn neighbours(&self, index: usize) -> impl Iterator<Item = (usize, u32)> + use<'a> {
+    /// The order is that of [`Self::steps`].
+    #[inline]
+    fn reach_neighbours(&mut self, index: usize, cost: u32, to: Cell) {
         let [right, up, left, down] = self.frame.neighbours(index);
-        let stride = self.frame.stride();
-        let open = [right, up, left, down].map(|next| self.reached[next] != WALL);
-        let slanted = [
-            (up + 1, open[0] && open[1]),
-            (up - 1, open[1] && open[2]),
-            (index - stride - 1, open[2] && open[3]),
-            (index - stride + 1, open[3] && open[0]),
-        ]
-        .map(|(next, is_open)| (next, is_open && self.reached[next] != WALL, SLANTED));
-        let straight =
-            [(right, open[0], STRAIGHT), (up, open[1], STRAIGHT), (left, open[2], STRAIGHT), (down, open[3], STRAIGHT)];
-        straight.into_iter().chain(slanted).filter(|&(_, is_open, _)| is_open).map(|(next, _, step)| (next, step))
+        let Cell { x, y } = self.frame.cell(index);
+        let (straight, slanted) = (cost + STRAIGHT, cost + SLANTED);
+        let is_right = self.reach(right, Cell::new(x + 1, y), straight, to);
+        let is_up = self.reach(up, Cell::new(x, y + 1), straight, to);
+        let is_left = self.reach(left, Cell::new(x - 1, y), straight, to);
+        let is_down = self.reach(down, Cell::new(x, y - 1), straight, to);
+        if is_right && is_up {
+            self.reach(up + 1, Cell::new(x + 1, y + 1), slanted, to);
+        }
+        if is_up && is_left {
+            self.reach(up - 1, Cell::new(x - 1, y + 1), slanted, to);
+        }
+        if is_left && is_down {
+            self.reach(down - 1, Cell::new(x - 1, y - 1), slanted, to);
+        }
+        if is_down && is_right {
+            self.reach(down + 1, Cell::new(x + 1, y - 1), slanted, to);
+        }
     }
 
+    /// Free neighbours and what a step there costs, and how many there are; slantwise only past two free cells.
     #[inline]
-    fn reach(&mut self, index: usize, cost: u32, to: Cell) {
+    fn steps(&self, index: usize) -> ([(usize, u32); 8], usize) {
+        let [right, up, left, down] = self.frame.neighbours(index);
+        let (mut steps, mut count) = ([(0, 0); 8], 0);
+        let mut look = |next: usize, is_open: bool, step: u32| {
+            let is_open = is_open && self.reached[next] != WALL;
+            if is_open {
+                steps[count] = (next, step);
+                count += 1;
+            }
+            is_open
+        };
+        let (is_right, is_up) = (look(right, true, STRAIGHT), look(up, true, STRAIGHT));
+        let (is_left, is_down) = (look(left, true, STRAIGHT), look(down, true, STRAIGHT));
+        look(up + 1, is_right && is_up, SLANTED);
+        look(up - 1, is_up && is_left, SLANTED);
+        look(down - 1, is_left && is_down, SLANTED);
+        look(down + 1, is_down && is_right, SLANTED);
+        (steps, count)
+    }
+
+    /// Notes a way of that cost to a cell; whether the cell is free.
+    #[inline]
+    fn reach(&mut self, index: usize, cell: Cell, cost: u32, to: Cell) -> bool {
         let mark = self.reached[index];
         if mark >= self.base && mark <= self.base + cost {
-            return;
+            return true;
+        }
+        if mark == WALL {
+            return false;
         }
         self.reached[index] = self.base + cost;
         self.dearest = self.dearest.max(cost);
-        let cell = self.frame.cell(index);
         let (dx, dy) = (cell.x.abs_diff(to.x), cell.y.abs_diff(to.y));
         let remaining = STRAIGHT * dx.abs_diff(dy) + SLANTED * dx.min(dy);
         self.queue.push(cost + remaining, index, cost);
+        true
     }
 
     /// Makes all marks those of a search before.
@@ -111,10 +142,10 @@ impl<'a> Detours<'a> {
         let mut index = goal;
         while self.reached[index] > self.base {
             let here = self.reached[index];
-            let before = self
-                .neighbours(index)
-                .find(|&(next, step)| self.reached[next] >= self.base && self.reached[next] + step == here);
-            let Some((next, _)) = before else { break };
+            let (steps, count) = self.steps(index);
+            let is_before =
+                |&&(next, step): &&(usize, u32)| self.reached[next] >= self.base && self.reached[next] + step == here;
+            let Some(&(next, _)) = steps[..count].iter().find(is_before) else { break };
             index = next;
             way.push(self.frame.cell(index));
         }

@@ -11,6 +11,8 @@ pub(super) struct Ink {
     pub free: [u8; 4],
     /// Those of them that the robot believes to have cleaned.
     pub cleaned: [u8; 4],
+    /// Those of them that it can get to and hasn't cleaned yet.
+    pub left: [u8; 4],
     /// Cells that are believed to be occupied.
     pub occupied: [u8; 4],
     /// Occupied cells of a map by odometry alone.
@@ -31,6 +33,8 @@ pub(super) struct Ink {
     pub belief: &'static str,
     /// How sure it is.
     pub doubt: &'static str,
+    /// Where it is going, and where what it knows ends.
+    pub goal: &'static str,
     /// Where it found dirt.
     pub dirt: &'static str,
     /// Sets lines off from any ground.
@@ -42,6 +46,7 @@ const LIGHT: Ink = Ink {
     grid: "rgb(40 55 80 / 0.07)",
     free: [0xff, 0xfd, 0xf8, 0xff],
     cleaned: [0xc3, 0xd6, 0xee, 0xff],
+    left: [0xfb, 0xe2, 0x9a, 0xff],
     occupied: [0x2a, 0x30, 0x3b, 0xff],
     odometry: [0x9a, 0x5b, 0x9c, 0x9c],
     odometry_line: "#7d3f80",
@@ -52,6 +57,7 @@ const LIGHT: Ink = Ink {
     truth: "#d4530f",
     belief: "#0062a3",
     doubt: "rgb(0 98 163 / 0.16)",
+    goal: "#00664a",
     dirt: "#5a3a1c",
     halo: "rgb(255 255 255 / 0.9)",
 };
@@ -61,6 +67,7 @@ const DARK: Ink = Ink {
     grid: "rgb(220 230 255 / 0.06)",
     free: [0x33, 0x37, 0x3f, 0xff],
     cleaned: [0x2f, 0x4a, 0x6e, 0xff],
+    left: [0x6b, 0x56, 0x1c, 0xff],
     occupied: [0xe6, 0xe9, 0xef, 0xff],
     odometry: [0xd0, 0x8f, 0xd2, 0x9c],
     odometry_line: "#d9a0db",
@@ -71,6 +78,7 @@ const DARK: Ink = Ink {
     truth: "#ff8f4f",
     belief: "#6cc0f5",
     doubt: "rgb(108 192 245 / 0.20)",
+    goal: "#4fd6ab",
     dirt: "#d9b38c",
     halo: "rgb(10 12 15 / 0.8)",
 };

@@ -43,6 +43,59 @@ pub(super) fn trail(
     context.set_global_alpha(1.0);
 }
 
+/// Pieces of unknown floor that could be gone for, from where they are entered.
+pub(super) fn frontiers(
+    context: &CanvasRenderingContext2d,
+    viewport: &Viewport,
+    pieces: &[[Point; 2]],
+    colour: &str,
+) -> Result<(), JsValue> {
+    context.set_stroke_style_str(colour);
+    context.set_fill_style_str(colour);
+    context.set_line_width(1.0);
+    context.set_global_alpha(0.7);
+    dash(context, &[1.5, 3.0])?;
+    context.begin_path();
+    for [entry, end] in pieces.iter().map(|piece| piece.map(|at| viewport.to_screen(at))) {
+        context.move_to(entry.x, entry.y);
+        context.line_to(end.x, end.y);
+    }
+    context.stroke();
+    dash(context, &[])?;
+    for at in pieces.iter().map(|[entry, _]| viewport.to_screen(*entry)) {
+        context.fill_rect(at.x - 1.75, at.y - 1.75, 3.5, 3.5);
+    }
+    context.set_global_alpha(1.0);
+    Ok(())
+}
+
+/// The line that it will drive, and a ring at its end.
+pub(super) fn route(
+    context: &CanvasRenderingContext2d,
+    viewport: &Viewport,
+    (from, corners): (Point, &[Point]),
+    (colour, halo): (&str, &str),
+) -> Result<(), JsValue> {
+    let Some(&last) = corners.last() else { return Ok(()) };
+    context.set_line_join("round");
+    context.begin_path();
+    for (i, at) in std::iter::once(&from).chain(corners).map(|&at| viewport.to_screen(at)).enumerate() {
+        if i == 0 { context.move_to(at.x, at.y) } else { context.line_to(at.x, at.y) }
+    }
+    context.set_line_width(1.25);
+    context.set_stroke_style_str(colour);
+    context.stroke();
+    let at = viewport.to_screen(last);
+    for (width, colour) in [(4.5, halo), (2.0, colour)] {
+        context.begin_path();
+        context.arc(at.x, at.y, 5.0, 0.0, TAU)?;
+        context.set_line_width(width);
+        context.set_stroke_style_str(colour);
+        context.stroke();
+    }
+    Ok(())
+}
+
 /// A robot as a dashed circle with the way that it looks.
 pub(super) fn ghost(
     context: &CanvasRenderingContext2d,

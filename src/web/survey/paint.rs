@@ -287,6 +287,12 @@ fn draw_robots(
         return solid(pose, false);
     }
     let robot = (model.radius, viewport);
+    if let (true, Some(intent)) = (has("goals"), run.intent()) {
+        marks::frontiers(context, viewport, intent.frontiers, ink.goal)?;
+        if let Some(pose) = belief.pose() {
+            marks::route(context, viewport, (pose.position(), intent.route), (ink.goal, ink.halo))?;
+        }
+    }
     if has("trails") {
         marks::trail(context, viewport, run.trail(), (ink.truth, 1.75));
         if run.locator().is_none() {

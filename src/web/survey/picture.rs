@@ -59,6 +59,9 @@ impl CellPicture {
         (self.low, self.size, self.resolution) = (low, size, map.resolution());
 
         let [shows_belief, shows_cleaned, compares] = ["belief", "cleaned", "difference"].map(|name| layers.has(name));
+        let is_back = survey.returned().is_none();
+        let intent = survey.run().and_then(crate::sim::Run::intent).filter(|_| is_back && layers.has("left"));
+        let reach = intent.and_then(|intent| intent.reach);
         let mut pixels = Vec::with_capacity((size[0] * size[1] * 4) as usize);
         for y in (low.y..low.y + size[1]).rev() {
             for x in low.x..low.x + size[0] {
@@ -74,6 +77,9 @@ impl CellPicture {
                     };
                 } else if shows_cleaned && belief.marks.has(cell, Mark::Cleaned) {
                     colour = ink.cleaned;
+                }
+                if reach.is_some_and(|reach| reach.get(cell)) && !belief.marks.has(cell, Mark::Cleaned) {
+                    colour = ink.left;
                 }
                 if baseline.is_some_and(|other| other.map().occupancy(cell) == Occupancy::Occupied) {
                     colour = over(ink.odometry, colour);

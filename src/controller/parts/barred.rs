@@ -16,7 +16,7 @@ const FOR_EVER: u8 = 2;
 
 /// Cells of a map.
 #[derive(Debug, Clone)]
-pub(super) struct Barred {
+pub(in crate::controller) struct Barred {
     /// Side of the cells, m.
     side: f64,
     cells: Layer<u8>,
@@ -24,22 +24,22 @@ pub(super) struct Barred {
 
 impl Barred {
     /// None, of cells of `side` metres.
-    pub fn new(side: f64) -> Self {
+    pub(in crate::controller) fn new(side: f64) -> Self {
         Self { side, cells: Layer::new() }
     }
 
     /// Whether a cell is barred.
-    pub fn has(&self, cell: Cell) -> bool {
+    pub(in crate::controller) fn has(&self, cell: Cell) -> bool {
         self.cells.get(cell) > 0
     }
 
     /// The floor ends, or a virtual wall is, ahead of a body of that radius, m.
-    pub fn edge(&mut self, pose: Pose, body: f64) {
+    pub(in crate::controller) fn edge(&mut self, pose: Pose, body: f64) {
         self.bar(pose.to_world(Point::new(body + EDGE.0, 0.0)), EDGE.1, FOR_EVER);
     }
 
     /// Something that should not be there was met, so far to the left of straight ahead, rad.
-    pub fn met(&mut self, pose: Pose, body: f64, aside: f64) {
+    pub(in crate::controller) fn met(&mut self, pose: Pose, body: f64, aside: f64) {
         let (sin, cos) = math::sin_cos(aside);
         self.bar(pose.to_world(Point::new(cos, sin) * (body + MET.0)), MET.1, FOR_NOW);
     }
@@ -57,7 +57,7 @@ impl Barred {
     }
 
     /// What was met may be gone.
-    pub fn forget(&mut self) {
+    pub(in crate::controller) fn forget(&mut self) {
         let met: Vec<Cell> = self.cells.iter().filter(|(_, how)| *how == FOR_NOW).map(|(cell, _)| cell).collect();
         for cell in met {
             self.cells.update(cell, |_| 0);
