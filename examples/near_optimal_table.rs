@@ -25,7 +25,9 @@ fn read(path: &Path) -> Result<(CoverageJob, Option<[f64; 2]>), Box<dyn Error>> 
 fn main() -> Result<(), Box<dyn Error>> {
     let seconds: f64 = std::env::args().nth(1).map_or(Ok(10.0), |text| text.parse())?;
     let info = find("near_optimal").ok_or("not in the registry")?;
-    println!("| room | cells | first | after s | best | our bound | above | best known | above it | last found after s |");
+    println!(
+        "| room | cells | first | after s | best | our bound | above | best known | above it | last found after s |"
+    );
     println!("|---|---|---|---|---|---|---|---|---|---|");
     for (folder, is_closed) in [("grids", false), ("turncost", true)] {
         let Ok(entries) = fs::read_dir(Path::new("../shared/maps").join(folder)) else { continue };
@@ -37,7 +39,11 @@ fn main() -> Result<(), Box<dyn Error>> {
             let mut params = Params::defaults(info.params);
             params.set(info.params, "effort", ParamValue::Number(100.0))?;
             params.set(info.params, "turn", ParamValue::Number(f64::from(objective.turn)))?;
-            params.set(info.params, "finish", ParamValue::Choice(if is_closed { "start" } else { "anywhere" }.into()))?;
+            params.set(
+                info.params,
+                "finish",
+                ParamValue::Choice(if is_closed { "start" } else { "anywhere" }.into()),
+            )?;
             let began = Instant::now();
             let (mut first, mut best) = (None, Best { walk: Vec::new(), proof: None, cost: u64::MAX, after: 0.0 });
             let mut observe = |report: Report<'_>| {
@@ -65,8 +71,9 @@ fn main() -> Result<(), Box<dyn Error>> {
             // Walks are priced in sixteenths of a step.
             let bound = best.proof.map_or(0, |proof| proof.bound).div_ceil(16);
             let above = |low: f64| 100.0 * (best.cost as f64 / low - 1.0);
-            let (value, over) =
-                known.map_or((String::new(), String::new()), |[_, value]| (value.to_string(), format!("{:.2} %", above(value))));
+            let (value, over) = known.map_or((String::new(), String::new()), |[_, value]| {
+                (value.to_string(), format!("{:.2} %", above(value)))
+            });
             let (start, after) = first.unwrap_or((0, 0.0));
             println!(
                 "| {name} | {} | {start} | {after:.2} | {} | {bound} | {:.2} % | {value} | {over} | {:.1} |",

@@ -18,9 +18,9 @@ const PATIENCE: usize = 10;
 const INERTIA: f64 = 0.7;
 /// Numbers that may be kept while a strip is solved, two bytes each.
 const MEMORY: usize = 30_000_000;
-/// The first strips are the highest of these in which a step takes no more than that many visits of cells.
-const FIRST_HEIGHTS: [usize; 2] = [4, 7];
-const FIRST_EFFORT: usize = 500_000;
+/// Cells across the first strips. It isn't only that low ones take less time: strips of any height have their borders
+/// elsewhere, and the best bound of all counts.
+const FIRST_HEIGHT: usize = 4;
 /// What a step may take, so that callers can look up between two: about two seconds.
 const MOST_EFFORT: usize = 30_000_000;
 /// How much is hoped for at first, as a share of the bound.
@@ -47,12 +47,9 @@ pub(super) struct Ascent {
 }
 
 impl Ascent {
-    /// Begins with prices that fit and strips of some rows or, if `upright`, columns.
+    /// Begins with prices that fit and strips of a few rows or, if `upright`, columns.
     pub fn first(graph: &Graph, prices: &Prices, upright: bool) -> Self {
-        let [low, high] = FIRST_HEIGHTS;
-        let ascent = |height| Self::new(graph, prices, upright, height);
-        let is_quick = |ascent: &Self| ascent.effort(graph) <= FIRST_EFFORT;
-        (low..=high).rev().map(ascent).find(is_quick).unwrap_or_else(|| ascent(low))
+        Self::new(graph, prices, upright, FIRST_HEIGHT)
     }
 
     /// The same with strips of at most that height.

@@ -185,20 +185,3 @@ impl Prices {
         }
     }
 }
-
-impl Prices {
-    /// By how much a visit of a cell through two sides costs more than the cheapest passage, in price units; the walk's
-    /// first and last visit have one side, and none.
-    pub fn excess(&self, cell: usize, from: Option<usize>, to: Option<usize>) -> i32 {
-        let (passage, half) = self.visits(cell);
-        let sides = &self.sides[cell];
-        match (from, to) {
-            (Some(a), Some(b)) => {
-                let turns = [2, 1, 0, 1][(a + 4 - b) & 3];
-                self.step + self.turn * turns + sides[a] + sides[b] - passage
-            }
-            (Some(side), None) | (None, Some(side)) => self.step / 2 + sides[side] - half,
-            (None, None) => 0,
-        }
-    }
-}
