@@ -1,6 +1,6 @@
 //! Lower bounds against the best walks there are.
 
-use crate::support::{drawn, scenarios, shared_grids};
+use crate::support::{drawn, scenarios, shared_grids, shared_tours};
 use rand::RngExt;
 use robovac_playground::{
     grid::{Cell, Direction, Grid},
@@ -143,7 +143,7 @@ const OBJECTIVES: [Objective; 7] = [
 #[test]
 fn no_relaxation_of_a_small_room_is_above_its_best_walk() {
     let (mut rng, mut met, mut count) = (seeded(7, 0), 0, 0);
-    for _ in 0..60 {
+    for _ in 0..20 {
         let bits = rng.random_range(1..1 << 12) | rng.random_range(0..1 << 12);
         for mut job in jobs(4, 3, bits).step_by(5) {
             job.heading = Direction::ALL[rng.random_range(0..4)];
@@ -162,7 +162,7 @@ fn no_relaxation_of_a_small_room_is_above_its_best_walk() {
 #[test]
 fn no_relaxation_by_several_strips_is_above_the_best_walk() {
     let mut rng = seeded(8, 0);
-    for _ in 0..6 {
+    for _ in 0..2 {
         let bits = rng.random_range(1..1 << 14) | rng.random_range(0..1 << 14);
         for mut job in [(7, 2), (2, 7)].into_iter().flat_map(|(w, h)| jobs(w, h, bits).nth(4)) {
             job.heading = Direction::ALL[rng.random_range(0..4)];
@@ -218,5 +218,26 @@ fn best_known_walks_are_above() {
             100.0 - 100.0 * bounds.cost as f64 / known as f64
         );
         assert!((known * 9 / 10..=known).contains(&bounds.cost), "{}: {bounds:?}", scenario.name);
+    }
+}
+
+/// What the relaxation reaches in a small part of the time that it may take.
+#[test]
+fn relaxations_of_shared_grids_get_near_the_best_known_walks() {
+    // Proven optimal, proven optimal, and 98.5 % of the best bound known (1556).
+    for (scenario, [least, known]) in shared_grids().into_iter().zip([[475, 475], [81, 81], [1533, 1565]]) {
+        let job = scenario.jobs().next().unwrap();
+        let bound = relaxed(&job, Objective::open(1, 2), 40, known);
+        assert!(bound >= least, "{}: {bound}", scenario.name);
+    }
+}
+
+/// The best closed tours that are known by steps + 50 x quarter turns (header of each file; d-krupke/turncost).
+#[test]
+fn relaxations_of_closed_tours_get_near_the_best_known_ones() {
+    for (job, known) in shared_tours() {
+        let bound = relaxed(&job, Objective::closed(1, 50), 60, known);
+        println!("{} cells: {bound}, {:.1} % of {known}", job.cells(), 100.0 * bound as f64 / known as f64);
+        assert!(bound * 100 >= known * 90, "{bound} of {known}");
     }
 }

@@ -188,6 +188,27 @@ fn shipped_rooms() -> Vec<Scenario> {
         .collect()
 }
 
+/// Rooms of closed tours shared on the machine where this was developed, if they're there, and what the best tour known
+/// costs: a step each, and 50 a quarter turn.
+pub fn shared_tours() -> Vec<(CoverageJob, usize)> {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/maps/turncost");
+    let mut files: Vec<PathBuf> =
+        fs::read_dir(folder).into_iter().flatten().filter_map(|entry| Some(entry.ok()?.path())).collect();
+    files.sort();
+    files
+        .iter()
+        .map(|file| {
+            let text = fs::read_to_string(file).expect("the room can be read");
+            let (_, known) = text.split_once("best_ip ").expect("the header tells the best tour");
+            let known: f64 = known.split_whitespace().next().and_then(|known| known.parse().ok()).expect("a number");
+            let rows: Vec<&str> = text.lines().filter(|line| !line.starts_with(';')).collect();
+            let free = from_picture(&rows.join("\n"), |c| c != '#').expect("the room is a rectangle");
+            let start = free.iter().find(|&(_, &free)| free).expect("something is free").0;
+            (CoverageJob::new(&free, start, Direction::Right).expect("the start is free"), known as usize)
+        })
+        .collect()
+}
+
 /// Grids that other planners have been measured on; none where the folder doesn't exist.
 pub fn shared_grids() -> Vec<Scenario> {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/maps/grids");

@@ -18,10 +18,17 @@ const PATIENCE: usize = 10;
 const INERTIA: f64 = 0.7;
 /// Numbers that may be kept while a strip is solved, two bytes each.
 const MEMORY: usize = 30_000_000;
+/// Cells across the first strips. It isn't only that low ones take less time: strips of any height have their borders
+/// elsewhere, and the best bound of all counts.
+const FIRST_HEIGHT: usize = 4;
+/// What a step may take, so that callers can look up between two: about two seconds.
+const MOST_EFFORT: usize = 30_000_000;
 /// How much is hoped for at first, as a share of the bound.
 const HOPE: f64 = 0.002;
-/// When to give up, likewise.
-const DESPAIR: f64 = 2e-6;
+/// What is hoped for grows by this where a quarter of it came true.
+const GROWTH: f64 = 1.5;
+/// When to give up, as a share of the bound.
+const DESPAIR: f64 = 1e-4;
 /// An ascent by one way to cut a room into strips.
 pub(super) struct Ascent {
     strips: Strips,
@@ -40,8 +47,13 @@ pub(super) struct Ascent {
 }
 
 impl Ascent {
-    /// Begins with prices that fit, and strips of at most that many rows or, if `upright`, columns.
-    pub fn new(graph: &Graph, prices: &Prices, upright: bool, height: usize) -> Self {
+    /// Begins with prices that fit and strips of a few rows or, if `upright`, columns.
+    pub fn first(graph: &Graph, prices: &Prices, upright: bool) -> Self {
+        Self::new(graph, prices, upright, FIRST_HEIGHT)
+    }
+
+    /// The same with strips of at most that height.
+    fn new(graph: &Graph, prices: &Prices, upright: bool, height: usize) -> Self {
         Self {
             strips: Strips::new(graph, upright, height),
             upright,
@@ -56,20 +68,17 @@ impl Ascent {
         }
     }
 
-    /// Whether there is but one strip, which no price can make better.
-    fn is_whole(&self) -> bool {
-        self.strips.len() == 1
+    /// Whether there is but one strip, or all agree, so that no prices and no strips can be better.
+    pub fn is_final(&self) -> bool {
+        self.strips.len() == 1 || self.agrees
     }
 
     /// The same with higher strips, as far as memory allows.
     pub fn higher(&self, graph: &Graph) -> Option<Self> {
-        if self.is_whole() || self.agrees {
-            return None;
-        }
         let heights = self.strips.height + 1..=graph.numbers.width().max(graph.numbers.height());
         let higher = |height| Self::new(graph, &self.best, self.upright, height);
         let mut higher = heights.map(higher).find(|higher| higher.strips.len() < self.strips.len())?;
-        if higher.strips.memory(self.prices.is_open()) > MEMORY {
+        if higher.strips.memory(self.prices.is_open()) > MEMORY || higher.effort(graph) > MOST_EFFORT {
             return None;
         }
         higher.hope = self.bound as f64 * HOPE / 4.0;
@@ -78,7 +87,9 @@ impl Ascent {
 
     /// Cells that could be visited in the time of a step.
     pub fn effort(&self, graph: &Graph) -> usize {
-        graph.len() * (10 + step_effort(&self.prices, self.strips.height))
+        let states = 3_usize.saturating_pow(self.strips.height as u32);
+        let layers = if self.prices.is_open() { 3 } else { 1 };
+        graph.len().saturating_mul(10 + states.saturating_mul(layers) / 2)
     }
 
     /// In units of the objective.
@@ -97,6 +108,9 @@ impl Ascent {
             }
             if (solution.bound - self.bound) as f64 > self.hope / 16.0 {
                 self.failures = 0;
+            }
+            if self.bound > 0 && (solution.bound - self.bound) as f64 > self.hope / 4.0 {
+                self.hope *= GROWTH;
             }
             self.bound = solution.bound;
             self.best.clone_from(&self.prices);
@@ -122,7 +136,7 @@ impl Ascent {
             }
         }
         self.agrees = length == 0.0;
-        if self.agrees || self.is_whole() || self.hope < self.bound as f64 * DESPAIR {
+        if self.is_final() || self.hope <= self.bound as f64 * DESPAIR {
             return false;
         }
         let pace = (self.bound as f64 + self.hope - solution.bound as f64) / length;
@@ -134,9 +148,4 @@ impl Ascent {
         };
         self.prices.take(graph, moved)
     }
-}
-
-/// About how many cells could be visited in the time that a step takes for one, by the height of strips.
-pub(super) fn step_effort(prices: &Prices, height: usize) -> usize {
-    3_usize.pow(height as u32) * if prices.is_open() { 3 } else { 1 } / 2
 }

@@ -27,6 +27,9 @@ pub(super) struct Run {
     taken: Vec<[Vec<u16>; 2]>,
 }
 
+/// Cells, and how often each of their sides is used.
+pub(super) type Trace = Vec<(u32, [u8; 4])>;
+
 const ENDS_HERE: u16 = 1 << 15;
 
 impl Strips {
@@ -52,7 +55,9 @@ impl Strips {
             let is_highest = row + 1 == height || strip[position + 1] == NONE;
             let ways = ways(site, is_open, [power(row), power(height)], [is_highest, is_lowest]);
             let mut taken = [vec![0; states], vec![0; costs[1].len()]];
-            next.iter_mut().for_each(|costs| costs.fill(NEVER));
+            for costs in &mut next {
+                costs.fill(NEVER);
+            }
             let (block, blocks) = (power(row), power(height - 1 - row));
             for (index, way) in ways.iter().enumerate() {
                 for middle in 0..blocks {
@@ -86,26 +91,27 @@ impl Strips {
         }
         run
     }
+}
 
+impl Run {
     /// How the cells' sides are used in the best way.
-    pub(super) fn trace(&self, strip: &[u32], sites: &[Site], run: &Run, has_end: bool) -> Vec<(u32, [u8; 4])> {
+    pub fn trace(&self, strip: &[u32], sites: &[Site], has_end: bool) -> Trace {
         let (mut state, mut layer) = (0, usize::from(has_end));
-        let mut uses = Vec::with_capacity(sites.len());
-        if run.least[layer] > DEAREST {
-            return uses;
+        let mut trace = Vec::with_capacity(sites.len());
+        if self.least[layer] > DEAREST {
+            return trace;
         }
-        let cells = strip.iter().enumerate().rev().filter(|&(_, &cell)| cell != NONE);
-        for (((_, &cell), site), (ways, taken)) in
-            cells.zip(sites.iter().rev()).zip(run.ways.iter().zip(&run.taken).rev())
-        {
+        let cells = strip.iter().rev().filter(|&&cell| cell != NONE);
+        let taken = self.ways.iter().zip(&self.taken).rev();
+        for ((&cell, site), (ways, taken)) in cells.zip(sites.iter().rev()).zip(taken) {
             let code = taken[layer][state];
             let ends_here = usize::from(code & ENDS_HERE != 0);
             let way = &ways[usize::from(code & !ENDS_HERE)];
             state = state + way.from as usize - way.to as usize;
             layer -= ends_here;
-            uses.push((cell, site.crossings(ends_here, usize::from(way.labelling))));
+            trace.push((cell, site.crossings(ends_here, usize::from(way.labelling))));
         }
-        uses
+        trace
     }
 }
 

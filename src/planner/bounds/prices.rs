@@ -169,9 +169,7 @@ impl Prices {
         }
         (sum.max(0) as u64).div_ceil(self.unit as u64)
     }
-}
 
-impl Prices {
     /// By how much a visit of a cell through two sides costs more than the cheapest passage, in price units; the walk's
     /// first and last visit have one side, and none.
     pub fn excess(&self, cell: usize, from: Option<usize>, to: Option<usize>) -> i32 {

@@ -34,6 +34,7 @@ use super::{
     primal_dual::{PrimalDual, Programme},
 };
 use crate::planner::{CoverageJob, Objective};
+use std::collections::VecDeque;
 
 /// Steps of the primal-dual iteration between two looks at how good its prices are, at least.
 const PATIENCE: usize = 50;
@@ -45,15 +46,13 @@ const LULL: usize = 3;
 const LEAST_STEPS: usize = 600;
 /// What counts as success: a rise by one in so many.
 const RISE: u64 = 2000;
-/// Height of the first strips.
-const FIRST_HEIGHT: usize = 4;
 
 /// A bound that rises the longer one works at it.
 pub struct Relaxation {
     /// The cells.
     pub graph: Graph,
     cuts: Cuts,
-    /// The best prices so far.
+    /// The best prices so far, of single cells.
     pub prices: Prices,
     /// The bound that they give, and the best bound.
     cell_bound: u64,
@@ -67,7 +66,9 @@ pub struct Relaxation {
     last_rise: usize,
     risen_to: u64,
     crossings: Option<Crossings>,
-    ascent: Option<Ascent>,
+    /// Ascents to be gone on with, in turn: by rows and by columns, higher and higher ones.
+    ascents: VecDeque<Ascent>,
+    is_in_strips: bool,
 }
 
 impl Relaxation {
@@ -90,7 +91,8 @@ impl Relaxation {
             last_rise: 0,
             risen_to: 0,
             crossings: None,
-            ascent: None,
+            ascents: VecDeque::new(),
+            is_in_strips: false,
         }
     }
 
@@ -103,10 +105,10 @@ impl Relaxation {
         let limit = if self.graph.len() > MOST_CELLS { MOST_SWEEPS } else { effort(self.graph.len()) };
         let sweeps = rounds.min(limit - self.swept.min(limit));
         if sweeps > 0 {
-            let before = self.prices.clone();
             self.prices.diffuse(&self.graph, self.swept, sweeps);
             self.swept += sweeps;
-            self.look(before);
+            self.cell_bound = self.prices.bound(&self.graph, &self.cuts);
+            self.bound = self.bound.max(self.cell_bound);
             return true;
         }
         if self.graph.len() > MOST_CELLS {
@@ -139,25 +141,33 @@ impl Relaxation {
     fn ascend(&mut self, cells: usize) -> bool {
         let crossings = self.crossings.get_or_insert_with(|| Crossings::new(self.prices.first_quarters()));
         let mut done = 0;
+        if !self.is_in_strips {
+            self.is_in_strips = true;
+            for upright in [false, true] {
+                let mut ascent = Ascent::first(&self.graph, &self.prices, upright);
+                ascent.step(&self.graph, &self.cuts, crossings);
+                self.bound = self.bound.max(ascent.bound());
+                done += ascent.effort(&self.graph);
+                self.ascents.push_back(ascent);
+            }
+            // The better ones first.
+            if self.ascents[0].bound() < self.ascents[1].bound() {
+                self.ascents.swap(0, 1);
+            }
+        }
         while done < cells {
-            let Some(ascent) = &mut self.ascent else {
-                let [lying, standing] = [false, true].map(|upright| {
-                    let mut ascent = Ascent::new(&self.graph, &self.prices, upright, FIRST_HEIGHT);
-                    ascent.step(&self.graph, &self.cuts, crossings);
-                    done += ascent.effort(&self.graph);
-                    ascent
-                });
-                self.ascent = Some(if lying.bound() < standing.bound() { standing } else { lying });
-                continue;
+            let Some(mut ascent) = self.ascents.pop_front() else {
+                return false;
             };
             done += ascent.effort(&self.graph);
             let goes_on = ascent.step(&self.graph, &self.cuts, crossings);
             self.bound = self.bound.max(ascent.bound());
-            if !goes_on {
-                match ascent.higher(&self.graph) {
-                    Some(higher) => *ascent = higher,
-                    None => return false,
-                }
+            if goes_on {
+                self.ascents.push_front(ascent);
+            } else if ascent.is_final() {
+                self.ascents.clear();
+            } else {
+                self.ascents.extend(ascent.higher(&self.graph));
             }
         }
         true

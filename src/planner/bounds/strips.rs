@@ -14,6 +14,7 @@
 use super::{
     crossings::{Crossings, LABELLINGS, LABELS, Use},
     cuts::Cuts,
+    frontier::Trace,
     graph::{Graph, NONE},
     prices::Prices,
 };
@@ -30,7 +31,8 @@ type Table = [i32; LABELLINGS];
 
 /// A room in strips.
 pub(super) struct Strips {
-    strips: Vec<Vec<u32>>,
+    /// Their cells, column by column of the strip, [`NONE`] for walls.
+    cells: Vec<Vec<u32>>,
     /// Cells across a strip.
     pub height: usize,
     /// The sides of a cell as a strip sees them: along it and across it, forwards and then backwards.
@@ -78,23 +80,23 @@ impl Strips {
         };
         // As equal as can be.
         let height = across.div_ceil(across.div_ceil(most).max(1)).max(1);
-        let cell = |along: usize, j: usize| if j < across { at(along, j) } else { NONE };
+        let inside = |along: usize, j: usize| if j < across { at(along, j) } else { NONE };
         let strip =
-            |low: usize| (0..length).flat_map(|along| (low..low + height).map(move |j| cell(along, j))).collect();
-        let strips = (0..across).step_by(height).map(strip).collect();
-        Self { strips, height, sides: if upright { [1, 0, 3, 2] } else { [0, 1, 2, 3] } }
+            |low: usize| (0..length).flat_map(|along| (low..low + height).map(move |j| inside(along, j))).collect();
+        let cells = (0..across).step_by(height).map(strip).collect();
+        Self { cells, height, sides: if upright { [1, 0, 3, 2] } else { [0, 1, 2, 3] } }
     }
 
     /// How many there are.
     pub fn len(&self) -> usize {
-        self.strips.len()
+        self.cells.len()
     }
 
     /// Numbers that are kept while the largest strip is solved.
     pub fn memory(&self, is_open: bool) -> usize {
         let cells = |strip: &Vec<u32>| strip.iter().filter(|&&cell| cell != NONE).count();
-        let most = self.strips.iter().map(cells).max().unwrap_or(0);
-        most * LABELS.pow(self.height as u32 + 1) * if is_open { 2 } else { 1 }
+        let most = self.cells.iter().map(cells).max().unwrap_or(0);
+        most.saturating_mul(LABELS.saturating_pow(self.height as u32 + 1)).saturating_mul(if is_open { 2 } else { 1 })
     }
 
     /// The bound of all strips together, at prices that fit; `None` if the walk's end may save too much to be reckoned with.
@@ -113,8 +115,8 @@ impl Strips {
         let mut bound: i64 = (0..graph.len()).map(visits).sum();
         let mut crossings = vec![[0; 4]; graph.len()];
         // Where the walk's end adds least: how much, and how that strip is used then.
-        let mut end: Option<(i64, Vec<(u32, [u8; 4])>)> = None;
-        for strip in &self.strips {
+        let mut end: Option<(i64, Trace)> = None;
+        for strip in &self.cells {
             let sites: Vec<Site> = strip
                 .iter()
                 .filter(|&&cell| cell != NONE)
@@ -123,12 +125,12 @@ impl Strips {
             let run = self.run(strip, &sites, prices.is_open());
             let least = run.least.map(|least| i64::from(least.min(DEAREST)));
             bound += least[0];
-            for (cell, uses) in self.trace(strip, &sites, &run, false) {
+            for (cell, uses) in run.trace(strip, &sites, false) {
                 crossings[cell as usize] = uses;
             }
             let more = least[1] - least[0];
             if prices.is_open() && end.as_ref().is_none_or(|&(least, _)| more < least) {
-                end = Some((more, self.trace(strip, &sites, &run, true)));
+                end = Some((more, run.trace(strip, &sites, true)));
             }
         }
         if let Some((more, uses)) = end {
