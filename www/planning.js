@@ -7,7 +7,7 @@
  * @typedef {object} Listeners
  * @property {(id: number, done: number, cells: Uint32Array, proof: Proof) => void} progress
  * @property {(id: number, cells: Uint32Array, seconds: number, trace: unknown, proof: Proof, film: unknown[]) => void} finished
- * @property {(id: number, proof: Proof) => void} proven What is known of a plan that has been told.
+ * @property {(id: number, proof: Proof) => void} [proven] What is known of a plan that has been told.
  * @property {(id: number, message: string) => void} failed
  */
 
@@ -91,7 +91,7 @@ export class Planning {
     if (message.type === "proven" && id === this.#proving) {
       this.#proving = NaN;
       this.#sent = false;
-      this.#listeners.proven(id, message.proof);
+      this.#listeners.proven?.(id, message.proof);
     }
     if (id !== this.#busy) return;
     if (message.type === "progress") {
