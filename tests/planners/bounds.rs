@@ -5,39 +5,54 @@ use rand::RngExt;
 use robovac_playground::{
     grid::{Cell, Direction, Grid},
     metrics::{Bounds, WalkMetrics},
-    planner::{CoverageJob, Params, PlanContext, find},
+    planner::{CoverageJob, Finish, Objective, Params, PlanContext, Relaxation, find},
     rng::seeded,
 };
 
-/// Least step x steps + turn x quarter turns of all walks, by trying them all: Dijkstra's search with a bucket a cost over
-/// (cells visited, cell, direction).
-fn best(job: &CoverageJob, step: usize, turn: usize) -> usize {
+/// What the best of all walks costs, by trying them all: Dijkstra's search with a bucket a cost over (cells visited, cell,
+/// direction), once for every first step.
+fn best(job: &CoverageJob, objective: Objective) -> usize {
     let cells: Vec<Cell> = job.free.iter().filter(|&(_, &free)| free).map(|(cell, _)| cell).collect();
     let number = |cell: Cell| cells.iter().position(|&c| c == cell);
     let next: Vec<[Option<usize>; 4]> = cells.iter().map(|c| c.neighbours().map(number)).collect();
     let all = (1_usize << cells.len()) - 1;
     let start = number(job.start).unwrap();
-    let mut done = vec![false; (all + 1) * cells.len() * 4];
-    let mut buckets = vec![Direction::ALL.map(|d| (1 << start, start, d)).to_vec()];
-    for cost in 0.. {
-        while let Some((seen, cell, direction)) = buckets[cost].pop() {
-            if seen == all {
-                return cost;
+    if all == 1 {
+        return 0;
+    }
+    let (step, turn) = (objective.step as usize, objective.turn as usize);
+    let is_closed = objective.finish == Finish::Start;
+    let from = |first: Direction| {
+        let after = next[start][first as usize]?;
+        let counted = if is_closed || !objective.counts_first_turn { 0 } else { job.heading.quarter_turns(first) };
+        let begun = step + turn * counted as usize;
+        let mut done = vec![false; (all + 1) * cells.len() * 4];
+        let mut buckets = vec![Vec::new(); begun + 1];
+        buckets[begun].push((1 << start | 1 << after, after, first));
+        let mut least = usize::MAX;
+        for cost in 0.. {
+            if cost >= least {
+                return Some(least);
             }
-            if std::mem::replace(&mut done[(seen * cells.len() + cell) * 4 + direction as usize], true) {
-                continue;
-            }
-            for to in Direction::ALL {
-                let Some(next) = next[cell][to as usize] else { continue };
-                // The turn before the first step is free: the search begins in every direction.
-                let price = cost + step + turn * direction.quarter_turns(to) as usize;
-                buckets.resize_with(buckets.len().max(price + 1), Vec::new);
-                buckets[price].push((seen | 1 << next, next, to));
+            while let Some((seen, cell, direction)) = buckets.get_mut(cost).and_then(Vec::pop) {
+                if seen == all && (cell == start || !is_closed) {
+                    let last = if is_closed { direction.quarter_turns(first) as usize } else { 0 };
+                    least = least.min(cost + turn * last);
+                }
+                if std::mem::replace(&mut done[(seen * cells.len() + cell) * 4 + direction as usize], true) {
+                    continue;
+                }
+                for to in Direction::ALL {
+                    let Some(next) = next[cell][to as usize] else { continue };
+                    let price = cost + step + turn * direction.quarter_turns(to) as usize;
+                    buckets.resize_with(buckets.len().max(price + 1), Vec::new);
+                    buckets[price].push((seen | 1 << next, next, to));
+                }
             }
         }
-        buckets.resize_with(buckets.len().max(cost + 2), Vec::new);
-    }
-    unreachable!()
+        None
+    };
+    Direction::ALL.into_iter().filter_map(from).min().unwrap()
 }
 
 /// The jobs of a room given by a bit for every cell, one from every cell.
@@ -50,7 +65,7 @@ fn jobs(width: usize, height: usize, bits: u32) -> impl Iterator<Item = Coverage
 /// Checks all bounds of a job; how far they are below, in steps, turns and cost.
 fn gaps(job: &CoverageJob) -> [usize; 3] {
     let bounds = Bounds::of(job);
-    let [steps, turns, cost] = [(1, 0), (0, 1), (1, 2)].map(|(step, turn)| best(job, step, turn));
+    let [steps, turns, cost] = [(1, 0), (0, 1), (1, 2)].map(|(step, turn)| best(job, Objective::open(step, turn)));
     let picture = || robovac_playground::grid::picture(&job.free, |&free| if free { '.' } else { '#' });
     let found = (bounds.steps, bounds.turns, bounds.cost);
     let holds = found.0 <= steps && found.1 <= turns && found.2 <= cost;
@@ -91,8 +106,69 @@ fn weighted_bounds_hold_for_any_weights() {
     for weights in [(0, 0), (0, 1), (1, 0), (16, 1), (16, 21), (16, 1024), (4096, 4096)] {
         for job in (0..8).flat_map(|_| jobs(4, 3, rng.random_range(0..1 << 12)).step_by(4).collect::<Vec<_>>()) {
             let (step, turn) = weights;
-            let least = best(&job, step, turn) as u64;
-            assert!(Bounds::weighted(&job, step as u32, turn as u32) <= least, "{weights:?} in {:?}", job.free);
+            let least = best(&job, Objective::open(step, turn)) as u64;
+            assert!(Bounds::weighted(&job, step, turn) <= least, "{weights:?} in {:?}", job.free);
+        }
+    }
+}
+
+/// Works at a relaxation until nothing more helps, or for so many rounds; all its bounds must hold.
+fn relaxed(job: &CoverageJob, objective: Objective, rounds: usize, best: usize) -> usize {
+    let mut relaxation = Relaxation::new(job, objective);
+    let mut bound = 0;
+    for _ in 0..rounds {
+        let goes_on = relaxation.improve(40 * job.cells());
+        let picture = || robovac_playground::grid::picture(&job.free, |&free| if free { '.' } else { '#' });
+        let now = relaxation.bound() as usize;
+        assert!(now <= best, "{now} > {best} for {objective:?} from {} {:?} in\n{}", job.start, job.heading, picture());
+        assert!(now >= bound);
+        bound = now;
+        if !goes_on {
+            break;
+        }
+    }
+    bound
+}
+
+const OBJECTIVES: [Objective; 7] = [
+    Objective { step: 1, turn: 2, finish: Finish::Anywhere, counts_first_turn: false },
+    Objective { step: 1, turn: 2, finish: Finish::Anywhere, counts_first_turn: true },
+    Objective { step: 1, turn: 50, finish: Finish::Start, counts_first_turn: false },
+    Objective { step: 3, turn: 2, finish: Finish::Start, counts_first_turn: false },
+    Objective { step: 0, turn: 1, finish: Finish::Anywhere, counts_first_turn: false },
+    Objective { step: 1, turn: 0, finish: Finish::Start, counts_first_turn: false },
+    Objective { step: 7, turn: 30, finish: Finish::Anywhere, counts_first_turn: true },
+];
+
+#[test]
+fn no_relaxation_of_a_small_room_is_above_its_best_walk() {
+    let (mut rng, mut met, mut count) = (seeded(7, 0), 0, 0);
+    for _ in 0..60 {
+        let bits = rng.random_range(1..1 << 12) | rng.random_range(0..1 << 12);
+        for mut job in jobs(4, 3, bits).step_by(5) {
+            job.heading = Direction::ALL[rng.random_range(0..4)];
+            for objective in OBJECTIVES {
+                let best = best(&job, objective);
+                count += 1;
+                met += usize::from(relaxed(&job, objective, 60, best) == best);
+            }
+        }
+    }
+    println!("{met} of {count} met");
+    assert!(met > count / 2, "{met} of {count}");
+}
+
+/// Rooms of several strips, which are four cells high at first.
+#[test]
+fn no_relaxation_by_several_strips_is_above_the_best_walk() {
+    let mut rng = seeded(8, 0);
+    for _ in 0..6 {
+        let bits = rng.random_range(1..1 << 14) | rng.random_range(0..1 << 14);
+        for mut job in [(7, 2), (2, 7)].into_iter().flat_map(|(w, h)| jobs(w, h, bits).nth(4)) {
+            job.heading = Direction::ALL[rng.random_range(0..4)];
+            for objective in [OBJECTIVES[1], OBJECTIVES[2], OBJECTIVES[4]] {
+                relaxed(&job, objective, 60, best(&job, objective));
+            }
         }
     }
 }

@@ -11,6 +11,8 @@ pub struct Graph {
     pub neighbours: Vec<[u32; 4]>,
     /// Number of the start.
     pub start: usize,
+    /// Numbers of all cells, [`NONE`] for walls.
+    pub numbers: Grid<u32>,
 }
 
 impl Graph {
@@ -26,6 +28,7 @@ impl Graph {
         Self {
             neighbours: cells.map(|(cell, _)| cell.neighbours().map(number)).collect(),
             start: number(start) as usize,
+            numbers,
         }
     }
 

@@ -20,19 +20,28 @@
 //! piece along y. So there are s parallel pieces on s different lines, and going from a piece to one on another parallel
 //! line takes at least two quarter turns: T >= 2 (s - 1).
 //!
-//! **Any weighted sum, by prices** ([`relaxation`]), with the visits that connection demands.
+//! **Any weighted sum, by prices** ([`relaxation`]), with the visits that connection demands; the same for walks whose first
+//! turn counts and for closed tours. By more work, strips of the room in place of cells make it stronger ([`strips`]).
 //!
 //! The bounds on steps and turns hold together, so step x S + turn x T is also at least the sum of both.
 
+mod ascent;
+mod crossings;
 mod cuts;
+mod diffusion;
+mod frontier;
 mod graph;
+mod prices;
+mod primal_dual;
 mod relaxation;
+mod strips;
 
 use super::{CoverageJob, Objective};
-use crate::grid::Grid;
+use crate::grid::{Direction, Grid};
 use cuts::Cuts;
 pub use graph::Graph;
-pub use relaxation::{Prices, Relaxation};
+pub use prices::{MOST_WEIGHT, Prices};
+pub use relaxation::Relaxation;
 use serde::{Deserialize, Serialize};
 
 /// Steps that a quarter turn counts as where steps and turns are put into one number.
@@ -70,7 +79,7 @@ impl Bounds {
 
     /// Least step x steps + turn x quarter turns; weights above 4096 count as 4096.
     pub fn weighted(job: &CoverageJob, step: u32, turn: u32) -> u64 {
-        let (step, turn) = (step.min(relaxation::UNITS), turn.min(relaxation::UNITS));
+        let (step, turn) = (step.min(MOST_WEIGHT), turn.min(MOST_WEIGHT));
         let (graph, cuts) = laid_out(job);
         let parts = u64::from(step) * fewest_steps(job, &cuts) as u64
             + u64::from(turn) * fewest_turns(job, &graph, &cuts) as u64;
@@ -85,8 +94,8 @@ fn laid_out(job: &CoverageJob) -> (Graph, Cuts) {
 }
 
 fn least(graph: &Graph, cuts: &Cuts, objective: Objective) -> u64 {
-    let mut prices = Prices::new(graph, objective);
-    prices.work(graph, relaxation::effort(graph.len()));
+    let mut prices = Prices::new(graph, objective, Direction::Right);
+    prices.diffuse(graph, 0, diffusion::effort(graph.len()));
     prices.bound(graph, cuts)
 }
 

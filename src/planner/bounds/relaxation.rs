@@ -15,215 +15,182 @@
 //!
 //! With v(c) = 1 + excess(c) - (1 if e is below c) by [`Cuts`] and the worst e, that holds for every walk, whatever the
 //! prices are: it's a Lagrangian relaxation of the constraint that passages of neighbours fit together.
+//
 //!
-//! Good prices are found by going over all edges and shifting the price of each so that both its cells would gain equally
-//! from using it: max-sum diffusion (Werner 2007, A linear programming approach to max-sum problem: a review). As that
-//! spreads by one cell a time, the sweeps run forth and back over the rows, and leave less than half of the gain behind. What
-//! comes out needn't be the best prices, but it gives a bound all the same, and no rounding spoils it, as it's reckoned in
-//! whole numbers.
+//! A closed tour has no ends: its passages alone cost at least the sum of v(c) f(c), with no e to save anything.
+//!
+//! The best prices give what the linear programme of fractional walks costs (parts of passages, with as much use of an edge
+//! from either side). They are neared in three stages: by [`super::diffusion`], by [`super::primal_dual`], and then, for
+//! strips of the room instead of single cells, by [`super::ascent`]. No rounding spoils the bound, as it's reckoned in whole
+//! numbers, from whatever prices.
 
 use super::{
+    ascent::Ascent,
+    crossings::Crossings,
     cuts::Cuts,
-    graph::{Graph, NONE},
+    diffusion::{MOST_SWEEPS, effort},
+    graph::Graph,
+    prices::Prices,
+    primal_dual::{PrimalDual, Programme},
 };
-use crate::planner::{CoverageJob, Finish, Objective};
+use crate::planner::{CoverageJob, Objective};
 
-/// About how many price units the larger weight is.
-pub const UNITS: u32 = 4096;
-/// The price of a side with a wall: more than any way through others.
-const WALL: i32 = 1 << 20;
-/// Cells visited by all sweeps together, within the two limits below.
-const EFFORT: usize = 6_000_000;
-const FEWEST_SWEEPS: usize = 6;
-const MOST_SWEEPS: usize = 400;
-/// In 1/256: how far to shift a price of what would be right, and how much of what both cells gain stays behind. The
-/// former gets far in a few sweeps; where there is time for this many, the latter gets further.
-const HASTY: (i32, i32) = (410, 102);
-const PATIENT: (i32, i32) = (256, 77);
-const MANY_SWEEPS: usize = 50;
-
-/// Sweeps for a room of that many cells where time is short.
-pub(super) fn effort(cells: usize) -> usize {
-    (EFFORT / cells.max(1)).clamp(FEWEST_SWEEPS, MOST_SWEEPS)
-}
-
-/// Prices on the sides of all cells, in price units: the reduced cost of a passage through sides a and b of a cell is
-/// step + turn x (quarter turns from a to b) + the prices of both sides, and none is below 0.
-pub struct Prices {
-    /// Price units in one unit of the objective.
-    pub unit: i32,
-    /// What a step costs.
-    pub step: i32,
-    /// What a quarter turn costs.
-    pub turn: i32,
-    /// Per cell and side, counter-clockwise from the right; walls are dearer than any way.
-    pub sides: Vec<[i32; 4]>,
-    /// Largest price but for walls.
-    limit: i32,
-    objective: Objective,
-    swept: usize,
-}
+/// Steps of the primal-dual iteration between two looks at how good its prices are, at least.
+const PATIENCE: usize = 50;
+/// Cells up to which the programme is small enough to be held as a whole.
+const MOST_CELLS: usize = 60_000;
+const MOST_STEPS: usize = 20_000;
+/// The iteration is over when that many halves of the steps that the last success took have been taken.
+const LULL: usize = 3;
+const LEAST_STEPS: usize = 600;
+/// What counts as success: a rise by one in so many.
+const RISE: u64 = 2000;
+/// Height of the first strips.
+const FIRST_HEIGHT: usize = 4;
 
 /// A bound that rises the longer one works at it.
 pub struct Relaxation {
     /// The cells.
     pub graph: Graph,
     cuts: Cuts,
-    /// The prices so far.
+    /// The best prices so far.
     pub prices: Prices,
+    /// The bound that they give, and the best bound.
+    cell_bound: u64,
     bound: u64,
+    swept: usize,
+    programme: Option<PrimalDual>,
+    steps: usize,
+    /// At how many steps the prices are looked at next.
+    next_look: usize,
+    /// When the prices got better last.
+    last_rise: usize,
+    risen_to: u64,
+    crossings: Option<Crossings>,
+    ascent: Option<Ascent>,
 }
 
 impl Relaxation {
-    /// No work done yet; weights above [`UNITS`] count as that.
+    /// No work done yet; weights above [`super::MOST_WEIGHT`] count as that.
     pub fn new(job: &CoverageJob, objective: Objective) -> Self {
         let graph = Graph::new(&job.free, job.start);
         let cuts = Cuts::of(&graph);
-        let prices = Prices::new(&graph, objective);
+        let prices = Prices::new(&graph, objective, job.heading);
         let bound = prices.bound(&graph, &cuts);
-        Self { graph, cuts, prices, bound }
+        Self {
+            graph,
+            cuts,
+            prices,
+            cell_bound: bound,
+            bound,
+            swept: 0,
+            programme: None,
+            steps: 0,
+            next_look: PATIENCE,
+            last_rise: 0,
+            risen_to: 0,
+            crossings: None,
+            ascent: None,
+        }
     }
 
     /// Visits about that many cells to make prices better; whether more work may help.
     pub fn improve(&mut self, cells: usize) -> bool {
-        let before = self.bound;
-        self.prices.work(&self.graph, cells.div_ceil(self.graph.len().max(1)));
-        self.bound = self.prices.bound(&self.graph, &self.cuts).max(before);
-        self.bound > before || self.prices.swept < MOST_SWEEPS
+        let rounds = cells.div_ceil(self.graph.len().max(1));
+        if self.graph.len() < 2 {
+            return false;
+        }
+        let limit = if self.graph.len() > MOST_CELLS { MOST_SWEEPS } else { effort(self.graph.len()) };
+        let sweeps = rounds.min(limit - self.swept.min(limit));
+        if sweeps > 0 {
+            let before = self.prices.clone();
+            self.prices.diffuse(&self.graph, self.swept, sweeps);
+            self.swept += sweeps;
+            self.look(before);
+            return true;
+        }
+        if self.graph.len() > MOST_CELLS {
+            return false;
+        }
+        if self.steps > MOST_STEPS.min(self.last_rise.max(LEAST_STEPS) * LULL / 2) {
+            self.programme = None;
+            return self.ascend(cells);
+        }
+        let mut programme = self.programme.take().unwrap_or_else(|| self.programme());
+        for _ in 0..rounds {
+            programme.step(&self.graph);
+        }
+        self.steps += rounds;
+        if self.steps >= self.next_look {
+            self.next_look = self.steps + PATIENCE.max(self.steps / 20);
+            let before = self.prices.clone();
+            let unit = f64::from(self.prices.step.max(self.prices.turn));
+            if self.prices.take(&self.graph, |cell| programme.edges(cell).map(|price| price * unit)) {
+                self.look(before);
+            } else {
+                self.prices = before;
+            }
+        }
+        self.programme = Some(programme);
+        true
+    }
+
+    /// Steps of an ascent worth about that many visits of cells.
+    fn ascend(&mut self, cells: usize) -> bool {
+        let crossings = self.crossings.get_or_insert_with(|| Crossings::new(self.prices.first_quarters()));
+        let mut done = 0;
+        while done < cells {
+            let Some(ascent) = &mut self.ascent else {
+                let [lying, standing] = [false, true].map(|upright| {
+                    let mut ascent = Ascent::new(&self.graph, &self.prices, upright, FIRST_HEIGHT);
+                    ascent.step(&self.graph, &self.cuts, crossings);
+                    done += ascent.effort(&self.graph);
+                    ascent
+                });
+                self.ascent = Some(if lying.bound() < standing.bound() { standing } else { lying });
+                continue;
+            };
+            done += ascent.effort(&self.graph);
+            let goes_on = ascent.step(&self.graph, &self.cuts, crossings);
+            self.bound = self.bound.max(ascent.bound());
+            if !goes_on {
+                match ascent.higher(&self.graph) {
+                    Some(higher) => *ascent = higher,
+                    None => return false,
+                }
+            }
+        }
+        true
+    }
+
+    /// Keeps the present prices if they're better than those before.
+    fn look(&mut self, before: Prices) {
+        let bound = self.prices.bound(&self.graph, &self.cuts);
+        if bound < self.cell_bound {
+            self.prices = before;
+        } else {
+            if bound > self.risen_to + self.risen_to / RISE {
+                (self.last_rise, self.risen_to) = (self.steps, bound);
+            }
+            self.cell_bound = bound;
+            self.bound = self.bound.max(bound);
+        }
+    }
+
+    fn programme(&self) -> PrimalDual {
+        let prices = &self.prices;
+        let unit = 1.0 / f64::from(prices.step.max(prices.turn).max(1));
+        let programme = Programme {
+            step: f64::from(prices.step) * unit,
+            turn: f64::from(prices.turn) * unit,
+            visits: self.cuts.excess.iter().map(|&excess| 1.0 + f64::from(excess)).collect(),
+            begin: prices.is_open().then(|| prices.first_costs().map(|cost| f64::from(cost) * unit)),
+        };
+        PrimalDual::new(&self.graph, programme, |cell| prices.sides[cell].map(|price| f64::from(price) * unit))
     }
 
     /// No walk costs less, in the objective's weights.
     pub fn bound(&self) -> u64 {
         self.bound
-    }
-}
-
-impl Prices {
-    pub(super) fn new(graph: &Graph, objective: Objective) -> Self {
-        let (step, turn) = (objective.step.min(UNITS), objective.turn.min(UNITS));
-        // Even, as half a step is needed.
-        let unit = ((UNITS / step.max(turn).max(1)) & !1).max(2) as i32;
-        let (step, turn) = (step as i32 * unit, turn as i32 * unit);
-        let sides = graph.neighbours.iter().map(|n| n.map(|next| if next == NONE { WALL } else { 0 })).collect();
-        Self { unit, step, turn, limit: step + turn + turn / 2, sides, objective, swept: 0 }
-    }
-
-    /// That many sweeps.
-    pub(super) fn work(&mut self, graph: &Graph, sweeps: usize) {
-        for _ in 0..sweeps {
-            self.sweep(graph, self.swept, if effort(graph.len()) < MANY_SWEEPS { HASTY } else { PATIENT });
-            self.swept += 1;
-        }
-    }
-
-    /// Shifts the prices of all edges once.
-    fn sweep(&mut self, graph: &Graph, index: usize, (overshoot, kept): (i32, i32)) {
-        let shares = if index.is_multiple_of(2) { (overshoot, kept) } else { (overshoot, 256 - kept) };
-        if index.is_multiple_of(2) {
-            for cell in 0..graph.len() {
-                let [right, up, ..] = graph.neighbours[cell];
-                self.shift::<0>(cell, right, shares);
-                self.shift::<1>(cell, up, shares);
-            }
-        } else {
-            // The other way round in every respect: a cell is given everything before it passes it on.
-            for cell in (0..graph.len()).rev() {
-                let [right, up, ..] = graph.neighbours[cell];
-                self.shift::<1>(cell, up, shares);
-                self.shift::<0>(cell, right, shares);
-            }
-        }
-    }
-
-    /// Shifts the price of the edge from `cell` through `SIDE` to `next`.
-    #[inline]
-    fn shift<const SIDE: usize>(&mut self, cell: usize, next: u32, (overshoot, kept): (i32, i32)) {
-        let next = next as usize;
-        if next == NONE as usize {
-            return;
-        }
-        let opposite = SIDE ^ 2;
-        let [(without, with), (next_without, next_with)] = [self.passages(cell, SIDE), self.passages(next, opposite)];
-        let (step, twice) = (self.step, 2 * self.turn);
-        // What using the edge costs either cell more than not using it, at price 0; at price x it's x more and less.
-        let (extra, next_extra) = (with - without, next_with - next_without);
-        let mut price = ((kept * (extra + next_extra)) >> 8) - extra;
-        // Unless turning back through that side, which pays the price twice, is the cheapest way to use it.
-        match (price < with - twice, price > twice - next_with) {
-            (false, false) => {}
-            (true, false) => price = (next_extra - (twice - without)) / 3,
-            (false, true) => price = ((twice - next_without) - extra) / 3,
-            (true, true) => price = (without - next_without) / 4,
-        }
-        let before = self.sides[cell][SIDE];
-        price = before + ((overshoot * (price - before)) >> 8);
-        // No passage may become cheaper than nothing.
-        let low = i32::max(-(with + step), -(self.turn + step / 2)).max(-self.limit);
-        let high = i32::min(next_with + step, self.turn + step / 2).min(self.limit);
-        price = price.min(high).max(low);
-        self.sides[cell][SIDE] = price;
-        self.sides[next][opposite] = -price;
-    }
-
-    /// Least cost of passages, beyond a step: of those that don't use `side`, and of those that use it once, the price of
-    /// `side` not counted.
-    #[inline]
-    fn passages(&self, cell: usize, side: usize) -> (i32, i32) {
-        let sides = &self.sides[cell];
-        let (turn, across) = (self.turn, sides[side ^ 2]);
-        let (left, right) = (sides[(side + 1) & 3], sides[(side + 3) & 3]);
-        let beside = left.min(right);
-        let without = i32::min(left + right, turn + across + beside).min(2 * (turn + across.min(beside)));
-        (without.min(WALL), across.min(turn + beside).min(WALL))
-    }
-
-    /// Least cost of a passage, and of a first or last visit.
-    fn visits(&self, cell: usize) -> (i32, i32) {
-        let [right, up, left, down] = self.sides[cell];
-        let (along_x, along_y) = (right.min(left), up.min(down));
-        let straight = i32::min(right + left, up + down);
-        let back = 2 * (self.turn + along_x.min(along_y));
-        let passage = straight.min(self.turn + along_x + along_y).min(back);
-        (self.step + passage, self.step / 2 + along_x.min(along_y))
-    }
-
-    /// The bound by these prices, in units of the objective.
-    pub(super) fn bound(&self, graph: &Graph, cuts: &Cuts) -> u64 {
-        if graph.len() < 2 {
-            return 0;
-        }
-        let mut sum = 0;
-        for (cell, &excess) in cuts.excess.iter().enumerate() {
-            let (passage, _) = self.visits(cell);
-            if passage < 0 {
-                return 0;
-            }
-            sum += i64::from(passage) * (1 + i64::from(excess));
-        }
-        if self.objective.finish == Finish::Start {
-            return (sum as u64).div_ceil(self.unit as u64);
-        }
-        let saved = |(passage, half): (i32, i32)| i64::from(passage - half);
-        let at_start = saved(self.visits(graph.start));
-        let below = cuts.sums_below(|cell| i64::from(self.visits(cell).0));
-        let at_end = below.map(|(cell, sum)| saved(self.visits(cell)) + sum).max().unwrap_or(0);
-        ((sum - at_start - at_end).max(0) as u64).div_ceil(self.unit as u64)
-    }
-}
-
-impl Prices {
-    /// By how much a visit of a cell through two sides costs more than the cheapest passage, in price units; the walk's
-    /// first and last visit have one side, and none.
-    pub fn excess(&self, cell: usize, from: Option<usize>, to: Option<usize>) -> i32 {
-        let (passage, half) = self.visits(cell);
-        let sides = &self.sides[cell];
-        match (from, to) {
-            (Some(a), Some(b)) => {
-                let turns = [2, 1, 0, 1][(a + 4 - b) & 3];
-                self.step + self.turn * turns + sides[a] + sides[b] - passage
-            }
-            (Some(side), None) | (None, Some(side)) => self.step / 2 + sides[side] - half,
-            (None, None) => 0,
-        }
     }
 }

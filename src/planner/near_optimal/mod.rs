@@ -88,7 +88,8 @@ pub const INFO: PlannerInfo = PlannerInfo {
         ParamSpec {
             id: "turn",
             label: "Quarter turn",
-            help: "Steps that a quarter turn counts as; 0 for as long as the robot takes for it.",
+            help: "Steps that a quarter turn counts as; 0 for as long as the robot takes for it, and then the turn to its \
+                   first step counts, too.",
             kind: ParamKind::Number { min: 0.0, max: 64.0, step: 0.5, default: 0.0, unit: "steps" },
         },
     ],
@@ -141,7 +142,7 @@ impl Planner for NearOptimal {
             step: costs.step,
             turn: costs.turn,
             finish: self.finish,
-            counts_first_turn: self.finish == Finish::Anywhere,
+            counts_first_turn: self.turn.is_none() && self.finish == Finish::Anywhere,
         };
         let cells = job.cells() as f64;
         let most = self.effort * (WORK_PER_CELL * cells).min(MOST_WORK).max(LEAST_WORK_PER_CELL * cells);

@@ -1,0 +1,112 @@
+//! How near the best possible `near_optimal` comes, and how soon: `cargo run --release --example near_optimal_table -- [SECONDS]`
+//! on the benchmark rooms in `../shared/maps`, where they exist: steps + 2 x quarter turns of open walks in `grids`, steps + 50 x
+//! quarter turns of closed tours in `turncost`. Its effort is the largest, and it's stopped after that many seconds (10).
+
+use robovac_playground::{
+    grid::{Cell, Direction, Grid, from_picture},
+    planner::{CoverageJob, Objective, Params, PlanContext, PlanError, Proof, Report, find},
+    registry::ParamValue,
+};
+use std::{error::Error, fs, ops::ControlFlow, path::Path, time::Instant};
+
+/// A room, and the best known bound and value that its header tells, if any.
+fn read(path: &Path) -> Result<(CoverageJob, Option<[f64; 2]>), Box<dyn Error>> {
+    let text = fs::read_to_string(path)?;
+    let picture: Vec<&str> = text.lines().filter(|line| !line.starts_with(';')).collect();
+    let glyphs = from_picture(&picture.join("\n"), |glyph| glyph).ok_or("no rectangle")?;
+    let free = glyphs.map(|&glyph| glyph != '#');
+    let marked = glyphs.iter().find(|&(_, &glyph)| glyph == 'S');
+    let (start, _) = marked.or_else(|| glyphs.iter().find(|&(_, &glyph)| glyph != '#')).ok_or("no free cell")?;
+    let number = |name: &str| text.split(name).nth(1)?.split_whitespace().next()?.parse().ok();
+    let known = number("lb ").zip(number("best_ip ")).map(|(bound, best)| [bound, best]);
+    Ok((CoverageJob::new(&free, start, Direction::Right).ok_or("the start isn't free")?, known))
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let seconds: f64 = std::env::args().nth(1).map_or(Ok(10.0), |text| text.parse())?;
+    let info = find("near_optimal").ok_or("not in the registry")?;
+    println!("| room | cells | first | after s | best | our bound | above | best known | above it | last found after s |");
+    println!("|---|---|---|---|---|---|---|---|---|---|");
+    for (folder, is_closed) in [("grids", false), ("turncost", true)] {
+        let Ok(entries) = fs::read_dir(Path::new("../shared/maps").join(folder)) else { continue };
+        let mut paths: Vec<_> = entries.filter_map(|entry| Some(entry.ok()?.path())).collect();
+        paths.sort();
+        for path in paths {
+            let (job, known) = read(&path)?;
+            let objective = if is_closed { Objective::closed(1, 50) } else { Objective::open(1, 2) };
+            let mut params = Params::defaults(info.params);
+            params.set(info.params, "effort", ParamValue::Number(100.0))?;
+            params.set(info.params, "turn", ParamValue::Number(f64::from(objective.turn)))?;
+            params.set(info.params, "finish", ParamValue::Choice(if is_closed { "start" } else { "anywhere" }.into()))?;
+            let began = Instant::now();
+            let (mut first, mut best) = (None, Best { walk: Vec::new(), proof: None, cost: u64::MAX, after: 0.0 });
+            let mut observe = |report: Report<'_>| {
+                let now = began.elapsed().as_secs_f64();
+                if report.proof.is_some() {
+                    best.take(&job, objective, report.walk, now);
+                    best.proof = report.proof;
+                    first.get_or_insert((best.cost, now));
+                }
+                if now < seconds { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+            };
+            let mut ctx = PlanContext::observed(0, &mut observe);
+            let result = info.build(&params).plan(&job, &mut ctx);
+            let proof = ctx.proof;
+            match result {
+                Ok(path) => {
+                    best.take(&job, objective, &path.cells, began.elapsed().as_secs_f64());
+                    best.proof = proof;
+                }
+                Err(PlanError::Cancelled) => {}
+                Err(error) => return Err(error.into()),
+            }
+            best.check(&job)?;
+            let name = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+            // Walks are priced in sixteenths of a step.
+            let bound = best.proof.map_or(0, |proof| proof.bound).div_ceil(16);
+            let above = |low: f64| 100.0 * (best.cost as f64 / low - 1.0);
+            let (value, over) =
+                known.map_or((String::new(), String::new()), |[_, value]| (value.to_string(), format!("{:.2} %", above(value))));
+            let (start, after) = first.unwrap_or((0, 0.0));
+            println!(
+                "| {name} | {} | {start} | {after:.2} | {} | {bound} | {:.2} % | {value} | {over} | {:.1} |",
+                job.cells(),
+                best.cost,
+                above(bound as f64),
+                best.after
+            );
+        }
+    }
+    Ok(())
+}
+
+/// The best walk so far.
+struct Best {
+    walk: Vec<Cell>,
+    proof: Option<Proof>,
+    cost: u64,
+    /// Seconds after which it was found.
+    after: f64,
+}
+
+impl Best {
+    fn take(&mut self, job: &CoverageJob, objective: Objective, walk: &[Cell], now: f64) {
+        let cost = objective.of_walk(job, walk);
+        if cost < self.cost {
+            *self = Self { walk: walk.to_vec(), proof: self.proof, cost, after: now };
+        }
+    }
+
+    /// Makes sure that it's a walk over all cells.
+    fn check(&self, job: &CoverageJob) -> Result<(), Box<dyn Error>> {
+        let mut left = job.free.clone();
+        for (i, &cell) in self.walk.iter().enumerate() {
+            if !job.free.is_set(cell) || i > 0 && self.walk[i - 1].direction_to(cell).is_none() {
+                return Err(format!("step {i} is wrong").into());
+            }
+            left[cell] = false;
+        }
+        let missed = Grid::count(&left);
+        if missed > 0 { Err(format!("{missed} cells are missed").into()) } else { Ok(()) }
+    }
+}

@@ -1,0 +1,142 @@
+//! Better prices for strips, by subgradient steps.
+//!
+//! Where two strips use an edge of theirs differently, its price goes up for the one that uses it more. How far is given by
+//! a level that the bound is hoped to reach (Polyak 1969, Minimization of unsmooth functionals): it's lowered whenever it
+//! hasn't been reached for some steps.
+
+use super::{
+    crossings::Crossings,
+    cuts::Cuts,
+    graph::{Graph, NONE},
+    prices::Prices,
+    strips::{Room, Strips},
+};
+
+/// Steps without success after which less is hoped for.
+const PATIENCE: usize = 10;
+/// How much of the last direction is kept (Camerini, Fratta & Maffioli 1975, On improving relaxation methods).
+const INERTIA: f64 = 0.7;
+/// Numbers that may be kept while a strip is solved, two bytes each.
+const MEMORY: usize = 30_000_000;
+/// How much is hoped for at first, as a share of the bound.
+const HOPE: f64 = 0.002;
+/// When to give up, likewise.
+const DESPAIR: f64 = 2e-6;
+/// An ascent by one way to cut a room into strips.
+pub(super) struct Ascent {
+    strips: Strips,
+    upright: bool,
+    prices: Prices,
+    best: Prices,
+    /// In price units.
+    bound: i64,
+    hope: f64,
+    failures: usize,
+    /// Per cell's right and upper edge, how much more one side uses it, with what is left of earlier steps' directions.
+    direction: Vec<[f64; 2]>,
+    is_begun: bool,
+    /// Whether the strips agreed on all edges, which no price can make better.
+    agrees: bool,
+}
+
+impl Ascent {
+    /// Begins with prices that fit, and strips of at most that many rows or, if `upright`, columns.
+    pub fn new(graph: &Graph, prices: &Prices, upright: bool, height: usize) -> Self {
+        Self {
+            strips: Strips::new(graph, upright, height),
+            upright,
+            prices: prices.clone(),
+            best: prices.clone(),
+            bound: 0,
+            hope: 0.0,
+            failures: 0,
+            direction: vec![[0.0; 2]; graph.len()],
+            is_begun: false,
+            agrees: false,
+        }
+    }
+
+    /// Whether there is but one strip, which no price can make better.
+    fn is_whole(&self) -> bool {
+        self.strips.len() == 1
+    }
+
+    /// The same with higher strips, as far as memory allows.
+    pub fn higher(&self, graph: &Graph) -> Option<Self> {
+        if self.is_whole() || self.agrees {
+            return None;
+        }
+        let heights = self.strips.height + 1..=graph.numbers.width().max(graph.numbers.height());
+        let higher = |height| Self::new(graph, &self.best, self.upright, height);
+        let mut higher = heights.map(higher).find(|higher| higher.strips.len() < self.strips.len())?;
+        if higher.strips.memory(self.prices.is_open()) > MEMORY {
+            return None;
+        }
+        higher.hope = self.bound as f64 * HOPE / 4.0;
+        Some(higher)
+    }
+
+    /// Cells that could be visited in the time of a step.
+    pub fn effort(&self, graph: &Graph) -> usize {
+        graph.len() * (10 + step_effort(&self.prices, self.strips.height))
+    }
+
+    /// In units of the objective.
+    pub fn bound(&self) -> u64 {
+        (self.bound.max(0) as u64).div_ceil(self.prices.unit as u64)
+    }
+
+    /// Takes a step; whether more may help.
+    pub fn step(&mut self, graph: &Graph, cuts: &Cuts, crossings: &Crossings) -> bool {
+        let room = Room { graph, cuts, prices: &self.prices, crossings };
+        let Some(solution) = self.strips.solve(&room) else { return false };
+        if solution.bound > self.bound || !self.is_begun {
+            self.is_begun = true;
+            if self.hope == 0.0 {
+                self.hope = solution.bound as f64 * HOPE;
+            }
+            if (solution.bound - self.bound) as f64 > self.hope / 16.0 {
+                self.failures = 0;
+            }
+            self.bound = solution.bound;
+            self.best.clone_from(&self.prices);
+        }
+        self.failures += 1;
+        if self.failures > PATIENCE {
+            self.failures = 0;
+            self.hope /= 2.0;
+            self.prices.clone_from(&self.best);
+            self.direction.fill([0.0; 2]);
+        }
+        let mut length = 0.0;
+        for cell in 0..graph.len() {
+            for side in 0..2 {
+                let next = graph.neighbours[cell][side];
+                if next != NONE {
+                    let more = f64::from(solution.crossings[cell][side])
+                        - f64::from(solution.crossings[next as usize][side + 2]);
+                    let direction = &mut self.direction[cell][side];
+                    *direction = more + INERTIA * *direction;
+                    length += *direction * *direction;
+                }
+            }
+        }
+        self.agrees = length == 0.0;
+        if self.agrees || self.is_whole() || self.hope < self.bound as f64 * DESPAIR {
+            return false;
+        }
+        let pace = (self.bound as f64 + self.hope - solution.bound as f64) / length;
+        let before = self.prices.clone();
+        let direction = &self.direction;
+        let moved = |cell: usize| {
+            let [right, upper, ..] = before.sides[cell];
+            [f64::from(right) + pace * direction[cell][0], f64::from(upper) + pace * direction[cell][1]]
+        };
+        self.prices.take(graph, moved)
+    }
+}
+
+/// About how many cells could be visited in the time that a step takes for one, by the height of strips.
+pub(super) fn step_effort(prices: &Prices, height: usize) -> usize {
+    3_usize.pow(height as u32) * if prices.is_open() { 3 } else { 1 } / 2
+}
