@@ -240,7 +240,7 @@ fn scenario_with_a_seed_that_no_link_can_hold_is_refused() {
 }
 
 fn answer(cells: Vec<Cell>) -> Answer {
-    Answer { path: CoveragePath { cells }, seconds: 0.1, proof: None, trace: Vec::new() }
+    Answer { path: CoveragePath { cells }, seconds: 0.1, proof: None, trace: Vec::new(), film: Vec::new() }
 }
 
 #[test]
@@ -320,6 +320,31 @@ fn best_walk_so_far_is_kept() {
     let walk = plan.walk.unwrap();
     assert_eq!(walk.visited_cells, walk.reachable_cells);
     assert!(plan.above_bound.is_some_and(|gap| gap > 0.0 && Some(&gap) == gaps.last()), "{gaps:?}");
+}
+
+#[test]
+fn search_of_a_small_room_is_a_film() {
+    let mut session = Session::new();
+    session.select_room("lshape").unwrap();
+    session.configure(|s| s.select_algorithm("near_optimal")).unwrap();
+    session.plan_now(|| 0.0);
+    assert!(session.preview().is_empty(), "it isn't shown unasked");
+    session.show_search(true);
+    let mut told = Vec::new();
+    for _ in 0..60 * 20 {
+        let text = session.view().search.text;
+        assert_eq!(session.preview().is_empty(), text.contains("is over"), "{text}");
+        if told.last() != Some(&text) {
+            told.push(text);
+        }
+        session.frame(1.0 / 60.0, &mut || true);
+    }
+    assert!(told.len() > 2 && told[0].starts_with("Walk 1 of "), "{told:?}");
+    assert!(told[told.len() - 1].contains("The search is over, the plan is "), "{told:?}");
+    session.show_search(false);
+    assert_eq!(session.view().search.text, "");
+    session.show_search(true);
+    assert_eq!(session.view().search.text, told[0]);
 }
 
 #[test]

@@ -106,7 +106,7 @@ async function start() {
   };
   const planning = new Planning({
     progress: (id, done, cells, proof) => guard(() => playground.plan_progress(id, done, cells, proof)),
-    finished: (id, cells, seconds, trace, proof) => guard(() => playground.plan_finished(id, cells, seconds, trace, proof)),
+    finished: (id, cells, seconds, trace, proof, film) => guard(() => playground.plan_finished(id, cells, seconds, trace, proof, film)),
     proven: (id, proof) => guard(() => playground.plan_proven(id, proof)),
     failed: (id, message) => guard(() => playground.plan_failed(id, message)),
   });

@@ -6,8 +6,8 @@
  * @typedef {import("./types").Proof | undefined} Proof
  * @typedef {object} Listeners
  * @property {(id: number, done: number, cells: Uint32Array, proof: Proof) => void} progress
- * @property {(id: number, cells: Uint32Array, seconds: number, trace: unknown, proof: Proof) => void} finished
- * @property {(id: number, proof: Proof) => void} proven What is known of a plan that has been told.
+ * @property {(id: number, cells: Uint32Array, seconds: number, trace: unknown, proof: Proof, film: unknown[]) => void} finished
+ * @property {(id: number, proof: Proof) => void} [proven] What is known of a plan that has been told.
  * @property {(id: number, message: string) => void} failed
  */
 
@@ -91,7 +91,7 @@ export class Planning {
     if (message.type === "proven" && id === this.#proving) {
       this.#proving = NaN;
       this.#sent = false;
-      this.#listeners.proven(id, message.proof);
+      this.#listeners.proven?.(id, message.proof);
     }
     if (id !== this.#busy) return;
     if (message.type === "progress") {
@@ -101,7 +101,7 @@ export class Planning {
     this.#busy = undefined;
     this.#sent = message.type === "finished" && !message.proof;
     if (this.#sent) this.#proving = id;
-    if (message.type === "finished") this.#listeners.finished(id, message.cells, message.seconds, message.trace, message.proof);
+    if (message.type === "finished") this.#listeners.finished(id, message.cells, message.seconds, message.trace, message.proof, message.film);
     else if (message.type === "failed") this.#listeners.failed(id, message.message);
   }
 }

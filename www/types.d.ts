@@ -205,7 +205,7 @@ export type Proof = Float64Array;
 export type FromWorker =
   | { type: "progress"; id: number; done: number; cells: Uint32Array; proof: Proof | undefined }
   /** If the planner proves nothing, the worker does, and tells later. */
-  | { type: "finished"; id: number; cells: Uint32Array; seconds: number; trace: unknown; proof: Proof | undefined }
+  | { type: "finished"; id: number; cells: Uint32Array; seconds: number; trace: unknown; proof: Proof | undefined; film: { cells: Uint32Array; proof: Proof | undefined }[] }
   | { type: "proven"; id: number; proof: Proof | undefined }
   | { type: "failed"; id: number; message: string };
 

@@ -30,8 +30,8 @@ self.addEventListener("message", async (/** @type {MessageEvent<import("./types"
   const report = (done, cells, proof) => answer({ type: "progress", id, done, cells, proof }, [cells.buffer]);
   try {
     if (message.type === "plan") {
-      const { cells, seconds, trace, proof } = plan(message.request, report);
-      answer({ type: "finished", id, cells, seconds, trace, proof });
+      const { cells, seconds, trace, proof, film } = plan(message.request, report);
+      answer({ type: "finished", id, cells, seconds, trace, proof, film });
       if (!proof) answer({ type: "proven", id, proof: prove(message.request, cells) });
     } else if (message.type === "read") {
       const map = read_map(message.request.files);

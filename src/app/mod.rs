@@ -8,6 +8,7 @@ mod diary;
 pub mod draft;
 mod editor;
 pub mod export;
+mod film;
 mod furnisher;
 mod import;
 #[cfg(feature = "mapping")]
@@ -36,6 +37,7 @@ mod viewport;
 pub use algorithm::Algorithm;
 pub use diary::{Entry, diary, diary_version};
 pub use editor::{Brush, Editor};
+pub use film::{Film, Frame, MOST_FILMED_CELLS, Showing};
 pub use furnisher::Furnisher;
 pub use import::{Choices, Import, ScenarioError};
 pub use objects::{Kind, handles, in_words};

@@ -10,7 +10,7 @@ use crate::{
     metrics::WalkMetrics,
     planner::{Bounds, CoveragePath, Proof, Report},
 };
-use js_sys::{Function, Object, Reflect};
+use js_sys::{Array, Function, Object, Reflect};
 use std::ops::ControlFlow;
 use wasm_bindgen::prelude::*;
 
@@ -20,8 +20,8 @@ const REPORT_EVERY_MS: f64 = 100.0;
 /// Plans a request made by `Playground.take_plan_request`. To be called in a worker, as it blocks until it is done.
 ///
 /// `on_progress(done, cells, proof)` is called about ten times a second with the share done, 0 to 1, the best walk so far
-/// as x, y, x, y, ..., and what is proven of it, `[cost, bound]` or nothing. Returns `{ cells, seconds, trace, proof }`;
-/// throws a message if the request is not valid.
+/// as x, y, x, y, ..., and what is proven of it, `[cost, bound]` or nothing. Returns `{ cells, seconds, trace, proof, film }`,
+/// the film being an array of `{ cells, proof }`; throws a message if the request is not valid.
 #[wasm_bindgen]
 pub fn plan(request: &JsValue, on_progress: &Function) -> Result<JsValue, JsValue> {
     let request = request_from_js(request)?;
@@ -32,6 +32,14 @@ pub fn plan(request: &JsValue, on_progress: &Function) -> Result<JsValue, JsValu
     Reflect::set(&result, &"seconds".into(), &answer.seconds.into())?;
     Reflect::set(&result, &"trace".into(), &super::to_js(&answer.trace)?)?;
     Reflect::set(&result, &"proof".into(), &proof_to_js(answer.proof))?;
+    let film = Array::new();
+    for frame in &answer.film {
+        let object = Object::new();
+        Reflect::set(&object, &"cells".into(), &flat(&frame.walk))?;
+        Reflect::set(&object, &"proof".into(), &proof_to_js(frame.proof))?;
+        film.push(&object);
+    }
+    Reflect::set(&result, &"film".into(), &film)?;
     Ok(result.into())
 }
 

@@ -5,12 +5,12 @@ mod hand;
 use self::hand::Carried;
 use super::{canvas::Canvas, catalogue::Catalogue, clock, map, proof::proof_from_js, request, to_js, walk};
 use crate::{
-    app::{Answer, Brush, Furnisher, RobotView, Scene, Session, SettingsError, Viewport},
+    app::{Answer, Brush, Frame, Furnisher, RobotView, Scene, Session, SettingsError, Viewport},
     geometry::{Point, Pose, Vector},
     grid::Cell,
     planner::{CoveragePath, Report, TraceStep},
 };
-use js_sys::{Float64Array, Reflect};
+use js_sys::{Array, Float64Array, Reflect, Uint32Array};
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
@@ -168,10 +168,19 @@ impl Playground {
         seconds: f64,
         trace: JsValue,
         proof: Option<Vec<f64>>,
+        film: &Array,
     ) -> Result<(), JsValue> {
+        let frame = |object: JsValue| -> Result<Frame, JsValue> {
+            let flat = Uint32Array::new(&Reflect::get(&object, &"cells".into())?).to_vec();
+            let proof = Reflect::get(&object, &"proof".into())?;
+            let proof = (!proof.is_undefined()).then(|| Float64Array::new(&proof).to_vec());
+            Ok(Frame { walk: walk::cells(&flat), proof: proof_from_js(proof.as_deref()) })
+        };
+        let film = film.iter().map(frame).collect::<Result<_, _>>()?;
         let trace: Vec<TraceStep> = serde_wasm_bindgen::from_value(trace).map_err(|e| e.to_string())?;
         let path = CoveragePath { cells: walk::cells(cells) };
-        self.session.plan_finished(id, Answer { path, seconds, proof: proof_from_js(proof.as_deref()), trace });
+        let proof = proof_from_js(proof.as_deref());
+        self.session.plan_finished(id, Answer { path, seconds, proof, trace, film });
         Ok(())
     }
 

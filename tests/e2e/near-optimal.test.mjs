@@ -8,13 +8,13 @@ const SIZES = { laptop: { viewport: { width: 1440, height: 900 } }, phone: { vie
 /** A percentage as the page writes it. */
 const share = (text) => Number(/([\d.]+) %/.exec(text ?? "")?.[1]);
 
-/** Lets it work with all its effort in a large room, until it has proven something. */
+/** Lets it work in a large room, until it has proven something. */
 async function working(t, options = {}) {
-  const opened = await openApp(t, { address: "#room=thesis8&planner=near_optimal&p.effort=100", ...options });
+  const opened = await openApp(t, { address: "#room=office&planner=snake", ...options });
   await opened.page.evaluate(() => {
-    const room = document.getElementById("room");
-    room.value = "office";
-    room.dispatchEvent(new Event("change", { bubbles: true }));
+    const menu = document.getElementById("algorithm");
+    menu.value = "near_optimal";
+    menu.dispatchEvent(new Event("change", { bubbles: true }));
   });
   await opened.page.locator("#planning-gap").waitFor();
   return opened;
@@ -39,9 +39,24 @@ test("the gap is told while it works, and the best plan so far is driven when so
 test("other planners are measured by a bound once they are done, and can't be stopped half way", async (t) => {
   const { page, app } = await openApp(t, { address: "#room=empty&planner=snake" });
   await app.poll(() => app.metric("Above the bound"), ({ plan }) => /%|optimal/.test(plan));
-  await app.choose("planner", "spiral");
+  await app.choose("algorithm", "spiral");
   await app.poll(() => app.metric("Above the bound"), ({ plan }) => share(plan) > 0);
   assert.ok(await page.locator("#planning-keep").isHidden());
+});
+
+test("in a small room the search is shown, walk after walk", async (t) => {
+  const { page, app, screenshot } = await openApp(t, { ...SIZES.laptop, address: "#room=thesis8&planner=near_optimal" });
+  await app.pause();
+  const floor = () => page.locator("#floor").screenshot().then((png) => png.toString("base64"));
+  const plan = await floor();
+  await page.getByRole("checkbox", { name: "Show the search" }).focus();
+  await page.keyboard.press("Space");
+  const note = page.locator("#search-note");
+  await note.waitFor();
+  assert.match(await note.textContent(), /^Walk 1 of \d+: /);
+  assert.notEqual(await floor(), plan, "a former walk is drawn");
+  await screenshot("near-optimal-film");
+  await app.poll(() => note.textContent(), (text) => /^The search is over, the plan is (proven optimal|[\d.]+ % above the proven bound)\./.test(text));
 });
 
 for (const [name, size] of Object.entries(SIZES)) {

@@ -1,18 +1,20 @@
 //! The steps: a room is laid out for a robot, a planner is asked, its walk becomes a line with numbers, a robot drives it.
 
 use crate::{
+    app::{Film, Frame, MOST_FILMED_CELLS},
     controller::{BehaviourInfo, FollowPath, Setup},
     coverage::{FloorError, Lattice, ReachableFloor, fine_resolution},
     floorplan::FloorPlan,
     geometry::{Point, Pose},
     metrics::{Bounds, DriveMetrics, PlanNumbers, WalkMetrics},
     planner::{
-        CoverageJob, CoveragePath, Observer, Params, PathError, PlanContext, PlanError, PlannerInfo, Proof, TraceStep,
+        CoverageJob, CoveragePath, Observer, Params, PathError, PlanContext, PlanError, PlannerInfo, Proof, Report,
+        TraceStep,
     },
     robot::{OdometryModel, RobotModel},
     sim::{Conditions, Run, RunSetup, World},
 };
-use std::sync::Arc;
+use std::{ops::ControlFlow, sync::Arc};
 
 /// A room laid out for one robot, one start and one cell size.
 #[derive(Debug, Clone)]
@@ -55,6 +57,8 @@ pub struct Answer {
     pub proof: Option<Proof>,
     /// The planner's decisions, if it tells them and the room isn't larger than [`MOST_SEARCH_CELLS`].
     pub trace: Vec<TraceStep>,
+    /// Its walks on the way, if it is one that improves them and the room isn't larger than [`MOST_FILMED_CELLS`].
+    pub film: Vec<Frame>,
 }
 
 /// Free cells up to which decisions are recorded: a record for every step is far larger than the step.
@@ -131,11 +135,20 @@ impl Prepared {
 
 impl PlanRequest {
     /// Plans here and now. `clock` tells seconds since any moment, as the core has no clock of its own.
-    pub fn serve(&self, clock: impl Fn() -> f64, observer: Option<Observer<'_>>) -> Result<Answer, PlanError> {
+    pub fn serve(&self, clock: impl Fn() -> f64, mut observer: Option<Observer<'_>>) -> Result<Answer, PlanError> {
         let planner = self.planner.build(&self.params);
-        let mut ctx = match observer {
-            Some(observer) => PlanContext::observed(self.seed, observer),
-            None => PlanContext::new(self.seed),
+        let is_filmed = self.planner.claims.anytime && self.job.cells() <= MOST_FILMED_CELLS;
+        let (mut film, is_observed) = (Film::default(), observer.is_some());
+        let mut watch = |report: Report<'_>| {
+            if is_filmed {
+                film.take(&report);
+            }
+            observer.as_mut().map_or(ControlFlow::Continue(()), |observe| observe(report))
+        };
+        let mut ctx = if is_observed || is_filmed {
+            PlanContext::observed(self.seed, &mut watch)
+        } else {
+            PlanContext::new(self.seed)
         };
         let mut trace = Vec::new();
         let mut tell = |step| trace.push(step);
@@ -146,7 +159,10 @@ impl PlanRequest {
         let path = planner.plan(&self.job, &mut ctx)?;
         let proof = ctx.proof;
         let seconds = (clock() - began).max(0.0);
-        Ok(Answer { path, seconds, proof, trace })
+        if is_filmed {
+            film.take(&Report { done: 1.0, walk: &path.cells, proof });
+        }
+        Ok(Answer { path, seconds, proof, trace, film: film.into_frames() })
     }
 }
 

@@ -7,7 +7,7 @@ mod snapshot;
 
 use super::{
     Action, Brush, Editor, Import, PlanRequest, Planned, Prepared, Recording, ScenarioError, Search, Settings,
-    SettingsError, State,
+    SettingsError, Showing, State,
 };
 use crate::{
     controller::Command,
@@ -49,6 +49,8 @@ pub struct Session {
     /// Whether the planner's decisions are to be shown, and they, once they are known.
     shows_search: bool,
     search: Option<Search>,
+    /// How the plan came to be, if it was filmed.
+    film: Option<Showing>,
     /// Whether somebody was content with the plan before its planner was.
     is_cut_short: bool,
 }
@@ -103,6 +105,7 @@ impl Session {
             message: None,
             shows_search: false,
             search: None,
+            film: None,
             is_cut_short: false,
         };
         session.prepare();
@@ -163,9 +166,10 @@ impl Session {
         self.planned.as_ref()
     }
 
-    /// The line of the best walk so far while a planner is at work.
+    /// The line of the best walk so far while a planner is at work; that of a former walk while its search is shown.
     pub fn preview(&self) -> &[Point] {
-        self.planning.as_ref().map_or(&[], |p| &p.preview)
+        let film = self.film.as_ref().filter(|_| self.shows_search).map_or(&[][..], Showing::line);
+        self.planning.as_ref().map_or(film, |p| &p.preview)
     }
 
     /// The run.
@@ -187,6 +191,9 @@ impl Session {
 
     /// Lets `elapsed_s` seconds pass, as long as `has_time` says so.
     pub fn frame(&mut self, elapsed_s: f64, has_time: &mut dyn FnMut() -> bool) {
+        if let Some(film) = self.film.as_mut().filter(|_| self.shows_search) {
+            self.previews += u64::from(film.go_on(elapsed_s.clamp(0.0, LONGEST_FRAME)));
+        }
         let state = self.state();
         let Some(recording) = &mut self.recording else { return };
         match state {

@@ -2,7 +2,7 @@
 
 use super::{Planning, Session, sentence};
 use crate::{
-    app::{Algorithm, Answer, PlanRequest, Planned, Prepared, Recording, Search, Settings, State, opening},
+    app::{Algorithm, Answer, PlanRequest, Planned, Prepared, Recording, Search, Settings, Showing, State, opening},
     floorplan,
     planner::{CoveragePath, PlanError, Proof, Report},
 };
@@ -20,7 +20,8 @@ impl Session {
             return Some(request);
         }
         let path = CoveragePath { cells: opening::from_runs(request.job.start, opening::WALK) };
-        self.plan_finished(request.id, Answer { path, seconds: 0.0, proof: None, trace: Vec::new() });
+        let answer = Answer { path, seconds: 0.0, proof: None, trace: Vec::new(), film: Vec::new() };
+        self.plan_finished(request.id, answer);
         None
     }
 
@@ -60,7 +61,8 @@ impl Session {
             return self.cancel_plan();
         }
         self.is_cut_short = true;
-        self.plan_finished(id, Answer { path: CoveragePath { cells }, seconds, proof, trace: Vec::new() });
+        let path = CoveragePath { cells };
+        self.plan_finished(id, Answer { path, seconds, proof, trace: Vec::new(), film: Vec::new() });
     }
 
     /// How good the plan of a request is was proven after it had been made.
@@ -84,7 +86,8 @@ impl Session {
             Ok(planned) => {
                 let Settings { conditions, odometry, seed, .. } = self.settings;
                 self.recording = Some(Recording::new(planned.run(prepared, conditions, odometry, seed)));
-                let Answer { path, trace, .. } = answer;
+                let Answer { path, trace, film, .. } = answer;
+                self.film = Showing::new(&film, &prepared.lattice);
                 self.search = (!trace.is_empty()).then(|| Search::new(prepared, &planned, &path.cells, trace));
                 let coverage = planned.drive.coverage;
                 self.planned = Some(planned);
@@ -147,6 +150,7 @@ impl Session {
         self.playing |= self.state() == State::Finished;
         self.planned = None;
         self.search = None;
+        self.film = None;
         self.is_cut_short = false;
         self.recording = None;
         self.planning = None;

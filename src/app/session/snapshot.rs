@@ -26,7 +26,7 @@ impl Session {
             tracker: run.map(Run::tracker),
             run_version: (u64::from(self.requests) << 32) + self.recording.as_ref().map_or(0, Recording::version),
             planned: self.planned.as_ref().map_or(&[], |p| &p.line),
-            preview: self.planning.as_ref().map_or(&[], |p| &p.preview),
+            preview: self.preview(),
             planned_version: u64::from(self.requests) + self.previews,
             trail: run.map_or(&[], Run::trail),
             life: run.map(Run::life),
