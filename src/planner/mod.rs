@@ -74,8 +74,8 @@ registry! {
     snake,
     genetic,
     grid_tsp,
-    energy,
     near_optimal,
+    energy,
     neural,
 }
 
