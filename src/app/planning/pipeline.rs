@@ -77,6 +77,8 @@ pub struct Planned {
     pub planning_s: f64,
     /// How good the walk is known to be, once somebody has proven it.
     pub proof: Option<Proof>,
+    /// Whether somebody was content with it before its planner was.
+    pub is_cut_short: bool,
 }
 
 impl Prepared {
@@ -178,6 +180,7 @@ impl Planned {
             line,
             planning_s: *seconds,
             proof: *proof,
+            is_cut_short: false,
         })
     }
 

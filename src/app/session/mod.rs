@@ -51,8 +51,6 @@ pub struct Session {
     search: Option<Search>,
     /// How the plan came to be, if it was filmed.
     film: Option<Showing>,
-    /// Whether somebody was content with the plan before its planner was.
-    is_cut_short: bool,
 }
 
 /// Why files can't be taken.
@@ -106,7 +104,6 @@ impl Session {
             shows_search: false,
             search: None,
             film: None,
-            is_cut_short: false,
         };
         session.prepare();
         session

@@ -60,9 +60,11 @@ impl Session {
         if !self.can_keep() {
             return self.cancel_plan();
         }
-        self.is_cut_short = true;
         let path = CoveragePath { cells };
         self.plan_finished(id, Answer { path, seconds, proof, trace: Vec::new(), film: Vec::new() });
+        if let Some(planned) = &mut self.planned {
+            planned.is_cut_short = true;
+        }
     }
 
     /// How good the plan of a request is was proven after it had been made.
@@ -151,7 +153,6 @@ impl Session {
         self.planned = None;
         self.search = None;
         self.film = None;
-        self.is_cut_short = false;
         self.recording = None;
         self.planning = None;
         self.due = 0.0;

@@ -40,7 +40,7 @@ impl Session {
         match (self.decision(), &self.prepared) {
             _ if !is_shown => String::new(),
             (Some(step), _) => format!("{}.", step.note),
-            (None, _) if self.is_cut_short => {
+            (None, _) if self.planned.as_ref().is_some_and(|planned| planned.is_cut_short) => {
                 "The search was stopped before its end, so there is no record of it. Plan again to see it.".to_owned()
             }
             (None, Some(prepared)) if self.search.is_none() => {
