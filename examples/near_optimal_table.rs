@@ -9,8 +9,8 @@ use robovac_playground::{
 };
 use std::{error::Error, fs, ops::ControlFlow, path::Path, time::Instant};
 
-/// A room, and the best known bound and value that its header tells, if any.
-fn read(path: &Path) -> Result<(CoverageJob, Option<[f64; 2]>), Box<dyn Error>> {
+/// A room and the best known value that its header tells, if any.
+fn read(path: &Path) -> Result<(CoverageJob, Option<f64>), Box<dyn Error>> {
     let text = fs::read_to_string(path)?;
     let picture: Vec<&str> = text.lines().filter(|line| !line.starts_with(';')).collect();
     let glyphs = from_picture(&picture.join("\n"), |glyph| glyph).ok_or("no rectangle")?;
@@ -18,7 +18,7 @@ fn read(path: &Path) -> Result<(CoverageJob, Option<[f64; 2]>), Box<dyn Error>> 
     let marked = glyphs.iter().find(|&(_, &glyph)| glyph == 'S');
     let (start, _) = marked.or_else(|| glyphs.iter().find(|&(_, &glyph)| glyph != '#')).ok_or("no free cell")?;
     let number = |name: &str| text.split(name).nth(1)?.split_whitespace().next()?.parse().ok();
-    let known = number("lb ").zip(number("best_ip ")).map(|(bound, best)| [bound, best]);
+    let known = number("best_ip ");
     Ok((CoverageJob::new(&free, start, Direction::Right).ok_or("the start isn't free")?, known))
 }
 
@@ -71,7 +71,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             // Walks are priced in sixteenths of a step.
             let bound = best.proof.map_or(0, |proof| proof.bound).div_ceil(16);
             let above = |low: f64| 100.0 * (best.cost as f64 / low - 1.0);
-            let (value, over) = known.map_or((String::new(), String::new()), |[_, value]| {
+            let (value, over) = known.map_or((String::new(), String::new()), |value: f64| {
                 (value.to_string(), format!("{:.2} %", above(value)))
             });
             let (start, after) = first.unwrap_or((0, 0.0));

@@ -125,7 +125,7 @@ impl Region {
         let is_swapped = window.width > window.height;
         let (columns, rows) = if is_swapped { (window.height, window.width) } else { (window.width, window.height) };
         let turned = |side: Side| if is_swapped { swapped(side) } else { side };
-        let mut sites = Vec::new();
+        let mut sites: Vec<Site> = Vec::new();
         for row in 0..rows {
             for column in 0..columns {
                 let (dx, dy) = if is_swapped { (row, column) } else { (column, row) };
@@ -145,11 +145,11 @@ impl Region {
                 });
             }
         }
-        for site in 0..sites.len() {
-            for side in 0..4 {
-                let next = graph.neighbours[sites[site].cell as usize][turned(side)];
+        for site in &mut sites {
+            for (side, beyond) in site.beyond.iter_mut().enumerate() {
+                let next = graph.neighbours[site.cell as usize][turned(side)];
                 if next != OUTSIDE && site_of[next as usize] != OUTSIDE {
-                    sites[site].beyond[side] = Beyond::Site;
+                    *beyond = Beyond::Site;
                 }
             }
         }
@@ -166,7 +166,9 @@ impl Region {
             is_swapped,
         };
         let is_found = region.cut_out(ground, tour, site_of);
-        region.sites.iter().for_each(|site| site_of[site.cell as usize] = OUTSIDE);
+        for site in &region.sites {
+            site_of[site.cell as usize] = OUTSIDE;
+        }
         is_found.then_some(region)
     }
 
@@ -191,7 +193,9 @@ impl Region {
             }
             let sides = sides.map(|side| side.map(|(side, _)| side));
             let now = &mut self.sites[site].now;
-            sides.into_iter().flatten().for_each(|side| now.used[side] += 1);
+            for side in sides.into_iter().flatten() {
+                now.used[side] += 1;
+            }
             if let [Some(a), Some(b)] = sides {
                 now.turns += turns(a, b) as u8;
             }
