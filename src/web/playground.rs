@@ -156,7 +156,7 @@ impl Playground {
 
     /// The worker reports the share done, its best walk so far and, as cost and bound, what is proven of that.
     pub fn plan_progress(&mut self, id: u32, done: f64, cells: &[u32], proof: Option<Vec<f64>>) {
-        let proof = proof_from_js(proof.as_deref());
+        let proof = proof_from_js(proof);
         self.session.plan_progress(id, Report { done, walk: &walk::cells(cells), proof });
     }
 
@@ -174,19 +174,19 @@ impl Playground {
             let flat = Uint32Array::new(&Reflect::get(&object, &"cells".into())?).to_vec();
             let proof = Reflect::get(&object, &"proof".into())?;
             let proof = (!proof.is_undefined()).then(|| Float64Array::new(&proof).to_vec());
-            Ok(Frame { walk: walk::cells(&flat), proof: proof_from_js(proof.as_deref()) })
+            Ok(Frame { walk: walk::cells(&flat), proof: proof_from_js(proof) })
         };
         let film = film.iter().map(frame).collect::<Result<_, _>>()?;
         let trace: Vec<TraceStep> = serde_wasm_bindgen::from_value(trace).map_err(|e| e.to_string())?;
         let path = CoveragePath { cells: walk::cells(cells) };
-        let proof = proof_from_js(proof.as_deref());
+        let proof = proof_from_js(proof);
         self.session.plan_finished(id, Answer { path, seconds, proof, trace, film });
         Ok(())
     }
 
     /// The worker has worked out what is proven of a plan that it has made.
     pub fn plan_proven(&mut self, id: u32, proof: Option<Vec<f64>>) {
-        if let Some(proof) = proof_from_js(proof.as_deref()) {
+        if let Some(proof) = proof_from_js(proof) {
             self.session.plan_proven(id, proof);
         }
     }

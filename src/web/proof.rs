@@ -15,7 +15,7 @@ pub(super) fn proof_to_js(proof: Option<Proof>) -> JsValue {
 
 /// What [`proof_to_js`] has made.
 #[cfg(feature = "page")]
-pub(super) fn proof_from_js(numbers: Option<&[f64]>) -> Option<Proof> {
-    let &[cost, bound] = numbers? else { return None };
+pub(super) fn proof_from_js(numbers: Option<Vec<f64>>) -> Option<Proof> {
+    let [cost, bound]: [f64; 2] = numbers?.try_into().ok()?;
     Some(Proof { cost: cost as u64, bound: bound as u64 })
 }

@@ -164,7 +164,9 @@ impl Machine {
                 self.robot.put_down(self.floor.place_for(pose, is_free));
             }
             // What drives it is at the other end of the line.
-            _ => {}
+            Input::Command(_) => {}
+            #[cfg(feature = "cleaning")]
+            Input::Clean(_) => {}
         }
     }
 
