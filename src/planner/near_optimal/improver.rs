@@ -46,6 +46,18 @@ const SETTLED: usize = 8;
 /// Cells of which the one where the walk is dearest is shaken.
 const CANDIDATES: usize = 3;
 
+/// How far settling is.
+pub(super) struct Settling<'t> {
+    /// Ways that were tried, since the beginning.
+    pub work: usize,
+    /// About which share of the block is done.
+    pub done: f64,
+    /// The walk now; where the room is large, with markers.
+    pub walk: &'t [u32],
+    /// By how much that's dearer than at first, in price units.
+    pub change: i64,
+}
+
 impl Improver {
     /// Nothing improved yet.
     pub fn new(cells: Vec<Cell>, tour: Tour, rng: Rng) -> Self {
@@ -95,14 +107,13 @@ impl Improver {
         if self.cells.len() > FOLDED { room.parts(FOLD, overlap as i32) } else { vec![room] }
     }
 
-    /// Rebuilds windows of `side` cells in a block until none gets cheaper; asks before each whether to go on, and tells
-    /// about which share is done.
+    /// Rebuilds windows of `side` cells in a block until none gets cheaper; asks before each whether to go on.
     pub fn settle(
         &mut self,
         ground: &Ground<'_>,
         block: Block,
         (side, most_states): (usize, usize),
-        goes_on: impl FnMut(usize, f64) -> bool,
+        goes_on: impl FnMut(Settling<'_>) -> bool,
     ) {
         self.within(block, |improver, tour, cost| {
             *cost += improver.settle_windows(ground, tour, block, (side, most_states), goes_on);
@@ -134,7 +145,7 @@ impl Improver {
         tour: &mut Tour,
         block: Block,
         (side, most_states): (usize, usize),
-        mut goes_on: impl FnMut(usize, f64) -> bool,
+        mut goes_on: impl FnMut(Settling<'_>) -> bool,
     ) -> i64 {
         let mut cost = 0;
         let stride = (side as i32 / 2).max(1);
@@ -146,7 +157,8 @@ impl Improver {
         while let Some(at) = queue.pop_front() {
             is_queued[at] = false;
             tried += 1;
-            if !goes_on(self.work, tried as f64 / (tried + queue.len()) as f64) {
+            let done = tried as f64 / (tried + queue.len()) as f64;
+            if !goes_on(Settling { work: self.work, done, walk: &tour.cells, change: cost }) {
                 break;
             }
             let (column, row) = (at % columns, at / columns);
@@ -214,7 +226,7 @@ impl Improver {
                 let window = block.window(corner, side, side);
                 *cost += improver.rebuild(ground, tour, window, most_states, (noise * share) as i32).unwrap_or(0);
             }
-            *cost += improver.settle_windows(ground, tour, block, (SETTLED, most_states), |_, _| goes_on());
+            *cost += improver.settle_windows(ground, tour, block, (SETTLED, most_states), |_| goes_on());
             if *cost > 0 {
                 tour.replace(before);
                 *cost = 0;

@@ -1,6 +1,10 @@
 //! One run of the planner: the walk it works at, the best so far, the prices, and what is left of the effort.
 
-use super::{improver::Improver, region::Ground, tour::Tour};
+use super::{
+    improver::{Improver, Settling},
+    region::Ground,
+    tour::Tour,
+};
 use crate::{
     grid::{Cell, Direction, Grid},
     planner::{
@@ -17,6 +21,8 @@ pub(super) struct Work<'j> {
     numbers: Grid<u32>,
     pub relaxation: Relaxation,
     improver: Improver,
+    /// The cells by their numbers, if the room is so small that every change of the walk is shown.
+    filmed: Vec<Cell>,
     /// The best walk so far, by the cells' numbers, and its cost in price units.
     best: (Vec<u32>, i64),
     /// The same walk to be shown, if somebody looks.
@@ -33,6 +39,8 @@ const NONE: u32 = u32::MAX;
 const NOISES: [f64; 4] = [0.12, 0.3, 0.6, 0.3];
 /// Largest window of a shaken block, cells, and states kept.
 const SHAKEN: (i32, usize) = (12, 700);
+/// Cells up to which every change of the walk is shown.
+const MOST_FILMED: usize = 2_000;
 /// Largest grid, walls included, of which all walks are tried.
 const LARGEST_SOLVED: usize = 1_000;
 /// Work between two improvements of the prices, and cells visited by one.
@@ -50,6 +58,7 @@ impl<'j> Work<'j> {
         });
         let cells: Vec<Cell> = job.free.iter().filter(|&(_, &is_free)| is_free).map(|(cell, _)| cell).collect();
         let is_closed = objective.finish == Finish::Start;
+        let filmed = if cells.len() <= MOST_FILMED { cells.clone() } else { Vec::new() };
         let improver = Improver::new(cells, Tour::new(count as usize, Vec::new(), is_closed), rng);
         let relaxation = Relaxation::new(job, objective);
         Self {
@@ -58,6 +67,7 @@ impl<'j> Work<'j> {
             numbers,
             relaxation,
             improver,
+            filmed,
             best: (Vec::new(), i64::MAX),
             shown: Vec::new(),
             most,
@@ -133,10 +143,17 @@ impl<'j> Work<'j> {
                 break;
             }
             ctx.proof = Some(self.proof());
-            let (most, mut result) = (self.most, Ok(()));
-            let Self { improver, relaxation, numbers, shown, .. } = self;
+            let (most, unit, mut result) = (self.most, i64::from(self.relaxation.prices.unit), Ok(()));
+            let Self { improver, relaxation, numbers, shown, filmed, best, .. } = self;
             let ground = Ground::new(self.job, self.objective, relaxation, numbers);
-            improver.settle(&ground, block, windows, |work, done| {
+            let (begun_at, mut shown_at) = (improver.cost, best.1);
+            let is_shown = ctx.is_observed() && !filmed.is_empty() && self.objective.finish == Finish::Anywhere;
+            improver.settle(&ground, block, windows, |Settling { work, done, walk, change }| {
+                if is_shown && begun_at + change < shown_at {
+                    shown_at = begun_at + change;
+                    *shown = walk.iter().map(|&number| filmed[number as usize]).collect();
+                    ctx.proof = ctx.proof.map(|proof| Proof { cost: (shown_at / unit) as u64, ..proof });
+                }
                 let done = match after {
                     Some(after) => between([before, after], (i as f64 + done) / blocks.len() as f64),
                     None => between([before, 1.0], work as f64 / most as f64),
