@@ -5,7 +5,7 @@
 //! (ALENEX), solves a cycle cover by a commercial solver, merges its cycles and improves the tour by large-neighbourhood
 //! search. This planner needs no solver:
 //!
-//! 1. *Construction and merging*: the best walk of two fast planners, closed by the cheapest way back if a tour is asked
+//! 1. *Construction and merging*: the best walk of three fast planners, closed by the cheapest way back if a tour is asked
 //!    for.
 //! 2. *Prices*: the [`Relaxation`] puts a price on every side of every cell. Its value is a proven bound, and by its prices
 //!    every way of passing a cell has a reduced cost: what it costs more than the bound allows for. A walk whose reduced
@@ -43,7 +43,7 @@ mod work;
 
 use super::{
     Build, Claims, CoverageJob, CoveragePath, Example, Explainer, Finish, Objective, ParamKind, ParamSpec, Params,
-    PlanContext, PlanError, Planner, PlannerInfo, Report, boustrophedon, boustrophedon_cells,
+    PlanContext, PlanError, Planner, PlannerInfo, Report, backtracking_spiral, boustrophedon, boustrophedon_cells,
     stage::{Costs, MAX_CELLS_FOR_ALL, between},
 };
 use crate::{grid::Cell, rng::seeded};
@@ -60,7 +60,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
              Arkin et al. 2005, Optimal covering tours with turn costs; the search is ours",
     link: "https://arxiv.org/abs/2310.20340",
     explainer: Explainer {
-        idea: "Starts from the best walk of two fast planners. Then it empties a window of the room and refills it \
+        idea: "Starts from the best walk of three fast planners. Then it empties a window of the room and refills it \
                in the cheapest way that leaves one single walk, again and again, where the walk is dearest. \
                Prices on the sides of all cells tell what is dear, \
                and prove that no walk whatever costs less than a certain bound.",
@@ -147,8 +147,13 @@ impl Planner for NearOptimal {
         let cells = job.cells() as f64;
         let most = self.effort * (WORK_PER_CELL * cells).min(MOST_WORK).max(LEAST_WORK_PER_CELL * cells);
         let mut work = Work::new(job, objective, most as usize, seeded(ctx.rng.random(), 0));
-        let first = fast_walk(&boustrophedon::INFO, boustrophedon::BUILD, job, &[], [0.0, FIRST], ctx)?;
+        let half = FIRST / 2.0;
+        let first = fast_walk(&boustrophedon::INFO, boustrophedon::BUILD, job, &[], [0.0, half], ctx)?;
         work.begin_with(first, ctx);
+        let (info, build) = (&backtracking_spiral::INFO, backtracking_spiral::BUILD);
+        let other = fast_walk(info, build, job, &work.shown, [half, FIRST], ctx)?;
+        work.begin_with(other, ctx);
+        work.begin_with_best();
         work.relaxation.improve(HASTY);
         if job.cells() <= MAX_CELLS_FOR_ALL {
             work.settle(FIRST_WINDOWS, FIRST, Some(SETTLED), ctx)?;
