@@ -119,6 +119,8 @@ impl Relaxation {
             return self.ascend(cells);
         }
         let mut programme = self.programme.take().unwrap_or_else(|| self.programme());
+        // In a small room a call's worth of visits is more steps than all that may be taken.
+        let rounds = rounds.min(MOST_STEPS);
         for _ in 0..rounds {
             programme.step(&self.graph);
         }
