@@ -1,4 +1,4 @@
-//! What near_optimal says it has proven, against the best walks there are.
+//! What `near_optimal` says it has proven, against the best walks there are.
 
 use crate::bounds::{best, jobs};
 use rand::RngExt;

@@ -259,7 +259,9 @@ impl Region {
                 choices[pair(way.used[2], way.used[3])].push(Choice { cost, halves, way: number as u16 });
             }
         }
-        choices.iter_mut().for_each(|list| list.sort_by_key(|choice| choice.cost));
+        for list in &mut choices {
+            list.sort_by_key(|choice| choice.cost);
+        }
         choices
     }
 

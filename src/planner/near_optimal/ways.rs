@@ -50,7 +50,9 @@ impl Ways {
         let pairs: Vec<[Side; 2]> = (0..4).flat_map(|a| (a..4).map(move |b| [a, b])).collect();
         for halves in halves {
             let mut used = [0; 4];
-            halves.iter().for_each(|&side| used[side] += 1);
+            for &side in &halves {
+                used[side] += 1;
+            }
             let mut found = Vec::new();
             if used.iter().all(|&n| n <= most_uses) {
                 extend(&pairs, &mut Vec::new(), used, most_uses, &halves, &mut found);
