@@ -11,7 +11,7 @@ use robovac_playground::{
 
 /// What the best of all walks costs, by trying them all: Dijkstra's search with a bucket a cost over (cells visited, cell,
 /// direction), once for every first step.
-fn best(job: &CoverageJob, objective: Objective) -> usize {
+pub fn best(job: &CoverageJob, objective: Objective) -> usize {
     let cells: Vec<Cell> = job.free.iter().filter(|&(_, &free)| free).map(|(cell, _)| cell).collect();
     let number = |cell: Cell| cells.iter().position(|&c| c == cell);
     let next: Vec<[Option<usize>; 4]> = cells.iter().map(|c| c.neighbours().map(number)).collect();
@@ -56,7 +56,7 @@ fn best(job: &CoverageJob, objective: Objective) -> usize {
 }
 
 /// The jobs of a room given by a bit for every cell, one from every cell.
-fn jobs(width: usize, height: usize, bits: u32) -> impl Iterator<Item = CoverageJob> {
+pub fn jobs(width: usize, height: usize, bits: u32) -> impl Iterator<Item = CoverageJob> {
     let free = Grid::from_rows(width, (0..width * height).map(|i| bits >> i & 1 != 0).collect()).unwrap();
     let cells: Vec<Cell> = free.iter().map(|(cell, _)| cell).collect();
     cells.into_iter().filter_map(move |start| CoverageJob::new(&free, start, Direction::Right))

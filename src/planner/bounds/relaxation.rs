@@ -15,7 +15,6 @@
 //!
 //! With v(c) = 1 + excess(c) - (1 if e is below c) by [`Cuts`] and the worst e, that holds for every walk, whatever the
 //! prices are: it's a Lagrangian relaxation of the constraint that passages of neighbours fit together.
-//
 //!
 //! A closed tour has no ends: its passages alone cost at least the sum of v(c) f(c), with no e to save anything.
 //!
@@ -119,6 +118,8 @@ impl Relaxation {
             return self.ascend(cells);
         }
         let mut programme = self.programme.take().unwrap_or_else(|| self.programme());
+        // In a small room a call's worth of visits is more steps than all that may be taken.
+        let rounds = rounds.min(MOST_STEPS);
         for _ in 0..rounds {
             programme.step(&self.graph);
         }

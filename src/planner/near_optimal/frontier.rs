@@ -16,6 +16,10 @@ type State = [u8; ENTRIES];
 const END: usize = ENTRIES - 1;
 /// Most columns and plugs together.
 pub(super) const MOST_OPEN: usize = ENTRIES - 2;
+/// States kept of all sites together, 12 bytes each; beyond it no proof is looked for.
+const MOST_KEPT: usize = 8_000_000;
+/// How many states are worked at between two questions whether to go on.
+const ASK_EVERY: usize = 2_048;
 /// An entry holds a label, and above it how often an edge is used.
 const LABEL: u8 = 63;
 
@@ -64,7 +68,7 @@ impl Region {
     ) -> Found<'w> {
         let choices: Vec<Choices> = self.sites.iter().map(|site| self.choices(site, costs, ways)).collect();
         let rest = self.rests(&choices);
-        let (mut is_exact, mut work) = (true, 0);
+        let (mut is_exact, mut work, mut kept) = (true, 0, 0);
         let mut layer = vec![(self.begin(), 0_i64)];
         let mut trails: Vec<Vec<(u32, Choice)>> = Vec::with_capacity(self.sites.len());
         let mut index: HashMap<State, u32, BuildHasherDefault<Mixer>> = HashMap::default();
@@ -76,6 +80,9 @@ impl Region {
             let mut trail = Vec::new();
             index.clear();
             for (from, (state, cost)) in layer.iter().enumerate() {
+                if from % ASK_EVERY == ASK_EVERY - 1 && !goes_on(work) {
+                    return Found { ways: Vec::new(), cost: self.cost, is_exact: false, work };
+                }
                 let uses = |side: Side| match site.beyond[side] {
                     Beyond::Nothing => 0,
                     Beyond::Plug(plug) => self.plugs[plug].uses,
@@ -112,16 +119,19 @@ impl Region {
                     }
                 }
             }
-            if next.len() > search.most_states {
+            kept += next.len();
+            if next.len() > search.most_states || kept > MOST_KEPT {
                 is_exact = false;
                 if search.is_all_or_nothing {
                     return Found { ways: Vec::new(), cost: self.cost, is_exact, work };
                 }
                 let worth = |&(state, cost): &(State, i64)| cost + rest[i + 1][usize::from(state[END] == 1)];
                 let mut order: Vec<u32> = (0..next.len() as u32).collect();
-                order.select_nth_unstable_by_key(search.most_states, |&k| (worth(&next[k as usize]), k));
-                order.truncate(search.most_states);
-                order.sort_unstable();
+                if search.most_states < order.len() {
+                    order.select_nth_unstable_by_key(search.most_states, |&k| (worth(&next[k as usize]), k));
+                    order.truncate(search.most_states);
+                    order.sort_unstable();
+                }
                 next = order.iter().map(|&k| next[k as usize]).collect();
                 trail = order.iter().map(|&k| trail[k as usize]).collect();
             }

@@ -188,11 +188,12 @@ impl Improver {
         let Some(region) = Region::new(ground, &self.tour, window, &mut self.site_of) else { return false };
         let search = Search { limit: region.cost, most_states, is_all_or_nothing: true };
         let found = region.search(ground.costs(), &ways, search, |_| goes_on());
-        if !found.ways.is_empty() {
-            let Some(walk) = region.walk(&self.tour, &found.ways) else { return false };
-            self.tour.replace(walk);
-            self.cost += found.cost - region.cost;
+        if found.ways.is_empty() {
+            return found.is_exact;
         }
+        let Some(walk) = region.walk(&self.tour, &found.ways) else { return false };
+        self.tour.replace(walk);
+        self.cost += found.cost - region.cost;
         found.is_exact
     }
 

@@ -43,7 +43,8 @@ mod work;
 
 use super::{
     Build, Claims, CoverageJob, CoveragePath, Example, Explainer, Finish, Objective, ParamKind, ParamSpec, Params,
-    PlanContext, PlanError, Planner, PlannerInfo, Report, backtracking_spiral, boustrophedon, boustrophedon_cells,
+    PlanContext, PlanError, Planner, PlannerInfo, Proof, Report, backtracking_spiral, boustrophedon,
+    boustrophedon_cells,
     stage::{Costs, MAX_CELLS_FOR_ALL, between},
 };
 use crate::{grid::Cell, rng::seeded};
@@ -117,9 +118,8 @@ const WORK_PER_CELL: f64 = 8_000.0;
 const MOST_WORK: f64 = 10_000_000.0;
 /// The least for every cell: less would leave most of a large room as it is.
 const LEAST_WORK_PER_CELL: f64 = 20.0;
-/// Cells visited to find prices: at first, and for a bound that is worth its name.
+/// Cells visited to find the first prices.
 const HASTY: usize = 500_000;
-const PATIENT: usize = 6_000_000;
 /// Windows that settle one after the other: sides in cells, and states kept in each cell.
 const FIRST_WINDOWS: (usize, usize) = (6, 200);
 const WINDOWS: [(usize, usize); 3] = [(8, 500), (10, 1_000), (12, 1_000)];
@@ -134,6 +134,7 @@ const SECOND: f64 = 0.2;
 impl Planner for NearOptimal {
     fn plan(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError> {
         if job.cells() < 2 {
+            ctx.proof = Some(Proof { cost: 0, bound: 0 });
             return Ok(CoveragePath { cells: vec![job.start] });
         }
         let job = &CoverageJob { step_s: 1.0, turn_s: self.turn.unwrap_or(job.turn_s / job.step_s), ..job.clone() };
@@ -162,7 +163,7 @@ impl Planner for NearOptimal {
             let (info, build) = (&boustrophedon_cells::INFO, boustrophedon_cells::BUILD);
             let second = fast_walk(info, build, job, &work.shown, [SETTLED, SECOND], ctx)?;
             work.begin_with(second, ctx);
-            work.relaxation.improve(PATIENT);
+            work.price(SECOND, ctx)?;
             work.settle(FIRST_WINDOWS, SECOND, None, ctx)?;
             work.begin_with_best();
             for windows in WINDOWS {

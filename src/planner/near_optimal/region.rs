@@ -194,10 +194,10 @@ impl Region {
             let sides = sides.map(|side| side.map(|(side, _)| side));
             let now = &mut self.sites[site].now;
             for side in sides.into_iter().flatten() {
-                now.used[side] += 1;
+                now.used[side] = now.used[side].saturating_add(1);
             }
             if let [Some(a), Some(b)] = sides {
-                now.turns += turns(a, b) as u8;
+                now.turns = now.turns.saturating_add(turns(a, b) as u8);
             }
             self.cost += i64::from(self.passage_cost(ground.prices, site, sides));
         }
@@ -249,7 +249,7 @@ impl Region {
     /// Uses a plug once more.
     fn plug(&mut self, site: usize, side: Side) -> usize {
         if let Beyond::Plug(plug) = self.sites[site].beyond[side] {
-            self.plugs[plug].uses += 1;
+            self.plugs[plug].uses = self.plugs[plug].uses.saturating_add(1);
             return plug;
         }
         self.sites[site].beyond[side] = Beyond::Plug(self.plugs.len());

@@ -43,9 +43,10 @@ const SHAKEN: (i32, usize) = (12, 700);
 const MOST_FILMED: usize = 2_000;
 /// Largest grid, walls included, of which all walks are tried.
 const LARGEST_SOLVED: usize = 1_000;
-/// Work between two improvements of the prices, and cells visited by one.
-const WORK_PER_PRICING: usize = 1_000_000;
-const PRICING: usize = 2_000_000;
+/// Work between two improvements of the prices, cells visited by one, and improvements after the second walk.
+const WORK_PER_PRICING: usize = 400_000;
+const PRICING: usize = 500_000;
+const PATIENT: usize = 12;
 
 impl<'j> Work<'j> {
     /// Nothing found yet.
@@ -128,6 +129,18 @@ impl<'j> Work<'j> {
         between([before, 1.0], self.improver.work as f64 / self.most.max(1) as f64)
     }
 
+    /// Looks for prices that are worth their name.
+    pub fn price(&mut self, before: f64, ctx: &mut PlanContext<'_>) -> Result<(), PlanError> {
+        for _ in 0..PATIENT {
+            ctx.proof = Some(self.proof());
+            ctx.checkpoint(self.share(before), &self.shown)?;
+            if !self.relaxation.improve(PRICING) {
+                break;
+            }
+        }
+        Ok(())
+    }
+
     /// Settles windows of some side, with some states kept, in the whole room; `shares` of all work lie before and after.
     /// Without shares the work done tells them.
     pub fn settle(
@@ -138,6 +151,8 @@ impl<'j> Work<'j> {
         ctx: &mut PlanContext<'_>,
     ) -> Result<(), PlanError> {
         let blocks = self.improver.blocks(&self.numbers, windows.0);
+        // Windows that are queued again make less seem done.
+        let mut told = before;
         for (i, &block) in blocks.iter().enumerate() {
             if self.is_over() {
                 break;
@@ -158,7 +173,8 @@ impl<'j> Work<'j> {
                     Some(after) => between([before, after], (i as f64 + done) / blocks.len() as f64),
                     None => between([before, 1.0], work as f64 / most as f64),
                 };
-                result = ctx.checkpoint(done, shown);
+                told = done.max(told);
+                result = ctx.checkpoint(told, shown);
                 result.is_ok() && work < most
             });
             result?;
