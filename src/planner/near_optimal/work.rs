@@ -44,7 +44,7 @@ const MOST_FILMED: usize = 2_000;
 /// Largest grid, walls included, of which all walks are tried.
 const LARGEST_SOLVED: usize = 1_000;
 /// Work between two improvements of the prices, cells visited by one, and improvements after the second walk.
-const WORK_PER_PRICING: usize = 400_000;
+const WORK_PER_PRICING: usize = 3_000_000;
 const PRICING: usize = 500_000;
 const PATIENT: usize = 12;
 
