@@ -123,9 +123,11 @@ const HASTY: usize = 500_000;
 /// Windows that settle one after the other: sides in cells, and states kept in each cell.
 const FIRST_WINDOWS: (usize, usize) = (6, 200);
 const WINDOWS: [(usize, usize); 3] = [(8, 500), (10, 1_000), (12, 1_000)];
-/// States after each cell with which small rooms are tried to be solved: when the walk has settled, and in the end.
+/// States after each cell with which small rooms are tried to be solved: when the walk has settled, and later.
 const FEW_STATES: usize = 5_000;
 const MANY_STATES: usize = 100_000;
+/// Share of the work after which that is tried for the first time.
+const EARLY: f64 = 0.02;
 /// Shares of the work that are done after the stages.
 const FIRST: f64 = 0.03;
 const SETTLED: f64 = 0.08;
@@ -170,8 +172,10 @@ impl Planner for NearOptimal {
                 work.settle(windows, SECOND, None, ctx)?;
             }
             work.solve(FEW_STATES, SECOND, ctx)?;
-            work.shake(SECOND, ctx)?;
-            work.solve(MANY_STATES, SECOND, ctx)?;
+            for share in [EARLY, 1.0] {
+                work.shake(share, SECOND, ctx)?;
+                work.solve(MANY_STATES, SECOND, ctx)?;
+            }
         }
         ctx.proof = Some(work.proof());
         Ok(CoveragePath { cells: work.walk() })

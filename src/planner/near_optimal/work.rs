@@ -202,11 +202,12 @@ impl<'j> Work<'j> {
         Ok(())
     }
 
-    /// Shakes the walk until there is nothing left to do.
-    pub fn shake(&mut self, before: f64, ctx: &mut PlanContext<'_>) -> Result<(), PlanError> {
+    /// Shakes the walk until that share of the effort is spent, or there is nothing left to do.
+    pub fn shake(&mut self, share: f64, before: f64, ctx: &mut PlanContext<'_>) -> Result<(), PlanError> {
+        let until = (share * self.most as f64) as usize;
         let mut priced = self.improver.work;
         for shake in 0.. {
-            if self.is_over() {
+            if self.is_over() || self.improver.work >= until {
                 break;
             }
             ctx.proof = Some(self.proof());
