@@ -159,6 +159,27 @@ fn a_survey_that_was_left_goes_on_where_it_was() {
     assert_eq!(back.run().map(Run::digest), survey.run().map(Run::digest));
 }
 
+/// Where a hand puts a robot is no round number, and time may stand still when the page is left.
+#[test]
+fn a_robot_that_was_carried_comes_back_to_where_it_was_put() {
+    for (x, lasts) in [(0.1 + 0.2 + 0.777_777_777_777_7, 0.0), (1.123_456_789_012_345_6, 12.3), (2.0 / 3.0, 0.0)] {
+        let mut survey = small();
+        survey.run_ahead(20.0);
+        survey.lift();
+        survey.put_down(Pose::new(x, x.sqrt(), x * 1.7));
+        survey.run_ahead(lasts);
+        let text = survey.store().expect("there is a map");
+        let run = survey.run().expect("there is a run");
+        let (digest, pose) = (run.digest(), run.pose());
+        let mut back = small();
+        back.resume(&text).expect("it is one of ours");
+        arrive(&mut back);
+        let run = back.run().expect("there is a run");
+        assert_eq!((run.digest(), run.pose(), run.is_lifted()), (digest, pose, false), "{x} {lasts}");
+        assert!(!back.take_strayed(), "{x} {lasts}");
+    }
+}
+
 #[test]
 fn a_program_that_drives_otherwise_is_noticed() {
     let mut survey = small();

@@ -124,10 +124,7 @@ impl Recording {
 
     /// One simulation step.
     pub fn step(&mut self) {
-        while let Some(&(_, input)) = self.inputs.get(self.applied).filter(|(step, _)| *step <= self.run.steps()) {
-            self.run.apply(input);
-            self.applied += 1;
-        }
+        self.catch_up();
         self.run.step();
         let steps = self.run.steps();
         if steps <= self.end {
@@ -139,6 +136,14 @@ impl Recording {
         }
         if steps.is_multiple_of(self.interval) {
             self.key_frame();
+        }
+    }
+
+    /// Does what a person did at this moment.
+    fn catch_up(&mut self) {
+        while let Some(&(_, input)) = self.inputs.get(self.applied).filter(|(step, _)| *step <= self.run.steps()) {
+            self.run.apply(input);
+            self.applied += 1;
         }
     }
 
@@ -175,6 +180,10 @@ impl Recording {
             self.advance(left, has_time);
             if self.run.steps() >= goal || self.is_over() {
                 self.goal = None;
+                // What was done last was done before time stood still there.
+                if self.run.steps() == self.end {
+                    self.catch_up();
+                }
             }
         }
     }
