@@ -134,8 +134,12 @@ function show(view) {
     if (changed(byId("survey-return"), "done", done)) typed("survey-return-bar", HTMLProgressElement).value = done;
   }
   setText(byId("survey-room"), view.title);
-  setText(byId("survey-activity"), view.activity ? `${view.activity.charAt(0).toUpperCase()}${view.activity.slice(1)}` : "");
-  setHidden(byId("survey-activity"), !view.activity || !["playing", "paused"].includes(view.phase));
+  // A robot that has come to its end would look as if it hung.
+  const isDone = view.phase === "finished";
+  const next = view.can.clean ? " Next: clean with this map." : "";
+  const activity = isDone && !view.is_cleaning ? `Done: nothing is left that it can explore.${next}` : view.activity;
+  setText(byId("survey-activity"), activity ? `${activity.charAt(0).toUpperCase()}${activity.slice(1)}` : "");
+  setHidden(byId("survey-activity"), !activity || !["playing", "paused", "finished"].includes(view.phase));
   setHidden(byId("survey-held"), !view.is_carried);
   setHidden(byId("survey-hint-new"), view.known !== null);
   setHidden(byId("survey-hint-lost"), view.known === null);

@@ -119,6 +119,8 @@ impl Survey {
             })
         };
         let spread = belief
+            // Who only guesses is sure of nothing: one cloud of many says little.
+            .filter(|belief| belief.is_sure() != Some(false))
             .and_then(|belief| belief.spread())
             .map(|spread| [spread.ellipse().0[0], spread.heading.to_degrees()]);
         SurveyView {
