@@ -397,7 +397,7 @@ fn failures_have_a_code_and_say_what_to_do() {
     let base = ["simulate", "--room", "thesis8", "--planner", planner.id];
     let cases: &[(&[&str], i32, &str)] = &[
         (&["--slip", "icy"], 2, "[possible values: none, typical, harsh]"),
-        (&["--odometry", "gps"], 2, "[possible values: arc, straight]"),
+        (&["--odometry", "gps"], 2, "[possible values: arc, straight, packet_arc, packet_straight]"),
         (&["--sample", "0"], 2, "'--sample <SECONDS>': give a number of seconds greater than 0"),
         (&["--sample", "-1"], 2, "'--sample <SECONDS>': give a number of seconds greater than 0"),
         (&["--max-time", "nan"], 2, "'--max-time <SECONDS>': give a number of seconds greater than 0"),
