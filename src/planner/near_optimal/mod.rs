@@ -78,7 +78,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
             id: "effort",
             label: "Effort",
             help: "How long to look for a better walk; 0 keeps the first one.",
-            kind: ParamKind::Number { min: 0.0, max: 100.0, step: 1.0, default: 1.0, unit: "" },
+            kind: ParamKind::Number { min: 0.0, max: 100.0, step: 0.1, default: 1.0, unit: "" },
         },
         ParamSpec {
             id: "finish",
