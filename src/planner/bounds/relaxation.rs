@@ -71,7 +71,7 @@ pub struct Relaxation {
 }
 
 impl Relaxation {
-    /// No work done yet; weights above [`super::MOST_WEIGHT`] count as that.
+    /// No work done yet; weights above 4,096 count as that.
     pub fn new(job: &CoverageJob, objective: Objective) -> Self {
         let graph = Graph::new(&job.free, job.start);
         let cuts = Cuts::of(&graph);
