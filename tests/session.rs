@@ -240,7 +240,7 @@ fn scenario_with_a_seed_that_no_link_can_hold_is_refused() {
 }
 
 fn answer(cells: Vec<Cell>) -> Answer {
-    Answer { path: CoveragePath { cells }, seconds: 0.1, proof: None, trace: Vec::new(), film: Vec::new() }
+    Answer { path: CoveragePath { cells }, seconds: 0.1, proof: None, trace: Vec::new() }
 }
 
 #[test]
@@ -322,29 +322,135 @@ fn best_walk_so_far_is_kept() {
     assert!(plan.above_bound.is_some_and(|gap| gap > 0.0 && Some(&gap) == gaps.last()), "{gaps:?}");
 }
 
+/// Lets a film run to its end, and collects what is said meanwhile.
+fn watched(session: &mut Session) -> Vec<String> {
+    let mut told = Vec::new();
+    for _ in 0..60 * 40 {
+        let text = session.view().search.text;
+        assert_eq!(session.picture().is_none(), text.contains("is over"), "{text}");
+        if told.last() != Some(&text) {
+            told.push(text);
+        }
+        session.frame(1.0 / 60.0, &mut || true);
+    }
+    told
+}
+
 #[test]
 fn search_of_a_small_room_is_a_film() {
     let mut session = Session::new();
     session.select_room("lshape").unwrap();
     session.configure(|s| s.select_algorithm("near_optimal")).unwrap();
     session.plan_now(|| 0.0);
-    assert!(session.preview().is_empty(), "it isn't shown unasked");
+    assert_eq!((session.picture(), session.state()), (None, State::Playing), "it isn't shown unasked");
     session.show_search(true);
-    let mut told = Vec::new();
-    for _ in 0..60 * 20 {
-        let text = session.view().search.text;
-        assert_eq!(session.preview().is_empty(), text.contains("is over"), "{text}");
-        if told.last() != Some(&text) {
-            told.push(text);
-        }
-        session.frame(1.0 / 60.0, &mut || true);
+    assert_eq!(session.state(), State::Ready, "the robot waits");
+    let told = watched(&mut session);
+    assert!(told[0].starts_with("Construction, 1 of 3: Boustrophedon needs "), "{told:?}");
+    assert_eq!(told.iter().filter(|text| text.contains("The search begins with it")).count(), 1, "{told:?}");
+    // Every improvement in three pictures, the way from what it was to what it is.
+    let improvements = &told[3..told.len() - 1];
+    assert!(!improvements.is_empty(), "{told:?}");
+    for three in improvements.chunks(3) {
+        assert!(three[0].starts_with("Improvement") && three[0].ends_with("are about to change."), "{three:?}");
+        assert!(three[1].contains("taken apart there; "), "{three:?}");
+        assert!(three[2].contains("merged again, ") && three[2].contains(" % of the bound."), "{three:?}");
     }
-    assert!(told.len() > 2 && told[0].starts_with("Walk 1 of "), "{told:?}");
-    assert!(told[told.len() - 1].contains("The search is over, the plan is "), "{told:?}");
+    assert!(told[told.len() - 1].starts_with("The search is over: the plan is "), "{told:?}");
     session.show_search(false);
     assert_eq!(session.view().search.text, "");
     session.show_search(true);
     assert_eq!(session.view().search.text, told[0]);
+}
+
+#[test]
+fn film_waits_while_the_robot_drives() {
+    let mut session = Session::new();
+    session.select_room("lshape").unwrap();
+    session.configure(|s| s.select_algorithm("near_optimal")).unwrap();
+    session.show_search(true);
+    session.plan_now(|| 0.0);
+    assert_eq!(session.state(), State::Ready, "a film that was asked for has the floor first");
+    let first = session.view().search.text;
+    session.play();
+    for _ in 0..600 {
+        session.frame(1.0 / 60.0, &mut || true);
+    }
+    assert_eq!(session.picture(), None);
+    assert!(session.view().search.text.contains("waits while the robot drives"), "{}", session.view().search.text);
+    session.pause();
+    assert_eq!(session.view().search.text, first, "it hasn't gone on meanwhile");
+}
+
+#[test]
+fn film_that_is_held_goes_on_by_hand() {
+    let mut session = Session::new();
+    session.select_room("lshape").unwrap();
+    session.configure(|s| s.select_algorithm("near_optimal")).unwrap();
+    session.hold_films();
+    session.plan_now(|| 0.0);
+    session.show_search(true);
+    let at = |session: &Session| session.view().search.film.unwrap().at;
+    for _ in 0..600 {
+        session.frame(1.0 / 60.0, &mut || true);
+    }
+    assert_eq!(at(&session), 0);
+    session.turn_film(true);
+    session.turn_film(true);
+    session.turn_film(false);
+    assert_eq!(at(&session), 1);
+    session.hold_film(false);
+    for _ in 0..120 {
+        session.frame(1.0 / 60.0, &mut || true);
+    }
+    assert_eq!(at(&session), 2);
+    for _ in 0..100 {
+        session.turn_film(true);
+    }
+    let film = session.view().search.film.unwrap();
+    assert_eq!((film.at, session.picture()), (film.pictures, None));
+    session.hold_film(false);
+    assert_eq!(at(&session), 0, "once it's over, it begins again");
+}
+
+#[test]
+fn plan_that_is_kept_early_has_a_film_and_says_so() {
+    let mut session = Session::new();
+    session.select_room("lshape").unwrap();
+    session.configure(|s| s.select_algorithm("near_optimal")).unwrap();
+    let request = session.take_plan_request().unwrap();
+    let (mut film, mut last) = (request.film().unwrap(), None);
+    let mut watch = |report: Report<'_>| {
+        film.take(&report);
+        last = report.proof.map(|proof| (report.done, report.walk.to_vec(), proof));
+        if report.done > 0.3 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    assert!(request.serve(|| 0.0, Some(&mut watch)).is_err());
+    let (done, walk, proof) = last.unwrap();
+    session.plan_filmed(request.id, film.take_frames());
+    session.plan_progress(request.id, Report { done, walk: &walk, proof: Some(proof) });
+    session.keep_plan(1.5);
+    let plan = session.view().plan.unwrap();
+    assert_eq!((plan.kept_at, plan.planning_s), (Some(done), Some(1.5)));
+    session.show_search(true);
+    let told = watched(&mut session);
+    assert!(told.len() > 4 && told.iter().any(|text| text.starts_with("Improvement")), "{told:?}");
+    session.configure(|s| s.select_algorithm("snake")).unwrap();
+    session.plan_now(|| 0.0);
+    assert_eq!(session.view().plan.unwrap().kept_at, None);
+}
+
+#[test]
+fn cancelled_walk_is_no_longer_drawn() {
+    let mut session = Session::new();
+    session.select_room("lshape").unwrap();
+    let request = session.take_plan_request().unwrap();
+    let (start, other) = (request.job.start, Cell::new(request.job.start.x + 1, request.job.start.y));
+    session.plan_progress(request.id, Report { done: 0.5, walk: &[start, other], proof: None });
+    let drawn = session.scene().planned_version;
+    assert_eq!(session.scene().preview.len(), 2);
+    session.cancel_plan();
+    assert!(session.scene().preview.is_empty() && session.scene().planned_version != drawn);
 }
 
 #[test]
@@ -435,10 +541,15 @@ fn search_is_only_shown_where_there_is_one() {
     session.show_search(true);
     let search = session.view().search;
     assert!(search.on && !search.offered && search.text.is_empty(), "boustrophedon doesn't trace");
-    session.restore("room=hall20&planner=snake").unwrap();
-    session.plan_now(|| 0.0);
-    let search = session.view().search;
-    assert!(search.offered && search.text.contains("rooms of up to 20000 cells"), "{}", search.text);
+    for (planner, refusal) in [
+        ("snake", "more than 20000 planning cells aren't shown"),
+        ("near_optimal", "more than 2000 planning cells aren't filmed"),
+    ] {
+        session.restore(&format!("room=hall20&planner={planner}")).unwrap();
+        let search = session.view().search;
+        assert!(search.offered && !search.on && search.text.is_empty(), "{search:?}");
+        assert!(search.refusal.contains(refusal), "{}", search.refusal);
+    }
     session.show_search(false);
     assert!(session.view().search.text.is_empty() && session.decision().is_none());
 }

@@ -5,6 +5,7 @@ import { startDashboard } from "./dashboard.js";
 import { byId } from "./dom.js";
 import { startEvents } from "./events.js";
 import { startFiles } from "./files.js";
+import { startFilm } from "./film.js";
 import { keepRoom, restoreLink } from "./keep.js";
 import { startKeys } from "./keys.js";
 import { startLayers } from "./layers.js";
@@ -105,8 +106,8 @@ async function start() {
     placeKey: (key) => here()?.key(key) ?? false,
   };
   const planning = new Planning({
-    progress: (id, done, cells, proof) => guard(() => playground.plan_progress(id, done, cells, proof)),
-    finished: (id, cells, seconds, trace, proof, film) => guard(() => playground.plan_finished(id, cells, seconds, trace, proof, film)),
+    progress: (id, done, cells, proof, film) => guard(() => playground.plan_progress(id, done, cells, proof, film)),
+    finished: (id, cells, seconds, trace, proof) => guard(() => playground.plan_finished(id, cells, seconds, trace, proof)),
     proven: (id, proof) => guard(() => playground.plan_proven(id, proof)),
     failed: (id, message) => guard(() => playground.plan_failed(id, message)),
   });
@@ -180,11 +181,14 @@ async function start() {
   // One after the other, and not the address as it is by then: `keepLink` may have been faster.
   let restored = Promise.resolve();
   addEventListener("hashchange", ({ newURL }) => (restored = restored.then(() => restore(newURL))));
-  if (matchMedia("(prefers-reduced-motion: reduce)").matches) playground.pause();
+  if (matchMedia("(prefers-reduced-motion: reduce)").matches) {
+    playground.pause();
+    playground.hold_films();
+  }
 
   startPlaces((next) => void enter(next));
   const resized = startStage(app);
-  const updates = [startPanel, startPlaybar, startDashboard, startEvents, startLayers, startManual, startObjects].map((begin) => begin(app));
+  const updates = [startPanel, startPlaybar, startDashboard, startEvents, startLayers, startManual, startObjects, startFilm].map((begin) => begin(app));
   startFiles(app);
   startKeys(app);
 

@@ -86,8 +86,12 @@ export function startPanel(app) {
     noises.forEach(({ menu }, index) => show(menu, view.noise[index] ?? "off"));
     show(select("odometry"), view.odometry);
     show(input("seed"), String(view.seed));
-    show(input("show-search"), String(view.search.on));
-    setHidden(byId("search-field"), !view.search.offered);
+    const { offered, on, refusal } = view.search;
+    show(input("show-search"), String(on));
+    setHidden(byId("search-field"), !offered);
+    setHidden(byId("search-refusal"), !refusal);
+    setText(byId("search-refusal"), refusal);
+    input("show-search").disabled = refusal !== "";
     setText(byId("robot-note"), robots.find(({ id }) => id === view.robot)?.summary ?? "");
     warnOfCells(view, robots);
     const algorithm = algorithms.find(({ id }) => id === view.algorithm);

@@ -5,8 +5,8 @@
  * @typedef {import("./types").FromWorker} FromWorker
  * @typedef {import("./types").Proof | undefined} Proof
  * @typedef {object} Listeners
- * @property {(id: number, done: number, cells: Uint32Array, proof: Proof) => void} progress
- * @property {(id: number, cells: Uint32Array, seconds: number, trace: unknown, proof: Proof, film: unknown[]) => void} finished
+ * @property {(id: number, done: number, cells: Uint32Array, proof: Proof, film: unknown[]) => void} progress
+ * @property {(id: number, cells: Uint32Array, seconds: number, trace: unknown, proof: Proof) => void} finished
  * @property {(id: number, proof: Proof) => void} [proven] What is known of a plan that has been told.
  * @property {(id: number, message: string) => void} failed
  */
@@ -95,13 +95,13 @@ export class Planning {
     }
     if (id !== this.#busy) return;
     if (message.type === "progress") {
-      this.#listeners.progress(id, message.done, message.cells, message.proof);
+      this.#listeners.progress(id, message.done, message.cells, message.proof, message.film ?? []);
       return;
     }
     this.#busy = undefined;
     this.#sent = message.type === "finished" && !message.proof;
     if (this.#sent) this.#proving = id;
-    if (message.type === "finished") this.#listeners.finished(id, message.cells, message.seconds, message.trace, message.proof, message.film);
+    if (message.type === "finished") this.#listeners.finished(id, message.cells, message.seconds, message.trace, message.proof);
     else if (message.type === "failed") this.#listeners.failed(id, message.message);
   }
 }

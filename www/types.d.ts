@@ -175,7 +175,15 @@ export type View = {
   speed_factor: number;
   plan: PlanNumbers | null;
   /** The planner's decision at this moment in words; "" if it isn't to be shown. */
-  search: { offered: boolean; on: boolean; text: string };
+  search: {
+    offered: boolean;
+    on: boolean;
+    text: string;
+    /** Why it can't be shown in this room. */
+    refusal: string;
+    /** The film, if there is one to be seen: the picture's number, from 0, and how many there are. */
+    film: { at: number; pictures: number; runs: boolean } | null;
+  };
   pose_error_m: number;
 };
 
@@ -203,9 +211,9 @@ export type ToWorker =
 /** What a plan costs, and what any must cost. */
 export type Proof = Float64Array;
 export type FromWorker =
-  | { type: "progress"; id: number; done: number; cells: Uint32Array; proof: Proof | undefined }
+  | { type: "progress"; id: number; done: number; cells: Uint32Array; proof: Proof | undefined; film: unknown[] | undefined }
   /** If the planner proves nothing, the worker does, and tells later. */
-  | { type: "finished"; id: number; cells: Uint32Array; seconds: number; trace: unknown; proof: Proof | undefined; film: { cells: Uint32Array; proof: Proof | undefined }[] }
+  | { type: "finished"; id: number; cells: Uint32Array; seconds: number; trace: unknown; proof: Proof | undefined }
   | { type: "proven"; id: number; proof: Proof | undefined }
   | { type: "failed"; id: number; message: string };
 

@@ -69,7 +69,7 @@ export function updateView({ view, playground }) {
   setAttribute(document.body, "data-state", view.state);
   setAttribute(document.body, "data-kind", view.kind);
   updateMessage(view);
-  setHidden(byId("search-note"), !view.search.text);
+  setHidden(byId("search-box"), !view.search.text);
   setText(byId("search-note"), view.search.text);
   updatePlanning(view);
   updateTools(view);

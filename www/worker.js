@@ -26,12 +26,12 @@ self.addEventListener("message", async (/** @type {MessageEvent<import("./types"
   }
   await ready;
   const { id } = message.request;
-  /** @param {number} done @param {Uint32Array} cells @param {import("./types").Proof | undefined} proof */
-  const report = (done, cells, proof) => answer({ type: "progress", id, done, cells, proof }, [cells.buffer]);
+  /** @param {number} done @param {Uint32Array} cells @param {import("./types").Proof | undefined} proof @param {unknown[] | undefined} film */
+  const report = (done, cells, proof, film) => answer({ type: "progress", id, done, cells, proof, film }, [cells.buffer]);
   try {
     if (message.type === "plan") {
-      const { cells, seconds, trace, proof, film } = plan(message.request, report);
-      answer({ type: "finished", id, cells, seconds, trace, proof, film });
+      const { cells, seconds, trace, proof } = plan(message.request, report);
+      answer({ type: "finished", id, cells, seconds, trace, proof });
       if (!proof) answer({ type: "proven", id, proof: prove(message.request, cells) });
     } else if (message.type === "read") {
       const map = read_map(message.request.files);

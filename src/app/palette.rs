@@ -43,6 +43,12 @@ pub struct Palette {
     pub sensor: &'static str,
     /// The side of the room that a planner prefers, and the other one.
     pub sides: [&'static str; 2],
+    /// Parts of a walk that was taken apart, one after the other (Okabe & Ito).
+    pub parts: [&'static str; 4],
+    /// What has just come to a walk.
+    pub link: &'static str,
+    /// Cells where a walk changes.
+    pub tint: &'static str,
     /// Furniture that was placed.
     pub furniture: &'static str,
     /// Edges of furniture.
@@ -99,6 +105,9 @@ const LIGHT: Palette = Palette {
     estimate: "#0072b2",
     sensor: "#00866a",
     sides: ["rgb(0 158 115 / 0.30)", "rgb(204 121 167 / 0.30)"],
+    parts: ["#0072b2", "#d55e00", "#009e73", "#a8488a"],
+    link: "#d4530f",
+    tint: "rgb(86 180 233 / 0.38)",
     furniture: "#e6d0a8",
     furniture_line: "#86683a",
     carpet: "rgb(204 121 167 / 0.20)",
@@ -139,6 +148,9 @@ const DARK: Palette = Palette {
     estimate: "#56b4e9",
     sensor: "#2fd6ad",
     sides: ["rgb(0 190 140 / 0.30)", "rgb(220 120 180 / 0.30)"],
+    parts: ["#56b4e9", "#e69f00", "#2fd6ad", "#dc8cc0"],
+    link: "#ff8f4f",
+    tint: "rgb(86 180 233 / 0.30)",
     furniture: "#5b4a31",
     furniture_line: "#c0a06a",
     carpet: "rgb(204 121 167 / 0.20)",

@@ -1,6 +1,6 @@
 //! What is to be drawn, without saying how.
 
-use super::Shows;
+use super::{Picture, Shows};
 use crate::{
     coverage::{CoverageTracker, ReachableFloor},
     floorplan::{FloorPlan, Object},
@@ -31,7 +31,9 @@ pub struct Scene<'a> {
     pub planned: &'a [Point],
     /// The best line so far while planning; drawn instead of `planned`.
     pub preview: &'a [Point],
-    /// Changes whenever `planned` or `preview` does.
+    /// A picture of how the plan came to be; drawn instead of `planned`.
+    pub film: Option<FilmScene<'a>>,
+    /// Changes whenever `planned`, `preview` or `film` does.
     pub planned_version: u64,
     /// Where the robot has just been, oldest first.
     pub trail: &'a [Point],
@@ -85,6 +87,15 @@ pub struct SearchScene<'a> {
     pub cell_size: f64,
 }
 
+/// A picture of a film on the planning grid.
+#[derive(Debug, Clone, Copy)]
+pub struct FilmScene<'a> {
+    /// The picture.
+    pub picture: &'a Picture,
+    /// Side of a planning cell, m.
+    pub cell_size: f64,
+}
+
 /// A robot as it is seen from above.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RobotView {
@@ -122,6 +133,7 @@ impl<'a> Scene<'a> {
             dirty_rows: None,
             planned: &[],
             preview: &[],
+            film: None,
             planned_version: 0,
             trail: &[],
             life: None,

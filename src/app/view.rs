@@ -114,8 +114,23 @@ pub struct SearchView {
     pub offered: bool,
     /// Whether it is to be shown.
     pub on: bool,
-    /// The decision at this moment, or why there is none; empty if it isn't to be shown.
+    /// The decision at this moment, or what the film shows; empty if there is nothing to tell.
     pub text: String,
+    /// Why it can't be shown in this room; empty if it can.
+    pub refusal: String,
+    /// The film, if there is one and it is to be shown.
+    pub film: Option<FilmView>,
+}
+
+/// How far a film is.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub struct FilmView {
+    /// Number of the picture that is seen, from 0; that of all pictures once it's over.
+    pub at: usize,
+    /// How many pictures there are.
+    pub pictures: usize,
+    /// Whether it goes on by itself.
+    pub runs: bool,
 }
 
 /// The room in numbers.

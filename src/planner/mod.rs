@@ -44,6 +44,11 @@ pub use trace::TraceStep;
 pub trait Planner {
     /// Plans a walk from `job.start`. Must return [`PlanError::Cancelled`] soon after the context says so.
     fn plan(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError>;
+
+    /// The planners whose walks, made with their defaults, this one begins with; none for most.
+    fn begins_with(&self) -> &'static [&'static PlannerInfo] {
+        &[]
+    }
 }
 
 /// Makes a planner for checked parameters.

@@ -5,6 +5,7 @@
 //! frame then costs three copies, the trail and the robot, whatever the size of the room.
 
 use super::{
+    film,
     layer::{Layer, VisitsPicture, cell_picture},
     objects::{Part, Pen},
     robot, search, sensed,
@@ -189,7 +190,9 @@ impl Canvas {
         }
         to_css(above, viewport)?;
         draw_objects(above, scene, viewport, palette, Part::Texture)?;
-        if scene.preview.is_empty() {
+        if let Some(film) = &scene.film {
+            film::draw(above, film, viewport, palette);
+        } else if scene.preview.is_empty() {
             line(above, viewport, scene.planned, palette.planned, 1.25);
         } else {
             line(above, viewport, scene.preview, palette.preview, 1.75);
@@ -514,7 +517,13 @@ fn grid_lines(context: &OffscreenCanvasRenderingContext2d, viewport: &Viewport, 
 }
 
 /// The pieces of a line that are in view; one unit is a CSS pixel.
-fn line(context: &OffscreenCanvasRenderingContext2d, viewport: &Viewport, points: &[Point], colour: &str, width: f64) {
+pub(super) fn line(
+    context: &OffscreenCanvasRenderingContext2d,
+    viewport: &Viewport,
+    points: &[Point],
+    colour: &str,
+    width: f64,
+) {
     let (low, high) = viewport.bounds();
     let is_seen = |a: &Point, b: &Point| {
         a.x.max(b.x) >= low.x && a.x.min(b.x) <= high.x && a.y.max(b.y) >= low.y && a.y.min(b.y) <= high.y

@@ -56,7 +56,7 @@ impl Guest {
     /// The worker is done. Throws a sentence for users if its plan can't be driven.
     pub fn plan_finished(&mut self, id: u32, cells: &[u32], seconds: f64) -> Result<(), JsValue> {
         let path = CoveragePath { cells: walk::cells(cells) };
-        self.session.plan_finished(id, Answer { path, seconds, proof: None, trace: Vec::new(), film: Vec::new() });
+        self.session.plan_finished(id, Answer { path, seconds, proof: None, trace: Vec::new() });
         if self.session.planned().is_some() { Ok(()) } else { Err(self.session.view().message.into()) }
     }
 

@@ -24,6 +24,10 @@ mod drafting;
 mod entry;
 #[cfg(feature = "draft")]
 mod export;
+#[cfg(any(feature = "page", feature = "compare", feature = "robot"))]
+mod film;
+#[cfg(any(feature = "page", feature = "workshop"))]
+mod frames;
 #[cfg(feature = "page")]
 mod furnish;
 #[cfg(any(feature = "compare", feature = "robot", feature = "survey"))]

@@ -2,15 +2,17 @@
 
 use super::{
     clock,
+    frames::frames_to_js,
     proof::proof_to_js,
     request::request_from_js,
     walk::{self, flat},
 };
 use crate::{
+    app::Film,
     metrics::WalkMetrics,
     planner::{Bounds, CoveragePath, Proof, Report},
 };
-use js_sys::{Array, Function, Object, Reflect};
+use js_sys::{Function, Object, Reflect};
 use std::ops::ControlFlow;
 use wasm_bindgen::prelude::*;
 
@@ -19,27 +21,24 @@ const REPORT_EVERY_MS: f64 = 100.0;
 
 /// Plans a request made by `Playground.take_plan_request`. To be called in a worker, as it blocks until it is done.
 ///
-/// `on_progress(done, cells, proof)` is called about ten times a second with the share done, 0 to 1, the best walk so far
-/// as x, y, x, y, ..., and what is proven of it, `[cost, bound]` or nothing. Returns `{ cells, seconds, trace, proof, film }`,
-/// the film being an array of `{ cells, proof }`; throws a message if the request is not valid.
+/// `on_progress(done, cells, proof, film)` is called about ten times a second and at the end, with the share done, 0 to 1,
+/// the best walk so far as x, y, x, y, ..., what is proven of it, `[cost, bound]` or nothing, and what the planner was filmed
+/// at since the last call, an array. Returns `{ cells, seconds, trace, proof }`; throws a message if the request is not valid.
 #[wasm_bindgen]
 pub fn plan(request: &JsValue, on_progress: &Function) -> Result<JsValue, JsValue> {
     let request = request_from_js(request)?;
-    let mut observe = reporter(on_progress);
+    let mut film = request.film();
+    let mut observe = reporter(on_progress, film.as_mut());
     let answer = request.serve(|| clock() / 1000.0, Some(&mut observe)).map_err(|e| e.to_string())?;
+    drop(observe);
+    if film.is_some() {
+        tell(on_progress, &Report { done: 1.0, walk: &answer.path.cells, proof: answer.proof }, film.as_mut());
+    }
     let result = Object::new();
     Reflect::set(&result, &"cells".into(), &flat(&answer.path.cells))?;
     Reflect::set(&result, &"seconds".into(), &answer.seconds.into())?;
     Reflect::set(&result, &"trace".into(), &super::to_js(&answer.trace)?)?;
     Reflect::set(&result, &"proof".into(), &proof_to_js(answer.proof))?;
-    let film = Array::new();
-    for frame in &answer.film {
-        let object = Object::new();
-        Reflect::set(&object, &"cells".into(), &flat(&frame.walk))?;
-        Reflect::set(&object, &"proof".into(), &proof_to_js(frame.proof))?;
-        film.push(&object);
-    }
-    Reflect::set(&result, &"film".into(), &film)?;
     Ok(result.into())
 }
 
@@ -54,16 +53,26 @@ pub fn prove(request: &JsValue, cells: &[u32]) -> Result<JsValue, JsValue> {
     Ok(proof_to_js(proof))
 }
 
-/// Tells `on_progress` now and then how far a planner is.
-pub(super) fn reporter(on_progress: &Function) -> impl FnMut(Report<'_>) -> ControlFlow<()> {
+/// Tells `on_progress` now and then how far a planner is, and films it.
+pub(super) fn reporter(
+    on_progress: &Function,
+    mut film: Option<&mut Film>,
+) -> impl FnMut(Report<'_>) -> ControlFlow<()> {
     let mut reported = clock();
-    move |Report { done, walk, proof }| {
+    move |report| {
+        film.iter_mut().for_each(|film| film.take(&report));
         let now = clock();
         if now - reported >= REPORT_EVERY_MS {
             reported = now;
-            // A page that can't take the report shouldn't stop the planner.
-            let _ = on_progress.call3(&JsValue::NULL, &done.into(), &flat(walk), &proof_to_js(proof));
+            tell(on_progress, &report, film.as_deref_mut());
         }
         ControlFlow::Continue(())
     }
+}
+
+/// A page that can't take the report shouldn't stop the planner.
+fn tell(on_progress: &Function, Report { done, walk, proof }: &Report<'_>, film: Option<&mut Film>) {
+    let frames = film.map_or_else(Vec::new, Film::take_frames);
+    let frames = frames_to_js(&frames).unwrap_or_default();
+    let _ = on_progress.call4(&JsValue::NULL, &(*done).into(), &flat(walk), &proof_to_js(*proof), &frames);
 }

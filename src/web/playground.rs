@@ -3,14 +3,17 @@
 mod hand;
 
 use self::hand::Carried;
-use super::{canvas::Canvas, catalogue::Catalogue, clock, map, proof::proof_from_js, request, to_js, walk};
+use super::{
+    canvas::Canvas, catalogue::Catalogue, clock, frames::frames_from_js, map, proof::proof_from_js, request, to_js,
+    walk,
+};
 use crate::{
-    app::{Answer, Brush, Frame, Furnisher, RobotView, Scene, Session, SettingsError, Viewport},
+    app::{Answer, Brush, Furnisher, RobotView, Scene, Session, SettingsError, Viewport},
     geometry::{Point, Pose, Vector},
     grid::Cell,
     planner::{CoveragePath, Report, TraceStep},
 };
-use js_sys::{Array, Float64Array, Reflect, Uint32Array};
+use js_sys::{Array, Float64Array, Reflect};
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
@@ -154,10 +157,20 @@ impl Playground {
         request.map_or(Ok(JsValue::UNDEFINED), |request| request::request_to_js(&request))
     }
 
-    /// The worker reports the share done, its best walk so far and, as cost and bound, what is proven of that.
-    pub fn plan_progress(&mut self, id: u32, done: f64, cells: &[u32], proof: Option<Vec<f64>>) {
+    /// The worker reports the share done, its best walk so far and, as cost and bound, what is proven of that; and what
+    /// it was filmed at meanwhile.
+    pub fn plan_progress(
+        &mut self,
+        id: u32,
+        done: f64,
+        cells: &[u32],
+        proof: Option<Vec<f64>>,
+        film: &Array,
+    ) -> Result<(), JsValue> {
         let proof = proof_from_js(proof);
+        self.session.plan_filmed(id, frames_from_js(film)?);
         self.session.plan_progress(id, Report { done, walk: &walk::cells(cells), proof });
+        Ok(())
     }
 
     /// The worker is done.
@@ -168,19 +181,11 @@ impl Playground {
         seconds: f64,
         trace: JsValue,
         proof: Option<Vec<f64>>,
-        film: &Array,
     ) -> Result<(), JsValue> {
-        let frame = |object: JsValue| -> Result<Frame, JsValue> {
-            let flat = Uint32Array::new(&Reflect::get(&object, &"cells".into())?).to_vec();
-            let proof = Reflect::get(&object, &"proof".into())?;
-            let proof = (!proof.is_undefined()).then(|| Float64Array::new(&proof).to_vec());
-            Ok(Frame { walk: walk::cells(&flat), proof: proof_from_js(proof) })
-        };
-        let film = film.iter().map(frame).collect::<Result<_, _>>()?;
         let trace: Vec<TraceStep> = serde_wasm_bindgen::from_value(trace).map_err(|e| e.to_string())?;
         let path = CoveragePath { cells: walk::cells(cells) };
         let proof = proof_from_js(proof);
-        self.session.plan_finished(id, Answer { path, seconds, proof, trace, film });
+        self.session.plan_finished(id, Answer { path, seconds, proof, trace });
         Ok(())
     }
 
@@ -231,6 +236,21 @@ impl Playground {
     /// Shows the planner's decisions, or no longer.
     pub fn show_search(&mut self, on: bool) {
         self.session.show_search(on);
+    }
+
+    /// Lets films wait for [`Playground::turn_film`].
+    pub fn hold_films(&mut self) {
+        self.session.hold_films();
+    }
+
+    /// The film's next picture, or the one before.
+    pub fn turn_film(&mut self, forward: bool) {
+        self.session.turn_film(forward);
+    }
+
+    /// Holds the film, or lets it go on.
+    pub fn hold_film(&mut self, is_held: bool) {
+        self.session.hold_film(is_held);
     }
 
     /// Sets a parameter of the planner from the text of a form.

@@ -29,7 +29,7 @@ impl Trials {
             self.arena = Some((request.place.clone(), request.arena()?));
         }
         let Some((_, arena)) = &self.arena else { return Err("there is no room".into()) };
-        let mut observe = reporter(on_progress);
+        let mut observe = reporter(on_progress, None);
         let outcome = request.run(arena, || clock() / 1000.0, Some(&mut observe))?;
         let result = Object::new();
         Reflect::set(&result, &"cells".into(), &flat(&outcome.cells))?;

@@ -44,19 +44,72 @@ test("other planners are measured by a bound once they are done, and can't be st
   assert.ok(await page.locator("#planning-keep").isHidden());
 });
 
-test("in a small room the search is shown, walk after walk", async (t) => {
-  const { page, app, screenshot } = await openApp(t, { ...SIZES.laptop, address: "#room=thesis8&planner=near_optimal" });
-  await app.pause();
-  const floor = () => page.locator("#floor").screenshot().then((png) => png.toString("base64"));
-  const plan = await floor();
+/** Asks for the film of the search, with the keyboard. */
+async function film(page) {
   await page.getByRole("checkbox", { name: "Show the search" }).focus();
   await page.keyboard.press("Space");
-  const note = page.locator("#search-note");
-  await note.waitFor();
-  assert.match(await note.textContent(), /^Walk 1 of \d+: /);
-  assert.notEqual(await floor(), plan, "a former walk is drawn");
-  await screenshot("near-optimal-film");
-  await app.poll(() => note.textContent(), (text) => /^The search is over, the plan is (proven optimal|[\d.]+ % above the proven bound)\./.test(text));
+  await page.locator("#search-note").waitFor();
+}
+
+test("in a small room the search is a film: construction, and what every improvement changes", async (t) => {
+  const { page, app, screenshot } = await openApp(t, { ...SIZES.laptop, address: "#room=thesis226&planner=near_optimal" });
+  assert.equal(await app.state(), "playing");
+  const floor = () => page.locator("#floor").screenshot().then((png) => png.toString("base64"));
+  await film(page);
+  assert.equal(await app.until("ready", "paused"), await app.state(), "the robot waits for the film");
+  const note = () => page.locator("#search-note").textContent();
+  assert.match(await note(), /^Construction, 1 of 3: Boustrophedon .* needs \d+ steps and \d+ turns\./);
+  // Once a picture was turned by hand, no other comes by itself.
+  const told = [];
+  const seen = new Set();
+  const next = page.getByRole("button", { name: "Next picture" });
+  for (let i = 0; i < 40 && !/^The search is over/.test(told.at(-1) ?? ""); i++) {
+    await next.click();
+    await app.frames(2);
+    told.push(await note());
+    seen.add(await floor());
+    if (/taken apart/.test(told.at(-1)) && !told.slice(0, -1).some((text) => /taken apart/.test(text))) await screenshot("near-optimal-film");
+  }
+  assert.ok(told.some((text) => /^Improvement.* of \d+: the tinted cells are about to change\.$/.test(text)), told.join("\n"));
+  assert.ok(told.some((text) => /taken apart there; \d+ parts? stays?\.$/.test(text)));
+  assert.ok(told.some((text) => /merged again, .* (less|more|saved), worth .* % of the bound\. The walk is (proven optimal|[\d.]+ % above)/.test(text)));
+  assert.match(told.at(-1), /^The search is over: the plan is (proven optimal|[\d.]+ % above the proven bound)\./);
+  assert.ok(seen.size > told.length / 2, "every picture is another");
+  await page.getByRole("button", { name: "Show it again" }).click();
+  await app.poll(note, (text) => /^Construction, 1 of 3/.test(text));
+  await app.poll(note, (text) => /^Construction, 2 of 3/.test(text));
+
+  await app.press("Play");
+  await app.poll(note, (text) => /waits while the robot drives/.test(text));
+});
+
+test("with reduced motion the film stands still until somebody turns it", async (t) => {
+  const { page, app } = await openApp(t, { address: "#room=thesis8&planner=near_optimal", reducedMotion: "reduce" });
+  await film(page);
+  await page.waitForTimeout(3000);
+  assert.match(await page.locator("#search-note").textContent(), /^Construction, 1 of 3/);
+  await page.getByRole("button", { name: "Next picture" }).click();
+  await app.poll(() => page.locator("#search-note").textContent(), (text) => /^Construction, 2 of 3/.test(text));
+});
+
+test("a plan that was kept early says so and has a film; a room that is too large has none and says so", async (t) => {
+  const { page, app } = await openApp(t, { address: "#room=thesis226&planner=snake" });
+  await page.evaluate(() => {
+    const keep = document.getElementById("planning-keep");
+    new MutationObserver(() => keep.hidden || keep.click()).observe(keep, { attributeFilter: ["hidden"] });
+    location.hash = "room=thesis226&planner=near_optimal&p.effort=100";
+  });
+  const { plan: early } = await app.poll(() => app.metric("Kept early"), ({ plan }) => /after/.test(plan));
+  assert.match(early, /^after [\d.]+ m?s, \d+ % of the search$/);
+  await film(page);
+  assert.match(await page.locator("#search-note").textContent(), /^Construction, 1 of 3/);
+  const refusal = page.locator("#search-refusal");
+  const box = page.locator("#show-search");
+  assert.ok((await box.isChecked()) && (await refusal.isHidden()));
+
+  await app.choose("room", "office");
+  assert.match(await refusal.textContent(), /^Rooms of more than 2000 planning cells aren't filmed; this one has \d+\.$/);
+  assert.ok((await refusal.isVisible()) && !(await box.isChecked()) && (await box.isDisabled()));
 });
 
 for (const [name, size] of Object.entries(SIZES)) {

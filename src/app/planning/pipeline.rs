@@ -1,20 +1,19 @@
 //! The steps: a room is laid out for a robot, a planner is asked, its walk becomes a line with numbers, a robot drives it.
 
 use crate::{
-    app::{Film, Frame, MOST_FILMED_CELLS},
+    app::{Film, MOST_FILMED_CELLS},
     controller::{BehaviourInfo, FollowPath, Setup},
     coverage::{FloorError, Lattice, ReachableFloor, fine_resolution},
     floorplan::FloorPlan,
     geometry::{Point, Pose},
     metrics::{Bounds, DriveMetrics, PlanNumbers, WalkMetrics},
     planner::{
-        CoverageJob, CoveragePath, Observer, Params, PathError, PlanContext, PlanError, PlannerInfo, Proof, Report,
-        TraceStep,
+        CoverageJob, CoveragePath, Observer, Params, PathError, PlanContext, PlanError, PlannerInfo, Proof, TraceStep,
     },
     robot::{OdometryModel, RobotModel},
     sim::{Conditions, Run, RunSetup, World},
 };
-use std::{ops::ControlFlow, sync::Arc};
+use std::sync::Arc;
 
 /// A room laid out for one robot, one start and one cell size.
 #[derive(Debug, Clone)]
@@ -57,8 +56,6 @@ pub struct Answer {
     pub proof: Option<Proof>,
     /// The planner's decisions, if it tells them and the room isn't larger than [`MOST_SEARCH_CELLS`].
     pub trace: Vec<TraceStep>,
-    /// Its walks on the way, if it is one that improves them and the room isn't larger than [`MOST_FILMED_CELLS`].
-    pub film: Vec<Frame>,
 }
 
 /// Free cells up to which decisions are recorded: a record for every step is far larger than the step.
@@ -77,8 +74,8 @@ pub struct Planned {
     pub planning_s: f64,
     /// How good the walk is known to be, once somebody has proven it.
     pub proof: Option<Proof>,
-    /// Whether somebody was content with it before its planner was.
-    pub is_cut_short: bool,
+    /// Share of the search after which somebody was content with it before its planner was.
+    pub kept_at: Option<f64>,
 }
 
 impl Prepared {
@@ -136,21 +133,19 @@ impl Prepared {
 }
 
 impl PlanRequest {
-    /// Plans here and now. `clock` tells seconds since any moment, as the core has no clock of its own.
-    pub fn serve(&self, clock: impl Fn() -> f64, mut observer: Option<Observer<'_>>) -> Result<Answer, PlanError> {
-        let planner = self.planner.build(&self.params);
+    /// A film of the search, to be shown what the planner reports; `None` for planners that don't improve a walk, and for
+    /// rooms of more than [`MOST_FILMED_CELLS`].
+    pub fn film(&self) -> Option<Film> {
         let is_filmed = self.planner.claims.anytime && self.job.cells() <= MOST_FILMED_CELLS;
-        let (mut film, is_observed) = (Film::default(), observer.is_some());
-        let mut watch = |report: Report<'_>| {
-            if is_filmed {
-                film.take(&report);
-            }
-            observer.as_mut().map_or(ControlFlow::Continue(()), |observe| observe(report))
-        };
-        let mut ctx = if is_observed || is_filmed {
-            PlanContext::observed(self.seed, &mut watch)
-        } else {
-            PlanContext::new(self.seed)
+        is_filmed.then(|| Film::of(self.planner, &self.params, &self.job))
+    }
+
+    /// Plans here and now. `clock` tells seconds since any moment, as the core has no clock of its own.
+    pub fn serve(&self, clock: impl Fn() -> f64, observer: Option<Observer<'_>>) -> Result<Answer, PlanError> {
+        let planner = self.planner.build(&self.params);
+        let mut ctx = match observer {
+            Some(observer) => PlanContext::observed(self.seed, observer),
+            None => PlanContext::new(self.seed),
         };
         let mut trace = Vec::new();
         let mut tell = |step| trace.push(step);
@@ -160,11 +155,7 @@ impl PlanRequest {
         let began = clock();
         let path = planner.plan(&self.job, &mut ctx)?;
         let proof = ctx.proof;
-        let seconds = (clock() - began).max(0.0);
-        if is_filmed {
-            film.take(&Report { done: 1.0, walk: &path.cells, proof });
-        }
-        Ok(Answer { path, seconds, proof, trace, film: film.into_frames() })
+        Ok(Answer { path, seconds: (clock() - began).max(0.0), proof, trace })
     }
 }
 
@@ -180,7 +171,7 @@ impl Planned {
             line,
             planning_s: *seconds,
             proof: *proof,
-            is_cut_short: false,
+            kept_at: None,
         })
     }
 

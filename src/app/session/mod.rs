@@ -6,7 +6,7 @@ mod search;
 mod snapshot;
 
 use super::{
-    Action, Brush, Editor, Import, PlanRequest, Planned, Prepared, Recording, ScenarioError, Search, Settings,
+    Action, Brush, Editor, Film, Import, PlanRequest, Planned, Prepared, Recording, ScenarioError, Search, Settings,
     SettingsError, Showing, State,
 };
 use crate::{
@@ -49,8 +49,11 @@ pub struct Session {
     /// Whether the planner's decisions are to be shown, and they, once they are known.
     shows_search: bool,
     search: Option<Search>,
-    /// How the plan came to be, if it was filmed.
+    /// How the plan came to be, if it was filmed, and whether films go on only when asked to.
     film: Option<Showing>,
+    holds_films: bool,
+    /// The picture of it that was shown last.
+    film_at: Option<usize>,
 }
 
 /// Why files can't be taken.
@@ -74,6 +77,8 @@ struct Planning {
     preview: Vec<Point>,
     /// How good that walk is known to be.
     proof: Option<Proof>,
+    /// The walks so far.
+    film: Film,
 }
 
 /// Something to tell the user.
@@ -104,6 +109,8 @@ impl Session {
             shows_search: false,
             search: None,
             film: None,
+            holds_films: false,
+            film_at: None,
         };
         session.prepare();
         session
@@ -163,10 +170,9 @@ impl Session {
         self.planned.as_ref()
     }
 
-    /// The line of the best walk so far while a planner is at work; that of a former walk while its search is shown.
+    /// The line of the best walk so far while a planner is at work.
     pub fn preview(&self) -> &[Point] {
-        let film = self.film.as_ref().filter(|_| self.shows_search).map_or(&[][..], Showing::line);
-        self.planning.as_ref().map_or(film, |p| &p.preview)
+        self.planning.as_ref().map_or(&[], |p| &p.preview)
     }
 
     /// The run.
@@ -188,9 +194,7 @@ impl Session {
 
     /// Lets `elapsed_s` seconds pass, as long as `has_time` says so.
     pub fn frame(&mut self, elapsed_s: f64, has_time: &mut dyn FnMut() -> bool) {
-        if let Some(film) = self.film.as_mut().filter(|_| self.shows_search) {
-            self.previews += u64::from(film.go_on(elapsed_s.clamp(0.0, LONGEST_FRAME)));
-        }
+        self.film_goes_on(elapsed_s.clamp(0.0, LONGEST_FRAME));
         let state = self.state();
         let Some(recording) = &mut self.recording else { return };
         match state {

@@ -2,10 +2,14 @@
 
 use super::{Planning, Session, sentence};
 use crate::{
-    app::{Algorithm, Answer, PlanRequest, Planned, Prepared, Recording, Search, Settings, Showing, State, opening},
+    app::{
+        Algorithm, Answer, Film, Frame, PlanRequest, Planned, Prepared, Recording, Search, Settings, Showing, State,
+        opening,
+    },
     floorplan,
     planner::{CoveragePath, PlanError, Proof, Report},
 };
+use std::ops::ControlFlow;
 
 /// Share of the reachable floor below which a plan is worth a warning.
 const LEAST_COVERAGE: f64 = 0.75;
@@ -20,7 +24,7 @@ impl Session {
             return Some(request);
         }
         let path = CoveragePath { cells: opening::from_runs(request.job.start, opening::WALK) };
-        let answer = Answer { path, seconds: 0.0, proof: None, trace: Vec::new(), film: Vec::new() };
+        let answer = Answer { path, seconds: 0.0, proof: None, trace: Vec::new() };
         self.plan_finished(request.id, answer);
         None
     }
@@ -28,8 +32,16 @@ impl Session {
     /// Makes the plan here and now; for small rooms and tests. `clock` gives seconds.
     pub fn plan_now(&mut self, clock: impl Fn() -> f64) {
         let Some(request) = self.take_plan_request() else { return };
-        match request.serve(clock, None) {
-            Ok(answer) => self.plan_finished(request.id, answer),
+        let mut film = request.film();
+        let mut watch = |report: Report<'_>| {
+            film.iter_mut().for_each(|film| film.take(&report));
+            ControlFlow::Continue(())
+        };
+        match request.serve(clock, Some(&mut watch)) {
+            Ok(answer) => {
+                self.plan_filmed(request.id, film.map_or(Vec::new(), |mut film| film.take_frames()));
+                self.plan_finished(request.id, answer);
+            }
             Err(PlanError::Cancelled) => self.cancel_plan(),
             Err(error @ PlanError::Unlisted) => self.plan_failed(request.id, &error.to_string()),
         }
@@ -47,6 +59,13 @@ impl Session {
         }
     }
 
+    /// What a planner was filmed at since this was told last.
+    pub fn plan_filmed(&mut self, id: u32, frames: Vec<Frame>) {
+        if let Some(planning) = self.planning.as_mut().filter(|p| p.id == id) {
+            frames.into_iter().for_each(|frame| planning.film.add(frame));
+        }
+    }
+
     /// Whether the planner at work may be stopped with a walk that cleans all: only of such a one anything is proven.
     pub(super) fn can_keep(&self) -> bool {
         let is_anytime = self.settings.algorithm.planner().is_some_and(|planner| planner.claims.anytime);
@@ -56,14 +75,14 @@ impl Session {
     /// The user is content with the best walk so far, `seconds` after the planner began. Cancels if there is none.
     pub fn keep_plan(&mut self, seconds: f64) {
         let Some(planning) = self.planning.as_mut() else { return };
-        let (id, proof, cells) = (planning.id, planning.proof, planning.walk.clone());
+        let (id, proof, cells, done) = (planning.id, planning.proof, planning.walk.clone(), planning.progress);
         if !self.can_keep() {
             return self.cancel_plan();
         }
         let path = CoveragePath { cells };
-        self.plan_finished(id, Answer { path, seconds, proof, trace: Vec::new(), film: Vec::new() });
+        self.plan_finished(id, Answer { path, seconds, proof, trace: Vec::new() });
         if let Some(planned) = &mut self.planned {
-            planned.is_cut_short = true;
+            planned.kept_at = Some(done);
         }
     }
 
@@ -78,22 +97,21 @@ impl Session {
 
     /// A planner is done.
     pub fn plan_finished(&mut self, id: u32, answer: Answer) {
-        if self.planning.as_ref().is_none_or(|p| p.id != id) {
-            return;
-        }
-        self.planning = None;
+        let Some(mut planning) = self.planning.take_if(|p| p.id == id) else { return };
         self.previews += 1;
         let Some(prepared) = &self.prepared else { return };
         match Planned::new(prepared, &answer) {
             Ok(planned) => {
                 let Settings { conditions, odometry, seed, .. } = self.settings;
                 self.recording = Some(Recording::new(planned.run(prepared, conditions, odometry, seed)));
-                let Answer { path, trace, film, .. } = answer;
-                self.film = Showing::new(&film, &prepared.lattice);
+                let Answer { path, trace, proof, .. } = answer;
+                planning.film.take(&Report { done: 1.0, walk: &path.cells, proof });
+                self.film = Showing::new(&planning.film.take_frames(), &prepared.lattice, self.holds_films);
                 self.search = (!trace.is_empty()).then(|| Search::new(prepared, &planned, &path.cells, trace));
                 let coverage = planned.drive.coverage;
                 self.planned = Some(planned);
                 self.warn_of_coarse_cells(coverage);
+                self.begin_film();
             }
             Err(error) => self.planner_failed(&error.to_string()),
         }
@@ -115,6 +133,8 @@ impl Session {
     pub fn cancel_plan(&mut self) {
         if self.planning.take().is_some() {
             self.playing = false;
+            // What it had found so far is no longer drawn.
+            self.previews += 1;
             self.say("notice", "Planning was cancelled. Press play to plan again, or choose something else.".into());
         }
     }
@@ -171,7 +191,15 @@ impl Session {
                         let request = Some(PlanRequest { id: self.requests, planner, params, seed, job });
                         let (walk, preview) = (Vec::new(), Vec::new());
                         let id = self.requests;
-                        self.planning = Some(Planning { request, id, progress: 0.0, walk, preview, proof: None });
+                        self.planning = Some(Planning {
+                            request,
+                            id,
+                            progress: 0.0,
+                            walk,
+                            preview,
+                            proof: None,
+                            film: Film::default(),
+                        });
                     }
                     // Nothing to wait for: it knows nothing of the room.
                     Algorithm::Behaviour(behaviour) => {

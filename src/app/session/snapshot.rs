@@ -3,8 +3,9 @@
 use super::Session;
 use crate::{
     app::{
-        Action, Recording, RobotView, Scene, SearchScene, Sensed, Shows, State, View, diary_version, in_words,
-        view::{Can, PlanView, RoomView, SearchView},
+        Action, FilmScene, Recording, RobotView, Scene, SearchScene, Sensed, Shows, State, View, diary_version,
+        in_words,
+        view::{Can, PlanView, RoomView},
     },
     planner::Proof,
     sim::{Run, SensorKind, SlipLevel},
@@ -18,6 +19,9 @@ impl Session {
         let Shows { sensors, estimate, .. } = self.settings.shows;
         let is_lost = self.settings.conditions.slip != SlipLevel::None;
         let robot = run.map(|run| RobotView::of(run, &model, estimate || is_lost));
+        let film = self.picture().map(|picture| FilmScene { picture, cell_size: self.settings.cell_size });
+        // A picture of the film is about the plan alone.
+        let coverage = self.settings.shows.coverage && film.is_none();
         Scene {
             plan: self.editor.plan(),
             // Both only grow, and one of them with every change.
@@ -27,8 +31,9 @@ impl Session {
             run_version: (u64::from(self.requests) << 32) + self.recording.as_ref().map_or(0, Recording::version),
             planned: self.planned.as_ref().map_or(&[], |p| &p.line),
             preview: self.preview(),
+            film,
             planned_version: u64::from(self.requests) + self.previews,
-            trail: run.map_or(&[], Run::trail),
+            trail: run.filter(|_| film.is_none()).map_or(&[], Run::trail),
             life: run.map(Run::life),
             steps: run.map_or(0, Run::steps),
             believed: run.filter(|_| estimate).map_or(&[], Run::believed_trail),
@@ -37,7 +42,7 @@ impl Session {
             start: self.prepared.as_ref().map(|p| p.floor.start),
             start_radius: model.radius,
             start_body: model.body,
-            shows: self.settings.shows,
+            shows: Shows { coverage, ..self.settings.shows },
             sensed: run.filter(|_| sensors).map(|run| Sensed { reading: run.sensors(), floor: run.floor() }),
             ..Scene::empty(self.editor.plan())
         }
@@ -90,7 +95,7 @@ impl Session {
             turning_deg: run.map_or(0.0, |r| r.turning_rad().to_degrees()),
             bumps: run.map_or(0, Run::bumps),
             pose_error_m: run.and_then(Run::pose_error_m).unwrap_or(0.0),
-            search: SearchView { offered: self.offers_search(), on: self.shows_search, text: self.search_text() },
+            search: self.search_view(),
             plan: self.plan_view(),
         }
     }

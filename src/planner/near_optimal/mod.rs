@@ -180,6 +180,10 @@ impl Planner for NearOptimal {
         ctx.proof = Some(work.proof());
         Ok(CoveragePath { cells: work.walk() })
     }
+
+    fn begins_with(&self) -> &'static [&'static PlannerInfo] {
+        &[&boustrophedon::INFO, &backtracking_spiral::INFO, &boustrophedon_cells::INFO]
+    }
 }
 
 /// What a fast planner finds, while `so_far` is shown.
