@@ -35,7 +35,8 @@ export function startTips() {
   });
   document.addEventListener("focusin", (event) => {
     if (event.target instanceof Element && event.target.matches(":focus-visible")) show(event.target);
-    else hide();
+    // A click gives a term the focus without a mark, and is no reason to take its own definition away.
+    else if (!(event.target instanceof Node && owner?.contains(event.target))) hide();
   });
   // A tap on a term opens its definition, the next tap closes it.
   document.addEventListener("click", (event) => {

@@ -108,6 +108,11 @@ export type PlanNumbers = {
   planning_s: number | null;
   /** By how much it costs more than any plan must, as a share of that; 0 if it is proven to be the best, `null` if nothing is proven. */
   above_bound: number | null;
+  /** Steps that a quarter turn counts as in `above_bound`, and whether that is the time that the robot takes. */
+  turn_weight: number;
+  times_turns: boolean;
+  /** Share of the search after which it was kept; `null` if the planner ended by itself. */
+  kept_at: number | null;
 };
 
 export type State = "planning" | "ready" | "playing" | "paused" | "finished" | "seeking" | "failed";

@@ -7,7 +7,7 @@ import { updateMessage } from "./messages.js";
 /**
  * @typedef {import("./types").View} View
  * @typedef {import("./types").PlanNumbers} Plan
- * @typedef {{ label: string, tip: string, plan?: (p: Plan) => string, run?: (v: View) => string, when?: (v: View) => boolean }} Metric
+ * @typedef {{ label: string, tip: string | ((v: View) => string), plan?: (p: Plan) => string, run?: (v: View) => string, when?: (v: View) => boolean }} Metric
  */
 
 /** @type {Metric[]} */
@@ -28,9 +28,17 @@ const PLAN_METRICS = [
   { label: "Steps", tip: "Steps from one cell to the next.", plan: (p) => count(p.steps) },
   { label: "Revisits", tip: "Visits to cells beyond the first to each: driving that cleans nothing new.", plan: (p) => count(p.revisits) },
   { label: "Turns", tip: "Quarter turns between steps on the grid; a reversal counts as two.", plan: (p) => count(p.turns) },
-  { label: "Above the bound", tip: "How much more the plan costs than any plan over these cells must, in steps + 2 × quarter turns, or in the weights that its planner was given. At 0 % it is proven to be the best.", plan: (p) => (p.above_bound === null ? "–" : p.above_bound === 0 ? "proven optimal" : `${gap(p.above_bound)} %`) },
+  { label: "Above the bound", tip: bound, plan: (p) => (p.above_bound === null ? "–" : p.above_bound === 0 ? "proven optimal" : `${gap(p.above_bound)} %`) },
+  { label: "Kept early", tip: "The search was stopped by hand, and its best plan so far kept: how long it had taken, and how much of its effort that was.", plan: (p) => `after ${took(p.planning_s ?? 0)}, ${percent(p.kept_at ?? 0, 0)} % of the search`, when: (v) => typeof v.plan?.kept_at === "number" },
   { label: "Planned in", tip: "Time that this computer took to work out the plan. That of the opening scene comes with the page.", plan: (p) => (p.planning_s === null ? "made in advance" : took(p.planning_s)) },
 ];
+
+/** What is meant by the share above the bound. @param {View} view */
+function bound({ plan }) {
+  const turn = plan?.turn_weight ?? 2;
+  const weights = `its steps + ${+turn.toFixed(2)} × its quarter turns${plan?.times_turns ? " (as long as this robot takes for one, in steps)" : ""}`;
+  return `How much more the plan costs than any plan over these cells must, in percent of that. A plan costs ${weights}. At 0 % it is proven to be the best.`;
+}
 
 /** @type {{ metric: Metric, plan: Element, run: Element, line: HTMLElement }[]} */
 const rows = [];
@@ -41,7 +49,7 @@ function row(metric, wide) {
   const run = make("td");
   const term = make("button", { type: "button", className: "term" }, metric.label);
   if (!wide) plan.className = "plan-only";
-  const line = make("tr", { "data-tip": metric.tip }, make("th", { scope: "row" }, term), plan, ...(wide ? [] : [run]));
+  const line = make("tr", typeof metric.tip === "string" ? { "data-tip": metric.tip } : {}, make("th", { scope: "row" }, term), plan, ...(wide ? [] : [run]));
   rows.push({ metric, plan, run, line });
   return line;
 }
@@ -60,6 +68,7 @@ export function updateView({ view, playground }) {
     if (metric.when) setHidden(line, !metric.when(view));
     setText(plan, known && metric.plan ? metric.plan(known) : "–");
     setText(run, metric.run ? metric.run(view) : "–");
+    if (typeof metric.tip !== "string") setAttribute(line, "data-tip", metric.tip(view));
   }
   setText(byId("n-coverage"), percent(view.coverage));
   setText(byId("n-time"), clock(view.time_s));

@@ -174,4 +174,10 @@ pub struct PlanView {
     /// By how much the plan, or the best walk so far, costs more than any walk must, as a share of that; 0 if it is proven
     /// to be the best, `None` if nothing is proven.
     pub above_bound: Option<f64>,
+    /// Steps that a quarter turn counts as in that.
+    pub turn_weight: f64,
+    /// Whether that is as long as the robot takes for one.
+    pub times_turns: bool,
+    /// Share of the search after which the user was content with the plan; `None` if the planner ended by itself.
+    pub kept_at: Option<f64>,
 }

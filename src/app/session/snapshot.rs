@@ -7,8 +7,8 @@ use crate::{
         in_words,
         view::{Can, PlanView, RoomView},
     },
-    planner::Proof,
-    sim::{Run, SensorKind, SlipLevel},
+    planner::{Proof, TURN_STEPS},
+    sim::{Run, SensorKind, SlipLevel, What},
 };
 
 impl Session {
@@ -116,7 +116,20 @@ impl Session {
         }
     }
 
+    /// What a quarter turn counts as where plans are measured by a bound, in steps, and whether that is the robot's time:
+    /// planners that prove their plans have weights of their own, for others there are those of tables.
+    fn turn_weight(&self) -> (f64, bool) {
+        let planner = self.settings.algorithm.planner().filter(|planner| planner.claims.anytime);
+        let given = planner.map(|_| self.settings.params.number("turn"));
+        match (given, &self.prepared) {
+            (Some(turn), _) if turn > 0.0 => (turn, false),
+            (Some(_), Some(prepared)) => (prepared.job.turn_s / prepared.job.step_s, true),
+            _ => (TURN_STEPS as f64, false),
+        }
+    }
+
     fn plan_view(&self) -> Option<PlanView> {
+        let (turn_weight, times_turns) = self.turn_weight();
         if let Some(planning) = &self.planning {
             return Some(PlanView {
                 running: true,
@@ -125,6 +138,9 @@ impl Session {
                 drive: None,
                 planning_s: None,
                 above_bound: planning.proof.map(Proof::gap),
+                turn_weight,
+                times_turns,
+                kept_at: None,
             });
         }
         self.planned.as_ref().map(|planned| PlanView {
@@ -134,6 +150,9 @@ impl Session {
             drive: Some(planned.drive),
             planning_s: (!self.is_opening).then_some(planned.planning_s),
             above_bound: planned.proof.map(Proof::gap),
+            turn_weight,
+            times_turns,
+            kept_at: planned.kept_at,
         })
     }
 
