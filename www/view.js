@@ -57,6 +57,9 @@ function row(metric, wide) {
 byId("metrics-run").append(...RUN_METRICS.map((metric) => row(metric, false)));
 byId("metrics-plan").append(...PLAN_METRICS.map((metric) => row(metric, true)));
 
+/** Where fingers point there is hardly a keyboard. */
+const HAS_KEYS = !matchMedia("(hover: none)").matches;
+
 /** When the picture was last put into words. */
 let narrated = -Infinity;
 
@@ -126,7 +129,7 @@ function updateTools({ can, tool, state, speed_factor, speed, is_lifted, is_carr
   setText(byId("lift-name"), is_lifted ? "Put down" : "Pick up");
   setAttribute(button("lift"), "aria-label", is_lifted ? "Put the robot down" : "Pick the robot up");
   setHidden(byId("carry-note"), !is_carried);
-  setText(byId("carry-note"), is_carried ? "Drag the robot, or carry it with the arrow keys. Enter puts it down, Escape puts it back." : "");
+  setText(byId("carry-note"), is_carried ? (HAS_KEYS ? "Click where to put the robot down, or drag it there. Arrow keys carry it, Enter puts it down, Escape puts it back." : "Tap where to put the robot down, or drag it there.") : "");
   setEnabled(button("undo"), can.undo);
   setEnabled(button("redo"), can.redo);
   const lags = state === "playing" && speed_factor > 0 && (speed === 0 || speed_factor < 0.9 * speed);

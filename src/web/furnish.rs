@@ -61,7 +61,7 @@ impl Playground {
         self.furnisher.take_any(&self.session, at, reach)
     }
 
-    /// Selects what is clicked on with the view tool.
+    /// Selects what is clicked on with the view tool; puts a robot that is held down there.
     pub(super) fn watch_for_click(&mut self, kind: &str, x: f64, y: f64) {
         let is_near = |(from_x, from_y): (f64, f64)| (x - from_x).abs().max((y - from_y).abs()) < CLICK_PX;
         match kind {
@@ -70,6 +70,9 @@ impl Playground {
             "up" => {
                 if self.pressed.take().is_some_and(is_near) {
                     let at = self.viewport.to_world(x, y);
+                    if self.put_down_at(at) {
+                        return;
+                    }
                     self.furnisher.click(&self.session, at, GRIP_PX / self.viewport.scale);
                 }
             }

@@ -447,6 +447,8 @@ impl Playground {
                 Gesture::Paint
             }
             Tool::Start => Gesture::Start { pose: Pose::new(at.x, at.y, heading), turns: true },
+            // A click puts down what is held; see `watch_for_click`.
+            Tool::View if self.carried.is_some() && !self.is_on_robot(at) => Gesture::Pan { x, y },
             Tool::View | Tool::Place if self.takes_selected(at) => Gesture::Object,
             Tool::Place => {
                 self.furnisher.begin(at);

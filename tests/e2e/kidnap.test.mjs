@@ -59,6 +59,25 @@ test("the robot is picked up and carried by keys, and escape puts it back", asyn
   assert.ok(Math.abs((await error(app)) - before) < 0.3, "it stands where it stood");
 });
 
+for (const isPaused of [false, true]) {
+  test(`a click puts the held robot down, ${isPaused ? "while time stands still" : "while it runs"}`, async (t) => {
+    const { page, app } = await openApp(t, { address: ROOM });
+    await app.numbersThat(({ time }) => time > 0);
+    if (isPaused) await app.pause();
+    await app.press("Pick the robot up");
+    await page.locator("#carry-note").waitFor();
+    await page.mouse.click(...(await app.spot(0.62, 0.4)));
+    await page.locator("#carry-note").waitFor({ state: "hidden" });
+    await page.getByRole("button", { name: "Pick the robot up" }).waitFor();
+    if (isPaused) {
+      // Its readings are as old as the last step, and so is what it believes; but it was put down.
+      await app.poll(() => page.locator("#activity").textContent(), (text) => !/wait|hand/i.test(text));
+      await app.press("Play");
+    }
+    await app.poll(() => error(app), (metres) => metres > 0.5);
+  });
+}
+
 test("before the run begins, dragging the robot moves the start", async (t) => {
   const { app } = await openApp(t, { address: ROOM });
   await app.press("Back to the start");

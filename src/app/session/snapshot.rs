@@ -72,7 +72,7 @@ impl Session {
             robot: self.settings.robot,
             algorithm: self.settings.algorithm.id(),
             kind: self.settings.algorithm.kind(),
-            activity: run.map_or("", Run::activity),
+            activity: run.map_or("", activity),
             diary: run.map_or(0.0, diary_version),
             is_lifted: self.is_lifted(),
             blocked: run.and_then(Run::blocked).map(|b| [b.forward, b.left, b.right, b.backward]),
@@ -178,4 +178,11 @@ impl Session {
             view.time_s / 60.0
         )
     }
+}
+
+/// What the robot is doing, in a few words. One that was put down while time stands still hasn't felt that yet.
+fn activity(run: &Run) -> &'static str {
+    let last = run.events().back();
+    let is_put_down = last.is_some_and(|event| event.what == What::PutDown && event.step >= run.steps());
+    if is_put_down { "put down, about to go on" } else { run.activity() }
 }

@@ -98,6 +98,16 @@ impl Playground {
         self.carried = Some(Carried { pose: self.above_floor(Pose::new(to.x, to.y, pose.heading)), from });
     }
 
+    /// Puts the robot that is held down at `at`, unless that is where it's held; says whether it did.
+    pub(in crate::web) fn put_down_at(&mut self, at: Point) -> bool {
+        if self.carried.is_none() || self.is_on_robot(at) {
+            return false;
+        }
+        self.carry_to(at, Vector::zeros());
+        self.pick_up();
+        true
+    }
+
     /// Puts the robot that is held where it stood.
     pub(super) fn put_back(&mut self) {
         if let Some(carried) = self.carried.take() {
