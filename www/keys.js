@@ -23,6 +23,9 @@ export function startKeys(app) {
   singleKeys.checked = remembered() !== "off";
   singleKeys.addEventListener("change", () => remember(singleKeys.checked ? "on" : "off"));
 
+  // Before anything that Escape closes is closed: it does one thing at a time.
+  document.addEventListener("keydown", (event) => event.key === "Escape" && cancels(app, event) && app.cancelPlanning(), { capture: true });
+
   document.addEventListener("keydown", (event) => {
     if (document.querySelector("dialog[open]") || event.defaultPrevented || event.altKey) return;
     const target = event.target instanceof Element ? event.target : document.body;
@@ -30,6 +33,13 @@ export function startKeys(app) {
     const used = event.ctrlKey || event.metaKey ? withControl(app, event) : singleKeys.checked && single(app, event, target, dialog);
     if (used) event.preventDefault();
   });
+}
+
+/** Whether Escape means the planner: nothing else is open or being written. @param {App} app @param {KeyboardEvent} event */
+function cancels({ view }, { target, ctrlKey, metaKey, altKey }) {
+  if (place() !== "explore" || !view.can.cancel || ctrlKey || metaKey || altKey) return false;
+  const isOpen = document.querySelector("dialog[open], .sheet.open, #layers:not([hidden]), #tip:not([hidden])");
+  return !isOpen && !(target instanceof Element && target.matches("textarea, input:not([type=checkbox], [type=range])"));
 }
 
 /** Ctrl or Cmd and a key. @param {App} app @param {KeyboardEvent} event */

@@ -36,6 +36,20 @@ test("long planning is shown and cancelled at once", async (t) => {
   await app.poll(() => app.numbers(), ({ distance }) => distance > 0);
 });
 
+test("escape cancels planning once nothing else is open", async (t) => {
+  const { page, app } = await openApp(t, { address: "#room=thesis8&planner=near_optimal" });
+  await app.pause();
+  await page.locator("#room").selectOption("office");
+  await page.locator("#planning-gap").waitFor();
+  // What is open is closed first.
+  await page.locator("#layers-open").click();
+  await page.keyboard.press("Escape");
+  assert.equal(await app.state(), "planning");
+  await page.keyboard.press("Escape");
+  await app.until("failed");
+  assert.match(await app.message(), /cancelled/);
+});
+
 test("a map of a million cells is planned and driven", async (t) => {
   const { app } = await openApp(t, { address: "#room=thesis8" });
   await app.drop(textMap("large.txt", pillars(1000)));
