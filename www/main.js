@@ -192,6 +192,7 @@ async function start() {
   startFiles(app);
   startKeys(app);
 
+  let isFirst = true;
   /** @param {number} now */
   const frame = (now) => {
     if (!alive) return;
@@ -204,6 +205,9 @@ async function start() {
         playground.frame(now);
       }
       const view = (app.view = playground.view());
+      // Only the opening scene doesn't begin with its beginning.
+      if (isFirst && view.time_s > 60) tellOpening();
+      isFirst = false;
       const other = here();
       if (other) return updateMessage(other.frame(now) ?? view);
       updateView(app);
@@ -223,6 +227,12 @@ async function start() {
   setInterval(keep, 500);
   addEventListener("pagehide", keep);
   document.body.dataset.boot = "ready";
+}
+
+/** Says for a while why the robot has come so far already. */
+function tellOpening() {
+  byId("opening").textContent = ": ten minutes in";
+  setTimeout(() => (byId("opening").textContent = ""), 15_000);
 }
 
 /** Keeps the address such that it leads back here. @param {string} link */

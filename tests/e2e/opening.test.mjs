@@ -27,6 +27,29 @@ test("opens on a robot that is already cleaning", async (t) => {
   assert.equal(await app.message(), "");
 });
 
+test("says for a while that the opening scene is ten minutes in, and others aren't", async (t) => {
+  const { page } = await openApp(t);
+  const caption = (page) => page.locator(".timeline-caption > span").first().innerText();
+  assert.equal(await caption(page), "Coverage over time: ten minutes in");
+  await page.waitForFunction(() => document.getElementById("opening").textContent === "", undefined, { timeout: 20_000 });
+  const other = await openApp(t, { address: "#room=lshape" });
+  assert.equal(await caption(other.page), "Coverage over time");
+});
+
+test("a definition stays while its term is clicked, and says what is counted", async (t) => {
+  const { page, app } = await openApp(t, { address: "#room=thesis8&planner=near_optimal" });
+  const term = page.getByRole("button", { name: "Above the bound" });
+  await term.click();
+  await app.frames(3);
+  assert.match(await app.text("#tip"), /A plan costs its steps \+ [\d.]+ × its quarter turns \(as long as this robot takes/);
+  await app.choose("algorithm", "snake");
+  await term.hover();
+  await term.click();
+  assert.match(await app.text("#tip"), /steps \+ 2 × its quarter turns\./);
+  await page.keyboard.press("Escape");
+  assert.ok(await page.locator("#tip").isHidden());
+});
+
 test("has a title, and a text for those who can't see the floor", async (t) => {
   const { page, app } = await openApp(t);
   assert.equal(await page.title(), "Robovac Playground");
