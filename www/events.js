@@ -1,6 +1,7 @@
 // @ts-check
 // The list of events: what happened to the robot, latest first; each leads back to its time.
 import { byId, changed, make, setHidden, setText } from "./dom.js";
+import { clock } from "./format.js";
 
 /**
  * @typedef {{ time: number, text: string, felt: boolean }} Entry
@@ -47,7 +48,7 @@ export function startEvents(app) {
       const entry = entries[index];
       setHidden(item, !entry);
       if (!entry) return;
-      setText(time, `${entry.time.toFixed(1)} s`);
+      setText(time, clock(entry.time));
       setText(text, entry.text);
       const kind = entry.time > view.time_s + 0.01 ? "ahead" : entry.felt ? "felt" : "";
       if (changed(item, "kind", kind)) item.className = kind;

@@ -1,7 +1,7 @@
 // Robots that react to what they feel: chosen, watched, and found again.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { openApp } from "./app.mjs";
+import { openApp, seconds } from "./app.mjs";
 
 const BOUNCE = "#room=thesis8&behaviour=bounce&speed=16";
 
@@ -50,10 +50,10 @@ test("an event leads back to its time", async (t) => {
   // What happened right before shows a few frames later, on top of the list.
   await app.frames(20);
   const lines = await app.poll(() => events(page), (lines) => lines.length >= 6);
-  const [, seconds] = /^(\d+\.\d) s/.exec(lines[4]);
+  const [clock] = /^\d+:\d\d/.exec(lines[4]);
   await page.locator("#events li button").nth(4).click();
   await app.settled();
-  await app.numbersThat(({ time }) => Math.abs(time - Number(seconds)) <= 1);
+  await app.numbersThat(({ time }) => Math.abs(time - seconds(clock)) <= 1);
   assert.ok((await events(page)).length >= lines.length, "what comes after stays in the list");
   await app.poll(() => page.locator("#events li.ahead").count(), (ahead) => ahead >= 3);
 });
