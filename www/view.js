@@ -133,5 +133,5 @@ function updateTools({ can, tool, state, speed_factor, speed, is_lifted, is_carr
   setEnabled(button("undo"), can.undo);
   setEnabled(button("redo"), can.redo);
   const lags = state === "playing" && speed_factor > 0 && (speed === 0 || speed_factor < 0.9 * speed);
-  setText(byId("pace"), lags ? pace(speed_factor) : "");
+  setText(byId("pace"), lags ? `${pace(speed_factor)} reached` : "");
 }
