@@ -68,10 +68,10 @@ export function updateView({ view, playground }) {
   const { plan } = view;
   const known = plan && plan.steps > 0 ? plan : null;
   for (const { metric, plan, run, line } of rows) {
+    if (typeof metric.tip !== "string") setAttribute(line, "data-tip", metric.tip(view));
     if (metric.when) setHidden(line, !metric.when(view));
     setText(plan, known && metric.plan ? metric.plan(known) : "–");
     setText(run, metric.run ? metric.run(view) : "–");
-    if (typeof metric.tip !== "string") setAttribute(line, "data-tip", metric.tip(view));
   }
   setText(byId("n-coverage"), percent(view.coverage));
   setText(byId("n-time"), clock(view.time_s));
