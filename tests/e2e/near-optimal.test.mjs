@@ -72,7 +72,7 @@ test("in a small room the search is a film: construction, and what every improve
   }
   assert.ok(told.some((text) => /^Improvement.* of \d+: the tinted cells are about to change\.$/.test(text)), told.join("\n"));
   assert.ok(told.some((text) => /taken apart there; \d+ parts? stays?\.$/.test(text)));
-  assert.ok(told.some((text) => /merged again, .* (less|more|saved), worth .* % of the bound\. The walk is (proven optimal|[\d.]+ % above)/.test(text)));
+  assert.ok(told.some((text) => /merged again, .* (less|more|saved) \(.* % of the bound\); now (proven optimal|[\d.]+ % above)/.test(text)));
   assert.match(told.at(-1), /^The search is over: the plan is (proven optimal|[\d.]+ % above the proven bound)\./);
   assert.ok(seen.size > told.length / 2, "every picture is another");
   await page.getByRole("button", { name: "Show it again" }).click();

@@ -43,6 +43,7 @@ test("a definition stays while its term is clicked, and says what is counted", a
   await app.frames(3);
   assert.match(await app.text("#tip"), /A plan costs its steps \+ [\d.]+ × its quarter turns \(as long as this robot takes/);
   await app.choose("algorithm", "snake");
+  await page.mouse.move(5, 5);
   await term.hover();
   await term.click();
   assert.match(await app.text("#tip"), /steps \+ 2 × its quarter turns\./);

@@ -54,10 +54,12 @@ impl Showing {
     /// From the beginning; `None` if there is nothing to be seen. One that `is_held` goes on only when asked to.
     pub fn new(frames: &[Frame], lattice: &Lattice, is_held: bool) -> Option<Self> {
         let (firsts, search): (Vec<&Frame>, Vec<&Frame>) = frames.iter().partition(|frame| frame.proof.is_none());
-        let begun = search.first().map_or(&[][..], |frame| &frame.walk);
+        // A closed tour goes on from there, back to the start.
+        let begun =
+            search.first().and_then(|begun| firsts.iter().position(|frame| begun.walk.starts_with(&frame.walk)));
         let mut pictures: Vec<Picture> = Vec::new();
         for (index, frame) in firsts.iter().enumerate() {
-            pictures.push(first(frame, (index + 1, firsts.len()), begun, lattice));
+            pictures.push(first(frame, (index + 1, firsts.len()), begun == Some(index), lattice));
         }
         for (index, pair) in largest(&search).into_iter().enumerate() {
             let total = search.last().map_or(0, |last| last.number);
@@ -139,11 +141,9 @@ fn won(former: &Frame, latter: &Frame) -> f64 {
 }
 
 /// A walk that the search could begin with.
-fn first(frame: &Frame, (number, all): (usize, usize), begun: &[Cell], lattice: &Lattice) -> Picture {
+fn first(frame: &Frame, (number, all): (usize, usize), is_chosen: bool, lattice: &Lattice) -> Picture {
     let Frame { walk, planner, .. } = frame;
     let (steps, turns) = (amount(steps(walk), "step"), amount(turns(walk), "turn"));
-    // A closed tour goes on from there, back to the start.
-    let is_chosen = begun.starts_with(walk);
     let chosen = if is_chosen { " The search begins with it." } else { "" };
     Picture {
         lines: vec![(Ink::Walk, lattice.anchors(walk))],
@@ -171,11 +171,7 @@ fn improvement([former, latter]: [&Frame; 2], total: u32, seconds: [f64; 3], lat
     let texts = [
         format!("{which}: the tinted cells are about to change."),
         format!("{which}: the walk is taken apart there; {} stay{s}.", amount(stay as i64, "part")),
-        format!(
-            "{which}: merged again, {}, worth {share} % of the bound. The walk is {}.",
-            less(&change),
-            good(latter.proof)
-        ),
+        format!("{which}: merged again, {} ({share} % of the bound); now {}.", less(&change), good(latter.proof)),
     ];
     let [marked, apart, merged_text] = texts;
     let picture = |lines, text, seconds| Picture { lines, tinted: change.cells.clone(), text, seconds };
