@@ -60,7 +60,9 @@ pub(super) fn reporter(
 ) -> impl FnMut(Report<'_>) -> ControlFlow<()> {
     let mut reported = clock();
     move |report| {
-        film.iter_mut().for_each(|film| film.take(&report));
+        if let Some(film) = &mut film {
+            film.take(&report);
+        }
         let now = clock();
         if now - reported >= REPORT_EVERY_MS {
             reported = now;

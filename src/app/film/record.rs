@@ -137,7 +137,9 @@ mod tests {
         let mut there = Film::default();
         there.add(frames[0].clone());
         film.take(&Report { done: 0.0, walk: &walk, proof: Some(Proof { cost: 9, bound: 8 }) });
-        film.take_frames().into_iter().for_each(|frame| there.add(frame));
+        for frame in film.take_frames() {
+            there.add(frame);
+        }
         assert_eq!(there.take_frames().len(), 1);
     }
 }

@@ -29,6 +29,7 @@ const OWN_ROOM: &str = "own";
 ///
 /// The session has no clock and no thread: [`Session::frame`] is told how much time has passed and asks whether it may
 /// go on; planning happens wherever [`Session::take_plan_request`] is served.
+#[expect(clippy::struct_excessive_bools)]
 pub struct Session {
     settings: Settings,
     editor: Editor,

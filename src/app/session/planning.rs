@@ -34,7 +34,9 @@ impl Session {
         let Some(request) = self.take_plan_request() else { return };
         let mut film = request.film();
         let mut watch = |report: Report<'_>| {
-            film.iter_mut().for_each(|film| film.take(&report));
+            if let Some(film) = &mut film {
+                film.take(&report);
+            }
             ControlFlow::Continue(())
         };
         match request.serve(clock, Some(&mut watch)) {
@@ -62,7 +64,9 @@ impl Session {
     /// What a planner was filmed at since this was told last.
     pub fn plan_filmed(&mut self, id: u32, frames: Vec<Frame>) {
         if let Some(planning) = self.planning.as_mut().filter(|p| p.id == id) {
-            frames.into_iter().for_each(|frame| planning.film.add(frame));
+            for frame in frames {
+                planning.film.add(frame);
+            }
         }
     }
 
