@@ -368,6 +368,7 @@ fn film_waits_while_the_robot_drives() {
     let mut session = Session::new();
     session.select_room("lshape").unwrap();
     session.configure(|s| s.select_algorithm("near_optimal")).unwrap();
+    session.configure(|s| s.set_param("effort", "0")).unwrap();
     session.show_search(true);
     session.plan_now(|| 0.0);
     assert_eq!(session.state(), State::Ready, "a film that was asked for has the floor first");
@@ -387,6 +388,7 @@ fn film_that_is_held_goes_on_by_hand() {
     let mut session = Session::new();
     session.select_room("lshape").unwrap();
     session.configure(|s| s.select_algorithm("near_optimal")).unwrap();
+    session.configure(|s| s.set_param("effort", "0")).unwrap();
     session.hold_films();
     session.plan_now(|| 0.0);
     session.show_search(true);
