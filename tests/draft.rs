@@ -268,7 +268,7 @@ fn a_sweep_leaves_in_every_format() {
     // It can be opened again, with the path at its place.
     let again = Board::open(&[file("again.dxf", drawing)]).unwrap();
     assert_eq!(again.view().size.as_deref(), Some("4.0 × 3.0 m"));
-    assert!(text(Format::Program).contains("FORWARD"));
+    assert!(text(Format::Program).contains("MOVE"));
     assert!(text(Format::Csv).starts_with("x_m,"));
     assert!(text(Format::Poses).contains("poses"));
     assert!(text(Format::Commands).lines().count() > 10);
