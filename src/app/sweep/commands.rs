@@ -24,9 +24,9 @@ const LEAST_TURN: f64 = 0.002;
 const LEAST_WAY: f64 = 0.002;
 /// The slowest speed that is tried, as a share of the fastest.
 const SLOWEST: f64 = 0.35;
-/// How near a wheel has to come to its travel, ahead and in turns, so that no slower speed is tried, m (ours): 1 mm, and a
-/// tenth of a degree of a Roomba.
-const NEAR: [f64; 2] = [1e-3, 2e-4];
+/// How near a way ahead has to end, so that no slower speed is tried, m (ours). Turns are to end as near as they can: what they
+/// are off by grows with the way after them.
+const NEAR: f64 = 1e-3;
 
 /// Bytes to be sent to a robot.
 #[derive(Debug, Clone, PartialEq)]
@@ -129,7 +129,7 @@ impl List<'_> {
     /// Turns on the spot by about `angle` rad, and returns by how much.
     fn turn(&mut self, angle: f64) -> f64 {
         let half = 0.5 * self.robot.wheel_base;
-        let Some(mut go) = self.choose(angle.abs() * half, self.robot.turn_wheel_speed, NEAR[1]) else { return 0.0 };
+        let Some(mut go) = self.choose(angle.abs() * half, self.robot.turn_wheel_speed, 0.0) else { return 0.0 };
         if angle.abs() < LEAST_TURN {
             return 0.0;
         }
@@ -148,7 +148,7 @@ impl List<'_> {
         if length < LEAST_WAY {
             return 0.0;
         }
-        let Some(go) = self.choose(length, self.robot.cruise_speed, NEAR[0]) else { return 0.0 };
+        let Some(go) = self.choose(length, self.robot.cruise_speed, NEAR) else { return 0.0 };
         let counts = go.travel() * self.robot.counts_per_metre;
         let meaning = format!("forward {:.3} m, {counts:.0} encoder counts", go.travel());
         self.go(Command::DriveDirect { right: go.speed, left: go.speed }, &go, meaning);
