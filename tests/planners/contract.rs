@@ -1,6 +1,6 @@
 //! What every planner of the registry must do in every room.
 
-use super::support::{Scenario, scenarios};
+use super::support::{LARGE, Scenario, build, scenarios};
 use robovac_playground::{
     floorplan::room,
     grid::{Cell, Direction, from_picture},
@@ -11,23 +11,6 @@ use robovac_playground::{
     },
 };
 use std::ops::ControlFlow;
-
-/// Parameters that say how long to look for something better.
-const EFFORTS: [&str; 2] = ["effort", "generations"];
-/// Free cells from which on tests don't look for something better: what holds at the least effort and with full effort in
-/// small rooms is worth more than the minutes.
-const LARGE: usize = 120;
-
-/// The planner with its default parameters, with the least effort for a large room.
-fn build(info: &PlannerInfo, cells: usize) -> Box<dyn Planner> {
-    let mut params = Params::defaults(info.params);
-    for spec in info.params.iter().filter(|spec| cells > LARGE && EFFORTS.contains(&spec.id)) {
-        if let ParamKind::Number { min, .. } = spec.kind {
-            params.set(info.params, spec.id, ParamValue::Number(min)).expect("the least is in range");
-        }
-    }
-    info.build(&params)
-}
 
 fn plan(info: &PlannerInfo, job: &CoverageJob, seed: u64) -> CoveragePath {
     build(info, job.cells()).plan(job, &mut PlanContext::new(seed)).expect("nobody cancels")
@@ -50,11 +33,14 @@ fn suits(info: &PlannerInfo, scenario: &Scenario, job: &CoverageJob) -> bool {
 #[test]
 fn walks_can_be_driven_and_cover_what_they_claim() {
     for scenario in scenarios() {
-        for (info, job) in PLANNERS.iter().flat_map(|info| scenario.jobs().map(move |job| (info, job))) {
+        let jobs = || scenario.jobs().enumerate();
+        for (info, (number, job)) in PLANNERS.iter().flat_map(|info| jobs().map(move |job| (info, job))) {
             if !suits(info, &scenario, &job) {
                 continue;
             }
-            let path = plan(info, &job, 1);
+            // With full effort once in each room.
+            let size = if number == 0 { job.cells() } else { usize::MAX };
+            let path = build(info, size).plan(&job, &mut PlanContext::new(1)).expect("nobody cancels");
             let what = describe(info, &scenario, &job);
             path.check(&job).unwrap_or_else(|error| panic!("{what}: {error}"));
             let metrics = WalkMetrics::of(&job, &path);

@@ -45,6 +45,8 @@ pub struct Bench<'a> {
     clock: &'a dyn Fn() -> f64,
     memory: &'a dyn Fn() -> Option<usize>,
     report: &'a mut dyn FnMut(&BenchResult),
+    /// Only cases whose names contain it are run.
+    only: &'a str,
     results: Vec<BenchResult>,
 }
 
@@ -56,7 +58,13 @@ impl<'a> Bench<'a> {
         memory: &'a dyn Fn() -> Option<usize>,
         report: &'a mut dyn FnMut(&BenchResult),
     ) -> Self {
-        Self { clock, memory, report, results: Vec::new() }
+        Self { clock, memory, report, only: "", results: Vec::new() }
+    }
+
+    /// Leaves out cases whose names don't contain `text`.
+    #[must_use]
+    pub fn only(self, text: &'a str) -> Self {
+        Self { only: text, ..self }
     }
 
     /// What has been measured.
@@ -67,6 +75,9 @@ impl<'a> Bench<'a> {
     /// Measures a case, which stands for `simulated` seconds if it is a simulation. It runs at least twice, so that a
     /// browser has compiled it well.
     pub fn take(&mut self, name: &str, case: &mut dyn FnMut(), simulated: Option<f64>) {
+        if !name.contains(self.only) {
+            return;
+        }
         let clock = self.clock;
         let mut sample = |repeats: u32| {
             let began = clock();
@@ -88,6 +99,9 @@ impl<'a> Bench<'a> {
 
     /// Measures a case as it is the first time: what has just been loaded isn't compiled well yet.
     pub fn once(&mut self, name: &str, case: impl FnOnce()) {
+        if !name.contains(self.only) {
+            return;
+        }
         let began = (self.clock)();
         case();
         self.tell(name, (self.clock)() - began, None);

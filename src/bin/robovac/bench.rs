@@ -10,6 +10,9 @@ pub struct Arguments {
     /// Write one JSON array instead of a table
     #[arg(long)]
     json: bool,
+    /// Measure only cases whose names contain TEXT, e.g. "simulate"
+    #[arg(long, value_name = "TEXT", default_value = "", hide_default_value = true)]
+    only: String,
 }
 
 /// Measures. The rows of the table are written as they come, as it takes a while; what is left to print is returned.
@@ -17,23 +20,29 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let begin = Instant::now();
     let clock = || begin.elapsed().as_secs_f64();
     if arguments.json {
-        return Ok(output::json(&all(&clock, &mut |_| {})));
+        return Ok(output::json(&all(&arguments.only, &clock, &mut |_| {})?));
     }
     let mut written = output::print(&line("", "ms, median", "times real time"));
-    all(&clock, &mut |result| {
+    all(&arguments.only, &clock, &mut |result| {
         if written.is_ok() {
             written = output::print(&row(result));
         }
-    });
+    })?;
     written.map(|()| String::new())
 }
 
-fn all(clock: &dyn Fn() -> f64, report: &mut dyn FnMut(&BenchResult)) -> Vec<BenchResult> {
-    let mut bench = Bench::new(clock, &|| None, report);
+fn all(only: &str, clock: &dyn Fn() -> f64, report: &mut dyn FnMut(&BenchResult)) -> Result<Vec<BenchResult>, Failure> {
+    let mut bench = Bench::new(clock, &|| None, report).only(only);
     for cases in [bench::planning, bench::mapping, bench::streaming, bench::drafting] {
         cases(&mut bench);
     }
-    bench.into_results()
+    let results = bench.into_results();
+    if results.is_empty() {
+        return Err(Failure::usage(format!(
+            "--only {only}: no case has that in its name; \"robovac bench\" names all"
+        )));
+    }
+    Ok(results)
 }
 
 fn row(result: &BenchResult) -> String {
