@@ -268,10 +268,64 @@ fn a_sweep_leaves_in_every_format() {
     // It can be opened again, with the path at its place.
     let again = Board::open(&[file("again.dxf", drawing)]).unwrap();
     assert_eq!(again.view().size.as_deref(), Some("4.0 × 3.0 m"));
-    assert!(text(Format::Program).contains("FORWARD"));
+    assert!(text(Format::Program).contains("MOVE"));
     assert!(text(Format::Csv).starts_with("x_m,"));
     assert!(text(Format::Poses).contains("poses"));
     assert!(text(Format::Commands).lines().count() > 10);
+}
+
+#[test]
+fn files_of_a_sweep_name_the_robot_that_it_was_planned_for() {
+    let mut board = furnished(Some(6));
+    let mut heads = |body: BodyChoice| {
+        change(&mut board, |settings| settings.body = body);
+        plan(&mut board).unwrap();
+        [Format::Program, Format::Commands].map(|format| {
+            let text = String::from_utf8(board.export(format).unwrap().bytes).unwrap();
+            let is_comment = |line: &&str| line.starts_with([';', '#']);
+            text.lines().take_while(is_comment).collect::<Vec<_>>().join("\n")
+        })
+    };
+    let [program, bytes] = heads(BodyChoice::Octagon { width: 0.4 });
+    assert!(
+        program.starts_with("; planned   for an octagon, 0.400 m wide\n; robot     moves as the Octagon"),
+        "{program}"
+    );
+    assert!(!program.contains("Roomba 600"), "{program}");
+    assert!(
+        bytes.starts_with("# planned   for an octagon, 0.400 m wide\n# runs on   Roomba 600 / Create 2, a circle of")
+    );
+    assert!(bytes.contains("not planned for"), "{bytes}");
+    let [program, bytes] = heads(BodyChoice::Model { id: "roomba600".into() });
+    assert!(program.contains("for the Roomba 600 / Create 2, a circle of") && program.contains("turns on the spot"));
+    assert!(!bytes.contains("not planned for"), "{bytes}");
+    let [program, _] = heads(BodyChoice::Circle { radius: 0.2 });
+    assert!(program.contains("for a circle of 0.200 m radius\n; robot     moves as the Roomba"), "{program}");
+}
+
+/// A flat of two rooms of 3 m x 3 m with a door of 80 cm between them, and one of 3 m x 3 m beside them without a door.
+const FLAT: [Polyline; 4] = [
+    ("WALLS", true, &[(0.0, 0.0), (9.4, 0.0), (9.4, 3.0), (0.0, 3.0)]),
+    ("WALLS", true, &[(3.0, 0.0), (3.2, 0.0), (3.2, 1.2), (3.0, 1.2)]),
+    ("WALLS", true, &[(3.0, 2.0), (3.2, 2.0), (3.2, 3.0), (3.0, 3.0)]),
+    ("WALLS", false, &[(6.2, 0.0), (6.2, 3.0)]),
+];
+
+#[test]
+fn a_room_that_reaches_on_through_doors_says_so_and_how_to_close_them() {
+    let mut board = open(dxf("flat.dxf", Some(6), &FLAT));
+    assert_eq!(board.doors(), None, "nobody has marked a room");
+    board.set_part(Part::Room { at: [1.0, 1.5] }).unwrap();
+    let (both, doors) = (board.floor_m2(), board.doors().expect("there is a door"));
+    assert!(both > 17.0 && doors.count == 1, "{both} {doors:?}");
+    assert!((0.75..=1.0).contains(&doors.gap) && (8.0..9.5).contains(&doors.floor_m2), "{doors:?}");
+    assert!(board.description().contains("one opening as wide as doors"), "{}", board.description());
+    change(&mut board, |settings| settings.gap = doors.gap);
+    assert_eq!((board.floor_m2(), board.doors()), (doors.floor_m2, None));
+    // A room without a door reaches nowhere.
+    change(&mut board, |settings| settings.gap = 0.1);
+    board.set_part(Part::Room { at: [8.0, 1.5] }).unwrap();
+    assert_eq!(board.doors(), None);
 }
 
 #[test]

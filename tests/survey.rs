@@ -277,6 +277,28 @@ fn a_kidnapped_robot_does_not_know() {
 }
 
 #[test]
+fn an_explorer_that_is_carried_off_finds_itself_and_goes_on_exploring() {
+    let mut survey = survey("room=bedroom&robot=roomba600&seed=3");
+    survey.run_ahead(240.0);
+    let before = known(&survey);
+    survey.lift();
+    survey.put_down(Pose::new(1.0, 1.6, 2.0));
+    survey.run_ahead(2.0);
+    assert_eq!((survey.view().is_sure, survey.view().activity), (Some(false), "looking for itself on its map"));
+    let mut waited = 0;
+    while survey.view().is_sure.is_some() && waited < 40 {
+        assert_eq!(known(&survey), before, "who is lost doesn't know what he maps");
+        survey.run_ahead(15.0);
+        waited += 1;
+    }
+    assert_eq!(survey.view().is_sure, None, "it is found");
+    let off = survey.figures().expect("there is a run")[0].position_m.expect("it has an idea");
+    assert!(off < 0.15, "{off} m off");
+    survey.run_ahead(120.0);
+    assert!(known(&survey) > before, "it goes on");
+}
+
+#[test]
 fn every_explorer_can_be_chosen_and_links_bring_choices_back() {
     for info in explorers() {
         let mut survey = small();

@@ -15,7 +15,7 @@ const PLANNER_CLAIMS = [
 
 /** @type {Claim[]} */
 const BEHAVIOUR_CLAIMS = [
-  ["cleans", "cleans", "doesn't clean", "Covers more and more of the floor.", "Serves another purpose than covering the floor."],
+  ["cleans", "made to clean", "not made to clean", "Covers more and more of the floor.", "Serves another purpose. It sweeps where it drives, but doesn't set out to cover the floor."],
   ["ends", "ends by itself", "goes on and on", "Comes to an end by itself.", "Goes on until you stop it or the battery is empty."],
 ];
 

@@ -7,6 +7,7 @@ use crate::{
     math,
     robot::{Body, RobotModel},
 };
+use std::fmt;
 
 /// Most corners of an outline.
 pub const MAX_OUTLINE_CORNERS: usize = 64;
@@ -132,6 +133,24 @@ impl Outline {
     }
 }
 
+/// In words that follow "for": `an octagon, 0.400 m wide`.
+impl fmt::Display for Outline {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let corners = match self {
+            Self::Circle { radius } => return write!(f, "a circle of {radius:.3} m radius"),
+            Self::Polygon(corners) => corners,
+        };
+        let (low, high) = self.bounds();
+        let is_at_end = |p: &Point| (p.x == low.x || p.x == high.x) && (p.y == low.y || p.y == high.y);
+        match corners.len() {
+            4 if corners.iter().all(is_at_end) => write!(f, "a rectangle, {:.3} m long", high.x - low.x)?,
+            8 => write!(f, "an octagon")?,
+            count => write!(f, "a polygon of {count} corners")?,
+        }
+        write!(f, ", {:.3} m wide", high.y - low.y)
+    }
+}
+
 /// Lower left and upper right corner of the box around some points; the origin if there are none.
 pub(super) fn bounds(points: &[Point]) -> (Point, Point) {
     let Some(&first) = points.first() else { return (Point::origin(), Point::origin()) };
@@ -150,6 +169,19 @@ mod tests {
 
     fn points(corners: &[(f64, f64)]) -> Vec<Point> {
         corners.iter().map(|&(x, y)| Point::new(x, y)).collect()
+    }
+
+    #[test]
+    fn outlines_are_told_by_their_shape_and_width() {
+        let own = Outline::checked(points(&[(0.2, -0.1), (0.2, 0.1), (-0.2, 0.0)])).unwrap();
+        let words = [Outline::octagon(0.4).unwrap(), Outline::rectangle(0.5, 0.3).unwrap(), own].map(|o| o.to_string());
+        let expected = [
+            "an octagon, 0.400 m wide",
+            "a rectangle, 0.500 m long, 0.300 m wide",
+            "a polygon of 3 corners, 0.200 m wide",
+        ];
+        assert_eq!(words, expected);
+        assert_eq!(Outline::circle(0.17).unwrap().to_string(), "a circle of 0.170 m radius");
     }
 
     #[test]

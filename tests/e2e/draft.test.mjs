@@ -97,7 +97,7 @@ test("the sample is traced, cut, swept, exported, used and undone", async (t) =>
   await screenshot("draft-sweep");
   assert.match(await page.locator("#draft-floor").getAttribute("aria-label"), /sweep of [\d.]+ metres/);
 
-  const starts = { dxf: /^\s*0\r?\n\s*SECTION|^\s*999/, program: /./, commands: /80/, csv: /^x/, poses: /./ };
+  const starts = { dxf: /^\s*0\r?\n\s*SECTION|^\s*999/, program: /^; planned   for an octagon, 0\.400 m wide\n; robot     moves as the Octagon/, commands: /^# planned   for an octagon, 0\.400 m wide\n# runs on   Roomba 600/, csv: /^x/, poses: /./ };
   for (const [format, start] of Object.entries(starts)) {
     const [download] = await Promise.all([page.waitForEvent("download"), page.locator(`[data-format=${format}]`).click()]);
     const content = fs.readFileSync(await download.path(), "latin1");
@@ -115,6 +115,25 @@ test("the sample is traced, cut, swept, exported, used and undone", async (t) =>
   await app.press("Undo");
   await app.settled();
   assert.equal(await app.room(), before);
+});
+
+test("a room that reaches on through doors offers to close them", async (t) => {
+  const { page, app } = await openDraft(t);
+  const whole = await sample(app);
+  assert.match(await text(app, "#draft-facts"), /all that is drawn: 10\.4 × 8\.0 m/);
+  assert.match(await text(app, "#draft-result"), /Room 9\.8 × 7\.4 m, walls included/);
+  assert.ok(await page.locator("#draft-doors").isHidden(), "nobody has marked a room");
+  await page.getByRole("button", { name: "This room", exact: true }).click();
+  await click(app, 0.42, 0.42);
+  await page.locator("#draft-doors").waitFor();
+  const open = await floor(app);
+  assert.ok(open > 0.8 * whole, `${open} of ${whole} m²`);
+  const [, told] = /through 3 openings as wide as a door\. With them closed it has ([\d.]+) m²/.exec(await text(app, "#draft-doors-text"));
+  await page.getByRole("button", { name: "Close gaps up to 0.85 m" }).click();
+  await app.poll(() => floor(app), (area) => area === Number(told));
+  assert.ok(await page.locator("#draft-doors").isHidden());
+  assert.equal(await page.locator("#draft-gap").inputValue(), "0.85");
+  assert.match(await text(app, "#draft-result"), /3 gaps closed/);
 });
 
 test("a drawing without unit asks for it, with the size of each answer", async (t) => {

@@ -140,6 +140,77 @@ test("a reload goes on where it was", async (t) => {
   await phase("ready");
 });
 
+/** Lets it drive, reloads the page meanwhile, and says what was on the clock when the page was left, s. */
+async function reloadOnTheWay(page, app, until) {
+  await page.locator("#survey-play").click();
+  await app.poll(() => figures(app), ({ time }) => time >= until);
+  await page.evaluate(() => addEventListener("pagehide", () => sessionStorage.setItem("left", document.getElementById("survey-n-time").textContent)));
+  await page.reload();
+  await page.locator("#survey-play").waitFor();
+  await phase(app, "paused");
+  return seconds(await page.evaluate(() => sessionStorage.getItem("left")));
+}
+
+test("a reload while it drives takes nothing back", async (t) => {
+  const { page, app } = await openSurvey(t, { link: SMALL.replace("256", "64") });
+  // Before the database has anything, and with something in it.
+  for (const until of [5, 60]) {
+    const left = await reloadOnTheWay(page, app, until);
+    assert.equal((await figures(app)).time, left);
+    assert.equal(await app.message(), "");
+  }
+  await app.poll(() => page.evaluate(() => localStorage.getItem("map-last")), (last) => last === null);
+});
+
+test("where there is no room to keep the last moments, it says how much is missing", async (t) => {
+  const { page, app } = await openSurvey(t, { link: SMALL.replace("256", "64") });
+  const { time } = await explore(app, 30);
+  await app.poll(() => stored(page), (count) => count === 1);
+  await app.frames(40);
+  await page.evaluate(() => {
+    const full = () => {
+      throw new DOMException("full", "QuotaExceededError");
+    };
+    const set = Storage.prototype.setItem;
+    Storage.prototype.setItem = function (key, value) {
+      return value.length > 1000 ? full() : set.call(this, key, value);
+    };
+    IDBObjectStore.prototype.put = full;
+  });
+  const left = await reloadOnTheWay(page, app, time + 20);
+  assert.equal((await figures(app)).time, time);
+  const missing = Number(/goes on ([\d.]+) s before where you left it/.exec(await app.message())?.[1]);
+  assert.ok(Math.abs(missing - (left - time)) <= 1, `${missing} of ${left - time} s`);
+});
+
+test("getting lost says that clock and figures begin anew, and leads back", async (t) => {
+  const { page, app, phase } = await openSurvey(t);
+  const before = await explore(app, 150);
+  await page.locator("#survey-lose").click();
+  await page.locator("#survey-began").waitFor();
+  assert.match(await page.locator("#survey-began-text").textContent(), /begin anew.*\d:\d\d min, \d+ % mapped\) is kept/);
+  assert.ok((await figures(app)).time < before.time);
+  await page.getByRole("button", { name: "Back to mapping" }).first().click();
+  await phase("paused");
+  assert.deepEqual(await figures(app), before);
+  assert.ok(await page.locator("#survey-began").isHidden() && await page.locator("#survey-known").isHidden());
+});
+
+test("frontiers and the way to one are in the legend while they are drawn, and in words", async (t) => {
+  const { page, app } = await openSurvey(t, { link: SMALL.replace("bounce", "explore_frontier").replace("256", "16") });
+  const [frontier, way] = [page.locator(".survey-legend .on-frontiers"), page.locator(".survey-legend .on-route")];
+  assert.ok(await frontier.isHidden() && await way.isHidden());
+  await page.locator("#survey-play").click();
+  await app.poll(() => page.locator("#place-map").getAttribute("data-goals"), (goals) => goals === "frontiers route");
+  await page.locator("#survey-play").click();
+  assert.ok(await frontier.isVisible() && await way.isVisible());
+  await app.poll(() => page.locator("#survey-floor").getAttribute("aria-label"), (words) => /driving to (one of \d+ places )?where what it knows ends/.test(words));
+  await page.keyboard.press("l");
+  await page.getByLabel("Goals, frontiers").uncheck();
+  await frontier.waitFor({ state: "hidden" });
+  assert.ok(await way.isHidden());
+});
+
 test("other choices have surveys of their own, and what was mapped comes back with them", async (t) => {
   const { page, app, phase } = await openSurvey(t);
   const first = await explore(app, 60);

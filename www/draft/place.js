@@ -7,6 +7,7 @@ import { startSheets } from "../sheets.js";
 import { startBody } from "./body.js";
 import { startCanvas } from "./canvas.js";
 import { CANCELLED, Drafter } from "./drafter.js";
+import { startFacts } from "./facts.js";
 import { startKeeping } from "./keep.js";
 import { startLayers } from "./layers.js";
 import { startScale } from "./scale.js";
@@ -111,7 +112,7 @@ export function startDraft(app, module) {
     root.dataset.taken = `${++taken} ${isOpen ? "open" : "refused"}`;
   };
 
-  const updates = [startScale, startLayers, startWalls, startBody, startSweep].map((begin) => begin(it));
+  const updates = [startFacts, startScale, startLayers, startWalls, startBody, startSweep].map((begin) => begin(it));
   const sized = startCanvas(it);
   const keeping = startKeeping(it);
   drafter.onstart = (canvas) => {
@@ -120,7 +121,6 @@ export function startDraft(app, module) {
   };
   drafter.onview = (view) => {
     it.view = view;
-    show(view);
     for (const update of updates) update(view);
     keeping.saw();
   };
@@ -167,34 +167,4 @@ export function startDraft(app, module) {
       drafter.say({ type: "dark", dark });
     },
   };
-}
-
-/** What is known of the file and the room that comes of it. @param {DraftView | undefined} view */
-function show(view) {
-  setAttribute(byId("place-draft"), "data-kind", view?.kind ?? "");
-  setHidden(byId("draft-empty"), view !== undefined);
-  setHidden(byId("draft-settings"), view === undefined);
-  setHidden(byId("draft-none"), view !== undefined);
-  setText(byId("draft-name"), view?.name ?? "No floor plan yet");
-  setText(byId("draft-facts"), view ? facts(view) : "");
-  setAttribute(byId("draft-floor"), "aria-label", view?.words ?? "Floor plan: nothing here yet");
-  setText(byId("draft-said"), view?.words ?? "");
-  setText(byId("draft-fault"), view?.fault ?? "");
-  setText(byId("draft-title"), view?.name ?? "No floor plan yet");
-  setText(byId("draft-result"), view ? result(view) : "Choose or drop a file to see it here with its size.");
-  button("draft-use").disabled = !view?.room;
-}
-
-/** @param {DraftView} view */
-function facts({ kind, size, strokes, layers, room, left_out }) {
-  const what = kind === "drawing" ? `${strokes.toLocaleString("en")} strokes on ${layers.length} layers` : room ? `${room.cells[0]} × ${room.cells[1]} cells of ${(100 * room.resolution).toLocaleString("en", { maximumFractionDigits: 2 })} cm` : "";
-  return [size, what, left_out.length && `not drawn: ${left_out.join(", ")}`].filter(Boolean).join(" · ");
-}
-
-/** @param {DraftView} view */
-function result({ room, settings, fault }) {
-  if (!room) return settings.metre === null ? "How long is a unit of the drawing? Choose it first." : fault || "No room yet.";
-  const { width_m, height_m, floor_m2, cells, objects, gaps } = room;
-  const more = [objects && `${objects} obstacles`, gaps && `${gaps} ${gaps === 1 ? "gap" : "gaps"} closed`].filter(Boolean);
-  return [`${width_m.toFixed(1)} × ${height_m.toFixed(1)} m`, `${floor_m2.toFixed(1)} m² of floor`, `${cells[0]} × ${cells[1]} cells`, ...more].join(" · ");
 }

@@ -45,6 +45,8 @@ export type DraftView = {
   left_out: string[];
   settings: Settings;
   room: { width_m: number; height_m: number; cells: [number, number]; floor_m2: number; resolution: number; objects: number; gaps: number } | null;
+  /** Open doors through which a room that was marked reaches on; what closing gaps up to `gap` would leave. */
+  doors: { count: number; gap: number; floor_m2: number } | null;
   fault: string;
   tool: Tool;
   points: number;

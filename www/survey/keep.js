@@ -2,22 +2,21 @@
 // Keeps surveys in this browser, one for each combination of room, robot and choices: they go on after a reload.
 import { byId, setHidden, setText, button } from "../dom.js";
 import { download } from "../files.js";
+import { clock } from "../format.js";
 import { complain, textOf, toast } from "../messages.js";
+import { ASIDE, KEPT, done, openDatabase, write } from "./database.js";
+import { dropLast, keepLast, theLast } from "./last.js";
 import { stored_ros_map } from "../../survey.js";
 
 /**
- * @typedef {{ recipe: string, text: string, saved: number }} Kept
+ * @typedef {import("./database.js").Kept} Kept
  * @typedef {import("./place.js").Surveying} Surveying
  */
 
-const DATABASE = "robovac-maps";
-const KEPT = "surveys";
-/** What can't go on, and had better not be lost. */
-const ASIDE = "aside";
-/** Surveys that are kept; the oldest gives way. */
-const MOST = 24;
 /** Milliseconds between two looks at whether there is something new to keep. */
 const EVERY = 3000;
+/** Less than this isn't told to be lost, s. */
+const LITTLE = 0.1;
 
 /** @param {Surveying} it */
 export function startKeeping(it) {
@@ -32,6 +31,8 @@ export function startKeeping(it) {
   /** What was kept last of it: its moment, and its text. */
   let kept = "";
   let text = "";
+  /** Its moment once the database has it. */
+  let written = "";
   let last = 0;
   let warned = false;
 
@@ -47,13 +48,14 @@ export function startKeeping(it) {
   const look = async (now) => {
     [recipe, isKnown, kept, text] = [now, false, "", ""];
     try {
+      await caughtUp;
       let found = await get(now);
       // The robot had been given a map.
       const given = now === survey.home() ? await get(mark(now)) : undefined;
       if (given) found = (await get(given.text)) ?? found;
       // Something else may have been chosen or begun meanwhile.
       if (recipe !== now || survey.recipe() !== now) return;
-      if (found && it.view.time_s === 0 && it.view.end_s === 0) bring(found);
+      if (found && it.view.time_s === 0 && it.view.end_s === 0) void bring(found);
       isKnown = true;
     } catch (error) {
       warn(error);
@@ -67,13 +69,31 @@ export function startKeeping(it) {
   /** @param {string} key */
   const remove = (key) => void open().then((database) => done(database.transaction(KEPT, "readwrite").objectStore(KEPT).delete(key))).catch(warn);
 
+  /** What was kept in the last moment goes where the rest is, unless that is newer. How far the run had come then. */
+  const catchUp = async () => {
+    const left = theLast();
+    if (!left) return undefined;
+    const entries = [];
+    for (const entry of left.entries) {
+      const had = await get(entry.recipe);
+      if (!had || had.saved < entry.saved) entries.push(entry);
+    }
+    await write(await open(), entries);
+    dropLast();
+    return left;
+  };
+  const caughtUp = catchUp().catch(() => undefined);
+
   /** @param {Kept} found */
-  const bring = (found) => {
+  const bring = async (found) => {
     try {
       survey.resume(found.text);
       recipe = survey.recipe();
       text = found.text;
-      kept = moment(it);
+      kept = written = moment(it);
+      const left = await caughtUp;
+      const lost = left && left.recipe === found.recipe && found.end !== undefined ? left.end - found.end : 0;
+      if (lost > LITTLE) complain(`The run goes on ${lost < 60 ? `${lost.toFixed(1)} s` : `${clock(lost)} min`} before where you left it: this browser had no room for more.`);
     } catch (error) {
       putAside(found.text);
       explain(textOf(error), found.text);
@@ -103,20 +123,36 @@ export function startKeeping(it) {
   };
   button("survey-aside-close").addEventListener("click", () => setHidden(byId("survey-aside"), true));
 
-  const save = () => {
-    if (!isKnown || survey.recipe() !== recipe || kept === moment(it)) return;
+  /** What there is to be kept, unless it is kept already. */
+  const news = () => {
+    if (!isKnown || survey.recipe() !== recipe) return undefined;
     const now = survey.store();
-    if (!now) return;
-    kept = moment(it);
+    if (!now) return undefined;
     text = now;
-    const what = { recipe, text: now, saved: Date.now() };
-    const home = survey.home();
-    const given = home === recipe ? [] : [{ recipe: mark(home), text: recipe, saved: Date.now() }];
-    void open().then((database) => write(database, [what, ...given])).catch(warn);
+    const [saved, end, home] = [Date.now(), it.view.end_s, survey.home()];
+    const given = home === recipe ? [] : [{ recipe: mark(home), text: recipe, saved }];
+    return [{ recipe, text: now, saved, end }, ...given];
   };
-  for (const [target, event] of /** @type {[EventTarget, string][]} */ ([[window, "pagehide"], [document, "visibilitychange"]])) {
-    target.addEventListener(event, () => save());
-  }
+  const save = () => {
+    if (kept === moment(it)) return;
+    const entries = news();
+    if (!entries) return;
+    const now = (kept = moment(it));
+    void open()
+      .then((database) => write(database, entries))
+      .then(() => {
+        written = now;
+        dropLast();
+      })
+      .catch(warn);
+  };
+  const leave = () => {
+    const entries = written === moment(it) ? undefined : news();
+    if (entries) keepLast({ recipe, end: it.view.end_s, entries });
+    save();
+  };
+  addEventListener("pagehide", leave);
+  document.addEventListener("visibilitychange", () => document.visibilityState === "hidden" && leave());
 
   return {
     save,
@@ -136,7 +172,8 @@ export function startKeeping(it) {
     },
     /** Forgets what was kept of what is shown. */
     forget() {
-      kept = "";
+      kept = written = "";
+      dropLast();
       remove(recipe);
     },
     /** The map that the robot was given is given back, or another one comes: a reload won't bring it. */
@@ -149,31 +186,3 @@ const mark = (home) => `given a map: ${home}`;
 
 /** Tells one state of a survey from another. @param {Surveying} it */
 const moment = ({ view }) => `${view.time_s} ${view.end_s} ${view.version} ${view.phase === "held"}`;
-
-/** @returns {Promise<IDBDatabase>} */
-function openDatabase() {
-  const request = indexedDB.open(DATABASE, 1);
-  request.onupgradeneeded = () => {
-    request.result.createObjectStore(KEPT, { keyPath: "recipe" });
-    request.result.createObjectStore(ASIDE, { autoIncrement: true });
-  };
-  return done(request);
-}
-
-/** @param {IDBDatabase} database @param {Kept[]} what */
-async function write(database, what) {
-  const store = database.transaction(KEPT, "readwrite").objectStore(KEPT);
-  for (const each of what) await done(store.put(each));
-  const all = /** @type {Kept[]} */ (await done(store.getAll()));
-  const old = all.sort((a, b) => b.saved - a.saved).slice(MOST);
-  for (const { recipe } of old) await done(store.delete(recipe));
-}
-
-/** What a request comes to. @template T @param {IDBRequest<T>} request @returns {Promise<T>} */
-function done(request) {
-  return new Promise((resolve, reject) => {
-    request.onsuccess = () => resolve(request.result);
-    request.onerror = () => reject(request.error ?? new Error("the browser's store doesn't answer"));
-    if (request instanceof IDBOpenDBRequest) request.onblocked = () => reject(new Error("the store is open elsewhere"));
-  });
-}

@@ -126,6 +126,8 @@ function show(view) {
   const root = byId("place-map");
   setAttribute(root, "data-phase", view.phase);
   setAttribute(root, "data-cleaning", String(view.is_cleaning));
+  const goals = view.layers.includes("goals") ? [view.frontiers > 0 && "frontiers", view.has_route && "route"] : [];
+  setAttribute(root, "data-goals", goals.filter(Boolean).join(" "));
   setHidden(byId("survey-hint"), view.phase !== "ready");
   setHidden(byId("survey-return"), view.returned === null);
   if (view.returned !== null) {

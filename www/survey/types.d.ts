@@ -46,6 +46,10 @@ export type SurveyView = {
   /** Whether it is sure of its place on that; `null` if it was never lost. */
   is_sure: boolean | null;
   planner: string;
+  /** Pieces of unknown floor that it could go for. */
+  frontiers: number;
+  /** Whether it is driving along a line to somewhere. */
+  has_route: boolean;
   is_cleaning: boolean;
   /** Floor that it can get to by its map: swept as it believes, and all; `null` unless it cleans by that. */
   by_map: [swept: number, all: number] | null;

@@ -1,7 +1,8 @@
 // @ts-check
 // What can be done with the map: it becomes the room of Explore, or files for other programs; or it is forgotten.
-import { button, byId, changed, fill, input, select, setEnabled, setText } from "../dom.js";
+import { button, byId, changed, fill, input, select, setEnabled, setHidden, setText } from "../dom.js";
 import { download, fileName } from "../files.js";
+import { clock, percent } from "../format.js";
 import { complain, textOf, toast } from "../messages.js";
 
 /**
@@ -34,6 +35,13 @@ export function startUses(it, keeping) {
     it.set("clean", select("survey-planner").value);
     changed(select("survey-planner"), "value", undefined);
   });
+  /** The run that another one is to follow, in words; "" if it hasn't begun. */
+  const ran = () => (it.view.end_s > 0 ? `The run until now (${clock(it.view.end_s)} min${it.view.known === null ? `, ${percent(it.view.figures?.boundary ?? 0, 0)} % mapped` : ""}) is kept.` : "");
+  /** Says that clock and figures are those of another run. @param {string} before @param {string} why */
+  const began = (before, why) => {
+    setText(byId("survey-began-text"), `${why} Clock and figures begin anew. ${before}`);
+    setHidden(byId("survey-began"), false);
+  };
   const files = input("survey-files");
   button("survey-open").addEventListener("click", () => files.click());
   files.addEventListener("change", async () => {
@@ -50,7 +58,8 @@ export function startUses(it, keeping) {
       const { readMap } = await import("../workers.js");
       const map = await readMap(await Promise.all(chosen.map(async (file) => ({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) }))));
       keeping.leave();
-      if (it.act((s) => s.open(map))) toast(`The robot knows ${chosen.map(({ name }) => name).join(" and ")}`);
+      const before = ran();
+      if (it.act((s) => s.open(map))) began(before, `The robot knows ${chosen.map(({ name }) => name).join(" and ")}, and not where it is.`);
     } catch (error) {
       complain(error instanceof Error ? `The map could not be read (${error.message}). Check the connection, then try again.` : textOf(error));
     }
@@ -59,16 +68,29 @@ export function startUses(it, keeping) {
   };
   button("survey-lose").addEventListener("click", () => {
     keeping.save();
-    if (it.act((s) => s.open_own())) it.act((s) => s.play());
+    const before = ran();
+    if (!it.act((s) => s.open_own())) return;
+    began(before, "The robot was put down anywhere, and keeps its map.");
+    it.act((s) => s.play());
   });
-  button("survey-close").addEventListener("click", () => {
+  const back = () => {
     keeping.save();
     keeping.leave();
     it.act((s) => s.close_map());
+  };
+  button("survey-close").addEventListener("click", back);
+  button("survey-began-undo").addEventListener("click", () => {
+    back();
+    button("survey-play").focus();
+  });
+  button("survey-began-close").addEventListener("click", () => {
+    setHidden(byId("survey-began"), true);
+    byId("survey-floor").focus();
   });
   return {
     /** @param {import("./types").SurveyView} view */
-    update({ can, planner, is_cleaning: isCleaning }) {
+    update({ can, planner, known, is_cleaning: isCleaning }) {
+      if (known === null) setHidden(byId("survey-began"), true);
       setEnabled(button("survey-clean"), can.clean);
       setText(button("survey-clean"), isCleaning ? "Plan anew what is left" : "Clean with this map");
       if (changed(select("survey-planner"), "value", planner)) select("survey-planner").value = planner;

@@ -1,13 +1,13 @@
 //! The drawing board: what files hold, what was chosen for it, and what comes of that.
 
-use super::{Hand, Part, Settings, Sheet, Source};
+use super::{Doors, Hand, Part, Settings, Sheet, Source};
 use crate::{
     app::{
         Choices, Import,
         sweep::{Sweep, SweepError, SweepSetup, sweep},
     },
     cspace::{ConfigurationSpace, Outline},
-    drawing::{self, Traced, Tracing},
+    drawing::{self, Traced},
     floorplan::{FloorPlan, MapError, Object, Sketch, SourceFile},
     geometry::{Point, Pose, Vector, contains},
     grid::Cell,
@@ -26,6 +26,7 @@ pub struct Board {
     room: Option<Traced>,
     /// Floor of the room that is free, m².
     floor: f64,
+    doors: Option<Doors>,
     fault: String,
     version: u32,
     space: Option<ConfigurationSpace>,
@@ -46,6 +47,7 @@ impl Board {
             sheet,
             room: None,
             floor: 0.0,
+            doors: None,
             fault: String::new(),
             version: 0,
             space: None,
@@ -81,6 +83,11 @@ impl Board {
         self.floor
     }
 
+    /// Open doors through which a room that was marked reaches on.
+    pub fn doors(&self) -> Option<Doors> {
+        self.doors
+    }
+
     /// Why there is no room, or what else is wrong; empty if nothing.
     pub fn fault(&self) -> &str {
         &self.fault
@@ -110,7 +117,7 @@ impl Board {
             let shading = now.shading();
             if let Err(error) = self.source.shade(&shading) {
                 self.fault = error.to_string();
-                (self.room, self.space, self.sweep) = (None, None, None);
+                (self.room, self.doors, self.space, self.sweep) = (None, None, None, None);
                 self.version += 1;
             } else {
                 self.trace();
@@ -138,16 +145,13 @@ impl Board {
 
     /// The room anew.
     fn trace(&mut self) {
-        (self.room, self.space, self.sweep) = (None, None, None);
+        (self.room, self.doors, self.space, self.sweep) = (None, None, None, None);
         self.version += 1;
         self.fault.clear();
         let settings = &self.settings;
         let Some(metre) = settings.metre else { return };
         let traced = match &self.source {
-            Source::Drawing { drawing, .. } => {
-                let Settings { roles, gap, resolution, part, .. } = settings.clone();
-                drawing::trace(drawing, &Tracing { roles, metre, gap, resolution, region: part.region() })
-            }
+            Source::Drawing { drawing, .. } => drawing::trace(drawing, &settings.tracing(metre)),
             Source::Image { plan, .. } | Source::Map { plan, .. } => {
                 let plan = scaled(plan, metre);
                 Ok(Traced { plan, corner: Vector::zeros(), metre, gaps: Vec::new() })
@@ -159,6 +163,10 @@ impl Board {
                 self.room = Some(traced);
             }
             Err(error) => self.fault = error.to_string(),
+        }
+        if let Some(drawing) = self.source.drawing() {
+            let now = self.room.as_ref().map(|room| (room, self.floor));
+            self.doors = Doors::of(drawing, &self.settings.tracing(metre), now, |traced| free_floor(&traced.plan));
         }
     }
 

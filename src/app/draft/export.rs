@@ -3,7 +3,8 @@
 use super::{Board, Source};
 use crate::{
     app::export::ExportFile,
-    app::sweep::{Sweep, commands, commands_text, program, sweep_dxf, to_csv, to_ros_path},
+    app::sweep::{Sweep, commands, commands_text, planned_for, program, sweep_dxf, to_csv, to_ros_path},
+    cspace::Outline,
     drawing::Traced,
     robot,
 };
@@ -31,17 +32,21 @@ impl Board {
         let (Some(room), Some(sweep)) = (self.room(), self.planned()) else {
             return Err("plan the sweep first".to_owned());
         };
-        // Commands are for a robot that there is: the one that was chosen, or else the one that the interface is of.
         let chosen = self.settings().body.model().and_then(robot::model);
         let roomba = robot::model("roomba600").ok_or("there is no robot to be commanded")?;
-        let model = chosen.unwrap_or(roomba);
+        let outline = self.outline()?;
+        // What has an outline of its own moves as a robot that there is: the round one turns; any other keeps its heading, as
+        // the path was planned.
+        let like = if matches!(outline, Outline::Circle { .. }) { Some(roomba) } else { robot::model("octagon") };
+        let model = chosen.or(like).unwrap_or(roomba);
+        let planned = chosen.map_or_else(|| outline.to_string(), planned_for);
         // As the planner has it: the robot looks along x when it begins, or as the room's start says.
         let (path, heading) = (&sweep.path, room.plan.start.map_or(0.0, |start| start.heading));
         let (ending, kind, bytes) = match format {
             Format::Dxf => ("dxf", "image/vnd.dxf", self.dxf(room, sweep)?),
-            Format::Program => ("txt", "text/plain", program(path, heading, model).into_bytes()),
+            Format::Program => ("txt", "text/plain", program(path, heading, model, &planned).into_bytes()),
             Format::Commands => {
-                let text = commands_text(&commands(path, heading, roomba), roomba);
+                let text = commands_text(&commands(path, heading, roomba), roomba, &planned);
                 ("oi.txt", "text/plain", text.into_bytes())
             }
             Format::Csv => ("csv", "text/csv", to_csv(path, heading, model).into_bytes()),

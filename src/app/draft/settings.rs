@@ -2,7 +2,7 @@
 
 use super::{BodyChoice, Source};
 use crate::{
-    drawing::{Region, Role},
+    drawing::{Region, Role, Tracing},
     floorplan::{DEFAULT_IMAGE_RESOLUTION, MAX_RESOLUTION, MIN_RESOLUTION, Shading},
     geometry::Point,
 };
@@ -112,6 +112,12 @@ impl Settings {
         self.headings = self.headings.clamp(1, MOST_HEADINGS);
         self.scan_width = self.scan_width.and_then(positive);
         Ok(self)
+    }
+
+    /// How a drawing becomes a room, with so many metres a unit.
+    pub fn tracing(&self, metre: f64) -> Tracing {
+        let Self { roles, gap, resolution, part, .. } = self;
+        Tracing { roles: roles.clone(), metre, gap: *gap, resolution: *resolution, region: part.region() }
     }
 
     /// How an image is read. What lies between wall and floor is unknown; where people set the shade themselves, nothing does.

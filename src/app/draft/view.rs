@@ -1,6 +1,6 @@
 //! What the page shows of a draft, as one plain object.
 
-use super::{Board, Settings, Source, Tool, UNITS, size_in_words};
+use super::{Board, Doors, Settings, Source, Tool, UNITS, size_in_words};
 use crate::{
     app::sweep::{Contact, Sweep},
     drawing::Role,
@@ -33,6 +33,8 @@ pub struct DraftView {
     pub settings: Settings,
     /// The room, if there is one.
     pub room: Option<RoomView>,
+    /// Open doors through which a room that was marked reaches on.
+    pub doors: Option<Doors>,
     /// Why there is none; empty if there is, or if a question is open.
     pub fault: String,
     /// What clicks mean.
@@ -149,6 +151,7 @@ impl Board {
             left_out: drawing.map_or(Vec::new(), |drawing| drawing.left_out.clone()),
             settings: settings.clone(),
             room: self.room_view(),
+            doors: self.doors(),
             fault: self.fault().to_owned(),
             tool: self.hand.tool,
             points: self.hand.points.len(),
@@ -198,13 +201,24 @@ impl Board {
         }
         match (&view.size, &view.room) {
             (None, _) => say("its unit isn't known yet".to_owned()),
-            (Some(size), None) => say(format!("{size}; no room comes of it: {}", view.fault)),
+            (Some(size), None) => say(format!("{size} in all; no room comes of it: {}", view.fault)),
             (Some(size), Some(room)) => {
-                say(format!("{size}; the room has {:.1} square metres of free floor", room.floor_m2));
+                say(format!(
+                    "{size} in all; the room is {} with {:.1} square metres of free floor",
+                    size_in_words(room.width_m, room.height_m),
+                    room.floor_m2
+                ));
                 if room.objects + room.gaps > 0 {
                     say(format!("{} obstacles, {} closed gaps", room.objects, room.gaps));
                 }
             }
+        }
+        if let Some(Doors { count, gap, floor_m2 }) = view.doors {
+            let openings = if count == 1 { "one opening".to_owned() } else { format!("{count} openings") };
+            say(format!(
+                "it reaches through {openings} as wide as doors; with gaps closed up to {gap:.2} metres {floor_m2:.1} \
+                 square metres are left"
+            ));
         }
         if let Some(sweep) = &view.sweep {
             say(format!(

@@ -9,7 +9,7 @@ pub use svg::to_svg;
 use crate::{
     app::{
         planning::choose_robot,
-        sweep::{commands, commands_text, program, to_csv, to_ros_path},
+        sweep::{commands, commands_text, planned_for, program, to_csv, to_ros_path},
     },
     floorplan::{FloorPlan, MapError, MapImage, Mode, RosMapError, Scenario, to_ascii, to_ros_map},
     geometry::Point,
@@ -171,14 +171,20 @@ impl Exported<'_> {
                 let path = to_ros_path(self.path, self.heading(), self.plan, &self.robot()?);
                 Ok(self.one("path.yaml", "application/yaml", path))
             }
-            "program" => Ok(self.one("program.txt", "text/plain", program(self.path, self.heading(), &self.robot()?))),
+            "program" => Ok(self.one("program.txt", "text/plain", self.program()?)),
             "roomba" => {
                 let roomba = model(ROOMBA).ok_or(ExportError::NoRobot)?;
-                let text = commands_text(&commands(self.path, self.heading(), roomba), roomba);
+                let text =
+                    commands_text(&commands(self.path, self.heading(), roomba), roomba, &planned_for(&self.robot()?));
                 Ok(self.one("oi.txt", "text/plain", text))
             }
             other => Err(ExportError::Unknown(other.to_owned())),
         }
+    }
+
+    fn program(&self) -> Result<String, ExportError> {
+        let robot = self.robot()?;
+        Ok(program(self.path, self.heading(), &robot, &planned_for(&robot)))
     }
 
     /// The way that the robot looks at the start, rad.

@@ -3,6 +3,7 @@
 use super::{Belief, Deed, Figures, Known, Phase, Sample, SurveySetup, Truth, base::Base, stage::Stage};
 use crate::{
     app::{Prepared, Session, SettingsError},
+    controller::Intent,
     floorplan::FloorPlan,
     geometry::Pose,
     sim::{Input, Run, STEP_S},
@@ -325,6 +326,12 @@ impl Survey {
     pub fn belief(&self) -> Option<Belief<'_>> {
         let stage = self.stage.as_ref()?;
         stage.left().or_else(|| stage.belief())
+    }
+
+    /// What the robot is going for; nothing while it is driven back to where it was left.
+    pub fn intent(&self) -> Option<Intent<'_>> {
+        let stage = self.stage.as_ref().filter(|stage| stage.returning.is_none())?;
+        stage.run().intent()
     }
 
     /// Figures of the map, and of one by odometry alone.

@@ -58,6 +58,10 @@ pub struct SurveyView {
     pub is_sure: Option<bool>,
     /// Id of the planner of what is left.
     pub planner: &'static str,
+    /// Pieces of unknown floor that it could go for.
+    pub frontiers: usize,
+    /// Whether it is driving along a line to somewhere.
+    pub has_route: bool,
     /// Whether it cleans by its map.
     pub is_cleaning: bool,
     /// Floor that it can get to by its map and believes to have swept, and all that it can get to, m²; `None` unless it cleans
@@ -111,7 +115,8 @@ impl Survey {
         let run = self.run();
         let figures = self.figures();
         let belief = self.belief();
-        let reach = run.and_then(Run::intent).filter(|intent| intent.reach.is_some() && self.returned().is_none());
+        let intent = self.intent();
+        let reach = intent.filter(|intent| intent.reach.is_some());
         let area = |mark| {
             belief.map_or(0.0, |belief| {
                 let side = belief.marks.resolution();
@@ -161,6 +166,8 @@ impl Survey {
             known: self.known.as_ref().map(|known| known.name().to_owned()),
             is_sure: belief.and_then(|belief| belief.is_sure()),
             planner: setup.planner.id,
+            frontiers: intent.map_or(0, |intent| intent.frontiers.len()),
+            has_route: intent.is_some_and(|intent| !intent.route.is_empty()),
             is_cleaning: reach.is_some(),
             by_map: reach.zip(belief).and_then(|(intent, belief)| intent.swept(belief.marks)),
             cleaned_m2: area(Mark::Cleaned),

@@ -25,10 +25,18 @@ impl Survey {
             };
             return format!("{}: the robot knows a map of the room, and {place}.", minutes(run.time_s()));
         }
+        let goals = self.intent().map_or(String::new(), |intent| match (intent.frontiers.len(), intent.route.last()) {
+            (0, None) => String::new(),
+            (0, Some(_)) => " It is driving along a line to its goal.".to_owned(),
+            (1, None) => " What it knows ends in one place where it could go on.".to_owned(),
+            (count, None) => format!(" What it knows ends in {count} places where it could go on."),
+            (1, Some(_)) => " It is driving to where what it knows ends.".to_owned(),
+            (count, Some(_)) => format!(" It is driving to one of {count} places where what it knows ends."),
+        });
         let held = if self.phase() == Phase::Held { " Somebody holds it." } else { "" };
         format!(
             "{}: {:.0} % of the boundary mapped, {:.0} % of the floor known. The robot believes to be {} from where it is; by \
-             odometry alone it would be {}.{held}",
+             odometry alone it would be {}.{goals}{held}",
             minutes(run.time_s()),
             (100.0 * here.boundary).floor(),
             (100.0 * here.known).floor(),

@@ -4,6 +4,7 @@
 //! they are told otherwise: so a path is a list of commands, each with the time at which it is to be sent.
 
 use crate::{
+    cspace::Outline,
     geometry::{Point, Pose, Vector, difference},
     math,
     oi::{Command, MAX_WRITTEN},
@@ -23,6 +24,9 @@ const LEAST_TURN: f64 = 0.002;
 const LEAST_WAY: f64 = 0.002;
 /// The slowest speed that is tried, as a share of the fastest.
 const SLOWEST: f64 = 0.35;
+/// How near a way ahead has to end, so that no slower speed is tried, m (ours). Turns are to end as near as they can: what they
+/// are off by grows with the way after them.
+const NEAR: f64 = 1e-3;
 
 /// Bytes to be sent to a robot.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,13 +41,21 @@ pub struct TimedCommand {
     pub meaning: String,
 }
 
+impl TimedCommand {
+    /// Whether the wheels turn on it.
+    fn is_motion(&self) -> bool {
+        self.bytes.len() == 5 && self.bytes[1..] != [0; 4]
+    }
+}
+
 /// Commands that drive a Roomba of the 600 series along `path` from `heading` rad: Start and Safe first, then a turn
 /// on the spot and a straight way for every piece, each ended by wheel speeds of 0; then Stop.
 ///
 /// Speeds are those that the robot's controller keeps ([`RobotModel::speed_steps`]), in whole mm/s, and every time is
 /// distance by speed: what a wheel that speeds up evenly falls behind it makes up when it slows down. As times are
 /// whole periods, a move ends up to 2 mm or a quarter of a degree off; the next one begins from there, so that this
-/// never adds up. What slips, does.
+/// never adds up. What slips, does. Slower speeds are taken where they end nearer, and after every move the robot waits
+/// until its wheels rest: so this takes longer than the motion model says.
 pub fn commands(path: &[Point], heading: f64, robot: &RobotModel) -> Vec<TimedCommand> {
     let mut list = List { robot, commands: Vec::new(), now: 0.0 };
     list.send(Command::Start, MODE_CHANGE, "start the interface".to_owned());
@@ -68,16 +80,27 @@ pub fn commands(path: &[Point], heading: f64, robot: &RobotModel) -> Vec<TimedCo
     list.commands
 }
 
-/// The commands as a text file: time, bytes in hexadecimal, meaning.
-pub fn commands_text(commands: &[TimedCommand], robot: &RobotModel) -> String {
+/// The commands as a text file: time, bytes in hexadecimal, meaning. `planned` says for whom the path was planned, in words
+/// that follow "for"; `robot` is what they run on.
+pub fn commands_text(commands: &[TimedCommand], robot: &RobotModel, planned: &str) -> String {
     let duration = commands.last().map_or(0.0, |last| last.at_s + last.wait_s);
+    let moves: f64 = commands.iter().filter(|command| command.is_motion()).map(|command| command.wait_s).sum();
+    let body = Outline::of(robot).to_string();
+    let differs = if planned.contains(&body) {
+        ""
+    } else {
+        "#           which the path was not planned for: try it where nothing can be damaged\n"
+    };
     let mut text = format!(
-        "# robot     {}, 115200 baud\n\
+        "# planned   for {planned}\n\
+         # runs on   {}, {body}; 115200 baud\n\
+         {differs}\
          # units     s, mm/s, m, degrees (left is counter-clockwise)\n\
-         # duration  {duration:.3} s\n\
+         # duration  {duration:.3} s: {moves:.3} s of moves, {:.3} s of waiting until the wheels rest after each\n\
          # Send the bytes of each line at its time; the robot drives on until the next.\n\
          # time  bytes            meaning\n",
-        robot.title
+        robot.title,
+        duration - moves
     );
     for TimedCommand { at_s, bytes, meaning, .. } in commands {
         let hex: Vec<String> = bytes.iter().map(|byte| format!("{byte:02X}")).collect();
@@ -106,7 +129,7 @@ impl List<'_> {
     /// Turns on the spot by about `angle` rad, and returns by how much.
     fn turn(&mut self, angle: f64) -> f64 {
         let half = 0.5 * self.robot.wheel_base;
-        let Some(mut go) = self.choose(angle.abs() * half, self.robot.turn_wheel_speed) else { return 0.0 };
+        let Some(mut go) = self.choose(angle.abs() * half, self.robot.turn_wheel_speed, 0.0) else { return 0.0 };
         if angle.abs() < LEAST_TURN {
             return 0.0;
         }
@@ -125,7 +148,7 @@ impl List<'_> {
         if length < LEAST_WAY {
             return 0.0;
         }
-        let Some(go) = self.choose(length, self.robot.cruise_speed) else { return 0.0 };
+        let Some(go) = self.choose(length, self.robot.cruise_speed, NEAR) else { return 0.0 };
         let counts = go.travel() * self.robot.counts_per_metre;
         let meaning = format!("forward {:.3} m, {counts:.0} encoder counts", go.travel());
         self.go(Command::DriveDirect { right: go.speed, left: go.speed }, &go, meaning);
@@ -140,8 +163,8 @@ impl List<'_> {
         self.send(Command::DriveDirect { right: 0, left: 0 }, rest, "stand still".to_owned());
     }
 
-    /// The speed and time that come nearest to a wheel's `travel` in metres, the fastest of the best.
-    fn choose(&self, travel: f64, limit: f64) -> Option<Go> {
+    /// The fastest speed, with its time, that comes as near as `near` to a wheel's `travel`, or else the nearest; m.
+    fn choose(&self, travel: f64, limit: f64, near: f64) -> Option<Go> {
         let speeds = self.speeds(limit);
         // A wheel that doesn't get up to its speed falls behind by more than it makes up.
         let slowest = speeds.last().copied()?;
@@ -156,7 +179,7 @@ impl List<'_> {
             let periods = (travel / (f64::from(speed) * 1e-3 * PERIOD)).round().max(1.0) as u32;
             Go { speed, periods }
         });
-        let off = |go: &Go| ((go.travel() - travel).abs() * 1e4).round() as u64;
+        let off = |go: &Go| ((go.travel() - travel).abs().max(near) * 1e4).round() as u64;
         tries.min_by_key(off)
     }
 
@@ -209,8 +232,7 @@ mod tests {
             for pair in list.windows(2) {
                 assert!((pair[0].at_s + pair[0].wait_s - pair[1].at_s).abs() < 1e-9);
                 // Motion is followed by a stop.
-                let is_motion = |bytes: &[u8]| bytes[0] == 145 && bytes[1..] != [0; 4];
-                assert!(!is_motion(&pair[0].bytes) || !is_motion(&pair[1].bytes));
+                assert!(!pair[0].is_motion() || !pair[1].is_motion());
             }
         }
     }
@@ -222,8 +244,15 @@ mod tests {
             let speed = i16::from_be_bytes([command.bytes[1], command.bytes[2]]).abs();
             assert!([0, 68, 125, 182, 239, 296].contains(&speed), "{speed}");
         }
-        let text = commands_text(&list, model("roomba600").unwrap());
+        let text = commands_text(&list, model("roomba600").unwrap(), "an octagon, 0.400 m wide");
+        assert!(
+            text.starts_with(
+                "# planned   for an octagon, 0.400 m wide\n# runs on   Roomba 600 / Create 2, a circle of "
+            )
+        );
+        assert!(text.contains("not planned for"));
         assert!(text.contains("\n0.000  80               start the interface\n"), "{text}");
-        assert!(text.contains("forward 2.250 m, 5061 encoder counts"), "{text}");
+        // Half a millimetre short, and faster than what ends nearer.
+        assert!(text.contains("forward 2.250 m, 5060 encoder counts"), "{text}");
     }
 }

@@ -23,6 +23,6 @@ pub use error::SweepError;
 #[cfg(feature = "draft")]
 pub use overlay::{overlays, sweep_dxf};
 pub use pipeline::{SCAN_WIDTHS, sweep};
-pub use program::program;
+pub use program::{planned_for, program};
 pub use stages::{Link, Subgoal, Sweep, SweepSetup};
 pub use track::{to_csv, to_ros_path};

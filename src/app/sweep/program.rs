@@ -2,6 +2,7 @@
 
 use super::track::{Waypoint, waypoints};
 use crate::{
+    cspace::Outline,
     geometry::{Point, difference},
     math,
     robot::{RobotModel, Wheels},
@@ -10,6 +11,11 @@ use std::fmt::Write;
 
 /// Smallest angle that is printed, degrees.
 const LEAST_TURN: f64 = 0.05;
+
+/// A robot that there is, in words that follow "for": `the Octagon, an octagon, 0.360 m wide`.
+pub fn planned_for(robot: &RobotModel) -> String {
+    format!("the {}, {}", robot.title, Outline::of(robot))
+}
 
 /// A program that drives a robot along `path` from `heading` rad, in a format of our own: a command a line, in the
 /// order in which they are to be carried out, each from rest to rest; `;` begins a comment.
@@ -20,27 +26,32 @@ const LEAST_TURN: f64 = 0.05;
 ///   robots that move in every direction do this instead of the other two.
 /// - `STOP`: the end.
 ///
+/// `planned` says for whom the path was planned, in words that follow "for"; `robot` is what moves along it, by whose speeds
+/// the duration is.
+///
 /// Angles are rounded so that their sum never is off by more than the rounding of one, and so are lengths.
 ///
 /// ```
 /// use robovac_playground::{app::sweep::program, geometry::Point, robot::model};
 /// let path = [Point::new(1.0, 1.0), Point::new(3.25, 1.0), Point::new(3.25, 2.0)];
-/// let text = program(&path, 0.0, model("roomba600").unwrap());
+/// let text = program(&path, 0.0, model("roomba600").unwrap(), "a circle");
 /// let commands: Vec<&str> = text.lines().filter(|line| !line.starts_with(';')).collect();
 /// assert_eq!(commands, ["FORWARD 2.250 m", "TURN left 90.0 deg", "FORWARD 1.000 m", "STOP"]);
 /// ```
-pub fn program(path: &[Point], heading: f64, robot: &RobotModel) -> String {
+pub fn program(path: &[Point], heading: f64, robot: &RobotModel, planned: &str) -> String {
     let stops = waypoints(path, heading, robot);
     let mut text = String::new();
     let is_free = robot.wheels == Wheels::Omnidirectional;
     let how = if is_free { "moves in every direction without turning" } else { "turns on the spot, drives ahead" };
-    let _ = writeln!(text, "; robot     {}: {how}", robot.title);
+    let _ = writeln!(text, "; planned   for {planned}\n; robot     moves as the {}: {how}", robot.title);
     let _ = writeln!(text, "; units     m; degrees, counter-clockwise from the room's x axis");
     if let (Some(first), Some(last)) = (stops.first(), stops.last()) {
         let pose = first.pose;
         let _ = writeln!(
             text,
-            "; start     x {:.3} m, y {:.3} m, heading {:.1} deg\n; length    {:.3} m\n; duration  {:.1} s, from rest to rest",
+            "; start     x {:.3} m, y {:.3} m, heading {:.1} deg\n; length    {:.3} m\n; duration  {:.1} s: every \
+             command at the robot's usual speed and acceleration, from rest to rest;\n;           Open Interface bytes \
+             of the same path take longer, as a Roomba turns before every way and\n;           waits after every move",
             pose.x,
             pose.y,
             pose.heading.to_degrees(),
@@ -83,12 +94,12 @@ mod tests {
     #[test]
     fn octagon_moves_without_turning() {
         let path = [Point::new(1.0, 1.0), Point::new(3.0, 1.0), Point::new(3.0, 0.5), Point::new(1.0, 0.5)];
-        let text = program(&path, 0.0, model("octagon").unwrap());
+        let text = program(&path, 0.0, model("octagon").unwrap(), "an octagon");
         assert!(
             text.ends_with("MOVE 2.000 m at 0.0 deg\nMOVE 0.500 m at -90.0 deg\nMOVE 2.000 m at 180.0 deg\nSTOP\n"),
             "{text}"
         );
-        assert!(text.starts_with("; robot     Octagon: moves in every direction without turning\n; units"));
+        assert!(text.starts_with("; planned   for an octagon\n; robot     moves as the Octagon: moves in every direction without turning\n; units"));
         assert!(text.contains("; length    4.500 m\n"));
     }
 
@@ -100,7 +111,7 @@ mod tests {
             let (sin, cos) = math::sin_cos((1.04 * f64::from(i)).to_radians());
             path.push(path[path.len() - 1] + 0.100_4 * crate::geometry::Vector::new(cos, sin));
         }
-        let text = program(&path, 0.0, model("roomba600").unwrap());
+        let text = program(&path, 0.0, model("roomba600").unwrap(), "it");
         let value = |line: &str, word: usize| line.split(' ').nth(word).unwrap().parse::<f64>().unwrap();
         let turned: f64 = text.lines().filter(|l| l.starts_with("TURN left")).map(|l| value(l, 2)).sum();
         let driven: f64 = text.lines().filter(|l| l.starts_with("FORWARD")).map(|l| value(l, 1)).sum();
@@ -109,7 +120,7 @@ mod tests {
 
     #[test]
     fn nothing_to_drive_is_just_a_stop() {
-        assert!(program(&[], 0.0, model("roomba600").unwrap()).ends_with("STOP\n"));
-        assert!(program(&[Point::origin()], 1.0, model("roomba600").unwrap()).ends_with("rest\nSTOP\n"));
+        assert!(program(&[], 0.0, model("roomba600").unwrap(), "it").ends_with("STOP\n"));
+        assert!(program(&[Point::origin()], 1.0, model("roomba600").unwrap(), "it").ends_with("move\nSTOP\n"));
     }
 }

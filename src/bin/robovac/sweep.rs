@@ -3,7 +3,8 @@
 use super::{drawing::DrawingOptions, failure::Failure, output, source::Source};
 use robovac_playground::{
     app::sweep::{
-        Contact, Sweep, SweepError, SweepSetup, commands, commands_text, program, sweep, sweep_dxf, to_csv, to_ros_path,
+        Contact, Sweep, SweepError, SweepSetup, commands, commands_text, planned_for, program, sweep, sweep_dxf,
+        to_csv, to_ros_path,
     },
     cspace::{CspaceError, Outline},
     drawing::{Traced, is_drawing, is_dxf},
@@ -109,6 +110,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let original = file.as_ref().filter(|file| is_dxf(file)).map(|file| file.bytes.as_slice());
     let plan = &room.plan;
     let width = outline.width();
+    let planned = if outline == Outline::of(robot) { planned_for(robot) } else { outline.to_string() };
     let setup = SweepSetup {
         outline,
         scan_width: arguments.scan_width,
@@ -136,7 +138,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     };
     let heading = plan.start.map_or(0.0, |start| start.heading);
     for (out, format) in arguments.out.iter().zip(formats) {
-        let content = written(format, &found, &report, (&room, original), (robot, heading))?;
+        let content = written(format, &found, &report, (&room, original), (robot, heading, &planned))?;
         fs::write(out, content).map_err(|error| Failure::io(out.display(), &error))?;
     }
     Ok(output::json(&report))
@@ -164,16 +166,16 @@ fn written(
     found: &Sweep,
     report: &Report<'_>,
     (room, original): (&Traced, Option<&[u8]>),
-    (robot, heading): (&RobotModel, f64),
+    (robot, heading, planned): (&RobotModel, f64, &str),
 ) -> Result<Vec<u8>, Failure> {
     let text = match format {
         Format::Dxf => return Ok(sweep_dxf(found, room, original)?),
         Format::Csv => to_csv(&found.path, heading, robot),
         Format::Yaml => to_ros_path(&found.path, heading, &room.plan, robot),
-        Format::Program => program(&found.path, heading, robot),
+        Format::Program => program(&found.path, heading, robot, planned),
         Format::Bytes => {
             let roomba = model("roomba600").ok_or_else(|| Failure::unknown("robot", "roomba600", "robots"))?;
-            commands_text(&commands(&found.path, heading, roomba), roomba)
+            commands_text(&commands(&found.path, heading, roomba), roomba, planned)
         }
         Format::Json => output::json(&stages(found, report)),
     };

@@ -24,16 +24,12 @@ use self::{remains::name_at, spent::Spent};
 use super::{
     Controller, Intent, Setup,
     dock::Dock,
-    parts::{Barred, Driven, GO_HOME, Habit, Hit, Kind, LEAVE_HOME, Move, Pilot, Route, Side},
-    wall_follow::WallFollow,
+    parts::{Barred, Driven, GO_HOME, Habit, Hit, Kind, LEAVE_HOME, Move, Pilot, Route, Search, Searched, Side},
 };
 use crate::{
     geometry::Point,
     grid::Cell,
-    mapping::{
-        Layer, Mapper,
-        locate::{Locator, LocatorSetup},
-    },
+    mapping::{Layer, Mapper},
     registry::Params,
     robot::{Drive, Sensors},
 };
@@ -51,8 +47,6 @@ const BACK_FROM_EDGE: f64 = 0.15;
 const SIDE: f64 = 0.6;
 /// Share of the speed with something in sight.
 const CAREFUL: f64 = 0.45;
-/// How long it looks for itself, s.
-const SEARCH_S: f64 = 900.0;
 /// How long it tries to get onto its dock, s.
 const DOCK_S: f64 = 400.0;
 
@@ -84,7 +78,7 @@ struct ByMap {
     moved: (Point, f64),
     /// Whether it hangs, or hung, in somebody's hand.
     is_lifted: bool,
-    walls: WallFollow,
+    search: Search,
     dock: Dock,
 }
 
@@ -98,11 +92,8 @@ enum Phase {
         patience: f64,
         goal: Cell,
     },
-    /// Looks for itself on its map, for so long yet, s.
-    Search {
-        locator: Box<Locator>,
-        patience: f64,
-    },
+    /// Looks for itself on its map.
+    Search,
     /// Goes back to where it began, for so long yet, s.
     Return {
         route: Route,
@@ -139,7 +130,7 @@ impl ByMap {
             stuck: 0,
             moved: (mapper.pose().position(), 0.0),
             is_lifted: mapper.is_lost(),
-            walls: WallFollow::usual(setup),
+            search: Search::new(setup),
             dock: Dock::new(setup),
             mapper,
         }
@@ -165,13 +156,8 @@ impl ByMap {
 
     /// Starts to look for itself.
     fn search(&mut self, pilot: &mut Pilot) {
-        let setup = self.mapper.setup();
-        let setup = LocatorSetup { robot: setup.robot.clone(), odometry: setup.odometry, seed: setup.seed };
-        self.phase = match Locator::new(self.mapper.map(), setup) {
-            Some(locator) => Phase::Search { locator: Box::new(locator), patience: SEARCH_S },
-            None => Phase::Done(End::Lost),
-        };
-        self.walls.begin(pilot);
+        let can = self.search.begin(pilot, &self.mapper);
+        self.phase = if can { Phase::Search } else { Phase::Done(End::Lost) };
     }
 
     /// Whether it hasn't got anywhere for long.
@@ -214,7 +200,7 @@ impl Habit for ByMap {
         self.moved = (self.mapper.pose().position(), 0.0);
         if std::mem::take(&mut self.is_lifted) {
             self.search(pilot);
-        } else if !matches!(self.phase, Phase::Search { .. } | Phase::Done(_)) {
+        } else if !matches!(self.phase, Phase::Search | Phase::Done(_)) {
             self.phase = Phase::Choose;
         }
     }
@@ -223,16 +209,11 @@ impl Habit for ByMap {
         self.is_lifted |= sensed.wheel_drop_left && sensed.wheel_drop_right;
         self.mapper.update(sensed);
         match &mut self.phase {
-            Phase::Search { locator, patience } => {
-                *patience -= dt_s;
-                locator.update(sensed);
-                if let Some((pose, spread)) = locator.pose().zip(locator.spread()).filter(|_| locator.is_sure()) {
-                    self.mapper.relocate(pose, &spread);
-                    self.phase = Phase::Choose;
-                } else if *patience < 0.0 {
-                    self.phase = Phase::Done(End::Lost);
-                }
-            }
+            Phase::Search => match self.search.watch(&mut self.mapper, sensed, dt_s) {
+                Searched::Looking => {}
+                Searched::Found => self.phase = Phase::Choose,
+                Searched::InVain => self.phase = Phase::Done(End::Lost),
+            },
             Phase::Dock { patience, end } => {
                 *patience -= dt_s;
                 self.dock.watch(sensed, dt_s);
@@ -277,7 +258,7 @@ impl Habit for ByMap {
                 }
                 Drive::STOP
             }
-            Phase::Search { .. } => self.walls.roam(pilot, sensed, dt_s),
+            Phase::Search => self.search.roam(pilot, sensed, dt_s),
             Phase::Dock { .. } => self.dock.roam(pilot, sensed, dt_s),
             Phase::Done(_) => Drive::STOP,
         }
@@ -286,7 +267,7 @@ impl Habit for ByMap {
     fn hit(&mut self, pilot: &mut Pilot, hit: Hit) {
         let pose = self.mapper.pose();
         match &self.phase {
-            Phase::Search { .. } => return self.walls.hit(pilot, hit),
+            Phase::Search => return self.search.hit(pilot, hit),
             Phase::Dock { .. } => return self.dock.hit(pilot, hit),
             _ => {}
         }
@@ -318,7 +299,7 @@ impl Habit for ByMap {
         match &self.phase {
             Phase::Choose => "planning what is left on its map",
             Phase::Clean { .. } => "cleaning by its map",
-            Phase::Search { .. } => "looking for itself on its map",
+            Phase::Search => "looking for itself on its map",
             Phase::Return { .. } => "driving back to its dock",
             Phase::Dock { .. } => self.dock.activity(),
             Phase::Done(End::Clean) => "done: all that it can reach is clean",
@@ -337,7 +318,7 @@ impl Habit for ByMap {
             Phase::Clean { route, .. } | Phase::Return { route, .. } => route.rest(),
             _ => &[],
         };
-        let locator = if let Phase::Search { locator, .. } = &self.phase { Some(&**locator) } else { None };
+        let locator = self.search.locator().filter(|_| matches!(self.phase, Phase::Search));
         Some(Intent { route, frontiers: &[], reach: Some(&self.reach), locator })
     }
 

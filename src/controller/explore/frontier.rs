@@ -11,7 +11,8 @@
 //!
 //! All of it is planned on the map of the robot's own [`Mapper`] and driven by the Mapper's pose. Poses may jump and maps err:
 //! no place is gone for again and again, what shouldn't be there is driven around, edges and virtual walls are barred,
-//! and what takes too long is given up. The map is complete when no lane is left.
+//! and what takes too long is given up. The map is complete when no lane is left. A robot that was carried off finds itself on
+//! what it has mapped so far before it goes on.
 //!
 //! Distances, numbers of tries and the order of the two kinds are ours.
 //!
@@ -34,7 +35,7 @@ use super::{
 use crate::{
     controller::{
         BehaviourInfo, Build, Claims, Intent, Setup,
-        parts::{Barred, Driven, Habit, Hit, Kind, Pilot, Route, Side},
+        parts::{Barred, Driven, Habit, Hit, Kind, Pilot, Route, Search, Searched, Side},
         wall_follow::WallFollow,
     },
     geometry::{Point, Pose},
@@ -156,6 +157,7 @@ pub(super) struct Frontier {
     pub(super) lanes: Vec<[Point; 2]>,
     /// Where it was last seen to move, and how long ago, s.
     moved: (Point, f64),
+    search: Search,
 }
 
 #[derive(Clone)]
@@ -175,7 +177,11 @@ pub(super) enum Phase {
         to: Goal,
         place: Point,
     },
+    /// Looks for itself on its map: somebody has carried it off.
+    Search,
     Done,
+    /// It hasn't found itself.
+    Lost,
 }
 
 /// What it drives for.
@@ -204,6 +210,7 @@ impl Frontier {
             doubts: 0,
             lanes: Vec::new(),
             moved: (Point::origin(), 0.0),
+            search: Search::new(setup),
             mapper,
         }
     }
@@ -273,21 +280,40 @@ impl Habit for Frontier {
     fn begin(&mut self, pilot: &mut Pilot) {
         self.trace.stop();
         self.moved.1 = 0.0;
-        self.follow(pilot);
+        if !self.mapper.is_lost() {
+            self.follow(pilot);
+        } else if self.search.begin(pilot, &self.mapper) {
+            self.phase = Phase::Search;
+        } else {
+            self.phase = Phase::Lost;
+        }
     }
 
-    fn watch(&mut self, sensed: &Sensors, _: f64) {
+    fn watch(&mut self, sensed: &Sensors, dt_s: f64) {
         self.mapper.update(sensed);
+        if matches!(self.phase, Phase::Search) {
+            match self.search.watch(&mut self.mapper, sensed, dt_s) {
+                Searched::Looking => {}
+                Searched::Found => {
+                    self.moved = (self.mapper.pose().position(), 0.0);
+                    self.phase = Phase::Choose;
+                }
+                Searched::InVain => self.phase = Phase::Lost,
+            }
+        }
     }
 
     fn roam(&mut self, pilot: &mut Pilot, sensed: &Sensors, dt_s: f64) -> Drive {
-        if self.is_stuck(dt_s) && !matches!(self.phase, Phase::Done) {
+        if matches!(self.phase, Phase::Search) {
+            return self.search.roam(pilot, sensed, dt_s);
+        }
+        if self.is_stuck(dt_s) && !self.is_done() {
             self.moved.1 = 0.0;
             self.doubts += 1;
             self.choose();
         }
         match &mut self.phase {
-            Phase::Done => Drive::STOP,
+            Phase::Search | Phase::Done | Phase::Lost => Drive::STOP,
             Phase::Choose => {
                 self.decide(pilot);
                 Drive::STOP
@@ -319,6 +345,9 @@ impl Habit for Frontier {
     }
 
     fn hit(&mut self, pilot: &mut Pilot, hit: Hit) {
+        if matches!(self.phase, Phase::Search) {
+            return self.search.hit(pilot, hit);
+        }
         let pose = self.mapper.pose();
         if hit.kind != Kind::Bump {
             self.barred.edge(pose, pilot.robot.radius);
@@ -343,12 +372,12 @@ impl Habit for Frontier {
                 self.meet(pilot, aside);
                 pilot.answer(hit, BACK, &[]);
             }
-            Phase::Choose | Phase::Done => pilot.answer(hit, BACK, &[]),
+            Phase::Choose | Phase::Search | Phase::Done | Phase::Lost => pilot.answer(hit, BACK, &[]),
         }
     }
 
     fn is_done(&self) -> bool {
-        matches!(self.phase, Phase::Done)
+        matches!(self.phase, Phase::Done | Phase::Lost)
     }
 
     fn activity(&self) -> &'static str {
@@ -358,7 +387,9 @@ impl Habit for Frontier {
             Phase::Drive { to: Goal::Floor, .. } => "driving to unknown floor",
             Phase::Drive { to: Goal::Wall(_), .. } => "driving to where a wall goes on",
             Phase::Drive { to: Goal::Home, .. } => "driving back to the start",
+            Phase::Search => "looking for itself on its map",
             Phase::Done => "done: the map is complete",
+            Phase::Lost => "done: it can't find itself on its map",
         }
     }
 
@@ -368,7 +399,8 @@ impl Habit for Frontier {
 
     fn intent(&self) -> Option<Intent<'_>> {
         let route = if let Phase::Drive { route, .. } = &self.phase { route.rest() } else { &[] };
-        Some(Intent { route, frontiers: &self.lanes, ..Intent::default() })
+        let locator = self.search.locator().filter(|_| matches!(self.phase, Phase::Search));
+        Some(Intent { route, frontiers: &self.lanes, locator, ..Intent::default() })
     }
 
     fn start_at(&mut self, start: Pose) {

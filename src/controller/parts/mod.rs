@@ -10,6 +10,8 @@ mod home;
 mod pilot;
 #[cfg(feature = "mapping")]
 mod route;
+#[cfg(feature = "mapping")]
+mod search;
 mod trail;
 mod travel;
 mod voids;
@@ -24,3 +26,5 @@ pub(super) use home::{GO_HOME, LEAVE_HOME};
 pub(super) use pilot::{By, Move, Pilot};
 #[cfg(feature = "mapping")]
 pub(super) use route::Route;
+#[cfg(feature = "mapping")]
+pub(super) use search::{Search, Searched};

@@ -44,20 +44,40 @@ pub(super) fn room(blocked: &Grid<bool>, start: Cell) -> (Grid<bool>, bool) {
     (reached, meets_border)
 }
 
-/// Marks all free cells that are connected with `start` and not marked yet.
+/// Marks all free cells that are connected with `start` and not marked yet, a piece of a row at a time.
 fn flood(blocked: &Grid<bool>, start: Cell, marked: &mut Grid<bool>, mut seen: impl FnMut(Cell)) {
-    let is_new = |cell: Cell, marked: &Grid<bool>| blocked.get(cell) == Some(&false) && !marked[cell];
-    if !is_new(start, marked) {
+    if !blocked.contains(start) {
         return;
     }
-    marked[start] = true;
-    let mut stack = vec![start];
-    while let Some(cell) = stack.pop() {
-        seen(cell);
-        for next in cell.neighbours() {
-            if is_new(next, marked) {
-                marked[next] = true;
-                stack.push(next);
+    let width = blocked.width();
+    let mut stack = vec![(start.x as usize, start.y as usize)];
+    while let Some((x, y)) = stack.pop() {
+        let row = y * width;
+        let walls = &blocked.values()[row..row + width];
+        let marks = &mut marked.values_mut()[row..row + width];
+        if walls[x] || marks[x] {
+            continue;
+        }
+        // As far as it goes to either side.
+        let open = |x: &usize| !walls[*x] && !marks[*x];
+        let first = (0..x).rev().take_while(open).last().unwrap_or(x);
+        let end = (x + 1..width).take_while(open).last().unwrap_or(x) + 1;
+        marks[first..end].fill(true);
+        for x in first..end {
+            seen(Cell::new(x as i32, y as i32));
+        }
+        // The first cell of each piece of the rows beside it that goes on from there.
+        let beside = [y.checked_sub(1), (y + 1 < blocked.height()).then_some(y + 1)];
+        for y in beside.into_iter().flatten() {
+            let row = y * width;
+            let (walls, marks) = (&blocked.values()[row..row + width], &marked.values()[row..row + width]);
+            let mut was_new = false;
+            for x in first..end {
+                let is_new = !walls[x] && !marks[x];
+                if is_new && !was_new {
+                    stack.push((x, y));
+                }
+                was_new = is_new;
             }
         }
     }
@@ -103,7 +123,25 @@ pub(super) fn leak(blocked: &Grid<bool>, start: Cell) -> Option<(Point, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::grid::{from_picture, picture};
+    use crate::{
+        floorplan::generate::random_clutter,
+        grid::{from_picture, picture, reachable},
+    };
+
+    #[test]
+    fn a_flood_marks_what_steps_reach() {
+        for seed in 0..20 {
+            let free = random_clutter(31, 23, 0.4, seed);
+            let blocked = free.map(|&is_free| !is_free);
+            for start in [Cell::new(0, 0), Cell::new(15, 11), Cell::new(30, 22), Cell::new(7, 19)] {
+                let (reached, meets_border) = room(&blocked, start);
+                let expected = if free[start] { reachable(&free, start) } else { free.map(|_| false) };
+                assert_eq!(reached, expected, "{seed} {start}");
+                let on_border = |cell: Cell| cell.x == 0 || cell.y == 0 || cell.x == 30 || cell.y == 22;
+                assert_eq!(meets_border, expected.iter().any(|(cell, &is_set)| is_set && on_border(cell)));
+            }
+        }
+    }
 
     #[test]
     fn what_the_border_reaches_is_outside() {
