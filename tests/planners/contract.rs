@@ -6,7 +6,7 @@ use robovac_playground::{
     grid::{Cell, Direction, from_picture},
     metrics::WalkMetrics,
     planner::{
-        CoverageJob, CoveragePath, Explainer, PLANNERS, ParamKind, ParamValue, Params, PlanContext, PlanError, Planner,
+        CoverageJob, CoveragePath, Explainer, PLANNERS, ParamKind, ParamValue, Params, PlanContext, PlanError,
         PlannerInfo, Report, SLOW_CELLS,
     },
 };
