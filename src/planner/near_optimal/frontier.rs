@@ -164,6 +164,11 @@ impl Region {
         state
     }
 
+    /// Entries that are used, but for that of the end.
+    fn used(&self) -> usize {
+        self.columns + 1 + self.plugs.len()
+    }
+
     /// Entry of the edge or plug at a side of a site.
     fn slot(&self, site: &Site, side: Side) -> usize {
         match (site.beyond[side], side) {
@@ -204,7 +209,10 @@ impl Region {
                 if label == 0 {
                     label = other;
                 } else if other != 0 && other != label {
-                    state[..END].iter_mut().filter(|e| **e & LABEL == other).for_each(|e| *e = *e & !LABEL | label);
+                    state[..self.used()]
+                        .iter_mut()
+                        .filter(|e| **e & LABEL == other)
+                        .for_each(|e| *e = *e & !LABEL | label);
                     labels.iter_mut().filter(|l| **l == other).for_each(|l| *l = label);
                 }
             }
@@ -231,7 +239,7 @@ impl Region {
                 opens |= is_open(side);
                 label = label.max(labels[side]);
             }
-            let lives = opens || (label != 0 && state[..END].iter().any(|&e| e & LABEL == label && e != 0));
+            let lives = opens || (label != 0 && state[..self.used()].iter().any(|&e| e & LABEL == label));
             is_closed |= !lives;
         }
         if is_closed {
@@ -246,7 +254,7 @@ impl Region {
         if index + 1 == self.sites.len() && state[END] == 0 {
             return None;
         }
-        renumber(&mut state);
+        renumber(&mut state[..self.used()]);
         Some(state)
     }
 
@@ -306,10 +314,10 @@ fn is_one(way: &Way, labels: &[u8; 4]) -> bool {
 }
 
 /// Numbers labels in the order in which they appear.
-fn renumber(state: &mut State) {
+fn renumber(state: &mut [u8]) {
     let mut names = [0_u8; LABEL as usize + 1];
     let mut last = 0;
-    for entry in &mut state[..END] {
+    for entry in state {
         let label = (*entry & LABEL) as usize;
         if label == 0 {
             continue;

@@ -21,6 +21,8 @@ pub(super) struct Work<'j> {
     numbers: Grid<u32>,
     pub relaxation: Relaxation,
     improver: Improver,
+    /// Noise of the next shake.
+    noise: f64,
     /// The cells by their numbers, if the room is so small that every change of the walk is shown.
     filmed: Vec<Cell>,
     /// The best walk so far, by the cells' numbers, and its cost in price units.
@@ -35,10 +37,13 @@ pub(super) struct Work<'j> {
 
 /// No cell.
 const NONE: u32 = u32::MAX;
-/// Noise of one shake after the other, in shares of a step and a quarter turn (ours).
-const NOISES: [f64; 4] = [0.12, 0.3, 0.6, 0.3];
-/// Largest window of a shaken block, cells, and states kept.
-const SHAKEN: (i32, usize) = (12, 700);
+/// Noise of a shake in steps and quarter turns, least and most: it grows by a factor after every shake that led to nothing,
+/// and falls after every other, so that it is as strong as the room and the time already spent ask for (ours).
+const NOISES: [f64; 2] = [0.3, 8.0];
+const GROWS: f64 = 1.05;
+const FALLS: f64 = 0.7;
+/// Largest window of a shaken block, cells, and states kept: many hasty windows find more than few careful ones.
+const SHAKEN: (i32, usize) = (12, 50);
 /// Cells up to which every change of the walk is shown.
 const MOST_FILMED: usize = 2_000;
 /// Largest grid, walls included, of which all walks are tried.
@@ -68,6 +73,7 @@ impl<'j> Work<'j> {
             numbers,
             relaxation,
             improver,
+            noise: NOISES[0],
             filmed,
             best: (Vec::new(), i64::MAX),
             shown: Vec::new(),
@@ -206,18 +212,18 @@ impl<'j> Work<'j> {
     pub fn shake(&mut self, share: f64, before: f64, ctx: &mut PlanContext<'_>) -> Result<(), PlanError> {
         let until = (share * self.most as f64) as usize;
         let mut priced = self.improver.work;
-        for shake in 0.. {
-            if self.is_over() || self.improver.work >= until {
-                break;
-            }
+        while !self.is_over() && self.improver.work < until {
             ctx.proof = Some(self.proof());
             let (done, mut result) = (self.share(before), Ok(()));
             let Self { improver, relaxation, numbers, shown, .. } = self;
             let ground = Ground::new(self.job, self.objective, relaxation, numbers);
-            improver.shake(&ground, NOISES[shake % NOISES.len()], SHAKEN, || {
+            let before = improver.cost;
+            improver.shake(&ground, self.noise, SHAKEN, || {
                 result = result.and_then(|()| ctx.checkpoint(done, shown));
                 result.is_ok()
             });
+            let change = if improver.cost < before { FALLS } else { GROWS };
+            self.noise = (self.noise * change).clamp(NOISES[0], NOISES[1]);
             result?;
             self.keep(ctx);
             if self.improver.work > priced + WORK_PER_PRICING {
