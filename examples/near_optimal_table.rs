@@ -1,11 +1,11 @@
-//! How near the best possible `near_optimal` comes, and how soon: `cargo run --release --example near_optimal_table -- [SECONDS]`
+//! How near the best possible `near_optimal` comes, and how soon: `cargo run --release --example near_optimal_table -- [SECONDS [SEED]]`
 //! on the benchmark rooms in `../shared/maps`, where they exist: steps + 2 x quarter turns of open walks in `grids`, steps + 50 x
 //! quarter turns of closed tours in `turncost`. Its effort is the largest, and it's stopped after that many seconds (10): on
 //! Linux those that the processor worked at it, as other programs may run.
 
 use robovac_playground::{
-    grid::{Cell, Direction, Grid, from_picture},
-    planner::{CoverageJob, Objective, Params, PlanContext, PlanError, Proof, Report, find},
+    grid::{Cell, Direction, from_picture},
+    planner::{CoverageJob, CoveragePath, Objective, Params, PlanContext, PlanError, Proof, Report, find},
     registry::ParamValue,
 };
 use std::{error::Error, fs, ops::ControlFlow, path::Path, time::Instant};
@@ -48,6 +48,7 @@ fn read(path: &Path) -> Result<(CoverageJob, Option<f64>), Box<dyn Error>> {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let seconds: f64 = std::env::args().nth(1).map_or(Ok(10.0), |text| text.parse())?;
+    let seed: u64 = std::env::args().nth(2).map_or(Ok(0), |text| text.parse())?;
     let info = find("near_optimal").ok_or("not in the registry")?;
     println!(
         "| room | cells | first | after s | best | our bound | above | best known | above it | last found after s |"
@@ -72,14 +73,14 @@ fn main() -> Result<(), Box<dyn Error>> {
             let (mut first, mut best) = (None, Best { walk: Vec::new(), proof: None, cost: u64::MAX, after: 0.0 });
             let mut observe = |report: Report<'_>| {
                 let now = clock.seconds();
-                if report.proof.is_some() {
+                if first.is_some() || missed(&job, report.walk) == 0 {
                     best.take(&job, objective, report.walk, now);
                     best.proof = report.proof;
                     first.get_or_insert((best.cost, now));
                 }
                 if now < seconds { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
             };
-            let mut ctx = PlanContext::observed(0, &mut observe);
+            let mut ctx = PlanContext::observed(seed, &mut observe);
             let result = info.build(&params).plan(&job, &mut ctx);
             let proof = ctx.proof;
             match result {
@@ -130,14 +131,17 @@ impl Best {
 
     /// Makes sure that it's a walk over all cells.
     fn check(&self, job: &CoverageJob) -> Result<(), Box<dyn Error>> {
-        let mut left = job.free.clone();
-        for (i, &cell) in self.walk.iter().enumerate() {
-            if !job.free.is_set(cell) || i > 0 && self.walk[i - 1].direction_to(cell).is_none() {
-                return Err(format!("step {i} is wrong").into());
-            }
-            left[cell] = false;
-        }
-        let missed = Grid::count(&left);
+        CoveragePath { cells: self.walk.clone() }.check(job)?;
+        let missed = missed(job, &self.walk);
         if missed > 0 { Err(format!("{missed} cells are missed").into()) } else { Ok(()) }
     }
+}
+
+/// How many cells a walk misses.
+fn missed(job: &CoverageJob, walk: &[Cell]) -> usize {
+    let mut left = job.free.clone();
+    for &cell in walk {
+        left[cell] = false;
+    }
+    left.count()
 }
