@@ -24,7 +24,13 @@ export function startKeys(app) {
   singleKeys.addEventListener("change", () => remember(singleKeys.checked ? "on" : "off"));
 
   // Before anything that Escape closes is closed: it does one thing at a time.
-  document.addEventListener("keydown", (event) => event.key === "Escape" && cancels(app, event) && app.cancelPlanning(), { capture: true });
+  const cancel = (/** @type {KeyboardEvent} */ event) => {
+    if (event.key !== "Escape" || !cancels(app, event)) return;
+    event.stopPropagation();
+    event.preventDefault();
+    app.cancelPlanning();
+  };
+  document.addEventListener("keydown", cancel, { capture: true });
 
   document.addEventListener("keydown", (event) => {
     if (document.querySelector("dialog[open]") || event.defaultPrevented || event.altKey) return;
@@ -39,7 +45,7 @@ export function startKeys(app) {
 function cancels({ view }, { target, ctrlKey, metaKey, altKey }) {
   if (place() !== "explore" || !view.can.cancel || ctrlKey || metaKey || altKey) return false;
   const isOpen = document.querySelector("dialog[open], .sheet.open, #layers:not([hidden]), #tip:not([hidden])");
-  return !isOpen && !(target instanceof Element && target.matches("textarea, input:not([type=checkbox], [type=range])"));
+  return !isOpen && !(target instanceof Element && target.matches("select, textarea, input:not([type=checkbox], [type=range])"));
 }
 
 /** Ctrl or Cmd and a key. @param {App} app @param {KeyboardEvent} event */

@@ -207,6 +207,7 @@ async function start() {
       const view = (app.view = playground.view());
       // Only the opening scene doesn't begin with its beginning.
       if (isFirst && view.time_s > 60) tellOpening();
+      else if (view.time_s < 60) endOpening();
       isFirst = false;
       const other = here();
       if (other) return updateMessage(other.frame(now) ?? view);
@@ -232,7 +233,12 @@ async function start() {
 /** Says for a while why the robot has come so far already. */
 function tellOpening() {
   byId("opening").textContent = ": ten minutes in";
-  setTimeout(() => (byId("opening").textContent = ""), 15_000);
+  setTimeout(endOpening, 15_000);
+}
+
+function endOpening() {
+  const told = byId("opening");
+  if (told.textContent) told.textContent = "";
 }
 
 /** Keeps the address such that it leads back here. @param {string} link */

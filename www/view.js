@@ -29,14 +29,14 @@ const PLAN_METRICS = [
   { label: "Revisits", tip: "Visits to cells beyond the first to each: driving that cleans nothing new.", plan: (p) => count(p.revisits) },
   { label: "Turns", tip: "Quarter turns between steps on the grid; a reversal counts as two.", plan: (p) => count(p.turns) },
   { label: "Above the bound", tip: bound, plan: (p) => (p.above_bound === null ? "–" : p.above_bound === 0 ? "proven optimal" : `${gap(p.above_bound)} %`) },
-  { label: "Kept early", tip: "The search was stopped by hand, and its best plan so far kept: how long it had taken, and how much of its effort that was.", plan: (p) => `after ${took(p.planning_s ?? 0)}, ${percent(p.kept_at ?? 0, 0)} % of the search`, when: (v) => typeof v.plan?.kept_at === "number" },
+  { label: "Kept early", tip: "The search was stopped by hand, and its best plan so far kept: how long it had taken, and how far its progress had come.", plan: (p) => `after ${took(p.planning_s ?? 0)}, ${percent(p.kept_at ?? 0, 0)} % of the search`, when: (v) => typeof v.plan?.kept_at === "number" },
   { label: "Planned in", tip: "Time that this computer took to work out the plan. That of the opening scene comes with the page.", plan: (p) => (p.planning_s === null ? "made in advance" : took(p.planning_s)) },
 ];
 
 /** What is meant by the share above the bound. @param {View} view */
 function bound({ plan }) {
   const turn = plan?.turn_weight ?? 2;
-  const weights = `its steps + ${+turn.toFixed(2)} × its quarter turns${plan?.times_turns ? " (as long as this robot takes for one, in steps)" : ""}`;
+  const weights = `its steps + ${+turn.toFixed(2)} × its quarter turns${plan?.times_turns ? " (as long as this robot takes for one, in steps; the turn to the first step counts, too)" : ""}`;
   return `How much more the plan costs than any plan over these cells must, in percent of that. A plan costs ${weights}. At 0 % it is proven to be the best.`;
 }
 

@@ -45,9 +45,10 @@ pub trait Planner {
     /// Plans a walk from `job.start`. Must return [`PlanError::Cancelled`] soon after the context says so.
     fn plan(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError>;
 
-    /// The planners whose walks, made with their defaults, this one begins with; none for most.
-    fn begins_with(&self) -> &'static [&'static PlannerInfo] {
-        &[]
+    /// The planners whose walks, made with their defaults, this one begins with in `job`, and the job they are given; none
+    /// for most.
+    fn begins_with(&self, job: &CoverageJob) -> (CoverageJob, &'static [&'static PlannerInfo]) {
+        (job.clone(), &[])
     }
 }
 

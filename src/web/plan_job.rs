@@ -21,7 +21,7 @@ const REPORT_EVERY_MS: f64 = 100.0;
 
 /// Plans a request made by `Playground.take_plan_request`. To be called in a worker, as it blocks until it is done.
 ///
-/// `on_progress(done, cells, proof, film)` is called about ten times a second and at the end, with the share done, 0 to 1,
+/// `on_progress(done, cells, proof, film)` is called about ten times a second and, if filmed, at the end, with the share done, 0 to 1,
 /// the best walk so far as x, y, x, y, ..., what is proven of it, `[cost, bound]` or nothing, and what the planner was filmed
 /// at since the last call, an array. Returns `{ cells, seconds, trace, proof }`; throws a message if the request is not valid.
 #[wasm_bindgen]

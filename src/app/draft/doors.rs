@@ -44,14 +44,15 @@ impl Doors {
             let is_less = now.is_none_or(|(_, before)| floor < (1.0 - BEHIND) * before);
             is_less.then_some((traced, floor))
         };
-        let (closed, _) = with(DOORS[1])?;
+        let full = with(DOORS[1])?;
         let width = |&[a, b]: &[Point; 2]| (b - a).norm() + CELLS * how.resolution;
-        let widest = closed.gaps.iter().map(width).fold(how.gap, f64::max);
+        let widest = full.0.gaps.iter().map(width).fold(how.gap, f64::max);
         // The narrowest that does it: what is wider is left open.
         let least = (widest.max(DOORS[0]) * STEPS - 1e-6).ceil() / STEPS;
-        let least = least.min(DOORS[1]);
-        let (gap, (closed, floor_m2)) = [least, DOORS[1]].into_iter().find_map(|gap| Some((gap, with(gap)?)))?;
-        let before = now.map_or(0, |(traced, _)| traced.gaps.len());
-        Some(Self { count: closed.gaps.len().saturating_sub(before).max(1), gap, floor_m2 })
+        let narrow = if least < DOORS[1] { with(least).map(|closed| (least, closed)) } else { None };
+        let (gap, (closed, floor_m2)) = narrow.unwrap_or((DOORS[1], full));
+        let is_new = |[a, b]: &&[Point; 2]| (*b - *a).norm() > how.gap;
+        let count = closed.gaps.iter().filter(is_new).count().max(1);
+        Some(Self { count, gap, floor_m2 })
     }
 }

@@ -35,8 +35,9 @@ impl Film {
     /// Begins with what `planner` begins with.
     pub fn of(planner: &PlannerInfo, params: &Params, job: &CoverageJob) -> Self {
         let mut film = Self::default();
-        for first in planner.build(params).begins_with() {
-            let plan = first.build(&Params::defaults(first.params)).plan(job, &mut PlanContext::new(0));
+        let (job, planners) = planner.build(params).begins_with(job);
+        for first in planners {
+            let plan = first.build(&Params::defaults(first.params)).plan(&job, &mut PlanContext::new(0));
             if let Ok(path) = plan {
                 film.add(Frame { walk: path.cells, proof: None, planner: first.title.to_owned(), number: 0 });
             }

@@ -54,7 +54,8 @@ impl TimedCommand {
 /// Speeds are those that the robot's controller keeps ([`RobotModel::speed_steps`]), in whole mm/s, and every time is
 /// distance by speed: what a wheel that speeds up evenly falls behind it makes up when it slows down. As times are
 /// whole periods, a move ends up to 2 mm or a quarter of a degree off; the next one begins from there, so that this
-/// never adds up. What slips, does. Slower speeds are taken where they end nearer, and after every move the robot waits
+/// never adds up. What slips, does. Slower speeds are taken for turns that end nearer, and for ways
+/// that would end more than a millimetre off; after every move the robot waits
 /// until its wheels rest: so this takes longer than the motion model says.
 pub fn commands(path: &[Point], heading: f64, robot: &RobotModel) -> Vec<TimedCommand> {
     let mut list = List { robot, commands: Vec::new(), now: 0.0 };
@@ -96,7 +97,7 @@ pub fn commands_text(commands: &[TimedCommand], robot: &RobotModel, planned: &st
          # runs on   {}, {body}; 115200 baud\n\
          {differs}\
          # units     s, mm/s, m, degrees (left is counter-clockwise)\n\
-         # duration  {duration:.3} s: {moves:.3} s of moves, {:.3} s of waiting until the wheels rest after each\n\
+         # duration  {duration:.3} s: {moves:.3} s of moves, {:.3} s of waiting for modes and until the wheels rest\n\
          # Send the bytes of each line at its time; the robot drives on until the next.\n\
          # time  bytes            meaning\n",
         robot.title,

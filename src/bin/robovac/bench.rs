@@ -22,10 +22,11 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     if arguments.json {
         return Ok(output::json(&all(&arguments.only, &clock, &mut |_| {})?));
     }
-    let mut written = output::print(&line("", "ms, median", "times real time"));
+    let mut head = line("", "ms, median", "times real time");
+    let mut written = Ok(());
     all(&arguments.only, &clock, &mut |result| {
         if written.is_ok() {
-            written = output::print(&row(result));
+            written = output::print(&(std::mem::take(&mut head) + &row(result)));
         }
     })?;
     written.map(|()| String::new())

@@ -160,7 +160,7 @@ impl Region {
             *entry = plug.label;
         }
         state[END] = u8::from(!self.has_end);
-        renumber(&mut state);
+        renumber(&mut state[..self.used()]);
         state
     }
 

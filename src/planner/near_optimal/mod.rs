@@ -139,7 +139,7 @@ impl Planner for NearOptimal {
             ctx.proof = Some(Proof { cost: 0, bound: 0 });
             return Ok(CoveragePath { cells: vec![job.start] });
         }
-        let job = &CoverageJob { step_s: 1.0, turn_s: self.turn.unwrap_or(job.turn_s / job.step_s), ..job.clone() };
+        let job = &self.weighed(job);
         let costs = Costs::of(job);
         let objective = Objective {
             step: costs.step,
@@ -181,8 +181,20 @@ impl Planner for NearOptimal {
         Ok(CoveragePath { cells: work.walk() })
     }
 
-    fn begins_with(&self) -> &'static [&'static PlannerInfo] {
-        &[&boustrophedon::INFO, &backtracking_spiral::INFO, &boustrophedon_cells::INFO]
+    fn begins_with(&self, job: &CoverageJob) -> (CoverageJob, &'static [&'static PlannerInfo]) {
+        let planners: &[_] = if self.effort > 0.0 {
+            &[&boustrophedon::INFO, &backtracking_spiral::INFO, &boustrophedon_cells::INFO]
+        } else {
+            &[&boustrophedon::INFO, &backtracking_spiral::INFO]
+        };
+        (self.weighed(job), planners)
+    }
+}
+
+impl NearOptimal {
+    /// The job in the weights that are asked for.
+    fn weighed(&self, job: &CoverageJob) -> CoverageJob {
+        CoverageJob { step_s: 1.0, turn_s: self.turn.unwrap_or(job.turn_s / job.step_s), ..job.clone() }
     }
 }
 
