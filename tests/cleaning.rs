@@ -152,6 +152,7 @@ fn a_robot_that_is_carried_off_finds_itself_and_goes_on_cleaning() {
     let before = marks(&survey);
     let mut waited = 0;
     while survey.view().is_sure.is_some() && waited < 40 {
+        assert_eq!(survey.view().is_sure, Some(false), "it doesn't go by what it guesses yet");
         assert_eq!(marks(&survey), before, "who is lost doesn't know what it cleans");
         survey.run_ahead(15.0);
         waited += 1;

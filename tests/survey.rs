@@ -285,8 +285,11 @@ fn an_explorer_that_is_carried_off_finds_itself_and_goes_on_exploring() {
     survey.put_down(Pose::new(1.0, 1.6, 2.0));
     survey.run_ahead(2.0);
     assert_eq!((survey.view().is_sure, survey.view().activity), (Some(false), "looking for itself on its map"));
+    let words = survey.description();
+    assert!(words.contains("carried off and looks for itself on its map, and"), "{words}");
     let mut waited = 0;
     while survey.view().is_sure.is_some() && waited < 40 {
+        assert_eq!(survey.view().is_sure, Some(false), "it doesn't go by what it guesses yet");
         assert_eq!(known(&survey), before, "who is lost doesn't know what he maps");
         survey.run_ahead(15.0);
         waited += 1;

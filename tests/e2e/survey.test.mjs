@@ -204,7 +204,7 @@ test("frontiers and the way to one are in the legend while they are drawn, and i
   await app.poll(() => page.locator("#place-map").getAttribute("data-goals"), (goals) => goals === "frontiers route");
   await page.locator("#survey-play").click();
   assert.ok(await frontier.isVisible() && await way.isVisible());
-  await app.poll(() => page.locator("#survey-floor").getAttribute("aria-label"), (words) => /driving to (one of \d+ places )?where what it knows ends/.test(words));
+  await app.poll(() => page.locator("#survey-floor").getAttribute("aria-label"), (words) => /driving along a line to its goal; what it knows ends in (one place|\d+ places)\./.test(words));
   await page.keyboard.press("l");
   await page.getByLabel("Goals, frontiers").uncheck();
   await frontier.waitFor({ state: "hidden" });

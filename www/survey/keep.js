@@ -82,7 +82,11 @@ export function startKeeping(it) {
     dropLast();
     return left;
   };
-  const caughtUp = catchUp().catch(() => undefined);
+  let caughtUp = catchUp().catch(() => undefined);
+  /** What is lost of a run is told once. @param {string} key */
+  const told = async (key) => {
+    if ((await caughtUp)?.recipe === key) caughtUp = Promise.resolve(undefined);
+  };
 
   /** @param {Kept} found */
   const bring = async (found) => {
@@ -93,6 +97,7 @@ export function startKeeping(it) {
       kept = written = moment(it);
       const left = await caughtUp;
       const lost = left && left.recipe === found.recipe && found.end !== undefined ? left.end - found.end : 0;
+      void told(found.recipe);
       if (lost > LITTLE) complain(`The run goes on ${lost < 60 ? `${lost.toFixed(1)} s` : `${clock(lost)} min`} before where you left it: this browser had no room for more.`);
     } catch (error) {
       putAside(found.text);
@@ -142,7 +147,8 @@ export function startKeeping(it) {
       .then((database) => write(database, entries))
       .then(() => {
         written = now;
-        dropLast();
+        // What is newer may be under way still.
+        if (kept === now) dropLast();
       })
       .catch(warn);
   };
@@ -174,6 +180,7 @@ export function startKeeping(it) {
     forget() {
       kept = written = "";
       dropLast();
+      void told(recipe);
       remove(recipe);
     },
     /** The map that the robot was given is given back, or another one comes: a reload won't bring it. */

@@ -136,8 +136,8 @@ function show(view) {
     if (changed(byId("survey-return"), "done", done)) typed("survey-return-bar", HTMLProgressElement).value = done;
   }
   setText(byId("survey-room"), view.title);
-  // A robot that has come to its end would look as if it hung.
-  const isDone = view.phase === "finished";
+  // A robot that has come to its end would look as if it hung; one that is lost has explored less, and says so itself.
+  const isDone = view.phase === "finished" && view.is_sure !== false;
   const next = view.can.clean ? " Next: clean with this map." : "";
   const activity = isDone && !view.is_cleaning ? `Done: nothing is left that it can explore.${next}` : view.activity;
   setText(byId("survey-activity"), activity ? `${activity.charAt(0).toUpperCase()}${activity.slice(1)}` : "");

@@ -53,13 +53,16 @@ export function startUses(it, keeping) {
   /** Gives the robot a map; what can't be read is told, and the current one stays. @param {File[]} chosen */
   const open = async (chosen) => {
     if (chosen.length === 0) return;
-    keeping.save();
     try {
       const { readMap } = await import("../workers.js");
       const map = await readMap(await Promise.all(chosen.map(async (file) => ({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) }))));
-      keeping.leave();
+      // The run may have gone on meanwhile.
+      keeping.save();
       const before = ran();
-      if (it.act((s) => s.open(map))) began(before, `The robot knows ${chosen.map(({ name }) => name).join(" and ")}, and not where it is.`);
+      if (it.act((s) => s.open(map))) {
+        keeping.leave();
+        began(before, `The robot knows ${chosen.map(({ name }) => name).join(" and ")}, and not where it is.`);
+      }
     } catch (error) {
       complain(error instanceof Error ? `The map could not be read (${error.message}). Check the connection, then try again.` : textOf(error));
     }

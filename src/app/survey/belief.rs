@@ -23,6 +23,9 @@ enum Source<'a> {
     Mapper(&'a Mapper),
     /// What looks for the robot on a map that it was given.
     Locator(&'a Locator),
+    /// What looks for a robot that was carried off on the map that it has made: until the robot goes by what this says, it only
+    /// guesses.
+    Lost(&'a Locator),
     /// Nobody at present: it was stored.
     Store(Pose),
 }
@@ -37,7 +40,7 @@ impl<'a> Belief<'a> {
     }
 
     pub(super) fn lost(mapper: &'a Mapper, locator: &'a Locator) -> Self {
-        Self { map: mapper.map(), marks: mapper.marks(), source: Source::Locator(locator) }
+        Self { map: mapper.map(), marks: mapper.marks(), source: Source::Lost(locator) }
     }
 
     pub(super) fn left(still: &'a Still) -> Self {
@@ -48,7 +51,7 @@ impl<'a> Belief<'a> {
     pub fn pose(&self) -> Option<Pose> {
         match self.source {
             Source::Mapper(mapper) => Some(mapper.pose()),
-            Source::Locator(locator) => locator.pose(),
+            Source::Locator(locator) | Source::Lost(locator) => locator.pose(),
             Source::Store(pose) => Some(pose),
         }
     }
@@ -57,7 +60,7 @@ impl<'a> Belief<'a> {
     pub fn spread(&self) -> Option<Spread> {
         match self.source {
             Source::Mapper(mapper) => Some(mapper.spread()),
-            Source::Locator(locator) => locator.spread(),
+            Source::Locator(locator) | Source::Lost(locator) => locator.spread(),
             Source::Store(_) => None,
         }
     }
@@ -66,7 +69,7 @@ impl<'a> Belief<'a> {
     pub fn particles(&self) -> Vec<(Pose, f64)> {
         match self.source {
             Source::Mapper(mapper) => mapper.particles(),
-            Source::Locator(locator) => locator.particles(),
+            Source::Locator(locator) | Source::Lost(locator) => locator.particles(),
             Source::Store(_) => Vec::new(),
         }
     }
@@ -75,6 +78,7 @@ impl<'a> Belief<'a> {
     pub fn is_sure(&self) -> Option<bool> {
         match self.source {
             Source::Locator(locator) => Some(locator.is_sure()),
+            Source::Lost(_) => Some(false),
             Source::Mapper(mapper) if mapper.is_lost() => Some(false),
             _ => None,
         }

@@ -17,23 +17,31 @@ impl Survey {
         if run.steps() == 0 {
             return format!("Map of {title}: empty. The robot stands at its start and knows nothing of the room.");
         }
+        let held = if self.phase() == Phase::Held { " Somebody holds it." } else { "" };
         if let Some(is_sure) = self.belief().and_then(|belief| belief.is_sure()) {
             let place = match (here.position_m, is_sure) {
                 (None, _) => "has no idea where it is".to_owned(),
                 (Some(off), false) => format!("guesses where it is, {} off", length(off)),
                 (Some(off), true) => format!("is sure where it is, {} off", length(off)),
             };
-            return format!("{}: the robot knows a map of the room, and {place}.", minutes(run.time_s()));
+            let looks = self.intent().is_some_and(|intent| intent.locator.is_some());
+            let who = match (&self.known, looks) {
+                (Some(_), _) => "knows a map of the room",
+                (None, true) => "was carried off and looks for itself on its map",
+                (None, false) => "was carried off",
+            };
+            return format!("{}: the robot {who}, and {place}.{held}", minutes(run.time_s()));
         }
         let goals = self.intent().map_or(String::new(), |intent| match (intent.frontiers.len(), intent.route.last()) {
             (0, None) => String::new(),
             (0, Some(_)) => " It is driving along a line to its goal.".to_owned(),
             (1, None) => " What it knows ends in one place where it could go on.".to_owned(),
             (count, None) => format!(" What it knows ends in {count} places where it could go on."),
-            (1, Some(_)) => " It is driving to where what it knows ends.".to_owned(),
-            (count, Some(_)) => format!(" It is driving to one of {count} places where what it knows ends."),
+            (1, Some(_)) => " It is driving along a line to its goal; what it knows ends in one place.".to_owned(),
+            (count, Some(_)) => {
+                format!(" It is driving along a line to its goal; what it knows ends in {count} places.")
+            }
         });
-        let held = if self.phase() == Phase::Held { " Somebody holds it." } else { "" };
         format!(
             "{}: {:.0} % of the boundary mapped, {:.0} % of the floor known. The robot believes to be {} from where it is; by \
              odometry alone it would be {}.{goals}{held}",

@@ -157,6 +157,8 @@ pub(super) struct Frontier {
     pub(super) lanes: Vec<[Point; 2]>,
     /// Where it was last seen to move, and how long ago, s.
     moved: (Point, f64),
+    /// Whether it hangs, or hung, in somebody's hand.
+    is_lifted: bool,
     search: Search,
 }
 
@@ -180,8 +182,10 @@ pub(super) enum Phase {
     /// Looks for itself on its map: somebody has carried it off.
     Search,
     Done,
-    /// It hasn't found itself.
-    Lost,
+    /// It hasn't found itself, or there was nothing to find itself by.
+    Lost {
+        has_looked: bool,
+    },
 }
 
 /// What it drives for.
@@ -195,7 +199,7 @@ pub(super) enum Goal {
 }
 
 impl Frontier {
-    fn new(setup: &Setup<'_>, mapper: Mapper) -> Self {
+    pub(super) fn new(setup: &Setup<'_>, mapper: Mapper) -> Self {
         let resolution = mapper.map().resolution();
         Self {
             spacing: ((setup.params.number("lane") / 100.0 / resolution).round() as i32).max(1),
@@ -210,6 +214,7 @@ impl Frontier {
             doubts: 0,
             lanes: Vec::new(),
             moved: (Point::origin(), 0.0),
+            is_lifted: false,
             search: Search::new(setup),
             mapper,
         }
@@ -218,6 +223,15 @@ impl Frontier {
     pub(super) fn follow(&mut self, pilot: &mut Pilot) {
         self.wall.begin(pilot);
         self.phase = Phase::Follow { began: pilot.ahead(), felt: pilot.ahead(), has_met: false };
+    }
+
+    /// The wall that it was following or driving to when it was carried off: the pose is still that of the lift.
+    fn unfinished(&self) -> Option<Pose> {
+        match self.phase {
+            Phase::Follow { has_met: true, .. } => Some(self.mapper.pose()),
+            Phase::Drive { to: Goal::Wall(end), .. } => Some(end),
+            _ => None,
+        }
     }
 
     fn choose(&mut self) {
@@ -278,18 +292,23 @@ impl Frontier {
 
 impl Habit for Frontier {
     fn begin(&mut self, pilot: &mut Pilot) {
+        let is_carried = std::mem::take(&mut self.is_lifted);
+        if matches!(self.phase, Phase::Search) && !is_carried {
+            return;
+        }
         self.trace.stop();
         self.moved.1 = 0.0;
         if !self.mapper.is_lost() {
             self.follow(pilot);
-        } else if self.search.begin(pilot, &self.mapper) {
-            self.phase = Phase::Search;
-        } else {
-            self.phase = Phase::Lost;
+            return;
         }
+        self.ends.extend(self.unfinished());
+        let has_looked = self.search.begin(pilot, &self.mapper);
+        self.phase = if has_looked { Phase::Search } else { Phase::Lost { has_looked } };
     }
 
     fn watch(&mut self, sensed: &Sensors, dt_s: f64) {
+        self.is_lifted |= sensed.wheel_drop_left && sensed.wheel_drop_right;
         self.mapper.update(sensed);
         if matches!(self.phase, Phase::Search) {
             match self.search.watch(&mut self.mapper, sensed, dt_s) {
@@ -298,7 +317,7 @@ impl Habit for Frontier {
                     self.moved = (self.mapper.pose().position(), 0.0);
                     self.phase = Phase::Choose;
                 }
-                Searched::InVain => self.phase = Phase::Lost,
+                Searched::InVain => self.phase = Phase::Lost { has_looked: true },
             }
         }
     }
@@ -313,7 +332,7 @@ impl Habit for Frontier {
             self.choose();
         }
         match &mut self.phase {
-            Phase::Search | Phase::Done | Phase::Lost => Drive::STOP,
+            Phase::Search | Phase::Done | Phase::Lost { .. } => Drive::STOP,
             Phase::Choose => {
                 self.decide(pilot);
                 Drive::STOP
@@ -372,12 +391,12 @@ impl Habit for Frontier {
                 self.meet(pilot, aside);
                 pilot.answer(hit, BACK, &[]);
             }
-            Phase::Choose | Phase::Search | Phase::Done | Phase::Lost => pilot.answer(hit, BACK, &[]),
+            Phase::Choose | Phase::Search | Phase::Done | Phase::Lost { .. } => pilot.answer(hit, BACK, &[]),
         }
     }
 
     fn is_done(&self) -> bool {
-        matches!(self.phase, Phase::Done | Phase::Lost)
+        matches!(self.phase, Phase::Done | Phase::Lost { .. })
     }
 
     fn activity(&self) -> &'static str {
@@ -389,7 +408,10 @@ impl Habit for Frontier {
             Phase::Drive { to: Goal::Home, .. } => "driving back to the start",
             Phase::Search => "looking for itself on its map",
             Phase::Done => "done: the map is complete",
-            Phase::Lost => "done: it can't find itself on its map",
+            Phase::Lost { has_looked: true } => "done: it can't find itself on its map",
+            Phase::Lost { has_looked: false } => {
+                "done: it was carried off, and there is nothing on its map to find itself by"
+            }
         }
     }
 

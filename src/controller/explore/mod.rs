@@ -25,6 +25,8 @@ mod tries;
 pub(super) mod until_obstacle;
 
 #[cfg(test)]
+mod carried;
+#[cfg(test)]
 mod edge_rules;
 
 use super::parts::{Hit, Move, Pilot};
