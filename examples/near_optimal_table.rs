@@ -73,7 +73,8 @@ fn main() -> Result<(), Box<dyn Error>> {
             let (mut first, mut best) = (None, Best { walk: Vec::new(), proof: None, cost: u64::MAX, after: 0.0 });
             let mut observe = |report: Report<'_>| {
                 let now = clock.seconds();
-                if first.is_some() || missed(&job, report.walk) == 0 {
+                let is_whole = !is_closed || report.walk.first() == report.walk.last();
+                if is_whole && (first.is_some() || missed(&job, report.walk) == 0) {
                     best.take(&job, objective, report.walk, now);
                     best.proof = report.proof;
                     first.get_or_insert((best.cost, now));

@@ -25,7 +25,8 @@ const ROWS = [
 const SINGLE = [
   { label: "Sure of itself to", tip: "One standard deviation of the position, along the longer axis, and of the heading, as the robot itself estimates them. The ellipse and the wedge on the map show two.", of: ({ spread }) => (spread ? `±${centimetres(spread[0])}, ±${spread[1].toFixed(1)}°` : "–") },
   { label: "Cleaned by its map", tip: "Share of the floor that it can get to by its own map which it believes to have swept, and what is left of that; once it cleans by its map.", of: ({ by_map }) => (by_map ? `${percent(by_map[0] / Math.max(by_map[1], 1e-9))} %, ${(by_map[1] - by_map[0]).toFixed(1)} m² left` : "–") },
-  { label: "Really cleaned", tip: "Share of the reachable floor that its brush really has swept; in brackets the area that it believes to have cleaned.", of: ({ coverage, cleaned_m2 }) => `${percent(coverage)} % (${cleaned_m2.toFixed(1)} m²)` },
+  { label: "Really cleaned", tip: "Share of the reachable floor that its brush really has swept since the figures began.", of: ({ coverage }) => `${percent(coverage)} %` },
+  { label: "Believes cleaned", tip: "Area of its own map that it believes to have swept; nothing while it doesn't know where it is.", of: ({ cleaned_m2 }) => `${cleaned_m2.toFixed(1)} m²` },
   { label: "Dirt found", tip: "Area of the spots where its dirt sensor spoke.", of: ({ dirt_m2 }) => `${dirt_m2.toFixed(2)} m²` },
 ];
 

@@ -302,7 +302,7 @@ impl Habit for ByMap {
             Phase::Search => "looking for itself on its map",
             Phase::Return { .. } => "driving back to its dock",
             Phase::Dock { .. } => self.dock.activity(),
-            Phase::Done(End::Clean) => "done: all that it can reach is clean",
+            Phase::Done(End::Clean) => "done: all that it can reach on its map is clean",
             Phase::Done(End::NothingReachable) => "done: it can't get to what is left",
             Phase::Done(End::Lost) => "done: it can't find itself on its map",
             Phase::Done(End::Stuck) => "done: it is stuck",
