@@ -38,7 +38,6 @@ fn serve(playground: &mut Playground) {
             number(&result, "seconds"),
             get(&result, "trace"),
             None,
-            &Array::new(),
         )
         .unwrap();
 }
