@@ -32,13 +32,7 @@ fn serve(playground: &mut Playground) {
     let result = plan(&request, &Function::new_no_args("")).unwrap();
     let cells = Uint32Array::new(&get(&result, "cells")).to_vec();
     playground
-        .plan_finished(
-            number(&request, "id") as u32,
-            &cells,
-            number(&result, "seconds"),
-            get(&result, "trace"),
-            None,
-        )
+        .plan_finished(number(&request, "id") as u32, &cells, number(&result, "seconds"), get(&result, "trace"), None)
         .unwrap();
 }
 
