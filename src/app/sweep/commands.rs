@@ -54,9 +54,9 @@ impl TimedCommand {
 /// Speeds are those that the robot's controller keeps ([`RobotModel::speed_steps`]), in whole mm/s, and every time is
 /// distance by speed: what a wheel that speeds up evenly falls behind it makes up when it slows down. As times are
 /// whole periods, a move ends up to 2 mm or a quarter of a degree off; the next one begins from there, so that this
-/// never adds up. What slips, does. Slower speeds are taken for turns that end nearer, and for ways
-/// that would end more than a millimetre off; after every move the robot waits
-/// until its wheels rest: so this takes longer than the motion model says.
+/// never adds up. What slips, does. Slower speeds are taken for turns that end nearer, and for ways that would end more
+/// than a millimetre off; after every move the robot waits until its wheels rest: so this takes longer than the motion
+/// model says.
 pub fn commands(path: &[Point], heading: f64, robot: &RobotModel) -> Vec<TimedCommand> {
     let mut list = List { robot, commands: Vec::new(), now: 0.0 };
     list.send(Command::Start, MODE_CHANGE, "start the interface".to_owned());
