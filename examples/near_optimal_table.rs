@@ -1,5 +1,5 @@
-//! How near the best possible `near_optimal` comes, and how soon: `cargo run --release --example near_optimal_table -- [SECONDS [SEED]]`
-//! on the benchmark rooms in `../shared/maps`, where they exist: steps + 2 x quarter turns of open walks in `grids`, steps + 50 x
+//! How near the best possible `near_optimal` comes, and how soon: `cargo run --release --example near_optimal_table -- [SECONDS [SEED [WORD...]]]`
+//! on the benchmark rooms in `../shared/maps` whose names contain a word, where they exist: steps + 2 x quarter turns of open walks in `grids`, steps + 50 x
 //! quarter turns of closed tours in `turncost`. Its effort is the largest, and it's stopped after that many seconds (10): on
 //! Linux those that the processor worked at it, as other programs may run.
 
@@ -49,6 +49,7 @@ fn read(path: &Path) -> Result<(CoverageJob, Option<f64>), Box<dyn Error>> {
 fn main() -> Result<(), Box<dyn Error>> {
     let seconds: f64 = std::env::args().nth(1).map_or(Ok(10.0), |text| text.parse())?;
     let seed: u64 = std::env::args().nth(2).map_or(Ok(0), |text| text.parse())?;
+    let words: Vec<String> = std::env::args().skip(3).collect();
     let info = find("near_optimal").ok_or("not in the registry")?;
     println!(
         "| room | cells | first | after s | best | our bound | above | best known | above it | last found after s |"
@@ -59,6 +60,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         let mut paths: Vec<_> = entries.filter_map(|entry| Some(entry.ok()?.path())).collect();
         paths.sort();
         for path in paths {
+            let name = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+            if !words.is_empty() && !words.iter().any(|word| name.contains(word)) {
+                continue;
+            }
             let (job, known) = read(&path)?;
             let objective = if is_closed { Objective::closed(1, 50) } else { Objective::open(1, 2) };
             let mut params = Params::defaults(info.params);
@@ -93,7 +98,6 @@ fn main() -> Result<(), Box<dyn Error>> {
                 Err(error) => return Err(error.into()),
             }
             best.check(&job)?;
-            let name = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
             // Walks are priced in sixteenths of a step.
             let bound = best.proof.map_or(0, |proof| proof.bound).div_ceil(16);
             let above = |low: f64| 100.0 * (best.cost as f64 / low - 1.0);

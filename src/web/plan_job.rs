@@ -16,23 +16,25 @@ use js_sys::{Function, Object, Reflect};
 use std::ops::ControlFlow;
 use wasm_bindgen::prelude::*;
 
-/// Milliseconds between two reports of the best walk so far: often enough to see it grow.
-const REPORT_EVERY_MS: f64 = 100.0;
+/// Milliseconds between two reports of the best walk so far, at least: often enough to see it grow. Where walks are long,
+/// telling them takes so many times less than planning.
+const REPORT_EVERY_MS: f64 = 50.0;
+const TELLING: f64 = 10.0;
 
 /// Plans a request made by `Playground.take_plan_request`. To be called in a worker, as it blocks until it is done.
 ///
-/// `on_progress(done, cells, proof, film)` is called about ten times a second and, if filmed, at the end, with the share done, 0 to 1,
+/// `on_progress(done, cells, proof, film)` is called some twenty times a second and, if filmed, at the end, with the share done, 0 to 1,
 /// the best walk so far as x, y, x, y, ..., what is proven of it, `[cost, bound]` or nothing, and what the planner was filmed
 /// at since the last call, an array. Returns `{ cells, seconds, trace, proof }`; throws a message if the request is not valid.
 #[wasm_bindgen]
 pub fn plan(request: &JsValue, on_progress: &Function) -> Result<JsValue, JsValue> {
     let request = request_from_js(request)?;
-    let mut film = request.film();
-    let mut observe = reporter(on_progress, film.as_mut());
+    let mut film = None;
+    let mut observe = reporter(on_progress, &mut film, || request.film());
     let answer = request.serve(|| clock() / 1000.0, Some(&mut observe)).map_err(|e| e.to_string())?;
     drop(observe);
-    if film.is_some() {
-        tell(on_progress, &Report { done: 1.0, walk: &answer.path.cells, proof: answer.proof }, film.as_mut());
+    if let Some(mut film) = film.or_else(|| request.film()) {
+        tell(on_progress, &Report { done: 1.0, walk: &answer.path.cells, proof: answer.proof }, Some(&mut film));
     }
     let result = Object::new();
     Reflect::set(&result, &"cells".into(), &flat(&answer.path.cells))?;
@@ -53,20 +55,31 @@ pub fn prove(request: &JsValue, cells: &[u32]) -> Result<JsValue, JsValue> {
     Ok(proof_to_js(proof))
 }
 
-/// Tells `on_progress` now and then how far a planner is, and films it.
+/// Tells `on_progress` now and then how far a planner is, and films it from the first walk on of which something is proven.
+/// That walk is told at once, as what a film `begin`s with may take longer to make.
 pub(super) fn reporter(
     on_progress: &Function,
-    mut film: Option<&mut Film>,
+    film: &mut Option<Film>,
+    begin: impl Fn() -> Option<Film>,
 ) -> impl FnMut(Report<'_>) -> ControlFlow<()> {
-    let mut reported = clock();
+    let mut next = clock() + REPORT_EVERY_MS;
+    let mut is_proven = false;
     move |report| {
-        if let Some(film) = &mut film {
-            film.take(&report);
-        }
+        let is_first = report.proof.is_some() && !is_proven;
         let now = clock();
-        if now - reported >= REPORT_EVERY_MS {
-            reported = now;
-            tell(on_progress, &report, film.as_deref_mut());
+        if is_first || now >= next {
+            // With its proof it could be kept, but there is no film of it yet.
+            let proof = report.proof.filter(|_| !is_first);
+            tell(on_progress, &Report { proof, ..report }, film.as_mut());
+            let told = clock();
+            next = told + REPORT_EVERY_MS.max(TELLING * (told - now));
+        }
+        if is_first {
+            is_proven = true;
+            *film = begin();
+        }
+        if let Some(film) = film.as_mut() {
+            film.take(&report);
         }
         ControlFlow::Continue(())
     }

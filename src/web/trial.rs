@@ -29,7 +29,8 @@ impl Trials {
             self.arena = Some((request.place.clone(), request.arena()?));
         }
         let Some((_, arena)) = &self.arena else { return Err("there is no room".into()) };
-        let mut observe = reporter(on_progress, None);
+        let mut film = None;
+        let mut observe = reporter(on_progress, &mut film, || None);
         let outcome = request.run(arena, || clock() / 1000.0, Some(&mut observe))?;
         let result = Object::new();
         Reflect::set(&result, &"cells".into(), &flat(&outcome.cells))?;

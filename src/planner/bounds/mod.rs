@@ -35,6 +35,7 @@ mod prices;
 mod primal_dual;
 mod relaxation;
 mod strips;
+mod tiles;
 
 use super::{CoverageJob, Objective};
 use crate::grid::{Direction, Grid};

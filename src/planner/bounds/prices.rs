@@ -3,6 +3,7 @@
 use super::{
     cuts::Cuts,
     graph::{Graph, NONE},
+    primal_dual,
 };
 use crate::{
     grid::Direction,
@@ -73,19 +74,9 @@ impl Prices {
                 self.set(graph, cell, side, (price + if price < 0.0 { -0.5 } else { 0.5 }) as i32);
             }
         }
-        let is_negative = |prices: &Self, cell: &usize| prices.visits(*cell).0 < 0;
-        for round in 0..REPAIRS {
-            let mut is_done = true;
-            for index in 0..graph.len() {
-                let cell = if round.is_multiple_of(2) { index } else { graph.len() - 1 - index };
-                if is_negative(self, &cell) {
-                    self.repair(graph, cell);
-                    is_done = false;
-                }
-            }
-            if is_done {
-                return true;
-            }
+        let all: Vec<u32> = (0..graph.len() as u32).collect();
+        if self.mend(graph, &all) {
+            return true;
         }
         // What a passage costs is concave in the prices, and at least a step if they are 0: somewhere between, it's nothing.
         let least = (0..graph.len()).map(|cell| self.visits(cell).0).min().unwrap_or(0).min(0);
@@ -96,11 +87,51 @@ impl Prices {
                 self.set(graph, cell, side, (i64::from(price) * (step - 4).max(0) / all) as i32);
             }
         }
-        (0..graph.len()).all(|cell| !is_negative(self, &cell))
+        (0..graph.len()).all(|cell| self.visits(cell).0 >= 0)
+    }
+
+    /// Shifts prices of these cells until no passage of theirs costs less than nothing; whether that was reached.
+    pub(super) fn mend(&mut self, graph: &Graph, cells: &[u32]) -> bool {
+        for round in 0..REPAIRS {
+            let mut is_done = true;
+            for index in 0..cells.len() {
+                let cell = cells[if round.is_multiple_of(2) { index } else { cells.len() - 1 - index }] as usize;
+                if self.visits(cell).0 < 0 {
+                    self.repair(graph, cell);
+                    is_done = false;
+                }
+            }
+            if is_done {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// The sides' prices of some cells.
+    pub(super) fn of(&self, cells: &[u32]) -> Vec<[i32; 4]> {
+        cells.iter().map(|&cell| self.sides[cell as usize]).collect()
+    }
+
+    /// The inverse of [`Self::of`], for cells beside which nothing has changed.
+    pub(super) fn put_back(&mut self, cells: &[u32], sides: &[[i32; 4]]) {
+        for (&cell, sides) in cells.iter().zip(sides) {
+            self.sides[cell as usize] = *sides;
+        }
+    }
+
+    /// The larger weight, in price units.
+    pub(super) fn scale(&self) -> f64 {
+        f64::from(self.step.max(self.turn).max(1))
+    }
+
+    /// A cell's prices as shares of the larger weight, with walls as the programme wants them.
+    pub(super) fn scaled(&self, cell: usize) -> [f64; 4] {
+        self.sides[cell].map(|price| if price >= WALL { primal_dual::WALL } else { f64::from(price) / self.scale() })
     }
 
     /// Sets the price of an edge, unless it's a wall.
-    fn set(&mut self, graph: &Graph, cell: usize, side: usize, price: i32) {
+    pub(super) fn set(&mut self, graph: &Graph, cell: usize, side: usize, price: i32) {
         let next = graph.neighbours[cell][side];
         if next != NONE {
             let price = price.clamp(-self.limit, self.limit);

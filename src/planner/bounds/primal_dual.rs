@@ -16,7 +16,7 @@ use super::graph::{Graph, NONE};
 /// Sides of a cell's passages, counter-clockwise from the right.
 const PASSAGES: [(usize, usize); 10] = [(0, 2), (1, 3), (0, 1), (1, 2), (2, 3), (3, 0), (0, 0), (1, 1), (2, 2), (3, 3)];
 /// Price of a side with a wall.
-const WALL: f64 = 1e6;
+pub(super) const WALL: f64 = 1e6;
 /// Step lengths: one over what a row or a column of the programme sums up to.
 const COLUMN: f64 = 1.0 / 3.0;
 const EDGE: f64 = 1.0 / 12.0;
@@ -32,6 +32,9 @@ pub(super) struct Programme {
     /// What beginning through each side costs; none for a closed tour.
     pub begin: Option<[f64; 4]>,
 }
+
+/// Per cell, prices of the sides without a neighbour in the programme, which stay as they are; 0 for the others.
+type Outer = Vec<[f64; 4]>;
 
 /// An iterate: what is used how often, and what that costs.
 #[derive(Clone)]
@@ -50,6 +53,7 @@ struct Point {
 /// The iteration.
 pub(super) struct PrimalDual {
     programme: Programme,
+    outer: Outer,
     now: Point,
     /// Where the iteration was restarted.
     anchor: Point,
@@ -67,16 +71,19 @@ pub(super) struct PrimalDual {
 }
 
 impl PrimalDual {
-    /// Begins with these prices of the cells' sides.
+    /// Begins with these prices of the cells' sides; [`WALL`] for walls. Where the graph has no neighbour, they're held.
     pub fn new(graph: &Graph, programme: Programme, sides: impl Fn(usize) -> [f64; 4]) -> Self {
         let count = graph.len();
         let mut visits = Vec::with_capacity(count);
         let mut edges = Vec::with_capacity(count);
+        let mut outer = Vec::with_capacity(count);
         for cell in 0..count {
-            let walled = walled(graph, cell, sides(cell));
-            let least = |(index, &(a, b)): (usize, &(usize, usize))| programme.cost(index) + walled[a] + walled[b];
+            let sides = sides(cell);
+            let least = |(index, &(a, b)): (usize, &(usize, usize))| programme.cost(index) + sides[a] + sides[b];
             visits.push(PASSAGES.iter().enumerate().map(least).fold(f64::INFINITY, f64::min).max(0.0));
-            edges.push([0, 1].map(|side| if graph.neighbours[cell][side] == NONE { 0.0 } else { walled[side] }));
+            let is_outer = |side: usize| graph.neighbours[cell][side] == NONE;
+            edges.push([0, 1].map(|side| if is_outer(side) { 0.0 } else { sides[side] }));
+            outer.push([0, 1, 2, 3].map(|side| if is_outer(side) { sides[side] } else { 0.0 }));
         }
         let is_open = programme.begin.is_some();
         let now = Point {
@@ -89,6 +96,7 @@ impl PrimalDual {
         };
         Self {
             programme,
+            outer,
             anchor: now.clone(),
             now,
             uses: vec![[0.0; 5]; count],
@@ -133,7 +141,7 @@ impl PrimalDual {
         let mut moved = 0.0;
         self.totals = [0.0; 2];
         for cell in 0..graph.len() {
-            let prices = walled(graph, cell, sides(graph, edges, cell)).map(|price| price - visits[cell] / 2.0);
+            let prices = sides(graph, edges, &self.outer, cell).map(|price| price - visits[cell] / 2.0);
             let mut uses = [0.0; 5];
             let (used, anchors) = (&mut passages[cell], &self.anchor.passages[cell]);
             for (index, &(a, b)) in PASSAGES.iter().enumerate() {
@@ -253,13 +261,9 @@ fn distance<const N: usize>(a: &[[f64; N]], b: &[[f64; N]]) -> f64 {
 }
 
 /// Prices of a cell's sides by those of the edges.
-fn sides(graph: &Graph, edges: &[[f64; 2]], cell: usize) -> [f64; 4] {
+fn sides(graph: &Graph, edges: &[[f64; 2]], outer: &Outer, cell: usize) -> [f64; 4] {
     let [_, _, left, below] = graph.neighbours[cell];
     let across = |next: u32, side: usize| if next == NONE { 0.0 } else { -edges[next as usize][side] };
-    [edges[cell][0], edges[cell][1], across(left, 0), across(below, 1)]
-}
-
-/// The same with walls made dear.
-fn walled(graph: &Graph, cell: usize, sides: [f64; 4]) -> [f64; 4] {
-    std::array::from_fn(|side| if graph.neighbours[cell][side] == NONE { WALL } else { sides[side] })
+    let inner = [edges[cell][0], edges[cell][1], across(left, 0), across(below, 1)];
+    std::array::from_fn(|side| inner[side] + outer[cell][side])
 }

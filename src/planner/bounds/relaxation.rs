@@ -20,8 +20,8 @@
 //!
 //! The best prices give what the linear programme of fractional walks costs (parts of passages, with as much use of an edge
 //! from either side). They are neared in three stages: by [`super::diffusion`], by [`super::primal_dual`], and then, for
-//! strips of the room instead of single cells, by [`super::ascent`]. No rounding spoils the bound, as it's reckoned in whole
-//! numbers, from whatever prices.
+//! strips of the room instead of single cells, by [`super::ascent`]; in rooms too large for that, by diffusion and then by
+//! [`super::tiles`]. No rounding spoils the bound, as it's reckoned in whole numbers, from whatever prices.
 
 use super::{
     ascent::Ascent,
@@ -31,6 +31,7 @@ use super::{
     graph::Graph,
     prices::Prices,
     primal_dual::{PrimalDual, Programme},
+    tiles::Tiles,
 };
 use crate::planner::{CoverageJob, Objective};
 use std::collections::VecDeque;
@@ -57,6 +58,7 @@ pub struct Relaxation {
     cell_bound: u64,
     bound: u64,
     swept: usize,
+    tiles: Tiles,
     programme: Option<PrimalDual>,
     steps: usize,
     /// At how many steps the prices are looked at next.
@@ -84,6 +86,7 @@ impl Relaxation {
             cell_bound: bound,
             bound,
             swept: 0,
+            tiles: Tiles::default(),
             programme: None,
             steps: 0,
             next_look: PATIENCE,
@@ -95,14 +98,22 @@ impl Relaxation {
         }
     }
 
+    fn most_sweeps(&self) -> usize {
+        if self.graph.len() > MOST_CELLS { MOST_SWEEPS } else { effort(self.graph.len()) }
+    }
+
+    /// Whether more work is that of the first, quick stage.
+    pub fn is_diffusing(&self) -> bool {
+        self.swept < self.most_sweeps()
+    }
+
     /// Visits about that many cells to make prices better; whether more work may help.
     pub fn improve(&mut self, cells: usize) -> bool {
         let rounds = cells.div_ceil(self.graph.len().max(1));
         if self.graph.len() < 2 {
             return false;
         }
-        let limit = if self.graph.len() > MOST_CELLS { MOST_SWEEPS } else { effort(self.graph.len()) };
-        let sweeps = rounds.min(limit - self.swept.min(limit));
+        let sweeps = rounds.min(self.most_sweeps() - self.swept.min(self.most_sweeps()));
         if sweeps > 0 {
             self.prices.diffuse(&self.graph, self.swept, sweeps);
             self.swept += sweeps;
@@ -111,7 +122,7 @@ impl Relaxation {
             return true;
         }
         if self.graph.len() > MOST_CELLS {
-            return false;
+            return self.improve_tiles(cells);
         }
         if self.steps > MOST_STEPS.min(self.last_rise.max(LEAST_STEPS) * LULL / 2) {
             self.programme = None;
@@ -127,7 +138,7 @@ impl Relaxation {
         if self.steps >= self.next_look {
             self.next_look = self.steps + PATIENCE.max(self.steps / 20);
             let before = self.prices.clone();
-            let unit = f64::from(self.prices.step.max(self.prices.turn));
+            let unit = self.prices.scale();
             if self.prices.take(&self.graph, |cell| programme.edges(cell).map(|price| price * unit)) {
                 self.look(before);
             } else {
@@ -135,6 +146,21 @@ impl Relaxation {
             }
         }
         self.programme = Some(programme);
+        true
+    }
+
+    /// The same, tile by tile.
+    fn improve_tiles(&mut self, cells: usize) -> bool {
+        let mut done = 0;
+        while done < cells {
+            let Some(visited) = self.tiles.improve(&self.graph, &self.cuts, &mut self.prices) else { break };
+            done += visited.max(1);
+        }
+        if done == 0 {
+            return false;
+        }
+        self.cell_bound = self.prices.bound(&self.graph, &self.cuts);
+        self.bound = self.bound.max(self.cell_bound);
         true
     }
 
@@ -190,14 +216,14 @@ impl Relaxation {
 
     fn programme(&self) -> PrimalDual {
         let prices = &self.prices;
-        let unit = 1.0 / f64::from(prices.step.max(prices.turn).max(1));
+        let unit = prices.scale();
         let programme = Programme {
-            step: f64::from(prices.step) * unit,
-            turn: f64::from(prices.turn) * unit,
+            step: f64::from(prices.step) / unit,
+            turn: f64::from(prices.turn) / unit,
             visits: self.cuts.excess.iter().map(|&excess| 1.0 + f64::from(excess)).collect(),
-            begin: prices.is_open().then(|| prices.first_costs().map(|cost| f64::from(cost) * unit)),
+            begin: prices.is_open().then(|| prices.first_costs().map(|cost| f64::from(cost) / unit)),
         };
-        PrimalDual::new(&self.graph, programme, |cell| prices.sides[cell].map(|price| f64::from(price) * unit))
+        PrimalDual::new(&self.graph, programme, |cell| prices.scaled(cell))
     }
 
     /// No walk costs less, in the objective's weights.

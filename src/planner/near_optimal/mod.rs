@@ -118,8 +118,6 @@ const WORK_PER_CELL: f64 = 8_000.0;
 const MOST_WORK: f64 = 10_000_000.0;
 /// The least for every cell: less would leave most of a large room as it is.
 const LEAST_WORK_PER_CELL: f64 = 20.0;
-/// Cells visited to find the first prices.
-const HASTY: usize = 500_000;
 /// Windows that settle one after the other: sides in cells, and states kept in each cell.
 const FIRST_WINDOWS: (usize, usize) = (6, 200);
 const WINDOWS: [(usize, usize); 3] = [(8, 500), (10, 1_000), (12, 1_000)];
@@ -157,7 +155,7 @@ impl Planner for NearOptimal {
         let other = fast_walk(info, build, job, &work.shown, [half, FIRST], ctx)?;
         work.begin_with(other, ctx);
         work.begin_with_best();
-        work.relaxation.improve(HASTY);
+        work.price_hastily(FIRST, ctx)?;
         if job.cells() <= MAX_CELLS_FOR_ALL {
             work.settle(FIRST_WINDOWS, FIRST, Some(SETTLED), ctx)?;
         }

@@ -48,9 +48,14 @@ const SHAKEN: (i32, usize) = (12, 50);
 const MOST_FILMED: usize = 2_000;
 /// Largest grid, walls included, of which all walks are tried.
 const LARGEST_SOLVED: usize = 1_000;
-/// Work between two improvements of the prices, cells visited by one, and improvements after the second walk.
+/// Cells visited to find the first prices, and at least between two looks up from it.
+const HASTY: usize = 500_000;
+const GLANCE: usize = 50_000;
+/// Work between two improvements of the prices, how often one visits each cell, as far as visits are neither few nor many, and
+/// improvements after the second walk.
 const WORK_PER_PRICING: usize = 3_000_000;
-const PRICING: usize = 500_000;
+const ROUNDS: usize = 100;
+const VISITS: [usize; 2] = [500_000, 1_500_000];
 const PATIENT: usize = 12;
 
 impl<'j> Work<'j> {
@@ -135,12 +140,31 @@ impl<'j> Work<'j> {
         between([before, 1.0], self.improver.work as f64 / self.most.max(1) as f64)
     }
 
+    /// Looks for the first prices. The walk so far is told meanwhile, without a proof: nothing is proven that is worth telling.
+    pub fn price_hastily(&mut self, done: f64, ctx: &mut PlanContext<'_>) -> Result<(), PlanError> {
+        let cells = self.relaxation.graph.len().max(1);
+        let mut rounds = HASTY.div_ceil(cells);
+        while rounds > 0 && self.relaxation.is_diffusing() {
+            ctx.checkpoint(done, &self.shown)?;
+            let some = rounds.min(GLANCE.div_ceil(cells));
+            self.relaxation.improve(some * cells);
+            rounds -= some;
+        }
+        Ok(())
+    }
+
+    /// Works at the prices for a while; whether more of it may help.
+    fn improve_prices(&mut self) -> bool {
+        let [few, many] = VISITS;
+        self.relaxation.improve((ROUNDS * self.relaxation.graph.len()).clamp(few, many))
+    }
+
     /// Looks for prices that are worth their name.
     pub fn price(&mut self, before: f64, ctx: &mut PlanContext<'_>) -> Result<(), PlanError> {
         for _ in 0..PATIENT {
             ctx.proof = Some(self.proof());
             ctx.checkpoint(self.share(before), &self.shown)?;
-            if !self.relaxation.improve(PRICING) {
+            if !self.improve_prices() {
                 break;
             }
         }
@@ -228,7 +252,7 @@ impl<'j> Work<'j> {
             self.keep(ctx);
             if self.improver.work > priced + WORK_PER_PRICING {
                 priced = self.improver.work;
-                self.relaxation.improve(PRICING);
+                self.improve_prices();
             }
         }
         Ok(())
