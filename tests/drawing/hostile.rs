@@ -52,6 +52,19 @@ fn every_prefix_is_refused_with_its_line_or_is_whole() {
     assert!(refusal(cut).contains("the file is cut off"), "{}", refusal(cut));
 }
 
+/// Found by fuzzing: what was put in landed in a section that the reader skips, and ended it.
+#[test]
+fn sections_are_the_same_to_the_reader_and_to_the_writer() {
+    let unnamed = entities(LINE).replacen("SECTION\n2\n", "SECTION\n1\n", 1);
+    assert!(refusal(unnamed.as_str()).contains("line 3: the section before this has no name"), "{unnamed}");
+    let skipped = format!("0 SECTION 2 BLOCKS 0 BLOCK 2 A 10 0 20 0 {LINE}");
+    let text = dxf(&[("", &skipped), ("ENTITIES", LINE)]);
+    let line = vec![Point::new(1.0, 2.0), Point::new(3.0, 4.5)];
+    let overlay = Overlay { layer: "PATH".into(), colour: 1, lines: vec![line] };
+    let written = to_dxf(Some(text.as_bytes()), &[overlay]).unwrap();
+    assert_eq!(read(&file("plan.dxf", written)).unwrap().strokes.len(), 2);
+}
+
 #[test]
 fn a_damaged_line_is_named() {
     let damaged = entities(LINE).replace("\n20\n0\n", "\ntwenty\n0\n");

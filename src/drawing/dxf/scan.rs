@@ -108,7 +108,7 @@ impl<'a> Scan<'a> {
         while let Some(pair) = self.pairs.next()? {
             match (pair.code, pair.text()) {
                 (0, b"EOF") => break,
-                (0, b"SECTION") => match self.must("after the start of a section")?.text() {
+                (0, b"SECTION") => match self.section_name()? {
                     b"HEADER" => self.header()?,
                     b"TABLES" => self.tables()?,
                     b"BLOCKS" => self.blocks()?,
@@ -131,6 +131,14 @@ impl<'a> Scan<'a> {
         }
         let builder = &mut self.builder;
         Ok(self.batch.flush(&mut self.content, &mut |what| builder.leave_out(what, 1))?)
+    }
+
+    fn section_name(&mut self) -> Result<&'a [u8], Stop> {
+        let pair = self.must("after the start of a section")?;
+        if pair.code != 2 {
+            return Err(Stop::At(pair.at, DrawingFlaw::Structure { what: "the section before this has no name" }));
+        }
+        Ok(pair.text())
     }
 
     /// The next pair, where the file can't end.

@@ -69,8 +69,8 @@ impl Survey {
             }
             match (pair.code, place.record.as_slice()) {
                 // Within a section whose end is missing, none begins.
-                (2, b"SECTION") if place.section.is_empty() => {
-                    place.section = pair.text().to_vec();
+                (2, b"SECTION") if place.section.is_none() => {
+                    place.section = Some(pair.text().to_vec());
                     if matches!(pair.text(), b"BLOCKS" | b"ENTITIES") {
                         survey.body.get_or_insert(place.start);
                     }
@@ -110,8 +110,8 @@ impl Survey {
     }
 
     fn structure(&mut self, place: &mut Place, name: &[u8], start: usize) {
-        match (name, place.section.as_slice()) {
-            (b"ENDTAB", b"TABLES") => {
+        match (name, place.section.as_deref()) {
+            (b"ENDTAB", Some(b"TABLES")) => {
                 if place.table == b"LAYER" {
                     self.layers_end.get_or_insert(start);
                 }
@@ -119,11 +119,11 @@ impl Survey {
             }
             (b"ENDSEC", section) => {
                 match section {
-                    b"TABLES" => self.tables_end = Some(start),
-                    b"ENTITIES" => self.entities_end = Some(start),
+                    Some(b"TABLES") => self.tables_end = Some(start),
+                    Some(b"ENTITIES") => self.entities_end = Some(start),
                     _ => {}
                 }
-                place.section.clear();
+                place.section = None;
             }
             _ => {}
         }
@@ -140,7 +140,8 @@ impl Survey {
 
 #[derive(Default)]
 struct Place {
-    section: Vec<u8>,
+    /// Nothing between sections.
+    section: Option<Vec<u8>>,
     table: Vec<u8>,
     record: Vec<u8>,
     variable: Vec<u8>,
