@@ -48,7 +48,7 @@ impl Rolling {
     /// What the wheels have rolled since the last reading: left, right, sideways, m.
     pub fn take(&mut self, sensed: &Sensors) -> [f64; 3] {
         let counts = [sensed.left_counts, sensed.right_counts, sensed.lateral_counts];
-        let last = self.last.replace(counts).unwrap_or(counts);
+        let Some(last) = self.last.replace(counts) else { return [0.0; 3] };
         let since = [0, 1, 2].map(|i| counts[i].wrapping_sub(last[i]) as i16);
         let rolled = self.model.rolled(sensed, since, self.scale);
         if rolled.iter().any(|way| way.abs() > MOST_AT_ONCE) { [0.0; 3] } else { rolled }

@@ -362,7 +362,7 @@ impl Readings {
                 temperature_c: self.temperature_c,
                 on_dock: self.chargers.home_base,
             },
-            // The interface has neither a sideways encoder nor a laser.
+            // The interface has neither a sideways encoder nor a laser; distance and angle are the driver's to tell.
             ..Sensors::default()
         }
     }

@@ -57,7 +57,9 @@ pub struct StreamParser {
     next_field: usize,
     /// Packets before it.
     fields: usize,
-    expected: Option<Expected>,
+    /// Subscriptions whose frames are taken; any frame is if there are none. And the one whose length the header has.
+    expected: [Option<Expected>; 2],
+    promised: usize,
     lines: LineCollector,
     counts: StreamCounts,
 }
@@ -70,6 +72,26 @@ struct Expected {
     length: u8,
 }
 
+impl Expected {
+    /// Frames with these packets, if there are any.
+    fn of(packets: &[u8]) -> Result<Option<Self>, Refusal> {
+        if packets.is_empty() {
+            return Ok(None);
+        }
+        let mut length = 0;
+        for &id in packets {
+            length += 1 + PacketId::size_of(id).ok_or(Refusal::UnknownPacket(id))?;
+        }
+        let mut ids = [0; 127];
+        for (to, &from) in ids.iter_mut().zip(packets) {
+            *to = from;
+        }
+        let room = MAX_FRAME - FRAMING;
+        let length = u8::try_from(length).map_err(|_| Refusal::BufferTooSmall { needed: length, got: room })?;
+        Ok(Some(Self { ids, length }))
+    }
+}
+
 impl Default for StreamParser {
     fn default() -> Self {
         Self {
@@ -79,7 +101,8 @@ impl Default for StreamParser {
             sum: 0,
             next_field: 0,
             fields: 0,
-            expected: None,
+            expected: [None; 2],
+            promised: 0,
             lines: LineCollector::default(),
             counts: StreamCounts::default(),
         }
@@ -95,21 +118,13 @@ impl StreamParser {
     /// From now on takes frames with exactly these packets in this order only, or any again if there are none. That
     /// leaves hardly any chance to noise, but also refuses the frames of an older subscription.
     pub fn expect(&mut self, packets: &[u8]) -> Result<(), Refusal> {
-        if packets.is_empty() {
-            self.expected = None;
-            return Ok(());
-        }
-        let mut length = 0;
-        for &id in packets {
-            length += 1 + PacketId::size_of(id).ok_or(Refusal::UnknownPacket(id))?;
-        }
-        let mut ids = [0; 127];
-        for (to, &from) in ids.iter_mut().zip(packets) {
-            *to = from;
-        }
-        let room = MAX_FRAME - FRAMING;
-        let length = u8::try_from(length).map_err(|_| Refusal::BufferTooSmall { needed: length, got: room })?;
-        self.expected = Some(Expected { ids, length });
+        self.expect_either([packets, &[]])
+    }
+
+    /// The same for two subscriptions that follow each other, of frames of unequal length.
+    pub fn expect_either(&mut self, subscriptions: [&[u8]; 2]) -> Result<(), Refusal> {
+        let [first, second] = subscriptions;
+        self.expected = [Expected::of(first)?, Expected::of(second)?];
         Ok(())
     }
 
@@ -188,11 +203,16 @@ impl StreamParser {
         self.sum = self.sum.wrapping_add(byte);
         if at < 2 {
             (self.next_field, self.fields) = (2, 0);
+            if at == 0 {
+                return Ok(false);
+            }
+            let is_promised = |expected: &Option<Expected>| expected.is_some_and(|expected| expected.length == byte);
+            self.promised = self.expected.iter().position(is_promised).unwrap_or_default();
             return match self.expected {
-                _ if at == 0 => Ok(false),
-                Some(expected) if expected.length != byte => Err(FrameError::NotExpected),
-                _ if byte == 0 => Err(FrameError::Empty),
-                _ => Ok(false),
+                [None, None] if byte == 0 => Err(FrameError::Empty),
+                [None, None] => Ok(false),
+                expected if expected.iter().any(is_promised) => Ok(false),
+                _ => Err(FrameError::NotExpected),
             };
         }
         if at == end {
@@ -203,7 +223,8 @@ impl StreamParser {
             if self.next_field > end {
                 return Err(FrameError::CutPacket(byte));
             }
-            if self.expected.is_some_and(|expected| expected.ids.get(self.fields) != Some(&byte)) {
+            let expected = self.expected.get(self.promised).copied().flatten();
+            if expected.is_some_and(|expected| expected.ids.get(self.fields) != Some(&byte)) {
                 return Err(FrameError::NotExpected);
             }
             self.fields += 1;

@@ -15,7 +15,7 @@ pub use drive::Drive;
 pub use light_law::{MOST_LIGHT, apparent_distance, distance_of_light, light_at};
 pub use model::{Power, RobotModel};
 pub use models::{MODELS, cell_robot, model};
-pub use moved::{Moved, MovedMeter};
+pub use moved::{Moved, MovedMeter, READINGS_PER_MOVED};
 pub use odometry::{Odometry, OdometryModel, RollingScale, advance, advance_sideways};
 pub use port::RobotPort;
 pub use sensors::{BatteryReading, Infrared, Overcurrent, Sensors};

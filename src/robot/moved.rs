@@ -5,7 +5,7 @@ use crate::math::PI;
 
 /// Readings between two times that they are asked for: 0.24 s at 15 ms a reading (ours). Asked at every reading, they say
 /// nothing of slow motions; asked seldom, they say nothing of where a bend was.
-const EVERY: u32 = 16;
+pub const READINGS_PER_MOVED: u32 = 16;
 
 /// What packets 19 and 20 of the Open Interface tell, if they are asked for with a reading.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -17,6 +17,15 @@ pub struct Moved {
 }
 
 impl Moved {
+    /// Both ways after each other.
+    #[must_use]
+    pub fn and(self, next: Self) -> Self {
+        Self {
+            distance_mm: self.distance_mm.saturating_add(next.distance_mm),
+            angle_deg: self.angle_deg.saturating_add(next.angle_deg),
+        }
+    }
+
     /// What the wheels have rolled: left and right, m.
     pub fn rolled(self, wheel_base: f64) -> [f64; 2] {
         let distance = f64::from(self.distance_mm) / 1000.0;
@@ -54,7 +63,7 @@ impl MovedMeter {
             self.since[wheel] += i64::from(counts[wheel].wrapping_sub(last[wheel]) as i16);
         }
         self.readings += 1;
-        if self.readings < EVERY {
+        if self.readings < READINGS_PER_MOVED {
             return None;
         }
         self.readings = 0;

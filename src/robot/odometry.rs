@@ -95,10 +95,11 @@ impl Odometry {
         self.pose
     }
 
-    /// Takes the counters of the next reading; they may wrap, but not by half their range (14.6 m) at once.
+    /// Takes the next reading. Counters may wrap, but not by half their range (14.6 m) at once; packets of the first reading tell
+    /// of what was before.
     pub fn update(&mut self, sensed: &Sensors) {
         let counts = [sensed.left_counts, sensed.right_counts, sensed.lateral_counts];
-        let last = self.last.replace(counts).unwrap_or(counts);
+        let Some(last) = self.last.replace(counts) else { return };
         let since = [0, 1, 2].map(|i| counts[i].wrapping_sub(last[i]) as i16);
         let rolled @ [left, right, lateral] = self.model.rolled(sensed, since, self.scale);
         if rolled == [0.0; 3] {

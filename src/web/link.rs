@@ -89,16 +89,19 @@ impl Link {
         let session = guest.session();
         let prepared = session.prepared().ok_or("The robot doesn't fit into the room.")?;
         let (settings, start) = (session.settings(), prepared.floor.start);
-        let robot = self.link.calibrated(&prepared.robot);
+        let (robot, odometry) = (self.link.calibrated(&prepared.robot), self.link.odometry());
         let controller = match settings.algorithm {
             Algorithm::Behaviour(behaviour) => {
-                let setup = Setup { robot: &robot, params: &settings.params, seed: settings.seed };
+                let mut params = settings.params.clone();
+                // Only those that reckon for themselves have it.
+                let _ = params.set_text(behaviour.params, "odometry", odometry.id());
+                let setup = Setup { robot: &robot, params: &params, seed: settings.seed };
                 behaviour.build(&setup).ok_or("There is no such behaviour.")?
             }
             Algorithm::Planner(_) => {
                 let line: Vec<Point> = corners.as_chunks().0.iter().map(|&[x, y]| Point::new(x, y)).collect();
                 // Nobody has drawn a real flat's stairs.
-                Box::new(prepared.follower(&line.into(), settings.odometry).carefully())
+                Box::new(prepared.follower(&robot, &line.into(), odometry).carefully())
             }
         };
         let title = settings.algorithm.title();

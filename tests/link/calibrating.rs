@@ -9,7 +9,7 @@ use robovac_playground::{
 
 fn calibrate(wire: &mut Wire, what: Calibration) {
     wire.ask(Request::Calibrate { what });
-    wire.pass_until(60.0, |wire| wire.view().calibration.unwrap().step != "moving");
+    wire.pass_until(60.0, |wire| wire.view().calibration.step != "moving");
 }
 
 fn armed(personality: &str) -> Wire {
@@ -27,10 +27,10 @@ fn a_nudge_finds_swapped_encoders_and_odometry_is_right_after_it() {
         calibrate(&mut wire, Calibration::Nudge);
         let turned = difference(before, wire.pose().heading).to_degrees();
         assert!((8.0..13.0).contains(&turned), "{personality}: {turned}");
-        let view = wire.view().calibration.unwrap();
+        let view = wire.view().calibration;
         assert_eq!((view.step, view.asks), ("asking", "yes"));
         wire.ask(Request::Answer { value: 1.0 });
-        let view = wire.view().calibration.unwrap();
+        let view = wire.view().calibration;
         assert_eq!((view.step, view.swapped), ("done", swapped), "{personality}");
         let (before, believed) = (wire.pose().heading, wire.view().pose[2]);
         calibrate(&mut wire, Calibration::Spin);
@@ -61,7 +61,7 @@ fn spin_and_metre_move_as_they_say_and_take_the_answer() {
     calibrate(&mut wire, Calibration::Spin);
     assert!(difference(before.heading, wire.pose().heading).abs() < 0.06, "{} {}", before, wire.pose());
     wire.ask(Request::Answer { value: 350.0 });
-    assert!((wire.view().calibration.unwrap().base_factor - 360.0 / 350.0).abs() < 1e-9);
+    assert!((wire.view().calibration.base_factor - 360.0 / 350.0).abs() < 1e-9);
     let before = wire.pose();
     calibrate(&mut wire, Calibration::Metre);
     let went = (wire.pose().position() - before.position()).norm();
@@ -69,7 +69,7 @@ fn spin_and_metre_move_as_they_say_and_take_the_answer() {
     let refused = wire.link.request(wire.now, Request::Answer { value: 3.0 }).unwrap_err();
     assert!(refused.to_string().contains("Measure again"), "{refused}");
     wire.ask(Request::Answer { value: 1.02 });
-    let view = wire.view().calibration.unwrap();
+    let view = wire.view().calibration;
     assert!((view.distance_factor - 1.02).abs() < 1e-9);
     // Turns, which were right, stay so.
     assert!((view.base_factor / view.distance_factor - 360.0 / 350.0).abs() < 1e-9);
@@ -81,7 +81,7 @@ fn a_broken_off_calibration_changes_nothing_and_says_so() {
     wire.ask(Request::Calibrate { what: Calibration::Square });
     wire.pass(2.0);
     wire.ask(Request::Stop);
-    let view = wire.view().calibration.unwrap();
+    let view = wire.view().calibration;
     assert_eq!((view.step, view.distance_factor, view.base_factor), ("failed", 1.0, 1.0));
     assert!(view.text.contains("nothing has changed"), "{}", view.text);
     wire.pass(1.0);
@@ -96,4 +96,49 @@ fn a_stored_calibration_that_can_not_be_is_refused() {
     assert!(wire.link.request(wire.now, request(f64::NAN)).is_err());
     assert!(wire.link.request(wire.now, request(9.0)).is_err());
     wire.ask(request(1.1));
+}
+
+#[test]
+fn a_question_is_not_driven_away_by_mistake() {
+    let mut wire = armed("model");
+    calibrate(&mut wire, Calibration::Metre);
+    let requests = [Request::Drive { forward: 1.0, left: 0.0 }, Request::Calibrate { what: Calibration::Spin }];
+    for request in requests {
+        let refused = wire.link.request(wire.now, request).unwrap_err();
+        assert!(refused.to_string().contains("answer it first"), "{refused}");
+    }
+    wire.pass(1.0);
+    assert!(!wire.is_rolling() && wire.view().calibration.step == "asking");
+    wire.ask(Request::Skip);
+    let view = wire.view().calibration;
+    assert_eq!((view.step, view.distance_factor), ("failed", 1.0));
+    assert!(view.text.contains("nothing has changed"), "{}", view.text);
+    assert!(wire.link.request(wire.now, Request::Skip).is_err());
+    wire.hold_ahead(0.5);
+    assert!(wire.is_rolling());
+}
+
+#[test]
+fn a_robot_that_something_stands_before_says_so_and_stops() {
+    let mut wire = armed("model");
+    // Two metres and a half to the wall.
+    for what in [Calibration::Metre, Calibration::Metre, Calibration::Metre] {
+        calibrate(&mut wire, what);
+        if wire.view().calibration.step == "asking" {
+            wire.ask(Request::Answer { value: 1.0 });
+        }
+    }
+    let view = wire.view().calibration;
+    assert_eq!((view.step, view.distance_factor), ("failed", 1.0), "{}", view.text);
+    assert!(view.text.contains("in the way") && view.text.contains("Nothing has changed"), "{}", view.text);
+    wire.pass(0.5);
+    assert!(!wire.is_rolling());
+}
+
+#[test]
+fn what_is_in_use_is_shown_before_anything_is_calibrated() {
+    let mut wire = armed("model");
+    wire.ask(Request::UseCalibration { swapped: false, distance_factor: 1.01, base_factor: 0.98 });
+    let view = wire.view().calibration;
+    assert_eq!((view.what, view.step, view.distance_factor, view.base_factor), ("", "none", 1.01, 0.98));
 }

@@ -3,6 +3,7 @@
 mod calibrating;
 mod diagnosis;
 mod noise;
+mod odometry;
 mod recording;
 mod rides;
 mod safety;

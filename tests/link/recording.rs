@@ -3,6 +3,7 @@
 use super::wire::Wire;
 use robovac_playground::{
     app::link::{Recording, Replay, Request},
+    robot::OdometryModel,
     sim::Input,
 };
 
@@ -27,6 +28,7 @@ fn a_replay_of_a_line_that_is_never_quiet_connects_as_well() {
 fn a_replay_shows_what_the_session_showed() {
     let mut wire = Wire::armed();
     let opened = wire.now;
+    wire.ask(Request::Odometry { model: OdometryModel::PacketArc });
     wire.hold_ahead(2.0);
     wire.ask(Request::Digits { text: "HI".into() });
     wire.pass(0.5);
@@ -44,6 +46,7 @@ fn a_replay_shows_what_the_session_showed() {
     assert_eq!(now.statistics.implausible, then.statistics.implausible);
     let moved = |view: &robovac_playground::app::link::LinkView| view.distance_m;
     assert!((moved(&now) - moved(&then)).abs() < 1e-9, "{} {}", now.distance_m, then.distance_m);
+    assert!(moved(&now) > 0.3 && now.odometry == "packet_arc");
     // Back and forth again.
     replay.advance(0.5);
     assert!(replay.view().distance_m < 0.01);

@@ -74,7 +74,7 @@ fn a_planned_path_cleans_the_flat_over_the_line() {
     let mut wire = Wire::new(&setup, "model");
     wire.connect();
     wire.arm();
-    let follower = prepared.follower(&planned.line, OdometryModel::Arc).carefully();
+    let follower = prepared.follower(&prepared.robot, &planned.line, OdometryModel::Arc).carefully();
     wire.link.ride(wire.now, "Boustrophedon", Box::new(follower), prepared.floor.start).unwrap();
     let mut tracker = robovac_playground::coverage::CoverageTracker::new(&prepared.floor);
     tracker.sweep_to(&prepared.floor, wire.pose().position());

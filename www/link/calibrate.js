@@ -35,10 +35,15 @@ export function startCalibrate(it) {
   const answer = make("input", { type: "number", step: "any", "aria-label": "What you measured" });
   const unit = make("span", {});
   const send = make("button", { type: "submit", className: "primary" }, "That's it");
-  const number = make("form", { className: "link-tools", hidden: true }, answer, unit, send);
+  const skip = () => {
+    const node = make("button", { type: "button" }, "Skip");
+    node.addEventListener("click", () => void it.request({ do: "skip" }));
+    return node;
+  };
+  const number = make("form", { className: "link-tools", hidden: true }, answer, unit, send, skip());
   const yes = make("button", { type: "button", className: "primary" }, "Yes");
   const no = make("button", { type: "button" }, "No");
-  const choice = make("div", { className: "link-tools", hidden: true }, yes, no);
+  const choice = make("div", { className: "link-tools", hidden: true }, yes, no, skip());
   const inUse = make("p", { className: "note", id: "calibrate-use" });
   byId("link-calibrate").append(told, number, choice, make("ol", { className: "link-steps" }, ...starts.map(({ item }) => item)), inUse);
   number.addEventListener("submit", (event) => {
@@ -59,15 +64,14 @@ export function startCalibrate(it) {
       void it.request({ do: "use_calibration", ...(remembered(restored) ?? NOTHING) });
     }
     if (phase === "closed") restored = "";
-    const goes = calibration?.step === "moving" || calibration?.step === "asking";
+    const goes = calibration.step === "moving" || calibration.step === "asking";
     for (const { item, start } of starts) {
       setEnabled(start, can.drive && !goes);
-      setAttribute(item, "class", calibration?.what === item.getAttribute("data-what") ? `now ${calibration.step}` : "");
+      setAttribute(item, "class", calibration.what === item.getAttribute("data-what") ? `now ${calibration.step}` : "");
     }
-    setText(told, calibration?.text ?? (isReplay(view) ? "This is a recording: nothing can be driven." : can.drive ? "Four small drives let the robot know where it is. Each can be left out." : "Take control first: the robot has to move for this."));
-    setHidden(number, calibration?.step !== "asking" || (calibration.asks !== "deg" && calibration.asks !== "m"));
-    setHidden(choice, calibration?.step !== "asking" || calibration.asks !== "yes");
-    if (!calibration) return;
+    setText(told, calibration.text || (isReplay(view) ? "This is a recording: nothing can be driven." : can.drive ? "Four small drives let the robot know where it is. Each can be left out." : "Take control first: the robot has to move for this."));
+    setHidden(number, calibration.step !== "asking" || (calibration.asks !== "deg" && calibration.asks !== "m"));
+    setHidden(choice, calibration.step !== "asking" || calibration.asks !== "yes");
     const { what, step, asks, suggestion, swapped, distance_factor, base_factor } = calibration;
     if (changed(number, "asked", `${what} ${step}`) && step === "asking") {
       answer.value = String(suggestion);

@@ -55,11 +55,14 @@ export function startDrive(it) {
     if (!mayDrive() || document.hidden) {
       if (isDriving) stop();
       wasStill = false;
+      stick.showBlocked(null, STILL);
       return;
     }
     const command = rounded(stick.read().command);
     const isStill = command.forward === 0 && command.left === 0;
     wasStill ||= isStill;
+    // Not with the next view: that may be long in coming.
+    stick.showBlocked(it.view.ride?.blocked ?? null, wasStill ? command : STILL);
     if (!wasStill) return;
     stick.show(command);
     if (isStill) {
@@ -77,8 +80,7 @@ export function startDrive(it) {
       const on = can.drive && (!goesOn(ride) || ride?.manual === true);
       setHidden(byId("link-manual"), !on);
       if (!on) return;
-      const { command, hasGamepad } = stick.read();
-      stick.showBlocked(ride?.blocked ?? null, command);
+      const { hasGamepad } = stick.read();
       setText(byId("link-manual-note"), hasGamepad ? "Gamepad connected." : "Drag, or arrow keys or WASD.");
     },
   };

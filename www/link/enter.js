@@ -8,7 +8,7 @@ import { startRobot } from "./place.js";
 
 /** @param {import("../main.js").App} app @param {(what: () => void) => boolean} guard */
 export async function enterRobot(app, guard) {
-  const sheets = [new URL("./link.css", import.meta.url), new URL("./tools.css", import.meta.url)];
+  const sheets = [new URL("./link.css", import.meta.url), new URL("./tools.css", import.meta.url), new URL("../senses.css", import.meta.url), new URL("../manual.css", import.meta.url)];
   const compiled = compile(new URL("../../robot_bg.wasm", import.meta.url));
   const [module, fragment] = await Promise.all([compiled, text(new URL("./robot.html", import.meta.url)), ...sheets.map(({ href }) => style(href))]);
   await init({ module_or_path: module });

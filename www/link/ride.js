@@ -1,9 +1,10 @@
 // @ts-check
 // Algorithms that drive the robot: chosen here or in Explore, planned first where there is something to plan.
-import { button, byId, make, select, setEnabled, setHidden, setText } from "../dom.js";
+import { button, byId, fill, make, select, setAttribute, setEnabled, setHidden, setText } from "../dom.js";
+import { ODOMETRIES, ODOMETRY_TIP } from "../odometry.js";
 import { Planning } from "../planning.js";
 import { choose } from "./dialogs.js";
-import { isMoving } from "./view.js";
+import { isMoving, isReplay } from "./view.js";
 
 /** @typedef {import("./place.js").Linking} Linking */
 
@@ -24,6 +25,13 @@ export function startRide(it) {
     cancel();
     room.choose(choice.value);
     it.live.map.set_planned(room.guest.corners());
+  });
+
+  const odometry = select("link-odometry");
+  fill(odometry, ODOMETRIES);
+  setAttribute(byId("link-odometry-field"), "data-tip", `${ODOMETRY_TIP} A calibration changes what counts tell; the packets come with the robot's own figures.`);
+  odometry.addEventListener("change", async () => {
+    if (!(await it.request({ do: "odometry", model: odometry.value }))) odometry.value = it.view.odometry;
   });
 
   /** Who waits for a plan. @type {((worked: boolean) => void) | undefined} */
@@ -106,7 +114,7 @@ export function startRide(it) {
   };
 
   /** Whether a calibration waits for an answer. @param {import("./types").ConnectionView} view */
-  const isAsking = ({ calibration }) => calibration?.step === "asking";
+  const isAsking = ({ calibration }) => calibration.step === "asking";
 
   return {
     cancel,
@@ -117,11 +125,13 @@ export function startRide(it) {
       const elsewhere = !goes && it.live.isKnown() && isElsewhere(view, NEAR);
       setHidden(button("link-to-start"), !elsewhere);
       const where = it.live.isKnown() ? "It is taken to stand on the dashed circle, looking along its arrow." : "It sets off where it stands.";
-      const question = isAsking(view) ? "A calibration asks something: answer it first, in Tools, Calibrate." : where;
+      const question = isAsking(view) ? "A calibration asks something: answer it first, or skip it, in Tools, Calibrate." : where;
       setText(byId("link-ride-note"), view.can.drive ? question : "Take control first.");
       setEnabled(button("link-go"), view.can.drive && !goes && !isAsking(view));
       setEnabled(button("link-end"), goes || waiting !== undefined);
       setEnabled(choice, !goes);
+      if (document.activeElement !== odometry) odometry.value = view.odometry;
+      setEnabled(odometry, !goes && !isReplay(view));
     },
   };
 }

@@ -18,6 +18,8 @@ export type Request =
   | { do: "motors"; bits: number }
   | { do: "calibrate"; what: CalibrationKind }
   | { do: "answer"; value: number }
+  | { do: "skip" }
+  | { do: "odometry"; model: string }
   | { do: "use_calibration"; swapped: boolean; distance_factor: number; base_factor: number };
 
 export type CalibrationKind = "nudge" | "spin" | "metre" | "square";
@@ -39,6 +41,8 @@ export type LinkView = {
   packets: number[];
   /** x, y in m, heading in rad. */
   pose: [x: number, y: number, heading: number];
+  /** Id of the odometry model that this is by. */
+  odometry: string;
   distance_m: number;
   /** Left and right, m/s. */
   wheels: [left: number, right: number];
@@ -46,7 +50,7 @@ export type LinkView = {
   sleeps_in_s: number | null;
   awake_s: number | null;
   drop: { from: string; text: string; remedy: string; can_rearm: boolean } | null;
-  calibration: CalibrationView | null;
+  calibration: CalibrationView;
   firmware: string | null;
   notice: { number: number; kind: "notice" | "error"; text: string } | null;
   can: Record<"connect" | "disconnect" | "arm" | "disarm" | "drive" | "press", boolean>;
@@ -84,8 +88,8 @@ export type Statistics = {
 };
 
 export type CalibrationView = {
-  what: CalibrationKind;
-  step: "moving" | "asking" | "done" | "failed";
+  what: CalibrationKind | "";
+  step: "none" | "moving" | "asking" | "done" | "failed";
   text: string;
   asks: "" | "yes" | "deg" | "m";
   suggestion: number;

@@ -12,13 +12,14 @@ export const CLOSED = {
   ride: null,
   packets: [],
   pose: [0, 0, 0],
+  odometry: "arc",
   distance_m: 0,
   wheels: [0, 0],
   statistics: { baud: 0, frames: 0, bad_checksums: 0, false_headers: 0, implausible: 0, late: 0, texts: 0, noise: 0, bytes: [0, 0], rate_hz: 0, age_ms: 0, latency_ms: null, longest_gap_ms: 0, slot: [0, 0] },
   sleeps_in_s: null,
   awake_s: null,
   drop: null,
-  calibration: null,
+  calibration: { what: "", step: "none", text: "", asks: "", suggestion: 0, swapped: false, distance_factor: 1, base_factor: 1 },
   firmware: null,
   notice: null,
   can: { connect: false, disconnect: false, arm: false, disarm: false, drive: false, press: false },
@@ -36,7 +37,7 @@ export const goesOn = (ride) => ride !== null && !ride.done && !ride.ended;
 export const isReplay = ({ transport }) => transport.kind === "" && transport.state === "open";
 
 /** Whether the robot drives at this page's word, or is about to. @param {ConnectionView} view */
-export const isMoving = ({ ride, wheels, calibration }) => goesOn(ride) || wheels.some((speed) => speed !== 0) || calibration?.step === "moving";
+export const isMoving = ({ ride, wheels, calibration }) => goesOn(ride) || wheels.some((speed) => speed !== 0) || calibration.step === "moving";
 
 /** Value of a packet from 7 to 58 as it is on the line. @param {number[]} packets @param {number} id */
 export const packet = (packets, id) => packets[id - 7] ?? 0;
@@ -101,11 +102,13 @@ export function doing(view, movesAlone) {
   if (phase === "diagnosing" || phase === "closed") return ["Finding out who is there", transport.name];
   if (phase === "waiting") return waitedFor(view.diagnosis);
   if (phase === "lost" || transport.state === "lost") return ["Connection lost", transport.text];
-  if (calibration?.step === "moving") return ["Calibrating", calibration.text];
-  if (ride && goesOn(ride)) return [ride.manual ? "You drive" : ride.title, ride.manual ? "" : ride.activity];
-  if (view.wheels.some((speed) => speed !== 0)) return ["Driven by bytes of yours", "Stop ends it"];
+  if (calibration.step === "moving") return ["Calibrating", calibration.text];
+  const turns = view.wheels.some((speed) => speed !== 0);
+  // Control by hand goes on for a while after one has let go; who stands still isn't driven.
+  if (ride && goesOn(ride) && (turns || !ride.manual)) return [ride.manual ? "You drive" : ride.title, ride.manual ? "" : ride.activity];
+  if (turns) return ["Driven by bytes of yours", "Stop ends it"];
   if (movesAlone) return ["Moves by itself", "Stop ends it"];
-  if (calibration?.step === "asking") return ["Calibrating", "waits for an answer: Tools, Calibrate"];
+  if (calibration.step === "asking") return ["Calibrating", "waits for an answer: Tools, Calibrate"];
   // Why control was lost is said above the map already.
   if (drop) return [ride && !ride.manual ? `${ride.title}: ended` : "Not in control", "take control again to drive"];
   if (ride && !ride.manual && (ride.ended || ride.done)) {

@@ -40,7 +40,7 @@ impl Link {
                 self.motors_on = false;
                 self.driver.leave(now);
                 // The next one may be another robot.
-                (self.known, self.calibrating) = (Calibrated::default(), None);
+                (self.known, self.calibrating, self.is_old) = (Calibrated::default(), None, false);
                 self.use_known();
             }
             Request::Arm { full } => {
@@ -61,6 +61,7 @@ impl Link {
             }
             Request::Drive { forward, left } => {
                 in_control()?;
+                self.nothing_asked()?;
                 self.steer(now, Stick { forward, left })?;
             }
             Request::Press { button } => {
@@ -89,8 +90,30 @@ impl Link {
                 in_control()?;
                 self.actuate(now, &request)?;
             }
+            Request::Calibrate { .. }
+            | Request::Answer { .. }
+            | Request::Skip
+            | Request::UseCalibration { .. }
+            | Request::Odometry { .. } => self.reckon(now, &request)?,
+            Request::Identify => {
+                sorry(can.press, "No robot is connected.")?;
+                self.end_ride("The robot was restarted.");
+                self.motors_on = false;
+                self.driver.restart(now);
+                self.place(self.odometry.pose());
+            }
+        }
+        Ok(())
+    }
+
+    /// What tells the robot where it is, and how well that is known.
+    fn reckon(&mut self, now: f64, request: &Request) -> Result<(), Refused> {
+        match *request {
             Request::Calibrate { what } => {
-                in_control()?;
+                if !self.can().drive {
+                    return refuse("Take control of the robot first.");
+                }
+                self.nothing_asked()?;
                 let began = self.encoders().ok_or_else(|| Refused("The robot hasn't told its encoders yet.".into()))?;
                 let controller = what.controller(&self.known.apply(&self.model));
                 self.set_off(now, what.title(), Box::new(controller), self.odometry.pose(), false);
@@ -99,12 +122,26 @@ impl Link {
             Request::Answer { .. } | Request::UseCalibration { .. } if self.is_acting() => {
                 return refuse("Stop the robot first: what drives it counts on its calibration.");
             }
+            Request::Odometry { .. } if self.is_acting() => {
+                return refuse("Stop the robot first: what drives it counts on its odometry.");
+            }
+            Request::Odometry { model } => {
+                self.odometry_model = model;
+                self.driver.tell_moved(now, model.is_by_packets());
+                self.place(self.odometry.pose());
+            }
             Request::Answer { value } => {
                 let Some(calibrating) = self.calibrating.as_mut().filter(|c| c.is_asking()) else {
                     return refuse("Nothing is asked.");
                 };
                 calibrating.answer(value, &mut self.known).map_err(Refused)?;
                 self.use_known();
+            }
+            Request::Skip => {
+                let Some(calibrating) = self.calibrating.as_mut().filter(|c| c.is_asking()) else {
+                    return refuse("Nothing is asked.");
+                };
+                calibrating.fail("It wasn't answered, and nothing has changed.");
             }
             Request::UseCalibration { swapped, distance_factor, base_factor } => {
                 let known = Calibrated { swapped, distance_factor, base_factor };
@@ -114,13 +151,7 @@ impl Link {
                 self.known = known;
                 self.use_known();
             }
-            Request::Identify => {
-                sorry(can.press, "No robot is connected.")?;
-                self.end_ride("The robot was restarted.");
-                self.motors_on = false;
-                self.driver.restart(now);
-                self.place(self.odometry.pose());
-            }
+            _ => {}
         }
         Ok(())
     }

@@ -15,6 +15,9 @@ const FACTORS: std::ops::RangeInclusive<f64> = 0.8..=1.25;
 /// Counts that a nudge has to make for it to be seen: half of what ten degrees take.
 const LEAST_COUNTS: i32 = 20;
 
+/// What encoders do wrong that don't count.
+pub(super) const UNCOUNTED: &str = "Its encoders counted hardly anything. Is it on the floor, and are its wheels free?";
+
 /// What was found out about a robot.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Calibrated {
@@ -134,7 +137,7 @@ impl Calibrating {
         self.stage = Stage::Asking;
         self.text = match self.what {
             Calibration::Nudge if first.abs() < LEAST_COUNTS || second.abs() < LEAST_COUNTS => {
-                self.fail("Its encoders counted hardly anything. Is it on the floor, and are its wheels free?");
+                self.fail(UNCOUNTED);
                 return;
             }
             Calibration::Nudge if (first > 0) == (second > 0) => {
@@ -206,8 +209,18 @@ impl Calibrating {
         Ok(())
     }
 
-    /// What is shown of it.
-    pub fn view(&self, known: &Calibrated) -> CalibrationView {
+    /// What is shown of it, or of none.
+    pub fn view(this: Option<&Self>, known: &Calibrated) -> CalibrationView {
+        let Calibrated { swapped, distance_factor, base_factor } = *known;
+        let mut view =
+            CalibrationView { step: "none", swapped, distance_factor, base_factor, ..CalibrationView::default() };
+        if let Some(calibrating) = this {
+            calibrating.show_on(&mut view);
+        }
+        view
+    }
+
+    fn show_on(&self, view: &mut CalibrationView) {
         let step = match self.stage {
             Stage::Moving => "moving",
             Stage::Asking => "asking",
@@ -221,15 +234,7 @@ impl Calibrating {
             Calibration::Metre => ("m", 1.0),
             Calibration::Square => ("m", 0.0),
         };
-        CalibrationView {
-            what: self.what.id(),
-            step,
-            text: self.text.clone(),
-            asks,
-            suggestion,
-            swapped: known.swapped,
-            distance_factor: known.distance_factor,
-            base_factor: known.base_factor,
-        }
+        (view.what, view.step, view.asks, view.suggestion) = (self.what.id(), step, asks, suggestion);
+        view.text.clone_from(&self.text);
     }
 }

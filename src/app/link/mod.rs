@@ -24,7 +24,7 @@ pub use view::{
 };
 
 use self::{
-    calibration::{Calibrated, Calibrating},
+    calibration::{Calibrated, Calibrating, UNCOUNTED},
     recording::Recorder,
     ride::Ride,
     traffic::Console,
@@ -70,6 +70,7 @@ pub struct Link {
     ride: Option<Ride>,
     calibrating: Option<Calibrating>,
     odometry: Odometry,
+    odometry_model: OdometryModel,
     distance_m: f64,
     /// Time of the latest call, and of the page's last sign of life.
     now: f64,
@@ -80,6 +81,8 @@ pub struct Link {
     /// The latest of them: left, right.
     counts: [u16; 2],
     is_odd: bool,
+    /// Whether it was told that packet 20 is corrected.
+    is_old: bool,
     /// Whether brushes or vacuum were switched on.
     motors_on: bool,
     /// Since when the robot is in its mode.
@@ -109,6 +112,7 @@ impl Link {
             ride: None,
             calibrating: None,
             odometry,
+            odometry_model: OdometryModel::Arc,
             distance_m: 0.0,
             now: 0.0,
             beaten_at: 0.0,
@@ -116,6 +120,7 @@ impl Link {
             turned: [0; 2],
             counts: [0; 2],
             is_odd: false,
+            is_old: false,
             motors_on: false,
             mode: None,
             notice: None,
@@ -279,15 +284,31 @@ impl Link {
         if !self.can().drive {
             return refuse("Take control of the robot first.");
         }
+        self.nothing_asked()?;
         let json = serde_json::json!({ "do": "ride", "title": title, "start": [start.x, start.y, start.heading] });
         self.recorder.note(now, Entry::Asked(json.to_string()));
         self.set_off(now, title, controller, start, false);
         Ok(())
     }
 
+    /// Whoever drives on leaves the place that a calibration asks about.
+    fn nothing_asked(&self) -> Result<(), Refused> {
+        match &self.calibrating {
+            Some(calibrating) if calibrating.is_asking() => {
+                refuse("A calibration asks something: answer it first, or skip it, in Tools, Calibrate.")
+            }
+            _ => Ok(()),
+        }
+    }
+
     /// The robot with its true figures, as controllers had better know it.
     pub fn calibrated(&self, model: &RobotModel) -> RobotModel {
         self.known.apply(model)
+    }
+
+    /// What tells the robot where it is, and should tell what rides on it.
+    pub fn odometry(&self) -> OdometryModel {
+        self.odometry_model
     }
 
     #[cfg_attr(not(feature = "mapping"), expect(unused_mut))]
@@ -309,7 +330,7 @@ impl Link {
 
     /// Takes the robot to stand at `pose`.
     fn place(&mut self, pose: Pose) {
-        let mut odometry = Odometry::new(&self.known.apply(&self.model), OdometryModel::Arc, pose);
+        let mut odometry = Odometry::new(&self.known.apply(&self.model), self.odometry_model, pose);
         if self.driver.readings().is_some() {
             odometry.update(self.driver.port(self.now).sensors());
         }
@@ -354,6 +375,9 @@ impl Link {
         let activity = self.ride.as_ref().map_or("", |ride| ride.controller.activity());
         if let Some(calibrating) = self.calibrating.as_mut().filter(|c| c.is_moving()) {
             match encoders {
+                Some(_) if activity == moves::STUCK_WORDS => {
+                    calibrating.fail(&format!("{UNCOUNTED} Nothing has changed."));
+                }
                 Some(now) if !activity.starts_with("stopped") => calibrating.stopped(now),
                 _ => calibrating.fail("Something was in the way, so it was broken off. Nothing has changed."),
             }

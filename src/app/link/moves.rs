@@ -13,6 +13,10 @@ const MOST: f64 = 0.12;
 const LEAST: f64 = 0.03;
 /// Wheel speed per metre that is left, 1/s.
 const EASE: f64 = 2.0;
+/// A wheel that doesn't get on by so much, m, in so many seconds, is stuck, or isn't counted.
+const STUCK: (f64, f64) = (0.005, 2.0);
+/// What it does then.
+pub(super) const STUCK_WORDS: &str = "stopped, as its wheels don't count";
 /// Pause between two moves, so that the robot stands still, s.
 const PAUSE_S: f64 = 0.4;
 
@@ -37,6 +41,9 @@ pub(super) struct Moves {
     next: usize,
     pause_s: f64,
     is_blocked: bool,
+    /// Since it last got on by a little: what is left, m, and for how long, s.
+    still: (f64, f64),
+    is_stuck: bool,
 }
 
 impl Moves {
@@ -51,6 +58,8 @@ impl Moves {
             next: 0,
             pause_s: 0.0,
             is_blocked: false,
+            still: (f64::INFINITY, 0.0),
+            is_stuck: false,
         }
     }
 }
@@ -84,6 +93,13 @@ impl Controller for Moves {
         // What it rolls on while the motors brake and the reading is on its way: about two frames.
         if left < 0.5 * math::PI / self.robot.counts_per_metre + LEAST * 0.03 {
             (self.next, self.done, self.pause_s) = (self.next + 1, 0.0, PAUSE_S);
+            self.still = (f64::INFINITY, 0.0);
+            return Drive::STOP;
+        }
+        let (before, since) = self.still;
+        self.still = if left < before - STUCK.0 { (left, 0.0) } else { (before, since + dt_s) };
+        if self.still.1 > STUCK.1 {
+            self.is_stuck = true;
             return Drive::STOP;
         }
         let speed = (EASE * left).clamp(LEAST, MOST);
@@ -91,11 +107,12 @@ impl Controller for Moves {
     }
 
     fn is_done(&self) -> bool {
-        self.is_blocked || self.next >= self.list.len()
+        self.is_blocked || self.is_stuck || self.next >= self.list.len()
     }
 
     fn activity(&self) -> &'static str {
         match self.list.get(self.next) {
+            _ if self.is_stuck => STUCK_WORDS,
             _ if self.is_blocked => "stopped, as something is in the way",
             Some(Move::Turn(_)) => "turning",
             Some(Move::Go(_)) => "driving ahead",
@@ -105,5 +122,22 @@ impl Controller for Moves {
 
     fn boxed_clone(&self) -> Box<dyn Controller> {
         Box::new(self.clone())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::robot::model;
+
+    #[test]
+    fn a_robot_whose_encoders_do_not_count_does_not_push_for_ever() {
+        for step in [Move::Turn(math::PI), Move::Go(1.0)] {
+            let mut moves = Moves::new(model("roomba600").unwrap(), vec![step]);
+            let sensed = Sensors::default();
+            let driven = (0..1000).take_while(|_| !moves.step(&sensed, 0.015).is_stop()).count();
+            assert!((100..200).contains(&driven) && moves.is_done(), "{driven}");
+            assert_eq!(moves.activity(), STUCK_WORDS);
+        }
     }
 }

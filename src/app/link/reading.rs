@@ -23,6 +23,13 @@ impl Link {
             self.mode = Some((mode, now));
         }
         self.mind_encoders(&sensed);
+        if self.driver.has_old_angle() && !std::mem::replace(&mut self.is_old, true) {
+            self.say(
+                "notice",
+                "It shows a third of every angle in packet 20, as firmware up to 3.4.0 does. That is corrected, but coarse: counts tell more."
+                    .to_owned(),
+            );
+        }
         let is_held = now - self.stick_at <= STICK_S;
         let Some(ride) = self.ride.as_mut().filter(|ride| !ride.is_done) else { return };
         if !self.driver.is_armed() {

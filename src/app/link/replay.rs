@@ -104,7 +104,9 @@ impl Link {
         }
         if let Ok(Ride { start: [x, y, heading] }) = serde_json::from_str(json) {
             self.place(Pose::new(x, y, heading));
-        } else if let Ok(request @ Request::UseCalibration { .. }) = serde_json::from_str(json) {
+        } else if let Ok(request @ (Request::UseCalibration { .. } | Request::Odometry { .. })) =
+            serde_json::from_str(json)
+        {
             // One that was refused then is refused again.
             let _ = self.request(now, request);
         }

@@ -1,6 +1,6 @@
 //! What a user asks of a robot.
 
-use crate::oi::Command;
+use crate::{oi::Command, robot::OdometryModel};
 use serde::{Deserialize, Serialize};
 
 /// What a user asks of a robot. In JavaScript, `{ do: "arm", full: false }` and the like.
@@ -80,6 +80,8 @@ pub enum Request {
         /// Degrees or metres, as asked.
         value: f64,
     },
+    /// Leaves unanswered what a calibration asks.
+    Skip,
     /// Uses what an earlier calibration of this robot found.
     UseCalibration {
         /// Packets 43 and 44 are swapped.
@@ -88,6 +90,11 @@ pub enum Request {
         distance_factor: f64,
         /// True wheel base over 235 mm.
         base_factor: f64,
+    },
+    /// Chooses what tells the robot where it is: counts, or packets of distance and angle.
+    Odometry {
+        /// Its name, as in links.
+        model: OdometryModel,
     },
     /// Restarts the robot so that it tells its firmware (7). Not done unless asked for: one robot stayed in its
     /// bootloader.

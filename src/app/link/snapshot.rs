@@ -1,6 +1,6 @@
 //! What is shown of a connection, put together.
 
-use super::{Can, DiagnosisView, DropView, Link, LinkView, RideView, SLEEP_S, Statistics};
+use super::{Calibrating, Can, DiagnosisView, DropView, Link, LinkView, RideView, SLEEP_S, Statistics};
 use crate::oi::{
     Mode, Packet,
     driver::{Phase, Step},
@@ -38,6 +38,7 @@ impl Link {
             ride: self.ride_view(),
             packets: readings.map_or_else(Vec::new, |r| Packet::ALL.iter().map(|&packet| r.raw(packet)).collect()),
             pose: [pose.x, pose.y, pose.heading],
+            odometry: self.odometry_model.id(),
             distance_m: self.distance_m,
             wheels: [metres(left), metres(right)],
             statistics: self.statistics(now),
@@ -49,7 +50,7 @@ impl Link {
                 remedy: drop.remedy().to_owned(),
                 can_rearm: self.can().arm && !(drop.is_lasting() && on_charger),
             }),
-            calibration: self.calibrating.as_ref().map(|c| c.view(&self.known)),
+            calibration: Calibrating::view(self.calibrating.as_ref(), &self.known),
             firmware: driver.firmware().map(ToOwned::to_owned),
             notice: self.notice.clone(),
             can: self.can(),

@@ -20,6 +20,8 @@ pub struct LinkView {
     pub packets: Vec<u16>,
     /// Where the robot believes to be: x, y in m, heading in rad.
     pub pose: [f64; 3],
+    /// Id of the odometry model that this is by.
+    pub odometry: &'static str,
     /// Path driven, m.
     pub distance_m: f64,
     /// Requested wheel speeds that were sent last, left and right, m/s.
@@ -33,7 +35,7 @@ pub struct LinkView {
     /// Why it isn't in Safe or Full any more.
     pub drop: Option<DropView>,
     /// The calibration that is going on, or its result.
-    pub calibration: Option<CalibrationView>,
+    pub calibration: CalibrationView,
     /// What the robot said of its firmware.
     pub firmware: Option<String>,
     /// The latest message.
@@ -127,9 +129,9 @@ pub struct DropView {
 /// A calibration.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct CalibrationView {
-    /// `nudge`, `spin`, `metre` or `square`.
+    /// `nudge`, `spin`, `metre` or `square`; empty for none.
     pub what: &'static str,
-    /// `moving`, `asking`, `done` or `failed`.
+    /// `none`, `moving`, `asking`, `done` or `failed`.
     pub step: &'static str,
     /// What is going on, what is asked, or what was found.
     pub text: String,

@@ -1,10 +1,13 @@
 //! What the robot is told.
 
-use super::{Driver, Finding, Happening, Phase, STOP, Step, happened, subscription};
+use super::{Driver, Finding, Happening, Phase, STOP, Step, happened, telling::subscriptions};
 use crate::{
     oi::{Command, MAX_WRITTEN, Mode, Motors, Refusal},
     robot::Drive,
 };
+
+/// Bytes that a list of packets may be taken to have.
+const LONGEST_LIST: usize = 255;
 
 impl Driver {
     /// Wheel speeds from now on, for 200 ms; without effect unless it is armed.
@@ -53,6 +56,11 @@ impl Driver {
     pub fn leave(&mut self, now: f64) {
         if self.phase != Phase::Closed {
             self.halt(now);
+            if self.telling.is_wanted {
+                // A list whose length was garbled on its way swallows what comes next, were it the stop.
+                self.push(now, &[0; LONGEST_LIST]);
+                self.halt(now);
+            }
             for command in [Command::PauseResume { state: 0 }, Command::Start, Command::Stop] {
                 let _ = self.send(now, command);
             }
@@ -66,7 +74,7 @@ impl Driver {
         if !matches!(self.phase, Phase::Connected | Phase::Lost) {
             return;
         }
-        let tells = self.has_read && subscription(self.baud).contains(&100);
+        let tells = self.has_read && subscriptions(self.baud).tells_speeds;
         let reported = (self.is_armed() && tells && !self.is_stalled)
             .then_some((self.readings.requested_right, self.readings.requested_left));
         let before = self.wheels.sent();
@@ -105,13 +113,6 @@ impl Driver {
         self.diagnosis.finding = Finding::Nothing;
         self.diagnosis.boots = 1;
         let _ = self.parser.expect(&[]);
-    }
-
-    pub(super) fn subscribe(&mut self, now: f64) {
-        let packets = subscription(self.baud);
-        // They are packets that exist.
-        let _ = self.parser.expect(packets);
-        let _ = self.send(now, Command::Stream { packets });
     }
 
     pub(super) fn push(&mut self, now: f64, bytes: &[u8]) {

@@ -1,6 +1,6 @@
 //! What is known of a robot and of the line to it.
 
-use super::{Diagnosis, Driver, Gauge, Happening, Phase, Wheels, subscription};
+use super::{Diagnosis, Driver, Gauge, Happening, Phase, Wheels};
 use crate::oi::{
     Readings, StreamCounts,
     frame::{FRAMING, slot_bytes},
@@ -65,7 +65,7 @@ impl Driver {
 
     /// Bytes of a frame, and of the slot that it has to fit in.
     pub fn slot(&self) -> [usize; 2] {
-        let packets = subscription(self.baud).iter();
+        let packets = self.subscription().iter();
         let size = packets.filter_map(|&id| PacketId::size_of(id)).map(|size| size + 1).sum::<usize>() + FRAMING;
         [size, slot_bytes(self.baud)]
     }

@@ -22,6 +22,7 @@ mod known;
 mod modes;
 mod question;
 mod raw;
+mod telling;
 mod wheels;
 
 pub use diagnosis::{Diagnosis, Finding, Step};
@@ -34,12 +35,13 @@ pub use wheels::{DEAD_MAN_S, Wheels};
 use self::{
     hearing::Hearing,
     question::{Next, Question},
+    telling::Telling,
 };
 use super::{
     Command, Mode, Readings, Said, StreamEvent, StreamParser,
-    frame::{FRAMING, HEADER, slot_bytes},
+    frame::{FRAMING, HEADER},
 };
-use crate::robot::{Drive, RobotPort, Sensors};
+use crate::robot::{Drive, Moved, RobotPort, Sensors};
 use std::collections::VecDeque;
 
 /// Nominal time between two frames, s.
@@ -115,6 +117,7 @@ pub struct Driver {
     parser: StreamParser,
     filter: Filter,
     gauge: Gauge,
+    telling: Telling,
     readings: Readings,
     sensors: Sensors,
     /// Readings of the frame before.
@@ -149,13 +152,6 @@ pub struct Driver {
     bytes: [u64; 2],
 }
 
-/// What is streamed at that baud rate: everything, or what fits into the slot.
-fn subscription(baud: u32) -> &'static [u8] {
-    const ALL: &[u8] = &[100];
-    const FEW: &[u8] = &[7, 9, 10, 11, 12, 21, 34, 35, 43, 44];
-    if slot_bytes(baud) >= FRAMING + 81 { ALL } else { FEW }
-}
-
 impl Driver {
     /// Without a line.
     pub fn new() -> Self {
@@ -170,7 +166,9 @@ impl Driver {
         let (firmware, swapped, bytes) = (self.firmware.take(), self.swapped, self.bytes);
         let (is_rate_fixed, is_replay, was_in_control) = (self.is_rate_fixed, self.is_replay, self.was_in_control);
         let happenings = std::mem::take(&mut self.happenings);
+        let telling = self.telling.anew();
         *self = Self {
+            telling,
             firmware,
             swapped,
             bytes,
@@ -236,18 +234,20 @@ impl Driver {
             }
             if let Some(question) = self.question.as_mut().filter(|question| question.is_sent()) {
                 question.hear(byte);
-            } else if self.take_byte(now, byte) {
-                self.reading_arrived(now);
+            } else if let Some(Believed { moved }) = self.take_byte(now, byte) {
+                self.reading_arrived(now, moved);
                 return index + 1;
+            } else if self.telling.take_news() {
+                self.mind_telling(now, true);
             }
         }
         bytes.len()
     }
 
-    /// Whether a frame was completed and is believed.
-    fn take_byte(&mut self, now: f64, byte: u8) -> bool {
-        let Self { parser, filter, readings, before, firmware, happenings, phase, diagnosis, .. } = self;
-        let mut has_read = false;
+    /// The frame that was completed, if it is believed.
+    fn take_byte(&mut self, now: f64, byte: u8) -> Option<Believed> {
+        let Self { parser, filter, telling, readings, before, firmware, happenings, phase, diagnosis, .. } = self;
+        let mut read = None;
         parser.feed(&[byte], &mut |event| {
             let happening = match event {
                 StreamEvent::Frame(frame) => {
@@ -260,13 +260,15 @@ impl Driver {
                     let bytes = whole(frame.content());
                     match is_ours.then(|| filter.judge(now, frame)) {
                         None => Happening::Refused(bytes, "nobody has asked for it".to_owned()),
-                        Some(Verdict::Believed) => {
+                        Some(verdict @ (Verdict::Believed | Verdict::Late)) => {
                             before.clone_from(readings);
                             frame.apply(readings);
-                            has_read = true;
+                            let moved = telling.take(frame, readings, now, verdict == Verdict::Late);
+                            read = Some(Believed { moved });
                             Happening::Frame(bytes)
                         }
-                        Some(Verdict::Waits) => {
+                        Some(verdict @ (Verdict::Waits | Verdict::Jumps)) => {
+                            telling.hold(frame, verdict == Verdict::Jumps);
                             Happening::Refused(bytes, "it jumps: the next one will tell whether that is so".to_owned())
                         }
                         Some(Verdict::Impossible) => {
@@ -279,12 +281,12 @@ impl Driver {
             };
             happened(happenings, now, happening);
         });
-        has_read
+        read
     }
 
-    fn reading_arrived(&mut self, now: f64) {
+    fn reading_arrived(&mut self, now: f64, moved: Option<Moved>) {
         self.has_read = true;
-        self.sensors = self.readings.to_sensors();
+        self.sensors = Sensors { moved, ..self.readings.to_sensors() };
         if self.swapped {
             std::mem::swap(&mut self.sensors.left_counts, &mut self.sensors.right_counts);
         }
@@ -305,6 +307,7 @@ impl Driver {
         self.phase = Phase::Connected;
         self.watch_mode(now);
         self.turn_wheels(now);
+        self.mind_telling(now, true);
     }
 
     /// Seconds by which the robot's clock went on with a new reading; `None` if there is none since this was asked last.
@@ -337,6 +340,7 @@ impl Driver {
             }
         }
         self.turn_wheels(now);
+        self.mind_telling(now, false);
     }
 
     fn pursue_question(&mut self, now: f64) {
@@ -396,6 +400,11 @@ impl RobotPort for Port<'_> {
     fn drive(&mut self, wanted: Drive) {
         self.driver.drive(self.now, wanted);
     }
+}
+
+/// A frame that is believed, with what it tells of distance and angle.
+struct Believed {
+    moved: Option<Moved>,
 }
 
 /// Both wheels at rest.

@@ -20,7 +20,7 @@ const SIDE: f64 = HALF * 0.414_213_562_373_095;
 /// cliff sensors at its front half; and drive, encoders, battery and power as the Roomba's.
 pub(super) const OCTAGON: RobotModel = RobotModel {
     id: "octagon",
-    title: "Octagon",
+    title: "Omnidirectional octagon",
     summary: "Eight sides, 36 cm wide, moves in every direction without turning",
     body: Body::Polygon(&[
         [HALF, -SIDE],
