@@ -275,6 +275,36 @@ fn a_sweep_leaves_in_every_format() {
 }
 
 #[test]
+fn files_of_a_sweep_agree_on_where_it_begins() {
+    let mut board = furnished(Some(6));
+    change(&mut board, |settings| settings.part = Part::Rectangle { corners: [[1.0, 0.5], [4.0, 3.0]] });
+    plan(&mut board).unwrap();
+    let origin = board.room().unwrap().plan.origin;
+    let at = origin.to_world(board.planned().unwrap().path[0]);
+    assert!((at - board.planned().unwrap().path[0]).norm() > 0.5, "the drawing's frame is another: {origin}");
+    let text = |format| String::from_utf8(board.export(format).unwrap().bytes).unwrap();
+    let start = format!("start     x {:.3} m, y {:.3} m, heading 0.0 deg", at.x, at.y);
+    for format in [Format::Program, Format::Commands] {
+        assert!(text(format).contains(&start), "{start}: {}", text(format));
+    }
+    let row = format!("\n{:.4},{:.4},0.000000,0.0000,0.000\n", at.x, at.y);
+    assert!(text(Format::Csv).contains(&row), "{row}: {}", text(Format::Csv));
+    let position = format!("position: {{x: {:.4}, y: {:.4}, z: 0.0}}", at.x, at.y);
+    assert!(text(Format::Poses).contains(&position), "{position}");
+}
+
+#[test]
+fn sweeps_of_a_room_and_of_the_whole_drawing_have_names_of_their_own() {
+    let mut board = furnished(Some(6));
+    plan(&mut board).unwrap();
+    let whole = board.export(Format::Csv).unwrap().name;
+    change(&mut board, |settings| settings.part = Part::Rectangle { corners: [[1.0, 0.5], [4.0, 3.0]] });
+    plan(&mut board).unwrap();
+    let part = board.export(Format::Csv).unwrap().name;
+    assert!(whole.ends_with("-sweep.csv") && part.ends_with("-part-sweep.csv") && whole != part, "{whole} {part}");
+}
+
+#[test]
 fn files_of_a_sweep_name_the_robot_that_it_was_planned_for() {
     let mut board = furnished(Some(6));
     let mut heads = |body: BodyChoice| {
@@ -288,7 +318,8 @@ fn files_of_a_sweep_name_the_robot_that_it_was_planned_for() {
     };
     let [program, bytes] = heads(BodyChoice::Octagon { width: 0.4 });
     assert!(
-        program.starts_with("; planned   for an octagon, 0.400 m wide\n; robot     moves as the Octagon"),
+        program
+            .starts_with("; planned   for an octagon, 0.400 m wide\n; robot     moves as the Omnidirectional octagon"),
         "{program}"
     );
     assert!(!program.contains("Roomba 600"), "{program}");

@@ -311,6 +311,34 @@ mod formats {
     }
 
     #[test]
+    fn messages_about_sizes_thresholds_and_magic_numbers_that_do_not_fit() {
+        let yaml = |from: &str, to: &str| message(&ros_map(&YAML.replace(from, to)));
+        let with_image = |bytes: &[u8]| message(&[ros_map(YAML)[0].clone(), file("map.pgm", bytes)]);
+        let mut png = encoded(GrayImage::new(2, 2), ImageFormat::Png);
+        png[1] = b'Q';
+        let threshold = "\"map.yaml\", line 6: occupied_thresh can't be";
+        assert_messages(&[
+            (yaml("0.65", "high"), &format!("{threshold} \"high\"; it takes a number from 0 to 1")),
+            (yaml("0.65", "nan"), &format!("{threshold} \"nan\"; it takes a number from 0 to 1")),
+            (yaml("0.196", ""), "\"map.yaml\", line 7: free_thresh can't be \"\"; it takes one value"),
+            (
+                yaml("0.65", "0.1"),
+                "\"map.yaml\", line 7: free_thresh can't be \"0.196\"; it takes at most occupied_thresh, which is 0.1",
+            ),
+            (with_image(b"P5 4 3 255\nabcdef"), "\"map.pgm\" is cut off: its picture ends too early; copy or export"),
+            (with_image(b"P5 3 2 0\nabcdef"), "\"map.pgm\" is damaged: "),
+            (with_image(b"P5 -3 2 255\nabcdef"), "\"map.pgm\" is damaged: "),
+            (
+                with_image(b"P9 3 2 255\nabcdef"),
+                "\"map.pgm\" is text of unknown kind, which is not a map that can be read; use",
+            ),
+            (with_image(b"P7\nWIDTH 3\n"), "\"map.pgm\" is a PAM image, which is not a map that can be read; use"),
+            (with_image(b""), "\"map.pgm\" is empty; choose another file"),
+            (with_image(&png), "\"map.pgm\" is a file of unknown kind, which is not a map that can be read; use"),
+        ]);
+    }
+
+    #[test]
     fn messages_about_ros_maps_and_sets_of_files() {
         let yaml = |from: &str, to: &str| message(&ros_map(&YAML.replace(from, to)));
         let image = || file("a.pgm", PGM);

@@ -5,6 +5,8 @@
 use robovac_playground::{
     app::{PlanRequest, Prepared, Session, Settings, opening},
     floorplan::ROOMS,
+    metrics::{Bounds, WalkMetrics},
+    planner::{CoveragePath, Proof},
 };
 
 /// The opening scene's request, as any other would be made.
@@ -38,6 +40,18 @@ fn kept_plan_is_the_planners_own() {
     }
     let kept = opening::from_runs(request.job.start, opening::WALK);
     assert!(kept == cells, "the planner finds another walk now: UPDATE=1 cargo test --test opening keeps it");
+}
+
+#[test]
+fn kept_plan_is_as_good_as_it_says() {
+    let job = request().job;
+    let path = CoveragePath { cells: opening::from_runs(job.start, opening::WALK) };
+    let cost = WalkMetrics::of(&job, &path).cost() as u64;
+    assert_eq!(opening::PROOF, Proof { cost, bound: Bounds::of(&job).cost as u64 }, "opening.rs tells something else");
+    // It is told at once, as no worker is there to work it out.
+    let mut session = Session::new();
+    assert!(session.take_plan_request().is_none());
+    assert_eq!(session.view().plan.unwrap().above_bound, Some(opening::PROOF.gap()));
 }
 
 #[test]

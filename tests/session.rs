@@ -1,7 +1,7 @@
 //! A user's session from opening to undo, without a browser.
 
 use robovac_playground::{
-    app::{Answer, Brush, Session, State},
+    app::{Answer, Brush, Session, State, diary},
     floorplan::{Object, ROOMS, SourceFile},
     geometry::{Point, Pose},
     grid::Cell,
@@ -283,7 +283,7 @@ fn gap_is_shown_while_planning_and_afterwards() {
     let mut session = Session::new();
     session.select_room("empty").unwrap();
     let request = session.take_plan_request().unwrap();
-    let shown = |session: &Session| session.view().plan.unwrap().above_bound;
+    let shown = |session: &Session| session.view().plan.unwrap().gap;
     assert_eq!(shown(&session), None);
     let proof = Some(Proof { cost: 110, bound: 100 });
     session.plan_progress(request.id, Report { done: 0.5, walk: &[request.job.start], proof });
@@ -292,12 +292,15 @@ fn gap_is_shown_while_planning_and_afterwards() {
     answer.proof = proof;
     session.plan_finished(request.id, answer);
     assert_eq!(shown(&session), Some(0.1));
-    session.plan_proven(request.id, Proof { cost: 100, bound: 100 });
-    assert_eq!(shown(&session), Some(0.0));
+    // As plans are compared is another number.
+    let compared = |session: &Session| session.view().plan.unwrap().above_bound;
+    assert_eq!(compared(&session), None);
+    session.plan_proven(request.id, Proof { cost: 120, bound: 100 });
+    assert_eq!((shown(&session), compared(&session)), (Some(0.1), Some(0.2)));
     // Of another plan it says nothing.
     session.plan_now(|| 0.0);
     session.plan_proven(request.id + 1, Proof { cost: 3, bound: 1 });
-    assert_eq!(shown(&session), Some(0.0));
+    assert_eq!(compared(&session), Some(0.2));
 }
 
 #[test]
@@ -310,7 +313,7 @@ fn best_walk_so_far_is_kept() {
     // As the page does it: somebody presses the button as soon as there is one.
     let mut watch = |report: Report<'_>| {
         session.plan_progress(request.id, report);
-        gaps.extend(session.view().plan.unwrap().above_bound);
+        gaps.extend(session.view().plan.unwrap().gap);
         if session.view().can.keep { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
     assert!(request.serve(|| 0.0, Some(&mut watch)).is_err());
@@ -319,7 +322,7 @@ fn best_walk_so_far_is_kept() {
     assert_eq!((session.state(), plan.planning_s), (State::Playing, Some(1.5)));
     let walk = plan.walk.unwrap();
     assert_eq!(walk.visited_cells, walk.reachable_cells);
-    assert!(plan.above_bound.is_some_and(|gap| gap > 0.0 && Some(&gap) == gaps.last()), "{gaps:?}");
+    assert!(plan.gap.is_some_and(|gap| gap > 0.0 && Some(&gap) == gaps.last()), "{gaps:?}");
 }
 
 /// Lets a film run to its end, and collects what is said meanwhile.
@@ -373,11 +376,12 @@ fn film_waits_while_the_robot_drives() {
     session.plan_now(|| 0.0);
     assert_eq!(session.state(), State::Ready, "a film that was asked for has the floor first");
     let first = session.view().search.text;
+    assert!(session.scene().robot.is_none(), "no robot is parked on what the film shows");
     session.play();
     for _ in 0..600 {
         session.frame(1.0 / 60.0, &mut || true);
     }
-    assert_eq!(session.picture(), None);
+    assert!(session.picture().is_none() && session.scene().robot.is_some());
     assert!(session.view().search.text.contains("waits while the robot drives"), "{}", session.view().search.text);
     session.pause();
     assert_eq!(session.view().search.text, first, "it hasn't gone on meanwhile");
@@ -596,6 +600,31 @@ fn robot_that_is_picked_up_drops_its_wheels_and_goes_on_elsewhere() {
     for expected in ["picked up", "wheel drop", "put down"] {
         assert!(events.iter().any(|event| event == expected), "{expected} is missing in {events:?}");
     }
+}
+
+#[test]
+fn planned_robot_that_is_carried_off_is_told_to_go_on_blindly() {
+    let mut session = opened();
+    session.run_ahead(20.0);
+    let there = session.recording().unwrap().run().pose();
+    session.lift();
+    session.put_down(there);
+    assert_eq!(session.view().message, "", "it stands where it stood");
+    session.lift();
+    session.put_down(Pose::new(there.x + 0.4, there.y, there.heading));
+    assert!(session.view().message.contains("doesn't know that it was carried"), "{}", session.view().message);
+    session.run_ahead(1.0);
+    let lines = diary(session.recording().unwrap().run(), true);
+    assert!(lines.iter().any(|line| line.text.contains("put down, follows its plan as before")), "{lines:?}");
+    // Before that it was not.
+    session.seek(10.0);
+    assert_eq!(session.view().message, "");
+    // A behaviour feels its way on.
+    session.configure(|s| s.select_algorithm("bounce")).unwrap();
+    session.run_ahead(20.0);
+    session.lift();
+    session.put_down(Pose::new(4.0, 3.0, 1.0));
+    assert_eq!(session.view().message, "");
 }
 
 #[test]

@@ -16,9 +16,14 @@ pub struct Entry {
     pub is_felt: bool,
 }
 
-/// What `run` remembers, latest first.
-pub fn diary(run: &Run) -> Vec<Entry> {
-    tell(run.events())
+/// What `run` remembers, latest first; of a robot that `follows_plan`, that it does so wherever it is put.
+pub fn diary(run: &Run, follows_plan: bool) -> Vec<Entry> {
+    let mut lines = tell(run.events());
+    let put_down = What::PutDown.to_string();
+    for line in lines.iter_mut().filter(|_| follows_plan) {
+        line.text = line.text.replace(&put_down, &format!("{put_down}, follows its plan as before"));
+    }
+    lines
 }
 
 /// A number that changes whenever the diary does.

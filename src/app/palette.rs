@@ -209,6 +209,17 @@ mod tests {
     }
 
     #[test]
+    fn the_legend_of_a_film_shows_its_colours() {
+        let css = include_str!("../../www/film.css");
+        let parts = LIGHT.parts.into_iter().zip(DARK.parts);
+        let others = [(LIGHT.preview, DARK.preview), (LIGHT.tint, DARK.tint), (LIGHT.link, DARK.link)];
+        for (light, dark) in parts.chain(others) {
+            let colour = format!("light-dark({light}, {dark})");
+            assert!(css.contains(&colour), "film.css lacks {colour}");
+        }
+    }
+
+    #[test]
     fn the_legend_of_the_page_shows_the_same_colours() {
         let css = include_str!("../../www/style.css");
         for (i, (light, dark)) in LIGHT.passes.iter().zip(DARK.passes).enumerate() {

@@ -171,11 +171,13 @@ pub struct PlanView {
     pub drive: Option<DriveMetrics>,
     /// Time that planning took, s; `None` while it goes on, and for a plan that was made in advance.
     pub planning_s: Option<f64>,
-    /// By how much the plan, or the best walk so far, costs more than any walk must, as a share of that; 0 if it is proven
-    /// to be the best, `None` if nothing is proven.
+    /// By how much the plan, or the best walk so far, costs more than any walk must in what its planner keeps low, as a share
+    /// of that; 0 if it is proven to be the best, `None` for planners that prove nothing.
+    pub gap: Option<f64>,
+    /// The same in steps + 2 x quarter turns, as plans are compared; `None` as long as nothing is proven, or if it misses cells.
     pub above_bound: Option<f64>,
-    /// Steps that a quarter turn counts as in that.
-    pub turn_weight: f64,
+    /// Steps that a quarter turn counts as in `gap`.
+    pub turn_weight: Option<f64>,
     /// Whether that is as long as the robot takes for one.
     pub times_turns: bool,
     /// Share of the search after which the user was content with the plan; `None` if the planner ended by itself.

@@ -28,6 +28,8 @@ pub struct Viewport {
     fitted: bool,
     /// Whether nothing floats over the canvas.
     is_bare: bool,
+    /// How far down from the top the page tells something that must not hide the room, CSS pixels.
+    told: f64,
 }
 
 impl Viewport {
@@ -49,6 +51,7 @@ impl Viewport {
             room: Vector::new(room_width, room_height),
             fitted: true,
             is_bare: false,
+            told: 0.0,
         };
         view.fit();
         view
@@ -68,6 +71,17 @@ impl Viewport {
         let middle = Vector::new(left + 0.5 * free.x, top + 0.5 * free.y);
         self.origin = middle + 0.5 * self.scale * Vector::new(-self.room.x, self.room.y);
         self.fitted = true;
+    }
+
+    /// Keeps the uppermost `told` CSS pixels free of the room where all of it is shown.
+    pub fn keep_clear(&mut self, told: f64) {
+        if (told - self.told).abs() < 0.5 {
+            return;
+        }
+        self.told = told;
+        if self.fitted {
+            self.fit();
+        }
     }
 
     /// Takes on the size of another room, in metres, and shows all of it.
@@ -133,7 +147,9 @@ impl Viewport {
             return [BARE_MARGIN; 4];
         }
         let shrink = (self.size.x / 480.0).min(self.size.y / 320.0).clamp(0.1, 1.0);
-        MARGINS.map(|margin| margin * shrink)
+        let [left, top, right, bottom] = MARGINS.map(|margin| margin * shrink);
+        // However much is told, half of the canvas is the room's.
+        [left, top.max(self.told.min(0.5 * self.size.y - bottom)), right, bottom]
     }
 
     /// Some of the room stays in view, so that nobody gets lost.
@@ -167,6 +183,23 @@ mod tests {
         let before = view.to_world(300.0, 200.0);
         view.zoom_at(300.0, 200.0, 1.7);
         assert!((view.to_world(300.0, 200.0) - before).norm() < 1e-9);
+    }
+
+    #[test]
+    fn what_is_told_hides_nothing_of_a_room_that_is_shown_whole() {
+        let mut view = view();
+        let before = view;
+        view.keep_clear(130.0);
+        assert!(view.to_screen(Point::new(0.0, 6.0)).y >= 130.0 - 1e-9);
+        view.keep_clear(0.0);
+        assert_eq!(view.scale, before.scale);
+        // Never more than half of the canvas, and not what somebody looks at closely.
+        view.keep_clear(5000.0);
+        assert!(view.scale > 0.0 && view.to_screen(Point::new(0.0, 6.0)).y < 350.0);
+        view.zoom_at(300.0, 200.0, 2.0);
+        let zoomed = view;
+        view.keep_clear(100.0);
+        assert_eq!((view.scale, view.origin), (zoomed.scale, zoomed.origin));
     }
 
     #[test]

@@ -127,6 +127,10 @@ impl Playground {
         Reflect::set(&view, &"tool".into(), &tool.into())?;
         self.add_objects_to(&view)?;
         Reflect::set(&view, &"is_carried".into(), &self.carried.is_some().into())?;
+        // What is told of it must not hide it.
+        let is_high =
+            self.carried.is_some_and(|it| self.viewport.to_screen(it.pose.position()).y < 0.5 * self.viewport.size.y);
+        Reflect::set(&view, &"is_held_high".into(), &is_high.into())?;
         Ok(view)
     }
 
@@ -418,6 +422,8 @@ impl Playground {
                 self.carry_to(at, grip);
             }
             ("move", Some(Gesture::Carry { grip })) => self.carry_to(at, grip),
+            // Picked up by its button, it is where the pointer is.
+            ("move", None) => self.carry_to(at, Vector::zeros()),
             ("cancel", Some(Gesture::Carry { .. })) => {
                 self.put_back();
                 self.gesture = None;
@@ -479,6 +485,10 @@ impl Playground {
     }
 
     fn is_on_robot(&self, at: Point) -> bool {
+        // The film has the floor for itself.
+        if self.session.picture().is_some() {
+            return false;
+        }
         let radius = self.session.settings().robot_model().radius;
         let robot = self.carried.map(|c| c.pose).or(self.session.recording().map(|r| r.run().pose()));
         let reach = radius.max(LEAST_GRIP_PX / self.viewport.scale);
@@ -557,6 +567,11 @@ impl Playground {
     /// The canvas is `width` x `height` CSS pixels on a screen with `ratio` device pixels each.
     pub fn resize(&mut self, width: f64, height: f64, ratio: f64) {
         self.viewport.resize(width, height, ratio);
+    }
+
+    /// Keeps the uppermost `told` CSS pixels of the canvas free of the room: something is told there that must not hide it.
+    pub fn keep_clear(&mut self, told: f64) {
+        self.viewport.keep_clear(told);
     }
 
     /// Dark or light colours.

@@ -1,6 +1,6 @@
 // @ts-check
 // The robot that sweeps: its outline by figures, corners or model, with a small picture.
-import { byId, fill, input, select, setAttribute, setHidden, setText } from "../dom.js";
+import { byId, input, make, select, setAttribute, setHidden, setText } from "../dom.js";
 import { onNumber, plain, showValue } from "./fields.js";
 
 /** @typedef {import("./types").Body} Body */
@@ -12,7 +12,12 @@ const FIGURES = { circle: [["radius", "Radius"]], rectangle: [["length", "Length
 export function startBody(it) {
   const kind = select("draft-body");
   const corners = input("draft-corners");
-  fill(kind, [["octagon", "Octagon"], ["circle", "Circle"], ["rectangle", "Rectangle"], ["polygon", "Own polygon"], ...it.app.catalogue.robots.map(({ id, title }) => /** @type {[string, string]} */ ([`model ${id}`, title]))]);
+  /** @param {string} label @param {[value: string, title: string][]} options */
+  const group = (label, options) => make("optgroup", { label }, ...options.map(([value, title]) => make("option", { value }, title)));
+  kind.replaceChildren(
+    group("An outline of one's own", [["octagon", "Octagon"], ["circle", "Circle"], ["rectangle", "Rectangle"], ["polygon", "Polygon"]]),
+    group("A robot", it.app.catalogue.robots.map(({ id, title }) => [`model ${id}`, title])),
+  );
   /** @param {Body} body */
   const choose = (body) => void it.set({ body });
   kind.addEventListener("change", () => {

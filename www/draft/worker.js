@@ -54,7 +54,12 @@ function draw() {
 function animate(now) {
   const [stage] = stages;
   if (stage === undefined) return;
-  began ||= now;
+  if (!began) {
+    began = now;
+    board.show_stage(stage, 0);
+    // Its button is pressed while one sees it, not afterwards.
+    show();
+  }
   const share = (now - began) / STAGE_MS;
   board.show_stage(stage, share);
   if (share >= 1) {

@@ -1,5 +1,6 @@
 // @ts-check
-// Time: play, step, speed, and the time line with the share of the boundary that is mapped.
+// Time: play, step, speed, and the time line with the share of the boundary that is mapped; of a robot that is lost on a map,
+// with how far off it is.
 import { button, byId, changed, fill, make, select, setAttribute, setEnabled, setText } from "../dom.js";
 import { clock, pace, percent } from "../format.js";
 
@@ -26,6 +27,8 @@ export function startPlaybar(it) {
   select("survey-speed").addEventListener("change", () => it.set("pace", select("survey-speed").value));
   startScrubber(it);
   let drawn = 0;
+  /** Upper end of the scale of errors, m. */
+  let top = 0.1;
 
   /** @param {import("./types").SurveyView} view */
   return (view) => {
@@ -48,20 +51,27 @@ export function startPlaybar(it) {
     const range = rangeOf(view);
     const scrubber = byId("survey-scrubber");
     scrubber.style.setProperty("--at", String(view.time_s / range));
-    scrubber.style.setProperty("--coverage", String(view.figures?.boundary ?? 0));
+    const isLost = view.known !== null;
     setAttribute(scrubber, "aria-disabled", String(!can.seek));
     setAttribute(scrubber, "aria-valuemax", view.end_s.toFixed(0));
     if (!running) {
       setAttribute(scrubber, "aria-valuenow", view.time_s.toFixed(0));
-      setAttribute(scrubber, "aria-valuetext", `${clock(view.time_s)}, ${percent(view.figures?.boundary ?? 0, 0)} % of the boundary mapped`);
+      setAttribute(scrubber, "aria-valuetext", `${clock(view.time_s)}, ${isLost ? off(view) : `${percent(view.figures?.boundary ?? 0, 0)} % of the boundary mapped`}`);
     }
     const now = performance.now();
-    const is = `${view.samples} ${view.version} ${range} ${view.end_s}`;
+    const is = `${view.samples} ${view.version} ${range} ${view.end_s} ${isLost}`;
     if ((now - drawn > REDRAW || !running) && changed(scrubber, "curve", is)) {
       drawn = now;
-      drawCurves(it.survey.curve(), range, view.end_s);
+      const curve = it.survey.curve();
+      top = drawDrift(curve, view.end_s);
+      if (isLost) drawError(curve, range, top);
+      else drawBoundary(curve, range);
+      setText(byId("survey-curve-name"), isLost ? "Position error over time; shaded while it is lost" : "Boundary mapped over time");
+      setText(byId("survey-curve-top"), isLost ? length(top) : "100 %");
       drawTicks(range);
     }
+    const height = isLost ? (view.figures?.position_m ?? top) / top : (view.figures?.boundary ?? 0);
+    scrubber.style.setProperty("--coverage", String(Math.min(height, 1)));
   };
 }
 
@@ -72,35 +82,58 @@ export function rangeOf(view) {
   return range;
 }
 
-/** @param {Float64Array} curve Four numbers a sample. @param {number} range @param {number} end Time that the run has come to, s. */
-function drawCurves(curve, range, end) {
-  const x = (/** @type {number} */ time) => ((1000 * time) / range).toFixed(1);
-  let boundary = "M0 99.5";
-  let most = 0.1;
-  for (let i = 0; i < curve.length; i += 4) {
-    boundary += `L${x(curve[i] ?? 0)} ${(99.5 - 99 * (curve[i + 1] ?? 0)).toFixed(1)}`;
-    most = Math.max(most, curve[i + 2] || 0, curve[i + 3] || 0);
+/** How far off it is, in words. @param {import("./types").SurveyView} view */
+function off({ figures }) {
+  const error = figures?.position_m;
+  return error === null || error === undefined ? "lost" : `off by ${error < 1 ? `${(100 * error).toFixed(0)} cm` : `${error.toFixed(2)} m`}`;
+}
+
+/** @param {number} metres */
+const length = (metres) => (metres < 1 ? `${metres * 100} cm` : `${metres} m`);
+
+/** The samples of a curve. @param {Float64Array} curve Four numbers a sample. @returns {[time: number, boundary: number, here: number, odometry: number][]} */
+const samples = (curve) => Array.from({ length: curve.length / 4 }, (_, i) => [curve[4 * i] ?? 0, curve[4 * i + 1] ?? 0, curve[4 * i + 2] ?? NaN, curve[4 * i + 3] ?? NaN]);
+
+/** A line through points; none where there is no number. @param {[x: number, y: number][]} points */
+function through(points) {
+  let line = "";
+  let isDown = false;
+  for (const [x, y] of points) {
+    if (!Number.isNaN(y)) line += `${isDown ? "L" : "M"}${x.toFixed(1)} ${y.toFixed(1)}`;
+    isDown = !Number.isNaN(y);
   }
-  setAttribute(byId("survey-curve"), "d", boundary);
-  const last = curve.length >= 4 ? x(curve[curve.length - 4] ?? 0) : "0";
-  setAttribute(byId("survey-area"), "d", `${boundary}L${last} 100L0 100Z`);
-  // Drift, beside, with scales that hold all of it: it ends where the clock is, or was last.
-  const span = Math.max(end, 1);
-  const across = (/** @type {number} */ time) => ((1000 * time) / span).toFixed(1);
+  return line;
+}
+
+/** @param {Float64Array} curve @param {number} range */
+function drawBoundary(curve, range) {
+  const points = samples(curve).map(([time, boundary]) => /** @type {[number, number]} */ ([(1000 * time) / range, 99.5 - 99 * boundary]));
+  const line = through([[0, 99.5], ...points]);
+  setAttribute(byId("survey-curve"), "d", line);
+  setAttribute(byId("survey-area"), "d", `${line}L${points.at(-1)?.[0] ?? 0} 100L0 100Z`);
+  setAttribute(byId("survey-astray"), "d", "");
+}
+
+/** The error of a robot that is lost on a map, and when it had no idea. @param {Float64Array} curve @param {number} range @param {number} top */
+function drawError(curve, range, top) {
+  const points = samples(curve).map(([time, , here]) => /** @type {[number, number]} */ ([(1000 * time) / range, 99.5 - (99 * here) / top]));
+  setAttribute(byId("survey-curve"), "d", through(points));
+  setAttribute(byId("survey-area"), "d", "");
+  const astray = points.map(([x, y], i) => (Number.isNaN(y) ? `M${(points[i - 1]?.[0] ?? 0).toFixed(1)} 0H${x.toFixed(1)}V100H${(points[i - 1]?.[0] ?? 0).toFixed(1)}Z` : ""));
+  setAttribute(byId("survey-astray"), "d", astray.join(""));
+}
+
+/** Drift, beside, with scales that hold all of it: it ends where the clock is, or was last. @param {Float64Array} curve @param {number} end Time that the run has come to, s. */
+function drawDrift(curve, end) {
+  const all = samples(curve);
+  const most = Math.max(0.1, ...all.flatMap(([, , here, odometry]) => [here || 0, odometry || 0]));
   const top = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50].find((limit) => limit >= most) ?? 100;
-  for (const [id, at] of /** @type {const} */ ([["survey-drift-here", 2], ["survey-drift-odometry", 3]])) {
-    let line = "";
-    let isDown = false;
-    for (let i = 0; i < curve.length; i += 4) {
-      const error = curve[i + at] ?? NaN;
-      // While it has no idea where it is, there is no line.
-      if (!Number.isNaN(error)) line += `${isDown ? "L" : "M"}${across(curve[i] ?? 0)} ${(100 - (100 * error) / top).toFixed(1)}`;
-      isDown = !Number.isNaN(error);
-    }
-    setAttribute(byId(id), "d", line);
-  }
-  setText(byId("survey-drift-top"), top < 1 ? `${top * 100} cm` : `${top} m`);
+  const across = (/** @type {number} */ time) => (1000 * time) / Math.max(end, 1);
+  setAttribute(byId("survey-drift-here"), "d", through(all.map(([time, , here]) => [across(time), 100 - (100 * here) / top])));
+  setAttribute(byId("survey-drift-odometry"), "d", through(all.map(([time, , , odometry]) => [across(time), 100 - (100 * odometry) / top])));
+  setText(byId("survey-drift-top"), length(top));
   setText(byId("survey-drift-end"), clock(end));
+  return top;
 }
 
 /** @param {number} range */

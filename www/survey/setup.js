@@ -1,7 +1,8 @@
 // @ts-check
 // What is chosen here: the behaviour and its parameters, how the robot keeps track, wheels and sensors.
-import { button, byId, changed, fill, select, setText } from "../dom.js";
+import { button, byId, changed, fill, select, setAttribute, setText } from "../dom.js";
 import { explainer } from "../explainer.js";
+import { ODOMETRIES, ODOMETRY_TIP } from "../odometry.js";
 import { paramField } from "../params.js";
 
 /** Menus by their name in links. */
@@ -22,6 +23,8 @@ export function startSetup(it) {
   };
   if (made.length > 0) menu.replaceChildren(group("Made to explore", made), group("Made to clean", others));
   else fill(menu, others.map(({ id, title }) => [id, title]));
+  fill(select("survey-counts"), ODOMETRIES);
+  setAttribute(byId("survey-counts-field"), "data-tip", ODOMETRY_TIP);
   /** What was refused keeps showing what is. @param {string} id @param {string} key */
   const choose = (id, key) => {
     it.set(key, select(id).value);

@@ -1,9 +1,9 @@
 //! What leaves the drawing board as files.
 
-use super::{Board, Source};
+use super::{Board, Part, Source};
 use crate::{
     app::export::ExportFile,
-    app::sweep::{Sweep, commands, commands_text, planned_for, program, sweep_dxf, to_csv, to_ros_path},
+    app::sweep::{Sweep, commands_text, in_frame, planned_for, program, sweep_dxf, to_csv, to_ros_path},
     cspace::Outline,
     drawing::Traced,
     robot,
@@ -41,18 +41,22 @@ impl Board {
         let model = chosen.or(like).unwrap_or(roomba);
         let planned = chosen.map_or_else(|| outline.to_string(), planned_for);
         // As the planner has it: the robot looks along x when it begins, or as the room's start says.
-        let (path, heading) = (&sweep.path, room.plan.start.map_or(0.0, |start| start.heading));
+        let start = room.plan.start.map_or(0.0, |start| start.heading);
+        let (path, heading) = in_frame(&sweep.path, start, room.plan.origin);
         let (ending, kind, bytes) = match format {
             Format::Dxf => ("dxf", "image/vnd.dxf", self.dxf(room, sweep)?),
-            Format::Program => ("txt", "text/plain", program(path, heading, model, &planned).into_bytes()),
-            Format::Commands => {
-                let text = commands_text(&commands(path, heading, roomba), roomba, &planned);
-                ("oi.txt", "text/plain", text.into_bytes())
-            }
-            Format::Csv => ("csv", "text/csv", to_csv(path, heading, model).into_bytes()),
-            Format::Poses => ("yaml", "text/yaml", to_ros_path(path, heading, &room.plan, model).into_bytes()),
+            Format::Program => ("txt", "text/plain", program(&path, heading, model, &planned).into_bytes()),
+            Format::Commands => ("oi.txt", "text/plain", commands_text(&path, heading, roomba, &planned).into_bytes()),
+            Format::Csv => ("csv", "text/csv", to_csv(&path, heading, model).into_bytes()),
+            Format::Poses => ("yaml", "text/yaml", to_ros_path(&path, heading, model).into_bytes()),
         };
-        Ok(ExportFile { name: format!("{}-sweep.{ending}", self.source().name()), kind, bytes })
+        // Sweeps of all and of a part of it may lie side by side.
+        let part = match self.settings().part {
+            Part::Whole => "",
+            Part::Room { .. } => "-room",
+            Part::Rectangle { .. } | Part::Polygon { .. } => "-part",
+        };
+        Ok(ExportFile { name: format!("{}{part}-sweep.{ending}", self.source().name()), kind, bytes })
     }
 
     fn dxf(&self, room: &Traced, sweep: &Sweep) -> Result<Vec<u8>, String> {

@@ -9,7 +9,7 @@ pub use svg::to_svg;
 use crate::{
     app::{
         planning::choose_robot,
-        sweep::{commands, commands_text, planned_for, program, to_csv, to_ros_path},
+        sweep::{commands_text, in_frame, planned_for, program, to_csv, to_ros_path},
     },
     floorplan::{FloorPlan, MapError, MapImage, Mode, RosMapError, Scenario, to_ascii, to_ros_map},
     geometry::Point,
@@ -82,7 +82,7 @@ pub const FORMATS: &[Format] = &[
     Format {
         id: "path_csv",
         title: "Path, CSV table",
-        note: "Place, heading, distance and time at every corner, in metres, radians and seconds.",
+        note: "Place, heading, distance and time at every corner: metres, radians, seconds; from the map's origin or, without a map, the room's lower left corner.",
         needs_path: true,
     },
     Format {
@@ -166,30 +166,28 @@ impl Exported<'_> {
             "dxf" => self.dxf(),
             "ros_pgm" => self.ros_map(MapImage::Pgm),
             "ros_png" => self.ros_map(MapImage::Png),
-            "path_csv" => Ok(self.one("csv", "text/csv", to_csv(self.path, self.heading(), &self.robot()?))),
-            "path_ros" => {
-                let path = to_ros_path(self.path, self.heading(), self.plan, &self.robot()?);
-                Ok(self.one("path.yaml", "application/yaml", path))
-            }
-            "program" => Ok(self.one("program.txt", "text/plain", self.program()?)),
-            "roomba" => {
-                let roomba = model(ROOMBA).ok_or(ExportError::NoRobot)?;
-                let text =
-                    commands_text(&commands(self.path, self.heading(), roomba), roomba, &planned_for(&self.robot()?));
-                Ok(self.one("oi.txt", "text/plain", text))
-            }
-            other => Err(ExportError::Unknown(other.to_owned())),
+            _ => self.path_file(format.id),
         }
     }
 
-    fn program(&self) -> Result<String, ExportError> {
+    /// The path, in the frame of the map that the room came from.
+    fn path_file(&self, format: &str) -> Result<Vec<ExportFile>, ExportError> {
         let robot = self.robot()?;
-        Ok(program(self.path, self.heading(), &robot, &planned_for(&robot)))
-    }
-
-    /// The way that the robot looks at the start, rad.
-    fn heading(&self) -> f64 {
-        self.plan.start.map_or(0.0, |start| start.heading)
+        let start = self.plan.start.map_or(0.0, |start| start.heading);
+        let (path, heading) = in_frame(self.path, start, self.plan.origin);
+        match format {
+            "path_csv" => Ok(self.one("csv", "text/csv", to_csv(&path, heading, &robot))),
+            "path_ros" => Ok(self.one("path.yaml", "application/yaml", to_ros_path(&path, heading, &robot))),
+            "program" => {
+                let text = program(&path, heading, &robot, &planned_for(&robot));
+                Ok(self.one("program.txt", "text/plain", text))
+            }
+            "roomba" => {
+                let roomba = model(ROOMBA).ok_or(ExportError::NoRobot)?;
+                Ok(self.one("oi.txt", "text/plain", commands_text(&path, heading, roomba, &planned_for(&robot))))
+            }
+            other => Err(ExportError::Unknown(other.to_owned())),
+        }
     }
 
     /// The robot of the scenario, or the Roomba if it names none.

@@ -72,8 +72,10 @@ pub struct Planned {
     pub drive: DriveMetrics,
     /// Time that planning took, s.
     pub planning_s: f64,
-    /// How good the walk is known to be, once somebody has proven it.
+    /// How good its planner knows the walk to be, in the weights of that.
     pub proof: Option<Proof>,
+    /// How good it is known to be in steps + 2 x quarter turns, as plans are compared, once somebody has proven it.
+    pub compared: Option<Proof>,
     /// Share of the search after which somebody was content with it before its planner was.
     pub kept_at: Option<f64>,
 }
@@ -108,15 +110,15 @@ impl Prepared {
     /// The robot at the start, about to drive along `line` (corners, m) by dead reckoning. It gets another battery when one
     /// is empty: plans are compared by what they clean, and what they take is a number of its own.
     pub fn run_along(&self, line: &Arc<[Point]>, conditions: Conditions, odometry: OdometryModel, seed: u64) -> Run {
-        let follower = self.follower(line, odometry);
+        let follower = self.follower(&self.robot, line, odometry);
         let follower = if self.world.drop_offs.is_empty() { follower } else { follower.carefully() };
         let conditions = Conditions { spare_batteries: true, ..conditions };
         Run::new(&self.setup(conditions, seed), Box::new(follower))
     }
 
-    /// What drives along `line` (corners, m) from the start.
-    pub fn follower(&self, line: &Arc<[Point]>, odometry: OdometryModel) -> FollowPath {
-        FollowPath::new(&self.robot, odometry, self.floor.start, Arc::clone(line))
+    /// What drives `robot`, this one as it is or as it was calibrated, along `line` (corners, m) from the start.
+    pub fn follower(&self, robot: &RobotModel, line: &Arc<[Point]>, odometry: OdometryModel) -> FollowPath {
+        FollowPath::new(robot, odometry, self.floor.start, Arc::clone(line))
     }
 
     /// The robot at the start, about to do what `behaviour` does; `None` for one that isn't in the registry.
@@ -171,6 +173,7 @@ impl Planned {
             line,
             planning_s: *seconds,
             proof: *proof,
+            compared: None,
             kept_at: None,
         })
     }

@@ -22,6 +22,11 @@ use std::sync::Arc;
 /// Longest time between two frames that is made up for, s: after a pause of the browser the robot doesn't leap.
 const LONGEST_FRAME: f64 = 0.1;
 
+/// What is told of a robot that was put down elsewhere and can't feel that.
+const CARRIED: &str = "The robot follows its plan from odometry: it doesn't know that it was carried.";
+/// How far from where it believes to be a robot has to be put down for that to be worth a word, m.
+const CARRIED_M: f64 = 0.1;
+
 /// What links say of a room that was drawn or loaded: it stays what it is.
 const OWN_ROOM: &str = "own";
 
@@ -274,6 +279,7 @@ impl Session {
 
     /// Goes to another point of the time simulated so far, s.
     pub fn seek(&mut self, time_s: f64) {
+        self.message.take_if(|message| message.text == CARRIED);
         if let Some(recording) = &mut self.recording {
             recording.seek(time_s);
             // The state right at a key frame, the start above all, is there at once; the rest follows with the frames.
@@ -297,8 +303,14 @@ impl Session {
 
     /// Puts a robot that was picked up down at `pose`, or at the nearest place where it fits.
     pub fn put_down(&mut self, pose: Pose) {
-        if self.is_lifted() {
-            self.input(Input::PutDown(rounded(pose)));
+        if !self.is_lifted() {
+            return;
+        }
+        let believed = self.recording.as_ref().and_then(|recording| recording.run().estimate());
+        let is_elsewhere = believed.is_some_and(|at| (at.position() - pose.position()).norm() > CARRIED_M);
+        self.input(Input::PutDown(rounded(pose)));
+        if is_elsewhere && self.settings.algorithm.planner().is_some() {
+            self.say("notice", CARRIED.into());
         }
     }
 

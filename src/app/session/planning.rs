@@ -26,6 +26,7 @@ impl Session {
         let path = CoveragePath { cells: opening::from_runs(request.job.start, opening::WALK) };
         let answer = Answer { path, seconds: 0.0, proof: None, trace: Vec::new() };
         self.plan_finished(request.id, answer);
+        self.plan_proven(request.id, opening::PROOF);
         None
     }
 
@@ -90,12 +91,12 @@ impl Session {
         }
     }
 
-    /// How good the plan of a request is was proven after it had been made.
+    /// How good the plan of a request is, as plans are compared, was proven after it had been made.
     pub fn plan_proven(&mut self, id: u32, proof: Proof) {
         if id == self.requests
             && let Some(planned) = &mut self.planned
         {
-            planned.proof = Some(proof);
+            planned.compared = Some(proof);
         }
     }
 

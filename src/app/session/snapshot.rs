@@ -7,7 +7,7 @@ use crate::{
         in_words,
         view::{Can, PlanView, RoomView},
     },
-    planner::{Proof, TURN_STEPS},
+    planner::Proof,
     sim::{Run, SensorKind, SlipLevel, What},
 };
 
@@ -20,7 +20,8 @@ impl Session {
         let is_lost = self.settings.conditions.slip != SlipLevel::None;
         let robot = run.map(|run| RobotView::of(run, &model, estimate || is_lost));
         let film = self.picture().map(|picture| FilmScene { picture, cell_size: self.settings.cell_size });
-        // A picture of the film is about the plan alone.
+        // A picture of the film is about the plan alone: no robot stands on it.
+        let robot = robot.filter(|_| film.is_none());
         let coverage = self.settings.shows.coverage && film.is_none();
         Scene {
             plan: self.editor.plan(),
@@ -116,20 +117,19 @@ impl Session {
         }
     }
 
-    /// What a quarter turn counts as where plans are measured by a bound, in steps, and whether that is the robot's time:
-    /// planners that prove their plans have weights of their own, for others there are those of tables.
-    fn turn_weight(&self) -> (f64, bool) {
+    /// What a quarter turn counts as for a planner that proves its plans, in steps, and whether that is the robot's time.
+    fn turn_weight(&self) -> Option<(f64, bool)> {
         let planner = self.settings.algorithm.planner().filter(|planner| planner.claims.anytime);
-        let given = planner.map(|_| self.settings.params.number("turn"));
-        match (given, &self.prepared) {
-            (Some(turn), _) if turn > 0.0 => (turn, false),
-            (Some(_), Some(prepared)) => (prepared.job.turn_s / prepared.job.step_s, true),
-            _ => (TURN_STEPS as f64, false),
+        let turn = planner.map(|_| self.settings.params.number("turn"))?;
+        if turn > 0.0 {
+            return Some((turn, false));
         }
+        self.prepared.as_ref().map(|prepared| (prepared.job.turn_s / prepared.job.step_s, true))
     }
 
     fn plan_view(&self) -> Option<PlanView> {
-        let (turn_weight, times_turns) = self.turn_weight();
+        let (turn_weight, times_turns) = self.turn_weight().unzip();
+        let times_turns = times_turns.unwrap_or(false);
         if let Some(planning) = &self.planning {
             return Some(PlanView {
                 running: true,
@@ -137,7 +137,8 @@ impl Session {
                 walk: None,
                 drive: None,
                 planning_s: None,
-                above_bound: planning.proof.map(Proof::gap),
+                gap: planning.proof.map(Proof::gap),
+                above_bound: None,
                 turn_weight,
                 times_turns,
                 kept_at: None,
@@ -149,7 +150,8 @@ impl Session {
             walk: Some(planned.walk),
             drive: Some(planned.drive),
             planning_s: (!self.is_opening).then_some(planned.planning_s),
-            above_bound: planned.proof.map(Proof::gap),
+            gap: planned.proof.map(Proof::gap),
+            above_bound: planned.compared.map(Proof::gap),
             turn_weight,
             times_turns,
             kept_at: planned.kept_at,

@@ -3,6 +3,7 @@
 //! Robots of the 600 series have no script commands (opcodes 152 to 158 are the Create's of 2006), and drive on until
 //! they are told otherwise: so a path is a list of commands, each with the time at which it is to be sent.
 
+use super::track::{FRAME, start_text};
 use crate::{
     cspace::Outline,
     geometry::{Point, Pose, Vector, difference},
@@ -81,9 +82,11 @@ pub fn commands(path: &[Point], heading: f64, robot: &RobotModel) -> Vec<TimedCo
     list.commands
 }
 
-/// The commands as a text file: time, bytes in hexadecimal, meaning. `planned` says for whom the path was planned, in words
-/// that follow "for"; `robot` is what they run on.
-pub fn commands_text(commands: &[TimedCommand], robot: &RobotModel, planned: &str) -> String {
+/// The [`commands`] of a path as a text file: time, bytes in hexadecimal, meaning. `planned` says for whom the path was planned,
+/// in words that follow "for"; `robot` is what they run on.
+pub fn commands_text(path: &[Point], heading: f64, robot: &RobotModel, planned: &str) -> String {
+    let commands = commands(path, heading, robot);
+    let start = path.first().map(|at| start_text(Pose::new(at.x, at.y, heading)));
     let duration = commands.last().map_or(0.0, |last| last.at_s + last.wait_s);
     let moves: f64 = commands.iter().filter(|command| command.is_motion()).map(|command| command.wait_s).sum();
     let body = Outline::of(robot).to_string();
@@ -96,11 +99,14 @@ pub fn commands_text(commands: &[TimedCommand], robot: &RobotModel, planned: &st
         "# planned   for {planned}\n\
          # runs on   {}, {body}; 115200 baud\n\
          {differs}\
+         # frame     {FRAME}\n\
          # units     s, mm/s, m, degrees (left is counter-clockwise)\n\
+         # start     {}\n\
          # duration  {duration:.3} s: {moves:.3} s of moves, {:.3} s of waiting for modes and until the wheels rest\n\
          # Send the bytes of each line at its time; the robot drives on until the next.\n\
          # time  bytes            meaning\n",
         robot.title,
+        start.as_deref().unwrap_or("nowhere: there is no path"),
         duration - moves
     );
     for TimedCommand { at_s, bytes, meaning, .. } in commands {
@@ -245,13 +251,14 @@ mod tests {
             let speed = i16::from_be_bytes([command.bytes[1], command.bytes[2]]).abs();
             assert!([0, 68, 125, 182, 239, 296].contains(&speed), "{speed}");
         }
-        let text = commands_text(&list, model("roomba600").unwrap(), "an octagon, 0.400 m wide");
+        let text = commands_text(&square(), 0.0, model("roomba600").unwrap(), "an octagon, 0.400 m wide");
         assert!(
             text.starts_with(
                 "# planned   for an octagon, 0.400 m wide\n# runs on   Roomba 600 / Create 2, a circle of "
             )
         );
         assert!(text.contains("not planned for"));
+        assert!(text.contains("\n# start     x 1.000 m, y 1.000 m, heading 0.0 deg\n"), "{text}");
         assert!(text.contains("\n0.000  80               start the interface\n"), "{text}");
         // Half a millimetre short, and faster than what ends nearer.
         assert!(text.contains("forward 2.250 m, 5060 encoder counts"), "{text}");

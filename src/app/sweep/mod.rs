@@ -25,4 +25,4 @@ pub use overlay::{overlays, sweep_dxf};
 pub use pipeline::{SCAN_WIDTHS, sweep};
 pub use program::{planned_for, program};
 pub use stages::{Link, Subgoal, Sweep, SweepSetup};
-pub use track::{to_csv, to_ros_path};
+pub use track::{in_frame, to_csv, to_ros_path};

@@ -1,6 +1,6 @@
 //! Paths as programs that people read (001, section 2: "robot language command is generated for the sweeping motion").
 
-use super::track::{Waypoint, waypoints};
+use super::track::{FRAME, Waypoint, start_text, waypoints};
 use crate::{
     cspace::Outline,
     geometry::{Point, difference},
@@ -12,7 +12,7 @@ use std::fmt::Write;
 /// Smallest angle that is printed, degrees.
 const LEAST_TURN: f64 = 0.05;
 
-/// A robot that there is, in words that follow "for": `the Octagon, an octagon, 0.360 m wide`.
+/// A robot that there is, in words that follow "for": `the Omnidirectional octagon, an octagon, 0.360 m wide`.
 pub fn planned_for(robot: &RobotModel) -> String {
     format!("the {}, {}", robot.title, Outline::of(robot))
 }
@@ -44,17 +44,14 @@ pub fn program(path: &[Point], heading: f64, robot: &RobotModel, planned: &str) 
     let is_free = robot.wheels == Wheels::Omnidirectional;
     let how = if is_free { "moves in every direction without turning" } else { "turns on the spot, drives ahead" };
     let _ = writeln!(text, "; planned   for {planned}\n; robot     moves as the {}: {how}", robot.title);
-    let _ = writeln!(text, "; units     m; degrees, counter-clockwise from the room's x axis");
+    let _ = writeln!(text, "; frame     {FRAME}\n; units     m; degrees, counter-clockwise from the x axis");
     if let (Some(first), Some(last)) = (stops.first(), stops.last()) {
-        let pose = first.pose;
         let _ = writeln!(
             text,
-            "; start     x {:.3} m, y {:.3} m, heading {:.1} deg\n; length    {:.3} m\n; duration  {:.1} s: every \
+            "; start     {}\n; length    {:.3} m\n; duration  {:.1} s: every \
              command at the robot's usual speed and acceleration, from rest to rest;\n;           Open Interface bytes \
              of the same path take longer, as a Roomba turns before every way and\n;           waits after every move",
-            pose.x,
-            pose.y,
-            pose.heading.to_degrees(),
+            start_text(first.pose),
             last.distance,
             last.time
         );
@@ -99,7 +96,7 @@ mod tests {
             text.ends_with("MOVE 2.000 m at 0.0 deg\nMOVE 0.500 m at -90.0 deg\nMOVE 2.000 m at 180.0 deg\nSTOP\n"),
             "{text}"
         );
-        assert!(text.starts_with("; planned   for an octagon\n; robot     moves as the Octagon: moves in every direction without turning\n; units"));
+        assert!(text.starts_with("; planned   for an octagon\n; robot     moves as the Omnidirectional octagon: moves in every direction without turning\n; frame"));
         assert!(text.contains("; length    4.500 m\n"));
     }
 

@@ -1,8 +1,7 @@
 //! Paths as poses for other programs.
 
 use crate::{
-    floorplan::FloorPlan,
-    geometry::{Point, Pose, difference},
+    geometry::{Point, Pose, difference, normalize},
     math,
     robot::{RobotModel, Wheels},
 };
@@ -10,6 +9,20 @@ use std::fmt::Write;
 
 /// Turns below which a robot doesn't turn, rad.
 const STRAIGHT_ON: f64 = 1e-9;
+
+/// The frame of all files, in words.
+pub(super) const FRAME: &str = "that of the room's drawing or map, x to the right, y up; else its lower left corner";
+
+/// A path through a room and the heading that it begins with, rad, in the frame of the map or drawing that the room was made
+/// from, which the room's `origin` tells: files that lie side by side must agree on where things are.
+pub fn in_frame(path: &[Point], heading: f64, origin: Pose) -> (Vec<Point>, f64) {
+    (path.iter().map(|&at| origin.to_world(at)).collect(), normalize(heading + origin.heading))
+}
+
+/// Where a path begins, for the head of a file.
+pub(super) fn start_text(pose: Pose) -> String {
+    format!("x {:.3} m, y {:.3} m, heading {:.1} deg", pose.x, pose.y, pose.heading.to_degrees())
+}
 
 /// Where a robot is on its path, and when.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,9 +65,8 @@ pub(super) fn waypoints(path: &[Point], heading: f64, robot: &RobotModel) -> Vec
     stops
 }
 
-/// A path as a table: `x_m,y_m,heading_rad,distance_m,time_s`, in the room (metres from its lower left corner,
-/// headings counter-clockwise from +x), a line for every stop of a robot that begins with `heading` rad. Times are by
-/// the robot's motion model, from rest to rest.
+/// A path as a table: `x_m,y_m,heading_rad,distance_m,time_s`, headings counter-clockwise from +x, a line for every stop of
+/// a robot that begins with `heading` rad. Times are by the robot's motion model, from rest to rest.
 pub fn to_csv(path: &[Point], heading: f64, robot: &RobotModel) -> String {
     let mut text = "x_m,y_m,heading_rad,distance_m,time_s\n".to_owned();
     for Waypoint { pose, distance, time } in waypoints(path, heading, robot) {
@@ -63,15 +75,14 @@ pub fn to_csv(path: &[Point], heading: f64, robot: &RobotModel) -> String {
     text
 }
 
-/// A path as a `nav_msgs/Path` in YAML, as `ros2 topic pub` takes it: frame `map`, REP 103, the plan's origin
-/// applied. The stamps of the poses are seconds from the start, by the robot's motion model.
-pub fn to_ros_path(path: &[Point], heading: f64, plan: &FloorPlan, robot: &RobotModel) -> String {
+/// A path in the map's frame as a `nav_msgs/Path` in YAML, as `ros2 topic pub` takes it: frame `map`, REP 103. The stamps of
+/// the poses are seconds from the start, by the robot's motion model.
+pub fn to_ros_path(path: &[Point], heading: f64, robot: &RobotModel) -> String {
     let stops = waypoints(path, heading, robot);
     let mut text = "header:\n  stamp: {sec: 0, nanosec: 0}\n  frame_id: map\n".to_owned();
     text += if stops.is_empty() { "poses: []\n" } else { "poses:\n" };
     for Waypoint { pose, time, .. } in stops {
-        let at = plan.origin.to_world(pose.position());
-        let (sin, cos) = math::sin_cos(0.5 * crate::geometry::normalize(pose.heading + plan.origin.heading));
+        let (sin, cos) = math::sin_cos(0.5 * normalize(pose.heading));
         let nanoseconds = (time * 1e9).round() as u64;
         let (sec, nanosec) = (nanoseconds / 1_000_000_000, nanoseconds % 1_000_000_000);
         let _ = writeln!(
@@ -79,7 +90,7 @@ pub fn to_ros_path(path: &[Point], heading: f64, plan: &FloorPlan, robot: &Robot
             "- header:\n    stamp: {{sec: {sec}, nanosec: {nanosec}}}\n    frame_id: map\n  pose:\n    \
              position: {{x: {:.4}, y: {:.4}, z: 0.0}}\n    \
              orientation: {{x: 0.0, y: 0.0, z: {sin:.9}, w: {cos:.9}}}",
-            at.x, at.y
+            pose.x, pose.y
         );
     }
     text
@@ -88,7 +99,7 @@ pub fn to_ros_path(path: &[Point], heading: f64, plan: &FloorPlan, robot: &Robot
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{floorplan::Sketch, robot::model};
+    use crate::robot::model;
 
     fn corner() -> Vec<Point> {
         vec![Point::new(1.0, 1.0), Point::new(3.0, 1.0), Point::new(3.0, 1.0), Point::new(3.0, 2.0)]
@@ -113,13 +124,20 @@ mod tests {
 
     #[test]
     fn poses_are_in_the_map_frame() {
-        let mut plan = Sketch::open(4.0, 4.0, 0.1).finish("", "");
-        plan.origin = Pose::new(-5.0, 2.0, math::FRAC_PI_2);
-        let text = to_ros_path(&corner(), 0.0, &plan, model("roomba600").unwrap());
+        let roomba = model("roomba600").unwrap();
+        let (path, heading) = in_frame(&corner(), 0.0, Pose::new(-5.0, 2.0, math::FRAC_PI_2));
+        let text = to_ros_path(&path, heading, roomba);
         // A quarter turn takes (1, 1) to (-1, 1), and the heading to half of the square root of 2.
         assert!(text.contains("position: {x: -6.0000, y: 3.0000, z: 0.0}"), "{text}");
         assert!(text.contains("orientation: {x: 0.0, y: 0.0, z: 0.707106781, w: 0.707106781}"), "{text}");
         assert!(text.starts_with("header:\n  stamp: {sec: 0, nanosec: 0}\n  frame_id: map\nposes:\n- header:\n"));
-        assert!(to_ros_path(&[], 0.0, &plan, model("roomba600").unwrap()).ends_with("poses: []\n"));
+        assert!(to_ros_path(&[], 0.0, roomba).ends_with("poses: []\n"));
+        // The table agrees.
+        assert!(to_csv(&path, heading, roomba).contains("\n-6.0000,3.0000,1.570796,0.0000,0.000\n"));
+    }
+
+    #[test]
+    fn frame_of_a_room_without_a_map_changes_nothing() {
+        assert_eq!(in_frame(&corner(), 1.0, Pose::new(0.0, 0.0, 0.0)), (corner(), 1.0));
     }
 }

@@ -3,7 +3,7 @@
 use super::{drawing::DrawingOptions, failure::Failure, output, source::Source};
 use robovac_playground::{
     app::sweep::{
-        Contact, Sweep, SweepError, SweepSetup, commands, commands_text, planned_for, program, sweep, sweep_dxf,
+        Contact, Sweep, SweepError, SweepSetup, commands_text, in_frame, planned_for, program, sweep, sweep_dxf,
         to_csv, to_ros_path,
     },
     cspace::{CspaceError, Outline},
@@ -168,14 +168,15 @@ fn written(
     (room, original): (&Traced, Option<&[u8]>),
     (robot, heading, planned): (&RobotModel, f64, &str),
 ) -> Result<Vec<u8>, Failure> {
+    let (path, heading) = in_frame(&found.path, heading, room.plan.origin);
     let text = match format {
         Format::Dxf => return Ok(sweep_dxf(found, room, original)?),
-        Format::Csv => to_csv(&found.path, heading, robot),
-        Format::Yaml => to_ros_path(&found.path, heading, &room.plan, robot),
-        Format::Program => program(&found.path, heading, robot, planned),
+        Format::Csv => to_csv(&path, heading, robot),
+        Format::Yaml => to_ros_path(&path, heading, robot),
+        Format::Program => program(&path, heading, robot, planned),
         Format::Bytes => {
             let roomba = model("roomba600").ok_or_else(|| Failure::unknown("robot", "roomba600", "robots"))?;
-            commands_text(&commands(&found.path, heading, roomba), roomba, planned)
+            commands_text(&path, heading, roomba, planned)
         }
         Format::Json => output::json(&stages(found, report)),
     };

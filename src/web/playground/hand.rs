@@ -71,7 +71,8 @@ impl Playground {
 
     /// What happened lately, latest first: seconds, text, and whether it was felt, in turn.
     pub fn diary(&self) -> Array {
-        let lines = self.session.recording().map_or(Vec::new(), |recording| diary(recording.run()));
+        let follows_plan = self.session.planned().is_some();
+        let lines = self.session.recording().map_or(Vec::new(), |recording| diary(recording.run(), follows_plan));
         let told = |line: Entry| [JsValue::from(line.time_s), line.text.into(), line.is_felt.into()];
         lines.into_iter().flat_map(told).collect()
     }
