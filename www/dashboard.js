@@ -23,7 +23,6 @@ export function startDashboard(app) {
   const { readings, robots } = app.catalogue;
   const index = new Map(readings.map((name, place) => [name, place]));
   const board = byId("dashboard");
-  const fold = /** @type {HTMLDetailsElement} */ (byId("senses-fold"));
   /** @type {((of: Reading) => void)[]} */
   let parts = [];
   /** @type {((scan: Float32Array) => void) | undefined} */
@@ -41,8 +40,6 @@ export function startDashboard(app) {
   };
 
   return (view) => {
-    // Open for robots that live by what they feel, out of the way otherwise; then it is up to the user.
-    if (changed(fold, "kind", view.kind)) fold.open = view.kind === "behaviour";
     setText(byId("activity"), doing(view));
     const now = performance.now();
     if (now - looked < PAUSE || !board.checkVisibility({ visibilityProperty: true })) return;

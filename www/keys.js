@@ -1,7 +1,7 @@
 // @ts-check
 // Keys that work everywhere on the page, and the dialog that lists them.
 import { pickUp } from "./carry.js";
-import { button, input, typed } from "./dom.js";
+import { button, byId, input, typed } from "./dom.js";
 import { objectKey } from "./objects.js";
 import { place } from "./places.js";
 
@@ -13,7 +13,7 @@ const TOOLS = { v: "view", w: "wall", e: "erase", s: "start" };
 /** @param {App} app */
 export function startKeys(app) {
   const dialog = typed("help", HTMLDialogElement);
-  button("help-open").addEventListener("click", () => dialog.showModal());
+  button("help-open").addEventListener("click", () => openHelp(dialog));
   // A click beside the dialog closes it.
   dialog.addEventListener("click", (event) => {
     if (event.target === dialog) dialog.close();
@@ -63,7 +63,7 @@ function single(app, event, target, dialog) {
   // Space presses the button that has the focus.
   if (key === " " && target.matches("button, summary, input, a")) return false;
   if (key === "?") {
-    dialog.showModal();
+    openHelp(dialog);
     return true;
   }
   if (place() !== "explore") return app.placeKey(key);
@@ -92,6 +92,14 @@ function single(app, event, target, dialog) {
     default:
       return objectKey(app, key);
   }
+}
+
+/** @param {HTMLDialogElement} dialog */
+function openHelp(dialog) {
+  dialog.showModal();
+  import("./help.js")
+    .then(({ fillHelp }) => fillHelp(byId("help-text")))
+    .catch(() => (byId("help-text").textContent = "The help could not be loaded. Check the connection, then open it again."));
 }
 
 /** @param {App["playground"]} playground @param {number} factor */

@@ -1,15 +1,12 @@
 // @ts-check
 // Starts the page and drives it: one frame and one view per animation frame.
 import init, { Playground } from "../page.js";
-import { startDashboard } from "./dashboard.js";
 import { byId } from "./dom.js";
-import { startEvents } from "./events.js";
 import { startFiles } from "./files.js";
-import { startFilm } from "./film.js";
 import { keepRoom, restoreLink } from "./keep.js";
 import { startKeys } from "./keys.js";
+import { startLater } from "./later.js";
 import { startLayers } from "./layers.js";
-import { startManual } from "./manual.js";
 import { complain, cover, forgive, isFatal, startMessages, textOf, updateMessage } from "./messages.js";
 import { startObjects } from "./objects.js";
 import { startPanel } from "./panel.js";
@@ -99,7 +96,7 @@ async function start() {
       app.act((p) => p.cancel_plan());
     },
     keepPlan: () => {
-      const seconds = planning.cancel();
+      const seconds = planning.keep();
       app.act((p) => p.keep_plan(seconds));
     },
     link: () => [playground.link(), ...(here() ? [here()?.link()] : [])].join("&"),
@@ -188,9 +185,10 @@ async function start() {
 
   startPlaces((next) => void enter(next));
   const resized = startStage(app);
-  const updates = [startPanel, startPlaybar, startDashboard, startEvents, startLayers, startManual, startObjects, startFilm].map((begin) => begin(app));
+  const updates = [startPanel, startPlaybar, startLayers, startObjects].map((begin) => begin(app));
   startFiles(app);
   startKeys(app);
+  const updateLater = await startLater(app);
 
   let isFirst = true;
   /** @param {number} now */
@@ -213,6 +211,7 @@ async function start() {
       if (other) return updateMessage(other.frame(now) ?? view);
       updateView(app);
       for (const update of updates) update(view);
+      updateLater(view);
     });
   };
   requestAnimationFrame(frame);
@@ -230,10 +229,12 @@ async function start() {
   document.body.dataset.boot = "ready";
 }
 
-/** Says for a while why the robot has come so far already. */
+/** Says for a while why the robot has come so far already; and, until somebody does something, what this is. */
 function tellOpening() {
-  byId("opening").textContent = ": ten minutes in";
+  byId("opening").textContent = ": set off ten minutes ago";
   setTimeout(endOpening, 15_000);
+  byId("welcome").hidden = false;
+  for (const sign of ["pointerdown", "keydown"]) addEventListener(sign, () => (byId("welcome").hidden = true), { once: true, capture: true });
 }
 
 function endOpening() {

@@ -2,11 +2,13 @@
 // Driving the simulated robot by hand.
 import { button, byId, changed, setHidden, setText } from "./dom.js";
 import { STILL, joystick, rounded } from "./joystick.js";
+import { style } from "./parts.js";
 
 /** @typedef {import("./main.js").App} App */
 
-/** @param {App} app @returns {(view: import("./types").View) => void} */
-export function startManual(app) {
+/** @param {App} app @returns {Promise<(view: import("./types").View) => void>} */
+export async function startManual(app) {
+  await style(new URL("./manual.css", import.meta.url).href);
   const [floor, pad, knob] = [byId("floor"), byId("pad"), button("knob")];
   let sent = STILL;
 

@@ -4,6 +4,7 @@ import { drawCharts } from "./charts.js";
 import { byId, changed, fill, make, select, setText } from "./dom.js";
 import { swatch } from "./entrants.js";
 import { clock, count } from "./format.js";
+import { cueScroll } from "./scroll-cue.js";
 
 /**
  * @typedef {import("./types").CompareTable} Table
@@ -21,6 +22,7 @@ export function startNumbers(it) {
   const head = byId("compared").querySelector("thead");
   const body = byId("compared").querySelector("tbody");
   if (!head || !body) throw new Error("the page has no table");
+  for (const node of byId("place-compare").querySelectorAll(".table-scroll")) cueScroll(/** @type {HTMLElement} */ (node));
 
   /** @param {number} column */
   const sortBy = (column) => {
@@ -57,7 +59,7 @@ export function startNumbers(it) {
 /** @param {import("./types").CompareView} view @param {boolean} together */
 function note({ seeds, entrants }, together) {
   const chance = seeds > 1 && entrants.some(({ chosen }) => chosen) ? ` Algorithms that use chance: median of ${seeds} seeds, range below it.` : "";
-  return `${together ? "Sums over the rooms; percentages are means." : ""}${chance} As planned, on wheels that never slip. Click a row to see its path.`.trim();
+  return `${together ? "Sums over the rooms; percentages are means." : ""}${chance} As planned, on wheels that never slip; in the race a robot has to follow its line and correct itself at corners, which takes some percent longer. Click a row to see its path.`.trim();
 }
 
 /** @param {Table} table */

@@ -18,6 +18,10 @@ export class Planning {
   #worker;
   /** Number of the request being worked on. @type {number | undefined} */
   #busy;
+  /** What is or was planned last. @type {import("./types").PlanRequest | undefined} */
+  #request;
+  /** Its best walk so far. @type {Uint32Array} */
+  #best = new Uint32Array();
   /** Whether the worker has a request that it isn't done with, and which: what it proves comes after the plan. */
   #sent = false;
   #proving = NaN;
@@ -32,6 +36,8 @@ export class Planning {
   start(request) {
     this.cancel();
     this.#busy = request.id;
+    this.#request = request;
+    this.#best = new Uint32Array();
     const hired = (this.#worker ??= this.#hire());
     hired.then(
       (worker) => {
@@ -60,6 +66,20 @@ export class Planning {
     this.#worker = this.#hire();
     // Whoever needs it is told.
     this.#worker.catch(() => {});
+    return seconds;
+  }
+
+  /** Ends the search, whose best walk so far is to be kept: another worker proves how good that is. @returns {number} Seconds since it began. */
+  keep() {
+    const [seconds, request, cells] = [this.cancel(), this.#request, this.#best];
+    if (request) {
+      this.#proving = request.id;
+      void this.#worker?.then((worker) => {
+        if (this.#proving !== request.id) return;
+        this.#sent = true;
+        worker.postMessage({ type: "prove", request, cells });
+      });
+    }
     return seconds;
   }
 
@@ -95,11 +115,12 @@ export class Planning {
     }
     if (id !== this.#busy) return;
     if (message.type === "progress") {
+      this.#best = message.cells;
       this.#listeners.progress(id, message.done, message.cells, message.proof, message.film ?? []);
       return;
     }
     this.#busy = undefined;
-    this.#sent = message.type === "finished" && !message.proof;
+    this.#sent = message.type === "finished";
     if (this.#sent) this.#proving = id;
     if (message.type === "finished") this.#listeners.finished(id, message.cells, message.seconds, message.trace, message.proof);
     else if (message.type === "failed") this.#listeners.failed(id, message.message);

@@ -13,6 +13,9 @@ import { clock, metres, percent } from "./format.js";
 /** Milliseconds between redraws of the curves. */
 const REDRAW = 250;
 
+/** What the figures of a robot mean, and why they differ from those of the table. */
+const DRIVEN = "Place, clean share of the floor, and the time when it is done. It is driven here, following its line and correcting itself at corners: that takes some percent longer than planned, which Numbers tells.";
+
 /** @param {Comparing} it */
 export function startRace(it) {
   const { app, act } = it;
@@ -73,7 +76,7 @@ function buildLanes({ app, comparison, about }, race) {
   const panes = (race?.lanes ?? []).map(({ entrant }) => {
     const planner = app.catalogue.planners[entrant];
     const name = make("button", { type: "button", className: "link", onclick: () => about(entrant) }, planner?.title ?? "");
-    return make("figure", {}, make("figcaption", {}, swatch(entrant), name, make("output", {})), make("canvas", { role: "img" }));
+    return make("figure", {}, make("figcaption", {}, swatch(entrant), name, make("output", { "data-tip": DRIVEN })), make("canvas", { role: "img" }));
   });
   byId("lanes").replaceChildren(...panes);
   byId("lanes").dataset.count = String(panes.length);

@@ -54,6 +54,9 @@ export function startStage(app) {
   };
 }
 
+/** How far a mouse moves, px, until it leads a robot that is in the hand. */
+const LED = 8;
+
 /** @type {Record<string, "left" | "right" | "up" | "down" | "apply">} */
 const KEYS = { ArrowLeft: "left", ArrowRight: "right", ArrowUp: "up", ArrowDown: "down", Enter: "apply" };
 /** @type {Record<"left" | "right" | "up" | "down", [number, number]>} */
@@ -70,6 +73,17 @@ function startPointers(app, canvas) {
   const spot = (event) => {
     const box = canvas.getBoundingClientRect();
     return { x: event.clientX - box.left, y: event.clientY - box.top };
+  };
+
+  /** Where the pointer lay when a key was pressed: a robot moved by keys isn't taken from there by a trembling mouse. @type {Spot | undefined} */
+  let lay;
+  let hover = { x: 0, y: 0 };
+  addEventListener("keydown", () => (lay = hover));
+  const isLed = (/** @type {Spot} */ at) => {
+    hover = at;
+    if (lay && Math.hypot(at.x - lay.x, at.y - lay.y) < LED) return false;
+    lay = undefined;
+    return true;
   };
 
   canvas.addEventListener("pointerdown", (event) => {
@@ -94,8 +108,8 @@ function startPointers(app, canvas) {
     const at = spot(event);
     const before = down.get(event.pointerId);
     if (!before) {
-      // Hovering shows where a tool would act.
-      if (event.pointerType === "mouse" && app.view.tool !== "view") app.act((p) => p.pointer("move", at.x, at.y));
+      // Hovering shows where a tool would act, and carries a robot that is held.
+      if (event.pointerType === "mouse" && (app.view.tool !== "view" || (app.view.is_carried && isLed(at)))) app.act((p) => p.pointer("move", at.x, at.y));
       return;
     }
     if (gesture === "tool") {

@@ -40,7 +40,12 @@ export function startTips() {
   });
   // A tap on a term opens its definition, the next tap closes it.
   document.addEventListener("click", (event) => {
-    if (!(event instanceof PointerEvent) || event.pointerType === "mouse") return;
+    if (!(event instanceof PointerEvent)) return;
+    if (event.pointerType === "mouse") {
+      // What was set in motion is to be seen; a term is clicked to be read.
+      if (!(event.target instanceof Element && event.target.closest(".term"))) hide();
+      return;
+    }
     const term = event.target instanceof Element ? event.target.closest(".term, .legend, .label") : null;
     if (term && term.closest("[data-tip]") !== owner) show(term);
     else hide();
@@ -49,6 +54,10 @@ export function startTips() {
     if (event.key === "Escape") hide();
   });
   document.addEventListener("scroll", hide, true);
+  // A finger that is lifted leaves, too.
+  document.documentElement.addEventListener("pointerleave", ({ pointerType }) => pointerType === "mouse" && hide());
+  // What it explains may go away by itself.
+  setInterval(() => owner && !owner.checkVisibility({ visibilityProperty: true }) && hide(), 250);
 }
 
 /** Beside a panel, or else above or below what it explains, such that it hides no neighbour it needn't. @param {HTMLElement} tip @param {Element} owner */

@@ -106,10 +106,12 @@ export type PlanNumbers = {
   overlap_m2: number;
   /** `null` for a plan that was made in advance. */
   planning_s: number | null;
-  /** By how much it costs more than any plan must, as a share of that; 0 if it is proven to be the best, `null` if nothing is proven. */
+  /** By how much it costs more than any plan must in what its planner keeps low, as a share of that; 0 if it is proven to be the best, `null` for planners that prove nothing. */
+  gap: number | null;
+  /** The same in steps + 2 x quarter turns, as plans are compared; `null` as long as nothing is proven, or if it misses cells. */
   above_bound: number | null;
-  /** Steps that a quarter turn counts as in `above_bound`, and whether that is the time that the robot takes. */
-  turn_weight: number;
+  /** Steps that a quarter turn counts as in `gap`, and whether that is the time that the robot takes. */
+  turn_weight: number | null;
   times_turns: boolean;
   /** Share of the search after which it was kept; `null` if the planner ended by itself. */
   kept_at: number | null;
@@ -150,6 +152,8 @@ export type View = {
   dirt_left: number | null;
   /** Whether it is held here, to be put down somewhere. */
   is_carried: boolean;
+  /** Whether it is held in the upper half of the canvas. */
+  is_held_high: boolean;
   /** What stands, lies and moves in the room, by name. */
   objects: string[];
   /** Index of the selected one; -1 for none. */
@@ -210,6 +214,7 @@ export type PlanRequest = {
 export type ToWorker =
   | { type: "init"; module: WebAssembly.Module }
   | { type: "plan"; request: PlanRequest }
+  | { type: "prove"; request: PlanRequest; cells: Uint32Array }
   | { type: "trial"; request: { id: number } }
   | { type: "runs"; request: { id: number } }
   | { type: "read"; request: { id: number; files: { name: string; bytes: Uint8Array }[] } };
@@ -217,7 +222,7 @@ export type ToWorker =
 export type Proof = Float64Array;
 export type FromWorker =
   | { type: "progress"; id: number; done: number; cells: Uint32Array; proof: Proof | undefined; film: unknown[] | undefined }
-  /** If the planner proves nothing, the worker does, and tells later. */
+  /** What the planner proves itself; how good the plan is as plans are compared is told later. */
   | { type: "finished"; id: number; cells: Uint32Array; seconds: number; trace: unknown; proof: Proof | undefined }
   | { type: "proven"; id: number; proof: Proof | undefined }
   | { type: "failed"; id: number; message: string };

@@ -28,17 +28,21 @@ const PLAN_METRICS = [
   { label: "Steps", tip: "Steps from one cell to the next.", plan: (p) => count(p.steps) },
   { label: "Revisits", tip: "Visits to cells beyond the first to each: driving that cleans nothing new.", plan: (p) => count(p.revisits) },
   { label: "Turns", tip: "Quarter turns between steps on the grid; a reversal counts as two.", plan: (p) => count(p.turns) },
-  { label: "Above the bound", tip: bound, plan: (p) => (p.above_bound === null ? "–" : p.above_bound === 0 ? "proven optimal" : `${gap(p.above_bound)} %`) },
+  { label: "Above the bound", tip: "How much more the plan costs than any plan over these cells must, in percent of that, as in Compare. A plan costs its steps + 2 × its quarter turns. It is worked out after the plan; a plan that misses cells has none.", plan: (p) => above(p.above_bound) },
+  { label: "Optimality gap", tip: ownGap, plan: (p) => above(p.gap), when: (v) => typeof v.plan?.gap === "number" },
   { label: "Kept early", tip: "The search was stopped by hand, and its best plan so far kept: how long it had taken, and how far its progress had come.", plan: (p) => `after ${took(p.planning_s ?? 0)}, ${percent(p.kept_at ?? 0, 0)} % of the search`, when: (v) => typeof v.plan?.kept_at === "number" },
   { label: "Planned in", tip: "Time that this computer took to work out the plan. That of the opening scene comes with the page.", plan: (p) => (p.planning_s === null ? "made in advance" : took(p.planning_s)) },
 ];
 
-/** What is meant by the share above the bound. @param {View} view */
-function bound({ plan }) {
-  const turn = plan?.turn_weight ?? 2;
-  const weights = `its steps + ${+turn.toFixed(2)} × its quarter turns${plan?.times_turns ? " (as long as this robot takes for one, in steps; the turn to the first step counts, too)" : ""}`;
-  return `How much more the plan costs than any plan over these cells must, in percent of that. A plan costs ${weights}. At 0 % it is proven to be the best.`;
+/** What is meant by the gap that a planner proves itself. @param {View} view */
+function ownGap({ plan }) {
+  const turn = +(plan?.turn_weight ?? 0).toFixed(2);
+  const weights = `its steps + ${turn} × its quarter turns${plan?.times_turns ? " (as long as this robot takes for one, in steps; the turn to the first step counts, too)" : ""}`;
+  return `How much more the plan costs than any plan must in what this search keeps low, in percent of that. Here a plan costs ${weights}. At 0 % it is proven to be the best.`;
 }
+
+/** @param {number | null} share */
+const above = (share) => (share === null ? "–" : share === 0 ? "proven optimal" : `${gap(share)} %`);
 
 /** @type {{ metric: Metric, plan: Element, run: Element, line: HTMLElement }[]} */
 const rows = [];
@@ -80,6 +84,7 @@ export function updateView({ view, playground }) {
   setAttribute(byId("numbers"), "data-long", String(view.time_s >= 36_000 || view.distance_m >= 10_000));
   setAttribute(document.body, "data-state", view.state);
   setAttribute(document.body, "data-kind", view.kind);
+  updateFolds(view);
   updateMessage(view);
   setHidden(byId("search-box"), !view.search.text);
   setText(byId("search-note"), view.search.text);
@@ -99,6 +104,12 @@ export function updateView({ view, playground }) {
   }
 }
 
+/** The sensors are open for robots that live by them, out of the way otherwise; then it is up to the user. @param {View} view */
+export function updateFolds({ kind }) {
+  const fold = typed("senses-fold", HTMLDetailsElement);
+  if (changed(fold, "kind", kind)) fold.open = kind === "behaviour";
+}
+
 /** A share in percent, rounded up: nothing but 0 is shown as that. @param {number} share */
 const gap = (share) => (Math.ceil(share * 1000 - 1e-6) / 10).toFixed(1);
 
@@ -110,17 +121,17 @@ function updatePlanning({ state, plan, can }) {
   setText(byId("planning-percent"), `${done} %`);
   setAttribute(typed("planning-bar", HTMLProgressElement), "value", String(done));
   setEnabled(button("planning-cancel"), can.cancel);
-  const above = planning ? (plan?.above_bound ?? null) : null;
-  setHidden(byId("planning-gap"), above === null);
-  setText(byId("planning-gap"), above === null ? "" : above === 0 ? "Proven optimal" : `${gap(above)} % above the proven bound`);
+  const proven = planning ? (plan?.gap ?? null) : null;
+  setHidden(byId("planning-gap"), proven === null);
+  setText(byId("planning-gap"), proven === null ? "" : proven === 0 ? "Proven optimal" : `${gap(proven)} % above the proven bound`);
   setHidden(byId("planning-keep"), !can.keep);
 }
 
 /** @param {View} view */
-function updateTools({ can, tool, state, speed_factor, speed, is_lifted, is_carried }) {
+function updateTools({ can, tool, state, speed_factor, speed, is_lifted, is_carried, is_held_high }) {
   for (const node of byId("tools").querySelectorAll("button[data-tool]")) {
     const name = node.getAttribute("data-tool");
-    setAttribute(node, "aria-pressed", String(name === tool));
+    setAttribute(node, "aria-pressed", String(name === tool && !is_lifted));
     setEnabled(/** @type {HTMLButtonElement} */ (node), name === "view" || can.edit);
   }
   setAttribute(byId("stage"), "data-tool", tool);
@@ -129,7 +140,9 @@ function updateTools({ can, tool, state, speed_factor, speed, is_lifted, is_carr
   setText(byId("lift-name"), is_lifted ? "Put down" : "Pick up");
   setAttribute(button("lift"), "aria-label", is_lifted ? "Put the robot down" : "Pick the robot up");
   setHidden(byId("carry-note"), !is_carried);
-  setText(byId("carry-note"), is_carried ? (HAS_KEYS ? "Click where to put the robot down, or drag it there. Arrow keys carry it, Enter puts it down, Escape puts it back." : "Tap where to put the robot down, or drag it there.") : "");
+  // Never over the robot.
+  setAttribute(byId("carry-note"), "data-low", String(is_held_high));
+  setText(byId("carry-note"), is_carried ? (HAS_KEYS ? "Click where to put the robot down. Arrow keys carry it, Enter puts it down, Escape puts it back." : "Tap where to put the robot down, or drag it there.") : "");
   setEnabled(button("undo"), can.undo);
   setEnabled(button("redo"), can.redo);
   const lags = state === "playing" && speed_factor > 0 && (speed === 0 || speed_factor < 0.9 * speed);

@@ -32,7 +32,9 @@ self.addEventListener("message", async (/** @type {MessageEvent<import("./types"
     if (message.type === "plan") {
       const { cells, seconds, trace, proof } = plan(message.request, report);
       answer({ type: "finished", id, cells, seconds, trace, proof });
-      if (!proof) answer({ type: "proven", id, proof: prove(message.request, cells) });
+      answer({ type: "proven", id, proof: prove(message.request, cells) });
+    } else if (message.type === "prove") {
+      answer({ type: "proven", id, proof: prove(message.request, message.cells) });
     } else if (message.type === "read") {
       const map = read_map(message.request.files);
       answer({ type: "read", id, map }, [map.cells.buffer]);
