@@ -270,6 +270,9 @@ test("all algorithms have all numbers in the flat; they can be sorted, explained
   await page.locator("#place-explore").waitFor();
   assert.equal(await page.locator("#algorithm").inputValue(), "spiral");
   await app.until("playing", "ready", "paused", "finished");
+  // What has one name is one number.
+  const there = column(first, "Above the bound")[first.rows.findIndex(({ name }) => name === "Growing spirals")];
+  await app.poll(() => app.metric("Above the bound"), ({ plan }) => Math.abs(Number.parseFloat(plan) - there) <= 0.1001);
 });
 
 test("it is said why the path of an algorithm can't be shown yet", async (t) => {
@@ -440,6 +443,13 @@ for (const scheme of ["light", "dark"]) {
     await page.locator("#view-numbers").tap();
     await tried(page, 8);
     await fits("numbers");
+    // One sees that there is more to the right, until there isn't.
+    const scroller = page.getByRole("region", { name: "Table of all numbers" });
+    const cue = () => scroller.evaluate((node) => [node.dataset.more, getComputedStyle(node).maskImage !== "none"]);
+    await app.poll(cue, ([more, fades]) => more === "true" && fades);
+    await scroller.evaluate((node) => node.scrollTo(node.scrollWidth, 0));
+    await app.poll(cue, ([more, fades]) => more === "false" && !fades);
+    assert.match(await app.text("#table-note"), /in the race .* takes some percent longer/);
     await screenshot(`phone-numbers-${scheme}`);
   });
 }

@@ -35,7 +35,7 @@ test("opening needs no planner and none of the other places", async (t) => {
   await app.numbersThat(({ coverage, distance }) => coverage > 0 && distance > 0);
   await page.waitForLoadState("networkidle");
   const opened = transferred(server);
-  const lazy = ["workshop.js", "workshop_bg.wasm", "www/worker.js", "www/workers.js", "www/compare.js", "www/compare.css", "www/pool.js", "draft_bg.wasm", "www/draft/place.js", "survey_bg.wasm", "www/survey/place.js"];
+  const lazy = ["workshop.js", "workshop_bg.wasm", "www/worker.js", "www/workers.js", "www/compare.js", "www/compare.css", "www/pool.js", "draft_bg.wasm", "www/draft/place.js", "survey_bg.wasm", "www/survey/place.js", "www/dashboard.js", "www/joystick.js", "www/placing.html", "www/film.js", "www/help.html"];
   for (const file of lazy) {
     assert.ok(fs.existsSync(path.join(DIST, file)), `${file} has another name now`);
     assert.ok(!opened.has(file), `${file} was transferred`);

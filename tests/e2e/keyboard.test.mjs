@@ -46,7 +46,7 @@ test("help opens by its key and closes by escape", async (t) => {
   assert.ok(!(await dialog.isVisible()));
   await page.keyboard.press("?");
   await dialog.waitFor();
-  assert.match(await dialog.innerText(), /play or pause/);
+  await dialog.getByText("play or pause").waitFor();
   const state = await app.state();
   await page.keyboard.press("r");
   assert.equal(await app.state(), state, "keys are for the dialog while it is open");

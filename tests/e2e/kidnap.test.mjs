@@ -27,7 +27,7 @@ test("a running robot is dragged elsewhere: its wheels drop meanwhile, and it no
   await app.poll(() => events(page), (text) => /picked up/.test(text) && /put down/.test(text) && /wheel drop/.test(text));
   assert.ok((await error(app)) > 0.4, "it believes to be where it was picked up");
   assert.equal((await app.link()).start, start, "the start stays");
-  assert.notEqual(await page.locator("#dashboard .wheel").first().getAttribute("class"), "wheel on");
+  await app.poll(() => page.locator("#dashboard .wheel").first().getAttribute("class"), (name) => name !== "wheel on");
 });
 
 test("a click on the robot does nothing to it", async (t) => {
@@ -77,6 +77,31 @@ for (const isPaused of [false, true]) {
     await app.poll(() => error(app), (metres) => metres > 0.5);
   });
 }
+
+test("a robot with a plan is carried at the pointer, and the page says that it doesn't know", async (t) => {
+  const { page, app } = await openApp(t, { viewport: { width: 1440, height: 900 } });
+  await app.press("Pick the robot up");
+  assert.equal(await page.locator("#tools [aria-pressed=true]").count(), 1, "one thing at a time is chosen");
+  await page.locator("#carry-note").waitFor();
+  const tops = [];
+  for (const share of [0.8, 0.2]) {
+    const [x, y] = await app.spot(0.3, share);
+    await page.mouse.move(x, y, { steps: 3 });
+    await app.frames(3);
+    const note = await page.locator("#carry-note").boundingBox();
+    assert.ok(y < note.y || y > note.y + note.height, `the note hides the robot at ${y}: ${JSON.stringify(note)}`);
+    tops.push(note.y);
+  }
+  assert.ok(tops[0] < tops[1], "it steps aside");
+  // On this spot, and not where it stood.
+  await page.mouse.down();
+  await page.mouse.up();
+  await page.locator("#carry-note").waitFor({ state: "hidden" });
+  await app.poll(() => error(app), (metres) => metres > 0.5);
+  assert.match(await app.message(), /follows its plan from odometry: it doesn't know that it was carried/);
+  await page.locator("#senses-fold summary").click();
+  await app.poll(() => events(page), (text) => /put down, follows its plan as before/.test(text));
+});
 
 test("before the run begins, dragging the robot moves the start", async (t) => {
   const { app } = await openApp(t, { address: ROOM });

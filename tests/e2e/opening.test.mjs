@@ -27,10 +27,10 @@ test("opens on a robot that is already cleaning", async (t) => {
   assert.equal(await app.message(), "");
 });
 
-test("says for a while that the opening scene is ten minutes in, and others aren't", async (t) => {
+test("says for a while that the opening scene began ten minutes ago, and others didn't", async (t) => {
   const { page } = await openApp(t);
   const caption = (page) => page.locator(".timeline-caption > span").first().innerText();
-  assert.equal(await caption(page), "Coverage over time: ten minutes in");
+  assert.equal(await caption(page), "Coverage over time: set off ten minutes ago");
   await page.waitForFunction(() => document.getElementById("opening").textContent === "", undefined, { timeout: 20_000 });
   const other = await openApp(t, { address: "#room=lshape" });
   assert.equal(await caption(other.page), "Coverage over time");
@@ -38,18 +38,38 @@ test("says for a while that the opening scene is ten minutes in, and others aren
 
 test("a definition stays while its term is clicked, and says what is counted", async (t) => {
   const { page, app } = await openApp(t, { address: "#room=thesis8&planner=near_optimal" });
-  const term = page.getByRole("button", { name: "Above the bound" });
-  await term.click();
+  const own = page.getByRole("button", { name: "Optimality gap" });
+  await own.click();
   await app.frames(3);
-  assert.match(await app.text("#tip"), /A plan costs its steps \+ [\d.]+ × its quarter turns \(as long as this robot takes/);
-  await app.choose("algorithm", "snake");
+  assert.match(await app.text("#tip"), /a plan costs its steps \+ [\d.]+ × its quarter turns \(as long as this robot takes/);
+  // One that proves nothing has no gap of its own: its definition goes with it.
+  await page.mouse.move(5, 5);
+  await page.keyboard.press("Tab");
+  await own.focus();
+  await page.locator("#tip").waitFor();
+  await page.evaluate(() => (location.hash = "room=thesis8&planner=snake"));
+  await own.waitFor({ state: "hidden" });
+  await page.locator("#tip").waitFor({ state: "hidden" });
+  const term = page.getByRole("button", { name: "Above the bound" });
   await page.mouse.move(5, 5);
   await term.hover();
   await term.click();
-  assert.match(await app.text("#tip"), /steps \+ 2 × its quarter turns\./);
+  assert.match(await app.text("#tip"), /as in Compare\. A plan costs its steps \+ 2 × its quarter turns\./);
   await page.keyboard.press("Escape");
   assert.ok(await page.locator("#tip").isHidden());
 });
+
+for (const [name, viewport] of [["laptop", { width: 1440, height: 900 }], ["tablet", { width: 1024, height: 768 }], ["phone", { width: 390, height: 844 }]]) {
+  test(`on a ${name} one sentence says what the page is, and how good the plan is stands there at once`, async (t) => {
+    const { page, app } = await openApp(t, { viewport });
+    const sentence = page.getByText("Try floor-cleaning algorithms on simulated robots, compare them, run them on a real Roomba.").filter({ visible: true });
+    assert.equal(await sentence.count(), 1);
+    const { x, y, width, height } = await sentence.boundingBox();
+    assert.ok(x >= 0 && x + width <= viewport.width && height < 60, JSON.stringify({ x, y, width, height }));
+    assert.equal(await sentence.evaluate((node) => node.scrollWidth > node.clientWidth), false, "all of it is seen");
+    assert.match((await app.metric("Above the bound")).plan, /^[\d.]+ %$/);
+  });
+}
 
 test("has a title, and a text for those who can't see the floor", async (t) => {
   const { page, app } = await openApp(t);

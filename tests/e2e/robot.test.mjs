@@ -89,8 +89,12 @@ test("is driven by keys, and space stops it wherever the focus is", async (t) =>
   // The focus is still on the button that took control.
   await page.keyboard.down("ArrowUp");
   await robot.drives(0.2);
+  assert.equal(await page.locator("#link-doing").innerText(), "You drive");
+  assert.equal(await page.locator("#link-pad .way.used").count(), 1);
   await page.keyboard.up("ArrowUp");
   await robot.rests();
+  assert.equal(await page.locator("#link-pad .way.used").count(), 0, "no arrow stays lit");
+  assert.match(await page.locator("#link-doing").innerText(), /^Ready/);
   // On the button that would start a ride: it must not.
   await page.locator("#link-go").focus();
   await page.keyboard.press("Space");

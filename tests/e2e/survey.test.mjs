@@ -190,8 +190,29 @@ test("getting lost says that clock and figures begin anew, and leads back", asyn
   await page.locator("#survey-began").waitFor();
   assert.match(await page.locator("#survey-began-text").textContent(), /begin anew.*\d:\d\d min, \d+ % mapped\) is kept/);
   assert.ok((await figures(app)).time < before.time);
-  await page.getByRole("button", { name: "Back to mapping" }).first().click();
+  // What counts now is where it is, not what is mapped.
+  await app.poll(() => page.locator("#survey-curve-name").textContent(), (text) => /^Position error over time/.test(text));
+  assert.match(await page.locator("#survey-curve-top").textContent(), /^\d+ c?m$/);
+  await page.locator("#survey-began-close").click();
+  // It drives on, to find out.
+  await app.poll(() => page.locator("#survey-scrubber").getAttribute("aria-valuemax"), (end) => Number(end) > 10);
+  await page.locator("#survey-play").click();
   await phase("paused");
+  assert.ok((await page.locator("#survey-astray").getAttribute("d")).length > 0, "the time when it was lost isn't shaded");
+  // However much it says of what it does, how sure it is stands below.
+  const [doing, sure] = await page.locator(".survey-states p").evaluateAll((pills) => {
+    const boxes = pills.map((pill, i) => {
+      pill.hidden = false;
+      pill.textContent = ["Done: nothing is left that it can explore. Next: clean with this map.", "Sure where it is"][i];
+      return pill;
+    });
+    return boxes.map((pill) => pill.getBoundingClientRect().toJSON());
+  });
+  assert.ok(doing.height > 40 && doing.bottom <= sure.top, JSON.stringify([doing, sure]));
+  await page.locator("#survey-known").getByRole("button").first().click();
+  await phase("paused");
+  await app.poll(() => page.locator("#survey-curve-name").textContent(), (text) => text === "Boundary mapped over time");
+  await app.poll(() => figures(app), ({ time }) => time === before.time);
   assert.deepEqual(await figures(app), before);
   assert.ok(await page.locator("#survey-began").isHidden() && await page.locator("#survey-known").isHidden());
 });
@@ -362,6 +383,11 @@ test("a search on a map that was given goes on after a reload, until the map is 
 
 test("on a phone it fits, and its panels are sheets", async (t) => {
   const { page, app } = await openSurvey(t, PHONE);
+  const hint = await page.locator("#survey-hint").boundingBox();
+  for (const over of ["#survey-stage .legend", "#survey-stage .zoom"]) {
+    const box = await page.locator(over).boundingBox();
+    assert.ok(!box || box.y >= hint.y + hint.height, `${over} covers the hint: ${JSON.stringify([box, hint])}`);
+  }
   await explore(app, 30);
   const overflow = () => page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
   assert.equal(await overflow(), 0);
