@@ -75,4 +75,9 @@ find_chromium() {
     done
     return 1
 }
+# The browser for end-to-end tests: Chromium without windows needs two thirds of the time. It has no serial ports.
+find_page_browser() {
+    if [[ -z ${CHROMIUM:-} ]] && command -v chromium-headless-shell; then return; fi
+    find_chromium
+}
 find_chromedriver() { command -v "${CHROMEDRIVER:-chromedriver}"; }

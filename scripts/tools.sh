@@ -44,7 +44,6 @@ install_cargo_tool() {
 }
 
 need_cargo_tools() {
-    need_compiler
     cargo_tool wasm-bindgen-cli "$WASM_BINDGEN_VERSION"
     cargo_tool trunk "$TRUNK_VERSION" --ignore-rust-version --no-default-features --features rustls
     rm -rf "$TOOLS/build"
@@ -78,8 +77,8 @@ install_drivers() {
 need_browser() {
     { find_chromium && find_chromedriver; } >/dev/null && return
     [[ -z ${CHROMIUM:-}${CHROMEDRIVER:-} ]] || die "CHROMIUM=${CHROMIUM:-} or CHROMEDRIVER=${CHROMEDRIVER:-} names a program that is not there"
-    # Without a font the page's text is invisible in screenshots.
-    step "Installing Chromium and its driver" apt_install chromium chromium-driver fonts-liberation
+    # Without a font the page's text is invisible in screenshots. The shell is Chromium without windows.
+    step "Installing Chromium and its driver" apt_install chromium chromium-driver chromium-headless-shell fonts-liberation
     { find_chromium && find_chromedriver; } >/dev/null ||
         die "no browser for the tests: install Chromium and the chromedriver of the same version, or set CHROMIUM and CHROMEDRIVER to their paths"
 }

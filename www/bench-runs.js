@@ -3,7 +3,8 @@
 
 /** @typedef {import("./types").FromRuns} FromRuns */
 
-const SEEDS = 100;
+/** Or as many as the address says: bench.html?runs=4. */
+const SEEDS = Number(new URLSearchParams(location.search).get("runs")) || 100;
 const MINUTES = 30;
 
 /** What each worker is asked for, but for id and seeds. */

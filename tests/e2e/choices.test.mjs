@@ -23,7 +23,7 @@ test("every algorithm and every room can be chosen, and the robot sets off", asy
     const pace = /takes its time/.test((await page.locator("#explainer .claims").textContent()) ?? "") ? "slow" : "fast";
     for (const [number, room] of rooms.entries()) {
       // The first goes everywhere, the others share the rooms; native tests have them in every room of their size.
-      if (index > 0 && (number + index) % 8 !== 0) continue;
+      if (index > 0 && (number + index) % (pace === "slow" ? 8 : 16) !== 0) continue;
       if (pace === "slow" && !(cells.get(room) <= SMALL)) continue;
       tried[pace] += 1;
       const what = `${planner} in ${room}`;
@@ -37,13 +37,13 @@ test("every algorithm and every room can be chosen, and the robot sets off", asy
     }
   }
   for (const [index, behaviour] of behaviours.entries()) {
-    for (const room of rooms.filter((_, number) => (number + index) % 8 === 0)) {
+    for (const room of rooms.filter((_, number) => (number + index) % 16 === 0)) {
       await app.choose("room", room);
       assert.ok(["playing", "finished"].includes(await app.choose("algorithm", behaviour)), `${behaviour} in ${room}`);
       assert.equal(await app.message(), "", `${behaviour} in ${room}`);
     }
   }
-  assert.ok(cells.size === rooms.length && tried.fast > 1.5 * rooms.length && tried.slow >= 5, JSON.stringify(tried));
+  assert.ok(cells.size === rooms.length && tried.fast > 1.25 * rooms.length && tried.slow >= 5, JSON.stringify(tried));
 });
 
 test("every robot, cell size and slip can be chosen", async (t) => {

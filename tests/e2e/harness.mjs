@@ -53,7 +53,7 @@ export async function openPage(t, { address = "", mount = "/", headers, allow = 
   };
   t.after(async () => {
     // Taken while it is still there: the first thing to look at when a test fails.
-    await screenshot(`${title}-end`).catch(() => {});
+    if (!t.passed) await screenshot(`${title}-end`).catch(() => {});
     // A request that a test answers may still be on its way.
     await context.unrouteAll({ behavior: "ignoreErrors" });
     await context.close();
