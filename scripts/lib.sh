@@ -41,8 +41,7 @@ step() {
     printf '    done in %d s\n' $((SECONDS - start))
 }
 
-# aside NAME COMMAND...: runs beside the steps that follow and yields to them; `step ... joined NAME` waits for it. It ends
-# with this script.
+# aside NAME COMMAND...: runs beside the steps that follow; `step ... joined NAME` waits for it. It ends with this script.
 aside() {
     local name=$1
     shift
@@ -52,7 +51,6 @@ aside() {
     set -m
     (
         set +e
-        renice -n 5 "$BASHPID" >/dev/null
         (set -e && "$@") >"target/$name.log" 2>&1
         echo $? >"target/$name.status"
     ) &

@@ -1,5 +1,5 @@
 // @ts-check
-// The film of a search: pause, and picture by picture; its legend, and room for what is told.
+// What is told of a search: room for it, and its film: pause, picture by picture, legend.
 import { button, byId, changed, make, setAttribute, setEnabled, setHidden, setText } from "./dom.js";
 import { style } from "./parts.js";
 
@@ -34,12 +34,12 @@ export async function startFilm(app) {
   let told = 0;
   addEventListener("resize", () => (told = 0));
 
-  return ({ state, search: { film } }) => {
+  return ({ state, search: { film, text } }) => {
     setHidden(byId("film"), !film);
     const isSeen = film !== null && film.at < film.pictures && state !== "playing" && state !== "seeking";
     setAttribute(stage, "data-film", String(isSeen));
     const bottom = box.getBoundingClientRect().bottom - stage.getBoundingClientRect().top + GAP;
-    const next = film === null ? 0 : Math.max(told, bottom);
+    const next = film === null && !text ? 0 : Math.max(told, bottom);
     if (next !== told) app.playground.keep_clear((told = next));
     if (!film) return;
     const { at, pictures, runs } = film;

@@ -34,7 +34,7 @@ export async function startLater(app) {
       () => import("./placing.js").then(({ startPlacing }) => startPlacing(app)),
     ),
     later(
-      ({ search }) => search.film !== null,
+      ({ search }) => search.film !== null || search.text !== "",
       () => import("./film.js").then(({ startFilm }) => startFilm(app)),
     ),
   ];

@@ -60,6 +60,14 @@ test("the search fits a phone", async (t) => {
   await page.emulateMedia({ colorScheme: "dark" });
   await app.frames(3);
   await screenshot("search-phone-dark");
-  const box = await page.locator("#search-note").boundingBox();
+  const box = await page.locator("#search-box").boundingBox();
   assert.ok(box.x >= 0 && box.x + box.width <= 390, JSON.stringify(box));
+  // What is told hides nothing of the room: behind it is what is around the room.
+  const behind = () =>
+    page.locator("#floor").evaluate((canvas, bottom) => {
+      const y = Math.floor((bottom - canvas.getBoundingClientRect().top - 1) * devicePixelRatio);
+      const row = canvas.getContext("2d").getImageData(0, y, canvas.width, 1).data;
+      return new Set(Array.from({ length: canvas.width }, (_, x) => row.slice(4 * x, 4 * x + 4).join(" "))).size;
+    }, box.y + box.height);
+  await app.poll(behind, (colours) => colours === 1);
 });
