@@ -1,4 +1,4 @@
-//! What the place Compare loads when one first goes there: `web::Guest`, `web::Comparison` and `web::MonteCarlo`.
+//! Module loaded on the first visit to the Compare tab: `web::Guest`, `web::Comparison` and `web::MonteCarlo`.
 // JavaScript calls what the library exports; there is nothing to be run at the start.
 #![cfg_attr(target_arch = "wasm32", no_main)]
 

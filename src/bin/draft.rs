@@ -1,4 +1,5 @@
-//! What the drafting room loads when one first brings a file or goes there: `web::Drafting`, which runs in its worker.
+//! Module loaded on the first visit to the Floor plan tab, or with the first file: `web::Drafting`, which runs in its
+//! worker.
 // JavaScript calls what the library exports; there is nothing to be run at the start.
 #![cfg_attr(target_arch = "wasm32", no_main)]
 

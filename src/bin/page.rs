@@ -1,4 +1,4 @@
-//! What the page loads at first: `web::Playground` and `web::Comparison`, and none of the planners.
+//! Module loaded with the page: `web::Playground` and `web::Comparison`, without any planner.
 // JavaScript calls what the library exports; there is nothing to be run at the start.
 #![cfg_attr(target_arch = "wasm32", no_main)]
 

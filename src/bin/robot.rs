@@ -1,4 +1,4 @@
-//! What the place Robot loads when one first goes there: `web::Link` and `web::VirtualRobot`, which run in its worker, and
+//! Module loaded on the first visit to the Robot tab: `web::Link` and `web::VirtualRobot`, which run in its worker, and
 //! `web::Guest` and `web::LiveMap` for the page.
 // JavaScript calls what the library exports; there is nothing to be run at the start.
 #![cfg_attr(target_arch = "wasm32", no_main)]

@@ -1,4 +1,4 @@
-//! What the place Map loads when one first goes there: `web::Survey`.
+//! Module loaded on the first visit to the Map tab: `web::Survey`.
 // JavaScript calls what the library exports; there is nothing to be run at the start.
 #![cfg_attr(target_arch = "wasm32", no_main)]
 

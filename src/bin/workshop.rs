@@ -1,4 +1,4 @@
-//! What workers load when it is first needed: planners, trials of a comparison, map readers, the benchmark.
+//! Module loaded by workers: planners, trials of a comparison, map readers, the benchmark.
 // JavaScript calls what the library exports; there is nothing to be run at the start.
 #![cfg_attr(target_arch = "wasm32", no_main)]
 

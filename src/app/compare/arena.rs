@@ -36,7 +36,7 @@ pub enum TrialError {
     #[error(transparent)]
     Plan(#[from] PlanError),
     /// The planner is wrong.
-    #[error("it returned a walk that can't be driven: {0}")]
+    #[error("the planner returned an invalid walk: {0}")]
     Path(#[from] PathError),
 }
 

@@ -227,9 +227,9 @@ impl Board {
 
     /// Makes the distance of the two points that were set so many metres.
     pub fn scale_to(&mut self, metres: f64) -> Result<(), String> {
-        let units = self.hand.measured().ok_or("set two points first, then type their distance")?;
+        let units = self.hand.measured().ok_or("set two points first, then enter the distance between them")?;
         if !(metres > 0.0 && metres.is_finite()) {
-            return Err(format!("a distance can't be {metres} m; type a length greater than 0"));
+            return Err(format!("the distance can't be {metres} m; enter a length greater than 0"));
         }
         self.set(Settings { metre: Some(metres / units), ..self.settings.clone() })?;
         self.hand.escape();

@@ -31,7 +31,7 @@ impl Console {
                 }
                 if let Some((opcode, count)) = decoder.waiting() {
                     let rest = bytes.get(bytes.len().saturating_sub(count)..).unwrap_or_default();
-                    let text = format!("{opcode}, not complete: the robot waits for the rest");
+                    let text = format!("{opcode}, incomplete: the robot waits for the rest");
                     self.push(time_s, TrafficKind::Sent, rest, text);
                 }
             }

@@ -23,7 +23,7 @@ use std::sync::Arc;
 const LONGEST_FRAME: f64 = 0.1;
 
 /// What is told of a robot that was put down elsewhere and can't feel that.
-const CARRIED: &str = "The robot follows its plan from odometry: it doesn't know that it was carried.";
+const CARRIED: &str = "The robot follows its plan by odometry and can't detect that it was kidnapped.";
 /// How far from where it believes to be a robot has to be put down for that to be worth a word, m.
 const CARRIED_M: f64 = 0.1;
 

@@ -29,16 +29,16 @@ const TINY: f64 = 1e-6;
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum OpenError {
     /// There is no robot that it could be given to.
-    #[error("the robot can't be put into this room, so it has no use for a map; choose another room in Explore")]
+    #[error("the robot doesn't fit into this room, so it can't use a map; choose another room in Explore")]
     NoRoom,
     /// There is nothing on it to find oneself by.
     #[error(
-        "the robot can't find itself on this map: it has no walls, or no place where the robot fits; choose a map with both"
+        "the robot can't localise on this map: it has no walls, or no floor where the robot fits; choose another map"
     )]
     NothingOnIt,
     /// It is larger than any home.
     #[error(
-        "this map is {width:.0} x {height:.0} m large; the robot takes up to {MOST_M} m a side: check its resolution"
+        "this map is {width:.0} m x {height:.0} m; the limit is {MOST_M} m a side: check its resolution"
     )]
     TooLarge {
         /// Its width, m.

@@ -99,7 +99,7 @@ impl SurveySetup {
             "explorer" => self.choose_behaviour(value)?,
             "track" => {
                 let known = Tracking::ALL.map(|(_, name)| name);
-                self.tracking = Tracking::parse(value).ok_or_else(|| unknown("way to keep track", &known))?;
+                self.tracking = Tracking::parse(value).ok_or_else(|| unknown("localisation method", &known))?;
             }
             "counts" => {
                 let known = OdometryModel::ALL.map(|(_, name)| name);
@@ -116,7 +116,7 @@ impl SurveySetup {
             "clean" => {
                 self.planner = cleaners().find(|info| info.id == value).ok_or_else(|| {
                     unknown(
-                        "planner that is fast and misses nothing",
+                        "fast and complete planner",
                         &cleaners().map(|info| info.id).collect::<Vec<_>>(),
                     )
                 })?;
@@ -127,7 +127,7 @@ impl SurveySetup {
                 self.speed = speed.ok_or_else(|| SettingsError::Invalid {
                     kind: "the speed",
                     value: value.to_owned(),
-                    expected: "a number, 0 for as fast as it goes",
+                    expected: "a number, 0 for as fast as possible",
                 })?;
             }
             _ => {

@@ -61,7 +61,7 @@ impl TimedCommand {
 pub fn commands(path: &[Point], heading: f64, robot: &RobotModel) -> Vec<TimedCommand> {
     let mut list = List { robot, commands: Vec::new(), now: 0.0 };
     list.send(Command::Start, MODE_CHANGE, "start the interface".to_owned());
-    list.send(Command::Safe, MODE_CHANGE, "safe mode: it stops at cliffs and when it is lifted".to_owned());
+    list.send(Command::Safe, MODE_CHANGE, "safe mode: the robot stops at cliffs and when lifted".to_owned());
     if let Some(&first) = path.first() {
         let mut pose = Pose::new(first.x, first.y, heading);
         for to in &path[1..] {
@@ -93,7 +93,7 @@ pub fn commands_text(path: &[Point], heading: f64, robot: &RobotModel, planned: 
     let differs = if planned.contains(&body) {
         ""
     } else {
-        "#           which the path was not planned for: try it where nothing can be damaged\n"
+        "#           not the robot that the path was planned for: test it where nothing can be damaged\n"
     };
     let mut text = format!(
         "# planned   for {planned}\n\

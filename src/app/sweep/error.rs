@@ -9,7 +9,7 @@ pub enum SweepError {
     #[error(transparent)]
     Cspace(#[from] CspaceError),
     /// A number is out of range.
-    #[error("{what} can't be {value}; it takes {expected}")]
+    #[error("{what} can't be {value}; use {expected}")]
     Value {
         /// What the number is for.
         what: &'static str,

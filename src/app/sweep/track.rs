@@ -11,7 +11,8 @@ use std::fmt::Write;
 const STRAIGHT_ON: f64 = 1e-9;
 
 /// The frame of all files, in words.
-pub(super) const FRAME: &str = "that of the room's drawing or map, x to the right, y up; else its lower left corner";
+pub(super) const FRAME: &str = "the origin of the room's drawing or map, else its lower left corner; x to the right, y \
+    up";
 
 /// A path through a room and the heading that it begins with, rad, in the frame of the map or drawing that the room was made
 /// from, which the room's `origin` tells: files that lie side by side must agree on where things are.

@@ -1,4 +1,4 @@
-//! What is told to people and to scripts when something goes wrong.
+//! Error messages and exit codes.
 
 use robovac_playground::{app::planning::PlanningError, floorplan::MapError, planner::ParamError};
 use std::{fmt, io};

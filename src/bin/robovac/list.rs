@@ -1,4 +1,4 @@
-//! `planners`, `behaviours`, `rooms`, `robots`: what there is, one a line.
+//! `planners`, `behaviours`, `rooms`, `robots`: lists, one entry a line.
 
 use robovac_playground::{
     controller::BEHAVIOURS, floorplan::ROOMS, metrics::METRICS, oi::emulator::PERSONALITIES, planner::PLANNERS,

@@ -1,4 +1,4 @@
-//! How answers are written.
+//! Output to the terminal.
 
 use super::failure::Failure;
 use robovac_playground::{app::compare::Table, metrics::METRICS};
