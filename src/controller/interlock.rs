@@ -53,7 +53,7 @@ pub fn allowed(sensed: &Sensors) -> Allowed {
 /// What is blocked, and why.
 pub fn blocked(sensed: &Sensors) -> Blocked {
     if sensed.wheel_dropped() {
-        let why = Some("a wheel hangs down");
+        let why = Some("wheel drop");
         return Blocked { forward: why, backward: why, left: why, right: why };
     }
     let cliff = if sensed.battery.on_dock { [false; 4] } else { sensed.cliff };

@@ -33,8 +33,7 @@ impl Board {
             return Err("plan the sweep first".to_owned());
         };
         let chosen = self.settings().body.model().and_then(robot::model);
-        let roomba = robot::model("roomba600").ok_or("no robot model is selected, so there are no commands to export; \
-            choose a robot")?;
+        let roomba = robot::model("roomba600").ok_or("the robot model roomba600 is missing from this build")?;
         let outline = self.outline()?;
         // What has an outline of its own moves as a robot that there is: the round one turns; any other keeps its heading, as
         // the path was planned.

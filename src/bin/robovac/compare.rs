@@ -137,7 +137,7 @@ fn try_all(
 fn attempt(place: &Place, entrant: &Entrant, seed: u64) -> Result<PlanNumbers, String> {
     let begin = Instant::now();
     let arena = place.arena.as_ref().map_err(Clone::clone)?;
-    let planner = entrant.algorithm.planner().ok_or("a behaviour doesn't plan; use "robovac montecarlo"")?;
+    let planner = entrant.algorithm.planner().ok_or("a behaviour doesn't plan; use robovac montecarlo")?;
     let outcome = arena.run(planner, &entrant.params, seed, || begin.elapsed().as_secs_f64(), None);
     outcome.map(|outcome| outcome.numbers).map_err(|e| e.to_string())
 }

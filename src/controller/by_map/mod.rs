@@ -297,15 +297,15 @@ impl Habit for ByMap {
 
     fn activity(&self) -> &'static str {
         match &self.phase {
-            Phase::Choose => "planning what is left on its map",
+            Phase::Choose => "planning the remaining floor",
             Phase::Clean { .. } => "cleaning by its map",
-            Phase::Search => "looking for itself on its map",
+            Phase::Search => "relocalising on its map",
             Phase::Return { .. } => "driving back to its dock",
             Phase::Dock { .. } => self.dock.activity(),
-            Phase::Done(End::Clean) => "done: all that it can reach on its map is clean",
-            Phase::Done(End::NothingReachable) => "done: it can't get to what is left",
-            Phase::Done(End::Lost) => "done: it can't find itself on its map",
-            Phase::Done(End::Stuck) => "done: it is stuck",
+            Phase::Done(End::Clean) => "done: all reachable floor on its map is clean",
+            Phase::Done(End::NothingReachable) => "done: the remaining floor is unreachable",
+            Phase::Done(End::Lost) => "done: relocalisation failed",
+            Phase::Done(End::Stuck) => "done: the robot is stuck",
         }
     }
 

@@ -64,23 +64,25 @@ const STUCK: (f64, f64) = (0.15, 25.0);
 pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
     id: "explore_frontier",
     title: "Frontiers",
-    summary: "Follows walls and crosses unknown floor in lanes, always to the nearest place where its own map ends, until it ends nowhere.",
-    source: "Yamauchi 1997, A frontier-based approach for autonomous exploration, CIRA; walls and lanes for a robot that sees \
-             a hand's breadth are ours",
+    summary: "Drives to the nearest frontier of its map, following walls and crossing open floor in lanes, until no \
+        frontier is left.",
+    source: "Yamauchi 1997, A frontier-based approach for autonomous exploration, CIRA; wall following and lanes for a \
+             short-sighted robot are ours",
     link: "https://doi.org/10.1109/CIRA.1997.613851",
     explainer: Explainer {
-        idea: "The robot makes a map as it goes and drives to the nearest place where known floor borders on unknown. \
-               Walls that it meets for the first time are followed by light until it comes to where it was; open floor is crossed in lanes. \
-               When no unknown floor can be reached any more, the map is complete.",
-        complexity: "O(n log n) time for each new goal in the n cells of the map, and O(n) memory.",
-        use_when: "To map a whole flat: it knows what is missing, goes there, and knows when it is done. It stands and falls with the pose that it believes in.",
+        idea: "The robot builds a map as it drives, always to the nearest frontier, where known floor borders on \
+               unknown. It follows new walls by its light bumper until it reaches a part already followed, and crosses \
+               open floor in lanes. When no frontier can be reached any more, the map is complete.",
+        complexity: "O(n log n) time for each new goal in a map of n cells, and O(n) memory.",
+        use_when: "To map a whole flat: it finds what is missing and knows when the map is complete. It depends on a \
+            good pose estimate.",
         shines: Example {
             room: "flat",
-            why: "It sees every room, goes round every piece of furniture once, and stops when it is done.",
+            why: "It visits every room, goes round every piece of furniture once, and stops when the map is complete.",
         },
         fails: Example {
             room: "hall20",
-            why: "In a hall of 20 m by 20 m there is hardly anything to meet, and its pose drifts from lane to lane.",
+            why: "In a hall of 20 m by 20 m there are few landmarks, and the pose drifts from lane to lane.",
         },
     },
     claims: Claims { ends: true, cleans: false, manual: false, explores: true },
@@ -88,13 +90,15 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
         ParamSpec {
             id: "tracking",
             label: "Pose",
-            help: "How it keeps track of where it is: by wheel counts corrected by what it meets, or by wheel counts alone.",
+            help: "Pose estimate: odometry with drift corrected by matching contacts to earlier ones, or odometry \
+                alone.",
             kind: ParamKind::Choice { options: &[("corrected", "corrected"), ("odometry", "odometry alone")] },
         },
         ParamSpec {
             id: "odometry",
             label: "Odometry",
-            help: "How wheels that have rolled become motion: encoder counts or distance and angle packets, along arcs or in straight pieces.",
+            help: "Odometry from encoder counts or from distance and angle packets, integrated along arcs or straight \
+                segments.",
             kind: ParamKind::Choice {
                 options: &[
                     ("arc", "counts, arcs"),
@@ -107,19 +111,19 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
         ParamSpec {
             id: "lane",
             label: "Lanes",
-            help: "Distance of the lanes on open floor; things narrower than what is left between them may stay unseen.",
+            help: "Distance between lanes on open floor; obstacles narrower than the gaps may be missed.",
             kind: ParamKind::Number { min: 20.0, max: 100.0, step: 5.0, default: 45.0, unit: "cm" },
         },
         ParamSpec {
             id: "leg",
             label: "Along a wall",
-            help: "How far it follows a wall before it sees to what is near; short legs make short loops.",
+            help: "Distance it follows a wall before visiting nearby frontiers; shorter legs close loops sooner.",
             kind: ParamKind::Number { min: 2.0, max: 100.0, step: 1.0, default: 25.0, unit: "m" },
         },
         ParamSpec {
             id: "home",
-            label: "Comes back",
-            help: "Drives to where it started once the map is complete.",
+            label: "Return to start",
+            help: "Drives back to the start once the map is complete.",
             kind: ParamKind::Flag { default: false },
         },
     ],
@@ -402,15 +406,15 @@ impl Habit for Frontier {
     fn activity(&self) -> &'static str {
         match &self.phase {
             Phase::Follow { .. } => self.wall.activity(),
-            Phase::Choose => "looking at its map",
-            Phase::Drive { to: Goal::Floor, .. } => "driving to unknown floor",
-            Phase::Drive { to: Goal::Wall(_), .. } => "driving to where a wall goes on",
+            Phase::Choose => "choosing the next frontier",
+            Phase::Drive { to: Goal::Floor, .. } => "driving to a frontier",
+            Phase::Drive { to: Goal::Wall(_), .. } => "driving to the end of a known wall",
             Phase::Drive { to: Goal::Home, .. } => "driving back to the start",
-            Phase::Search => "looking for itself on its map",
+            Phase::Search => "relocalising on its map",
             Phase::Done => "done: the map is complete",
-            Phase::Lost { has_looked: true } => "done: it can't find itself on its map",
+            Phase::Lost { has_looked: true } => "done: relocalisation failed",
             Phase::Lost { has_looked: false } => {
-                "done: it was carried off, and there is nothing on its map to find itself by"
+                "done: kidnapped, and the map is too empty to relocalise"
             }
         }
     }

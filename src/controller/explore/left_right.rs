@@ -31,18 +31,21 @@ use crate::{
 pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
     id: "explore_left_right",
     title: "Forward, left or right",
-    summary: "Drives a fixed way forward or rotates by a fixed angle to the left or to the right, as chance has it, and doesn't look.",
+    summary: "Drives a fixed distance forward or rotates left or right by a fixed angle, at random, without checking \
+        for obstacles.",
     source: "Krapinec 2025, Enhancing Robotic Vacuum Cleaner Performance through Improved Map Building, master's thesis, \
              FER Zagreb: chapter 7, phase 2",
     link: THESIS,
     explainer: Explainer {
-        idea: "One of three motions is drawn by chance: a fixed way forward, or a fixed rotation to the left or to the right. When it is done, the next one is drawn. Nothing that the robot senses changes what it does.",
-        complexity: "O(1) time and memory a step: it remembers at most the last contact.",
-        use_when: "To see what the second direction of rotation does to phase 1: headings wander instead of going round.",
-        shines: Example { room: "room12ft", why: "In a bare room a wandering robot meets every wall in the end." },
+        idea: "One of three motions is chosen at random: a fixed distance forward, or a fixed rotation to the left or \
+            to the right. When it ends, the next one is chosen. Sensor readings don't influence the choice.",
+        complexity: "O(1) time and memory per step; it stores at most the last contact.",
+        use_when: "To see the effect of a second direction of rotation on phase 1: the heading wanders instead of \
+            going round.",
+        shines: Example { room: "room12ft", why: "In an empty room a random walk eventually finds every wall." },
         fails: Example {
             room: "flat",
-            why: "It rotates two times out of three and gets nowhere: the rooms next door stay unknown.",
+            why: "Two motions out of three are rotations, so it makes little progress: the next rooms stay unknown.",
         },
     },
     claims: Claims { ends: false, cleans: false, manual: false, explores: true },

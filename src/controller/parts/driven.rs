@@ -128,7 +128,7 @@ impl Controller for Driven {
 
     fn activity(&self) -> &'static str {
         if self.is_lifted {
-            return "waiting to be put down";
+            return "lifted, waiting to be put down";
         }
         let home = self.home.as_ref().and_then(Home::activity);
         match (home, self.pilot.activity()) {

@@ -386,7 +386,7 @@ impl Pilot {
         match self.moves.front() {
             None => "",
             Some(Move::Back(_) | Move::BackOutOfBeam) => "backing up",
-            Some(Move::Ahead(_)) => "driving a short way",
+            Some(Move::Ahead(_)) => "driving a short distance",
             Some(Move::Turn(angle) | Move::Undo(angle)) if *angle > 0.0 => "turning left",
             Some(Move::Turn(_) | Move::Undo(_)) => "turning right",
         }
