@@ -97,7 +97,7 @@ pub fn read(file: &SourceFile) -> Result<Drawing, MapError> {
         None => {
             let other = OTHERS.iter().find(|(magic, _)| bytes.starts_with(magic)).map(|&(_, kind)| kind);
             let is_text = std::str::from_utf8(bytes).is_ok();
-            let unknown = if is_text { "text of unknown kind" } else { "a file of unknown kind" };
+            let unknown = if is_text { "text of an unknown format" } else { "a file of an unknown format" };
             refuse(DrawingFlaw::NotADrawing { kind: other.unwrap_or(unknown) })
         }
     }

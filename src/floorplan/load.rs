@@ -105,14 +105,14 @@ fn recognise(file: &SourceFile) -> Result<Content, MapError> {
     if let Some(&(_, kind)) = OTHERS.iter().find(|(magic, _)| bytes.starts_with(magic)) {
         return Err(not_a_map(kind));
     }
-    let text = std::str::from_utf8(bytes).map_err(|_| not_a_map("a file of unknown kind"))?;
+    let text = std::str::from_utf8(bytes).map_err(|_| not_a_map("a file of an unknown format"))?;
     if ascii::is_ascii(text) {
         return Ok(Content::Plan(Box::new(ascii::read(name, text)?.checked(name)?)));
     }
     if text.len() <= MAX_YAML_BYTES && yaml::is_yaml(text) {
         return Ok(Content::Yaml(MapYaml::read(name, text)?));
     }
-    Err(not_a_map("text of unknown kind"))
+    Err(not_a_map("text of an unknown format"))
 }
 
 /// What kind of drawing a file is; the drafting room reads them.

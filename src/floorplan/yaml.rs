@@ -160,12 +160,12 @@ fn entries(name: &str, text: &str) -> Result<BTreeMap<String, Entry>, MapError> 
         } else if let Some(item) = item {
             item.trim().to_owned()
         } else if content.starts_with([' ', '\t']) {
-            return Err(wrong("indented lines that aren't a list don't belong into the description of a map"));
+            return Err(wrong("a map description can't have indented lines outside a list"));
         } else {
             let (key, value) = content.split_once(':').ok_or_else(|| wrong("expected a line \"key: value\""))?;
             let key = unquoted(key.trim()).to_owned();
             if entries.insert(key.clone(), Entry { line, values: Vec::new() }).is_some() {
-                return Err(wrong("this key was given before"));
+                return Err(wrong("duplicate key"));
             }
             last_key = Some(key);
             value.trim().to_owned()

@@ -78,7 +78,7 @@ pub enum ParamError {
         known: String,
     },
     /// The value is not of the parameter's kind or range.
-    #[error("parameter \"{id}\" can't be \"{value}\"; it takes {expected}")]
+    #[error("parameter \"{id}\" can't be \"{value}\"; use {expected}")]
     Invalid {
         /// Name of the parameter.
         id: &'static str,

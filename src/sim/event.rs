@@ -32,7 +32,7 @@ pub enum What {
     Docked,
     /// The battery was empty.
     BatteryEmpty,
-    /// The robot fell down a drop-off.
+    /// The robot fell off an edge a drop-off.
     Fell,
     /// Somebody picked the robot up.
     Lifted,
@@ -108,7 +108,7 @@ impl fmt::Display for What {
             Self::WheelDrop => "wheel drop",
             Self::Docked => "docked, charging",
             Self::BatteryEmpty => "battery empty",
-            Self::Fell => "fell down",
+            Self::Fell => "fell off an edge",
             Self::Lifted => "picked up",
             Self::PutDown => "put down",
             Self::Began(activity) => activity,

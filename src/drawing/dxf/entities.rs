@@ -79,7 +79,7 @@ impl Batch {
             count += 1;
         }
         if count < sources.len() {
-            return Err(refused(count, DrawingFlaw::Structure { what: "an entity can't be understood" }));
+            return Err(refused(count, DrawingFlaw::Structure { what: "an entity can't be read" }));
         }
         Ok(())
     }

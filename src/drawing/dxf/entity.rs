@@ -51,7 +51,7 @@ pub(super) fn kind_of(name: &[u8]) -> Result<Kind, Option<&'static str>> {
             return Err(Some("images"));
         }
         b"3DSOLID" | b"BODY" | b"REGION" | b"SURFACE" | b"MESH" => return Err(Some("solid bodies")),
-        b"RAY" | b"XLINE" => return Err(Some("endless lines")),
+        b"RAY" | b"XLINE" => return Err(Some("infinite lines")),
         _ => return Err(Some("other entities")),
     })
 }

@@ -13,7 +13,7 @@ const SOLID: &[Rect] = &[[0.0, 1.4, 0.4, 2.6], [2.8, 0.4, 3.2, 1.4], [1.0, 0.6, 
 pub(super) const ROOM: RoomInfo = RoomInfo {
     id: "thesis226",
     title: "Thesis room, 226 cells of 20 cm",
-    note: "Good for the thesis' Table 2, with planning cells of 20 cm: smaller ones are more. The layout is our guess.",
+    note: "Good for the thesis' Table 2: 226 planning cells of 20 cm. The layout is our guess.",
     kind: RoomKind::Cluttered,
     is_benchmark: false,
     build: || Sketch::open(3.2, 3.2, 0.2).fill(SOLID).start(0.1, 3.1, 0.0).finish(ROOM.title, ROOM.note),
