@@ -78,7 +78,7 @@ pub const METRICS: &[MetricInfo] = &[
         id: "coverage",
         label: "Coverage",
         unit: "%",
-        definition: "Share swept by the plan, of the floor that the tool can reach from the start.",
+        definition: "Swept share of the floor that the robot's tool can reach from the start.",
         better: Better::Higher,
         decimals: 1,
         value: |n| Some(100.0 * n.drive.coverage),

@@ -172,7 +172,7 @@ pub const BAUD_RATES: [u32; 12] = [300, 600, 1200, 2400, 4800, 9600, 14_400, 19_
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum ParseError {
     /// No robot of the 500 or 600 series knows this opcode.
-    #[error("{0} is no opcode")]
+    #[error("{0} isn't an opcode")]
     Unknown(u8),
     /// The data bytes are not all there.
     #[error("{0} needs more data bytes")]

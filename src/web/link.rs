@@ -96,7 +96,7 @@ impl Link {
                 // Only those that reckon for themselves have it.
                 let _ = params.set_text(behaviour.params, "odometry", odometry.id());
                 let setup = Setup { robot: &robot, params: &params, seed: settings.seed };
-                behaviour.build(&setup).ok_or("There is no such behaviour.")?
+                behaviour.build(&setup).ok_or("This behaviour doesn't exist.")?
             }
             Algorithm::Planner(_) => {
                 let line: Vec<Point> = corners.as_chunks().0.iter().map(|&[x, y]| Point::new(x, y)).collect();

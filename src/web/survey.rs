@@ -255,7 +255,7 @@ impl Survey {
     }
 
     fn mapped(&self) -> Result<FloorPlan, JsValue> {
-        let belief = self.state.belief().ok_or("there is no map: the robot can't be put into this room")?;
+        let belief = self.state.belief().ok_or("there is no map: the robot doesn't fit into this room")?;
         let title = self.state.plan().map_or("room", |plan| &plan.name);
         plan_of(belief.map, &format!("{title}, as mapped"))
     }

@@ -259,7 +259,7 @@ impl Driver {
                     };
                     let bytes = whole(frame.content());
                     match is_ours.then(|| filter.judge(now, frame)) {
-                        None => Happening::Refused(bytes, "nobody has asked for it".to_owned()),
+                        None => Happening::Refused(bytes, "it was not requested".to_owned()),
                         Some(verdict @ (Verdict::Believed | Verdict::Late)) => {
                             before.clone_from(readings);
                             frame.apply(readings);
@@ -269,10 +269,10 @@ impl Driver {
                         }
                         Some(verdict @ (Verdict::Waits | Verdict::Jumps)) => {
                             telling.hold(frame, verdict == Verdict::Jumps);
-                            Happening::Refused(bytes, "it jumps: the next one will tell whether that is so".to_owned())
+                            Happening::Refused(bytes, "its values jump: waiting for the next one to confirm".to_owned())
                         }
                         Some(Verdict::Impossible) => {
-                            Happening::Refused(bytes, "its checksum is right, but it says what can't be".to_owned())
+                            Happening::Refused(bytes, "its checksum is right, but its values are impossible".to_owned())
                         }
                     }
                 }
@@ -298,11 +298,11 @@ impl Driver {
         self.is_stalled = false;
         if self.diagnosis.step == Step::Subscribing {
             self.diagnosis.finding = Finding::Robot;
-            self.diagnosis.note("Its sensors arrive.".to_owned());
+            self.diagnosis.note("Receiving sensor data.".to_owned());
             self.diagnosis.go(Step::Done, now);
         }
         if self.phase == Phase::Lost {
-            self.happened(now, Happening::Line("The robot is heard again.".to_owned()));
+            self.happened(now, Happening::Line("Receiving data from the robot again.".to_owned()));
         }
         self.phase = Phase::Connected;
         self.watch_mode(now);
@@ -365,7 +365,7 @@ impl Driver {
         if silent > LOST_S && self.phase == Phase::Connected {
             self.phase = Phase::Lost;
             self.filter.forget();
-            self.happened(now, Happening::Line("The robot isn't heard any more.".to_owned()));
+            self.happened(now, Happening::Line("No more data from the robot.".to_owned()));
         }
         if self.phase == Phase::Lost && self.diagnosis.step == Step::Done && now - self.revived_at > REVIVE_S {
             self.revived_at = now;

@@ -71,11 +71,11 @@ impl Question {
     fn words(&self) -> String {
         let mut answer = match Answer::to(&self.ids) {
             Ok(answer) => answer,
-            Err(error) => return format!("no answer can be read: {error}"),
+            Err(error) => return format!("the answer can't be read: {error}"),
         };
         let rest = answer.feed(&self.heard);
         if answer.missing() > 0 {
-            return format!("the answer lacks {} bytes", answer.missing());
+            return format!("{} bytes of the answer are missing", answer.missing());
         }
         let values: Vec<String> = answer
             .values()
