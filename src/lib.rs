@@ -1,4 +1,4 @@
-//! Robovac Playground: algorithms that clean a floor, on simulated robots and on real ones.
+//! Robovac Playground: coverage algorithms for robot vacuum cleaners, simulated and real.
 //!
 //! A tour of the house, from the ground up; imports only ever point downwards in this list:
 //!

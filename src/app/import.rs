@@ -1,4 +1,4 @@
-//! Files on their way into a session: read where there is time, taken where the session is.
+//! Import of files: parsed in a worker, applied to the session.
 
 use super::{Algorithm, Settings, SettingsError};
 use crate::{

@@ -1,4 +1,4 @@
-//! What happens between the algorithms and the page or the command line: pure, so that all of it is tested natively.
+//! View models between the algorithms and the page or the command line: pure, so that all of it is tested natively.
 
 mod algorithm;
 pub mod bench;

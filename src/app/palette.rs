@@ -1,4 +1,4 @@
-//! Colours of the floor and of what drives on it; those of the page around it are in `www/style.css`.
+//! Colours of the floor and the robot; those of the page around it are in `www/style.css`.
 
 /// One set of colours, as CSS.
 #[derive(Debug)]

@@ -1,4 +1,4 @@
-//! What is to be drawn, without saying how.
+//! The scene to draw, independent of the renderer.
 
 use super::{Picture, Shows};
 use crate::{

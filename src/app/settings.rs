@@ -1,4 +1,4 @@
-//! What the user has chosen, and how that is written in a link.
+//! The user's settings and their form in a link.
 
 use super::{Algorithm, Shows};
 use crate::{

@@ -1,4 +1,4 @@
-//! What of a run is drawn on the floor.
+//! Which layers of a run are drawn on the floor.
 
 use super::SettingsError;
 use serde::Serialize;

@@ -1,4 +1,4 @@
-//! What the page shows in numbers and words: one snapshot a frame.
+//! View model of the page's numbers and texts: one snapshot a frame.
 
 use super::{Shows, State};
 use crate::{

@@ -1,5 +1,4 @@
-//! Straight ahead until something is in the way, then off at a random angle: the baseline, and the bulk of what early
-//! Roombas did.
+//! Straight ahead until a contact, then a turn by a random angle: the baseline, and most of what early Roombas did.
 //!
 //! Jones 2006 tells how the Roomba came to it: no map, no knowledge of where it is, and yet all of the floor in the end. The
 //! patent of its modes (Jones & Mass 2004, US 6,809,490: random bounce, spiral, obstacle following) has the robot turn away

@@ -1,4 +1,4 @@
-//! Manual mode: a person drives, and the interlock decides what is obeyed (002, section IV.B).
+//! Manual mode: the user drives, and the interlock blocks unsafe commands (002, section IV.B).
 //!
 //! Hasan, Al-Nahid & Reza 2014: "as the user operates the robot by him in manual mode, some extra logics have to be developed.
 //! Without such programming the robot may bump an obstacle badly or fall from stairs." Their Tables I and II say which of

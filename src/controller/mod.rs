@@ -1,4 +1,4 @@
-//! Controllers: what drives a robot, from nothing but what it senses.
+//! Controllers, which drive a robot by its sensor readings alone.
 //!
 //! [`FollowPath`] drives a planned line. All others are behaviours, which know nothing of the room: one file each, all in
 //! one registry. To add one, write its file with the constants `INFO` (a [`BehaviourInfo`]) and `BUILD` (a [`Build`]) and

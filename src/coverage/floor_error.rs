@@ -1,6 +1,6 @@
-//! Why a robot can't be put into a room.
+//! Errors when placing a robot in a room.
 
-/// Why a robot can't be put into a room.
+/// Errors when placing a robot in a room.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum FloorError {
     /// No cell of the map is free.

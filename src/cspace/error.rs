@@ -1,6 +1,6 @@
-//! Why there is no configuration space.
+//! Errors of the configuration space.
 
-/// Why there is no configuration space.
+/// Errors of the configuration space.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum CspaceError {
     /// The outline is no simple polygon around the origin, too large or too small.

@@ -1,4 +1,4 @@
-//! What a body looks like from above.
+//! The outline of a body from above.
 
 use super::CspaceError;
 use crate::{

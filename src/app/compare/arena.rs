@@ -1,4 +1,4 @@
-//! One planner in one room: what every comparison is made of.
+//! One planner in one room: the unit of every comparison.
 
 use crate::{
     app::{PlanRequest, Planned, Prepared},

@@ -1,4 +1,4 @@
-//! Planners held against each other: the same room, the same robot, one definition of every number.
+//! Comparison of planners: same room, same robot, one definition of every metric.
 //!
 //! An [`Arena`] is where one planner tries; [`Comparison`] says what has to be tried and keeps what came out,
 //! [`Table`] sums it up, [`Race`] lets robots drive the plans under one clock.

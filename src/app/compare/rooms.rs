@@ -1,4 +1,4 @@
-//! The rooms that a comparison may be made in.
+//! The rooms available for a comparison.
 
 use crate::{
     app::SettingsError,

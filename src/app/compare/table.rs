@@ -1,4 +1,4 @@
-//! What came out of a comparison, summed up: planners by numbers.
+//! Summary of a comparison: a table of planners by metrics.
 
 use super::Entrant;
 use crate::metrics::{Better, METRICS, MetricInfo, PlanNumbers};

@@ -1,4 +1,4 @@
-//! A trial on its way to whoever has time for it: plain values that can cross to a worker.
+//! A trial as plain values that can be sent to a worker.
 
 use super::{Arena, Entrant, Outcome};
 use crate::{

@@ -1,4 +1,4 @@
-//! The drawing board: what files hold, what was chosen for it, and what comes of that.
+//! State of the Floor plan tab: loaded file, settings, and the resulting room.
 
 use super::{Doors, Hand, Part, Settings, Sheet, Source};
 use crate::{

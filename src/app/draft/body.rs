@@ -1,4 +1,4 @@
-//! The robot's outline as people say it.
+//! The robot's outline as entered by the user.
 
 use crate::{
     cspace::{CspaceError, Outline},

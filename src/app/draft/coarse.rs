@@ -1,4 +1,4 @@
-//! Grids that are too large for a picture.
+//! Downsampled grids for display.
 
 use crate::grid::{Cell, Grid};
 

@@ -1,4 +1,4 @@
-//! What leaves the drawing board as files.
+//! Export of the Floor plan tab as files.
 
 use super::{Board, Part, Source};
 use crate::{

@@ -1,4 +1,4 @@
-//! What the page shows of a draft, as one plain object.
+//! View model of the Floor plan tab, as one plain object.
 
 use super::{Board, Doors, Settings, Source, Tool, UNITS, size_in_words};
 use crate::{

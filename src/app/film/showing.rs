@@ -1,4 +1,4 @@
-//! A film that is shown: pictures, how long each is looked at, and what is said of it.
+//! Playback of a film: pictures with durations and captions.
 
 use super::{
     Change, Frame,

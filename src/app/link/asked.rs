@@ -1,4 +1,4 @@
-//! What users ask for, done or refused.
+//! User requests to a robot, executed or refused.
 
 use super::{Calibrated, Calibrating, Entry, Link, Refused, Request, refuse};
 use crate::{

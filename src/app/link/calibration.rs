@@ -1,4 +1,4 @@
-//! What is to be known of one very robot: which encoder is which, how large its wheels are, how far apart.
+//! Calibration of one robot: encoder sides, wheel diameter, wheel base.
 
 use super::{
     Calibration, CalibrationView,

@@ -1,4 +1,4 @@
-//! A connection to a robot: the driver, what rides on it, what is shown and kept of it.
+//! A connection to a robot: driver, controller, view model and recording.
 //!
 //! It has no clock and no line of its own. Whoever has both tells it the time in seconds, brings it the bytes that arrive,
 //! and sends what [`Link::take_tx`] and [`Link::take_line`] ask for, at once: the stop is among it.

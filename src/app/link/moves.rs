@@ -1,4 +1,4 @@
-//! A robot that is to make a few exact moves, for calibration.
+//! A few exact moves for calibration.
 
 use crate::{
     controller::Controller,

@@ -1,4 +1,4 @@
-//! What a reading of the sensors sets going.
+//! Handling of a new sensor reading.
 
 use super::{Calibrating, LEFT_ALONE_S, Link, MOST_TRACE, ODD_COUNTS, STICK_S};
 use crate::{

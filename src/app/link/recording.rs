@@ -1,4 +1,4 @@
-//! Everything that went over a line, with times, as a text file.
+//! Recording of all serial traffic, with times, as a text file.
 //!
 //! The file is read line by line. The first line is `robovac-oi-recording 1`. Every other line has a time in seconds since the
 //! recording began, a sign, and something:

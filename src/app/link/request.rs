@@ -1,9 +1,9 @@
-//! What a user asks of a robot.
+//! User requests to a robot.
 
 use crate::{oi::Command, robot::OdometryModel};
 use serde::{Deserialize, Serialize};
 
-/// What a user asks of a robot. In JavaScript, `{ do: "arm", full: false }` and the like.
+/// User requests to a robot. In JavaScript, `{ do: "arm", full: false }` and the like.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "do", rename_all = "snake_case")]
 pub enum Request {

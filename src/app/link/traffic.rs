@@ -1,4 +1,4 @@
-//! What went over the line, in words.
+//! Serial traffic described in words.
 
 use super::{Traffic, TrafficKind};
 use crate::oi::{Command, CommandDecoder, Frame, Packet, ParseError, driver::Happening};

@@ -1,4 +1,4 @@
-//! What a page shows of a connection.
+//! View model of the Robot tab.
 
 use serde::Serialize;
 

@@ -1,4 +1,4 @@
-//! What came out of one run.
+//! Result of one run.
 
 use crate::{
     coverage::BoundaryTracker,
@@ -10,7 +10,7 @@ pub const GOALS: [f64; 2] = [0.9, 0.99];
 /// Coverage is taken so often, at equal distances in time, and at the start.
 pub const SAMPLES: usize = 200;
 
-/// What came out of one run.
+/// Result of one run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outcome {
     /// Seed of everything random in it.

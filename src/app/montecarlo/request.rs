@@ -1,4 +1,4 @@
-//! Runs on their way to whoever has time for them: plain values that can cross to a worker.
+//! Run requests as plain values that can be sent to a worker.
 
 use super::{Lab, Outcome, Terms};
 use crate::{

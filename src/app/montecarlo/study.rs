@@ -1,4 +1,4 @@
-//! A study as the page has it: who is run where and how often, which runs are missing, and what came out.
+//! View model of a study: entrants, number of runs, missing runs, results.
 
 use super::{Entry, Head, Outcome, RunsRequest, Summary, Tally};
 use crate::{

@@ -1,4 +1,4 @@
-//! Why there is no walk.
+//! Planning errors.
 
 use crate::{
     coverage::FloorError,
@@ -7,7 +7,7 @@ use crate::{
     planner::{PathError, PlanError},
 };
 
-/// Why there is no walk.
+/// Planning errors.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum PlanningError {
     /// No planning cells of that size can be laid over this map.

@@ -1,4 +1,4 @@
-//! The steps: a room is laid out for a robot, a planner is asked, its walk becomes a line with numbers, a robot drives it.
+//! The pipeline: grid for the robot, planner, walk with metrics, driven path.
 
 use crate::{
     app::{Film, MOST_FILMED_CELLS},

@@ -1,4 +1,4 @@
-//! The command line's way in: a start in planning cells that is kept or refused, and errors for people who type.
+//! Planning tasks of the command line: the start in planning cells is kept or refused.
 
 use super::{PlanRequest, Planned, PlanningError, Prepared};
 use crate::{

@@ -1,4 +1,4 @@
-//! Plans: asked for, answered from elsewhere, and what their user is told.
+//! Planning in a session: requests, results and messages.
 
 use super::{Planning, Session, sentence};
 use crate::{

@@ -1,4 +1,4 @@
-//! The planner's search, on demand.
+//! Display of the planner's search, on demand.
 
 use super::Session;
 use crate::{

@@ -1,4 +1,4 @@
-//! A session as it is shown: drawn, in numbers, and in words.
+//! View of a session: scene, numbers and texts.
 
 use super::Session;
 use crate::{

@@ -1,4 +1,4 @@
-//! What the robot believes at one moment, wherever it has that from.
+//! The robot's estimates at one moment.
 
 use super::{Known, store::Still};
 use crate::{

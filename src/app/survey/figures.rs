@@ -1,4 +1,4 @@
-//! How good a map is, in numbers.
+//! Map quality figures.
 
 use super::Truth;
 use crate::{

@@ -1,4 +1,4 @@
-//! How a survey is stored, and brought back.
+//! Stores and restores the Map tab.
 
 use super::{Known, StoreError, Stored, Survey, stage::Return};
 use crate::sim::STEP_S;

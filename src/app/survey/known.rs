@@ -1,4 +1,4 @@
-//! A map that the robot is given: its own, or one from a file.
+//! A given map: the robot's own, or one from a file.
 
 use super::{Survey, numbers::digest};
 use crate::{

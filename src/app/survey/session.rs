@@ -1,4 +1,4 @@
-//! A room, a robot that explores and maps it, and time.
+//! Session of the Map tab: a room, a robot that maps it, and time.
 
 use super::{Belief, Deed, Figures, Known, Phase, Sample, SurveySetup, Truth, base::Base, stage::Stage};
 use crate::{

@@ -1,4 +1,4 @@
-//! How a survey is made, and how a link says so.
+//! Settings of the Map tab and their form in a link.
 
 use super::Layers;
 use crate::{

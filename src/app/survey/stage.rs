@@ -1,4 +1,4 @@
-//! A run that can be gone back to, with what is known of it.
+//! A mapping run that can be rewound.
 
 use super::{Belief, Figures, Known, Sample, Stored, Truth, curve::Curve, store::Still};
 use crate::{

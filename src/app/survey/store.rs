@@ -1,4 +1,4 @@
-//! A survey as text, so that it survives a reload of the page.
+//! A mapping run as text, so that it survives a reload of the page.
 //!
 //! What is stored is the way there and what came of it. A simulated run is deterministic: its recipe, what a person did, and
 //! the number of its steps bring it back to the last bit, particles and all, by driving it again (a few seconds). The map,

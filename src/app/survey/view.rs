@@ -1,4 +1,4 @@
-//! What the page shows of a survey in numbers and words: one snapshot a frame.
+//! View model of the Map tab's numbers and texts: one snapshot a frame.
 
 use super::{Deed, Figures, Phase, Survey};
 use crate::{

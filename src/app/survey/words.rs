@@ -1,4 +1,4 @@
-//! A survey in words: for those who don't see the picture, and for the log.
+//! Text description of the Map tab, for screen readers and the log.
 
 use super::{Phase, Survey};
 

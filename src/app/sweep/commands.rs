@@ -1,4 +1,4 @@
-//! Paths as bytes of the Open Interface, to be sent at their times.
+//! Paths as timed Open Interface commands.
 //!
 //! Robots of the 600 series have no script commands (opcodes 152 to 158 are the Create's of 2006), and drive on until
 //! they are told otherwise: so a path is a list of commands, each with the time at which it is to be sent.

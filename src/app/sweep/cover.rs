@@ -1,4 +1,4 @@
-//! How much of the floor is swept.
+//! Coverage of a sweep.
 
 use crate::{
     cspace::{Outline, Swath},

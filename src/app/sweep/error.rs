@@ -1,8 +1,8 @@
-//! Why there is no sweep.
+//! Errors of the sweep.
 
 use crate::cspace::CspaceError;
 
-/// Why there is no sweep.
+/// Errors of the sweep.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SweepError {
     /// The obstacle map can't be made.

@@ -1,4 +1,4 @@
-//! Paths as programs that people read (001, section 2: "robot language command is generated for the sweeping motion").
+//! Paths as human-readable programs (001, section 2: "robot language command is generated for the sweeping motion").
 
 use super::track::{FRAME, Waypoint, start_text, waypoints};
 use crate::{

@@ -160,8 +160,8 @@ fn to_text(outcomes: &[Outcome]) -> String {
         };
         let _ = writeln!(text, "{name:>8}{}", row(&std::array::from_fn(column)));
     }
-    text + "mapped, cleaned: time that it took; swept: share of the reachable floor really swept by then; believed: what it takes\n\
-            that for, on the floor that it can get to by its map\n"
+    text + "mapped, cleaned: time needed; swept: true share of the reachable floor swept by then; believed: the robot's estimate\n\
+            of that share, from its map\n"
 }
 
 impl Outcome {

@@ -206,8 +206,8 @@ fn to_text(ways: &[Tracking], outcomes: &[Outcome]) -> String {
         }
         text.push('\n');
     }
-    text + "end, median, 90 %: error of the pose at the end and over the run; right: known cells right within one cell;\n\
-            floor, boundary: known shares of what can be reached; off: mean distance of occupied cells from an edge;\n\
+    text + "end, median, 90 %: pose error at the end and over the run; right: share of known cells correct within one cell;\n\
+            floor, boundary: known shares of what is reachable; off: mean distance of occupied cells from a true edge;\n\
             speed: times real time\n"
 }
 

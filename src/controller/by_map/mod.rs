@@ -1,4 +1,4 @@
-//! Cleaning by a map that the robot has made: what is left is planned on it, and driven by the pose that it believes in.
+//! Cleaning by the robot's own map: the remaining floor is planned on it and driven by the estimated pose.
 //!
 //! 1. *What is left* is floor that the robot can get to by its map, less what its [`Marks`](crate::mapping::Marks) say is
 //!    swept. It falls into connected parts.

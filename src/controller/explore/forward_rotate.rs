@@ -1,4 +1,4 @@
-//! Phase 1: forward or rotate, by chance (004, chapter 7).
+//! Phase 1: forward or rotate, at random (004, chapter 7).
 //!
 //! Krapinec 2025 begins with two options, a fixed way forward and a fixed rotation; one of them is drawn when the last one
 //! is done. There is no rule for obstacles: the wheels roll their distance even where a wall holds the robot, and whoever

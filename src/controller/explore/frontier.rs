@@ -1,4 +1,4 @@
-//! Frontiers: to where what is known ends, until it ends nowhere (Yamauchi 1997).
+//! Frontier-based exploration (Yamauchi 1997).
 //!
 //! Yamauchi's robot sees far, and drives to the nearest border between free and unknown cells that it can reach. A Roomba
 //! sees a hand's breadth, and knows floor only where it was. So there are two kinds of borders here:

@@ -1,5 +1,4 @@
-//! Behaviours that explore: they drive so that a map of the room can be made, with a bumper and a light that reaches a
-//! hand's breadth.
+//! Exploring behaviours: they drive so that the room can be mapped with a bumper and a light bumper of short range.
 //!
 //! The first six are the phases of the exploration strategy that Krapinec 2025 (004, chapter 7) grew, from chance to the
 //! following of edges; what they share is in [`options`] (phases 1 to 4) and [`obstacles`] (what counts as an obstacle).

@@ -1,4 +1,4 @@
-//! Phases 1 to 4: one of a few motions, drawn by chance, again and again.
+//! Phases 1 to 4: one of a few motions, chosen at random, again and again.
 
 use super::{
     BACK_FROM_EDGE, leave,

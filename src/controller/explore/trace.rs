@@ -1,4 +1,4 @@
-//! Where a wall has been followed already.
+//! Walls that have been followed already.
 
 use crate::{geometry::Pose, grid::Cell, mapping::Layer, math};
 use std::collections::VecDeque;

@@ -1,4 +1,4 @@
-//! A behaviour as a controller: the reflexes that all have, around what is its own.
+//! A behaviour as a controller: common reflexes around its own rules.
 
 use super::{hit::Hit, home::Home, pilot::Pilot};
 #[cfg(feature = "mapping")]

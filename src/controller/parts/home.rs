@@ -1,4 +1,4 @@
-//! Home on a low battery, and back to work: what every cleaning behaviour does on a robot that can.
+//! Docks on a low battery and resumes cleaning, on robots that can.
 
 use super::{
     driven::Habit,

@@ -1,5 +1,5 @@
-//! Does what behaviours decide: drives a distance, turns by an angle, backs off over known ground, and says what is in the
-//! way.
+//! Executes motions for behaviours: drives a distance, turns by an angle, backs off over known ground, and reports
+//! obstructions.
 
 use super::{
     braking::{off_edge, safe_speed},

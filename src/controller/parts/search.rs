@@ -1,5 +1,5 @@
-//! A robot that was carried off looks for itself on the map that it has made: it follows walls until there is only one place
-//! on it where it can be ([`locate`](crate::mapping::locate)).
+//! Relocalisation of a kidnapped robot on its own map: it follows walls until only one pose is left
+//! ([`locate`](crate::mapping::locate)).
 
 use super::{Habit, Hit, Pilot};
 use crate::{
