@@ -58,10 +58,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
                stopped.",
         complexity: "O(1) time and memory per step.",
         use_when: "When nothing is known about the room. Seldom the best, never the worst.",
-        shines: Example {
-            room: "thesis226",
-            why: "One room with a few obstacles, where each of the four is useful.",
-        },
+        shines: Example { room: "thesis226", why: "One room with a few obstacles, where each of the four is useful." },
         fails: Example {
             room: "clutter",
             why: "Three of the four are useless among so many obstacles, but still take their time.",

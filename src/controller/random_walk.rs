@@ -58,10 +58,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
             why: "It soon reaches every nook of one furnished room: in 20 minutes it cleans more than any other \
                 behaviour.",
         },
-        fails: Example {
-            room: "maze",
-            why: "It passes a doorway only by chance: most of the maze is never reached.",
-        },
+        fails: Example { room: "maze", why: "It passes a doorway only by chance: most of the maze is never reached." },
     },
     claims: Claims { ends: false, cleans: true, manual: false, explores: false },
     params: &[

@@ -61,10 +61,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
             room: "empty",
             why: "Parallel lanes from wall to wall, with hardly any floor cleaned twice.",
         },
-        fails: Example {
-            room: "clutter",
-            why: "Lanes end almost at once, and every collision costs four motions.",
-        },
+        fails: Example { room: "clutter", why: "Lanes end almost at once, and every collision costs four motions." },
     },
     claims: Claims { ends: false, cleans: true, manual: false, explores: false },
     params: &[

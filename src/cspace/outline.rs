@@ -82,9 +82,7 @@ impl Outline {
             Self::Polygon(corners) => {
                 let count = corners.len();
                 if !(3..=MAX_OUTLINE_CORNERS).contains(&count) {
-                    return refuse(format!(
-                        "an outline can't have {count} corners; use 3 to {MAX_OUTLINE_CORNERS}"
-                    ));
+                    return refuse(format!("an outline can't have {count} corners; use 3 to {MAX_OUTLINE_CORNERS}"));
                 }
                 if let Some(at) = corners.iter().position(|p| !(p.x.is_finite() && p.y.is_finite())) {
                     return refuse(format!("corner {} of the outline isn't a number; set it again", at + 1));
@@ -103,7 +101,9 @@ impl Outline {
                     return refuse("the outline encloses no area; make it wider".to_owned());
                 }
                 if !contains(corners, Point::origin()) {
-                    return refuse("the robot's origin (0, 0) is outside the outline; move the outline over it".to_owned());
+                    return refuse(
+                        "the robot's origin (0, 0) is outside the outline; move the outline over it".to_owned(),
+                    );
                 }
             }
         }

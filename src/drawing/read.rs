@@ -1,4 +1,4 @@
-//! Files in. What a file is, its content says.
+//! Reads files; the format is detected from the content.
 
 use super::{Drawing, dxf, geojson, model::bad, svg};
 use crate::floorplan::{DrawingFlaw, MapError, SourceFile};

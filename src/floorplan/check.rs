@@ -1,4 +1,4 @@
-//! What can't be in a room: asked of files that come in and of every change on the canvas.
+//! Validation of rooms: for imported files and for every edit on the canvas.
 
 use super::{
     FloorPlan, Object,
@@ -97,9 +97,7 @@ pub enum Fault {
         place: &'static str,
     },
     /// Something that looks into the room stands where there is none.
-    #[error(
-        "the {what} at ({x:.3} m, {y:.3} m) faces {place}; put its back to a wall so that it faces the room"
-    )]
+    #[error("the {what} at ({x:.3} m, {y:.3} m) faces {place}; put its back to a wall so that it faces the room")]
     NothingBefore {
         /// What stands there.
         what: &'static str,

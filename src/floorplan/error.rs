@@ -249,9 +249,7 @@ pub enum Flaw {
         expected: usize,
     },
     /// The map has too many rows or columns.
-    #[error(
-        "{found} cells are too many, the limit is {MAX_SIDE}; crop the room or save it at a coarser resolution"
-    )]
+    #[error("{found} cells are too many, the limit is {MAX_SIDE}; crop the room or save it at a coarser resolution")]
     TooLarge {
         /// Rows or columns.
         found: usize,

@@ -1,4 +1,5 @@
-//! Files in, floor plan out. What a file is, its content says; names are used for messages and to find images.
+//! Loads a floor plan from files. The format is detected from the content; names are used for messages and to find
+//! images.
 
 use super::{
     DEFAULT_IMAGE_RESOLUTION, FloorPlan, MapError, Scenario, Shading, ascii, raster, stem,

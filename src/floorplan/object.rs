@@ -1,4 +1,4 @@
-//! What stands, lies and moves in a room beside its walls.
+//! Objects in a room: furniture, carpets, docks, movers.
 
 use crate::geometry::{Point, Pose};
 use serde::{Deserialize, Serialize};

@@ -1,4 +1,4 @@
-//! The YAML file of a ROS map: which image, how large, what its shades mean.
+//! The YAML file of a ROS map: image, resolution, thresholds.
 
 use super::{MapError, Mode, Shading, error::checked_resolution};
 use crate::geometry::Pose;

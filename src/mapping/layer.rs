@@ -1,4 +1,4 @@
-//! A grid without bounds, in tiles.
+//! An unbounded grid, stored in tiles.
 
 use crate::grid::Cell;
 use std::sync::Arc;

@@ -1,4 +1,4 @@
-//! What makes the map and keeps track of the robot on it.
+//! Builds the map and estimates the robot's pose on it.
 
 use super::{
     Mark, Marks, OccupancyMap, Spread,

@@ -1,5 +1,4 @@
-//! Maps that a robot makes, and where it believes to be on them, from what a Roomba senses: a bumper, six light sensors that
-//! reach a hand's breadth, and wheel counts.
+//! Mapping and pose estimation from a Roomba's sensors: bumper, six short-range light sensors, and encoder counts.
 //!
 //! [`Mapper`] is what others use: it takes readings and has a map, a pose and how sure it is of it. Its map is an
 //! [`OccupancyMap`] in log odds, which grows as the robot goes; beside it, [`Marks`] tell what the robot has cleaned and

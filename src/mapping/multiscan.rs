@@ -1,4 +1,4 @@
-//! What was seen over a stretch of the way, put together: a multiscan.
+//! A multiscan: observations combined over a stretch of the path.
 //!
 //! Six beams that reach a hand's breadth see too little at once to tell where the robot is. Beevers & Huang (2006, SLAM with
 //! sparse sensing, ICRA) gather such readings over a stretch of the way, as long as odometry can be trusted, and take

@@ -1,4 +1,4 @@
-//! What a reading says of the robot's surroundings, in the robot's frame: the sensor model.
+//! The sensor model: from a reading to observations in the robot's frame.
 //!
 //! - A *beam* of the light bumper tells how far something is, by the law of [`crate::robot::light_at`]. How much of the light
 //!   a surface sends back isn't known: reflectances of 0.6 to 1 and the cosine at which the light meets it. So the distance

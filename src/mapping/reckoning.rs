@@ -1,4 +1,4 @@
-//! Dead reckoning over a stretch of the way, with what it may be off by.
+//! Dead reckoning over a stretch of the path, with its uncertainty.
 //!
 //! The two errors that stay the same while a robot lives are wheels of unequal size and a wheel base that isn't what it is
 //! taken for (Borenstein & Feng 1996, Measurement and correction of systematic odometry errors in mobile robots, IEEE

@@ -1,4 +1,4 @@
-//! The list of all numbers by which tables are made, on the page, in CSV files and on the command line.
+//! The list of all metrics in tables of the page, CSV files and the command line.
 
 use super::{Bounds, DriveMetrics, TURN_STEPS, WalkMetrics};
 use serde::{Deserialize, Serialize};
@@ -121,9 +121,7 @@ pub const METRICS: &[MetricInfo] = &[
         "Sum of all turning angles along the path, including the turn at the start.",
         |n| Some(n.drive.turning_deg),
     ),
-    lower("steps", "Steps", ("", 0), "Steps of the walk between planning cells.", |n| {
-        Some(n.walk.steps as f64)
-    }),
+    lower("steps", "Steps", ("", 0), "Steps of the walk between planning cells.", |n| Some(n.walk.steps as f64)),
     lower(
         "revisits",
         "Revisits",

@@ -1,10 +1,10 @@
-//! Numbers of a walk on the planning grid.
+//! Metrics of a walk on the planning grid.
 
 use super::TURN_STEPS;
 use crate::planner::{CoverageJob, CoveragePath};
 use serde::{Deserialize, Serialize};
 
-/// Numbers of a walk on the planning grid. All are exact counts.
+/// Metrics of a walk on the planning grid. All are exact counts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct WalkMetrics {
     /// Cells that can be reached from the start, the start included.

@@ -1,4 +1,4 @@
-//! Commands: what they hold, and their bytes.
+//! Commands: data and encoding.
 //!
 //! Any complete bytes make a [`Command`], also one that asks for more than a robot can do: what a robot makes of it is the
 //! emulator's business, and the console wants to show it. Nothing of that kind is ever *written*: [`Command::encode`]

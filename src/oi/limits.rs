@@ -1,4 +1,4 @@
-//! What a robot can be asked for: ranges of commands, and builders that keep to them.
+//! Valid ranges of commands, and builders that check them.
 
 use super::{
     command::{BAUD_RATES, Command, Note},

@@ -1,4 +1,4 @@
-//! Off, Passive, Safe, Full: what moves a robot from one to another.
+//! The modes Off, Passive, Safe and Full, and their transitions.
 
 use super::{
     motion::{ROBOT_RADIUS_MM, WheelSpeeds},

@@ -1,4 +1,4 @@
-//! What a robot can be told, as a table: opcode, data bytes, modes that allow it, mode after it.
+//! Table of commands: opcode, data bytes, allowed modes, mode afterwards.
 
 use super::mode::Mode;
 use std::fmt;

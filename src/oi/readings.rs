@@ -1,4 +1,4 @@
-//! All that a robot reports, as typed values; from and to what controllers see.
+//! Everything that a robot reports, as typed values, converted from and to the sensors of controllers.
 
 use super::{
     bits::{BumpsAndDrops, Buttons, ChargingSources, LightBumper, Overcurrents, Stasis},

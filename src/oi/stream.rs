@@ -1,4 +1,4 @@
-//! Frames and text out of the bytes that a robot sends, whatever happened to them on the way.
+//! Extracts frames and text from a robot's byte stream, tolerating line errors.
 
 use super::{
     frame::{FRAMING, Frame, FrameError, HEADER, MAX_FRAME},

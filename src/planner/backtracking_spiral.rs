@@ -1,4 +1,5 @@
-//! Backtracking spiral algorithm (BSA): winds inwards along walls and clean floor, then goes to the nearest place left.
+//! Backtracking spiral algorithm (BSA): spirals inwards along walls and clean floor, then backtracks to the nearest
+//! cell left.
 //!
 //! González, Álvarez, Díaz, Parra & Bustacara 2005, "BSA: a complete coverage algorithm" (IEEE International Conference on
 //! Robotics and Automation). The robot has a reference side. Walls, furniture and clean cells are all obstacles to it:

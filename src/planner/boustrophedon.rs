@@ -1,4 +1,4 @@
-//! Boustrophedon: cuts the room into parts that a lawn mower's way can sweep, and visits one after the other.
+//! Boustrophedon: decomposes the room into parts that can be swept in parallel lanes, and orders them.
 //!
 //! Choset & Pignon 1998 ("Coverage path planning: the boustrophedon cellular decomposition") and Choset 2000 ("Coverage of
 //! known spaces", Autonomous Robots 9). A line sweeps over the room; where its connectivity changes, a part ends or begins

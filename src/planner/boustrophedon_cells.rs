@@ -1,4 +1,4 @@
-//! Boustrophedon with lanes along x in some parts of the room and along y in others, and every lane in its best place.
+//! Boustrophedon with lanes along x in some parts of the room and along y in others, in an optimised order.
 //!
 //! Huang 2001 ("Optimal line-sweep-based decompositions for coverage algorithms", ICRA) lets every part of a decomposition
 //! be swept in a direction of its own, as each end of a lane costs a turn. He chooses directions and parts together by
@@ -46,10 +46,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
                      rest as for boustrophedon, with O(l²) for l lanes.",
         use_when: "The fewest turns of all lane planners, in rooms with arms in both directions. Planning takes about \
                    a second, ten times as long as plain lanes.",
-        shines: Example {
-            room: "spiral",
-            why: "Every arm is swept lengthwise, while plain lanes cross half of them.",
-        },
+        shines: Example { room: "spiral", why: "Every arm is swept lengthwise, while plain lanes cross half of them." },
         fails: Example {
             room: "ushape",
             why: "Rings along the walls pass both corners without a break and cost slightly less.",

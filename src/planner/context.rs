@@ -1,4 +1,4 @@
-//! What a planner may ask of its surroundings: random numbers, and whether to go on.
+//! Context of a planner: random numbers, progress and cancellation.
 
 use super::{Proof, TraceStep};
 use crate::{

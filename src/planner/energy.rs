@@ -1,4 +1,4 @@
-//! Energy functional: always on to the cell beside the robot that costs the least "energy".
+//! Energy functional: always moves to the neighbouring cell with the least "energy".
 //!
 //! By Bormann, Hampp & Hägele 2015, "New brooms sweep clean - an autonomous robotic cleaning assistant for professional
 //! office cleaning" (ICRA); compared with others by Bormann, Jordan, Hampp & Hägele 2018, "Indoor coverage path planning:

@@ -1,4 +1,4 @@
-//! A genetic algorithm that breeds walks.
+//! A genetic algorithm that evolves walks.
 //!
 //! Emu & Obaida 2020 (thesis, East West University), section 4.1, describe the method: a population of chromosomes, "usually
 //! coded as binary strings", made at random; a fitness function ranks it; *reproduction* copies each string in proportion
@@ -65,15 +65,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
     },
     claims: Claims { complete: true, deterministic: false, fast: false, traces: false, anytime: false },
     params: &[
-        number(
-            "generations",
-            "Generations",
-            "Number of generations.",
-            0.0,
-            2000.0,
-            1.0,
-            400.0,
-        ),
+        number("generations", "Generations", "Number of generations.", 0.0, 2000.0, 1.0, 400.0),
         number("population", "Population", "Number of walks per generation.", 4.0, 100.0, 1.0, 30.0),
         number(
             "crossover",

@@ -1,4 +1,4 @@
-//! Grid-point TSP: the free cells are the towns of a travelling salesman who doesn't like turns.
+//! Grid-point TSP: the free cells are the cities of a travelling salesman problem with turn costs.
 //!
 //! One of the planners that Bormann, Jordan, Hampp & Hägele 2018, "Indoor coverage path planning: survey, implementation,
 //! analysis" (ICRA), compare: a tour through the grid points, by nearest neighbour or a solver, which weighs lengths only.
@@ -54,10 +54,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
             room: "maze",
             why: "Only forks and dead ends: moving single cells finds walks that lanes and rings can't.",
         },
-        fails: Example {
-            room: "lshape",
-            why: "Rings along the walls need no search and are slightly better.",
-        },
+        fails: Example { room: "lshape", why: "Rings along the walls need no search and are slightly better." },
     },
     claims: Claims { complete: true, deterministic: true, fast: false, traces: false, anytime: false },
     params: &[

@@ -1,4 +1,4 @@
-//! What a planner says of itself.
+//! Metadata of a planner.
 
 use crate::registry::{Explainer, ParamSpec};
 

@@ -1,4 +1,4 @@
-//! What a planner returns.
+//! Result of a planner.
 
 use super::CoverageJob;
 use crate::grid::{Cell, Direction, Grid, picture};

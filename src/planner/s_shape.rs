@@ -50,10 +50,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         complexity: "O(n) steps and memory for n cells, plus a search at every dead end.",
         use_when: "The simplest complete method, and hard to beat in halls with few obstacles. Behind every obstacle a \
                    pocket is left that the robot must return to.",
-        shines: Example {
-            room: "lshape",
-            why: "Few obstacles: parallel lanes, and one return for the other arm.",
-        },
+        shines: Example { room: "lshape", why: "Few obstacles: parallel lanes, and one return for the other arm." },
         fails: Example { room: "maze", why: "Every dead end of the maze is a dead end of the walk, too." },
     },
     claims: Claims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },

@@ -1,4 +1,4 @@
-//! Improved snake: go straight, turn where the way is blocked or clean, towards the neighbour visited least.
+//! Improved snake: go straight, turn where the way is blocked or clean, towards the least-visited neighbour.
 //!
 //! By Emu & Obaida 2020 (thesis, East West University), section 4.2, Table 1 and the program in Appendix B. Every cell
 //! has a value: unseen, 0 for seen from a neighbouring cell, then the number of visits. The robot
@@ -66,8 +66,11 @@ pub const INFO: PlannerInfo = PlannerInfo {
         use_when: "Uses only neighbouring cells, so it runs online on a small controller. It leaves islands that it \
                    must return to.",
         shines: Example { room: "empty", why: "No obstacles: a lawn mower's U-turns from wall to wall." },
-        fails: Example { room: "maze", why: "Branches that it passed stay uncleaned, and it returns to them again and \
-            again." },
+        fails: Example {
+            room: "maze",
+            why: "Branches that it passed stay uncleaned, and it returns to them again and \
+            again.",
+        },
     },
     claims: Claims { complete: true, deterministic: true, fast: true, traces: true, anytime: false },
     params: &[ParamSpec {
@@ -369,8 +372,7 @@ impl Memory {
     /// A step of a shortest way, to be shown.
     fn explain_way(&self, step: usize, at: Cell, towards: Direction, left: usize) -> TraceStep {
         let steps = if left == 1 { "step" } else { "steps" };
-        let note =
-            format!("The rules lead nowhere: shortest path to the nearest uncleaned cell, {left} {steps} to go");
+        let note = format!("The rules lead nowhere: shortest path to the nearest uncleaned cell, {left} {steps} to go");
         TraceStep { step, rule: "Shortest path".into(), at, towards, marks: self.marks(at), sides: None, note }
     }
 }

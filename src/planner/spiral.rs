@@ -1,4 +1,4 @@
-//! Growing spirals: circles outwards from the middle of free room, then on to the next place.
+//! Growing spirals: outwards from the middle of free space, then on to the next free area.
 //!
 //! Emu & Obaida 2020 (thesis, East West University), section 4.1: the robot "checks if there is enough place to start
 //! moving spirally"; if so it turns to the left again and again, its distance from the centre growing, until it senses an

@@ -1,4 +1,4 @@
-//! Subgoal sweep: scan lines from wall to wall and obstacle to obstacle, their ends linked from each to the nearest.
+//! Subgoal sweep: scan lines from wall to wall and obstacle to obstacle, with their ends linked nearest-first.
 //!
 //! Hyun (001, Honam University): a robot of any outline, moved in thought along scan lines through the obstacle map,
 //! records where it touches walls and obstacles (section 3, [`stage::subgoals`](super::stage::subgoals)). These

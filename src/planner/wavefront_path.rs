@@ -1,4 +1,4 @@
-//! Wavefront coverage with the path transform: like the distance transform, but the waves shun obstacles.
+//! Wavefront coverage with the path transform: like the distance transform, but the waves avoid obstacles.
 //!
 //! Zelinsky, Jarvis, Byrne & Yuta 1993, "Planning paths of complete coverage of an unstructured environment by a mobile
 //! robot" (International Conference on Advanced Robotics). The path transform of a cell is the least, over all ways to the

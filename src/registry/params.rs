@@ -1,4 +1,4 @@
-//! Parameters of planners and controllers: described once, then checked, shown and saved by everybody.
+//! Parameters of planners and controllers: one specification to check, display and save them.
 
 use serde::{Deserialize, Serialize};
 use std::{collections::BTreeMap, fmt};

@@ -1,4 +1,4 @@
-//! How much of a light bumper's light comes back from how far.
+//! Light bumper signal as a function of distance.
 //!
 //! How the signal falls with distance is a Create 3's, whose sensors have the same range of values: the means of its
 //! seven sensors at a white baseboard were 3545, 2961, 1291, 359, 93, 38 and 25 at 15, 25, 50, 110, 200, 300 and 400 mm

@@ -1,4 +1,4 @@
-//! What is known of a robot: geometry, limits, sensors and power.
+//! A robot model: geometry, limits, sensors and power.
 
 use super::body::{Battery, Body, SensorSuite, SideBrush, Wheels};
 

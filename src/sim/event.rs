@@ -1,4 +1,4 @@
-//! What happened in a run, for people who read along.
+//! Events of a run, for the log.
 
 use crate::robot::Sensors;
 use std::fmt;

@@ -1,4 +1,4 @@
-//! Wheels that don't do exactly what their encoders say.
+//! Wheel slip: wheel motion that differs from encoder counts.
 //!
 //! Borenstein & Feng (Measurement and correction of systematic odometry errors in mobile robots, IEEE Transactions on
 //! Robotics and Automation 12(6), 1996) name the two errors that matter most for two driven wheels: wheels of unequal

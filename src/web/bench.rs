@@ -1,4 +1,4 @@
-//! The benchmark in the browser: the cases of the module that is asked.
+//! The benchmark in the browser: the cases of one module.
 
 use super::{clock, to_js};
 use crate::app::bench::{self, Bench};

@@ -1,4 +1,4 @@
-//! An algorithm as menus, forms and panels have it.
+//! An algorithm as shown in menus, forms and panels.
 
 use super::param::{Param, params};
 use crate::{app::Algorithm, registry};

@@ -1,4 +1,4 @@
-//! Draws a picture of how a plan came to be.
+//! Draws a picture of a search film.
 
 use super::canvas::line;
 use crate::{

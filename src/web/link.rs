@@ -1,4 +1,4 @@
-//! A connection to a robot, in a worker: bytes in, bytes out, and what the page shows of it.
+//! A connection to a robot, in a worker: bytes in, bytes out, and the view model for the page.
 
 use super::{guest::Guest, to_js};
 use crate::{

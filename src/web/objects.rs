@@ -1,4 +1,4 @@
-//! Draws what stands, lies and moves in a room.
+//! Draws the objects in a room.
 
 use crate::{
     app::{Palette, Viewport, handles},

@@ -1,4 +1,4 @@
-//! A recorded session once more.
+//! Replay of a recording.
 
 use super::to_js;
 use crate::app::link::{Recording, Replay as Player};

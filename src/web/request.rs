@@ -1,4 +1,4 @@
-//! What goes to a worker that plans: a plain object.
+//! Planning request to a worker, as a plain object.
 
 use crate::{app::PlanRequest, grid::Direction, planner::ParamValue};
 #[cfg(feature = "workshop")]

@@ -1,4 +1,4 @@
-//! Draws a robot as it is seen from above.
+//! Draws a robot from above.
 
 #[cfg(any(feature = "page", feature = "compare", feature = "robot"))]
 use crate::geometry::Pose;

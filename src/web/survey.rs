@@ -1,4 +1,4 @@
-//! The page's place Map: a survey, the picture of it on a canvas, and the hand on the robot.
+//! The Map tab: a mapping session, its canvas and pointer input.
 
 mod hand;
 mod ink;

@@ -193,11 +193,7 @@ impl Board {
         };
         if view.kind == "drawing" {
             let walls = view.layers.iter().filter(|layer| layer.role == Role::Wall).count();
-            say(format!(
-                "{} strokes on {} layers, {walls} of them walls",
-                view.strokes,
-                view.layers.len()
-            ));
+            say(format!("{} strokes on {} layers, {walls} of them walls", view.strokes, view.layers.len()));
         }
         match (&view.size, &view.room) {
             (None, _) => say("unit not chosen yet".to_owned()),

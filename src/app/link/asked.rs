@@ -114,8 +114,13 @@ impl Link {
                     return refuse("Take control of the robot first.");
                 }
                 self.nothing_asked()?;
-                let began = self.encoders().ok_or_else(|| Refused("No encoder readings have arrived yet. Wait a \
-                    moment.".into()))?;
+                let began = self.encoders().ok_or_else(|| {
+                    Refused(
+                        "No encoder readings have arrived yet. Wait a \
+                    moment."
+                            .into(),
+                    )
+                })?;
                 let controller = what.controller(&self.known.apply(&self.model));
                 self.set_off(now, what.title(), Box::new(controller), self.odometry.pose(), false);
                 self.calibrating = Some(Calibrating::new(what, began));
@@ -194,7 +199,8 @@ impl Link {
     fn steer(&mut self, now: f64, stick: Stick) -> Result<(), Refused> {
         (self.stick_at, self.beaten_at) = (now, now);
         if self.ride.as_ref().is_none_or(|ride| !ride.is_manual || ride.is_done) {
-            let manual = controller::find("manual").ok_or_else(|| Refused("The manual mode is missing from this build.".into()))?;
+            let manual = controller::find("manual")
+                .ok_or_else(|| Refused("The manual mode is missing from this build.".into()))?;
             let params = Params::defaults(manual.params);
             let robot = self.known.apply(&self.model);
             let controller = manual.build(&Setup { robot: &robot, params: &params, seed: 0 });

@@ -111,8 +111,10 @@ impl Calibrating {
             Calibration::Nudge => "The robot turns ten degrees. Watch which way it turns.",
             Calibration::Spin => "The robot turns once around, to the left. Remember which way it faces.",
             Calibration::Metre => "The robot drives one metre ahead. Mark where it starts.",
-            Calibration::Square => "The robot drives a square with sides of one metre, turning left. Mark where it \
-                starts.",
+            Calibration::Square => {
+                "The robot drives a square with sides of one metre, turning left. Mark where it \
+                starts."
+            }
         };
         Self { what, stage: Stage::Moving, text: text.to_owned(), began, swapped: None }
     }
@@ -142,7 +144,9 @@ impl Calibrating {
                 return;
             }
             Calibration::Nudge if (first > 0) == (second > 0) => {
-                self.fail("Both encoders count in the same direction while turning: they are unreliable on this robot.");
+                self.fail(
+                    "Both encoders count in the same direction while turning: they are unreliable on this robot.",
+                );
                 return;
             }
             Calibration::Nudge => {
@@ -196,7 +200,9 @@ impl Calibrating {
                 self.text = format!("Wheel diameter {:.2} mm.", 72.0 * known.distance_factor);
             }
             Calibration::Square if !(0.0..=4.0).contains(&value) => {
-                return Err(format!("{value} m can't be right: the square itself is only one metre wide. Measure again."));
+                return Err(format!(
+                    "{value} m can't be right: the square itself is only one metre wide. Measure again."
+                ));
             }
             Calibration::Square => {
                 self.text = format!(

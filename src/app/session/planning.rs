@@ -165,9 +165,11 @@ impl Session {
             let (percent, cell) = (100.0 * coverage, 100.0 * self.settings.cell_size);
             self.say(
                 "notice",
-                format!("This plan covers only {percent:.0} % of the reachable floor: planning cells of {cell:.0} cm \
+                format!(
+                    "This plan covers only {percent:.0} % of the reachable floor: planning cells of {cell:.0} cm \
                      don't fit through the room's passages, or the tool is narrower than a cell. \
-                     Choose smaller cells."),
+                     Choose smaller cells."
+                ),
             );
         }
     }

@@ -37,9 +37,7 @@ pub enum OpenError {
     )]
     NothingOnIt,
     /// It is larger than any home.
-    #[error(
-        "this map is {width:.0} m x {height:.0} m; the limit is {MOST_M} m a side: check its resolution"
-    )]
+    #[error("this map is {width:.0} m x {height:.0} m; the limit is {MOST_M} m a side: check its resolution")]
     TooLarge {
         /// Its width, m.
         width: f64,

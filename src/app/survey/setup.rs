@@ -115,10 +115,7 @@ impl SurveySetup {
             }
             "clean" => {
                 self.planner = cleaners().find(|info| info.id == value).ok_or_else(|| {
-                    unknown(
-                        "fast and complete planner",
-                        &cleaners().map(|info| info.id).collect::<Vec<_>>(),
-                    )
+                    unknown("fast and complete planner", &cleaners().map(|info| info.id).collect::<Vec<_>>())
                 })?;
             }
             "layers" => self.layers = Layers::from_link(value)?,

@@ -96,8 +96,10 @@ mod tests {
             text.ends_with("MOVE 2.000 m at 0.0 deg\nMOVE 0.500 m at -90.0 deg\nMOVE 2.000 m at 180.0 deg\nSTOP\n"),
             "{text}"
         );
-        assert!(text.starts_with("; planned   for an octagon\n; robot     moves as the Omnidirectional octagon: moves \
-            in any direction without turning\n; frame"));
+        assert!(text.starts_with(
+            "; planned   for an octagon\n; robot     moves as the Omnidirectional octagon: moves \
+            in any direction without turning\n; frame"
+        ));
         assert!(text.contains("; length    4.500 m\n"));
     }
 

@@ -38,10 +38,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let format = ENDINGS.iter().find(|(known, _)| *known == ending).map(|&(_, format)| format);
     let (Some(format), Some(stem)) = (format, out.file_stem().and_then(|stem| stem.to_str())) else {
         let endings = ENDINGS.map(|(ending, _)| format!(".{ending}")).join(", ");
-        return Err(Failure::usage(format!(
-            "--out {}: unknown file extension; use one of {endings}",
-            out.display()
-        )));
+        return Err(Failure::usage(format!("--out {}: unknown file extension; use one of {endings}", out.display())));
     };
     let drawing = arguments.source.file()?.filter(is_drawing);
     let plan = match &drawing {

@@ -150,9 +150,7 @@ impl AlgorithmArguments {
         let id = self.behaviour.as_deref().unwrap_or_default();
         let info = controller::find(id).ok_or_else(|| Failure::unknown("behaviour", id, "behaviours"))?;
         if info.claims.manual {
-            return Err(Failure::usage(format!(
-                "behaviour \"{id}\" is driven by hand; use it on the page"
-            )));
+            return Err(Failure::usage(format!("behaviour \"{id}\" is driven by hand; use it on the page")));
         }
         Ok(Algorithm::Behaviour(info))
     }

@@ -149,9 +149,9 @@ impl End {
             #[cfg(unix)]
             (Some(link), _) => Ok(Box::new(pty::Pty::open(link)?)),
             #[cfg(not(unix))]
-            (Some(_), _) => Err(Failure::usage(
-                "this system has no pseudo-terminals; use --tcp ADDR or --stdio instead".to_owned(),
-            )),
+            (Some(_), _) => {
+                Err(Failure::usage("this system has no pseudo-terminals; use --tcp ADDR or --stdio instead".to_owned()))
+            }
             (None, Some(address)) => Ok(Box::new(tcp::TcpLine::listen(address, baud)?)),
             (None, None) => Ok(Box::new(StandardStreams::new(baud))),
         }

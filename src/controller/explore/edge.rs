@@ -69,11 +69,11 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
             a random number.",
         use_when: "To map the border of a room with a light bumper. It is slow, and circles free-standing furniture \
             for ever.",
-        shines: Example {
-            room: "tshape",
-            why: "It follows the wall into every nook, where phase 5 drives past.",
+        shines: Example { room: "tshape", why: "It follows the wall into every nook, where phase 5 drives past." },
+        fails: Example {
+            room: "ring",
+            why: "It follows the first wall that it finds and never reaches the other one.",
         },
-        fails: Example { room: "ring", why: "It follows the first wall that it finds and never reaches the other one." },
     },
     claims: Claims { ends: false, cleans: false, manual: false, explores: true },
     params: &[

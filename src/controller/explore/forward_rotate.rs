@@ -45,10 +45,7 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
         use_when: "As a baseline for sensing behaviours, and to see how walls corrupt odometry: the wheels keep \
             rolling while the robot is blocked.",
         shines: Example { room: "room12ft", why: "In an empty room a random walk eventually finds every wall." },
-        fails: Example {
-            room: "flat",
-            why: "It keeps revisiting the same floor and passes doorways only by chance.",
-        },
+        fails: Example { room: "flat", why: "It keeps revisiting the same floor and passes doorways only by chance." },
     },
     claims: Claims { ends: false, cleans: false, manual: false, explores: true },
     params: &[DISTANCE, ANGLE, PUSHES],

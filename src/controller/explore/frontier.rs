@@ -413,9 +413,7 @@ impl Habit for Frontier {
             Phase::Search => "relocalising on its map",
             Phase::Done => "done: the map is complete",
             Phase::Lost { has_looked: true } => "done: relocalisation failed",
-            Phase::Lost { has_looked: false } => {
-                "done: kidnapped, and the map is too empty to relocalise"
-            }
+            Phase::Lost { has_looked: false } => "done: kidnapped, and the map is too empty to relocalise",
         }
     }
 

@@ -1,4 +1,4 @@
-//! One entity between its type and the next one: what of it is drawn, checked number by number.
+//! Reads one entity and checks its numbers.
 
 use super::{
     entities::Batch,

@@ -1,4 +1,4 @@
-//! Lines beside a drawing: a DXF with layers of its own for them, in which nothing else is changed.
+//! Adds lines to a DXF on separate layers; nothing else is changed.
 
 mod encode;
 mod room;

@@ -1,4 +1,4 @@
-//! Where a robot is on a map that it knows: after it was put down somewhere, or when it got lost.
+//! Global localisation on a known map, for a kidnapped or lost robot.
 //!
 //! 004 (section 4.3) holds global localisation with a bumper and light sensors to be unsolvable without the dock, and the
 //! kidnapped robot likewise. One reading indeed says next to nothing: a wall is a hand's breadth to the right. But a robot

@@ -1,4 +1,4 @@
-//! Finding out who is on the other end of the line, step by step.
+//! Connecting: identifies the device on the line, step by step.
 
 use super::{Driver, Finding, LineRequest, Phase, Step};
 use crate::oi::{Command, Mode};

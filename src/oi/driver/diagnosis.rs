@@ -1,4 +1,4 @@
-//! What is found out about who is on the other end of a line, and what to do about it.
+//! Diagnosis of the device on the line, with advice.
 
 use std::fmt;
 

@@ -1,4 +1,4 @@
-//! Why a robot isn't in the mode any more that it was put in.
+//! Why a robot left its commanded mode.
 
 use crate::oi::{Mode, Readings};
 use std::fmt;
@@ -42,9 +42,7 @@ impl ModeDrop {
     /// What to do.
     pub fn remedy(&self) -> &'static str {
         match self {
-            _ if self.charger[1] => {
-                "Take it off its dock first: there it returns to Passive at once, to charge."
-            }
+            _ if self.charger[1] => "Take it off its dock first: there it returns to Passive at once, to charge.",
             _ if self.charger[0] => "Unplug the charger first.",
             _ if self.wheel_drop.contains(&true) => {
                 "Put it down with both wheels on the floor, then take control again."

@@ -1,4 +1,4 @@
-//! What is known of a robot and of the line to it.
+//! Known properties of a robot and its line.
 
 use super::{Diagnosis, Driver, Gauge, Happening, Phase, Wheels};
 use crate::oi::{

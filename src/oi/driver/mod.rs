@@ -1,5 +1,5 @@
-//! The host's side of the line, for a robot that is driven: finds out who is there, keeps it in Safe, hears its sensors, and
-//! makes sure that it stops.
+//! The host's driver for a robot: identifies it, keeps it in Safe mode, reads its sensors, and guarantees that it
+//! stops.
 //!
 //! It has no clock and does no I/O. Whoever has both calls [`Driver::feed`] with what arrives and [`Driver::tick`] every 10 ms
 //! or so, and sends at once what [`Driver::take_line`] and [`Driver::take_tx`] say. Times are in seconds of any one clock.

@@ -1,4 +1,4 @@
-//! A question in the midst of a stream.
+//! A query during a stream.
 //!
 //! Answers have neither header nor checksum: between frames nobody could tell them. So the stream is paused, what is still on
 //! its way is waited for, and only then the question is sent.

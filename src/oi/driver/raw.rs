@@ -1,4 +1,4 @@
-//! Bytes that a person typed, and bytes of a recording.
+//! Raw bytes, typed by the user or from a recording.
 
 use super::{Driver, Happening, Phase, Question, Step};
 use crate::oi::{Command, CommandDecoder, Mode, Opcode};

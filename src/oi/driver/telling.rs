@@ -1,4 +1,4 @@
-//! Distance and angle (packets 19 and 20), for whoever goes by them.
+//! Distance and angle (packets 19 and 20), for odometry that uses them.
 //!
 //! A robot tells them in whole millimetres and degrees, cut towards 0, and begins anew: what it cut off is lost. In every frame,
 //! 15 ms apart, no turn below 67 degrees a second would ever be seen. So the stream does without them, and one frame in 16

@@ -1,4 +1,4 @@
-//! Motion on its way to a robot that wouldn't stop by itself.
+//! Motion commands, with the timeout that stops the robot.
 //!
 //! The interface has no timeout: a robot does for ever what it was told last. So wheel speeds hold for [`DEAD_MAN_S`] only,
 //! the stop is repeated until the robot says that it has heard it, and a robot that reports other speeds than it was

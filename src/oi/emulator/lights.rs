@@ -1,4 +1,4 @@
-//! Lamps and digits.
+//! LEDs and digit display.
 //!
 //! In Off and Passive the robot shows what it likes; Safe switches everything off and shows what it is told, and so does
 //! Full, which leaves on what was (the specification speaks of Safe alone). What a robot shows by itself is ours, after its

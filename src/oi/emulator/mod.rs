@@ -1,4 +1,4 @@
-//! A Roomba on the other end of the line: the simulated robot behind Open Interface bytes.
+//! Roomba emulator: a simulated robot behind the Open Interface.
 //!
 //! It has no clock and does no I/O: whoever has it says how much time passes, brings bytes and takes bytes. Everything takes
 //! its time: a byte reaches the robot when the line has carried it, an answer leaves at the next refresh of the readings,

@@ -1,4 +1,4 @@
-//! What the wheels and brushes were told, and packets 19, 20 and 39 to 42.
+//! Wheel and brush commands, and packets 19, 20 and 39 to 42.
 //!
 //! The last motion command stays in force until another comes or the mode ends: there is no timeout. Drive PWM is taken as
 //! a speed: none up to a duty cycle of 21 of 255 on hard floor or 40 on carpet (measured by K. Tibow: what it takes to

@@ -1,4 +1,4 @@
-//! What real robots do that the specification doesn't say.
+//! Personalities: how real robots deviate from the specification.
 //!
 //! Each is a robot, a cable or a firmware that somebody has met; the sources are in the project's fact sheet on the Open
 //! Interface (sections 1, 2 and 7). Rates of faults are ours where nothing else is said.

@@ -1,4 +1,4 @@
-//! Awake, asleep, booting: when a robot listens, and what the BRC wire does.
+//! Power states (awake, asleep, booting) and the BRC wire.
 //!
 //! - In Passive it falls asleep after five minutes without a command, a button, a pulse on BRC or an errand of its own;
 //!   in Safe and Full never. In Off the interface isn't running, and no source tells of sleep: it stays awake.

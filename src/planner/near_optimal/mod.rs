@@ -1,4 +1,4 @@
-//! Near-optimal: a walk that gets better the longer it is worked at, with a proof of how much better any walk could be.
+//! Near-optimal: an anytime planner that improves a walk and proves how far it is from the optimum.
 //!
 //! Finding the cheapest walk is NP-hard (Arkin, Bender, Demaine, Fekete, Mitchell & Sethia 2005, "Optimal covering tours
 //! with turn costs", SIAM Journal on Computing 35). Krupke 2024, "Near-optimal coverage path planning with turn costs"

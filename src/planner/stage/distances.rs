@@ -1,4 +1,4 @@
-//! Stage: how far the ends of blocks are from each other.
+//! Stage: distances between the ends of blocks.
 
 use super::{
     cost::{Costs, fewest_turns},

@@ -1,4 +1,4 @@
-//! Minimum cut, by the blocking flows of Dinic 1970 ("Algorithm for solution of a problem of maximum flow in networks with
+//! Minimum cut by blocking flows: Dinic 1970 ("Algorithm for solution of a problem of maximum flow in networks with
 //! power estimation").
 
 use crate::planner::PlanError;

@@ -1,4 +1,4 @@
-//! Stage: cuts short where a walk drives over cells that it cleans at another time anyway.
+//! Stage: shortcuts past cells that the walk cleans at another time anyway.
 
 use super::{
     cost::Costs,

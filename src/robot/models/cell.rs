@@ -1,4 +1,4 @@
-//! The robot of the textbooks, which fills a cell of the grid.
+//! The textbook robot, which fills one grid cell.
 
 use crate::robot::{
     RobotModel,

@@ -1,4 +1,4 @@
-//! What is drawn over the cells: trails, robots in outline, particles, doubts.
+//! Overlay of the map: trails, robot outlines, particles, uncertainty.
 
 use crate::{
     app::Viewport,
