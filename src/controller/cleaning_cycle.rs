@@ -22,7 +22,7 @@
 //!     seen.push(cycle.activity());
 //! }
 //! seen.dedup();
-//! assert_eq!(&seen[..3], ["driving straight", "looking whether there is room", "driving a lane"]);
+//! assert_eq!(&seen[..3], ["driving straight", "checking for free space", "driving a lane"]);
 //! ```
 
 use super::{

@@ -243,7 +243,7 @@ mod tests {
             ("image: a\n\n  x: 1", 3, "indented"),
             ("- 1", 1, "before this list"),
             ("image: a\norigin: [1, 2", 2, "isn't closed"),
-            ("image: a\nimage: b", 2, "given before"),
+            ("image: a\nimage: b", 2, "duplicate key"),
         ] {
             let error = entries("map.yaml", text).err().unwrap();
             let MapError::Syntax { line: at, cause: why, .. } = &error else { panic!("{error}") };

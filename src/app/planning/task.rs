@@ -240,7 +240,7 @@ mod tests {
         let error = planned(&wide, "roomba600", Some(0.1), Some((0, 0))).unwrap_err();
         assert_eq!(
             error.to_string(),
-            "the robot, 0.35 m wide, doesn't fit into the start cell (0, 0); the nearest where it does is (1, 1)"
+            "the robot, 0.35 m wide, doesn't fit into the start cell (0, 0); the nearest cell where it fits is (1, 1)"
         );
         assert!(planned(&wide, "roomba600", Some(0.1), Some((1, 1))).is_ok());
     }

@@ -257,7 +257,7 @@ mod tests {
                 "# planned   for an octagon, 0.400 m wide\n# runs on   Roomba 600 / Create 2, a circle of "
             )
         );
-        assert!(text.contains("not planned for"));
+        assert!(text.contains("not the robot"));
         assert!(text.contains("\n# start     x 1.000 m, y 1.000 m, heading 0.0 deg\n"), "{text}");
         assert!(text.contains("\n0.000  80               start the interface\n"), "{text}");
         // Half a millimetre short, and faster than what ends nearer.

@@ -23,7 +23,7 @@
 //! let mut explorer = info.build(&Setup { robot, params: &params, seed: 1 }).unwrap();
 //! let ahead = explorer.step(&Sensors::default(), 0.015);
 //! assert!(ahead.left > 0.0 && ahead.left == ahead.right);
-//! assert_eq!(explorer.activity(), "looking for a wall");
+//! assert_eq!(explorer.activity(), "searching for a wall");
 //! assert!(explorer.mapper().is_some() && !explorer.is_done());
 //! ```
 
