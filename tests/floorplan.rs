@@ -328,10 +328,7 @@ mod formats {
             (with_image(b"P5 4 3 255\nabcdef"), "\"map.pgm\" is cut off: its picture ends too early; copy or export"),
             (with_image(b"P5 3 2 0\nabcdef"), "\"map.pgm\" is damaged: "),
             (with_image(b"P5 -3 2 255\nabcdef"), "\"map.pgm\" is damaged: "),
-            (
-                with_image(b"P9 3 2 255\nabcdef"),
-                "\"map.pgm\" is text of an unknown format, not a supported map; use",
-            ),
+            (with_image(b"P9 3 2 255\nabcdef"), "\"map.pgm\" is text of an unknown format, not a supported map; use"),
             (with_image(b"P7\nWIDTH 3\n"), "\"map.pgm\" is a PAM image, not a supported map; use"),
             (with_image(b""), "\"map.pgm\" is empty; choose another file"),
             (with_image(&png), "\"map.pgm\" is a file of an unknown format, not a supported map; use"),
@@ -360,10 +357,7 @@ mod formats {
                 yaml("negate: 0", "mode: best"),
                 "\"map.yaml\", line 5: mode can't be \"best\"; use trinary, scale or raw",
             ),
-            (
-                yaml("0.65", "6.5"),
-                "\"map.yaml\", line 6: occupied_thresh can't be \"6.5\"; use a number from 0 to 1",
-            ),
+            (yaml("0.65", "6.5"), "\"map.yaml\", line 6: occupied_thresh can't be \"6.5\"; use a number from 0 to 1"),
             (
                 yaml("0.196", "0.7"),
                 "\"map.yaml\", line 7: free_thresh can't be \"0.7\"; use at most occupied_thresh, which is 0.65",

@@ -1,6 +1,6 @@
 //! Straight ahead until a contact, then a turn by a random angle: the baseline, and most of what early Roombas did.
 //!
-//! Jones 2006 tells how the Roomba came to it: no map, no knowledge of where it is, and yet all of the floor in the end. The
+//! Jones 2006 describes why the Roomba used it: no map, no localisation, and yet all of the floor in the end. The
 //! patent of its modes (Jones & Mass 2004, US 6,809,490: random bounce, spiral, obstacle following) has the robot turn away
 //! from where it bumped, by a random angle, until the way is free.
 //!

@@ -12,7 +12,7 @@
 //! 3. *Approach.* Seeing both, it drives to where both of its front receivers see the dock, slowly within the force field.
 //!    Losing one beam, it steers back towards it: the overlap narrows to a centimetre where the contacts are.
 //! 4. *Retry.* If it bumps into something and isn't charged, it goes back the way it came, turns a little, and tries again.
-//!    After some tries it searches anew, for another side to come from.
+//!    After some attempts it searches again, to approach from another side.
 //!
 //! ```
 //! use robovac_playground::{controller::*, registry::Params, robot::*};

@@ -9,7 +9,7 @@
 //! - *Brakes take a way.* The tables take the robot to stand where a sensor has seen an edge; by the time that it really stands
 //!   it is nearer, and turning there could get a wheel over the edge. So it rolls back by that way and a little more, and
 //!   doesn't drive ahead again until the stick has been let go.
-//! - *Nothing looks back.* Backward is always allowed by the tables, also down the stairs. If asked to be careful, the
+//! - *No rear sensors.* Backward is always allowed by the tables, even down stairs. If asked to be careful, the
 //!   robot reverses only the way that it came.
 //!
 //! ```

@@ -8,7 +8,7 @@
 //! floor that has been cleaned anyway are cut short ([`tighten`]).
 //!
 //! Lanes run along x or y, whichever walk costs less. In a large room the choice is made by the number of lanes, and the
-//! order stays nearest first unless more effort is asked for.
+//! order stays nearest first unless more effort is set.
 //!
 //! ```
 //! use robovac_playground::{grid::*, planner::*};

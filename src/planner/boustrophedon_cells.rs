@@ -8,7 +8,7 @@
 //!
 //! 1. The parts are ordered nearest first, then by local search with a choice of corners ([`Tours`]).
 //! 2. The walk is taken apart into its lanes, and the same search puts these in order one by one ([`lanes_of`]).
-//! 3. Detours are cut short ([`Tours`]), the walk is taken apart anew into straight strokes, less what others clean as
+//! 3. Detours are cut short ([`Tours`]), the walk is split again into straight strokes, less what others clean as
 //!    well ([`strokes`]), and step 2 is repeated with these, always from the best walk. So lanes change as well: a way between
 //!    two lanes may become one, and neighbours shrink by what it cleans.
 //!

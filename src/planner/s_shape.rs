@@ -14,7 +14,7 @@
 //!   there is nothing to go back to does the robot go on in its direction.
 //! - *Dead ends.* The thesis has none. Here the robot takes a shortest way to the nearest cell left and goes on from there
 //!   in the direction in which it came, so that every walk covers all.
-//! - *Direction of the lanes.* Across the side that takes fewer lanes, unless asked for another one.
+//! - *Direction of the lanes.* By default the one with fewer lanes.
 //!
 //! Nothing is planned ahead and no part of the room is told from another: that is what sets this apart from
 //! boustrophedon. O(n) steps; each search for the nearest cell left costs what it looks at.

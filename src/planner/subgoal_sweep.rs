@@ -15,7 +15,7 @@
 //! - *The start.* The paper's robot stands at the first subgoal point, in the upper left. This one may stand
 //!   anywhere, and goes to the nearest.
 //! - *Links* become steps to neighbouring cells: round one corner where that is free, else along the straight line.
-//! - *Lines.* One on every row, unless asked otherwise: planning cells are as wide as the strip that the robot
+//! - *Lines.* One on every row by default: planning cells are as wide as the strip that the robot
 //!   cleans, or half as wide as the octagon, the distance that the paper gives.
 //! - *What is left* between lines that are farther apart than a row, the paper leaves to the width of the robot. A
 //!   stage of our own, after all links, goes to the nearest cell left and along its row, again and again: so every

@@ -14,8 +14,8 @@
 //!   neighbours, then left before right.
 //! - *Dead ends.* The paper's walk ends where no neighbour is left. Here the robot goes on at the nearest unvisited cell, by
 //!   steps; of equally near ones at the one with the highest number.
-//! - *Goal.* The start makes it come home. Unless told otherwise, rooms of up to 100,000 cells are planned with three goals:
-//!   the start, the cell farthest from it, and the cell farthest from that one; the cheapest walk wins.
+//! - *Goal.* With the start as goal the robot returns there. By default, rooms of up to 100,000 cells are planned with
+//! three goals:   the start, the cell farthest from it, and the cell farthest from that one; the cheapest walk wins.
 //!
 //! At last, detours over floor that is cleaned at another time anyway are cut short. The order in which cells are
 //! cleaned stays that of the paper's rule but for this. O(n) for the transform and the rule; every dead end costs a

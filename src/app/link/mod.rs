@@ -1,6 +1,6 @@
 //! A connection to a robot: driver, controller, view model and recording.
 //!
-//! It has no clock and no line of its own. Whoever has both tells it the time in seconds, brings it the bytes that arrive,
+//! It has no clock and no line of its own. The caller passes the time in seconds and the received bytes,
 //! and sends what [`Link::take_tx`] and [`Link::take_line`] ask for, at once: the stop is among it.
 
 mod asked;

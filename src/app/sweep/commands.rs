@@ -1,7 +1,7 @@
 //! Paths as timed Open Interface commands.
 //!
 //! Robots of the 600 series have no script commands (opcodes 152 to 158 are the Create's of 2006), and drive on until
-//! they are told otherwise: so a path is a list of commands, each with the time at which it is to be sent.
+//! the next command: so a path is a list of commands, each with the time at which it is to be sent.
 
 use super::track::{FRAME, start_text};
 use crate::{

@@ -3,7 +3,7 @@
 //! 1. *What is left* is floor that the robot can get to by its map, less what its [`Marks`](crate::mapping::Marks) say is
 //!    swept. It falls into connected parts.
 //! 2. The *nearest part* is next. One of the planners plans a walk that covers it, which is driven as a line. Then what
-//!    is left is looked at anew: by then the map has grown, and the pose has been corrected.
+//!    is left is computed again: by then the map has grown, and the pose has been corrected.
 //! 3. *What the map doesn't have* and the robot meets is barred, beside what the mapper makes of it, and what is left is looked at
 //!    anew. Edges and virtual walls are barred for ever; what else was met gets another chance when nothing else is left.
 //! 4. A robot that was *picked up* doesn't know where it is. It follows walls until there is only one place on its map where

@@ -8,7 +8,7 @@
 //!
 //! - *Figures*: no distance and no angle are printed. 20 cm and 30 degrees are ours, as are the robot's own speeds.
 //! - *The way it rotates*: counter-clockwise; phase 2 is the first to tell left from right.
-//! - *The end*: "until a comprehensive map is generated", which no rule tells. It goes on.
+//! - *The end*: "until a comprehensive map is generated", but no rule defines that. It continues.
 //! - *Edges of the floor and virtual walls* end a motion: the robot backs off and turns away by a random angle. Where it has
 //!   seen an edge, it no longer pushes walls: pushing it slips, and what slips doesn't know its way back.
 //!

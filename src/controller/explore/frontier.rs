@@ -1,7 +1,7 @@
 //! Frontier-based exploration (Yamauchi 1997).
 //!
 //! Yamauchi's robot sees far, and drives to the nearest border between free and unknown cells that it can reach. A Roomba
-//! sees a hand's breadth, and knows floor only where it was. So there are two kinds of borders here:
+//! sees a few centimetres, and knows floor only where it was. So there are two kinds of borders here:
 //!
 //! - *Walls*, which are followed by light, with the law of [`wall_follow`](super::super::wall_follow), until the robot comes
 //!   to where it followed one before. After a number of metres it leaves a wall for what is near and comes back later, so
@@ -11,8 +11,8 @@
 //!
 //! All of it is planned on the map of the robot's own [`Mapper`] and driven by the Mapper's pose. Poses may jump and maps err:
 //! no place is gone for again and again, what shouldn't be there is driven around, edges and virtual walls are barred,
-//! and what takes too long is given up. The map is complete when no lane is left. A robot that was carried off finds itself on
-//! what it has mapped so far before it goes on.
+//! and what takes too long is given up. The map is complete when no lane is left. A kidnapped robot relocalises on its
+//! map so far before it continues.
 //!
 //! Distances, numbers of tries and the order of the two kinds are ours.
 //!

@@ -8,7 +8,7 @@
 //! let info = find("explore_left_right").unwrap();
 //! let (robot, params) = (model("roomba600").unwrap(), Params::defaults(info.params));
 //! let mut explorer = info.build(&Setup { robot, params: &params, seed: 1 }).unwrap();
-//! // It turns both ways, with wheels that do what they are told.
+//! // It turns both ways, with wheels that follow commands exactly.
 //! let (mut turned, mut rolled) = ([false; 2], [0.0; 2]);
 //! for _ in 0..4000 {
 //!     let [left_counts, right_counts] = rolled.map(|metres: f64| (metres * robot.counts_per_metre) as i64 as u16);

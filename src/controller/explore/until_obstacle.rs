@@ -8,9 +8,9 @@
 //!
 //! - *In its path*: one of the four light sensors in front reports something.
 //! - *The direction*: "one direction", always the same one; a parameter says which.
-//! - *A contact* that the light didn't tell, as all are for a robot without a light bumper: the robot backs up and rotates by
-//!   a fixed angle (ours).
-//! - *Edges of the floor and virtual walls*: the robot backs off and turns away by a random angle.
+//! - *A contact* that the light bumper missed, as all are for a robot without a light bumper: the robot backs up and
+//! rotates by   a fixed angle (ours). - *Edges of the floor and virtual walls*: the robot backs off and turns away by a
+//! random angle.
 //!
 //! ```
 //! use robovac_playground::{controller::*, registry::Params, robot::*};

@@ -6,10 +6,10 @@
 //!
 //! # What keeps a robot from moving on
 //!
-//! - Nothing is sent that moves it before somebody has armed it, and arming is Safe unless Full was asked for.
+//! - No motion command is sent before the driver is armed; arming selects Safe unless Full is requested.
 //! - Wheel speeds hold for 200 ms unless they are renewed ([`DEAD_MAN_S`]).
-//! - A robot that has not been heard of for 250 ms, that left its mode, or that reports other speeds than it was told,
-//!   is told to stop, until it says that it has; three times where it can't say so, at 19200 baud.
+//! - A robot that is silent for 250 ms, leaves its mode, or reports speeds other than commanded is sent stop commands
+//!   until it confirms; three times where it can't confirm, at 19200 baud.
 
 mod commands;
 mod connect;

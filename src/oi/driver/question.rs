@@ -1,7 +1,7 @@
 //! A query during a stream.
 //!
-//! Answers have neither header nor checksum: between frames nobody could tell them. So the stream is paused, what is still on
-//! its way is waited for, and only then the question is sent.
+//! Answers have neither header nor checksum: between frames they couldn't be recognised. So the stream is paused, what
+//! is still on its way is waited for, and only then the question is sent.
 
 use crate::oi::{Answer, Command, CommandDecoder};
 

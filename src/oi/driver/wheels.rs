@@ -1,8 +1,8 @@
 //! Motion commands, with the timeout that stops the robot.
 //!
-//! The interface has no timeout: a robot does for ever what it was told last. So wheel speeds hold for [`DEAD_MAN_S`] only,
-//! the stop is repeated until the robot says that it has heard it, and a robot that reports other speeds than it was
-//! told is told again.
+//! The interface has no timeout: a robot executes its last command for ever. So wheel speeds hold for [`DEAD_MAN_S`]
+//! only, the stop is repeated until the robot says that it has heard it, and a robot that reports other speeds than it
+//! was told is told again.
 
 use crate::{
     oi::{Command, motion::MAX_SPEED_MM_S},

@@ -1,6 +1,6 @@
 //! Personalities: how real robots deviate from the specification.
 //!
-//! Each is a robot, a cable or a firmware that somebody has met; the sources are in the project's fact sheet on the Open
+//! Each is a robot, a cable or a firmware seen in practice; the sources are in the project's fact sheet on the Open
 //! Interface (sections 1, 2 and 7). Rates of faults are ours where nothing else is said.
 
 use super::super::motion::ANGLE_ERROR;
