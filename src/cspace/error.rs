@@ -10,10 +10,7 @@ pub enum CspaceError {
     #[error("the cell size can't be {0} m; choose one above 0")]
     Cell(f64),
     /// More cells than fit into memory.
-    #[error(
-        "{width} x {height} cells with {headings} headings exceed the size limit; use larger cells or fewer \
-        headings"
-    )]
+    #[error("{width} x {height} cells with {headings} headings are too many; use larger cells or fewer headings")]
     TooLarge {
         /// Columns.
         width: usize,

@@ -54,8 +54,7 @@ pub enum DrawingFlaw {
         place: &'static str,
     },
     /// Nothing in it can be drawn.
-    #[error("the drawing contains nothing that can be used{}; draw walls as lines, polylines, \
-        arcs or blocks", but(.left_out))]
+    #[error("nothing in the drawing can be used{}; draw walls as lines, polylines, arcs or blocks", but(.left_out))]
     Nothing {
         /// What it holds instead.
         left_out: Vec<String>,

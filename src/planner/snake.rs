@@ -66,11 +66,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         use_when: "Uses only neighbouring cells, so it runs online on a small controller. It leaves islands that it \
                    must return to.",
         shines: Example { room: "empty", why: "No obstacles: a lawn mower's U-turns from wall to wall." },
-        fails: Example {
-            room: "maze",
-            why: "Branches that it passed stay uncleaned, and it returns to them again and \
-            again.",
-        },
+        fails: Example { room: "maze", why: "Branches that it passes stay uncleaned, so it keeps coming back." },
     },
     claims: Claims { complete: true, deterministic: true, fast: true, traces: true, anytime: false },
     params: &[ParamSpec {

@@ -18,8 +18,7 @@ impl Layer {
     /// A transparent canvas of `width` x `height` pixels.
     pub fn new(width: u32, height: u32) -> Result<Self, JsValue> {
         let canvas = OffscreenCanvas::new(width.max(1), height.max(1))?;
-        let context =
-            canvas.get_context("2d")?.ok_or("this browser has no off-screen canvas; use a current browser")?;
+        let context = canvas.get_context("2d")?.ok_or("no off-screen canvas; use a current browser")?;
         Ok(Self { canvas, context: context.unchecked_into() })
     }
 

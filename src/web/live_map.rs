@@ -59,8 +59,7 @@ impl LiveMap {
     /// On that canvas, in the room that `guest` shows if it is `known`, or else on blank paper.
     #[wasm_bindgen(constructor)]
     pub fn new(element: HtmlCanvasElement, guest: &Guest, known: bool) -> Result<Self, JsValue> {
-        let context =
-            element.get_context("2d")?.ok_or("this browser has no 2D canvas; use a current browser")?.unchecked_into();
+        let context = element.get_context("2d")?.ok_or("no 2D canvas; use a current browser")?.unchecked_into();
         let canvas = Canvas::new(element)?;
         let robot = guest.session().settings().robot_model();
         let paper = Paper::new(guest.session(), &robot, known);

@@ -67,7 +67,7 @@ fn svgs_that_cannot_be_are_refused() {
         .collect();
     assert!(svg("viewBox=\"0 0 9 9\"", &format!("<g id=\"a0\">{LINE}</g>{laughs}")).is_err());
     let itself = svg("viewBox=\"0 0 9 9\"", "<g id=\"a\"><use xlink:href=\"#a\"/></g>");
-    assert!(itself.unwrap_err().to_string().contains("the drawing contains nothing that can be used"));
+    assert!(itself.unwrap_err().to_string().contains("nothing in the drawing can be used"));
     assert!(svg("viewBox=\"0 0 9 9\"", "<path d=\"M0 0H1e30\" stroke=\"red\"/>").is_err());
     assert!(svg("width=\"0\" height=\"1\"", LINE).is_err());
 }
@@ -139,7 +139,7 @@ fn geojson_that_cannot_be_is_refused() {
         ("{\"type\":\"FeatureCollection\",\"features\":[}", "line 1, column"),
         ("{\"type\":\"Polygon\",\"coordinates\":[[[1]]]}", "feature 1"),
         ("{\"type\":\"LineString\",\"coordinates\":[[0,0],[1e300,0]]}", "is out of range (-1e10 to 1e10)"),
-        ("{\"type\":\"FeatureCollection\",\"features\":[]}", "the drawing contains nothing that can be used"),
+        ("{\"type\":\"FeatureCollection\",\"features\":[]}", "nothing in the drawing can be used"),
     ] {
         let message = geo(text).unwrap_err().to_string();
         assert!(message.contains(expected), "{text}: {message}");

@@ -114,13 +114,7 @@ impl Link {
                     return refuse("Take control of the robot first.");
                 }
                 self.nothing_asked()?;
-                let began = self.encoders().ok_or_else(|| {
-                    Refused(
-                        "No encoder readings have arrived yet. Wait a \
-                    moment."
-                            .into(),
-                    )
-                })?;
+                let began = self.encoders().ok_or_else(|| Refused("No encoder readings yet. Wait a moment.".into()))?;
                 let controller = what.controller(&self.known.apply(&self.model));
                 self.set_off(now, what.title(), Box::new(controller), self.odometry.pose(), false);
                 self.calibrating = Some(Calibrating::new(what, began));

@@ -111,10 +111,7 @@ impl Calibrating {
             Calibration::Nudge => "The robot turns ten degrees. Watch which way it turns.",
             Calibration::Spin => "The robot turns once around, to the left. Remember which way it faces.",
             Calibration::Metre => "The robot drives one metre ahead. Mark where it starts.",
-            Calibration::Square => {
-                "The robot drives a square with sides of one metre, turning left. Mark where it \
-                starts."
-            }
+            Calibration::Square => "The robot drives a 1 m square, turning left. Mark where it starts.",
         };
         Self { what, stage: Stage::Moving, text: text.to_owned(), began, swapped: None }
     }

@@ -11,10 +11,7 @@ use crate::{
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum PlanningError {
     /// No planning cells of that size can be laid over this map.
-    #[error(
-        "planning cells of {cell_size} m don't suit this map; choose a cell size from {least} m to \
-        {MAX_RESOLUTION} m"
-    )]
+    #[error("planning cells of {cell_size} m don't suit this map; choose {least} m to {MAX_RESOLUTION} m")]
     CellSize {
         /// The side asked for, m.
         cell_size: f64,

@@ -138,8 +138,7 @@ pub const PERSONALITIES: &[Personality] = &[
     Personality {
         id: "chatty",
         title: "Chatty",
-        summary: "Mixes a text line about its battery into the data every second, and when it wakes up or goes to \
-            sleep.",
+        summary: "Mixes text about its battery into the data every second, and when it wakes or sleeps.",
         // Most robots do so only while they charge (see "docked"). Some were read with text in the data of an active
         // interface, away from any dock: the worse case, and the one that a driver must stand.
         log: Log::Always,
@@ -158,8 +157,7 @@ pub const PERSONALITIES: &[Personality] = &[
     Personality {
         id: "dozes",
         title: "Silent on its dock",
-        summary: "Charges on its dock and falls silent after half a minute; BRC doesn't wake it, as with firmware 3 on \
-            a 650.",
+        summary: "Falls silent after half a minute on its dock; BRC doesn't wake it, as with firmware 3 on a 650.",
         starts_docked: true,
         silent_on_dock_s: Some(30.0),
         ..BY_THE_BOOK
@@ -167,8 +165,7 @@ pub const PERSONALITIES: &[Personality] = &[
     Personality {
         id: "angle_bug",
         title: "Old firmware",
-        summary: "Reports a third of every angle in packet 20, like firmware up to 3.4.0, and boots with the older \
-            banner.",
+        summary: "Reports a third of every angle in packet 20 and boots with the older banner, like firmware up to 3.4.0.",
         angle_factor: ANGLE_ERROR,
         banner: Banner::Str730,
         ..BY_THE_BOOK

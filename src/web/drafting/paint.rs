@@ -61,10 +61,7 @@ pub(super) struct Painter {
 impl Painter {
     /// Draws onto `canvas` from now on.
     pub fn new(canvas: OffscreenCanvas) -> Result<Self, JsValue> {
-        let context = canvas
-            .get_context("2d")?
-            .ok_or("this browser has no off-screen canvas; use a current browser")?
-            .unchecked_into();
+        let context = canvas.get_context("2d")?.ok_or("no off-screen canvas; use a current browser")?.unchecked_into();
         let picture = Layer::new(1, 1)?;
         Ok(Self { canvas, context, lines: Vec::new(), room: None, slice: None, picture, drawn: None, took: 0.0 })
     }

@@ -55,8 +55,7 @@ struct Shown {
 impl Painter {
     /// Draws onto `element` from now on.
     pub fn new(element: HtmlCanvasElement) -> Result<Self, JsValue> {
-        let context =
-            element.get_context("2d")?.ok_or("this browser has no 2D canvas; use a current browser")?.unchecked_into();
+        let context = element.get_context("2d")?.ok_or("no 2D canvas; use a current browser")?.unchecked_into();
         Ok(Self { element, context, cells: CellPicture::new()?, cells_of: None, walls: None, last: None })
     }
 

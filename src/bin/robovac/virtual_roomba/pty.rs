@@ -79,11 +79,7 @@ impl Ends {
 /// Makes the link in one go. One that is left from before is replaced; anything else is in the way.
 fn place(path: &Path, link: &Path) -> Result<(), Error> {
     if fs::symlink_metadata(link).is_ok_and(|found| !found.is_symlink()) {
-        return Err(Error::new(
-            ErrorKind::AlreadyExists,
-            "the path exists and isn't a symbolic link; choose another \
-            path",
-        ));
+        return Err(Error::new(ErrorKind::AlreadyExists, "the path exists and isn't a symbolic link"));
     }
     let mut name = link.file_name().unwrap_or_default().to_owned();
     name.push(format!(".{}", process::id()));
