@@ -69,8 +69,8 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
                line. The robot steers towards whichever beam it loses, slowing down as it gets closer, until its \
                contacts touch.",
         complexity: "O(1) time and memory a step.",
-        use_when: "When the battery runs low. It needs infrared receivers, and in large or winding rooms the search \
-            takes long.",
+        use_when: "When the battery runs low. It needs infrared receivers; in large or winding rooms the search is \
+            slow.",
         shines: Example { room: "room12ft", why: "In a single room the beams are found quickly." },
         fails: Example { room: "maze", why: "Walls block the beams, so the dock is found only by chance." },
     },

@@ -41,8 +41,7 @@ use rand::RngExt;
 pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     id: "random_walk",
     title: "Random walk",
-    summary: "Drives straight until it hits something, then turns far enough to escape any corner, plus a random \
-        amount.",
+    summary: "Drives straight until it hits something, then turns far enough to escape any corner, plus a random part.",
     source: "Hasan, Al-Nahid & Reza 2014, Path planning algorithm development for autonomous vacuum cleaner robots, ICIEV: \
              section IV.A.i",
     link: "https://ieeexplore.ieee.org/document/6850799",

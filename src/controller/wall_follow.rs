@@ -77,8 +77,8 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
                wall, backs off, turns away a little and repeats; with a light bumper it keeps a constant distance. It \
                leaves free-standing obstacles after one round, but follows the border of the room for ever.",
         complexity: "O(1) time and memory per step; it stores how far it has turned along this wall.",
-        use_when: "For edges and corners, which all other behaviours clean last. Alone it never cleans the middle of \
-            the room.",
+        use_when: "For edges and corners, which other behaviours clean last. Alone it never cleans the middle of the \
+            room.",
         shines: Example {
             room: "maze",
             why: "A maze is all walls: it follows them through the whole maze, where random behaviours get stuck.",

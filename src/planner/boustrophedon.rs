@@ -34,8 +34,7 @@ use crate::{grid::Cell, rng::seeded};
 pub const INFO: PlannerInfo = PlannerInfo {
     id: "boustrophedon",
     title: "Boustrophedon (parallel lanes)",
-    summary: "Decomposes the room into cells at critical points, sweeps each in lanes, and finds a good visiting \
-        order.",
+    summary: "Decomposes the room at critical points, sweeps each part in lanes, and finds a good visiting order.",
     source: "Choset & Pignon 1998, Coverage path planning: the boustrophedon cellular decomposition; \
              Choset 2000, Coverage of known spaces, Autonomous Robots 9",
     link: "https://doi.org/10.1023/A:1008958800904",

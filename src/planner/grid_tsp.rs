@@ -38,7 +38,7 @@ use crate::{grid::Cell, rng::seeded};
 pub const INFO: PlannerInfo = PlannerInfo {
     id: "grid_tsp",
     title: "Grid-point TSP",
-    summary: "Solves a travelling salesman tour over all cells: a first tour, then 2-opt and Or-opt moves that count \
+    summary: "Finds a travelling salesman tour of all cells: a first tour, then 2-opt and Or-opt moves that count \
         turns.",
     source: "Bormann, Jordan, Hampp & Hägele 2018, Indoor coverage path planning: survey, implementation, analysis, ICRA",
     link: "https://doi.org/10.1109/ICRA.2018.8460566",

@@ -40,8 +40,7 @@ use crate::grid::Direction;
 pub const INFO: PlannerInfo = PlannerInfo {
     id: "spiral_stc",
     title: "Spanning tree (Spiral-STC)",
-    summary: "Divides the room into squares of 2 x 2 cells, connects them by a spanning tree and drives around the \
-        tree.",
+    summary: "Divides the room into squares of 2 x 2 cells, connects them by a spanning tree and drives around it.",
     source: "Gabriely & Rimon 2001, Spanning-tree based coverage of continuous areas, Ann. Math. Artif. Intell. 31; \
              2003, Competitive on-line coverage of grid environments, Comput. Geom. 24",
     link: "https://doi.org/10.1023/A:1016610507833",

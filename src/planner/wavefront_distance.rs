@@ -40,8 +40,7 @@ use super::{
 pub const INFO: PlannerInfo = PlannerInfo {
     id: "wavefront_distance",
     title: "Wavefront, distance transform",
-    summary: "Numbers all cells by their distance to a goal and always moves to the unvisited neighbour farthest from \
-        it.",
+    summary: "Numbers cells by their distance to a goal and always moves to the unvisited neighbour farthest from it.",
     source: "Zelinsky, Jarvis, Byrne & Yuta 1993, Planning paths of complete coverage of an unstructured environment by a \
              mobile robot, International Conference on Advanced Robotics",
     link: "",

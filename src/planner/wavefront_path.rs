@@ -37,7 +37,7 @@ use super::{
 pub const INFO: PlannerInfo = PlannerInfo {
     id: "wavefront_path",
     title: "Wavefront, path transform",
-    summary: "Like the distance transform, but waves avoid obstacles, so that the robot follows outlines first.",
+    summary: "Like the distance transform, but waves avoid obstacles, so the robot follows outlines first.",
     source: "Zelinsky, Jarvis, Byrne & Yuta 1993, Planning paths of complete coverage of an unstructured environment by a \
              mobile robot, International Conference on Advanced Robotics",
     link: "",
@@ -63,8 +63,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         ParamSpec {
             id: "alpha",
             label: "Alpha",
-            help: "How strongly waves avoid obstacles: cost in steps of one unit of discomfort; 0 gives the distance \
-                transform.",
+            help: "How strongly waves avoid obstacles: steps per unit of discomfort; 0 gives the distance transform.",
             kind: ParamKind::Number { min: 0.0, max: 4.0, step: 0.25, default: 1.0, unit: "" },
         },
         GOAL,

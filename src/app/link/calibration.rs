@@ -151,8 +151,7 @@ impl Calibrating {
                 "Did it turn left (counter-clockwise seen from above)?".to_owned()
             }
             Calibration::Spin => {
-                "How far did it turn, in degrees? Exactly once around is 360; less if it stopped short, more if it \
-                 overshot."
+                "How far did it turn, in degrees? Once around is 360; less if it stopped short, more if it overshot."
                     .to_owned()
             }
             Calibration::Metre => "How far did it drive, in metres? Measure from front to front.".to_owned(),

@@ -167,8 +167,7 @@ impl Session {
                 "notice",
                 format!(
                     "This plan covers only {percent:.0} % of the reachable floor: planning cells of {cell:.0} cm \
-                     don't fit through the room's passages, or the tool is narrower than a cell. \
-                     Choose smaller cells."
+                     don't fit through the room's passages, or the tool is narrower than a cell. Choose smaller cells."
                 ),
             );
         }

@@ -89,8 +89,7 @@ pub fn to_ros_path(path: &[Point], heading: f64, robot: &RobotModel) -> String {
         let _ = writeln!(
             text,
             "- header:\n    stamp: {{sec: {sec}, nanosec: {nanosec}}}\n    frame_id: map\n  pose:\n    \
-             position: {{x: {:.4}, y: {:.4}, z: 0.0}}\n    \
-             orientation: {{x: 0.0, y: 0.0, z: {sin:.9}, w: {cos:.9}}}",
+             position: {{x: {:.4}, y: {:.4}, z: 0.0}}\n    orientation: {{x: 0.0, y: 0.0, z: {sin:.9}, w: {cos:.9}}}",
             pose.x, pose.y
         );
     }

@@ -177,8 +177,7 @@ fn table(head: &Head<'_>, placement: &Placement, arguments: &Arguments, entries:
     }
     text += "\nMedians, with the 10th and 90th percentiles in brackets. Dash: too few runs got there in time.\n";
     if entries.iter().any(|(entrant, _)| entrant.explores()) {
-        text += "Coverage of exploring behaviours: share of reachable walls and furniture detected by light bumper or \
-            bumper.\n";
+        text += "Coverage of exploring behaviours: share of reachable walls and furniture detected.\n";
     }
     text
 }

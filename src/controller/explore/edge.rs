@@ -55,8 +55,7 @@ const LATCH_S: f64 = 0.2;
 pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
     id: "explore_edge",
     title: "Edge following",
-    summary: "Finds an obstacle, turns alongside it, and follows its edge and ends, by the rules as printed in the \
-        thesis.",
+    summary: "Finds an obstacle, turns alongside it, and follows its edge and ends, by the thesis' printed rules.",
     source: "Krapinec 2025, Enhancing Robotic Vacuum Cleaner Performance through Improved Map Building, master's thesis, \
              FER Zagreb: chapter 7, phase 6, and section 7.1, move_to_empty_space",
     link: THESIS,
@@ -67,8 +66,8 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
                edge after a random time and drives straight on.",
         complexity: "O(1) time and memory per call, ten calls a second; it stores two sides, two counters, a step and \
             a random number.",
-        use_when: "To map the border of a room with a light bumper. It is slow, and circles free-standing furniture \
-            for ever.",
+        use_when: "To map the border of a room with a light bumper. Slow, and circles free-standing furniture for \
+            ever.",
         shines: Example { room: "tshape", why: "It follows the wall into every nook, where phase 5 drives past." },
         fails: Example {
             room: "ring",

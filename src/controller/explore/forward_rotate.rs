@@ -34,7 +34,7 @@ use crate::{
 pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
     id: "explore_forward_rotate",
     title: "Forward or rotate",
-    summary: "Drives a fixed distance forward or rotates by a fixed angle, at random, without checking for obstacles.",
+    summary: "Drives a fixed distance forward or rotates by a fixed angle, at random, without sensing.",
     source: "Krapinec 2025, Enhancing Robotic Vacuum Cleaner Performance through Improved Map Building, master's thesis, \
              FER Zagreb: chapter 7, phase 1",
     link: THESIS,

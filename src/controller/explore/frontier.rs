@@ -90,15 +90,13 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
         ParamSpec {
             id: "tracking",
             label: "Pose",
-            help: "Pose estimate: odometry with drift corrected by matching contacts to earlier ones, or odometry \
-                alone.",
+            help: "Odometry alone, or with its drift corrected by matching contacts to earlier ones.",
             kind: ParamKind::Choice { options: &[("corrected", "corrected"), ("odometry", "odometry alone")] },
         },
         ParamSpec {
             id: "odometry",
             label: "Odometry",
-            help: "Odometry from encoder counts or from distance and angle packets, integrated along arcs or straight \
-                segments.",
+            help: "Odometry from encoder counts or distance and angle packets, along arcs or straight segments.",
             kind: ParamKind::Choice {
                 options: &[
                     ("arc", "counts, arcs"),

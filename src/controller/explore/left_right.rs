@@ -31,8 +31,7 @@ use crate::{
 pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
     id: "explore_left_right",
     title: "Forward, left or right",
-    summary: "Drives a fixed distance forward or rotates left or right by a fixed angle, at random, without checking \
-        for obstacles.",
+    summary: "Drives a fixed distance forward or rotates left or right by a fixed angle, at random, without sensing.",
     source: "Krapinec 2025, Enhancing Robotic Vacuum Cleaner Performance through Improved Map Building, master's thesis, \
              FER Zagreb: chapter 7, phase 2",
     link: THESIS,
@@ -40,8 +39,7 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
         idea: "One of three motions is chosen at random: a fixed distance forward, or a fixed rotation to the left or \
             to the right. When it ends, the next one is chosen. Sensor readings don't influence the choice.",
         complexity: "O(1) time and memory per step; it stores at most the last contact.",
-        use_when: "To see the effect of a second direction of rotation on phase 1: the heading wanders instead of \
-            going round.",
+        use_when: "To see what a second direction of rotation changes: the heading wanders instead of going round.",
         shines: Example { room: "room12ft", why: "In an empty room a random walk eventually finds every wall." },
         fails: Example {
             room: "flat",

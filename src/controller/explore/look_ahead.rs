@@ -44,8 +44,7 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
             to the right. Before driving forward, the robot checks its sensors. If something is directly ahead, it \
             chooses again.",
         complexity: "O(1) time and memory per step; it stores at most the last contact.",
-        use_when: "To see the effect of one check ahead: walls no longer corrupt odometry, but a random walk stays \
-            slow.",
+        use_when: "To see the effect of checking ahead: walls no longer corrupt odometry, but a random walk is slow.",
         shines: Example { room: "kitchen", why: "It crosses a furnished room with hardly any contact." },
         fails: Example { room: "flat", why: "It is still a random walk: the next rooms stay unknown." },
     },

@@ -41,8 +41,7 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
             to the right. Driving forward is excluded if something is ahead, and so is turning towards a side where \
             alone something is detected. Then it chooses again.",
         complexity: "O(1) time and memory per step; it stores at most the last contact.",
-        use_when: "To see the effect of checking the sides: the robot turns away from walls sooner, but still moves at \
-            random.",
+        use_when: "To see the effect of checking the sides: the robot leaves walls sooner, but still moves at random.",
         shines: Example { room: "kitchen", why: "It turns away from obstacles beside it and soon leaves corners." },
         fails: Example { room: "flat", why: "It is still a random walk: the next rooms stay unknown." },
     },
