@@ -37,7 +37,7 @@ pub struct Palette {
     pub bump: &'static str,
     /// The start.
     pub start: &'static str,
-    /// Where the robot believes to be.
+    /// The robot's estimated pose.
     pub estimate: &'static str,
     /// What sensors look at and see.
     pub sensor: &'static str,

@@ -13,7 +13,7 @@ pub struct Shows {
     pub dirt: bool,
     /// What the sensors look at, and what they see.
     pub sensors: bool,
-    /// Where the robot believes to have been.
+    /// The robot's estimated trail.
     pub estimate: bool,
 }
 

@@ -31,7 +31,7 @@ pub struct View {
     pub activity: &'static str,
     /// Changes whenever the list of events does.
     pub diary: f64,
-    /// Whether the robot is in somebody's hand.
+    /// Whether the robot is held.
     pub is_lifted: bool,
     /// Why a person's commands aren't obeyed: forward, left, right, backward; `None` unless a person drives.
     pub blocked: Option<[Option<&'static str>; 4]>,
@@ -71,7 +71,7 @@ pub struct View {
     pub turning_deg: f64,
     /// How often the bumper was pressed.
     pub bumps: u32,
-    /// Distance between where the robot is and where it believes to be, m.
+    /// Distance between the robot's true and estimated position, m.
     pub pose_error_m: f64,
     /// The planner's search.
     pub search: SearchView,

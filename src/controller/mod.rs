@@ -47,7 +47,7 @@ pub trait Controller {
     /// Whether there is nothing left to do.
     fn is_done(&self) -> bool;
 
-    /// Where the controller believes the robot to be, if it keeps track.
+    /// The controller's pose estimate, if it has one.
     fn estimate(&self) -> Option<Pose> {
         None
     }

@@ -6,7 +6,7 @@ use crate::floorplan::{DrawingFlaw, MapError, SourceFile};
 /// Largest file that is read, MB.
 const MAX_MEGABYTES: usize = 256;
 
-/// First bytes of files that people try, with what to call them.
+/// First bytes of common file types, with their names.
 const OTHERS: &[(&[u8], &str)] = &[
     (b"\x89PNG", "a PNG image"),
     (b"\xff\xd8\xff", "a JPEG image"),

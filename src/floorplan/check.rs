@@ -108,7 +108,7 @@ pub enum Fault {
         /// What is there instead of floor.
         place: &'static str,
     },
-    /// Somebody's path leads through a wall.
+    /// A mover's path crosses a wall.
     #[error("the path crosses a wall at ({x:.2} m, {y:.2} m); add points to lead it around")]
     PathInWall {
         /// Where, m.

@@ -20,7 +20,7 @@ pub struct SourceFile {
 /// More text than a ROS map's description ever has; what is longer isn't one.
 const MAX_YAML_BYTES: usize = 1 << 16;
 
-/// First bytes of files that people try, with what to call them.
+/// First bytes of common file types, with their names.
 const OTHERS: &[(&[u8], &str)] = &[
     (b"\xff\xd8\xff", "a JPEG image"),
     (b"GIF8", "a GIF image"),

@@ -47,7 +47,7 @@ pub enum Object {
         /// Length of the beam, m.
         length: f64,
     },
-    /// Somebody who walks to and fro along a line.
+    /// A person or pet that walks back and forth along a line.
     Mover {
         /// Who.
         who: Who,
@@ -82,7 +82,7 @@ impl Object {
         }
     }
 
-    /// What people call it.
+    /// Its name for users.
     pub fn name(&self) -> &'static str {
         match self {
             Self::Furniture { .. } => "furniture",

@@ -100,7 +100,7 @@ struct Head {
     odometry: Option<IgnoredAny>,
 }
 
-/// A pose with its heading in degrees, for people who edit files.
+/// A pose with its heading in degrees, for hand-edited files.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, expecting = "an object with x and y")]
 pub struct ScenarioPose {

@@ -6,7 +6,7 @@ use super::{
 };
 use std::fmt;
 
-/// What a robot lets itself be told. Each mode allows all that those below it allow.
+/// Which commands a robot accepts. Each mode allows all that those below it allow.
 ///
 /// A robot never says that it changed its mode; that has to be read from packet 35.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]

@@ -9,7 +9,7 @@ pub struct RobotModel {
     pub id: &'static str,
     /// Name in menus.
     pub title: &'static str,
-    /// One sentence for people who choose.
+    /// One sentence for the menu.
     pub summary: &'static str,
     /// Outline of the body.
     pub body: Body,

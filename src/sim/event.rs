@@ -34,9 +34,9 @@ pub enum What {
     BatteryEmpty,
     /// The robot fell off an edge a drop-off.
     Fell,
-    /// Somebody picked the robot up.
+    /// The robot was picked up.
     Lifted,
-    /// Somebody put it down.
+    /// The robot was put down.
     PutDown,
     /// The controller began with something else.
     Began(&'static str),

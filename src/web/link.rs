@@ -118,7 +118,7 @@ impl Link {
         to_js(&self.link.take_traffic())
     }
 
-    /// Where the robot believes to have been since this was last asked for: x and y in m, heading in rad and what it felt
+    /// The robot's estimated trail since this was last asked for: x and y in m, heading in rad and what it felt
     /// there, in turn; see `app::link::Link::take_trace`.
     pub fn take_trace(&mut self) -> Vec<f64> {
         self.link.take_trace()

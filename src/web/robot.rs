@@ -193,7 +193,7 @@ pub(super) fn draw_start(
     Ok(())
 }
 
-/// Marks where the robot believes to be.
+/// Marks the robot's estimated pose.
 #[cfg(any(feature = "page", feature = "compare", feature = "robot"))]
 pub(super) fn draw_estimate(
     context: &CanvasRenderingContext2d,

@@ -53,7 +53,7 @@ impl Arena {
         self.bounds
     }
 
-    /// Lets a planner try. `clock` tells seconds since any moment.
+    /// Lets a planner try. `clock` returns seconds since any moment.
     pub fn run(
         &self,
         planner: &'static PlannerInfo,

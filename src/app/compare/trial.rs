@@ -45,7 +45,7 @@ impl TrialRequest {
         Arena::new(&plan, &robot, self.cell_size, start).map_err(|e| e.to_string())
     }
 
-    /// Lets the planner try in `arena`. `clock` tells seconds since any moment. Errors are for users.
+    /// Lets the planner try in `arena`. `clock` returns seconds since any moment. Errors are for users.
     pub fn run(
         &self,
         arena: &Arena,

@@ -175,7 +175,7 @@ impl Board {
         self.settings.body.outline().map_err(|error| error.to_string())
     }
 
-    /// Plans the sweep of the room; `observe` is told how far it is, 0 to 1, and says whether to go on.
+    /// Plans the sweep of the room; `observe` receives how far it is, 0 to 1, and says whether to go on.
     pub fn sweep(&mut self, observe: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Result<(), String> {
         let outline = self.outline()?;
         let Some(room) = &self.room else { return Err(self.no_room()) };

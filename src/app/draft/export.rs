@@ -16,7 +16,7 @@ use serde::{Deserialize, Serialize};
 pub enum Format {
     /// The path on layers of its own, beside the drawing.
     Dxf,
-    /// A program for people: turns and straight ways.
+    /// A human-readable program: turns and straight ways.
     Program,
     /// Bytes of the Open Interface with their times and meanings, as text. Always for the Roomba: no other robot here speaks it.
     Commands,

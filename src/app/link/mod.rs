@@ -50,7 +50,7 @@ const LEFT_ALONE_S: f64 = 1.5;
 const ODD_COUNTS: i32 = 138;
 /// Robots fall asleep after so long in Passive, s.
 const SLEEP_S: f64 = 300.0;
-/// Points of the trace that are kept until somebody asks for them: a minute.
+/// Points of the trace that are kept until they are fetched: a minute.
 const MOST_TRACE: usize = 4 * 64 * 60;
 
 /// Why a request is refused. Its text is a sentence for users.
@@ -396,7 +396,7 @@ impl Link {
         self.console.lines()
     }
 
-    /// Where the robot believes to have been since this was last asked for, a reading after the other, four numbers each:
+    /// The robot's estimated trail since this was last asked for, a reading after the other, four numbers each:
     /// x and y in m, heading in rad, and what it felt there, as the sum of 1 bumper left, 2 bumper right, 4 cliff left, 8
     /// cliff front left, 16 cliff front right, 32 cliff right, 64 wheel drop, 128 virtual wall.
     pub fn take_trace(&mut self) -> Vec<f64> {

@@ -4,7 +4,7 @@ use super::{Traffic, TrafficKind};
 use crate::oi::{Command, CommandDecoder, Frame, Packet, ParseError, driver::Happening};
 use std::fmt::Write;
 
-/// Lines that are kept until somebody asks for them.
+/// Lines that are kept until they are fetched.
 const MOST: usize = 1000;
 /// Values that a line names.
 const MOST_VALUES: usize = 6;

@@ -43,7 +43,7 @@ impl Outcome {
         Self::by(run, seed, duration_s, Run::coverage)
     }
 
-    /// The same for a run of somebody who explores: what counts is how much of the boundary it has met.
+    /// The same for an exploring run: what counts is how much of the boundary it has met.
     pub fn of_exploring(run: Run, seed: u64, duration_s: f64, mut tracker: BoundaryTracker) -> Self {
         Self::by(run, seed, duration_s, |run| {
             tracker.update(run.pose(), run.sensors());
@@ -51,7 +51,7 @@ impl Outcome {
         })
     }
 
-    /// By the share that `share` tells after each step.
+    /// By the share that `share` returns after each step.
     fn by(mut run: Run, seed: u64, duration_s: f64, mut share: impl FnMut(&Run) -> f64) -> Self {
         let steps = (duration_s / STEP_S).round() as u64;
         let mut curve = Vec::with_capacity(SAMPLES + 1);

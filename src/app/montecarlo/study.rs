@@ -48,7 +48,7 @@ pub struct Study {
 /// What outcomes depend on beside their seed.
 type Key = String;
 
-/// Runs that somebody is making.
+/// Runs in progress.
 struct Batch {
     key: Key,
     seeds: Vec<u64>,

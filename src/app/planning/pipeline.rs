@@ -142,7 +142,7 @@ impl PlanRequest {
         is_filmed.then(|| Film::of(self.planner, &self.params, &self.job))
     }
 
-    /// Plans here and now. `clock` tells seconds since any moment, as the core has no clock of its own.
+    /// Plans here and now. `clock` returns seconds since any moment, as the core has no clock of its own.
     pub fn serve(&self, clock: impl Fn() -> f64, observer: Option<Observer<'_>>) -> Result<Answer, PlanError> {
         let planner = self.planner.build(&self.params);
         let mut ctx = match observer {

@@ -65,7 +65,7 @@ pub fn choose_robot(id: &str, plan: &FloorPlan, cell_size: Option<f64>) -> Optio
 }
 
 impl PlanningTask {
-    /// Plans a walk and measures it. `clock` tells seconds since any moment, as the core has no clock of its own.
+    /// Plans a walk and measures it. `clock` returns seconds since any moment, as the core has no clock of its own.
     pub fn solve(&self, clock: impl Fn() -> f64, observer: Option<Observer<'_>>) -> Result<Solution, PlanningError> {
         let prepared = self.placement.prepare()?;
         let request = PlanRequest {

@@ -171,7 +171,7 @@ impl Survey {
         self.begin();
     }
 
-    /// Puts the robot down anywhere; nobody tells it where.
+    /// Kidnaps the robot: puts it down anywhere.
     pub(super) fn lose(&mut self) {
         let seed = self.base.as_ref().map_or(0, |base| base.seed);
         if let Some(stage) = &mut self.stage {

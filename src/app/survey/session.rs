@@ -322,7 +322,7 @@ impl Survey {
         self.stage.as_ref().map(|stage| &stage.truth)
     }
 
-    /// What the robot believes.
+    /// The robot's estimates.
     pub fn belief(&self) -> Option<Belief<'_>> {
         let stage = self.stage.as_ref()?;
         stage.left().or_else(|| stage.belief())

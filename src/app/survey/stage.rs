@@ -71,7 +71,7 @@ impl Stage {
         self.returning.as_ref().map(|way| Belief::left(&way.still))
     }
 
-    /// What the robot believes.
+    /// The robot's estimates.
     pub fn belief(&self) -> Option<Belief<'_>> {
         let run = self.run();
         if let (Some(known), Some(locator)) = (&self.known, run.locator()) {

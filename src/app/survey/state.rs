@@ -14,7 +14,7 @@ pub enum Phase {
     Playing,
     /// Time stands still.
     Paused,
-    /// Somebody holds the robot.
+    /// The robot is held.
     Held,
     /// On the way to another point of time.
     Seeking,

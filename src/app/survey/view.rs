@@ -67,7 +67,7 @@ pub struct SurveyView {
     /// Floor that it can get to by its map and believes to have swept, and all that it can get to, m²; `None` unless it cleans
     /// by that.
     pub by_map: Option<[f64; 2]>,
-    /// Floor that the robot believes to have cleaned, m².
+    /// Floor cleaned by the robot's own estimate, m².
     pub cleaned_m2: f64,
     /// Share of the reachable floor that it really has cleaned.
     pub coverage: f64,

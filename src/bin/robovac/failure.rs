@@ -12,7 +12,7 @@ const BAD_MAP: u8 = 3;
 const DOES_NOT_FIT: u8 = 4;
 const PLANNER: u8 = 5;
 
-/// A message for people and a code for scripts.
+/// A message for users and an exit code for scripts.
 #[derive(Debug)]
 pub struct Failure {
     /// Exit code.

@@ -84,7 +84,7 @@ struct Totals {
     bumps: u32,
     /// Area swept again, as a share of the area swept.
     overlap: f64,
-    /// Distance between where the robot is and where it believes to be.
+    /// Distance between the robot's true and estimated position.
     pose_error_m: Option<f64>,
     /// Whether the robot came to the end of what it does.
     finished: bool,
@@ -102,7 +102,7 @@ struct Sample {
     coverage: f64,
     /// Where the robot is.
     pose: ScenarioPose,
-    /// Where it believes to be.
+    /// Its estimated pose.
     estimate: Option<ScenarioPose>,
 }
 

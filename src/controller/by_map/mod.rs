@@ -76,7 +76,7 @@ struct ByMap {
     stuck: u32,
     /// Where it was last seen to move, and how long ago, s.
     moved: (Point, f64),
-    /// Whether it hangs, or hung, in somebody's hand.
+    /// Whether it is, or was, held.
     is_lifted: bool,
     search: Search,
     dock: Dock,
@@ -92,7 +92,7 @@ enum Phase {
         patience: f64,
         goal: Cell,
     },
-    /// Looks for itself on its map.
+    /// Relocalises on its map.
     Search,
     /// Goes back to where it began, for so long yet, s.
     Return {

@@ -159,7 +159,7 @@ pub(super) struct Frontier {
     pub(super) lanes: Vec<[Point; 2]>,
     /// Where it was last seen to move, and how long ago, s.
     moved: (Point, f64),
-    /// Whether it hangs, or hung, in somebody's hand.
+    /// Whether it is, or was, held.
     is_lifted: bool,
     search: Search,
 }
@@ -181,7 +181,7 @@ pub(super) enum Phase {
         to: Goal,
         place: Point,
     },
-    /// Looks for itself on its map: somebody has carried it off.
+    /// Relocalises on its map: it was kidnapped.
     Search,
     Done,
     /// It hasn't found itself, or there was nothing to find itself by.
@@ -227,7 +227,7 @@ impl Frontier {
         self.phase = Phase::Follow { began: pilot.ahead(), felt: pilot.ahead(), has_met: false };
     }
 
-    /// The wall that it was following or driving to when it was carried off: the pose is still that of the lift.
+    /// The wall that it was following or driving to when it was kidnapped: the pose is still that of the lift.
     fn unfinished(&self) -> Option<Pose> {
         match self.phase {
             Phase::Follow { has_met: true, .. } => Some(self.mapper.pose()),

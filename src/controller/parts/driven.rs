@@ -10,7 +10,7 @@ use crate::{
 
 /// What is a behaviour's own: how it drives on free floor, and what it does when something is in the way.
 pub(in crate::controller) trait Habit {
-    /// Starts, or starts over: somebody has put the robot elsewhere, or another habit hands over.
+    /// Starts, or starts over: the robot was moved, or another habit hands over.
     fn begin(&mut self, _: &mut Pilot) {}
 
     /// Sees every reading, whatever is under way.

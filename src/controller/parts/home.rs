@@ -113,7 +113,7 @@ impl Home {
         }
     }
 
-    /// Starts over: somebody has put the robot elsewhere.
+    /// Starts over: the robot was moved.
     pub(super) fn begin(&mut self, pilot: &mut Pilot) {
         match self.phase {
             Phase::Away => {}

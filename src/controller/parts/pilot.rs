@@ -142,7 +142,7 @@ impl Pilot {
         self.leaving_beam &= self.beam_unseen < BEAM_GONE_S;
     }
 
-    /// Forgets what it was at and what it knows: somebody has carried the robot elsewhere.
+    /// Forgets what it was at and what it knows: the robot was kidnapped.
     pub(super) fn reset(&mut self) {
         self.moves.clear();
         self.trail.clear();

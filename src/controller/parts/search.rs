@@ -11,7 +11,7 @@ use crate::{
     robot::{Drive, Sensors},
 };
 
-/// How long it looks for itself, s (ours).
+/// How long it tries to relocalise, s (ours).
 const SEARCH_S: f64 = 900.0;
 /// How long there has to be only one place, s (ours). On a map that isn't complete the first that fits is often wrong: in the
 /// furnished flat, put down anywhere after ten minutes of exploring, 6 of 20 robots found themselves elsewhere without this, and

@@ -28,7 +28,7 @@ impl Driver {
         self.is_stalled
     }
 
-    /// What the wheels are told.
+    /// The wheel commands.
     pub fn wheels(&self) -> &Wheels {
         &self.wheels
     }

@@ -46,7 +46,7 @@ use std::collections::VecDeque;
 
 /// Nominal time between two frames, s.
 pub const FRAME_S: f64 = 0.015;
-/// After so long without a frame an armed robot is told to stop, s.
+/// After so long without a frame an armed robot is sent a stop command, s.
 const STALL_S: f64 = 0.25;
 /// After so long without a frame the robot counts as lost, s.
 const LOST_S: f64 = 1.0;
@@ -60,7 +60,7 @@ const SETTLE_S: f64 = 0.06;
 const QUIET_S: f64 = 0.03;
 /// Arrival of frames in lumps is evened out over this time, s.
 const LUMP_S: f64 = 0.04;
-/// Happenings that are kept until somebody asks for them.
+/// Happenings that are kept until they are fetched.
 const MOST_HAPPENINGS: usize = 2000;
 
 /// What the transport is to do with the line.

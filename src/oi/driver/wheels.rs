@@ -20,7 +20,7 @@ const LEAST_STOPS: u32 = 3;
 /// Time after which the robot should report what it was told, s: three frames and the way there.
 const ECHO_S: f64 = 0.12;
 
-/// What the wheels are told.
+/// The wheel commands.
 #[derive(Debug, Clone)]
 pub struct Wheels {
     /// Speeds of the right and left wheel, mm/s.
@@ -86,7 +86,7 @@ impl Wheels {
         (self.is_by_hand, self.is_other, self.stops_due) = (true, true, 0);
     }
 
-    /// Whether the robot is told to move.
+    /// Whether the robot is commanded to move.
     pub fn is_moving(&self) -> bool {
         self.wanted != (0, 0) || self.is_other
     }

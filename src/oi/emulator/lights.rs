@@ -21,7 +21,7 @@ pub(super) struct Lights {
     schedule: ScheduleLamps,
 }
 
-/// Blank unless told otherwise.
+/// Blank by default.
 #[derive(Debug, Clone)]
 struct Digits([u8; 4]);
 

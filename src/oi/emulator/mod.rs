@@ -68,7 +68,7 @@ use super::Command;
 
 /// Longest time that passes at once, s: a day.
 const LONGEST: f64 = 86_400.0;
-/// Most commands that are kept until somebody asks what was heard; the oldest go first.
+/// Most commands that are kept until they are fetched; the oldest go first.
 const MOST_HEARD: usize = 4096;
 
 /// A robot that speaks the Open Interface.

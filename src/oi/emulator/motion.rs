@@ -16,7 +16,7 @@ use crate::{
 /// Greatest duty cycles of the wheels that don't move a robot, on hard floor and on carpet.
 const DEAD: [f64; 2] = [20.0, 39.0];
 
-/// What the wheels were told last.
+/// The last wheel command.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Told {
     how: How,

@@ -55,7 +55,7 @@ const DETOUR_SHARE: u32 = 4;
 const DETOUR_TURNS: u32 = 2;
 
 impl<'a> Links<'a> {
-    /// Looks at `reach` cells around every corner. `report` is told the share of corners done every few dozen.
+    /// Looks at `reach` cells around every corner. `report` receives the share of corners done every few dozen.
     pub fn new(
         free: &Grid<bool>,
         sweeps: &'a [[Sweep; SWEEPS]],

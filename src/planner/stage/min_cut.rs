@@ -54,7 +54,7 @@ impl Network {
     }
 
     /// Whether each node is on the side of the source in a cheapest cut; of several the one with fewest there.
-    /// `report` is told about every round.
+    /// `report` is called every round.
     pub fn cut(mut self, mut report: impl FnMut() -> Result<(), PlanError>) -> Result<Vec<bool>, PlanError> {
         loop {
             report()?;

@@ -12,7 +12,7 @@ use crate::{
 /// Replaces stretches of `walk` whose cells it visits elsewhere too by cheaper ways; covers what it covered before.
 ///
 /// A stretch begins where the one before ended, so one call is a single pass in O(length) searches of the way between
-/// two cells; another call may find more. Returns whether anything changed. `report` is told the share of the walk
+/// two cells; another call may find more. Returns whether anything changed. `report` receives the share of the walk
 /// that is done every two thousand cells.
 pub fn tighten(
     job: &CoverageJob,

@@ -29,7 +29,7 @@ pub(super) struct Ink {
     pub unseen: &'static str,
     /// What is true.
     pub truth: &'static str,
-    /// What the robot believes.
+    /// The robot's estimates.
     pub belief: &'static str,
     /// How sure it is.
     pub doubt: &'static str,

@@ -142,7 +142,7 @@ pub(super) fn particles(context: &CanvasRenderingContext2d, viewport: &Viewport,
     context.set_global_alpha(1.0);
 }
 
-/// How sure the robot is: an ellipse around where it believes to be, a wedge for its heading.
+/// How sure the robot is: an ellipse around its estimated position, a wedge for its heading.
 pub(super) fn doubt(
     context: &CanvasRenderingContext2d,
     (radius, viewport): (f64, &Viewport),

@@ -265,7 +265,7 @@ fn grid(context: &CanvasRenderingContext2d, viewport: &Viewport, resolution: f64
     }
 }
 
-/// Trails, doubts, and the robot: solid where it believes to be, in outline where it is.
+/// Trails, doubts, and the robot: solid at the estimated pose, in outline at the true one.
 fn draw_robots(
     context: &CanvasRenderingContext2d,
     survey: &Survey,
