@@ -1,8 +1,9 @@
-//! Module loaded with the page: `web::Playground` and `web::Comparison`, without any planner.
-// JavaScript calls what the library exports; there is nothing to be run at the start.
+//! Module loaded first: the `Playground` of the Explore tab, without any planner.
+// JavaScript calls what the module exports; there is nothing to be run at the start.
 #![cfg_attr(target_arch = "wasm32", no_main)]
 
-use robovac_playground as _;
+#[path = "../page/mod.rs"]
+mod page;
 
 #[cfg(not(target_arch = "wasm32"))]
 fn main() {

@@ -1,8 +1,9 @@
-//! Module loaded by workers: planners, trials of a comparison, map readers, the benchmark.
-// JavaScript calls what the library exports; there is nothing to be run at the start.
+//! Module loaded when first needed: planners and trials for workers, and the tabs Compare, Map and Robot.
+// JavaScript calls what the module exports; there is nothing to be run at the start.
 #![cfg_attr(target_arch = "wasm32", no_main)]
 
-use robovac_playground as _;
+#[path = "../workshop/mod.rs"]
+mod workshop;
 
 #[cfg(not(target_arch = "wasm32"))]
 fn main() {
