@@ -1,4 +1,4 @@
-//! What the tab Floor plan loads: readers of drawings, and the planner for their rooms.
+//! Module of the Floor plan tab: readers of drawings, and the planner for their rooms.
 // JavaScript calls what the module exports; there is nothing to be run at the start.
 #![cfg_attr(target_arch = "wasm32", no_main)]
 

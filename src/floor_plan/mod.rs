@@ -1,4 +1,4 @@
-//! The module `floor_plan`: the tab Floor plan, and files that rooms and paths are saved as.
+//! The module `floor_plan`: the Floor plan tab, and the export of rooms and paths.
 
 mod bench;
 mod drafting;

@@ -1,4 +1,4 @@
-//! The module `page`: what everyone loads first. The tab Explore, without the planners' code.
+//! The module `page`, loaded first: the Explore tab, without the planners' code.
 
 mod catalogue;
 mod furnish;

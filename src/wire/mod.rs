@@ -1,4 +1,4 @@
-//! Values on their way between the page and its workers, and between Rust and JavaScript: plain objects and arrays.
+//! Values passed between the page and its workers, and between Rust and JavaScript: plain objects and arrays.
 
 pub mod benchmark;
 pub mod entry;

@@ -1,4 +1,4 @@
-//! The module `workshop`: planners, trials and map readers for workers, and the tabs Compare, Map and Robot.
+//! The module `workshop`: planners, trials and map readers for workers, and the Compare, Map and Robot tabs.
 
 mod bench;
 mod comparison;

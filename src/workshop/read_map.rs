@@ -1,4 +1,4 @@
-//! Map files: a worker reads them, as a large one takes its time.
+//! Map files, read in a worker, as large ones take time.
 
 use js_sys::Array;
 use robovac_playground::wire::map::{import_to_js, source_files};

@@ -1,4 +1,4 @@
-//! What floor-cleaning robots and algorithms have in common.
+//! Foundations for floor-cleaning robots and coverage algorithms.
 //!
 //! Imports only point downwards in this list:
 //!
@@ -6,7 +6,7 @@
 //! - [`geometry`]: points, angles, poses
 //! - [`grid`]: rectangular grids, occupancy, clearance, reachability, `#.` pictures
 //! - [`registry`]: what planners and behaviours have in common: parameters, explanations
-//! - [`floorplan`]: rooms that ship, map files, scenarios
+//! - [`floorplan`]: built-in rooms, map files, scenarios
 //! - [`robot`]: models, sensor readings, odometry
 //! - [`coverage`]: which floor a robot can reach and what it has swept; the planning grid
 //! - [`cspace`]: where a body of any outline fits: the configuration space over x, y and heading

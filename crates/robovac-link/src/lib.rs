@@ -1,4 +1,4 @@
-//! Both ends of the serial line of a Roomba: a driver, an emulator, a connection for users, and recordings of it.
+//! Both ends of a Roomba's serial line: driver, emulator, connection and recordings.
 
 pub mod driver;
 pub mod emulator;

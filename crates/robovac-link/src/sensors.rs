@@ -1,4 +1,4 @@
-//! Between what a Roomba reports and what controllers see: [`Readings`] and [`Sensors`].
+//! Conversion between a Roomba's [`Readings`] and the [`Sensors`] of controllers.
 
 use robovac_core::robot::{BatteryReading, Drive, Infrared, Overcurrent, Sensors};
 use roomba_oi::{BumpsAndDrops, ChargingSources, Command, InfraredSeen, LightBumper, Overcurrents, Readings, Stasis};

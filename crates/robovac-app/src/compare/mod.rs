@@ -1,6 +1,6 @@
-//! The tab Compare: planners held against each other in the same room, with the same robot and the same metrics.
+//! The Compare tab: planners compared in the same room, with the same robot and the same metrics.
 //!
-//! [`Comparison`] says what has to be tried and keeps the results, [`Table`] sums them up, [`Race`] lets robots drive the plans
+//! [`Comparison`] defines the trials and keeps the results, [`Table`] summarises them, [`Race`] lets robots drive the plans
 //! under one clock, [`Study`] does the same for many runs.
 
 mod base;

@@ -1,4 +1,4 @@
-//! The tab Explore: one room, one algorithm.
+//! The Explore tab: one room, one algorithm.
 
 mod diary;
 mod editor;

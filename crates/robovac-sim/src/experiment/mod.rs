@@ -1,4 +1,4 @@
-//! What an experiment needs without a page: room and robot to plan and run.
+//! Experiments without a page: from room and robot to plan and run.
 
 mod algorithm;
 mod arena;
