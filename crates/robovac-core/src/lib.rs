@@ -5,7 +5,7 @@
 //! - [`math`], [`rng`]: elementary functions and random numbers that agree bit for bit natively and in wasm
 //! - [`geometry`]: points, angles, poses
 //! - [`grid`]: rectangular grids, occupancy, clearance, reachability, `#.` pictures
-//! - [`registry`]: what planners and behaviours have in common: parameters, explanations
+//! - [`registry`]: shared by planners and behaviours: parameters, explanations
 //! - [`floorplan`]: built-in rooms, map files, scenarios
 //! - [`robot`]: models, sensor readings, odometry
 //! - [`coverage`]: which floor a robot can reach and what it has swept; the planning grid

@@ -1,8 +1,8 @@
 //! The Open Interface of the Roomba 500 and 600 and of the Create 2: commands, sensor packets, streams.
 //!
-//! Only the language is here, bytes in and bytes out; both ends of a line speak it. Nothing allocates for a byte, and nothing
-//! panics on any. From the robot's side: [`CommandDecoder`], [`Mode`], [`Readings::write`], [`write_frame`]. From the
-//! other: [`Command`], [`StreamParser`], [`Answer`], [`Readings::read`].
+//! Protocol only, bytes in and bytes out, for both ends of a line. Nothing allocates per byte, and nothing
+//! panics on bad input. For the robot's side: [`CommandDecoder`], [`Mode`], [`Readings::write`], [`write_frame`]. From the
+//! host's: [`Command`], [`StreamParser`], [`Answer`], [`Readings::read`].
 //!
 //! The source is iRobot's Create 2 Open Interface Specification in its edition of August 2016 ("2016" below). Where it
 //! contradicts itself, older editions or measured robots, this is what was chosen:
