@@ -289,14 +289,14 @@ mod formats {
             ),
             (text("; resolution\n.."), "\"a.txt\", line 1: resolution can't be \"\""),
             (text(&".".repeat(4097)), "\"a.txt\" has 4097 x 1 cells, but the limit is 4096 x 4096; crop it"),
-            (text(&".\n".repeat(5000)), "\"a.txt\" is 1 x 4097 cells large"),
+            (text(&".\n".repeat(5000)), "\"a.txt\" has 1 x 4097 cells"),
         ]);
     }
 
     #[test]
     fn messages_about_images() {
         assert_messages(&[
-            (message(&[file("a.pgm", "P5 5000 10 255\n")]), "\"a.pgm\" is 5000 x 10 cells large"),
+            (message(&[file("a.pgm", "P5 5000 10 255\n")]), "\"a.pgm\" has 5000 x 10 cells"),
             (
                 message(&[file("a.pgm", "P5 0 10 255\n")]),
                 "\"a.pgm\" is damaged: its size is 0 x 10; save the image again",
@@ -386,7 +386,7 @@ mod formats {
         let json = |from: &str, to: &str| message(&[file("a.json", SCENARIO.replace(from, to))]);
         assert_messages(&[
             (json("robovac-scenario", "replay"), "\"a.json\" is JSON but not a scenario (no "),
-            (json("\"..?\",", "\"..?\""), "\"a.json\", line 8, column 18: expected `,` or `]`; mend that line"),
+            (json("\"..?\",", "\"..?\""), "\"a.json\", line 8, column 18: expected `,` or `]`; fix that line"),
             (json("\"seed\": 7\n}", "\"seed\": 7"), "\"a.json\" is cut off: its JSON ends too early"),
         ]);
     }
@@ -456,7 +456,7 @@ mod formats {
         png[16..24].copy_from_slice(&[0, 1, 0x86, 0xa0, 0, 1, 0x86, 0xa0]);
         let crc = crc32(&png[12..29]);
         png[29..33].copy_from_slice(&crc.to_be_bytes());
-        assert!(message(&[file("bomb.png", png)]).starts_with("\"bomb.png\" is 100000 x 100000 cells large"));
+        assert!(message(&[file("bomb.png", png)]).starts_with("\"bomb.png\" has 100000 x 100000 cells"));
     }
 
     fn crc32(bytes: &[u8]) -> u32 {

@@ -178,7 +178,7 @@ fn what_cannot_be_there_is_refused_with_the_reason_and_nothing_changes() {
     session.begin_stroke(Brush::Wall, Point::new(2.0, 2.0));
     session.go_on_stroke(Point::new(3.0, 2.0));
     session.end_stroke();
-    assert!(session.view().message.contains("looks into a wall"), "{}", session.view().message);
+    assert!(session.view().message.contains("faces a wall"), "{}", session.view().message);
     assert_eq!(session.plan().blocked().count(), 0);
     place(&mut session, &mut hand, Kind::Stairs, (3.5, 2.5), (4.5, 3.5));
     session.move_start(robovac_core::geometry::Pose::new(4.0, 3.0, 0.0));

@@ -284,9 +284,9 @@ fn link_brings_back_the_choices_and_bad_ones_are_refused() {
     assert!(link.contains("paths=spiral,snake~patience:3&"), "{link}");
     for (bad, why) in [
         ("runs=snail", "there is no behaviour \"snail\""),
-        ("runs=manual", "there is no algorithm that cleans or explores by itself \"manual\""),
+        ("runs=manual", "there is no autonomous cleaning or exploring algorithm \"manual\""),
         ("paths=bounce", "there is no planner \"bounce\""),
-        ("paths=snake~patience:99", "takes a whole number from 0 to 20"),
+        ("paths=snake~patience:99", "use a whole number from 0 to 20"),
         ("times=0", "can't be \"0\"; use a whole number from 1 to 1000"),
         ("minutes=1e9", "whole minutes from 1 to 600"),
     ] {

@@ -297,12 +297,12 @@ const WORLD: &[Case] = &[
     (
         "\"height\": 6",
         "\"height\": 5",
-        "\"a.json\", line 10, column 4, rows: found 6 where \"height\" is 5; correct \"height\" or the rows",
+        "\"a.json\", line 10, column 4, rows: found 6, but \"height\" is 5; correct \"height\" or the rows",
     ),
     (
         "......#.\",\n    \"......#.\",",
         "......#.\",\n    \"......#\",",
-        "\"a.json\", line 13, column 13, rows[3]: found 7 where \"width\" is 8; correct \"width\" or the rows",
+        "\"a.json\", line 13, column 13, rows[3]: found 7, but \"width\" is 8; correct \"width\" or the rows",
     ),
     (
         "\"x\": 1.25, \"y\": 1.25",
