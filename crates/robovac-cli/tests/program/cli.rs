@@ -268,7 +268,7 @@ fn montecarlo_says_what_it_does_not_know() {
         (&["--behaviour", "snail"], "there is no behaviour \"snail\"; \"robovac behaviours\" lists them"),
         (&["--behaviour", "snake"], "there is no behaviour \"snake\""),
         (&["--planner", "bounce"], "there is no planner \"bounce\""),
-        (&["--planner", "snake~patience:lots"], "takes a whole number from 0 to 20"),
+        (&["--planner", "snake~patience:lots"], "use a whole number from 0 to 20"),
         (&["--behaviour", "bounce", "--minutes", "0"], "give a number of minutes from 0.1 to 6000"),
         (&["--behaviour", "bounce", "--seeds", "0"], "0 is not in 1..=100000"),
         (&["--behaviour", "bounce", "--noise", "loud"], "there is no level \"loud\"; there are: off, typical, harsh"),
@@ -477,7 +477,7 @@ fn compare_says_what_it_does_not_know() {
     for (arguments, expected) in [
         (["--rooms", "nowhere"], "neither a room"),
         (["--planners", "snail"], "there is no planner \"snail\""),
-        (["--planners", "snake~patience:lots"], "takes a whole number from 0 to 20"),
+        (["--planners", "snake~patience:lots"], "use a whole number from 0 to 20"),
         (["--robot", "tank"], "there is no robot \"tank\""),
         (["--seeds", "0"], "0 is not in 1..=1000"),
     ] {

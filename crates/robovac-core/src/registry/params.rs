@@ -234,7 +234,7 @@ mod tests {
     #[test]
     fn errors_say_what_would_do() {
         let too_high = Params::checked(SPECS, [("rate", SPECS[0].kind.parse("2"))]).unwrap_err();
-        assert_eq!(too_high.to_string(), "parameter \"rate\" can't be \"2\"; it takes a number from 0 to 1");
+        assert_eq!(too_high.to_string(), "parameter \"rate\" can't be \"2\"; use a number from 0 to 1");
         let unknown = Params::checked(SPECS, [("size", ParamValue::Number(1.0))]).unwrap_err();
         assert_eq!(unknown.to_string(), "there is no parameter \"size\"; there are: rate, order");
         assert!(Params::checked(SPECS, [("rate", SPECS[0].kind.parse("NaN"))]).is_err());

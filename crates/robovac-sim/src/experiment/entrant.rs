@@ -108,6 +108,6 @@ mod tests {
         let planners = Entrant::parse_planner("bounce").unwrap_err().to_string();
         assert!(planners.starts_with("there is no planner \"bounce\""), "{planners}");
         let error = Entrant::parse(PLANNER, "snake~patience:fast").unwrap_err();
-        assert_eq!(error.to_string(), "parameter \"patience\" can't be \"fast\"; it takes a whole number from 0 to 20");
+        assert_eq!(error.to_string(), "parameter \"patience\" can't be \"fast\"; use a whole number from 0 to 20");
     }
 }
