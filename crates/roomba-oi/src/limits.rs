@@ -216,30 +216,30 @@ mod tests {
 
     #[test]
     fn refusals_name_value_and_range() {
-        assert_eq!(refused(Command::Baud { code: 12 }), "baud code is 12, but robots take 0 to 11");
+        assert_eq!(refused(Command::Baud { code: 12 }), "baud code is 12, but must be 0 to 11");
         assert_eq!(
             refused(Command::Drive { velocity: 501, radius: 1 }),
-            "velocity in mm/s is 501, but robots take -500 to 500"
+            "velocity in mm/s is 501, but must be -500 to 500"
         );
         assert_eq!(
             refused(Command::Drive { velocity: 0, radius: 2001 }),
-            "radius in mm is 2001, but robots take -2000 to 2000"
+            "radius in mm is 2001, but must be -2000 to 2000"
         );
-        assert_eq!(refused(Command::Song { number: 0, notes: &[] }), "number of notes is 0, but robots take 1 to 16");
+        assert_eq!(refused(Command::Song { number: 0, notes: &[] }), "number of notes is 0, but must be 1 to 16");
         assert_eq!(
             refused(Command::PwmMotors { main_brush: 0, side_brush: -128, vacuum: 0 }),
-            "duty cycle of the side brush is -128, but robots take -127 to 127"
+            "duty cycle of the side brush is -128, but must be -127 to 127"
         );
         assert_eq!(
             refused(Command::Stream { packets: &[7, 59] }),
             "there is no packet 59: robots have 0 to 58, 100, 101, 106 and 107"
         );
-        assert_eq!(refused(Command::DayTime { day: 3, time: [24, 0] }), "hour is 24, but robots take 0 to 23");
+        assert_eq!(refused(Command::DayTime { day: 3, time: [24, 0] }), "hour is 24, but must be 0 to 23");
         assert_eq!(
             Command::digits("ABCDE").unwrap_err().to_string(),
-            "number of characters is 5, but robots take 0 to 4"
+            "number of characters is 5, but must be 0 to 4"
         );
-        assert_eq!(Command::digits("é").unwrap_err().to_string(), "character is 195, but robots take 32 to 126");
+        assert_eq!(Command::digits("é").unwrap_err().to_string(), "character is 195, but must be 32 to 126");
         assert_eq!(Command::baud(9601), Err(Refusal::UnknownBaudRate(9601)));
         assert_eq!(Command::Safe.encode(&mut []), Err(Refusal::BufferTooSmall { needed: 1, got: 0 }));
     }

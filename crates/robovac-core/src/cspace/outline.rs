@@ -202,7 +202,7 @@ mod tests {
         let Outline::Polygon(corners) = Outline::checked(clockwise).unwrap() else { panic!("it has corners") };
         assert!(signed_area(&corners) > 0.0);
         let why = |corners: &[(f64, f64)]| Outline::checked(points(corners)).unwrap_err().to_string();
-        assert!(why(&[(0.0, 0.0), (1.0, 0.0)]).contains("draw 3 to 64"));
+        assert!(why(&[(0.0, 0.0), (1.0, 0.0)]).contains("use 3 to 64"));
         assert!(why(&[(-1.0, -1.0), (1.0, f64::NAN), (0.0, 1.0)]).contains("corner 2"));
         assert!(why(&[(-1.0, -1.0), (1.0, 1.0), (1.0, -1.0), (-1.0, 1.0)]).contains("sides 1 and 3"));
         assert!(why(&[(1.0, 1.0), (2.0, 1.0), (2.0, 2.0)]).contains("origin"));

@@ -201,9 +201,9 @@ mod tests {
         assert!(Recording::parse("{}").unwrap_err().to_string().contains("but it is \"{}\""));
         assert!(Recording::parse("robovac-oi-recording 2").unwrap_err().to_string().contains("version 2"));
         assert!(refused("0.1 < 01\n0.05 < 02").starts_with("line 3: time 0.05 comes after 0.1"));
-        assert!(refused("# fine\n\nsoon < 01").starts_with("line 4: \"soon\" is no time"));
-        assert!(refused("1.0 = 01").starts_with("line 2: \"=\" is none of"));
-        assert!(refused("1.0 < 1").starts_with("line 2: \"1\" is no byte"));
+        assert!(refused("# fine\n\nsoon < 01").starts_with("line 4: \"soon\" isn't a time"));
+        assert!(refused("1.0 = 01").starts_with("line 2: \"=\" isn't one of"));
+        assert!(refused("1.0 < 1").starts_with("line 2: \"1\" isn't a byte"));
         assert!(refused("NaN < 1").starts_with("line 2: time NaN"));
         assert!(refused("1e18 < 01").starts_with("line 2: time 1e18"));
     }

@@ -79,7 +79,7 @@ fn a_wall_that_goes_on_is_come_back_to_after_it_was_carried_off() {
             }
             explorer.begin(&mut pilot);
             assert_eq!(explorer.ends, ends);
-            assert!(explorer.activity().contains("nothing on its map"), "{}", explorer.activity());
+            assert!(explorer.activity().contains("too empty to relocalise"), "{}", explorer.activity());
         }
     });
 }
