@@ -158,7 +158,7 @@ impl<'a> Command<'a> {
     /// ```
     /// use roomba_oi::Command;
     /// let refused = Command::song(4, &[[69, 32]]).unwrap_err();
-    /// assert_eq!(refused.to_string(), "song number is 4, but robots take 0 to 3");
+    /// assert_eq!(refused.to_string(), "song number is 4, but must be 0 to 3");
     /// ```
     pub fn song(number: u8, notes: &'a [Note]) -> Result<Self, Refusal> {
         Self::Song { number, notes }.checked()
@@ -232,13 +232,10 @@ mod tests {
         );
         assert_eq!(
             refused(Command::Stream { packets: &[7, 59] }),
-            "there is no packet 59: robots have 0 to 58, 100, 101, 106 and 107"
+            "there is no packet 59; packets are 0 to 58, 100, 101, 106 and 107"
         );
         assert_eq!(refused(Command::DayTime { day: 3, time: [24, 0] }), "hour is 24, but must be 0 to 23");
-        assert_eq!(
-            Command::digits("ABCDE").unwrap_err().to_string(),
-            "number of characters is 5, but must be 0 to 4"
-        );
+        assert_eq!(Command::digits("ABCDE").unwrap_err().to_string(), "number of characters is 5, but must be 0 to 4");
         assert_eq!(Command::digits("é").unwrap_err().to_string(), "character is 195, but must be 32 to 126");
         assert_eq!(Command::baud(9601), Err(Refusal::UnknownBaudRate(9601)));
         assert_eq!(Command::Safe.encode(&mut []), Err(Refusal::BufferTooSmall { needed: 1, got: 0 }));
