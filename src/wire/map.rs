@@ -4,13 +4,13 @@ use js_sys::Array;
 use js_sys::{Float64Array, Reflect, Uint8Array};
 use robovac_app::pack;
 use robovac_app::unpack;
+use robovac_app::{Choices, Import};
 use robovac_core::floorplan::SourceFile;
 use robovac_core::{
     floorplan::FloorPlan,
     geometry::Pose,
     grid::{Grid, Occupancy},
 };
-use robovac_sim::experiment::{Choices, Import};
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::JsValue;
 

@@ -1,10 +1,10 @@
 //! The playground's session as the comparisons' module sees it: a copy that follows the original.
 
 use coverage_planners::CoveragePath;
+use robovac_app::Import;
 use robovac_app::explore::Session;
 use robovac_playground::wire::message;
 use robovac_playground::wire::{request, walk};
-use robovac_sim::experiment::Import;
 use robovac_sim::experiment::planning::Answer;
 use wasm_bindgen::prelude::*;
 

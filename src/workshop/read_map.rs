@@ -1,8 +1,8 @@
 //! Map files: a worker reads them, as a large one takes its time.
 
 use js_sys::Array;
+use robovac_app::Import;
 use robovac_playground::wire::map::{import_to_js, source_files};
-use robovac_sim::experiment::Import;
 use wasm_bindgen::prelude::*;
 
 /// Reads an array of `{ name, bytes }` that belong together: a map, or a scenario. To be called in a worker.

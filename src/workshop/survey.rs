@@ -9,14 +9,12 @@ mod picture;
 use self::{hand::Hand, paint::Painter};
 use super::guest::Guest;
 use js_sys::{Array, Float64Array, Reflect, Uint8Array};
+use robovac_app::Import;
 use robovac_app::{Viewport, export::ExportFile, survey};
 use robovac_core::floorplan::{FloorPlan, MapImage, Mode, to_ros_map};
 use robovac_playground::wire::message;
 use robovac_playground::wire::{clock, entry::Entry, map, to_js};
-use robovac_sim::{
-    experiment::{Algorithm, Import},
-    mapping::OccupancyMap,
-};
+use robovac_sim::{experiment::Algorithm, mapping::OccupancyMap};
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 

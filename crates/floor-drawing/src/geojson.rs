@@ -1,12 +1,9 @@
 //! GeoJSON floor plans (RFC 7946): polygons and lines, as building surveys and indoor maps come.
 
-use super::{
-    Drawing,
-    model::{Builder, bad},
-};
+use super::{Drawing, DrawingError, DrawingFlaw, error::bad, model::Builder};
 use geojson::{Feature, GeoJson, Geometry, GeometryValue, JsonObject};
 use robovac_core::{
-    floorplan::{DrawingFlaw, MapError, SourceFile},
+    floorplan::SourceFile,
     geometry::Point,
     math::{PI, cos, exp},
 };
@@ -40,7 +37,7 @@ pub(super) fn is_geojson(bytes: &[u8]) -> bool {
 /// Reads GeoJSON. If all coordinates can be longitudes and latitudes of one building they are projected to metres around
 /// their middle (equirectangular: east, north), whatever a `crs` says. Else they are taken as they are: in metres if the `crs`
 /// is known to have them, in those of the Mercator projection of web maps, or in units to be asked for.
-pub(super) fn read(file: &SourceFile) -> Result<Drawing, MapError> {
+pub(super) fn read(file: &SourceFile) -> Result<Drawing, DrawingError> {
     let bytes = file.bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&file.bytes);
     let refuse = |place: &str, flaw| bad(&file.name, place, flaw);
     let parsed: GeoJson = match serde_json::from_slice(bytes) {

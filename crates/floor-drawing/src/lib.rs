@@ -6,6 +6,7 @@
 
 mod colours;
 mod dxf;
+mod error;
 mod flatten;
 mod geojson;
 mod model;
@@ -17,9 +18,10 @@ mod trace;
 mod tracing;
 mod write;
 
+pub use error::{DrawingError, DrawingFlaw};
 pub use model::{Drawing, Layer, MAX_COORDINATE, MAX_LAYERS, MAX_POINTS, Role, Stroke};
 pub use overlay::Overlay;
-pub use read::{is_drawing, is_dxf, read};
+pub use read::{drawing_kind, is_drawing, is_dxf, read};
 pub use trace::trace;
 pub use tracing::{Region, Traced, Tracing};
 pub use write::{outlines, to_dxf};

@@ -1,7 +1,11 @@
 //! What a drawing is made of, and how one is put together within bounds.
 
+use super::{
+    DrawingFlaw,
+    error::{DrawingError, bad},
+};
 use robovac_core::{
-    floorplan::{DrawingFlaw, MapError},
+    floorplan::{base_name, stem},
     geometry::Point,
 };
 use std::{collections::BTreeMap, ops::Range};
@@ -166,7 +170,7 @@ impl Builder {
     }
 
     /// The drawing, with the layers that anything is on.
-    pub fn finish(mut self, file: &str, metre: Option<f64>) -> Result<Drawing, MapError> {
+    pub fn finish(mut self, file: &str, metre: Option<f64>) -> Result<Drawing, DrawingError> {
         let left_out: Vec<String> = self.left_out.iter().map(|(what, count)| format!("{count} {what}")).collect();
         if self.strokes.is_empty() {
             return Err(bad(file, "", DrawingFlaw::Nothing { left_out }));
@@ -185,7 +189,7 @@ impl Builder {
             stroke.layer = moved[stroke.layer as usize];
         }
         let Self { layers, strokes, points, .. } = self;
-        Ok(Drawing { name: stem(file), metre, layers, strokes, points, left_out })
+        Ok(Drawing { name: stem(base_name(file)), metre, layers, strokes, points, left_out })
     }
 }
 
@@ -193,18 +197,4 @@ impl Builder {
 pub(super) fn check_coordinate(value: f64) -> Result<(), DrawingFlaw> {
     // Said this way round as no comparison holds for what isn't a number.
     if value.abs() <= MAX_COORDINATE { Ok(()) } else { Err(DrawingFlaw::Coordinate { value: value.to_string() }) }
-}
-
-/// The error for a place in a file.
-pub(super) fn bad(file: &str, place: &str, flaw: DrawingFlaw) -> MapError {
-    MapError::BadDrawing { name: base_name(file).to_owned(), place: place.to_owned(), flaw: Box::new(flaw) }
-}
-
-fn base_name(path: &str) -> &str {
-    path.rsplit(['/', '\\']).next().unwrap_or(path)
-}
-
-fn stem(path: &str) -> String {
-    let name = base_name(path);
-    name.rsplit_once('.').map_or(name, |(stem, _)| if stem.is_empty() { name } else { stem }).to_owned()
 }

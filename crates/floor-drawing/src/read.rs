@@ -1,7 +1,7 @@
 //! Files in. What a file is, its content says.
 
-use super::{Drawing, dxf, geojson, model::bad, svg};
-use robovac_core::floorplan::{DrawingFlaw, MapError, SourceFile};
+use super::{Drawing, DrawingError, DrawingFlaw, dxf, error::bad, geojson, svg};
+use robovac_core::floorplan::SourceFile;
 
 /// Largest file that is read, MB.
 const MAX_MEGABYTES: usize = 256;
@@ -18,6 +18,9 @@ const OTHERS: &[(&[u8], &str)] = &[
     (b"P5", "a PGM image"),
     (b"P2", "a PGM image"),
 ];
+
+/// How DWGs begin.
+const DWG: &[u8] = b"AC10";
 
 enum Kind {
     Dxf,
@@ -52,6 +55,16 @@ pub fn is_dxf(file: &SourceFile) -> bool {
     matches!(kind(&file.bytes), Some(Kind::Dxf))
 }
 
+/// What kind of drawing a file is, by its content, e.g. "a DXF drawing"; a DWG too, which [`read`] can't read.
+pub fn drawing_kind(file: &SourceFile) -> Option<&'static str> {
+    match kind(&file.bytes) {
+        Some(Kind::Dxf) => Some("a DXF drawing"),
+        Some(Kind::Svg) => Some("an SVG drawing"),
+        Some(Kind::GeoJson) => Some("a GeoJSON drawing"),
+        None => file.bytes.starts_with(DWG).then_some("a DWG drawing"),
+    }
+}
+
 fn kind(bytes: &[u8]) -> Option<Kind> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     if dxf::is_dxf(bytes) {
@@ -81,12 +94,12 @@ fn kind(bytes: &[u8]) -> Option<Kind> {
 /// assert_eq!((drawing.name.as_str(), drawing.layers[0].name.as_str()), ("house", "WALL"));
 /// assert_eq!(drawing.points, [Point::new(0.0, 0.0), Point::new(4.0, 3.0)]);
 /// assert_eq!(drawing.metre, None, "it says nothing of units");
-/// # Ok::<(), robovac_core::floorplan::MapError>(())
+/// # Ok::<(), crate::DrawingError>(())
 /// ```
-pub fn read(file: &SourceFile) -> Result<Drawing, MapError> {
+pub fn read(file: &SourceFile) -> Result<Drawing, DrawingError> {
     let bytes = &file.bytes;
     if bytes.trim_ascii().is_empty() {
-        return Err(MapError::Empty { name: file.name.clone() });
+        return Err(DrawingError::Empty { name: file.name.clone() });
     }
     let refuse = |flaw| Err(bad(&file.name, "", flaw));
     if bytes.len() > MAX_MEGABYTES << 20 {
@@ -96,7 +109,7 @@ pub fn read(file: &SourceFile) -> Result<Drawing, MapError> {
         Some(Kind::Dxf) => dxf::read(file),
         Some(Kind::Svg) => svg::read(file),
         Some(Kind::GeoJson) => geojson::read(file),
-        None if bytes.starts_with(b"AC10") => refuse(DrawingFlaw::Dwg),
+        None if bytes.starts_with(DWG) => refuse(DrawingFlaw::Dwg),
         None => {
             let other = OTHERS.iter().find(|(magic, _)| bytes.starts_with(magic)).map(|&(_, kind)| kind);
             let is_text = std::str::from_utf8(bytes).is_ok();

@@ -4,15 +4,13 @@
 //! the file itself.
 
 use super::{
-    Drawing,
+    Drawing, DrawingError, DrawingFlaw,
     colours::true_colour,
+    error::bad,
     flatten::Nurbs,
-    model::{Builder, MAX_POINTS, bad},
+    model::{Builder, MAX_POINTS},
 };
-use robovac_core::{
-    floorplan::{DrawingFlaw, MapError, SourceFile},
-    geometry::Point,
-};
+use robovac_core::{floorplan::SourceFile, geometry::Point};
 use std::collections::BTreeMap;
 use usvg::{
     Group, Node, Options, Paint, Tree,
@@ -40,7 +38,7 @@ pub(super) fn is_svg(bytes: &[u8]) -> bool {
 
 /// Reads an SVG. Its y axis is turned up. If its width has a physical unit, the drawing is in millimetres; else in pixels,
 /// whose length is to be asked for.
-pub(super) fn read(file: &SourceFile) -> Result<Drawing, MapError> {
+pub(super) fn read(file: &SourceFile) -> Result<Drawing, DrawingError> {
     let refuse = |place: &str, flaw| bad(&file.name, place, flaw);
     let bytes = file.bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&file.bytes);
     let not_text = |error: std::str::Utf8Error| {

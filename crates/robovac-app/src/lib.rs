@@ -5,6 +5,7 @@ pub mod compare;
 pub mod draft;
 pub mod explore;
 pub mod export;
+mod import;
 mod pack;
 mod palette;
 mod readings;
@@ -12,6 +13,7 @@ mod scene;
 pub mod survey;
 mod viewport;
 
+pub use import::{Choices, Import, ImportError, ScenarioError};
 pub use pack::{pack, unpack};
 pub use palette::Palette;
 pub use readings::{READINGS, readings};

@@ -1,7 +1,8 @@
 //! `--map` and `--room`: where a floor plan comes from.
 
 use super::failure::Failure;
-use robovac_core::floorplan::{FloorPlan, SourceFile, image_of, load, room};
+use robovac_app::Import;
+use robovac_core::floorplan::{FloorPlan, SourceFile, image_of, room};
 use std::{
     fs,
     io::ErrorKind,
@@ -43,7 +44,7 @@ pub fn load_with_image(path: &Path) -> Result<FloorPlan, Failure> {
         // If it isn't there, the loader says what is missing.
         files.extend(read(&folder.join(image))?);
     }
-    Ok(load(&files)?)
+    Ok(Import::read(&files)?.plan)
 }
 
 /// A file, or `None` if there is none.

@@ -1,9 +1,9 @@
 //! Rooms from drawings.
 
 use super::support::{drawn, entities};
-use floor_drawing::{Drawing, Region, Role, Traced, Tracing, trace};
+use floor_drawing::{Drawing, DrawingError, Region, Role, Traced, Tracing, trace};
 use robovac_core::{
-    floorplan::{MapError, Object, to_ascii},
+    floorplan::{Object, to_ascii},
     geometry::{Point, Vector},
 };
 
@@ -12,7 +12,7 @@ const FLAT: &str = "0 LWPOLYLINE 8 WALL 70 0 10 1800 20 1000 10 1000 20 1000 10 
     10 2600 20 1000 0 LWPOLYLINE 8 FURN 70 1 10 2000 20 2000 10 3000 20 2000 10 3000 20 3000 10 2000 20 3000 \
     0 CIRCLE 8 FURN 10 4000 20 2000 40 100";
 
-fn traced(drawing: &Drawing, gap: f64, region: Region) -> Result<Traced, MapError> {
+fn traced(drawing: &Drawing, gap: f64, region: Region) -> Result<Traced, DrawingError> {
     let roles = drawing.layers.iter().map(|layer| layer.role).collect();
     trace(drawing, &Tracing { roles, metre: 0.001, gap, resolution: 0.25, region })
 }

@@ -1,11 +1,13 @@
 //! Inserts blocks into model space.
 
 use super::{
-    local::{Affine, Content, Insert, MAX_INSERTS, Source},
+    local::{Affine, Content, Insert, MAX_INSERTS, Refused, Source},
     scan::{Scanned, Stopped},
 };
-use crate::model::{Builder, MAX_POINTS};
-use robovac_core::floorplan::DrawingFlaw;
+use crate::{
+    DrawingFlaw,
+    model::{Builder, MAX_POINTS},
+};
 use std::collections::BTreeMap;
 
 /// Deepest nesting of blocks.
@@ -19,8 +21,7 @@ pub(super) fn expand(scanned: &mut Scanned) -> Result<(), Stopped> {
         by_name.entry(body.name.to_uppercase()).or_insert(index);
     }
     let mut count = Count { content, by_name, sizes: vec![None; content.bodies.len()], path: Vec::new() };
-    let stop =
-        |builder: &Builder, (source, flaw): (Source, DrawingFlaw)| (content.place(&source, builder, *is_text), flaw);
+    let stop = |builder: &Builder, (source, flaw): Refused| (content.place(&source, builder, *is_text), flaw);
     count.body(0).map_err(|refused| stop(builder, refused))?;
     let Count { by_name, sizes, .. } = count;
     let zero = builder.layer("0").map_err(|flaw| (String::new(), flaw))?;
@@ -49,7 +50,7 @@ struct Count<'a> {
 }
 
 impl Count<'_> {
-    fn body(&mut self, index: usize) -> Result<Size, (Source, DrawingFlaw)> {
+    fn body(&mut self, index: usize) -> Result<Size, Refused> {
         if let Some(size) = self.sizes[index] {
             return Ok(size);
         }
@@ -102,7 +103,7 @@ struct Draw<'a> {
 
 impl Draw<'_> {
     /// Draws a body; `from` is the insert of model space that it comes from, with the layer that layer 0 stands for.
-    fn body(&mut self, index: usize, map: &Affine, from: Option<Source>) -> Result<(), (Source, DrawingFlaw)> {
+    fn body(&mut self, index: usize, map: &Affine, from: Option<Source>) -> Result<(), Refused> {
         let body = &self.content.bodies[index];
         for stroke in &self.content.strokes[body.strokes.clone()] {
             let source = self.seen_as(stroke.source, from);
@@ -124,7 +125,7 @@ impl Draw<'_> {
         }
     }
 
-    fn insert(&mut self, insert: &Insert, map: &Affine, source: Source) -> Result<(), (Source, DrawingFlaw)> {
+    fn insert(&mut self, insert: &Insert, map: &Affine, source: Source) -> Result<(), Refused> {
         let Some(&inserted) = self.by_name.get(&insert.block.to_uppercase()) else {
             self.missing += 1;
             return Ok(());

@@ -1,10 +1,7 @@
 //! Blocks and model space as they are drawn in their own coordinates, before blocks are inserted.
 
-use crate::model::MAX_POINTS;
-use robovac_core::{
-    floorplan::DrawingFlaw,
-    geometry::{Point, Vector},
-};
+use crate::{DrawingFlaw, model::MAX_POINTS};
+use robovac_core::geometry::{Point, Vector};
 use std::ops::Range;
 
 /// Most inserts of a drawing, those that inserted blocks bring along too (ours): one for every corner that it can have.
@@ -22,6 +19,9 @@ pub(super) struct Source {
     /// Index of what holds it, see [`Content::bodies`].
     pub body: usize,
 }
+
+/// What is wrong with an entity.
+pub(super) type Refused = (Source, DrawingFlaw);
 
 /// A polyline of a block.
 pub(super) struct LocalStroke {

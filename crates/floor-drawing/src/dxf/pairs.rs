@@ -1,6 +1,6 @@
 //! A DXF as it is written: pairs of a group code and a value, in text or binary.
 
-use robovac_core::floorplan::DrawingFlaw;
+use crate::DrawingFlaw;
 use std::borrow::Cow;
 
 /// How binary DXFs begin.

@@ -1,18 +1,17 @@
 //! Goes through the pairs of a DXF once: header, layers, blocks and entities.
 
 use super::{
-    entities::{Batch, Refused},
-    entity::{Entity, kind_of},
-    local::{Body, Content, Source},
+    entity::{Entity, Kind, kind_of},
+    local::{Body, Content, Refused, Source},
     pairs::{Fault, Pair, Pairs, code_page, decode},
     units,
 };
 use crate::{
-    Role, colours,
+    DrawingFlaw, Role, colours,
     model::{Builder, check_coordinate},
 };
 use encoding_rs::Encoding;
-use robovac_core::{floorplan::DrawingFlaw, geometry::Point};
+use robovac_core::geometry::Point;
 
 /// Most blocks of a drawing.
 const MAX_BLOCKS: usize = 100_000;
@@ -36,7 +35,6 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scanned, Stopped> {
         metre: None,
         builder: Builder::new(),
         content: Content::new(),
-        batch: Batch::new(),
         entity: None,
         counted: 0,
         has_entities: false,
@@ -44,9 +42,8 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scanned, Stopped> {
     match scan.sections() {
         Ok(()) => {}
         Err(Stop::At(at, flaw)) => return Err((place(scan.pairs.is_text(), at), flaw)),
-        Err(Stop::In(refused)) => {
-            let place = scan.content.place(&refused.source, &scan.builder, scan.pairs.is_text());
-            return Err((place, refused.flaw));
+        Err(Stop::In((source, flaw))) => {
+            return Err((scan.content.place(&source, &scan.builder, scan.pairs.is_text()), flaw));
         }
     }
     let is_text = scan.pairs.is_text();
@@ -92,9 +89,8 @@ struct Scan<'a> {
     metre: Option<f64>,
     builder: Builder,
     content: Content,
-    batch: Batch,
     /// The entity that is being read.
-    entity: Option<Entity>,
+    entity: Option<Entity<'a>>,
     /// Entities of the body that is being read, so far.
     counted: u32,
     has_entities: bool,
@@ -126,8 +122,7 @@ impl<'a> Scan<'a> {
         if !self.has_entities {
             return Err(Stop::At(0, DrawingFlaw::CutOff { place: "before the section of entities" }));
         }
-        let builder = &mut self.builder;
-        Ok(self.batch.flush(&mut self.content, &mut |what| builder.leave_out(what, 1))?)
+        Ok(())
     }
 
     fn section_name(&mut self) -> Result<&'a [u8], Stop> {
@@ -248,11 +243,9 @@ impl<'a> Scan<'a> {
         loop {
             if pair.code == 0 {
                 let name = pair.text();
-                let goes_on = matches!((&self.entity, name), (Some(entity), b"VERTEX") if entity.is_polyline());
-                if goes_on {
-                    if let Some(entity) = &mut self.entity {
-                        entity.begin_vertex();
-                    }
+                let polyline = self.entity.as_mut().filter(|entity| entity.kind == Kind::Polyline);
+                if let (Some(entity), b"VERTEX") = (polyline, name) {
+                    entity.begin_vertex();
                 } else {
                     self.finish_entity()?;
                     if name == end {
@@ -269,7 +262,7 @@ impl<'a> Scan<'a> {
             {
                 // Which entity it is tells more than the line alone.
                 let source = self.source(at)?;
-                return Err(Stop::In(Refused { source, flaw }));
+                return Err(Stop::In((source, flaw)));
             }
             pair = self.must(if body == 0 { "within its entities" } else { "within a block" })?;
         }
@@ -290,7 +283,7 @@ impl<'a> Scan<'a> {
     /// Where the entity that is being read comes from, with `at` as its place.
     fn source(&mut self, at: usize) -> Result<Source, Stop> {
         let Some(entity) = &self.entity else { return Ok(Source { number: 0, layer: 0, at, body: 0 }) };
-        let name = if entity.layer.is_empty() { "0".into() } else { decode(&entity.layer, self.code_page) };
+        let name = if entity.layer.is_empty() { "0".into() } else { decode(entity.layer, self.code_page) };
         let (number, body) = (entity.number, entity.body);
         let layer = self.builder.layer(&name).map_err(|flaw| Stop::At(at, flaw))?;
         Ok(Source { number, layer, at, body })
@@ -307,17 +300,11 @@ impl<'a> Scan<'a> {
         } else if entity.is_mesh() {
             Some("meshes")
         } else {
-            None
+            let block = decode(entity.block, self.code_page);
+            entity.draw(source, block, &mut self.content).map_err(|flaw| (source, flaw))?
         };
         if let Some(what) = left_out {
             self.builder.leave_out(what, 1);
-            return Ok(());
-        }
-        let block = if entity.block.is_empty() { String::new() } else { decode(&entity.block, self.code_page) };
-        entity.hand_over(source, block, &mut self.batch);
-        if self.batch.is_full() {
-            let builder = &mut self.builder;
-            self.batch.flush(&mut self.content, &mut |what| builder.leave_out(what, 1))?;
         }
         Ok(())
     }

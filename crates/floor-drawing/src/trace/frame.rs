@@ -1,8 +1,8 @@
 //! How the cells of a room lie in a drawing.
 
-use crate::model::Drawing;
+use crate::{Drawing, DrawingFlaw};
 use robovac_core::{
-    floorplan::{DrawingFlaw, MAX_SIDE},
+    floorplan::MAX_SIDE,
     geometry::{Point, Vector},
     math::ceil,
 };

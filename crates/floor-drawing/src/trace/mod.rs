@@ -7,13 +7,11 @@ mod raster;
 mod region;
 mod solids;
 
-use super::{Drawing, Region, Role, Traced, Tracing, model::bad};
+use super::{Drawing, DrawingError, DrawingFlaw, Region, Role, Traced, Tracing, error::bad};
 use frame::{Bounds, Frame, bounds_of};
 use raster::Canvas;
 use robovac_core::{
-    floorplan::{
-        DrawingFlaw, FloorPlan, MAX_CORNERS, MAX_RESOLUTION, MAX_SIDE, MIN_RESOLUTION, MapError, crossing, encloses,
-    },
+    floorplan::{FloorPlan, MAX_CORNERS, MAX_RESOLUTION, MAX_SIDE, MIN_RESOLUTION, crossing, encloses},
     geometry::{Point, Pose},
     grid::{Cell, Grid, Occupancy},
     math::{ceil, floor},
@@ -50,9 +48,9 @@ const FIRST_LOOK: i32 = 512;
 /// assert!(to_ascii(&room.plan).ends_with(
 ///     "##########\n##########\n###.....##\n###.....##\n###.....##\n##########\n##########\n##########\n"
 /// ));
-/// # Ok::<(), robovac_core::floorplan::MapError>(())
+/// # Ok::<(), crate::DrawingError>(())
 /// ```
-pub fn trace(drawing: &Drawing, how: &Tracing) -> Result<Traced, MapError> {
+pub fn trace(drawing: &Drawing, how: &Tracing) -> Result<Traced, DrawingError> {
     Tracer::new(drawing, how).and_then(|tracer| tracer.run()).map_err(|flaw| bad(&drawing.name, "", flaw))
 }
 

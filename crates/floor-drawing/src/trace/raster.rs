@@ -1,7 +1,7 @@
 //! Strokes and outlines on cells.
 
+use crate::DrawingFlaw;
 use robovac_core::{
-    floorplan::DrawingFlaw,
     geometry::Point,
     grid::Grid,
     math::{ceil, floor},

@@ -4,11 +4,9 @@ use super::{
     frame::{Bounds, Frame},
     raster::Canvas,
 };
-use crate::{Drawing, Role, model::Stroke};
+use crate::{Drawing, DrawingFlaw, Role, model::Stroke};
 use robovac_core::{
-    floorplan::{
-        DrawingFlaw, FloorPlan, MAX_CORNERS, MAX_OBJECTS, MAX_SIDE, Object, RADII, crossing, has_area, middle,
-    },
+    floorplan::{FloorPlan, MAX_CORNERS, MAX_OBJECTS, MAX_SIDE, Object, RADII, crossing, has_area, middle},
     geometry::Point,
     grid::{Cell, Grid, Occupancy},
     math::{ceil, floor},

@@ -8,13 +8,12 @@ mod template;
 pub use room::outlines;
 
 use super::{
-    Overlay,
+    DrawingError, DrawingFlaw, Overlay,
     dxf::{Pairs, is_dxf},
-    model::bad,
+    error::bad,
 };
 use encode::{Value, Writer};
 use encoding_rs::Encoding;
-use robovac_core::floorplan::{DrawingFlaw, MapError};
 use survey::Survey;
 
 /// What messages call the drawing, whose name isn't known here.
@@ -38,9 +37,9 @@ const FIRST_UNICODE: u32 = 1021;
 /// let drawing = read(&SourceFile { name: "path.dxf".into(), bytes })?;
 /// assert_eq!((drawing.layers[0].name.as_str(), drawing.metre), ("PATH", Some(1.0)));
 /// assert_eq!(drawing.points, [Point::new(0.0, 0.0), Point::new(2.0, 1.0)]);
-/// # Ok::<(), robovac_core::floorplan::MapError>(())
+/// # Ok::<(), crate::DrawingError>(())
 /// ```
-pub fn to_dxf(original: Option<&[u8]>, overlays: &[Overlay]) -> Result<Vec<u8>, MapError> {
+pub fn to_dxf(original: Option<&[u8]>, overlays: &[Overlay]) -> Result<Vec<u8>, DrawingError> {
     let template;
     let original = match original {
         Some(bytes) if is_dxf(bytes) => bytes,

@@ -1,7 +1,9 @@
 //! What of a DXF must be known to put something into it.
 
-use crate::dxf::{Form, Pairs, code_page};
-use robovac_core::floorplan::DrawingFlaw;
+use crate::{
+    DrawingFlaw,
+    dxf::{Form, Pairs, code_page},
+};
 
 /// Places in a DXF, in bytes from its start, and names and handles that are taken.
 pub(super) struct Survey {

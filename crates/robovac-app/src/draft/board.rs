@@ -1,15 +1,15 @@
 //! The drawing board: what files hold, what was chosen for it, and what comes of that.
 
 use super::{Doors, Hand, Part, Settings, Sheet, Source};
+use crate::{Choices, Import, ImportError};
 use coverage_planners::sweep::{Sweep, SweepError, SweepSetup, sweep};
 use floor_drawing::{self, Traced};
 use robovac_core::{
     cspace::{ConfigurationSpace, Outline},
-    floorplan::{FloorPlan, MapError, Object, Sketch, SourceFile},
+    floorplan::{FloorPlan, Object, Sketch, SourceFile},
     geometry::{Point, Pose, Vector, contains},
     grid::Cell,
 };
-use robovac_sim::experiment::{Choices, Import};
 use std::ops::ControlFlow;
 
 /// The planner that drives the sweep, as the registry calls it.
@@ -35,7 +35,7 @@ pub struct Board {
 
 impl Board {
     /// Reads files that belong together; nothing is lost if that fails.
-    pub fn open(files: &[SourceFile]) -> Result<Self, MapError> {
+    pub fn open(files: &[SourceFile]) -> Result<Self, ImportError> {
         let source = Source::read(files)?;
         let settings = Settings::of(&source);
         let sheet = Sheet::of(&source);

@@ -1,18 +1,15 @@
 //! A sweep as lines on layers of a drawing.
 
 use coverage_planners::sweep::Sweep;
-use floor_drawing::{Overlay, Traced, outlines, to_dxf};
-use robovac_core::{
-    floorplan::MapError,
-    geometry::{Point, Vector},
-};
+use floor_drawing::{DrawingError, Overlay, Traced, outlines, to_dxf};
+use robovac_core::geometry::{Point, Vector};
 
 /// Half the size of the cross that marks a subgoal, as a share of the distance between scan lines.
 const CROSS: f64 = 0.25;
 
 /// A DXF of the sweep: on layers of its own beside all that is in `original`, the DXF that `room` was traced from, or else
 /// beside the room's outlines in metres, where its map has its origin.
-pub fn sweep_dxf(sweep: &Sweep, room: &Traced, original: Option<&[u8]>) -> Result<Vec<u8>, MapError> {
+pub fn sweep_dxf(sweep: &Sweep, room: &Traced, original: Option<&[u8]>) -> Result<Vec<u8>, DrawingError> {
     if original.is_some() {
         return to_dxf(original, &overlays(sweep, room.corner, room.metre));
     }

@@ -1,11 +1,11 @@
 //! What files turned out to be: a drawing that becomes a room only when its layers, unit and region are said, or a map.
 
+use crate::{Choices, Import, ImportError};
 use floor_drawing::{self, Drawing};
 use robovac_core::{
     floorplan::{self, FloorPlan, MapError, Shading, SourceFile},
     geometry::{Point, Vector},
 };
-use robovac_sim::experiment::{Choices, Import};
 
 /// What lies on the drawing board.
 #[derive(Debug, Clone)]
@@ -35,10 +35,10 @@ pub enum Source {
 
 impl Source {
     /// Reads files that belong together. May take seconds.
-    pub fn read(files: &[SourceFile]) -> Result<Self, MapError> {
+    pub fn read(files: &[SourceFile]) -> Result<Self, ImportError> {
         if let Some(file) = files.iter().find(|file| floor_drawing::is_drawing(file)) {
             if let Some(other) = files.iter().find(|&other| !std::ptr::eq(other, file)) {
-                return Err(MapError::TwoMaps { first: file.name.clone(), second: other.name.clone() });
+                return Err(MapError::TwoMaps { first: file.name.clone(), second: other.name.clone() }.into());
             }
             let original = floor_drawing::is_dxf(file).then(|| file.bytes.clone());
             return Ok(Self::Drawing { drawing: floor_drawing::read(file)?, original });

@@ -5,8 +5,9 @@ mod svg;
 pub use svg::to_svg;
 
 use coverage_planners::sweep::{in_frame, planned_for, program, to_csv, to_ros_path};
+use floor_drawing::DrawingError;
 use robovac_core::{
-    floorplan::{FloorPlan, MapError, MapImage, Mode, RosMapError, Scenario, to_ascii, to_ros_map},
+    floorplan::{FloorPlan, MapImage, Mode, RosMapError, Scenario, to_ascii, to_ros_map},
     geometry::Point,
     robot::{RobotModel, model},
 };
@@ -132,7 +133,7 @@ pub enum ExportError {
     NoPath(&'static str),
     /// The drawing can't be written.
     #[error(transparent)]
-    Drawing(#[from] MapError),
+    Drawing(#[from] DrawingError),
     /// The scenario's robot isn't known.
     #[error("the robot of this room isn't known; choose another one")]
     NoRobot,

@@ -1,6 +1,6 @@
 //! What can be wrong with a map file, said so that its owner can mend it.
 
-use super::{DrawingFlaw, Fault, MAX_RESOLUTION, MAX_SIDE, MIN_RESOLUTION, Place, SCENARIO_VERSION};
+use super::{Fault, MAX_RESOLUTION, MAX_SIDE, MIN_RESOLUTION, Place, SCENARIO_VERSION};
 
 /// Why files don't make a floor plan. Every message names the cause, the place and what to do.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -23,17 +23,6 @@ pub enum MapError {
         /// The file.
         name: String,
         /// What it seems to be, e.g. "a JPEG image".
-        kind: &'static str,
-    },
-    /// A file is a drawing, of which a room has to be made first.
-    #[error(
-        "\"{name}\" is {kind}, of which a room has to be made first; \
-         open it in the place Floor plan of the page or with \"robovac convert\" (a DWG has to be saved as DXF before)"
-    )]
-    IsADrawing {
-        /// The file.
-        name: String,
-        /// What it is, e.g. "a DXF drawing".
         kind: &'static str,
     },
     /// The map has too many rows or columns.
@@ -206,16 +195,6 @@ pub enum MapError {
         place: Place,
         /// What is wrong there.
         flaw: Box<Flaw>,
-    },
-    /// A drawing that can't be read, or that no room can be made of.
-    #[error("\"{name}\"{}{place}: {flaw}", if place.is_empty() { "" } else { ", " })]
-    BadDrawing {
-        /// The file.
-        name: String,
-        /// Where in the file, e.g. "line 12"; empty for all of it.
-        place: String,
-        /// What is wrong there.
-        flaw: Box<DrawingFlaw>,
     },
 }
 

@@ -96,9 +96,6 @@ fn recognise(file: &SourceFile) -> Result<Content, MapError> {
         return Ok(Content::Image(format));
     }
     let not_a_map = |kind| MapError::NotAMap { name: name.to_owned(), kind };
-    if let Some(kind) = drawing(bytes) {
-        return Err(MapError::IsADrawing { name: name.to_owned(), kind });
-    }
     if bytes.trim_ascii_start().starts_with(b"{") {
         return Ok(Content::Plan(Box::new(Scenario::read(name, bytes)?.plan(name)?)));
     }
@@ -113,26 +110,6 @@ fn recognise(file: &SourceFile) -> Result<Content, MapError> {
         return Ok(Content::Yaml(MapYaml::read(name, text)?));
     }
     Err(not_a_map("text of unknown kind"))
-}
-
-/// What kind of drawing a file is; the drafting room reads them.
-fn drawing(bytes: &[u8]) -> Option<&'static str> {
-    let start = bytes.trim_ascii_start();
-    let head = &start[..start.len().min(1 << 16)];
-    let has = |word: &[u8]| head.windows(word.len()).any(|window| window == word);
-    let mut lines = head.split(|&byte| byte == b'\n').map(<[u8]>::trim_ascii);
-    let is_dxf = matches!((lines.next(), lines.next()), (Some(b"0"), Some(b"SECTION")) | (Some(b"999"), Some(_)));
-    if bytes.starts_with(b"AC10") {
-        Some("a DWG drawing")
-    } else if is_dxf || bytes.starts_with(b"AutoCAD Binary DXF") {
-        Some("a DXF drawing")
-    } else if start.starts_with(b"<") && has(b"<svg") {
-        Some("an SVG drawing")
-    } else if start.starts_with(b"{") && (has(b"\"FeatureCollection\"") || has(b"\"coordinates\"")) {
-        Some("a GeoJSON drawing")
-    } else {
-        None
-    }
 }
 
 fn bare_image(file: &SourceFile, format: ImageFormat, shading: &Shading) -> Result<FloorPlan, MapError> {
@@ -178,6 +155,7 @@ fn two_maps(first: &SourceFile, second: &SourceFile) -> MapError {
     MapError::TwoMaps { first: base_name(&first.name).to_owned(), second: base_name(&second.name).to_owned() }
 }
 
-fn base_name(path: &str) -> &str {
+/// A file's name without the folders in front of it.
+pub fn base_name(path: &str) -> &str {
     path.rsplit(['/', '\\']).next().unwrap_or(path)
 }

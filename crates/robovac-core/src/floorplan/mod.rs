@@ -4,7 +4,6 @@
 
 mod ascii;
 mod check;
-mod drawing_flaw;
 mod error;
 mod layout;
 mod load;
@@ -21,9 +20,8 @@ mod yaml;
 
 pub use ascii::{DEFAULT_ASCII_RESOLUTION, to_ascii};
 pub use check::{BEAMS, Fault, MAX_CORNERS, MAX_OBJECTS, RADII, Refusal};
-pub use drawing_flaw::DrawingFlaw;
 pub use error::{Flaw, MapError};
-pub use load::{SourceFile, image_of, is_image, load, load_image};
+pub use load::{SourceFile, base_name, image_of, is_image, load, load_image};
 pub use object::{Object, Who};
 pub use place::Place;
 pub use raster::{DEFAULT_IMAGE_RESOLUTION, Mode, Shading};
@@ -102,7 +100,7 @@ impl FloorPlan {
 }
 
 /// A file's name without its ending, for menus.
-fn stem(file: &str) -> String {
+pub fn stem(file: &str) -> String {
     match file.rsplit_once('.') {
         Some((stem, _)) if !stem.is_empty() => stem.to_owned(),
         _ => file.to_owned(),

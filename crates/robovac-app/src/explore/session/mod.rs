@@ -6,9 +6,10 @@ mod search;
 mod snapshot;
 
 use crate::explore::{Action, Brush, Editor, Search, Showing, State};
+use crate::{Import, ImportError, ScenarioError};
 use coverage_planners::{Film, Proof};
 use robovac_core::{
-    floorplan::{self, FloorPlan, MapError, RoomInfo, Scenario, SourceFile},
+    floorplan::{self, FloorPlan, RoomInfo, Scenario, SourceFile},
     geometry::{Point, Pose},
     grid::Cell,
 };
@@ -16,7 +17,7 @@ use robovac_sim::{
     Input, NoiseLevel, Recording, STEP_S, SensorKind,
     controller::Command,
     experiment::{
-        Import, ScenarioError, Settings, SettingsError,
+        Settings, SettingsError,
         planning::{PlanRequest, Planned, Prepared},
     },
 };
@@ -70,7 +71,7 @@ pub struct Session {
 pub enum LoadError {
     /// They are no map.
     #[error(transparent)]
-    Map(#[from] MapError),
+    Import(#[from] ImportError),
     /// They are a scenario that can't be run.
     #[error(transparent)]
     Scenario(#[from] ScenarioError),

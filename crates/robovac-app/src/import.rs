@@ -1,8 +1,11 @@
 //! Files on their way into a session: read where there is time, taken where the session is.
 
-use super::{Algorithm, Settings, SettingsError};
-use crate::Noise;
+use floor_drawing::{DrawingError, drawing_kind};
 use robovac_core::floorplan::{self, FloorPlan, MapError, Scenario, SourceFile};
+use robovac_sim::{
+    Noise,
+    experiment::{Algorithm, Settings, SettingsError},
+};
 use serde::{Deserialize, Serialize};
 
 /// What files turned out to be.
@@ -39,6 +42,28 @@ pub struct Choices {
     pub odometry: Option<String>,
 }
 
+/// Why files can't be read.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum ImportError {
+    /// They are no map.
+    #[error(transparent)]
+    Map(#[from] MapError),
+    /// They are a drawing with a flaw.
+    #[error(transparent)]
+    Drawing(#[from] DrawingError),
+    /// A file is a drawing, of which a room has to be made first.
+    #[error(
+        "\"{name}\" is {kind}, of which a room has to be made first; \
+         open it in the place Floor plan of the page or with \"robovac convert\" (a DWG has to be saved as DXF before)"
+    )]
+    IsADrawing {
+        /// The file.
+        name: String,
+        /// What it is, e.g. "a DXF drawing".
+        kind: &'static str,
+    },
+}
+
 /// A scenario asks for something that there isn't.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("the scenario can't be run: {path}: {reason}")]
@@ -51,8 +76,14 @@ pub struct ScenarioError {
 
 impl Import {
     /// Reads files that belong together. May take seconds for a large map.
-    pub fn read(files: &[SourceFile]) -> Result<Self, MapError> {
-        let plan = floorplan::load(files)?;
+    pub fn read(files: &[SourceFile]) -> Result<Self, ImportError> {
+        let plan = floorplan::load(files).map_err(|error| {
+            let drawing = files.iter().find_map(|file| Some((file, drawing_kind(file)?)));
+            drawing.map_or(ImportError::Map(error), |(file, kind)| ImportError::IsADrawing {
+                name: floorplan::base_name(&file.name).to_owned(),
+                kind,
+            })
+        })?;
         let choices = match files {
             [file] => Scenario::read(&file.name, &file.bytes).ok().map(|scenario| Choices::of(&scenario)),
             _ => None,
@@ -127,4 +158,23 @@ impl Choices {
 
 fn at<T>(path: &str, result: Result<T, SettingsError>) -> Result<T, ScenarioError> {
     result.map_err(|error| ScenarioError { path: path.to_owned(), reason: error.to_string() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn drawings_are_called_what_they_are() {
+        for (content, kind) in [
+            ("  0\nSECTION\n  2\nENTITIES\n", "a DXF"),
+            ("AC1032\0", "a DWG"),
+            ("\u{feff}<svg xmlns='http://www.w3.org/2000/svg'/>", "an SVG"),
+            ("{\"type\": \"FeatureCollection\", \"features\": []}", "a GeoJSON"),
+        ] {
+            let file = SourceFile { name: "plans/house".to_owned(), bytes: content.into() };
+            let message = Import::read(&[file]).unwrap_err().to_string();
+            assert!(message.starts_with(&format!("\"house\" is {kind} drawing, of which a room")), "{message}");
+        }
+    }
 }

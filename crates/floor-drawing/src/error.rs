@@ -1,6 +1,28 @@
 //! What can be wrong with a drawing, said so that its owner can mend it.
 
-use super::{MAX_RESOLUTION, MAX_SIDE, MIN_RESOLUTION};
+use robovac_core::floorplan::{MAX_RESOLUTION, MAX_SIDE, MIN_RESOLUTION, base_name};
+
+/// A drawing that can't be read or written, or that no room can be made of. Every message names the cause, the place and
+/// what to do.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum DrawingError {
+    /// A file has no content.
+    #[error("\"{name}\" is empty; choose another file or save the map again")]
+    Empty {
+        /// The file.
+        name: String,
+    },
+    /// Something in it is wrong.
+    #[error("\"{name}\"{}{place}: {flaw}", if place.is_empty() { "" } else { ", " })]
+    Bad {
+        /// The file.
+        name: String,
+        /// Where in the file, e.g. "line 12"; empty for all of it.
+        place: String,
+        /// What is wrong there.
+        flaw: Box<DrawingFlaw>,
+    },
+}
 
 /// Why a drawing can't be read, or no room be made of it: the cause, and what to do.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -184,4 +206,9 @@ fn but(left_out: &[String]) -> String {
 
 fn by(blocks: &[String]) -> String {
     if blocks.is_empty() { String::new() } else { format!(" through \"{}\"", blocks.join("\", \"")) }
+}
+
+/// The error for a place in a file.
+pub(super) fn bad(file: &str, place: &str, flaw: DrawingFlaw) -> DrawingError {
+    DrawingError::Bad { name: base_name(file).to_owned(), place: place.to_owned(), flaw: Box::new(flaw) }
 }
