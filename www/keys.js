@@ -1,9 +1,9 @@
 // @ts-check
 // Keys that work everywhere on the page, and the dialog that lists them.
-import { pickUp } from "./carry.js";
+import { pickUp } from "./explore/carry.js";
 import { button, byId, input, typed } from "./dom.js";
-import { objectKey } from "./objects.js";
-import { place } from "./places.js";
+import { objectKey } from "./explore/objects.js";
+import { place } from "./tabs.js";
 
 /** @typedef {import("./main.js").App} App */
 

@@ -5,19 +5,19 @@ import { byId } from "./dom.js";
 import { startFiles } from "./files.js";
 import { keepRoom, restoreLink } from "./keep.js";
 import { startKeys } from "./keys.js";
-import { startLater } from "./later.js";
-import { startLayers } from "./layers.js";
+import { startLater } from "./explore/later.js";
+import { startLayers } from "./explore/layers.js";
 import { complain, cover, forgive, isFatal, startMessages, textOf, updateMessage } from "./messages.js";
-import { startObjects } from "./objects.js";
-import { startPanel } from "./panel.js";
-import { go, place, placeOf, startPlaces } from "./places.js";
+import { startObjects } from "./explore/objects.js";
+import { startPanel } from "./explore/panel.js";
+import { go, place, placeOf, startPlaces } from "./tabs.js";
 import { Planning } from "./planning.js";
-import { startPlaybar } from "./playbar.js";
+import { startPlaybar } from "./explore/playbar.js";
 import { startSheets } from "./sheets.js";
-import { startStage } from "./stage.js";
+import { startStage } from "./explore/stage.js";
 import { startTheme } from "./theme.js";
 import { startTips } from "./tips.js";
-import { updateView } from "./view.js";
+import { updateView } from "./explore/view.js";
 import { compile, missing } from "./wasm.js";
 
 /**
@@ -115,10 +115,10 @@ async function start() {
    * @type {Record<string, () => Promise<Other>>}
    */
   const doors = {
-    compare: () => import("./enter-compare.js").then(({ enterCompare }) => enterCompare(app, guard)),
-    map: () => import("./survey/enter.js").then(({ enterSurvey }) => enterSurvey(app)),
-    draft: () => import("./draft/enter.js").then(({ enterDraft }) => enterDraft(app)),
-    robot: () => import("./link/enter.js").then(({ enterRobot }) => enterRobot(app, guard)),
+    compare: () => import("./compare/enter.js").then(({ enterCompare }) => enterCompare(app, guard)),
+    map: () => import("./map/enter.js").then(({ enterSurvey }) => enterSurvey(app)),
+    draft: () => import("./floor-plan/enter.js").then(({ enterDraft }) => enterDraft(app)),
+    robot: () => import("./connection/enter.js").then(({ enterRobot }) => enterRobot(app, guard)),
   };
   /** @type {Record<string, Other>} */
   const others = {};
@@ -126,7 +126,7 @@ async function start() {
   let isDark = false;
   /** Where one wants to be; what the place needs may still have to be loaded. */
   let wanted = place();
-  /** @param {import("./places.js").Place} next */
+  /** @param {import("./tabs.js").Place} next */
   const enter = async (next) => {
     wanted = next;
     const door = doors[next];

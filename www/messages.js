@@ -1,7 +1,7 @@
 // @ts-check
 // What went wrong and what to do: the message bar, the fatal cover, the short confirmation.
 import { button, byId, setAttribute, setHidden, setText } from "./dom.js";
-import { place } from "./places.js";
+import { place } from "./tabs.js";
 
 let local = "";
 let dismissed = "";

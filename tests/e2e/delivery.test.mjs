@@ -35,7 +35,7 @@ test("opening needs no planner and none of the other places", async (t) => {
   await app.numbersThat(({ coverage, distance }) => coverage > 0 && distance > 0);
   await page.waitForLoadState("networkidle");
   const opened = transferred(server);
-  const lazy = ["workshop.js", "workshop_bg.wasm", "www/worker.js", "www/workers.js", "www/compare.js", "www/compare.css", "www/pool.js", "draft_bg.wasm", "www/draft/place.js", "survey_bg.wasm", "www/survey/place.js", "www/dashboard.js", "www/joystick.js", "www/placing.html", "www/film.js", "www/help.html"];
+  const lazy = ["workshop.js", "workshop_bg.wasm", "www/worker.js", "www/workers.js", "www/compare/tab.js", "www/compare/compare.css", "www/compare/pool.js", "draft_bg.wasm", "www/floor-plan/tab.js", "survey_bg.wasm", "www/map/tab.js", "www/dashboard.js", "www/joystick.js", "www/explore/placing.html", "www/explore/film.js", "www/help.html"];
   for (const file of lazy) {
     assert.ok(fs.existsSync(path.join(DIST, file)), `${file} has another name now`);
     assert.ok(!opened.has(file), `${file} was transferred`);
@@ -53,10 +53,10 @@ test("opening needs no planner and none of the other places", async (t) => {
   await app.choose("algorithm", "snake");
   assert.match((await app.metric("Planned in")).plan, /\d/);
   assert.equal(server.requests.filter((address) => address.includes("workshop_bg.wasm")).length, 1);
-  assert.ok(!transferred(server).has("www/compare.js"));
+  assert.ok(!transferred(server).has("www/compare/tab.js"));
   await page.locator("#tab-compare").click();
   await page.locator("#place-compare").waitFor();
-  assert.ok(["www/compare.js", "www/compare.css"].every((file) => transferred(server).has(file)));
+  assert.ok(["www/compare/tab.js", "www/compare/compare.css"].every((file) => transferred(server).has(file)));
   assert.equal(server.requests.filter((address) => address.includes("workshop_bg.wasm")).length, 1);
 });
 

@@ -1,0 +1,59 @@
+// @ts-check
+// How large it is: the unit of a drawing, the scale of an image, two points of a known distance.
+import { button, byId, changed, fill, input, make, select, setAttribute, setHidden, setText, typed } from "../dom.js";
+import { onNumber, plain, showValue } from "./fields.js";
+
+/** @param {import("./tab.js").Desk} it @returns {(view: import("./types").DraftView | undefined) => void} */
+export function startScale(it) {
+  const [unit, pixel, tool] = [select("draft-unit"), input("draft-pixel"), button("draft-scale")];
+  unit.addEventListener("change", () => Number(unit.value) > 0 && void it.set({ metre: Number(unit.value) }));
+  onNumber(pixel, (centimetres) => void it.set({ metre: centimetres / 100 }));
+  tool.addEventListener("click", () => {
+    it.drafter.say({ type: "tool", tool: it.view?.tool === "scale" ? "view" : "scale" });
+    it.toCanvas(true);
+  });
+  const form = typed("draft-distance-form", HTMLFormElement);
+  form.addEventListener("submit", async (event) => {
+    event.preventDefault();
+    const metres = input("draft-distance").valueAsNumber;
+    await it.ask({ type: "scale", metres }, "Tracing the room");
+  });
+  button("draft-distance-cancel").addEventListener("click", () => it.drafter.say({ type: "tool", tool: "view" }));
+
+  return (view) => {
+    if (!view) return;
+    const { settings, units, kind, is_scalable } = view;
+    setHidden(byId("draft-unit-field"), kind !== "drawing");
+    setHidden(byId("draft-pixel-field"), kind === "drawing" || !is_scalable);
+    setHidden(byId("draft-scale"), !is_scalable);
+    setText(byId("draft-scale-note"), note(view));
+    setAttribute(byId("draft-unit-field"), "data-open", String(kind === "drawing" && settings.metre === null));
+
+    const known = units.find(({ metre }) => metre === settings.metre);
+    const own = settings.metre !== null && !known ? `1 unit = ${plain(settings.metre)} m` : "";
+    if (changed(unit, "options", JSON.stringify([units, own, settings.metre === null]))) {
+      fill(unit, units.map(({ name, metre, size }) => [String(metre), `${name}: ${size}`]));
+      if (settings.metre === null) unit.prepend(make("option", { value: "" }, "Choose…"));
+      if (own) unit.prepend(make("option", { value: String(settings.metre) }, own));
+    }
+    unit.value = settings.metre === null ? "" : String(settings.metre);
+    if (settings.metre !== null) showValue(pixel, plain(100 * settings.metre));
+
+    setAttribute(tool, "aria-pressed", String(view.tool === "scale"));
+    const wasHidden = form.hidden;
+    setHidden(form, !view.is_measured);
+    if (wasHidden && view.is_measured) {
+      const distance = input("draft-distance");
+      distance.value = view.measured_m ? plain(view.measured_m, 3) : "";
+      distance.focus();
+      distance.select();
+    }
+  };
+}
+
+/** @param {import("./types").DraftView} view */
+function note({ kind, says_unit, settings, is_scalable }) {
+  if (!is_scalable) return "A scenario is measured in metres.";
+  if (kind === "drawing") return settings.metre === null ? "The file doesn't say its unit. Choose the one that gives the right size, or scale it by two points." : "";
+  return says_unit ? "" : "The image doesn't say how long a pixel is: 5 cm are assumed.";
+}

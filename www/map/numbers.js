@@ -1,0 +1,72 @@
+// @ts-check
+// The figures: three large ones, and the table that holds the map against one by odometry alone.
+import { byId, make, setText } from "../dom.js";
+import { clock, percent } from "../format.js";
+
+/**
+ * @typedef {import("./types").Figures} Figures
+ * @typedef {import("./types").SurveyView} SurveyView
+ * @typedef {{ label: string, tip: string, of: (figures: Figures) => string }} Row
+ */
+
+/** @param {number} metres */
+const centimetres = (metres) => (metres < 1 ? `${(100 * metres).toFixed(1)} cm` : `${metres.toFixed(2)} m`);
+
+/** @type {Row[]} */
+const ROWS = [
+  { label: "Position error", tip: "Distance between where the robot is and where it believes to be, now.", of: ({ position_m }) => (position_m === null ? "lost" : centimetres(position_m)) },
+  { label: "Heading error", tip: "Angle between the way that the robot looks and the way that it believes to look, now.", of: ({ heading_deg }) => (heading_deg === null ? "lost" : `${heading_deg.toFixed(1)}°`) },
+  { label: "Cells right", tip: "Share of the known cells of the map that are right to within one cell of 5 cm.", of: ({ right }) => `${percent(right)} %` },
+  { label: "Boundary mapped", tip: "Share of the walls and furniture that the bumper can reach which are on the map, to within one cell.", of: ({ boundary }) => `${percent(boundary)} %` },
+  { label: "Floor known", tip: "Share of the floor that the robot's body can cover which it knows to be free.", of: ({ known }) => `${percent(known)} %` },
+];
+
+/** @type {{ label: string, tip: string, of: (view: SurveyView) => string }[]} */
+const SINGLE = [
+  { label: "Sure of itself to", tip: "One standard deviation of the position, along the longer axis, and of the heading, as the robot itself estimates them. The ellipse and the wedge on the map show two.", of: ({ spread }) => (spread ? `±${centimetres(spread[0])}, ±${spread[1].toFixed(1)}°` : "–") },
+  { label: "Cleaned by its map", tip: "Share of the floor that it can get to by its own map which it believes to have swept, and what is left of that; once it cleans by its map.", of: ({ by_map }) => (by_map ? `${percent(by_map[0] / Math.max(by_map[1], 1e-9))} %, ${(by_map[1] - by_map[0]).toFixed(1)} m² left` : "–") },
+  { label: "Really cleaned", tip: "Share of the reachable floor that its brush really has swept since the figures began.", of: ({ coverage }) => `${percent(coverage)} %` },
+  { label: "Believes cleaned", tip: "Area of its own map that it believes to have swept; nothing while it doesn't know where it is.", of: ({ cleaned_m2 }) => `${cleaned_m2.toFixed(1)} m²` },
+  { label: "Dirt found", tip: "Area of the spots where its dirt sensor spoke.", of: ({ dirt_m2 }) => `${dirt_m2.toFixed(2)} m²` },
+];
+
+/** Ways of dead reckoning, in the order of `view.drifts`. */
+const RECKONINGS = ["Counts, arcs", "Counts, straight", "Packets, arcs", "Packets, straight"].map((label, i) => ({
+  label,
+  tip: `Where the robot would believe to be ${i < 2 ? "by encoder counts" : "by packets 19 and 20, whole millimetres and degrees told every 0.24 s"} alone, each step taken ${i % 2 === 0 ? "along an arc" : "straight, then turned"}.`,
+}));
+
+/** @param {import("./tab.js").Surveying} _it */
+export function startNumbers(_it) {
+  /** @param {{ label: string, tip: string }} row @param {HTMLElement[]} cells */
+  const line = ({ label, tip }, cells) => make("tr", { "data-tip": tip }, make("th", { scope: "row" }, make("button", { type: "button", className: "term" }, label)), ...cells);
+  const rows = ROWS.map((row) => ({ row, cells: [make("td"), make("td")] }));
+  const single = SINGLE.map((row) => ({ row, cell: make("td", { colSpan: 2 }) }));
+  byId("survey-figures").replaceChildren(...rows.map(({ row, cells }) => line(row, cells)));
+  const drifts = RECKONINGS.map((row) => ({ row, cells: [make("td"), make("td")] }));
+  byId("survey-drifts").replaceChildren(...drifts.map(({ row, cells }) => line(row, cells)));
+  byId("survey-more").replaceChildren(...single.map(({ row, cell }) => line(row, [cell])));
+
+  /** @param {SurveyView} view */
+  return (view) => {
+    for (const { row, cells } of rows) {
+      [view.figures, view.odometry].forEach((figures, i) => {
+        const cell = cells[i];
+        if (cell) setText(cell, figures && view.time_s > 0 ? row.of(figures) : "–");
+      });
+    }
+    drifts.forEach(({ cells }, i) => {
+      const [position, heading] = view.drifts[i] ?? [0, 0];
+      [centimetres(position), `${heading.toFixed(1)}°`].forEach((text, j) => cells[j] && setText(cells[j], view.time_s > 0 ? text : "–"));
+    });
+    for (const { row, cell } of single) setText(cell, row.of(view));
+    setText(byId("survey-here"), view.known !== null ? "Lost, found" : view.tracking === "odometry" ? "Robot" : "Corrected");
+    const has = view.figures && view.time_s > 0;
+    setText(byId("survey-n-boundary"), view.figures ? percent(view.figures.boundary) : "–");
+    setText(byId("survey-n-time"), clock(view.time_s));
+    setText(byId("survey-n-time-unit"), view.time_s < 3600 ? "min" : "h");
+    const error = view.figures?.position_m ?? 0;
+    setText(byId("survey-n-error"), has && view.figures?.position_m === null ? "lost" : has ? (error < 1 ? (100 * error).toFixed(error < 0.1 ? 1 : 0) : error.toFixed(2)) : "–");
+    setText(byId("survey-n-error-unit"), view.figures?.position_m === null ? "" : error < 1 ? "cm" : "m");
+  };
+}
