@@ -1,7 +1,7 @@
 // @ts-check
-// The drafting room's share of the benchmark, in a fresh instance of its module: what it measures itself, then how long a
+// The tab Floor plan's share of the benchmark, in a fresh instance of its module: what it measures itself, then how long a
 // large drawing takes from its file to the picture.
-import init, { Drafting, bench_draft, office_drawing } from "../draft.js";
+import init, { FloorPlanSession, bench_draft, office_drawing } from "../draft.js";
 
 const ENTITIES = 100_000;
 /** The picture's size, px: that of a laptop's screen. */
@@ -15,14 +15,14 @@ function draw() {
   const files = [{ name: "office.dxf", bytes: office_drawing(ENTITIES) }];
   const canvas = new OffscreenCanvas(WIDTH, HEIGHT);
   const began = performance.now();
-  const board = new Drafting(canvas);
-  board.open(files);
-  board.resize(WIDTH, HEIGHT, 1);
-  board.draw(false);
+  const session = new FloorPlanSession(canvas);
+  session.open(files);
+  session.resize(WIDTH, HEIGHT, 1);
+  session.draw(false);
   // What was only noted down is drawn by now.
   canvas.getContext("2d")?.getImageData(0, 0, 1, 1);
   const ms = performance.now() - began;
-  board.free();
+  session.free();
   return { name: `read, trace and draw ${ENTITIES.toLocaleString("en")} entities`, ms, times_real_time: null, memory_mb: null };
 }
 

@@ -116,8 +116,8 @@ test("choosing nothing is no error, and a forbidden list is explained", { skip }
 test("an error in the program stops the robot and says so", { skip }, async (t) => {
   const robot = await Robot.start(t);
   const bus = await startBus(t, [robot]);
-  const sabotage = `const view = Link.prototype.view;
-    Link.prototype.view = function (now) {
+  const sabotage = `const view = Connection.prototype.view;
+    Connection.prototype.view = function (now) {
       const seen = view.call(this, now);
       if (seen.distance_m > 0.05) throw new Error("sabotage");
       return seen;

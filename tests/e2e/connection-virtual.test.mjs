@@ -28,7 +28,7 @@ test("every personality is told apart", async (t) => {
   await desk.tab.evaluate(async (ids) => {
     window.all = {};
     for (const id of ids) {
-      const connection = new window.Connection(window.module);
+      const connection = new window.ConnectionClient(window.module);
       const seen = (window.all[id] = { connection, view: null, failures: [] });
       connection.onview = (view) => (seen.view = view);
       connection.onfailed = (failure) => seen.failures.push(failure);

@@ -30,7 +30,7 @@ test("works from a sub-path and loads each module once", async (t) => {
   assert.match([...versions][0] ?? "", /^[0-9a-f]{12}$/);
 });
 
-test("opening needs no planner and none of the other places", async (t) => {
+test("opening needs no planner and none of the other tabs", async (t) => {
   const { page, app, server } = await openApp(t);
   await app.numbersThat(({ coverage, distance }) => coverage > 0 && distance > 0);
   await page.waitForLoadState("networkidle");
@@ -55,7 +55,7 @@ test("opening needs no planner and none of the other places", async (t) => {
   assert.equal(server.requests.filter((address) => address.includes("workshop_bg.wasm")).length, 1);
   assert.ok(!transferred(server).has("www/compare/tab.js"));
   await page.locator("#tab-compare").click();
-  await page.locator("#place-compare").waitFor();
+  await page.locator("#panel-compare").waitFor();
   assert.ok(["www/compare/tab.js", "www/compare/compare.css"].every((file) => transferred(server).has(file)));
   assert.equal(server.requests.filter((address) => address.includes("workshop_bg.wasm")).length, 1);
 });
@@ -79,7 +79,7 @@ test("the page goes on while the largest map is read", async (t) => {
   await page.evaluate(() => {
     window.framesWhileReading = 0;
     const look = () => {
-      const busy = document.getElementById("draft-busy");
+      const busy = document.getElementById("floor-plan-busy");
       if (busy?.checkVisibility()) window.framesWhileReading += 1;
       requestAnimationFrame(look);
     };

@@ -10,9 +10,9 @@ const PHONE = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, isM
 
 /** Opens many runs by their link. */
 async function openRuns(t, { link = SMALL, room = "room=empty&slip=typical", ...options } = {}) {
-  const opened = await openPage(t, { address: `#${room}&place=compare&view=runs&${link}`, ...options });
+  const opened = await openPage(t, { address: `#${room}&tab=compare&view=runs&${link}`, ...options });
   const app = new App(opened.page);
-  await opened.page.locator("body[data-place=compare][data-boot=ready]").waitFor();
+  await opened.page.locator("body[data-tab=compare][data-boot=ready]").waitFor();
   return { ...opened, app };
 }
 
@@ -105,7 +105,7 @@ test("the link brings back who is run how often, and bad ones are refused", asyn
   await page.locator("#run-behaviour-spiral_out").uncheck();
   assert.equal(await app.linked("runs", (runs) => runs === "bounce"), "bounce");
   assert.equal(await app.linked("paths"), "snake~patience:3");
-  await page.evaluate(() => (location.hash = "#room=empty&place=compare&view=runs&runs=snail"));
+  await page.evaluate(() => (location.hash = "#room=empty&tab=compare&view=runs&runs=snail"));
   await page.getByText('there is no behaviour "snail"').waitFor();
 });
 

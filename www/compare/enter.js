@@ -1,5 +1,5 @@
 // @ts-check
-// The place Compare with all that it needs: style, workshop, modules. Loaded when one first goes there.
+// The tab Compare with all that it needs: style, workshop, modules. Loaded when it is first opened.
 import init from "../../compare.js";
 import { startCompare } from "./tab.js";
 import { byId } from "../dom.js";
@@ -13,6 +13,6 @@ export async function enterCompare(app, guard) {
   const sheets = [new URL("./compare.css", import.meta.url), new URL("./montecarlo.css", import.meta.url)];
   const own = compile(new URL("../../compare_bg.wasm", import.meta.url)).then((compiled) => init({ module_or_path: compiled }));
   const [module, , fragment] = await Promise.all([workshop(), own, text(new URL("./compare.html", import.meta.url)), ...sheets.map(({ href }) => style(href))]);
-  byId("place-compare").innerHTML = fragment;
+  byId("panel-compare").innerHTML = fragment;
   return startCompare(app, module, guard);
 }

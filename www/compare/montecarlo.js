@@ -33,9 +33,9 @@ const PHASES = {
  * @param {import("../main.js").App} app
  * @param {WebAssembly.Module} module
  * @param {(what: () => void) => boolean} guard
- * @param {() => import("../../compare.js").Guest} guest The session, up to date.
+ * @param {() => import("../../compare.js").SessionMirror} mirror The session, up to date.
  */
-export function startRuns(app, module, guard, guest) {
+export function startRuns(app, module, guard, mirror) {
   const study = new MonteCarlo();
   /** @type {Offer} */
   const offer = study.offer();
@@ -50,7 +50,7 @@ export function startRuns(app, module, guard, guest) {
 
   const run = () =>
     act((s) => {
-      s.take(guest());
+      s.take(mirror());
       s.run();
       began = { at: performance.now(), done: s.view().done };
     });
@@ -104,7 +104,7 @@ export function startRuns(app, module, guard, guest) {
   return {
     /** Once a frame while this view is shown. */
     frame() {
-      study.take(guest());
+      study.take(mirror());
       pool.tend();
       view = study.view();
       updateChoices(view, offer, items);

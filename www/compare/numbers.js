@@ -22,7 +22,7 @@ export function startNumbers(it) {
   const head = byId("compared").querySelector("thead");
   const body = byId("compared").querySelector("tbody");
   if (!head || !body) throw new Error("the page has no table");
-  for (const node of byId("place-compare").querySelectorAll(".table-scroll")) cueScroll(/** @type {HTMLElement} */ (node));
+  for (const node of byId("panel-compare").querySelectorAll(".table-scroll")) cueScroll(/** @type {HTMLElement} */ (node));
 
   /** @param {number} column */
   const sortBy = (column) => {

@@ -1,11 +1,11 @@
 // @ts-check
-// The place Compare: who takes part, how far the trials are, and which view of them is shown.
+// The tab Compare: who takes part, how far the trials are, and which view of them is shown.
 import { Comparison } from "../../compare.js";
 import { startAbout } from "./about.js";
 import { button, byId, changed, fill, select, setAttribute, setHidden, setText, typed } from "../dom.js";
 import { entrantItem, showChoice, swatch } from "./entrants.js";
 import { startExports } from "./exports.js";
-import { startGuest } from "./session-mirror.js";
+import { startMirror } from "./session-mirror.js";
 import { startNumbers } from "./numbers.js";
 import { complain, textOf } from "../messages.js";
 import { Pool } from "./pool.js";
@@ -15,7 +15,7 @@ import { startRuns } from "./montecarlo.js";
 /**
  * @typedef {import("../types").CompareView} CompareView
  * @typedef {import("../main.js").App} App
- * @typedef {object} Comparing What the modules of this place share.
+ * @typedef {object} Comparing What the modules of this tab share.
  * @property {App} app
  * @property {Comparison} comparison
  * @property {CompareView} view
@@ -23,7 +23,7 @@ import { startRuns } from "./montecarlo.js";
  * @property {(entrant: number) => void} about Tells about an algorithm and shows its path.
  */
 
-/** @typedef {"race" | "numbers" | "runs"} ViewName The views of this place. @type {ViewName[]} */
+/** @typedef {"race" | "numbers" | "runs"} ViewName The views of this tab. @type {ViewName[]} */
 const VIEWS = ["race", "numbers", "runs"];
 /** Most workers that try planners: each holds a room and a planner's memory. */
 const MOST_WORKERS = 6;
@@ -36,7 +36,7 @@ const SEEDS = [1, 3, 5, 10, 20];
  * @param {(what: () => void) => boolean} guard
  */
 export function startCompare(app, module, guard) {
-  const guest = startGuest(app);
+  const mirror = startMirror(app);
   const comparison = new Comparison();
   /** @type {Comparing} */
   const it = {
@@ -51,19 +51,19 @@ export function startCompare(app, module, guard) {
   startSetup(it);
   const race = startRace(it);
   const updateNumbers = startNumbers(it);
-  const runs = startRuns(app, module, guard, guest);
+  const runs = startRuns(app, module, guard, mirror);
   const plans = { name: "comparison", csv: () => comparison.csv(), json: () => comparison.json(), charts: byId("charts") };
   startExports(app, () => (shownView() === "runs" ? runs.exported : plans));
 
   return {
-    /** Once a frame while the place is shown. @param {number} now */
+    /** Once a frame while the tab is shown. @param {number} now */
     frame(now) {
       updatePlace(app);
       if (shownView() === "runs") {
         runs.frame();
         return;
       }
-      comparison.take(guest());
+      comparison.take(mirror());
       pool.tend();
       comparison.frame(now);
       it.view = comparison.view();
@@ -84,7 +84,7 @@ export function startCompare(app, module, guard) {
       const wanted = new URLSearchParams(link).get("view");
       showView(VIEWS.find((name) => name === wanted) ?? "race");
     },
-    link: () => `place=compare&view=${shownView()}&${comparison.link()}${shownView() === "runs" ? `&${runs.link()}` : ""}`,
+    link: () => `tab=compare&view=${shownView()}&${comparison.link()}${shownView() === "runs" ? `&${runs.link()}` : ""}`,
     /** A single key, space for one. @param {string} key */
     key: (key) => shownView() === "race" && race.key(key),
     /** @param {boolean} dark */
@@ -93,11 +93,11 @@ export function startCompare(app, module, guard) {
 }
 
 /** @returns {ViewName} */
-const shownView = () => VIEWS.find((name) => name === byId("place-compare").dataset.view) ?? "race";
+const shownView = () => VIEWS.find((name) => name === byId("panel-compare").dataset.view) ?? "race";
 
 /** @param {ViewName} view */
 function showView(view) {
-  byId("place-compare").dataset.view = view;
+  byId("panel-compare").dataset.view = view;
   for (const name of VIEWS) byId(`view-${name}`).setAttribute("aria-pressed", String(name === view));
 }
 

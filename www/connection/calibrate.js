@@ -18,12 +18,12 @@ const STEPS = [
 /** What is known of a robot that wasn't calibrated. */
 const NOTHING = { swapped: false, distance_factor: 1, base_factor: 1 };
 
-/** @param {import("./tab.js").Linking} it @returns {(view: import("./types").ConnectionView) => void} */
+/** @param {import("./tab.js").ConnectionTab} it @returns {(view: import("./types").ConnectionView) => void} */
 export function startCalibrate(it) {
   /** What is kept of a robot: its line, by name; virtual ones have a nature of their own each. @param {import("./types").ConnectionView} view */
-  const keyOf = ({ transport }) => `link-calibration ${transport.kind} ${it.personality || transport.name}`;
+  const keyOf = ({ transport }) => `connection-calibration ${transport.kind} ${it.personality || transport.name}`;
   const starts = STEPS.map(({ what, title, text, room, path }) => {
-    const svg = draw("svg", { viewBox: "0 0 160 116", class: "link-picture", "aria-hidden": "true" });
+    const svg = draw("svg", { viewBox: "0 0 160 116", class: "connection-picture", "aria-hidden": "true" });
     draw("circle", { cx: what === "metre" ? 30 : what === "square" ? 40 : 80, cy: what === "square" ? 96 : 58, r: 16, class: "p-shell" }, svg);
     draw("path", { d: path, class: "p-wire" }, svg);
     const start = make("button", { type: "button" }, "Start");
@@ -40,12 +40,12 @@ export function startCalibrate(it) {
     node.addEventListener("click", () => void it.request({ do: "skip" }));
     return node;
   };
-  const number = make("form", { className: "link-tools", hidden: true }, answer, unit, send, skip());
+  const number = make("form", { className: "connection-tools", hidden: true }, answer, unit, send, skip());
   const yes = make("button", { type: "button", className: "primary" }, "Yes");
   const no = make("button", { type: "button" }, "No");
-  const choice = make("div", { className: "link-tools", hidden: true }, yes, no, skip());
+  const choice = make("div", { className: "connection-tools", hidden: true }, yes, no, skip());
   const inUse = make("p", { className: "note", id: "calibrate-use" });
-  byId("link-calibrate").append(told, number, choice, make("ol", { className: "link-steps" }, ...starts.map(({ item }) => item)), inUse);
+  byId("connection-calibrate").append(told, number, choice, make("ol", { className: "connection-steps" }, ...starts.map(({ item }) => item)), inUse);
   number.addEventListener("submit", (event) => {
     event.preventDefault();
     const value = answer.valueAsNumber;

@@ -13,7 +13,7 @@ const BEAT_MS = 40;
  *
  * Everything that is refused or fails comes to `onfailed`; promises of methods then say `false` and never reject.
  */
-export class Connection {
+export class ConnectionClient {
   /** 20 times a second while something is open, and once when it closes. @type {(view: import("./types").ConnectionView) => void} */
   onview = () => {};
   /** What went over the line since, oldest first. @type {(traffic: import("./types").Traffic[]) => void} */
@@ -139,12 +139,12 @@ export class Connection {
     this.#worker.terminate();
   }
 
-  /** @param {import("./types").ToLink} message */
+  /** @param {import("./types").ToConnection} message */
   #tell(message, worker = this.#worker) {
     worker.postMessage(message);
   }
 
-  /** @param {Extract<import("./types").ToLink, { id: number }>} message @returns {Promise<boolean | string>} */
+  /** @param {Extract<import("./types").ToConnection, { id: number }>} message @returns {Promise<boolean | string>} */
   #ask(message) {
     message.id = ++this.#asked;
     return new Promise((resolve) => {
@@ -154,7 +154,7 @@ export class Connection {
     });
   }
 
-  /** @param {import("./types").FromLink} message */
+  /** @param {import("./types").FromConnection} message */
   #heard(message) {
     if (message.type === "view") {
       this.#view = message.view;

@@ -6,75 +6,75 @@ import { kept, keep, readSafety } from "./dialogs.js";
 import { support } from "./support.js";
 import { isOpen, isReplay, waitedFor } from "./view.js";
 
-/** @typedef {import("./tab.js").Linking} Linking */
+/** @typedef {import("./tab.js").ConnectionTab} ConnectionTab */
 /** @typedef {import("./types").ConnectionView} ConnectionView */
 
 /** Which picture belongs to what was found. @type {Record<string, string>} */
 const PICTURES = { nothing: "listening", silence: "asleep", stream: "awake", robot: "awake", text: "awake", charging: "dock", booting: "boot", bootloader: "boot", garbage: "speed", no_stream: "awake" };
 /** What is being tried, while it is. @type {Record<string, string>} */
 const TRYING = { listening: "Listening who is there…", asking: "Asking for an answer…", waking: "Waking it by the cable's wake-up wire…", slow: "Trying 19,200 baud…", create1: "Trying 57,600 baud…" };
-const URL_KEPT = "link-bridge";
+const URL_KEPT = "connection-bridge";
 
-/** @param {Linking} it @returns {(view: ConnectionView) => void} */
+/** @param {ConnectionTab} it @returns {(view: ConnectionView) => void} */
 export function startConnect(it) {
   const can = support();
   const personalities = /** @type {import("./types").Personality[]} */ (VirtualRobot.personalities());
-  const choice = select("link-personality");
+  const choice = select("connection-personality");
   fill(choice, personalities.map(({ id, title }) => [id, title]));
-  const describe = () => setText(byId("link-personality-note"), personalities.find(({ id }) => id === choice.value)?.summary ?? "");
+  const describe = () => setText(byId("connection-personality-note"), personalities.find(({ id }) => id === choice.value)?.summary ?? "");
   choice.addEventListener("change", describe);
   describe();
 
-  setHidden(byId("link-unsupported"), can.why === "");
-  setText(byId("link-unsupported"), `${can.why} ${can.instead}`);
-  button("link-serial").addEventListener("click", async () => {
+  setHidden(byId("connection-unsupported"), can.why === "");
+  setText(byId("connection-unsupported"), `${can.why} ${can.instead}`);
+  button("connection-serial").addEventListener("click", async () => {
     if (!can.serial) {
       it.complain(`${can.why} ${can.instead}`);
       return;
     }
     if (await readSafety()) await it.open({ kind: "serial" });
   });
-  setAttribute(button("link-serial"), "aria-disabled", String(!can.serial));
-  button("link-virtual").addEventListener("click", () => void it.open({ kind: "virtual", personality: choice.value }));
-  input("link-url").value = kept(URL_KEPT) ?? "";
-  byId("link-socket").addEventListener("submit", async (event) => {
+  setAttribute(button("connection-serial"), "aria-disabled", String(!can.serial));
+  button("connection-virtual").addEventListener("click", () => void it.open({ kind: "virtual", personality: choice.value }));
+  input("connection-url").value = kept(URL_KEPT) ?? "";
+  byId("connection-socket").addEventListener("submit", async (event) => {
     event.preventDefault();
-    const url = input("link-url").value.trim();
+    const url = input("connection-url").value.trim();
     if (!(await readSafety())) return;
     keep(URL_KEPT, url);
     await it.open({ kind: "socket", url });
   });
-  for (const id of ["link-again", "link-retry"]) button(id).addEventListener("click", () => void it.request({ do: "connect" }));
-  for (const id of ["link-close", "link-give-up"]) button(id).addEventListener("click", () => void it.close());
+  for (const id of ["connection-again", "connection-retry"]) button(id).addEventListener("click", () => void it.request({ do: "connect" }));
+  for (const id of ["connection-close", "connection-give-up"]) button(id).addEventListener("click", () => void it.close());
 
   let wasOpen = false;
   return (view) => {
     const open = isOpen(view);
-    if (changed(byId("link-welcome"), "open", open)) {
-      setHidden(byId("link-welcome"), open);
-      setHidden(byId("link-need"), open);
-      setHidden(byId("link-line-buttons"), !open);
+    if (changed(byId("connection-welcome"), "open", open)) {
+      setHidden(byId("connection-welcome"), open);
+      setHidden(byId("connection-need"), open);
+      setHidden(byId("connection-line-buttons"), !open);
       // What had the focus is gone.
-      if (open !== wasOpen && (document.activeElement === document.body || !document.activeElement?.checkVisibility())) byId(open ? "link-floor" : "link-virtual").focus();
+      if (open !== wasOpen && (document.activeElement === document.body || !document.activeElement?.checkVisibility())) byId(open ? "connection-floor" : "connection-virtual").focus();
       wasOpen = open;
     }
     showState(view, open);
     const isThere = (view.phase === "connected" && view.transport.state !== "lost") || isReplay(view);
-    setHidden(byId("link-diagnosis"), !open || isThere);
+    setHidden(byId("connection-diagnosis"), !open || isThere);
     if (open && !isThere) showDiagnosis(view);
-    for (const id of ["link-again", "link-retry"]) setHidden(button(id), !view.can.connect || isReplay(view));
-    setText(button("link-close"), isReplay(view) ? "Close the recording" : "Disconnect");
+    for (const id of ["connection-again", "connection-retry"]) setHidden(button(id), !view.can.connect || isReplay(view));
+    setText(button("connection-close"), isReplay(view) ? "Close the recording" : "Disconnect");
   };
 }
 
 /** @param {ConnectionView} view @param {boolean} open */
 function showState(view, open) {
   const { phase, transport, diagnosis } = view;
-  setAttribute(byId("link-setup"), "data-phase", open ? phase : "closed");
+  setAttribute(byId("connection-setup"), "data-phase", open ? phase : "closed");
   const names = { closed: "Connecting…", diagnosing: "Connecting…", waiting: waitedFor(diagnosis)[0], connected: transport.name || "Connected", lost: "Connection lost" };
-  setText(byId("link-name"), isReplay(view) ? transport.name : open ? names[phase] : "Not connected");
+  setText(byId("connection-name"), isReplay(view) ? transport.name : open ? names[phase] : "Not connected");
   const note = isReplay(view) ? "Shown as it was: nothing can be driven." : phase === "connected" ? transport.text || diagnosis.text : transport.text;
-  setText(byId("link-note"), open ? note : "By cable to a real robot, or to the virtual one.");
+  setText(byId("connection-note"), open ? note : "By cable to a real robot, or to the virtual one.");
 }
 
 /** @param {ConnectionView} view */
@@ -83,10 +83,10 @@ function showDiagnosis({ phase, diagnosis, transport }) {
   // Who is still trying doesn't send anybody to press buttons.
   const trying = isLost || phase !== "diagnosing" ? "" : (TRYING[diagnosis.step] ?? "Listening who is there…");
   const picture = isLost ? "unplugged" : trying ? "listening" : (PICTURES[diagnosis.finding] ?? "listening");
-  setAttribute(byId("link-picture"), "href", `#p-${picture}`);
-  setText(byId("link-found"), trying || (isLost ? transport.text : "") || diagnosis.text || "Listening who is there…");
-  setText(byId("link-remedy"), trying ? "" : diagnosis.remedy);
-  if (!changed(byId("link-tried"), "log", diagnosis.log.join("\n"))) return;
-  byId("link-tried").replaceChildren(...diagnosis.log.map((line) => make("li", {}, line)));
+  setAttribute(byId("connection-picture"), "href", `#p-${picture}`);
+  setText(byId("connection-found"), trying || (isLost ? transport.text : "") || diagnosis.text || "Listening who is there…");
+  setText(byId("connection-remedy"), trying ? "" : diagnosis.remedy);
+  if (!changed(byId("connection-tried"), "log", diagnosis.log.join("\n"))) return;
+  byId("connection-tried").replaceChildren(...diagnosis.log.map((line) => make("li", {}, line)));
 }
 

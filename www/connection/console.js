@@ -15,7 +15,7 @@ const KINDS = [["", "Everything"], ["talk", "All but readings"], ["sent", "Comma
 /** How a line of each kind begins, for those who don't see its colour. */
 const SIGNS = { sent: "→", frame: "←", refused: "✗", text: "“", bytes: "·", line: "–" };
 
-/** @param {import("./tab.js").Linking} it */
+/** @param {import("./tab.js").ConnectionTab} it */
 export function startConsole(it) {
   const list = byId("console-lines");
   const kinds = select("console-kind");
@@ -112,7 +112,7 @@ export function startConsole(it) {
   };
 }
 
-/** @param {import("./tab.js").Linking} it */
+/** @param {import("./tab.js").ConnectionTab} it */
 function startRaw(it) {
   const [field, send, told] = [input("console-bytes"), button("console-send"), byId("console-parsed")];
   const read = () => {

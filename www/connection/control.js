@@ -1,11 +1,11 @@
 // @ts-check
 // Who is in control: modes, why one was lost, sleep and battery, and the stop that is always there.
 import { button, byId, changed, setAttribute, setEnabled, setHidden, setText } from "../dom.js";
-import { place } from "../tabs.js";
+import { currentTab } from "../tabs.js";
 import { ask } from "./dialogs.js";
 import { doing, isMoving, isOpen, isReplay } from "./view.js";
 
-/** @typedef {import("./tab.js").Linking} Linking */
+/** @typedef {import("./tab.js").ConnectionTab} ConnectionTab */
 /** @typedef {import("./types").ConnectionView} ConnectionView */
 
 /** Time awake from which the battery is worth a word, s; 0.1 Ah or so by then (our own choice). */
@@ -16,17 +16,17 @@ const SOON_ASLEEP_S = 240;
 /** @param {number} seconds */
 const clock = (seconds) => `${Math.floor(seconds / 60)}:${String(Math.floor(seconds % 60)).padStart(2, "0")}`;
 
-/** @param {Linking} it @returns {(view: ConnectionView) => void} */
+/** @param {ConnectionTab} it @returns {(view: ConnectionView) => void} */
 export function startControl(it) {
   const stop = () => {
     it.halt();
     void it.request({ do: "stop" });
   };
-  button("link-stop").addEventListener("click", stop);
+  button("connection-stop").addEventListener("click", stop);
   startStopKeys(it, stop);
-  for (const id of ["link-arm", "link-rearm", "link-bar-arm"]) button(id).addEventListener("click", () => it.view.can.arm && void it.request({ do: "arm", full: false }));
-  button("link-disarm").addEventListener("click", () => it.view.can.disarm && void it.request({ do: "disarm" }));
-  button("link-full").addEventListener("click", async () => {
+  for (const id of ["connection-arm", "connection-rearm", "connection-bar-arm"]) button(id).addEventListener("click", () => it.view.can.arm && void it.request({ do: "arm", full: false }));
+  button("connection-disarm").addEventListener("click", () => it.view.can.disarm && void it.request({ do: "disarm" }));
+  button("connection-full").addEventListener("click", async () => {
     if (!it.view.can.arm) return;
     const agreed = await ask({
       title: "Without its own guard?",
@@ -44,29 +44,29 @@ export function startControl(it) {
   return (view) => {
     const open = isOpen(view) && !isReplay(view);
     const isThere = view.phase === "connected" && open;
-    setHidden(button("link-stop"), !open);
-    button("link-stop").classList.toggle("moving", isMoving(view) || it.movesAlone);
-    for (const id of ["link-control", "link-ride"]) setHidden(byId(id), !isThere);
-    for (const row of byId("link-modes").children) {
+    setHidden(button("connection-stop"), !open);
+    button("connection-stop").classList.toggle("moving", isMoving(view) || it.movesAlone);
+    for (const id of ["connection-control", "connection-ride"]) setHidden(byId(id), !isThere);
+    for (const row of byId("connection-modes").children) {
       const isIn = row.getAttribute("data-mode") === view.mode;
       setAttribute(row, "class", isIn ? "in" : "");
       setAttribute(row, "aria-current", String(isIn));
     }
-    setEnabled(button("link-arm"), view.can.arm && view.mode !== "Safe");
+    setEnabled(button("connection-arm"), view.can.arm && view.mode !== "Safe");
     // Only marked: who asks why it can't be had is told.
-    setAttribute(button("link-full"), "aria-disabled", String(!view.can.arm));
-    setAttribute(button("link-full"), "data-tip", fullTip(view));
-    setHidden(button("link-bar-arm"), !isThere || !view.can.arm || view.drop !== null);
-    setEnabled(button("link-disarm"), view.can.disarm);
-    setText(byId("link-clock"), clocks(view));
-    setHidden(byId("link-drop"), !isThere || view.drop === null);
-    setText(byId("link-drop-text"), view.drop?.text ?? "");
-    setText(byId("link-drop-remedy"), view.drop?.remedy ?? "");
-    setHidden(button("link-rearm"), !view.drop?.can_rearm);
+    setAttribute(button("connection-full"), "aria-disabled", String(!view.can.arm));
+    setAttribute(button("connection-full"), "data-tip", fullTip(view));
+    setHidden(button("connection-bar-arm"), !isThere || !view.can.arm || view.drop !== null);
+    setEnabled(button("connection-disarm"), view.can.disarm);
+    setText(byId("connection-clock"), clocks(view));
+    setHidden(byId("connection-drop"), !isThere || view.drop === null);
+    setText(byId("connection-drop-text"), view.drop?.text ?? "");
+    setText(byId("connection-drop-remedy"), view.drop?.remedy ?? "");
+    setHidden(button("connection-rearm"), !view.drop?.can_rearm);
     const [what, more] = doing(view, it.movesAlone);
-    setText(byId("link-doing"), what);
-    setText(byId("link-doing-note"), more);
-    if (changed(byId("link-said"), "said", what)) setText(byId("link-said"), `${what}. ${more}`);
+    setText(byId("connection-doing"), what);
+    setText(byId("connection-doing-note"), more);
+    if (changed(byId("connection-said"), "said", what)) setText(byId("connection-said"), `${what}. ${more}`);
   };
 }
 
@@ -85,12 +85,12 @@ function clocks({ mode, sleeps_in_s: sleeps, awake_s: awake }) {
 /**
  * Space and Escape stop the robot, wherever the focus is. Buttons are pressed by Enter here: whoever stops twice must not
  * start what the focus is on.
- * @param {Linking} it @param {() => void} stop
+ * @param {ConnectionTab} it @param {() => void} stop
  */
 function startStopKeys(it, stop) {
   /** @param {KeyboardEvent} event */
   const isStop = (event) => {
-    if (place() !== "robot" || !isOpen(it.view) || isReplay(it.view) || (event.key !== " " && event.key !== "Escape")) return false;
+    if (currentTab() !== "connection" || !isOpen(it.view) || isReplay(it.view) || (event.key !== " " && event.key !== "Escape")) return false;
     const target = event.target instanceof Element ? event.target : document.body;
     const writes = target.matches("textarea, input:not([type=checkbox], [type=range], [type=radio], [type=file])");
     return event.key === "Escape" || !writes;

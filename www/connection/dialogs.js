@@ -17,24 +17,24 @@ export const ask = async (question) => (await choose(question)) === "yes";
 
 /** Asks; says what was answered: "yes", "other" or "no". @param {Question} question @returns {Promise<string>} */
 export function choose({ title, points, yes, other = "", no = "Cancel", isWarning = false }) {
-  const dialog = typed("link-ask", HTMLDialogElement);
-  setText(byId("link-ask-title"), title);
+  const dialog = typed("connection-ask", HTMLDialogElement);
+  setText(byId("connection-ask-title"), title);
   const items = points.map((point) => make("li", {}, point));
-  byId("link-ask-text").replaceChildren(make("ul", { className: "link-list" }, ...items));
-  setText(button("link-ask-yes"), yes);
-  setText(button("link-ask-other"), other);
-  setHidden(button("link-ask-other"), other === "");
-  setText(button("link-ask-no"), no);
-  setHidden(button("link-ask-no"), no === "");
+  byId("connection-ask-text").replaceChildren(make("ul", { className: "connection-list" }, ...items));
+  setText(button("connection-ask-yes"), yes);
+  setText(button("connection-ask-other"), other);
+  setHidden(button("connection-ask-other"), other === "");
+  setText(button("connection-ask-no"), no);
+  setHidden(button("connection-ask-no"), no === "");
   dialog.classList.toggle("warning", isWarning);
   dialog.returnValue = "no";
   dialog.showModal();
   // The harmless answer is nearest to a key that was pressed too often.
-  (no === "" ? button("link-ask-yes") : button("link-ask-no")).focus();
+  (no === "" ? button("connection-ask-yes") : button("connection-ask-no")).focus();
   return new Promise((resolve) => dialog.addEventListener("close", () => resolve(dialog.returnValue), { once: true }));
 }
 
-const READ = "link-safety";
+const READ = "connection-safety";
 
 /** Before the first connection to a real robot: what can happen, and where to put it. @returns {Promise<boolean>} */
 export async function readSafety() {
@@ -54,10 +54,10 @@ export async function readSafety() {
   return agreed;
 }
 
-/** What is kept in this browser. @param {string} key */
+/** What is kept in this browser, maybe under its older name. @param {string} key */
 export function kept(key) {
   try {
-    return localStorage.getItem(key);
+    return localStorage.getItem(key) ?? localStorage.getItem(key.replace(/^connection-/, "link-"));
   } catch {
     return null;
   }

@@ -2,10 +2,10 @@
 // Driving the robot by hand. The worker stops it when it hasn't heard for 200 ms.
 import { button, byId, setHidden, setText } from "../dom.js";
 import { STILL, joystick, rounded } from "../joystick.js";
-import { place } from "../tabs.js";
+import { currentTab } from "../tabs.js";
 import { goesOn } from "./view.js";
 
-/** @typedef {import("./tab.js").Linking} Linking */
+/** @typedef {import("./tab.js").ConnectionTab} ConnectionTab */
 
 /** How often a command is said again while it is held, ms. */
 const AGAIN_MS = 40;
@@ -13,12 +13,12 @@ const AGAIN_MS = 40;
 /** What needs arrows or letters for itself. */
 const OWN_KEYS = "input:not([type=checkbox], [type=button], [type=file]), textarea, select, .console, [contenteditable]";
 
-/** @param {Linking} it */
+/** @param {ConnectionTab} it */
 export function startDrive(it) {
-  const [floor, knob] = [byId("link-floor"), button("link-knob")];
+  const [floor, knob] = [byId("connection-floor"), button("connection-knob")];
   const mayDrive = () => {
     const { can, ride } = it.view;
-    return place() === "robot" && can.drive && (!goesOn(ride) || ride?.manual === true);
+    return currentTab() === "connection" && can.drive && (!goesOn(ride) || ride?.manual === true);
   };
   let isDriving = false;
   /** Whether all was still since one could drive, or something was touched: nobody shall drive off by taking control. */
@@ -30,13 +30,13 @@ export function startDrive(it) {
     // A hidden page has given control back already.
     if (!document.hidden) void it.request({ do: "drive", ...STILL });
   };
-  const here = byId("place-robot");
+  const here = byId("panel-connection");
   /** Buttons have no use for arrows: whoever has just pressed one may drive. @param {EventTarget | null} target */
   const isFree = (target) => target === document.body || (target instanceof Element && here.contains(target) && !target.matches(OWN_KEYS));
   const stick = joystick({
-    pad: byId("link-pad"),
+    pad: byId("connection-pad"),
     knob,
-    told: byId("link-blocked"),
+    told: byId("connection-blocked"),
     targets: [document.body, floor, knob],
     takes: ({ target }) => mayDrive() && isFree(target) && !document.querySelector("dialog[open]"),
     begin: () => {
@@ -78,10 +78,10 @@ export function startDrive(it) {
     /** @param {import("./types").ConnectionView} view */
     update({ ride, can }) {
       const on = can.drive && (!goesOn(ride) || ride?.manual === true);
-      setHidden(byId("link-manual"), !on);
+      setHidden(byId("connection-manual"), !on);
       if (!on) return;
       const { hasGamepad } = stick.read();
-      setText(byId("link-manual-note"), hasGamepad ? "Gamepad connected." : "Drag, or arrow keys or WASD.");
+      setText(byId("connection-manual-note"), hasGamepad ? "Gamepad connected." : "Drag, or arrow keys or WASD.");
     },
   };
 }

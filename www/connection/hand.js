@@ -4,7 +4,7 @@ import { byId, make, setAttribute, setHidden, setText } from "../dom.js";
 import { draw } from "../portrait.js";
 import { hush, isMuted, sound } from "./sound.js";
 
-/** @typedef {import("./tab.js").Linking} Linking */
+/** @typedef {import("./tab.js").ConnectionTab} ConnectionTab */
 
 /** Buttons of packet 18: bit, name, place on the face. @type {[bit: number, name: string, x: number, y: number][]} */
 const BUTTONS = [[1, "Clean", 80, 52], [2, "Spot", 45, 62], [4, "Dock", 115, 62]];
@@ -16,7 +16,7 @@ export const cleanColour = (colour, intensity) => `rgb(${Math.round(90 + 0.65 * 
 
 /** The face of the robot. */
 export function face() {
-  const svg = draw("svg", { viewBox: "0 0 160 116", class: "link-face", role: "img" });
+  const svg = draw("svg", { viewBox: "0 0 160 116", class: "connection-face", role: "img" });
   draw("circle", { cx: 80, cy: 58, r: 56, class: "shell" }, svg);
   const light = draw("circle", { cx: 80, cy: 52, r: 19, class: "light" }, svg);
   for (const [, name, x, y] of BUTTONS) {
@@ -44,7 +44,7 @@ export function face() {
   };
 }
 
-/** @param {Linking} it */
+/** @param {ConnectionTab} it */
 export function startVirtual(it) {
   const { svg, show } = face();
   const touch = (/** @type {import("./types").Touch} */ what) => it.connection.virtual(what);
@@ -57,7 +57,7 @@ export function startVirtual(it) {
   const lift = key("hand-lift", "Lift", "");
   const plug = key("hand-plug", "Plug in", "");
   const mute = key("hand-mute", "Mute its sounds", "Its tunes, on this page.");
-  byId("link-face").replaceChildren(svg, make("div", { className: "link-hand" }, ...presses, lift, plug, mute), make("p", { className: "note", id: "hand-note" }));
+  byId("connection-face").replaceChildren(svg, make("div", { className: "connection-hand" }, ...presses, lift, plug, mute), make("p", { className: "note", id: "hand-note" }));
   let isPlugged = false;
   plug.addEventListener("click", () => {
     isPlugged = !isPlugged;
@@ -88,8 +88,8 @@ export function startVirtual(it) {
     },
     /** @param {import("./types").ConnectionView} view */
     update({ virtual }) {
-      setHidden(byId("link-virtual-panel"), virtual === null);
-      setHidden(byId("link-hand-tab"), virtual === null);
+      setHidden(byId("connection-virtual-panel"), virtual === null);
+      setHidden(byId("connection-hand-tab"), virtual === null);
       if (!virtual) {
         isPlugged = false;
         return;

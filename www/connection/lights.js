@@ -16,7 +16,7 @@ const BUTTONS = [
   ["power", "Power", "It goes to sleep. Only its Clean button, or a cable with a wake-up wire, wakes it."],
 ];
 
-/** @param {import("./tab.js").Linking} it @returns {(view: import("./types").ConnectionView) => void} */
+/** @param {import("./tab.js").ConnectionTab} it @returns {(view: import("./types").ConnectionView) => void} */
 export function startLights(it) {
   const { svg, show } = face();
   const state = { lamps: 0, clean_light: /** @type {[number, number]} */ ([0, 128]), digits: "" };
@@ -66,12 +66,12 @@ export function startLights(it) {
     });
     return node;
   });
-  const group = (/** @type {string} */ title, /** @type {Node[]} */ ...nodes) => make("fieldset", { className: "link-set" }, make("legend", {}, title), ...nodes);
-  byId("link-lights").append(
-    make("div", { className: "link-sets" },
-      group("Lights", make("div", { className: "link-lamps" }, svg, make("div", { className: "link-hand" }, ...lamps), range("Clean light: green to red", 0), range("Brightness", 1)), form),
-      group("Brushes and vacuum", make("div", { className: "link-hand" }, ...motors)),
-      group("Its own buttons", make("p", { className: "note" }, "They hand the robot back to its own program."), make("div", { className: "link-hand" }, ...buttons)),
+  const group = (/** @type {string} */ title, /** @type {Node[]} */ ...nodes) => make("fieldset", { className: "connection-set" }, make("legend", {}, title), ...nodes);
+  byId("connection-lights").append(
+    make("div", { className: "connection-sets" },
+      group("Lights", make("div", { className: "connection-lamps" }, svg, make("div", { className: "connection-hand" }, ...lamps), range("Clean light: green to red", 0), range("Brightness", 1)), form),
+      group("Brushes and vacuum", make("div", { className: "connection-hand" }, ...motors)),
+      group("Its own buttons", make("p", { className: "note" }, "They hand the robot back to its own program."), make("div", { className: "connection-hand" }, ...buttons)),
     ),
   );
   show(state);

@@ -23,15 +23,15 @@ const ROWS = [
   ["Adapter errors", "Breaks, framing, parity and overrun errors that the adapter reported.", ({ transport: { errors: e } }) => `${e.break} · ${e.framing} · ${e.parity} · ${e.overrun}`],
 ];
 
-/** @param {import("./tab.js").Linking} it @returns {(view: ConnectionView) => void} */
+/** @param {import("./tab.js").ConnectionTab} it @returns {(view: ConnectionView) => void} */
 export function startLine(it) {
   const rows = ROWS.map(([name, tip, text]) => {
     const value = make("span", { className: "value" }, "–");
     return { node: row(name, tip, value), value, text };
   });
-  byId("link-line").replaceChildren(...rows.map(({ node }) => node));
-  button("link-save").addEventListener("click", async () => download("robot-recording.txt", await it.connection.recording(), "text/plain"));
-  button("link-identify").addEventListener("click", async () => {
+  byId("connection-line").replaceChildren(...rows.map(({ node }) => node));
+  button("connection-save").addEventListener("click", async () => download("robot-recording.txt", await it.connection.recording(), "text/plain"));
+  button("connection-identify").addEventListener("click", async () => {
     const agreed = await ask({
       title: "Restart the robot?",
       points: ["A robot tells its firmware only when it restarts: it takes five seconds, and you have to take control again.", "One robot was reported to stay in its bootloader after this; its battery had to be taken out."],
@@ -44,7 +44,7 @@ export function startLine(it) {
   return (view) => {
     const open = isOpen(view);
     for (const { value, text } of rows) setText(value, open ? text(view) : "–");
-    setHidden(byId("link-record"), isReplay(view) || (!open && view.statistics.bytes[0] === 0));
-    setText(byId("link-firmware"), view.firmware ? `Firmware: ${view.firmware}` : "");
+    setHidden(byId("connection-record"), isReplay(view) || (!open && view.statistics.bytes[0] === 0));
+    setText(byId("connection-firmware"), view.firmware ? `Firmware: ${view.firmware}` : "");
   };
 }

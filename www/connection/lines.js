@@ -7,10 +7,10 @@ import { VirtualLine } from "./virtual.js";
 /**
  * A line that isn't open yet. Throws a `Failure`.
  * @param {import("./types").WorkerTarget} target
- * @param {import("../../robot.js").Guest} guest the room of the virtual robot
+ * @param {import("../../robot.js").SessionMirror} mirror the room of the virtual robot
  * @param {import("./types").TransportEvents} events
  */
-export function lineTo(target, guest, events) {
-  if (target.kind === "virtual") return new VirtualLine(guest, target.personality, events);
+export function lineTo(target, mirror, events) {
+  if (target.kind === "virtual") return new VirtualLine(mirror, target.personality, events);
   return target.kind === "serial" ? new SerialLine(target.address, events) : new SocketLine(target.url, events);
 }

@@ -4,7 +4,7 @@ import { LiveMap } from "../../robot.js";
 import { byId, changed, fill, select, setAttribute, setHidden, setText, typed } from "../dom.js";
 import { goesOn, isOpen } from "./view.js";
 
-/** @typedef {import("./tab.js").Linking} Linking */
+/** @typedef {import("./tab.js").ConnectionTab} ConnectionTab */
 /** @typedef {import("./types").ConnectionView} ConnectionView */
 
 const KEY_PAN = 60;
@@ -12,11 +12,11 @@ const WHEEL_LINE = 16;
 /** Milliseconds between descriptions in words. */
 const TOLD_EVERY = 1000;
 
-/** @param {Linking} it */
+/** @param {ConnectionTab} it */
 export function startMap(it) {
-  const canvas = typed("link-floor", HTMLCanvasElement);
-  const choice = select("link-room");
-  const map = new LiveMap(canvas, it.room.guest, true);
+  const canvas = typed("connection-floor", HTMLCanvasElement);
+  const choice = select("connection-room");
+  const map = new LiveMap(canvas, it.room.mirror, true);
   let wasThere = false;
   /** Where a ride begins that isn't told of yet, and where the robot believed to be before. @type {[to: number[], from: number[]] | undefined} */
   let awaited;
@@ -28,7 +28,7 @@ export function startMap(it) {
     const value = choice.value || "known";
     fill(choice, [["known", `${it.app.playground.view().room.title} (from Explore)`], ["blank", "Unknown room"]]);
     choice.value = value;
-    setText(byId("link-room-note"), isKnown() ? it.room.guest.complaint() || "Change it in Explore." : "What it sweeps and feels is drawn as it goes.");
+    setText(byId("connection-room-note"), isKnown() ? it.room.mirror.complaint() || "Change it in Explore." : "What it sweeps and feels is drawn as it goes.");
   };
   /** What the map shows of rooms, to tell when that is another one. */
   let drawn = "";
@@ -40,7 +40,7 @@ export function startMap(it) {
     if (room === drawn) {
       map.wipe();
       map.set_planned([]);
-    } else map.begin(it.room.guest, isKnown());
+    } else map.begin(it.room.mirror, isKnown());
     drawn = room;
     place(view);
   };
@@ -59,7 +59,7 @@ export function startMap(it) {
     isKnown,
     /** A ride has begun: from now on the robot believes to be at the room's start. On blank paper it stays where it is drawn. */
     rideFrom() {
-      const [fromX, fromY, from] = it.room.guest.start();
+      const [fromX, fromY, from] = it.room.mirror.start();
       const [x, y, heading] = map.start();
       awaited = undefined;
       if (fromX !== undefined && fromY !== undefined && from !== undefined) {
@@ -92,8 +92,8 @@ export function startMap(it) {
       if (wasThere) changed(canvas, "there", true);
       const truth = wasThere && isKnown() ? view.virtual?.pose : undefined;
       if (truth) map.show_truth(...truth);
-      setHidden(byId("link-legend"), !wasThere);
-      setHidden(byId("link-legend-truth"), !truth);
+      setHidden(byId("connection-legend"), !wasThere);
+      setHidden(byId("connection-legend-truth"), !truth);
       showNumbers(map, view, wasThere);
       const now = performance.now();
       if (now - told > TOLD_EVERY) {
@@ -125,10 +125,10 @@ export function startMap(it) {
 /** @param {LiveMap} map @param {ConnectionView} view @param {boolean} isThere */
 function showNumbers(map, view, isThere) {
   const share = map.coverage();
-  setText(byId("link-swept"), !isThere ? "–" : share === undefined ? map.swept_m2().toFixed(1) : (100 * share).toFixed(1));
-  setText(byId("link-swept-unit"), share === undefined ? "m²" : "%");
-  setText(byId("link-time"), view.ride ? lasted(Math.floor(view.ride.time_s)) : "–");
-  setText(byId("link-distance"), isThere ? view.distance_m.toFixed(1) : "–");
+  setText(byId("connection-swept"), !isThere ? "–" : share === undefined ? map.swept_m2().toFixed(1) : (100 * share).toFixed(1));
+  setText(byId("connection-swept-unit"), share === undefined ? "m²" : "%");
+  setText(byId("connection-time"), view.ride ? lasted(Math.floor(view.ride.time_s)) : "–");
+  setText(byId("connection-distance"), isThere ? view.distance_m.toFixed(1) : "–");
 }
 
 /** @param {number} seconds */
@@ -148,7 +148,7 @@ function words(map, { pose, mode, ride }, isThere, room) {
   return `Live map of ${room}: the robot believes to be at ${x.toFixed(2)} m, ${y.toFixed(2)} m, heading ${degrees} degrees, in mode ${mode || "unknown"}${ride && goesOn(ride) ? `, driven by ${ride.manual ? "you" : ride.title}` : ""}. It has swept ${swept}, bumped ${bumps} times and seen ${cliffs} cliffs.`;
 }
 
-/** Wheel, pinch, drag and keys. @param {Linking} it @param {HTMLCanvasElement} canvas @param {LiveMap} map */
+/** Wheel, pinch, drag and keys. @param {ConnectionTab} it @param {HTMLCanvasElement} canvas @param {LiveMap} map */
 function startHands(it, canvas, map) {
   /** @type {Map<number, { x: number, y: number }>} */
   const down = new Map();
@@ -189,7 +189,7 @@ function startHands(it, canvas, map) {
     event.preventDefault();
     map.pan(pan[0] ?? 0, pan[1] ?? 0);
   });
-  for (const node of byId("link-stage").querySelectorAll("[data-zoom]")) {
+  for (const node of byId("connection-stage").querySelectorAll("[data-zoom]")) {
     const how = node.getAttribute("data-zoom");
     node.addEventListener("click", () => (how === "fit" ? map.fit() : map.zoom(canvas.clientWidth / 2, canvas.clientHeight / 2, how === "in" ? 1.4 : 1 / 1.4)));
   }

@@ -14,7 +14,7 @@ const MOST = 200e6;
 const SPEEDS = [["1", "1×"], ["4", "4×"], ["16", "16×"]];
 
 /**
- * @param {import("./tab.js").Linking} it
+ * @param {import("./tab.js").ConnectionTab} it
  * @param {object} to Where it goes instead of what a connection says.
  * @param {(view: import("./types").ConnectionView) => void} to.show
  * @param {(trace: Float64Array) => void} to.follow
@@ -67,7 +67,7 @@ export function startReplay(it, to) {
   };
   const look = () => {
     if (!replay) return;
-    const view = /** @type {import("./types").LinkView} */ (replay.view());
+    const view = /** @type {import("./types").ConnectionState} */ (replay.view());
     // What could be done then can't be done now.
     to.show({ ...CLOSED, ...view, can: { ...CLOSED.can, disconnect: true }, drop: null, notice: null, transport: { ...CLOSED.transport, state: "open", name: `Recording ${name}` } });
     to.traffic(/** @type {import("./types").Traffic[]} */ (replay.take_traffic()));

@@ -6,7 +6,7 @@ import { Planning } from "../planning.js";
 import { choose } from "./dialogs.js";
 import { isMoving, isReplay } from "./view.js";
 
-/** @typedef {import("./tab.js").Linking} Linking */
+/** @typedef {import("./tab.js").ConnectionTab} ConnectionTab */
 
 /** How far from the start a virtual robot may stand, m and rad, without being asked to be put there. */
 const NEAR = [0.05, 0.1];
@@ -14,22 +14,22 @@ const NEAR = [0.05, 0.1];
 /** How far it may stand from there when it sets off, without a question. */
 const CLOSE = [0.15, 0.35];
 
-/** @param {Linking} it */
+/** @param {ConnectionTab} it */
 export function startRide(it) {
   const { room } = it;
-  const choice = select("link-algorithm");
+  const choice = select("connection-algorithm");
   const group = (/** @type {string} */ label, /** @type {string} */ kind) =>
     make("optgroup", { label }, ...room.all.filter((entry) => entry.kind === kind).map(({ id, title }) => make("option", { value: id }, title)));
   choice.replaceChildren(group("Behaviours: know nothing of the room", "behaviour"), group("Planned paths: for a known room", "planner"));
   choice.addEventListener("change", () => {
     cancel();
     room.choose(choice.value);
-    it.live.map.set_planned(room.guest.corners());
+    it.live.map.set_planned(room.mirror.corners());
   });
 
-  const odometry = select("link-odometry");
+  const odometry = select("connection-odometry");
   fill(odometry, ODOMETRIES);
-  setAttribute(byId("link-odometry-field"), "data-tip", `${ODOMETRY_TIP} A calibration changes what counts tell; the packets come with the robot's own figures.`);
+  setAttribute(byId("connection-odometry-field"), "data-tip", `${ODOMETRY_TIP} A calibration changes what counts tell; the packets come with the robot's own figures.`);
   odometry.addEventListener("change", async () => {
     if (!(await it.request({ do: "odometry", model: odometry.value }))) odometry.value = it.view.odometry;
   });
@@ -39,13 +39,13 @@ export function startRide(it) {
   const answer = (/** @type {boolean} */ worked) => {
     waiting?.(worked);
     waiting = undefined;
-    setText(byId("link-planning"), "");
+    setText(byId("connection-planning"), "");
   };
   const planning = new Planning({
-    progress: (_, done) => setText(byId("link-planning"), `Planning… ${Math.round(100 * done)} %`),
+    progress: (_, done) => setText(byId("connection-planning"), `Planning… ${Math.round(100 * done)} %`),
     finished: (id, cells, seconds) => {
-      answer(it.app.act(() => room.guest.plan_finished(id, cells, seconds)));
-      it.live.map.set_planned(room.guest.corners());
+      answer(it.app.act(() => room.mirror.plan_finished(id, cells, seconds)));
+      it.live.map.set_planned(room.mirror.corners());
     },
     failed: (_, message) => {
       it.complain(`The planner failed: ${message}.`);
@@ -60,19 +60,19 @@ export function startRide(it) {
   /** Corners of the line to drive; `undefined` if there is none. @returns {Promise<Float64Array | undefined>} */
   const corners = async () => {
     if (room.algorithm?.kind === "behaviour") return new Float64Array();
-    const request = room.guest.take_plan_request();
+    const request = room.mirror.take_plan_request();
     if (request) {
-      setText(byId("link-planning"), "Planning…");
+      setText(byId("connection-planning"), "Planning…");
       planning.start(request);
       if (!(await new Promise((resolve) => (waiting = resolve)))) return undefined;
     }
-    const line = room.guest.corners();
+    const line = room.mirror.corners();
     if (line.length > 0) return line;
     it.complain("There is no path for this room yet. Choose another algorithm, or change the room in Explore.");
     return undefined;
   };
 
-  button("link-go").addEventListener("click", async () => {
+  button("connection-go").addEventListener("click", async () => {
     if (!it.view.can.drive || isMoving(it.view) || isAsking(it.view) || waiting) return;
     if (room.algorithm?.kind === "planner" && !it.live.isKnown()) {
       it.complain("A planned path needs a known room: choose Explore's room as the map, or a behaviour.");
@@ -95,19 +95,19 @@ export function startRide(it) {
     it.live.map.set_planned(line);
     if (await it.connection.ride(line)) it.live.rideFrom();
   });
-  button("link-end").addEventListener("click", () => {
+  button("connection-end").addEventListener("click", () => {
     cancel();
     void it.request({ do: "stop" });
   });
   const putAtStart = () => {
-    const [x, y, heading] = room.guest.start();
+    const [x, y, heading] = room.mirror.start();
     if (x !== undefined && y !== undefined && heading !== undefined) it.connection.virtual({ do: "put_down", x, y, heading });
   };
-  button("link-to-start").addEventListener("click", putAtStart);
+  button("connection-to-start").addEventListener("click", putAtStart);
 
   /** Whether the virtual robot stands elsewhere. @param {import("./types").ConnectionView} view @param {number[]} near m and rad */
   const isElsewhere = ({ virtual }, near) => {
-    const [x, y, heading] = room.guest.start();
+    const [x, y, heading] = room.mirror.start();
     if (!virtual || x === undefined || y === undefined || heading === undefined) return false;
     const turn = Math.abs(Math.atan2(Math.sin(virtual.pose[2] - heading), Math.cos(virtual.pose[2] - heading)));
     return Math.hypot(virtual.pose[0] - x, virtual.pose[1] - y) > (near[0] ?? 0) || turn > (near[1] ?? 0);
@@ -123,12 +123,12 @@ export function startRide(it) {
       if (document.activeElement !== choice) choice.value = room.algorithm?.id ?? "";
       const goes = isMoving(view);
       const elsewhere = !goes && it.live.isKnown() && isElsewhere(view, NEAR);
-      setHidden(button("link-to-start"), !elsewhere);
+      setHidden(button("connection-to-start"), !elsewhere);
       const where = it.live.isKnown() ? "It is taken to stand on the dashed circle, looking along its arrow." : "It sets off where it stands.";
       const question = isAsking(view) ? "A calibration asks something: answer it first, or skip it, in Tools, Calibrate." : where;
-      setText(byId("link-ride-note"), view.can.drive ? question : "Take control first.");
-      setEnabled(button("link-go"), view.can.drive && !goes && !isAsking(view));
-      setEnabled(button("link-end"), goes || waiting !== undefined);
+      setText(byId("connection-ride-note"), view.can.drive ? question : "Take control first.");
+      setEnabled(button("connection-go"), view.can.drive && !goes && !isAsking(view));
+      setEnabled(button("connection-end"), goes || waiting !== undefined);
       setEnabled(choice, !goes);
       if (document.activeElement !== odometry) odometry.value = view.odometry;
       setEnabled(odometry, !goes && !isReplay(view));

@@ -1,6 +1,6 @@
 // @ts-check
 // The room that the robot is in, as the page's copy and the worker's have it, and the algorithm that is to drive.
-import { Guest } from "../../robot.js";
+import { SessionMirror } from "../../robot.js";
 
 /** The robots that can be connected are of this kind. */
 const MODEL = "roomba600";
@@ -10,7 +10,7 @@ const MODEL = "roomba600";
  * @param {import("../main.js").App} app
  */
 export function startRoom({ playground, catalogue }) {
-  const guest = new Guest();
+  const mirror = new SessionMirror();
   /** @type {import("./types").Followed} */
   let taken = { link: "", version: -1, scenario: "" };
   /** What Explore had chosen. */
@@ -26,7 +26,7 @@ export function startRoom({ playground, catalogue }) {
 
   /** What to follow for the algorithm that is chosen. @returns {import("./types").Followed} */
   const followed = () => {
-    const pairs = taken.link.split("&").filter((pair) => !/^(place|speed|show|quantised)=/.test(pair));
+    const pairs = taken.link.split("&").filter((pair) => !/^(tab|place|speed|show|quantised)=/.test(pair));
     const kept = pairs.filter((pair) => !pair.startsWith("robot=") && !(algorithm !== chosenThere && /^(planner|behaviour|p\.[^=]*)=/.test(pair)));
     // Cells of another robot don't fit this one.
     const own = taken.link.includes(`robot=${MODEL}`) ? kept : kept.filter((pair) => !pair.startsWith("cell="));
@@ -36,11 +36,11 @@ export function startRoom({ playground, catalogue }) {
   };
   const follow = () => {
     const { link, version, scenario } = followed();
-    if (guest.is_behind(link, version)) guest.follow(link, version, scenario);
+    if (mirror.is_behind(link, version)) mirror.follow(link, version, scenario);
   };
 
   return {
-    guest,
+    mirror,
     /** All that can drive a robot. */
     all,
     get algorithm() {

@@ -23,7 +23,7 @@ const ONCE_MS = 500;
  * A worker ends with its page, whether or not it has done what it was told last. So if the robot may be moving, the page
  * keeps its own end waiting: while a handler of these events runs, the browser neither ends the page nor its workers, and
  * those run on threads of their own. That is what the busy loop is for; there is no way to wait for an answer in such a
- * handler. A worker needs a few milliseconds to hear of it and write (LINK_ROUNDS=100 node tests/e2e/run.mjs link-stop);
+ * handler. A worker needs a few milliseconds to hear of it and write (LINK_ROUNDS=100 node tests/e2e/run.mjs connection-stop);
  * `HOLD_MS` leaves room for a slow or busy computer, and is too short to be noticed. Without, five of 36 pages that were
  * closed or left in Chromium left the robot driving.
  * @param {(why: string) => void} leave

@@ -53,12 +53,12 @@ const MORE = [
   ["Song", "Number of the song, and whether it plays (packets 36 and 37).", (p) => `${packet(p, 36) + 1}${packet(p, 37) ? ", playing" : ""}`],
 ];
 
-/** @param {import("./tab.js").Linking} it @returns {(view: import("./types").ConnectionView) => void} */
+/** @param {import("./tab.js").ConnectionTab} it @returns {(view: import("./types").ConnectionView) => void} */
 export function startSensors(it) {
-  const board = byId("link-dashboard");
+  const board = byId("connection-dashboard");
   const robot = it.app.catalogue.robots.find(({ id }) => id === "roomba600");
   if (!robot) throw new Error("there is no Roomba 600 in the catalogue");
-  const { svg, show } = portrait(robot, "link-portrait");
+  const { svg, show } = portrait(robot, "connection-portrait");
   const parts = instruments(robot);
   const more = MORE.map(([name, tip, text]) => {
     const value = make("span", { className: "value" });
@@ -70,7 +70,7 @@ export function startSensors(it) {
   return ({ packets, phase }) => {
     const isThere = packets.length > 0 && (phase === "connected" || phase === "lost");
     setHidden(board, !isThere);
-    setHidden(byId("link-senses-none"), isThere);
+    setHidden(byId("connection-senses-none"), isThere);
     const now = performance.now();
     if (!isThere || now - looked < PAUSE || !board.checkVisibility({ visibilityProperty: true })) return;
     looked = now;

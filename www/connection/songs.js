@@ -13,7 +13,7 @@ const MOST = 16;
 /** A note that isn't played: below 31 (Open Interface, opcode 140). */
 const REST = 30;
 const LENGTHS = [8, 16, 24, 32, 64];
-const KEY = "link-songs";
+const KEY = "connection-songs";
 /** What is there to begin with. */
 const FIRST_SONGS = ["C5:16 E5:16 G5:16 C6:32", "G4:16 G4:16 G4:16 D♯4:48", "E5:12 D5:12 C5:24 r:12 C5:12 D5:12 E5:24", ""];
 
@@ -45,7 +45,7 @@ function numberOf(name) {
   return 12 * (Number(/-?\d$/.exec(name)?.[0]) + 1) + letter + sign;
 }
 
-/** @param {import("./tab.js").Linking} it @returns {(view: import("./types").ConnectionView) => void} */
+/** @param {import("./tab.js").ConnectionTab} it @returns {(view: import("./types").ConnectionView) => void} */
 export function startSongs(it) {
   /** @type {string[]} */
   const songs = remembered();
@@ -68,8 +68,8 @@ export function startSongs(it) {
     keys.push(key);
   }
   const piano = make("div", { className: "piano", role: "group", "aria-label": "Piano: adds notes" }, ...keys);
-  byId("link-songs").append(
-    make("div", { className: "link-tools" }, make("div", { className: "segments", role: "group", "aria-label": "Song" }, ...slots), lengths, rest, back, hear, play),
+  byId("connection-songs").append(
+    make("div", { className: "connection-tools" }, make("div", { className: "segments", role: "group", "aria-label": "Song" }, ...slots), lengths, rest, back, hear, play),
     make("label", { className: "song-text" }, text),
     told,
     piano,

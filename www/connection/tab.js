@@ -1,11 +1,11 @@
 // @ts-check
-// The place Robot: a connection to a robot, and all that shows it and acts on it.
+// The tab Robot: a connection to a robot, and all that shows it and acts on it.
 import { button, byId, setAttribute } from "../dom.js";
 import { complain, forgive } from "../messages.js";
-import { place } from "../tabs.js";
+import { currentTab } from "../tabs.js";
 import { startSheets } from "../sheets.js";
 import { startCalibrate } from "./calibrate.js";
-import { Connection } from "./client.js";
+import { ConnectionClient } from "./client.js";
 import { startConnect } from "./connect.js";
 import { startConsole } from "./console.js";
 import { startControl } from "./control.js";
@@ -23,9 +23,9 @@ import { startVirtual } from "./hand.js";
 
 /**
  * @typedef {import("./types").ConnectionView} ConnectionView
- * @typedef {object} Linking What the modules of this place share.
+ * @typedef {object} ConnectionTab What the modules of this tab share.
  * @property {import("../main.js").App} app
- * @property {Connection} connection
+ * @property {ConnectionClient} connection
  * @property {ConnectionView} view The latest view.
  * @property {boolean} movesAlone Whether it moves without this page.
  * @property {string} personality Of the virtual robot that was opened last; "" if that was none.
@@ -49,11 +49,11 @@ const SOON_MS = 150;
  * @param {(what: () => void) => boolean} guard
  */
 export function startRobot(app, module, guard) {
-  const connection = new Connection(module);
+  const connection = new ConnectionClient(module);
   const room = startRoom(app);
   room.take();
   // The rest of it follows below: its parts need each other.
-  const it = /** @type {Linking} */ (/** @type {unknown} */ ({ app, connection, view: CLOSED, movesAlone: false, personality: "", onview: [], room, complain }));
+  const it = /** @type {ConnectionTab} */ (/** @type {unknown} */ ({ app, connection, view: CLOSED, movesAlone: false, personality: "", onview: [], room, complain }));
   /** Requests that aren't answered yet, oldest first; why one is refused is told before its answer. @type {string[]} */
   const asked = [];
   /** Number of the notice that is over. */
@@ -93,7 +93,7 @@ export function startRobot(app, module, guard) {
   const traffic = startConsole(it);
   const updates = [startConnect, startControl, startSensors, startLine, startSongs, startLights, startCalibrate].map((begin) => begin(it));
   startDrawer();
-  startSheets(byId("place-robot"), byId("link-floor"));
+  startSheets(byId("panel-connection"), byId("connection-floor"));
 
   let isFresh = true;
   const wheels = watchWheels();
@@ -122,15 +122,15 @@ export function startRobot(app, module, guard) {
   let wasHere = false;
   // Elsewhere nothing stops it: it doesn't drive on.
   new MutationObserver(() => {
-    if (place() === "robot") return;
+    if (currentTab() === "connection") return;
     wasHere = false;
     const moves = isMoving(it.view) || it.movesAlone;
     it.halt();
-    if (moves && !isReplay(it.view)) connection.leave("You left the place Robot.");
-  }).observe(byId("place-robot"), { attributes: true, attributeFilter: ["hidden"] });
+    if (moves && !isReplay(it.view)) connection.leave("You left the tab Robot.");
+  }).observe(byId("panel-connection"), { attributes: true, attributeFilter: ["hidden"] });
 
   return {
-    /** Once a frame while the place is shown. @param {number} now */
+    /** Once a frame while the tab is shown. @param {number} now */
     frame(now) {
       guard(() => replay.frame(now));
       if (!wasHere) {
@@ -151,7 +151,7 @@ export function startRobot(app, module, guard) {
     },
     /** @param {string} key */
     key: (key) => it.live.key(key),
-    link: () => "place=robot",
+    link: () => "tab=connection",
     restore() {},
     /** @param {boolean} dark */
     setDark: (dark) => void guard(() => it.live.map.set_dark(dark)),
@@ -160,17 +160,17 @@ export function startRobot(app, module, guard) {
 
 /** The tools, below the map. */
 function startDrawer() {
-  const [drawer, opener] = [byId("link-drawer"), button("link-tools-open")];
+  const [drawer, opener] = [byId("connection-drawer"), button("connection-tools-open")];
   opener.addEventListener("click", () => {
     const on = drawer.classList.toggle("shown");
     setAttribute(opener, "aria-expanded", String(on));
   });
-  const tabs = [...byId("link-tabs").querySelectorAll("button")];
+  const tabs = [...byId("connection-tabs").querySelectorAll("button")];
   for (const tab of tabs) {
     tab.addEventListener("click", () => {
       for (const other of tabs) {
         other.setAttribute("aria-pressed", String(other === tab));
-        byId(`link-${other.dataset.panel}`).hidden = other !== tab;
+        byId(`connection-${other.dataset.panel}`).hidden = other !== tab;
       }
     });
   }

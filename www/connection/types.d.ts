@@ -25,7 +25,7 @@ export type Request =
 export type CalibrationKind = "nudge" | "spin" | "metre" | "square";
 
 /** Snapshot of a connection, 20 a second. */
-export type LinkView = {
+export type ConnectionState = {
   phase: "closed" | "diagnosing" | "waiting" | "connected" | "lost";
   diagnosis: {
     step: "" | "listening" | "asking" | "waking" | "slow" | "create1" | "waiting" | "done";
@@ -168,7 +168,7 @@ export type TransportView = {
 };
 
 /** What `onview` gets. */
-export type ConnectionView = LinkView & { transport: TransportView; virtual: VirtualView | null };
+export type ConnectionView = ConnectionState & { transport: TransportView; virtual: VirtualView | null };
 
 /**
  * What went wrong, for users: `what` is a sentence, `remedy` one on what to do or "".
@@ -198,7 +198,7 @@ export type Support = {
   instead: string;
 };
 
-/** The playground's room and settings, as `Guest.follow` takes them. */
+/** The playground's room and settings, as `SessionMirror.follow` takes them. */
 export type Followed = { link: string; version: number; scenario: string };
 
 /** A granted port as the worker finds it again: the granted ones' ids in their order, and which of them it is. */
@@ -210,7 +210,7 @@ export type WorkerTarget =
   | { kind: "socket"; url: string };
 
 /** What the page tells the worker. Where there is an `id`, it is answered. */
-export type ToLink =
+export type ToConnection =
   | { type: "init"; module: WebAssembly.Module }
   /** `at` is the page's time, s. */
   | { type: "beat"; at: number }
@@ -224,7 +224,7 @@ export type ToLink =
   | { type: "recording"; id: number };
 
 /** What the worker tells the page. */
-export type FromLink =
+export type FromConnection =
   | { type: "view"; view: ConnectionView }
   | { type: "traffic"; traffic: Traffic[] }
   | { type: "trace"; trace: Float64Array }

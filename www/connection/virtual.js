@@ -17,10 +17,10 @@ export class VirtualLine {
   #events;
   #time = 0;
 
-  /** @param {import("../../robot.js").Guest} guest @param {string} personality @param {import("./types").TransportEvents} events */
-  constructor(guest, personality, events) {
+  /** @param {import("../../robot.js").SessionMirror} mirror @param {string} personality @param {import("./types").TransportEvents} events */
+  constructor(mirror, personality, events) {
     try {
-      this.#robot = new VirtualRobot(guest, personality);
+      this.#robot = new VirtualRobot(mirror, personality);
     } catch (error) {
       throw failure("failed", String(error), "");
     }

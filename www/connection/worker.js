@@ -1,19 +1,19 @@
 // @ts-check
 // A connection to a robot, away from the page, which may be busy, hidden or hung: bytes, time, and the safety stop.
-import init, { Guest, Link } from "../../robot.js";
+import init, { Connection, SessionMirror } from "../../robot.js";
 import { lineTo } from "./lines.js";
 import { failure } from "./ports.js";
 import { STOP, startBeats } from "./safety.js";
 import { VirtualLine } from "./virtual.js";
 
-/** How often time passes for the link, ms, and how many such steps there are from view to view. */
+/** How often time passes for the connection, ms, and how many such steps there are from view to view. */
 const TICK_MS = 10;
 const VIEW_TICKS = 5;
 
-/** @type {Link} */
-let link;
-/** @type {Guest} */
-let guest;
+/** @type {Connection} */
+let connection;
+/** @type {SessionMirror} */
+let mirror;
 /** @type {ReturnType<typeof lineTo> | undefined} */
 let line;
 /** The line is about to go on at another baud rate. */
@@ -27,10 +27,10 @@ let doing = Promise.resolve();
 const now = () => performance.now() / 1000;
 const beatenAt = startBeats();
 
-/** @param {import("./types").FromLink} message @param {Transferable[]} [transfer] */
+/** @param {import("./types").FromConnection} message @param {Transferable[]} [transfer] */
 const tell = (message, transfer = []) => self.postMessage(message, { transfer });
 
-/** Does something with the link, then what it asks for. Whatever goes wrong in it stops the robot. @param {() => void} what */
+/** Does something with the connection, then what it asks for. Whatever goes wrong in it stops the robot. @param {() => void} what */
 function safely(what) {
   if (isBroken) return;
   try {
@@ -41,13 +41,13 @@ function safely(what) {
   }
 }
 
-/** Sends what the link has to say, at once. */
+/** Sends what the connection has to say, at once. */
 function pump() {
   // What can't be sent now must not be sent later: the robot behind a line that comes back may be another one.
-  if (line?.view.state !== "open") return link.discard();
+  if (line?.view.state !== "open") return connection.discard();
   while (!isChanging) {
-    const wanted = link.take_line();
-    const bytes = wanted ? undefined : link.take_tx();
+    const wanted = connection.take_line();
+    const bytes = wanted ? undefined : connection.take_tx();
     if (!wanted && !bytes?.length) return;
     if (bytes) line.write(bytes);
     else if ("brc" in wanted) line.setBrc(wanted.brc).catch(broke);
@@ -65,7 +65,7 @@ function changeBaud(baud) {
   line?.setBaud(baud).then(changed, broke);
 }
 
-/** Stops the robot without the link, and ends the connection. @param {unknown} error */
+/** Stops the robot without the connection, and ends the connection. @param {unknown} error */
 function broke(error) {
   if (isBroken) return;
   isBroken = true;
@@ -90,7 +90,7 @@ let ahead = Date.now() - performance.now();
 function mindSleep() {
   const slept = Date.now() - performance.now() - ahead;
   ahead += slept;
-  if (slept > 1000) link.leave(now(), "The computer slept.");
+  if (slept > 1000) connection.leave(now(), "The computer slept.");
 }
 
 setInterval(() => {
@@ -98,7 +98,7 @@ setInterval(() => {
   safely(() => {
     mindSleep();
     if (line instanceof VirtualLine) line.tick(now());
-    link.tick(now());
+    connection.tick(now());
   });
   if (++ticks % VIEW_TICKS === 0) show();
 }, TICK_MS);
@@ -107,10 +107,10 @@ function show() {
   if (isBroken || !line) return;
   try {
     const virtual = line instanceof VirtualLine ? line.look() : null;
-    tell({ type: "view", view: { ...link.view(now()), transport: line.view, virtual } });
-    const traffic = link.take_traffic();
+    tell({ type: "view", view: { ...connection.view(now()), transport: line.view, virtual } });
+    const traffic = connection.take_traffic();
     if (traffic.length) tell({ type: "traffic", traffic });
-    const trace = link.take_trace();
+    const trace = connection.take_trace();
     if (trace.length) tell({ type: "trace", trace }, [trace.buffer]);
   } catch (error) {
     broke(error);
@@ -123,12 +123,12 @@ async function open(target) {
   if (isBroken) throw failure("broken", "An error in this program has ended its connections.", "Reload the page.");
   /** @type {import("./types").TransportEvents} */
   const events = {
-    onbytes: (bytes) => safely(() => link.feed(now(), bytes)),
-    onopened: () => safely(() => link.opened(now())),
-    onlost: (why, forGood) => safely(() => link.lost(now(), why, forGood)),
+    onbytes: (bytes) => safely(() => connection.feed(now(), bytes)),
+    onopened: () => safely(() => connection.opened(now())),
+    onlost: (why, forGood) => safely(() => connection.lost(now(), why, forGood)),
   };
-  line = lineTo(target, guest, events);
-  link.fix_rate(target.kind === "socket");
+  line = lineTo(target, mirror, events);
+  connection.fix_rate(target.kind === "socket");
   try {
     await line.open();
   } catch (error) {
@@ -136,12 +136,12 @@ async function open(target) {
     line = undefined;
     throw error;
   }
-  safely(() => link.opened(now()));
+  safely(() => connection.opened(now()));
 }
 
 async function close() {
   if (!line) return;
-  safely(() => link.request(now(), { do: "disconnect" }));
+  safely(() => connection.request(now(), { do: "disconnect" }));
   const closing = line;
   await closing.close();
   show();
@@ -149,25 +149,25 @@ async function close() {
   if (closing instanceof VirtualLine) closing.free();
 }
 
-/** @param {Extract<import("./types").ToLink, { id: number }>} message @returns {Promise<boolean | string>} */
+/** @param {Extract<import("./types").ToConnection, { id: number }>} message @returns {Promise<boolean | string>} */
 async function answer(message) {
   if (message.type === "recording") {
     // An hour of it takes its time, in which nobody minds the wheels.
-    safely(() => link.pause(now()));
-    return link.recording();
+    safely(() => connection.pause(now()));
+    return connection.recording();
   }
   if (isBroken) return false;
   if (message.type === "request" && message.request.do !== "disconnect") {
-    attempt(() => link.request(now(), message.request));
+    attempt(() => connection.request(now(), message.request));
   } else if (message.type === "ride") {
-    attempt(() => link.ride(now(), guest, message.corners));
+    attempt(() => connection.ride(now(), mirror, message.corners));
   } else if (message.type === "follow") {
     const { link: session, version, scenario } = message.followed;
-    if (guest.is_behind(session, version)) {
+    if (mirror.is_behind(session, version)) {
       // Laying out a room takes its time, in which nobody minds the wheels. Nor is that the page's silence.
-      safely(() => link.pause(now()));
-      attempt(() => guest.follow(session, version, scenario));
-      safely(() => link.beat(now()));
+      safely(() => connection.pause(now()));
+      attempt(() => mirror.follow(session, version, scenario));
+      safely(() => connection.beat(now()));
     }
   } else {
     // A line that isn't open yet need not be waited for.
@@ -199,15 +199,15 @@ let markReady = () => {};
 /** @type {Promise<void>} */
 const ready = new Promise((resolve) => (markReady = resolve));
 
-self.addEventListener("message", async (/** @type {MessageEvent<import("./types").ToLink>} */ { data: message }) => {
+self.addEventListener("message", async (/** @type {MessageEvent<import("./types").ToConnection>} */ { data: message }) => {
   if (message.type === "init") {
     await init({ module_or_path: message.module });
-    [link, guest] = [new Link(), new Guest()];
+    [connection, mirror] = [new Connection(), new SessionMirror()];
     return markReady();
   }
   await ready;
-  if (message.type === "beat") link.beat(beatenAt(now(), message.at));
-  else if (message.type === "leave") safely(() => link.leave(now(), message.why));
+  if (message.type === "beat") connection.beat(beatenAt(now(), message.at));
+  else if (message.type === "leave") safely(() => connection.leave(now(), message.why));
   else if (message.type === "virtual") safely(() => line instanceof VirtualLine && line.touch(message.touch));
   else {
     let value = /** @type {boolean | string} */ (false);

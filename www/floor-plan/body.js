@@ -8,10 +8,10 @@ import { onNumber, plain, showValue } from "./fields.js";
 /** Figures of each kind of outline, m. @type {Record<string, [key: string, label: string][]>} */
 const FIGURES = { circle: [["radius", "Radius"]], rectangle: [["length", "Length"], ["width", "Width"]], octagon: [["width", "Width"]] };
 
-/** @param {import("./tab.js").Desk} it @returns {(view: import("./types").DraftView | undefined) => void} */
+/** @param {import("./tab.js").FloorPlanTab} it @returns {(view: import("./types").FloorPlanView | undefined) => void} */
 export function startBody(it) {
-  const kind = select("draft-body");
-  const corners = input("draft-corners");
+  const kind = select("floor-plan-body");
+  const corners = input("floor-plan-corners");
   /** @param {string} label @param {[value: string, title: string][]} options */
   const group = (label, options) => make("optgroup", { label }, ...options.map(([value, title]) => make("option", { value }, title)));
   kind.replaceChildren(
@@ -31,7 +31,7 @@ export function startBody(it) {
     else choose({ kind: "polygon", corners: asCorners(it.view?.body ?? []) || "0.2 -0.2; 0.2 0.2; -0.1 0.2; -0.2 0; -0.1 -0.2" });
   });
   corners.addEventListener("change", () => choose({ kind: "polygon", corners: corners.value }));
-  const fields = Object.fromEntries(["first", "second"].map((name) => [name, input(`draft-${name}`)]));
+  const fields = Object.fromEntries(["first", "second"].map((name) => [name, input(`floor-plan-${name}`)]));
   for (const [index, name] of ["first", "second"].entries()) {
     const field = fields[name];
     if (field) {
@@ -44,21 +44,21 @@ export function startBody(it) {
   }
 
   return (view) => {
-    setHidden(byId("draft-picture"), !view);
+    setHidden(byId("floor-plan-picture"), !view);
     if (!view) return;
     const { body } = view.settings;
     kind.value = body.kind === "model" ? `model ${body.id}` : body.kind;
-    setHidden(byId("draft-corners-field"), body.kind !== "polygon");
+    setHidden(byId("floor-plan-corners-field"), body.kind !== "polygon");
     if (body.kind === "polygon") showValue(corners, body.corners);
     for (const [index, name] of ["first", "second"].entries()) {
       const figure = FIGURES[body.kind]?.[index];
-      setHidden(byId(`draft-${name}-field`), !figure);
+      setHidden(byId(`floor-plan-${name}-field`), !figure);
       const field = fields[name];
       if (!figure || !field) continue;
-      setText(byId(`draft-${name}-label`), figure[1]);
+      setText(byId(`floor-plan-${name}-label`), figure[1]);
       showValue(field, plain(Number(Reflect.get(body, figure[0]))));
     }
-    setText(byId("draft-body-fault"), view.body_fault);
+    setText(byId("floor-plan-body-fault"), view.body_fault);
     picture(view);
   };
 }
@@ -66,12 +66,12 @@ export function startBody(it) {
 /** @param {[number, number][]} body */
 const asCorners = (body) => body.map(([x, y]) => `${plain(x, 3)} ${plain(y, 3)}`).join("; ");
 
-/** The outline from above, looking up. @param {import("./types").DraftView} view */
+/** The outline from above, looking up. @param {import("./types").FloorPlanView} view */
 function picture({ body, body_width, body_fault }) {
   const width = body_width ?? 0;
   const reach = Math.max(width / 2, ...body.flat().map(Math.abs)) || 1;
   const at = (/** @type {[number, number]} */ [x, y]) => `${((-y / reach) * 28).toFixed(2)},${((-x / reach) * 28).toFixed(2)}`;
   const shape = body.length ? `M${body.map(at).join("L")}Z` : "M28,0A28,28 0 1 1 -28,0A28,28 0 1 1 28,0Z";
-  setAttribute(byId("draft-body-shape"), "d", body_fault ? "" : shape);
-  setText(byId("draft-body-width"), body_width ? `${plain(body_width, 3)} m wide` : "");
+  setAttribute(byId("floor-plan-body-shape"), "d", body_fault ? "" : shape);
+  setText(byId("floor-plan-body-width"), body_width ? `${plain(body_width, 3)} m wide` : "");
 }

@@ -2,7 +2,7 @@
 // The canvas of the drawing board: size, pointers, wheel, pinch, keys. What they mean is decided in the worker.
 import { byId, setAttribute, setHidden, setText } from "../dom.js";
 
-/** @typedef {import("./tab.js").Desk} Desk */
+/** @typedef {import("./tab.js").FloorPlanTab} FloorPlanTab */
 /** @typedef {{ x: number, y: number }} Spot */
 
 /** Pixels that a line of a mouse wheel stands for. */
@@ -17,17 +17,17 @@ const HINTS = {
   room: "Click into the room that is meant. Doors that stand open end it if gaps as wide as they are closed. By keys: arrows and Enter.",
 };
 
-/** @param {Desk} it @returns {(canvas: HTMLCanvasElement) => void} what to call for every new canvas */
+/** @param {FloorPlanTab} it @returns {(canvas: HTMLCanvasElement) => void} what to call for every new canvas */
 export function startCanvas(it) {
-  const stage = byId("draft-stage");
+  const stage = byId("floor-plan-stage");
   const size = () => {
     const { clientWidth: width, clientHeight: height } = stage;
-    if (width > 0 && height > 0) it.drafter.say({ type: "resize", width, height, ratio: devicePixelRatio });
+    if (width > 0 && height > 0) it.client.say({ type: "resize", width, height, ratio: devicePixelRatio });
   };
   new ResizeObserver(size).observe(stage);
   for (const node of stage.querySelectorAll("[data-zoom]")) {
     const how = node.getAttribute("data-zoom");
-    node.addEventListener("click", () => it.drafter.say(how === "fit" ? { type: "fit" } : { type: "middle", factor: how === "in" ? 1.4 : 1 / 1.4 }));
+    node.addEventListener("click", () => it.client.say(how === "fit" ? { type: "fit" } : { type: "middle", factor: how === "in" ? 1.4 : 1 / 1.4 }));
   }
   return (canvas) => {
     size();
@@ -38,11 +38,11 @@ export function startCanvas(it) {
         event.preventDefault();
         const pixels = event.deltaY * (event.deltaMode === WheelEvent.DOM_DELTA_PIXEL ? 1 : WHEEL_LINE);
         const factor = Math.exp(-Math.max(-120, Math.min(120, pixels)) * (event.ctrlKey ? 0.01 : 0.0016));
-        it.drafter.say({ type: "zoom", x: event.offsetX, y: event.offsetY, factor });
+        it.client.say({ type: "zoom", x: event.offsetX, y: event.offsetY, factor });
       },
       { passive: false },
     );
-    canvas.addEventListener("dblclick", () => it.view?.tool === "view" && it.drafter.say({ type: "fit" }));
+    canvas.addEventListener("dblclick", () => it.view?.tool === "view" && it.client.say({ type: "fit" }));
     canvas.addEventListener("keydown", (event) => {
       const action = KEYS[event.key];
       if (!action || event.ctrlKey || event.metaKey || event.altKey) return;
@@ -51,26 +51,26 @@ export function startCanvas(it) {
         event.preventDefault();
         event.stopPropagation();
       }
-      it.drafter.say({ type: "key", action, fine: event.shiftKey });
+      it.client.say({ type: "key", action, fine: event.shiftKey });
     });
   };
 }
 
-/** What the tool in the hand wants. @param {import("./types").DraftView | undefined} view */
+/** What the tool in the hand wants. @param {import("./types").FloorPlanView | undefined} view */
 export function hint(view) {
   const text = view && HINTS[view.tool];
-  setHidden(byId("draft-hint"), !text || view?.is_measured === true);
-  setText(byId("draft-hint"), text ?? "");
-  setAttribute(byId("draft-stage"), "data-tool", view?.tool ?? "view");
+  setHidden(byId("floor-plan-hint"), !text || view?.is_measured === true);
+  setText(byId("floor-plan-hint"), text ?? "");
+  setAttribute(byId("floor-plan-stage"), "data-tool", view?.tool ?? "view");
 }
 
-/** @param {Desk} it @param {HTMLCanvasElement} canvas */
-function startPointers({ drafter }, canvas) {
+/** @param {FloorPlanTab} it @param {HTMLCanvasElement} canvas */
+function startPointers({ client }, canvas) {
   /** @type {Map<number, Spot>} */
   const down = new Map();
   let isPinch = false;
   /** @param {string} kind @param {Spot} at */
-  const say = (kind, { x, y }) => drafter.say({ type: "pointer", kind, x, y });
+  const say = (kind, { x, y }) => client.say({ type: "pointer", kind, x, y });
 
   canvas.addEventListener("pointerdown", (event) => {
     if (down.size >= 2) return;
@@ -94,9 +94,9 @@ function startPointers({ drafter }, canvas) {
     const other = [...down].find(([id]) => id !== event.pointerId)?.[1];
     if (isPinch && other) {
       const far = (/** @type {Spot} */ spot) => Math.max(1, Math.hypot(spot.x - other.x, spot.y - other.y));
-      drafter.say({ type: "pan", dx: (at.x - from.x) / 2, dy: (at.y - from.y) / 2 });
-      drafter.say({ type: "zoom", x: (at.x + other.x) / 2, y: (at.y + other.y) / 2, factor: far(at) / far(from) });
-    } else if (isPinch) drafter.say({ type: "pan", dx: at.x - from.x, dy: at.y - from.y });
+      client.say({ type: "pan", dx: (at.x - from.x) / 2, dy: (at.y - from.y) / 2 });
+      client.say({ type: "zoom", x: (at.x + other.x) / 2, y: (at.y + other.y) / 2, factor: far(at) / far(from) });
+    } else if (isPinch) client.say({ type: "pan", dx: at.x - from.x, dy: at.y - from.y });
     else say("move", at);
     down.set(event.pointerId, at);
   });

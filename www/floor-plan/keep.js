@@ -1,19 +1,19 @@
 // @ts-check
-// Keeps the draft in this browser: files on the board and what was chosen for them come back after a reload. What can't is
+// Keeps the floor plan in this browser: files on the board and what was chosen for them come back after a reload. What can't is
 // explained and kept aside until somebody says that it may go.
 import { button, byId, setHidden, setText } from "../dom.js";
 import { download } from "../files.js";
 import { complain, toast } from "../messages.js";
 
 /**
- * @typedef {import("./tab.js").Desk} Desk
+ * @typedef {import("./tab.js").FloorPlanTab} FloorPlanTab
  * @typedef {{ format: number, files: File[] }} KeptFiles
  * @typedef {{ format: number, settings: import("./types").Settings, sweeps: boolean, stage: number }} KeptChoices
  * @typedef {{ why: string, files: unknown, choices: unknown }} Aside What can't come back, as far as it can't.
  */
 
 const DATABASE = "robovac-drafts";
-/** Has "files" and "choices" of one draft. */
+/** Has "files" and "choices" of one floor plan. */
 const BOARD = "board";
 const ASIDE = "aside";
 /** Of what is written here; changes when what is written before can't be read any more. */
@@ -21,9 +21,9 @@ const FORMAT = 1;
 /** From a choice until it is kept, ms. */
 const REST_MS = 300;
 
-/** @param {Desk} it */
+/** @param {FloorPlanTab} it */
 export function startKeeping(it) {
-  const { drafter } = it;
+  const { client } = it;
   /** @type {Promise<IDBDatabase> | undefined} */
   let opened;
   const store = async (/** @type {string} */ name) => (await (opened ??= openDatabase())).transaction(name, "readwrite").objectStore(name);
@@ -50,9 +50,9 @@ export function startKeeping(it) {
     const { view } = it;
     if (!isKnown || !view) return;
     const now = JSON.stringify(choicesOf(view));
-    if (drafter.files === files && now === choices) return;
-    const isNew = drafter.files !== files;
-    [files, choices] = [drafter.files, now];
+    if (client.files === files && now === choices) return;
+    const isNew = client.files !== files;
+    [files, choices] = [client.files, now];
     try {
       const board = await store(BOARD);
       const written = [done(board.put(choicesOf(view), "choices"))];
@@ -77,17 +77,17 @@ export function startKeeping(it) {
   /** Shows the last that was put aside, if there is any, until it is discarded. */
   const showAside = async () => {
     const [key] = /** @type {IDBValidKey[]} */ (await done((await store(ASIDE)).getAllKeys())).slice(-1);
-    setHidden(byId("draft-aside"), key === undefined);
+    setHidden(byId("floor-plan-aside"), key === undefined);
     if (key === undefined) return;
     const aside = /** @type {Aside} */ (await done((await store(ASIDE)).get(key)));
-    setText(byId("draft-aside-why"), aside.why);
-    button("draft-aside-save").onclick = () => {
+    setText(byId("floor-plan-aside-why"), aside.why);
+    button("floor-plan-aside-save").onclick = () => {
       const kept = filesOf(aside.files);
       for (const file of kept ?? []) download(file.name, file, file.type);
       const rest = { ...(aside.files && !kept ? { files: aside.files } : {}), ...(aside.choices ? { choices: aside.choices } : {}) };
-      if (Object.keys(rest).length > 0) download("kept-draft.json", JSON.stringify(rest, null, 1), "application/json");
+      if (Object.keys(rest).length > 0) download("kept-floor-plan.json", JSON.stringify(rest, null, 1), "application/json");
     };
-    button("draft-aside-discard").onclick = async () => {
+    button("floor-plan-aside-discard").onclick = async () => {
       await store(ASIDE).then((aside) => done(aside.delete(key))).catch(warn);
       void showAside().catch(warn);
     };
@@ -126,7 +126,7 @@ export function startKeeping(it) {
     if (why !== undefined || (chosen && !fits)) await putAside({ why: `What was chosen for ${names} was kept by another version of this page and doesn't fit this one${why === undefined ? "" : ` (${why})`}. It is chosen anew as for a new file.`, files: undefined, choices: chosen });
     else if (fits && chosen.sweeps && it.view?.room) {
       await it.ask({ type: "sweep" }, "Planning the sweep");
-      if (chosen.stage > 0) drafter.say({ type: "stages", stages: [chosen.stage], moves: false });
+      if (chosen.stage > 0) client.say({ type: "stages", stages: [chosen.stage], moves: false });
     }
   };
 
@@ -149,7 +149,7 @@ export function startKeeping(it) {
   };
 }
 
-/** @param {import("./types").DraftView} view @returns {KeptChoices} */
+/** @param {import("./types").FloorPlanView} view @returns {KeptChoices} */
 const choicesOf = ({ settings, sweep, stage }) => ({ format: FORMAT, settings, sweeps: sweep !== null, stage });
 
 /** The files, if it is files. @param {unknown} what @returns {File[] | undefined} */

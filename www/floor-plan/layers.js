@@ -5,9 +5,9 @@ import { byId, changed, fill, make } from "../dom.js";
 /** @type {[value: import("./types").Role, label: string][]} */
 const ROLES = [["wall", "Wall"], ["obstacle", "Obstacle"], ["ignored", "Ignored"]];
 
-/** @param {import("./tab.js").Desk} it @returns {(view: import("./types").DraftView | undefined) => void} */
+/** @param {import("./tab.js").FloorPlanTab} it @returns {(view: import("./types").FloorPlanView | undefined) => void} */
 export function startLayers(it) {
-  const table = byId("draft-layers");
+  const table = byId("floor-plan-layers");
   /** @type {HTMLSelectElement[]} */
   let menus = [];
   return (view) => {
@@ -25,7 +25,7 @@ export function startLayers(it) {
             void it.set({ roles });
           });
           menus.push(menu);
-          const swatch = make("i", { className: "draft-swatch", "aria-hidden": "true" });
+          const swatch = make("i", { className: "floor-plan-swatch", "aria-hidden": "true" });
           swatch.style.background = colour;
           const title = make("th", { scope: "row", title: name }, swatch, make("span", {}, name));
           return make("tr", {}, title, make("td", {}, strokes.toLocaleString("en")), make("td", {}, menu));

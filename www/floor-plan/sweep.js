@@ -4,9 +4,9 @@ import { button, byId, input, setAttribute, setHidden, setText } from "../dom.js
 import { download } from "../files.js";
 import { onNumber, plain, showValue } from "./fields.js";
 
-/** @param {import("./tab.js").Desk} it @returns {(view: import("./types").DraftView | undefined) => void} */
+/** @param {import("./tab.js").FloorPlanTab} it @returns {(view: import("./types").FloorPlanView | undefined) => void} */
 export function startSweep(it) {
-  const [width, cell, headings, slice, heading] = [input("draft-scan"), input("draft-space-cell"), input("draft-headings"), input("draft-slice"), input("draft-heading")];
+  const [width, cell, headings, slice, heading] = [input("floor-plan-scan"), input("floor-plan-space-cell"), input("floor-plan-headings"), input("floor-plan-slice"), input("floor-plan-heading")];
   onNumber(width, (metres) => void it.set({ scan_width: metres > 0 ? metres : null }));
   width.addEventListener("change", () => width.value === "" && void it.set({ scan_width: null }));
   onNumber(cell, (centimetres) => void it.set({ cell: centimetres / 100 }));
@@ -32,13 +32,13 @@ export function startSweep(it) {
   const play = async (stages, isMoving) => {
     if (!(await planned())) return;
     it.toCanvas(false);
-    it.drafter.say({ type: "stages", stages, moves: isMoving });
+    it.client.say({ type: "stages", stages, moves: isMoving });
   };
-  button("draft-play").addEventListener("click", () => void play([1, 2, 3], moves()));
-  const stages = [...byId("draft-stages").querySelectorAll("button")];
+  button("floor-plan-play").addEventListener("click", () => void play([1, 2, 3], moves()));
+  const stages = [...byId("floor-plan-stages").querySelectorAll("button")];
   for (const node of stages) node.addEventListener("click", () => void play([Number(node.dataset.stage)], moves()));
 
-  for (const node of byId("draft-exports").querySelectorAll("button")) {
+  for (const node of byId("floor-plan-exports").querySelectorAll("button")) {
     node.addEventListener("click", async () => {
       if (!(await planned())) return;
       const answer = await it.ask({ type: "export", format: node.dataset.format ?? "" }, "Writing the file");
@@ -47,13 +47,13 @@ export function startSweep(it) {
       download(file.name, new Blob([/** @type {BlobPart} */ (/** @type {unknown} */ (file.bytes))]), file.media);
     });
   }
-  button("draft-drive").addEventListener("click", () => void it.use(true));
+  button("floor-plan-drive").addEventListener("click", () => void it.use(true));
 
   return (view) => {
     const isReady = Boolean(view?.room) && !view?.body_fault;
-    for (const node of [button("draft-play"), button("draft-drive"), ...stages, ...byId("draft-exports").querySelectorAll("button"), slice]) node.disabled = !isReady;
-    setHidden(byId("draft-numbers"), !view?.sweep);
-    setHidden(byId("draft-sweep-note"), Boolean(view?.sweep));
+    for (const node of [button("floor-plan-play"), button("floor-plan-drive"), ...stages, ...byId("floor-plan-exports").querySelectorAll("button"), slice]) node.disabled = !isReady;
+    setHidden(byId("floor-plan-numbers"), !view?.sweep);
+    setHidden(byId("floor-plan-sweep-note"), Boolean(view?.sweep));
     for (const node of stages) setAttribute(node, "aria-pressed", String(view?.stage === Number(node.dataset.stage)));
     if (!view) return;
     const { settings, sweep } = view;
@@ -64,8 +64,8 @@ export function startSweep(it) {
     slice.checked = view.slice >= 0;
     heading.max = String(settings.headings - 1);
     heading.disabled = view.slice < 0;
-    setText(byId("draft-heading-value"), `${Math.round((360 * heading.valueAsNumber) / settings.headings)}°`);
-    setHidden(byId("draft-slice-key"), view.slice < 0);
+    setText(byId("floor-plan-heading-value"), `${Math.round((360 * heading.valueAsNumber) / settings.headings)}°`);
+    setHidden(byId("floor-plan-slice-key"), view.slice < 0);
     if (sweep) numbers(sweep, view.seconds);
   };
 }
@@ -88,5 +88,5 @@ function numbers(sweep, seconds) {
     coverage: `${(100 * sweep.coverage).toFixed(1)} %`,
     seconds: seconds < 1 ? `${Math.round(1000 * seconds)} ms` : `${seconds.toFixed(1)} s`,
   };
-  for (const [name, value] of Object.entries(values)) setText(byId(`draft-n-${name}`), value);
+  for (const [name, value] of Object.entries(values)) setText(byId(`floor-plan-n-${name}`), value);
 }

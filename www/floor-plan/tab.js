@@ -1,12 +1,12 @@
 // @ts-check
-// The place Floor plan: what is brought is looked at, scaled, traced and swept before it becomes the room of Explore.
+// The tab Floor plan: what is brought is looked at, scaled, traced and swept before it becomes the room of Explore.
 import { button, byId, input, setAttribute, setHidden, setText, typed } from "../dom.js";
 import { fileName } from "../files.js";
 import { complain, forgive, textOf, toast } from "../messages.js";
 import { startSheets } from "../sheets.js";
 import { startBody } from "./body.js";
 import { startCanvas } from "./canvas.js";
-import { CANCELLED, Drafter } from "./session.js";
+import { CANCELLED, FloorPlanClient } from "./client.js";
 import { startFacts } from "./facts.js";
 import { startKeeping } from "./keep.js";
 import { startLayers } from "./layers.js";
@@ -15,15 +15,15 @@ import { startSweep } from "./sweep.js";
 import { startWalls } from "./walls.js";
 
 /**
- * @typedef {import("./types").DraftView} DraftView
- * @typedef {object} Desk What the modules of this place share.
+ * @typedef {import("./types").FloorPlanView} FloorPlanView
+ * @typedef {object} FloorPlanTab What the modules of this tab share.
  * @property {import("../main.js").App} app
- * @property {Drafter} drafter
- * @property {DraftView | undefined} view The latest view; none while the board is empty.
+ * @property {FloorPlanClient} client
+ * @property {FloorPlanView | undefined} view The latest view; none while the board is empty.
  * @property {(request: import("./types").Request, doing: string, refused?: (why: string) => void) => Promise<{ result: unknown } | undefined>} ask Nothing if it was refused, which is told, or cancelled.
  * @property {() => import("./types").Settings | undefined} wanted What is chosen, with what is still on its way to the board.
  * @property {(change: Partial<import("./types").Settings>) => Promise<unknown>} set Chooses.
- * @property {(sweeps: boolean) => Promise<void>} use Makes the draft the room of Explore.
+ * @property {(sweeps: boolean) => Promise<void>} use Makes the floor plan the room of Explore.
  * @property {(withFocus: boolean) => void} toCanvas Closes the sheet over the canvas; may go there by keyboard too.
  */
 
@@ -33,9 +33,9 @@ const MOST_BYTES = 64 * 2 ** 20;
 const PATIENCE_MS = 250;
 
 /** @param {import("../main.js").App} app @param {WebAssembly.Module} module */
-export function startDraft(app, module) {
-  const drafter = new Drafter(module);
-  const root = byId("place-draft");
+export function startFloorPlan(app, module) {
+  const client = new FloorPlanClient(module);
+  const root = byId("panel-floor-plan");
   let isDark = false;
   /** What is being done, the oldest first. @type {string[]} */
   const doing = [];
@@ -45,11 +45,11 @@ export function startDraft(app, module) {
   const showDoing = () => {
     clearTimeout(waiting);
     setAttribute(root, "aria-busy", String(doing.length > 0));
-    if (doing.length === 0) return setHidden(byId("draft-busy"), true);
+    if (doing.length === 0) return setHidden(byId("floor-plan-busy"), true);
     waiting = setTimeout(() => {
-      setText(byId("draft-doing"), `${doing[0]}…`);
-      typed("draft-progress", HTMLProgressElement).removeAttribute("value");
-      setHidden(byId("draft-busy"), false);
+      setText(byId("floor-plan-doing"), `${doing[0]}…`);
+      typed("floor-plan-progress", HTMLProgressElement).removeAttribute("value");
+      setHidden(byId("floor-plan-busy"), false);
     }, PATIENCE_MS);
   };
 
@@ -58,16 +58,16 @@ export function startDraft(app, module) {
   /** Files that are being opened: what is chosen meanwhile was meant for those before. */
   let opening = 0;
 
-  /** @type {Desk} */
+  /** @type {FloorPlanTab} */
   const it = {
     app,
-    drafter,
+    client,
     view: undefined,
     ask: async (request, what, refused = complain) => {
       doing.push(what);
       if (doing.length === 1) showDoing();
       try {
-        const result = await drafter.ask(request);
+        const result = await client.ask(request);
         // What went wrong before is still to be read.
         if (request.type !== "restore") forgive();
         return { result };
@@ -89,12 +89,12 @@ export function startDraft(app, module) {
     use: async (sweeps) => {
       const answer = await it.ask({ type: "room", sweeps }, "Making the room");
       if (!answer || !app.act((p) => p.take_map(answer.result))) return;
-      toast(`Loaded ${drafter.files.map((file) => file.name).join(" and ")}`);
+      toast(`Loaded ${client.files.map((file) => file.name).join(" and ")}`);
       byId("tab-explore").click();
     },
     toCanvas: (withFocus) => {
       /** @type {HTMLElement | null} */ (root.querySelector("[data-sheet][aria-expanded=true]"))?.click();
-      if (withFocus) byId("draft-floor").focus();
+      if (withFocus) byId("floor-plan-floor").focus();
     },
   };
 
@@ -115,36 +115,36 @@ export function startDraft(app, module) {
   const updates = [startFacts, startScale, startLayers, startWalls, startBody, startSweep].map((begin) => begin(it));
   const sized = startCanvas(it);
   const keeping = startKeeping(it);
-  drafter.onstart = (canvas) => {
+  client.onstart = (canvas) => {
     sized(canvas);
-    drafter.say({ type: "dark", dark: isDark });
+    client.say({ type: "dark", dark: isDark });
   };
-  drafter.onview = (view) => {
+  client.onview = (view) => {
     it.view = view;
     for (const update of updates) update(view);
     keeping.saw();
   };
-  drafter.onprogress = (done) => setAttribute(byId("draft-progress"), "value", String(Math.floor(100 * done)));
-  drafter.onrestore = (request) => void it.ask(request, "Laying out what was there before");
-  drafter.onbroken = (message, returns) => keeping.broke(message) || complain(`The drawing board met an error of its own (${message}). ${returns ? "What was on it before is laid out again" : "Open the file again, or another one"}; Explore is untouched.`);
-  drafter.start();
-  drafter.onview(undefined);
+  client.onprogress = (done) => setAttribute(byId("floor-plan-progress"), "value", String(Math.floor(100 * done)));
+  client.onrestore = (request) => void it.ask(request, "Laying out what was there before");
+  client.onbroken = (message, returns) => keeping.broke(message) || complain(`The drawing board met an error of its own (${message}). ${returns ? "What was on it before is laid out again" : "Open the file again, or another one"}; Explore is untouched.`);
+  client.start();
+  client.onview(undefined);
   void keeping.bring(() => opening === 0 && taken === 0);
 
-  button("draft-cancel").addEventListener("click", () => drafter.cancel());
-  button("draft-use").addEventListener("click", () => void it.use(false));
-  for (const node of root.querySelectorAll("[data-draft=choose]")) node.addEventListener("click", () => input("files").click());
-  for (const node of root.querySelectorAll("[data-draft=explore]")) {
+  button("floor-plan-cancel").addEventListener("click", () => client.cancel());
+  button("floor-plan-use").addEventListener("click", () => void it.use(false));
+  for (const node of root.querySelectorAll("[data-floor-plan=choose]")) node.addEventListener("click", () => input("files").click());
+  for (const node of root.querySelectorAll("[data-floor-plan=explore]")) {
     node.addEventListener("click", () => {
       app.act((p) => void take([new File([p.scenario_json()], `${fileName(app.view.room.title)}.json`)]));
     });
   }
-  byId("draft-sample").addEventListener("click", async () => {
+  byId("floor-plan-sample").addEventListener("click", async () => {
     const response = await fetch(new URL("./sample.dxf", import.meta.url)).catch(() => undefined);
     if (response?.ok) await take([new File([await response.blob()], "sample flat.dxf")]);
     else complain("The sample could not be loaded. Check the connection, then try again.");
   });
-  startSheets(root, byId("draft-stage"));
+  startSheets(root, byId("floor-plan-stage"));
 
   return {
     take,
@@ -153,18 +153,18 @@ export function startDraft(app, module) {
     },
     /** @param {string} key */
     key(key) {
-      if (key === "0") drafter.say({ type: "fit" });
-      else if (key === "+" || key === "=") drafter.say({ type: "middle", factor: 1.25 });
-      else if (key === "-") drafter.say({ type: "middle", factor: 0.8 });
+      if (key === "0") client.say({ type: "fit" });
+      else if (key === "+" || key === "=") client.say({ type: "middle", factor: 1.25 });
+      else if (key === "-") client.say({ type: "middle", factor: 0.8 });
       else return false;
       return true;
     },
-    link: () => "place=draft",
+    link: () => "tab=floor-plan",
     restore() {},
     /** @param {boolean} dark */
     setDark(dark) {
       isDark = dark;
-      drafter.say({ type: "dark", dark });
+      client.say({ type: "dark", dark });
     },
   };
 }

@@ -1,4 +1,4 @@
-// Shapes of what crosses between the page, the drafting worker and Rust (src/app/draft writes and reads them).
+// Shapes of what crosses between the page, the worker of the tab Floor plan and Rust (src/app/draft writes and reads them).
 
 export type Role = "wall" | "obstacle" | "ignored";
 export type Tool = "view" | "scale" | "rectangle" | "polygon" | "room";
@@ -33,7 +33,7 @@ export type Settings = {
 };
 
 /** Lengths in m, areas in m². */
-export type DraftView = {
+export type FloorPlanView = {
   name: string;
   kind: "drawing" | "image" | "map";
   says_unit: boolean;
@@ -79,7 +79,7 @@ export type SweepView = {
 /** What the page wants to be answered. */
 export type Request =
   | { type: "open"; files: File[] }
-  /** The draft may have been kept by another version, with other settings. */
+  /** The floor plan may have been kept by another version, with other settings. */
   | { type: "restore"; files: File[]; settings: Partial<Settings> }
   | { type: "set"; settings: Partial<Settings> }
   | { type: "scale"; metres: number }
@@ -101,14 +101,14 @@ export type Said =
   | { type: "resize"; width: number; height: number; ratio: number }
   | { type: "dark"; dark: boolean };
 
-export type ToDrafter = { type: "init"; module: WebAssembly.Module; canvas: OffscreenCanvas } | Said | (Request & { id: number });
+export type ToFloorPlan = { type: "init"; module: WebAssembly.Module; canvas: OffscreenCanvas } | Said | (Request & { id: number });
 
 export type Exported = { name: string; media: string; bytes: Uint8Array };
-export type FromDrafter =
-  | { type: "view"; view: DraftView | undefined }
+export type FromFloorPlan =
+  | { type: "view"; view: FloorPlanView | undefined }
   | { type: "progress"; done: number }
-  | { type: "answer"; id: number; result: unknown; view: DraftView | undefined }
-  /** `view` is the draft as it still is. */
-  | { type: "refusal"; id: number; message: string; view: DraftView | undefined }
+  | { type: "answer"; id: number; result: unknown; view: FloorPlanView | undefined }
+  /** `view` is the floor plan as it still is. */
+  | { type: "refusal"; id: number; message: string; view: FloorPlanView | undefined }
   /** It can't go on. */
   | { type: "broken"; message: string };

@@ -7,13 +7,13 @@ import { showValue } from "./fields.js";
 /** Sides of the room's cells, m; as in src/app/draft/settings.rs. */
 const CELLS = [0.01, 0.02, 0.025, 0.05, 0.1, 0.2, 0.5];
 
-/** @param {import("./tab.js").Desk} it @returns {(view: import("./types").DraftView | undefined) => void} */
+/** @param {import("./tab.js").FloorPlanTab} it @returns {(view: import("./types").FloorPlanView | undefined) => void} */
 export function startWalls(it) {
-  const [gap, cell, shade, negate] = [input("draft-gap"), select("draft-cell"), input("draft-shade"), input("draft-negate")];
+  const [gap, cell, shade, negate] = [input("floor-plan-gap"), select("floor-plan-cell"), input("floor-plan-shade"), input("floor-plan-negate")];
   fill(cell, CELLS.map((side) => [String(side), `${100 * side} cm`]));
   const told = () => {
-    setText(byId("draft-gap-value"), gap.valueAsNumber ? `${gap.valueAsNumber.toFixed(2)} m` : "none");
-    setText(byId("draft-shade-value"), `${Math.round(100 * shade.valueAsNumber)} %`);
+    setText(byId("floor-plan-gap-value"), gap.valueAsNumber ? `${gap.valueAsNumber.toFixed(2)} m` : "none");
+    setText(byId("floor-plan-shade-value"), `${Math.round(100 * shade.valueAsNumber)} %`);
   };
   for (const range of [gap, shade]) range.addEventListener("input", told);
   gap.addEventListener("change", () => void it.set({ gap: gap.valueAsNumber }));
@@ -21,15 +21,15 @@ export function startWalls(it) {
   cell.addEventListener("change", () => void it.set({ resolution: Number(cell.value) }));
   negate.addEventListener("change", () => void it.set({ negate: negate.checked }));
 
-  const buttons = [...byId("draft-parts").querySelectorAll("button")];
+  const buttons = [...byId("floor-plan-parts").querySelectorAll("button")];
   for (const node of buttons) {
     const part = node.dataset.part ?? "";
     node.addEventListener("click", () => {
       if (part === "whole") {
-        it.drafter.say({ type: "tool", tool: "view" });
+        it.client.say({ type: "tool", tool: "view" });
         return void it.set({ part: { kind: "whole" } });
       }
-      it.drafter.say({ type: "tool", tool: /** @type {import("./types").Tool} */ (part) });
+      it.client.say({ type: "tool", tool: /** @type {import("./types").Tool} */ (part) });
       it.toCanvas(true);
     });
   }
@@ -38,9 +38,9 @@ export function startWalls(it) {
     hint(view);
     if (!view) return;
     const { kind, settings, tool } = view;
-    for (const id of ["draft-layer-group", "draft-part-group", "draft-gap-field", "draft-cell-field"]) setHidden(byId(id), kind !== "drawing");
-    setHidden(byId("draft-wall-group"), kind === "map");
-    for (const id of ["draft-shade-field", "draft-negate-field"]) setHidden(byId(id), kind !== "image");
+    for (const id of ["floor-plan-layer-group", "floor-plan-part-group", "floor-plan-gap-field", "floor-plan-cell-field"]) setHidden(byId(id), kind !== "drawing");
+    setHidden(byId("floor-plan-wall-group"), kind === "map");
+    for (const id of ["floor-plan-shade-field", "floor-plan-negate-field"]) setHidden(byId(id), kind !== "image");
     showValue(gap, String(settings.gap));
     showValue(shade, String(settings.shade));
     showValue(cell, String(settings.resolution));

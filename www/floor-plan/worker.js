@@ -1,6 +1,6 @@
 // @ts-check
 // The drawing board, away from the page: reads, traces, plans and draws. To cancel, the page ends this worker.
-import init, { Drafting } from "../../draft.js";
+import init, { FloorPlanSession } from "../../draft.js";
 
 /** How long a stage of the sweep takes to be shown, ms. */
 const STAGE_MS = 1600;
@@ -11,8 +11,8 @@ const KEY_PAN = 60;
 /** @type {Record<string, [number, number]>} */
 const PANS = { left: [KEY_PAN, 0], right: [-KEY_PAN, 0], up: [0, KEY_PAN], down: [0, -KEY_PAN] };
 
-/** @type {Drafting} */
-let board;
+/** @type {FloorPlanSession} */
+let session;
 /** What is done one after the other. */
 let doing = Promise.resolve();
 let isDrawing = false;
@@ -24,7 +24,7 @@ let moved = -Infinity;
 let stages = [];
 let began = 0;
 
-/** @param {import("./types").FromDrafter} message @param {Transferable[]} [transfer] */
+/** @param {import("./types").FromFloorPlan} message @param {Transferable[]} [transfer] */
 const tell = (message, transfer = []) => self.postMessage(message, { transfer });
 /** @type {(what: (now: number) => void) => void} */
 const nextFrame = self.requestAnimationFrame ? (what) => void self.requestAnimationFrame(what) : (what) => void setTimeout(() => what(performance.now()), 16);
@@ -43,7 +43,7 @@ function draw() {
     try {
       animate(now);
       const hurries = performance.now() - moved < REST_MS;
-      if (board.draw(hurries)) setTimeout(draw, REST_MS);
+      if (session.draw(hurries)) setTimeout(draw, REST_MS);
     } catch (error) {
       broke(error);
     }
@@ -56,12 +56,12 @@ function animate(now) {
   if (stage === undefined) return;
   if (!began) {
     began = now;
-    board.show_stage(stage, 0);
+    session.show_stage(stage, 0);
     // Its button is pressed while one sees it, not afterwards.
     show();
   }
   const share = (now - began) / STAGE_MS;
-  board.show_stage(stage, share);
+  session.show_stage(stage, share);
   if (share >= 1) {
     stages.shift();
     began = 0;
@@ -70,7 +70,7 @@ function animate(now) {
   setTimeout(draw);
 }
 
-const show = () => tell({ type: "view", view: board.view() });
+const show = () => tell({ type: "view", view: session.view() });
 
 /** @param {File[]} files */
 async function read(files) {
@@ -87,22 +87,22 @@ async function answer(request) {
   switch (request.type) {
     case "restore":
     case "open":
-      board.open(await read(request.files));
+      session.open(await read(request.files));
       stages = [];
-      return request.type === "restore" && board.set({ ...board.view()?.settings, ...request.settings });
+      return request.type === "restore" && session.set({ ...session.view()?.settings, ...request.settings });
     case "set":
       // On top of what the hand has chosen on the canvas meanwhile.
-      return board.set({ ...board.view()?.settings, ...request.settings });
+      return session.set({ ...session.view()?.settings, ...request.settings });
     case "scale":
-      return board.scale_to(request.metres);
+      return session.scale_to(request.metres);
     case "sweep":
-      return board.sweep((/** @type {number} */ done) => tell({ type: "progress", done }));
+      return session.sweep((/** @type {number} */ done) => tell({ type: "progress", done }));
     case "slice":
-      return board.show_slice(request.heading);
+      return session.show_slice(request.heading);
     case "export":
-      return board.export(request.format);
+      return session.export(request.format);
     case "room":
-      return board.room(request.sweeps);
+      return session.room(request.sweeps);
   }
 }
 
@@ -111,57 +111,57 @@ function hear(said) {
   if (["pan", "zoom", "middle", "pointer", "key"].includes(said.type)) moved = performance.now();
   switch (said.type) {
     case "tool":
-      board.set_tool(said.tool);
+      session.set_tool(said.tool);
       return true;
     case "stages":
       [stages, began] = [said.moves ? said.stages : [], 0];
-      if (!said.moves) board.show_stage(said.stages.at(-1) ?? 0, 1);
+      if (!said.moves) session.show_stage(said.stages.at(-1) ?? 0, 1);
       return true;
     case "pointer":
-      return board.pointer(said.kind, said.x, said.y);
+      return session.pointer(said.kind, said.x, said.y);
     case "key": {
-      const isUsed = board.key(said.action, said.fine);
+      const isUsed = session.key(said.action, said.fine);
       const pan = PANS[said.action];
-      if (!isUsed && pan) board.pan(...pan);
+      if (!isUsed && pan) session.pan(...pan);
       return isUsed;
     }
     case "pan":
-      return void board.pan(said.dx, said.dy);
+      return void session.pan(said.dx, said.dy);
     case "zoom":
-      return void board.zoom(said.x, said.y, said.factor);
+      return void session.zoom(said.x, said.y, said.factor);
     case "middle":
-      return void board.zoom_middle(said.factor);
+      return void session.zoom_middle(said.factor);
     case "fit":
-      return void board.fit();
+      return void session.fit();
     case "resize":
-      return void board.resize(said.width, said.height, said.ratio);
+      return void session.resize(said.width, said.height, said.ratio);
     case "dark":
-      return void board.set_dark(said.dark);
+      return void session.set_dark(said.dark);
   }
 }
 
-/** @param {import("./types").ToDrafter} message */
+/** @param {import("./types").ToFloorPlan} message */
 async function take(message) {
   if (isBroken) return;
   if (message.type === "init") {
     await init({ module_or_path: message.module });
-    board = new Drafting(message.canvas);
+    session = new FloorPlanSession(message.canvas);
   } else if ("id" in message) {
     const { id } = message;
     try {
       const result = await answer(message);
-      tell({ type: "answer", id, result, view: board.view() });
-      if (!isWarm) setTimeout(() => board.warm_up(), REST_MS);
+      tell({ type: "answer", id, result, view: session.view() });
+      if (!isWarm) setTimeout(() => session.warm_up(), REST_MS);
       isWarm = true;
     } catch (error) {
       // Rust throws messages for users; anything else is a mistake of ours.
       if (error instanceof Error) throw error;
-      tell({ type: "refusal", id, message: String(error), view: board.view() });
+      tell({ type: "refusal", id, message: String(error), view: session.view() });
     }
   } else if (hear(message)) show();
   draw();
 }
 
-self.addEventListener("message", (/** @type {MessageEvent<import("./types").ToDrafter>} */ { data }) => {
+self.addEventListener("message", (/** @type {MessageEvent<import("./types").ToFloorPlan>} */ { data }) => {
   doing = doing.then(() => take(data)).catch(broke);
 });

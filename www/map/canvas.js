@@ -11,26 +11,26 @@ const MOVES = { ArrowLeft: "left", ArrowRight: "right", ArrowUp: "up", ArrowDown
 /** With the shift key. @type {Record<string, string>} */
 const TURNS = { ArrowLeft: "turn_left", ArrowRight: "turn_right" };
 
-/** @param {import("./tab.js").Surveying} it @param {HTMLCanvasElement} canvas */
+/** @param {import("./tab.js").MapTab} it @param {HTMLCanvasElement} canvas */
 export function startCanvas(it, canvas) {
-  const { survey, act } = it;
+  const { session, act } = it;
   startPointers(it, canvas);
   canvas.addEventListener("wheel", (event) => {
     event.preventDefault();
     const pixels = event.deltaY * (event.deltaMode === WheelEvent.DOM_DELTA_PIXEL ? 1 : WHEEL_LINE);
-    survey.zoom(event.offsetX, event.offsetY, Math.exp(-Math.max(-120, Math.min(120, pixels)) * (event.ctrlKey ? 0.01 : 0.0016)));
+    session.zoom(event.offsetX, event.offsetY, Math.exp(-Math.max(-120, Math.min(120, pixels)) * (event.ctrlKey ? 0.01 : 0.0016)));
   }, { passive: false });
-  canvas.addEventListener("dblclick", () => survey.fit());
+  canvas.addEventListener("dblclick", () => session.fit());
   canvas.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || it.view.is_carried) return;
     const pan = { ArrowLeft: [KEY_PAN, 0], ArrowRight: [-KEY_PAN, 0], ArrowUp: [0, KEY_PAN], ArrowDown: [0, -KEY_PAN] }[event.key];
     if (!pan) return;
     event.preventDefault();
-    survey.pan(pan[0] ?? 0, pan[1] ?? 0);
+    session.pan(pan[0] ?? 0, pan[1] ?? 0);
   });
   // Before all others: who carries the robot has the arrow keys for that.
   document.addEventListener("keydown", (event) => {
-    if (!it.view.is_carried || byId("place-map").hidden || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (!it.view.is_carried || byId("panel-map").hidden || event.ctrlKey || event.metaKey || event.altKey) return;
     const isHere = event.target === canvas || event.key === "Escape";
     const action = isHere && (event.shiftKey ? TURNS : MOVES)[event.key];
     if (!action) return;
@@ -39,10 +39,10 @@ export function startCanvas(it, canvas) {
     act((s) => s.carry(action));
   }, { capture: true });
 
-  const middle = (/** @type {number} */ factor) => survey.zoom(canvas.clientWidth / 2, canvas.clientHeight / 2, factor);
-  for (const node of byId("survey-stage").querySelectorAll("[data-zoom]")) {
+  const middle = (/** @type {number} */ factor) => session.zoom(canvas.clientWidth / 2, canvas.clientHeight / 2, factor);
+  for (const node of byId("map-stage").querySelectorAll("[data-zoom]")) {
     const how = node.getAttribute("data-zoom");
-    node.addEventListener("click", () => (how === "fit" ? survey.fit() : middle(how === "in" ? 1.4 : 1 / 1.4)));
+    node.addEventListener("click", () => (how === "fit" ? session.fit() : middle(how === "in" ? 1.4 : 1 / 1.4)));
   }
   const lift = () => {
     if (!it.view.can.lift && !it.view.can.put_down) return false;
@@ -51,7 +51,7 @@ export function startCanvas(it, canvas) {
     if (!isHeld) canvas.focus();
     return worked;
   };
-  button("survey-lift").addEventListener("click", lift);
+  button("map-lift").addEventListener("click", lift);
   const layers = startLayers(it);
 
   /** @type {Record<string, () => unknown>} */
@@ -59,15 +59,15 @@ export function startCanvas(it, canvas) {
     "+": () => middle(1.25),
     "=": () => middle(1.25),
     "-": () => middle(0.8),
-    0: () => survey.fit(),
+    0: () => session.fit(),
     p: lift,
     l: layers.open,
     t: () => it.toggle("truth"),
     d: () => it.toggle("difference"),
     o: () => it.toggle("odometry"),
-    " ": () => button("survey-play").click(),
-    ".": () => button("survey-step").click(),
-    r: () => button("survey-reset").click(),
+    " ": () => button("map-play").click(),
+    ".": () => button("map-step").click(),
+    r: () => button("map-reset").click(),
   };
   let size = "";
   return {
@@ -76,13 +76,13 @@ export function startCanvas(it, canvas) {
       const now = `${width} ${height} ${devicePixelRatio}`;
       if (now === size || width === 0 || height === 0) return;
       size = now;
-      survey.resize(width, height, devicePixelRatio);
+      session.resize(width, height, devicePixelRatio);
     },
-    /** @param {import("./types").SurveyView} view */
+    /** @param {import("./types").MapView} view */
     update(view) {
-      setEnabled(button("survey-lift"), view.can.lift || view.can.put_down);
-      setText(byId("survey-lift-name"), view.is_carried ? "Put down" : "Pick up");
-      setAttribute(button("survey-lift"), "aria-pressed", String(view.is_carried));
+      setEnabled(button("map-lift"), view.can.lift || view.can.put_down);
+      setText(byId("map-lift-name"), view.is_carried ? "Put down" : "Pick up");
+      setAttribute(button("map-lift"), "aria-pressed", String(view.is_carried));
       layers.update(view);
     },
     /** @param {string} key */
@@ -94,9 +94,9 @@ export function startCanvas(it, canvas) {
   };
 }
 
-/** What is drawn: the buttons over the map, and the whole list. @param {import("./tab.js").Surveying} it */
+/** What is drawn: the buttons over the map, and the whole list. @param {import("./tab.js").MapTab} it */
 function startLayers(it) {
-  const [list, opener] = [byId("survey-layers"), button("survey-layers-open")];
+  const [list, opener] = [byId("map-layers"), button("map-layers-open")];
   const open = () => {
     list.hidden = !list.hidden;
     setAttribute(opener, "aria-expanded", String(!list.hidden));
@@ -111,22 +111,22 @@ function startLayers(it) {
   });
   const boxes = [...list.querySelectorAll("input")];
   for (const box of boxes) box.addEventListener("change", () => it.act((s) => s.show(box.dataset.layer ?? "", box.checked)));
-  const quick = [...byId("survey-tools").querySelectorAll("button[data-layer]")];
+  const quick = [...byId("map-tools").querySelectorAll("button[data-layer]")];
   for (const node of quick) node.addEventListener("click", () => it.toggle(node.getAttribute("data-layer") ?? ""));
   return {
     open,
-    /** @param {import("./types").SurveyView} view */
+    /** @param {import("./types").MapView} view */
     update({ layers }) {
       if (!changed(list, "layers", layers.join())) return;
       for (const box of boxes) box.checked = layers.includes(box.dataset.layer ?? "");
       for (const node of quick) node.setAttribute("aria-pressed", String(layers.includes(node.getAttribute("data-layer") ?? "")));
-      byId("place-map").dataset.layers = layers.join(" ");
+      byId("panel-map").dataset.layers = layers.join(" ");
     },
   };
 }
 
-/** Drag and pinch. @param {import("./tab.js").Surveying} it @param {HTMLCanvasElement} canvas */
-function startPointers({ act, survey }, canvas) {
+/** Drag and pinch. @param {import("./tab.js").MapTab} it @param {HTMLCanvasElement} canvas */
+function startPointers({ act, session }, canvas) {
   /** @type {Map<number, { x: number, y: number }>} */
   const down = new Map();
   canvas.addEventListener("pointerdown", (event) => {
@@ -144,8 +144,8 @@ function startPointers({ act, survey }, canvas) {
     const other = [...down].find(([id]) => id !== event.pointerId)?.[1];
     if (other) {
       const far = (/** @type {{ x: number, y: number }} */ spot) => Math.max(1, Math.hypot(spot.x - other.x, spot.y - other.y));
-      survey.pan((at.x - before.x) / 2, (at.y - before.y) / 2);
-      survey.zoom((at.x + other.x) / 2, (at.y + other.y) / 2, far(at) / far(before));
+      session.pan((at.x - before.x) / 2, (at.y - before.y) / 2);
+      session.zoom((at.x + other.x) / 2, (at.y + other.y) / 2, far(at) / far(before));
     } else act((s) => s.pointer("move", at.x, at.y));
     down.set(event.pointerId, at);
   });

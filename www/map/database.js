@@ -1,5 +1,5 @@
 // @ts-check
-// The browser's database of surveys.
+// The browser's database of mapping runs.
 
 /**
  * @typedef {{ recipe: string, text: string, saved: number, end?: number }} Kept `saved` is a time of the clock, ms; `end` how far
@@ -7,10 +7,10 @@
  */
 
 const DATABASE = "robovac-maps";
-export const KEPT = "surveys";
+export const KEPT = "surveys"; // an older name of them
 /** What can't go on, and had better not be lost. */
 export const ASIDE = "aside";
-/** Surveys that are kept; the oldest gives way. */
+/** Mapping runs that are kept; the oldest gives way. */
 const MOST = 24;
 
 /** @returns {Promise<IDBDatabase>} */

@@ -1,5 +1,5 @@
 // @ts-check
-// Keeps surveys in this browser, one for each combination of room, robot and choices: they go on after a reload.
+// Keeps mapping runs in this browser, one for each combination of room, robot and choices: they go on after a reload.
 import { byId, setHidden, setText, button } from "../dom.js";
 import { download } from "../files.js";
 import { clock } from "../format.js";
@@ -10,7 +10,7 @@ import { stored_ros_map } from "../../survey.js";
 
 /**
  * @typedef {import("./database.js").Kept} Kept
- * @typedef {import("./tab.js").Surveying} Surveying
+ * @typedef {import("./tab.js").MapTab} MapTab
  */
 
 /** Milliseconds between two looks at whether there is something new to keep. */
@@ -18,9 +18,9 @@ const EVERY = 3000;
 /** Less than this isn't told to be lost, s. */
 const LITTLE = 0.1;
 
-/** @param {Surveying} it */
+/** @param {MapTab} it */
 export function startKeeping(it) {
-  const { survey } = it;
+  const { session } = it;
   /** @type {Promise<IDBDatabase> | undefined} */
   let opened;
   const open = () => (opened ??= openDatabase());
@@ -51,10 +51,10 @@ export function startKeeping(it) {
       await caughtUp;
       let found = await get(now);
       // The robot had been given a map.
-      const given = now === survey.home() ? await get(mark(now)) : undefined;
+      const given = now === session.home() ? await get(mark(now)) : undefined;
       if (given) found = (await get(given.text)) ?? found;
       // Something else may have been chosen or begun meanwhile.
-      if (recipe !== now || survey.recipe() !== now) return;
+      if (recipe !== now || session.recipe() !== now) return;
       if (found && it.view.time_s === 0 && it.view.end_s === 0) void bring(found);
       isKnown = true;
     } catch (error) {
@@ -91,8 +91,8 @@ export function startKeeping(it) {
   /** @param {Kept} found */
   const bring = async (found) => {
     try {
-      survey.resume(found.text);
-      recipe = survey.recipe();
+      session.resume(found.text);
+      recipe = session.recipe();
       text = found.text;
       kept = written = moment(it);
       const left = await caughtUp;
@@ -115,9 +115,9 @@ export function startKeeping(it) {
   /** Tells why something can't go on, and offers what is left of it. @param {string} why @param {string} what */
   const explain = (why, what) => {
     complain(`${why}. It is kept aside in this browser; save a copy of it below if you need it.`);
-    setHidden(byId("survey-aside"), false);
-    setText(byId("survey-aside-why"), `${why.charAt(0).toUpperCase()}${why.slice(1)}.`);
-    button("survey-aside-save").onclick = () => {
+    setHidden(byId("map-aside"), false);
+    setText(byId("map-aside-why"), `${why.charAt(0).toUpperCase()}${why.slice(1)}.`);
+    button("map-aside-save").onclick = () => {
       try {
         for (const { name, bytes, kind } of stored_ros_map(what, "stored-map")) download(name, bytes, kind);
       } catch {
@@ -126,15 +126,15 @@ export function startKeeping(it) {
       }
     };
   };
-  button("survey-aside-close").addEventListener("click", () => setHidden(byId("survey-aside"), true));
+  button("map-aside-close").addEventListener("click", () => setHidden(byId("map-aside"), true));
 
   /** What there is to be kept, unless it is kept already. */
   const news = () => {
-    if (!isKnown || survey.recipe() !== recipe) return undefined;
-    const now = survey.store();
+    if (!isKnown || session.recipe() !== recipe) return undefined;
+    const now = session.store();
     if (!now) return undefined;
     text = now;
-    const [saved, end, home] = [Date.now(), it.view.end_s, survey.home()];
+    const [saved, end, home] = [Date.now(), it.view.end_s, session.home()];
     const given = home === recipe ? [] : [{ recipe: mark(home), text: recipe, saved }];
     return [{ recipe, text: now, saved, end }, ...given];
   };
@@ -162,11 +162,11 @@ export function startKeeping(it) {
 
   return {
     save,
-    /** Once a frame while the place is shown. */
+    /** Once a frame while the tab is shown. */
     tend() {
-      const now = survey.recipe();
+      const now = session.recipe();
       if (now !== recipe) void look(now);
-      if (survey.take_strayed()) {
+      if (session.take_strayed()) {
         putAside(text);
         explain("the program drives otherwise than when this map was stored, so it doesn't get there any more", text);
       }
@@ -184,12 +184,12 @@ export function startKeeping(it) {
       remove(recipe);
     },
     /** The map that the robot was given is given back, or another one comes: a reload won't bring it. */
-    leave: () => remove(mark(survey.home())),
+    leave: () => remove(mark(session.home())),
   };
 }
 
 /** Under which it is kept that the robot had been given a map, with its recipe for a text. @param {string} home */
 const mark = (home) => `given a map: ${home}`;
 
-/** Tells one state of a survey from another. @param {Surveying} it */
+/** Tells one state of a mapping run from another. @param {MapTab} it */
 const moment = ({ view }) => `${view.time_s} ${view.end_s} ${view.version} ${view.phase === "held"}`;

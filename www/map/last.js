@@ -1,10 +1,10 @@
 // @ts-check
 // What is kept in the moment in which the page is left. The browser's database takes longer than a page has then; its local
-// storage is written at once, has room for a few megabytes, and holds the survey until the database has it.
+// storage is written at once, has room for a few megabytes, and holds the mapping run until the database has it.
 
 /**
  * @typedef {import("./database.js").Kept} Kept
- * @typedef {{ recipe: string, end: number, entries: Kept[] }} Last The survey that was left, how far it had come (s), and what
+ * @typedef {{ recipe: string, end: number, entries: Kept[] }} Last The mapping run that was left, how far it had come (s), and what
  *   is to be kept of it, as far as there was room.
  */
 

@@ -5,7 +5,7 @@ import { clock, percent } from "../format.js";
 
 /**
  * @typedef {import("./types").Figures} Figures
- * @typedef {import("./types").SurveyView} SurveyView
+ * @typedef {import("./types").MapView} MapView
  * @typedef {{ label: string, tip: string, of: (figures: Figures) => string }} Row
  */
 
@@ -21,7 +21,7 @@ const ROWS = [
   { label: "Floor known", tip: "Share of the floor that the robot's body can cover which it knows to be free.", of: ({ known }) => `${percent(known)} %` },
 ];
 
-/** @type {{ label: string, tip: string, of: (view: SurveyView) => string }[]} */
+/** @type {{ label: string, tip: string, of: (view: MapView) => string }[]} */
 const SINGLE = [
   { label: "Sure of itself to", tip: "One standard deviation of the position, along the longer axis, and of the heading, as the robot itself estimates them. The ellipse and the wedge on the map show two.", of: ({ spread }) => (spread ? `±${centimetres(spread[0])}, ±${spread[1].toFixed(1)}°` : "–") },
   { label: "Cleaned by its map", tip: "Share of the floor that it can get to by its own map which it believes to have swept, and what is left of that; once it cleans by its map.", of: ({ by_map }) => (by_map ? `${percent(by_map[0] / Math.max(by_map[1], 1e-9))} %, ${(by_map[1] - by_map[0]).toFixed(1)} m² left` : "–") },
@@ -36,18 +36,18 @@ const RECKONINGS = ["Counts, arcs", "Counts, straight", "Packets, arcs", "Packet
   tip: `Where the robot would believe to be ${i < 2 ? "by encoder counts" : "by packets 19 and 20, whole millimetres and degrees told every 0.24 s"} alone, each step taken ${i % 2 === 0 ? "along an arc" : "straight, then turned"}.`,
 }));
 
-/** @param {import("./tab.js").Surveying} _it */
+/** @param {import("./tab.js").MapTab} _it */
 export function startNumbers(_it) {
   /** @param {{ label: string, tip: string }} row @param {HTMLElement[]} cells */
   const line = ({ label, tip }, cells) => make("tr", { "data-tip": tip }, make("th", { scope: "row" }, make("button", { type: "button", className: "term" }, label)), ...cells);
   const rows = ROWS.map((row) => ({ row, cells: [make("td"), make("td")] }));
   const single = SINGLE.map((row) => ({ row, cell: make("td", { colSpan: 2 }) }));
-  byId("survey-figures").replaceChildren(...rows.map(({ row, cells }) => line(row, cells)));
+  byId("map-figures").replaceChildren(...rows.map(({ row, cells }) => line(row, cells)));
   const drifts = RECKONINGS.map((row) => ({ row, cells: [make("td"), make("td")] }));
-  byId("survey-drifts").replaceChildren(...drifts.map(({ row, cells }) => line(row, cells)));
-  byId("survey-more").replaceChildren(...single.map(({ row, cell }) => line(row, [cell])));
+  byId("map-drifts").replaceChildren(...drifts.map(({ row, cells }) => line(row, cells)));
+  byId("map-more").replaceChildren(...single.map(({ row, cell }) => line(row, [cell])));
 
-  /** @param {SurveyView} view */
+  /** @param {MapView} view */
   return (view) => {
     for (const { row, cells } of rows) {
       [view.figures, view.odometry].forEach((figures, i) => {
@@ -60,13 +60,13 @@ export function startNumbers(_it) {
       [centimetres(position), `${heading.toFixed(1)}°`].forEach((text, j) => cells[j] && setText(cells[j], view.time_s > 0 ? text : "–"));
     });
     for (const { row, cell } of single) setText(cell, row.of(view));
-    setText(byId("survey-here"), view.known !== null ? "Lost, found" : view.tracking === "odometry" ? "Robot" : "Corrected");
+    setText(byId("map-here"), view.known !== null ? "Lost, found" : view.tracking === "odometry" ? "Robot" : "Corrected");
     const has = view.figures && view.time_s > 0;
-    setText(byId("survey-n-boundary"), view.figures ? percent(view.figures.boundary) : "–");
-    setText(byId("survey-n-time"), clock(view.time_s));
-    setText(byId("survey-n-time-unit"), view.time_s < 3600 ? "min" : "h");
+    setText(byId("map-n-boundary"), view.figures ? percent(view.figures.boundary) : "–");
+    setText(byId("map-n-time"), clock(view.time_s));
+    setText(byId("map-n-time-unit"), view.time_s < 3600 ? "min" : "h");
     const error = view.figures?.position_m ?? 0;
-    setText(byId("survey-n-error"), has && view.figures?.position_m === null ? "lost" : has ? (error < 1 ? (100 * error).toFixed(error < 0.1 ? 1 : 0) : error.toFixed(2)) : "–");
-    setText(byId("survey-n-error-unit"), view.figures?.position_m === null ? "" : error < 1 ? "cm" : "m");
+    setText(byId("map-n-error"), has && view.figures?.position_m === null ? "lost" : has ? (error < 1 ? (100 * error).toFixed(error < 0.1 ? 1 : 0) : error.toFixed(2)) : "–");
+    setText(byId("map-n-error-unit"), view.figures?.position_m === null ? "" : error < 1 ? "cm" : "m");
   };
 }

@@ -9,47 +9,47 @@ const SHORTEST = 300;
 /** Milliseconds between redraws of the curve. */
 const REDRAW = 200;
 
-/** @param {import("./tab.js").Surveying} it */
+/** @param {import("./tab.js").MapTab} it */
 export function startPlaybar(it) {
   const { act } = it;
   const isMoving = () => ["playing", "seeking"].includes(it.view.phase);
-  button("survey-play").addEventListener("click", () => {
+  button("map-play").addEventListener("click", () => {
     if (it.view.can.pause) act((s) => s.pause());
     else if (it.view.can.play) act((s) => s.play());
   });
-  button("survey-hint-play").addEventListener("click", () => {
+  button("map-hint-play").addEventListener("click", () => {
     act((s) => s.play());
-    button("survey-play").focus();
+    button("map-play").focus();
   });
-  button("survey-step").addEventListener("click", () => it.view.can.step && act((s) => s.step()));
-  button("survey-reset").addEventListener("click", () => it.view.can.seek && act((s) => s.seek(0)));
-  fill(select("survey-speed"), it.app.catalogue.speeds.map((x) => [String(x), x === 0 ? "max" : `${x}×`]));
-  select("survey-speed").addEventListener("change", () => it.set("pace", select("survey-speed").value));
+  button("map-step").addEventListener("click", () => it.view.can.step && act((s) => s.step()));
+  button("map-reset").addEventListener("click", () => it.view.can.seek && act((s) => s.seek(0)));
+  fill(select("map-speed"), it.app.catalogue.speeds.map((x) => [String(x), x === 0 ? "max" : `${x}×`]));
+  select("map-speed").addEventListener("change", () => it.set("pace", select("map-speed").value));
   startScrubber(it);
   let drawn = 0;
   /** Upper end of the scale of errors, m. */
   let top = 0.1;
 
-  /** @param {import("./types").SurveyView} view */
+  /** @param {import("./types").MapView} view */
   return (view) => {
     const { can } = view;
-    setEnabled(button("survey-play"), can.play || can.pause);
-    setEnabled(button("survey-step"), can.step);
-    setEnabled(button("survey-reset"), can.seek);
+    setEnabled(button("map-play"), can.play || can.pause);
+    setEnabled(button("map-step"), can.step);
+    setEnabled(button("map-reset"), can.seek);
     const running = isMoving();
-    if (changed(button("survey-play"), "running", running)) {
+    if (changed(button("map-play"), "running", running)) {
       const name = running ? "Pause" : "Let it drive";
-      button("survey-play").setAttribute("aria-label", name);
-      button("survey-play").title = `${name} (space)`;
-      byId("survey-play-icon").setAttribute("href", running ? "#i-pause" : "#i-play");
+      button("map-play").setAttribute("aria-label", name);
+      button("map-play").title = `${name} (space)`;
+      byId("map-play-icon").setAttribute("href", running ? "#i-pause" : "#i-play");
     }
-    if (changed(select("survey-speed"), "speed", view.speed)) select("survey-speed").value = String(view.speed);
+    if (changed(select("map-speed"), "speed", view.speed)) select("map-speed").value = String(view.speed);
     // What was asked for and isn't reached is worth a word.
     const reached = view.speed_factor;
     const isSlow = view.phase === "playing" && reached > 0 && (view.speed === 0 || reached < 0.9 * view.speed);
-    setText(byId("survey-pace"), isSlow ? pace(reached) : "");
+    setText(byId("map-pace"), isSlow ? pace(reached) : "");
     const range = rangeOf(view);
-    const scrubber = byId("survey-scrubber");
+    const scrubber = byId("map-scrubber");
     scrubber.style.setProperty("--at", String(view.time_s / range));
     const isLost = view.known !== null;
     setAttribute(scrubber, "aria-disabled", String(!can.seek));
@@ -62,12 +62,12 @@ export function startPlaybar(it) {
     const is = `${view.samples} ${view.version} ${range} ${view.end_s} ${isLost}`;
     if ((now - drawn > REDRAW || !running) && changed(scrubber, "curve", is)) {
       drawn = now;
-      const curve = it.survey.curve();
+      const curve = it.session.curve();
       top = drawDrift(curve, view.end_s);
       if (isLost) drawError(curve, range, top);
       else drawBoundary(curve, range);
-      setText(byId("survey-curve-name"), isLost ? "Position error over time; shaded while it is lost" : "Boundary mapped over time");
-      setText(byId("survey-curve-top"), isLost ? length(top) : "100 %");
+      setText(byId("map-curve-name"), isLost ? "Position error over time; shaded while it is lost" : "Boundary mapped over time");
+      setText(byId("map-curve-top"), isLost ? length(top) : "100 %");
       drawTicks(range);
     }
     const height = isLost ? (view.figures?.position_m ?? top) / top : (view.figures?.boundary ?? 0);
@@ -75,14 +75,14 @@ export function startPlaybar(it) {
   };
 }
 
-/** Length of the time line, s: it grows by a third when it is full. @param {import("./types").SurveyView} view */
+/** Length of the time line, s: it grows by a third when it is full. @param {import("./types").MapView} view */
 export function rangeOf(view) {
   let range = SHORTEST;
   while (view.end_s > range) range = Math.ceil((range * 4) / 180) * 60;
   return range;
 }
 
-/** How far off it is, in words. @param {import("./types").SurveyView} view */
+/** How far off it is, in words. @param {import("./types").MapView} view */
 function off({ figures }) {
   const error = figures?.position_m;
   return error === null || error === undefined ? "lost" : `off by ${error < 1 ? `${(100 * error).toFixed(0)} cm` : `${error.toFixed(2)} m`}`;
@@ -109,18 +109,18 @@ function through(points) {
 function drawBoundary(curve, range) {
   const points = samples(curve).map(([time, boundary]) => /** @type {[number, number]} */ ([(1000 * time) / range, 99.5 - 99 * boundary]));
   const line = through([[0, 99.5], ...points]);
-  setAttribute(byId("survey-curve"), "d", line);
-  setAttribute(byId("survey-area"), "d", `${line}L${points.at(-1)?.[0] ?? 0} 100L0 100Z`);
-  setAttribute(byId("survey-astray"), "d", "");
+  setAttribute(byId("map-curve"), "d", line);
+  setAttribute(byId("map-area"), "d", `${line}L${points.at(-1)?.[0] ?? 0} 100L0 100Z`);
+  setAttribute(byId("map-astray"), "d", "");
 }
 
 /** The error of a robot that is lost on a map, and when it had no idea. @param {Float64Array} curve @param {number} range @param {number} top */
 function drawError(curve, range, top) {
   const points = samples(curve).map(([time, , here]) => /** @type {[number, number]} */ ([(1000 * time) / range, 99.5 - (99 * here) / top]));
-  setAttribute(byId("survey-curve"), "d", through(points));
-  setAttribute(byId("survey-area"), "d", "");
+  setAttribute(byId("map-curve"), "d", through(points));
+  setAttribute(byId("map-area"), "d", "");
   const astray = points.map(([x, y], i) => (Number.isNaN(y) ? `M${(points[i - 1]?.[0] ?? 0).toFixed(1)} 0H${x.toFixed(1)}V100H${(points[i - 1]?.[0] ?? 0).toFixed(1)}Z` : ""));
-  setAttribute(byId("survey-astray"), "d", astray.join(""));
+  setAttribute(byId("map-astray"), "d", astray.join(""));
 }
 
 /** Drift, beside, with scales that hold all of it: it ends where the clock is, or was last. @param {Float64Array} curve @param {number} end Time that the run has come to, s. */
@@ -129,16 +129,16 @@ function drawDrift(curve, end) {
   const most = Math.max(0.1, ...all.flatMap(([, , here, odometry]) => [here || 0, odometry || 0]));
   const top = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50].find((limit) => limit >= most) ?? 100;
   const across = (/** @type {number} */ time) => (1000 * time) / Math.max(end, 1);
-  setAttribute(byId("survey-drift-here"), "d", through(all.map(([time, , here]) => [across(time), 100 - (100 * here) / top])));
-  setAttribute(byId("survey-drift-odometry"), "d", through(all.map(([time, , , odometry]) => [across(time), 100 - (100 * odometry) / top])));
-  setText(byId("survey-drift-top"), length(top));
-  setText(byId("survey-drift-end"), clock(end));
+  setAttribute(byId("map-drift-here"), "d", through(all.map(([time, , here]) => [across(time), 100 - (100 * here) / top])));
+  setAttribute(byId("map-drift-odometry"), "d", through(all.map(([time, , , odometry]) => [across(time), 100 - (100 * odometry) / top])));
+  setText(byId("map-drift-top"), length(top));
+  setText(byId("map-drift-end"), clock(end));
   return top;
 }
 
 /** @param {number} range */
 function drawTicks(range) {
-  if (!changed(byId("survey-ticks"), "range", range)) return;
+  if (!changed(byId("map-ticks"), "range", range)) return;
   const step = [60, 120, 300, 600, 900, 1800, 3600, 7200, 18_000, 36_000].find((s) => range / s <= 6) ?? range;
   const ticks = [];
   for (let t = 0; t < range * 0.97; t += step) {
@@ -146,12 +146,12 @@ function drawTicks(range) {
     tick.style.setProperty("--at", String(t / range));
     ticks.push(tick);
   }
-  byId("survey-ticks").replaceChildren(...ticks);
+  byId("map-ticks").replaceChildren(...ticks);
 }
 
-/** @param {import("./tab.js").Surveying} it */
+/** @param {import("./tab.js").MapTab} it */
 function startScrubber(it) {
-  const scrubber = byId("survey-scrubber");
+  const scrubber = byId("map-scrubber");
   /** @param {number} seconds */
   const seek = (seconds) => {
     if (it.view.can.seek) it.act((s) => s.seek(Math.max(0, Math.min(seconds, it.view.end_s))));

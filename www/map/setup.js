@@ -6,14 +6,14 @@ import { ODOMETRIES, ODOMETRY_TIP } from "../odometry.js";
 import { paramField } from "../params.js";
 
 /** Menus by their name in links. */
-const MENUS = /** @type {const} */ ([["survey-explorer", "explorer", "behaviour"], ["survey-track", "track", "tracking"], ["survey-counts", "counts", "counts"], ["survey-wheels", "wheels", "wheels"], ["survey-senses", "senses", "senses"]]);
+const MENUS = /** @type {const} */ ([["map-explorer", "explorer", "behaviour"], ["map-track", "track", "tracking"], ["map-counts", "counts", "counts"], ["map-wheels", "wheels", "wheels"], ["map-senses", "senses", "senses"]]);
 
-/** @param {import("./tab.js").Surveying} it */
+/** @param {import("./tab.js").MapTab} it */
 export function startSetup(it) {
   const { explorers } = it;
   const made = explorers.filter(({ id }) => id.startsWith("explore_"));
   const others = explorers.filter(({ id }) => !id.startsWith("explore_"));
-  const menu = select("survey-explorer");
+  const menu = select("map-explorer");
   /** @param {string} label @param {typeof explorers} list */
   const group = (label, list) => {
     const node = document.createElement("optgroup");
@@ -23,15 +23,15 @@ export function startSetup(it) {
   };
   if (made.length > 0) menu.replaceChildren(group("Made to explore", made), group("Made to clean", others));
   else fill(menu, others.map(({ id, title }) => [id, title]));
-  fill(select("survey-counts"), ODOMETRIES);
-  setAttribute(byId("survey-counts-field"), "data-tip", ODOMETRY_TIP);
+  fill(select("map-counts"), ODOMETRIES);
+  setAttribute(byId("map-counts-field"), "data-tip", ODOMETRY_TIP);
   /** What was refused keeps showing what is. @param {string} id @param {string} key */
   const choose = (id, key) => {
     it.set(key, select(id).value);
     changed(select(id), "value", undefined);
   };
   for (const [id, key] of MENUS) select(id).addEventListener("change", () => choose(id, key));
-  button("survey-elsewhere").addEventListener("click", () => byId("tab-explore").click());
+  button("map-elsewhere").addEventListener("click", () => byId("tab-explore").click());
 
   /** @type {Map<string, HTMLElement[]>} */
   let controls = new Map();
@@ -40,28 +40,28 @@ export function startSetup(it) {
     controls = new Map();
     // How it keeps track is chosen for all of them, below.
     const fields = entry.params.filter(({ id }) => !["tracking", "odometry"].includes(id)).map((spec) => {
-      const made = paramField(spec, (text) => void it.set(`x.${spec.id}`, text), "survey");
+      const made = paramField(spec, (text) => void it.set(`x.${spec.id}`, text), "map");
       controls.set(spec.id, made.controls);
       return made.field;
     });
-    byId("survey-params").replaceChildren(...fields);
-    setText(byId("survey-explorer-note"), entry.summary);
-    setText(byId("survey-explainer-title"), entry.title);
-    byId("survey-explainer-text").replaceChildren(...explainer(entry, it.app.catalogue.rooms, (room) => void it.app.act((p) => p.select_room(room))).filter(isAboutIt));
+    byId("map-params").replaceChildren(...fields);
+    setText(byId("map-explorer-note"), entry.summary);
+    setText(byId("map-explainer-title"), entry.title);
+    byId("map-explainer-text").replaceChildren(...explainer(entry, it.app.catalogue.rooms, (room) => void it.app.act((p) => p.select_room(room))).filter(isAboutIt));
   };
 
-  /** @param {import("./types").SurveyView} view */
+  /** @param {import("./types").MapView} view */
   return (view) => {
     for (const [id, , name] of MENUS) {
       const node = select(id);
       const value = view[name];
       if (!changed(node, "value", value)) continue;
       // Levels that differ from sensor to sensor come from Explore.
-      if (id === "survey-senses") byId("survey-senses-mixed").hidden = [...node.options].some((option) => option.value === value && !option.hidden);
+      if (id === "map-senses") byId("map-senses-mixed").hidden = [...node.options].some((option) => option.value === value && !option.hidden);
       node.value = [...node.options].some((option) => option.value === value) ? value : "mixed";
     }
     const entry = explorers.find(({ id }) => id === view.behaviour);
-    if (entry && changed(byId("survey-params"), "behaviour", entry.id)) build(entry);
+    if (entry && changed(byId("map-params"), "behaviour", entry.id)) build(entry);
     for (const [id, nodes] of controls) {
       const value = view.params[id];
       for (const node of nodes) {
@@ -71,9 +71,9 @@ export function startSetup(it) {
       }
     }
     const perfect = view.wheels === "none" && view.senses === "off";
-    setText(byId("survey-real-note"), perfect ? "Perfect wheels know where they are: there is nothing to correct." : "Perfect wheels would make this pointless: what is perfect in Explore is typical here.");
-    setText(byId("survey-seed"), String(it.app.view.seed));
-    setText(byId("survey-robot"), it.app.catalogue.robots.find(({ id }) => id === it.app.view.robot)?.title ?? "");
+    setText(byId("map-real-note"), perfect ? "Perfect wheels know where they are: there is nothing to correct." : "Perfect wheels would make this pointless: what is perfect in Explore is typical here.");
+    setText(byId("map-seed"), String(it.app.view.seed));
+    setText(byId("map-robot"), it.app.catalogue.robots.find(({ id }) => id === it.app.view.robot)?.title ?? "");
   };
 }
 

@@ -1,6 +1,6 @@
 // @ts-check
-// The place Map: a robot explores a room that it has never seen, and what it believes is drawn beside what is true.
-import { Guest, Survey } from "../../survey.js";
+// The tab Map: a robot explores a room that it has never seen, and what it believes is drawn beside what is true.
+import { SessionMirror, MapSession } from "../../survey.js";
 import { byId, changed, setAttribute, setHidden, setText, typed } from "../dom.js";
 import { complain, textOf } from "../messages.js";
 import { startSheets } from "../sheets.js";
@@ -12,14 +12,14 @@ import { startSetup } from "./setup.js";
 import { startUses } from "./uses.js";
 
 /**
- * @typedef {import("./types").SurveyView} SurveyView
- * @typedef {object} Surveying What the modules of this place share.
+ * @typedef {import("./types").MapView} MapView
+ * @typedef {object} MapTab What the modules of this tab share.
  * @property {import("../main.js").App} app
- * @property {Survey} survey
- * @property {SurveyView} view The latest view.
+ * @property {MapSession} session
+ * @property {MapView} view The latest view.
  * @property {import("../types").AlgorithmEntry[]} explorers
  * @property {[string, string][]} cleaners Planners of what is left.
- * @property {(what: (survey: Survey) => void) => boolean} act Does something that may fail; says whether it worked.
+ * @property {(what: (session: MapSession) => void) => boolean} act Does something that may fail; says whether it worked.
  * @property {(key: string, value: string) => boolean} set Chooses.
  * @property {(layer: string) => void} toggle Shows a layer, or no longer.
  */
@@ -30,20 +30,20 @@ const CHOICES = "map-choices";
 const TOLD_EVERY = 4000;
 
 /** @param {import("../main.js").App} app */
-export function startSurvey(app) {
-  const canvas = typed("survey-floor", HTMLCanvasElement);
-  const survey = new Survey(canvas);
-  const follow = startGuest(app);
-  follow((guest) => survey.take(guest));
-  recall(survey);
-  /** @type {Surveying} */
+export function startMap(app) {
+  const canvas = typed("map-floor", HTMLCanvasElement);
+  const session = new MapSession(canvas);
+  const follow = startMirror(app);
+  follow((mirror) => session.take(mirror));
+  recall(session);
+  /** @type {MapTab} */
   const it = {
     app,
-    survey,
-    view: survey.view(),
-    explorers: Survey.explorers(),
-    cleaners: Survey.cleaners(),
-    act: (what) => app.act(() => what(survey)),
+    session,
+    view: session.view(),
+    explorers: MapSession.explorers(),
+    cleaners: MapSession.cleaners(),
+    act: (what) => app.act(() => what(session)),
     set: (key, value) => {
       // Another choice begins another run; what was reached stays with the choices that led there.
       keeping.save();
@@ -55,58 +55,58 @@ export function startSurvey(app) {
   const picture = startCanvas(it, canvas);
   const updates = [startSetup, startPlaybar, startNumbers].map((begin) => begin(it));
   const uses = startUses(it, keeping);
-  startSheets(byId("place-map"), canvas);
+  startSheets(byId("panel-map"), canvas);
   let told = 0;
   let last = 0;
 
   return {
-    /** Once a frame while the place is shown. @param {number} now */
+    /** Once a frame while the tab is shown. @param {number} now */
     frame(now) {
-      if (now - last > 500) survey.rest();
+      if (now - last > 500) session.rest();
       last = now;
-      follow((guest) => survey.take(guest));
+      follow((mirror) => session.take(mirror));
       keeping.tend();
       picture.resized();
-      survey.frame(now);
-      const view = (it.view = survey.view());
+      session.frame(now);
+      const view = (it.view = session.view());
       for (const update of updates) update(view);
       uses.update(view);
       picture.update(view);
       show(view);
       if (changed(canvas, "phase", view.phase) || now - told > TOLD_EVERY) {
         told = now;
-        const words = survey.description();
+        const words = session.description();
         setAttribute(canvas, "aria-label", words);
         // A live region: while it drives, not more often than someone listens.
-        if (view.phase !== "playing" || changed(canvas, "minute", Math.floor(view.time_s / 300))) setText(byId("survey-said"), words);
+        if (view.phase !== "playing" || changed(canvas, "minute", Math.floor(view.time_s / 300))) setText(byId("map-said"), words);
       }
       return { message: view.complaint, message_kind: view.complaint ? "error" : "" };
     },
     /** @param {string} key */
     key: (key) => picture.key(key),
     link() {
-      const link = survey.link();
+      const link = session.link();
       remember(link);
-      return `place=map&${link}`;
+      return `tab=map&${link}`;
     },
     /** @param {string} link */
     restore(link) {
       keeping.save();
       try {
-        survey.restore(link);
+        session.restore(link);
       } catch (error) {
         complain(textOf(error));
       }
     },
     /** @param {boolean} dark */
-    setDark: (dark) => survey.set_dark(dark),
+    setDark: (dark) => session.set_dark(dark),
   };
 }
 
-/** Takes the choices that were made last in this browser: with them comes what was mapped. @param {Survey} survey */
-function recall(survey) {
+/** Takes the choices that were made last in this browser: with them comes what was mapped. @param {MapSession} session */
+function recall(session) {
   try {
-    survey.restore(localStorage.getItem(CHOICES) ?? "");
+    session.restore(localStorage.getItem(CHOICES) ?? "");
   } catch {
     // There is no storage, or they were made by another version.
   }
@@ -121,51 +121,51 @@ function remember(link) {
   }
 }
 
-/** What is neither number nor choice. @param {SurveyView} view */
+/** What is neither number nor choice. @param {MapView} view */
 function show(view) {
-  const root = byId("place-map");
+  const root = byId("panel-map");
   setAttribute(root, "data-phase", view.phase);
   setAttribute(root, "data-cleaning", String(view.is_cleaning));
   const goals = view.layers.includes("goals") ? [view.frontiers > 0 && "frontiers", view.has_route && "route"] : [];
   setAttribute(root, "data-goals", goals.filter(Boolean).join(" "));
-  setHidden(byId("survey-hint"), view.phase !== "ready");
-  setHidden(byId("survey-return"), view.returned === null);
+  setHidden(byId("map-hint"), view.phase !== "ready");
+  setHidden(byId("map-return"), view.returned === null);
   if (view.returned !== null) {
     const done = Math.floor(100 * view.returned);
-    setText(byId("survey-returned"), `${done} %`);
-    if (changed(byId("survey-return"), "done", done)) typed("survey-return-bar", HTMLProgressElement).value = done;
+    setText(byId("map-returned"), `${done} %`);
+    if (changed(byId("map-return"), "done", done)) typed("map-return-bar", HTMLProgressElement).value = done;
   }
-  setText(byId("survey-room"), view.title);
+  setText(byId("map-room"), view.title);
   // A robot that has come to its end would look as if it hung; one that is lost has explored less, and says so itself.
   const isDone = view.phase === "finished" && view.is_sure !== false;
   const next = view.can.clean ? " Next: clean with this map." : "";
   const activity = isDone && !view.is_cleaning ? `Done: nothing is left that it can explore.${next}` : view.activity;
-  setText(byId("survey-activity"), activity ? `${activity.charAt(0).toUpperCase()}${activity.slice(1)}` : "");
-  setHidden(byId("survey-activity"), !activity || !["playing", "paused", "finished"].includes(view.phase));
-  setHidden(byId("survey-held"), !view.is_carried);
-  setHidden(byId("survey-hint-new"), view.known !== null);
-  setHidden(byId("survey-hint-lost"), view.known === null);
-  setHidden(byId("survey-known"), view.known === null);
-  setText(byId("survey-known-name"), view.known ?? "");
+  setText(byId("map-activity"), activity ? `${activity.charAt(0).toUpperCase()}${activity.slice(1)}` : "");
+  setHidden(byId("map-activity"), !activity || !["playing", "paused", "finished"].includes(view.phase));
+  setHidden(byId("map-held"), !view.is_carried);
+  setHidden(byId("map-hint-new"), view.known !== null);
+  setHidden(byId("map-hint-lost"), view.known === null);
+  setHidden(byId("map-known"), view.known === null);
+  setText(byId("map-known-name"), view.known ?? "");
   const sure = view.is_sure === null ? "" : view.is_sure ? "Sure where it is" : view.figures?.position_m === null ? "Lost" : "Guesses where it is";
-  setHidden(byId("survey-sure"), !sure || view.phase === "ready");
-  setText(byId("survey-sure"), sure);
-  setAttribute(byId("survey-sure"), "data-sure", String(view.is_sure));
+  setHidden(byId("map-sure"), !sure || view.phase === "ready");
+  setText(byId("map-sure"), sure);
+  setAttribute(byId("map-sure"), "data-sure", String(view.is_sure));
 }
 
 /**
  * The playground's session as this module sees it: it has a memory of its own.
  * @param {import("../main.js").App} app
  */
-function startGuest({ playground }) {
-  const guest = new Guest();
-  /** @param {(guest: Guest) => void} take */
+function startMirror({ playground }) {
+  const mirror = new SessionMirror();
+  /** @param {(mirror: SessionMirror) => void} take */
   return (take) => {
     const [link, version] = [playground.link(), playground.room_version()];
-    if (guest.is_behind(link, version)) {
+    if (mirror.is_behind(link, version)) {
       const isOwn = new URLSearchParams(link).get("room") === "own";
-      guest.follow(link, version, isOwn ? playground.scenario_json() : "");
+      mirror.follow(link, version, isOwn ? playground.scenario_json() : "");
     }
-    take(guest);
+    take(mirror);
   };
 }

@@ -14,7 +14,7 @@ export type Figures = {
   boundary: number;
 };
 
-export type SurveyView = {
+export type MapView = {
   phase: Phase;
   can: Record<"play" | "pause" | "step" | "seek" | "lift" | "put_down" | "forget" | "use_map" | "clean" | "open", boolean>;
   /** Why the robot can't be put into the room; "" if it can. */
@@ -33,7 +33,7 @@ export type SurveyView = {
   speed_factor: number;
   time_s: number;
   end_s: number;
-  /** How far the way back to a survey that was left is done; `null` if there is none. */
+  /** How far the way back to a mapping run that was left is done; `null` if there is none. */
   returned: number | null;
   figures: Figures | null;
   odometry: Figures | null;

@@ -2,19 +2,19 @@
 // The worker with the drawing board, from the page's side: asked, cancelled, started again with what it had.
 import { byId } from "../dom.js";
 
-/** @typedef {import("./types").DraftView} DraftView */
+/** @typedef {import("./types").FloorPlanView} FloorPlanView */
 /** @typedef {import("./types").Request} Request */
 /** @typedef {{ resolve: (result: unknown) => void, reject: (message: unknown) => void, request: Request }} Waiting */
 
 /** Thrown for what was cancelled. */
 export const CANCELLED = Symbol("cancelled");
 
-export class Drafter {
+export class FloorPlanClient {
   /** What is on the board. @type {File[]} */
   files = [];
-  /** @type {DraftView | undefined} */
+  /** @type {FloorPlanView | undefined} */
   view;
-  /** @type {(view: DraftView | undefined) => void} */
+  /** @type {(view: FloorPlanView | undefined) => void} */
   onview = () => {};
   /** @type {(done: number) => void} */
   onprogress = () => {};
@@ -44,7 +44,7 @@ export class Drafter {
 
   start() {
     // The canvas of the one before has gone with it.
-    const old = byId("draft-floor");
+    const old = byId("floor-plan-floor");
     const canvas = /** @type {HTMLCanvasElement} */ (old.cloneNode());
     const hadFocus = document.activeElement === old;
     old.replaceWith(canvas);
@@ -92,7 +92,7 @@ export class Drafter {
     this.#show(undefined);
   }
 
-  /** @param {import("./types").FromDrafter} message */
+  /** @param {import("./types").FromFloorPlan} message */
   #hear(message) {
     this.#isAlive ||= message.type !== "broken";
     if (message.type === "progress") return this.onprogress(message.done);
@@ -112,7 +112,7 @@ export class Drafter {
     else waiting?.reject(message.message);
   }
 
-  /** @param {DraftView | undefined} view */
+  /** @param {FloorPlanView | undefined} view */
   #show(view) {
     this.view = view;
     if (view) this.#good = { files: this.files, settings: view.settings };
