@@ -38,7 +38,7 @@ import { compile, missing } from "./wasm.js";
 /** @param {unknown} error */
 function die(error) {
   console.error(error);
-  cover("failed", "The simulator has stopped", `It met an error of its own (${textOf(error)}). Reload to go on; the room and the settings are kept.`);
+  cover("failed", "The simulator has stopped", `Internal error: ${textOf(error)}. Reload the page; room and settings are kept.`);
 }
 
 async function start() {
@@ -231,7 +231,7 @@ async function start() {
 
 /** Says for a while why the robot has come so far already; and, until somebody does something, what this is. */
 function tellOpening() {
-  byId("opening").textContent = ": set off ten minutes ago";
+  byId("opening").textContent = ": started ten minutes ago";
   setTimeout(endOpening, 15_000);
   byId("welcome").hidden = false;
   for (const sign of ["pointerdown", "keydown"]) addEventListener(sign, () => (byId("welcome").hidden = true), { once: true, capture: true });

@@ -78,7 +78,7 @@ test("what is shown, noise and behaviour are in the link", async (t) => {
   await app.linked("noise.bumper", (level) => level === undefined);
   assert.equal(await page.locator("#noise").inputValue(), "mixed");
   await page.locator("#quantised").check();
-  await page.getByRole("button", { name: "Show", exact: true }).click();
+  await page.getByRole("button", { name: "Layers", exact: true }).click();
   await page.locator("[data-layer=sensors]").check();
   await page.locator("[data-layer=coverage]").uncheck();
   await page.keyboard.press("Escape");

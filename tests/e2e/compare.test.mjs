@@ -160,7 +160,7 @@ test("algorithms are chosen by keyboard, and all robots have one clock", async (
   await page.locator("#race-speed").selectOption("16");
   await page.locator("#view-race").focus();
   await page.keyboard.press(".");
-  await page.getByRole("button", { name: "Five seconds on" }).click();
+  await page.getByRole("button", { name: "Forward 5 seconds" }).click();
   const stepped = await clockThat(app, (clock) => clock >= 9);
 
   await page.getByRole("button", { name: "Start the race" }).click();
@@ -326,15 +326,15 @@ test("a link with an algorithm that isn't there says which there are", async (t)
   await lanes(page, 4);
 });
 
-test("trying can be cancelled and goes on", async (t) => {
+test("planning can be cancelled and resumed", async (t) => {
   const { page, app } = await openCompare(t, { room: "room=flat", view: "numbers", link: "vs=snake,genetic,neural,energy,grid_tsp&rooms=furnished&seeds=20" });
   await page.getByRole("button", { name: "Cancel", exact: true }).click();
   await page.locator("#trying", { hasText: /^Stopped: \d+ of \d+/ }).waitFor();
   const stopped = await app.text("#trying");
   await app.frames(30);
   assert.equal(await app.text("#trying"), stopped);
-  await page.getByRole("button", { name: "Go on", exact: true }).click();
-  await page.locator("#trying", { hasText: /^Trying: / }).waitFor();
+  await page.getByRole("button", { name: "Resume", exact: true }).click();
+  await page.locator("#trying", { hasText: /^Planning: / }).waitFor();
   // A smaller choice ends what is no longer wanted.
   for (const id of ["genetic", "neural", "energy", "grid_tsp"]) await page.locator(`#in-${id}`).uncheck();
   await page.locator("#compare-rooms").selectOption("this");

@@ -131,7 +131,7 @@ test("an error in the program stops the robot and says so", { skip }, async (t) 
   await desk.tab.waitForFunction(() => window.seen.failures.length > 0);
   const [failure] = await desk.failures();
   assert.equal(failure.kind, "broken");
-  assert.match(failure.what, /sabotage.*told to stop/);
+  assert.match(failure.what, /sabotage.*stop command was sent/);
   await desk.tab.waitForTimeout(300);
   const heard = robot.heard();
   lastStop(heard);

@@ -74,7 +74,7 @@ test("says what it is for, and connects to the virtual robot", async (t) => {
   await robot.connect();
   assert.equal(await page.locator("#connection-welcome").isVisible(), false);
   assert.equal(await page.locator("#connection-stop").isVisible(), true);
-  await page.waitForFunction(() => /believes to be at/.test(document.getElementById("connection-floor").getAttribute("aria-label")));
+  await page.waitForFunction(() => /estimated to be at/.test(document.getElementById("connection-floor").getAttribute("aria-label")));
   assert.equal(await page.locator("#connection-go").getAttribute("aria-disabled"), "true", "not in control yet");
   assert.equal(await robot.distance(), 0, "connecting doesn't move it");
   await page.locator("#connection-close").click();

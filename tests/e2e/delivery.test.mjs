@@ -46,7 +46,7 @@ test("opening needs no planner and none of the other tabs", async (t) => {
   assert.deepEqual([...weighed].filter((file) => !opened.has(file) && !/\.(svg|png|ico)$/.test(file)), []);
   const kilobytes = [...opened].reduce((sum, file) => sum + gzipSync(fs.readFileSync(path.join(DIST, file)), { level: 9 }).length / 1024, 0);
   t.diagnostic(`${kilobytes.toFixed(1)} KB in ${opened.size} files until the robot drives`);
-  assert.equal((await app.metric("Planned in")).plan, "made in advance");
+  assert.equal((await app.metric("Planned in")).plan, "preloaded");
 
   // The first plan brings the workshop, once for all that follow.
   await app.choose("room", "empty");

@@ -94,7 +94,7 @@ test("choices of another version are explained and can be saved; the files come 
   await page.waitForTimeout(600);
   await edit(app, "choices", (kept) => ({ ...kept, settings: { ...kept.settings, gap: "a foot" } }));
   await page.reload();
-  await app.poll(() => app.message(), (message) => /chosen for cellar\.dxf was kept by another version.*a foot.*chosen anew/.test(message));
+  await app.poll(() => app.message(), (message) => /settings for cellar\.dxf were saved by another version.*a foot.*reset/.test(message));
   assert.equal(await at(app, "#floor-plan-name").textContent(), "cellar");
   assert.equal(await at(app, "#floor-plan-gap").inputValue(), "0.1");
   const [download] = await Promise.all([page.waitForEvent("download"), at(app, "#floor-plan-aside-save").click()]);
@@ -114,7 +114,7 @@ test("files of another version, or that can't be read, are kept aside", async (t
   await page.waitForTimeout(600);
   await edit(app, "files", (kept) => ({ ...kept, format: 99 }));
   await page.reload();
-  await app.poll(() => app.message(), (message) => /kept by another version of this page, and this one can't read it/.test(message));
+  await app.poll(() => app.message(), (message) => /saved by another version of this page, and this one can't read it/.test(message));
   assert.ok(await at(app, "#floor-plan-empty").isVisible());
   const [download] = await Promise.all([page.waitForEvent("download"), at(app, "#floor-plan-aside-save").click()]);
   assert.equal(download.suggestedFilename(), "cellar.dxf");
@@ -124,7 +124,7 @@ test("files of another version, or that can't be read, are kept aside", async (t
   await page.waitForTimeout(600);
   await edit(app, "files", (kept) => ({ ...kept, files: [new File(["0\nSECTION\n2\nENTITIES\n0\nLINE\n"], "cellar.dxf")] }));
   await page.reload();
-  await app.poll(() => app.message(), (message) => /board had cellar\.dxf, which can't be laid out again: .*cut off/.test(message));
+  await app.poll(() => app.message(), (message) => /floor plan cellar\.dxf can't be restored: .*cut off/.test(message));
   await at(app, "#floor-plan-aside").waitFor();
   // The board takes others all the same.
   await app.bring(room("attic.dxf"));

@@ -117,10 +117,10 @@ test("the sample is traced, cut, swept, exported, used and undone", async (t) =>
   assert.equal(await app.room(), before);
 });
 
-test("a room that reaches on through doors offers to close them", async (t) => {
+test("a room that continues through doors offers to close them", async (t) => {
   const { page, app } = await openFloorPlan(t);
   const whole = await sample(app);
-  assert.match(await text(app, "#floor-plan-facts"), /all that is drawn: 10\.4 × 8\.0 m/);
+  assert.match(await text(app, "#floor-plan-facts"), /whole drawing: 10\.4 × 8\.0 m/);
   assert.match(await text(app, "#floor-plan-result"), /Room 9\.8 × 7\.4 m, walls included/);
   assert.ok(await page.locator("#floor-plan-doors").isHidden(), "nobody has marked a room");
   await page.getByRole("button", { name: "This room", exact: true }).click();
@@ -140,7 +140,7 @@ test("a drawing without unit asks for it, with the size of each answer", async (
   const { page, app } = await openFloorPlan(t);
   assert.ok(await app.bring(dxf("rooms.dxf", TWO_ROOMS)));
   assert.ok(await page.locator("#floor-plan-use").isDisabled(), "nothing is guessed");
-  assert.match(await text(app, "#floor-plan-result"), /How long is a unit/);
+  assert.match(await text(app, "#floor-plan-result"), /Choose the drawing's unit/);
   const offered = await page.locator("#floor-plan-unit option").allTextContents();
   assert.ok(offered.some((label) => label === "metres: 7.0 × 3.0 m") && offered.some((label) => label === "feet: 2.1 × 0.9 m"), `${offered}`);
   await page.locator("#floor-plan-unit").selectOption({ label: "metres: 7.0 × 3.0 m" });
@@ -411,7 +411,7 @@ test("a board that breaks comes back, but not for ever", async (t) => {
   await app.bring(dxf("rooms.dxf", TWO_ROOMS, { units: 6 }));
   const before = await floor(app);
   await page.locator("#floor-plan-gap").fill("1.5");
-  await app.poll(() => app.message(), (message) => /made to break.*laid out again/.test(message));
+  await app.poll(() => app.message(), (message) => /made to break.*being restored/.test(message));
   assert.equal(await floor(app), before);
   assert.match(await app.message(), /made to break/, "still to be read");
   await page.locator("#floor-plan-gap").fill("1");

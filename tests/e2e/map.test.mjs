@@ -179,16 +179,16 @@ test("where there is no room to keep the last moments, it says how much is missi
   });
   const left = await reloadOnTheWay(page, app, time + 20);
   assert.equal((await figures(app)).time, time);
-  const missing = Number(/goes on ([\d.]+) s before where you left it/.exec(await app.message())?.[1]);
+  const missing = Number(/resumes ([\d.]+) s before where you left it/.exec(await app.message())?.[1]);
   assert.ok(Math.abs(missing - (left - time)) <= 1, `${missing} of ${left - time} s`);
 });
 
-test("getting lost says that clock and figures begin anew, and leads back", async (t) => {
+test("getting lost says that clock and figures restart, and leads back", async (t) => {
   const { page, app, phase } = await openMap(t);
   const before = await explore(app, 150);
   await page.locator("#map-lose").click();
   await page.locator("#map-began").waitFor();
-  assert.match(await page.locator("#map-began-text").textContent(), /begin anew.*\d:\d\d min, \d+ % mapped\) is kept/);
+  assert.match(await page.locator("#map-began-text").textContent(), /restart.*\d:\d\d min, \d+ % mapped\) is kept/);
   assert.ok((await figures(app)).time < before.time);
   // What counts now is where it is, not what is mapped.
   await app.poll(() => page.locator("#map-curve-name").textContent(), (text) => /^Position error over time/.test(text));
@@ -203,7 +203,7 @@ test("getting lost says that clock and figures begin anew, and leads back", asyn
   const [doing, sure] = await page.locator(".map-states p").evaluateAll((pills) => {
     const boxes = pills.map((pill, i) => {
       pill.hidden = false;
-      pill.textContent = ["Done: nothing is left that it can explore. Next: clean with this map.", "Sure where it is"][i];
+      pill.textContent = ["Done: nothing left to explore. Next: clean with this map.", "Relocalised"][i];
       return pill;
     });
     return boxes.map((pill) => pill.getBoundingClientRect().toJSON());
@@ -337,7 +337,7 @@ test("it cleans by its own map, which time can be gone back over and a reload br
   assert.match(await numbers(), /Cleaned by its map–/);
 });
 
-test("carried off while it cleans, it finds itself on its map and goes on", async (t) => {
+test("kidnapped while it cleans, it relocalises on its map and continues", async (t) => {
   const { page, app, phase } = await openMap(t, { link: SMALL.replace("bounce", "explore_frontier") });
   const { time } = await explore(app, 200);
   await page.locator("#map-speed").selectOption("16");

@@ -19,7 +19,7 @@ async function openRuns(t, { link = SMALL, room = "room=empty&slip=typical", ...
 /** Runs all that is missing. */
 async function run(page, count) {
   await page.locator("#runs-go").click();
-  await page.waitForFunction((n) => document.getElementById("runs-far").textContent === `${n} runs made`, count, { timeout: 240_000 });
+  await page.waitForFunction((n) => document.getElementById("runs-far").textContent === `${n} runs done`, count, { timeout: 240_000 });
 }
 
 /** Names and cells of the table without what is small. */
@@ -86,9 +86,9 @@ test("runs can be cancelled and gone on with, and what was made stays", async (t
   await page.locator("#runs-go").click();
   await page.waitForFunction(() => /^([1-9]|\d\d) of 100 runs/.test(document.getElementById("runs-far").textContent), null, { timeout: 120_000 });
   await page.getByRole("button", { name: "Cancel" }).click();
-  await page.getByRole("button", { name: "Go on" }).waitFor();
+  await page.getByRole("button", { name: "Resume" }).waitFor();
   const made = await app.text("#runs-far");
-  assert.match(made, /^\d+ of 100 runs made$/);
+  assert.match(made, /^\d+ of 100 runs done$/);
   await app.frames(20);
   assert.equal(await app.text("#runs-far"), made, "nobody goes on in secret");
   assert.ok(await page.locator("#runs-chart").isVisible());

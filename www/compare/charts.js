@@ -80,7 +80,7 @@ function parallel({ metrics, rows }, planners) {
     const name = safe(planners[row.entrant]?.title ?? "");
     return points.length > 1 ? `<path class="profile" d="M${points.join("L")}" data-entrant="${row.entrant}" data-colour="${row.entrant % 8}" data-shape="${Math.floor(row.entrant / 8)}"><title>${name}</title></path>` : "";
   });
-  return svg("The best at the top, the worst at the bottom", 284, marks.join("") + lines.join(""), "Profiles of the algorithms over all numbers; the table says the same.");
+  return svg("Best at the top, worst at the bottom", 284, marks.join("") + lines.join(""), "Profiles of the algorithms over all numbers; the table has the same data.");
 }
 
 /** @param {string} title @param {number} height @param {string} inside @param {string} words */

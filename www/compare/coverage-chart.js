@@ -132,7 +132,7 @@ function picture(series, minutes, box) {
   }
   const axis = `<text class="value" text-anchor="middle" x="${(left + width - right) / 2}" y="${height - 5}">simulated minutes</text>`;
   const names = width >= NAMED ? ends(series, box) : "";
-  const words = `Coverage over ${minutes} minutes: at the end ${series.map((one) => wordsOf(one, one.median.length - 1)).join("; ")}. The table says the same.`;
+  const words = `Coverage over ${minutes} minutes: at the end ${series.map((one) => wordsOf(one, one.median.length - 1)).join("; ")}. The table has the same data.`;
   return `<svg viewBox="0 0 ${width} ${height}" width="${width}" height="${height}" role="img" aria-label="${safe(words)}">${lines.join("")}${ticks.join("")}${axis}${series.map((one, i) => bandOf(one, i, box)).join("")}${series.map((one, i) => curveOf(one, i, series.length, box)).join("")}${names}<g data-live=""></g></svg>`;
 }
 

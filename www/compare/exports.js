@@ -29,7 +29,7 @@ export function startExports(app, shown) {
   byId("exports").addEventListener("click", (event) => {
     const kind = event.target instanceof Element ? event.target.getAttribute("data-export") : null;
     if (!kind) return;
-    app.act(() => void Promise.resolve(exports[kind]?.()).catch((error) => complain(`The ${kind.toUpperCase()} could not be made: ${error}`)));
+    app.act(() => void Promise.resolve(exports[kind]?.()).catch((error) => complain(`The ${kind.toUpperCase()} could not be created: ${error}`)));
   });
 }
 

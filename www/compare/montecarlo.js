@@ -96,7 +96,7 @@ export function startRuns(app, module, guard, mirror) {
     /** @type {import("../types").RunsPlace | null} */
     const place = study.place();
     setText(byId("runs-title"), place ? titleOf(app, place, view, rows) : "");
-    setText(byId("runs-note"), "Lines and large numbers are medians; bands and small numbers show where four out of five runs lie (10 to 90 % quantiles).");
+    setText(byId("runs-note"), "Lines and large numbers are medians; bands and small numbers span the 10 % to 90 % quantiles.");
     chart.show(known.map((row) => ({ ...row, ...bandsOf(study.curve(row.index)) })), view.minutes);
     showTable(rows, view.minutes, (which) => chart.stress(which === undefined ? undefined : known.findIndex((row) => row === rows[which])));
   };
@@ -143,7 +143,7 @@ function bandsOf(flat) {
 /** @param {import("../main.js").App} app @param {import("../types").RunsPlace} place @param {View} view @param {{ explores: boolean }[]} rows */
 function titleOf({ catalogue }, { room, robot, slip, noise, quantised }, { minutes }, rows) {
   const all = rows.every(({ explores }) => explores);
-  const what = all ? "Boundary met" : rows.some(({ explores }) => explores) ? "Clean floor, or boundary met by those that explore," : "Clean floor";
+  const what = all ? "Boundary found" : rows.some(({ explores }) => explores) ? "Coverage (boundary found, for explorers)" : "Coverage";
   const title = catalogue.robots.find(({ id }) => id === robot)?.title ?? robot;
   return `${what} over ${minutes} minutes: ${room}, ${title}, slip ${slip}, noise ${noise}${quantised ? ", quantised wheels" : ""}`;
 }
@@ -172,19 +172,19 @@ function updateChoices(view, offer, items) {
 function updateProgress({ running, done, total, seeds, minutes, entrants }, began) {
   const go = button("runs-go");
   const who = entrants.filter(({ chosen }) => chosen).length;
-  setText(go, running ? "Cancel" : done > 0 && done < total ? "Go on" : "Run");
+  setText(go, running ? "Cancel" : done > 0 && done < total ? "Resume" : "Run");
   setAttribute(go, "class", running ? "" : "primary");
   const idle = !running && done >= total;
   if (go.disabled !== idle && document.activeElement !== go) go.disabled = idle;
   setAttribute(go, "aria-disabled", String(idle));
   setHidden(byId("runs-bar"), !running);
   setAttribute(typed("runs-bar", HTMLProgressElement), "value", (done / Math.max(total, 1)).toFixed(3));
-  const plan = who === 0 ? "Choose at least one algorithm." : `${who} ${who === 1 ? "algorithm" : "algorithms"}, ${seeds} runs of ${minutes} minutes each: ${count((total * minutes) / 60)} hours of cleaning.`;
+  const plan = who === 0 ? "Choose at least one algorithm." : `${who} ${who === 1 ? "algorithm" : "algorithms"}, ${seeds} runs of ${minutes} minutes each: ${count((total * minutes) / 60)} simulated hours.`;
   setText(byId("runs-plan"), plan);
-  const far = total > 0 && done >= total ? `${count(total)} runs made` : done > 0 ? `${done} of ${total} runs made` : "";
+  const far = total > 0 && done >= total ? `${count(total)} runs done` : done > 0 ? `${done} of ${total} runs done` : "";
   setText(byId("runs-far"), running ? `${done} of ${total} runs${timeLeft(done, total, began)}` : far);
   byId("runs-view").dataset.done = String(done);
-  setText(byId("runs-said"), running ? "Runs are being made" : total > 0 && done >= total ? "All runs are made" : "");
+  setText(byId("runs-said"), running ? "Running" : total > 0 && done >= total ? "All runs are done" : "");
 }
 
 /** @param {number} done @param {number} total @param {{ at: number, done: number }} began */

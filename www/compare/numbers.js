@@ -58,8 +58,8 @@ export function startNumbers(it) {
 
 /** @param {import("../types").CompareView} view @param {boolean} together */
 function note({ seeds, entrants }, together) {
-  const chance = seeds > 1 && entrants.some(({ chosen }) => chosen) ? ` Algorithms that use chance: median of ${seeds} seeds, range below it.` : "";
-  return `${together ? "Sums over the rooms; percentages are means." : ""}${chance} As planned, on wheels that never slip; in the race a robot has to follow its line and correct itself at corners, which takes some percent longer. Click a row to see its path.`.trim();
+  const chance = seeds > 1 && entrants.some(({ chosen }) => chosen) ? ` Randomised algorithms: median of ${seeds} seeds, range below it.` : "";
+  return `${together ? "Sums over the rooms; percentages are means." : ""}${chance} As planned, without wheel slip; in the race, tracking the path and correcting at corners takes some percent longer. Click a row to see its path.`.trim();
 }
 
 /** @param {Table} table */

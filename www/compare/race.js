@@ -14,7 +14,7 @@ import { clock, metres, percent } from "../format.js";
 const REDRAW = 250;
 
 /** What the figures of a robot mean, and why they differ from those of the table. */
-const DRIVEN = "Place, clean share of the floor, and the time when it is done. It is driven here, following its line and correcting itself at corners: that takes some percent longer than planned, which Numbers tells.";
+const DRIVEN = "Rank, coverage, and time when it is done. In the race the robot tracks its path and corrects itself at corners, so it takes a few percent longer than planned (see Numbers).";
 
 /** @param {Comparing} it */
 export function startRace(it) {
@@ -66,7 +66,7 @@ export function startRace(it) {
 /** @param {Comparing} it */
 function hint({ view: { entrants, done, total, cancelled } }) {
   if (!entrants.some(({ chosen }) => chosen)) return "Choose at least two algorithms.";
-  if (done < total && !cancelled) return "Planning. Robots come to the start as their plans are made.";
+  if (done < total && !cancelled) return "Planning. Robots line up as their plans are ready.";
   const failure = entrants.find(({ state }) => state === "failed")?.message;
   return failure ? `No plan can be made here: ${failure}` : "None of these algorithms has a plan for this room yet.";
 }

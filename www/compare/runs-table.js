@@ -10,24 +10,24 @@ import { clock, count, metres, percent } from "../format.js";
 
 /** Columns: name, unit, what it is. */
 const COLUMNS = /** @type {const} */ ([
-  ["90 % clean", "min", "When 90 % of the reachable floor had been swept: in half of the runs by then; below it, one in ten and nine in ten. Lower is better."],
-  ["got there", "of runs", "Share of the runs that swept 90 % in time."],
-  ["99 % clean", "min", "When 99 % of the reachable floor had been swept. Lower is better."],
-  ["got there", "of runs", "Share of the runs that swept 99 % in time."],
-  ["Coverage", "% at the end", "Swept share of the reachable floor when the time was over: the middle run, and four out of five. Higher is better."],
-  ["Distance", "m", "Distance driven by the middle run."],
-  ["Bumps", "", "How often the bumper was pressed, in the middle run."],
-  ["Falls", "in all runs", "How often a robot fell down a drop-off, in all runs together."],
-  ["Dirt left", "% at the end", "Share of the dirt in the room that was left when the time was over. Lower is better."],
+  ["90 % clean", "min", "Time until 90 % of the reachable floor was swept: the median, and below it the 10 % and 90 % quantiles. Lower is better."],
+  ["reached", "of runs", "Share of the runs that swept 90 % in time."],
+  ["99 % clean", "min", "Time until 99 % of the reachable floor was swept. Lower is better."],
+  ["reached", "of runs", "Share of the runs that swept 99 % in time."],
+  ["Coverage", "% at the end", "Swept share of the reachable floor at the end: the median, and the 10 % to 90 % quantiles. Higher is better."],
+  ["Distance", "m", "Median distance driven."],
+  ["Bumps", "", "Median number of bumps."],
+  ["Falls", "in all runs", "Falls down a drop-off, in all runs together."],
+  ["Dirt left", "% at the end", "Share of the dirt left at the end. Lower is better."],
 ]);
 
 /** The same where those that explore take part, who sweep nothing but meet walls and furniture. */
 const EXPLORING = /** @type {const} */ ([
-  ["90 % met", "min", "When 90 % of the walls and furniture in reach had been met by bumper or light; for those that clean, when 90 % of the floor had been swept. Lower is better."],
-  ["got there", "of runs", "Share of the runs that came to 90 % in time."],
-  ["99 % met", "min", "When 99 % had been met, or swept. Lower is better."],
-  ["got there", "of runs", "Share of the runs that came to 99 % in time."],
-  ["Met", "% at the end", "Share of the walls and furniture in reach that had been met when the time was over; for those that clean, share of the floor that had been swept. Higher is better."],
+  ["90 % found", "min", "Time until bumper or light bumper had found 90 % of the reachable walls and furniture; for cleaning algorithms, until 90 % of the floor was swept. Lower is better."],
+  ["reached", "of runs", "Share of the runs that reached 90 % in time."],
+  ["99 % found", "min", "Time until 99 % was found, or swept. Lower is better."],
+  ["reached", "of runs", "Share of the runs that reached 99 % in time."],
+  ["Found", "% at the end", "Share of the reachable walls and furniture found at the end; for cleaning algorithms, share of the floor swept. Higher is better."],
 ]);
 
 /** @param {Row[]} rows @param {number} minutes @param {(which: number | undefined) => void} stress */
@@ -61,7 +61,7 @@ function cellsOf({ runs, time_to, coverage, distance_m, bumps, falls, dirt_left 
   const times = time_to.flatMap(({ percent: goal, reached, low_s, median_s, high_s }, i) => {
     const late = `> ${clock(60 * minutes)}`;
     const time = make("td", { className: best && median_s !== null && median_s === best.times[i] ? "best" : "" }, median_s === null ? late : clock(median_s));
-    if (median_s === null) time.dataset.tip = `Fewer than half of the runs had come to ${goal} % after ${minutes} minutes, so that nobody knows when half of them would have.`;
+    if (median_s === null) time.dataset.tip = `Fewer than half of the runs reached ${goal} % within ${minutes} minutes, so there is no median.`;
     if (low_s !== null) time.append(make("small", {}, `${clock(low_s)}–${high_s === null ? late : clock(high_s)}`));
     return [time, make("td", {}, `${percent(reached / runs, 0)} %`, make("small", {}, `${reached} of ${runs}`))];
   });

@@ -179,7 +179,7 @@ function updateSetup({ view }) {
 function updateTrying({ done, total, cancelled, entrants, race }) {
   const left = done < total;
   const failed = entrants.filter(({ state }) => state === "failed").length;
-  const words = left ? `${cancelled ? "Stopped" : "Trying"}: ${done} of ${total}` : `${total} ${total === 1 ? "plan" : "plans"} made`;
+  const words = left ? `${cancelled ? "Stopped" : "Planning"}: ${done} of ${total}` : `${total} ${total === 1 ? "plan" : "plans"} made`;
   const lanes = race?.lanes.length ?? 0;
   const able = entrants.filter(({ state }) => state === "done").length;
   const most = lanes > 0 && able > lanes ? `; the first ${lanes} race` : "";
@@ -187,5 +187,5 @@ function updateTrying({ done, total, cancelled, entrants, race }) {
   setHidden(byId("trying-bar"), !left);
   setAttribute(typed("trying-bar", HTMLProgressElement), "value", String(Math.floor((100 * done) / Math.max(total, 1))));
   setHidden(byId("trying-stop"), !left);
-  setText(byId("trying-stop"), cancelled ? "Go on" : "Cancel");
+  setText(byId("trying-stop"), cancelled ? "Resume" : "Cancel");
 }

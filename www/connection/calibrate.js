@@ -9,10 +9,10 @@ import { isReplay } from "./view.js";
 
 /** @type {{ what: Kind, title: string, text: string, room: string, path: string }[]} */
 const STEPS = [
-  { what: "nudge", title: "1. Nudge", text: "Turns a little to the left. Settles which wheel counter is which: some robots have them swapped.", room: "Turns on the spot.", path: "M80 20a38 38 0 0 0 -26 10" },
-  { what: "spin", title: "2. Spin", text: "Turns round once. You say how far it really turned; settles the distance between the wheels.", room: "Turns on the spot. Put tape in front of its nose first.", path: "M80 20a38 38 0 1 0 1 0" },
-  { what: "metre", title: "3. Metre", text: "Drives a metre. You measure how far it came; settles the size of the wheels.", room: "Needs 1.5 m of free floor ahead. Put tape beside a wheel first.", path: "M30 58h96" },
-  { what: "square", title: "4. Square", text: "Drives a square of a metre. It should end where it began: shows how good all of it is.", room: "Needs 1.5 m ahead and to the left.", path: "M40 96v-76h76v76z" },
+  { what: "nudge", title: "1. Nudge", text: "Turns slightly left, to find which wheel counter is which: some robots have them swapped.", room: "Turns on the spot.", path: "M80 20a38 38 0 0 0 -26 10" },
+  { what: "spin", title: "2. Spin", text: "Turns once. You enter the true angle; it gives the distance between the wheels.", room: "Turns on the spot. Mark its front with tape first.", path: "M80 20a38 38 0 1 0 1 0" },
+  { what: "metre", title: "3. Metre", text: "Drives one metre. You enter the true distance; it gives the size of the wheels.", room: "Needs 1.5 m of free floor ahead. Mark a wheel's position with tape first.", path: "M30 58h96" },
+  { what: "square", title: "4. Square", text: "Drives a square of one metre. It should end where it began: a check of the calibration.", room: "Needs 1.5 m ahead and to the left.", path: "M40 96v-76h76v76z" },
 ];
 
 /** What is known of a robot that wasn't calibrated. */
@@ -32,9 +32,9 @@ export function startCalibrate(it) {
     return { item, start };
   });
   const told = make("p", { id: "calibrate-told", role: "status" });
-  const answer = make("input", { type: "number", step: "any", "aria-label": "What you measured" });
+  const answer = make("input", { type: "number", step: "any", "aria-label": "Measured value" });
   const unit = make("span", {});
-  const send = make("button", { type: "submit", className: "primary" }, "That's it");
+  const send = make("button", { type: "submit", className: "primary" }, "Confirm");
   const skip = () => {
     const node = make("button", { type: "button" }, "Skip");
     node.addEventListener("click", () => void it.request({ do: "skip" }));
@@ -69,7 +69,7 @@ export function startCalibrate(it) {
       setEnabled(start, can.drive && !goes);
       setAttribute(item, "class", calibration.what === item.getAttribute("data-what") ? `now ${calibration.step}` : "");
     }
-    setText(told, calibration.text || (isReplay(view) ? "This is a recording: nothing can be driven." : can.drive ? "Four small drives let the robot know where it is. Each can be left out." : "Take control first: the robot has to move for this."));
+    setText(told, calibration.text || (isReplay(view) ? "This is a recording: nothing can be driven." : can.drive ? "Four short drives make odometry more accurate. Each can be skipped." : "Take control first: the robot has to move for this."));
     setHidden(number, calibration.step !== "asking" || (calibration.asks !== "deg" && calibration.asks !== "m"));
     setHidden(choice, calibration.step !== "asking" || calibration.asks !== "yes");
     const { what, step, asks, suggestion, swapped, distance_factor, base_factor } = calibration;

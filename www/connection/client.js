@@ -176,7 +176,7 @@ export class ConnectionClient {
     this.#rest();
     for (const answered of this.#waiting.values()) answered(false);
     this.#waiting.clear();
-    if (why) this.onfailed({ kind: "broken", what: `The part of this page that talks to robots failed: ${why}.`, remedy: "Connect again, or reload the page." });
+    if (why) this.onfailed({ kind: "broken", what: `The connection's worker failed: ${why}.`, remedy: "Connect again, or reload the page." });
   }
 
   #rest() {

@@ -12,7 +12,7 @@ import { isOpen, isReplay, waitedFor } from "./view.js";
 /** Which picture belongs to what was found. @type {Record<string, string>} */
 const PICTURES = { nothing: "listening", silence: "asleep", stream: "awake", robot: "awake", text: "awake", charging: "dock", booting: "boot", bootloader: "boot", garbage: "speed", no_stream: "awake" };
 /** What is being tried, while it is. @type {Record<string, string>} */
-const TRYING = { listening: "Listening who is there…", asking: "Asking for an answer…", waking: "Waking it by the cable's wake-up wire…", slow: "Trying 19,200 baud…", create1: "Trying 57,600 baud…" };
+const TRYING = { listening: "Listening for a robot…", asking: "Waiting for an answer…", waking: "Waking it through the cable's wake-up wire…", slow: "Trying 19,200 baud…", create1: "Trying 57,600 baud…" };
 const URL_KEPT = "connection-bridge";
 
 /** @param {ConnectionTab} it @returns {(view: ConnectionView) => void} */
@@ -73,18 +73,18 @@ function showState(view, open) {
   setAttribute(byId("connection-setup"), "data-phase", open ? phase : "closed");
   const names = { closed: "Connecting…", diagnosing: "Connecting…", waiting: waitedFor(diagnosis)[0], connected: transport.name || "Connected", lost: "Connection lost" };
   setText(byId("connection-name"), isReplay(view) ? transport.name : open ? names[phase] : "Not connected");
-  const note = isReplay(view) ? "Shown as it was: nothing can be driven." : phase === "connected" ? transport.text || diagnosis.text : transport.text;
-  setText(byId("connection-note"), open ? note : "By cable to a real robot, or to the virtual one.");
+  const note = isReplay(view) ? "Playback: nothing can be driven." : phase === "connected" ? transport.text || diagnosis.text : transport.text;
+  setText(byId("connection-note"), open ? note : "Connect a real robot by cable, or the virtual one.");
 }
 
 /** @param {ConnectionView} view */
 function showDiagnosis({ phase, diagnosis, transport }) {
   const isLost = phase === "lost" || transport.state === "lost";
   // Who is still trying doesn't send anybody to press buttons.
-  const trying = isLost || phase !== "diagnosing" ? "" : (TRYING[diagnosis.step] ?? "Listening who is there…");
+  const trying = isLost || phase !== "diagnosing" ? "" : (TRYING[diagnosis.step] ?? "Listening for a robot…");
   const picture = isLost ? "unplugged" : trying ? "listening" : (PICTURES[diagnosis.finding] ?? "listening");
   setAttribute(byId("connection-picture"), "href", `#p-${picture}`);
-  setText(byId("connection-found"), trying || (isLost ? transport.text : "") || diagnosis.text || "Listening who is there…");
+  setText(byId("connection-found"), trying || (isLost ? transport.text : "") || diagnosis.text || "Listening for a robot…");
   setText(byId("connection-remedy"), trying ? "" : diagnosis.remedy);
   if (!changed(byId("connection-tried"), "log", diagnosis.log.join("\n"))) return;
   byId("connection-tried").replaceChildren(...diagnosis.log.map((line) => make("li", {}, line)));

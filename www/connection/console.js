@@ -11,7 +11,7 @@ import { danger, parse } from "./raw.js";
 /** Lines that are shown, and kept for the log. */
 const [SHOWN, KEPT] = [300, 20_000];
 /** @type {[kind: string, name: string][]} */
-const KINDS = [["", "Everything"], ["talk", "All but readings"], ["sent", "Commands"], ["frame", "Readings"], ["refused", "Refused readings"], ["text", "The robot's own text"], ["bytes", "Other bytes"], ["line", "The line itself"]];
+const KINDS = [["", "Everything"], ["talk", "All but readings"], ["sent", "Commands"], ["frame", "Readings"], ["refused", "Rejected readings"], ["text", "Robot's own text"], ["bytes", "Other bytes"], ["line", "Connection"]];
 /** How a line of each kind begins, for those who don't see its colour. */
 const SIGNS = { sent: "→", frame: "←", refused: "✗", text: "“", bytes: "·", line: "–" };
 
@@ -57,7 +57,7 @@ export function startConsole(it) {
   button("console-pause").addEventListener("click", () => {
     isPaused = !isPaused;
     setAttribute(button("console-pause"), "aria-pressed", String(isPaused));
-    setText(button("console-pause"), isPaused ? "Go on" : "Pause");
+    setText(button("console-pause"), isPaused ? "Resume" : "Pause");
     isStale ||= !isPaused;
   });
   button("console-clear").addEventListener("click", () => {
@@ -122,7 +122,7 @@ function startRaw(it) {
     const isWrong = fault !== "" || refused !== "";
     setAttribute(field, "aria-invalid", String(isWrong));
     told.classList.toggle("fault", isWrong);
-    setText(told, fault || (bytes.length === 0 ? "Whatever you send goes to the robot as it is, and may move it." : `${bytes.length} bytes: ${hex}.${names.length > 0 ? ` May move it: ${names.join(", ")}.` : ""}${refused && ` ${refused}`}`));
+    setText(told, fault || (bytes.length === 0 ? "Bytes go to the robot unchanged and may move it." : `${bytes.length} bytes: ${hex}.${names.length > 0 ? ` May move it: ${names.join(", ")}.` : ""}${refused && ` ${refused}`}`));
     return { bytes: isWrong ? [] : bytes, names };
   };
   field.addEventListener("input", read);
@@ -132,7 +132,7 @@ function startRaw(it) {
     if (bytes.length === 0) return;
     const agreed = names.length === 0 || (await ask({
       title: "This may move the robot",
-      points: [`It contains ${names.join(", ")}.`, "Nothing looks out for what is in the way: it goes on until you press Stop, or leave or hide this page.", "Is there room around the robot?"],
+      points: [`It contains ${names.join(", ")}.`, "Obstacles are not checked: it continues until you press Stop, or leave or hide this page.", "Make sure that there is room around the robot."],
       yes: "Send it",
       isWarning: true,
     }));

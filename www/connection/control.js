@@ -29,11 +29,11 @@ export function startControl(it) {
   button("connection-full").addEventListener("click", async () => {
     if (!it.view.can.arm) return;
     const agreed = await ask({
-      title: "Without its own guard?",
+      title: "Without the robot's own safety stop?",
       points: [
         "In Full mode the robot does not stop at stairs, when it is lifted, or when its charger is plugged in.",
         "Its buttons don't work, and it never sleeps: left alone, it drains its battery until it is damaged.",
-        "This page still stops it when something is in the way, as far as its sensors tell in time.",
+        "This page still stops it at obstacles, if its sensors report them in time.",
       ],
       yes: "Full control",
       isWarning: true,
@@ -72,13 +72,13 @@ export function startControl(it) {
 
 /** @param {ConnectionView} view */
 const fullTip = ({ can, mode }) =>
-  can.arm ? "The page drives, and nothing stops the robot by itself. Asks first." : mode === "Full" ? "You have it." : mode === "Safe" ? "Not from Safe: give control back first." : "No robot is connected that could be controlled.";
+  can.arm ? "The page drives, and the robot never stops by itself. You have to confirm." : mode === "Full" ? "Already active." : mode === "Safe" ? "Not from Safe: release control first." : "No robot is connected.";
 
 /** @param {ConnectionView} view */
 function clocks({ mode, sleeps_in_s: sleeps, awake_s: awake }) {
   if (sleeps !== null) return sleeps < SOON_ASLEEP_S ? `Falls asleep in ${clock(sleeps)}; then only its Clean button wakes it.` : "";
   if (awake === null || (mode !== "Safe" && mode !== "Full")) return "";
-  const drain = awake > LONG_AWAKE_S ? " It doesn't sleep or charge meanwhile: give control back when you are done." : "";
+  const drain = awake > LONG_AWAKE_S ? " It doesn't sleep or charge meanwhile: release control when you are done." : "";
   return `In control for ${clock(awake)}.${drain}`;
 }
 

@@ -45,7 +45,7 @@ export async function readSafety() {
       "Put it on the floor in the middle of a room, never on a table, and away from stairs. It weighs 3.5 kg and drives half a metre a second.",
       "Nothing moves until you take control, and then in Safe mode: it stops by itself at a cliff, when a wheel drops, and when its charger is plugged in.",
       "The Stop button, the space bar and Escape stop it. So does hiding or closing this page.",
-      "A pulled cable can't stop it: the robot goes on with the last command. Lift it then; in Safe mode it stops as soon as a wheel drops.",
+      "A pulled cable doesn't stop it: the robot continues with the last command. Lift it then; in Safe mode it stops as soon as a wheel drops.",
     ],
     yes: "Understood, connect",
     isWarning: true,

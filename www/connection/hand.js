@@ -50,13 +50,13 @@ export function startVirtual(it) {
   const touch = (/** @type {import("./types").Touch} */ what) => it.connection.virtual(what);
   const key = (/** @type {string} */ id, /** @type {string} */ text, /** @type {string} */ tip) => make("button", { type: "button", id, "data-tip": tip }, text);
   const presses = BUTTONS.map(([bit, name]) => {
-    const node = key(`hand-${name.toLowerCase()}`, name, `Presses ${name} on the robot, as a finger would.`);
+    const node = key(`hand-${name.toLowerCase()}`, name, `Presses the robot's ${name} button.`);
     node.addEventListener("click", () => touch({ do: "press", buttons: bit }));
     return node;
   });
   const lift = key("hand-lift", "Lift", "");
   const plug = key("hand-plug", "Plug in", "");
-  const mute = key("hand-mute", "Mute its sounds", "Its tunes, on this page.");
+  const mute = key("hand-mute", "Mute", "Sounds of the virtual robot on this page.");
   byId("connection-face").replaceChildren(svg, make("div", { className: "connection-hand" }, ...presses, lift, plug, mute), make("p", { className: "note", id: "hand-note" }));
   let isPlugged = false;
   plug.addEventListener("click", () => {
@@ -71,7 +71,7 @@ export function startVirtual(it) {
   });
   mute.addEventListener("click", () => {
     hush(!isMuted());
-    setText(mute, isMuted() ? "Let it sound" : "Mute its sounds");
+    setText(mute, isMuted() ? "Unmute" : "Mute");
   });
 
   return {
@@ -98,8 +98,8 @@ export function startVirtual(it) {
       for (const tune of virtual.tunes) sound(tune);
       setText(lift, virtual.lifted ? "Put down" : "Lift");
       setText(plug, isPlugged ? "Unplug" : "Plug in");
-      setAttribute(lift, "data-tip", virtual.lifted ? "Puts it down where it was." : "Picks it up: its wheels drop, and Safe mode ends. Or drag it on the map.");
-      setAttribute(plug, "data-tip", isPlugged ? "Pulls its charger out." : "Plugs its charger in: Safe mode ends.");
+      setAttribute(lift, "data-tip", virtual.lifted ? "Puts it down where it was." : "Lifts it: its wheels drop, and Safe mode ends. Or drag it on the map.");
+      setAttribute(plug, "data-tip", isPlugged ? "Unplugs its charger." : "Plugs its charger in: Safe mode ends.");
       const what = virtual.fallen ? "It has fallen down the stairs: lift it and put it down." : virtual.lifted ? "In your hand." : virtual.awake ? `Awake, ${virtual.mode}.` : "Asleep: press Clean to wake it.";
       setText(byId("hand-note"), what);
     },

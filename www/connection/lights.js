@@ -10,9 +10,9 @@ const LAMPS = [[1, "Dirt"], [2, "Spot"], [4, "Dock"], [8, "Check robot"]];
 const MOTORS = [[1, "Side brush", "Sweeps dirt from the edge."], [2, "Vacuum", "Loud."], [4, "Main brush", "Keep fingers and hair away."], [8, "Side brush clockwise", "Counter-clockwise otherwise."], [16, "Main brush outward", "Throws dirt out instead of picking it up."]];
 /** @type {[button: "clean" | "spot" | "dock" | "power", name: string, what: string][]} */
 const BUTTONS = [
-  ["clean", "Clean", "It begins to clean by itself, and this page is no longer in control: it drives wherever its own program wants. Stop takes it back."],
-  ["spot", "Spot", "It cleans a spot of about a metre by itself, and this page is no longer in control. Stop takes it back."],
-  ["dock", "Dock", "It looks for its home base by itself, and this page is no longer in control. Stop takes it back."],
+  ["clean", "Clean", "The robot starts its own cleaning program, and this page loses control. Stop takes it back."],
+  ["spot", "Spot", "The robot cleans a spot of about one metre, and this page loses control. Stop takes it back."],
+  ["dock", "Dock", "The robot drives to its home base, and this page loses control. Stop takes it back."],
   ["power", "Power", "It goes to sleep. Only its Clean button, or a cable with a wake-up wire, wakes it."],
 ];
 
@@ -71,7 +71,7 @@ export function startLights(it) {
     make("div", { className: "connection-sets" },
       group("Lights", make("div", { className: "connection-lamps" }, svg, make("div", { className: "connection-hand" }, ...lamps), range("Clean light: green to red", 0), range("Brightness", 1)), form),
       group("Brushes and vacuum", make("div", { className: "connection-hand" }, ...motors)),
-      group("Its own buttons", make("p", { className: "note" }, "They hand the robot back to its own program."), make("div", { className: "connection-hand" }, ...buttons)),
+      group("Robot buttons", make("p", { className: "note" }, "They return control to the robot's own program."), make("div", { className: "connection-hand" }, ...buttons)),
     ),
   );
   show(state);

@@ -11,15 +11,15 @@ import { isOpen, isReplay } from "./view.js";
 
 /** @type {[name: string, tip: string, text: (view: ConnectionView) => string][]} */
 const ROWS = [
-  ["Speed", "Baud rate of the line. 115,200 as a rule; a robot that lost its settings may speak at 19,200.", ({ statistics: s }) => `${count(s.baud)} baud`],
-  ["Readings", "Complete readings a second, and the age of the last one. A robot sends 64 a second.", ({ statistics: s }) => `${s.rate_hz.toFixed(0)} /s, ${s.age_ms.toFixed(0)} ms old`],
-  ["Latency", "Time from a command until the robot reports it; the median of the last ones.", ({ statistics: s }) => (s.latency_ms === null ? "not measured yet" : `${s.latency_ms.toFixed(0)} ms`)],
+  ["Speed", "Baud rate. Usually 115,200; a robot that lost its settings may use 19,200.", ({ statistics: s }) => `${count(s.baud)} baud`],
+  ["Readings", "Complete readings per second, and age of the last one. A robot sends 64 per second.", ({ statistics: s }) => `${s.rate_hz.toFixed(0)} /s, ${s.age_ms.toFixed(0)} ms old`],
+  ["Latency", "Time from a command until the robot reports it: median of recent commands.", ({ statistics: s }) => (s.latency_ms === null ? "not measured yet" : `${s.latency_ms.toFixed(0)} ms`)],
   ["Longest gap", "The longest time without a reading.", ({ statistics: s }) => `${s.longest_gap_ms.toFixed(0)} ms`],
-  ["Bad readings", "Readings that were thrown away: damaged on their way, and such that no robot could send. None of them changes what the robot does.", ({ statistics: s }) => `${count(s.bad_checksums)} + ${count(s.implausible)} of ${count(s.frames)}`],
-  ["Noise", "Bytes that make no sense, as a bad cable brings them, and what looked like the beginning of a reading but was none.", ({ statistics: s }) => `${count(s.noise)} B, ${count(s.false_headers)} starts`],
-  ["Slot", "How full the line is: a reading's bytes, and how many would fit between two readings (15 ms) at this speed. More would be cut off.", ({ statistics: s }) => `${s.slot[0]} of ${s.slot[1]} B`],
+  ["Bad readings", "Rejected readings: damaged in transit + physically impossible. They have no effect on what the robot does.", ({ statistics: s }) => `${count(s.bad_checksums)} + ${count(s.implausible)} of ${count(s.frames)}`],
+  ["Noise", "Bytes that make no sense, as from a bad cable, and false starts of readings.", ({ statistics: s }) => `${count(s.noise)} B, ${count(s.false_headers)} starts`],
+  ["Slot", "Load of the connection: bytes of a reading, and how many fit between two readings (15 ms) at this speed. More would be cut off.", ({ statistics: s }) => `${s.slot[0]} of ${s.slot[1]} B`],
   ["Bytes", "Received and sent.", ({ statistics: s }) => `${count(s.bytes[0])} · ${count(s.bytes[1])}`],
-  ["Wake-up wire", "The cable's BRC wire, which wakes a sleeping robot. Many cables lack it.", ({ transport: t }) => ({ low: "pulled low", high: "let go", none: "none" })[t.brc]],
+  ["Wake-up wire", "The cable's BRC wire, which wakes a sleeping robot. Many cables lack it.", ({ transport: t }) => ({ low: "pulled low", high: "released", none: "none" })[t.brc]],
   ["Adapter errors", "Breaks, framing, parity and overrun errors that the adapter reported.", ({ transport: { errors: e } }) => `${e.break} · ${e.framing} · ${e.parity} · ${e.overrun}`],
 ];
 
@@ -34,7 +34,7 @@ export function startLine(it) {
   button("connection-identify").addEventListener("click", async () => {
     const agreed = await ask({
       title: "Restart the robot?",
-      points: ["A robot tells its firmware only when it restarts: it takes five seconds, and you have to take control again.", "One robot was reported to stay in its bootloader after this; its battery had to be taken out."],
+      points: ["A robot reports its firmware only when it restarts. This takes five seconds, and you have to take control again.", "One robot was reported to stay in its bootloader after this; its battery had to be taken out."],
       yes: "Restart it",
       isWarning: true,
     });

@@ -28,7 +28,7 @@ export function startMap(it) {
     const value = choice.value || "known";
     fill(choice, [["known", `${it.app.playground.view().room.title} (from Explore)`], ["blank", "Unknown room"]]);
     choice.value = value;
-    setText(byId("connection-room-note"), isKnown() ? it.room.mirror.complaint() || "Change it in Explore." : "What it sweeps and feels is drawn as it goes.");
+    setText(byId("connection-room-note"), isKnown() ? it.room.mirror.complaint() || "Change it in Explore." : "The map grows as the robot drives.");
   };
   /** What the map shows of rooms, to tell when that is another one. */
   let drawn = "";
@@ -145,7 +145,7 @@ function words(map, { pose, mode, ride }, isThere, room) {
   const [x, y, heading] = pose;
   const degrees = Math.round((heading * 180) / Math.PI);
   const swept = share === undefined ? `${map.swept_m2().toFixed(1)} square metres` : `${(100 * share).toFixed(0)} % of the reachable floor`;
-  return `Live map of ${room}: the robot believes to be at ${x.toFixed(2)} m, ${y.toFixed(2)} m, heading ${degrees} degrees, in mode ${mode || "unknown"}${ride && goesOn(ride) ? `, driven by ${ride.manual ? "you" : ride.title}` : ""}. It has swept ${swept}, bumped ${bumps} times and seen ${cliffs} cliffs.`;
+  return `Live map of ${room}: the robot is estimated to be at ${x.toFixed(2)} m, ${y.toFixed(2)} m, heading ${degrees} degrees, in mode ${mode || "unknown"}${ride && goesOn(ride) ? `, driven by ${ride.manual ? "you" : ride.title}` : ""}. It has swept ${swept}, bumped ${bumps} times and seen ${cliffs} cliffs.`;
 }
 
 /** Wheel, pinch, drag and keys. @param {ConnectionTab} it @param {HTMLCanvasElement} canvas @param {LiveMap} map */

@@ -49,7 +49,7 @@ export async function choosePort(port) {
     if (name === "SecurityError") throw failure("policy", "This site isn't allowed to use serial ports.", "Allow them in the browser's settings for this site, if they were blocked there.");
     throw failure("failed", `The browser couldn't list its ports (${message}).`, "");
   }
-  throw failure("absent", "That adapter isn't plugged in any more.", "Plug it in and choose it again.");
+  throw failure("absent", "That adapter is no longer plugged in.", "Plug it in and choose it again.");
 }
 
 /**
@@ -58,7 +58,7 @@ export async function choosePort(port) {
  */
 export async function findPort({ ids, index }) {
   // In a browser that has no serial ports in workers, there is nothing to be found.
-  if (!("serial" in navigator)) throw failure("unsupported", "This browser offers serial ports to pages, but not to their workers.", "Use Chrome or Edge on a computer.");
+  if (!("serial" in navigator)) throw failure("unsupported", "This browser offers serial ports to pages, but not to web workers.", "Use Chrome or Edge on a computer.");
   for (let tries = 0; tries < 5; tries++) {
     const ports = await navigator.serial.getPorts();
     if (ports.map(portId).join() === ids.join()) return ports[index];
@@ -66,7 +66,7 @@ export async function findPort({ ids, index }) {
     if (alike.length === 1) return alike[0];
     await new Promise((later) => setTimeout(later, 100));
   }
-  throw failure("absent", "That adapter isn't plugged in any more.", "Plug it in and choose it again.");
+  throw failure("absent", "That adapter is no longer plugged in.", "Plug it in and choose it again.");
 }
 
 /** @param {Failure["kind"]} kind @param {string} what @param {string} remedy @returns {Failure} */

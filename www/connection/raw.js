@@ -48,12 +48,12 @@ export function danger(bytes) {
     const opcode = bytes[at] ?? 0;
     const name = MOTION.get(opcode);
     if (name) names.add(`${name} (${opcode})`);
-    if (opcode === BAUD) refused = "Baud (129) isn't sent: at another speed this page wouldn't hear the robot, and couldn't stop it.";
+    if (opcode === BAUD) refused = "Baud (129) isn't sent: at another speed this page could neither hear nor stop the robot.";
     if (opcode === 140) at += 3 + 2 * (bytes[at + 2] ?? 0);
     else if (opcode === 148 || opcode === 149) at += 2 + (bytes[at + 1] ?? 0);
     else at += 1 + (DATA[opcode] ?? 0);
   }
   const lacks = at - bytes.length;
-  if (lacks > 0) refused = `The last command lacks ${lacks} byte${lacks > 1 ? "s" : ""}: the robot would take what comes next, also a stop, for the rest. Complete it.`;
+  if (lacks > 0) refused = `The last command lacks ${lacks} byte${lacks > 1 ? "s" : ""}: the robot would take the next bytes, even a stop, for the rest. Complete it.`;
   return { names: [...names], refused };
 }

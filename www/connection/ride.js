@@ -20,7 +20,7 @@ export function startRide(it) {
   const choice = select("connection-algorithm");
   const group = (/** @type {string} */ label, /** @type {string} */ kind) =>
     make("optgroup", { label }, ...room.all.filter((entry) => entry.kind === kind).map(({ id, title }) => make("option", { value: id }, title)));
-  choice.replaceChildren(group("Behaviours: know nothing of the room", "behaviour"), group("Planned paths: for a known room", "planner"));
+  choice.replaceChildren(group("Behaviours: for any room", "behaviour"), group("Planned paths: for a known room", "planner"));
   choice.addEventListener("change", () => {
     cancel();
     room.choose(choice.value);
@@ -29,7 +29,7 @@ export function startRide(it) {
 
   const odometry = select("connection-odometry");
   fill(odometry, ODOMETRIES);
-  setAttribute(byId("connection-odometry-field"), "data-tip", `${ODOMETRY_TIP} A calibration changes what counts tell; the packets come with the robot's own figures.`);
+  setAttribute(byId("connection-odometry-field"), "data-tip", `${ODOMETRY_TIP} Calibration applies to counts; the packets use the robot's own figures.`);
   odometry.addEventListener("change", async () => {
     if (!(await it.request({ do: "odometry", model: odometry.value }))) odometry.value = it.view.odometry;
   });
@@ -81,7 +81,7 @@ export function startRide(it) {
     if (it.live.isKnown() && isElsewhere(it.view, CLOSE)) {
       const answer = await choose({
         title: "It isn't at the start",
-        points: ["In a known room, a robot is taken to stand on the dashed circle, looking along its arrow. This one stands elsewhere, so it would believe to be where it isn't."],
+        points: ["In a known room, the robot is assumed to start on the dashed circle, facing along its arrow. This one is elsewhere, so its position estimate would be wrong."],
         yes: "Put it at the start",
         other: "Start anyway",
       });
@@ -124,8 +124,8 @@ export function startRide(it) {
       const goes = isMoving(view);
       const elsewhere = !goes && it.live.isKnown() && isElsewhere(view, NEAR);
       setHidden(button("connection-to-start"), !elsewhere);
-      const where = it.live.isKnown() ? "It is taken to stand on the dashed circle, looking along its arrow." : "It sets off where it stands.";
-      const question = isAsking(view) ? "A calibration asks something: answer it first, or skip it, in Tools, Calibrate." : where;
+      const where = it.live.isKnown() ? "It is assumed to start on the dashed circle, facing along its arrow." : "It starts from where it stands.";
+      const question = isAsking(view) ? "Calibration waits for your answer: answer or skip it in Tools, Calibrate." : where;
       setText(byId("connection-ride-note"), view.can.drive ? question : "Take control first.");
       setEnabled(button("connection-go"), view.can.drive && !goes && !isAsking(view));
       setEnabled(button("connection-end"), goes || waiting !== undefined);

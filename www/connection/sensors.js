@@ -48,7 +48,7 @@ const MORE = [
   ["Charging", "Charging state, and where the power comes from (packets 21 and 34).", (p) => `${CHARGING[packet(p, 21)] ?? packet(p, 21)}${["", ", charger plugged in", ", home base", ", both chargers"][packet(p, 34) & 3]}`],
   ["Temperature", "Of the battery (packet 24).", (p) => `${packet(p, 24) > 127 && packet(p, 24) < 256 ? packet(p, 24) - 256 : signed(p, 24)} °C`],
   ["Motor currents", "Left wheel, right wheel, main brush, side brush (packets 54 to 57).", (p) => `${[54, 55, 56, 57].map((id) => signed(p, id)).join(" · ")} mA`],
-  ["Asked speeds", "What the robot says it was asked for, left and right wheel (packets 42 and 41).", (p) => `${signed(p, 42)} · ${signed(p, 41)} mm/s`],
+  ["Requested speeds", "Speeds last commanded, left and right wheel (packets 42 and 41).", (p) => `${signed(p, 42)} · ${signed(p, 41)} mm/s`],
   ["Buttons", "Buttons on the robot that are pressed (packet 18).", (p) => BUTTONS.filter((_, place) => (packet(p, 18) >> place) & 1).join(", ") || "none"],
   ["Song", "Number of the song, and whether it plays (packets 36 and 37).", (p) => `${packet(p, 36) + 1}${packet(p, 37) ? ", playing" : ""}`],
 ];

@@ -65,7 +65,7 @@ export class OpenPort {
   write(bytes) {
     if (this.#isOver || !this.#writer || !bytes.length) return;
     const now = performance.now();
-    if (this.#writes.length && now - this.#writes[0] > WRITE_MS) return this.#lose("The adapter takes no bytes any more.");
+    if (this.#writes.length && now - this.#writes[0] > WRITE_MS) return this.#lose("The adapter no longer accepts data.");
     this.#writes.push(now);
     // Anything else than bytes would break the stream for good, and then closing hangs.
     this.#writer.write(Uint8Array.from(bytes)).then(
@@ -93,7 +93,7 @@ export class OpenPort {
 
   async #read() {
     let inVain = 0;
-    let why = "The adapter sends nothing any more.";
+    let why = "The adapter no longer sends data.";
     while (!this.#isOver && this.#port.readable) {
       const reader = (this.#reader = this.#port.readable.getReader());
       try {
@@ -133,16 +133,16 @@ function said(error) {
 
 /** @param {Error} error */
 function cantOpen({ name, message }) {
-  if (name === "InvalidStateError") return failure("busy", "This page has that port open already.", "Disconnect first.");
+  if (name === "InvalidStateError") return failure("busy", "This page already has that port open.", "Disconnect first.");
   if (name === "SecurityError" || name === "NotAllowedError") {
-    return failure("denied", "The browser doesn't let this page use that port any more.", "Connect again and choose it from the list.");
+    return failure("denied", "The browser no longer lets this page use that port.", "Connect again and choose it from the list.");
   }
   // Browsers don't say more than that it didn't work.
   if (name === "NetworkError") {
     return failure(
       "busy",
-      "The port could not be opened: most likely another program has it.",
-      "Close what else may use it, such as a serial monitor, a terminal or another browser. On Linux, your user also has to be allowed to: sudo usermod -a -G dialout $USER, then log in again.",
+      "The port could not be opened: another program probably uses it.",
+      "Close other programs that may use it, such as a serial monitor, a terminal or another browser. On Linux, your user also needs permission: sudo usermod -a -G dialout $USER, then log in again.",
     );
   }
   return failure("failed", `The port could not be opened (${message}).`, "Unplug the adapter, plug it in again, and connect.");

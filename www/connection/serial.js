@@ -51,7 +51,7 @@ export class SerialLine {
       const { ids, index } = this.#address;
       const place = ids.slice(0, index).filter((id) => id === this.#id).length;
       const unlock = await takeLock(`serial port ${this.#id} ${place}`);
-      if (!unlock) throw failure("busy", "Another tab of this page has that robot.", "Disconnect there, or close that tab.");
+      if (!unlock) throw failure("busy", "Another tab of this page is connected to that robot.", "Disconnect there, or close that tab.");
       this.#unlock = unlock;
       this.#port = await findPort(this.#address);
       this.#others = (await navigator.serial.getPorts()).filter((port) => port !== this.#port);
@@ -106,7 +106,7 @@ export class SerialLine {
     await line.open(this.view.baud);
     if (this.#isClosed) {
       await line.close();
-      throw failure("failed", "The connection was closed before it was there.", "");
+      throw failure("failed", "The connection was closed before it was established.", "");
     }
     this.#line = line;
     this.#port = port;
@@ -120,7 +120,7 @@ export class SerialLine {
     if (this.#isClosed) return;
     this.#line = undefined;
     this.view.state = "lost";
-    this.view.text = `${why} Plug it in again. If it isn't found then, connect anew: browsers forget adapters without a serial number.`;
+    this.view.text = `${why} Plug it in again. If it isn't found, connect again: browsers forget adapters without a serial number.`;
     this.#events.onlost(why, false);
     void this.#comeBack();
   }

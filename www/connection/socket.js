@@ -50,7 +50,7 @@ export class SocketLine {
     try {
       const address = wellFormed(this.#url);
       const unlock = await takeLock(`bridge ${address.host}${address.pathname}`);
-      if (!unlock) throw failure("busy", "Another tab of this page has that robot.", "Disconnect there, or close that tab.");
+      if (!unlock) throw failure("busy", "Another tab of this page is connected to that robot.", "Disconnect there, or close that tab.");
       this.#unlock = unlock;
       await this.#connect();
     } catch (error) {
@@ -65,7 +65,7 @@ export class SocketLine {
     if (socket?.readyState !== WebSocket.OPEN || !bytes.length) return;
     const now = performance.now();
     if (socket.bufferedAmount === 0) this.#stalledAt = now;
-    else if (now - this.#stalledAt > STALL_MS) return this.#lose("The bridge takes no bytes any more.");
+    else if (now - this.#stalledAt > STALL_MS) return this.#lose("The bridge no longer accepts data.");
     socket.send(Uint8Array.from(bytes));
   }
 
@@ -92,11 +92,11 @@ export class SocketLine {
     } catch {
       socket.close();
       // Browsers don't tell pages why.
-      throw failure("unreachable", `The bridge at ${this.#url} doesn't answer.`, "Check that it is on, in the same network, and that the address is right, with port and path.");
+      throw failure("unreachable", `The bridge at ${this.#url} doesn't answer.`, "Check that it is on and in the same network, and that address, port and path are right.");
     }
     if (this.#isClosed) {
       socket.close();
-      throw failure("failed", "The connection was closed before it was there.", "");
+      throw failure("failed", "The connection was closed before it was established.", "");
     }
     const text = new TextEncoder();
     socket.onmessage = ({ data }) => this.#socket === socket && this.#events.onbytes(typeof data === "string" ? text.encode(data) : new Uint8Array(data));
@@ -113,7 +113,7 @@ export class SocketLine {
     this.#socket = undefined;
     if (this.#isClosed) return;
     this.view.state = "lost";
-    this.view.text = `${why} It is tried again every ${AGAIN_MS / 1000} s.`;
+    this.view.text = `${why} Retrying every ${AGAIN_MS / 1000} s.`;
     this.#events.onlost(why, false);
     void this.#comeBack();
   }
@@ -144,7 +144,7 @@ function wellFormed(text) {
   if (self.location.protocol === "https:" && url.protocol === "ws:" && !isHere) {
     throw failure(
       "mixed",
-      "A page that came over https:// isn't allowed to reach a bridge at ws://.",
+      "A page loaded over https:// can't connect to a bridge at ws://.",
       "Use a bridge with wss://, or open a copy of this page over http:// in your own network: for a bridge, that is enough.",
     );
   }

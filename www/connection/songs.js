@@ -31,7 +31,7 @@ export function readNotes(text) {
     if (!parts) return { notes, fault: `Note ${index + 1} ("${word}") is unclear: write C5:16, F#4:8, or r:16 for a rest.` };
     const duration = Number(parts[2] ?? 16);
     const number = parts[1]?.toLowerCase() === "r" ? REST : numberOf(parts[1] ?? "");
-    if (number !== REST && (number < 31 || number > 127)) return { notes, fault: `Note ${index + 1} ("${word}") is out of reach: G1 to G9.` };
+    if (number !== REST && (number < 31 || number > 127)) return { notes, fault: `Note ${index + 1} ("${word}") is out of range: G1 to G9.` };
     if (duration < 1 || duration > 255) return { notes, fault: `Note ${index + 1} ("${word}") lasts 1 to 255 sixty-fourths of a second.` };
     notes.push([number, duration]);
   }

@@ -13,7 +13,7 @@ export function support() {
     return {
       serial: false,
       socket,
-      why: "Browsers give serial ports only to pages that came over https:// or from this computer.",
+      why: "Browsers allow serial ports only for pages loaded over https:// or from this computer.",
       instead: `Open this page over https:// or from localhost, or ${OTHERWISE}.`,
     };
   }
@@ -32,7 +32,7 @@ export function support() {
     return {
       serial: false,
       socket,
-      why: "The page around this one, or its server, doesn't let it use serial ports (permissions policy).",
+      why: "The embedding page or the server forbids serial ports here (permissions policy).",
       instead: `Open this page in a tab of its own, or ${OTHERWISE}.`,
     };
   }

@@ -126,7 +126,7 @@ export function startRobot(app, module, guard) {
     wasHere = false;
     const moves = isMoving(it.view) || it.movesAlone;
     it.halt();
-    if (moves && !isReplay(it.view)) connection.leave("You left the tab Robot.");
+    if (moves && !isReplay(it.view)) connection.leave("You left the Robot tab.");
   }).observe(byId("panel-connection"), { attributes: true, attributeFilter: ["hidden"] });
 
   return {

@@ -82,13 +82,13 @@ export function watchWheels() {
 
 /** Who is there while nothing can be done with it. @param {ConnectionView["diagnosis"]} diagnosis @returns {[what: string, more: string]} */
 export function waitedFor({ finding }) {
-  if (finding === "no_stream") return ["A robot answers", "but doesn't send its sensors"];
-  if (finding === "stream" || finding === "robot" || finding === "text") return ["A robot is heard", "but doesn't answer yet"];
-  if (finding === "charging") return ["A robot charges", "but doesn't answer yet"];
-  if (finding === "booting") return ["A robot starts", "it should answer soon"];
-  if (finding === "bootloader") return ["A robot is in its bootloader", "it doesn't answer there"];
-  if (finding === "garbage") return ["Something is heard", "but can't be understood"];
-  return ["Nobody answers", "it goes on trying"];
+  if (finding === "no_stream") return ["A robot answers", "but doesn't stream its sensors"];
+  if (finding === "stream" || finding === "robot" || finding === "text") return ["Robot detected", "but it doesn't answer yet"];
+  if (finding === "charging") return ["Robot is charging", "but it doesn't answer yet"];
+  if (finding === "booting") return ["Robot is starting", "it should answer soon"];
+  if (finding === "bootloader") return ["Robot is in its bootloader", "it doesn't answer there"];
+  if (finding === "garbage") return ["Unreadable data", "maybe another speed"];
+  return ["No answer", "still trying"];
 }
 
 /**
@@ -99,16 +99,16 @@ export function doing(view, movesAlone) {
   const { phase, ride, mode, transport, calibration, drop } = view;
   if (isReplay(view)) return ["Recording", `nothing can be driven${ride && goesOn(ride) ? `. Then: ${ride.manual ? "driven by hand" : ride.title}` : ""}`];
   if (!isOpen(view)) return ["No robot", "connect one, or try the virtual one"];
-  if (phase === "diagnosing" || phase === "closed") return ["Finding out who is there", transport.name];
+  if (phase === "diagnosing" || phase === "closed") return ["Looking for a robot", transport.name];
   if (phase === "waiting") return waitedFor(view.diagnosis);
   if (phase === "lost" || transport.state === "lost") return ["Connection lost", transport.text];
   if (calibration.step === "moving") return ["Calibrating", calibration.text];
   const turns = view.wheels.some((speed) => speed !== 0);
   // Control by hand goes on for a while after one has let go; who stands still isn't driven.
   if (ride && goesOn(ride) && (turns || !ride.manual)) return [ride.manual ? "You drive" : ride.title, ride.manual ? "" : ride.activity];
-  if (turns) return ["Driven by bytes of yours", "Stop ends it"];
+  if (turns) return ["Driven by your bytes", "Stop ends it"];
   if (movesAlone) return ["Moves by itself", "Stop ends it"];
-  if (calibration.step === "asking") return ["Calibrating", "waits for an answer: Tools, Calibrate"];
+  if (calibration.step === "asking") return ["Calibrating", "waiting for your answer: Tools, Calibrate"];
   // Why control was lost is said above the map already.
   if (drop) return [ride && !ride.manual ? `${ride.title}: ended` : "Not in control", "take control again to drive"];
   if (ride && !ride.manual && (ride.ended || ride.done)) {
@@ -116,5 +116,5 @@ export function doing(view, movesAlone) {
     return [`${ride.title}: ${ride.ended ? "ended" : "done"}`, view.notice?.text.startsWith(ride.ended) ? "" : ride.ended];
   }
   if (mode === "Passive") return ["Watching", "take control to drive"];
-  return ["Ready", `${mode}: drive, or let an algorithm`];
+  return ["Ready", `${mode}: drive, or start an algorithm`];
 }

@@ -72,7 +72,7 @@ function broke(error) {
   line?.write(STOP);
   console.error(error);
   const said = error instanceof Error ? error.message : String(error);
-  tell({ type: "failed", failure: failure("broken", `An error in this program ended the connection (${said}). The robot was told to stop.`, "Watch whether it does. Then connect again.") });
+  tell({ type: "failed", failure: failure("broken", `An error in this program ended the connection (${said}). A stop command was sent.`, "Check that it stops, then connect again.") });
   void line?.close();
 }
 

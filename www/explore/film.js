@@ -8,10 +8,10 @@ const GAP = 10;
 
 /** @type {[name: string, title: string, tip: string, samples: number][]} */
 const KEYS = [
-  ["walk", "Walk", "The walk over the floor at this moment of the search.", 1],
-  ["tint", "About to change", "Cells that the improvement makes the robot pass in another way.", 1],
-  ["part", "Parts that stay", "The walk is taken apart where it changes. Each part has a colour; squares mark its ends.", 4],
-  ["new", "New", "What joins the parts again.", 1],
+  ["walk", "Path", "The path at this moment of the search.", 1],
+  ["tint", "About to change", "Cells that the next improvement visits in a different order.", 1],
+  ["part", "Pieces kept", "The path is cut where it changes. Each piece has its own colour; squares mark its ends.", 4],
+  ["new", "New", "The new connections between the pieces.", 1],
 ];
 
 /** @param {import("../main.js").App} app @returns {Promise<(view: import("../types").View) => void>} */
@@ -47,7 +47,7 @@ export async function startFilm(app) {
     setEnabled(button("film-back"), at > 0);
     setEnabled(button("film-next"), !isOver);
     setText(byId("film-at"), isOver ? "" : `${at + 1} of ${pictures}`);
-    const name = runs ? "Pause the film" : isOver ? "Show it again" : "Show the film";
+    const name = runs ? "Pause the film" : isOver ? "Play again" : "Play the film";
     if (!changed(button("film-play"), "name", name)) return;
     button("film-play").setAttribute("aria-label", name);
     byId("film-icon").setAttribute("href", runs ? "#i-pause" : isOver ? "#i-reset" : "#i-play");

@@ -20,7 +20,7 @@ export function startPanel(app) {
   const { rooms, planners, behaviours, robots, sensors, cell_sizes_m } = catalogue;
   const algorithms = [...planners, ...behaviours];
   fill(select("room"), rooms.map(({ id, title }) => [id, title]));
-  select("algorithm").replaceChildren(group("Plans a path first", planners), group("Reacts to what it feels", behaviours));
+  select("algorithm").replaceChildren(group("Path planners", planners), group("Reactive behaviours", behaviours));
   fill(select("robot"), robots.map(({ id, title }) => [id, title]));
   fill(select("cell-size"), cell_sizes_m.map((size) => [String(size), `${+(size * 100).toFixed(2)} cm`]));
 
@@ -97,7 +97,7 @@ export function startPanel(app) {
     const algorithm = algorithms.find(({ id }) => id === view.algorithm);
     if (algorithm && changed(byId("params"), "algorithm", algorithm.id)) {
       buildParams(algorithm);
-      setText(byId("algorithm-kind"), algorithm.manual ? "you drive" : algorithm.kind === "planner" ? "plans a path first" : "reacts to what it feels");
+      setText(byId("algorithm-kind"), algorithm.manual ? "you drive" : algorithm.kind === "planner" ? "path planner" : "reactive behaviour");
       setText(byId("algorithm-note"), algorithm.summary);
       setText(byId("explainer-title"), algorithm.title);
       byId("explainer-text").replaceChildren(...explainer(algorithm, rooms, (room) => change((p) => p.select_room(room))));
@@ -160,9 +160,9 @@ function showRoom(room, shipped) {
   const isOwn = !shipped.some(({ id }) => id === room.id);
   if (isOwn && own?.textContent !== room.title) {
     own?.remove();
-    menu.prepend(make("option", { value: room.id, "data-own": "" }, room.title || "Own room"));
+    menu.prepend(make("option", { value: room.id, "data-own": "" }, room.title || "Your room"));
     menu.value = room.id;
   } else if (!isOwn) own?.remove();
-  const size = `${room.width_m.toFixed(1)} × ${room.height_m.toFixed(1)} m, ${room.reachable_m2.toFixed(1)} m² within reach${room.left_out_m2 >= 0.05 ? `, ${room.left_out_m2.toFixed(1)} m² not (hatched)` : ""}.`;
+  const size = `${room.width_m.toFixed(1)} × ${room.height_m.toFixed(1)} m, ${room.reachable_m2.toFixed(1)} m² reachable${room.left_out_m2 >= 0.05 ? `, ${room.left_out_m2.toFixed(1)} m² not (hatched)` : ""}.`;
   setText(byId("room-note"), room.note ? `${room.note.replace(/\.?$/, ".")} ${size}` : size);
 }

@@ -39,7 +39,7 @@ export async function startPlacing(app) {
     if (changed(menu, "selected", selected)) {
       menu.value = selected < 0 ? "" : String(selected);
       const name = names[selected];
-      setText(byId("selection-said"), name ? `${name} selected. Arrow keys move it, with shift they turn and resize it, delete removes it.` : "");
+      setText(byId("selection-said"), name ? `${name} selected. Arrow keys move it, Shift + arrow keys turn and resize it, Delete removes it.` : "");
     }
     for (const node of edits) setEnabled(node, selected >= 0);
   };

@@ -99,7 +99,7 @@ function drawCurve(curve, range, view) {
 function openEnd({ catalogue, view }) {
   const entry = catalogue.behaviours.find(({ id }) => id === view.algorithm);
   if (entry?.manual) return "no plan: you drive";
-  return entry?.ends ? "no plan: ends by itself" : "no plan: goes on until you pause";
+  return entry?.ends ? "no plan: stops by itself" : "no plan: runs until you pause";
 }
 
 /** @param {number} range */

@@ -12,33 +12,33 @@ import { updateMessage } from "../messages.js";
 
 /** @type {Metric[]} */
 const RUN_METRICS = [
-  { label: "Coverage", tip: "Swept share of the floor that this robot can reach, at the true width of its tool. Plan: driven without any error.", plan: (p) => `${percent(p.coverage)} %`, run: (v) => `${percent(v.coverage)} %` },
-  { label: "Time", tip: "From setting off to standing still, by the robot's speeds and accelerations. Minutes and seconds.", plan: (p) => clock(p.duration_s), run: (v) => clock(v.time_s) },
-  { label: "Distance", tip: "Length of the way driven, in metres.", plan: (p) => `${metres(p.length_m)} m`, run: (v) => `${metres(v.distance_m)} m` },
-  { label: "Turning", tip: "Sum of all turns in degrees, the one at the start included.", plan: (p) => `${count(p.turning_deg)}°`, run: (v) => `${count(v.turning_deg)}°` },
-  { label: "Overlap", tip: "Passes beyond the first, as a share of the floor swept: at 30 %, three tenths of it were swept a second time.", plan: (p) => `${percent(p.overlap, 0)} %`, run: (v) => `${percent(v.overlap, 0)} %` },
-  { label: "Bumps", tip: "How often the bumper has touched a wall or a piece of furniture.", run: (v) => count(v.bumps) },
-  { label: "Position error", tip: "Distance between where the robot is and where it believes to be, from counting wheel turns.", run: (v) => smallLength(v.pose_error_m) },
-  { label: "Dirt left", tip: "Share of the dirt in this room that has not been picked up.", run: (v) => `${percent(v.dirt_left ?? 0, 0)} %`, when: (v) => v.dirt_left !== null },
+  { label: "Coverage", tip: "Swept share of the floor that this robot can reach, at its true cleaning width. Plan: driven without errors.", plan: (p) => `${percent(p.coverage)} %`, run: (v) => `${percent(v.coverage)} %` },
+  { label: "Time", tip: "From start to standstill at the robot's speeds and accelerations, in minutes and seconds.", plan: (p) => clock(p.duration_s), run: (v) => clock(v.time_s) },
+  { label: "Distance", tip: "Distance driven, in metres.", plan: (p) => `${metres(p.length_m)} m`, run: (v) => `${metres(v.distance_m)} m` },
+  { label: "Turning", tip: "Sum of all turns in degrees, including the one at the start.", plan: (p) => `${count(p.turning_deg)}°`, run: (v) => `${count(v.turning_deg)}°` },
+  { label: "Overlap", tip: "Repeated passes as a share of the swept floor: at 30 %, three tenths of it were swept a second time.", plan: (p) => `${percent(p.overlap, 0)} %`, run: (v) => `${percent(v.overlap, 0)} %` },
+  { label: "Bumps", tip: "How often the bumper touched a wall or furniture.", run: (v) => count(v.bumps) },
+  { label: "Position error", tip: "Distance between the true position and the one estimated from wheel counts.", run: (v) => smallLength(v.pose_error_m) },
+  { label: "Dirt left", tip: "Share of the room's dirt not picked up yet.", run: (v) => `${percent(v.dirt_left ?? 0, 0)} %`, when: (v) => v.dirt_left !== null },
 ];
 
 /** @type {Metric[]} */
 const PLAN_METRICS = [
-  { label: "Cells visited", tip: "Cells of the planning grid that the plan visits, out of those that can be reached from the start.", plan: (p) => `${count(p.visited_cells)} of ${count(p.reachable_cells)}` },
+  { label: "Cells visited", tip: "Cells of the planning grid that the plan visits, out of those reachable from the start.", plan: (p) => `${count(p.visited_cells)} of ${count(p.reachable_cells)}` },
   { label: "Steps", tip: "Steps from one cell to the next.", plan: (p) => count(p.steps) },
-  { label: "Revisits", tip: "Visits to cells beyond the first to each: driving that cleans nothing new.", plan: (p) => count(p.revisits) },
+  { label: "Revisits", tip: "Repeated visits to cells, which clean nothing new.", plan: (p) => count(p.revisits) },
   { label: "Turns", tip: "Quarter turns between steps on the grid; a reversal counts as two.", plan: (p) => count(p.turns) },
-  { label: "Above the bound", tip: "How much more the plan costs than any plan over these cells must, in percent of that, as in Compare. A plan costs its steps + 2 × its quarter turns. It is worked out after the plan; a plan that misses cells has none.", plan: (p) => above(p.above_bound) },
+  { label: "Above the bound", tip: "How far the plan's cost is above a proven lower bound for these cells, in percent, as in Compare. A plan costs its steps + 2 × its quarter turns. It is computed after planning; a plan that misses cells has none.", plan: (p) => above(p.above_bound) },
   { label: "Optimality gap", tip: ownGap, plan: (p) => above(p.gap), when: (v) => typeof v.plan?.gap === "number" },
-  { label: "Kept early", tip: "The search was stopped by hand, and its best plan so far kept: how long it had taken, and how far its progress had come.", plan: (p) => `after ${took(p.planning_s ?? 0)}, ${percent(p.kept_at ?? 0, 0)} % of the search`, when: (v) => typeof v.plan?.kept_at === "number" },
-  { label: "Planned in", tip: "Time that this computer took to work out the plan. That of the opening scene comes with the page.", plan: (p) => (p.planning_s === null ? "made in advance" : took(p.planning_s)) },
+  { label: "Kept early", tip: "The search was stopped early and its best plan kept: time spent, and progress at that moment.", plan: (p) => `after ${took(p.planning_s ?? 0)}, ${percent(p.kept_at ?? 0, 0)} % of the search`, when: (v) => typeof v.plan?.kept_at === "number" },
+  { label: "Planned in", tip: "Planning time on this computer. The opening scene's plan is preloaded.", plan: (p) => (p.planning_s === null ? "preloaded" : took(p.planning_s)) },
 ];
 
 /** What is meant by the gap that a planner proves itself. @param {View} view */
 function ownGap({ plan }) {
   const turn = +(plan?.turn_weight ?? 0).toFixed(2);
-  const weights = `its steps + ${turn} × its quarter turns${plan?.times_turns ? " (as long as this robot takes for one, in steps; the turn to the first step counts, too)" : ""}`;
-  return `How much more the plan costs than any plan must in what this search keeps low, in percent of that. Here a plan costs ${weights}. At 0 % it is proven to be the best.`;
+  const weights = `its steps + ${turn} × its quarter turns${plan?.times_turns ? " (the time that this robot takes for one, in steps; the turn to the first step counts too)" : ""}`;
+  return `How far the plan's cost is above the proven lower bound of what this search minimises, in percent. Here a plan costs ${weights}. 0 % means proven optimal.`;
 }
 
 /** @param {number | null} share */
@@ -137,12 +137,12 @@ function updateTools({ can, tool, state, speed_factor, speed, is_lifted, is_carr
   setAttribute(byId("stage"), "data-tool", tool);
   setEnabled(button("lift"), can.lift || is_lifted);
   setAttribute(button("lift"), "aria-pressed", String(is_lifted));
-  setText(byId("lift-name"), is_lifted ? "Put down" : "Pick up");
-  setAttribute(button("lift"), "aria-label", is_lifted ? "Put the robot down" : "Pick the robot up");
+  setText(byId("lift-name"), is_lifted ? "Put down" : "Lift robot");
+  setAttribute(button("lift"), "aria-label", is_lifted ? "Put the robot down" : "Lift the robot");
   setHidden(byId("carry-note"), !is_carried);
   // Never over the robot.
   setAttribute(byId("carry-note"), "data-low", String(is_held_high));
-  setText(byId("carry-note"), is_carried ? (HAS_KEYS ? "Click where to put the robot down. Arrow keys carry it, Enter puts it down, Escape puts it back." : "Tap where to put the robot down, or drag it there.") : "");
+  setText(byId("carry-note"), is_carried ? (HAS_KEYS ? "Click where to put the robot down. Arrow keys move it, Enter puts it down, Escape puts it back." : "Tap where to put the robot down, or drag it there.") : "");
   setEnabled(button("undo"), can.undo);
   setEnabled(button("redo"), can.redo);
   const lags = state === "playing" && speed_factor > 0 && (speed === 0 || speed_factor < 0.9 * speed);

@@ -15,8 +15,8 @@ export function startBody(it) {
   /** @param {string} label @param {[value: string, title: string][]} options */
   const group = (label, options) => make("optgroup", { label }, ...options.map(([value, title]) => make("option", { value }, title)));
   kind.replaceChildren(
-    group("An outline of one's own", [["octagon", "Octagon"], ["circle", "Circle"], ["rectangle", "Rectangle"], ["polygon", "Polygon"]]),
-    group("A robot", it.app.catalogue.robots.map(({ id, title }) => [`model ${id}`, title])),
+    group("Custom outline", [["octagon", "Octagon"], ["circle", "Circle"], ["rectangle", "Rectangle"], ["polygon", "Polygon"]]),
+    group("Robot model", it.app.catalogue.robots.map(({ id, title }) => [`model ${id}`, title])),
   );
   /** @param {Body} body */
   const choose = (body) => void it.set({ body });

@@ -11,10 +11,10 @@ const WHEEL_LINE = 16;
 const KEYS = { ArrowLeft: "left", ArrowRight: "right", ArrowUp: "up", ArrowDown: "down", Enter: "apply", Escape: "escape" };
 /** @type {Record<string, string>} */
 const HINTS = {
-  scale: "Click two points whose distance you know. By keys: arrows move the crosshair, Enter sets a point, Escape ends.",
-  rectangle: "Drag over the part that is meant, or click two corners. By keys: arrows and Enter.",
-  polygon: "Click the corners; Enter or a double click closes the polygon, Escape takes it back. By keys: arrows and Enter, twice to close.",
-  room: "Click into the room that is meant. Doors that stand open end it if gaps as wide as they are closed. By keys: arrows and Enter.",
+  scale: "Click two points whose distance you know. Keyboard: arrows move the crosshair, Enter sets a point, Escape ends.",
+  rectangle: "Drag over the part to clean, or click two corners. Keyboard: arrows and Enter.",
+  polygon: "Click the corners; Enter or a double click closes the polygon, Escape cancels it. Keyboard: arrows and Enter, twice to close.",
+  room: "Click into the room to clean. Open doors bound it if gaps of their width are closed. Keyboard: arrows and Enter.",
 };
 
 /** @param {FloorPlanTab} it @returns {(canvas: HTMLCanvasElement) => void} what to call for every new canvas */

@@ -22,7 +22,7 @@ function show(view) {
   setHidden(byId("floor-plan-none"), view !== undefined);
   setText(byId("floor-plan-name"), view?.name ?? "No floor plan yet");
   setText(byId("floor-plan-facts"), view ? facts(view) : "");
-  setAttribute(byId("floor-plan-floor"), "aria-label", view?.words ?? "Floor plan: nothing here yet");
+  setAttribute(byId("floor-plan-floor"), "aria-label", view?.words ?? "Floor plan: empty");
   setText(byId("floor-plan-said"), view?.words ?? "");
   setText(byId("floor-plan-fault"), view?.fault ?? "");
   setText(byId("floor-plan-title"), view?.name ?? "No floor plan yet");
@@ -38,7 +38,7 @@ function showDoors(view) {
   if (doors) {
     const { count, gap, floor_m2 } = doors;
     const opening = count === 1 ? "an opening" : `${count} openings`;
-    setText(byId("floor-plan-doors-text"), `${view?.room ? "This room reaches on" : "The floor here runs out"} through ${opening} as wide as a door. With ${count === 1 ? "it" : "them"} closed it has ${floor_m2.toFixed(1)} m² of floor.`);
+    setText(byId("floor-plan-doors-text"), `${view?.room ? "This room continues" : "This floor continues outside"} through ${opening} as wide as a door. With ${count === 1 ? "it" : "them"} closed it has ${floor_m2.toFixed(1)} m² of floor.`);
     setText(button("floor-plan-doors-close"), `Close gaps up to ${gap.toFixed(2)} m`);
   }
 }
@@ -46,12 +46,12 @@ function showDoors(view) {
 /** @param {FloorPlanView} view */
 function facts({ kind, size, strokes, layers, room, left_out }) {
   const what = kind === "drawing" ? `${strokes.toLocaleString("en")} strokes on ${layers.length} layers` : room ? `${room.cells[0]} × ${room.cells[1]} cells of ${(100 * room.resolution).toLocaleString("en", { maximumFractionDigits: 2 })} cm` : "";
-  return [size && `${kind === "drawing" ? "all that is drawn" : "all of it"}: ${size}`, what, left_out.length && `not drawn: ${left_out.join(", ")}`].filter(Boolean).join(" · ");
+  return [size && `${kind === "drawing" ? "whole drawing" : "whole map"}: ${size}`, what, left_out.length && `not drawn: ${left_out.join(", ")}`].filter(Boolean).join(" · ");
 }
 
 /** @param {FloorPlanView} view */
 function result({ room, settings, fault }) {
-  if (!room) return settings.metre === null ? "How long is a unit of the drawing? Choose it first." : fault || "No room yet.";
+  if (!room) return settings.metre === null ? "Choose the drawing's unit first." : fault || "No room yet.";
   const { width_m, height_m, floor_m2, cells, objects, gaps } = room;
   const more = [objects && `${objects} obstacles`, gaps && `${gaps} ${gaps === 1 ? "gap" : "gaps"} closed`].filter(Boolean);
   return [`Room ${width_m.toFixed(1)} × ${height_m.toFixed(1)} m, walls included`, `${floor_m2.toFixed(1)} m² of floor`, `${cells[0]} × ${cells[1]} cells`, ...more].join(" · ");

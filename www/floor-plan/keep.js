@@ -43,7 +43,7 @@ export function startKeeping(it) {
     if (warned) return;
     warned = true;
     console.warn(error);
-    toast(error instanceof DOMException && error.name === "QuotaExceededError" ? "There is no room left in this browser to keep this draft: it won't survive a reload." : "This browser keeps no drafts, as in private windows: this one won't survive a reload.");
+    toast(error instanceof DOMException && error.name === "QuotaExceededError" ? "This browser has no storage left for this floor plan: it won't survive a reload." : "This browser doesn't keep floor plans (a private window?): this one won't survive a reload.");
   };
 
   const save = async () => {
@@ -110,7 +110,7 @@ export function startKeeping(it) {
   /** @param {any} kept @param {any} chosen */
   const layOut = async (kept, chosen) => {
     const list = kept.format === FORMAT ? filesOf(kept.files) : undefined;
-    if (!list?.length) return putAside({ why: "What was on the drawing board was kept by another version of this page, and this one can't read it.", files: kept.files ?? kept, choices: chosen });
+    if (!list?.length) return putAside({ why: "The floor plan was saved by another version of this page, and this one can't read it.", files: kept.files ?? kept, choices: chosen });
     const names = list.map(({ name }) => name).join(" and ");
     coming = { files: kept, choices: chosen };
     const fits = chosen?.format === FORMAT;
@@ -118,12 +118,12 @@ export function startKeeping(it) {
     /** @type {string | undefined} */
     let why;
     const settings = fits ? chosen.settings : {};
-    await it.ask({ type: "restore", files: list, settings }, "Laying out what was there before", (message) => (why = message));
+    await it.ask({ type: "restore", files: list, settings }, "Restoring the floor plan", (message) => (why = message));
     // It broke the board, and is aside by now.
     if (!coming) return;
     coming = undefined;
-    if (why !== undefined && !it.view) return putAside({ why: `The drawing board had ${names}, which can't be laid out again: ${why}`, files: list, choices: chosen });
-    if (why !== undefined || (chosen && !fits)) await putAside({ why: `What was chosen for ${names} was kept by another version of this page and doesn't fit this one${why === undefined ? "" : ` (${why})`}. It is chosen anew as for a new file.`, files: undefined, choices: chosen });
+    if (why !== undefined && !it.view) return putAside({ why: `The floor plan ${names} can't be restored: ${why}`, files: list, choices: chosen });
+    if (why !== undefined || (chosen && !fits)) await putAside({ why: `The settings for ${names} were saved by another version of this page and don't fit this one${why === undefined ? "" : ` (${why})`}. They were reset, as for a new file.`, files: undefined, choices: chosen });
     else if (fits && chosen.sweeps && it.view?.room) {
       await it.ask({ type: "sweep" }, "Planning the sweep");
       if (chosen.stage > 0) client.say({ type: "stages", stages: [chosen.stage], moves: false });
@@ -143,7 +143,7 @@ export function startKeeping(it) {
       if (!coming) return false;
       const { files: kept, choices: chosen } = coming;
       coming = undefined;
-      void putAside({ why: `What was on the drawing board breaks it (${message}), so it isn't laid out again.`, files: kept.files, choices: chosen });
+      void putAside({ why: `The saved floor plan caused an error (${message}), so it wasn't restored.`, files: kept.files, choices: chosen });
       return true;
     },
   };
@@ -169,7 +169,7 @@ function openDatabase() {
 function done(request) {
   return new Promise((resolve, reject) => {
     request.onsuccess = () => resolve(request.result);
-    request.onerror = () => reject(request.error ?? new Error("the browser's store doesn't answer"));
-    if (request instanceof IDBOpenDBRequest) request.onblocked = () => reject(new Error("the store is open elsewhere"));
+    request.onerror = () => reject(request.error ?? new Error("the browser's storage doesn't respond"));
+    if (request instanceof IDBOpenDBRequest) request.onblocked = () => reject(new Error("the storage is in use by another tab"));
   });
 }

@@ -54,6 +54,6 @@ export function startScale(it) {
 /** @param {import("./types").FloorPlanView} view */
 function note({ kind, says_unit, settings, is_scalable }) {
   if (!is_scalable) return "A scenario is measured in metres.";
-  if (kind === "drawing") return settings.metre === null ? "The file doesn't say its unit. Choose the one that gives the right size, or scale it by two points." : "";
-  return says_unit ? "" : "The image doesn't say how long a pixel is: 5 cm are assumed.";
+  if (kind === "drawing") return settings.metre === null ? "The file doesn't give its unit. Choose the one that gives the right size, or scale it by two points." : "";
+  return says_unit ? "" : "The image doesn't give its pixel size: 5 cm is assumed.";
 }

@@ -125,8 +125,8 @@ export function startFloorPlan(app, module) {
     keeping.saw();
   };
   client.onprogress = (done) => setAttribute(byId("floor-plan-progress"), "value", String(Math.floor(100 * done)));
-  client.onrestore = (request) => void it.ask(request, "Laying out what was there before");
-  client.onbroken = (message, returns) => keeping.broke(message) || complain(`The drawing board met an error of its own (${message}). ${returns ? "What was on it before is laid out again" : "Open the file again, or another one"}; Explore is untouched.`);
+  client.onrestore = (request) => void it.ask(request, "Restoring the floor plan");
+  client.onbroken = (message, returns) => keeping.broke(message) || complain(`Internal error in Floor plan (${message}). ${returns ? "What you had is being restored" : "Open the file again, or another one"}; Explore is not affected.`);
   client.start();
   client.onview(undefined);
   void keeping.bring(() => opening === 0 && taken === 0);

@@ -81,7 +81,7 @@ export function startCanvas(it, canvas) {
     /** @param {import("./types").MapView} view */
     update(view) {
       setEnabled(button("map-lift"), view.can.lift || view.can.put_down);
-      setText(byId("map-lift-name"), view.is_carried ? "Put down" : "Pick up");
+      setText(byId("map-lift-name"), view.is_carried ? "Put down" : "Lift robot");
       setAttribute(button("map-lift"), "aria-pressed", String(view.is_carried));
       layers.update(view);
     },

@@ -36,7 +36,7 @@ export async function write(database, what) {
 export function done(request) {
   return new Promise((resolve, reject) => {
     request.onsuccess = () => resolve(request.result);
-    request.onerror = () => reject(request.error ?? new Error("the browser's store doesn't answer"));
-    if (request instanceof IDBOpenDBRequest) request.onblocked = () => reject(new Error("the store is open elsewhere"));
+    request.onerror = () => reject(request.error ?? new Error("the browser's storage doesn't respond"));
+    if (request instanceof IDBOpenDBRequest) request.onblocked = () => reject(new Error("the storage is in use by another tab"));
   });
 }

@@ -41,7 +41,7 @@ export function startKeeping(it) {
     if (warned) return;
     warned = true;
     console.warn(error);
-    toast(error instanceof DOMException && error.name === "QuotaExceededError" ? "There is no room left in this browser to keep this map. Export it before you leave." : "This browser keeps no maps, as in private windows. Export yours before you leave.");
+    toast(error instanceof DOMException && error.name === "QuotaExceededError" ? "This browser has no storage left for this map. Export it before you leave." : "This browser doesn't keep maps (a private window?). Export yours before you leave.");
   };
 
   /** Looks for what was kept of what is shown now. @param {string} now */
@@ -98,7 +98,7 @@ export function startKeeping(it) {
       const left = await caughtUp;
       const lost = left && left.recipe === found.recipe && found.end !== undefined ? left.end - found.end : 0;
       void told(found.recipe);
-      if (lost > LITTLE) complain(`The run goes on ${lost < 60 ? `${lost.toFixed(1)} s` : `${clock(lost)} min`} before where you left it: this browser had no room for more.`);
+      if (lost > LITTLE) complain(`The run resumes ${lost < 60 ? `${lost.toFixed(1)} s` : `${clock(lost)} min`} before where you left it: this browser had no storage left for the rest.`);
     } catch (error) {
       putAside(found.text);
       explain(textOf(error), found.text);
@@ -114,7 +114,7 @@ export function startKeeping(it) {
 
   /** Tells why something can't go on, and offers what is left of it. @param {string} why @param {string} what */
   const explain = (why, what) => {
-    complain(`${why}. It is kept aside in this browser; save a copy of it below if you need it.`);
+    complain(`${why}. It stays in this browser; save a copy below if you need it.`);
     setHidden(byId("map-aside"), false);
     setText(byId("map-aside-why"), `${why.charAt(0).toUpperCase()}${why.slice(1)}.`);
     button("map-aside-save").onclick = () => {
@@ -168,7 +168,7 @@ export function startKeeping(it) {
       if (now !== recipe) void look(now);
       if (session.take_strayed()) {
         putAside(text);
-        explain("the program drives otherwise than when this map was stored, so it doesn't get there any more", text);
+        explain("the program has changed since this map was stored, so the run can't be repeated", text);
       }
       const at = performance.now();
       if (at - last < EVERY && it.view.phase === "playing") return;

@@ -14,26 +14,26 @@ const centimetres = (metres) => (metres < 1 ? `${(100 * metres).toFixed(1)} cm` 
 
 /** @type {Row[]} */
 const ROWS = [
-  { label: "Position error", tip: "Distance between where the robot is and where it believes to be, now.", of: ({ position_m }) => (position_m === null ? "lost" : centimetres(position_m)) },
-  { label: "Heading error", tip: "Angle between the way that the robot looks and the way that it believes to look, now.", of: ({ heading_deg }) => (heading_deg === null ? "lost" : `${heading_deg.toFixed(1)}°`) },
-  { label: "Cells right", tip: "Share of the known cells of the map that are right to within one cell of 5 cm.", of: ({ right }) => `${percent(right)} %` },
-  { label: "Boundary mapped", tip: "Share of the walls and furniture that the bumper can reach which are on the map, to within one cell.", of: ({ boundary }) => `${percent(boundary)} %` },
-  { label: "Floor known", tip: "Share of the floor that the robot's body can cover which it knows to be free.", of: ({ known }) => `${percent(known)} %` },
+  { label: "Position error", tip: "Current distance between true and estimated position.", of: ({ position_m }) => (position_m === null ? "lost" : centimetres(position_m)) },
+  { label: "Heading error", tip: "Current angle between true and estimated heading.", of: ({ heading_deg }) => (heading_deg === null ? "lost" : `${heading_deg.toFixed(1)}°`) },
+  { label: "Cells right", tip: "Share of the map's known cells that are right, to within one cell of 5 cm.", of: ({ right }) => `${percent(right)} %` },
+  { label: "Boundary mapped", tip: "Share of the walls and furniture within the bumper's reach that are on the map, to within one cell.", of: ({ boundary }) => `${percent(boundary)} %` },
+  { label: "Floor known", tip: "Share of the floor within reach of the robot's body that it knows to be free.", of: ({ known }) => `${percent(known)} %` },
 ];
 
 /** @type {{ label: string, tip: string, of: (view: MapView) => string }[]} */
 const SINGLE = [
-  { label: "Sure of itself to", tip: "One standard deviation of the position, along the longer axis, and of the heading, as the robot itself estimates them. The ellipse and the wedge on the map show two.", of: ({ spread }) => (spread ? `±${centimetres(spread[0])}, ±${spread[1].toFixed(1)}°` : "–") },
-  { label: "Cleaned by its map", tip: "Share of the floor that it can get to by its own map which it believes to have swept, and what is left of that; once it cleans by its map.", of: ({ by_map }) => (by_map ? `${percent(by_map[0] / Math.max(by_map[1], 1e-9))} %, ${(by_map[1] - by_map[0]).toFixed(1)} m² left` : "–") },
-  { label: "Really cleaned", tip: "Share of the reachable floor that its brush really has swept since the figures began.", of: ({ coverage }) => `${percent(coverage)} %` },
-  { label: "Believes cleaned", tip: "Area of its own map that it believes to have swept; nothing while it doesn't know where it is.", of: ({ cleaned_m2 }) => `${cleaned_m2.toFixed(1)} m²` },
-  { label: "Dirt found", tip: "Area of the spots where its dirt sensor spoke.", of: ({ dirt_m2 }) => `${dirt_m2.toFixed(2)} m²` },
+  { label: "Own error estimate", tip: "The robot's own estimate: one standard deviation of the position (along the longer axis) and of the heading. Ellipse and wedge on the map show two.", of: ({ spread }) => (spread ? `±${centimetres(spread[0])}, ±${spread[1].toFixed(1)}°` : "–") },
+  { label: "Cleaned by its map", tip: "Estimated swept share of the reachable floor on its own map, and what is left; once it cleans with its map.", of: ({ by_map }) => (by_map ? `${percent(by_map[0] / Math.max(by_map[1], 1e-9))} %, ${(by_map[1] - by_map[0]).toFixed(1)} m² left` : "–") },
+  { label: "Actually cleaned", tip: "Share of the reachable floor actually swept since the figures started.", of: ({ coverage }) => `${percent(coverage)} %` },
+  { label: "Estimated cleaned", tip: "Estimated swept area on its own map; not counted while it is lost.", of: ({ cleaned_m2 }) => `${cleaned_m2.toFixed(1)} m²` },
+  { label: "Dirt found", tip: "Area where its dirt sensor triggered.", of: ({ dirt_m2 }) => `${dirt_m2.toFixed(2)} m²` },
 ];
 
 /** Ways of dead reckoning, in the order of `view.drifts`. */
 const RECKONINGS = ["Counts, arcs", "Counts, straight", "Packets, arcs", "Packets, straight"].map((label, i) => ({
   label,
-  tip: `Where the robot would believe to be ${i < 2 ? "by encoder counts" : "by packets 19 and 20, whole millimetres and degrees told every 0.24 s"} alone, each step taken ${i % 2 === 0 ? "along an arc" : "straight, then turned"}.`,
+  tip: `Pose estimated from ${i < 2 ? "encoder counts" : "packets 19 and 20 (whole millimetres and degrees, every 0.24 s)"} alone, each step taken ${i % 2 === 0 ? "along an arc" : "straight, then turned"}.`,
 }));
 
 /** @param {import("./tab.js").MapTab} _it */
@@ -60,7 +60,7 @@ export function startNumbers(_it) {
       [centimetres(position), `${heading.toFixed(1)}°`].forEach((text, j) => cells[j] && setText(cells[j], view.time_s > 0 ? text : "–"));
     });
     for (const { row, cell } of single) setText(cell, row.of(view));
-    setText(byId("map-here"), view.known !== null ? "Lost, found" : view.tracking === "odometry" ? "Robot" : "Corrected");
+    setText(byId("map-here"), view.known !== null ? "Relocalising" : view.tracking === "odometry" ? "Robot" : "Corrected");
     const has = view.figures && view.time_s > 0;
     setText(byId("map-n-boundary"), view.figures ? percent(view.figures.boundary) : "–");
     setText(byId("map-n-time"), clock(view.time_s));

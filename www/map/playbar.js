@@ -38,7 +38,7 @@ export function startPlaybar(it) {
     setEnabled(button("map-reset"), can.seek);
     const running = isMoving();
     if (changed(button("map-play"), "running", running)) {
-      const name = running ? "Pause" : "Let it drive";
+      const name = running ? "Pause" : "Play";
       button("map-play").setAttribute("aria-label", name);
       button("map-play").title = `${name} (space)`;
       byId("map-play-icon").setAttribute("href", running ? "#i-pause" : "#i-play");

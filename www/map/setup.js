@@ -21,7 +21,7 @@ export function startSetup(it) {
     node.append(...list.map(({ id, title }) => new Option(title, id)));
     return node;
   };
-  if (made.length > 0) menu.replaceChildren(group("Made to explore", made), group("Made to clean", others));
+  if (made.length > 0) menu.replaceChildren(group("Exploration", made), group("Cleaning", others));
   else fill(menu, others.map(({ id, title }) => [id, title]));
   fill(select("map-counts"), ODOMETRIES);
   setAttribute(byId("map-counts-field"), "data-tip", ODOMETRY_TIP);
@@ -71,7 +71,7 @@ export function startSetup(it) {
       }
     }
     const perfect = view.wheels === "none" && view.senses === "off";
-    setText(byId("map-real-note"), perfect ? "Perfect wheels know where they are: there is nothing to correct." : "Perfect wheels would make this pointless: what is perfect in Explore is typical here.");
+    setText(byId("map-real-note"), perfect ? "Perfect wheels don't drift: there is nothing to correct." : "Without slip nothing drifts, so perfect wheels in Explore are typical ones here.");
     setText(byId("map-seed"), String(it.app.view.seed));
     setText(byId("map-robot"), it.app.catalogue.robots.find(({ id }) => id === it.app.view.robot)?.title ?? "");
   };

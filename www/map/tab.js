@@ -139,7 +139,7 @@ function show(view) {
   // A robot that has come to its end would look as if it hung; one that is lost has explored less, and says so itself.
   const isDone = view.phase === "finished" && view.is_sure !== false;
   const next = view.can.clean ? " Next: clean with this map." : "";
-  const activity = isDone && !view.is_cleaning ? `Done: nothing is left that it can explore.${next}` : view.activity;
+  const activity = isDone && !view.is_cleaning ? `Done: nothing left to explore.${next}` : view.activity;
   setText(byId("map-activity"), activity ? `${activity.charAt(0).toUpperCase()}${activity.slice(1)}` : "");
   setHidden(byId("map-activity"), !activity || !["playing", "paused", "finished"].includes(view.phase));
   setHidden(byId("map-held"), !view.is_carried);
@@ -147,7 +147,7 @@ function show(view) {
   setHidden(byId("map-hint-lost"), view.known === null);
   setHidden(byId("map-known"), view.known === null);
   setText(byId("map-known-name"), view.known ?? "");
-  const sure = view.is_sure === null ? "" : view.is_sure ? "Sure where it is" : view.figures?.position_m === null ? "Lost" : "Guesses where it is";
+  const sure = view.is_sure === null ? "" : view.is_sure ? "Relocalised" : view.figures?.position_m === null ? "Lost" : "Relocalising";
   setHidden(byId("map-sure"), !sure || view.phase === "ready");
   setText(byId("map-sure"), sure);
   setAttribute(byId("map-sure"), "data-sure", String(view.is_sure));

@@ -15,7 +15,7 @@ export function startUses(it, keeping) {
     keeping.save();
     // The map is made before anything of Explore is touched.
     if (!app.act((p) => p.take_map(session.room()))) return;
-    toast("The map is the room now");
+    toast("The map is now the room in Explore");
     byId("tab-explore").click();
   });
   button("map-export").addEventListener("click", () => {
@@ -36,10 +36,10 @@ export function startUses(it, keeping) {
     changed(select("map-planner"), "value", undefined);
   });
   /** The run that another one is to follow, in words; "" if it hasn't begun. */
-  const ran = () => (it.view.end_s > 0 ? `The run until now (${clock(it.view.end_s)} min${it.view.known === null ? `, ${percent(it.view.figures?.boundary ?? 0, 0)} % mapped` : ""}) is kept.` : "");
+  const ran = () => (it.view.end_s > 0 ? `The run so far (${clock(it.view.end_s)} min${it.view.known === null ? `, ${percent(it.view.figures?.boundary ?? 0, 0)} % mapped` : ""}) is kept.` : "");
   /** Says that clock and figures are those of another run. @param {string} before @param {string} why */
   const began = (before, why) => {
-    setText(byId("map-began-text"), `${why} Clock and figures begin anew. ${before}`);
+    setText(byId("map-began-text"), `${why} Clock and figures restart. ${before}`);
     setHidden(byId("map-began"), false);
   };
   const files = input("map-files");
@@ -61,7 +61,7 @@ export function startUses(it, keeping) {
       const before = ran();
       if (it.act((s) => s.open(map))) {
         keeping.leave();
-        began(before, `The robot knows ${chosen.map(({ name }) => name).join(" and ")}, and not where it is.`);
+        began(before, `The robot has the map ${chosen.map(({ name }) => name).join(" and ")}, but doesn't know where it is.`);
       }
     } catch (error) {
       complain(error instanceof Error ? `The map could not be read (${error.message}). Check the connection, then try again.` : textOf(error));
@@ -73,7 +73,7 @@ export function startUses(it, keeping) {
     keeping.save();
     const before = ran();
     if (!it.act((s) => s.open_own())) return;
-    began(before, "The robot was put down anywhere, and keeps its map.");
+    began(before, "The robot was kidnapped. It keeps its map, but doesn't know where it is.");
     it.act((s) => s.play());
   });
   const back = () => {
@@ -95,7 +95,7 @@ export function startUses(it, keeping) {
     update({ can, planner, known, is_cleaning: isCleaning }) {
       if (known === null) setHidden(byId("map-began"), true);
       setEnabled(button("map-clean"), can.clean);
-      setText(button("map-clean"), isCleaning ? "Plan anew what is left" : "Clean with this map");
+      setText(button("map-clean"), isCleaning ? "Replan the rest" : "Clean with this map");
       if (changed(select("map-planner"), "value", planner)) select("map-planner").value = planner;
       setEnabled(button("map-room-use"), can.use_map);
       setEnabled(button("map-export"), can.use_map);
