@@ -203,7 +203,7 @@ test("getting lost says that clock and figures restart, and leads back", async (
   const [doing, sure] = await page.locator(".map-states p").evaluateAll((pills) => {
     const boxes = pills.map((pill, i) => {
       pill.hidden = false;
-      pill.textContent = ["Done: nothing left to explore. Next: clean with this map.", "Relocalised"][i];
+      pill.textContent = ["Following the wall on the right, until only one position on the map matches what it senses.", "Relocalising"][i];
       return pill;
     });
     return boxes.map((pill) => pill.getBoundingClientRect().toJSON());
