@@ -10,8 +10,8 @@ const GAP = 10;
 const KEYS = [
   ["walk", "Path", "The path at this moment of the search.", 1],
   ["tint", "About to change", "Cells that the next improvement visits in a different order.", 1],
-  ["part", "Pieces kept", "The path is cut where it changes. Each piece has its own colour; squares mark its ends.", 4],
-  ["new", "New", "The new connections between the pieces.", 1],
+  ["part", "Parts kept", "The path is cut where it changes. Each part has its own colour; squares mark its ends.", 4],
+  ["new", "New", "The new connections between the parts.", 1],
 ];
 
 /** @param {import("../main.js").App} app @returns {Promise<(view: import("../types").View) => void>} */
