@@ -63,7 +63,7 @@ test("in a small room the search is a film: construction, and what every improve
   assert.ok(await page.locator("#tip").isHidden());
   // Only what is seen has a key.
   const keys = () => page.locator("#legend > div:visible").allInnerTexts().then((all) => all.map((text) => text.trim()));
-  assert.deepEqual(await app.poll(keys, (names) => names[0] === "Walk"), ["Walk", "About to change", "Parts kept", "New", "Out of reach"]);
+  assert.deepEqual(await app.poll(keys, (names) => names[0] === "Path"), ["Path", "About to change", "Parts kept", "New", "Out of reach"]);
   assert.match(await note(), /^Construction, 1 of 3: Boustrophedon .* needs \d+ steps and \d+ turns\./);
   // Once a picture was turned by hand, no other comes by itself.
   const told = [];

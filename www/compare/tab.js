@@ -1,11 +1,11 @@
 // @ts-check
 // The tab Compare: who takes part, how far the trials are, and which view of them is shown.
-import { Comparison } from "../../compare.js";
+import { Comparison, SessionMirror } from "../../compare.js";
 import { startAbout } from "./about.js";
 import { button, byId, changed, fill, select, setAttribute, setHidden, setText, typed } from "../dom.js";
 import { entrantItem, showChoice, swatch } from "./entrants.js";
 import { startExports } from "./exports.js";
-import { startMirror } from "./session-mirror.js";
+import { startMirror } from "../session-mirror.js";
 import { startNumbers } from "./numbers.js";
 import { complain, textOf } from "../messages.js";
 import { Pool } from "./pool.js";
@@ -36,7 +36,7 @@ const SEEDS = [1, 3, 5, 10, 20];
  * @param {(what: () => void) => boolean} guard
  */
 export function startCompare(app, module, guard) {
-  const mirror = startMirror(app);
+  const mirror = startMirror(app, new SessionMirror());
   const comparison = new Comparison();
   /** @type {Comparing} */
   const it = {

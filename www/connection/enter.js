@@ -4,7 +4,7 @@ import init from "../../robot.js";
 import { byId } from "../dom.js";
 import { style, text } from "../parts.js";
 import { compile } from "../wasm.js";
-import { startRobot } from "./tab.js";
+import { startConnection } from "./tab.js";
 
 /** @param {import("../main.js").App} app @param {(what: () => void) => boolean} guard */
 export async function enterConnection(app, guard) {
@@ -13,5 +13,5 @@ export async function enterConnection(app, guard) {
   const [module, fragment] = await Promise.all([compiled, text(new URL("./connection.html", import.meta.url)), ...sheets.map(({ href }) => style(href))]);
   await init({ module_or_path: module });
   byId("panel-connection").innerHTML = fragment;
-  return startRobot(app, module, guard);
+  return startConnection(app, module, guard);
 }

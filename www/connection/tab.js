@@ -48,7 +48,7 @@ const SOON_MS = 150;
  * @param {WebAssembly.Module} module
  * @param {(what: () => void) => boolean} guard
  */
-export function startRobot(app, module, guard) {
+export function startConnection(app, module, guard) {
   const connection = new ConnectionClient(module);
   const room = startRoom(app);
   room.take();

@@ -1,8 +1,9 @@
 // @ts-check
 // The tab Map: a robot explores a room that it has never seen, and what it believes is drawn beside what is true.
-import { SessionMirror, MapSession } from "../../survey.js";
+import { MapSession, SessionMirror } from "../../survey.js";
 import { byId, changed, setAttribute, setHidden, setText, typed } from "../dom.js";
 import { complain, textOf } from "../messages.js";
+import { startMirror } from "../session-mirror.js";
 import { startSheets } from "../sheets.js";
 import { startCanvas } from "./canvas.js";
 import { startKeeping } from "./keep.js";
@@ -33,8 +34,8 @@ const TOLD_EVERY = 4000;
 export function startMap(app) {
   const canvas = typed("map-floor", HTMLCanvasElement);
   const session = new MapSession(canvas);
-  const follow = startMirror(app);
-  follow((mirror) => session.take(mirror));
+  const mirror = startMirror(app, new SessionMirror());
+  session.take(mirror());
   recall(session);
   /** @type {MapTab} */
   const it = {
@@ -64,7 +65,7 @@ export function startMap(app) {
     frame(now) {
       if (now - last > 500) session.rest();
       last = now;
-      follow((mirror) => session.take(mirror));
+      session.take(mirror());
       keeping.tend();
       picture.resized();
       session.frame(now);
@@ -151,21 +152,4 @@ function show(view) {
   setHidden(byId("map-sure"), !sure || view.phase === "ready");
   setText(byId("map-sure"), sure);
   setAttribute(byId("map-sure"), "data-sure", String(view.is_sure));
-}
-
-/**
- * The playground's session as this module sees it: it has a memory of its own.
- * @param {import("../main.js").App} app
- */
-function startMirror({ playground }) {
-  const mirror = new SessionMirror();
-  /** @param {(mirror: SessionMirror) => void} take */
-  return (take) => {
-    const [link, version] = [playground.link(), playground.room_version()];
-    if (mirror.is_behind(link, version)) {
-      const isOwn = new URLSearchParams(link).get("room") === "own";
-      mirror.follow(link, version, isOwn ? playground.scenario_json() : "");
-    }
-    take(mirror);
-  };
 }

@@ -1,14 +1,15 @@
 // @ts-check
-// The playground's session as the comparisons' module sees it: that module has a memory of its own.
-import { SessionMirror } from "../../compare.js";
+// The playground's session as another wasm module sees it: each module has a memory of its own.
+
+/** @typedef {{ is_behind(link: string, version: number): boolean, follow(link: string, version: number, scenario: string): void }} Mirror */
 
 /**
  * A copy of the session that is brought up to date whenever it is asked for; cheap if nothing has changed.
- * @param {import("../main.js").App} app
- * @returns {() => SessionMirror}
+ * @template {Mirror} M
+ * @param {import("./main.js").App} app @param {M} mirror
+ * @returns {() => M}
  */
-export function startMirror({ playground }) {
-  const mirror = new SessionMirror();
+export function startMirror({ playground }, mirror) {
   return () => {
     const [link, version] = [playground.link(), playground.room_version()];
     if (mirror.is_behind(link, version)) {
