@@ -70,7 +70,7 @@ for (const isPaused of [false, true]) {
     await page.locator("#carry-note").waitFor({ state: "hidden" });
     await page.getByRole("button", { name: "Lift the robot" }).waitFor();
     if (isPaused) {
-      // Its readings are as old as the last step, and so is what it believes; but it was put down.
+      // Its readings are as old as the last step, and so is its estimate; but it was put down.
       await app.poll(() => page.locator("#activity").textContent(), (text) => !/wait|hand/i.test(text));
       await app.press("Play");
     }

@@ -18,7 +18,7 @@ export class ConnectionClient {
   onview = () => {};
   /** What went over the line since, oldest first. @type {(traffic: import("./types").Traffic[]) => void} */
   ontraffic = () => {};
-  /** Where the robot believes to have been since: x, y in m, heading in rad, what it felt, in turn. @type {(trace: Float64Array) => void} */
+  /** Estimated trail since: x, y in m, heading in rad, what it felt, in turn. @type {(trace: Float64Array) => void} */
   ontrace = () => {};
   /** @type {(failure: Failure) => void} */
   onfailed = () => {};

@@ -18,7 +18,7 @@ export function startMap(it) {
   const choice = select("connection-room");
   const map = new LiveMap(canvas, it.room.mirror, true);
   let wasThere = false;
-  /** Where a ride begins that isn't told of yet, and where the robot believed to be before. @type {[to: number[], from: number[]] | undefined} */
+  /** Where a ride begins that isn't told of yet, and the pose estimated before. @type {[to: number[], from: number[]] | undefined} */
   let awaited;
   let told = 0;
   let size = "";
@@ -44,7 +44,7 @@ export function startMap(it) {
     drawn = room;
     place(view);
   };
-  /** Where its beliefs begin: where it stands, as far as that is known. @param {ConnectionView} view */
+  /** Where its estimate begins: where it stands, as far as that is known. @param {ConnectionView} view */
   const place = ({ pose, virtual }) => {
     const [x, y, heading] = (isKnown() && virtual?.pose) || map.start();
     if (heading !== undefined) map.anchor(...pose, x ?? 0, y ?? 0, heading);
@@ -57,7 +57,7 @@ export function startMap(it) {
     map,
     begin,
     isKnown,
-    /** A ride has begun: from now on the robot believes to be at the room's start. On blank paper it stays where it is drawn. */
+    /** A ride has begun: from now on its estimate is the room's start. On blank paper it stays where it is drawn. */
     rideFrom() {
       const [fromX, fromY, from] = it.room.mirror.start();
       const [x, y, heading] = map.start();

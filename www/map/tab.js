@@ -1,5 +1,5 @@
 // @ts-check
-// The tab Map: a robot explores a room that it has never seen, and what it believes is drawn beside what is true.
+// The tab Map: a robot explores a room that it has never seen, and its map is drawn next to the truth.
 import { MapSession, SessionMirror } from "../../survey.js";
 import { byId, changed, setAttribute, setHidden, setText, typed } from "../dom.js";
 import { complain, textOf } from "../messages.js";

@@ -39,7 +39,7 @@ export type MapView = {
   odometry: Figures | null;
   /** How far off dead reckoning would be, by counts along arcs and in straight pieces, then by packets: m and degrees. */
   drifts: [position: number, heading: number][];
-  /** Standard deviations that the robot believes in: position (m) and heading (degrees). */
+  /** Standard deviations that the robot estimates: position (m) and heading (degrees). */
   spread: [position: number, heading: number] | null;
   /** Name of the map that the robot was given; `null` if it makes its own. */
   known: string | null;
@@ -51,7 +51,7 @@ export type MapView = {
   /** Whether it is driving along a line to somewhere. */
   has_route: boolean;
   is_cleaning: boolean;
-  /** Floor that it can get to by its map: swept as it believes, and all; `null` unless it cleans by that. */
+  /** Floor that it can get to by its map: estimated swept, and all; `null` unless it cleans by that. */
   by_map: [swept: number, all: number] | null;
   cleaned_m2: number;
   coverage: number;
