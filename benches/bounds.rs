@@ -2,12 +2,10 @@
 
 #![allow(missing_docs, reason = "the macros make functions without any")]
 
+use coverage_planners::{Bounds, CoverageJob, Objective, Relaxation};
 use criterion::{Criterion, criterion_group, criterion_main};
-use robovac_playground::{
-    app::bench::hall,
-    grid::{Cell, Direction, from_picture},
-    planner::{Bounds, CoverageJob, Objective, Relaxation},
-};
+use robovac_app::bench::hall;
+use robovac_core::grid::{Cell, Direction, from_picture};
 use std::{
     fs,
     hint::black_box,

@@ -3,12 +3,9 @@
 #![allow(missing_docs, reason = "the macros make functions without any")]
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use robovac_playground::{
-    app::{bench::office_drawing, draft::Board},
-    drawing::{Overlay, Region, Role, Tracing, read, to_dxf, trace},
-    floorplan::SourceFile,
-    geometry::Point,
-};
+use floor_drawing::{Overlay, Region, Role, Tracing, read, to_dxf, trace};
+use robovac_app::{bench::office_drawing, draft::Board};
+use robovac_core::{floorplan::SourceFile, geometry::Point};
 use std::{hint::black_box, ops::ControlFlow, time::Duration};
 
 fn drawings(criterion: &mut Criterion) {

@@ -3,7 +3,7 @@
 #![allow(missing_docs, reason = "the macros make functions without any")]
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
-use robovac_playground::app::bench::MappingCase;
+use robovac_app::bench::MappingCase;
 use std::time::Duration;
 
 fn mapping(criterion: &mut Criterion) {

@@ -2,11 +2,10 @@
 
 #![allow(missing_docs, reason = "the macros make functions without any")]
 
+use coverage_planners::{PLANNERS, PlanContext, SLOW_CELLS};
 use criterion::{Criterion, criterion_group, criterion_main};
-use robovac_playground::{
-    app::bench::hall,
-    planner::{PLANNERS, Params, PlanContext, SLOW_CELLS},
-};
+use robovac_app::bench::hall;
+use robovac_core::registry::Params;
 use std::{hint::black_box, time::Duration};
 
 /// Sides of the square halls, in cells: those of `robovac bench`.

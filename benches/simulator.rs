@@ -3,15 +3,17 @@
 #![allow(missing_docs, reason = "the macros make functions without any")]
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
-use robovac_playground::{
-    app::bench::opening_run,
-    controller::{self, Setup},
+use robovac_app::bench::opening_run;
+use robovac_core::{
     coverage::ReachableFloor,
     floorplan::{FloorPlan, Object, Who, room},
     geometry::{Point, Pose},
     registry::Params,
     robot::model,
-    sim::{Conditions, Noise, NoiseLevel, Run, RunSetup, SlipLevel, World},
+};
+use robovac_sim::{
+    Conditions, Noise, NoiseLevel, Run, RunSetup, SlipLevel, World,
+    controller::{self, Setup},
 };
 use std::{sync::Arc, time::Duration};
 

@@ -2,9 +2,9 @@
 
 #![allow(missing_docs, reason = "the macros make functions without any")]
 
+use coverage_planners::sweep::{SweepSetup, sweep};
 use criterion::{Criterion, criterion_group, criterion_main};
-use robovac_playground::{
-    app::sweep::{SweepSetup, sweep},
+use robovac_core::{
     cspace::{ConfigurationSpace, Outline},
     floorplan::{FloorPlan, Sketch, room},
     robot::model,

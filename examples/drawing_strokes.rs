@@ -1,11 +1,8 @@
 //! What the reader of drawings sees in a file, as JSON; and a DXF with a line beside a drawing. For programs of others that
 //! check both: `drawing_strokes DRAWING [DXF_BESIDE_IT [DXF_ALONE]]`.
 
-use robovac_playground::{
-    drawing::{Overlay, read, to_dxf},
-    floorplan::SourceFile,
-    geometry::Point,
-};
+use floor_drawing::{Overlay, read, to_dxf};
+use robovac_core::{floorplan::SourceFile, geometry::Point};
 use std::{env, error::Error, fs};
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -3,10 +3,10 @@
 //! quarter turns of closed tours in `turncost`. Its effort is the largest, and it's stopped after that many seconds (10): on
 //! Linux those that the processor worked at it, as other programs may run.
 
-use robovac_playground::{
+use coverage_planners::{CoverageJob, CoveragePath, Objective, PlanContext, PlanError, Proof, Report, find};
+use robovac_core::{
     grid::{Cell, Direction, from_picture},
-    planner::{CoverageJob, CoveragePath, Objective, Params, PlanContext, PlanError, Proof, Report, find},
-    registry::ParamValue,
+    registry::{ParamValue, Params},
 };
 use std::{error::Error, fs, ops::ControlFlow, path::Path, time::Instant};
 

@@ -3,13 +3,13 @@
 //!
 //! `cargo run --release --example planner_table -- MAP...`
 
-use robovac_playground::{
-    app::Prepared,
+use coverage_planners::{Bounds, PLANNERS, PlanContext, SLOW_CELLS, metrics::WalkMetrics};
+use robovac_core::{
     floorplan::{FloorPlan, SourceFile, load},
-    metrics::{Bounds, WalkMetrics},
-    planner::{PLANNERS, Params, PlanContext, SLOW_CELLS},
+    registry::Params,
     robot::cell_robot,
 };
+use robovac_sim::experiment::planning::Prepared;
 use std::{
     error::Error,
     fs,

@@ -3,11 +3,9 @@
 //!
 //! `cargo run --release --example thesis_table`
 
-use robovac_playground::{
-    app::planning::{CELL_ROBOT, Placement, PlanningTask, choose_robot},
-    floorplan::room,
-    planner::{PLANNERS, Params, find},
-};
+use coverage_planners::{PLANNERS, find};
+use robovac_core::{floorplan::room, registry::Params};
+use robovac_sim::experiment::planning::{CELL_ROBOT, Placement, PlanningTask, choose_robot};
 use std::error::Error;
 
 /// The room that has as many cells.

@@ -2,11 +2,8 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use robovac_playground::{
-    drawing::{Overlay, Region, Role, Tracing, read, to_dxf, trace},
-    floorplan::SourceFile,
-    geometry::Point,
-};
+use floor_drawing::{Overlay, Region, Role, Tracing, read, to_dxf, trace};
+use robovac_core::{floorplan::SourceFile, geometry::Point};
 
 fuzz_target!(|bytes: &[u8]| {
     let file = SourceFile { name: "a.dxf".into(), bytes: bytes.into() };

@@ -2,7 +2,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use robovac_playground::floorplan::Scenario;
+use robovac_core::floorplan::Scenario;
 
 fuzz_target!(|bytes: &[u8]| {
     if let Ok(scenario) = Scenario::read("a.json", bytes) {

@@ -2,7 +2,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use robovac_playground::oi::{Command, CommandDecoder, MAX_WRITTEN, Opcode};
+use roomba_oi::{Command, CommandDecoder, MAX_WRITTEN, Opcode};
 
 fuzz_target!(|bytes: &[u8]| {
     let (mut decoder, mut buffer, mut seen) = (CommandDecoder::default(), [0; MAX_WRITTEN], 0);

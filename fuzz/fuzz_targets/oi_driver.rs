@@ -3,10 +3,8 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use robovac_playground::{
-    app::link::{Link, Request},
-    oi::{Command, CommandDecoder},
-};
+use robovac_link::link::{Link, Request};
+use roomba_oi::{Command, CommandDecoder};
 
 fn moves(bytes: &[u8]) -> bool {
     let mut decoder = CommandDecoder::default();

@@ -2,16 +2,10 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use robovac_playground::{
-    coverage::ReachableFloor,
-    floorplan::Sketch,
-    oi::{
-        Mode,
-        emulator::{Emulator, PERSONALITIES},
-    },
-    robot::{RobotPort, model},
-    sim::{Conditions, RunSetup, World},
-};
+use robovac_core::{coverage::ReachableFloor, floorplan::Sketch, robot::{RobotPort, model}};
+use roomba_oi::Mode;
+use robovac_link::emulator::{Emulator, PERSONALITIES};
+use robovac_sim::{Conditions, RunSetup, World};
 use std::sync::{Arc, OnceLock};
 
 fn setup() -> Option<RunSetup> {

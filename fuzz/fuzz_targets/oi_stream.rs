@@ -2,7 +2,8 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use robovac_playground::oi::{Answer, Frame, Readings, Said, StreamEvent, StreamParser};
+use robovac_link::sensors::{to_readings, to_sensors};
+use roomba_oi::{Answer, Frame, Readings, Said, StreamEvent, StreamParser};
 
 /// Digest of a frame's values.
 fn values(frame: &Frame<'_>) -> Vec<(u8, u16)> {
@@ -37,7 +38,7 @@ fuzz_target!(|input: (u8, &[u8])| {
     }
     parser.idle(&mut take);
     assert_eq!(found, expected);
-    assert_eq!(Readings::from_sensors(&readings.to_sensors()).light_signal, readings.light_signal);
+    assert_eq!(to_readings(&to_sensors(&readings)).light_signal, readings.light_signal);
 
     // The first byte says how many packets were asked for.
     if let Some((&count, rest)) = bytes.split_first() {

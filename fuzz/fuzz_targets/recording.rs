@@ -2,7 +2,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use robovac_playground::app::link::{Recording, Replay};
+use robovac_link::link::{Recording, Replay};
 
 fuzz_target!(|text: &str| {
     for text in [text.to_owned(), format!("robovac-oi-recording 1\n{text}")] {

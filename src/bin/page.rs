@@ -1,8 +1,9 @@
-//! What the page loads at first: `web::Playground` and `web::Comparison`, and none of the planners.
-// JavaScript calls what the library exports; there is nothing to be run at the start.
+//! What everyone loads first: the `Playground` of the tab Explore, and none of the planners.
+// JavaScript calls what the module exports; there is nothing to be run at the start.
 #![cfg_attr(target_arch = "wasm32", no_main)]
 
-use robovac_playground as _;
+#[path = "../page/mod.rs"]
+mod page;
 
 #[cfg(not(target_arch = "wasm32"))]
 fn main() {

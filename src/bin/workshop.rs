@@ -1,8 +1,9 @@
-//! What workers load when it is first needed: planners, trials of a comparison, map readers, the benchmark.
-// JavaScript calls what the library exports; there is nothing to be run at the start.
+//! What is loaded when it is first needed: planners and trials for workers, and the tabs Compare, Map and Robot.
+// JavaScript calls what the module exports; there is nothing to be run at the start.
 #![cfg_attr(target_arch = "wasm32", no_main)]
 
-use robovac_playground as _;
+#[path = "../workshop/mod.rs"]
+mod workshop;
 
 #[cfg(not(target_arch = "wasm32"))]
 fn main() {

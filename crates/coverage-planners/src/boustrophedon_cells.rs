@@ -1,0 +1,142 @@
+//! Boustrophedon with lanes along x in some parts of the room and along y in others, and every lane in its best place.
+//!
+//! Huang 2001 ("Optimal line-sweep-based decompositions for coverage algorithms", ICRA) lets every part of a decomposition
+//! be swept in a direction of its own, as each end of a lane costs a turn. He chooses directions and parts together by
+//! dynamic programming over ways to merge pieces, which takes exponential time in general. With two directions on a grid a
+//! minimum cut finds the directions ([`strips`], there with its source); connected floor of one direction is then cut into
+//! parts at critical points as in `boustrophedon` ([`decompose`](super::stage::decompose)).
+//!
+//! 1. The parts are ordered nearest first, then by local search with a choice of corners ([`Tours`]).
+//! 2. The walk is taken apart into its lanes, and the same search puts these in order one by one ([`lanes_of`]).
+//! 3. Detours are cut short ([`Tours`]), the walk is taken apart anew into straight strokes, less what others clean as
+//!    well ([`strokes`]), and step 2 is repeated with these, always from the best walk. So lanes change as well: a way between
+//!    two lanes may become one, and neighbours shrink by what it cleans.
+//!
+//! The sources say nothing of steps 2 and 3. In large rooms, with too many lanes, there is step 1 alone.
+//!
+//! ```
+//! use robovac_core::grid::*;
+//! use coverage_planners::*;
+//! let free = from_picture("..####\n..####\n..####\n......\n......", |c| c == '.').unwrap();
+//! let job = CoverageJob::new(&free, Cell::new(0, 4), Direction::Down).unwrap();
+//! let info = find("boustrophedon_cells").unwrap();
+//! let planner = info.build(&Params::defaults(info.params));
+//! let path = planner.plan(&job, &mut PlanContext::new(0)).unwrap();
+//! assert_eq!(path.arrows(&job), "vo####\nv^####\nv^####\nv>>>>v\n^^<<<<\n");
+//! ```
+
+use super::{
+    Build, Claims, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerInfo,
+    stage::{Borders, Tours, lanes_of, strips, strokes},
+};
+use robovac_core::registry::{Example, Explainer, ParamKind, ParamSpec};
+
+/// Entry in the registry.
+pub const INFO: PlannerInfo = PlannerInfo {
+    id: "boustrophedon_cells",
+    title: "Boustrophedon, lanes turned part by part",
+    summary: "Mows every part of the room in the direction that leaves fewest lane ends, in a good order.",
+    source: "Huang 2001, Optimal line-sweep-based decompositions for coverage algorithms, ICRA; \
+             Arkin et al. 2005, Optimal covering tours with turn costs, SIAM J. Comput. 35(3)",
+    link: "https://doi.org/10.1137/S0097539703434267",
+    explainer: Explainer {
+        idea: "Every end of a lane costs a quarter turn, so the floor is split between lanes along x and along y such that \
+               they have fewest ends, which a minimum cut finds exactly. \
+               Neighbouring lanes are mown as parts, whose order is found as for a travelling salesman. \
+               Then the lanes are taken one by one, and local search looks for a better order of them all.",
+        complexity: "The cut takes up to O(p³) time for p rectangles between the lines of the walls, far less in practice; all else as \
+                     for boustrophedon with its O(l²) for l lanes.",
+        use_when: "Fewest turns of all lane mowers, in rooms whose arms and gaps run both ways. It plans for a second or so \
+                   where plain lanes take a tenth.",
+        shines: Example {
+            room: "spiral",
+            why: "Every arm is mown along its length, where plain lanes cross half of them.",
+        },
+        fails: Example {
+            room: "ushape",
+            why: "Rings along the walls go round both corners without a break and need a little less.",
+        },
+    },
+    claims: Claims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
+    params: &[
+        ParamSpec {
+            id: "effort",
+            label: "Effort",
+            help: "How long to look for a better order of parts and lanes; 0 takes the nearest first.",
+            kind: ParamKind::Number { min: 0.0, max: 4.0, step: 1.0, default: 1.0, unit: "" },
+        },
+        ParamSpec {
+            id: "max_jump",
+            label: "Widest jump",
+            help: "A part is cut in two where a wall beside it jumps by more than this.",
+            kind: ParamKind::Number { min: 0.0, max: 100.0, step: 1.0, default: 4.0, unit: "cells" },
+        },
+    ],
+};
+
+/// Makes the planner.
+pub(super) const BUILD: Build =
+    |params| Box::new(Cells { effort: params.number("effort") as usize, max_jump: params.number("max_jump") as i32 });
+
+/// The planner.
+struct Cells {
+    effort: usize,
+    /// In cells.
+    max_jump: i32,
+}
+
+/// Most parts whose order is improved.
+const MAX_PARTS: usize = 800;
+/// Most lanes that are taken one by one.
+const MAX_LANES: usize = 1_200;
+/// Cells around every end of a lane or part that shortest paths are looked for in.
+const REACH: usize = 2_000;
+/// Rounds of local search times parts, for every unit of effort: a round costs time in proportion to the parts.
+const ROUNDS_TIMES_PARTS: usize = 100_000;
+/// Most rounds for every part and unit of effort.
+const ROUNDS_PER_PART: usize = 4;
+/// Most rounds for the lanes each time that they are taken apart, for every unit of effort.
+const ROUNDS: usize = 1_500;
+/// The same for every lane, and less for few of them: small rooms are soon as good as they get.
+const ROUNDS_PER_LANE: usize = 24;
+/// How often the walk is taken apart into lanes.
+const TIMES_APART: usize = 5;
+/// How often in a row that may bring nothing.
+const MOST_IN_VAIN: usize = 2;
+
+/// Shares of the work that are done after each stage.
+const ORDERED: f64 = 0.1;
+const LINKED: f64 = 0.15;
+const IMPROVED: f64 = 0.3;
+const TIGHTENED: f64 = 0.35;
+
+impl Planner for Cells {
+    fn plan(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError> {
+        let mut tours = Tours::new(job, ctx, REACH);
+        let parts =
+            strips(&job.free, tours.costs, Borders::Shared, || tours.ctx.checkpoint(0.0, &[]))?.parts(self.max_jump);
+        let sweeps = tours.sweeps(&parts);
+        let mut tour = tours.nearest_first(&sweeps, [0.0, ORDERED])?;
+        if self.effort > 0 && (2..=MAX_PARTS).contains(&parts.len()) {
+            let rounds = self.effort * (ROUNDS_TIMES_PARTS / parts.len()).min(ROUNDS_PER_PART * parts.len());
+            tours.improve(&sweeps, &mut tour, rounds, [ORDERED, LINKED, IMPROVED])?;
+        }
+        tours.drive(&parts, &sweeps, &tour, [IMPROVED, TIGHTENED])?;
+        let (mut lanes, mut tour) = lanes_of(&parts, &tour);
+        let share = (1.0 - TIGHTENED) / TIMES_APART as f64;
+        let mut in_vain = 0;
+        for time in 0..TIMES_APART {
+            if self.effort == 0 || in_vain >= MOST_IN_VAIN || !(2..=MAX_LANES).contains(&lanes.len()) {
+                break;
+            }
+            let from = TIGHTENED + time as f64 * share;
+            let rounds = self.effort * ROUNDS.min(ROUNDS_PER_LANE.min(lanes.len() / 2) * lanes.len());
+            let sweeps = tours.sweeps(&lanes);
+            tours.improve(&sweeps, &mut tour, rounds, [from, from + 0.1 * share, from + 0.9 * share])?;
+            let is_better = tours.drive(&lanes, &sweeps, &tour, [from + 0.9 * share, from + share])?;
+            in_vain = if is_better { 0 } else { in_vain + 1 };
+            (lanes, tour) = strokes(&job.free, &tours.best);
+        }
+        Ok(CoveragePath { cells: tours.best })
+    }
+}

@@ -1,0 +1,144 @@
+//! A film in the making: the walks that a planner had.
+
+use crate::{CoverageJob, PlanContext, PlannerInfo, Proof, Report};
+use robovac_core::{grid::Cell, registry::Params};
+
+/// Free cells up to which a search is filmed: in larger rooms one doesn't see what a single improvement changes.
+pub const MOST_FILMED_CELLS: usize = 2_000;
+/// Most walks that are kept; beyond them the smallest improvements are told together.
+const MOST_FRAMES: usize = 120;
+
+/// The best walk at one moment of the search.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Frame {
+    /// The walk.
+    pub walk: Vec<Cell>,
+    /// How good it was known to be; `None` for one that the search could begin with.
+    pub proof: Option<Proof>,
+    /// The planner that made such a one; empty for others.
+    pub planner: String,
+    /// How many improvements had been made.
+    pub number: u32,
+}
+
+/// Watches a planner.
+#[derive(Debug, Default)]
+pub struct Film {
+    frames: Vec<Frame>,
+    /// The latest walk of the search.
+    last: Option<Frame>,
+}
+
+impl Film {
+    /// Begins with what `planner` begins with.
+    pub fn of(planner: &PlannerInfo, params: &Params, job: &CoverageJob) -> Self {
+        let mut film = Self::default();
+        let (job, planners) = planner.build(params).begins_with(job);
+        for first in planners {
+            let plan = first.build(&Params::defaults(first.params)).plan(&job, &mut PlanContext::new(0));
+            if let Ok(path) = plan {
+                film.add(Frame { walk: path.cells, proof: None, planner: first.title.to_owned(), number: 0 });
+            }
+        }
+        film
+    }
+
+    /// Looks at a report. What matters is a better walk, or more that is proven of it.
+    pub fn take(&mut self, report: &Report<'_>) {
+        let Some(proof) = report.proof else { return };
+        let number = match &self.last {
+            None => 0,
+            Some(last) if last.walk == report.walk => last.number,
+            Some(Frame { proof: Some(known), .. }) if proof.cost >= known.cost => return,
+            Some(last) => last.number + 1,
+        };
+        if self.last.as_ref().is_some_and(|last| last.number == number && last.proof == Some(proof)) {
+            return;
+        }
+        self.add(Frame { walk: report.walk.to_vec(), proof: Some(proof), planner: String::new(), number });
+    }
+
+    /// Adds what came next.
+    pub fn add(&mut self, frame: Frame) {
+        if frame.proof.is_some() {
+            if self.last.as_ref().is_some_and(|last| last.number == frame.number) {
+                // The same walk, of which more is proven.
+                self.frames.pop_if(|last| last.proof.is_some());
+            }
+            self.last = Some(frame.clone());
+        }
+        self.frames.push(frame);
+        if self.frames.len() > MOST_FRAMES {
+            self.drop_least();
+        }
+    }
+
+    /// Leaves out the walk between the two smallest improvements.
+    fn drop_least(&mut self) {
+        let cost = |frame: &Frame| frame.proof.map(|proof| proof.cost);
+        let won = |three: &[Frame]| Some(cost(&three[0])?.saturating_sub(cost(&three[2])?));
+        let triples = self.frames.windows(3).enumerate();
+        let least = triples.filter_map(|(index, three)| Some((won(three)?, index))).min();
+        if let Some((_, index)) = least {
+            self.frames.remove(index + 1);
+        }
+    }
+
+    /// What was taken since this was asked for last.
+    pub fn take_frames(&mut self) -> Vec<Frame> {
+        std::mem::take(&mut self.frames)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn frames(improvements: i32, won: impl Fn(i32) -> u64) -> Vec<Frame> {
+        let mut film = Film::default();
+        let mut cost = 1_000_000;
+        for i in 0..improvements {
+            cost -= won(i);
+            let walk = [Cell::new(i, 0)];
+            let report = Report { done: 0.0, walk: &walk, proof: Some(Proof { cost, bound: 1 }) };
+            film.take(&Report { proof: None, ..report });
+            film.take(&report);
+            film.take(&report);
+            film.take(&Report { walk: &[Cell::new(i, 1)], ..report });
+        }
+        film.take_frames()
+    }
+
+    #[test]
+    fn films_of_any_length_keep_beginning_order_and_the_largest_improvements() {
+        let large = [17, 400, 777];
+        let frames = frames(1000, |i| if large.contains(&i) { 500 } else { 1 });
+        assert_eq!(frames.len(), MOST_FRAMES);
+        assert_eq!((frames[0].walk[0].x, frames[frames.len() - 1].walk[0].x), (0, 999));
+        assert!(frames.windows(2).all(|pair| pair[0].number < pair[1].number));
+        for i in large {
+            let alone = frames.windows(2).any(|pair| pair[1].walk[0].x == i && pair[0].walk[0].x == i - 1);
+            assert!(alone, "improvement {i} isn't told by itself");
+        }
+    }
+
+    #[test]
+    fn better_proof_is_no_other_walk() {
+        let mut film = Film::default();
+        let walk = [Cell::new(0, 0)];
+        for bound in [1, 5, 5, 7] {
+            film.take(&Report { done: 0.0, walk: &walk, proof: Some(Proof { cost: 9, bound }) });
+        }
+        let frames = film.take_frames();
+        assert_eq!(frames.len(), 1);
+        assert_eq!(frames[0].proof, Some(Proof { cost: 9, bound: 7 }));
+        // Frames that were handed on meanwhile come again, and are put together there.
+        let mut there = Film::default();
+        there.add(frames[0].clone());
+        film.take(&Report { done: 0.0, walk: &walk, proof: Some(Proof { cost: 9, bound: 8 }) });
+        for frame in film.take_frames() {
+            there.add(frame);
+        }
+        assert_eq!(there.take_frames().len(), 1);
+    }
+}

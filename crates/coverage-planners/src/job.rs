@@ -1,0 +1,48 @@
+//! What a planner is asked to do.
+
+use robovac_core::{
+    coverage::{Lattice, ReachableFloor},
+    grid::{Cell, Direction, Grid, reachable},
+    robot::RobotModel,
+};
+
+/// A grid to be covered from a start.
+#[derive(Debug, Clone)]
+pub struct CoverageJob {
+    /// Free cells. Every one of them is connected with `start` by 4-neighbour steps.
+    pub free: Grid<bool>,
+    /// The cell that the robot stands in; free.
+    pub start: Cell,
+    /// The direction that the robot looks in.
+    pub heading: Direction,
+    /// Seconds that the robot takes for one step straight on.
+    pub step_s: f64,
+    /// Seconds that it loses by a quarter turn: slowing down, turning, speeding up.
+    pub turn_s: f64,
+}
+
+impl CoverageJob {
+    /// A job on a bare grid, with the time of a step as the unit and a quarter turn as long as two.
+    ///
+    /// Cells that aren't connected with `start` are left out; `None` if `start` isn't free.
+    pub fn new(free: &Grid<bool>, start: Cell, heading: Direction) -> Option<Self> {
+        free.is_set(start).then(|| Self { free: reachable(free, start), start, heading, step_s: 1.0, turn_s: 2.0 })
+    }
+
+    /// The job of covering `lattice` with `robot`.
+    pub fn on_lattice(lattice: &Lattice, floor: &ReachableFloor, robot: &RobotModel) -> Self {
+        let quarter = robot.turn_time(robovac_core::math::FRAC_PI_2);
+        Self {
+            free: lattice.free.clone(),
+            start: lattice.start,
+            heading: Direction::nearest(floor.start.heading),
+            step_s: lattice.cell_size / robot.cruise_speed,
+            turn_s: quarter + robot.cruise_speed / robot.acceleration,
+        }
+    }
+
+    /// Number of cells to be covered.
+    pub fn cells(&self) -> usize {
+        self.free.count()
+    }
+}

@@ -1,0 +1,112 @@
+//! Coverage planners: one file each, all in one registry.
+//!
+//! A planner gets a [`CoverageJob`], a grid of free cells that are all connected with the start, and returns a
+//! [`CoveragePath`] that visits them. To add one, write its file with the constants `INFO` (a
+//! [`PlannerInfo`]) and `BUILD` (a [`Build`]) and list it in the registry below; menus, parameter forms, command line,
+//! contract tests and benchmarks iterate [`PLANNERS`].
+
+mod backtracking_spiral;
+mod bounds;
+mod boustrophedon;
+mod boustrophedon_cells;
+mod context;
+mod contour;
+mod energy;
+mod film;
+mod genetic;
+mod grid_tsp;
+mod info;
+mod job;
+mod near_optimal;
+mod neural;
+mod objective;
+mod path;
+mod s_shape;
+mod snake;
+mod spiral;
+mod spiral_stc;
+mod subgoal_sweep;
+mod trace;
+mod wavefront_distance;
+mod wavefront_path;
+
+pub mod metrics;
+pub mod stage;
+pub mod sweep;
+
+pub use bounds::{Bounds, Relaxation, TURN_STEPS};
+pub use context::{Observer, PlanContext, PlanError, Report, Tracer};
+pub use film::{Film, Frame, MOST_FILMED_CELLS};
+pub use info::{Claims, PlannerInfo, SLOW_CELLS};
+pub use job::CoverageJob;
+pub use objective::{Finish, Objective, Proof};
+pub use path::{CoveragePath, PathError};
+pub use robovac_core::registry::{Example, Explainer, ParamError, ParamKind, ParamSpec, ParamValue, Params};
+pub use trace::TraceStep;
+
+/// An algorithm that finds a walk over all free cells.
+pub trait Planner {
+    /// Plans a walk from `job.start`. Must return [`PlanError::Cancelled`] soon after the context says so.
+    fn plan(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError>;
+
+    /// The planners whose walks, made with their defaults, this one begins with in `job`, and the job they are given; none
+    /// for most.
+    fn begins_with(&self, job: &CoverageJob) -> (CoverageJob, &'static [&'static PlannerInfo]) {
+        (job.clone(), &[])
+    }
+}
+
+/// Makes a planner for checked parameters.
+pub type Build = fn(&Params) -> Box<dyn Planner>;
+
+/// Two lists of the same planners: what they say of themselves, and how they are made. They are kept apart so that a
+/// program which only asks for the first, such as the page, doesn't carry the planners' code.
+macro_rules! registry {
+    ($($planner:ident),* $(,)?) => {
+        /// All planners, in the order of the menus.
+        pub const PLANNERS: &[&PlannerInfo] = &[$(&$planner::INFO),*];
+        const BUILDERS: &[(&str, Build)] = &[$(($planner::INFO.id, $planner::BUILD)),*];
+    };
+}
+
+// One line a planner.
+registry! {
+    boustrophedon,
+    boustrophedon_cells,
+    spiral_stc,
+    backtracking_spiral,
+    contour,
+    wavefront_distance,
+    wavefront_path,
+    s_shape,
+    subgoal_sweep,
+    spiral,
+    snake,
+    genetic,
+    grid_tsp,
+    near_optimal,
+    energy,
+    neural,
+}
+
+impl PlannerInfo {
+    /// Makes the planner for checked parameters. One that isn't in the registry gives up with [`PlanError::Unlisted`].
+    pub fn build(&self, params: &Params) -> Box<dyn Planner> {
+        let listed = BUILDERS.iter().find(|(id, _)| *id == self.id);
+        listed.map_or_else(|| Box::new(Unlisted) as Box<dyn Planner>, |(_, build)| build(params))
+    }
+}
+
+/// Stands for planners that nobody can make.
+struct Unlisted;
+
+impl Planner for Unlisted {
+    fn plan(&self, _: &CoverageJob, _: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError> {
+        Err(PlanError::Unlisted)
+    }
+}
+
+/// The planner with that id.
+pub fn find(id: &str) -> Option<&'static PlannerInfo> {
+    PLANNERS.iter().copied().find(|p| p.id == id)
+}

@@ -1,0 +1,174 @@
+//! The list of all numbers by which tables are made, on the page, in CSV files and on the command line.
+
+use super::{DriveMetrics, WalkMetrics};
+use crate::bounds::{Bounds, TURN_STEPS};
+use serde::{Deserialize, Serialize};
+
+/// All that is measured of a plan.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct PlanNumbers {
+    /// Numbers of the walk on the planning grid.
+    pub walk: WalkMetrics,
+    /// Numbers of the line that the robot drives.
+    pub drive: DriveMetrics,
+    /// Time that planning took, s.
+    pub planning_s: f64,
+    /// What no walk of the same job can be better than, if it has been worked out.
+    pub bounds: Option<Bounds>,
+}
+
+/// Which values of a number are wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Better {
+    /// The lower the better.
+    Lower,
+    /// The higher the better.
+    Higher,
+}
+
+/// A column of a table of plans.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub struct MetricInfo {
+    /// Name in files and on the command line.
+    pub id: &'static str,
+    /// Name in tables.
+    pub label: &'static str,
+    /// Unit that the value is in; empty for counts.
+    pub unit: &'static str,
+    /// What it is, in one or two sentences.
+    pub definition: &'static str,
+    /// Which values are wanted.
+    pub better: Better,
+    /// Digits after the point that are worth showing.
+    pub decimals: u8,
+    #[serde(skip)]
+    value: fn(&PlanNumbers) -> Option<f64>,
+}
+
+impl MetricInfo {
+    /// Its value in `numbers`, in its unit; `None` if it hasn't been worked out.
+    pub fn value(&self, numbers: &PlanNumbers) -> Option<f64> {
+        (self.value)(numbers)
+    }
+}
+
+impl PlanNumbers {
+    /// How much more the walk costs (steps + 2 x quarter turns) than any walk must, %; 0 if there is no better one. `None`
+    /// if the bound hasn't been worked out, or if the walk misses cells and so needn't be as long.
+    pub fn above_bound_percent(&self) -> Option<f64> {
+        let bounds = self.bounds.filter(|_| self.walk.visited_cells == self.walk.reachable_cells)?;
+        let (cost, least) = (self.walk.cost() as f64, bounds.cost as f64);
+        Some(if least > 0.0 { 100.0 * (cost - least) / least } else { 0.0 })
+    }
+}
+
+const fn lower(
+    id: &'static str,
+    label: &'static str,
+    (unit, decimals): (&'static str, u8),
+    definition: &'static str,
+    value: fn(&PlanNumbers) -> Option<f64>,
+) -> MetricInfo {
+    MetricInfo { id, label, unit, definition, better: Better::Lower, decimals, value }
+}
+
+/// Every number of a plan, in the order of tables.
+pub const METRICS: &[MetricInfo] = &[
+    MetricInfo {
+        id: "coverage",
+        label: "Coverage",
+        unit: "%",
+        definition: "Share of the floor that the robot's tool can reach from the start and that the plan sweeps.",
+        better: Better::Higher,
+        decimals: 1,
+        value: |n| Some(100.0 * n.drive.coverage),
+    },
+    lower(
+        "above_bound",
+        "Above the bound",
+        ("%", 1),
+        "How much more steps + 2 x quarter turns are than what every walk over these cells must have at least. Nobody \
+         can get below 0, and 0 itself is often out of reach.",
+        PlanNumbers::above_bound_percent,
+    ),
+    lower("length", "Length", ("m", 1), "Length of the line that the robot drives.", |n| Some(n.drive.length_m)),
+    lower(
+        "duration",
+        "Time",
+        ("s", 0),
+        "From setting off to standing still, by the robot's speeds and accelerations; it stops for every turn.",
+        |n| Some(n.drive.duration_s),
+    ),
+    lower(
+        "energy",
+        "Energy",
+        ("Wh", 1),
+        "What the battery gives for the drive: the robot's power while driving straight and while turning, each times the \
+         time of it.",
+        |n| Some(n.drive.energy_wh),
+    ),
+    lower(
+        "turns",
+        "Quarter turns",
+        ("", 0),
+        "Turns by 90° between steps of the walk; a reversal counts two. The turn before the first step isn't counted.",
+        |n| Some(n.walk.turns as f64),
+    ),
+    lower(
+        "turning",
+        "Turning",
+        ("°", 0),
+        "Sum of all turns on the line that the robot drives, the one at the start included.",
+        |n| Some(n.drive.turning_deg),
+    ),
+    lower("steps", "Steps", ("", 0), "Steps of the walk from planning cell to planning cell.", |n| {
+        Some(n.walk.steps as f64)
+    }),
+    lower(
+        "revisits",
+        "Revisits",
+        ("", 0),
+        "Visits to cells beyond the first to each: driving that cleans nothing new.",
+        |n| Some(n.walk.revisits as f64),
+    ),
+    lower("revisited_cells", "Revisited cells", ("", 0), "Cells that the walk visits more than once.", |n| {
+        Some(n.walk.revisited_cells as f64)
+    }),
+    lower(
+        "overlap",
+        "Overlap",
+        ("%", 1),
+        "Passes beyond the first, as a share of the floor swept: at 30 %, three tenths of it were swept a second time. \
+         A tool that is wider than a planning cell sweeps the edge of the lane beside it again.",
+        |n| Some(100.0 * n.drive.overlap),
+    ),
+    lower(
+        "overlap_area",
+        "Overlap area",
+        ("m²", 2),
+        "Floor swept again after the tool had left it; what is swept three times counts twice.",
+        |n| Some(n.drive.overlap_m2),
+    ),
+    lower("planning", "Planning", ("s", 3), "Time that the planner took on this machine.", |n| Some(n.planning_s)),
+];
+
+// The definition above names the weight.
+const _: () = assert!(TURN_STEPS == 2);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::HashSet;
+
+    #[test]
+    fn entries_are_told_apart_and_explained() {
+        let ids: HashSet<_> = METRICS.iter().map(|m| m.id).collect();
+        let labels: HashSet<_> = METRICS.iter().map(|m| m.label).collect();
+        assert_eq!((ids.len(), labels.len()), (METRICS.len(), METRICS.len()));
+        for metric in METRICS {
+            let sentences = metric.definition.matches(['.', '!']).count();
+            assert!(metric.definition.ends_with('.') && sentences <= 2, "{}", metric.id);
+        }
+    }
+}

@@ -1,0 +1,134 @@
+//! S-shaped pathway: lane beside lane, with U-turns to the left and to the right in turn.
+//!
+//! Emu & Obaida 2020 (thesis, East West University), section 4.1: the robot follows "a route map like the letter 'S'"; on
+//! every collision it goes back, turns by 90 degrees to the right or left, goes on, and turns to the left or right. They
+//! take it from Hasan, Abdullah-Al-Nahid & Reza 2014 (ICIEV), where the turns are timed. On a grid this is: one step aside and
+//! back beside the lane that was driven. As the robot looks the other way by then, a step to the same side of the room is
+//! a turn to the left after one to the right.
+//!
+//! # Where the source is silent
+//!
+//! - *Which side.* To the left of the first lane, and on to that side until it is blocked or clean; then to the other one.
+//! - *Clean floor* ends a lane as a wall does, as in the thesis' own algorithm (section 4.2).
+//! - *A longer lane.* Where the next lane reaches beyond the end of this one, what is beyond is left for later. Only where
+//!   there is nothing to go back to does the robot go on in its direction.
+//! - *Dead ends.* The thesis has none. Here the robot takes a shortest way to the nearest cell left and goes on from there
+//!   in the direction in which it came, so that every walk covers all.
+//! - *Direction of the lanes.* Across the side that takes fewer lanes, unless asked for another one.
+//!
+//! Nothing is planned ahead and no part of the room is told from another: that is what sets this apart from
+//! boustrophedon. O(n) steps; each search for the nearest cell left costs what it looks at.
+//!
+//! ```
+//! use robovac_core::grid::*;
+//! use coverage_planners::*;
+//! let free = from_picture("....\n.#..\n....", |c| c == '.').unwrap();
+//! let job = CoverageJob::new(&free, Cell::new(0, 2), Direction::Right).unwrap();
+//! let info = find("s_shape").unwrap();
+//! let planner = info.build(&Params::defaults(info.params));
+//! let path = planner.plan(&job, &mut PlanContext::new(0)).unwrap();
+//! assert_eq!(path.arrows(&job), ">>>v\no#v<\n^<><\n");
+//! ```
+
+use super::{
+    Build, Claims, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerInfo,
+    stage::{Progress, lanes_lie_down},
+};
+use robovac_core::registry::{Example, Explainer, ParamKind, ParamSpec};
+
+/// Entry in the registry.
+pub const INFO: PlannerInfo = PlannerInfo {
+    id: "s_shape",
+    title: "S-shaped pathway",
+    summary: "Drives lane beside lane like the letter S; at a dead end it goes to the nearest floor left.",
+    source: "Emu & Obaida 2020, thesis, East West University: section 4.1; \
+             Hasan, Abdullah-Al-Nahid & Reza 2014, Path planning algorithm development, ICIEV",
+    link: "",
+    explainer: Explainer {
+        idea: "The robot drives straight on until something is in its way, steps aside and comes back beside its lane. \
+               Floor that is clean already stops it like a wall. \
+               When it is stuck, it takes a shortest way to the nearest floor left and goes on in lanes from there.",
+        complexity: "O(n) steps and memory for n cells; a search at every dead end costs the cells that it looks at.",
+        use_when: "The simplest method that leaves nothing out, and a hard one to beat in halls with little in them. \
+                   Every obstacle leaves a pocket behind it that the robot must come back for.",
+        shines: Example {
+            room: "lshape",
+            why: "Little in the way: lane beside lane, and back once for the other arm.",
+        },
+        fails: Example { room: "maze", why: "Every dead end of the maze is one for the robot, too." },
+    },
+    claims: Claims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
+    params: &[ParamSpec {
+        id: "lanes",
+        label: "Lanes",
+        help: "Direction of the lanes: the one that takes fewer of them, that in which the robot looks, or always the same.",
+        kind: ParamKind::Choice {
+            options: &[
+                ("auto", "fewer lanes"),
+                ("heading", "as it looks"),
+                ("horizontal", "horizontal"),
+                ("vertical", "vertical"),
+            ],
+        },
+    }],
+};
+
+/// Makes the planner.
+pub(super) const BUILD: Build = |params| {
+    Box::new(SShape {
+        lanes: match params.choice("lanes") {
+            "heading" => Lanes::Heading,
+            "horizontal" => Lanes::Horizontal,
+            "vertical" => Lanes::Vertical,
+            _ => Lanes::Auto,
+        },
+    })
+};
+
+/// The planner.
+struct SShape {
+    lanes: Lanes,
+}
+
+enum Lanes {
+    Auto,
+    Heading,
+    Horizontal,
+    Vertical,
+}
+
+impl Planner for SShape {
+    fn plan(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError> {
+        let is_horizontal = match self.lanes {
+            Lanes::Auto => lanes_lie_down(&job.free),
+            Lanes::Heading => job.heading.is_horizontal(),
+            Lanes::Horizontal => true,
+            Lanes::Vertical => false,
+        };
+        let mut lane = if job.heading.is_horizontal() == is_horizontal { job.heading } else { job.heading.right() };
+        let mut side = lane.left();
+        let mut progress = Progress::new(job);
+        while !progress.is_done() {
+            progress.report(ctx)?;
+            if progress.is_left(lane) {
+                progress.step(lane);
+            } else if let Some(open) = [side, side.opposite()].into_iter().find(|&d| progress.is_left(d)) {
+                side = open;
+                progress.step(side);
+                if progress.is_left(lane.opposite()) || !progress.is_left(lane) {
+                    lane = lane.opposite();
+                }
+            } else if progress.is_left(lane.opposite()) {
+                lane = lane.opposite();
+            } else {
+                progress.go_to_nearest_left();
+                if progress.facing.is_horizontal() == is_horizontal {
+                    lane = progress.facing;
+                } else {
+                    side = progress.facing;
+                }
+            }
+        }
+        Ok(progress.into_path())
+    }
+}

@@ -1,0 +1,282 @@
+//! Stage: a way round what stands in the way of a straight link (001, section 5).
+//!
+//! The paper calls the procedure of Hyun & Suh (A heuristic collision-free path planning algorithm for robots, IROS
+//! 1995), and prints nothing of it. Figure 6 shows what it is for: a short way with few corners, round the obstacle
+//! and back to the point that was meant. That is what is done here: A* (Hart, Nilsson & Raphael 1968) over the eight
+//! neighbours of a cell, no corner cut, finds a shortest way on the grid and is complete; then the way is pulled
+//! taut, corner by corner, as far as the straight line stays in FREE cells. What is left is within a few percent of
+//! the shortest.
+
+use super::{frame::Frame, is_straight_free};
+use robovac_core::grid::{Cell, Grid};
+
+/// Costs of a step straight and slantwise: 99/70 is the square root of 2 but for 0.00007.
+const STRAIGHT: u32 = 70;
+const SLANTED: u32 = 99;
+/// Buckets of the queue: more than the estimate for a whole way can grow by in one step, a power of two.
+const BUCKETS: usize = 256;
+/// Corners that are looked ahead while a way is pulled taut.
+const LOOK_AHEAD: usize = 64;
+
+/// Searches for detours. It reuses its memory, so that a search costs what it looks at and no more.
+#[derive(Debug)]
+pub struct Detours<'a> {
+    free: &'a Grid<bool>,
+    frame: Frame,
+    /// `base` + cost of the way to a cell; lower values are left from searches before, and [`WALL`] is above all.
+    reached: Vec<u32>,
+    base: u32,
+    /// The dearest way of the last search.
+    dearest: u32,
+    queue: Queue,
+}
+
+const WALL: u32 = u32::MAX;
+
+impl<'a> Detours<'a> {
+    /// Searches through `free` cells.
+    pub fn new(free: &'a Grid<bool>) -> Self {
+        let frame = Frame::around(free);
+        Self { free, frame, reached: frame.drawn(free, 0, WALL), base: 1, dearest: 0, queue: Queue::default() }
+    }
+
+    /// Corners of a short way, ends included, whose straight pieces stay in free cells; `None` if there is no way.
+    pub fn find(&mut self, from: Cell, to: Cell) -> Option<Vec<Cell>> {
+        if !self.free.is_set(from) || !self.free.is_set(to) {
+            return None;
+        }
+        self.make_old();
+        let goal = self.frame.index(to);
+        self.reach(self.frame.index(from), from, 0, to);
+        while let Some((index, cost)) = self.queue.pop() {
+            if index == goal {
+                let way = self.trace_back(index);
+                return Some(pulled(self.free, &way));
+            }
+            if self.reached[index] < self.base + cost {
+                continue;
+            }
+            self.reach_neighbours(index, cost, to);
+        }
+        None
+    }
+
+    /// The order is that of [`Self::steps`].
+    #[inline]
+    fn reach_neighbours(&mut self, index: usize, cost: u32, to: Cell) {
+        let [right, up, left, down] = self.frame.neighbours(index);
+        let Cell { x, y } = self.frame.cell(index);
+        let (straight, slanted) = (cost + STRAIGHT, cost + SLANTED);
+        let is_right = self.reach(right, Cell::new(x + 1, y), straight, to);
+        let is_up = self.reach(up, Cell::new(x, y + 1), straight, to);
+        let is_left = self.reach(left, Cell::new(x - 1, y), straight, to);
+        let is_down = self.reach(down, Cell::new(x, y - 1), straight, to);
+        if is_right && is_up {
+            self.reach(up + 1, Cell::new(x + 1, y + 1), slanted, to);
+        }
+        if is_up && is_left {
+            self.reach(up - 1, Cell::new(x - 1, y + 1), slanted, to);
+        }
+        if is_left && is_down {
+            self.reach(down - 1, Cell::new(x - 1, y - 1), slanted, to);
+        }
+        if is_down && is_right {
+            self.reach(down + 1, Cell::new(x + 1, y - 1), slanted, to);
+        }
+    }
+
+    /// Free neighbours and what a step there costs, and how many there are; slantwise only past two free cells.
+    #[inline]
+    fn steps(&self, index: usize) -> ([(usize, u32); 8], usize) {
+        let [right, up, left, down] = self.frame.neighbours(index);
+        let (mut steps, mut count) = ([(0, 0); 8], 0);
+        let mut look = |next: usize, is_open: bool, step: u32| {
+            let is_open = is_open && self.reached[next] != WALL;
+            if is_open {
+                steps[count] = (next, step);
+                count += 1;
+            }
+            is_open
+        };
+        let (is_right, is_up) = (look(right, true, STRAIGHT), look(up, true, STRAIGHT));
+        let (is_left, is_down) = (look(left, true, STRAIGHT), look(down, true, STRAIGHT));
+        look(up + 1, is_right && is_up, SLANTED);
+        look(up - 1, is_up && is_left, SLANTED);
+        look(down - 1, is_left && is_down, SLANTED);
+        look(down + 1, is_down && is_right, SLANTED);
+        (steps, count)
+    }
+
+    /// Notes a way of that cost to a cell; whether the cell is free.
+    #[inline]
+    fn reach(&mut self, index: usize, cell: Cell, cost: u32, to: Cell) -> bool {
+        let mark = self.reached[index];
+        if mark >= self.base && mark <= self.base + cost {
+            return true;
+        }
+        if mark == WALL {
+            return false;
+        }
+        self.reached[index] = self.base + cost;
+        self.dearest = self.dearest.max(cost);
+        let (dx, dy) = (cell.x.abs_diff(to.x), cell.y.abs_diff(to.y));
+        let remaining = STRAIGHT * dx.abs_diff(dy) + SLANTED * dx.min(dy);
+        self.queue.push(cost + remaining, index, cost);
+        true
+    }
+
+    /// Makes all marks those of a search before.
+    fn make_old(&mut self) {
+        self.queue.clear();
+        self.base += self.dearest + 1;
+        self.dearest = 0;
+        if self.base > WALL / 2 {
+            self.reached.iter_mut().filter(|mark| **mark < WALL).for_each(|mark| *mark = 0);
+            self.base = 1;
+        }
+    }
+
+    /// The cells of the way, from its start.
+    fn trace_back(&self, goal: usize) -> Vec<Cell> {
+        let mut way = vec![self.frame.cell(goal)];
+        let mut index = goal;
+        while self.reached[index] > self.base {
+            let here = self.reached[index];
+            let (steps, count) = self.steps(index);
+            let is_before =
+                |&&(next, step): &&(usize, u32)| self.reached[next] >= self.base && self.reached[next] + step == here;
+            let Some(&(next, _)) = steps[..count].iter().find(is_before) else { break };
+            index = next;
+            way.push(self.frame.cell(index));
+        }
+        way.reverse();
+        way
+    }
+}
+
+/// Cells to look at, those with the lowest estimate for the whole way first, of these the latest: that leads on
+/// towards the goal. Estimates never fall, nor grow by more than the number of buckets, so that there is one for each
+/// (Dial 1969).
+#[derive(Debug)]
+struct Queue {
+    /// Numbers of cells, and what the ways there cost.
+    buckets: Vec<Vec<(u32, u32)>>,
+    /// The lowest estimate.
+    lowest: u32,
+    count: usize,
+}
+
+impl Default for Queue {
+    fn default() -> Self {
+        Self { buckets: vec![Vec::new(); BUCKETS], lowest: u32::MAX, count: 0 }
+    }
+}
+
+impl Queue {
+    fn clear(&mut self) {
+        self.buckets.iter_mut().for_each(Vec::clear);
+        (self.lowest, self.count) = (u32::MAX, 0);
+    }
+
+    #[inline]
+    fn push(&mut self, estimate: u32, index: usize, cost: u32) {
+        // The first is the lowest of all.
+        self.lowest = self.lowest.min(estimate);
+        self.buckets[estimate as usize % BUCKETS].push((index as u32, cost));
+        self.count += 1;
+    }
+
+    #[inline]
+    fn pop(&mut self) -> Option<(usize, u32)> {
+        if self.count == 0 {
+            return None;
+        }
+        loop {
+            if let Some((index, cost)) = self.buckets[self.lowest as usize % BUCKETS].pop() {
+                self.count -= 1;
+                return Some((index as usize, cost));
+            }
+            self.lowest += 1;
+        }
+    }
+}
+
+/// The corners that a way keeps when it is pulled taut, from its start and then from its end.
+fn pulled(free: &Grid<bool>, way: &[Cell]) -> Vec<Cell> {
+    let turn = |w: &[Cell]| (w[1].x - w[0].x, w[1].y - w[0].y) != (w[2].x - w[1].x, w[2].y - w[1].y);
+    let (Some(&first), Some(&last)) = (way.first(), way.last()) else { return Vec::new() };
+    let mut corners = vec![first];
+    corners.extend(way.windows(3).filter(|w| turn(w)).map(|w| w[1]));
+    corners.push(last);
+    for _ in 0..2 {
+        let mut kept = vec![corners[0]];
+        let mut at = 0;
+        while at + 1 < corners.len() {
+            let farthest = (at + LOOK_AHEAD).min(corners.len() - 1);
+            let seen = (at + 2..=farthest).rev().find(|&next| is_straight_free(free, corners[at], corners[next]));
+            at = seen.unwrap_or(at + 1);
+            kept.push(corners[at]);
+        }
+        kept.reverse();
+        corners = kept;
+    }
+    corners
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use robovac_core::{
+        floorplan::generate::random_clutter,
+        grid::{from_picture, reachable},
+    };
+
+    fn length(way: &[Cell]) -> f64 {
+        way.windows(2).map(|w| f64::from((w[1].x - w[0].x).pow(2) + (w[1].y - w[0].y).pow(2)).sqrt()).sum()
+    }
+
+    /// 001, Fig. 6: round the obstacle with few corners.
+    #[test]
+    fn detour_goes_round_with_few_corners() {
+        let free = from_picture(
+            "
+            ............
+            .....##.....
+            .....##.....
+            .....##.....
+            ............
+            ............",
+            |c| c == '.',
+        )
+        .unwrap();
+        let way = Detours::new(&free).find(Cell::new(1, 3), Cell::new(10, 3)).unwrap();
+        assert!(way.windows(2).all(|w| is_straight_free(&free, w[0], w[1])), "{way:?}");
+        assert!(way.len() <= 4 && length(&way) < 10.5, "{way:?}");
+    }
+
+    /// Two cells are connected by a detour if they are by steps, also after many searches.
+    #[test]
+    fn detours_are_found_where_there_are_ways() {
+        let free = random_clutter(40, 30, 0.35, 5);
+        let mut detours = Detours::new(&free);
+        let cells: Vec<Cell> = free.iter().map(|(cell, _)| cell).collect();
+        for (i, &from) in cells.iter().enumerate().step_by(37) {
+            let to = cells[(i * 7 + 400) % cells.len()];
+            let expected = free.is_set(from) && reachable(&free, from).is_set(to);
+            let way = detours.find(from, to);
+            assert_eq!(way.is_some(), expected, "{from} {to}");
+            let Some(way) = way else { continue };
+            assert_eq!((way[0], way[way.len() - 1]), (from, to));
+            assert!(way.windows(2).all(|w| is_straight_free(&free, w[0], w[1])));
+        }
+    }
+
+    #[test]
+    fn straight_where_nothing_is_in_the_way() {
+        let free = Grid::filled(30, 20, true);
+        let way = Detours::new(&free).find(Cell::new(2, 3), Cell::new(27, 11)).unwrap();
+        assert_eq!(way, [Cell::new(2, 3), Cell::new(27, 11)]);
+        let way = Detours::new(&free).find(Cell::new(2, 3), Cell::new(2, 3)).unwrap();
+        assert_eq!(length(&way), 0.0);
+    }
+}

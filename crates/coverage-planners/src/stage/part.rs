@@ -1,0 +1,87 @@
+//! Stage: parts of a room with the direction in which they are mown, and the walk along a tour of them.
+
+use super::{
+    axis::{swap_cell, swap_direction, swap_walk},
+    cost::Costs,
+    decompose::Block,
+    order::Visit,
+    sweep::{SWEEPS, Sweep, append_sweep, sweeps_of},
+    transit::{Stop, Transit},
+};
+use crate::{CoverageJob, PlanError};
+use robovac_core::grid::Cell;
+
+/// A block that is mown along x or along y.
+#[derive(Debug, Clone)]
+pub struct Part {
+    /// Its runs, with x and y swapped if it's mown along y.
+    pub block: Block,
+    /// Whether it's mown along y.
+    pub is_swapped: bool,
+}
+
+impl Part {
+    /// All ways through it.
+    pub fn sweeps(&self, costs: Costs) -> [Sweep; SWEEPS] {
+        let sweeps = sweeps_of(&self.block, costs);
+        if !self.is_swapped {
+            return sweeps;
+        }
+        sweeps.map(|sweep| Sweep {
+            entry: swap_cell(sweep.entry),
+            entering: sweep.entering.map(swap_direction),
+            exit: swap_cell(sweep.exit),
+            leaving: sweep.leaving.map(swap_direction),
+            cost: sweep.cost,
+        })
+    }
+
+    /// Every lane of it as a part of its own.
+    pub fn lanes(self) -> impl Iterator<Item = Self> {
+        let Self { block, is_swapped } = self;
+        block.into_iter().map(move |run| Self { block: vec![run], is_swapped })
+    }
+
+    /// Appends the cells of sweep number `number` to `walk`; its first cell only if the walk doesn't end there already.
+    fn append(&self, number: usize, costs: Costs, walk: &mut Vec<Cell>) {
+        if !self.is_swapped {
+            append_sweep(&self.block, number, costs, walk);
+            return;
+        }
+        let mut way = Vec::new();
+        append_sweep(&self.block, number, costs, &mut way);
+        swap_walk(&mut way);
+        let is_there = walk.last() == way.first();
+        walk.extend_from_slice(&way[usize::from(is_there)..]);
+    }
+}
+
+/// Parts between two reports while driving.
+const REPORT_EVERY: usize = 256;
+
+/// The walk that a tour of `parts` stands for.
+pub fn drive(
+    job: &CoverageJob,
+    costs: Costs,
+    parts: &[Part],
+    sweeps: &[[Sweep; SWEEPS]],
+    tour: &[Visit],
+    transit: &mut Transit,
+    mut report: impl FnMut(f64) -> Result<(), PlanError>,
+) -> Result<Vec<Cell>, PlanError> {
+    let mut walk = Vec::with_capacity(job.cells() * 17 / 16);
+    walk.push(job.start);
+    for (i, visit) in tour.iter().enumerate() {
+        if i % REPORT_EVERY == 0 {
+            report(i as f64 / tour.len() as f64)?;
+        }
+        let sweep = &sweeps[visit.block][visit.sweep];
+        let heading = if let [.., before, last] = *walk { before.direction_to(last) } else { Some(job.heading) };
+        let from = Stop { cell: walk[walk.len() - 1], heading };
+        let to = Stop { cell: sweep.entry, heading: sweep.entering };
+        // All free cells are connected, so that there is a way.
+        let _ = transit.append_way(from, to, u32::MAX, &mut walk);
+        parts[visit.block].append(visit.sweep, costs, &mut walk);
+    }
+    Ok(walk)
+}

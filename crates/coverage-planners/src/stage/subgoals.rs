@@ -1,0 +1,179 @@
+//! Stage: subgoal points, where a robot that scans the room line by line meets something (001, section 3).
+//!
+//! Steps 1 to 5 of the paper: the robot, turned to heading 0, begins at the upper left, moves along x until it
+//! touches something, moves on by a line's distance, comes back, and so on to the lower right. Every contact is
+//! recorded with what is touched, on which side, and the obstacle's number.
+//!
+//! # Where the paper is sloppy
+//!
+//! - *Ends of a line.* Step 2 records what is met on the way to the right as RIGHT, step 3 on the way back as LEFT,
+//!   each on lines of its own: read as printed every line has one end only, and nothing is said of what lies behind
+//!   an obstacle. Figure 3 and section 4, which looks for the point across on the same line, need both. Here every
+//!   line gives both ends of each of its free runs: LEFT where the robot's left side touches in the paper's sense
+//!   (smaller x), RIGHT at the other.
+//! - *Step 4* moves by another line and goes back to step 1, which would reset `x`, `y` and `i`: read as going on
+//!   with step 2.
+//! - *Step 1* moves along x and y to find a first place: here the first line is the topmost row with a free cell.
+//! - *The last line.* Step 3 ends at the lower right. The lowest row with a free cell is made a line too if none
+//!   falls on it: so the floor along the lower wall isn't left out (ours).
+//! - Lines are recorded to the right and to the left in turn, as the paper's robot moves.
+
+use robovac_core::{
+    cspace::Obstacles,
+    grid::{Cell, Grid},
+};
+
+/// What a body touches at the end of a scan line (001, section 3).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Contact {
+    /// Its left side touches a wall of the workspace.
+    LeftWall,
+    /// Its right side touches a wall of the workspace.
+    RightWall,
+    /// Its left side touches an obstacle.
+    LeftObstacle,
+    /// Its right side touches an obstacle.
+    RightObstacle,
+}
+
+impl Contact {
+    /// Whether the robot's left side touches.
+    pub fn is_left(self) -> bool {
+        matches!(self, Self::LeftWall | Self::LeftObstacle)
+    }
+
+    /// The paper's name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::LeftWall => "LEFT_WALL",
+            Self::RightWall => "RIGHT_WALL",
+            Self::LeftObstacle => "LEFT_OBSTACLE",
+            Self::RightObstacle => "RIGHT_OBSTACLE",
+        }
+    }
+}
+
+/// A subgoal point on the grid: the paper's `SubgoalPoints`, whose `tracked_flag` is kept by [`super::SubgoalScan`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Subgoal {
+    /// `posion`: where the robot is.
+    pub cell: Cell,
+    /// `status`: what it touches.
+    pub contact: Contact,
+    /// The scan line, counted from the top.
+    pub line: u32,
+    /// `obstacleNo`, counted from 1; `None` for a wall.
+    pub obstacle: Option<u32>,
+}
+
+/// Rows of the scan lines, from the top: `distance` rows apart, which needn't be a whole number but is at least 1,
+/// from the topmost free row to the lowest.
+pub fn scan_rows(free: &Grid<bool>, distance: f64) -> Vec<i32> {
+    let width = free.width();
+    let has_free = |&y: &i32| free.values()[y as usize * width..][..width].contains(&true);
+    let height = free.height() as i32;
+    let (Some(top), Some(bottom)) = ((0..height).rev().find(has_free), (0..height).find(has_free)) else {
+        return Vec::new();
+    };
+    let distance = distance.max(1.0);
+    let below = (0..).map(|line| robovac_core::math::floor(f64::from(line) * distance + 1e-9));
+    let mut rows: Vec<i32> = below.map(|rows| top.saturating_sub(rows)).take_while(|&row| row >= bottom).collect();
+    if rows.last() != Some(&bottom) {
+        rows.push(bottom);
+    }
+    rows
+}
+
+/// Both ends of every run of free cells on the lines at `rows`, in the order of the scan.
+pub fn subgoals(free: &Grid<bool>, rows: &[i32], obstacles: &Obstacles) -> Vec<Subgoal> {
+    let width = free.width();
+    let mut found: Vec<Subgoal> = Vec::new();
+    for (&y, line) in rows.iter().zip(0..) {
+        let begin = found.len();
+        let row = &free.values()[y as usize * width..][..width];
+        let mut x = 0;
+        while let Some(skipped) = row[x..].iter().position(|&is_free| is_free) {
+            let first = x + skipped;
+            let end = row[first..].iter().position(|&is_free| !is_free).map_or(width, |run| first + run);
+            let (left, right) =
+                (obstacles.number(Cell::new(first as i32 - 1, y)), obstacles.number(Cell::new(end as i32, y)));
+            let subgoal = |x: usize, wall: Contact, solid: Contact, obstacle: Option<u32>| Subgoal {
+                cell: Cell::new(x as i32, y),
+                contact: if obstacle.is_some() { solid } else { wall },
+                line,
+                obstacle,
+            };
+            found.push(subgoal(first, Contact::LeftWall, Contact::LeftObstacle, left));
+            found.push(subgoal(end - 1, Contact::RightWall, Contact::RightObstacle, right));
+            x = end;
+        }
+        if line % 2 == 1 {
+            found[begin..].reverse();
+        }
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use robovac_core::grid::from_picture;
+
+    fn scanned(picture: &str, distance: f64) -> Vec<Subgoal> {
+        let free = from_picture(picture, |c| c == '.').unwrap();
+        subgoals(&free, &scan_rows(&free, distance), &Obstacles::of(&free))
+    }
+
+    /// 001, section 3, steps 1 to 3: from the upper left, to the right and to the left in turn, contacts with walls
+    /// and obstacles.
+    #[test]
+    fn contacts_are_recorded_in_the_order_of_the_scan() {
+        use Contact::{LeftObstacle, LeftWall, RightObstacle, RightWall};
+        let found = scanned(
+            "
+            ........
+            ..##..#.
+            ........",
+            1.0,
+        );
+        let got: Vec<_> = found.iter().map(|s| (s.cell.x, s.cell.y, s.contact, s.obstacle)).collect();
+        assert_eq!(
+            got,
+            [
+                (0, 2, LeftWall, None),
+                (7, 2, RightWall, None),
+                (7, 1, RightWall, None),
+                (7, 1, LeftObstacle, Some(2)),
+                (5, 1, RightObstacle, Some(2)),
+                (4, 1, LeftObstacle, Some(1)),
+                (1, 1, RightObstacle, Some(1)),
+                (0, 1, LeftWall, None),
+                (0, 0, LeftWall, None),
+                (7, 0, RightWall, None),
+            ]
+        );
+        assert!(found.iter().zip([0, 0, 1, 1, 1, 1, 1, 1, 2, 2]).all(|(s, line)| s.line == line));
+    }
+
+    /// 001, section 3: "the separation can be varied".
+    #[test]
+    fn lines_are_as_far_apart_as_asked_and_reach_the_lowest_row() {
+        let free = Grid::filled(3, 10, true);
+        assert_eq!(scan_rows(&free, 3.0), [9, 6, 3, 0]);
+        assert_eq!(scan_rows(&free, 4.0), [9, 5, 1, 0]);
+        assert_eq!(scan_rows(&free, 2.5), [9, 7, 4, 2, 0]);
+        assert_eq!(scan_rows(&free, 1e9), [9, 0]);
+        assert_eq!(scan_rows(&free, 0.0).len(), 10);
+        let narrow = from_picture("...\n###\n...\n###", |c| c == '.').unwrap();
+        assert_eq!(scan_rows(&narrow, 1.0), [3, 2, 1]);
+        assert!(scan_rows(&Grid::filled(3, 3, false), 1.0).is_empty());
+    }
+
+    #[test]
+    fn run_of_one_cell_is_touched_on_both_sides() {
+        let found = scanned("#.#", 1.0);
+        assert_eq!(found.len(), 2);
+        assert!(found[0].cell == found[1].cell && found[0].contact.is_left() && !found[1].contact.is_left());
+    }
+}

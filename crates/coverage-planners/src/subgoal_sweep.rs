@@ -1,0 +1,243 @@
+//! Subgoal sweep: scan lines from wall to wall and obstacle to obstacle, their ends linked from each to the nearest.
+//!
+//! Hyun (001, Honam University): a robot of any outline, moved in thought along scan lines through the obstacle map,
+//! records where it touches walls and obstacles (section 3, [`stage::subgoals`](super::stage::subgoals)). These
+//! subgoal points are linked, across the line first, then to the nearest that is left (section 4, [`SubgoalScan`]).
+//! Links that go through an obstacle get a detour (section 5, [`Detours`]). What the paper leaves open is told with
+//! each stage.
+//!
+//! Here the obstacle map is the planning grid: what is free in it for the robot, walls and obstacles being all the
+//! rest. The drafting room works with the paper's own map, of the robot's true outline and with lines at any distance
+//! ([`crate::sweep`]).
+//!
+//! # On a grid
+//!
+//! - *The start.* The paper's robot stands at the first subgoal point, in the upper left. This one may stand
+//!   anywhere, and goes to the nearest.
+//! - *Links* become steps to neighbouring cells: round one corner where that is free, else along the straight line.
+//! - *Lines.* One on every row, unless asked otherwise: planning cells are as wide as the strip that the robot
+//!   cleans, or half as wide as the octagon, the distance that the paper gives.
+//! - *What is left* between lines that are farther apart than a row, the paper leaves to the width of the robot. A
+//!   stage of our own, after all links, goes to the nearest cell left and along its row, again and again: so every
+//!   walk covers all.
+//!
+//! O(n) for n cells, and for each detour the cells that its search looks at.
+//!
+//! ```
+//! use robovac_core::grid::*;
+//! use coverage_planners::*;
+//! let free = from_picture(".....\n.##..\n.....", |c| c == '.').unwrap();
+//! let job = CoverageJob::new(&free, Cell::new(0, 2), Direction::Right).unwrap();
+//! let info = find("subgoal_sweep").unwrap();
+//! let planner = info.build(&Params::defaults(info.params));
+//! let path = planner.plan(&job, &mut PlanContext::new(0)).unwrap();
+//! assert_eq!(path.arrows(&job), ">>>>v\no##v<\n^<<><\n");
+//! ```
+
+use super::{
+    Build, Claims, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerInfo, TraceStep,
+    stage::{
+        Beside, Contact, Detours, Found, Progress, Subgoal, SubgoalScan, is_straight_free, scan_rows, steps_along,
+        subgoals,
+    },
+};
+use robovac_core::{
+    cspace::Obstacles,
+    grid::{Cell, Direction},
+    registry::{Example, Explainer, ParamKind, ParamSpec},
+};
+
+/// Entry in the registry.
+pub const INFO: PlannerInfo = PlannerInfo {
+    id: "subgoal_sweep",
+    title: "Subgoal sweep",
+    summary: "Scans the room in lines, notes where the robot touches something, and links these points to the nearest.",
+    source: "Hyun, An Artificial Intelligent algorithm for an autonomous Cleaning Robot, Honam University: \
+             sections 3 to 5",
+    link: "",
+    explainer: Explainer {
+        idea: "The robot is moved in thought along lines from the upper left to the lower right, and every contact with a wall \
+               or an obstacle becomes a subgoal point. \
+               From each point the sweep goes across to the other end of its line, and there to the nearest point that is left. \
+               Links that would go through an obstacle are led round it.",
+        complexity: "O(n) steps and memory for n cells; a search at every detour costs the cells that it looks at.",
+        use_when: "Made for large halls that are known from an architect's drawing, and quick enough to plan them while \
+                   somebody draws. \
+                   It sweeps in one direction only and looks no farther than the next point, so it comes back for what it left.",
+        shines: Example { room: "empty", why: "Nothing in the way: line after line, and no way driven twice." },
+        fails: Example { room: "maze", why: "The nearest point is often behind a wall, and the detour long." },
+    },
+    claims: Claims { complete: true, deterministic: true, fast: true, traces: true, anytime: false },
+    params: &[
+        ParamSpec {
+            id: "scan_lines",
+            label: "Scan width",
+            help: "Rows of cells from one scan line to the next; what is left between them is cleaned at the end.",
+            kind: ParamKind::Number { min: 1.0, max: 10.0, step: 1.0, default: 1.0, unit: "rows" },
+        },
+        ParamSpec {
+            id: "order",
+            label: "At the end of a line",
+            help: "Go on to the nearest point left, or look across on the lines beside first, as the paper prints it.",
+            kind: ParamKind::Choice { options: &[("nearest", "nearest point"), ("printed", "across, as printed")] },
+        },
+    ],
+};
+
+/// Makes the planner.
+pub(super) const BUILD: Build = |params| {
+    Box::new(SubgoalSweep {
+        distance: params.number("scan_lines"),
+        beside: if params.choice("order") == "printed" { Beside::First } else { Beside::Never },
+    })
+};
+
+/// The planner.
+struct SubgoalSweep {
+    /// Rows from one scan line to the next.
+    distance: f64,
+    beside: Beside,
+}
+
+/// What came of the links.
+#[derive(Default)]
+struct Tally {
+    /// Links that go through an obstacle.
+    collisions: usize,
+    /// Of these, those with a detour.
+    resolved: usize,
+}
+
+impl Planner for SubgoalSweep {
+    fn plan(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError> {
+        let free = &job.free;
+        let points = subgoals(free, &scan_rows(free, self.distance), &Obstacles::of(free));
+        ctx.trace(|| contacts(&points, job));
+        let mut scan = SubgoalScan::new(&points, self.beside);
+        let mut detours = Detours::new(free);
+        let mut progress = Progress::new(job);
+        let mut tally = Tally::default();
+        let mut from = Err(job.start);
+        while let Some((to, found)) = scan.next(free, from) {
+            progress.report(ctx)?;
+            scan.track(to);
+            let (step, at, goal) = (progress.steps(), progress.at, points[to].cell);
+            if is_straight_free(free, at, goal) {
+                follow(&mut progress, job, &[goal]);
+                ctx.trace(|| link(step, at, (&points, to), found, None, &tally));
+            } else {
+                tally.collisions += 1;
+                // All free cells are connected, so that there is a way.
+                let way = detours.find(at, goal).unwrap_or_default();
+                tally.resolved += usize::from(!way.is_empty());
+                follow(&mut progress, job, way.get(1..).unwrap_or_default());
+                ctx.trace(|| link(step, at, (&points, to), found, Some(progress.steps() - step), &tally));
+            }
+            from = Ok(to);
+        }
+        finish(&mut progress, ctx)?;
+        Ok(progress.into_path())
+    }
+}
+
+/// Goes along a way of straight free pieces.
+fn follow(progress: &mut Progress<'_>, job: &CoverageJob, corners: &[Cell]) {
+    for &corner in corners {
+        for cell in steps_along(&job.free, progress.at, corner, progress.facing) {
+            if let Some(direction) = progress.at.direction_to(cell) {
+                progress.step(direction);
+            }
+        }
+    }
+}
+
+/// Goes to the nearest cell left and along its row, until none is.
+fn finish(progress: &mut Progress<'_>, ctx: &mut PlanContext<'_>) -> Result<(), PlanError> {
+    let left = progress.left_count();
+    if left > 0 {
+        let (step, at, towards) = (progress.steps(), progress.at, progress.facing);
+        ctx.trace(|| TraceStep {
+            step,
+            rule: "Finish".into(),
+            at,
+            towards,
+            marks: Vec::new(),
+            sides: None,
+            note: format!("All points are linked; {left} cells between the lines are left, nearest first"),
+        });
+    }
+    while !progress.is_done() {
+        progress.report(ctx)?;
+        progress.go_to_nearest_left();
+        for side in [Direction::Right, Direction::Left] {
+            while progress.is_left(side) {
+                progress.step(side);
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Where the scan touched something, to be shown: by the order of the scan.
+fn contacts(points: &[Subgoal], job: &CoverageJob) -> TraceStep {
+    let count = |contact: Contact| points.iter().filter(|p| p.contact == contact).count();
+    let [left, right, left_solid, right_solid] =
+        [Contact::LeftWall, Contact::RightWall, Contact::LeftObstacle, Contact::RightObstacle].map(count);
+    TraceStep {
+        step: 0,
+        rule: "Subgoal points".into(),
+        at: job.start,
+        towards: job.heading,
+        marks: points.iter().zip(1..).map(|(point, number)| (point.cell, number)).collect(),
+        sides: None,
+        note: format!(
+            "{} contacts: {left} LEFT_WALL, {right} RIGHT_WALL, {left_solid} LEFT_OBSTACLE, {right_solid} RIGHT_OBSTACLE",
+            points.len()
+        ),
+    }
+}
+
+/// Lines beside that of a link's end whose points are shown with it.
+const SHOWN_LINES: u32 = 3;
+
+/// A link, to be shown with the points around its end; `detour` is the length of the way round, in steps.
+fn link(
+    step: usize,
+    at: Cell,
+    (points, to): (&[Subgoal], usize),
+    found: Found,
+    detour: Option<usize>,
+    tally: &Tally,
+) -> TraceStep {
+    let near = points.iter().zip(1..).filter(|(point, _)| point.line.abs_diff(points[to].line) <= SHOWN_LINES);
+    let marks = near.map(|(point, number)| (point.cell, number)).collect();
+    let number = to + 1;
+    let to = &points[to];
+    let rule = match (found, detour) {
+        (_, Some(_)) => "Detour",
+        (Found::Across, None) => "Across the line",
+        (Found::Beside, None) => "Across beside",
+        (Found::Nearest, None) => "Nearest point",
+    };
+    let (dx, dy) = (to.cell.x - at.x, to.cell.y - at.y);
+    let towards = match (dx.abs() >= dy.abs(), dx > 0, dy > 0) {
+        (true, true, _) => Direction::Right,
+        (true, false, _) => Direction::Left,
+        (false, _, true) => Direction::Up,
+        (false, _, false) => Direction::Down,
+    };
+    let what = to.obstacle.map_or(String::new(), |number| format!(" of obstacle {number}"));
+    let round = detour.map_or(String::new(), |steps| {
+        let Tally { collisions, resolved } = tally;
+        format!(": the straight way collides, {steps} steps round it; collision {collisions}, {resolved} resolved")
+    });
+    TraceStep {
+        step,
+        rule: rule.into(),
+        at,
+        towards,
+        marks,
+        sides: None,
+        note: format!("To point {number}, {}{what}{round}", to.contact.name()),
+    }
+}

@@ -1,0 +1,30 @@
+//! Why there is no sweep.
+
+use robovac_core::cspace::CspaceError;
+
+/// Why there is no sweep.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SweepError {
+    /// The obstacle map can't be made.
+    #[error(transparent)]
+    Cspace(#[from] CspaceError),
+    /// A number is out of range.
+    #[error("{what} can't be {value}; it takes {expected}")]
+    Value {
+        /// What the number is for.
+        what: &'static str,
+        /// The number.
+        value: f64,
+        /// What would do.
+        expected: String,
+    },
+    /// The body fits nowhere.
+    #[error("the robot, {width:.2} m wide, fits nowhere in this room; choose a smaller robot or another region")]
+    FitsNowhere {
+        /// Width of the outline, m.
+        width: f64,
+    },
+    /// The caller asked to stop.
+    #[error("planning was cancelled")]
+    Cancelled,
+}

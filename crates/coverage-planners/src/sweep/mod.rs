@@ -1,0 +1,22 @@
+//! The sweeping planner of 001, from the room and the robot's outline to its path: obstacle map, subgoals, links,
+//! detours, and a finish of our own for what these leave out; and what a robot or another program is given of a path.
+//!
+//! Where the registry's planner ([`crate`], `subgoal_sweep`) works on planning cells like every other, this
+//! one works as the paper does: with the outline that the user has drawn, in metres, with scan lines at any distance.
+//! The robot keeps heading 0 and moves in every direction (section 2).
+
+mod cover;
+mod error;
+mod finish;
+mod linker;
+mod pipeline;
+mod program;
+mod stages;
+mod track;
+
+pub use crate::stage::Contact;
+pub use error::SweepError;
+pub use pipeline::{SCAN_WIDTHS, sweep};
+pub use program::{planned_for, program};
+pub use stages::{Link, Subgoal, Sweep, SweepSetup};
+pub use track::{FRAME, in_frame, start_text, to_csv, to_ros_path};

@@ -1,0 +1,82 @@
+//! What is asked for, and what comes of it.
+
+use crate::stage::Contact;
+use robovac_core::{
+    cspace::Outline,
+    geometry::{Point, Pose},
+    grid::Grid,
+};
+
+/// A subgoal point.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Subgoal {
+    /// Where the body's origin is, m in the room: the very place at which it touches, not a cell's centre.
+    pub at: Point,
+    /// What it touches.
+    pub contact: Contact,
+    /// The scan line, counted from the top.
+    pub line: u32,
+    /// The obstacle that it touches, counted from 1; `None` for a wall.
+    pub obstacle: Option<u32>,
+}
+
+/// A step from one subgoal to the next.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Link {
+    /// Index of the subgoal that it leads from.
+    pub from: usize,
+    /// Index of the subgoal that it leads to.
+    pub to: usize,
+    /// Whether the straight way goes through an obstacle (Fig. 4).
+    pub collides: bool,
+    /// The way that is driven, ends included: straight, or the detour (Figs 5 and 6). Empty if no detour was found.
+    pub way: Vec<Point>,
+}
+
+/// What is to be swept with.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SweepSetup {
+    /// The robot's outline.
+    pub outline: Outline,
+    /// Distance between scan lines, m; half the outline's width if `None` (001, section 3).
+    pub scan_width: Option<f64>,
+    /// Side of the obstacle map's cells, m.
+    pub cell: f64,
+    /// Headings of the obstacle map; the sweep itself keeps heading 0.
+    pub headings: usize,
+    /// Where the robot is; the first subgoal if `None`.
+    pub start: Option<Pose>,
+}
+
+/// The sweep with all its stages.
+#[derive(Debug, Clone)]
+pub struct Sweep {
+    /// Obstacle map at heading 0: FREE cells.
+    pub free: Grid<bool>,
+    /// Side of its cells, m.
+    pub cell: f64,
+    /// Distance between scan lines, m; lines lie in the rows of cells nearest below, so it holds on average.
+    pub scan_width: f64,
+    /// Stage 1: subgoal points in the order of the scan (Fig. 3).
+    pub subgoals: Vec<Subgoal>,
+    /// Stages 2 and 3: links in the order in which they are driven (Figs 4 and 5).
+    pub links: Vec<Link>,
+    /// Links whose straight way collides.
+    pub collisions: usize,
+    /// Of these, those with a detour.
+    pub resolved: usize,
+    /// Share of the reachable floor that is swept when all points are linked: what the paper's method reaches.
+    pub linked_share: f64,
+    /// Stage 4, ours: strokes along edges of obstacles that lie between two scan lines, each with the way there; m.
+    pub finish: Vec<Vec<Point>>,
+    /// Corners of the whole path, m.
+    pub path: Vec<Point>,
+    /// Length of the path, m.
+    pub length: f64,
+    /// Share of the reachable floor that the outline sweeps, 0 to 1.
+    ///
+    /// Reachable is the floor under the outline at heading 0 in any FREE cell that the robot gets to, in steps to
+    /// neighbouring FREE cells, and on the path; swept is the floor under the outline on the path. Floor is counted
+    /// in cells of the obstacle map by their centres, so the share is known to about half a cell along every edge.
+    pub coverage: f64,
+}

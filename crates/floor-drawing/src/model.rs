@@ -1,0 +1,210 @@
+//! What a drawing is made of, and how one is put together within bounds.
+
+use robovac_core::{
+    floorplan::{DrawingFlaw, MapError},
+    geometry::Point,
+};
+use std::{collections::BTreeMap, ops::Range};
+
+/// Most corners of all strokes of a drawing together.
+pub const MAX_POINTS: usize = 2_000_000;
+/// Most layers of a drawing.
+pub const MAX_LAYERS: usize = 10_000;
+/// Coordinates are finite and no further from the origin than this, in drawing units: a country's grid in millimetres.
+pub const MAX_COORDINATE: f64 = 1e10;
+
+/// What a vector file shows. x to the right, y up, in drawing units.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Drawing {
+    /// The file's name without its ending.
+    pub name: String,
+    /// Metres per drawing unit, if the file says ($INSUNITS of a DXF); `None` is to be asked for.
+    pub metre: Option<f64>,
+    /// Layers with anything on them, in the file's order.
+    pub layers: Vec<Layer>,
+    /// Straight strokes: arcs, bulges, ellipses and splines are flattened, blocks are inserted.
+    pub strokes: Vec<Stroke>,
+    /// Corners of all strokes.
+    pub points: Vec<Point>,
+    /// What isn't drawn, for users: "12 texts", "3 hatches".
+    pub left_out: Vec<String>,
+}
+
+/// A layer of a drawing.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Layer {
+    /// Its name.
+    pub name: String,
+    /// Its colour in the drawing, red, green, blue.
+    pub colour: [u8; 3],
+    /// Number of strokes on it.
+    pub strokes: usize,
+    /// What it seems to be, by its name.
+    pub role: Role,
+}
+
+/// What a layer is to a robot.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Role {
+    /// Walls: every stroke stops the robot, an outline encloses floor.
+    Wall,
+    /// Things on the floor: a closed outline is solid.
+    Obstacle,
+    /// Not there.
+    Ignored,
+}
+
+/// A polyline.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Stroke {
+    /// Index of its layer.
+    pub layer: u32,
+    /// Number of the entity that it comes from, counted from 1: of model space in a DXF, where what a block holds comes from
+    /// the insert; of a path in an SVG, of a feature in GeoJSON.
+    pub entity: u32,
+    /// Whether its last corner is joined to its first.
+    pub is_closed: bool,
+    /// Its corners, in [`Drawing::points`].
+    pub points: Range<u32>,
+}
+
+impl Drawing {
+    /// The corners of a stroke of this drawing.
+    pub fn corners(&self, stroke: &Stroke) -> &[Point] {
+        self.points.get(stroke.points.start as usize..stroke.points.end as usize).unwrap_or_default()
+    }
+}
+
+/// A drawing that is being read.
+pub(super) struct Builder {
+    layers: Vec<Layer>,
+    by_name: BTreeMap<String, u32>,
+    strokes: Vec<Stroke>,
+    points: Vec<Point>,
+    left_out: BTreeMap<&'static str, usize>,
+}
+
+impl Builder {
+    pub fn new() -> Self {
+        Self {
+            layers: Vec::new(),
+            by_name: BTreeMap::new(),
+            strokes: Vec::new(),
+            points: Vec::new(),
+            left_out: BTreeMap::new(),
+        }
+    }
+
+    /// The layer with that name, whose case doesn't matter; it is added if there is none yet.
+    pub fn layer(&mut self, name: &str) -> Result<u32, DrawingFlaw> {
+        let key = name.to_uppercase();
+        if let Some(&index) = self.by_name.get(&key) {
+            return Ok(index);
+        }
+        if self.layers.len() >= MAX_LAYERS {
+            return Err(DrawingFlaw::TooMany { what: "layers", most: MAX_LAYERS });
+        }
+        let index = self.layers.len() as u32;
+        let role = super::roles::guess(name);
+        self.layers.push(Layer { name: name.to_owned(), colour: [0; 3], strokes: 0, role });
+        self.by_name.insert(key, index);
+        Ok(index)
+    }
+
+    /// A layer, to be changed; it must exist.
+    pub fn layer_mut(&mut self, index: u32) -> &mut Layer {
+        &mut self.layers[index as usize]
+    }
+
+    /// Name of a layer, for messages.
+    pub fn layer_name(&self, index: u32) -> &str {
+        self.layers.get(index as usize).map_or("", |layer| &layer.name)
+    }
+
+    /// Notes something that isn't drawn, in the plural.
+    pub fn leave_out(&mut self, what: &'static str, count: usize) {
+        if count > 0 {
+            *self.left_out.entry(what).or_default() += count;
+        }
+    }
+
+    /// Draws a polyline; points that come twice in a row are taken once, and what has no length isn't drawn.
+    pub fn stroke(
+        &mut self,
+        layer: u32,
+        entity: u32,
+        is_closed: bool,
+        points: impl IntoIterator<Item = Point>,
+    ) -> Result<(), DrawingFlaw> {
+        let start = self.points.len();
+        for point in points {
+            check_coordinate(point.x)?;
+            check_coordinate(point.y)?;
+            if self.points[start..].last() == Some(&point) {
+                continue;
+            }
+            if self.points.len() >= MAX_POINTS {
+                return Err(DrawingFlaw::TooMany { what: "corners", most: MAX_POINTS });
+            }
+            self.points.push(point);
+        }
+        let drawn = &self.points[start..];
+        let repeats = is_closed && drawn.len() > 1 && drawn.first() == drawn.last();
+        if repeats {
+            self.points.pop();
+        }
+        let count = self.points.len() - start;
+        if count < 2 {
+            self.points.truncate(start);
+            return Ok(());
+        }
+        let points = start as u32..self.points.len() as u32;
+        self.strokes.push(Stroke { layer, entity, is_closed: is_closed && count > 2, points });
+        self.layers[layer as usize].strokes += 1;
+        Ok(())
+    }
+
+    /// The drawing, with the layers that anything is on.
+    pub fn finish(mut self, file: &str, metre: Option<f64>) -> Result<Drawing, MapError> {
+        let left_out: Vec<String> = self.left_out.iter().map(|(what, count)| format!("{count} {what}")).collect();
+        if self.strokes.is_empty() {
+            return Err(bad(file, "", DrawingFlaw::Nothing { left_out }));
+        }
+        let mut kept = 0;
+        let moved: Vec<u32> = self
+            .layers
+            .iter()
+            .map(|layer| {
+                kept += u32::from(layer.strokes > 0);
+                kept.saturating_sub(1)
+            })
+            .collect();
+        self.layers.retain(|layer| layer.strokes > 0);
+        for stroke in &mut self.strokes {
+            stroke.layer = moved[stroke.layer as usize];
+        }
+        let Self { layers, strokes, points, .. } = self;
+        Ok(Drawing { name: stem(file), metre, layers, strokes, points, left_out })
+    }
+}
+
+/// Refuses numbers that are no coordinates.
+pub(super) fn check_coordinate(value: f64) -> Result<(), DrawingFlaw> {
+    // Said this way round as no comparison holds for what isn't a number.
+    if value.abs() <= MAX_COORDINATE { Ok(()) } else { Err(DrawingFlaw::Coordinate { value: value.to_string() }) }
+}
+
+/// The error for a place in a file.
+pub(super) fn bad(file: &str, place: &str, flaw: DrawingFlaw) -> MapError {
+    MapError::BadDrawing { name: base_name(file).to_owned(), place: place.to_owned(), flaw: Box::new(flaw) }
+}
+
+fn base_name(path: &str) -> &str {
+    path.rsplit(['/', '\\']).next().unwrap_or(path)
+}
+
+fn stem(path: &str) -> String {
+    let name = base_name(path);
+    name.rsplit_once('.').map_or(name, |(stem, _)| if stem.is_empty() { name } else { stem }).to_owned()
+}

@@ -1,0 +1,107 @@
+//! Files in. What a file is, its content says.
+
+use super::{Drawing, dxf, geojson, model::bad, svg};
+use robovac_core::floorplan::{DrawingFlaw, MapError, SourceFile};
+
+/// Largest file that is read, MB.
+const MAX_MEGABYTES: usize = 256;
+
+/// First bytes of files that people try, with what to call them.
+const OTHERS: &[(&[u8], &str)] = &[
+    (b"\x89PNG", "a PNG image"),
+    (b"\xff\xd8\xff", "a JPEG image"),
+    (b"GIF8", "a GIF image"),
+    (b"BM", "a BMP image"),
+    (b"RIFF", "a WebP image or a sound"),
+    (b"%PDF", "a PDF document"),
+    (b"PK\x03\x04", "a ZIP archive"),
+    (b"P5", "a PGM image"),
+    (b"P2", "a PGM image"),
+];
+
+enum Kind {
+    Dxf,
+    Svg,
+    GeoJson,
+}
+
+/// Whether a file looks like a drawing that [`read`] reads, by its content.
+///
+/// ```
+/// use floor_drawing::is_drawing;
+/// use robovac_core::floorplan::SourceFile;
+/// let file = |bytes: &[u8]| SourceFile { name: "room".into(), bytes: bytes.into() };
+/// assert!(is_drawing(&file(b"  0\nSECTION\n  2\nENTITIES\n")));
+/// assert!(is_drawing(&file(b"{\"type\": \"FeatureCollection\", \"features\": []}")));
+/// assert!(!is_drawing(&file(b"####\n#..#\n####\n")));
+/// ```
+pub fn is_drawing(file: &SourceFile) -> bool {
+    kind(&file.bytes).is_some()
+}
+
+/// Whether a file is a DXF, by its content.
+///
+/// ```
+/// use floor_drawing::is_dxf;
+/// use robovac_core::floorplan::SourceFile;
+/// let file = |bytes: &[u8]| SourceFile { name: "room".into(), bytes: bytes.into() };
+/// assert!(is_dxf(&file(b"  0\nSECTION\n  2\nENTITIES\n")));
+/// assert!(!is_dxf(&file(b"\xef\xbb\xbf<svg xmlns='http://www.w3.org/2000/svg'/>")));
+/// ```
+pub fn is_dxf(file: &SourceFile) -> bool {
+    matches!(kind(&file.bytes), Some(Kind::Dxf))
+}
+
+fn kind(bytes: &[u8]) -> Option<Kind> {
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    if dxf::is_dxf(bytes) {
+        Some(Kind::Dxf)
+    } else if svg::is_svg(bytes) {
+        Some(Kind::Svg)
+    } else if geojson::is_geojson(bytes) {
+        Some(Kind::GeoJson)
+    } else {
+        None
+    }
+}
+
+/// Reads a drawing.
+///
+/// - DXF, text and binary: lines, polylines, circles, arcs, ellipses, splines, solids, and blocks with what is in them.
+/// - SVG: paths and shapes; groups with names are layers, else the colours of the strokes.
+/// - GeoJSON: polygons and lines; the property `layer`, `class` or `name` is the layer.
+///
+/// Curves become chords that turn by 5° at most: those of an arc lie within 0.1 % of its radius from it.
+///
+/// ```
+/// use floor_drawing::read;
+/// use robovac_core::{floorplan::SourceFile, geometry::Point};
+/// let dxf = "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\nWALL\n10\n0\n20\n0\n11\n4\n21\n3\n0\nENDSEC\n0\nEOF\n";
+/// let drawing = read(&SourceFile { name: "house.dxf".into(), bytes: dxf.into() })?;
+/// assert_eq!((drawing.name.as_str(), drawing.layers[0].name.as_str()), ("house", "WALL"));
+/// assert_eq!(drawing.points, [Point::new(0.0, 0.0), Point::new(4.0, 3.0)]);
+/// assert_eq!(drawing.metre, None, "it says nothing of units");
+/// # Ok::<(), robovac_core::floorplan::MapError>(())
+/// ```
+pub fn read(file: &SourceFile) -> Result<Drawing, MapError> {
+    let bytes = &file.bytes;
+    if bytes.trim_ascii().is_empty() {
+        return Err(MapError::Empty { name: file.name.clone() });
+    }
+    let refuse = |flaw| Err(bad(&file.name, "", flaw));
+    if bytes.len() > MAX_MEGABYTES << 20 {
+        return refuse(DrawingFlaw::TooLong { found: bytes.len() >> 20, most: MAX_MEGABYTES });
+    }
+    match kind(bytes) {
+        Some(Kind::Dxf) => dxf::read(file),
+        Some(Kind::Svg) => svg::read(file),
+        Some(Kind::GeoJson) => geojson::read(file),
+        None if bytes.starts_with(b"AC10") => refuse(DrawingFlaw::Dwg),
+        None => {
+            let other = OTHERS.iter().find(|(magic, _)| bytes.starts_with(magic)).map(|&(_, kind)| kind);
+            let is_text = std::str::from_utf8(bytes).is_ok();
+            let unknown = if is_text { "text of unknown kind" } else { "a file of unknown kind" };
+            refuse(DrawingFlaw::NotADrawing { kind: other.unwrap_or(unknown) })
+        }
+    }
+}

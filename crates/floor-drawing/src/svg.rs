@@ -1,0 +1,227 @@
+//! SVG floor plans.
+//!
+//! `usvg` resolves styles, transforms, units and `use`, in single precision: seven digits. Names of layers are looked up in
+//! the file itself.
+
+use super::{
+    Drawing,
+    colours::true_colour,
+    flatten::Nurbs,
+    model::{Builder, MAX_POINTS, bad},
+};
+use robovac_core::{
+    floorplan::{DrawingFlaw, MapError, SourceFile},
+    geometry::Point,
+};
+use std::collections::BTreeMap;
+use usvg::{
+    Group, Node, Options, Paint, Tree,
+    roxmltree::{Document, Node as Element, ParsingOptions},
+    tiny_skia_path::PathSegment,
+};
+
+/// Most elements and texts of a file.
+const MAX_NODES: u32 = 2_000_000;
+/// Deepest nesting of elements, where each `use` counts with what it uses.
+const MAX_DEPTH: usize = 100;
+/// What a pixel is where lengths have units: CSS has 96 of them an inch.
+const MM_PER_PIXEL: f64 = 25.4 / 96.0;
+/// How far into a file its first element is looked for, bytes.
+const HEAD: usize = 1 << 16;
+const INKSCAPE: &str = "http://www.inkscape.org/namespaces/inkscape";
+const XLINK: &str = "http://www.w3.org/1999/xlink";
+
+/// Whether the bytes are XML with an `svg` element in front.
+pub(super) fn is_svg(bytes: &[u8]) -> bool {
+    let head = bytes.trim_ascii_start();
+    let head = &head[..head.len().min(HEAD)];
+    head.starts_with(b"<") && (head.windows(4).any(|window| window == b"<svg" || window == b":svg"))
+}
+
+/// Reads an SVG. Its y axis is turned up. If its width has a physical unit, the drawing is in millimetres; else in pixels,
+/// whose length is to be asked for.
+pub(super) fn read(file: &SourceFile) -> Result<Drawing, MapError> {
+    let refuse = |place: &str, flaw| bad(&file.name, place, flaw);
+    let bytes = file.bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&file.bytes);
+    let not_text = |error: std::str::Utf8Error| {
+        refuse(&format!("byte {}", error.valid_up_to()), DrawingFlaw::Parser { cause: "this isn't UTF-8".to_owned() })
+    };
+    let text = std::str::from_utf8(bytes).map_err(not_text)?;
+    let options = ParsingOptions { allow_dtd: true, nodes_limit: MAX_NODES, ..ParsingOptions::default() };
+    let document = Document::parse_with_options(text, options).map_err(|error| {
+        let at = error.pos();
+        refuse(&format!("line {}, column {}", at.row, at.col), DrawingFlaw::Parser { cause: error.to_string() })
+    })?;
+    let line = |element: Element<'_, '_>| {
+        let at = document.text_pos_at(element.range().start);
+        format!("line {}, column {}", at.row, at.col)
+    };
+    check_depth(&document).map_err(|element| {
+        refuse(&line(element), DrawingFlaw::TooMany { what: "elements in one another", most: MAX_DEPTH })
+    })?;
+    let tree = Tree::from_xmltree(&document, &Options::default())
+        .map_err(|error| refuse("", DrawingFlaw::Parser { cause: error.to_string() }))?;
+    let is_physical = has_physical_size(&document);
+    let scale = if is_physical { MM_PER_PIXEL } else { 1.0 };
+    let mut painter = Painter {
+        builder: Builder::new(),
+        labels: labels(&document),
+        height: f64::from(tree.size().height()),
+        scale,
+        paths: 0,
+    };
+    for name in ["text", "image"] {
+        let count = document.descendants().filter(|element| element.tag_name().name() == name).count();
+        painter.builder.leave_out(if name == "text" { "texts" } else { "images" }, count);
+    }
+    let place = |(path, flaw): (u32, DrawingFlaw)| refuse(&format!("path {path}"), flaw);
+    painter.group(tree.root(), &Names::default()).map_err(place)?;
+    painter.builder.finish(&file.name, is_physical.then_some(1e-3))
+}
+
+/// Whether the width is a length outside the screen.
+fn has_physical_size(document: &Document<'_>) -> bool {
+    let width = document.root_element().attribute("width").unwrap_or_default().trim();
+    ["mm", "cm", "in", "pt", "pc", "Q"].iter().any(|unit| width.ends_with(unit))
+}
+
+/// Inkscape's names of layers and groups by their ids.
+fn labels(document: &Document<'_>) -> BTreeMap<String, String> {
+    let groups = document.descendants().filter(|element| element.tag_name().name() == "g");
+    groups
+        .filter_map(|group| Some((group.attribute("id")?.to_owned(), group.attribute((INKSCAPE, "label"))?.to_owned())))
+        .collect()
+}
+
+/// Refuses elements that are nested so deep that reading them could take all of the stack, with what they use.
+fn check_depth<'a, 'i>(document: &'a Document<'i>) -> Result<(), Element<'a, 'i>> {
+    let mut by_id = BTreeMap::new();
+    for element in document.descendants() {
+        if let Some(id) = element.attribute("id") {
+            by_id.entry(id).or_insert(element);
+        }
+    }
+    // The depth at which every element has been looked at; what was seen deeper needn't be seen again.
+    let mut seen: BTreeMap<usize, usize> = BTreeMap::new();
+    let mut left = 4 * MAX_NODES;
+    let mut stack = vec![(document.root_element(), 1)];
+    while let Some((element, depth)) = stack.pop() {
+        left = left.saturating_sub(1);
+        if depth > MAX_DEPTH || left == 0 {
+            return Err(element);
+        }
+        let before = seen.entry(element.range().start).or_default();
+        if *before >= depth {
+            continue;
+        }
+        *before = depth;
+        let used = element.attribute("href").or_else(|| element.attribute((XLINK, "href")));
+        let is_use = element.tag_name().name() == "use";
+        let used = used.filter(|_| is_use).and_then(|href| by_id.get(href.strip_prefix('#')?).copied());
+        // What uses itself isn't drawn at all by `usvg`.
+        let used = used.filter(|used| !element.ancestors().any(|outer| outer == *used));
+        stack.extend(element.children().chain(used).filter(Element::is_element).map(|child| (child, depth + 1)));
+    }
+    Ok(())
+}
+
+/// Names of the groups around a path.
+#[derive(Clone, Default)]
+struct Names {
+    /// The innermost that Inkscape shows as a name.
+    label: Option<String>,
+    /// The outermost id.
+    id: Option<String>,
+}
+
+struct Painter {
+    builder: Builder,
+    labels: BTreeMap<String, String>,
+    /// Of the picture, pixels.
+    height: f64,
+    scale: f64,
+    paths: u32,
+}
+
+impl Painter {
+    fn group(&mut self, group: &Group, names: &Names) -> Result<(), (u32, DrawingFlaw)> {
+        for node in group.children() {
+            match node {
+                Node::Group(inner) => {
+                    let mut names = names.clone();
+                    if !inner.id().is_empty() {
+                        names.label = self.labels.get(inner.id()).cloned().or(names.label);
+                        names.id = names.id.or_else(|| Some(inner.id().to_owned()));
+                    }
+                    self.group(inner, &names)?;
+                }
+                Node::Path(path) => {
+                    self.paths += 1;
+                    let number = self.paths;
+                    self.path(path, names).map_err(|flaw| (number, flaw))?;
+                }
+                Node::Image(_) | Node::Text(_) => {}
+            }
+        }
+        Ok(())
+    }
+
+    fn path(&mut self, path: &usvg::Path, names: &Names) -> Result<(), DrawingFlaw> {
+        if !path.is_visible() {
+            self.builder.leave_out("hidden paths", 1);
+            return Ok(());
+        }
+        let paint = path.stroke().map(usvg::Stroke::paint).or_else(|| path.fill().map(usvg::Fill::paint));
+        let colour = match paint {
+            Some(Paint::Color(colour)) => [colour.red, colour.green, colour.blue],
+            _ => true_colour(0),
+        };
+        let name = names.label.clone().or_else(|| names.id.clone()).unwrap_or_else(|| {
+            let [red, green, blue] = colour;
+            format!("#{red:02x}{green:02x}{blue:02x}")
+        });
+        let layer = self.builder.layer(&name)?;
+        if self.builder.layer_mut(layer).strokes == 0 {
+            self.builder.layer_mut(layer).colour = colour;
+        }
+        // What is filled and has no line ends where it began.
+        let is_area = path.stroke().is_none();
+        let transform = path.abs_transform();
+        let at = |point: usvg::tiny_skia_path::Point| {
+            let (x, y) = (f64::from(point.x), f64::from(point.y));
+            let [sx, kx, ky, sy] = [transform.sx, transform.kx, transform.ky, transform.sy].map(f64::from);
+            let across = sx * x + kx * y + f64::from(transform.tx);
+            let down = ky * x + sy * y + f64::from(transform.ty);
+            Point::new(across * self.scale, (self.height - down) * self.scale)
+        };
+        let mut points: Vec<Point> = Vec::new();
+        for segment in path.data().segments() {
+            if points.len() > MAX_POINTS {
+                break;
+            }
+            let curve = match segment {
+                PathSegment::MoveTo(to) => {
+                    self.builder.stroke(layer, self.paths, is_area, points.drain(..))?;
+                    points.push(at(to));
+                    continue;
+                }
+                PathSegment::LineTo(to) => {
+                    points.push(at(to));
+                    continue;
+                }
+                PathSegment::Close => {
+                    self.builder.stroke(layer, self.paths, true, points.iter().copied())?;
+                    // What goes on without moving goes on from where the outline began.
+                    points.truncate(1);
+                    continue;
+                }
+                PathSegment::QuadTo(a, b) => vec![at(a), at(b)],
+                PathSegment::CubicTo(a, b, c) => vec![at(a), at(b), at(c)],
+            };
+            let controls: Vec<Point> = points.last().copied().into_iter().chain(curve).collect();
+            let bent = Nurbs { degree: controls.len() - 1, knots: &[], weights: &[], controls: &controls }.flatten();
+            points.extend(bent.into_iter().skip(1));
+        }
+        self.builder.stroke(layer, self.paths, is_area, points)
+    }
+}

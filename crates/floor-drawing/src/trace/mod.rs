@@ -1,0 +1,330 @@
+//! A room from a drawing.
+
+mod frame;
+mod gaps;
+mod openings;
+mod raster;
+mod region;
+mod solids;
+
+use super::{Drawing, Region, Role, Traced, Tracing, model::bad};
+use frame::{Bounds, Frame, bounds_of};
+use raster::Canvas;
+use robovac_core::{
+    floorplan::{
+        DrawingFlaw, FloorPlan, MAX_CORNERS, MAX_RESOLUTION, MAX_SIDE, MIN_RESOLUTION, MapError, crossing, encloses,
+    },
+    geometry::{Point, Pose},
+    grid::{Cell, Grid, Occupancy},
+    math::{ceil, floor},
+};
+
+/// Free cells around a whole drawing, so that one can walk around its walls.
+const MARGIN: i32 = 2;
+/// Floor around a drawing whose walls enclose nothing, m (ours): room for a robot to pass.
+const OPEN_MARGIN: f64 = 1.0;
+/// Ends of walls closer than this are joined, m (ours): what drawing programs round off.
+const TOUCHING: f64 = 1e-3;
+/// Cells of the first look around the click that chooses a room; twice as many are looked at until they hold it.
+const FIRST_LOOK: i32 = 512;
+
+/// Makes a room of a drawing.
+///
+/// Strokes of walls stop the robot, and so do open ones of obstacles: every cell that they cross is occupied. A closed wall
+/// only encloses floor. A closed obstacle is solid: a piece of furniture, or a leg if it is a circle, exactly as it is drawn,
+/// as long as rooms may have more of them; else the cells that it covers.
+///
+/// Of a whole drawing, floor is what can't be reached from outside, if walls enclose anything; else the box around it.
+/// Openings between free ends of walls are closed by lines. Where a room is chosen, and where the whole gets larger by it,
+/// openings up to the same width are closed however the walls beside them are drawn: walls that are outlines have no free ends.
+///
+/// ```
+/// use floor_drawing::{Region, Role, Tracing, read, trace};
+/// use robovac_core::floorplan::{SourceFile, to_ascii};
+/// let dxf = "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\nWALL\n70\n1\n10\n0\n20\n0\n10\n3000\n20\n0\n10\n3000\n20\n2000\n\
+///            10\n0\n20\n2000\n0\nENDSEC\n0\nEOF\n";
+/// let drawing = read(&SourceFile { name: "room.dxf".into(), bytes: dxf.into() })?;
+/// let how =
+///     Tracing { roles: vec![Role::Wall], metre: 0.001, gap: 0.0, resolution: 0.5, region: Region::Whole };
+/// let room = trace(&drawing, &how)?;
+/// assert!(to_ascii(&room.plan).ends_with(
+///     "##########\n##########\n###.....##\n###.....##\n###.....##\n##########\n##########\n##########\n"
+/// ));
+/// # Ok::<(), robovac_core::floorplan::MapError>(())
+/// ```
+pub fn trace(drawing: &Drawing, how: &Tracing) -> Result<Traced, MapError> {
+    Tracer::new(drawing, how).and_then(|tracer| tracer.run()).map_err(|flaw| bad(&drawing.name, "", flaw))
+}
+
+struct Tracer<'a> {
+    drawing: &'a Drawing,
+    how: &'a Tracing,
+    /// Box around all that isn't ignored, drawing units.
+    bounds: Bounds,
+    /// Side of a cell, drawing units.
+    side: f64,
+    bridges: Vec<[Point; 2]>,
+}
+
+impl<'a> Tracer<'a> {
+    fn new(drawing: &'a Drawing, how: &'a Tracing) -> Result<Self, DrawingFlaw> {
+        let (layers, roles) = (drawing.layers.len(), how.roles.len());
+        if layers != roles || drawing.strokes.iter().any(|stroke| stroke.layer as usize >= roles) {
+            return Err(DrawingFlaw::Roles { layers, roles });
+        }
+        if !(1e-12..=1e12).contains(&how.metre) {
+            return Err(DrawingFlaw::Metre { value: how.metre });
+        }
+        if !(MIN_RESOLUTION..=MAX_RESOLUTION).contains(&how.resolution) {
+            return Err(DrawingFlaw::Resolution { value: how.resolution });
+        }
+        let bounds = bounds_of(drawing, |layer| how.roles[layer as usize] != Role::Ignored);
+        let bounds = bounds.ok_or(DrawingFlaw::AllIgnored)?;
+        let mut tracer = Self { drawing, how, bounds, side: how.resolution / how.metre, bridges: Vec::new() };
+        if how.gap > 0.0 {
+            tracer.bridges = tracer.bridges();
+        }
+        Ok(tracer)
+    }
+
+    fn bridges(&self) -> Vec<[Point; 2]> {
+        let is_wall = |layer: u32| self.how.roles[layer as usize] == Role::Wall;
+        let walls: Vec<gaps::Wall<'_>> = self
+            .drawing
+            .strokes
+            .iter()
+            .filter(|stroke| is_wall(stroke.layer))
+            .map(|stroke| gaps::Wall { corners: self.drawing.corners(stroke), is_closed: stroke.is_closed })
+            .collect();
+        let gap = self.how.gap.min(1e6) / self.how.metre;
+        gaps::bridges(&walls, gap, TOUCHING / self.how.metre)
+    }
+
+    fn run(&self) -> Result<Traced, DrawingFlaw> {
+        match &self.how.region {
+            Region::Whole => self.whole(),
+            Region::Rectangle { low, high } => self.rectangle(*low, *high),
+            Region::Polygon(outline) => self.polygon(outline),
+            Region::Room(point) => self.room(*point),
+        }
+    }
+
+    fn whole(&self) -> Result<Traced, DrawingFlaw> {
+        let frame = Frame::around(&self.bounds, self.side, MARGIN);
+        frame.check(self.how.metre)?;
+        let walls = self.walls(&frame)?;
+        let inside = region::enclosed(&walls, self.how.resolution);
+        let closed = inside.count();
+        // A column or one closed room doesn't make the rooms with open doors outside.
+        if let Some(traced) = self.whole_with_open_doors(closed)? {
+            return Ok(traced);
+        }
+        if closed > 0 {
+            return self.furnished(&frame, &inside);
+        }
+        let margin = ceil(OPEN_MARGIN / self.how.resolution).max(MARGIN);
+        let frame = Frame::around(&self.bounds, self.side, margin);
+        frame.check(self.how.metre)?;
+        let walls = self.walls(&frame)?;
+        self.furnished(&frame, &walls.map(|is_wall| !is_wall))
+    }
+
+    /// What walls enclose if openings in them are closed, if that is more than the `closed` cells that they enclose anyway.
+    fn whole_with_open_doors(&self, closed: usize) -> Result<Option<Traced>, DrawingFlaw> {
+        let gap = self.how.gap / self.how.resolution;
+        let frame = Frame::around(&self.bounds, self.side, ceil(gap.min(1e6)).saturating_add(MARGIN));
+        if gap <= 0.0 || frame.check(self.how.metre).is_err() {
+            return Ok(None);
+        }
+        let walls = self.walls(&frame)?;
+        let outside = openings::part(&walls, [Cell::new(0, 0)], gap);
+        let mut shut = outside.cells;
+        for (cell, &is_wall) in shut.values_mut().iter_mut().zip(walls.values()) {
+            *cell |= is_wall;
+        }
+        let inside = region::enclosed(&shut, self.how.resolution);
+        if inside.count() <= closed {
+            return Ok(None);
+        }
+        self.cropped(&frame, inside, &walls, &outside.openings).map(Some)
+    }
+
+    fn rectangle(&self, a: Point, b: Point) -> Result<Traced, DrawingFlaw> {
+        let frame = self.frame_of(&Bounds { low: a.inf(&b), high: a.sup(&b) })?;
+        let walls = self.walls(&frame)?;
+        self.furnished(&frame, &walls.map(|is_wall| !is_wall))
+    }
+
+    fn polygon(&self, outline: &[Point]) -> Result<Traced, DrawingFlaw> {
+        let refused = DrawingFlaw::Outline { most: MAX_CORNERS };
+        let is_simple = (3..=MAX_CORNERS).contains(&outline.len()) && crossing(outline).is_none();
+        let Some(bounds) = Bounds::of(outline.iter().copied()).filter(|_| is_simple) else { return Err(refused) };
+        let frame = self.frame_of(&bounds)?;
+        let mut free = self.walls(&frame)?.map(|is_wall| !is_wall);
+        let outline: Vec<Point> = outline.iter().map(|&corner| frame.cells(corner)).collect();
+        for index in 0..free.len() {
+            let centre = free.cell(index).centre(1.0);
+            free.values_mut()[index] &= encloses(&outline, centre);
+        }
+        self.furnished(&frame, &free)
+    }
+
+    /// Cells for a region that was marked, if it is of a size that makes sense.
+    fn frame_of(&self, bounds: &Bounds) -> Result<Frame, DrawingFlaw> {
+        let size = (bounds.high - bounds.low) * self.how.metre;
+        let (width, height) = (size.x, size.y);
+        let least = 3.0 * self.how.resolution;
+        if width >= least && height >= least {
+            let frame = Frame::around(bounds, self.side, 0);
+            return frame.check(self.how.metre).map(|()| frame);
+        }
+        Err(DrawingFlaw::TooSmall { width, height, resolution: self.how.resolution })
+    }
+
+    fn room(&self, click: Point) -> Result<Traced, DrawingFlaw> {
+        let all = Frame::around(&self.bounds, self.side, MARGIN);
+        let at = all.cells(click);
+        let not_floor = |what| DrawingFlaw::NotFloor { what, x: click.x, y: click.y };
+        let is_inside = at.x >= 0.0 && at.y >= 0.0 && at.x < f64::from(all.size[0]) && at.y < f64::from(all.size[1]);
+        if !is_inside {
+            return Err(not_floor("nothing drawn"));
+        }
+        let at = [floor(at.x), floor(at.y)];
+        let mut look = FIRST_LOOK;
+        loop {
+            let from = [0, 1].map(|axis| (at[axis] - look / 2).max(0));
+            let to = [0, 1].map(|axis| (at[axis].saturating_add(look / 2)).min(all.size[axis]));
+            let frame = all.part(from, [to[0] - from[0], to[1] - from[1]]);
+            let walls = self.walls(&frame)?;
+            let start = Cell::new(at[0] - from[0], at[1] - from[1]);
+            if walls.is_set(start) {
+                return Err(not_floor("a wall"));
+            }
+            let mut blocked = Canvas::new(frame.size);
+            for stroke in solids::solids(self.drawing, &self.how.roles) {
+                blocked.fill(&solids::in_cells(self.drawing, stroke, &frame))?;
+            }
+            if blocked.cells.is_set(start) {
+                return Err(not_floor("an obstacle"));
+            }
+            for (cell, &is_wall) in blocked.cells.values_mut().iter_mut().zip(walls.values()) {
+                *cell |= is_wall;
+            }
+            let blocked = blocked.cells;
+            if self.how.gap > 0.0 {
+                // Furniture makes no doors. In a corridor as narrow as a door there is nothing to be closed.
+                let part = openings::part(&walls, [start], self.how.gap / self.how.resolution);
+                if !part.meets_border && part.cells.is_set(start) {
+                    return self.cropped(&frame, part.cells, &walls, &part.openings);
+                }
+            }
+            let (reached, meets_border) = region::room(&blocked, start);
+            if !meets_border {
+                return self.cropped(&frame, reached, &walls, &[]);
+            }
+            let is_all = from == [0, 0] && to == all.size;
+            if !is_all && look < MAX_SIDE as i32 {
+                look *= 2;
+                continue;
+            }
+            if !is_all {
+                all.check(self.how.metre)?;
+            }
+            let (place, width) = region::leak(&blocked, start).unwrap_or((start.centre(1.0), 1.0));
+            let place = frame.point(place);
+            return Err(DrawingFlaw::Leak { x: place.x, y: place.y, width: width * self.how.resolution });
+        }
+    }
+
+    /// The room with what stands in it, within one cell of wall. `openings` were closed for it.
+    fn cropped(
+        &self,
+        frame: &Frame,
+        mut floor: Grid<bool>,
+        walls: &Grid<bool>,
+        openings: &[[Point; 2]],
+    ) -> Result<Traced, DrawingFlaw> {
+        // What stands on the floor has floor beneath it.
+        let mut beneath = Canvas::new(frame.size);
+        let on_floor = solids::Floor::new(&floor);
+        for stroke in solids::solids(self.drawing, &self.how.roles) {
+            let outline = solids::in_cells(self.drawing, stroke, frame);
+            if on_floor.touches(&outline) {
+                beneath.fill(&outline)?;
+            }
+        }
+        for ((cell, &is_beneath), &is_wall) in
+            floor.values_mut().iter_mut().zip(beneath.cells.values()).zip(walls.values())
+        {
+            *cell |= is_beneath && !is_wall;
+        }
+        let (mut low, mut high) = ([i32::MAX; 2], [i32::MIN; 2]);
+        for (cell, _) in floor.iter().filter(|(_, is_floor)| **is_floor) {
+            low = [low[0].min(cell.x), low[1].min(cell.y)];
+            high = [high[0].max(cell.x), high[1].max(cell.y)];
+        }
+        if low[0] > high[0] {
+            return Err(DrawingFlaw::NoFloor);
+        }
+        let from = low.map(|low| low - 1);
+        let size = [high[0] - low[0] + 3, high[1] - low[1] + 3];
+        let part = frame.part(from, size);
+        part.check(self.how.metre)?;
+        let mut cut = Grid::filled(size[0] as usize, size[1] as usize, false);
+        for index in 0..cut.len() {
+            let cell = cut.cell(index);
+            cut.values_mut()[index] = floor.is_set(Cell::new(cell.x + from[0], cell.y + from[1]));
+        }
+        let mut traced = self.furnished(&part, &cut)?;
+        let moved = |end: Point| part.cells(frame.point(end)) * self.how.resolution;
+        traced.gaps.extend(openings.iter().map(|ends| ends.map(moved)));
+        Ok(traced)
+    }
+
+    /// Cells that walls, closed gaps and open obstacles cross.
+    fn walls(&self, frame: &Frame) -> Result<Grid<bool>, DrawingFlaw> {
+        let mut canvas = Canvas::new(frame.size);
+        for stroke in &self.drawing.strokes {
+            let stops = match self.how.roles[stroke.layer as usize] {
+                Role::Wall => true,
+                Role::Obstacle => !stroke.is_closed,
+                Role::Ignored => false,
+            };
+            if !stops {
+                continue;
+            }
+            let corners = self.drawing.corners(stroke);
+            for pair in corners.windows(2) {
+                canvas.segment(frame.cells(pair[0]), frame.cells(pair[1]))?;
+            }
+            if let (true, Some(&first), Some(&last)) = (stroke.is_closed, corners.first(), corners.last()) {
+                canvas.segment(frame.cells(last), frame.cells(first))?;
+            }
+        }
+        for [a, b] in &self.bridges {
+            canvas.segment(frame.cells(*a), frame.cells(*b))?;
+        }
+        Ok(canvas.cells)
+    }
+
+    fn furnished(&self, frame: &Frame, floor: &Grid<bool>) -> Result<Traced, DrawingFlaw> {
+        let metre = self.how.metre;
+        let mut plan = FloorPlan {
+            name: self.drawing.name.clone(),
+            note: String::new(),
+            resolution: self.how.resolution,
+            occupancy: floor.map(|&is_floor| if is_floor { Occupancy::Free } else { Occupancy::Occupied }),
+            objects: Vec::new(),
+            start: None,
+            origin: Pose::new(frame.low.x * metre, frame.low.y * metre, 0.0),
+        };
+        solids::furnish(&mut plan, self.drawing, &self.how.roles, frame)?;
+        if !plan.occupancy.values().iter().any(|cell| cell.is_free()) {
+            return Err(DrawingFlaw::NoFloor);
+        }
+        let inside = |end: &Point| (0.0..=plan.width_m()).contains(&end.x) && (0.0..=plan.height_m()).contains(&end.y);
+        let in_room = self.bridges.iter().map(|ends| ends.map(|end| frame.cells(end) * self.how.resolution));
+        let gaps = in_room.filter(|ends| ends.iter().all(inside)).collect();
+        Ok(Traced { plan, corner: frame.low.coords, metre, gaps })
+    }
+}

@@ -1,0 +1,120 @@
+//! Strokes and outlines on cells.
+
+use robovac_core::{
+    floorplan::DrawingFlaw,
+    geometry::Point,
+    grid::Grid,
+    math::{ceil, floor},
+};
+use std::ops::Range;
+
+/// Most cells that all strokes together may cross or cover, counting those that come twice (ours): a second's work.
+const MAX_WORK: usize = 500_000_000;
+
+/// A grid that is drawn on, in cells from its lower-left corner. What lies outside is left out.
+pub(super) struct Canvas {
+    pub cells: Grid<bool>,
+    work: usize,
+}
+
+impl Canvas {
+    pub fn new(size: [i32; 2]) -> Self {
+        Self { cells: Grid::filled(size[0].max(1) as usize, size[1].max(1) as usize, false), work: 0 }
+    }
+
+    /// Sets every cell that the segment crosses.
+    pub fn segment(&mut self, a: Point, b: Point) -> Result<(), DrawingFlaw> {
+        let (low, high) = if a.y <= b.y { (a, b) } else { (b, a) };
+        let rows = clip(low.y, high.y, self.cells.height());
+        let slope = if high.y > low.y { (high.x - low.x) / (high.y - low.y) } else { 0.0 };
+        let at = |y: f64| low.x + (y - low.y) * slope;
+        for row in rows {
+            let ends = if high.y > low.y {
+                [at(low.y.max(row as f64)), at(high.y.min((row + 1) as f64))]
+            } else {
+                [low.x, high.x]
+            };
+            let columns = clip(ends[0].min(ends[1]), ends[0].max(ends[1]), self.cells.width());
+            self.set(row, columns)?;
+        }
+        Ok(())
+    }
+
+    /// Sets the cells that the outline covers: whose centres it encloses or that it crosses.
+    pub fn fill(&mut self, outline: &[Point]) -> Result<(), DrawingFlaw> {
+        let edges = || outline.iter().copied().zip(outline.iter().copied().cycle().skip(1));
+        for (a, b) in edges() {
+            self.segment(a, b)?;
+        }
+        let (width, height) = (self.cells.width(), self.cells.height());
+        let mut crossings: Vec<(usize, f64)> = Vec::new();
+        for (a, b) in edges().filter(|(a, b)| a.y != b.y) {
+            let (low, high) = if a.y < b.y { (a, b) } else { (b, a) };
+            // Rows whose middles lie in [low, high).
+            let first = ceil(low.y - 0.5).clamp(0, height as i32) as usize;
+            let end = ceil(high.y - 0.5).clamp(0, height as i32) as usize;
+            let slope = (high.x - low.x) / (high.y - low.y);
+            crossings.extend((first..end).map(|row| (row, low.x + (row as f64 + 0.5 - low.y) * slope)));
+            if crossings.len() > MAX_WORK / 32 {
+                return Err(too_much());
+            }
+        }
+        crossings.sort_by(|one, other| one.0.cmp(&other.0).then(one.1.total_cmp(&other.1)));
+        for pair in crossings.chunks_exact(2) {
+            let first = ceil(pair[0].1 - 0.5).clamp(0, width as i32) as usize;
+            let end = ceil(pair[1].1 - 0.5).clamp(0, width as i32) as usize;
+            self.set(pair[0].0, first..end.max(first))?;
+        }
+        Ok(())
+    }
+
+    fn set(&mut self, row: usize, columns: Range<usize>) -> Result<(), DrawingFlaw> {
+        self.work += columns.len() + 1;
+        if self.work > MAX_WORK {
+            return Err(too_much());
+        }
+        let start = row * self.cells.width();
+        self.cells.values_mut()[start + columns.start..start + columns.end].fill(true);
+        Ok(())
+    }
+}
+
+fn too_much() -> DrawingFlaw {
+    DrawingFlaw::TooMany { what: "cells crossed by strokes", most: MAX_WORK }
+}
+
+/// The cells of a row or column of `count` that hold the coordinates from `low` to `high`.
+fn clip(low: f64, high: f64, count: usize) -> Range<usize> {
+    let count = count as i32;
+    let (first, last) = (floor(low).max(0), floor(high).min(count - 1));
+    if first > last { 0..0 } else { first as usize..last as usize + 1 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use robovac_core::grid::picture;
+
+    fn drawn(size: [i32; 2], draw: impl Fn(&mut Canvas)) -> String {
+        let mut canvas = Canvas::new(size);
+        draw(&mut canvas);
+        picture(&canvas.cells, |&is_set| if is_set { '#' } else { '.' })
+    }
+
+    #[test]
+    fn a_line_sets_all_cells_that_it_crosses() {
+        let line = drawn([6, 4], |canvas| canvas.segment(Point::new(0.5, 0.5), Point::new(5.5, 2.9)).unwrap());
+        assert_eq!(line.trim(), "......\n...###\n.###..\n##....".trim());
+        let far = drawn([3, 2], |canvas| canvas.segment(Point::new(-1e9, 0.5), Point::new(1e9, 0.5)).unwrap());
+        assert_eq!(far.trim(), "...\n###");
+        let outside = drawn([3, 2], |canvas| canvas.segment(Point::new(-5.0, 9.0), Point::new(-1.0, -3.0)).unwrap());
+        assert!(!outside.contains('#'));
+    }
+
+    #[test]
+    fn an_outline_is_filled_up_to_its_border() {
+        let corners = [(1.2, 1.2), (4.8, 1.2), (4.8, 4.8), (3.0, 2.6), (1.2, 4.8)].map(|(x, y)| Point::new(x, y));
+        let filled = drawn([6, 6], |canvas| canvas.fill(&corners).unwrap());
+        assert_eq!(filled.trim(), "......\n.#..#.\n.####.\n.####.\n.####.\n......");
+    }
+}

@@ -1,0 +1,195 @@
+//! Which cells are floor.
+
+use robovac_core::{
+    geometry::Point,
+    grid::{Cell, Grid, chessboard},
+    math::ceil,
+};
+use std::collections::VecDeque;
+
+/// What walls enclose is the inside of a wall if it is nowhere wider than this, m (ours): walls that are drawn as outlines are
+/// rarely thicker, and no room is as narrow throughout.
+const LEAST_WIDTH: f64 = 0.5;
+
+/// The free cells that the border can't be reached from, less what is too narrow to be floor.
+pub(super) fn enclosed(blocked: &Grid<bool>, resolution: f64) -> Grid<bool> {
+    let (width, height) = (blocked.width() as i32, blocked.height() as i32);
+    let mut outside = blocked.map(|_| false);
+    let border = (0..width).flat_map(|x| [Cell::new(x, 0), Cell::new(x, height - 1)]);
+    let sides = (0..height).flat_map(|y| [Cell::new(0, y), Cell::new(width - 1, y)]);
+    for cell in border.chain(sides) {
+        flood(blocked, cell, &mut outside, |_| {});
+    }
+    let mut inside = blocked.map(|_| false);
+    let wide = chessboard(blocked);
+    // A square of 2 n - 1 cells lies around a cell that is n moves from the next wall. One cell is never known to be more
+    // than the inside of a wall.
+    let least = ceil(f64::midpoint(LEAST_WIDTH / resolution, 1.0) - 1e-9).clamp(2, 255) as u8;
+    for (cell, &is_outside) in outside.iter() {
+        if !is_outside && !inside[cell] && !blocked[cell] && wide[cell] >= least {
+            flood(blocked, cell, &mut inside, |_| {});
+        }
+    }
+    inside
+}
+
+/// The free cells that are connected with `start`, and whether one of them is on the border.
+pub(super) fn room(blocked: &Grid<bool>, start: Cell) -> (Grid<bool>, bool) {
+    let mut reached = blocked.map(|_| false);
+    let (right, top) = (blocked.width() as i32 - 1, blocked.height() as i32 - 1);
+    let mut meets_border = false;
+    flood(blocked, start, &mut reached, |cell| {
+        meets_border |= cell.x == 0 || cell.y == 0 || cell.x == right || cell.y == top;
+    });
+    (reached, meets_border)
+}
+
+/// Marks all free cells that are connected with `start` and not marked yet, a piece of a row at a time.
+fn flood(blocked: &Grid<bool>, start: Cell, marked: &mut Grid<bool>, mut seen: impl FnMut(Cell)) {
+    if !blocked.contains(start) {
+        return;
+    }
+    let width = blocked.width();
+    let mut stack = vec![(start.x as usize, start.y as usize)];
+    while let Some((x, y)) = stack.pop() {
+        let row = y * width;
+        let walls = &blocked.values()[row..row + width];
+        let marks = &mut marked.values_mut()[row..row + width];
+        if walls[x] || marks[x] {
+            continue;
+        }
+        // As far as it goes to either side.
+        let open = |x: &usize| !walls[*x] && !marks[*x];
+        let first = (0..x).rev().take_while(open).last().unwrap_or(x);
+        let end = (x + 1..width).take_while(open).last().unwrap_or(x) + 1;
+        marks[first..end].fill(true);
+        for x in first..end {
+            seen(Cell::new(x as i32, y as i32));
+        }
+        // The first cell of each piece of the rows beside it that goes on from there.
+        let beside = [y.checked_sub(1), (y + 1 < blocked.height()).then_some(y + 1)];
+        for y in beside.into_iter().flatten() {
+            let row = y * width;
+            let (walls, marks) = (&blocked.values()[row..row + width], &marked.values()[row..row + width]);
+            let mut was_new = false;
+            for x in first..end {
+                let is_new = !walls[x] && !marks[x];
+                if is_new && !was_new {
+                    stack.push((x, y));
+                }
+                was_new = is_new;
+            }
+        }
+    }
+}
+
+/// Where one gets out most easily: before the narrowest place, in cells, of the widest way from `start` to the border, and its
+/// width in cells.
+pub(super) fn leak(blocked: &Grid<bool>, start: Cell) -> Option<(Point, f64)> {
+    let moves = chessboard(blocked);
+    let (right, top) = (blocked.width() as i32 - 1, blocked.height() as i32 - 1);
+    let from_border = |cell: Cell| cell.x.min(cell.y).min(right - cell.x).min(top - cell.y);
+    // Out of the grid is as good as a wall to `chessboard`, but here it is the way out.
+    let width = |cell: Cell| {
+        let width = moves.get(cell).map_or(0, |&moves| i32::from(moves));
+        if width > from_border(cell) { 255 } else { width as usize }
+    };
+    // Cells to go on from, by how wide the way to them is, each with its narrowest place.
+    let mut waiting: Vec<VecDeque<(Cell, Cell)>> = vec![VecDeque::new(); 256];
+    let mut seen = blocked.map(|_| false);
+    let mut level = width(start);
+    waiting[level].push_back((start, start));
+    loop {
+        let Some((cell, narrowest)) = waiting[level].pop_front() else {
+            level = level.checked_sub(1)?;
+            continue;
+        };
+        if seen[cell] {
+            continue;
+        }
+        seen[cell] = true;
+        if from_border(cell) == 0 {
+            return Some((narrowest.centre(1.0), 2.0 * level as f64 - 1.0));
+        }
+        for next in cell.neighbours() {
+            if blocked.get(next) == Some(&false) && !seen[next] {
+                let is_narrower = width(next) < level;
+                waiting[width(next).min(level)].push_back((next, if is_narrower { next } else { narrowest }));
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use robovac_core::{
+        floorplan::generate::random_clutter,
+        grid::{from_picture, picture, reachable},
+    };
+
+    #[test]
+    fn a_flood_marks_what_steps_reach() {
+        for seed in 0..20 {
+            let free = random_clutter(31, 23, 0.4, seed);
+            let blocked = free.map(|&is_free| !is_free);
+            for start in [Cell::new(0, 0), Cell::new(15, 11), Cell::new(30, 22), Cell::new(7, 19)] {
+                let (reached, meets_border) = room(&blocked, start);
+                let expected = if free[start] { reachable(&free, start) } else { free.map(|_| false) };
+                assert_eq!(reached, expected, "{seed} {start}");
+                let on_border = |cell: Cell| cell.x == 0 || cell.y == 0 || cell.x == 30 || cell.y == 22;
+                assert_eq!(meets_border, expected.iter().any(|(cell, &is_set)| is_set && on_border(cell)));
+            }
+        }
+    }
+
+    #[test]
+    fn what_the_border_reaches_is_outside() {
+        let blocked = from_picture(
+            "...........\n\
+             .#########.\n\
+             .#...#...#.\n\
+             .#...#...#.\n\
+             .#...#...#.\n\
+             .#####.###.\n\
+             ...........\n",
+            |c| c == '#',
+        )
+        .unwrap();
+        let inside = enclosed(&blocked, 0.2);
+        assert_eq!(
+            picture(&inside, |&is_set| if is_set { '#' } else { '.' }).trim(),
+            "...........\n...........\n..###......\n..###......\n..###......\n...........\n..........."
+        );
+        // Three cells of 5 cm are the inside of a wall.
+        assert_eq!(enclosed(&blocked, 0.05).count(), 0);
+    }
+
+    #[test]
+    fn the_inside_of_a_hollow_wall_is_no_room_at_coarse_cells() {
+        let hollow = from_picture("......\n.####.\n.#..#.\n.#..#.\n.####.\n......\n", |c| c == '#').unwrap();
+        for resolution in [0.05, 0.2, 0.25, 0.5] {
+            assert_eq!(enclosed(&hollow, resolution).count(), 0, "{resolution}");
+        }
+    }
+
+    #[test]
+    fn a_leak_is_found_at_the_opening() {
+        let blocked = from_picture(
+            "............\n\
+             .##########.\n\
+             .#........#.\n\
+             .#........#.\n\
+             .#..........\n\
+             .#........#.\n\
+             .##########.\n\
+             ............\n",
+            |c| c == '#',
+        )
+        .unwrap();
+        let start = Cell::new(4, 4);
+        let (_, meets_border) = room(&blocked, start);
+        assert!(meets_border);
+        assert_eq!(leak(&blocked, start), Some((Point::new(9.5, 3.5), 1.0)));
+    }
+}

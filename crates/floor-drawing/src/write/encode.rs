@@ -1,0 +1,72 @@
+//! Pairs of a DXF in the form of the file that they go into.
+
+use crate::dxf::Form;
+use encoding_rs::Encoding;
+
+/// A value to be written.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Value {
+    Text(String),
+    Real(f64),
+    /// Of 16 bits in binary files, as 62 and 70 are.
+    Short(i64),
+    /// Of 32 bits in binary files, as 90 is.
+    Long(i64),
+}
+
+/// Pairs as bytes.
+pub(super) struct Writer {
+    form: Form,
+    line_end: &'static str,
+    encoding: &'static Encoding,
+    pub bytes: Vec<u8>,
+}
+
+impl Writer {
+    /// `is_crlf`: whether lines of text end as on Windows.
+    pub fn new(form: Form, is_crlf: bool, encoding: &'static Encoding) -> Self {
+        Self { form, line_end: if is_crlf { "\r\n" } else { "\n" }, encoding, bytes: Vec::new() }
+    }
+
+    pub fn text(&mut self, code: i32, value: &str) {
+        self.pair(code, &Value::Text(value.to_owned()));
+    }
+
+    pub fn real(&mut self, code: i32, value: f64) {
+        self.pair(code, &Value::Real(value));
+    }
+
+    pub fn short(&mut self, code: i32, value: i64) {
+        self.pair(code, &Value::Short(value));
+    }
+
+    pub fn pair(&mut self, code: i32, value: &Value) {
+        match self.form {
+            Form::Text => {
+                let value = match value {
+                    Value::Text(text) => text.clone(),
+                    Value::Real(real) => format!("{real:?}"),
+                    Value::Short(whole) | Value::Long(whole) => whole.to_string(),
+                };
+                let end = self.line_end;
+                self.bytes.extend(format!("{code:3}{end}").into_bytes());
+                self.bytes.extend_from_slice(&self.encoding.encode(&value).0);
+                self.bytes.extend_from_slice(end.as_bytes());
+                return;
+            }
+            // No code that is written is above 254 in the old form.
+            Form::Short => self.bytes.push(code as u8),
+            Form::Long => self.bytes.extend((code as i16).to_le_bytes()),
+        }
+        match value {
+            Value::Text(text) => {
+                let text = self.encoding.encode(text).0;
+                self.bytes.extend(text.iter().filter(|&&byte| byte != 0));
+                self.bytes.push(0);
+            }
+            Value::Real(real) => self.bytes.extend(real.to_le_bytes()),
+            Value::Short(whole) => self.bytes.extend((*whole as i16).to_le_bytes()),
+            Value::Long(whole) => self.bytes.extend((*whole as i32).to_le_bytes()),
+        }
+    }
+}

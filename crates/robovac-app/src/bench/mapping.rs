@@ -1,0 +1,71 @@
+//! What it takes to make a map, drift corrected.
+
+use super::Bench;
+use robovac_core::{
+    coverage::ReachableFloor,
+    floorplan::room,
+    registry::Params,
+    robot::{OdometryModel, Sensors, model},
+};
+use robovac_sim::{
+    Conditions, Noise, NoiseLevel, Run, RunSetup, STEP_S, SlipLevel, World,
+    controller::{self, Setup},
+    mapping::{Mapper, MapperSetup, RESOLUTION, Tracking, Truth},
+};
+use std::{iter::repeat_with, sync::Arc};
+
+/// Readings of five minutes.
+const READINGS: usize = 20_000;
+
+/// A drive, and a mapper that is about to hear of it.
+pub struct MappingCase {
+    /// What a robot reads that follows the walls of the furnished flat, with typical slip and noise.
+    pub readings: Vec<Sensors>,
+    /// As it begins, with drift to be corrected.
+    pub mapper: Mapper,
+    /// The flat as it is.
+    pub truth: Truth,
+}
+
+impl MappingCase {
+    /// `None` if what it takes were missing from a registry.
+    pub fn new() -> Option<Self> {
+        let (plan, robot) = (room("flat").map(|info| (info.build)())?, model("roomba600")?.clone());
+        let floor = Arc::new(ReachableFloor::new(&plan, &robot, None).ok()?);
+        let info = controller::find("wall_follow")?;
+        let params = Params::defaults(info.params);
+        let behaviour = info.build(&Setup { robot: &robot, params: &params, seed: 1 })?;
+        let noise = Noise::all(NoiseLevel::Typical);
+        let conditions = Conditions { slip: SlipLevel::Typical, noise, ..Conditions::default() };
+        let truth = Truth::of(&floor, RESOLUTION);
+        let mapper = Mapper::new(MapperSetup {
+            robot: robot.clone(),
+            start: floor.start,
+            tracking: Tracking::Corrected,
+            odometry: OdometryModel::Arc,
+            seed: 1,
+        });
+        let world = Arc::new(World::new(&plan));
+        let mut run = Run::new(&RunSetup { floor, world, robot, conditions, seed: 1 }, behaviour);
+        let readings = repeat_with(|| {
+            run.step();
+            run.sensors().clone()
+        });
+        Some(Self { readings: readings.take(READINGS).collect(), mapper, truth })
+    }
+
+    /// The mapper after the drive.
+    pub fn map(&self, mut mapper: Mapper) -> Mapper {
+        for sensed in &self.readings {
+            mapper.update(sensed);
+        }
+        mapper
+    }
+}
+
+/// Five minutes of a robot that makes a map and corrects its drift; without the simulation.
+pub fn mapping(bench: &mut Bench<'_>) {
+    let Some(case) = MappingCase::new() else { return };
+    let mut map = || drop(case.map(case.mapper.clone()));
+    bench.take("map the furnished flat, drift corrected", &mut map, Some(READINGS as f64 * STEP_S));
+}

@@ -1,0 +1,80 @@
+//! What comparisons take over from the session.
+
+use super::{RaceSetup, RoomChoice};
+use crate::explore::Session;
+use robovac_core::{floorplan::FloorPlan, geometry::Pose};
+use robovac_sim::experiment::planning::Prepared;
+use std::sync::Arc;
+
+/// The session's room, robot, start and seed at one moment.
+pub(super) struct Base {
+    pub plan: Arc<FloorPlan>,
+    /// Name of the room.
+    pub title: String,
+    room: Option<&'static str>,
+    pub prepared: Option<Prepared>,
+    start: Option<Pose>,
+    pub robot: &'static str,
+    pub cell_size: f64,
+    pub seed: u64,
+    pub setup: RaceSetup,
+    /// Tells with `plan_version` whether the session has changed since.
+    link: String,
+    plan_version: u64,
+}
+
+/// Simulated time per time that a race begins with: a flat takes most of an hour to clean.
+const SPEED: f64 = 64.0;
+
+/// Begins the names of rooms that don't ship.
+pub(super) const OWN: &str = "own";
+
+impl Base {
+    /// What the session has now; races go at `speed`, or at [`SPEED`].
+    pub fn of(session: &Session, speed: Option<f64>) -> Self {
+        let settings = session.settings();
+        Self {
+            plan: Arc::clone(session.plan()),
+            title: session.room_title(),
+            room: session.room(),
+            prepared: session.prepared().cloned(),
+            start: session.start(),
+            robot: settings.robot,
+            cell_size: settings.cell_size,
+            seed: settings.seed,
+            setup: RaceSetup {
+                conditions: settings.conditions,
+                odometry: settings.odometry,
+                seed: settings.seed,
+                speed: speed.unwrap_or(SPEED),
+            },
+            link: session.link(),
+            plan_version: session.plan_version(),
+        }
+    }
+
+    /// Whether the session is as it was.
+    pub fn is_of(&self, session: &Session) -> bool {
+        self.plan_version == session.plan_version() && self.link == session.link()
+    }
+
+    /// The session's room.
+    pub fn here(&self) -> RoomChoice {
+        self.room.map_or(RoomChoice::Own, RoomChoice::Shipped)
+    }
+
+    /// Where the robot starts if not where the room says: x, y in metres, heading in radians.
+    pub fn start_in(&self, room: RoomChoice) -> Option<[f64; 3]> {
+        self.start.filter(|_| room == self.here()).map(|s| [s.x, s.y, s.heading])
+    }
+
+    /// Tells room, start, robot and cell size from others.
+    pub fn place(&self, room: RoomChoice) -> String {
+        let start = self.start_in(room);
+        let room = match room {
+            RoomChoice::Shipped(id) => id.to_owned(),
+            RoomChoice::Own => format!("{OWN}{}", self.plan_version),
+        };
+        format!("{room} {start:?} {} {}", self.robot, self.cell_size)
+    }
+}

@@ -1,0 +1,414 @@
+//! A comparison as the page has it: who takes part where, what has been tried, and what is left to try.
+
+use super::{
+    Progress, Race, RaceSetup, Record, RoomChoice, RoomSet, Row, Table, Trial,
+    base::{Base, OWN},
+    race::{MOST_LANES, Racer},
+    trials::{Key, Trials},
+};
+use crate::explore::Session;
+use coverage_planners::{Bounds, CoveragePath, PLANNERS};
+use robovac_core::floorplan::{ROOMS, Scenario};
+use robovac_sim::experiment::{Algorithm, Entrant, Outcome, SettingsError, TrialRequest};
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    sync::Arc,
+};
+
+/// Most seeds that planners which use chance are tried with.
+pub const MOST_SEEDS: u32 = 20;
+/// Planners that take part at first.
+const FIRST: [&str; 4] = ["boustrophedon", "snake", "spiral_stc", "wavefront_path"];
+/// Walks are kept to be raced as long as there are no more cells in them together, which take 8 bytes each.
+const MOST_KEPT_CELLS: usize = 8_000_000;
+
+/// Who competes where, and what came out.
+pub struct Comparison {
+    base: Option<Base>,
+    /// One for each planner of the registry, in its order.
+    entrants: Vec<Entrant>,
+    chosen: BTreeSet<usize>,
+    set: RoomSet,
+    seeds: u32,
+    trials: Trials,
+    /// Walks to be raced.
+    paths: BTreeMap<Key, CoveragePath>,
+    race: Option<Race>,
+    races: u32,
+    version: u32,
+}
+
+impl Comparison {
+    /// Some planners about to be compared in the session's room.
+    pub fn new() -> Self {
+        let entrants: Vec<Entrant> = PLANNERS.iter().map(|planner| Entrant::new(Algorithm::Planner(planner))).collect();
+        let chosen = (0..entrants.len()).filter(|&i| FIRST.contains(&entrants[i].id())).collect();
+        let mut comparison = Self {
+            base: None,
+            entrants,
+            chosen,
+            set: RoomSet::This,
+            seeds: 1,
+            trials: Trials::default(),
+            paths: BTreeMap::new(),
+            race: None,
+            races: 0,
+            version: 0,
+        };
+        comparison.changed();
+        comparison
+    }
+
+    // ---- choices
+
+    /// Takes room, robot, start and seed over from the session. Results that they don't change stay.
+    pub fn take(&mut self, session: &Session) {
+        if self.base.as_ref().is_some_and(|base| base.is_of(session)) {
+            return;
+        }
+        self.base = Some(Base::of(session, self.race.as_ref().map(Race::speed)));
+        // Earlier states of an own room don't come back.
+        let here = self.place(self.here());
+        self.trials.retain(|key| !key.starts_with(OWN) || key.starts_with(&here));
+        self.paths.retain(|key, _| self.trials.result(key).is_some());
+        self.changed();
+    }
+
+    /// Lets a planner take part, or not.
+    pub fn choose(&mut self, id: &str, takes_part: bool) -> Result<(), SettingsError> {
+        let index = self.index(id)?;
+        if takes_part {
+            self.chosen.insert(index)
+        } else {
+            self.chosen.remove(&index)
+        };
+        self.changed();
+        Ok(())
+    }
+
+    /// Sets a parameter of a planner from the text of a form.
+    pub fn set_param(&mut self, planner: &str, id: &str, text: &str) -> Result<(), SettingsError> {
+        let index = self.index(planner)?;
+        self.entrants[index].set(id, text)?;
+        self.changed();
+        Ok(())
+    }
+
+    /// Chooses the rooms.
+    pub fn set_rooms(&mut self, id: &str) -> Result<(), SettingsError> {
+        self.set = RoomSet::parse(id)?;
+        self.changed();
+        Ok(())
+    }
+
+    /// Number of seeds that planners which use chance are tried with, 1 to [`MOST_SEEDS`].
+    pub fn set_seeds(&mut self, seeds: u32) {
+        self.seeds = seeds.clamp(1, MOST_SEEDS);
+        self.changed();
+    }
+
+    fn index(&self, id: &str) -> Result<usize, SettingsError> {
+        Entrant::parse_planner(id).map(|(_, info)| self.entrants.iter().position(|o| o.id() == info.id).unwrap_or(0))
+    }
+
+    /// What is asked for is different from before.
+    fn changed(&mut self) {
+        self.version += 1;
+        self.trials.want(self.wanted());
+        self.enter_race();
+    }
+
+    /// What has been chosen as `key=value` pairs for a link.
+    pub fn to_link(&self) -> String {
+        let chosen: Vec<String> = self.chosen.iter().map(|&i| self.entrants[i].to_string()).collect();
+        format!("vs={}&rooms={}&seeds={}", chosen.join(","), self.set.id(), self.seeds)
+    }
+
+    /// Takes what [`Comparison::to_link`] wrote among other pairs, joined by `&`. On an error everything stays as it was.
+    pub fn restore(&mut self, link: &str) -> Result<(), SettingsError> {
+        let mut next = Self { entrants: self.entrants.clone(), ..Self::new() };
+        (next.chosen, next.set, next.seeds) = (self.chosen.clone(), self.set, self.seeds);
+        for (key, value) in link.trim_start_matches('#').split('&').filter_map(|pair| pair.split_once('=')) {
+            match key {
+                "vs" => next.choose_only(value)?,
+                "rooms" => next.set = RoomSet::parse(value)?,
+                "seeds" => next.seeds = seeds(value)?,
+                _ => {}
+            }
+        }
+        (self.entrants, self.chosen, self.set, self.seeds) = (next.entrants, next.chosen, next.set, next.seeds);
+        self.changed();
+        Ok(())
+    }
+
+    /// Only those of a link take part.
+    fn choose_only(&mut self, link: &str) -> Result<(), SettingsError> {
+        self.chosen.clear();
+        for entrant in link.split(',').filter(|name| !name.is_empty()) {
+            let (entrant, planner) = Entrant::parse_planner(entrant)?;
+            if let Some(index) = self.entrants.iter().position(|e| e.id() == planner.id) {
+                self.entrants[index] = entrant;
+                self.chosen.insert(index);
+            }
+        }
+        Ok(())
+    }
+
+    // ---- trials
+
+    /// Everything that has to be tried, room by room.
+    fn wanted(&self) -> Vec<(Trial, Key)> {
+        let first = self.base.as_ref().map_or(0, |base| base.seed);
+        let names: Vec<(usize, String)> = self.chosen.iter().map(|&i| (i, self.entrants[i].to_string())).collect();
+        let mut trials = Vec::new();
+        for room in self.rooms() {
+            let place = self.place(room);
+            for &(entrant, ref name) in &names {
+                let seeds = if self.entrants[entrant].is_deterministic() { 1 } else { self.seeds };
+                for seed in first..first.saturating_add(u64::from(seeds)) {
+                    trials.push((Trial { room, entrant, seed }, key(&place, name, seed)));
+                }
+            }
+        }
+        trials
+    }
+
+    /// The rooms that are compared in.
+    pub fn rooms(&self) -> Vec<RoomChoice> {
+        self.set.rooms(self.here())
+    }
+
+    /// The session's room.
+    pub fn here(&self) -> RoomChoice {
+        self.base.as_ref().map_or(RoomChoice::Own, Base::here)
+    }
+
+    fn place(&self, room: RoomChoice) -> String {
+        self.base.as_ref().map_or_else(String::new, |base| base.place(room))
+    }
+
+    /// The next trial for a worker that has nothing to do.
+    pub fn take_trial(&mut self) -> Option<TrialRequest> {
+        let base = self.base.as_ref()?;
+        let (id, trial) = self.trials.begin()?;
+        Some(TrialRequest {
+            id,
+            room: match trial.room {
+                RoomChoice::Shipped(id) => Some(id.to_owned()),
+                RoomChoice::Own => None,
+            },
+            scenario: (trial.room == RoomChoice::Own).then(|| Scenario::of(&base.plan).to_json()),
+            start: base.start_in(trial.room),
+            robot: base.robot.to_owned(),
+            cell_size: base.cell_size,
+            entrant: self.entrants[trial.entrant].to_string(),
+            seed: trial.seed,
+            place: self.place(trial.room),
+        })
+    }
+
+    /// Whether that trial is still wanted; the worker of one that isn't should be ended.
+    pub fn is_wanted(&self, id: u32) -> bool {
+        self.trials.is_running(id)
+    }
+
+    /// A worker reports the share done, 0 to 1.
+    pub fn trial_progress(&mut self, id: u32, done: f64) {
+        self.trials.report(id, done);
+    }
+
+    /// A worker is done.
+    pub fn trial_finished(&mut self, id: u32, result: Result<Outcome, String>) {
+        let Some((trial, key)) = self.trials.end(id) else { return };
+        let result = result.map(|Outcome { numbers, cells }| {
+            if self.base.as_ref().is_some_and(|base| base.seed == trial.seed) {
+                self.keep(&key, CoveragePath { cells });
+            }
+            numbers
+        });
+        self.trials.learn(key, result);
+        self.version += 1;
+        self.enter_race();
+    }
+
+    /// Keeps a walk to be raced.
+    fn keep(&mut self, key: &Key, path: CoveragePath) {
+        let kept = |paths: &BTreeMap<Key, CoveragePath>| paths.values().map(|path| path.cells.len()).sum::<usize>();
+        if kept(&self.paths) + path.cells.len() > MOST_KEPT_CELLS {
+            // Whoever comes back to another room has it planned again.
+            let here = self.place(self.here());
+            self.trials.retain(|key| key.starts_with(&here) || !self.paths.contains_key(key));
+            self.paths.retain(|key, _| key.starts_with(&here));
+        }
+        if kept(&self.paths) + path.cells.len() <= MOST_KEPT_CELLS {
+            self.paths.insert(key.clone(), path);
+        }
+    }
+
+    /// The user doesn't want to wait; what is known stays.
+    pub fn cancel(&mut self) {
+        self.trials.cancel();
+        self.version += 1;
+    }
+
+    /// Goes on after [`Comparison::cancel`].
+    pub fn resume(&mut self) {
+        self.trials.is_cancelled = false;
+    }
+
+    /// Whether the user has stopped it with trials left.
+    pub fn is_cancelled(&self) -> bool {
+        self.trials.is_cancelled
+    }
+
+    /// Trials that are done, and all of them.
+    pub fn count(&self) -> (usize, usize) {
+        self.trials.count()
+    }
+
+    /// How far a planner is.
+    pub fn progress(&self, entrant: usize) -> Progress<'_> {
+        self.trials.progress(entrant)
+    }
+
+    // ---- what came out
+
+    /// Grows with every change of what [`Comparison::table`] says.
+    pub fn version(&self) -> u32 {
+        self.version
+    }
+
+    /// All planners, in the order of the registry.
+    pub fn entrants(&self) -> &[Entrant] {
+        &self.entrants
+    }
+
+    /// Whether a planner takes part.
+    pub fn is_chosen(&self, entrant: usize) -> bool {
+        self.chosen.contains(&entrant)
+    }
+
+    /// The rooms chosen.
+    pub fn set(&self) -> RoomSet {
+        self.set
+    }
+
+    /// Number of seeds for planners that use chance.
+    pub fn seeds(&self) -> u32 {
+        self.seeds
+    }
+
+    /// The numbers of one room, or of all rooms together.
+    pub fn table(&self, room: Option<RoomChoice>) -> Table {
+        let rooms = room.map_or_else(|| self.rooms(), |room| vec![room]);
+        let rows = self.chosen.iter().map(|&entrant| {
+            let results = |&room: &RoomChoice| {
+                let trials = self.trials.results().filter(|(t, _)| t.entrant == entrant && t.room == room);
+                trials.map(|(_, result)| result.clone()).collect()
+            };
+            Row::new(self.entrants[entrant].clone(), entrant, &rooms.iter().map(results).collect::<Vec<_>>())
+        });
+        Table::new(rows.collect())
+    }
+
+    /// What no walk in a room can do without, once something is known of it.
+    pub fn bounds(&self, room: RoomChoice) -> Option<Bounds> {
+        let mut results = self.trials.results().filter(|(trial, _)| trial.room == room);
+        results.find_map(|(_, result)| result.as_ref().ok()?.bounds)
+    }
+
+    /// Everything that came out, for export.
+    pub fn records(&self) -> Vec<Record<'_>> {
+        let Some(base) = &self.base else { return Vec::new() };
+        let record = |(t, result): (&Trial, _)| Record {
+            room: self.room_name(t.room),
+            robot: base.robot,
+            cell_size: base.cell_size,
+            entrant: &self.entrants[t.entrant],
+            seed: t.seed,
+            result,
+        };
+        self.trials.results().map(record).collect()
+    }
+
+    /// Name of a room.
+    pub fn room_name(&self, room: RoomChoice) -> &str {
+        match room {
+            RoomChoice::Shipped(id) => ROOMS.iter().find(|r| r.id == id).map_or(id, |r| r.title),
+            RoomChoice::Own => self.base.as_ref().map_or("", |base| &base.title),
+        }
+    }
+
+    // ---- race
+
+    /// The race in the session's room, once somebody has a plan.
+    pub fn race(&self) -> Option<&Race> {
+        self.race.as_ref()
+    }
+
+    /// The race, to go on with it.
+    pub fn race_mut(&mut self) -> Option<&mut Race> {
+        self.race.as_mut()
+    }
+
+    /// The walk of a planner in the session's room, if it is known; more planners have one than can race at a time.
+    pub fn path(&self, entrant: usize) -> Option<&CoveragePath> {
+        let seed = self.base.as_ref()?.seed;
+        self.paths.get(&key(&self.place(self.here()), &self.entrants[entrant].to_string(), seed))
+    }
+
+    /// Sets the race up anew if other robots should drive in it.
+    fn enter_race(&mut self) {
+        let Some(base) = &self.base else { return };
+        let here = self.place(self.here());
+        let racers: Vec<Racer> = self
+            .chosen
+            .iter()
+            .copied()
+            .map(|entrant| (entrant, key(&here, &self.entrants[entrant].to_string(), base.seed)))
+            .filter(|(_, key)| !matches!(self.trials.result(key), Some(Err(_))))
+            // Before it is known who has a plan: who races mustn't depend on who was planned first.
+            .take(MOST_LANES)
+            .filter_map(|(entrant, key)| {
+                let planned_s = self.trials.result(&key)?.as_ref().ok()?.drive.duration_s;
+                Some(Racer { entrant, planned_s, key })
+            })
+            .filter(|racer| self.paths.contains_key(&racer.key))
+            .collect();
+        let setup = RaceSetup { speed: self.race.as_ref().map_or(base.setup.speed, Race::speed), ..base.setup };
+        if self.race.as_ref().is_some_and(|race| race.is_of(setup, &racers)) {
+            return;
+        }
+        let Some(prepared) = &base.prepared else { return self.race = None };
+        self.races += 1;
+        let mut race = Race::new(self.races, Arc::clone(&base.plan), prepared.clone(), setup);
+        for racer in racers {
+            if let Some(path) = self.paths.get(&racer.key) {
+                race.enter(racer, path);
+            }
+        }
+        if let Some(earlier) = self.race.take() {
+            race.follow(earlier);
+        }
+        self.race = Some(race);
+    }
+}
+
+fn key(place: &str, entrant: &str, seed: u64) -> Key {
+    format!("{place} {entrant} {seed}")
+}
+
+/// A number of seeds in a link.
+fn seeds(text: &str) -> Result<u32, SettingsError> {
+    text.parse().ok().filter(|seeds| (1..=MOST_SEEDS).contains(seeds)).ok_or_else(|| SettingsError::Invalid {
+        kind: "the number of seeds",
+        value: text.to_owned(),
+        expected: "a whole number from 1 to 20",
+    })
+}
+
+impl Default for Comparison {
+    fn default() -> Self {
+        Self::new()
+    }
+}

@@ -1,0 +1,103 @@
+//! Results as CSV and JSON, one record a trial: the same from the page and from the command line.
+
+use coverage_planners::{
+    Bounds,
+    metrics::{METRICS, PlanNumbers},
+};
+use robovac_core::registry::Params;
+use robovac_sim::experiment::Entrant;
+use robovac_sim::experiment::quoted;
+use serde::Serialize;
+use std::{collections::BTreeMap, fmt::Write};
+
+/// One planner in one room with one seed.
+#[derive(Debug, Clone)]
+pub struct Record<'a> {
+    /// Name of the room.
+    pub room: &'a str,
+    /// Id of the robot.
+    pub robot: &'a str,
+    /// Side of the planning cells, m.
+    pub cell_size: f64,
+    /// The planner with its parameters.
+    pub entrant: &'a Entrant,
+    /// Seed of its random numbers.
+    pub seed: u64,
+    /// What came out, or why nothing did.
+    pub result: &'a Result<PlanNumbers, String>,
+}
+
+#[derive(Serialize)]
+struct JsonRecord<'a> {
+    room: &'a str,
+    robot: &'a str,
+    cell_size_m: f64,
+    planner: &'static str,
+    params: &'a Params,
+    seed: u64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    error: Option<&'a str>,
+    /// Planning cells within reach.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    cells: Option<usize>,
+    /// What no walk in the room can do without.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bounds: Option<Bounds>,
+    /// By the names of [`METRICS`].
+    numbers: BTreeMap<&'static str, Option<f64>>,
+}
+
+/// A JSON array of records. Numbers go by the ids of [`METRICS`] and are in the units given there.
+pub fn to_json(records: &[Record<'_>]) -> String {
+    let records: Vec<JsonRecord<'_>> = records
+        .iter()
+        .map(|r| JsonRecord {
+            room: r.room,
+            robot: r.robot,
+            cell_size_m: r.cell_size,
+            planner: r.entrant.id(),
+            params: &r.entrant.params,
+            seed: r.seed,
+            error: r.result.as_ref().err().map(String::as_str),
+            cells: r.result.as_ref().ok().map(|numbers| numbers.walk.reachable_cells),
+            bounds: r.result.as_ref().ok().and_then(|numbers| numbers.bounds),
+            numbers: match r.result {
+                Ok(numbers) => METRICS.iter().map(|metric| (metric.id, metric.value(numbers))).collect(),
+                Err(_) => BTreeMap::new(),
+            },
+        })
+        .collect();
+    // Only maps with keys that aren't text can fail.
+    serde_json::to_string_pretty(&records).unwrap_or_default() + "\n"
+}
+
+/// A table with a head line; numbers with their units in it, empty where there is none.
+pub fn to_csv(records: &[Record<'_>]) -> String {
+    let mut csv =
+        String::from("room,robot,cell size [m],planner,seed,error,cells,bound steps,bound turns,bound steps + 2 turns");
+    for metric in METRICS {
+        let unit = if metric.unit.is_empty() { String::new() } else { format!(" [{}]", metric.unit) };
+        // Writing to a string doesn't fail.
+        let _ = write!(csv, ",{}{unit}", metric.id);
+    }
+    csv.push('\n');
+    for r in records {
+        let error = r.result.as_ref().err().map_or("", String::as_str);
+        let (room, error) = (quoted(r.room), quoted(error));
+        let _ = write!(csv, "{room},{},{},{},{},{error},", r.robot, r.cell_size, r.entrant, r.seed);
+        let numbers = r.result.as_ref().ok();
+        csv += &numbers.map(|n| n.walk.reachable_cells.to_string()).unwrap_or_default();
+        match numbers.and_then(|n| n.bounds) {
+            Some(Bounds { steps, turns, cost }) => {
+                let _ = write!(csv, ",{steps},{turns},{cost}");
+            }
+            None => csv += ",,,",
+        }
+        for metric in METRICS {
+            let value = r.result.as_ref().ok().and_then(|numbers| metric.value(numbers));
+            let _ = write!(csv, ",{}", value.map(|v| v.to_string()).unwrap_or_default());
+        }
+        csv.push('\n');
+    }
+    csv
+}

@@ -1,0 +1,303 @@
+//! Several robots in copies of the same room, under one clock.
+
+use crate::{RobotView, Scene, explore::State};
+use coverage_planners::CoveragePath;
+use robovac_core::{floorplan::FloorPlan, geometry::Point, robot::OdometryModel};
+use robovac_sim::{Conditions, Recording, Run, STEP_S, SlipLevel, experiment::planning::Prepared};
+use std::sync::Arc;
+
+/// Most robots in a race.
+pub const MOST_LANES: usize = 9;
+/// Share of the floor that must be swept for an arrival to count.
+const CLEAN: f64 = 0.95;
+/// Robot time of a single step, s: in small pictures less would hardly be seen.
+const STEP_LENGTH_S: f64 = 5.0;
+/// Memory that the key frames of all lanes may take together, bytes.
+const KEY_FRAME_BUDGET: usize = 96 << 20;
+/// Steps that every lane takes before the clock is looked at: the lanes stay together to within a second of robot time.
+const CHUNK: u64 = 64;
+/// Longest time between two frames that is made up for, s.
+const LONGEST_FRAME: f64 = 0.1;
+
+/// How the runs of a race are made.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RaceSetup {
+    /// How true wheels and sensors are.
+    pub conditions: Conditions,
+    /// How the followers compute their poses.
+    pub odometry: OdometryModel,
+    /// Seed of the slip.
+    pub seed: u64,
+    /// Simulated time per time, 0 for as fast as it goes.
+    pub speed: f64,
+}
+
+/// Who takes part.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Racer {
+    /// Number of its planner in the registry.
+    pub entrant: usize,
+    /// Seconds that its plan foresees.
+    pub planned_s: f64,
+    /// Tells its plan from others.
+    pub key: String,
+}
+
+/// One robot of a race.
+pub struct Lane {
+    /// Who drives here.
+    pub racer: Racer,
+    recording: Recording,
+    line: Arc<[Point]>,
+}
+
+/// Robots that drive different plans over the same floor, each in a room of its own.
+///
+/// All of them have taken the same number of simulation steps, but for those that have arrived.
+pub struct Race {
+    prepared: Prepared,
+    plan: Arc<FloorPlan>,
+    setup: RaceSetup,
+    lanes: Vec<Lane>,
+    /// Tells it from other races.
+    number: u32,
+    /// Steps that the clock has counted, and the furthest that it has been.
+    now: u64,
+    end: u64,
+    playing: bool,
+    goal: Option<u64>,
+    due: f64,
+}
+
+impl Race {
+    /// A race without robots in `plan`, laid out as `prepared`; `number` tells it from others.
+    pub fn new(number: u32, plan: Arc<FloorPlan>, prepared: Prepared, setup: RaceSetup) -> Self {
+        Self { prepared, plan, setup, lanes: Vec::new(), number, now: 0, end: 0, playing: false, goal: None, due: 0.0 }
+    }
+
+    /// Lets a robot take part that drives `path`. A walk that can't be driven is left out. To be called before the start.
+    pub fn enter(&mut self, racer: Racer, path: &CoveragePath) {
+        if self.lanes.len() >= MOST_LANES {
+            return;
+        }
+        let Some(line) = self.line(path) else { return };
+        let RaceSetup { conditions, odometry, seed, .. } = self.setup;
+        let run = self.prepared.run_along(&line, conditions, odometry, seed);
+        self.lanes.push(Lane { racer, recording: Recording::within(run, KEY_FRAME_BUDGET / MOST_LANES), line });
+    }
+
+    /// Places of the robots, from 1, in the order of [`Race::lanes`]: who has arrived with at least 95 % of the floor
+    /// swept by time, before the others by what they have swept.
+    pub fn places(&self) -> Vec<usize> {
+        let has_won = |lane: &Lane| lane.run().is_finished() && lane.run().coverage() >= CLEAN;
+        let is_ahead = |a: &Lane, b: &Lane| match (has_won(a), has_won(b)) {
+            (true, true) => a.run().steps() < b.run().steps(),
+            (false, false) => a.run().coverage() > b.run().coverage(),
+            (won, _) => won,
+        };
+        self.lanes.iter().map(|lane| 1 + self.lanes.iter().filter(|other| is_ahead(other, lane)).count()).collect()
+    }
+
+    /// Whether it is the race of just those in those conditions.
+    pub fn is_of(&self, setup: RaceSetup, racers: &[Racer]) -> bool {
+        self.setup == setup && self.lanes.iter().map(|lane| &lane.racer).eq(racers)
+    }
+
+    /// The robots, in the order of the registry.
+    pub fn lanes(&self) -> &[Lane] {
+        &self.lanes
+    }
+
+    /// Rows of a lane's fine grid that were swept since the last call, lowest and highest.
+    pub fn take_changed_rows(&mut self, lane: usize) -> Option<(usize, usize)> {
+        self.lanes.get_mut(lane)?.recording.run_mut().tracker_mut().take_dirty_rows()
+    }
+
+    /// What the race is doing.
+    pub fn state(&self) -> State {
+        match () {
+            () if self.lanes.is_empty() => State::Failed,
+            () if self.goal.is_some() => State::Seeking,
+            () if self.is_over() => State::Finished,
+            () if self.playing => State::Playing,
+            () if self.now == 0 => State::Ready,
+            () => State::Paused,
+        }
+    }
+
+    fn is_over(&self) -> bool {
+        self.lanes.iter().all(|lane| lane.recording.run().is_finished())
+    }
+
+    /// Time on the clock, s.
+    pub fn time_s(&self) -> f64 {
+        self.now as f64 * STEP_S
+    }
+
+    /// The furthest that the clock has been, s.
+    pub fn end_s(&self) -> f64 {
+        self.end as f64 * STEP_S
+    }
+
+    /// Time that the slowest plan foresees, s.
+    pub fn planned_s(&self) -> f64 {
+        self.lanes.iter().map(|lane| lane.racer.planned_s).fold(0.0, f64::max)
+    }
+
+    /// Simulated time per time; 0 for as fast as it goes.
+    pub fn speed(&self) -> f64 {
+        self.setup.speed
+    }
+
+    /// Sets the speed, times real time; 0 for as fast as it goes.
+    pub fn set_speed(&mut self, times: f64) {
+        self.setup.speed = if times.is_finite() { times.max(0.0) } else { 0.0 };
+        self.due = 0.0;
+    }
+
+    /// Lets time go on, from the start if the race is over.
+    pub fn play(&mut self) {
+        if self.state() == State::Finished {
+            self.seek(0.0);
+        }
+        self.playing = true;
+    }
+
+    /// Stops time. A way to another point of time is gone to its end: on it the robots aren't together.
+    pub fn pause(&mut self) {
+        self.playing = false;
+    }
+
+    /// Goes on by five seconds.
+    pub fn step(&mut self) {
+        self.pause();
+        if self.goal.is_none() {
+            self.advance((STEP_LENGTH_S / STEP_S) as u64, &mut || true);
+        }
+    }
+
+    /// Heads for another point of time, s, at most the end of the slowest plan.
+    pub fn seek(&mut self, time_s: f64) {
+        self.playing = false;
+        let goal = (time_s.clamp(0.0, self.planned_s().max(self.end_s())) / STEP_S).round() as u64;
+        for lane in &mut self.lanes {
+            lane.recording.seek(goal as f64 * STEP_S);
+        }
+        self.goal = Some(goal);
+        self.seek_on(&mut || false);
+    }
+
+    fn seek_on(&mut self, has_time: &mut dyn FnMut() -> bool) {
+        let Some(goal) = self.goal else { return };
+        for lane in &mut self.lanes {
+            lane.recording.seek_on(has_time);
+            // What hasn't been simulated yet, as for one that came late.
+            let left = goal.saturating_sub(lane.run().steps());
+            if !lane.recording.is_seeking() {
+                lane.recording.advance(left, has_time);
+            }
+        }
+        if self.lanes.iter().all(|lane| lane.run().steps() >= goal || lane.run().is_finished()) {
+            self.now = self.lanes.iter().map(|lane| lane.run().steps()).max().unwrap_or(0);
+            self.end = self.end.max(self.now);
+            self.goal = None;
+        }
+    }
+
+    /// Goes on where `earlier` is: robots that take part in both stay where they are, the others are made to catch up.
+    pub fn follow(&mut self, earlier: Self) {
+        if earlier.setup != self.setup || !Arc::ptr_eq(&earlier.prepared.floor, &self.prepared.floor) {
+            return;
+        }
+        let is_playing = earlier.playing;
+        let now = earlier.goal.unwrap_or(earlier.now);
+        self.end = earlier.end;
+        let mut lanes = earlier.lanes;
+        for lane in &mut self.lanes {
+            if let Some(index) = lanes.iter().position(|old| old.racer == lane.racer) {
+                *lane = lanes.swap_remove(index);
+            }
+        }
+        if now > 0 {
+            self.seek(now as f64 * STEP_S);
+        }
+        self.playing = is_playing;
+    }
+
+    /// Lets `elapsed_s` seconds pass for all robots, as long as `has_time` says so.
+    pub fn frame(&mut self, elapsed_s: f64, has_time: &mut dyn FnMut() -> bool) {
+        match self.state() {
+            State::Seeking => self.seek_on(has_time),
+            State::Playing => {
+                self.due += elapsed_s.clamp(0.0, LONGEST_FRAME) * self.setup.speed / STEP_S;
+                let wanted = if self.setup.speed == 0.0 { u64::MAX } else { self.due as u64 };
+                let taken = self.advance(wanted, has_time);
+                // What couldn't be done in time isn't made up for.
+                self.due = if taken == wanted { self.due.fract() } else { 0.0 };
+                if self.is_over() {
+                    self.playing = false;
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// Up to `steps` steps of every robot; returns how many the clock has counted.
+    fn advance(&mut self, steps: u64, has_time: &mut dyn FnMut() -> bool) -> u64 {
+        let before = self.now;
+        while self.now - before < steps && !self.is_over() && has_time() {
+            let chunk = CHUNK.min(steps - (self.now - before));
+            for lane in &mut self.lanes {
+                lane.recording.advance(chunk, &mut || true);
+            }
+            // The clock stops with the last robot.
+            self.now = self.lanes.iter().map(|lane| lane.run().steps()).max().unwrap_or(0);
+            self.end = self.end.max(self.now);
+        }
+        self.now - before
+    }
+
+    /// What is to be drawn of a lane.
+    pub fn scene<'a>(&'a self, lane: &'a Lane) -> Scene<'a> {
+        let run = lane.recording.run();
+        Scene {
+            tracker: Some(run.tracker()),
+            run_version: (u64::from(self.number) << 32) + lane.recording.version(),
+            trail: run.trail(),
+            robot: Some(RobotView::of(run, &self.prepared.robot, self.setup.conditions.slip != SlipLevel::None)),
+            ..self.planned_scene(&lane.line)
+        }
+    }
+
+    /// What is to be drawn of a plan that nobody drives.
+    pub fn planned_scene<'a>(&'a self, line: &'a [Point]) -> Scene<'a> {
+        Scene {
+            plan_version: u64::from(self.number),
+            floor: Some(&self.prepared.floor),
+            planned_version: u64::from(self.number),
+            planned: line,
+            start: Some(self.prepared.floor.start),
+            start_radius: self.prepared.robot.radius,
+            start_body: self.prepared.robot.body,
+            ..Scene::empty(&self.plan)
+        }
+    }
+
+    /// The line of a walk, whether or not a robot drives it; `None` if it can't be driven.
+    pub fn line(&self, path: &CoveragePath) -> Option<Arc<[Point]>> {
+        path.check(&self.prepared.job).ok()?;
+        Some(self.prepared.lattice.polyline(&self.prepared.floor, &path.cells).into())
+    }
+}
+
+impl Lane {
+    /// The run at the moment that is shown.
+    pub fn run(&self) -> &Run {
+        self.recording.run()
+    }
+
+    /// Time (s) and coverage (0 to 1) of the whole run so far.
+    pub fn curve(&self) -> &[(f64, f64)] {
+        self.recording.curve()
+    }
+}

@@ -1,0 +1,410 @@
+//! A study as the page has it: who is run where and how often, which runs are missing, and what came out.
+
+use crate::explore::Session;
+use robovac_core::floorplan::{FloorPlan, Scenario};
+use robovac_sim::{
+    experiment::{Algorithm, BEHAVIOUR, Entrant, PLANNER, Settings, SettingsError},
+    montecarlo::{Entry, Head, Outcome, RunsRequest, Summary, Tally},
+};
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    sync::Arc,
+};
+
+/// Numbers of seeds that are offered.
+pub const SEEDS: [u32; 3] = [10, 30, 100];
+/// Most seeds of a study.
+pub const MOST_SEEDS: u32 = 1000;
+/// Simulated times that are offered, min.
+pub const MINUTES: [u32; 3] = [10, 30, 60];
+/// Longest simulated time of a run, min.
+pub const MOST_MINUTES: u32 = 600;
+/// Simulated time that a request is worth, min, unless a single run is longer: on its way it would cost more than the
+/// tenth of a second that its runs take.
+const BATCH_MINUTES: u32 = 30;
+
+/// Who is run where and how often, and what came out.
+///
+/// Runs that were made once are kept, whatever is chosen meanwhile: to add an algorithm or to ask for more seeds only
+/// costs the runs that are new.
+pub struct Study {
+    base: Option<Base>,
+    /// All that can take part, in the order of the registries.
+    entrants: Vec<Entrant>,
+    chosen: BTreeSet<usize>,
+    seeds: u32,
+    minutes: u32,
+    tallies: BTreeMap<Key, Tally>,
+    failures: BTreeMap<Key, String>,
+    under_way: BTreeMap<u32, Batch>,
+    /// Number of the request made last.
+    last: u32,
+    is_running: bool,
+    version: u32,
+}
+
+/// What outcomes depend on beside their seed.
+type Key = String;
+
+/// Runs that somebody is making.
+struct Batch {
+    key: Key,
+    seeds: Vec<u64>,
+}
+
+/// What the study takes over from the session.
+struct Base {
+    plan: Arc<FloorPlan>,
+    title: String,
+    room: Option<&'static str>,
+    settings: Settings,
+    /// Those of the settings that runs depend on, as a link has them.
+    place: String,
+    link: String,
+    plan_version: u64,
+}
+
+impl Base {
+    fn of(session: &Session) -> Self {
+        let mut settings = session.settings().clone();
+        settings.start = session.start();
+        let room = session.room();
+        let is_about_place =
+            |key: &str| !matches!(key, "planner" | "behaviour" | "seed" | "speed" | "show" | "odometry");
+        let pairs = settings.to_link().into_iter();
+        let place = pairs
+            .filter(|(key, _)| is_about_place(key) && !key.starts_with("p."))
+            .fold(format!("odometry={}", settings.odometry.id()), |place, (key, value)| {
+                format!("{place}&{key}={value}")
+            });
+        Self {
+            plan: Arc::clone(session.plan()),
+            title: session.room_title(),
+            room,
+            settings,
+            place,
+            link: session.link(),
+            plan_version: session.plan_version(),
+        }
+    }
+
+    /// Tells room and settings from others; those of rooms that don't ship end in a number.
+    fn key(&self) -> String {
+        match self.room {
+            Some(id) => format!("{id} {}", self.place),
+            None => format!("{} {}", self.plan_version, self.place),
+        }
+    }
+}
+
+impl Study {
+    /// The behaviours that clean, about to be run.
+    pub fn new() -> Self {
+        let takes_part = |algorithm: &Algorithm| {
+            algorithm.behaviour().is_none_or(|info| (info.claims.cleans || info.claims.explores) && !info.claims.manual)
+        };
+        let entrants: Vec<Entrant> = Algorithm::all().filter(takes_part).map(Entrant::new).collect();
+        let behaves = |&index: &usize| entrants[index].algorithm.behaviour().is_some_and(|info| info.claims.cleans);
+        let chosen = (0..entrants.len()).filter(behaves).collect();
+        Self {
+            base: None,
+            entrants,
+            chosen,
+            seeds: SEEDS[1],
+            minutes: MINUTES[1],
+            tallies: BTreeMap::new(),
+            failures: BTreeMap::new(),
+            under_way: BTreeMap::new(),
+            last: 0,
+            is_running: false,
+            version: 0,
+        }
+    }
+
+    // ---- choices
+
+    /// Takes room, robot, start, conditions and seed over from the session; cheap if they are the same.
+    pub fn take(&mut self, session: &Session) {
+        let is_same = |base: &Base| base.plan_version == session.plan_version() && base.link == session.link();
+        if self.base.as_ref().is_some_and(is_same) {
+            return;
+        }
+        let base = Base::of(session);
+        if self.base.as_ref().is_none_or(|old| old.key() != base.key()) {
+            // Earlier states of a room of one's own don't come back.
+            let (own, here) = (|key: &Key| key.starts_with(|c: char| c.is_ascii_digit()), base.key());
+            self.tallies.retain(|key, _| !own(key) || key.starts_with(&here));
+            // Whoever goes elsewhere isn't waiting for the rest.
+            self.is_running = false;
+        }
+        self.base = Some(base);
+        self.changed();
+    }
+
+    /// Lets an algorithm take part, or not, by its number in [`Study::entrants`].
+    pub fn choose(&mut self, entrant: usize, takes_part: bool) {
+        if takes_part && entrant < self.entrants.len() {
+            self.chosen.insert(entrant)
+        } else {
+            self.chosen.remove(&entrant)
+        };
+        self.changed();
+    }
+
+    /// Of the `planner`s or the `behaviour`s, lets just these take part, joined by commas, with their parameters.
+    pub fn choose_only(&mut self, kind: &'static str, names: &str) -> Result<(), SettingsError> {
+        let mut wanted = Vec::new();
+        for name in names.split(',').filter(|name| !name.is_empty()) {
+            let entrant = Entrant::parse(kind, name)?;
+            wanted.push((self.index(entrant.algorithm)?, entrant));
+        }
+        self.chosen.retain(|&index| self.entrants[index].algorithm.kind() != kind);
+        for (index, entrant) in wanted {
+            self.entrants[index] = entrant;
+            self.chosen.insert(index);
+        }
+        self.changed();
+        Ok(())
+    }
+
+    /// Sets a parameter of an algorithm from the text of a form.
+    pub fn set_param(&mut self, entrant: usize, id: &str, text: &str) -> Result<(), SettingsError> {
+        if let Some(entrant) = self.entrants.get_mut(entrant) {
+            entrant.set(id, text)?;
+            self.changed();
+        }
+        Ok(())
+    }
+
+    /// Number of runs of each algorithm, 1 to [`MOST_SEEDS`].
+    pub fn set_seeds(&mut self, seeds: u32) {
+        self.seeds = seeds.clamp(1, MOST_SEEDS);
+        self.changed();
+    }
+
+    /// Simulated time of each run, 1 to [`MOST_MINUTES`] min.
+    pub fn set_minutes(&mut self, minutes: u32) {
+        self.minutes = minutes.clamp(1, MOST_MINUTES);
+        self.changed();
+    }
+
+    fn index(&self, wanted: Algorithm) -> Result<usize, SettingsError> {
+        let is_wanted = |e: &Entrant| e.algorithm.kind() == wanted.kind() && e.id() == wanted.id();
+        self.entrants.iter().position(is_wanted).ok_or_else(|| SettingsError::Unknown {
+            kind: "algorithm that cleans or explores by itself",
+            id: wanted.id().to_owned(),
+            known: self.entrants.iter().map(Entrant::id).collect::<Vec<_>>().join(", "),
+        })
+    }
+
+    /// What has been chosen as `key=value` pairs for a link.
+    pub fn to_link(&self) -> String {
+        let of = |kind: &str| {
+            let chosen = self.chosen.iter().map(|&index| &self.entrants[index]);
+            chosen.filter(|e| e.algorithm.kind() == kind).map(Entrant::to_string).collect::<Vec<_>>().join(",")
+        };
+        format!("runs={}&paths={}&times={}&minutes={}", of(BEHAVIOUR), of(PLANNER), self.seeds, self.minutes)
+    }
+
+    /// Takes what [`Study::to_link`] wrote among other pairs, joined by `&`. On an error everything stays as it was.
+    pub fn restore(&mut self, link: &str) -> Result<(), SettingsError> {
+        let mut next = Self { entrants: self.entrants.clone(), chosen: self.chosen.clone(), ..Self::new() };
+        (next.seeds, next.minutes) = (self.seeds, self.minutes);
+        for (key, value) in link.trim_start_matches('#').split('&').filter_map(|pair| pair.split_once('=')) {
+            match key {
+                "runs" => next.choose_only(BEHAVIOUR, value)?,
+                "paths" => next.choose_only(PLANNER, value)?,
+                "times" => {
+                    next.seeds = whole(value, MOST_SEEDS, "the number of runs", "a whole number from 1 to 1000")?;
+                }
+                "minutes" => {
+                    next.minutes = whole(value, MOST_MINUTES, "the time of a run", "whole minutes from 1 to 600")?;
+                }
+                _ => {}
+            }
+        }
+        (self.entrants, self.chosen, self.seeds, self.minutes) = (next.entrants, next.chosen, next.seeds, next.minutes);
+        self.changed();
+        Ok(())
+    }
+
+    /// What is asked for is different from before: what nobody wants any more isn't waited for.
+    fn changed(&mut self) {
+        self.version += 1;
+        let wanted: BTreeSet<Key> = self.chosen.iter().filter_map(|&index| self.key(index)).collect();
+        self.under_way.retain(|_, batch| wanted.contains(&batch.key));
+        self.rest();
+    }
+
+    // ---- runs
+
+    /// Begins with what is missing; what failed is tried again.
+    pub fn run(&mut self) {
+        self.failures.clear();
+        self.is_running = true;
+        self.version += 1;
+        self.rest();
+    }
+
+    /// The user doesn't want to wait; what is known stays.
+    pub fn cancel(&mut self) {
+        self.under_way.clear();
+        self.is_running = false;
+        self.version += 1;
+    }
+
+    /// Whether runs are being made.
+    pub fn is_running(&self) -> bool {
+        self.is_running
+    }
+
+    fn rest(&mut self) {
+        let (done, all) = self.count();
+        self.is_running &= done < all;
+    }
+
+    /// The next runs for a worker that has nothing to do: round by round, so that all algorithms come on together.
+    pub fn take_batch(&mut self) -> Option<RunsRequest> {
+        let base = self.base.as_ref().filter(|_| self.is_running)?;
+        let size = u64::from((BATCH_MINUTES / self.minutes).max(1));
+        let (first, count) = (base.settings.seed, u64::from(self.seeds));
+        let (entrant, key, seeds) = (0..count.div_ceil(size)).find_map(|round| {
+            let seeds = first + round * size..first + ((round + 1) * size).min(count);
+            self.chosen.iter().find_map(|&entrant| {
+                let key = self.key(entrant).filter(|key| !self.failures.contains_key(key))?;
+                let missing: Vec<u64> = seeds.clone().filter(|&seed| !self.has_begun(&key, seed)).collect();
+                (!missing.is_empty()).then_some((entrant, key, missing))
+            })
+        })?;
+        self.last += 1;
+        let request = RunsRequest {
+            id: self.last,
+            room: base.room.map(str::to_owned),
+            scenario: base.room.is_none().then(|| Scenario::of(&base.plan).to_json()),
+            settings: base.place.clone(),
+            duration_s: 60.0 * f64::from(self.minutes),
+            plan_seed: first,
+            behaves: self.entrants[entrant].algorithm.behaviour().is_some(),
+            entrant: self.entrants[entrant].to_string(),
+            seeds: seeds.clone(),
+            place: format!("{} {first} {}", base.key(), self.minutes),
+        };
+        self.under_way.insert(self.last, Batch { key, seeds });
+        Some(request)
+    }
+
+    fn has_begun(&self, key: &Key, seed: u64) -> bool {
+        self.tallies.get(key).is_some_and(|tally| tally.has(seed))
+            || self.under_way.values().any(|batch| batch.key == *key && batch.seeds.contains(&seed))
+    }
+
+    /// Whether those runs are still wanted; the worker of some that aren't should be ended.
+    pub fn is_wanted(&self, id: u32) -> bool {
+        self.under_way.contains_key(&id)
+    }
+
+    /// A worker is done, or has a message why it can't be.
+    pub fn batch_finished(&mut self, id: u32, result: Result<Vec<Outcome>, String>) {
+        let Some(Batch { key, .. }) = self.under_way.remove(&id) else { return };
+        match result {
+            Ok(outcomes) => {
+                let tally = self.tallies.entry(key).or_default();
+                for outcome in outcomes {
+                    tally.add(outcome);
+                }
+            }
+            Err(message) => {
+                self.failures.insert(key, message);
+            }
+        }
+        self.version += 1;
+        self.rest();
+    }
+
+    /// Runs of the chosen that are made or can't be, and all of them.
+    pub fn count(&self) -> (usize, usize) {
+        let done =
+            |&index: &usize| if self.failure(index).is_some() { self.seeds as usize } else { self.runs(index).len() };
+        (self.chosen.iter().map(done).sum(), self.chosen.len() * self.seeds as usize)
+    }
+
+    // ---- what came out
+
+    fn key(&self, entrant: usize) -> Option<Key> {
+        let base = self.base.as_ref()?;
+        let entrant = &self.entrants[entrant];
+        let planned = entrant.algorithm.planner().map_or(String::new(), |_| base.settings.seed.to_string());
+        Some(format!("{} {} {} {entrant} {planned}", base.key(), self.minutes, entrant.algorithm.kind()))
+    }
+
+    /// The runs of an algorithm that are wanted and made, by their seeds.
+    pub fn runs(&self, entrant: usize) -> Vec<&Outcome> {
+        let known = || Some((self.base.as_ref()?.settings.seed, self.tallies.get(&self.key(entrant)?)?));
+        known().map(|(first, tally)| tally.runs(first, u64::from(self.seeds))).unwrap_or_default()
+    }
+
+    /// The runs of an algorithm, summed up; `None` if there are none.
+    pub fn summary(&self, entrant: usize) -> Option<Summary> {
+        Summary::of(&self.runs(entrant))
+    }
+
+    /// Why an algorithm can't be run.
+    pub fn failure(&self, entrant: usize) -> Option<&str> {
+        self.failures.get(&self.key(entrant)?).map(String::as_str)
+    }
+
+    /// Grows with every change of choices and results.
+    pub fn version(&self) -> u32 {
+        self.version
+    }
+
+    /// All that can take part, in the order of the registries.
+    pub fn entrants(&self) -> &[Entrant] {
+        &self.entrants
+    }
+
+    /// Whether an algorithm takes part.
+    pub fn is_chosen(&self, entrant: usize) -> bool {
+        self.chosen.contains(&entrant)
+    }
+
+    /// Number of runs of each algorithm.
+    pub fn seeds(&self) -> u32 {
+        self.seeds
+    }
+
+    /// Simulated time of each run, min.
+    pub fn minutes(&self) -> u32 {
+        self.minutes
+    }
+
+    /// What an export is of, with the chosen ones and their runs.
+    pub fn export(&self) -> Option<(Head<'_>, Vec<Entry<'_>>)> {
+        let base = self.base.as_ref()?;
+        let head = Head {
+            room: &base.title,
+            robot: base.settings.robot,
+            cell_size_m: base.settings.cell_size,
+            conditions: base.settings.conditions,
+            odometry: base.settings.odometry,
+            minutes: f64::from(self.minutes),
+        };
+        let runs = |&index: &usize| {
+            let result = self.failure(index).map_or_else(|| Ok(self.runs(index)), Err);
+            (&self.entrants[index], result)
+        };
+        Some((head, self.chosen.iter().map(runs).collect()))
+    }
+}
+
+/// A number in a link.
+fn whole(text: &str, most: u32, kind: &'static str, expected: &'static str) -> Result<u32, SettingsError> {
+    let wrong = || SettingsError::Invalid { kind, value: text.to_owned(), expected };
+    text.parse().ok().filter(|number| (1..=most).contains(number)).ok_or_else(wrong)
+}
+
+impl Default for Study {
+    fn default() -> Self {
+        Self::new()
+    }
+}

@@ -1,0 +1,118 @@
+//! What came out of a comparison, summed up: planners by numbers.
+
+use coverage_planners::metrics::{Better, METRICS, MetricInfo, PlanNumbers};
+use robovac_sim::experiment::Entrant;
+use serde::Serialize;
+
+/// A number over several seeds.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Spread {
+    /// The middle value; of an even number of values the mean of the two in the middle.
+    pub median: f64,
+    /// The smallest value.
+    pub min: f64,
+    /// The largest value.
+    pub max: f64,
+}
+
+/// One planner.
+#[derive(Debug, Clone)]
+pub struct Row {
+    /// The planner with its parameters.
+    pub entrant: Entrant,
+    /// Its number in the registry.
+    pub index: usize,
+    /// One for each of [`METRICS`]: summed up over the rooms for every seed, for shares the mean; then over the seeds.
+    /// `None` as long as there is a room without a result.
+    pub values: Vec<Option<Spread>>,
+    /// Trials that the values stand for.
+    pub trials: usize,
+    /// Rooms in which all trials failed or haven't been made.
+    pub missing: usize,
+    /// Why the first trial failed that did.
+    pub failure: Option<String>,
+}
+
+/// Planners by numbers.
+#[derive(Debug, Clone)]
+pub struct Table {
+    /// The planners.
+    pub rows: Vec<Row>,
+    /// The best median of each of [`METRICS`], as rounded for display; `None` with fewer than two rows to choose from.
+    pub best: Vec<Option<f64>>,
+}
+
+impl Spread {
+    /// The spread of `values`; `None` without any.
+    pub fn of(mut values: Vec<f64>) -> Option<Self> {
+        values.sort_by(f64::total_cmp);
+        let (&min, &max) = (values.first()?, values.last()?);
+        let median = f64::midpoint(values[(values.len() - 1) / 2], values[values.len() / 2]);
+        Some(Self { median, min, max })
+    }
+}
+
+impl Row {
+    /// A planner with its results, room by room.
+    pub fn new(entrant: Entrant, index: usize, rooms: &[Vec<Result<PlanNumbers, String>>]) -> Self {
+        let failure = rooms.iter().flatten().find_map(|result| result.as_ref().err().cloned());
+        let rooms: Vec<Vec<PlanNumbers>> =
+            rooms.iter().map(|trials| trials.iter().filter_map(|t| t.as_ref().ok()).copied().collect()).collect();
+        let values = METRICS.iter().map(|metric| over_rooms(metric, &rooms)).collect();
+        Self {
+            entrant,
+            index,
+            values,
+            trials: rooms.iter().map(Vec::len).sum(),
+            missing: rooms.iter().filter(|trials| trials.is_empty()).count(),
+            failure,
+        }
+    }
+}
+
+/// A number seed by seed, put together over the rooms.
+fn over_rooms(metric: &MetricInfo, rooms: &[Vec<PlanNumbers>]) -> Option<Spread> {
+    let seeds = rooms.first()?.len();
+    let count = rooms.len() as f64;
+    let of_seed = |seed: usize| -> Option<f64> {
+        let values = rooms.iter().map(|trials| metric.value(trials.get(seed)?));
+        let sum = values.sum::<Option<f64>>()?;
+        // Shares of different rooms don't add up.
+        Some(if metric.unit == "%" { sum / count } else { sum })
+    };
+    Spread::of((0..seeds).map(of_seed).collect::<Option<Vec<f64>>>()?)
+        .filter(|_| rooms.iter().all(|r| r.len() == seeds))
+}
+
+impl Table {
+    /// The table of those planners.
+    pub fn new(rows: Vec<Row>) -> Self {
+        let best = METRICS.iter().enumerate().map(|(column, metric)| best_of(&rows, column, metric)).collect();
+        Self { rows, best }
+    }
+
+    /// Whether a planner has the best value, as far as the digits shown tell.
+    pub fn is_best(&self, row: &Row, column: usize) -> bool {
+        let (metric, value) = (&METRICS[column], row.values[column]);
+        value.is_some_and(|v| self.best[column] == Some(rounded(metric, v.median)))
+    }
+}
+
+fn best_of(rows: &[Row], column: usize, metric: &MetricInfo) -> Option<f64> {
+    // Of times on a busy machine none is the best.
+    if metric.id == PLANNING {
+        return None;
+    }
+    let values: Vec<f64> = rows.iter().filter_map(|r| Some(rounded(metric, r.values[column]?.median))).collect();
+    let spread = Spread::of(values.clone()).filter(|_| values.len() > 1)?;
+    Some(if metric.better == Better::Lower { spread.min } else { spread.max })
+}
+
+/// Id of the only number that is different every time.
+const PLANNING: &str = "planning";
+
+/// What cannot be told apart in the table isn't better either.
+fn rounded(metric: &MetricInfo, value: f64) -> f64 {
+    let unit = 10f64.powi(i32::from(metric.decimals));
+    (value * unit).round() / unit
+}

@@ -1,0 +1,166 @@
+//! What has to be tried for a comparison, what is being tried, and what came out.
+
+use super::RoomChoice;
+use coverage_planners::metrics::PlanNumbers;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// One planner, one room, one seed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Trial {
+    /// The room.
+    pub room: RoomChoice,
+    /// Number of the planner in the registry.
+    pub entrant: usize,
+    /// Seed of its random numbers.
+    pub seed: u64,
+}
+
+/// What a result depends on: room, start, robot and cell size, planner with parameters, seed.
+pub(super) type Key = String;
+
+/// What came out of a trial: numbers, or a message.
+pub(super) type TrialResult = Result<PlanNumbers, String>;
+
+/// How far a planner is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Progress<'a> {
+    /// It doesn't take part.
+    Out,
+    /// This share of its trials is done; those under way count in part.
+    Trying(f64),
+    /// All its trials are done.
+    Done,
+    /// A trial failed, with a message.
+    Failed(&'a str),
+}
+
+/// Trials that are wanted, under way and done.
+#[derive(Default)]
+pub(super) struct Trials {
+    wanted: Vec<(Trial, Key)>,
+    /// By the planners' numbers; those beyond the end don't take part.
+    tallies: Vec<Tally>,
+    known: BTreeMap<Key, TrialResult>,
+    running: BTreeMap<u32, Running>,
+    /// Number of the trial begun last.
+    last: u32,
+    pub is_cancelled: bool,
+}
+
+/// A trial under way.
+struct Running {
+    trial: Trial,
+    key: Key,
+    /// Share that is done, 0 to 1.
+    done: f64,
+}
+
+/// Trials of one planner: summed up once a change, as every frame asks.
+#[derive(Clone, Default)]
+struct Tally {
+    all: usize,
+    done: usize,
+    failure: Option<String>,
+}
+
+impl Trials {
+    /// From now on just these are wanted. Others are ended, but what came out of them stays.
+    pub fn want(&mut self, wanted: Vec<(Trial, Key)>) {
+        self.is_cancelled = false;
+        self.wanted = wanted;
+        let keys: BTreeSet<&Key> = self.wanted.iter().map(|(_, key)| key).collect();
+        self.running.retain(|_, running| keys.contains(&running.key));
+        self.sum_up();
+    }
+
+    fn sum_up(&mut self) {
+        self.tallies.clear();
+        for (trial, key) in &self.wanted {
+            if self.tallies.len() <= trial.entrant {
+                self.tallies.resize(trial.entrant + 1, Tally::default());
+            }
+            let tally = &mut self.tallies[trial.entrant];
+            tally.all += 1;
+            if let Some(result) = self.known.get(key) {
+                tally.done += 1;
+                if let Err(message) = result {
+                    tally.failure.get_or_insert_with(|| message.clone());
+                }
+            }
+        }
+    }
+
+    /// Begins the first one that is neither known nor under way; its number.
+    pub fn begin(&mut self) -> Option<(u32, Trial)> {
+        if self.is_cancelled {
+            return None;
+        }
+        let is_new = |key: &Key| !self.known.contains_key(key) && self.running.values().all(|r| r.key != *key);
+        let (trial, key) = self.wanted.iter().find(|(_, key)| is_new(key))?.clone();
+        self.last += 1;
+        self.running.insert(self.last, Running { trial: trial.clone(), key, done: 0.0 });
+        Some((self.last, trial))
+    }
+
+    /// Whether that trial is under way.
+    pub fn is_running(&self, id: u32) -> bool {
+        self.running.contains_key(&id)
+    }
+
+    /// A trial under way is that far, 0 to 1.
+    pub fn report(&mut self, id: u32, done: f64) {
+        if let Some(running) = self.running.get_mut(&id) {
+            running.done = done;
+        }
+    }
+
+    /// Ends a trial; `None` if it isn't wanted any more.
+    pub fn end(&mut self, id: u32) -> Option<(Trial, Key)> {
+        self.running.remove(&id).map(|running| (running.trial, running.key))
+    }
+
+    /// Ends all trials for now.
+    pub fn cancel(&mut self) {
+        self.running.clear();
+        self.is_cancelled = true;
+    }
+
+    /// Keeps a result.
+    pub fn learn(&mut self, key: Key, result: TrialResult) {
+        self.known.insert(key, result);
+        self.sum_up();
+    }
+
+    /// The result of a trial.
+    pub fn result(&self, key: &Key) -> Option<&TrialResult> {
+        self.known.get(key)
+    }
+
+    /// Forgets the results that aren't to be kept.
+    pub fn retain(&mut self, mut is_kept: impl FnMut(&Key) -> bool) {
+        self.known.retain(|key, _| is_kept(key));
+    }
+
+    /// All that are wanted and known, in the order in which they are wanted.
+    pub fn results(&self) -> impl Iterator<Item = (&Trial, &TrialResult)> {
+        self.wanted.iter().filter_map(|(trial, key)| Some((trial, self.known.get(key)?)))
+    }
+
+    /// Trials that are done, and all of them.
+    pub fn count(&self) -> (usize, usize) {
+        self.tallies.iter().fold((0, 0), |(done, all), tally| (done + tally.done, all + tally.all))
+    }
+
+    /// How far a planner is.
+    pub fn progress(&self, entrant: usize) -> Progress<'_> {
+        match self.tallies.get(entrant) {
+            None | Some(Tally { all: 0, .. }) => Progress::Out,
+            Some(Tally { failure: Some(message), .. }) => Progress::Failed(message),
+            Some(Tally { all, done, .. }) if done == all => Progress::Done,
+            Some(Tally { all, done, .. }) => {
+                let under_way: f64 = self.running.values().filter(|r| r.trial.entrant == entrant).map(|r| r.done).sum();
+                Progress::Trying((*done as f64 + under_way) / *all as f64)
+            }
+        }
+    }
+}

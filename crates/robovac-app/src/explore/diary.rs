@@ -1,0 +1,82 @@
+//! What happened in a run, told in lines.
+
+use robovac_sim::{Event, Run, STEP_S, What};
+
+/// Steps within which what the robot does about something belongs to it: it answers in the step after.
+const ANSWER: u64 = 4;
+
+/// A line of the diary: when, and what happened.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Entry {
+    /// Seconds since the run began.
+    pub time_s: f64,
+    /// What happened, and what the robot did about it: `bump left, backing up`.
+    pub text: String,
+    /// Whether it came from outside; else the robot just went on with something.
+    pub is_felt: bool,
+}
+
+/// What `run` remembers, latest first; of a robot that `follows_plan`, that it does so wherever it is put.
+pub fn diary(run: &Run, follows_plan: bool) -> Vec<Entry> {
+    let mut lines = tell(run.events());
+    let put_down = What::PutDown.to_string();
+    for line in lines.iter_mut().filter(|_| follows_plan) {
+        line.text = line.text.replace(&put_down, &format!("{put_down}, follows its plan as before"));
+    }
+    lines
+}
+
+/// A number that changes whenever the diary does.
+pub fn diary_version(run: &Run) -> f64 {
+    let events = run.events();
+    let ends = [events.front(), events.back()].map(|event| event.map_or(0.0, |event| event.step as f64 + 1.0));
+    events.len() as f64 + 128.0 * ends[1] + ends[0] / 1e9
+}
+
+fn tell<'a>(events: impl IntoIterator<Item = &'a Event>) -> Vec<Entry> {
+    let mut lines: Vec<Entry> = Vec::new();
+    let mut last = None;
+    for &Event { step, what } in events {
+        let answers = last.is_some_and(|last| step - last <= ANSWER);
+        let is_felt = !matches!(what, What::Began(_));
+        match lines.last_mut() {
+            // What it began and gave up at once was nothing.
+            Some(line) if answers && !line.is_felt && !is_felt => line.text = what.to_string(),
+            Some(line) if answers && line.is_felt => {
+                line.text.push_str(", ");
+                line.text.push_str(&what.to_string());
+            }
+            _ => {
+                lines.push(Entry { time_s: step as f64 * STEP_S, text: what.to_string(), is_felt });
+                last = Some(step);
+            }
+        }
+    }
+    lines.reverse();
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_answer_stands_beside_what_it_answers() {
+        let events = [
+            Event { step: 100, what: What::Bump { left: true, right: false } },
+            Event { step: 101, what: What::Began("backing up") },
+            Event { step: 130, what: What::Began("turning away") },
+            Event { step: 131, what: What::VirtualWall },
+        ];
+        let lines = tell(&events);
+        let texts: Vec<_> = lines.iter().map(|line| (line.time_s, line.text.as_str())).collect();
+        assert_eq!(
+            texts,
+            [
+                (131.0 * STEP_S, "virtual wall"),
+                (130.0 * STEP_S, "turning away"),
+                (100.0 * STEP_S, "bump left, backing up")
+            ]
+        );
+    }
+}

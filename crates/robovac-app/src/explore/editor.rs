@@ -1,0 +1,297 @@
+//! The room as the user shapes it, with undo and redo.
+
+use robovac_core::{
+    floorplan::FloorPlan,
+    geometry::{Point, Pose},
+    grid::{Cell, Occupancy},
+};
+use std::sync::Arc;
+
+/// Changes that can be undone.
+const MOST_UNDO: usize = 200;
+/// Map cells, a byte each, that may be kept for undoing: the largest map is 16 million.
+const MOST_UNDO_CELLS: usize = 64 << 20;
+/// Width of a drawn wall, m, if cells aren't larger.
+const BRUSH_WIDTH: f64 = 0.1;
+
+/// What a stroke leaves behind.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Brush {
+    /// Walls.
+    Wall,
+    /// Free floor.
+    Erase,
+}
+
+/// What undo and redo bring back.
+#[derive(Debug, Clone)]
+struct Content {
+    plan: Arc<FloorPlan>,
+    room: Option<&'static str>,
+    start: Option<Pose>,
+}
+
+/// A floor plan being edited.
+#[derive(Debug, Clone)]
+pub struct Editor {
+    now: Content,
+    undo: Vec<Content>,
+    redo: Vec<Content>,
+    stroke: Option<(Brush, Point)>,
+    version: u64,
+}
+
+impl Editor {
+    /// Starts with a room: `id` if it is one that ships.
+    pub fn new(plan: FloorPlan, id: Option<&'static str>) -> Self {
+        let now = Content { plan: Arc::new(plan), room: id, start: None };
+        Self { now, undo: Vec::new(), redo: Vec::new(), stroke: None, version: 0 }
+    }
+
+    /// The floor plan.
+    pub fn plan(&self) -> &Arc<FloorPlan> {
+        &self.now.plan
+    }
+
+    /// Id of the room, if it ships and hasn't been changed.
+    pub fn room(&self) -> Option<&'static str> {
+        self.now.room
+    }
+
+    /// Start chosen by the user.
+    pub fn start(&self) -> Option<Pose> {
+        self.now.start
+    }
+
+    /// Grows with every change of walls.
+    pub fn version(&self) -> u64 {
+        self.version
+    }
+
+    /// Whether there is something to undo.
+    pub fn can_undo(&self) -> bool {
+        !self.undo.is_empty()
+    }
+
+    /// Whether there is something to redo.
+    pub fn can_redo(&self) -> bool {
+        !self.redo.is_empty()
+    }
+
+    /// Takes another room, with a start chosen by the user if there is one; the old room can be brought back.
+    pub fn replace(&mut self, plan: FloorPlan, id: Option<&'static str>, start: Option<Pose>) {
+        self.remember();
+        self.now = Content { plan: Arc::new(plan), room: id, start };
+    }
+
+    /// Makes what there is now the beginning: there is nothing to undo or redo.
+    pub fn forget(&mut self) {
+        self.undo.clear();
+        self.redo.clear();
+    }
+
+    /// Moves the start.
+    pub fn set_start(&mut self, start: Option<Pose>) {
+        self.remember();
+        self.now.start = start;
+    }
+
+    /// Takes the plan with other objects in it.
+    pub fn furnish(&mut self, plan: FloorPlan) {
+        self.remember();
+        self.now.plan = Arc::new(plan);
+        self.now.room = None;
+    }
+
+    /// Begins a stroke at a point in metres.
+    pub fn begin(&mut self, brush: Brush, at: Point) {
+        self.remember();
+        self.stroke = Some((brush, at));
+        self.paint(brush, at, at);
+    }
+
+    /// Goes on with the stroke to a point in metres.
+    pub fn go_on(&mut self, at: Point) {
+        if let Some((brush, from)) = self.stroke {
+            self.stroke = Some((brush, at));
+            self.paint(brush, from, at);
+        }
+    }
+
+    /// Ends the stroke; whether there was one.
+    pub fn end(&mut self) -> bool {
+        self.stroke.take().is_some()
+    }
+
+    /// Takes back the stroke that is under way, as if it had never begun.
+    pub fn abandon(&mut self) {
+        if self.stroke.take().is_some()
+            && let Some(before) = self.undo.pop()
+        {
+            self.now = before;
+            self.version += 1;
+        }
+    }
+
+    /// Takes the last change back; whether there was one.
+    pub fn undo(&mut self) -> bool {
+        // A stroke that is under way must not go on in another room.
+        self.stroke = None;
+        let Some(before) = self.undo.pop() else { return false };
+        self.redo.push(std::mem::replace(&mut self.now, before));
+        self.version += 1;
+        true
+    }
+
+    /// Makes the last undone change again; whether there was one.
+    pub fn redo(&mut self) -> bool {
+        self.stroke = None;
+        let Some(after) = self.redo.pop() else { return false };
+        self.undo.push(std::mem::replace(&mut self.now, after));
+        self.version += 1;
+        true
+    }
+
+    fn remember(&mut self) {
+        self.stroke = None;
+        self.undo.push(self.now.clone());
+        self.redo.clear();
+        self.version += 1;
+        let surplus = self.undo.len() - self.affordable_undo();
+        self.undo.drain(..surplus);
+    }
+
+    /// How many of the latest changes are few and small enough to be kept; the very last one always is.
+    fn affordable_undo(&self) -> usize {
+        let mut cells = 0;
+        let mut newer = None;
+        let affordable = self.undo.iter().rev().take(MOST_UNDO).take_while(|content| {
+            // Moving the start leaves the plan shared.
+            if newer.replace(&content.plan).is_none_or(|plan| !Arc::ptr_eq(plan, &content.plan)) {
+                cells += content.plan.occupancy.len();
+            }
+            cells <= MOST_UNDO_CELLS
+        });
+        affordable.count().max(1)
+    }
+
+    /// Paints all cells within the brush around the line from `from` to `to`.
+    fn paint(&mut self, brush: Brush, from: Point, to: Point) {
+        let plan = Arc::make_mut(&mut self.now.plan);
+        let value = match brush {
+            Brush::Wall => Occupancy::Occupied,
+            Brush::Erase => Occupancy::Free,
+        };
+        let spread = ((BRUSH_WIDTH / plan.resolution).round() as i32 - 1).max(0);
+        let steps = ((to - from).norm() / (0.5 * plan.resolution)).ceil().clamp(1.0, 1e5);
+        for i in 0..=steps as u32 {
+            let centre = plan.cell_at(from + (to - from) * (f64::from(i) / steps));
+            for dy in 0..=spread {
+                for dx in 0..=spread {
+                    let cell = Cell::new(centre.x + dx - spread / 2, centre.y + dy - spread / 2);
+                    if plan.occupancy.contains(cell) && plan.occupancy[cell] != value {
+                        plan.occupancy[cell] = value;
+                        self.now.room = None;
+                    }
+                }
+            }
+        }
+        self.version += 1;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use robovac_core::grid::Grid;
+
+    fn editor() -> Editor {
+        let plan = FloorPlan {
+            name: "test".into(),
+            note: String::new(),
+            resolution: 0.1,
+            occupancy: Grid::filled(20, 10, Occupancy::Free),
+            objects: Vec::new(),
+            start: None,
+            origin: Pose::new(0.0, 0.0, 0.0),
+        };
+        Editor::new(plan, Some("empty"))
+    }
+
+    fn walls(editor: &Editor) -> usize {
+        editor.plan().blocked().count()
+    }
+
+    #[test]
+    fn stroke_is_one_change_without_gaps() {
+        let mut editor = editor();
+        editor.begin(Brush::Wall, Point::new(0.05, 0.05));
+        editor.go_on(Point::new(1.95, 0.05));
+        assert!(editor.end());
+        assert_eq!((walls(&editor), editor.room()), (20, None));
+        assert!(editor.undo());
+        assert_eq!((walls(&editor), editor.room()), (0, Some("empty")));
+        assert!(editor.redo() && !editor.redo());
+        assert_eq!(walls(&editor), 20);
+    }
+
+    #[test]
+    fn abandoned_stroke_leaves_no_trace() {
+        let mut editor = editor();
+        editor.begin(Brush::Wall, Point::new(0.5, 0.5));
+        editor.abandon();
+        assert_eq!((walls(&editor), editor.room()), (0, Some("empty")));
+        assert!(!editor.can_undo() && !editor.can_redo() && !editor.end());
+    }
+
+    #[test]
+    fn strokes_may_leave_the_map() {
+        let mut editor = editor();
+        editor.begin(Brush::Wall, Point::new(-5.0, 0.55));
+        editor.go_on(Point::new(50.0, 0.55));
+        editor.end();
+        assert_eq!(walls(&editor), 20);
+    }
+
+    #[test]
+    fn stroke_does_not_go_on_in_another_room() {
+        let mut editor = editor();
+        editor.begin(Brush::Wall, Point::new(0.05, 0.05));
+        assert!(editor.undo());
+        editor.go_on(Point::new(1.95, 0.05));
+        assert_eq!((walls(&editor), editor.room(), editor.end()), (0, Some("empty"), false));
+        editor.begin(Brush::Wall, Point::new(0.05, 0.05));
+        editor.replace(self::editor().plan().as_ref().clone(), None, None);
+        editor.go_on(Point::new(1.95, 0.05));
+        assert_eq!((walls(&editor), editor.end()), (0, false));
+    }
+
+    #[test]
+    fn undo_of_large_rooms_does_not_fill_the_memory() {
+        let mut editor = editor();
+        let large =
+            FloorPlan { occupancy: Grid::filled(4096, 4096, Occupancy::Free), ..editor.plan().as_ref().clone() };
+        editor.replace(large, None, None);
+        for _ in 0..2 * MOST_UNDO {
+            editor.set_start(None);
+        }
+        assert_eq!(editor.undo.len(), MOST_UNDO, "starts alone cost nothing");
+        for i in 0..6 {
+            editor.begin(Brush::Wall, Point::new(f64::from(i), 0.0));
+            editor.end();
+        }
+        let cells: usize =
+            editor.undo.chunk_by(|a, b| Arc::ptr_eq(&a.plan, &b.plan)).map(|c| c[0].plan.occupancy.len()).sum();
+        assert!(cells <= MOST_UNDO_CELLS && editor.undo.len() >= 3, "{cells} in {}", editor.undo.len());
+    }
+
+    #[test]
+    fn new_change_forgets_what_was_undone() {
+        let mut editor = editor();
+        editor.set_start(Some(Pose::new(1.0, 0.5, 0.0)));
+        editor.undo();
+        editor.begin(Brush::Erase, Point::new(0.5, 0.5));
+        assert!(!editor.can_redo());
+        assert_eq!(editor.start(), None);
+    }
+}

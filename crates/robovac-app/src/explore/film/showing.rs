@@ -1,0 +1,216 @@
+//! A film that is shown: pictures, how long each is looked at, and what is said of it.
+
+use super::{
+    Change,
+    change::{steps, turns},
+};
+use coverage_planners::{Frame, Proof};
+use robovac_core::{coverage::Lattice, geometry::Point, grid::Cell};
+
+/// Improvements that are shown, the largest ones: all together last about half a minute (ours).
+const MOST_SHOWN: usize = 7;
+/// How long pictures are shown, s (ours): a walk to begin with; the three of an improvement when one sees that for the
+/// first time, and later.
+const FIRST_S: f64 = 1.8;
+const SLOW_S: [f64; 3] = [1.6, 2.0, 2.0];
+const QUICK_S: [f64; 3] = [0.9, 1.1, 1.3];
+
+/// What a line is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ink {
+    /// A walk.
+    Walk,
+    /// A part of one that was taken apart, by its number.
+    Part(usize),
+    /// What has just come to a walk.
+    New,
+}
+
+/// What is seen at one moment.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Picture {
+    /// Lines, m, the later ones above the earlier.
+    pub lines: Vec<(Ink, Vec<Point>)>,
+    /// Cells where something changes.
+    pub tinted: Vec<Cell>,
+    /// The same in words.
+    text: String,
+    /// How long it is looked at, s.
+    seconds: f64,
+}
+
+/// A film that is shown.
+#[derive(Debug)]
+pub struct Showing {
+    pictures: Vec<Picture>,
+    /// The picture that is shown; their number once it's over.
+    at: usize,
+    /// How long it has been, s.
+    since: f64,
+    /// Whether it goes on only when asked to.
+    is_held: bool,
+}
+
+impl Showing {
+    /// From the beginning; `None` if there is nothing to be seen. One that `is_held` goes on only when asked to.
+    pub fn new(frames: &[Frame], lattice: &Lattice, is_held: bool) -> Option<Self> {
+        let (firsts, search): (Vec<&Frame>, Vec<&Frame>) = frames.iter().partition(|frame| frame.proof.is_none());
+        // A closed tour goes on from there, back to the start.
+        let begun =
+            search.first().and_then(|begun| firsts.iter().position(|frame| begun.walk.starts_with(&frame.walk)));
+        let mut pictures: Vec<Picture> = Vec::new();
+        for (index, frame) in firsts.iter().enumerate() {
+            pictures.push(first(frame, (index + 1, firsts.len()), begun == Some(index), lattice));
+        }
+        for (index, pair) in largest(&search).into_iter().enumerate() {
+            let total = search.last().map_or(0, |last| last.number);
+            let seconds = if index == 0 { SLOW_S } else { QUICK_S };
+            pictures.extend(improvement(pair, total, seconds, lattice));
+        }
+        (!pictures.is_empty()).then_some(Self { pictures, at: 0, since: 0.0, is_held })
+    }
+
+    /// Begins again.
+    pub fn rewind(&mut self) {
+        (self.at, self.since) = (0, 0.0);
+    }
+
+    /// Lets time pass.
+    pub fn go_on(&mut self, elapsed_s: f64) {
+        let Some(picture) = self.picture().filter(|_| !self.is_held) else { return };
+        let seconds = picture.seconds;
+        self.since += elapsed_s.max(0.0);
+        if self.since >= seconds {
+            (self.at, self.since) = (self.at + 1, 0.0);
+        }
+    }
+
+    /// Goes to the next picture, or back to the one before, and stays there.
+    pub fn turn(&mut self, forward: bool) {
+        let at = if forward { self.at + 1 } else { self.at.saturating_sub(1) };
+        (self.at, self.since, self.is_held) = (at.min(self.pictures.len()), 0.0, true);
+    }
+
+    /// Stays at a picture, or goes on; from the beginning if it was over.
+    pub fn hold(&mut self, is_held: bool) {
+        self.is_held = is_held;
+        if !is_held && self.is_over() {
+            self.rewind();
+        }
+    }
+
+    /// Whether it goes on only when asked to.
+    pub fn is_held(&self) -> bool {
+        self.is_held
+    }
+
+    /// Whether all has been seen.
+    pub fn is_over(&self) -> bool {
+        self.at >= self.pictures.len()
+    }
+
+    /// How far it is: the number of the picture, and how many there are.
+    pub fn place(&self) -> [usize; 2] {
+        [self.at, self.pictures.len()]
+    }
+
+    /// What is seen; `None` once it's over.
+    pub fn picture(&self) -> Option<&Picture> {
+        self.pictures.get(self.at)
+    }
+
+    /// What is seen, in words; `end` is what is proven of the plan.
+    pub fn text(&self, end: Option<Proof>) -> String {
+        self.picture().map_or_else(|| format!("The search is over: the plan is {}.", good(end)), |it| it.text.clone())
+    }
+}
+
+/// The pairs of walks between which most was won, in their order.
+fn largest<'f>(search: &[&'f Frame]) -> Vec<[&'f Frame; 2]> {
+    let mut pairs: Vec<(f64, [&Frame; 2])> =
+        search.windows(2).map(|pair| (won(pair[0], pair[1]), [pair[0], pair[1]])).collect();
+    pairs.sort_by(|a, b| b.0.total_cmp(&a.0));
+    pairs.truncate(MOST_SHOWN);
+    pairs.sort_by_key(|(_, pair)| pair[1].number);
+    pairs.into_iter().map(|(_, pair)| pair).collect()
+}
+
+/// What was won from one walk to the next, as a share of the bound.
+fn won(former: &Frame, latter: &Frame) -> f64 {
+    let (Some(former), Some(latter)) = (former.proof, latter.proof) else { return 0.0 };
+    former.cost.saturating_sub(latter.cost) as f64 / latter.bound.max(1) as f64
+}
+
+/// A walk that the search could begin with.
+fn first(frame: &Frame, (number, all): (usize, usize), is_chosen: bool, lattice: &Lattice) -> Picture {
+    let Frame { walk, planner, .. } = frame;
+    let (steps, turns) = (amount(steps(walk), "step"), amount(turns(walk), "turn"));
+    let chosen = if is_chosen { " The search begins with it." } else { "" };
+    Picture {
+        lines: vec![(Ink::Walk, lattice.anchors(walk))],
+        tinted: Vec::new(),
+        text: format!("Construction, {number} of {all}: {planner} needs {steps} and {turns}.{chosen}"),
+        seconds: FIRST_S,
+    }
+}
+
+/// The walk before with what will change, what stays of it, and the walk after.
+fn improvement([former, latter]: [&Frame; 2], total: u32, seconds: [f64; 3], lattice: &Lattice) -> [Picture; 3] {
+    let change = Change::between(&former.walk, &latter.walk);
+    let which = if latter.number > former.number + 1 {
+        format!("Improvements {} to {} of {total}", former.number + 1, latter.number)
+    } else {
+        format!("Improvement {} of {total}", latter.number)
+    };
+    let parts = change.parts.iter().enumerate();
+    let parts: Vec<_> = parts.map(|(index, part)| (Ink::Part(index), lattice.anchors(part))).collect();
+    let mut merged = vec![(Ink::Walk, lattice.anchors(&latter.walk))];
+    merged.extend(change.links.iter().map(|link| (Ink::New, lattice.anchors(link))));
+    let (stay, s) = (parts.len(), if parts.len() == 1 { "s" } else { "" });
+    let share = 100.0 * won(former, latter);
+    let share = if share < 0.05 { "less than 0.1".to_owned() } else { format!("{share:.1}") };
+    let texts = [
+        format!("{which}: the tinted cells are about to change."),
+        format!("{which}: the walk is taken apart there; {} stay{s}.", amount(stay as i64, "part")),
+        format!("{which}: merged again, {} ({share} % of the bound); now {}.", less(&change), good(latter.proof)),
+    ];
+    let [marked, apart, merged_text] = texts;
+    let picture = |lines, text, seconds| Picture { lines, tinted: change.cells.clone(), text, seconds };
+    [
+        picture(vec![(Ink::Walk, lattice.anchors(&former.walk))], marked, seconds[0]),
+        picture(parts, apart, seconds[1]),
+        picture(merged, merged_text, seconds[2]),
+    ]
+}
+
+/// What was won, in steps and turns.
+fn less(change: &Change) -> String {
+    let (steps, turns) = (change.steps, change.turns);
+    let each = |difference: i64, unit: &str| {
+        let more = if difference < 0 { "more" } else { "less" };
+        format!("{} {more}", amount(difference.abs(), unit))
+    };
+    match (steps, turns) {
+        (0, 0) => "the turn to its first step saved".to_owned(),
+        (0, _) => each(turns, "turn"),
+        (_, 0) => each(steps, "step"),
+        _ if (steps > 0) == (turns > 0) => format!("{} and {}", amount(steps.abs(), "step"), each(turns, "turn")),
+        _ => format!("{} and {}", each(steps, "step"), each(turns, "turn")),
+    }
+}
+
+/// A number of things.
+fn amount(number: i64, unit: &str) -> String {
+    let s = if number == 1 { "" } else { "s" };
+    format!("{number} {unit}{s}")
+}
+
+/// How good a walk is known to be.
+fn good(proof: Option<Proof>) -> String {
+    match proof.map(Proof::gap) {
+        None => "one of which nothing is proven yet".to_owned(),
+        Some(gap) if gap <= 0.0 => "proven optimal".to_owned(),
+        // Rounded up, as the page does: nothing but the best is 0 % above.
+        Some(gap) => format!("{:.1} % above the proven bound", (1000.0 * gap - 1e-6).ceil() / 10.0),
+    }
+}

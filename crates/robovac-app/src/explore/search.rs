@@ -1,0 +1,58 @@
+//! How a planner came to its plan: its decisions, found by where the robot is on the way.
+
+use coverage_planners::TraceStep;
+use robovac_core::{geometry::Point, grid::Cell};
+use robovac_sim::{
+    Run,
+    experiment::planning::{Planned, Prepared},
+};
+use std::sync::Arc;
+
+/// The decisions behind one plan.
+#[derive(Debug)]
+pub struct Search {
+    steps: Vec<TraceStep>,
+    /// How far along the line each cell of the walk is reached, m.
+    arrivals: Vec<f64>,
+    line: Arc<[Point]>,
+    /// How far along the line each of its corners lies, m.
+    corners: Vec<f64>,
+}
+
+impl Search {
+    /// The decisions in `steps` that led to `walk`.
+    pub fn new(prepared: &Prepared, planned: &Planned, walk: &[Cell], steps: Vec<TraceStep>) -> Self {
+        let line = Arc::clone(&planned.line);
+        let mut corners = vec![0.0];
+        let mut length = 0.0;
+        corners.extend(line.windows(2).map(|piece| {
+            length += (piece[1] - piece[0]).norm();
+            length
+        }));
+        let arrivals = prepared.lattice.arrivals(&prepared.floor, walk);
+        Self { steps, arrivals, line, corners }
+    }
+
+    /// The decision that the robot is carrying out; `None` once it has come to the end.
+    ///
+    /// The follower says which piece of the line it's on, and the robot's place beside that piece how far along it: so it
+    /// holds where lanes touch or cross, and where the robot has slipped off its line.
+    pub fn decision(&self, run: &Run) -> Option<&TraceStep> {
+        let corner = run.corner().filter(|&corner| corner < self.line.len() && !run.is_finished())?;
+        let before = corner.checked_sub(1)?;
+        let (from, to) = (self.line[before], self.line[corner]);
+        let length = (to - from).norm();
+        let believed = run.estimate().unwrap_or(run.pose()).position();
+        let along = ((believed - from).dot(&(to - from)) / length).clamp(0.0, length);
+        // Rounding must not leave the robot in the cell before at a corner that it has reached.
+        let at = self.corners[before] + along + 1e-6;
+        let index = self.arrivals.partition_point(|&arrival| arrival <= at).saturating_sub(1);
+        let known = self.steps.partition_point(|step| step.step <= index);
+        self.steps.get(known.checked_sub(1)?)
+    }
+
+    /// All decisions, in the order of the walk.
+    pub fn steps(&self) -> &[TraceStep] {
+        &self.steps
+    }
+}

@@ -1,0 +1,556 @@
+//! One user's session: a room, a robot, a planner, a run.
+
+mod objects;
+mod planning;
+mod search;
+mod snapshot;
+
+use crate::explore::{Action, Brush, Editor, Search, Showing, State};
+use coverage_planners::{Film, Proof};
+use robovac_core::{
+    floorplan::{self, FloorPlan, MapError, RoomInfo, Scenario, SourceFile},
+    geometry::{Point, Pose},
+    grid::Cell,
+};
+use robovac_sim::{
+    Input, NoiseLevel, Recording, STEP_S, SensorKind,
+    controller::Command,
+    experiment::{
+        Import, ScenarioError, Settings, SettingsError,
+        planning::{PlanRequest, Planned, Prepared},
+    },
+};
+use std::sync::Arc;
+
+/// Longest time between two frames that is made up for, s: after a pause of the browser the robot doesn't leap.
+const LONGEST_FRAME: f64 = 0.1;
+
+/// What is told of a robot that was put down elsewhere and can't feel that.
+const CARRIED: &str = "The robot follows its plan from odometry: it doesn't know that it was carried.";
+/// How far from where it believes to be a robot has to be put down for that to be worth a word, m.
+const CARRIED_M: f64 = 0.1;
+
+/// What links say of a room that was drawn or loaded: it stays what it is.
+const OWN_ROOM: &str = "own";
+
+/// Room, settings, plan and run, and what may be done with them.
+///
+/// The session has no clock and no thread: [`Session::frame`] is told how much time has passed and asks whether it may
+/// go on; planning happens wherever [`Session::take_plan_request`] is served.
+#[expect(clippy::struct_excessive_bools)]
+pub struct Session {
+    settings: Settings,
+    editor: Editor,
+    prepared: Option<Prepared>,
+    planning: Option<Planning>,
+    planned: Option<Planned>,
+    recording: Option<Recording>,
+    playing: bool,
+    /// Simulation steps that are due but not done.
+    due: f64,
+    speed_factor: f64,
+    requests: u32,
+    /// Whether nothing but the opening scene has been asked for so far: its plan is there already.
+    is_opening: bool,
+    /// Walks that planners have reported, on their way and at the end.
+    previews: u64,
+    message: Option<Message>,
+    /// Whether the planner's decisions are to be shown, and they, once they are known.
+    shows_search: bool,
+    search: Option<Search>,
+    /// How the plan came to be, if it was filmed, and whether films go on only when asked to.
+    film: Option<Showing>,
+    holds_films: bool,
+    /// The picture of it that was shown last.
+    film_at: Option<usize>,
+}
+
+/// Why files can't be taken.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum LoadError {
+    /// They are no map.
+    #[error(transparent)]
+    Map(#[from] MapError),
+    /// They are a scenario that can't be run.
+    #[error(transparent)]
+    Scenario(#[from] ScenarioError),
+}
+
+/// A planner at work elsewhere.
+struct Planning {
+    request: Option<PlanRequest>,
+    id: u32,
+    progress: f64,
+    /// The best walk so far, and as the line that the robot would drive.
+    walk: Vec<Cell>,
+    preview: Vec<Point>,
+    /// How good that walk is known to be.
+    proof: Option<Proof>,
+    /// The walks so far.
+    film: Film,
+}
+
+/// Something to tell the user.
+#[derive(Debug, Clone)]
+struct Message {
+    kind: &'static str,
+    text: String,
+}
+
+impl Session {
+    /// The opening scene: the furnished flat, about to be cleaned.
+    pub fn new() -> Self {
+        let room = &floorplan::ROOMS[0];
+        let mut session = Self {
+            settings: Settings::new(),
+            editor: Editor::new((room.build)(), Some(room.id)),
+            prepared: None,
+            planning: None,
+            planned: None,
+            recording: None,
+            playing: true,
+            due: 0.0,
+            speed_factor: 0.0,
+            requests: 0,
+            is_opening: true,
+            previews: 0,
+            message: None,
+            shows_search: false,
+            search: None,
+            film: None,
+            holds_films: false,
+            film_at: None,
+        };
+        session.prepare();
+        session
+    }
+
+    // ---- what is shown
+
+    /// What the session is doing.
+    pub fn state(&self) -> State {
+        if self.planning.is_some() {
+            return State::Planning;
+        }
+        let Some(recording) = &self.recording else { return State::Failed };
+        match recording.run() {
+            _ if recording.is_seeking() => State::Seeking,
+            run if run.is_finished() => State::Finished,
+            _ if self.playing => State::Playing,
+            run if run.steps() == 0 => State::Ready,
+            _ => State::Paused,
+        }
+    }
+
+    /// The room, its walls as they are now.
+    pub fn plan(&self) -> &Arc<FloorPlan> {
+        self.editor.plan()
+    }
+
+    /// Id of the room if it ships and hasn't been changed.
+    pub fn room(&self) -> Option<&'static str> {
+        self.editor.room()
+    }
+
+    /// Name of the room; one that shipped and was changed says so.
+    pub fn room_title(&self) -> String {
+        let name = &self.plan().name;
+        let is_changed = self.room().is_none() && floorplan::ROOMS.iter().any(|room| room.title == name);
+        if is_changed { format!("{name} (changed)") } else { name.clone() }
+    }
+
+    /// Where the user has put the start, if anywhere.
+    pub fn start(&self) -> Option<Pose> {
+        self.editor.start()
+    }
+
+    /// Grows with every change of walls.
+    pub fn plan_version(&self) -> u64 {
+        self.editor.version()
+    }
+
+    /// The room laid out for the robot; `None` if it doesn't fit.
+    pub fn prepared(&self) -> Option<&Prepared> {
+        self.prepared.as_ref()
+    }
+
+    /// The plan, once there is one.
+    pub fn planned(&self) -> Option<&Planned> {
+        self.planned.as_ref()
+    }
+
+    /// The line of the best walk so far while a planner is at work.
+    pub fn preview(&self) -> &[Point] {
+        self.planning.as_ref().map_or(&[], |p| &p.preview)
+    }
+
+    /// The run.
+    pub fn recording(&self) -> Option<&Recording> {
+        self.recording.as_ref()
+    }
+
+    /// Rows of the fine grid that were swept since the last call, lowest and highest.
+    pub fn take_changed_rows(&mut self) -> Option<(usize, usize)> {
+        self.recording.as_mut()?.run_mut().tracker_mut().take_dirty_rows()
+    }
+
+    /// Everything chosen but the room.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    // ---- time
+
+    /// Lets `elapsed_s` seconds pass, as long as `has_time` says so.
+    pub fn frame(&mut self, elapsed_s: f64, has_time: &mut dyn FnMut() -> bool) {
+        self.film_goes_on(elapsed_s.clamp(0.0, LONGEST_FRAME));
+        let state = self.state();
+        let Some(recording) = &mut self.recording else { return };
+        match state {
+            State::Seeking => recording.seek_on(has_time),
+            State::Playing => {
+                let elapsed = elapsed_s.clamp(0.0, LONGEST_FRAME);
+                let unlimited = self.settings.speed == 0.0;
+                self.due += elapsed * self.settings.speed / STEP_S;
+                let wanted = if unlimited { u64::MAX } else { self.due as u64 };
+                let taken = recording.advance(wanted, has_time);
+                // What couldn't be done in time isn't made up for: the achieved speed says so instead.
+                self.due = if taken == wanted { self.due.fract() } else { 0.0 };
+                if elapsed > 0.0 {
+                    let factor = taken as f64 * STEP_S / elapsed;
+                    // The first frame counts in full: smoothing from zero would look like a slow start.
+                    let weight = if self.speed_factor > 0.0 { 0.1 } else { 1.0 };
+                    self.speed_factor += weight * (factor - self.speed_factor);
+                }
+                if recording.run().is_finished() {
+                    self.playing = false;
+                }
+            }
+            _ => self.speed_factor = 0.0,
+        }
+    }
+
+    /// Simulates the next `seconds` at once, without a frame.
+    pub fn run_ahead(&mut self, seconds: f64) {
+        if let Some(recording) = &mut self.recording {
+            recording.advance((seconds / STEP_S) as u64, &mut || true);
+        }
+    }
+
+    /// Lets time go on; from the start if the run was over, with a new plan if there is none.
+    pub fn play(&mut self) {
+        let state = self.state();
+        if state == State::Finished {
+            self.reset();
+        }
+        self.playing = true;
+        self.message = None;
+        if state == State::Failed {
+            self.prepare();
+        }
+    }
+
+    /// Stops time.
+    pub fn pause(&mut self) {
+        self.playing = false;
+        if let Some(recording) = &mut self.recording {
+            recording.stop_seeking();
+        }
+    }
+
+    /// Goes on by one move: one planning cell or one turn, at most five seconds.
+    pub fn step(&mut self) {
+        let allowed = self.state().allows(Action::Step);
+        self.pause();
+        let Some(recording) = self.recording.as_mut().filter(|_| allowed) else { return };
+        let goal = recording.run().distance_m() + self.settings.cell_size;
+        let turning = recording.run().turning_rad();
+        for _ in 0..(5.0 / STEP_S) as u32 {
+            recording.step();
+            let run = recording.run();
+            if run.is_finished() || run.distance_m() >= goal || run.turning_rad() - turning > 1.5 {
+                break;
+            }
+        }
+    }
+
+    /// Back to the start, time standing still.
+    pub fn reset(&mut self) {
+        self.pause();
+        self.seek(0.0);
+    }
+
+    /// Goes to another point of the time simulated so far, s.
+    pub fn seek(&mut self, time_s: f64) {
+        self.message.take_if(|message| message.text == CARRIED);
+        if let Some(recording) = &mut self.recording {
+            recording.seek(time_s);
+            // The state right at a key frame, the start above all, is there at once; the rest follows with the frames.
+            recording.seek_on(&mut || false);
+        }
+    }
+
+    // ---- the hand on the robot
+
+    /// Moves the joystick; ignored by robots that drive by themselves.
+    pub fn command(&mut self, command: Command) {
+        self.input(Input::Command(command));
+    }
+
+    /// Picks the robot up.
+    pub fn lift(&mut self) {
+        if !self.is_lifted() {
+            self.input(Input::Lift);
+        }
+    }
+
+    /// Puts a robot that was picked up down at `pose`, or at the nearest place where it fits.
+    pub fn put_down(&mut self, pose: Pose) {
+        if !self.is_lifted() {
+            return;
+        }
+        let believed = self.recording.as_ref().and_then(|recording| recording.run().estimate());
+        let is_elsewhere = believed.is_some_and(|at| (at.position() - pose.position()).norm() > CARRIED_M);
+        self.input(Input::PutDown(rounded(pose)));
+        if is_elsewhere && self.settings.algorithm.planner().is_some() {
+            self.say("notice", CARRIED.into());
+        }
+    }
+
+    /// Whether the robot is in somebody's hand.
+    pub fn is_lifted(&self) -> bool {
+        self.recording.as_ref().is_some_and(|recording| recording.run().is_lifted())
+    }
+
+    fn input(&mut self, input: Input) {
+        if let Some(recording) = &mut self.recording {
+            recording.input(input);
+        }
+    }
+
+    // ---- choices
+
+    /// Chooses a room that ships.
+    pub fn select_room(&mut self, id: &str) -> Result<(), SettingsError> {
+        let room = known_room(id)?;
+        self.message = None;
+        self.editor.replace((room.build)(), Some(room.id), None);
+        self.prepare();
+        Ok(())
+    }
+
+    /// Changes the settings; if `change` fails, everything stays as it was.
+    pub fn configure(
+        &mut self,
+        change: impl FnOnce(&mut Settings) -> Result<(), SettingsError>,
+    ) -> Result<(), SettingsError> {
+        let mut settings = self.settings.clone();
+        change(&mut settings)?;
+        self.settings = settings;
+        self.message = None;
+        self.prepare();
+        Ok(())
+    }
+
+    /// Shows a layer of the picture, or no longer.
+    pub fn show(&mut self, layer: &str, on: bool) -> Result<(), SettingsError> {
+        self.settings.shows.set(layer, on)
+    }
+
+    /// Sets the speed, times real time; 0 for as fast as it goes.
+    pub fn set_speed(&mut self, times: f64) {
+        self.settings.speed = if times.is_finite() { times.max(0.0) } else { 0.0 };
+        self.due = 0.0;
+    }
+
+    /// Takes a map or scenario from files that belong together. On an error everything stays as it was.
+    pub fn load(&mut self, files: &[SourceFile]) -> Result<(), LoadError> {
+        Ok(self.take_import(Import::read(files)?)?)
+    }
+
+    /// Takes what was read from files. On an error everything stays as it was.
+    pub fn take_import(&mut self, import: Import) -> Result<(), ScenarioError> {
+        if let Some(choices) = &import.choices {
+            self.settings = choices.settings(&self.settings)?;
+        }
+        self.message = None;
+        self.editor.replace(import.plan, None, None);
+        self.prepare();
+        Ok(())
+    }
+
+    /// Takes a link's `key=value` pairs, joined by `&`. On an error everything stays as it was.
+    pub fn restore(&mut self, link: &str) -> Result<(), SettingsError> {
+        let mut settings = self.settings.clone();
+        let mut room = None;
+        let pairs = link.trim_start_matches('#').split('&').filter(|p| !p.is_empty());
+        let mut pairs: Vec<(&str, &str)> = pairs.map(|p| p.split_once('=').unwrap_or((p, ""))).collect();
+        // Robot and planner bring defaults of their own, which must not undo what else the link says.
+        pairs.sort_by_key(|(key, _)| !matches!(*key, "robot" | "planner" | "behaviour"));
+        for (key, value) in pairs {
+            if key == "room" {
+                room = Some(value);
+            } else {
+                settings.take_link(key, value)?;
+            }
+        }
+        let room = room.filter(|&id| id != OWN_ROOM).map(known_room).transpose()?;
+        let start = settings.start.take();
+        self.settings = settings;
+        self.message = None;
+        // One change, to be undone at once.
+        match room {
+            Some(room) => self.editor.replace((room.build)(), Some(room.id), start),
+            None if start.is_some() => self.editor.set_start(start),
+            None => {}
+        }
+        self.prepare();
+        Ok(())
+    }
+
+    /// Room and settings as a scenario file, which [`Session::load`] takes back.
+    pub fn scenario_json(&self) -> String {
+        let Settings { algorithm, ref params, conditions, .. } = self.settings;
+        let defaults = robovac_core::registry::Params::defaults(algorithm.params());
+        let changed = params.iter().filter(|&(id, value)| defaults.get(id) != Some(value));
+        let params =
+            changed.filter_map(|(id, value)| Some((id.to_owned(), serde_json::to_value(value).ok()?))).collect();
+        let mut scenario = Scenario::of(self.plan());
+        // A start that was walled in would be refused, and is of no use to anyone.
+        let start = self.editor.start().or(self.plan().start);
+        scenario.start = start.filter(|_| self.prepared.is_some()).map(Into::into);
+        scenario.robot = Some(self.settings.robot.to_owned());
+        scenario.planner = algorithm.planner().map(|info| info.id.to_owned());
+        scenario.behaviour = algorithm.behaviour().map(|info| info.id.to_owned());
+        scenario.params = params;
+        scenario.cell_size = Some(self.settings.cell_size);
+        scenario.seed = Some(self.settings.seed);
+        scenario.slip = Some(conditions.slip.id().to_owned());
+        let noisy = SensorKind::ALL.into_iter().map(|(kind, name)| (name, conditions.noise.of(kind)));
+        let noisy = noisy.filter(|&(_, level)| level != NoiseLevel::Off);
+        scenario.noise = Some(noisy.map(|(name, level)| (name.to_owned(), level.id().to_owned())).collect());
+        scenario.quantised = Some(conditions.quantised);
+        scenario.odometry = Some(self.settings.odometry.id().to_owned());
+        scenario.to_json()
+    }
+
+    /// The session as a link's `key=value` pairs. A room that was drawn or loaded isn't in it: see [`Session::scenario_json`].
+    pub fn link(&self) -> String {
+        let mut settings = self.settings.clone();
+        settings.start = self.editor.start();
+        let room = ("room".to_owned(), self.editor.room().unwrap_or(OWN_ROOM).to_owned());
+        let pairs = std::iter::once(room).chain(settings.to_link());
+        pairs.map(|(key, value)| format!("{key}={value}")).collect::<Vec<_>>().join("&")
+    }
+
+    // ---- drawing
+
+    /// Begins to draw or erase walls at a point in metres.
+    pub fn begin_stroke(&mut self, brush: Brush, at: Point) {
+        self.editor.begin(brush, at);
+    }
+
+    /// Goes on drawing to a point in metres.
+    pub fn go_on_stroke(&mut self, at: Point) {
+        self.editor.go_on(at);
+    }
+
+    /// Takes back what is being drawn.
+    pub fn abandon_stroke(&mut self) {
+        self.editor.abandon();
+    }
+
+    /// Ends drawing and plans anew; walls can't go where something is that needs floor.
+    pub fn end_stroke(&mut self) {
+        if let Err(refusal) = self.plan().check_objects(None) {
+            self.editor.abandon();
+            self.say("error", sentence(&refusal.fault.to_string()));
+        }
+        if self.editor.end() {
+            self.message = None;
+            self.prepare();
+        }
+    }
+
+    /// Moves the start; if the robot can't stand there, says so and leaves it.
+    pub fn move_start(&mut self, to: Pose) {
+        if let Err(refusal) = self.plan().check_objects(Some(to)) {
+            self.say("error", sentence(&refusal.fault.to_string()));
+            return;
+        }
+        let robot = self.settings.robot_model();
+        match Prepared::new(self.editor.plan(), &robot, self.settings.cell_size, Some(to)) {
+            Ok(prepared) => {
+                self.message = None;
+                self.editor.set_start(Some(rounded(prepared.floor.start)));
+                self.prepare();
+            }
+            Err(error) => self.say("error", sentence(&error.to_string())),
+        }
+    }
+
+    /// Takes the last change of the room back.
+    pub fn undo(&mut self) {
+        if self.editor.undo() {
+            self.message = None;
+            self.prepare();
+        }
+    }
+
+    /// Makes the last undone change again.
+    pub fn redo(&mut self) {
+        if self.editor.redo() {
+            self.message = None;
+            self.prepare();
+        }
+    }
+
+    /// Makes the room as it is now the beginning: there is nothing to undo or redo.
+    pub fn forget_changes(&mut self) {
+        self.editor.forget();
+    }
+
+    /// Tells the user that something went wrong outside.
+    pub fn report_error(&mut self, text: &str) {
+        self.say("error", sentence(text));
+    }
+
+    /// Takes the message away.
+    pub fn dismiss(&mut self) {
+        self.message = None;
+    }
+
+    fn say(&mut self, kind: &'static str, text: String) {
+        self.message = Some(Message { kind, text });
+    }
+}
+
+impl Default for Session {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// The room that ships with that id.
+fn known_room(id: &str) -> Result<&'static RoomInfo, SettingsError> {
+    floorplan::room(id).ok_or_else(|| {
+        let known = floorplan::ROOMS.iter().map(|r| r.id).collect::<Vec<_>>().join(", ");
+        SettingsError::Unknown { kind: "room", id: id.to_owned(), known }
+    })
+}
+
+/// To millimetres and tenths of a degree, as links have it: a link must bring back the very same run.
+fn rounded(pose: Pose) -> Pose {
+    let round = |value: f64, unit: f64| (value / unit).round() * unit;
+    let heading = round(pose.heading.to_degrees(), 0.1).to_radians();
+    Pose::new(round(pose.x, 0.001), round(pose.y, 0.001), heading)
+}
+
+/// An error's text as a sentence.
+fn sentence(text: &str) -> String {
+    let mut chars = text.chars();
+    let first = chars.next().map(|c| c.to_ascii_uppercase().to_string()).unwrap_or_default();
+    let rest: String = chars.collect();
+    let stop = if rest.ends_with(['.', '!', '?']) { "" } else { "." };
+    format!("{first}{rest}{stop}")
+}

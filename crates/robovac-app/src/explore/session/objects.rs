@@ -1,0 +1,42 @@
+//! What stands, lies and moves in the session's room.
+
+use super::{Session, sentence};
+use robovac_core::floorplan::{FloorPlan, Object};
+
+impl Session {
+    /// Puts objects into the room, as one change; says whether they can be there, and tells the user if they can't.
+    pub fn add_objects(&mut self, objects: Vec<Object>) -> bool {
+        let mut all = self.plan().objects.clone();
+        all.extend(objects);
+        self.take_objects(all)
+    }
+
+    /// Puts something else in the place of an object; says whether it can be there.
+    pub fn change_object(&mut self, index: usize, object: Object) -> bool {
+        let mut all = self.plan().objects.clone();
+        let Some(place) = all.get_mut(index) else { return false };
+        *place = object;
+        self.take_objects(all)
+    }
+
+    /// Takes an object away.
+    pub fn remove_object(&mut self, index: usize) {
+        let mut all = self.plan().objects.clone();
+        if index < all.len() {
+            all.remove(index);
+            self.take_objects(all);
+        }
+    }
+
+    fn take_objects(&mut self, objects: Vec<Object>) -> bool {
+        let plan = FloorPlan { objects, ..FloorPlan::clone(self.plan()) };
+        if let Err(refusal) = plan.check_objects(self.start().or(plan.start)) {
+            self.say("error", sentence(&refusal.fault.to_string()));
+            return false;
+        }
+        self.message = None;
+        self.editor.furnish(plan);
+        self.prepare();
+        true
+    }
+}

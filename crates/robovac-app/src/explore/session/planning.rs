@@ -1,0 +1,226 @@
+//! Plans: asked for, answered from elsewhere, and what their user is told.
+
+use super::{Planning, Session, sentence};
+use crate::explore::{Search, Showing, State, opening};
+use coverage_planners::{CoveragePath, Film, Frame, PlanError, Proof, Report};
+use robovac_core::floorplan;
+use robovac_sim::{
+    Recording,
+    experiment::{
+        Algorithm, Settings,
+        planning::{Answer, PlanRequest, Planned, Prepared},
+    },
+};
+use std::ops::ControlFlow;
+
+/// Share of the reachable floor below which a plan is worth a warning.
+const LEAST_COVERAGE: f64 = 0.75;
+
+impl Session {
+    /// The plan that has to be made, once. Serve it wherever there is time, and answer with the methods below.
+    ///
+    /// For the opening scene there is nothing to be made: it gets the plan that is kept of it.
+    pub fn take_plan_request(&mut self) -> Option<PlanRequest> {
+        let request = self.planning.as_mut()?.request.take()?;
+        if !self.is_opening {
+            return Some(request);
+        }
+        let path = CoveragePath { cells: opening::from_runs(request.job.start, opening::WALK) };
+        let answer = Answer { path, seconds: 0.0, proof: None, trace: Vec::new() };
+        self.plan_finished(request.id, answer);
+        self.plan_proven(request.id, opening::PROOF);
+        None
+    }
+
+    /// Makes the plan here and now; for small rooms and tests. `clock` gives seconds.
+    pub fn plan_now(&mut self, clock: impl Fn() -> f64) {
+        let Some(request) = self.take_plan_request() else { return };
+        let mut film = request.film();
+        let mut watch = |report: Report<'_>| {
+            if let Some(film) = &mut film {
+                film.take(&report);
+            }
+            ControlFlow::Continue(())
+        };
+        match request.serve(clock, Some(&mut watch)) {
+            Ok(answer) => {
+                self.plan_filmed(request.id, film.map_or(Vec::new(), |mut film| film.take_frames()));
+                self.plan_finished(request.id, answer);
+            }
+            Err(PlanError::Cancelled) => self.cancel_plan(),
+            Err(error @ PlanError::Unlisted) => self.plan_failed(request.id, &error.to_string()),
+        }
+    }
+
+    /// A planner reports how far it is, its best walk so far, and what is proven of that.
+    pub fn plan_progress(&mut self, id: u32, Report { done, walk, proof }: Report<'_>) {
+        let Some(planning) = self.planning.as_mut().filter(|p| p.id == id) else { return };
+        (planning.progress, planning.proof) = (done, proof);
+        planning.walk.clear();
+        planning.walk.extend_from_slice(walk);
+        if let Some(prepared) = &self.prepared {
+            planning.preview = prepared.lattice.anchors(walk);
+            self.previews += 1;
+        }
+    }
+
+    /// What a planner was filmed at since this was told last.
+    pub fn plan_filmed(&mut self, id: u32, frames: Vec<Frame>) {
+        if let Some(planning) = self.planning.as_mut().filter(|p| p.id == id) {
+            for frame in frames {
+                planning.film.add(frame);
+            }
+        }
+    }
+
+    /// Whether the planner at work may be stopped with a walk that cleans all: only of such a one anything is proven.
+    pub(super) fn can_keep(&self) -> bool {
+        let is_anytime = self.settings.algorithm.planner().is_some_and(|planner| planner.claims.anytime);
+        is_anytime && self.planning.as_ref().is_some_and(|planning| planning.proof.is_some())
+    }
+
+    /// The user is content with the best walk so far, `seconds` after the planner began. Cancels if there is none.
+    pub fn keep_plan(&mut self, seconds: f64) {
+        let Some(planning) = self.planning.as_mut() else { return };
+        let (id, proof, cells, done) = (planning.id, planning.proof, planning.walk.clone(), planning.progress);
+        if !self.can_keep() {
+            return self.cancel_plan();
+        }
+        let path = CoveragePath { cells };
+        self.plan_finished(id, Answer { path, seconds, proof, trace: Vec::new() });
+        if let Some(planned) = &mut self.planned {
+            planned.kept_at = Some(done);
+        }
+    }
+
+    /// How good the plan of a request is, as plans are compared, was proven after it had been made.
+    pub fn plan_proven(&mut self, id: u32, proof: Proof) {
+        if id == self.requests
+            && let Some(planned) = &mut self.planned
+        {
+            planned.compared = Some(proof);
+        }
+    }
+
+    /// A planner is done.
+    pub fn plan_finished(&mut self, id: u32, answer: Answer) {
+        let Some(mut planning) = self.planning.take_if(|p| p.id == id) else { return };
+        self.previews += 1;
+        let Some(prepared) = &self.prepared else { return };
+        match Planned::new(prepared, &answer) {
+            Ok(planned) => {
+                let Settings { conditions, odometry, seed, .. } = self.settings;
+                self.recording = Some(Recording::new(planned.run(prepared, conditions, odometry, seed)));
+                let Answer { path, trace, proof, .. } = answer;
+                planning.film.take(&Report { done: 1.0, walk: &path.cells, proof });
+                self.film = Showing::new(&planning.film.take_frames(), &prepared.lattice, self.holds_films);
+                self.search = (!trace.is_empty()).then(|| Search::new(prepared, &planned, &path.cells, trace));
+                let coverage = planned.drive.coverage;
+                self.planned = Some(planned);
+                self.warn_of_coarse_cells(coverage);
+                self.begin_film();
+            }
+            Err(error) => self.planner_failed(&error.to_string()),
+        }
+    }
+
+    /// A planner gave up.
+    pub fn plan_failed(&mut self, id: u32, text: &str) {
+        if self.planning.as_ref().is_some_and(|p| p.id == id) {
+            self.planning = None;
+            self.planner_failed(text);
+        }
+    }
+
+    fn planner_failed(&mut self, text: &str) {
+        self.say("error", format!("The planner failed: {text}. Try another planner or room."));
+    }
+
+    /// The user doesn't want to wait for the planner.
+    pub fn cancel_plan(&mut self) {
+        if self.planning.take().is_some() {
+            self.playing = false;
+            // What it had found so far is no longer drawn.
+            self.previews += 1;
+            self.say("notice", "Planning was cancelled. Press play to plan again, or choose something else.".into());
+        }
+    }
+
+    /// Whoever starts in a closet should know why the rest stays dirty.
+    fn warn_of_closed_off(&mut self, prepared: &Prepared) {
+        let floor = &prepared.floor;
+        if floor.closed_off_area() > floor.area() {
+            let (reached, left_out) = (floor.area(), floor.left_out_area());
+            self.say(
+                "notice",
+                format!(
+                    "From this start the robot reaches only {reached:.1} m² of floor; {left_out:.1} m² (hatched) lie \
+                     behind walls, or behind passages that are too narrow for it. Move the start, or choose a smaller robot."
+                ),
+            );
+        }
+    }
+
+    /// A plan may cover all its cells and yet hardly any floor.
+    fn warn_of_coarse_cells(&mut self, coverage: f64) {
+        if coverage < LEAST_COVERAGE && self.message.is_none() {
+            let (percent, cell) = (100.0 * coverage, 100.0 * self.settings.cell_size);
+            self.say(
+                "notice",
+                format!("This plan covers only {percent:.0} % of the floor within reach: planning cells of {cell:.0} cm \
+                     don't fit through the room's passages, or the tool is narrower than they are. Choose smaller cells."),
+            );
+        }
+    }
+
+    /// Lays the room out anew and asks for a plan.
+    pub(super) fn prepare(&mut self) {
+        // Whoever has watched a run to its end and changes something wants to watch the next one.
+        self.playing |= self.state() == State::Finished;
+        self.planned = None;
+        self.search = None;
+        self.film = None;
+        self.recording = None;
+        self.planning = None;
+        self.due = 0.0;
+        self.is_opening = self.is_opening
+            && self.editor.room() == Some(floorplan::ROOMS[0].id)
+            && self.editor.start().is_none()
+            && self.settings.plans_like(&Settings::new());
+        let robot = self.settings.robot_model();
+        match Prepared::new(self.editor.plan(), &robot, self.settings.cell_size, self.editor.start()) {
+            Ok(prepared) => {
+                self.requests += 1;
+                let Settings { algorithm, ref params, conditions, seed, .. } = self.settings;
+                match algorithm {
+                    Algorithm::Planner(planner) => {
+                        let (params, job) = (params.clone(), prepared.job.clone());
+                        let request = Some(PlanRequest { id: self.requests, planner, params, seed, job });
+                        let (walk, preview) = (Vec::new(), Vec::new());
+                        let id = self.requests;
+                        self.planning = Some(Planning {
+                            request,
+                            id,
+                            progress: 0.0,
+                            walk,
+                            preview,
+                            proof: None,
+                            film: Film::default(),
+                        });
+                    }
+                    // Nothing to wait for: it knows nothing of the room.
+                    Algorithm::Behaviour(behaviour) => {
+                        let run = prepared.run_behaviour(behaviour, params, conditions, seed);
+                        self.recording = run.map(Recording::new);
+                    }
+                }
+                self.warn_of_closed_off(&prepared);
+                self.prepared = Some(prepared);
+            }
+            Err(error) => {
+                self.prepared = None;
+                self.say("error", sentence(&error.to_string()));
+            }
+        }
+    }
+}

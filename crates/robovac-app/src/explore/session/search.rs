@@ -1,0 +1,143 @@
+//! The planner's search, on demand.
+
+use super::Session;
+use crate::explore::{
+    Picture, Search, Showing, State,
+    view::{FilmView, SearchView},
+};
+use coverage_planners::{MOST_FILMED_CELLS, TraceStep};
+use robovac_sim::experiment::planning::MOST_SEARCH_CELLS;
+
+impl Session {
+    /// Shows the planner's search from now on, or no longer. A film has the floor for itself: time stops when it begins.
+    pub fn show_search(&mut self, on: bool) {
+        self.shows_search = on;
+        if let Some(film) = &mut self.film {
+            film.rewind();
+            film.hold(self.holds_films);
+        }
+        self.begin_film();
+    }
+
+    /// Makes films wait for [`Session::turn_film`], for those who don't want to see anything move by itself.
+    pub fn hold_films(&mut self) {
+        self.holds_films = true;
+    }
+
+    /// Stops time if there is a film to be seen.
+    pub(super) fn begin_film(&mut self) {
+        if self.shows_search && self.film.is_some() {
+            self.pause();
+        }
+    }
+
+    /// The next picture of the film, or the one before, and no other by itself.
+    pub fn turn_film(&mut self, forward: bool) {
+        self.pause();
+        if let Some(film) = &mut self.film {
+            film.turn(forward);
+        }
+    }
+
+    /// Holds the film, or lets it go on; from the beginning if it was over.
+    pub fn hold_film(&mut self, is_held: bool) {
+        self.pause();
+        if let Some(film) = &mut self.film {
+            film.hold(is_held);
+        }
+    }
+
+    pub(super) fn film_goes_on(&mut self, elapsed_s: f64) {
+        if self.picture().is_some()
+            && let Some(film) = &mut self.film
+        {
+            film.go_on(elapsed_s);
+        }
+        let at = self.picture().and(self.film.as_ref()).map(|film| film.place()[0]);
+        if at != self.film_at {
+            self.film_at = at;
+            self.previews += 1;
+        }
+    }
+
+    /// What is seen of the film; nothing while the robot drives, as that is to be seen then.
+    pub fn picture(&self) -> Option<&Picture> {
+        self.shown_film().filter(|_| !self.is_driving())?.picture()
+    }
+
+    /// The search as the page shows it.
+    pub(super) fn search_view(&self) -> SearchView {
+        let refusal = self.search_refusal();
+        SearchView {
+            offered: self.offers_search(),
+            on: self.shows_search && refusal.is_empty(),
+            text: self.search_text(),
+            refusal,
+            film: self.film_view(),
+        }
+    }
+
+    /// How far the film is, and whether it goes on by itself.
+    fn film_view(&self) -> Option<FilmView> {
+        let film = self.shown_film()?;
+        let [at, pictures] = film.place();
+        let runs = !film.is_held() && !film.is_over() && !self.is_driving();
+        Some(FilmView { at, pictures, runs })
+    }
+
+    fn shown_film(&self) -> Option<&Showing> {
+        self.film.as_ref().filter(|_| self.shows_search)
+    }
+
+    fn is_driving(&self) -> bool {
+        matches!(self.state(), State::Playing | State::Seeking)
+    }
+
+    /// Whether the planner can say what it decides.
+    pub fn offers_search(&self) -> bool {
+        self.settings.algorithm.planner().is_some_and(|planner| planner.claims.traces || planner.claims.anytime)
+    }
+
+    /// Why the search can't be shown in this room; empty if it can.
+    fn search_refusal(&self) -> String {
+        let (Some(planner), Some(prepared)) = (self.settings.algorithm.planner(), &self.prepared) else {
+            return String::new();
+        };
+        let (most, shown) =
+            if planner.claims.anytime { (MOST_FILMED_CELLS, "filmed") } else { (MOST_SEARCH_CELLS, "shown") };
+        let cells = prepared.job.cells();
+        if !self.offers_search() || cells <= most {
+            return String::new();
+        }
+        format!("Rooms of more than {most} planning cells aren't {shown}; this one has {cells}.")
+    }
+
+    /// The decisions behind the plan, if the planner tells them.
+    pub fn search(&self) -> Option<&Search> {
+        self.search.as_ref()
+    }
+
+    /// The decision that the robot is carrying out, if it is to be shown.
+    pub fn decision(&self) -> Option<&TraceStep> {
+        self.search().filter(|_| self.shows_search)?.decision(self.recording.as_ref()?.run())
+    }
+
+    /// What is shown of the search, in words.
+    fn search_text(&self) -> String {
+        let Some(planned) = self.planned.as_ref().filter(|_| self.shows_search && self.offers_search()) else {
+            return String::new();
+        };
+        match (self.shown_film(), self.decision()) {
+            (Some(film), _) if self.is_driving() && !film.is_over() => {
+                "The film of the search waits while the robot drives. Pause to see it.".to_owned()
+            }
+            (Some(_), _) if self.is_driving() => String::new(),
+            (Some(film), _) => film.text(planned.proof),
+            (None, Some(step)) => format!("{}.", step.note),
+            (None, None) if self.search.is_some() && self.state() == State::Finished => {
+                "All cells are clean: the search is over.".to_owned()
+            }
+            (None, None) => String::new(),
+        }
+    }
+}

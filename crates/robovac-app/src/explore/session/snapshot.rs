@@ -1,0 +1,191 @@
+//! A session as it is shown: drawn, in numbers, and in words.
+
+use super::Session;
+use crate::{
+    FilmScene, RobotView, Scene, SearchScene, Sensed,
+    explore::{
+        Action, State, View, diary_version, in_words,
+        view::{Can, PlanView, RoomView},
+    },
+};
+use coverage_planners::Proof;
+use robovac_sim::experiment::Shows;
+use robovac_sim::{Recording, Run, SensorKind, SlipLevel, What};
+
+impl Session {
+    /// What is to be drawn, but for what the pointer is doing.
+    pub fn scene(&self) -> Scene<'_> {
+        let run = self.recording.as_ref().map(Recording::run);
+        let model = self.settings.robot_model();
+        let Shows { sensors, estimate, .. } = self.settings.shows;
+        let is_lost = self.settings.conditions.slip != SlipLevel::None;
+        let robot = run.map(|run| RobotView::of(run, &model, estimate || is_lost));
+        let film = self.picture().map(|picture| FilmScene { picture, cell_size: self.settings.cell_size });
+        // A picture of the film is about the plan alone: no robot stands on it.
+        let robot = robot.filter(|_| film.is_none());
+        let coverage = self.settings.shows.coverage && film.is_none();
+        Scene {
+            plan: self.editor.plan(),
+            // Both only grow, and one of them with every change.
+            plan_version: self.editor.version() + u64::from(self.requests),
+            floor: self.prepared.as_ref().map(|p| &*p.floor),
+            tracker: run.map(Run::tracker),
+            run_version: (u64::from(self.requests) << 32) + self.recording.as_ref().map_or(0, Recording::version),
+            planned: self.planned.as_ref().map_or(&[], |p| &p.line),
+            preview: self.preview(),
+            film,
+            planned_version: u64::from(self.requests) + self.previews,
+            trail: run.filter(|_| film.is_none()).map_or(&[], Run::trail),
+            life: run.map(Run::life),
+            steps: run.map_or(0, Run::steps),
+            believed: run.filter(|_| estimate).map_or(&[], Run::believed_trail),
+            robot,
+            search: self.decision().map(|step| SearchScene { step, cell_size: self.settings.cell_size }),
+            start: self.prepared.as_ref().map(|p| p.floor.start),
+            start_radius: model.radius,
+            start_body: model.body,
+            shows: Shows { coverage, ..self.settings.shows },
+            sensed: run.filter(|_| sensors).map(|run| Sensed { reading: run.sensors(), floor: run.floor() }),
+            ..Scene::empty(self.editor.plan())
+        }
+    }
+
+    /// Snapshot in numbers and words.
+    pub fn view(&self) -> View {
+        let state = self.state();
+        let run = self.recording.as_ref().map(Recording::run);
+        let (plan, conditions) = (self.plan(), self.settings.conditions);
+        View {
+            state,
+            can: self.can(state),
+            message: self.message.as_ref().map(|m| m.text.clone()).unwrap_or_default(),
+            message_kind: self.message.as_ref().map_or("", |m| m.kind),
+            room: RoomView {
+                id: self.editor.room().unwrap_or(""),
+                title: self.room_title(),
+                note: plan.note.clone(),
+                width_m: plan.width_m(),
+                height_m: plan.height_m(),
+                resolution_m: plan.resolution,
+                cells: plan.occupancy.len(),
+                reachable_m2: self.prepared.as_ref().map_or(0.0, |p| p.floor.area()),
+                left_out_m2: self.prepared.as_ref().map_or(0.0, |p| p.floor.left_out_area()),
+            },
+            robot: self.settings.robot,
+            algorithm: self.settings.algorithm.id(),
+            kind: self.settings.algorithm.kind(),
+            activity: run.map_or("", activity),
+            diary: run.map_or(0.0, diary_version),
+            is_lifted: self.is_lifted(),
+            blocked: run.and_then(Run::blocked).map(|b| [b.forward, b.left, b.right, b.backward]),
+            dirt_left: run.filter(|run| !run.life().spots().is_empty()).map(Run::dirt_left),
+            params: self.settings.params.clone(),
+            cell_size_m: self.settings.cell_size,
+            seed: self.settings.seed,
+            slip: conditions.slip.id(),
+            noise: SensorKind::ALL.map(|(kind, _)| conditions.noise.of(kind).id()),
+            quantised: conditions.quantised,
+            shows: self.settings.shows,
+            odometry: self.settings.odometry.id(),
+            speed: self.settings.speed,
+            speed_factor: self.speed_factor,
+            time_s: run.map_or(0.0, Run::time_s),
+            run_end_s: self.recording.as_ref().map_or(0.0, Recording::end_s),
+            coverage: run.map_or(0.0, Run::coverage),
+            overlap: run.map_or(0.0, |r| r.tracker().overlap()),
+            distance_m: run.map_or(0.0, Run::distance_m),
+            turning_deg: run.map_or(0.0, |r| r.turning_rad().to_degrees()),
+            bumps: run.map_or(0, Run::bumps),
+            pose_error_m: run.and_then(Run::pose_error_m).unwrap_or(0.0),
+            search: self.search_view(),
+            plan: self.plan_view(),
+        }
+    }
+
+    fn can(&self, state: State) -> Can {
+        Can {
+            play: state.allows(Action::Play),
+            pause: state.allows(Action::Pause),
+            step: state.allows(Action::Step),
+            reset: state.allows(Action::Reset),
+            cancel: state.allows(Action::Cancel),
+            keep: state.allows(Action::Cancel) && self.can_keep(),
+            seek: state.allows(Action::Seek),
+            edit: state.allows(Action::Edit),
+            lift: state.allows(Action::Lift) && !self.is_lifted(),
+            undo: self.editor.can_undo(),
+            redo: self.editor.can_redo(),
+        }
+    }
+
+    /// What a quarter turn counts as for a planner that proves its plans, in steps, and whether that is the robot's time.
+    fn turn_weight(&self) -> Option<(f64, bool)> {
+        let planner = self.settings.algorithm.planner().filter(|planner| planner.claims.anytime);
+        let turn = planner.map(|_| self.settings.params.number("turn"))?;
+        if turn > 0.0 {
+            return Some((turn, false));
+        }
+        self.prepared.as_ref().map(|prepared| (prepared.job.turn_s / prepared.job.step_s, true))
+    }
+
+    fn plan_view(&self) -> Option<PlanView> {
+        let (turn_weight, times_turns) = self.turn_weight().unzip();
+        let times_turns = times_turns.unwrap_or(false);
+        if let Some(planning) = &self.planning {
+            return Some(PlanView {
+                running: true,
+                progress: planning.progress,
+                walk: None,
+                drive: None,
+                planning_s: None,
+                gap: planning.proof.map(Proof::gap),
+                above_bound: None,
+                turn_weight,
+                times_turns,
+                kept_at: None,
+            });
+        }
+        self.planned.as_ref().map(|planned| PlanView {
+            running: false,
+            progress: 1.0,
+            walk: Some(planned.walk),
+            drive: Some(planned.drive),
+            planning_s: (!self.is_opening).then_some(planned.planning_s),
+            gap: planned.proof.map(Proof::gap),
+            above_bound: planned.compared.map(Proof::gap),
+            turn_weight,
+            times_turns,
+            kept_at: planned.kept_at,
+        })
+    }
+
+    /// One or two sentences that stand for the picture.
+    pub fn description(&self) -> String {
+        let view = self.view();
+        let room = format!("{}, {:.1} m by {:.1} m", view.room.title, view.room.width_m, view.room.height_m);
+        let doing = match view.state {
+            State::Failed => "there is no plan to drive",
+            State::Planning => "a path is being planned",
+            State::Ready => "the robot stands at the start",
+            State::Playing => "the robot is cleaning",
+            State::Paused | State::Seeking => "the robot stands still",
+            State::Finished => "the run is over",
+        };
+        let search = if view.search.text.is_empty() { String::new() } else { format!(" {}", view.search.text) };
+        let objects = in_words(&self.plan().objects);
+        let objects = if objects.is_empty() { objects } else { format!(" In it: {objects}.") };
+        format!(
+            "Floor plan of {room}.{objects} {}: {doing}, {:.0} % of the reachable floor is clean after {:.0} minutes.{search}",
+            self.settings.algorithm.title(),
+            100.0 * view.coverage,
+            view.time_s / 60.0
+        )
+    }
+}
+
+/// What the robot is doing, in a few words. One that was put down while time stands still hasn't felt that yet.
+fn activity(run: &Run) -> &'static str {
+    let last = run.events().back();
+    let is_put_down = last.is_some_and(|event| event.what == What::PutDown && event.step >= run.steps());
+    if is_put_down { "put down, about to go on" } else { run.activity() }
+}

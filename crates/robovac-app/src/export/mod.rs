@@ -1,0 +1,257 @@
+//! Rooms and paths as files for other programs.
+
+mod svg;
+
+pub use svg::to_svg;
+
+use coverage_planners::sweep::{in_frame, planned_for, program, to_csv, to_ros_path};
+use robovac_core::{
+    floorplan::{FloorPlan, MapError, MapImage, Mode, RosMapError, Scenario, to_ascii, to_ros_map},
+    geometry::Point,
+    robot::{RobotModel, model},
+};
+use robovac_link::commands_text;
+use robovac_sim::experiment::planning::choose_robot;
+
+/// A file to be saved.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ExportFile {
+    /// Its name.
+    pub name: String,
+    /// Its media type.
+    pub kind: &'static str,
+    /// Its content.
+    pub bytes: Vec<u8>,
+}
+
+/// A kind of file that a room or a path can be saved as.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+pub struct Format {
+    /// Its name in links and on the command line.
+    pub id: &'static str,
+    /// Its name in menus.
+    pub title: &'static str,
+    /// What it is good for, in one sentence.
+    pub note: &'static str,
+    /// Whether it holds a path, so that there must be one.
+    pub needs_path: bool,
+}
+
+/// All formats, in the order of the menus.
+pub const FORMATS: &[Format] = &[
+    Format {
+        id: "scenario",
+        title: "Scenario",
+        note: "All of it: room, objects, robot, algorithm and seeds, to be opened here again.",
+        needs_path: false,
+    },
+    Format {
+        id: "text",
+        title: "Text map",
+        note: "One character a cell, to be read and changed by hand; without objects.",
+        needs_path: false,
+    },
+    Format {
+        id: "ros_pgm",
+        title: "ROS map, PGM",
+        note: "An image and its YAML file for map_server and Nav2; furniture counts as wall.",
+        needs_path: false,
+    },
+    Format {
+        id: "ros_png",
+        title: "ROS map, PNG",
+        note: "An image that every program shows and its YAML file; furniture counts as wall.",
+        needs_path: false,
+    },
+    Format {
+        id: "svg",
+        title: "SVG drawing",
+        note: "Walls, furniture and path for papers and web pages; one unit is a millimetre.",
+        needs_path: false,
+    },
+    Format {
+        id: "dxf",
+        title: "DXF drawing",
+        note: "Walls, furniture and path on layers of their own, in metres, for CAD programs.",
+        needs_path: false,
+    },
+    Format {
+        id: "path_csv",
+        title: "Path, CSV table",
+        note: "Place, heading, distance and time at every corner: metres, radians, seconds; from the map's origin or, without a map, the room's lower left corner.",
+        needs_path: true,
+    },
+    Format {
+        id: "path_ros",
+        title: "Path, ROS poses",
+        note: "A nav_msgs/Path in YAML, in the map's frame.",
+        needs_path: true,
+    },
+    Format {
+        id: "program",
+        title: "Path, robot program",
+        note: "Forward and turn, a command a line, to be read by people.",
+        needs_path: true,
+    },
+    Format {
+        id: "roomba",
+        title: "Path, Roomba bytes",
+        note: "Open Interface commands with their times, for a Roomba 600 without feedback: it drifts.",
+        needs_path: true,
+    },
+];
+
+/// The robot that bytes are made for: only its drive speaks the Open Interface.
+const ROOMBA: &str = "roomba600";
+
+/// What can be in files: a room with all that is chosen for it, and perhaps a path.
+#[derive(Debug, Clone)]
+pub struct Exported<'a> {
+    /// The room and all choices.
+    pub scenario: &'a Scenario,
+    /// The room itself.
+    pub plan: &'a FloorPlan,
+    /// Corners of the path, m; empty if there is none.
+    pub path: &'a [Point],
+    /// Name of the files without ending.
+    pub stem: &'a str,
+    /// How a ROS map says what a cell is.
+    pub mode: Mode,
+    /// Whether light cells of a ROS map are walls.
+    pub negate: bool,
+}
+
+/// Why there is no file.
+#[derive(Debug, thiserror::Error)]
+pub enum ExportError {
+    /// There is no such format.
+    #[error("there is no format \"{0}\"; one of {list} would do", list = ids())]
+    Unknown(String),
+    /// The format holds a path and there is none.
+    #[error("{0} holds a path, and there is none yet; plan one first")]
+    NoPath(&'static str),
+    /// The drawing can't be written.
+    #[error(transparent)]
+    Drawing(#[from] MapError),
+    /// The scenario's robot isn't known.
+    #[error("the robot of this room isn't known; choose another one")]
+    NoRobot,
+    /// The ROS map can't be written.
+    #[error(transparent)]
+    RosMap(#[from] RosMapError),
+}
+
+fn ids() -> String {
+    FORMATS.iter().map(|format| format.id).collect::<Vec<_>>().join(", ")
+}
+
+impl Exported<'_> {
+    /// The files of the format with that id.
+    pub fn files(&self, format: &str) -> Result<Vec<ExportFile>, ExportError> {
+        let Some(format) = FORMATS.iter().find(|known| known.id == format) else {
+            return Err(ExportError::Unknown(format.to_owned()));
+        };
+        if format.needs_path && self.path.is_empty() {
+            return Err(ExportError::NoPath(format.title));
+        }
+        match format.id {
+            "scenario" => Ok(self.one("json", "application/json", self.scenario.to_json())),
+            "text" => Ok(self.one("txt", "text/plain", to_ascii(self.plan))),
+            "svg" => Ok(self.one("svg", "image/svg+xml", to_svg(self.plan, self.path))),
+            "dxf" => self.dxf(),
+            "ros_pgm" => self.ros_map(MapImage::Pgm),
+            "ros_png" => self.ros_map(MapImage::Png),
+            _ => self.path_file(format.id),
+        }
+    }
+
+    /// The path, in the frame of the map that the room came from.
+    fn path_file(&self, format: &str) -> Result<Vec<ExportFile>, ExportError> {
+        let robot = self.robot()?;
+        let start = self.plan.start.map_or(0.0, |start| start.heading);
+        let (path, heading) = in_frame(self.path, start, self.plan.origin);
+        match format {
+            "path_csv" => Ok(self.one("csv", "text/csv", to_csv(&path, heading, &robot))),
+            "path_ros" => Ok(self.one("path.yaml", "application/yaml", to_ros_path(&path, heading, &robot))),
+            "program" => {
+                let text = program(&path, heading, &robot, &planned_for(&robot));
+                Ok(self.one("program.txt", "text/plain", text))
+            }
+            "roomba" => {
+                let roomba = model(ROOMBA).ok_or(ExportError::NoRobot)?;
+                Ok(self.one("oi.txt", "text/plain", commands_text(&path, heading, roomba, &planned_for(&robot))))
+            }
+            other => Err(ExportError::Unknown(other.to_owned())),
+        }
+    }
+
+    /// The robot of the scenario, or the Roomba if it names none.
+    fn robot(&self) -> Result<RobotModel, ExportError> {
+        let id = self.scenario.robot.as_deref().unwrap_or(ROOMBA);
+        choose_robot(id, self.plan, self.scenario.cell_size).map(|(robot, _)| robot).ok_or(ExportError::NoRobot)
+    }
+
+    fn one(&self, ending: &str, kind: &'static str, text: String) -> Vec<ExportFile> {
+        vec![ExportFile { name: format!("{}.{ending}", self.stem), kind, bytes: text.into_bytes() }]
+    }
+
+    fn dxf(&self) -> Result<Vec<ExportFile>, ExportError> {
+        let mut overlays = floor_drawing::outlines(self.plan);
+        if !self.path.is_empty() {
+            let path = self.path.iter().map(|&at| self.plan.origin.to_world(at)).collect();
+            overlays.push(floor_drawing::Overlay { layer: "PATH".to_owned(), colour: 5, lines: vec![path] });
+        }
+        let bytes = floor_drawing::to_dxf(None, &overlays)?;
+        Ok(vec![ExportFile { name: format!("{}.dxf", self.stem), kind: "image/vnd.dxf", bytes }])
+    }
+
+    fn ros_map(&self, image: MapImage) -> Result<Vec<ExportFile>, ExportError> {
+        let map =
+            to_ros_map(&robovac_core::coverage::with_objects(self.plan), self.stem, image, self.mode, self.negate)?;
+        let kind = match image {
+            MapImage::Pgm => "image/x-portable-graymap",
+            MapImage::Png => "image/png",
+        };
+        Ok(vec![
+            ExportFile { name: map.image_name, kind, bytes: map.image },
+            ExportFile { name: format!("{}.yaml", self.stem), kind: "application/yaml", bytes: map.yaml.into_bytes() },
+        ])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use robovac_core::floorplan::room;
+
+    #[test]
+    fn every_format_gives_files() {
+        let plan = (room("flat").unwrap().build)();
+        let path = [Point::new(1.0, 1.0), Point::new(2.0, 1.0), Point::new(2.0, 2.0)];
+        let scenario = Scenario::of(&plan);
+        for format in FORMATS {
+            let mut exported = Exported {
+                scenario: &scenario,
+                plan: &plan,
+                path: &path,
+                stem: "flat",
+                mode: Mode::Trinary,
+                negate: false,
+            };
+            let files = exported.files(format.id).unwrap();
+            assert!(files.iter().all(|file| !file.bytes.is_empty() && file.name.starts_with("flat.")), "{}", format.id);
+            exported.path = &[];
+            assert_eq!(exported.files(format.id).is_err(), format.needs_path, "{}", format.id);
+        }
+    }
+
+    #[test]
+    fn an_unknown_format_names_those_that_there_are() {
+        let plan = (room("thesis8").unwrap().build)();
+        let scenario = Scenario::of(&plan);
+        let exported =
+            Exported { scenario: &scenario, plan: &plan, path: &[], stem: "r", mode: Mode::Raw, negate: false };
+        let message = exported.files("dwg").unwrap_err().to_string();
+        assert!(message.contains("\"dwg\"") && message.contains("ros_png"), "{message}");
+    }
+}

@@ -1,0 +1,233 @@
+//! Which part of the world is seen, and how large.
+
+use robovac_core::geometry::{Point, Vector};
+
+/// Space around the room when all of it is shown, CSS pixels: left, top, right, bottom. The page floats its tools there.
+const MARGINS: [f64; 4] = [24.0, 66.0, 24.0, 66.0];
+/// Space around the room where nothing floats, CSS pixels.
+const BARE_MARGIN: f64 = 6.0;
+/// Pixels per metre that the view is kept within.
+const SCALES: std::ops::RangeInclusive<f64> = 0.5..=2000.0;
+/// Pixels of the room that stay in view, however far it is moved.
+const KEPT: f64 = 60.0;
+
+/// The window onto the world. The world's y points up, the screen's down; lengths on the screen are CSS pixels.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Viewport {
+    /// CSS pixels per metre.
+    pub scale: f64,
+    /// Where the world's origin lies on the screen: CSS pixels from the left and from the top.
+    pub origin: Vector,
+    /// Width and height of the canvas, CSS pixels.
+    pub size: Vector,
+    /// Device pixels per CSS pixel.
+    pub pixel_ratio: f64,
+    /// Width and height of the room, m.
+    room: Vector,
+    /// Whether the whole room is kept in view when sizes change.
+    fitted: bool,
+    /// Whether nothing floats over the canvas.
+    is_bare: bool,
+    /// How far down from the top the page tells something that must not hide the room, CSS pixels.
+    told: f64,
+}
+
+impl Viewport {
+    /// Shows all of a room.
+    ///
+    /// ```
+    /// use robovac_app::Viewport;
+    /// use robovac_core::geometry::Point;
+    /// let view = Viewport::new(4.0, 3.0, 800.0, 600.0, 1.0);
+    /// let middle = view.to_screen(Point::new(2.0, 1.5));
+    /// assert_eq!(middle.x, 400.0);
+    /// assert!((view.to_world(middle.x, middle.y) - Point::new(2.0, 1.5)).norm() < 1e-12);
+    /// ```
+    pub fn new(room_width: f64, room_height: f64, width: f64, height: f64, pixel_ratio: f64) -> Self {
+        let mut view = Self {
+            scale: 1.0,
+            origin: Vector::zeros(),
+            size: Vector::new(width, height),
+            pixel_ratio,
+            room: Vector::new(room_width, room_height),
+            fitted: true,
+            is_bare: false,
+            told: 0.0,
+        };
+        view.fit();
+        view
+    }
+
+    /// A window over which the page floats nothing, to be given its sizes.
+    pub fn bare() -> Self {
+        Self { is_bare: true, ..Self::new(1.0, 1.0, 1.0, 1.0, 1.0) }
+    }
+
+    /// Shows all of the room again.
+    pub fn fit(&mut self) {
+        let [left, top, right, bottom] = self.margins();
+        let free = Vector::new(self.size.x - left - right, self.size.y - top - bottom);
+        let scale = (free.x / self.room.x).min(free.y / self.room.y);
+        self.scale = scale.clamp(*SCALES.start(), *SCALES.end());
+        let middle = Vector::new(left + 0.5 * free.x, top + 0.5 * free.y);
+        self.origin = middle + 0.5 * self.scale * Vector::new(-self.room.x, self.room.y);
+        self.fitted = true;
+    }
+
+    /// Keeps the uppermost `told` CSS pixels free of the room where all of it is shown.
+    pub fn keep_clear(&mut self, told: f64) {
+        if (told - self.told).abs() < 0.5 {
+            return;
+        }
+        self.told = told;
+        if self.fitted {
+            self.fit();
+        }
+    }
+
+    /// Takes on the size of another room, in metres, and shows all of it.
+    pub fn set_room(&mut self, width: f64, height: f64) {
+        self.room = Vector::new(width, height);
+        self.fit();
+    }
+
+    /// Takes on the size of the canvas, CSS pixels, and its device pixels per CSS pixel; keeps the middle in place.
+    pub fn resize(&mut self, width: f64, height: f64, pixel_ratio: f64) {
+        let size = Vector::new(width.max(1.0), height.max(1.0));
+        self.origin += 0.5 * (size - self.size);
+        self.size = size;
+        self.pixel_ratio = pixel_ratio.clamp(0.5, 4.0);
+        if self.fitted {
+            self.fit();
+        } else {
+            self.keep_in_view();
+        }
+    }
+
+    /// Moves what is seen by CSS pixels.
+    pub fn pan(&mut self, dx: f64, dy: f64) {
+        self.origin += Vector::new(dx, dy);
+        self.fitted = false;
+        self.keep_in_view();
+    }
+
+    /// Enlarges `factor` times, with the point under (`x`, `y`) staying where it is.
+    pub fn zoom_at(&mut self, x: f64, y: f64, factor: f64) {
+        let scale = (self.scale * factor).clamp(*SCALES.start(), *SCALES.end());
+        let fixed = Vector::new(x, y);
+        self.origin = fixed + (self.origin - fixed) * (scale / self.scale);
+        self.scale = scale;
+        self.fitted = false;
+        self.keep_in_view();
+    }
+
+    /// Where a point of the world is seen, CSS pixels from the upper left.
+    #[inline]
+    pub fn to_screen(&self, point: Point) -> Point {
+        Point::new(self.origin.x + self.scale * point.x, self.origin.y - self.scale * point.y)
+    }
+
+    /// The point of the world that is seen at (`x`, `y`) CSS pixels from the upper left.
+    pub fn to_world(&self, x: f64, y: f64) -> Point {
+        Point::new((x - self.origin.x) / self.scale, (self.origin.y - y) / self.scale)
+    }
+
+    /// The same window onto a frame whose origin lies at `origin` in this world, and whose unit is `unit` long here.
+    pub fn onto(&self, origin: Point, unit: f64) -> Self {
+        Self { origin: self.to_screen(origin).coords, scale: self.scale * unit, ..*self }
+    }
+
+    /// The part of the world that is seen: lower-left and upper-right corner.
+    pub fn bounds(&self) -> (Point, Point) {
+        (self.to_world(0.0, self.size.y), self.to_world(self.size.x, 0.0))
+    }
+
+    /// The margins, less of them where the canvas is small.
+    fn margins(&self) -> [f64; 4] {
+        if self.is_bare {
+            return [BARE_MARGIN; 4];
+        }
+        let shrink = (self.size.x / 480.0).min(self.size.y / 320.0).clamp(0.1, 1.0);
+        let [left, top, right, bottom] = MARGINS.map(|margin| margin * shrink);
+        // However much is told, half of the canvas is the room's.
+        [left, top.max(self.told.min(0.5 * self.size.y - bottom)), right, bottom]
+    }
+
+    /// Some of the room stays in view, so that nobody gets lost.
+    fn keep_in_view(&mut self) {
+        let room = self.room * self.scale;
+        let kept = Vector::new(KEPT.min(self.size.x), KEPT.min(self.size.y));
+        self.origin.x = self.origin.x.clamp(kept.x - room.x, self.size.x - kept.x);
+        self.origin.y = self.origin.y.clamp(kept.y, self.size.y - kept.y + room.y);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn view() -> Viewport {
+        Viewport::new(8.0, 6.0, 900.0, 700.0, 2.0)
+    }
+
+    #[test]
+    fn y_points_up_in_the_world_and_down_on_the_screen() {
+        let view = view();
+        let (low, high) = (view.to_screen(Point::new(0.0, 0.0)), view.to_screen(Point::new(0.0, 6.0)));
+        assert!(high.y < low.y);
+        assert!(high.y >= 0.0 && low.y <= 700.0);
+    }
+
+    #[test]
+    fn zooming_keeps_the_point_under_the_pointer() {
+        let mut view = view();
+        let before = view.to_world(300.0, 200.0);
+        view.zoom_at(300.0, 200.0, 1.7);
+        assert!((view.to_world(300.0, 200.0) - before).norm() < 1e-9);
+    }
+
+    #[test]
+    fn what_is_told_hides_nothing_of_a_room_that_is_shown_whole() {
+        let mut view = view();
+        let before = view;
+        view.keep_clear(130.0);
+        assert!(view.to_screen(Point::new(0.0, 6.0)).y >= 130.0 - 1e-9);
+        view.keep_clear(0.0);
+        assert_eq!(view.scale, before.scale);
+        // Never more than half of the canvas, and not what somebody looks at closely.
+        view.keep_clear(5000.0);
+        assert!(view.scale > 0.0 && view.to_screen(Point::new(0.0, 6.0)).y < 350.0);
+        view.zoom_at(300.0, 200.0, 2.0);
+        let zoomed = view;
+        view.keep_clear(100.0);
+        assert_eq!((view.scale, view.origin), (zoomed.scale, zoomed.origin));
+    }
+
+    #[test]
+    fn resizing_refits_only_what_was_fitted() {
+        let mut fitted = view();
+        fitted.resize(450.0, 350.0, 1.0);
+        assert_eq!(fitted, Viewport::new(8.0, 6.0, 450.0, 350.0, 1.0));
+        let mut moved = view();
+        moved.pan(10.0, 0.0);
+        let middle = moved.to_world(450.0, 350.0);
+        moved.resize(600.0, 500.0, 1.0);
+        assert!((moved.to_world(300.0, 250.0) - middle).norm() < 1e-9);
+    }
+
+    #[test]
+    fn the_room_can_not_be_lost() {
+        let mut view = view();
+        view.pan(1e6, -1e6);
+        let (low, high) = view.bounds();
+        assert!(low.x < 8.0 && high.x > 0.0 && low.y < 6.0 && high.y > 0.0);
+    }
+
+    #[test]
+    fn tiny_canvases_are_survived() {
+        let mut view = view();
+        view.resize(0.0, 0.0, 1.0);
+        view.zoom_at(0.0, 0.0, 0.0);
+        assert!(view.scale > 0.0 && view.origin.x.is_finite());
+    }
+}

@@ -1,0 +1,59 @@
+//! `--slip`, `--noise`, `--quantised`, `--odometry`: how true wheels and sensors are.
+
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use robovac_core::robot::OdometryModel;
+use robovac_sim::{Conditions, Noise, NoiseLevel, SensorKind, SlipLevel};
+
+/// How true wheels and sensors are.
+#[derive(clap::Args)]
+pub struct ConditionsArguments {
+    /// How much the wheels slip
+    #[arg(long, value_name = "LEVEL", default_value = SlipLevel::None.id(), value_parser = slip_parser())]
+    slip: SlipLevel,
+    /// How much the sensors err: off, typical or harsh, or one kind of sensor as in cliff=harsh; may be given several
+    /// times [default: off]
+    #[arg(long, value_name = "LEVEL", value_parser = parse_noise)]
+    noise: Vec<(Option<SensorKind>, NoiseLevel)>,
+    /// Let the wheels turn only at the speeds that the robot's motor controller can keep
+    #[arg(long)]
+    quantised: bool,
+    /// How the robot computes its pose from the counts of its wheels
+    #[arg(long, value_name = "MODEL", default_value = OdometryModel::Arc.id(), value_parser = odometry_parser())]
+    pub odometry: OdometryModel,
+}
+
+impl ConditionsArguments {
+    /// All of them but odometry.
+    pub fn conditions(&self) -> Conditions {
+        let mut noise = Noise::default();
+        for &(kind, level) in &self.noise {
+            match kind {
+                None => noise = Noise::all(level),
+                Some(kind) => noise.set(kind, level),
+            }
+        }
+        Conditions { slip: self.slip, noise, quantised: self.quantised, ..Conditions::default() }
+    }
+}
+
+fn slip_parser() -> impl TypedValueParser<Value = SlipLevel> {
+    let names = SlipLevel::ALL.map(|(_, name)| name);
+    PossibleValuesParser::new(names).map(|name| SlipLevel::parse(&name).unwrap_or_default())
+}
+
+fn odometry_parser() -> impl TypedValueParser<Value = OdometryModel> {
+    let names = OdometryModel::ALL.map(|(_, name)| name);
+    PossibleValuesParser::new(names).map(|name| OdometryModel::parse(&name).unwrap_or_default())
+}
+
+fn parse_noise(text: &str) -> Result<(Option<SensorKind>, NoiseLevel), String> {
+    let (kind, level) = text.split_once('=').map_or((None, text), |(kind, level)| (Some(kind), level));
+    let known = |names: Vec<&str>| names.join(", ");
+    let kind = kind.map(|name| {
+        let all = || known(SensorKind::ALL.map(|(_, name)| name).to_vec());
+        SensorKind::parse(name).ok_or_else(|| format!("there is no kind of sensor \"{name}\"; there are: {}", all()))
+    });
+    let all = || known(NoiseLevel::ALL.map(|(_, name)| name).to_vec());
+    let level = NoiseLevel::parse(level).ok_or_else(|| format!("there is no level \"{level}\"; there are: {}", all()));
+    Ok((kind.transpose()?, level?))
+}

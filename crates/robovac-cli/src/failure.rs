@@ -1,0 +1,81 @@
+//! What is told to people and to scripts when something goes wrong.
+
+use robovac_core::{floorplan::MapError, registry::ParamError};
+use robovac_sim::experiment::planning::PlanningError;
+use std::{fmt, io};
+
+/// Exit code of a run that worked.
+pub const OK: u8 = 0;
+const IO: u8 = 1;
+/// The same as clap's own for options that it doesn't know.
+const USAGE: u8 = 2;
+const BAD_MAP: u8 = 3;
+const DOES_NOT_FIT: u8 = 4;
+const PLANNER: u8 = 5;
+
+/// A message for people and a code for scripts.
+#[derive(Debug)]
+pub struct Failure {
+    /// Exit code.
+    pub code: u8,
+    message: String,
+}
+
+impl Failure {
+    /// A file can't be read or written.
+    pub fn io(path: impl fmt::Display, error: &io::Error) -> Self {
+        Self { code: IO, message: format!("{path}: {error}; check the path and your permissions") }
+    }
+
+    /// An option has a value that won't do.
+    pub fn usage(message: String) -> Self {
+        Self { code: USAGE, message }
+    }
+
+    /// The robot doesn't fit.
+    pub fn misfit(message: String) -> Self {
+        Self { code: DOES_NOT_FIT, message }
+    }
+
+    /// The planner gave up.
+    pub fn planner(message: String) -> Self {
+        Self { code: PLANNER, message }
+    }
+
+    /// There is no entry with that id; `command` lists those that there are.
+    pub fn unknown(kind: &str, id: &str, command: &str) -> Self {
+        Self::usage(format!("there is no {kind} \"{id}\"; \"robovac {command}\" lists them"))
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.message.fmt(f)
+    }
+}
+
+impl From<MapError> for Failure {
+    fn from(error: MapError) -> Self {
+        Self { code: BAD_MAP, message: error.to_string() }
+    }
+}
+
+impl From<ParamError> for Failure {
+    fn from(error: ParamError) -> Self {
+        Self::usage(error.to_string())
+    }
+}
+
+impl From<PlanningError> for Failure {
+    fn from(error: PlanningError) -> Self {
+        let code = match error {
+            PlanningError::CellSize { .. } | PlanningError::Heading(_) => USAGE,
+            PlanningError::StartOutside { .. }
+            | PlanningError::StartInWall { .. }
+            | PlanningError::StartTooTight { .. }
+            | PlanningError::Floor(_) => DOES_NOT_FIT,
+            PlanningError::Plan(_) | PlanningError::BadPath { .. } => PLANNER,
+        };
+        Self { code, message: error.to_string() }
+    }
+}

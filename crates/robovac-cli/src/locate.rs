@@ -1,0 +1,150 @@
+//! `locate`: how well a robot finds itself on a map that it knows, after it was picked up and put down anywhere.
+
+use super::{
+    conditions::ConditionsArguments,
+    failure::Failure,
+    output,
+    simulate::DEFAULT_ROBOT,
+    task::{ParamArguments, PlacementArguments},
+};
+use robovac_sim::{
+    controller,
+    experiment::kidnapping::{Kidnapped, Kidnapping, RIGHT_M},
+    montecarlo::quantile,
+};
+use serde::Serialize;
+use std::{
+    fmt::Write,
+    sync::{
+        Mutex,
+        atomic::{AtomicU64, Ordering},
+    },
+    thread,
+    time::Instant,
+};
+
+/// Let a robot find itself on a known map: it is picked up, put down anywhere, and drives on
+#[derive(clap::Args)]
+pub struct Arguments {
+    #[command(flatten)]
+    placement: PlacementArguments,
+    /// Behaviour that drives, see "robovac behaviours"
+    #[arg(long, value_name = "ID", default_value = "wall_follow")]
+    behaviour: String,
+    #[command(flatten)]
+    params: ParamArguments,
+    #[command(flatten)]
+    conditions: ConditionsArguments,
+    /// Number of trials, each with a place and a seed of its own
+    #[arg(long, value_name = "N", default_value_t = 50, value_parser = clap::value_parser!(u64).range(1..=10_000))]
+    trials: u64,
+    /// Simulated time after it was put down
+    #[arg(long, value_name = "MINUTES", default_value_t = 5.0)]
+    minutes: f64,
+    /// Write all trials as JSON instead of a summary
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Serialize)]
+struct Trial {
+    seed: u64,
+    found_s: Option<f64>,
+    deluded_s: f64,
+    error_m: Option<f64>,
+    error_deg: Option<f64>,
+    sure: bool,
+}
+
+/// Makes the trials and returns what is to be printed.
+pub fn run(arguments: &Arguments) -> Result<String, Failure> {
+    let placement = arguments.placement.placement(DEFAULT_ROBOT)?;
+    let id = arguments.behaviour.as_str();
+    let behaviour = controller::find(id).ok_or_else(|| Failure::unknown("behaviour", id, "behaviours"))?;
+    let params = arguments.params.checked(behaviour.params)?;
+    let prepared = placement.prepare()?;
+    let kidnapping = Kidnapping {
+        plan: &placement.plan,
+        prepared: &prepared,
+        robot: &placement.robot,
+        behaviour,
+        params: &params,
+        conditions: arguments.conditions.conditions(),
+        odometry: arguments.conditions.odometry,
+        duration_s: 60.0 * arguments.minutes.clamp(0.1, 600.0),
+    };
+    let began = Instant::now();
+    let trials = all(&kidnapping, arguments.params.seed, arguments.trials);
+    let took_s = began.elapsed().as_secs_f64();
+    if arguments.json {
+        let trials: Vec<Trial> = trials.iter().map(Trial::of).collect();
+        return Ok(output::json(&trials));
+    }
+    let mut text = String::new();
+    let found = sorted(trials.iter().filter_map(|t| t.found_s));
+    let share = 100.0 * found.len() as f64 / trials.len().max(1) as f64;
+    let deluded = trials.iter().filter(|t| t.is_sure && t.found_s.is_none()).count();
+    // Writing to a string can't fail.
+    let _ = writeln!(
+        text,
+        "{} of {} found within {} min ({share:.0} %): sure of a place and within {:.0} cm of it, to the end",
+        found.len(),
+        trials.len(),
+        arguments.minutes,
+        100.0 * RIGHT_M
+    );
+    if let Some((half, most)) = quantile(&found, 0.5).zip(quantile(&found, 0.9)) {
+        let _ = writeln!(text, "found after {half:.0} s (median), {most:.0} s (90 %)");
+    }
+    let errors = sorted(trials.iter().filter(|t| t.found_s.is_some()).filter_map(|t| t.error).map(|e| 100.0 * e.0));
+    if let Some((half, most)) = quantile(&errors, 0.5).zip(quantile(&errors, 0.9)) {
+        let _ = writeln!(text, "off by {half:.1} cm (median), {most:.1} cm (90 %) in the end");
+    }
+    let unsure = trials.len() - found.len() - deluded;
+    let _ = writeln!(text, "{deluded} sure of a wrong place in the end, {unsure} not sure of any");
+    let simulated = trials.len() as f64 * kidnapping.duration_s;
+    let _ = writeln!(text, "{:.0} s simulated, {:.0} x real time on all cores", simulated, simulated / took_s);
+    Ok(text)
+}
+
+fn sorted(values: impl Iterator<Item = f64>) -> Vec<f64> {
+    let mut values: Vec<f64> = values.collect();
+    values.sort_by(f64::total_cmp);
+    values
+}
+
+/// All trials, on all cores.
+fn all(kidnapping: &Kidnapping<'_>, first: u64, count: u64) -> Vec<Kidnapped> {
+    let (next, done) = (AtomicU64::new(0), Mutex::new(Vec::new()));
+    let cores = thread::available_parallelism().map_or(1, usize::from);
+    thread::scope(|scope| {
+        for _ in 0..cores {
+            scope.spawn(|| {
+                loop {
+                    let number = next.fetch_add(1, Ordering::Relaxed);
+                    if number >= count {
+                        break;
+                    }
+                    let trial = kidnapping.run(first + number);
+                    done.lock().unwrap_or_else(std::sync::PoisonError::into_inner).extend(trial);
+                }
+            });
+        }
+    });
+    let mut trials = done.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
+    trials.sort_by_key(|trial| trial.seed);
+    trials
+}
+
+impl Trial {
+    fn of(trial: &Kidnapped) -> Self {
+        Self {
+            seed: trial.seed,
+            found_s: trial.found_s,
+            deluded_s: trial.deluded_s,
+            error_m: trial.error.map(|e| e.0),
+            error_deg: trial.error.map(|e| e.1.to_degrees()),
+            sure: trial.is_sure,
+        }
+    }
+}

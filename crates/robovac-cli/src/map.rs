@@ -1,0 +1,236 @@
+//! `map`: how good the maps are that a robot makes, with and without correction.
+
+use super::{
+    conditions::ConditionsArguments,
+    failure::Failure,
+    output,
+    simulate::DEFAULT_ROBOT,
+    task::{ParamArguments, PlacementArguments},
+};
+use clap::ValueEnum;
+use robovac_core::{
+    geometry::{Pose, difference},
+    robot::Sensors,
+};
+use robovac_sim::{
+    Run, STEP_S, controller,
+    mapping::{MapQuality, Mapper, MapperSetup, Tracking, Truth},
+    montecarlo::quantile,
+};
+use serde::Serialize;
+use std::{fmt::Write, time::Instant};
+
+/// Readings that are taken at once, so that measuring the time takes none: a second.
+const BATCH: usize = 67;
+
+/// Let a simulated robot map a room, and measure its maps and its poses against the truth
+#[derive(clap::Args)]
+pub struct Arguments {
+    #[command(flatten)]
+    placement: PlacementArguments,
+    /// Behaviour that drives, see "robovac behaviours"
+    #[arg(long, value_name = "ID", default_value = "wall_follow")]
+    behaviour: String,
+    #[command(flatten)]
+    params: ParamArguments,
+    /// Number of runs, with a seed each from --seed on
+    #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u64).range(1..=10_000))]
+    seeds: u64,
+    /// Simulated time of each run
+    #[arg(long, value_name = "MINUTES", default_value_t = 20.0, value_parser = super::montecarlo::parse_minutes, allow_hyphen_values = true)]
+    minutes: f64,
+    #[command(flatten)]
+    conditions: ConditionsArguments,
+    /// How the robot keeps track of itself
+    #[arg(long, value_name = "WAY", default_value = "both")]
+    tracking: Ways,
+    /// Write JSON instead of tables
+    #[arg(long)]
+    json: bool,
+}
+
+/// Ways of keeping track that are compared.
+#[derive(Clone, Copy, ValueEnum)]
+enum Ways {
+    /// By wheel counts alone
+    Odometry,
+    /// Corrected by what bumper and light bumper meet
+    Corrected,
+    /// Both, on the very same drives
+    Both,
+}
+
+/// What became of one run with one way of keeping track.
+#[derive(Serialize)]
+struct Outcome {
+    seed: u64,
+    tracking: &'static str,
+    /// Error of the pose at the end, and its median and 90th percentile over the run, once a second.
+    error_m: [f64; 3],
+    error_deg: [f64; 3],
+    #[serde(flatten)]
+    quality: Quality,
+    /// Simulated time over what the mapper took, natively.
+    times_real_time: f64,
+}
+
+/// As [`MapQuality`].
+#[derive(Serialize)]
+struct Quality {
+    right: f64,
+    known: f64,
+    boundary: f64,
+    boundary_error_m: Option<f64>,
+}
+
+/// Runs all seeds and returns what is to be printed.
+pub fn run(arguments: &Arguments) -> Result<String, Failure> {
+    let id = &arguments.behaviour;
+    let info = controller::find(id).ok_or_else(|| Failure::unknown("behaviour", id, "behaviours"))?;
+    let params = arguments.params.checked(info.params)?;
+    let prepared = arguments.placement.placement(DEFAULT_ROBOT)?.prepare()?;
+    let conditions = arguments.conditions.conditions();
+    let ways: &[Tracking] = match arguments.tracking {
+        Ways::Odometry => &[Tracking::Odometry],
+        Ways::Corrected => &[Tracking::Corrected],
+        Ways::Both => &[Tracking::Corrected, Tracking::Odometry],
+    };
+    let first = arguments.params.seed;
+    let mut outcomes = Vec::new();
+    for seed in first..first.saturating_add(arguments.seeds) {
+        let run = prepared.run_behaviour(info, &params, conditions, seed);
+        let run = run.ok_or_else(|| Failure::unknown("behaviour", id, "behaviours"))?;
+        let setup = |tracking| MapperSetup {
+            robot: prepared.robot.clone(),
+            start: prepared.floor.start,
+            tracking,
+            odometry: arguments.conditions.odometry,
+            seed,
+        };
+        let mappers = ways.iter().map(|&way| Followed::new(Mapper::new(setup(way)))).collect();
+        outcomes.extend(follow(run, mappers, arguments.minutes, seed));
+    }
+    Ok(if arguments.json { output::json(&outcomes) } else { to_text(ways, &outcomes) })
+}
+
+/// A mapper that follows a run, and how far off it was.
+struct Followed {
+    mapper: Mapper,
+    errors: Vec<(f64, f64)>,
+    seconds: f64,
+}
+
+impl Followed {
+    fn new(mapper: Mapper) -> Self {
+        Self { mapper, errors: Vec::new(), seconds: 0.0 }
+    }
+
+    fn take(&mut self, readings: &[Sensors], truth: Pose) {
+        let begin = Instant::now();
+        for sensed in readings {
+            self.mapper.update(sensed);
+        }
+        self.seconds += begin.elapsed().as_secs_f64();
+        self.note(truth, self.mapper.pose());
+    }
+
+    fn note(&mut self, truth: Pose, pose: Pose) {
+        let off = (pose.position() - truth.position()).norm();
+        self.errors.push((off, difference(truth.heading, pose.heading).abs().to_degrees()));
+    }
+}
+
+/// Drives to the end with mappers that listen; a behaviour that makes a map of its own drives by that.
+fn follow(mut run: Run, mut mappers: Vec<Followed>, minutes: f64, seed: u64) -> Vec<Outcome> {
+    let most_steps = (60.0 * minutes / STEP_S) as u64;
+    let mut readings = Vec::with_capacity(BATCH);
+    while !run.is_finished() && run.steps() < most_steps {
+        run.step();
+        readings.push(run.sensors().clone());
+        if readings.len() == BATCH {
+            for mapper in &mut mappers {
+                mapper.take(&readings, run.pose());
+            }
+            readings.clear();
+        }
+    }
+    for mapper in &mut mappers {
+        mapper.take(&readings, run.pose());
+    }
+    let truth = Truth::of(run.floor(), robovac_sim::mapping::RESOLUTION);
+    mappers.into_iter().map(|followed| followed.outcome(&truth, run.time_s(), seed)).collect()
+}
+
+impl Followed {
+    fn outcome(self, truth: &Truth, time_s: f64, seed: u64) -> Outcome {
+        let MapQuality { right, known, boundary, boundary_error_m, .. } = truth.quality(self.mapper.map());
+        let of = |value: &dyn Fn(&(f64, f64)) -> f64| {
+            let values: Vec<f64> = self.errors.iter().map(value).collect();
+            let last = values.last().copied().unwrap_or_default();
+            [last, at(&values, 0.5), at(&values, 0.9)]
+        };
+        Outcome {
+            seed,
+            tracking: self.mapper.setup().tracking.id(),
+            error_m: of(&|error| error.0),
+            error_deg: of(&|error| error.1),
+            quality: Quality { right, known, boundary, boundary_error_m },
+            times_real_time: time_s / self.seconds.max(1e-9),
+        }
+    }
+}
+
+/// A quantile of unsorted values.
+fn at(values: &[f64], p: f64) -> f64 {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    quantile(&sorted, p).unwrap_or_default()
+}
+
+fn to_text(ways: &[Tracking], outcomes: &[Outcome]) -> String {
+    let mut text = String::new();
+    for way in ways {
+        let of_way: Vec<&Outcome> = outcomes.iter().filter(|outcome| outcome.tracking == way.id()).collect();
+        let _ = writeln!(text, "{}", way.id());
+        let heads = ["end", "median", "90 %", "end", "median", "90 %", "right", "floor", "boundary", "off", "speed"];
+        let _ = write!(text, "{:>10}", "seed");
+        for head in heads {
+            let _ = write!(text, " {head:>9}");
+        }
+        text.push('\n');
+        for outcome in &of_way {
+            row(&mut text, &outcome.seed.to_string(), &outcome.numbers());
+        }
+        for (name, p) in [("median", 0.5), ("90 %", 0.9)] {
+            let column = |i: usize| at(&of_way.iter().map(|outcome| outcome.numbers()[i]).collect::<Vec<_>>(), p);
+            row(&mut text, name, &std::array::from_fn(column));
+        }
+        text.push('\n');
+    }
+    text + "end, median, 90 %: error of the pose at the end and over the run; right: known cells right within one cell;\n\
+            floor, boundary: known shares of what can be reached; off: mean distance of occupied cells from an edge;\n\
+            speed: times real time\n"
+}
+
+impl Outcome {
+    fn numbers(&self) -> [f64; 11] {
+        let [a, b, c] = self.error_m;
+        let [d, e, f] = self.error_deg;
+        let Quality { right, known, boundary, boundary_error_m } = self.quality;
+        [a, b, c, d, e, f, right, known, boundary, boundary_error_m.unwrap_or_default(), self.times_real_time]
+    }
+}
+
+fn row(text: &mut String, name: &str, numbers: &[f64; 11]) {
+    let _ = write!(text, "{name:>10}");
+    for (i, number) in numbers.iter().enumerate() {
+        let cell = match i {
+            0..3 | 9 => format!("{number:.3} m"),
+            3..6 => format!("{number:.2}°"),
+            6..9 => format!("{:.1} %", 100.0 * number),
+            _ => format!("{number:.0}"),
+        };
+        let _ = write!(text, " {cell:>9}");
+    }
+    text.push('\n');
+}

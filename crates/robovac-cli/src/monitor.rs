@@ -1,0 +1,173 @@
+//! `robovac monitor`: listens to a robot on a serial port, through the same driver as the page.
+
+use super::failure::Failure;
+use robovac_link::{
+    driver::LineRequest,
+    link::{Link, LinkView, Request, Traffic, TrafficKind},
+};
+use serialport::{ClearBuffer, SerialPort};
+use std::{
+    io::{ErrorKind, IsTerminal, Write, stderr, stdout},
+    path::PathBuf,
+    time::{Duration, Instant},
+};
+
+/// Baud rate that every connection begins with.
+const BAUD: u32 = 115_200;
+/// Time that a read waits for bytes; the driver is told the time that often.
+const LOOK: Duration = Duration::from_millis(5);
+/// Time between two lines of sensors.
+const REPORT: Duration = Duration::from_secs(1);
+/// Largest lump of bytes that is read at once.
+const LUMP: usize = 4096;
+
+/// Listen to a robot on a serial port: find out who is there, show its sensors, keep a recording. It is not driven
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// The port, such as /dev/ttyUSB0 or COM3; "list" lists those that there are
+    port: String,
+    /// Seconds to listen for; without it, until Ctrl-C
+    #[arg(long, value_name = "S")]
+    seconds: Option<f64>,
+    /// Keep everything that goes over the line in this file, which the page can play
+    #[arg(long, value_name = "FILE")]
+    record: Option<PathBuf>,
+    /// Show every command and frame, not just one line a second
+    #[arg(long)]
+    traffic: bool,
+}
+
+pub fn run(arguments: &Arguments) -> Result<String, Failure> {
+    if arguments.port == "list" {
+        return list();
+    }
+    let mut port =
+        serialport::new(&arguments.port, BAUD).timeout(LOOK).open().map_err(|e| cannot_open(arguments, &e))?;
+    // Opening may have pulled the wake-up wire low: let it go.
+    let _ = (port.write_request_to_send(false), port.write_data_terminal_ready(false), port.clear(ClearBuffer::Input));
+    let mut link = Link::new();
+    let watched = watch(arguments, port.as_mut(), &mut link);
+    if let Some(path) = &arguments.record {
+        std::fs::write(path, link.recording()).map_err(|e| Failure::io(path.display(), &e))?;
+    }
+    watched.map(|()| String::new())
+}
+
+fn watch(arguments: &Arguments, port: &mut dyn SerialPort, link: &mut Link) -> Result<(), Failure> {
+    let lost = |error: &std::io::Error| Failure::io(&arguments.port, error);
+    let began = Instant::now();
+    let mut reported = began;
+    let (mut told, mut connected) = (0, false);
+    let mut buffer = [0; LUMP];
+    link.opened(0.0);
+    loop {
+        let now = began.elapsed().as_secs_f64();
+        match port.read(&mut buffer) {
+            Ok(count) => link.feed(now, buffer.get(..count).unwrap_or_default()),
+            Err(error) if matches!(error.kind(), ErrorKind::TimedOut | ErrorKind::Interrupted) => {}
+            Err(error) => {
+                link.lost(now, "The port is gone.", true);
+                return Err(lost(&error));
+            }
+        }
+        link.beat(now);
+        link.tick(now);
+        let is_over = arguments.seconds.is_some_and(|seconds| now >= seconds);
+        if is_over {
+            // Nothing to be refused: it is always allowed.
+            let _ = link.request(now, Request::Disconnect);
+        }
+        send(port, link).map_err(|e| lost(&e))?;
+        let view = link.view(now);
+        for line in view.diagnosis.log.iter().skip(told) {
+            say(&format!("{now:7.3}  {line}"));
+        }
+        told = told.max(view.diagnosis.log.len());
+        for line in link.take_traffic().iter().filter(|line| arguments.traffic || line.kind == TrafficKind::Text) {
+            say(&told_of(line));
+        }
+        if view.phase == "waiting" && reported.elapsed() >= 5 * REPORT {
+            reported = Instant::now();
+            say(&format!("{} {}", view.diagnosis.text, view.diagnosis.remedy));
+        }
+        if view.phase == "connected" && (!connected || reported.elapsed() >= REPORT) {
+            (connected, reported) = (true, Instant::now());
+            say(&summary(now, &view));
+        }
+        if is_over {
+            return Ok(());
+        }
+    }
+}
+
+/// Does what the driver asks for, at once.
+fn send(port: &mut dyn SerialPort, link: &mut Link) -> std::io::Result<()> {
+    while let Some(request) = link.take_line() {
+        match request {
+            LineRequest::Baud(baud) => port.set_baud_rate(baud)?,
+            // A terminal without that wire is no reason to stop: the next thing is tried.
+            LineRequest::Brc(is_low) => drop(port.write_request_to_send(is_low)),
+        }
+    }
+    port.write_all(&link.take_tx())
+}
+
+fn summary(now: f64, view: &LinkView) -> String {
+    // Places of packets from 7 on.
+    let packet = |id: usize| view.packets.get(id - 7).copied().unwrap_or_default();
+    let signed = |id: usize| packet(id).cast_signed();
+    let statistics = &view.statistics;
+    format!(
+        "{now:7.3}  {:7}  battery {:5.2} V {:5} mA {}/{} mAh  encoders {} {}  bumps {:04b}  cliffs {}{}{}{}  {:.0} frames/s, {} bad",
+        view.mode,
+        f64::from(packet(22)) / 1000.0,
+        signed(23),
+        packet(25),
+        packet(26),
+        packet(43),
+        packet(44),
+        packet(7),
+        packet(9),
+        packet(10),
+        packet(11),
+        packet(12),
+        statistics.rate_hz,
+        statistics.bad_checksums + statistics.implausible,
+    )
+}
+
+fn told_of(line: &Traffic) -> String {
+    let sign = match line.kind {
+        TrafficKind::Sent => '>',
+        TrafficKind::Frame | TrafficKind::Text | TrafficKind::Bytes => '<',
+        TrafficKind::Refused => 'x',
+        TrafficKind::Line => '!',
+    };
+    format!("{:7.3} {sign} {}", line.time_s, line.text)
+}
+
+/// Nobody to tell if even this fails: the reader went away.
+fn say(line: &str) {
+    let _ = writeln!(stdout(), "{line}").and_then(|()| stdout().flush());
+}
+
+fn list() -> Result<String, Failure> {
+    let ports = serialport::available_ports().map_err(|e| Failure::usage(format!("the ports can't be listed: {e}")))?;
+    if ports.is_empty() && stderr().is_terminal() {
+        say("There is no serial port. Is the cable plugged in?");
+    }
+    Ok(ports.into_iter().map(|port| port.port_name + "\n").collect())
+}
+
+fn cannot_open(arguments: &Arguments, error: &serialport::Error) -> Failure {
+    let hint = match error.kind() {
+        serialport::ErrorKind::NoDevice | serialport::ErrorKind::Io(ErrorKind::NotFound) => {
+            "\"robovac monitor list\" lists the ports"
+        }
+        serialport::ErrorKind::Io(ErrorKind::PermissionDenied) => {
+            "you may not use it: on Linux, members of the group dialout may"
+        }
+        _ => "another program may be using it",
+    };
+    Failure::usage(format!("{} can't be opened: {error}; {hint}", arguments.port))
+}

@@ -1,0 +1,200 @@
+//! `montecarlo`: many runs of the same algorithms, on all cores.
+
+use super::{conditions::ConditionsArguments, failure::Failure, simulate::DEFAULT_ROBOT, task::PlacementArguments};
+use robovac_sim::{
+    Conditions,
+    experiment::{Algorithm, BEHAVIOUR, Entrant, PLANNER, planning::Placement},
+    montecarlo::{Band, Entry, Head, Lab, Outcome, Summary, Terms, TimeTo, to_csv, to_json},
+};
+use std::{
+    fmt::Write,
+    sync::{
+        Mutex,
+        atomic::{AtomicUsize, Ordering},
+    },
+    thread,
+};
+
+/// Run behaviours and planned paths many times and tell what chance makes of them
+#[derive(clap::Args)]
+pub struct Arguments {
+    #[command(flatten)]
+    placement: PlacementArguments,
+    #[command(flatten)]
+    entrants: EntrantArguments,
+    /// Number of runs of each, with a seed each
+    #[arg(long, value_name = "N", default_value_t = 30, value_parser = clap::value_parser!(u64).range(1..=100_000))]
+    seeds: u64,
+    /// First seed; planners plan with it once
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    seed: u64,
+    /// Simulated time of each run
+    #[arg(long, value_name = "MINUTES", default_value_t = 30.0, value_parser = parse_minutes, allow_hyphen_values = true)]
+    minutes: f64,
+    #[command(flatten)]
+    conditions: ConditionsArguments,
+    /// Runs made at the same time [default: one a core]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
+    jobs: Option<u16>,
+    /// Write quantiles, curves and all runs as JSON instead of a table
+    #[arg(long, conflicts_with = "csv")]
+    json: bool,
+    /// Write all runs as CSV instead of a table
+    #[arg(long)]
+    csv: bool,
+}
+
+/// At least one must be given.
+#[derive(clap::Args)]
+#[group(required = true, multiple = true)]
+struct EntrantArguments {
+    /// Behaviour, see "robovac behaviours", with its parameters as in "compare"; several times or separated by commas
+    #[arg(long = "behaviour", value_name = "LIST", value_delimiter = ',')]
+    behaviours: Vec<String>,
+    /// Planner, see "robovac planners", whose path is driven; several times or separated by commas
+    #[arg(long = "planner", value_name = "LIST", value_delimiter = ',')]
+    planners: Vec<String>,
+}
+
+/// Makes all runs and returns what is to be printed.
+pub fn run(arguments: &Arguments) -> Result<String, Failure> {
+    let entrants = arguments.entrants.find()?;
+    let placement = arguments.placement.placement(DEFAULT_ROBOT)?;
+    let (conditions, odometry) = (arguments.conditions.conditions(), arguments.conditions.odometry);
+    let terms = Terms { conditions, odometry, duration_s: 60.0 * arguments.minutes, plan_seed: arguments.seed };
+    let mut lab = Lab::on(placement.prepare()?, terms);
+    // That an algorithm has no plan here is a result too.
+    let failures: Vec<Option<String>> =
+        entrants.iter().map(|entrant| lab.plan(entrant, None).err().map(|error| error.to_string())).collect();
+    let seeds = arguments.seed..arguments.seed.saturating_add(arguments.seeds);
+    let able = (0..entrants.len()).filter(|&who| failures[who].is_none());
+    let runs: Vec<(usize, u64)> = able.flat_map(|who| seeds.clone().map(move |seed| (who, seed))).collect();
+    let jobs = arguments.jobs.map_or_else(|| thread::available_parallelism().map_or(1, usize::from), usize::from);
+    let outcomes = make_all(&runs, jobs, |&(who, seed)| lab.run(&entrants[who], seed));
+    let of =
+        |who: usize| runs.iter().zip(&outcomes).filter(move |((w, _), _)| *w == who).filter_map(|(_, o)| o.as_ref());
+    let result = |who: usize| failures[who].as_deref().map_or_else(|| Ok(of(who).collect()), Err);
+    let entries: Vec<Entry<'_>> = entrants.iter().enumerate().map(|(who, entrant)| (entrant, result(who))).collect();
+    let head = Head {
+        room: &placement.plan.name,
+        robot: placement.robot.id,
+        cell_size_m: placement.cell_size,
+        conditions,
+        odometry,
+        minutes: arguments.minutes,
+    };
+    Ok(match (arguments.json, arguments.csv) {
+        (true, _) => to_json(&head, &entries),
+        (_, true) => to_csv(&head, &entries),
+        _ => table(&head, &placement, arguments, &entries),
+    })
+}
+
+impl EntrantArguments {
+    fn find(&self) -> Result<Vec<Entrant>, Failure> {
+        let behaviours = self.behaviours.iter().map(|name| (BEHAVIOUR, name));
+        let mut entrants = Vec::new();
+        for (kind, name) in behaviours.chain(self.planners.iter().map(|name| (PLANNER, name))) {
+            let id = name.split('~').next().unwrap_or_default();
+            Algorithm::find_kind(kind, id).map_err(|_| Failure::unknown(kind, id, &format!("{kind}s")))?;
+            let entrant = Entrant::parse(kind, name).map_err(|error| Failure::usage(error.to_string()))?;
+            if entrant.algorithm.behaviour().is_some_and(|info| info.claims.manual) {
+                return Err(Failure::usage(format!("behaviour \"{id}\" needs a person at the controls")));
+            }
+            entrants.push(entrant);
+        }
+        Ok(entrants)
+    }
+}
+
+/// Makes the runs, `jobs` at a time; outcomes in the order of runs, whoever is done first.
+fn make_all(
+    runs: &[(usize, u64)],
+    jobs: usize,
+    make: impl Fn(&(usize, u64)) -> Option<Outcome> + Sync,
+) -> Vec<Option<Outcome>> {
+    let next = AtomicUsize::new(0);
+    let outcomes = Mutex::new(vec![None; runs.len()]);
+    let work = || {
+        loop {
+            let index = next.fetch_add(1, Ordering::Relaxed);
+            let Some(run) = runs.get(index) else { break };
+            let outcome = make(run);
+            if let Ok(mut outcomes) = outcomes.lock() {
+                outcomes[index] = outcome;
+            }
+        }
+    };
+    thread::scope(|scope| {
+        for _ in 0..jobs.min(runs.len()) {
+            scope.spawn(work);
+        }
+    });
+    outcomes.into_inner().unwrap_or_default()
+}
+
+/// A Markdown table: medians, with 10 to 90 % of the runs in brackets.
+fn table(head: &Head<'_>, placement: &Placement, arguments: &Arguments, entries: &[Entry<'_>]) -> String {
+    let Conditions { slip, noise, quantised, .. } = head.conditions;
+    let quantised = if quantised { ", quantised wheel speeds" } else { "" };
+    let (robot, minutes) = (placement.robot.title, head.minutes);
+    let mut text = format!(
+        "### {}, {robot}: {} runs of {minutes} min, slip {}, noise {noise}{quantised}\n\n\
+         | Algorithm | Coverage, % | 90 % after, min | runs | 99 % after, min | runs | Distance, m | Bumps | Falls | Dirt left, % |\n\
+         |---{}|\n",
+        head.room,
+        arguments.seeds,
+        slip.id(),
+        "|--:".repeat(9),
+    );
+    for (entrant, result) in entries {
+        let summary = match result {
+            Ok(runs) => Summary::of(runs),
+            Err(why) => {
+                let _ = writeln!(text, "| {entrant} ({why}) |{}", " – |".repeat(9));
+                None
+            }
+        };
+        let Some(summary) = summary else { continue };
+        let Summary { runs, coverage, time_to: [to_90, to_99], distance_m, bumps, falls, dirt_left } = summary;
+        let percent = coverage.times(100.0);
+        let dirt = dirt_left.map_or("–".to_owned(), |left| band(left.times(100.0), 1));
+        let time = |to: &TimeTo| format!("{} | {}", times(to), share(to.reached, runs));
+        // Writing to a string doesn't fail.
+        let _ = writeln!(
+            text,
+            "| {entrant} | {} | {} | {} | {} | {} | {falls} | {dirt} |",
+            band(percent, 1),
+            time(&to_90),
+            time(&to_99),
+            band(distance_m, 0),
+            band(bumps, 0)
+        );
+    }
+    text +=
+        "\nMedians; in brackets from where to where four in five runs lie. A dash: too few runs got there in time.\n";
+    if entries.iter().any(|(entrant, _)| entrant.explores()) {
+        text += "Coverage of behaviours that explore: share of the walls and furniture in reach that light or bumper have met.\n";
+    }
+    text
+}
+
+fn band(Band { low, median, high }: Band, digits: usize) -> String {
+    format!("{median:.digits$} ({low:.digits$} to {high:.digits$})")
+}
+
+/// Times in minutes, with a dash for what too few runs reached.
+fn times(to: &TimeTo) -> String {
+    let [low, median, high] =
+        [to.low_s, to.median_s, to.high_s].map(|s| s.map_or("–".to_owned(), |s| format!("{:.1}", s / 60.0)));
+    if to.reached == 0 { median } else { format!("{median} ({low} to {high})") }
+}
+
+fn share(reached: usize, runs: usize) -> String {
+    format!("{:.0} %", 100.0 * reached as f64 / runs as f64)
+}
+
+pub fn parse_minutes(text: &str) -> Result<f64, String> {
+    let minutes = text.parse().ok().filter(|minutes: &f64| (0.1..=6000.0).contains(minutes));
+    minutes.ok_or_else(|| "give a number of minutes from 0.1 to 6000, e.g. 30".to_owned())
+}

@@ -1,0 +1,74 @@
+//! `plan`: one walk over one room, with its numbers.
+
+use super::{
+    failure::Failure,
+    output,
+    task::{self, ParamArguments, PlacementArguments},
+};
+use coverage_planners::{PlannerInfo, find};
+use robovac_sim::experiment::{
+    Algorithm,
+    planning::{CELL_ROBOT, PlanReport, PlanningTask},
+};
+use std::time::Instant;
+
+/// Plan a walk that covers a room
+#[derive(clap::Args)]
+pub struct Arguments {
+    #[command(flatten)]
+    placement: PlacementArguments,
+    /// Planner, see "robovac planners"
+    #[arg(long, value_name = "ID")]
+    planner: String,
+    #[command(flatten)]
+    params: ParamArguments,
+    /// Write one JSON object instead of a summary
+    #[arg(long)]
+    json: bool,
+}
+
+/// Plans and returns what is to be printed.
+pub fn run(arguments: &Arguments) -> Result<String, Failure> {
+    let planner = planner(&arguments.planner)?;
+    let params = arguments.params.checked(planner.params)?;
+    let placement = arguments.placement.placement(CELL_ROBOT)?;
+    let task = PlanningTask { placement, planner, params, seed: arguments.params.seed };
+    let begin = Instant::now();
+    let solution = task.solve(|| begin.elapsed().as_secs_f64(), None)?;
+    let report = PlanReport::new(&task, solution);
+    Ok(if arguments.json { output::json(&report) } else { summary(&task, &report) })
+}
+
+/// The planner with that id.
+pub fn planner(id: &str) -> Result<&'static PlannerInfo, Failure> {
+    find(id).ok_or_else(|| Failure::unknown("planner", id, "planners"))
+}
+
+fn summary(task: &PlanningTask, report: &PlanReport) -> String {
+    let PlanReport { walk, drive, bounds, .. } = report;
+    let above =
+        report.above_bound_percent.map(|percent| format!(", the walk is {percent:.1} % above")).unwrap_or_default();
+    format!(
+        "{}\
+         Coverage  {:.1} % of the reachable floor, {} reachable cells\n\
+         Walk      {} steps, {} quarter turns and {} at the start, {} revisits, {:.1} % overlap\n\
+         Bound     no walk has fewer than {} steps or {} quarter turns, or steps + 2 x turns below {}{above}\n\
+         Drive     {:.1} m in {}, {:.1} Wh\n\
+         Planning  {:.3} s\n",
+        task::summary(Algorithm::Planner(task.planner), &task.placement, &report.task),
+        100.0 * drive.coverage,
+        walk.reachable_cells,
+        walk.steps,
+        walk.turns,
+        walk.initial_turns,
+        walk.revisits,
+        100.0 * drive.overlap,
+        bounds.steps,
+        bounds.turns,
+        bounds.cost,
+        drive.length_m,
+        output::minutes(drive.duration_s),
+        drive.energy_wh,
+        report.planning_s,
+    )
+}

@@ -1,0 +1,249 @@
+//! `simulate`: a robot drives a planned walk, on its own estimate of where it is, or does what a behaviour does.
+
+use super::{
+    conditions::ConditionsArguments,
+    failure::Failure,
+    output, plan,
+    task::{self, ParamArguments, PlacementArguments},
+};
+use robovac_core::{floorplan::ScenarioPose, robot::OdometryModel};
+use robovac_sim::{
+    Run, STEP_S, SlipLevel, What, controller,
+    experiment::{
+        Algorithm,
+        planning::{Placement, PlanningTask, TaskReport},
+    },
+};
+use serde::Serialize;
+use std::{fmt::Write, time::Instant};
+
+/// The robot unless another one is asked for.
+pub const DEFAULT_ROBOT: &str = "roomba600";
+/// Time after which a behaviour that doesn't end by itself is stopped, s, unless another one is asked for.
+const MOST_TIME_S: f64 = 1800.0;
+
+/// Let a simulated robot clean: by a plan, or by a behaviour
+#[derive(clap::Args)]
+pub struct Arguments {
+    #[command(flatten)]
+    placement: PlacementArguments,
+    #[command(flatten)]
+    algorithm: AlgorithmArguments,
+    #[command(flatten)]
+    params: ParamArguments,
+    #[command(flatten)]
+    conditions: ConditionsArguments,
+    /// Simulated time between two samples
+    #[arg(long, value_name = "SECONDS", default_value_t = 10.0, value_parser = parse_seconds, allow_hyphen_values = true)]
+    sample: f64,
+    /// Simulated time after which to stop [default: when the robot is done; 1800 for a behaviour that never is]
+    #[arg(long, value_name = "SECONDS", value_parser = parse_seconds, allow_hyphen_values = true)]
+    max_time: Option<f64>,
+    /// Write one JSON object instead of a table and a summary
+    #[arg(long)]
+    json: bool,
+}
+
+/// One of the two must be given.
+#[derive(clap::Args)]
+#[group(required = true, multiple = false)]
+struct AlgorithmArguments {
+    /// Planner, see "robovac planners"
+    #[arg(long, value_name = "ID")]
+    planner: Option<String>,
+    /// Behaviour, see "robovac behaviours"
+    #[arg(long, value_name = "ID")]
+    behaviour: Option<String>,
+}
+
+/// What is written about a run.
+#[derive(Serialize)]
+struct Report {
+    #[serde(flatten)]
+    task: TaskReport,
+    slip: SlipLevel,
+    noise: String,
+    quantised: bool,
+    odometry: OdometryModel,
+    #[serde(flatten)]
+    totals: Totals,
+    samples: Vec<Sample>,
+}
+
+/// The numbers of a run when it is over or was stopped.
+#[derive(Serialize)]
+struct Totals {
+    time_s: f64,
+    /// Swept share of the reachable floor, 0 to 1.
+    coverage: f64,
+    distance_m: f64,
+    turning_deg: f64,
+    /// How often the bumper was pressed.
+    bumps: u32,
+    /// Area swept again, as a share of the area swept.
+    overlap: f64,
+    /// Distance between where the robot is and where it believes to be.
+    pose_error_m: Option<f64>,
+    /// Whether the robot came to the end of what it does.
+    finished: bool,
+    /// Whether the battery was empty before that.
+    battery_empty: bool,
+    /// In hexadecimal; two runs share it only if they are in the same state, to the last bit.
+    digest: String,
+}
+
+/// One moment of a run.
+#[derive(Serialize)]
+struct Sample {
+    time_s: f64,
+    /// Swept share of the reachable floor, 0 to 1.
+    coverage: f64,
+    /// Where the robot is.
+    pose: ScenarioPose,
+    /// Where it believes to be.
+    estimate: Option<ScenarioPose>,
+}
+
+/// Plans if there is something to plan, drives, and returns what is to be printed.
+pub fn run(arguments: &Arguments) -> Result<String, Failure> {
+    let algorithm = arguments.algorithm.find()?;
+    let params = arguments.params.checked(algorithm.params())?;
+    let placement = arguments.placement.placement(DEFAULT_ROBOT)?;
+    let seed = arguments.params.seed;
+    let (conditions, odometry) = (arguments.conditions.conditions(), arguments.conditions.odometry);
+    let (prepared, mut run) = match algorithm {
+        Algorithm::Planner(planner) => {
+            let task = PlanningTask { placement: placement.clone(), planner, params: params.clone(), seed };
+            let begin = Instant::now();
+            let solution = task.solve(|| begin.elapsed().as_secs_f64(), None)?;
+            let run = solution.planned.run(&solution.prepared, conditions, odometry, seed);
+            (solution.prepared, run)
+        }
+        Algorithm::Behaviour(info) => {
+            let prepared = placement.prepare()?;
+            let run = prepared.run_behaviour(info, &params, conditions, seed);
+            (prepared, run.ok_or_else(|| Failure::unknown("behaviour", info.id, "behaviours"))?)
+        }
+    };
+    let never_ends = algorithm.behaviour().is_some_and(|info| !info.claims.ends);
+    let max_time = arguments.max_time.or(never_ends.then_some(MOST_TIME_S));
+    let samples = drive(&mut run, arguments.sample, max_time);
+    let report = Report {
+        task: TaskReport::new(algorithm, &params, seed, &placement, &prepared),
+        slip: conditions.slip,
+        noise: conditions.noise.to_string(),
+        quantised: conditions.quantised,
+        odometry,
+        totals: Totals::of(&run),
+        samples,
+    };
+    Ok(if arguments.json { output::json(&report) } else { report.to_text(algorithm, &placement) })
+}
+
+impl AlgorithmArguments {
+    fn find(&self) -> Result<Algorithm, Failure> {
+        if let Some(id) = &self.planner {
+            return plan::planner(id).map(Algorithm::Planner);
+        }
+        let id = self.behaviour.as_deref().unwrap_or_default();
+        let info = controller::find(id).ok_or_else(|| Failure::unknown("behaviour", id, "behaviours"))?;
+        if info.claims.manual {
+            return Err(Failure::usage(format!(
+                "behaviour \"{id}\" needs a person at the controls; use it on the page"
+            )));
+        }
+        Ok(Algorithm::Behaviour(info))
+    }
+}
+
+/// Drives to the end or for `max_time` seconds, and takes a sample at the start, every `interval` seconds and at the end.
+fn drive(run: &mut Run, interval: f64, max_time: Option<f64>) -> Vec<Sample> {
+    let most_steps = max_time.map_or(u64::MAX, |seconds| (seconds / STEP_S) as u64);
+    let mut samples = vec![Sample::of(run)];
+    while !run.is_finished() && run.steps() < most_steps {
+        run.step();
+        let is_last = run.is_finished() || run.steps() == most_steps;
+        if is_last || run.time_s() >= samples.len() as f64 * interval {
+            samples.push(Sample::of(run));
+        }
+    }
+    samples
+}
+
+impl Sample {
+    fn of(run: &Run) -> Self {
+        Self {
+            time_s: run.time_s(),
+            coverage: run.coverage(),
+            pose: run.pose().into(),
+            estimate: run.estimate().map(Into::into),
+        }
+    }
+}
+
+impl Totals {
+    fn of(run: &Run) -> Self {
+        let battery_empty = run.events().iter().any(|event| event.what == What::BatteryEmpty);
+        Self {
+            time_s: run.time_s(),
+            coverage: run.coverage(),
+            distance_m: run.distance_m(),
+            turning_deg: run.turning_rad().to_degrees(),
+            bumps: run.bumps(),
+            overlap: run.tracker().overlap(),
+            pose_error_m: run.pose_error_m(),
+            finished: run.is_finished() && !battery_empty,
+            battery_empty,
+            digest: format!("{:016x}", run.digest()),
+        }
+    }
+}
+
+impl Report {
+    fn to_text(&self, algorithm: Algorithm, placement: &Placement) -> String {
+        let mut text = task::summary(algorithm, placement, &self.task);
+        let quantised = if self.quantised { ", quantised" } else { "" };
+        let _ = writeln!(text, "Wheels    slip: {}, odometry: {}{quantised}", self.slip.id(), self.odometry.id());
+        let _ = writeln!(text, "Sensors   noise: {}\n", self.noise);
+        let _ = writeln!(text, "{:>10}  {:>9}  {:30}  Estimate", "Time", "Coverage", "Pose");
+        for sample in &self.samples {
+            let coverage = format!("{:.1} %", 100.0 * sample.coverage);
+            let estimate = sample.estimate.as_ref().map(place).unwrap_or_default();
+            let _ = writeln!(text, "{:8.2} s  {coverage:>9}  {:30}  {estimate}", sample.time_s, place(&sample.pose));
+        }
+        let totals = &self.totals;
+        let end = match (totals.finished, algorithm) {
+            (true, Algorithm::Planner(_)) => "came to the end of the walk",
+            (true, Algorithm::Behaviour(_)) => "came to its end",
+            (false, _) if totals.battery_empty => "ended by an empty battery",
+            (false, _) => "stopped by --max-time",
+        };
+        let pose = totals.pose_error_m.map(|metres| format!("Pose      {metres:.3} m off at the end\n"));
+        let _ = write!(
+            text,
+            "\n\
+             Coverage  {:.1} % of the reachable floor, {:.1} % overlap\n\
+             Drive     {:.1} m in {}, turns of {:.0}°, {} bumps\n\
+             {}\
+             Run       {end}, digest {}\n",
+            100.0 * totals.coverage,
+            100.0 * totals.overlap,
+            totals.distance_m,
+            output::minutes(totals.time_s),
+            totals.turning_deg,
+            totals.bumps,
+            pose.unwrap_or_default(),
+            totals.digest,
+        );
+        text
+    }
+}
+
+fn place(pose: &ScenarioPose) -> String {
+    format!("({:.3} m, {:.3} m, {:.1}°)", pose.x, pose.y, pose.heading_deg)
+}
+
+pub fn parse_seconds(text: &str) -> Result<f64, String> {
+    let seconds = text.parse().ok().filter(|seconds: &f64| seconds.is_finite() && *seconds > 0.0);
+    seconds.ok_or_else(|| "give a number of seconds greater than 0, e.g. 10".to_owned())
+}

@@ -1,0 +1,56 @@
+//! `--map` and `--room`: where a floor plan comes from.
+
+use super::failure::Failure;
+use robovac_core::floorplan::{FloorPlan, SourceFile, image_of, load, room};
+use std::{
+    fs,
+    io::ErrorKind,
+    path::{Path, PathBuf},
+};
+
+/// One of the two must be given.
+#[derive(clap::Args)]
+#[group(required = true, multiple = false)]
+pub struct Source {
+    /// Map file: text of # and ., PNG, PGM, ROS map (YAML, its image is found by itself) or scenario
+    #[arg(long, value_name = "FILE")]
+    map: Option<PathBuf>,
+    /// Room that ships, see "robovac rooms"
+    #[arg(long, value_name = "ID")]
+    room: Option<String>,
+}
+
+impl Source {
+    /// The file of `--map`, if that is given.
+    pub fn file(&self) -> Result<Option<SourceFile>, Failure> {
+        self.map.as_deref().map_or(Ok(None), read)
+    }
+
+    pub fn plan(&self) -> Result<FloorPlan, Failure> {
+        if let Some(path) = &self.map {
+            return load_with_image(path);
+        }
+        let id = self.room.as_deref().unwrap_or_default();
+        room(id).map(|info| (info.build)()).ok_or_else(|| Failure::unknown("room", id, "rooms"))
+    }
+}
+
+/// Loads a map; a ROS map's image is looked up beside its YAML file.
+pub fn load_with_image(path: &Path) -> Result<FloorPlan, Failure> {
+    let mut files = vec![read(path)?.ok_or_else(|| Failure::io(path.display(), &ErrorKind::NotFound.into()))?];
+    if let Some(image) = image_of(&files[0]) {
+        let folder = path.parent().unwrap_or(Path::new(""));
+        // If it isn't there, the loader says what is missing.
+        files.extend(read(&folder.join(image))?);
+    }
+    Ok(load(&files)?)
+}
+
+/// A file, or `None` if there is none.
+fn read(path: &Path) -> Result<Option<SourceFile>, Failure> {
+    match fs::read(path) {
+        Ok(bytes) => Ok(Some(SourceFile { name: path.to_string_lossy().into_owned(), bytes })),
+        Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
+        Err(error) => Err(Failure::io(path.display(), &error)),
+    }
+}

@@ -1,0 +1,241 @@
+//! `sweep`: the sweeping planner of 001, with a robot of any outline.
+
+use super::{drawing::DrawingOptions, failure::Failure, output, source::Source};
+use coverage_planners::{
+    stage::Contact,
+    sweep::{Sweep, SweepError, SweepSetup, in_frame, planned_for, program, sweep, to_csv, to_ros_path},
+};
+use floor_drawing::{Traced, is_drawing, is_dxf};
+use robovac_app::draft::sweep_dxf;
+use robovac_core::{
+    cspace::{CspaceError, Outline},
+    geometry::{Point, Vector},
+    robot::{RobotModel, model},
+};
+use robovac_link::commands_text;
+use serde::Serialize;
+use std::{fs, ops::ControlFlow, path::PathBuf, time::Instant};
+
+/// Sweep a room in scan lines from contact to contact, with a robot of any outline
+#[derive(clap::Args)]
+pub struct Arguments {
+    #[command(flatten)]
+    source: Source,
+    #[command(flatten)]
+    drawing: DrawingOptions,
+    /// Robot that drives, see "robovac robots"; its body is the outline unless --outline says otherwise
+    #[arg(long, value_name = "ID", default_value = "octagon")]
+    robot: String,
+    /// Outline in metres: circle:RADIUS, rectangle:LENGTHxWIDTH or octagon:WIDTH
+    #[arg(long, value_name = "SHAPE")]
+    outline: Option<String>,
+    /// Distance between scan lines in metres [default: half the outline's width]
+    #[arg(long, value_name = "M", allow_hyphen_values = true)]
+    scan_width: Option<f64>,
+    /// Side of the obstacle map's cells in metres [default: a quarter of the outline's width]
+    #[arg(long, value_name = "M", allow_hyphen_values = true)]
+    cell: Option<f64>,
+    /// File to write, may be given several times; its ending chooses what: .csv table, .yaml ROS path, .oi.txt Open
+    /// Interface bytes for a Roomba 600, .txt program, .json all stages
+    #[arg(long, value_name = "FILE")]
+    out: Vec<PathBuf>,
+}
+
+/// The numbers of a sweep.
+#[derive(Serialize)]
+struct Report<'a> {
+    room: &'a str,
+    robot: &'a str,
+    width_m: f64,
+    scan_width_m: f64,
+    cell_m: f64,
+    lines: u32,
+    subgoals: usize,
+    collisions: usize,
+    resolved: usize,
+    linked_share: f64,
+    finishing_strokes: usize,
+    length_m: f64,
+    coverage: f64,
+    planning_s: f64,
+}
+
+/// All stages, for `.json`.
+#[derive(Serialize)]
+struct Stages<'a> {
+    #[serde(flatten)]
+    report: &'a Report<'a>,
+    points: Vec<StagePoint>,
+    links: Vec<StageLink>,
+    path: Vec<[f64; 2]>,
+}
+
+#[derive(Serialize)]
+struct StagePoint {
+    at: [f64; 2],
+    status: Contact,
+    line: u32,
+    obstacle: Option<u32>,
+}
+
+#[derive(Serialize)]
+struct StageLink {
+    from: usize,
+    to: usize,
+    collides: bool,
+    way: Vec<[f64; 2]>,
+}
+
+/// What a file holds.
+#[derive(Clone, Copy)]
+enum Format {
+    Csv,
+    Yaml,
+    Bytes,
+    Program,
+    Json,
+    Dxf,
+}
+
+/// Plans, writes the files, and returns the numbers that are to be printed.
+pub fn run(arguments: &Arguments) -> Result<String, Failure> {
+    let unknown = || Failure::unknown("robot", &arguments.robot, "robots");
+    let robot = model(&arguments.robot).ok_or_else(unknown)?;
+    // What can't be written is told before anything is planned.
+    let formats: Vec<Format> = arguments.out.iter().map(|out| format_of(out)).collect::<Result<_, _>>()?;
+    let outline = arguments.outline.as_deref().map_or_else(|| Ok(Outline::of(robot)), parse_outline)?;
+    let file = arguments.source.file()?.filter(is_drawing);
+    let room = match &file {
+        Some(file) => arguments.drawing.trace(file)?,
+        None => Traced { plan: arguments.source.plan()?, corner: Vector::zeros(), metre: 1.0, gaps: Vec::new() },
+    };
+    let original = file.as_ref().filter(|file| is_dxf(file)).map(|file| file.bytes.as_slice());
+    let plan = &room.plan;
+    let width = outline.width();
+    let planned = if outline == Outline::of(robot) { planned_for(robot) } else { outline.to_string() };
+    let setup = SweepSetup {
+        outline,
+        scan_width: arguments.scan_width,
+        cell: arguments.cell.unwrap_or(0.25 * width),
+        headings: 1,
+        start: plan.start,
+    };
+    let begin = Instant::now();
+    let found = sweep(plan, &setup, &mut |_| ControlFlow::Continue(()))?;
+    let report = Report {
+        room: &plan.name,
+        robot: robot.id,
+        width_m: width,
+        scan_width_m: found.scan_width,
+        cell_m: found.cell,
+        lines: found.subgoals.iter().map(|point| point.line + 1).max().unwrap_or(0),
+        subgoals: found.subgoals.len(),
+        collisions: found.collisions,
+        resolved: found.resolved,
+        linked_share: found.linked_share,
+        finishing_strokes: found.finish.len(),
+        length_m: found.length,
+        coverage: found.coverage,
+        planning_s: begin.elapsed().as_secs_f64(),
+    };
+    let heading = plan.start.map_or(0.0, |start| start.heading);
+    for (out, format) in arguments.out.iter().zip(formats) {
+        let content = written(format, &found, &report, (&room, original), (robot, heading, &planned))?;
+        fs::write(out, content).map_err(|error| Failure::io(out.display(), &error))?;
+    }
+    Ok(output::json(&report))
+}
+
+fn format_of(out: &std::path::Path) -> Result<Format, Failure> {
+    let name = out.file_name().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
+    // The longer ending first.
+    let endings = [
+        (".oi.txt", Format::Bytes),
+        (".csv", Format::Csv),
+        (".yaml", Format::Yaml),
+        (".txt", Format::Program),
+        (".json", Format::Json),
+        (".dxf", Format::Dxf),
+    ];
+    endings.into_iter().find(|(ending, _)| name.ends_with(ending)).map(|(_, format)| format).ok_or_else(|| {
+        let endings = ".csv, .yaml, .oi.txt, .txt, .json or .dxf";
+        Failure::usage(format!("--out {}: no format has this ending; use {endings}", out.display()))
+    })
+}
+
+fn written(
+    format: Format,
+    found: &Sweep,
+    report: &Report<'_>,
+    (room, original): (&Traced, Option<&[u8]>),
+    (robot, heading, planned): (&RobotModel, f64, &str),
+) -> Result<Vec<u8>, Failure> {
+    let (path, heading) = in_frame(&found.path, heading, room.plan.origin);
+    let text = match format {
+        Format::Dxf => return Ok(sweep_dxf(found, room, original)?),
+        Format::Csv => to_csv(&path, heading, robot),
+        Format::Yaml => to_ros_path(&path, heading, robot),
+        Format::Program => program(&path, heading, robot, planned),
+        Format::Bytes => {
+            let roomba = model("roomba600").ok_or_else(|| Failure::unknown("robot", "roomba600", "robots"))?;
+            commands_text(&path, heading, roomba, planned)
+        }
+        Format::Json => output::json(&stages(found, report)),
+    };
+    Ok(text.into_bytes())
+}
+
+fn stages<'a>(found: &Sweep, report: &'a Report<'a>) -> Stages<'a> {
+    let pair = |p: &Point| [p.x, p.y];
+    let points = found.subgoals.iter();
+    let links = found.links.iter();
+    Stages {
+        report,
+        points: points
+            .map(|p| StagePoint { at: pair(&p.at), status: p.contact, line: p.line, obstacle: p.obstacle })
+            .collect(),
+        links: links
+            .map(|link| StageLink {
+                from: link.from,
+                to: link.to,
+                collides: link.collides,
+                way: link.way.iter().map(pair).collect(),
+            })
+            .collect(),
+        path: found.path.iter().map(pair).collect(),
+    }
+}
+
+/// An outline as it is typed.
+fn parse_outline(text: &str) -> Result<Outline, Failure> {
+    let usage = || {
+        let forms = "circle:RADIUS, rectangle:LENGTHxWIDTH or octagon:WIDTH in metres, e.g. octagon:0.36";
+        Failure::usage(format!("--outline {text}: give it as {forms}"))
+    };
+    let number = |text: &str| text.trim().parse::<f64>().map_err(|_| usage());
+    let (kind, size) = text.split_once(':').ok_or_else(usage)?;
+    let outline = match kind {
+        "circle" => Outline::circle(number(size)?),
+        "octagon" => Outline::octagon(number(size)?),
+        "rectangle" => {
+            let (length, width) = size.split_once('x').ok_or_else(usage)?;
+            Outline::rectangle(number(length)?, number(width)?)
+        }
+        _ => return Err(usage()),
+    };
+    outline.map_err(|error| SweepError::from(error).into())
+}
+
+impl From<SweepError> for Failure {
+    fn from(error: SweepError) -> Self {
+        match error {
+            SweepError::Value { .. } | SweepError::Cspace(CspaceError::Outline(_) | CspaceError::Cell(_)) => {
+                Self::usage(error.to_string())
+            }
+            SweepError::FitsNowhere { .. } => Self::misfit(error.to_string()),
+            SweepError::Cspace(CspaceError::TooLarge { .. }) | SweepError::Cancelled => {
+                Self::planner(error.to_string())
+            }
+        }
+    }
+}

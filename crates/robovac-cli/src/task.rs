@@ -1,0 +1,93 @@
+//! What the commands have in common: which robot is to clean which room, and with which parameters.
+
+use super::{failure::Failure, source::Source};
+use robovac_core::{
+    grid::Cell,
+    registry::{ParamSpec, Params},
+};
+use robovac_sim::experiment::{
+    Algorithm,
+    planning::{Placement, TaskReport, choose_robot},
+};
+
+/// Room, robot and start.
+#[derive(clap::Args)]
+pub struct PlacementArguments {
+    #[command(flatten)]
+    source: Source,
+    /// Planning cell to start in: column and row, counted from 0 at the lower left [default: the map's own start]
+    #[arg(long, value_name = "X,Y", value_parser = parse_cell, allow_hyphen_values = true)]
+    start: Option<Cell>,
+    /// Heading at the start, degrees counter-clockwise from 0 = right [default: 0 with --start, else the map's own]
+    #[arg(long, value_name = "DEG", allow_hyphen_values = true)]
+    heading: Option<f64>,
+    /// Robot, see "robovac robots"; "cell" fills one planning cell [default: "cell" to plan, else "roomba600"]
+    #[arg(long, value_name = "ID")]
+    robot: Option<String>,
+    /// Side of the planning cells in metres [default: a map cell for the robot "cell", else what suits the robot]
+    #[arg(long, value_name = "M", allow_hyphen_values = true)]
+    cell: Option<f64>,
+}
+
+/// Parameters and seed of one algorithm.
+#[derive(clap::Args)]
+pub struct ParamArguments {
+    /// Parameter of the algorithm; may be given several times
+    #[arg(long = "param", value_name = "KEY=VALUE", value_parser = parse_param)]
+    params: Vec<(String, String)>,
+    /// Seed of all random numbers
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub seed: u64,
+}
+
+impl PlacementArguments {
+    /// The robot in its room, with every name looked up and the room loaded.
+    pub fn placement(&self, default_robot: &str) -> Result<Placement, Failure> {
+        let plan = self.source.plan()?;
+        let robot = self.robot.as_deref().unwrap_or(default_robot);
+        let (robot, cell_size) =
+            choose_robot(robot, &plan, self.cell).ok_or_else(|| Failure::unknown("robot", robot, "robots"))?;
+        Ok(Placement { plan, robot, cell_size, start: self.start, heading_deg: self.heading })
+    }
+}
+
+impl ParamArguments {
+    /// Values for all of `specs`, each read as what it takes; unknown names are refused by the check.
+    pub fn checked(&self, specs: &[ParamSpec]) -> Result<Params, Failure> {
+        let mut params = Params::defaults(specs);
+        for (id, text) in &self.params {
+            params.set_text(specs, id, text)?;
+        }
+        Ok(params)
+    }
+}
+
+/// The lines of a summary that say what was asked for.
+pub fn summary(algorithm: Algorithm, placement: &Placement, report: &TaskReport) -> String {
+    let room = &report.room;
+    let kind = if algorithm.planner().is_some() { "Planner" } else { "Behaviour" };
+    format!(
+        "{kind:10}{}, seed {}\n\
+         Room      {}: {} x {} cells of {} m\n\
+         Robot     {}, starts in cell {} with heading {:.0}°\n",
+        algorithm.title(),
+        report.seed,
+        room.name,
+        room.width,
+        room.height,
+        room.resolution_m,
+        placement.robot.title,
+        report.start,
+        report.heading_deg,
+    )
+}
+
+fn parse_cell(text: &str) -> Result<Cell, String> {
+    let cell = text.split_once(',').and_then(|(x, y)| Some(Cell::new(x.trim().parse().ok()?, y.trim().parse().ok()?)));
+    cell.ok_or_else(|| "give column and row as two whole numbers, e.g. 3,4".to_owned())
+}
+
+fn parse_param(text: &str) -> Result<(String, String), String> {
+    let pair = text.split_once('=').filter(|(key, _)| !key.is_empty());
+    pair.map(|(key, value)| (key.to_owned(), value.to_owned())).ok_or_else(|| "give it as key=value".to_owned())
+}

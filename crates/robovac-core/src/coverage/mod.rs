@@ -1,0 +1,30 @@
+//! What "covered" means, once for everybody: planners, controllers, simulator and tables.
+//!
+//! A robot of radius `r` can stand wherever no obstacle is nearer to its centre than `r`. The **reachable floor** is
+//! what its tool (a disc as wide as the strip it cleans) can sweep from all standing places that a path connects with
+//! the start. **Coverage** is the share of the reachable floor that the tool has swept. So a round robot isn't blamed for
+//! corners that it can't enter, and a planner can't shine by leaving out what is hard.
+//!
+//! Obstacles are walls on the plan's grid and the objects that stand in the room; stairs are no obstacle to a body, but
+//! neither floor nor a place to stand.
+
+mod boundary;
+mod burn;
+mod floor;
+mod floor_error;
+mod lattice;
+mod ray;
+mod shapes;
+mod stamp;
+mod tracker;
+mod walls;
+
+pub use boundary::{Boundary, BoundaryTracker};
+pub use burn::with_objects;
+pub use floor::{ReachableFloor, fine_resolution};
+pub use floor_error::FloorError;
+pub use lattice::Lattice;
+pub use ray::{Hit, Surface};
+pub use shapes::{DOCK_BACK, FENCE, HALO, LIGHTHOUSE_RADIUS, dock_back, drop_offs, obstacles};
+pub use tracker::CoverageTracker;
+pub use walls::{Obstacle, Walls};

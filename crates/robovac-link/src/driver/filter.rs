@@ -1,0 +1,231 @@
+//! Which frames are believed.
+//!
+//! An 8-bit sum lets one garbled frame in 256 through; flipped bits at the same place of two bytes cancel each other even
+//! more often. So what a frame says must also follow from what the last one said. A frame that doesn't isn't lost for
+//! good: it is kept, and if the next one follows from it, it was the world that changed.
+
+use robovac_core::math::PI;
+use roomba_oi::{
+    Frame, Packet,
+    motion::{MAX_SPEED_MM_S, MM_PER_COUNT, WHEEL_BASE_MM},
+};
+
+/// Place of the distance in [`Packet::ALL`]; the angle is always told with it.
+const DISTANCE: usize = Packet::Distance as usize - Packet::ALL[0] as usize;
+
+/// Pairs of requested wheel speeds that are remembered: all that can be on their way, as the robot reports a command two or
+/// three frames later.
+const REMEMBERED: usize = 16;
+
+/// Time that a reading may be older or newer than its arrival tells, s: a browser hands over bytes in lumps.
+const LUMP_S: f64 = 0.1;
+
+/// How a value follows from the one before.
+#[derive(Debug, Clone, Copy)]
+enum Rule {
+    /// It may change at any time: flags.
+    Free,
+    /// By so much and a share of its value, one in so many, or none for 0. What jumps is believed once there is another frame.
+    Signal(i32, i32),
+    /// It changes so rarely that it's worth waiting for the next frame.
+    Rare,
+    /// By so much at most.
+    Within(i32),
+    /// What was gone since it was last told: by 1 more or less than a frame ago, or else as much of it as wheels can roll in
+    /// the time, for every mm that one rolls.
+    Way(f64),
+    /// As many counts as a wheel makes in the time, modulo 65536.
+    Counts,
+    /// What a Drive Direct asked for.
+    RightSpeed,
+    /// See [`Rule::RightSpeed`].
+    LeftSpeed,
+}
+
+const fn rule(packet: Packet) -> Rule {
+    match packet {
+        Packet::Unused1
+        | Packet::Unused2
+        | Packet::Unused3
+        | Packet::BatteryCapacity
+        | Packet::StreamPackets
+        | Packet::SongNumber
+        | Packet::RequestedVelocity
+        | Packet::RequestedRadius
+        | Packet::OiMode
+        | Packet::Temperature
+        | Packet::ChargingState
+        | Packet::ChargingSources => Rule::Rare,
+        Packet::InfraredOmni
+        | Packet::InfraredLeft
+        | Packet::InfraredRight
+        | Packet::Overcurrents
+        | Packet::SongPlaying
+        | Packet::Wall
+        | Packet::VirtualWall
+        | Packet::Buttons => Rule::Signal(0, 0),
+        Packet::Distance => Rule::Way(1.0),
+        Packet::Angle => Rule::Way(2.0 / WHEEL_BASE_MM * 180.0 / PI),
+        Packet::DirtDetect
+        | Packet::WallSignal
+        | Packet::LightLeft
+        | Packet::LightFrontLeft
+        | Packet::LightCentreLeft
+        | Packet::LightCentreRight
+        | Packet::LightFrontRight
+        | Packet::LightRight => Rule::Signal(24, 2),
+        Packet::CliffLeftSignal
+        | Packet::CliffFrontLeftSignal
+        | Packet::CliffFrontRightSignal
+        | Packet::CliffRightSignal => Rule::Signal(24, 4),
+        Packet::LeftMotorCurrent | Packet::RightMotorCurrent | Packet::MainBrushCurrent | Packet::SideBrushCurrent => {
+            Rule::Signal(60, 2)
+        }
+        Packet::Voltage => Rule::Signal(400, 0),
+        Packet::Current => Rule::Signal(400, 2),
+        Packet::BatteryCharge => Rule::Within(4),
+        Packet::LeftEncoder | Packet::RightEncoder => Rule::Counts,
+        Packet::RequestedRightVelocity => Rule::RightSpeed,
+        Packet::RequestedLeftVelocity => Rule::LeftSpeed,
+        _ => Rule::Free,
+    }
+}
+
+/// Bits of every packet, by its place in [`Packet::ALL`]; `None` for those that weren't in the frame.
+type Bits = [Option<u16>; Packet::ALL.len()];
+
+/// A frame, and what those before it told of other packets.
+#[derive(Debug, Clone, Copy)]
+struct Heard {
+    /// When it came, s, and the last one with distance and angle.
+    at: f64,
+    told_at: Option<f64>,
+    bits: Bits,
+}
+
+/// What becomes of a frame.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Verdict {
+    /// It follows from the one before.
+    Believed,
+    /// It follows from the one that waited, which was true then.
+    Late,
+    /// It may be true, if the next one follows from it.
+    Waits,
+    /// The same, but all of it follows from the one before except for signals, which may jump by themselves.
+    Jumps,
+    /// It says what no robot can report.
+    Impossible,
+}
+
+/// Tells frames that can be true from those that can't.
+#[derive(Debug, Clone)]
+pub struct Filter {
+    /// The last frame that was believed, or that waits to be.
+    believed: Option<Heard>,
+    waiting: Option<Heard>,
+    /// Wheel speeds that were asked for lately: right, left.
+    asked: [(i16, i16); REMEMBERED],
+    next: usize,
+    refused: u64,
+    late: u64,
+}
+
+impl Default for Filter {
+    fn default() -> Self {
+        Self { believed: None, waiting: None, asked: [(0, 0); REMEMBERED], next: 0, refused: 0, late: 0 }
+    }
+}
+
+impl Filter {
+    /// A Drive Direct with these speeds was sent, mm/s.
+    pub fn asked(&mut self, right: i16, left: i16) {
+        if let Some(slot) = self.asked.get_mut(self.next) {
+            *slot = (right, left);
+        }
+        self.next = (self.next + 1) % REMEMBERED;
+    }
+
+    /// Frames that weren't believed though their checksum was right.
+    pub fn refused(&self) -> u64 {
+        self.refused
+    }
+
+    /// Frames that had to wait for the next one, and were believed then.
+    pub fn late(&self) -> u64 {
+        self.late
+    }
+
+    /// Forgets the frames, as after a break: the next but one is believed.
+    pub fn forget(&mut self) {
+        (self.believed, self.waiting) = (None, None);
+    }
+
+    /// What to make of `frame`, which arrives at `now`.
+    pub fn judge(&mut self, now: f64, frame: Frame<'_>) -> Verdict {
+        let mut bits: Bits = [None; Packet::ALL.len()];
+        let mut is_possible = true;
+        for (packet, raw) in frame.values() {
+            is_possible &= packet.is_plausible(raw);
+            if let Some(slot) = bits.get_mut(usize::from(packet as u8 - Packet::ALL[0] as u8)) {
+                *slot = Some(raw);
+            }
+        }
+        let follows = |from: &Option<Heard>, is_strict: bool| {
+            from.as_ref().is_some_and(|before| self.follows(before, &bits, now, is_strict))
+        };
+        // A signal may go on jumping: then it is believed at every other frame at least.
+        let is_next = is_possible && follows(&self.believed, true);
+        let is_late = !is_next && is_possible && follows(&self.waiting, false);
+        let is_told = bits.get(DISTANCE).is_some_and(Option::is_some);
+        // Other frames of the subscription may have other packets.
+        let heard = |before: Option<Heard>| Heard {
+            at: now,
+            told_at: if is_told { Some(now) } else { before.and_then(|before| before.told_at) },
+            bits: before.map_or(bits, |before| {
+                std::array::from_fn(|i| bits.get(i).copied().flatten().or(before.bits.get(i).copied().flatten()))
+            }),
+        };
+        if is_next || is_late {
+            let before = if is_next { self.believed } else { self.waiting };
+            self.refused -= u64::from(is_late);
+            self.late += u64::from(is_late);
+            (self.believed, self.waiting) = (Some(heard(before)), None);
+            return if is_late { Verdict::Late } else { Verdict::Believed };
+        }
+        let is_near = is_possible && follows(&self.believed, false);
+        self.refused += 1;
+        if !is_possible {
+            return Verdict::Impossible;
+        }
+        self.waiting = Some(heard(self.believed));
+        if is_near { Verdict::Jumps } else { Verdict::Waits }
+    }
+
+    fn follows(&self, from: &Heard, bits: &Bits, now_s: f64, is_strict: bool) -> bool {
+        let most_since = |then: f64| ((now_s - then).max(0.0) + LUMP_S) * f64::from(MAX_SPEED_MM_S);
+        let most_mm = most_since(from.at);
+        let asked =
+            |pick: fn(&(i16, i16)) -> i16, value: i32| self.asked.iter().any(|pair| i32::from(pick(pair)) == value);
+        Packet::ALL.into_iter().zip(from.bits.iter().zip(bits)).all(|(packet, pair)| {
+            let (&Some(before), &Some(now)) = pair else { return true };
+            let (old, new) = (packet.value(before), packet.value(now));
+            match rule(packet) {
+                Rule::Free => true,
+                Rule::Signal(..) if !is_strict => true,
+                Rule::Signal(most, part) => {
+                    (new - old).abs() <= most + old.abs().max(new.abs()).checked_div(part).unwrap_or(0)
+                }
+                Rule::Way(_) if from.told_at == Some(from.at) => !is_strict || (new - old).abs() <= 1,
+                Rule::Way(per_mm) => {
+                    from.told_at.is_none_or(|then| f64::from(new).abs() <= per_mm * most_since(then) + 1.0)
+                }
+                Rule::Rare => old == new,
+                Rule::Within(most) => (new - old).abs() <= most,
+                Rule::Counts => f64::from(now.wrapping_sub(before).cast_signed()).abs() <= most_mm / MM_PER_COUNT,
+                Rule::RightSpeed => old == new || asked(|pair| pair.0, new),
+                Rule::LeftSpeed => old == new || asked(|pair| pair.1, new),
+            }
+        })
+    }
+}

@@ -1,0 +1,435 @@
+//! The host's side of the line, for a robot that is driven: finds out who is there, keeps it in Safe, hears its sensors, and
+//! makes sure that it stops.
+//!
+//! It has no clock and does no I/O. Whoever has both calls [`Driver::feed`] with what arrives and [`Driver::tick`] every 10 ms
+//! or so, and sends at once what [`Driver::take_line`] and [`Driver::take_tx`] say. Times are in seconds of any one clock.
+//!
+//! # What keeps a robot from moving on
+//!
+//! - Nothing is sent that moves it before somebody has armed it, and arming is Safe unless Full was asked for.
+//! - Wheel speeds hold for 200 ms unless they are renewed ([`DEAD_MAN_S`]).
+//! - A robot that has not been heard of for 250 ms, that left its mode, or that reports other speeds than it was told,
+//!   is told to stop, until it says that it has; three times where it can't say so, at 19200 baud.
+
+mod commands;
+mod connect;
+mod diagnosis;
+mod drop;
+mod filter;
+mod gauge;
+mod hearing;
+mod known;
+mod modes;
+mod question;
+mod raw;
+mod telling;
+mod wheels;
+
+pub use diagnosis::{Diagnosis, Finding, Step};
+pub use drop::ModeDrop;
+pub use filter::{Filter, Verdict};
+pub use gauge::Gauge;
+pub use raw::RawRefusal;
+pub use wheels::{DEAD_MAN_S, Wheels};
+
+use self::{
+    hearing::Hearing,
+    question::{Next, Question},
+    telling::Telling,
+};
+use robovac_core::robot::{Drive, Moved, RobotPort, Sensors};
+use roomba_oi::{Command, FRAMING, HEADER, Mode, Readings, Said, StreamEvent, StreamParser};
+use std::collections::VecDeque;
+
+/// Nominal time between two frames, s.
+pub const FRAME_S: f64 = 0.015;
+/// After so long without a frame an armed robot is told to stop, s.
+const STALL_S: f64 = 0.25;
+/// After so long without a frame the robot counts as lost, s.
+const LOST_S: f64 = 1.0;
+/// The stream of a lost robot is asked for that often, s.
+const REVIVE_S: f64 = 0.5;
+/// A mode that wasn't reached is commanded again after this time, and given up after three times as long, s.
+const MODE_S: f64 = 0.25;
+/// What a mode command is followed by is looked at from here on, s: frames on their way tell of before.
+const SETTLE_S: f64 = 0.06;
+/// A line that is quiet for so long has no frame on its way, s.
+const QUIET_S: f64 = 0.03;
+/// Arrival of frames in lumps is evened out over this time, s.
+const LUMP_S: f64 = 0.04;
+/// Happenings that are kept until somebody asks for them.
+const MOST_HAPPENINGS: usize = 2000;
+
+/// What the transport is to do with the line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum LineRequest {
+    /// Go on at another baud rate: close and open again, if that is what it takes.
+    Baud(u32),
+    /// Pull the BRC wire low (`true`: RTS asserted) or let it go.
+    Brc(bool),
+}
+
+/// How far a connection is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Phase {
+    /// There is no line.
+    #[default]
+    Closed,
+    /// It finds out who is there.
+    Diagnosing,
+    /// Nobody answers; it asks again from time to time.
+    Waiting,
+    /// Sensors are streamed.
+    Connected,
+    /// They were, but nothing comes any more; it asks again and again.
+    Lost,
+}
+
+/// Something that went over the line.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Happening {
+    /// Bytes to the robot.
+    Sent(Vec<u8>),
+    /// A frame that was believed.
+    Frame(Vec<u8>),
+    /// A frame that wasn't, and why.
+    Refused(Vec<u8>, String),
+    /// Text of the robot.
+    Text(String),
+    /// Bytes that answer a question, and what they say.
+    Answer(Vec<u8>, String),
+    /// About the line itself.
+    Line(String),
+}
+
+/// The host's side of a line to a robot.
+#[expect(clippy::struct_excessive_bools)]
+#[derive(Debug, Default)]
+pub struct Driver {
+    phase: Phase,
+    diagnosis: Diagnosis,
+    hearing: Hearing,
+    baud: u32,
+    parser: StreamParser,
+    filter: Filter,
+    gauge: Gauge,
+    telling: Telling,
+    readings: Readings,
+    sensors: Sensors,
+    /// Readings of the frame before.
+    before: Readings,
+    has_read: bool,
+    /// Seconds between the last two frames by the robot's clock, until somebody takes it; and what that clock shows.
+    fresh: Option<f64>,
+    robot_time: Option<f64>,
+    mode_offset: u8,
+    /// The mode that the robot was put in last, when, and whether it has been there since.
+    target: Mode,
+    target_since: f64,
+    target_told: f64,
+    target_reached: bool,
+    dropped: Option<ModeDrop>,
+    wheels: Wheels,
+    /// Encoder packets 43 and 44 are the other way round on this robot.
+    swapped: bool,
+    question: Option<Question>,
+    /// Somebody had control of the robot on this line.
+    was_in_control: bool,
+    /// Its baud rate can't be changed: a bridge keeps it.
+    is_rate_fixed: bool,
+    is_replay: bool,
+    is_stalled: bool,
+    revived_at: f64,
+    last_byte_at: f64,
+    firmware: Option<String>,
+    tx: Vec<u8>,
+    line: VecDeque<LineRequest>,
+    happenings: VecDeque<(f64, Happening)>,
+    bytes: [u64; 2],
+}
+
+impl Driver {
+    /// Without a line.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    // ---- the line
+
+    /// The line is open at 115200 baud: finds out who is there. The first thing to be said is a stop, as whoever spoke to the
+    /// robot before may have been cut off in the middle of driving it, or of a command.
+    pub fn open(&mut self, now: f64) {
+        let (firmware, swapped, bytes) = (self.firmware.take(), self.swapped, self.bytes);
+        let (is_rate_fixed, is_replay, was_in_control) = (self.is_rate_fixed, self.is_replay, self.was_in_control);
+        let happenings = std::mem::take(&mut self.happenings);
+        let telling = self.telling.anew();
+        *self = Self {
+            telling,
+            firmware,
+            swapped,
+            bytes,
+            happenings,
+            is_rate_fixed,
+            is_replay,
+            was_in_control,
+            baud: 115_200,
+            last_byte_at: now,
+            ..Self::default()
+        };
+        // Zeros fill up a command that was cut; by themselves they mean nothing.
+        self.push(now, &[0; LONGEST]);
+        self.push(now, &STOP);
+        self.begin(now);
+    }
+
+    /// Whether the baud rate of the line stays what it is, whatever is asked for.
+    pub fn fix_rate(&mut self, is_fixed: bool) {
+        self.is_rate_fixed = is_fixed;
+    }
+
+    /// Finds out anew who is there, on a line that may be at any rate by now.
+    pub fn open_again(&mut self, now: f64) {
+        let baud = self.baud;
+        self.open(now);
+        self.line.push_back(LineRequest::Brc(false));
+        if baud != self.baud {
+            self.set_rate(now, self.baud);
+        }
+    }
+
+    /// The line is gone. Nothing that was still to be sent will be.
+    pub fn closed(&mut self, now: f64, why: &str) {
+        self.tx.clear();
+        self.line.clear();
+        self.wheels = Wheels::default();
+        self.question = None;
+        self.phase = if self.phase == Phase::Closed { Phase::Closed } else { Phase::Lost };
+        self.diagnosis.step = Step::Idle;
+        self.fresh = None;
+        self.happened(now, Happening::Line(why.to_owned()));
+    }
+
+    /// Bytes that are to be sent now.
+    pub fn take_tx(&mut self) -> Vec<u8> {
+        std::mem::take(&mut self.tx)
+    }
+
+    /// What is to be done with the line before the next bytes are sent.
+    pub fn take_line(&mut self) -> Option<LineRequest> {
+        self.line.pop_front()
+    }
+
+    /// Takes bytes that arrived, up to the end of the next frame that is believed; how many it took. After that there
+    /// may be a reading to [take](Self::take_reading); call it again with the rest.
+    pub fn feed(&mut self, now: f64, bytes: &[u8]) -> usize {
+        self.last_byte_at = now;
+        for (index, &byte) in bytes.iter().enumerate() {
+            self.bytes[0] += 1;
+            if matches!(self.phase, Phase::Diagnosing | Phase::Waiting) {
+                self.hearing.push(&[byte]);
+            }
+            if let Some(question) = self.question.as_mut().filter(|question| question.is_sent()) {
+                question.hear(byte);
+            } else if let Some(Believed { moved }) = self.take_byte(now, byte) {
+                self.reading_arrived(now, moved);
+                return index + 1;
+            } else if self.telling.take_news() {
+                self.mind_telling(now, true);
+            }
+        }
+        bytes.len()
+    }
+
+    /// The frame that was completed, if it is believed.
+    fn take_byte(&mut self, now: f64, byte: u8) -> Option<Believed> {
+        let Self { parser, filter, telling, readings, before, firmware, happenings, phase, diagnosis, .. } = self;
+        let mut read = None;
+        parser.feed(&[byte], &mut |event| {
+            let happening = match event {
+                StreamEvent::Frame(frame) => {
+                    // While it asks, frames are those of somebody else's stream.
+                    let is_ours = match phase {
+                        Phase::Closed => false,
+                        Phase::Diagnosing | Phase::Waiting => diagnosis.step == Step::Subscribing,
+                        Phase::Connected | Phase::Lost => true,
+                    };
+                    let bytes = whole(frame.content());
+                    match is_ours.then(|| filter.judge(now, frame)) {
+                        None => Happening::Refused(bytes, "nobody has asked for it".to_owned()),
+                        Some(verdict @ (Verdict::Believed | Verdict::Late)) => {
+                            before.clone_from(readings);
+                            frame.apply(readings);
+                            let moved = telling.take(frame, readings, now, verdict == Verdict::Late);
+                            read = Some(Believed { moved });
+                            Happening::Frame(bytes)
+                        }
+                        Some(verdict @ (Verdict::Waits | Verdict::Jumps)) => {
+                            telling.hold(frame, verdict == Verdict::Jumps);
+                            Happening::Refused(bytes, "it jumps: the next one will tell whether that is so".to_owned())
+                        }
+                        Some(Verdict::Impossible) => {
+                            Happening::Refused(bytes, "its checksum is right, but it says what can't be".to_owned())
+                        }
+                    }
+                }
+                StreamEvent::Refused { bytes, error } => Happening::Refused(bytes.to_vec(), error.to_string()),
+                StreamEvent::Text(text) => said(firmware, text.line),
+            };
+            happened(happenings, now, happening);
+        });
+        read
+    }
+
+    fn reading_arrived(&mut self, now: f64, moved: Option<Moved>) {
+        self.has_read = true;
+        self.sensors = Sensors { moved, ..crate::sensors::to_sensors(&self.readings) };
+        if self.swapped {
+            std::mem::swap(&mut self.sensors.left_counts, &mut self.sensors.right_counts);
+        }
+        // The robot's clock goes on by a frame; if it falls behind too far, frames were lost.
+        let before = self.robot_time.unwrap_or(now - FRAME_S);
+        let time = (before + FRAME_S).max(now - LUMP_S);
+        (self.fresh, self.robot_time) = (Some(time - before), Some(time));
+        self.gauge.arrived(now, (self.readings.requested_right, self.readings.requested_left));
+        self.is_stalled = false;
+        if self.diagnosis.step == Step::Subscribing {
+            self.diagnosis.finding = Finding::Robot;
+            self.diagnosis.note("Its sensors arrive.".to_owned());
+            self.diagnosis.go(Step::Done, now);
+        }
+        if self.phase == Phase::Lost {
+            self.happened(now, Happening::Line("The robot is heard again.".to_owned()));
+        }
+        self.phase = Phase::Connected;
+        self.watch_mode(now);
+        self.turn_wheels(now);
+        self.mind_telling(now, true);
+    }
+
+    /// Seconds by which the robot's clock went on with a new reading; `None` if there is none since this was asked last.
+    pub fn take_reading(&mut self) -> Option<f64> {
+        self.fresh.take()
+    }
+
+    /// Lets time pass.
+    pub fn tick(&mut self, now: f64) {
+        if now - self.last_byte_at > QUIET_S {
+            let Self { parser, happenings, firmware, .. } = self;
+            parser.idle(&mut |event| {
+                let happening = match event {
+                    // Frames that a false header held back are old by now.
+                    StreamEvent::Frame(frame) => {
+                        Happening::Refused(whole(frame.content()), "it came too late".to_owned())
+                    }
+                    StreamEvent::Refused { bytes, error } => Happening::Refused(bytes.to_vec(), error.to_string()),
+                    StreamEvent::Text(text) => said(firmware, text.line),
+                };
+                happened(happenings, now, happening);
+            });
+        }
+        match self.phase {
+            Phase::Closed => {}
+            Phase::Diagnosing | Phase::Waiting => self.find_out(now),
+            Phase::Connected | Phase::Lost => {
+                self.pursue_question(now);
+                self.watch_line(now);
+            }
+        }
+        self.turn_wheels(now);
+        self.mind_telling(now, false);
+    }
+
+    fn pursue_question(&mut self, now: f64) {
+        match self.question.as_mut().map(|question| question.advance(now)) {
+            None | Some(Next::Wait) => {}
+            Some(Next::Send(bytes)) => self.push_raw(now, &bytes),
+            Some(Next::Done(bytes, words)) => {
+                self.question = None;
+                self.happened(now, Happening::Answer(bytes, words));
+                let _ = self.send(now, Command::PauseResume { state: 1 });
+            }
+        }
+    }
+
+    fn watch_line(&mut self, now: f64) {
+        let Some(last) = self.gauge.last() else { return };
+        let silent = now - last;
+        if silent > STALL_S && !self.is_stalled {
+            self.is_stalled = true;
+            self.wheels.stop();
+        }
+        if silent > LOST_S && self.phase == Phase::Connected {
+            self.phase = Phase::Lost;
+            self.filter.forget();
+            self.happened(now, Happening::Line("The robot isn't heard any more.".to_owned()));
+        }
+        if self.phase == Phase::Lost && self.diagnosis.step == Step::Done && now - self.revived_at > REVIVE_S {
+            self.revived_at = now;
+            if self.was_in_control {
+                self.push(now, &STOP);
+                self.tell_mode(now);
+            }
+            self.subscribe(now);
+        }
+    }
+}
+
+/// The robot as its controllers see it, except that wheel speeds need the time: [`Driver::drive`].
+impl Driver {
+    /// This robot as a port at that moment.
+    pub fn port(&mut self, now: f64) -> Port<'_> {
+        Port { driver: self, now }
+    }
+}
+
+/// A robot on a line, at one moment.
+pub struct Port<'a> {
+    driver: &'a mut Driver,
+    now: f64,
+}
+
+impl RobotPort for Port<'_> {
+    fn sensors(&self) -> &Sensors {
+        &self.driver.sensors
+    }
+
+    fn drive(&mut self, wanted: Drive) {
+        self.driver.drive(self.now, wanted);
+    }
+}
+
+/// A frame that is believed, with what it tells of distance and angle.
+struct Believed {
+    moved: Option<Moved>,
+}
+
+/// Both wheels at rest.
+const STOP: [u8; 5] = [145, 0, 0, 0, 0];
+/// Data bytes of the longest command that isn't a song or a list of packets: Schedule.
+const LONGEST: usize = 15;
+
+fn happened(happenings: &mut VecDeque<(f64, Happening)>, now: f64, happening: Happening) {
+    if happenings.len() == MOST_HAPPENINGS {
+        happenings.pop_front();
+    }
+    happenings.push_back((now, happening));
+}
+
+/// What the robot wrote; it may be the name of its firmware.
+fn said(firmware: &mut Option<String>, line: &str) -> Happening {
+    if let Said::Firmware(_) = Said::of(line) {
+        *firmware = Some(line.to_owned());
+    }
+    Happening::Text(line.to_owned())
+}
+
+/// A frame as it was on the line.
+fn whole(content: &[u8]) -> Vec<u8> {
+    let mut bytes = Vec::with_capacity(content.len() + FRAMING);
+    bytes.extend([HEADER, content.len() as u8]);
+    bytes.extend_from_slice(content);
+    let sum = bytes.iter().fold(0_u8, |sum, &byte| sum.wrapping_add(byte));
+    bytes.push(sum.wrapping_neg());
+    bytes
+}

@@ -1,0 +1,104 @@
+//! Bytes that a person typed, and bytes of a recording.
+
+use super::{Driver, Happening, Phase, Question, Step};
+use roomba_oi::{Command, CommandDecoder, Mode, Opcode};
+use thiserror::Error;
+
+/// Why bytes that a person typed aren't sent.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum RawRefusal {
+    /// The robot would wait for the rest, and take the next commands for it: the stop among them.
+    #[error(
+        "These bytes end in the middle of {0}: the robot would take what is sent next, also a stop, for the rest of it. Complete it."
+    )]
+    Incomplete(Opcode),
+    /// The robot would go where this end doesn't hear it.
+    #[error("Another baud rate would leave the robot where this page doesn't hear it, and can't stop it.")]
+    Baud,
+}
+
+impl Driver {
+    /// Sends bytes as they are. If they say how to drive, that holds until the next stop; if they ask for something, the
+    /// stream is paused until the answer is there. Whether brushes or vacuum may run after it.
+    pub fn send_raw(&mut self, now: f64, bytes: &[u8]) -> Result<bool, RawRefusal> {
+        let mut decoder = CommandDecoder::default();
+        let mut has_motors = false;
+        for &byte in bytes {
+            match decoder.push(byte).map(|received| received.command) {
+                Some(Ok(Command::Baud { .. })) => return Err(RawRefusal::Baud),
+                Some(Ok(Command::Motors(_) | Command::PwmMotors { .. })) => has_motors = true,
+                _ => {}
+            }
+        }
+        if let Some((opcode, _)) = decoder.waiting() {
+            return Err(RawRefusal::Incomplete(opcode));
+        }
+        self.question = Question::of(bytes, now);
+        if self.question.is_some() {
+            self.gauge.pause();
+            let _ = self.send(now, Command::PauseResume { state: 0 });
+        } else {
+            self.push_raw(now, bytes);
+        }
+        Ok(has_motors)
+    }
+
+    pub(super) fn push_raw(&mut self, now: f64, bytes: &[u8]) {
+        let mut decoder = CommandDecoder::default();
+        for &byte in bytes {
+            let Some(Ok(command)) = decoder.push(byte).map(|received| received.command) else { continue };
+            match command {
+                Command::DriveDirect { right, left } => {
+                    self.filter.asked(right, left);
+                    self.wheels.by_hand(now, right, left);
+                }
+                Command::Drive { .. } | Command::DrivePwm { .. } => self.wheels.by_other_hand(),
+                _ => {}
+            }
+            if let Some(mode) = self.mode().and_then(|mode| mode.after_command(command.opcode()))
+                && Some(mode) != self.mode()
+            {
+                self.aim(mode, now);
+            }
+        }
+        self.push(now, bytes);
+    }
+
+    /// From now on, what this end would send goes nowhere: what was sent is told by [`Self::was_sent`].
+    pub fn replay(&mut self) {
+        self.is_replay = true;
+    }
+
+    /// Takes bytes as sent, in a replay.
+    pub fn was_sent(&mut self, now: f64, bytes: &[u8]) {
+        self.bytes[1] += bytes.len() as u64;
+        self.happened(now, Happening::Sent(bytes.to_vec()));
+        let mut decoder = CommandDecoder::default();
+        for &byte in bytes {
+            let Some(Ok(command)) = decoder.push(byte).map(|received| received.command) else { continue };
+            let mode = match command {
+                Command::DriveDirect { right, left } => {
+                    self.filter.asked(right, left);
+                    if (right, left) != self.wheels.sent() {
+                        self.gauge.asked(now, (right, left));
+                    }
+                    self.wheels.by_hand(now, right, left);
+                    continue;
+                }
+                Command::Sensors { packet: 35 } if matches!(self.phase, Phase::Diagnosing | Phase::Waiting) => {
+                    self.diagnosis.go(Step::Asking, now);
+                    self.hearing.clear();
+                    continue;
+                }
+                Command::Safe => Mode::Safe,
+                Command::Full => Mode::Full,
+                Command::Start | Command::Clean | Command::Spot | Command::SeekDock | Command::Power => Mode::Passive,
+                _ => continue,
+            };
+            if mode != self.target {
+                self.dropped = None;
+                self.aim(mode, now);
+            }
+        }
+    }
+}

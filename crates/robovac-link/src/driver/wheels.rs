@@ -1,0 +1,162 @@
+//! Motion on its way to a robot that wouldn't stop by itself.
+//!
+//! The interface has no timeout: a robot does for ever what it was told last. So wheel speeds hold for [`DEAD_MAN_S`] only,
+//! the stop is repeated until the robot says that it has heard it, and a robot that reports other speeds than it was
+//! told is told again.
+
+use robovac_core::robot::Drive;
+use roomba_oi::{Command, motion::MAX_SPEED_MM_S};
+
+/// Time for which wheel speeds hold unless they are renewed, s.
+pub const DEAD_MAN_S: f64 = 0.2;
+/// Speeds are sent again that often, s, in case that they didn't arrive.
+const REFRESH_S: f64 = 0.06;
+/// Times between repeated stops, s.
+const STOP_EVERY_S: f64 = 0.03;
+/// A stop is sent that many times at least.
+const LEAST_STOPS: u32 = 3;
+/// Time after which the robot should report what it was told, s: three frames and the way there.
+const ECHO_S: f64 = 0.12;
+
+/// What the wheels are told.
+#[derive(Debug, Clone)]
+pub struct Wheels {
+    /// Speeds of the right and left wheel, mm/s.
+    wanted: (i16, i16),
+    renewed_at: f64,
+    /// What was sent last, and when.
+    sent: (i16, i16),
+    sent_at: f64,
+    /// When what was sent last began to differ from what was sent before.
+    changed_at: f64,
+    stops_due: u32,
+    /// Speeds were typed by hand, and hold until the next stop.
+    is_by_hand: bool,
+    /// They were typed as radius or power: it moves, and isn't told otherwise.
+    is_other: bool,
+}
+
+impl Default for Wheels {
+    fn default() -> Self {
+        let never = f64::NEG_INFINITY;
+        Self {
+            wanted: (0, 0),
+            renewed_at: never,
+            sent: (0, 0),
+            sent_at: never,
+            changed_at: never,
+            stops_due: 0,
+            is_by_hand: false,
+            is_other: false,
+        }
+    }
+}
+
+impl Wheels {
+    /// Wheel speeds from now on, for [`DEAD_MAN_S`].
+    pub fn drive(&mut self, now: f64, wanted: Drive) {
+        let Command::DriveDirect { right, left } = crate::sensors::drive_command(wanted) else { return };
+        if (right, left) == (0, 0) && self.wanted != (0, 0) {
+            self.stops_due = LEAST_STOPS;
+        }
+        (self.wanted, self.renewed_at, self.is_by_hand, self.is_other) = ((right, left), now, false, false);
+    }
+
+    /// No motion from now on. What is due is due at once.
+    pub fn stop(&mut self) {
+        self.wanted = (0, 0);
+        (self.is_by_hand, self.is_other) = (false, false);
+        self.stops_due = LEAST_STOPS;
+        self.sent_at = f64::NEG_INFINITY;
+    }
+
+    /// Somebody typed speeds by hand, right and left.
+    pub fn by_hand(&mut self, now: f64, right: i16, left: i16) {
+        let within = |v: i16| v.clamp(-MAX_SPEED_MM_S, MAX_SPEED_MM_S);
+        self.wanted = (within(right), within(left));
+        (self.sent, self.sent_at, self.changed_at) = (self.wanted, now, now);
+        self.is_by_hand = self.wanted != (0, 0);
+        (self.is_other, self.stops_due) = (false, 0);
+    }
+
+    /// Somebody typed a way to drive that isn't wheel speeds.
+    pub fn by_other_hand(&mut self) {
+        (self.is_by_hand, self.is_other, self.stops_due) = (true, true, 0);
+    }
+
+    /// Whether the robot is told to move.
+    pub fn is_moving(&self) -> bool {
+        self.wanted != (0, 0) || self.is_other
+    }
+
+    /// Speeds of the right and left wheel that were sent last, mm/s.
+    pub fn sent(&self) -> (i16, i16) {
+        self.sent
+    }
+
+    /// The speeds, right and left, that are to be sent now, if any. `reported` is what the robot says it was told, if it is
+    /// known and its latest word.
+    pub fn due(&mut self, now: f64, reported: Option<(i16, i16)>) -> Option<(i16, i16)> {
+        if self.is_moving() && !self.is_by_hand && now - self.renewed_at > DEAD_MAN_S {
+            self.stop();
+        }
+        if self.is_other {
+            return None;
+        }
+        let since = now - self.sent_at;
+        let is_deaf = now - self.changed_at > ECHO_S && reported.is_some_and(|reported| reported != self.wanted);
+        let is_due = if self.wanted == self.sent {
+            let repeats = self.stops_due > 0 || is_deaf;
+            (repeats && since >= STOP_EVERY_S) || (self.is_moving() && !self.is_by_hand && since >= REFRESH_S)
+        } else {
+            true
+        };
+        if !is_due {
+            return None;
+        }
+        if self.wanted != self.sent {
+            self.changed_at = now;
+        }
+        (self.sent, self.sent_at) = (self.wanted, now);
+        if !self.is_moving() {
+            self.stops_due = self.stops_due.saturating_sub(1);
+        }
+        Some(self.wanted)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn speeds_that_nobody_renews_end_in_three_stops() {
+        let mut wheels = Wheels::default();
+        wheels.drive(0.0, Drive::wheels(0.1, 0.2));
+        let mut sent = Vec::new();
+        for ms in 0..400 {
+            let now = f64::from(ms) * 1e-3;
+            if let Some(speeds) = wheels.due(now, None) {
+                sent.push((ms, speeds));
+            }
+        }
+        assert_eq!(sent[0], (0, (200, 100)));
+        let stop = sent.iter().position(|(_, speeds)| *speeds == (0, 0)).unwrap();
+        assert!((200..=202).contains(&sent[stop].0), "{sent:?}");
+        assert_eq!(sent.len() - stop, 3, "{sent:?}");
+        assert!(sent[stop..].iter().all(|(_, speeds)| *speeds == (0, 0)));
+    }
+
+    #[test]
+    fn a_robot_that_did_not_hear_the_stop_is_told_until_it_has() {
+        let mut wheels = Wheels::default();
+        wheels.drive(0.0, Drive::wheels(0.1, 0.1));
+        assert!(wheels.due(0.0, None).is_some());
+        wheels.stop();
+        let count = |wheels: &mut Wheels, from: i32, to: i32, reported| {
+            (from..to).filter(|&ms| wheels.due(f64::from(ms) * 1e-3, Some(reported)).is_some()).count()
+        };
+        assert!(count(&mut wheels, 1, 1000, (100, 100)) > 20);
+        assert_eq!(count(&mut wheels, 1100, 2000, (0, 0)), 0);
+    }
+}

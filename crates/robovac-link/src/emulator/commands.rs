@@ -1,0 +1,208 @@
+//! What the robot does with commands.
+//!
+//! Which mode allows which command, and the mode after it, is [`Mode::after_command`]'s table; the others are ignored, with
+//! their data. What values out of range do isn't described. Here **amounts** are brought into their range - speeds, radii,
+//! duty cycles - while a command with a **name** that means nothing is ignored as a whole: a baud code above 11, a song
+//! above 3 or without or with more than 16 notes, a packet that doesn't exist (lists: only that one), a state of the stream
+//! other than 0 and 1, a character that isn't printable, a time that no clock shows.
+//!
+//! Also not described, and decided here:
+//! - Start in Safe and Full stops the wheels and brushes, as every way into Passive or Off does.
+//! - Safe and Full end an errand. From Full to Safe and back wheels and brushes go on.
+//! - Start and Stop leave an errand alone: the robot does that by itself, not for the interface.
+//! - Packets 39 to 42 are 0 again after a stop by mode.
+
+use super::{
+    clock::Nanos,
+    errand::Chore,
+    machine::Machine,
+    motion::{Brushes, Told},
+    power::Power,
+    report::Stream,
+    sound,
+};
+use roomba_oi::{BAUD_RATES, Buttons, Command, Mode};
+
+impl Machine {
+    /// Takes a command; whether it was one that it takes now.
+    pub fn obey(&mut self, command: Command<'_>) -> bool {
+        let command = command.clamped();
+        let is_list = matches!(command, Command::Stream { .. } | Command::QueryList { .. });
+        let Some(mode) = self.mode.after_command(command.opcode()) else { return false };
+        if !is_list && command.check().is_err() {
+            return false;
+        }
+        self.active = self.now;
+        match command {
+            Command::Reset => self.boot(),
+            Command::Stop => {
+                self.report();
+                self.sound.sound(sound::BYE);
+                self.enter(mode);
+            }
+            Command::Start => {
+                if self.mode == Mode::Off {
+                    self.sound.sound(sound::HELLO);
+                }
+                self.enter(mode);
+            }
+            Command::Safe | Command::Control => {
+                self.enter(mode);
+                self.lights = super::lights::Lights::default();
+            }
+            Command::Full => self.enter(mode),
+            Command::Power => {
+                self.enter(mode);
+                self.errand = None;
+                self.fall_asleep();
+            }
+            Command::Clean | Command::Spot | Command::Max | Command::SeekDock => {
+                self.enter(mode);
+                self.ask(match command {
+                    Command::Spot => Chore::Spot,
+                    Command::Max => Chore::Max,
+                    Command::SeekDock => Chore::Dock,
+                    _ => Chore::Clean,
+                });
+            }
+            other => self.act(other),
+        }
+        true
+    }
+
+    /// Takes a command that leaves the mode alone.
+    fn act(&mut self, command: Command<'_>) {
+        if self.told.take(command) || self.lights.take(command) {
+            return;
+        }
+        match command {
+            Command::Baud { code } => {
+                if let Some(&baud) = BAUD_RATES.get(usize::from(code)) {
+                    self.line.set_baud(self.now, baud);
+                }
+            }
+            Command::Motors(motors) => self.brushes = Brushes::of_motors(motors),
+            Command::PwmMotors { main_brush, side_brush, vacuum } => {
+                self.brushes = Brushes::of_pwm(main_brush, side_brush, vacuum);
+            }
+            Command::Song { number, notes } => self.sound.store(number, notes),
+            Command::Play { number } => self.sound.play(self.now, number),
+            Command::Sensors { packet } => self.asked.push(packet),
+            Command::QueryList { packets } => self.asked.extend(packets),
+            Command::Stream { packets } => {
+                let packets = packets.iter().filter_map(|&id| self.packet(id)).collect();
+                self.stream = Stream { packets, is_paused: false };
+            }
+            Command::PauseResume { state } => self.stream.is_paused = state == 0,
+            Command::Buttons(buttons) => self.push(buttons),
+            Command::Schedule { days, times } => {
+                let held = self.buttons();
+                if !held.schedule && !held.clock {
+                    self.calendar.set_schedule(days, times);
+                }
+            }
+            Command::DayTime { day, time } => self.calendar.set_clock(self.now, day, time),
+            _ => {}
+        }
+    }
+
+    /// Changes the mode, with all that comes of it.
+    pub fn enter(&mut self, mode: Mode) {
+        let before = core::mem::replace(&mut self.mode, mode);
+        match (before >= Mode::Safe, mode >= Mode::Safe) {
+            (true, false) => {
+                self.told = Told::default();
+                self.brushes = Brushes::default();
+                self.active = self.now;
+            }
+            (false, true) => {
+                // What the robot shows by itself stays on in Full until it is told otherwise.
+                self.lights = super::lights::Lights::of(self.condition());
+                self.errand = None;
+                self.is_in_trouble = false;
+            }
+            _ => {}
+        }
+        if mode == Mode::Off {
+            self.asked.clear();
+            self.stream = Stream::default();
+        }
+    }
+
+    /// What buttons do, whether a finger presses them or opcode 165: one errand each, and nothing in Safe and Full, which
+    /// see them all the same (packet 18).
+    pub fn push(&mut self, buttons: Buttons) {
+        self.hold(buttons);
+        self.active = self.now;
+        if self.mode >= Mode::Safe {
+            return;
+        }
+        let chores = [(buttons.clean, Chore::Clean), (buttons.spot, Chore::Spot), (buttons.dock, Chore::Dock)];
+        if let Some(&(_, chore)) = chores.iter().find(|(is_pressed, _)| *is_pressed) {
+            self.ask(chore);
+        }
+    }
+
+    /// Sets out on an errand, or pauses the one under way: Clean, Spot and Max pause each other, as their buttons do, and
+    /// the same once more goes on. The dock is looked for from any errand; asked for twice, that pauses as well.
+    pub fn ask(&mut self, chore: Chore) {
+        self.is_in_trouble = false;
+        let goes_home_from_cleaning =
+            |errand: &super::errand::Errand| chore == Chore::Dock && errand.chore != Chore::Dock;
+        match &mut self.errand {
+            Some(errand) if !errand.is_paused && !goes_home_from_cleaning(errand) => errand.is_paused = true,
+            Some(errand) if errand.is_paused && errand.chore == chore => errand.is_paused = false,
+            _ => self.begin(chore),
+        }
+    }
+
+    /// Sets out on an errand, unless a charger is plugged in or a wheel hangs down.
+    pub fn begin(&mut self, chore: Chore) {
+        use robovac_core::robot::RobotPort;
+        if self.charger.is_plugged || self.robot.sensors().wheel_dropped() {
+            self.trouble();
+            return;
+        }
+        self.errands += 1;
+        let (robot, seed) = self.errand_setup();
+        self.errand = super::errand::Errand::new(chore, robot, seed, self.charger.on_dock);
+        self.sound.sound(sound::BEGINS);
+    }
+
+    /// Looks after an errand under way.
+    pub fn go_on(&mut self) {
+        let Some(errand) = &self.errand else { return };
+        if !errand.is_paused {
+            self.active = self.now;
+        }
+        if errand.is_done() {
+            let goes_home = errand.goes_home;
+            self.errand = None;
+            if goes_home { self.begin(Chore::Dock) } else { self.sound.sound(sound::DONE) }
+        }
+    }
+
+    /// Gives up, and says so.
+    pub fn trouble(&mut self) {
+        self.is_in_trouble = true;
+        self.sound.sound(sound::TROUBLE);
+    }
+
+    /// A finger presses buttons.
+    pub fn press(&mut self, buttons: Buttons) {
+        match self.power {
+            Power::Awake => self.push(buttons),
+            Power::Asleep(since) if buttons.clean => self.wake(self.now - since, true),
+            _ => {}
+        }
+    }
+
+    /// Lets what it slept be known, and wakes up.
+    pub fn wake(&mut self, slept: Nanos, by_button: bool) {
+        self.power = Power::Awake;
+        self.active = self.now;
+        if self.who.tells_of_sleep {
+            self.line.send(self.now, super::power::woken(slept, by_button).as_bytes());
+        }
+    }
+}

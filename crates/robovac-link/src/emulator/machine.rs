@@ -1,0 +1,316 @@
+//! The robot behind the interface: its parts, and what happens in a step.
+
+use super::{
+    calendar::Calendar,
+    charger::Charger,
+    clock::{Nanos, SECOND, STEP},
+    errand::Errand,
+    lights::{Condition, Lights},
+    line::Line,
+    motion::{Brushes, Told, Travel, to_drive},
+    personality::{Log, Personality},
+    power::{Brc, Power, SLEEPS_AFTER},
+    report::Stream,
+    sound::Sound,
+};
+use robovac_core::{
+    coverage::{DOCK_BACK, ReachableFloor},
+    geometry::{Point, Pose},
+    math,
+    robot::{RobotModel, RobotPort},
+};
+use robovac_sim::{Input, Life, RunSetup, STEP_S, SimRobot, World};
+use roomba_oi::{Buttons, ChargingState, Hazard, Mode, motion::WheelSpeeds};
+use std::sync::Arc;
+
+/// Time for which a button that opcode 165 or a finger presses is down: 1/6 s.
+const PRESS: Nanos = SECOND / 6;
+/// Share of the charge below which a battery is low (ours).
+const LOW: f64 = 0.1;
+/// Gap between a robot on its dock and the dock's back, m: its contacts touch.
+const DOCK_GAP: f64 = 0.003;
+
+/// Body, electronics and interface of one robot.
+pub(super) struct Machine {
+    pub who: Personality,
+    /// Added to the counts of the left and right wheel, which are reported from the personality's on after every boot.
+    pub counts_offset: [u16; 2],
+    pub now: Nanos,
+    /// When the next step is due.
+    next_step: Nanos,
+    model: RobotModel,
+    seed: u64,
+    pub robot: SimRobot,
+    pub life: Life,
+    pub world: Arc<World>,
+    floor: Arc<ReachableFloor>,
+    pub line: Line,
+    pub mode: Mode,
+    pub power: Power,
+    pub powered_on: Nanos,
+    pub brc: Brc,
+    /// When something was last done with it.
+    pub active: Nanos,
+    /// What was asked for and not answered: numbers of packets and groups.
+    pub asked: Vec<u8>,
+    pub stream: Stream,
+    pub told: Told,
+    pub travel: Travel,
+    pub brushes: Brushes,
+    pub lights: Lights,
+    pub sound: Sound,
+    pub charger: Charger,
+    pub errand: Option<Errand>,
+    /// Errands so far: each is led by other random numbers.
+    pub errands: u64,
+    pub is_in_trouble: bool,
+    /// Buttons that are down, and until when.
+    pub pressed: (Buttons, Nanos),
+    pub calendar: Calendar,
+    /// When the next line of the log is due, and when the log began.
+    log: (Nanos, Nanos),
+}
+
+impl Machine {
+    pub fn new(setup: &RunSetup, who: &Personality) -> Self {
+        let (world, start) = placed(setup, who);
+        let life = Life::new(&world, &setup.floor, setup.seed);
+        let robot = SimRobot::new(&setup.robot, start, setup.conditions, setup.seed);
+        Self {
+            who: who.clone(),
+            counts_offset: who.first_counts,
+            now: 0,
+            next_step: STEP,
+            model: setup.robot.clone(),
+            seed: setup.seed,
+            robot,
+            life,
+            world,
+            floor: Arc::clone(&setup.floor),
+            line: Line::new(who, setup.seed),
+            mode: Mode::Off,
+            power: if who.starts_asleep { Power::Asleep(0) } else { Power::Awake },
+            powered_on: 0,
+            brc: Brc::default(),
+            active: 0,
+            asked: Vec::new(),
+            stream: Stream::default(),
+            told: Told::default(),
+            travel: Travel::default(),
+            brushes: Brushes::default(),
+            lights: Lights::default(),
+            sound: Sound::default(),
+            charger: Charger::default(),
+            errand: None,
+            errands: 0,
+            is_in_trouble: false,
+            pressed: (Buttons::default(), 0),
+            calendar: Calendar::default(),
+            log: (SECOND, 0),
+        }
+    }
+
+    /// Whether it listens.
+    pub fn is_awake(&self) -> bool {
+        self.power == Power::Awake
+    }
+
+    /// When the next step is due.
+    pub fn next_step(&self) -> Nanos {
+        self.next_step
+    }
+
+    /// Buttons that are down (packet 18).
+    pub fn buttons(&self) -> Buttons {
+        if self.now < self.pressed.1 { self.pressed.0 } else { Buttons::default() }
+    }
+
+    /// Holds buttons down for a moment.
+    pub fn hold(&mut self, buttons: Buttons) {
+        self.pressed = (Buttons::from_byte(self.buttons().byte() | buttons.byte()), self.now + PRESS);
+    }
+
+    /// Wheel speeds that a command or an errand asks for at present, mm/s.
+    pub fn asked_speeds(&self) -> WheelSpeeds {
+        if self.mode >= Mode::Safe { self.told.speeds(self.is_on_carpet()) } else { WheelSpeeds::default() }
+    }
+
+    /// One step: moves, senses, reacts, answers.
+    pub fn step(&mut self) {
+        self.next_step += STEP;
+        self.drive();
+        let Self { life, robot, world, floor, .. } = self;
+        life.step(world, |centre, radius| robot.is_near_disc(centre, radius, 0.0));
+        robot.step(&floor.walls, world, life);
+        self.travel.count(self.robot.sensors());
+        self.supply();
+        self.look_out();
+        self.live();
+        self.say();
+    }
+
+    /// Lets a hand pick the robot up or put it down.
+    pub fn apply(&mut self, input: Input) {
+        match input {
+            Input::Lift => self.robot.lift(),
+            Input::PutDown(pose) => {
+                let (movers, body) = (self.life.movers(), self.floor.walls.body_radius);
+                let is_free = |at: Point| movers.iter().all(|&(centre, radius)| (at - centre).norm() > radius + body);
+                self.robot.put_down(self.floor.place_for(pose, is_free));
+            }
+            // What drives it is at the other end of the line.
+            Input::Command(_) => {}
+            Input::Clean(_) => {}
+        }
+    }
+
+    /// Tells the wheels what to do until the next step.
+    fn drive(&mut self) {
+        let (is_awake, asked) = (self.is_awake(), self.asked_speeds());
+        match &mut self.errand {
+            _ if is_awake && self.mode >= Mode::Safe => self.robot.drive(to_drive(asked)),
+            Some(errand) if is_awake => {
+                let drive = errand.step(self.robot.sensors(), STEP_S);
+                self.robot.drive(drive);
+            }
+            // Nothing drives it any more. A command to stand still, above, is a speed like any other.
+            _ => self.robot.brake(),
+        }
+        let brushes = self.running();
+        self.robot.set_sweeping(brushes != Brushes::default());
+    }
+
+    /// Brushes and vacuum that run.
+    pub fn running(&self) -> Brushes {
+        match &self.errand {
+            _ if !self.is_awake() => Brushes::default(),
+            Some(errand) if self.mode < Mode::Safe && errand.cleans() => Brushes::CLEANING,
+            _ => self.brushes,
+        }
+    }
+
+    /// Draws from the battery, or charges it.
+    fn supply(&mut self) {
+        let (battery, loads) = (self.robot.sensors().battery, self.running().loads());
+        let may_charge = self.mode <= Mode::Passive;
+        let supply = self.charger.step(self.now, battery, may_charge, self.is_awake(), loads);
+        self.robot.supply(supply);
+        match (self.robot.is_empty(), self.power) {
+            (true, Power::Flat)
+            | (false, Power::Awake | Power::Asleep(_) | Power::Booting(..) | Power::BootLoader(_)) => {}
+            (true, _) => {
+                self.go_down();
+                self.power = Power::Flat;
+            }
+            (false, Power::Flat) => self.boot(),
+        }
+    }
+
+    /// Reacts to what it senses: the safety features, and what ends an errand.
+    fn look_out(&mut self) {
+        let sensed = self.robot.sensors();
+        let has_dropped = sensed.wheel_dropped();
+        let told = self.asked_speeds();
+        let hazards = [
+            Hazard::of_cliff(told).filter(|_| sensed.sees_cliff()),
+            has_dropped.then_some(Hazard::WheelDrop),
+            self.charger.is_connected().then_some(Hazard::Charger),
+            sensed.bumped().then_some(Hazard::Bumper),
+            sensed.light_bumper.contains(&true).then_some(Hazard::LightBumper),
+            sensed.virtual_wall.then_some(Hazard::VirtualWall),
+        ];
+        for hazard in hazards.into_iter().flatten() {
+            let reaction = self.mode.after_hazard(hazard);
+            if reaction.mode != self.mode {
+                self.enter(reaction.mode);
+            }
+        }
+        if has_dropped && self.errand.take().is_some() {
+            self.trouble();
+        }
+        if self.charger.is_plugged {
+            self.errand = None;
+        }
+    }
+
+    /// What goes on by itself: errands, schedule, sleep, boot, log.
+    fn live(&mut self) {
+        if self.is_awake() {
+            self.go_on();
+            if self.mode <= Mode::Passive && self.calendar.is_due(self.now) {
+                self.begin(super::errand::Chore::Clean);
+            }
+            let idle = self.now - self.active;
+            let dozes = |after: f64| {
+                let on_dock = self.charger.connected_for(self.now).unwrap_or(0);
+                self.mode <= Mode::Passive && on_dock.min(idle) as f64 >= after * SECOND as f64
+            };
+            if self.mode == Mode::Passive && idle >= SLEEPS_AFTER || self.who.silent_on_dock_s.is_some_and(dozes) {
+                self.fall_asleep();
+            }
+        } else {
+            self.go_up();
+        }
+    }
+
+    /// Answers, streams, and writes its log.
+    fn say(&mut self) {
+        if !self.is_awake() {
+            return;
+        }
+        if !self.line.is_changing(self.now) {
+            self.report();
+        }
+        let is_logging = match self.who.log {
+            Log::Never => false,
+            Log::Charging => self.charger.state != ChargingState::None,
+            Log::Always => true,
+        };
+        if !is_logging {
+            self.log = (self.now + SECOND, self.now);
+        } else if self.now >= self.log.0 {
+            let line = self.log_line(self.now - self.log.1);
+            self.line.send(self.now, line.as_bytes());
+            self.log.0 += SECOND;
+        }
+    }
+
+    /// What the robot's own lights tell of.
+    pub fn condition(&self) -> Condition {
+        Condition {
+            is_awake: self.is_awake(),
+            is_charging: self.charger.state.is_charging(),
+            is_low: self.robot.sensors().battery.share() < LOW,
+            is_in_trouble: self.is_in_trouble,
+            chore: self.errand.as_ref().map(|errand| errand.chore),
+        }
+    }
+
+    /// What errands are made from: the robot, and a seed of their own.
+    pub fn errand_setup(&self) -> (&RobotModel, u64) {
+        (&self.model, self.seed.wrapping_add(self.errands.wrapping_mul(0x9e37_79b9_7f4a_7c15)))
+    }
+
+    fn is_on_carpet(&self) -> bool {
+        self.world.is_on_carpet(self.robot.pose().position())
+    }
+}
+
+/// The world, and where the robot is in it at the start: on a dock, if it should be.
+fn placed(setup: &RunSetup, who: &Personality) -> (Arc<World>, Pose) {
+    let (world, start) = (Arc::clone(&setup.world), setup.floor.start);
+    if !who.starts_docked {
+        return (world, start);
+    }
+    let away = setup.robot.radius + DOCK_BACK[1] + DOCK_GAP;
+    let along = |pose: Pose, distance: f64, heading: f64| {
+        let at = pose.position() + pose.direction() * distance;
+        Pose::new(at.x, at.y, heading)
+    };
+    if let Some(&dock) = world.docks.first() {
+        return (world, along(dock, away, dock.heading + math::PI));
+    }
+    let mut with_dock = (*world).clone();
+    with_dock.docks.push(along(start, away, start.heading + math::PI));
+    (Arc::new(with_dock), start)
+}

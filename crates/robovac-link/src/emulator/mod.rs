@@ -1,0 +1,264 @@
+//! A Roomba on the other end of the line: the simulated robot behind Open Interface bytes.
+//!
+//! It has no clock and does no I/O: whoever has it says how much time passes, brings bytes and takes bytes. Everything takes
+//! its time: a byte reaches the robot when the line has carried it, an answer leaves at the next refresh of the readings,
+//! every 15 ms, and arrives byte by byte. So nothing that [`Emulator::receive`] takes shows before [`Emulator::advance`].
+//!
+//! The same seed and the same calls give the same bytes, natively and in the browser, and how time is cut into pieces
+//! changes nothing. The source is the specification of 2016 and the project's fact sheet; what neither says is decided in the
+//! file that it concerns: [modes and commands](Command), sleep, reset and BRC, the line, chargers, errands. What real
+//! robots do differently is a [`Personality`].
+//!
+//! ```
+//! use robovac_sim::{experiment::planning::{Placement, choose_robot}, Conditions};
+//! use robovac_core::floorplan::room;
+//! use roomba_oi::Mode;
+//! use robovac_link::emulator::{Emulator, personality};
+//! let plan = (room("empty").unwrap().build)();
+//! let (robot, cell_size) = choose_robot("roomba600", &plan, None).unwrap();
+//! let prepared = Placement { plan, robot, cell_size, start: None, heading_deg: None }.prepare().unwrap();
+//! let mut roomba = Emulator::new(&prepared.setup(Conditions::default(), 1), personality("model").unwrap());
+//! // Start, Safe, then: which mode?
+//! roomba.receive(&[128, 131, 142, 35], 115_200);
+//! assert_eq!(roomba.mode(), Mode::Off);
+//! roomba.advance(0.02);
+//! assert_eq!(roomba.mode(), Mode::Safe);
+//! let mut answer = Vec::new();
+//! roomba.transmit(115_200, &mut answer);
+//! assert_eq!(answer, [2]);
+//! ```
+
+mod calendar;
+mod charger;
+mod clock;
+mod commands;
+mod errand;
+mod lights;
+mod line;
+mod machine;
+mod motion;
+mod personality;
+mod power;
+mod report;
+mod sound;
+mod uart;
+
+pub use personality::{Banner, Log, PERSONALITIES, Personality, personality};
+
+use clock::{Nanos, SECOND};
+use lights::Lights;
+use machine::Machine;
+use robovac_core::{
+    geometry::Pose,
+    robot::{RobotPort, Sensors},
+};
+use robovac_sim::{Input, Life, RunSetup, SimRobot, World};
+use roomba_oi::{Buttons, CommandDecoder, Lamps, Mode, Motors, Note, ScheduleLamps, Weekdays, motion::WheelSpeeds};
+use std::sync::Arc;
+
+#[cfg(doc)]
+use roomba_oi::Command;
+
+/// Longest time that passes at once, s: a day.
+const LONGEST: f64 = 86_400.0;
+/// Most commands that are kept until somebody asks what was heard; the oldest go first.
+const MOST_HEARD: usize = 4096;
+
+/// A robot that speaks the Open Interface.
+pub struct Emulator {
+    decoder: CommandDecoder,
+    machine: Machine,
+    /// Time that was let pass beyond whole nanoseconds; negative if they were rounded up.
+    rest: f64,
+    heard: Option<Vec<Heard>>,
+}
+
+/// What can be seen and heard of it.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Display {
+    /// Lights around the Clean button.
+    pub lamps: Lamps,
+    /// Colour of the Clean button, 0 green to 255 red, and its brightness, 0 to 255.
+    pub clean_light: [u8; 2],
+    /// The four digits.
+    pub digits: [u8; 4],
+    /// Lights of the weekdays.
+    pub weekdays: Weekdays,
+    /// Lights of the schedule.
+    pub schedule: ScheduleLamps,
+    /// Brushes and vacuum that run.
+    pub motors: Motors,
+    /// Songs and beeps that began to sound since this was last asked for, one after the other.
+    pub tunes: Vec<Vec<Note>>,
+}
+
+/// A command that arrived, or a byte that is none.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Heard {
+    /// When its last byte had arrived, s since the start.
+    pub time_s: f64,
+    /// As it was on the line.
+    pub bytes: Vec<u8>,
+    /// Whether the robot did something about it: its mode allowed it, and its values made sense.
+    pub was_obeyed: bool,
+}
+
+impl Emulator {
+    /// A robot at the start of a floor.
+    pub fn new(setup: &RunSetup, who: &Personality) -> Self {
+        Self { decoder: CommandDecoder::default(), machine: Machine::new(setup, who), rest: 0.0, heard: None }
+    }
+
+    /// Takes bytes that a host begins to send now at `baud`, or as soon as it has sent those before.
+    pub fn receive(&mut self, bytes: &[u8], baud: u32) {
+        let machine = &mut self.machine;
+        machine.line.receive(machine.now, bytes, baud);
+    }
+
+    /// Bytes from the host that are still on their way: a host that can wait should, while there are many.
+    pub fn backlog(&self) -> usize {
+        self.machine.line.backlog()
+    }
+
+    /// Pulls the BRC wire low, or lets it go.
+    pub fn set_brc(&mut self, is_low: bool) {
+        self.machine.set_brc(is_low);
+    }
+
+    /// Presses buttons on the robot for a moment.
+    pub fn press(&mut self, buttons: Buttons) {
+        self.machine.press(buttons);
+    }
+
+    /// Plugs a charger into the robot's jack, or pulls it out.
+    pub fn plug_charger(&mut self, is_plugged: bool) {
+        self.machine.charger.is_plugged = is_plugged;
+    }
+
+    /// Lets a hand pick it up or put it down. Commands of a joystick are for controllers and ignored here.
+    pub fn apply(&mut self, input: Input) {
+        self.machine.apply(input);
+    }
+
+    /// Lets time pass, s; a day at most. Nothing happens for what isn't a positive number.
+    pub fn advance(&mut self, seconds: f64) {
+        if seconds.is_nan() || seconds <= 0.0 {
+            return;
+        }
+        let nanos = self.rest + seconds.min(LONGEST) * SECOND as f64;
+        let whole = (nanos + 0.5) as Nanos;
+        self.rest = nanos - whole as f64;
+        let until = self.machine.now + whole;
+        loop {
+            let arrival = self.machine.line.next_arrival().unwrap_or(Nanos::MAX);
+            let next = arrival.min(self.machine.next_step()).min(until);
+            self.machine.now = self.machine.now.max(next);
+            self.listen();
+            if self.machine.next_step() <= next {
+                self.machine.step();
+            } else if next == until {
+                break;
+            }
+        }
+    }
+
+    /// Takes what has arrived by now.
+    fn listen(&mut self) {
+        let machine = &mut self.machine;
+        while let Some(byte) = machine.line.hear(machine.now) {
+            if !machine.is_awake() {
+                self.decoder.clear();
+                continue;
+            }
+            let Some(received) = self.decoder.push(byte) else { continue };
+            let was_obeyed = received.command.is_ok_and(|command| machine.obey(command));
+            if let Some(heard) = &mut self.heard {
+                if heard.len() == MOST_HEARD {
+                    heard.remove(0);
+                }
+                let time_s = machine.now as f64 / SECOND as f64;
+                heard.push(Heard { time_s, bytes: received.bytes.to_vec(), was_obeyed });
+            }
+        }
+        if !machine.is_awake() {
+            self.decoder.clear();
+        }
+    }
+
+    /// Appends what it has sent by now to `out`, as a host hears it that listens at `baud`.
+    pub fn transmit(&mut self, baud: u32, out: &mut Vec<u8>) {
+        let machine = &mut self.machine;
+        machine.line.transmit(machine.now, baud, out);
+    }
+
+    /// The commands that arrived since this was last asked for; from the first time on that it is.
+    pub fn take_heard(&mut self) -> Vec<Heard> {
+        self.heard.replace(Vec::new()).unwrap_or_default()
+    }
+
+    /// Time since the start, s.
+    pub fn time_s(&self) -> f64 {
+        self.machine.now as f64 / SECOND as f64
+    }
+
+    /// Its mode.
+    pub fn mode(&self) -> Mode {
+        self.machine.mode
+    }
+
+    /// Whether it listens at all.
+    pub fn is_awake(&self) -> bool {
+        self.machine.is_awake()
+    }
+
+    /// Its baud rate.
+    pub fn baud(&self) -> u32 {
+        self.machine.line.baud()
+    }
+
+    /// Wheel speeds that the host asks for at present; none in Off and Passive, where the robot drives as it likes.
+    pub fn asked_speeds(&self) -> WheelSpeeds {
+        self.machine.asked_speeds()
+    }
+
+    /// Whether it cleans or looks for its dock by itself.
+    pub fn is_on_errand(&self) -> bool {
+        self.machine.errand.as_ref().is_some_and(|errand| !errand.is_paused)
+    }
+
+    /// Where it really is.
+    pub fn pose(&self) -> Pose {
+        self.machine.robot.pose()
+    }
+
+    /// Its body and wheels.
+    pub fn robot(&self) -> &SimRobot {
+        &self.machine.robot
+    }
+
+    /// What it really senses, whatever it says.
+    pub fn sensors(&self) -> &Sensors {
+        self.machine.robot.sensors()
+    }
+
+    /// What moves and is used up around it.
+    pub fn life(&self) -> &Life {
+        &self.machine.life
+    }
+
+    /// What is around it.
+    pub fn world(&self) -> &Arc<World> {
+        &self.machine.world
+    }
+
+    /// What it shows; takes the tunes.
+    pub fn take_display(&mut self) -> Display {
+        let machine = &mut self.machine;
+        let tunes = core::mem::take(&mut machine.sound.tunes);
+        let mut display = Display { motors: machine.running().motors(), tunes, ..Display::default() };
+        let own = Lights::of(machine.condition());
+        let lights = if machine.mode < Mode::Safe { &own } else { &machine.lights };
+        lights.show(&mut display);
+        display
+    }
+}

@@ -1,0 +1,232 @@
+//! What real robots do that the specification doesn't say.
+//!
+//! Each is a robot, a cable or a firmware that somebody has met; the sources are in the project's fact sheet on the Open
+//! Interface (sections 1, 2 and 7). Rates of faults are ours where nothing else is said.
+
+use roomba_oi::motion::ANGLE_ERROR;
+
+/// A way in which a robot, or the line to it, differs from the specification.
+#[derive(Debug, Clone, PartialEq)]
+#[expect(clippy::struct_excessive_bools)]
+pub struct Personality {
+    /// Name in links, menus and on the command line.
+    pub id: &'static str,
+    /// Name in menus.
+    pub title: &'static str,
+    /// One sentence: what it does, and how one meets it.
+    pub summary: &'static str,
+    /// Baud rate after power-on.
+    pub default_baud: u32,
+    /// Baud rate at the start, as somebody has left it.
+    pub baud: u32,
+    /// Whether it sleeps at the start.
+    pub starts_asleep: bool,
+    /// Whether it stands on its dock at the start, whatever the floor plan says. A dock is put there if there is none.
+    pub starts_docked: bool,
+    /// Whether the cable has the wire for BRC.
+    pub has_brc: bool,
+    /// Added to the mode in packet 35.
+    pub mode_offset: u8,
+    /// What packet 20 shows of a true angle, as a factor.
+    pub angle_factor: f64,
+    /// Whether packets 43 and 44 stand for the wheels the other way round.
+    pub swaps_encoders: bool,
+    /// Counts of the left and right wheel at the start and after a reset.
+    pub first_counts: [u16; 2],
+    /// Last packet that it knows; groups with later ones are unknown as well.
+    pub last_packet: u8,
+    /// What it writes when it boots.
+    pub banner: Banner,
+    /// Whether it stays in its boot loader after a reset.
+    pub stays_in_boot_loader: bool,
+    /// When it writes its charging log, a line a second.
+    pub log: Log,
+    /// Whether it writes that it falls asleep and wakes up.
+    pub tells_of_sleep: bool,
+    /// Whether anything that it sends arrives.
+    pub is_heard: bool,
+    /// Share of the bytes to the host that are lost.
+    pub lost_to_host: f64,
+    /// Share of the bytes to the host of which one bit is flipped.
+    pub flipped_to_host: f64,
+    /// Share of the bytes to the robot that are lost.
+    pub lost_to_robot: f64,
+    /// Time on the dock after which it falls silent and can't be woken by BRC, s.
+    pub silent_on_dock_s: Option<f64>,
+}
+
+/// What a robot writes when it boots.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Banner {
+    /// The newer processor's, of release 3.7.1.
+    Stm32,
+    /// The older processor's, of release 3.4.0.
+    Str730,
+    /// Nothing: a 690 does that.
+    None,
+}
+
+/// When a robot writes its charging log.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Log {
+    /// Never.
+    Never,
+    /// While it charges.
+    Charging,
+    /// Always.
+    Always,
+}
+
+const BY_THE_BOOK: Personality = Personality {
+    id: "model",
+    title: "By the book",
+    summary: "A Create 2 that does what the specification says.",
+    default_baud: 115_200,
+    baud: 115_200,
+    starts_asleep: false,
+    starts_docked: false,
+    has_brc: true,
+    mode_offset: 0,
+    angle_factor: 1.0,
+    swaps_encoders: false,
+    first_counts: [0, 0],
+    last_packet: 58,
+    banner: Banner::Stm32,
+    stays_in_boot_loader: false,
+    log: Log::Never,
+    tells_of_sleep: false,
+    is_heard: true,
+    lost_to_host: 0.0,
+    flipped_to_host: 0.0,
+    lost_to_robot: 0.0,
+    silent_on_dock_s: None,
+};
+
+/// All personalities; the first is a robot as it should be.
+pub const PERSONALITIES: &[Personality] = &[
+    BY_THE_BOOK,
+    Personality {
+        id: "asleep",
+        title: "Asleep",
+        summary: "Says nothing until its Clean button or the cable's BRC wire wakes it, as after five idle minutes.",
+        starts_asleep: true,
+        tells_of_sleep: true,
+        ..BY_THE_BOOK
+    },
+    Personality {
+        id: "no_brc",
+        title: "Asleep, cable without BRC",
+        summary: "Sleeps, and only its Clean button wakes it: many cables lack the wire.",
+        starts_asleep: true,
+        has_brc: false,
+        ..BY_THE_BOOK
+    },
+    Personality {
+        id: "slow",
+        title: "19200 baud",
+        summary: "Talks at 19200 baud, as after three short pulses on BRC; everything else is garbled.",
+        baud: 19_200,
+        ..BY_THE_BOOK
+    },
+    Personality {
+        id: "mode_plus_one",
+        title: "Mode one too high",
+        summary: "Reports modes 2, 3 and 4 instead of 1, 2 and 3, as some of the 600 series do.",
+        mode_offset: 1,
+        ..BY_THE_BOOK
+    },
+    Personality {
+        id: "chatty",
+        title: "Chatty",
+        summary: "Writes a line about its battery into the data every second, and when it wakes and sleeps.",
+        // Most robots do so only while they charge (see "docked"). Some were read with text in the data of an active
+        // interface, away from any dock: the worse case, and the one that a driver must stand.
+        log: Log::Always,
+        tells_of_sleep: true,
+        ..BY_THE_BOOK
+    },
+    Personality {
+        id: "docked",
+        title: "On its dock",
+        summary: "Stands on its dock, charges, writes about it every second, and falls back from Safe to Passive at once.",
+        starts_docked: true,
+        log: Log::Charging,
+        tells_of_sleep: true,
+        ..BY_THE_BOOK
+    },
+    Personality {
+        id: "dozes",
+        title: "Falls silent on its dock",
+        summary: "Stands on its dock, says nothing after half a minute, and BRC doesn't wake it, as firmware 3 on a 650.",
+        starts_docked: true,
+        silent_on_dock_s: Some(30.0),
+        ..BY_THE_BOOK
+    },
+    Personality {
+        id: "angle_bug",
+        title: "Old firmware",
+        summary: "Reports a third of every angle in packet 20, as firmware up to 3.4.0, and boots with the older banner.",
+        angle_factor: ANGLE_ERROR,
+        banner: Banner::Str730,
+        ..BY_THE_BOOK
+    },
+    Personality {
+        id: "noisy",
+        title: "Noisy line",
+        summary: "One byte in a thousand that it sends is lost or has a bit flipped, as on a bad cable.",
+        lost_to_host: 0.0005,
+        flipped_to_host: 0.0005,
+        ..BY_THE_BOOK
+    },
+    Personality {
+        id: "deaf",
+        title: "Hard of hearing",
+        summary: "Misses one byte in two hundred that is sent to it, and takes the next command for the missing data.",
+        lost_to_robot: 0.005,
+        ..BY_THE_BOOK
+    },
+    Personality {
+        id: "swapped",
+        title: "Encoders swapped",
+        summary: "Packet 43 is the right wheel and 44 the left one, as the Roomba 500 document has it.",
+        swaps_encoders: true,
+        ..BY_THE_BOOK
+    },
+    Personality {
+        id: "wrap",
+        title: "Encoders about to wrap",
+        summary: "Its left wheel's counts wrap a hand's breadth ahead, its right wheel's as soon as it backs up.",
+        // 89 mm ahead for the left one, 22 mm back for the right one.
+        first_counts: [65_336, 50],
+        ..BY_THE_BOOK
+    },
+    Personality {
+        id: "bootloader",
+        title: "Stuck in its boot loader",
+        summary: "Works until it is reset, then sends nothing but 254, as one of the 600 series did.",
+        stays_in_boot_loader: true,
+        ..BY_THE_BOOK
+    },
+    Personality {
+        id: "create1",
+        title: "57600 baud",
+        summary: "Talks at 57600 baud and knows no packets after 42, as a Create 1 or Roomba 400.",
+        default_baud: 57_600,
+        baud: 57_600,
+        last_packet: 42,
+        banner: Banner::None,
+        ..BY_THE_BOOK
+    },
+    Personality {
+        id: "silent",
+        title: "Never answers",
+        summary: "Hears and obeys, but nothing that it sends arrives: a broken wire.",
+        is_heard: false,
+        ..BY_THE_BOOK
+    },
+];
+
+/// The personality with that id.
+pub fn personality(id: &str) -> Option<&'static Personality> {
+    PERSONALITIES.iter().find(|p| p.id == id)
+}

@@ -1,0 +1,266 @@
+//! Paths as bytes of the Open Interface, to be sent at their times.
+//!
+//! Robots of the 600 series have no script commands (opcodes 152 to 158 are the Create's of 2006), and drive on until
+//! they are told otherwise: so a path is a list of commands, each with the time at which it is to be sent.
+
+use coverage_planners::sweep::{FRAME, start_text};
+use robovac_core::{
+    cspace::Outline,
+    geometry::{Point, Pose, Vector, difference},
+    math,
+    robot::RobotModel,
+};
+use roomba_oi::{Command, MAX_WRITTEN};
+use std::fmt::Write;
+
+/// The robot looks at what it was told every 15 ms (Open Interface, "Serial port": its update period): times between
+/// commands are multiples of it.
+const PERIOD: f64 = 0.015;
+/// Time that the robot gets for a change of mode, s (ours).
+const MODE_CHANGE: f64 = 2.0 * PERIOD;
+/// Standing still after every move, beyond what its motion model takes to stop, s (ours).
+const REST: f64 = 2.0 * PERIOD;
+/// Turns and ways below which nothing is sent: less than a period at the slowest speed would do, rad and m.
+const LEAST_TURN: f64 = 0.002;
+const LEAST_WAY: f64 = 0.002;
+/// The slowest speed that is tried, as a share of the fastest.
+const SLOWEST: f64 = 0.35;
+/// How near a way ahead has to end, so that no slower speed is tried, m (ours). Turns are to end as near as they can: what they
+/// are off by grows with the way after them.
+const NEAR: f64 = 1e-3;
+
+/// Bytes to be sent to a robot.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TimedCommand {
+    /// When, from the first one on, s.
+    pub at_s: f64,
+    /// How long to wait before the next is sent, s.
+    pub wait_s: f64,
+    /// The bytes of one command.
+    pub bytes: Vec<u8>,
+    /// What they mean.
+    pub meaning: String,
+}
+
+impl TimedCommand {
+    /// Whether the wheels turn on it.
+    fn is_motion(&self) -> bool {
+        self.bytes.len() == 5 && self.bytes[1..] != [0; 4]
+    }
+}
+
+/// Commands that drive a Roomba of the 600 series along `path` from `heading` rad: Start and Safe first, then a turn
+/// on the spot and a straight way for every piece, each ended by wheel speeds of 0; then Stop.
+///
+/// Speeds are those that the robot's controller keeps ([`RobotModel::speed_steps`]), in whole mm/s, and every time is
+/// distance by speed: what a wheel that speeds up evenly falls behind it makes up when it slows down. As times are
+/// whole periods, a move ends up to 2 mm or a quarter of a degree off; the next one begins from there, so that this
+/// never adds up. What slips, does. Slower speeds are taken for turns that end nearer, and for ways that would end more
+/// than a millimetre off; after every move the robot waits until its wheels rest: so this takes longer than the motion
+/// model says.
+pub fn commands(path: &[Point], heading: f64, robot: &RobotModel) -> Vec<TimedCommand> {
+    let mut list = List { robot, commands: Vec::new(), now: 0.0 };
+    list.send(Command::Start, MODE_CHANGE, "start the interface".to_owned());
+    list.send(Command::Safe, MODE_CHANGE, "safe mode: it stops at cliffs and when it is lifted".to_owned());
+    if let Some(&first) = path.first() {
+        let mut pose = Pose::new(first.x, first.y, heading);
+        for to in &path[1..] {
+            let way = to - pose.position();
+            if way.norm() < LEAST_WAY {
+                continue;
+            }
+            let turn = difference(pose.heading, math::atan2(way.y, way.x));
+            pose = Pose::new(pose.x, pose.y, pose.heading + list.turn(turn));
+            // What is left of the way in the direction that it looks in by now.
+            let driven = list.forward(way.dot(&pose.direction()));
+            let moved: Vector = pose.direction() * driven;
+            pose = Pose::new(pose.x + moved.x, pose.y + moved.y, pose.heading);
+        }
+    }
+    list.send(Command::DriveDirect { right: 0, left: 0 }, PERIOD, "stand still".to_owned());
+    list.send(Command::Stop, MODE_CHANGE, "end the interface".to_owned());
+    list.commands
+}
+
+/// The [`commands`] of a path as a text file: time, bytes in hexadecimal, meaning. `planned` says for whom the path was planned,
+/// in words that follow "for"; `robot` is what they run on.
+pub fn commands_text(path: &[Point], heading: f64, robot: &RobotModel, planned: &str) -> String {
+    let commands = commands(path, heading, robot);
+    let start = path.first().map(|at| start_text(Pose::new(at.x, at.y, heading)));
+    let duration = commands.last().map_or(0.0, |last| last.at_s + last.wait_s);
+    let moves: f64 = commands.iter().filter(|command| command.is_motion()).map(|command| command.wait_s).sum();
+    let body = Outline::of(robot).to_string();
+    let differs = if planned.contains(&body) {
+        ""
+    } else {
+        "#           which the path was not planned for: try it where nothing can be damaged\n"
+    };
+    let mut text = format!(
+        "# planned   for {planned}\n\
+         # runs on   {}, {body}; 115200 baud\n\
+         {differs}\
+         # frame     {FRAME}\n\
+         # units     s, mm/s, m, degrees (left is counter-clockwise)\n\
+         # start     {}\n\
+         # duration  {duration:.3} s: {moves:.3} s of moves, {:.3} s of waiting for modes and until the wheels rest\n\
+         # Send the bytes of each line at its time; the robot drives on until the next.\n\
+         # time  bytes            meaning\n",
+        robot.title,
+        start.as_deref().unwrap_or("nowhere: there is no path"),
+        duration - moves
+    );
+    for TimedCommand { at_s, bytes, meaning, .. } in commands {
+        let hex: Vec<String> = bytes.iter().map(|byte| format!("{byte:02X}")).collect();
+        let _ = writeln!(text, "{at_s:.3}  {:15}  {meaning}", hex.join(" "));
+    }
+    text
+}
+
+/// A list in the making.
+struct List<'a> {
+    robot: &'a RobotModel,
+    commands: Vec<TimedCommand>,
+    now: f64,
+}
+
+impl List<'_> {
+    fn send(&mut self, command: Command<'_>, wait_s: f64, meaning: String) {
+        let mut buffer = [0; MAX_WRITTEN];
+        // All speeds are within the limits.
+        if let Ok(bytes) = command.encode(&mut buffer) {
+            self.commands.push(TimedCommand { at_s: self.now, wait_s, bytes: bytes.to_vec(), meaning });
+            self.now += wait_s;
+        }
+    }
+
+    /// Turns on the spot by about `angle` rad, and returns by how much.
+    fn turn(&mut self, angle: f64) -> f64 {
+        let half = 0.5 * self.robot.wheel_base;
+        let Some(mut go) = self.choose(angle.abs() * half, self.robot.turn_wheel_speed, 0.0) else { return 0.0 };
+        if angle.abs() < LEAST_TURN {
+            return 0.0;
+        }
+        let turned = go.travel() / half;
+        let side = if angle > 0.0 { "left" } else { "right" };
+        if angle < 0.0 {
+            go.speed = -go.speed;
+        }
+        let meaning = format!("turn {side} {:.1} degrees", turned.to_degrees());
+        self.go(Command::DriveDirect { right: go.speed, left: -go.speed }, &go, meaning);
+        turned.copysign(angle)
+    }
+
+    /// Drives straight ahead for about `length` metres, and returns how far.
+    fn forward(&mut self, length: f64) -> f64 {
+        if length < LEAST_WAY {
+            return 0.0;
+        }
+        let Some(go) = self.choose(length, self.robot.cruise_speed, NEAR) else { return 0.0 };
+        let counts = go.travel() * self.robot.counts_per_metre;
+        let meaning = format!("forward {:.3} m, {counts:.0} encoder counts", go.travel());
+        self.go(Command::DriveDirect { right: go.speed, left: go.speed }, &go, meaning);
+        go.travel()
+    }
+
+    /// A move, and a rest after it.
+    fn go(&mut self, command: Command<'_>, go: &Go, meaning: String) {
+        self.send(command, f64::from(go.periods) * PERIOD, meaning);
+        let slowing = f64::from(go.speed.unsigned_abs()) * 1e-3 / self.robot.acceleration;
+        let rest = ((slowing + REST) / PERIOD).ceil() * PERIOD;
+        self.send(Command::DriveDirect { right: 0, left: 0 }, rest, "stand still".to_owned());
+    }
+
+    /// The fastest speed, with its time, that comes as near as `near` to a wheel's `travel`, or else the nearest; m.
+    fn choose(&self, travel: f64, limit: f64, near: f64) -> Option<Go> {
+        let speeds = self.speeds(limit);
+        // A wheel that doesn't get up to its speed falls behind by more than it makes up.
+        let slowest = speeds.last().copied()?;
+        let reached = |&speed: &i16| {
+            let metres = f64::from(speed) * 1e-3;
+            speed == slowest || travel >= metres * metres / self.robot.acceleration
+        };
+        let fastest = speeds.iter().copied().find(reached)?;
+        let good =
+            speeds.into_iter().filter(|&speed| speed <= fastest && f64::from(speed) >= SLOWEST * f64::from(fastest));
+        let tries = good.map(|speed| {
+            let periods = (travel / (f64::from(speed) * 1e-3 * PERIOD)).round().max(1.0) as u32;
+            Go { speed, periods }
+        });
+        let off = |go: &Go| ((go.travel() - travel).abs().max(near) * 1e4).round() as u64;
+        tries.min_by_key(off)
+    }
+
+    /// Speeds that the controller keeps and that are whole mm/s, from `limit` m/s downwards.
+    fn speeds(&self, limit: f64) -> Vec<i16> {
+        let [smallest, step] = self.robot.speed_steps.map(|speed| speed * 1e3);
+        let most = (limit * 1e3 + 1e-6) as i16;
+        if step <= 0.0 {
+            return (1..=8).rev().map(|eighths| (most / 8 * eighths).max(1)).collect();
+        }
+        let kept = (1..=(f64::from(most) / step) as u32).rev().map(|steps| smallest + f64::from(steps) * step);
+        // Steps of half a millimetre are rounded up by the controller, to the next but one.
+        kept.filter(|v| (v - v.round()).abs() < 1e-6 && *v <= f64::from(most) + 1e-6)
+            .map(|v| v.round() as i16)
+            .collect()
+    }
+}
+
+/// A wheel's speed, mm/s, and for how many periods.
+#[derive(Debug, Clone, Copy)]
+struct Go {
+    speed: i16,
+    periods: u32,
+}
+
+impl Go {
+    /// How far the wheel goes, m.
+    fn travel(&self) -> f64 {
+        f64::from(self.speed.unsigned_abs()) * 1e-3 * f64::from(self.periods) * PERIOD
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use robovac_core::robot::model;
+
+    fn square() -> Vec<Point> {
+        [(1.0, 1.0), (3.25, 1.0), (3.25, 2.0), (1.0, 2.0), (1.0, 1.2)].map(|(x, y)| Point::new(x, y)).to_vec()
+    }
+
+    #[test]
+    fn first_is_never_motion_and_last_is_a_stop() {
+        let roomba = model("roomba600").unwrap();
+        for path in [square(), Vec::new(), vec![Point::origin()]] {
+            let list = commands(&path, 0.7, roomba);
+            assert_eq!((&list[0].bytes[..], &list[1].bytes[..]), (&[128][..], &[131][..]));
+            assert_eq!(list[list.len() - 2].bytes, [145, 0, 0, 0, 0]);
+            assert_eq!(list[list.len() - 1].bytes, [173]);
+            for pair in list.windows(2) {
+                assert!((pair[0].at_s + pair[0].wait_s - pair[1].at_s).abs() < 1e-9);
+                // Motion is followed by a stop.
+                assert!(!pair[0].is_motion() || !pair[1].is_motion());
+            }
+        }
+    }
+
+    #[test]
+    fn speeds_are_those_that_the_controller_keeps() {
+        let list = commands(&square(), 0.0, model("roomba600").unwrap());
+        for command in list.iter().filter(|command| command.bytes[0] == 145) {
+            let speed = i16::from_be_bytes([command.bytes[1], command.bytes[2]]).abs();
+            assert!([0, 68, 125, 182, 239, 296].contains(&speed), "{speed}");
+        }
+        let text = commands_text(&square(), 0.0, model("roomba600").unwrap(), "an octagon, 0.400 m wide");
+        assert!(
+            text.starts_with(
+                "# planned   for an octagon, 0.400 m wide\n# runs on   Roomba 600 / Create 2, a circle of "
+            )
+        );
+        assert!(text.contains("not planned for"));
+        assert!(text.contains("\n# start     x 1.000 m, y 1.000 m, heading 0.0 deg\n"), "{text}");
+        assert!(text.contains("\n0.000  80               start the interface\n"), "{text}");
+        // Half a millimetre short, and faster than what ends nearer.
+        assert!(text.contains("forward 2.250 m, 5060 encoder counts"), "{text}");
+    }
+}

@@ -1,0 +1,330 @@
+//! A body against walls, furniture and movers, exactly: circles and convex polygons.
+
+use super::Touch;
+use robovac_core::{
+    coverage::{Obstacle, Walls},
+    geometry::{
+        Point, Pose, Shape, Vector, difference, edges, nearest_on_convex, nearest_on_disc, outward, overlap,
+        overlap_box, overlap_disc,
+    },
+    robot::{Body, RobotModel},
+};
+
+/// The bumper is pressed where something is nearer than this to the body, m: its play before the switch opens.
+const BUMPER_PLAY: f64 = 0.001;
+/// Pushing a body out of one obstacle may push it into the next; what a few rounds don't resolve is a dead end.
+const ROUNDS: usize = 10;
+/// Overlap that is left be, m: below what the eye and the bumper see.
+const TOLERANCE: f64 = 0.0002;
+/// Cosine of the angle within which what touches a circle counts as one: the play of the bumper is felt so wide.
+const SAME: f64 = 0.95;
+/// Longest way that any point of a body moves between two looks, m. Corners of polygons must not jump over thin legs;
+/// circles can't.
+const STRIDE: (f64, f64) = (0.004, 0.02);
+
+/// What a body can run into.
+#[derive(Clone, Copy)]
+pub(super) struct Obstacles<'a> {
+    /// Walls and furniture.
+    pub walls: &'a Walls,
+    /// Discs that move: centre and radius, m.
+    pub movers: &'a [(Point, f64)],
+}
+
+/// Where a body ends up, and what it touches.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Contact {
+    /// Where it doesn't overlap anything.
+    pub pose: Pose,
+    /// Where it is touched.
+    pub touch: Touch,
+}
+
+/// The outline of a body, for contact.
+#[derive(Debug, Clone)]
+pub(super) struct Footprint {
+    body: Body,
+    radius: f64,
+    stride: f64,
+    /// Corners of a polygon where the body was last placed, m; empty for a circle.
+    corners: Vec<Point>,
+    /// Outward normals of its sides there, and before it is turned.
+    normals: Vec<Vector>,
+    local_normals: Vec<Vector>,
+    /// Points that a polygon touches; kept to be filled again.
+    touched: Vec<Point>,
+}
+
+impl<'a> Obstacles<'a> {
+    /// Whether a disc certainly touches nothing, at a glance.
+    #[inline]
+    fn are_far_from(&self, point: Point, radius: f64) -> bool {
+        let is_far = |&(centre, mover): &(Point, f64)| {
+            let reach = mover + radius;
+            (centre - point).norm_squared() > reach * reach
+        };
+        self.walls.has_room_around_cell(point, radius) && self.movers.iter().all(is_far)
+    }
+
+    /// The nearest point of an obstacle less than `reach` metres from `point`, and its distance.
+    fn nearest(&self, point: Point, reach: f64) -> Option<(Point, f64)> {
+        let mut best = self.walls.nearest(point, reach);
+        for &(centre, radius) in self.movers {
+            let near = nearest_on_disc(centre, radius, point);
+            let distance = (near - point).norm();
+            if distance < best.map_or(reach, |(_, nearest)| nearest) {
+                best = Some((near, distance));
+            }
+        }
+        best
+    }
+
+    /// Calls `visit` with the nearest point of each obstacle less than `reach` metres from `point`, and its distance.
+    fn nearest_of_each(&self, point: Point, reach: f64, mut visit: impl FnMut(Point, f64)) {
+        let mut look = |near: Point| {
+            let distance = (near - point).norm();
+            if distance < reach && distance > 1e-12 {
+                visit(near, distance);
+            }
+        };
+        let around = Vector::new(reach, reach);
+        self.walls.near(point - around, point + around, |obstacle| {
+            look(match obstacle {
+                Obstacle::Squares(low, high) => Point::new(point.x.clamp(low.x, high.x), point.y.clamp(low.y, high.y)),
+                Obstacle::Shape(shape) => shape.nearest(point),
+            });
+        });
+        self.movers.iter().for_each(|&(centre, radius)| look(nearest_on_disc(centre, radius, point)));
+    }
+
+    /// Calls `visit` with every obstacle that may reach into the box between `low` and `high`.
+    #[inline]
+    fn near(&self, low: Point, high: Point, mut visit: impl FnMut(Thing<'a>)) {
+        self.walls.near(low, high, |obstacle| match obstacle {
+            Obstacle::Squares(low, high) => visit(Thing::Box(low, high)),
+            Obstacle::Shape(Shape::Convex(corners)) => visit(Thing::Polygon(corners)),
+            Obstacle::Shape(&Shape::Disc { centre, radius }) => visit(Thing::Disc(centre, radius)),
+        });
+        for &(centre, radius) in self.movers {
+            let r = Vector::new(radius, radius);
+            let (mover_low, mover_high) = (centre - r, centre + r);
+            if mover_low.x < high.x && mover_low.y < high.y && mover_high.x > low.x && mover_high.y > low.y {
+                visit(Thing::Disc(centre, radius));
+            }
+        }
+    }
+}
+
+/// A convex obstacle as a polygon meets it.
+enum Thing<'a> {
+    /// Lower left and upper right corner.
+    Box(Point, Point),
+    Polygon(&'a [Point]),
+    Disc(Point, f64),
+}
+
+impl Thing<'_> {
+    #[inline]
+    fn overlap(&self, body: &[Point], normals: &[Vector]) -> Option<(f64, Vector)> {
+        match self {
+            Self::Box(low, high) => overlap_box(body, normals, *low, *high),
+            Self::Polygon(corners) => overlap(body, normals, corners),
+            Self::Disc(centre, radius) => overlap_disc(body, *centre, *radius),
+        }
+    }
+
+    /// Adds the points at which it is less than `play` metres from a polygon.
+    fn touch(&self, body: &[Point], play: f64, touched: &mut Vec<Point>) {
+        let of_box;
+        let corners: &[Point] = match self {
+            Self::Box(low, high) => {
+                of_box = [*low, Point::new(high.x, low.y), *high, Point::new(low.x, high.y)];
+                &of_box
+            }
+            Self::Polygon(corners) => corners,
+            Self::Disc(centre, radius) => {
+                let near = nearest_on_convex(body, *centre);
+                if (near - centre).norm() < radius + play {
+                    touched.push(near);
+                }
+                return;
+            }
+        };
+        let is_near = |polygon: &[Point], p: Point| (nearest_on_convex(polygon, p) - p).norm_squared() < play * play;
+        touched.extend(body.iter().filter(|&&p| is_near(corners, p)));
+        touched.extend(corners.iter().filter(|&&p| is_near(body, p)));
+    }
+}
+
+impl Footprint {
+    pub fn new(model: &RobotModel) -> Self {
+        let (stride, corners) = match model.body {
+            Body::Round => (STRIDE.1.min(0.5 * model.radius), Vec::new()),
+            Body::Polygon(local) => {
+                let corners: Vec<Point> = local.iter().map(|&[x, y]| Point::new(x, y)).collect();
+                let inner = edges(&corners).map(|(a, b)| (a - Point::origin()).dot(&outward(a, b)));
+                // Never more than half as far as from the origin to the nearest side, and never nothing.
+                (STRIDE.0.min(0.5 * inner.fold(f64::MAX, f64::min)).max(1e-4), corners)
+            }
+        };
+        let normals: Vec<Vector> = edges(&corners).map(|(a, b)| outward(a, b)).collect();
+        Self {
+            body: model.body,
+            radius: model.radius,
+            stride,
+            corners,
+            local_normals: normals.clone(),
+            normals,
+            touched: Vec::new(),
+        }
+    }
+
+    /// Moves the body from one pose, where it overlaps nothing, towards another: as far as obstacles let it, sliding along
+    /// them. If there is no way to resolve an overlap, it stays where it was.
+    #[inline]
+    pub fn slide(&mut self, obstacles: Obstacles<'_>, from: Pose, to: Pose) -> Contact {
+        let way = (to.position() - from.position()).norm();
+        let margin = if way < self.stride { BUMPER_PLAY } else { BUMPER_PLAY + way };
+        if obstacles.are_far_from(to.position(), self.radius + margin) {
+            return Contact { pose: to, touch: Touch::NONE };
+        }
+        self.slide_near_obstacles(obstacles, from, to)
+    }
+
+    fn slide_near_obstacles(&mut self, obstacles: Obstacles<'_>, from: Pose, to: Pose) -> Contact {
+        let way = to.position() - from.position();
+        if self.is_round() && way.norm_squared() < self.stride * self.stride {
+            // Mostly it comes near without being held.
+            let at = to.position();
+            match obstacles.nearest(at, self.radius + BUMPER_PLAY) {
+                None => return Contact { pose: to, touch: Touch::NONE },
+                Some((_, distance)) if self.radius - distance <= 1e-12 => {
+                    return Contact { pose: to, touch: self.touch(obstacles, to) };
+                }
+                Some(_) => {}
+            }
+        }
+        let turn = difference(from.heading, to.heading);
+        let rim = if self.is_round() { 0.0 } else { turn.abs() * self.radius };
+        let strides = ((way.norm() + rim) / self.stride).ceil().max(1.0);
+        let mut pose = from;
+        for _ in 0..strides as u32 {
+            let next = pose.position() + way / strides;
+            let next = if strides > 1.0 { Pose::new(next.x, next.y, pose.heading + turn / strides) } else { to };
+            pose = self.settle(obstacles, pose, next);
+        }
+        Contact { pose, touch: self.touch(obstacles, pose) }
+    }
+
+    fn is_round(&self) -> bool {
+        self.body == Body::Round
+    }
+
+    /// One stride: where the body is pushed to, or else only its motion or only its turn, or else nothing.
+    fn settle(&mut self, obstacles: Obstacles<'_>, from: Pose, to: Pose) -> Pose {
+        if obstacles.are_far_from(to.position(), self.radius) {
+            return to;
+        }
+        let tries = [to, Pose { heading: from.heading, ..to }, Pose { heading: to.heading, ..from }];
+        let tries = if self.is_round() { &tries[..1] } else { &tries[..] };
+        let pushed = tries.iter().find_map(|&pose| self.push_out(obstacles, pose));
+        pushed.unwrap_or(if self.is_round() { Pose { heading: to.heading, ..from } } else { from })
+    }
+
+    /// The pose moved out of all obstacles by the shortest way, the deepest overlap first; `None` if that leads nowhere.
+    ///
+    /// The tangential part of a motion survives: the robot slides along walls.
+    fn push_out(&mut self, obstacles: Obstacles<'_>, mut pose: Pose) -> Option<Pose> {
+        let wanted = pose.position();
+        for _ in 0..ROUNDS {
+            let Some((depth, away)) = self.deepest(obstacles, pose) else { return Some(pose) };
+            pose.x += depth * away.x;
+            pose.y += depth * away.y;
+        }
+        let is_near = (pose.position() - wanted).norm() < 4.0 * self.stride;
+        let left = self.deepest(obstacles, pose).map_or(0.0, |(depth, _)| depth);
+        (is_near && left < TOLERANCE).then_some(pose)
+    }
+
+    /// The deepest overlap with an obstacle, m, and the direction out of it.
+    fn deepest(&mut self, obstacles: Obstacles<'_>, pose: Pose) -> Option<(f64, Vector)> {
+        let at = pose.position();
+        if self.is_round() {
+            let (wall, distance) = obstacles.nearest(at, self.radius)?;
+            let away = if distance > 1e-12 { (at - wall) / distance } else { Vector::new(1.0, 0.0) };
+            return (self.radius - distance > 1e-12).then_some((self.radius - distance, away));
+        }
+        let (low, high) = self.place(pose);
+        let mut deepest = (1e-9, Vector::zeros());
+        obstacles.near(low, high, |thing| {
+            if let Some(found) = thing.overlap(&self.corners, &self.normals).filter(|found| found.0 > deepest.0) {
+                deepest = found;
+            }
+        });
+        (deepest.0 > 1e-9).then_some(deepest)
+    }
+
+    /// Where the body is touched: a circle by every obstacle at its nearest point. Where a side of a polygon lies flat
+    /// against a wall, or both ends of one do, that is the middle of all points that touch on that side.
+    fn touch(&mut self, obstacles: Obstacles<'_>, pose: Pose) -> Touch {
+        let at = pose.position();
+        let mut touch = Touch::NONE;
+        if self.is_round() {
+            // Beside the nearest point of a flat wall, the squares that it is made of are almost as near.
+            let mut near: Vec<(f64, Vector)> = Vec::new();
+            obstacles.nearest_of_each(at, self.radius + BUMPER_PLAY, |wall, distance| {
+                near.push((distance, (wall - at) / distance));
+            });
+            near.sort_by(|a, b| a.0.total_cmp(&b.0));
+            for (_, direction) in near {
+                if touch.iter().all(|other| other.dot(&direction) < SAME) {
+                    touch.add(direction);
+                }
+            }
+            return touch;
+        }
+        let (low, high) = self.place(pose);
+        let play = Vector::new(BUMPER_PLAY, BUMPER_PLAY);
+        let Self { corners, touched, .. } = self;
+        touched.clear();
+        obstacles.near(low - play, high + play, |thing| thing.touch(corners, BUMPER_PLAY, touched));
+        // The one that lies farthest ahead decides over front or rear.
+        let ahead = |p: &Point| (p - at).dot(&pose.direction());
+        let Some(first) = self.touched.iter().max_by(|a, b| ahead(a).total_cmp(&ahead(b))) else { return touch };
+        let first = first - at;
+        let same_side = self.touched.iter().map(|p| p - at).filter(|p| p.dot(&first) > 0.0);
+        let sum: Vector = same_side.sum();
+        let length = sum.norm();
+        if length > 1e-12 {
+            touch.add(sum / length);
+        }
+        touch
+    }
+
+    /// Whether the body, at `pose`, overlaps a disc or is nearer to it than `gap` metres.
+    pub fn is_near_disc(&mut self, pose: Pose, centre: Point, radius: f64, gap: f64) -> bool {
+        let reach = radius + gap;
+        let to_origin = (centre - pose.position()).norm();
+        if self.is_round() || to_origin >= self.radius + reach {
+            return to_origin < self.radius + reach;
+        }
+        self.place(pose);
+        (nearest_on_convex(&self.corners, centre) - centre).norm() < reach
+    }
+
+    /// Puts the corners of a polygon where they are at `pose`; returns the box around them.
+    fn place(&mut self, pose: Pose) -> (Point, Point) {
+        let (mut low, mut high) = (pose.position(), pose.position());
+        let Body::Polygon(local) = self.body else { return (low, high) };
+        let d = pose.direction();
+        for (corner, &[x, y]) in self.corners.iter_mut().zip(local) {
+            *corner = Point::new(pose.x + d.x * x - d.y * y, pose.y + d.y * x + d.x * y);
+            low = low.inf(corner);
+            high = high.sup(corner);
+        }
+        for (normal, n) in self.normals.iter_mut().zip(&self.local_normals) {
+            *normal = Vector::new(d.x * n.x - d.y * n.y, d.y * n.x + d.x * n.y);
+        }
+        (low, high)
+    }
+}

@@ -1,0 +1,112 @@
+//! Straight ahead until something is in the way, then off at a random angle: the baseline, and the bulk of what early
+//! Roombas did.
+//!
+//! Jones 2006 tells how the Roomba came to it: no map, no knowledge of where it is, and yet all of the floor in the end. The
+//! patent of its modes (Jones & Mass 2004, US 6,809,490: random bounce, spiral, obstacle following) has the robot turn away
+//! from where it bumped, by a random angle, until the way is free.
+//!
+//! # Where the sources are silent, and what is ours
+//!
+//! - *The angle* is drawn between a quarter and half a turn unless asked for otherwise, away from the side that was hit.
+//! - *Backing up* by 3 cm before turning: for robots that aren't round.
+//! - *Cliffs and beams* are answered like bumps; from a cliff the robot backs off over the ground that it knows first.
+//!
+//! ```
+//! use robovac_sim::controller::*;
+//! use robovac_core::{registry::Params, robot::*};
+//! let info = find("bounce").unwrap();
+//! let (robot, params) = (model("roomba600").unwrap(), Params::defaults(info.params));
+//! let mut bounce = info.build(&Setup { robot, params: &params, seed: 1 }).unwrap();
+//! assert_eq!(bounce.activity(), "driving straight");
+//! let cliff = Sensors { cliff: [false, false, true, true], ..Sensors::default() };
+//! assert!((0..100).any(|_| { let drive = bounce.step(&cliff, 0.015); drive.left < 0.0 && drive.right > 0.0 }));
+//! ```
+
+use super::{
+    BehaviourInfo, Build, Claims,
+    parts::{By, Driven, GO_HOME, Habit, Hit, LEAVE_HOME, Move, Pilot},
+};
+use rand::RngExt;
+use robovac_core::{
+    registry::{Example, Explainer, ParamKind, ParamSpec},
+    robot::{Drive, Sensors},
+};
+
+/// Way back before turning, m.
+const BACK: f64 = 0.03;
+
+pub(super) const INFO: BehaviourInfo = BehaviourInfo {
+    id: "bounce",
+    title: "Bounce",
+    summary: "Drives straight until it hits something, then turns away by a random angle.",
+    source: "Jones 2006, Robots at the Tipping Point: The Road to iRobot Roomba, IEEE Robotics & Automation Magazine 13(1); \
+             Jones & Mass 2004, US 6,809,490, Method and system for multi-mode coverage for an autonomous robot",
+    link: "https://patents.google.com/patent/US6809490B2/en",
+    explainer: Explainer {
+        idea: "The robot drives straight until its bumper is pressed or the floor ends. \
+               It turns away by a random angle and drives on. \
+               Chance alone brings it everywhere, to some places often and to others late.",
+        complexity: "O(1) time and memory a step: it remembers nothing of the room.",
+        use_when: "As the baseline that everything else has to beat, and where nothing better than a bumper is at hand.",
+        shines: Example {
+            room: "thesis226",
+            why: "One room with blocks in it: in 20 minutes chance has been nearly everywhere.",
+        },
+        fails: Example { room: "maze", why: "It comes through a door only if it happens to aim at it." },
+    },
+    claims: Claims { ends: false, cleans: true, manual: false, explores: false },
+    params: &[
+        ParamSpec {
+            id: "least",
+            label: "Smallest turn",
+            help: "Smallest angle that it turns by.",
+            kind: ParamKind::Number { min: 0.0, max: 180.0, step: 5.0, default: 90.0, unit: "°" },
+        },
+        ParamSpec {
+            id: "most",
+            label: "Largest turn",
+            help: "Largest angle that it turns by; if it is less than the smallest one, that one is used.",
+            kind: ParamKind::Number { min: 5.0, max: 360.0, step: 5.0, default: 180.0, unit: "°" },
+        },
+        GO_HOME,
+        LEAVE_HOME,
+    ],
+};
+
+pub(super) const BUILD: Build = |setup| {
+    let least = setup.params.number("least").to_radians();
+    let most = setup.params.number("most").to_radians().max(least);
+    Driven::boxed(setup, Bounce { least, most })
+};
+
+#[derive(Debug, Clone)]
+struct Bounce {
+    /// Limits of the angle, rad.
+    least: f64,
+    most: f64,
+}
+
+impl Habit for Bounce {
+    fn begin(&mut self, pilot: &mut Pilot) {
+        pilot.turn_speed = pilot.robot.turn_wheel_speed;
+        pilot.by = By::Counts;
+    }
+
+    fn roam(&mut self, pilot: &mut Pilot, _: &Sensors, _: f64) -> Drive {
+        pilot.straight()
+    }
+
+    fn hit(&mut self, pilot: &mut Pilot, hit: Hit) {
+        let turn = self.least + (self.most - self.least) * pilot.rng.random_range(0.0..1.0);
+        let way = pilot.away_from(hit);
+        pilot.answer(hit, BACK, &[Move::Turn(way * turn)]);
+    }
+
+    fn activity(&self) -> &'static str {
+        "driving straight"
+    }
+
+    fn boxed_clone(&self) -> Box<dyn Habit> {
+        Box::new(self.clone())
+    }
+}

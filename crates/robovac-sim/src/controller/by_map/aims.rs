@@ -1,0 +1,109 @@
+//! What a robot that cleans by its map goes for next.
+
+use super::{
+    ByMap, DOCK_S, End, Phase,
+    remains::{Aim, Look, Remains},
+};
+use crate::{
+    controller::parts::{Habit, Pilot, Route},
+    mapping::Mark,
+};
+use coverage_planners::{self, PlanContext};
+use robovac_core::{geometry::Point, registry::Params};
+use std::sync::Arc;
+
+/// What it goes for, the first of these before the next. At first it keeps off obstacles, as what lies along walls is mostly clean
+/// after exploring; then come strips between lanes and along walls; in the end it squeezes through. Small pieces aren't worth
+/// the way by then.
+const AIMS: [Aim; 5] = [
+    Aim { slack: -0.04, share: 0.4, cells: 1 },
+    Aim { slack: 0.0, share: 0.4, cells: 2 },
+    Aim { slack: -0.02, share: 0.2, cells: 2 },
+    Aim { slack: 0.01, share: 0.2, cells: 4 },
+    Aim { slack: 0.05, share: 0.4, cells: 4 },
+];
+/// How long a line may take: s, s/m, and s for every corner.
+const PATIENCE: (f64, f64, f64) = (8.0, 6.0, 3.0);
+/// Cells of the map that it must have swept since nothing seemed left for it to look around once more: half a square metre.
+const WORTH: usize = 200;
+/// How far before its dock it leaves the rest of the way to its beams, m.
+const BEFORE_DOCK: f64 = 0.7;
+
+impl ByMap {
+    /// Looks for what is next: the nearest part of what is left. Where the map shows no way, it squeezes through.
+    pub(super) fn decide(&mut self, pilot: &mut Pilot) {
+        for aim in AIMS {
+            if self.set_out(pilot, aim) {
+                return;
+            }
+        }
+        let swept = self.mapper.marks().cells(Mark::Cleaned).count();
+        if swept > self.swept + WORTH {
+            self.swept = swept;
+            self.barred.forget();
+            self.spent.forgive();
+            return;
+        }
+        self.finish(pilot);
+    }
+
+    /// Whether there is something to set out for.
+    fn set_out(&mut self, pilot: &Pilot, aim: Aim) -> bool {
+        let is_spent = |cell| self.spent.is_up(cell);
+        let look = Look { robot: &pilot.robot, aim, barred: &self.barred, is_spent: &is_spent };
+        let Some(remains) = Remains::new(&self.mapper, &look) else { return false };
+        if aim.slack <= 0.0 {
+            self.look_around(&remains);
+        }
+        let Some((part, start)) = remains.nearest(aim.cells) else { return false };
+        let goal = remains.name(start);
+        self.spent.set_out(goal);
+        let job = remains.job(part, start, &pilot.robot);
+        let Some(info) = coverage_planners::find(self.planner) else { return false };
+        let planner = info.build(&Params::defaults(info.params));
+        let seed = self.mapper.setup().seed;
+        let Ok(path) = planner.plan(&job, &mut PlanContext::new(seed)) else { return false };
+        let line = remains.line(&path.cells);
+        let (route, patience) = self.route(line);
+        self.phase = Phase::Clean { route, patience, goal };
+        true
+    }
+
+    /// Notes where it can get to. Where it stands in a nook, that isn't much less than before.
+    fn look_around(&mut self, remains: &Remains) {
+        let reach = remains.reach();
+        if 2 * reach.iter().count() > self.reach.iter().count() {
+            self.reach = Arc::new(reach);
+        }
+    }
+
+    fn route(&self, line: Vec<Point>) -> (Route, f64) {
+        let from = self.mapper.pose().position();
+        let corners = line.len() as f64;
+        let route = Route::new(from, line);
+        let patience = PATIENCE.0 + PATIENCE.1 * route.left(from) + PATIENCE.2 * corners;
+        (route, patience)
+    }
+
+    /// Nothing is left: back to its dock, if it began there.
+    fn finish(&mut self, pilot: &mut Pilot) {
+        let look = Look { robot: &pilot.robot, aim: AIMS[1], barred: &self.barred, is_spent: &|_| false };
+        let remains = Remains::new(&self.mapper, &look);
+        let is_clean = remains.as_ref().is_some_and(|remains| remains.nearest(AIMS[1].cells).is_none());
+        let end = if is_clean { End::Clean } else { End::NothingReachable };
+        let start = self.mapper.setup().start;
+        let before = start.to_world(Point::new(-BEFORE_DOCK, 0.0));
+        let way = remains.filter(|_| self.mapper.began_on_dock()).and_then(|remains| remains.way(before));
+        self.phase = match way {
+            Some(line) => {
+                let (route, patience) = self.route(line);
+                Phase::Return { route, patience, end }
+            }
+            None if self.mapper.began_on_dock() => {
+                self.dock.begin(pilot);
+                Phase::Dock { patience: DOCK_S, end }
+            }
+            None => Phase::Done(end),
+        };
+    }
+}

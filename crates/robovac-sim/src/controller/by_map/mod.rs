@@ -1,0 +1,328 @@
+//! Cleaning by a map that the robot has made: what is left is planned on it, and driven by the pose that it believes in.
+//!
+//! 1. *What is left* is floor that the robot can get to by its map, less what its [`Marks`](crate::mapping::Marks) say is
+//!    swept. It falls into connected parts.
+//! 2. The *nearest part* is next. One of the planners plans a walk that covers it, which is driven as a line. Then what
+//!    is left is looked at anew: by then the map has grown, and the pose has been corrected.
+//! 3. *What the map doesn't have* and the robot meets is barred, beside what the mapper makes of it, and what is left is looked at
+//!    anew. Edges and virtual walls are barred for ever; what else was met gets another chance when nothing else is left.
+//! 4. A robot that was *picked up* doesn't know where it is. It follows walls until there is only one place on its map where
+//!    it can be ([`locate`](crate::mapping::locate)), and goes on cleaning.
+//! 5. It is *done* when nothing is left that it can get to, also by squeezing through where the map shows too little room. If it
+//!    began on its dock, it goes there.
+//!
+//! It ends, whatever happens: every way that it sets out for, every place that it comes by and every stop is counted
+//! ([`Spent`]), and ways that take too long are given up.
+//!
+//! Planning by parts of what is left, on a map that changes, and all figures here are ours.
+
+mod aims;
+mod remains;
+mod spent;
+
+use self::{remains::name_at, spent::Spent};
+use super::{
+    Controller, Intent, Setup,
+    dock::Dock,
+    parts::{Barred, Driven, GO_HOME, Habit, Hit, Kind, LEAVE_HOME, Move, Pilot, Route, Search, Searched, Side},
+};
+use crate::mapping::{Layer, Mapper};
+use robovac_core::{
+    geometry::Point,
+    grid::Cell,
+    registry::Params,
+    robot::{Drive, Sensors},
+};
+use std::sync::Arc;
+
+/// A robot that has moved less than that in so long is stuck, m and s; and how often it may be.
+const STUCK: (f64, f64) = (0.15, 25.0);
+const MOST_STUCK: u32 = 12;
+/// Way back and turn away when it is stuck, m and rad.
+const LOOSE: (f64, f64) = (0.1, 1.2);
+/// Way back from what was met and from the edge of the floor, m.
+const BACK: f64 = 0.03;
+const BACK_FROM_EDGE: f64 = 0.15;
+/// Directions of what the bumper felt on one side, rad.
+const SIDE: f64 = 0.6;
+/// Share of the speed with something in sight.
+const CAREFUL: f64 = 0.45;
+/// How long it tries to get onto its dock, s.
+const DOCK_S: f64 = 400.0;
+
+/// Cleans what `mapper` has left, by a plan of the planner with that id.
+pub fn clean_by_map(mapper: Mapper, planner: &'static str) -> Box<dyn Controller> {
+    let (robot, seed) = (mapper.setup().robot.clone(), mapper.setup().seed);
+    // Who hasn't begun on a dock doesn't know of any.
+    let params = Params::defaults(if mapper.began_on_dock() { &[GO_HOME, LEAVE_HOME] } else { &[] });
+    let setup = Setup { robot: &robot, params: &params, seed };
+    Driven::boxed(&setup, ByMap::new(&setup, mapper, planner))
+}
+
+/// The habit.
+#[derive(Clone)]
+struct ByMap {
+    mapper: Mapper,
+    planner: &'static str,
+    phase: Phase,
+    barred: Barred,
+    spent: Spent,
+    /// The planning cell that it is in.
+    at: Option<Cell>,
+    /// What it can get to, in cells of the map.
+    reach: Arc<Layer<bool>>,
+    /// Cells that were swept when it last thought that nothing was left.
+    swept: usize,
+    stuck: u32,
+    /// Where it was last seen to move, and how long ago, s.
+    moved: (Point, f64),
+    /// Whether it hangs, or hung, in somebody's hand.
+    is_lifted: bool,
+    search: Search,
+    dock: Dock,
+}
+
+#[derive(Clone)]
+enum Phase {
+    /// Decides what is next.
+    Choose,
+    /// Cleans along a line, for so long yet, s.
+    Clean {
+        route: Route,
+        patience: f64,
+        goal: Cell,
+    },
+    /// Looks for itself on its map.
+    Search,
+    /// Goes back to where it began, for so long yet, s.
+    Return {
+        route: Route,
+        patience: f64,
+        end: End,
+    },
+    /// Drives onto its dock, for so long yet, s.
+    Dock {
+        patience: f64,
+        end: End,
+    },
+    Done(End),
+}
+
+/// How it ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum End {
+    Clean,
+    NothingReachable,
+    Lost,
+    Stuck,
+}
+
+impl ByMap {
+    fn new(setup: &Setup<'_>, mapper: Mapper, planner: &'static str) -> Self {
+        Self {
+            barred: Barred::new(mapper.map().resolution()),
+            planner,
+            phase: Phase::Choose,
+            spent: Spent::default(),
+            at: None,
+            reach: Arc::default(),
+            swept: 0,
+            stuck: 0,
+            moved: (mapper.pose().position(), 0.0),
+            is_lifted: mapper.is_lost(),
+            search: Search::new(setup),
+            dock: Dock::new(setup),
+            mapper,
+        }
+    }
+
+    /// Something stops it: what it was going for, it won't go for again and again.
+    fn stop(&mut self) {
+        if let Phase::Clean { goal, .. } = self.phase {
+            self.spent.stopped(goal);
+            let pose = self.mapper.pose();
+            let radius = self.mapper.setup().robot.radius;
+            for ahead in [0.0, radius] {
+                self.spent.stopped(self.name(pose.to_world(Point::new(ahead, 0.0))));
+            }
+        }
+        match self.phase {
+            Phase::Clean { .. } => self.phase = Phase::Choose,
+            // By its beams it may get there from here as well.
+            Phase::Return { end, .. } => self.phase = Phase::Dock { patience: DOCK_S, end },
+            _ => {}
+        }
+    }
+
+    /// Starts to look for itself.
+    fn search(&mut self, pilot: &mut Pilot) {
+        let can = self.search.begin(pilot, &self.mapper);
+        self.phase = if can { Phase::Search } else { Phase::Done(End::Lost) };
+    }
+
+    /// Whether it hasn't got anywhere for long.
+    fn is_stuck(&mut self, dt_s: f64) -> bool {
+        let here = self.mapper.pose().position();
+        let (place, since) = self.moved;
+        self.moved = if (here - place).norm() > STUCK.0 { (here, 0.0) } else { (place, since + dt_s) };
+        self.moved.1 > STUCK.1
+    }
+
+    /// Backs off and turns away from wherever it hangs.
+    fn get_loose(&mut self, pilot: &mut Pilot) {
+        self.moved.1 = 0.0;
+        self.stuck += 1;
+        self.barred.met(self.mapper.pose(), pilot.robot.radius, 0.0);
+        self.stop();
+        if self.stuck > MOST_STUCK {
+            self.phase = Phase::Done(End::Stuck);
+        }
+        let turn = if self.stuck.is_multiple_of(2) { LOOSE.1 } else { -LOOSE.1 };
+        pilot.go(&[Move::Back(LOOSE.0), Move::Turn(turn)]);
+    }
+
+    /// The planning cell at a place.
+    fn name(&self, place: Point) -> Cell {
+        name_at(place, &self.mapper.setup().robot, self.mapper.map().resolution())
+    }
+
+    /// Notes where it comes by.
+    fn come_by(&mut self) {
+        let cell = self.name(self.mapper.pose().position());
+        if self.at.replace(cell) != Some(cell) {
+            self.spent.came_by(cell);
+        }
+    }
+}
+
+impl Habit for ByMap {
+    fn begin(&mut self, pilot: &mut Pilot) {
+        self.moved = (self.mapper.pose().position(), 0.0);
+        if std::mem::take(&mut self.is_lifted) {
+            self.search(pilot);
+        } else if !matches!(self.phase, Phase::Search | Phase::Done(_)) {
+            self.phase = Phase::Choose;
+        }
+    }
+
+    fn watch(&mut self, sensed: &Sensors, dt_s: f64) {
+        self.is_lifted |= sensed.wheel_drop_left && sensed.wheel_drop_right;
+        self.mapper.update(sensed);
+        match &mut self.phase {
+            Phase::Search => match self.search.watch(&mut self.mapper, sensed, dt_s) {
+                Searched::Looking => {}
+                Searched::Found => self.phase = Phase::Choose,
+                Searched::InVain => self.phase = Phase::Done(End::Lost),
+            },
+            Phase::Dock { patience, end } => {
+                *patience -= dt_s;
+                self.dock.watch(sensed, dt_s);
+                if self.dock.is_done() || *patience < 0.0 {
+                    self.phase = Phase::Done(*end);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    fn roam(&mut self, pilot: &mut Pilot, sensed: &Sensors, dt_s: f64) -> Drive {
+        if matches!(self.phase, Phase::Clean { .. } | Phase::Return { .. }) {
+            self.come_by();
+            if self.is_stuck(dt_s) {
+                self.get_loose(pilot);
+                return Drive::STOP;
+            }
+        }
+        let pose = self.mapper.pose();
+        match &mut self.phase {
+            Phase::Choose => {
+                self.decide(pilot);
+                Drive::STOP
+            }
+            Phase::Clean { route, patience, .. } | Phase::Return { route, patience, .. } => {
+                *patience -= dt_s;
+                let is_near = sensed.light_bumper[2..4].contains(&true);
+                let speed = pilot.speed * if is_near { CAREFUL } else { 1.0 };
+                if *patience < 0.0 {
+                    self.stop();
+                    return Drive::STOP;
+                }
+                let drive = route.steer(pose, &pilot.robot, speed);
+                match (drive, &self.phase) {
+                    (Some(drive), _) => return drive,
+                    (None, &Phase::Return { end, .. }) => {
+                        self.dock.begin(pilot);
+                        self.phase = Phase::Dock { patience: DOCK_S, end };
+                    }
+                    (None, _) => self.phase = Phase::Choose,
+                }
+                Drive::STOP
+            }
+            Phase::Search => self.search.roam(pilot, sensed, dt_s),
+            Phase::Dock { .. } => self.dock.roam(pilot, sensed, dt_s),
+            Phase::Done(_) => Drive::STOP,
+        }
+    }
+
+    fn hit(&mut self, pilot: &mut Pilot, hit: Hit) {
+        let pose = self.mapper.pose();
+        match &self.phase {
+            Phase::Search => return self.search.hit(pilot, hit),
+            Phase::Dock { .. } => return self.dock.hit(pilot, hit),
+            _ => {}
+        }
+        if hit.kind != Kind::Bump {
+            self.barred.edge(pose, pilot.robot.radius);
+            pilot.answer(hit, BACK_FROM_EDGE, &[]);
+            self.stop();
+            return;
+        }
+        // Turned away from what it touches, it may drive off.
+        if matches!(&self.phase, Phase::Clean { route, .. } | Phase::Return { route, .. } if !route.is_driving()) {
+            return;
+        }
+        let aside = match hit.side {
+            Side::Left => SIDE,
+            Side::Front => 0.0,
+            Side::Right => -SIDE,
+        };
+        self.barred.met(pose, pilot.robot.radius, aside);
+        pilot.answer(hit, BACK, &[]);
+        self.stop();
+    }
+
+    fn is_done(&self) -> bool {
+        matches!(self.phase, Phase::Done(_))
+    }
+
+    fn activity(&self) -> &'static str {
+        match &self.phase {
+            Phase::Choose => "planning what is left on its map",
+            Phase::Clean { .. } => "cleaning by its map",
+            Phase::Search => "looking for itself on its map",
+            Phase::Return { .. } => "driving back to its dock",
+            Phase::Dock { .. } => self.dock.activity(),
+            Phase::Done(End::Clean) => "done: all that it can reach on its map is clean",
+            Phase::Done(End::NothingReachable) => "done: it can't get to what is left",
+            Phase::Done(End::Lost) => "done: it can't find itself on its map",
+            Phase::Done(End::Stuck) => "done: it is stuck",
+        }
+    }
+
+    fn mapper(&self) -> Option<&Mapper> {
+        Some(&self.mapper)
+    }
+
+    fn intent(&self) -> Option<Intent<'_>> {
+        let route: &[Point] = match &self.phase {
+            Phase::Clean { route, .. } | Phase::Return { route, .. } => route.rest(),
+            _ => &[],
+        };
+        let locator = self.search.locator().filter(|_| matches!(self.phase, Phase::Search));
+        Some(Intent { route, frontiers: &[], reach: Some(&self.reach), locator })
+    }
+
+    fn boxed_clone(&self) -> Box<dyn Habit> {
+        Box::new(self.clone())
+    }
+}

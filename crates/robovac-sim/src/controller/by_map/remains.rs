@@ -1,0 +1,258 @@
+//! What is left to be cleaned, by a robot's own map.
+
+use crate::{
+    controller::parts::Barred,
+    mapping::{Layer, Mapper, Mark, Marks, OccupancyMap},
+};
+use coverage_planners::CoverageJob;
+use robovac_core::{
+    coverage::{Lattice, ReachableFloor},
+    floorplan::FloorPlan,
+    geometry::{Point, Pose, Vector},
+    grid::{Cell, Direction, Grid, Occupancy, clearance, reachable},
+    math,
+    robot::RobotModel,
+};
+use std::collections::VecDeque;
+
+/// Room around what is known, cells of the map.
+const MARGIN: i32 = 8;
+/// Half the width of a gap of unknown cells within known floor that counts as floor, m: a robot that crosses a room in lanes
+/// leaves gaps that it would have met something in.
+const GAP: f64 = 0.125;
+/// Around the robot, what isn't occupied is floor, m beyond its radius: it stands there.
+const AROUND: f64 = 0.05;
+/// How much narrower than the tool a planning cell is at least, m: lanes overlap by so much.
+const OVERLAP: f64 = 0.02;
+
+/// Where the robot can get to on its map, and what of it is not clean yet. Planning cells are whole cells of the map, always
+/// the same ones whatever is known: what is noted of one today is true of it tomorrow.
+pub(super) struct Remains {
+    floor: ReachableFloor,
+    lattice: Lattice,
+    /// Planning cells that are left.
+    left: Grid<bool>,
+    /// Lower left corner, in the frame of the map: m, cells of the map, planning cells.
+    corner: Vector,
+    low: Cell,
+    first: Cell,
+    /// Side of the map's cells, m.
+    side: f64,
+}
+
+/// What is worth going for.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Aim {
+    /// How much nearer to an obstacle of the map than its radius the robot may come, m: maps are blurred, and err.
+    pub slack: f64,
+    /// Share of a planning cell that must be left for it to be cleaned. Strips along walls as thin as a cell of the map, which
+    /// come and go with its blur, are a third of one of 15 cm.
+    pub share: f64,
+    /// Fewest planning cells of a part.
+    pub cells: usize,
+}
+
+/// One way of looking at the map.
+pub(super) struct Look<'a> {
+    /// The robot.
+    pub robot: &'a RobotModel,
+    /// What is worth going for.
+    pub aim: Aim,
+    /// What isn't to be driven over all the same.
+    pub barred: &'a Barred,
+    /// What is not to be gone for any more, in planning cells.
+    pub is_spent: &'a dyn Fn(Cell) -> bool,
+}
+
+impl Remains {
+    /// What `mapper` has left; `None` if it can get nowhere.
+    pub fn new(mapper: &Mapper, look: &Look<'_>) -> Option<Self> {
+        let (map, pose) = (mapper.map(), mapper.pose());
+        let side = map.resolution();
+        let columns = columns(look.robot, side);
+        let (plan, low) = plan(map, look, pose, columns)?;
+        let corner = Vector::new(f64::from(low.x) * side, f64::from(low.y) * side);
+        let narrow = RobotModel { radius: look.robot.radius - look.aim.slack, fills_cell: false, ..look.robot.clone() };
+        let at = pose.position() - corner;
+        let floor = ReachableFloor::new(&plan, &narrow, Some(Pose::new(at.x, at.y, pose.heading))).ok()?;
+        let lattice = Lattice::new(&floor, side * f64::from(columns));
+        let first = Cell::new(low.x / columns, low.y / columns);
+        let mut remains = Self { left: lattice.free.clone(), floor, lattice, corner, low, first, side };
+        remains.leave(mapper.marks(), columns, look);
+        Some(remains)
+    }
+
+    /// Takes out what is clean, or not to be gone for.
+    fn leave(&mut self, marks: &Marks, columns: i32, look: &Look<'_>) {
+        for index in 0..self.left.len() {
+            let cell = self.left.cell(index);
+            if !self.left[cell] {
+                continue;
+            }
+            let mut left = 0;
+            for (dx, dy) in (0..columns).flat_map(|dy| (0..columns).map(move |dx| (dx, dy))) {
+                let inner = Cell::new(cell.x * columns + dx, cell.y * columns + dy);
+                if self.floor.floor.is_set(self.floor.cell_at(inner.centre(self.side))) {
+                    left += i32::from(!marks.has(self.outer(inner), Mark::Cleaned));
+                }
+            }
+            let is_left = f64::from(left) >= look.aim.share * f64::from(columns * columns);
+            self.left[cell] = is_left && !(look.is_spent)(self.name(cell));
+        }
+    }
+
+    /// A cell of the plan as the map has it.
+    fn outer(&self, cell: Cell) -> Cell {
+        Cell::new(cell.x + self.low.x, cell.y + self.low.y)
+    }
+
+    /// What a planning cell is called, whatever is known.
+    pub fn name(&self, cell: Cell) -> Cell {
+        Cell::new(cell.x + self.first.x, cell.y + self.first.y)
+    }
+
+    /// The part of what is left that is nearest to the robot, of those with at least so many planning cells, and where to begin
+    /// with it; `None` if there is none that it can get to. A part is connected floor.
+    pub fn nearest(&self, least: usize) -> Option<(Grid<bool>, Cell)> {
+        let mut rest = self.left.clone();
+        loop {
+            let (cell, _) = self.search(|cell| rest[cell])?;
+            let part = reachable(&rest, cell);
+            if part.count() >= least {
+                return Some((part, cell));
+            }
+            for (left, &is_small) in rest.values_mut().iter_mut().zip(part.values()) {
+                *left &= !is_small;
+            }
+        }
+    }
+
+    /// The line to about a place, in the frame of the map, if it can get there.
+    pub fn way(&self, to: Point) -> Option<Vec<Point>> {
+        let near = self.lattice.cell_size;
+        let (cell, before) = self.search(|cell| (self.lattice.anchor(cell) + self.corner - to).norm() < near)?;
+        let mut walk = vec![cell];
+        while let Some(next) = walk.last().and_then(|&last| before[last]) {
+            walk.push(next);
+        }
+        walk.reverse();
+        Some(self.line(&walk))
+    }
+
+    /// The nearest cell that is wanted, by steps, and before each cell the one that it was reached from.
+    fn search(&self, is_wanted: impl Fn(Cell) -> bool) -> Option<(Cell, Grid<Option<Cell>>)> {
+        let free = &self.lattice.free;
+        let mut before = free.map(|_| None);
+        let mut seen = free.map(|_| false);
+        seen[self.lattice.start] = true;
+        let mut queue = VecDeque::from([self.lattice.start]);
+        while let Some(cell) = queue.pop_front() {
+            if is_wanted(cell) {
+                return Some((cell, before));
+            }
+            for next in cell.neighbours() {
+                if free.is_set(next) && !std::mem::replace(&mut seen[next], true) {
+                    before[next] = Some(cell);
+                    queue.push_back(next);
+                }
+            }
+        }
+        None
+    }
+
+    /// The job of covering a part from `start` on.
+    pub fn job(&self, part: Grid<bool>, start: Cell, robot: &RobotModel) -> CoverageJob {
+        let toward = self.lattice.anchor(start) - self.floor.start.position();
+        let heading = if toward.norm() > self.lattice.cell_size {
+            math::atan2(toward.y, toward.x)
+        } else {
+            self.floor.start.heading
+        };
+        CoverageJob {
+            free: part,
+            start,
+            heading: Direction::nearest(heading),
+            step_s: self.lattice.cell_size / robot.cruise_speed,
+            turn_s: robot.turn_time(math::FRAC_PI_2) + robot.cruise_speed / robot.acceleration,
+        }
+    }
+
+    /// The line from the robot along a walk over planning cells, in the frame of the map.
+    pub fn line(&self, walk: &[Cell]) -> Vec<Point> {
+        self.lattice.polyline(&self.floor, walk).into_iter().skip(1).map(|at| at + self.corner).collect()
+    }
+
+    /// Cells of the map that the tool can get to.
+    pub fn reach(&self) -> Layer<bool> {
+        let mut reach = Layer::new();
+        let [width, height] = [self.floor.floor.width(), self.floor.floor.height()]
+            .map(|fine| (fine as f64 * self.floor.resolution / self.side).round() as i32);
+        for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
+            let cell = Cell::new(x, y);
+            if self.floor.floor.is_set(self.floor.cell_at(cell.centre(self.side))) {
+                reach.update(self.outer(cell), |_| true);
+            }
+        }
+        reach
+    }
+}
+
+/// The planning cell that holds a point, by its name.
+pub(super) fn name_at(point: Point, robot: &RobotModel, side: f64) -> Cell {
+    Cell::at(point, side * f64::from(columns(robot, side)))
+}
+
+/// Side of a planning cell, cells of the map.
+fn columns(robot: &RobotModel, side: f64) -> i32 {
+    (((robot.tool_width - OVERLAP) / side + 1e-6) as i32).max(1)
+}
+
+/// The map as a floor plan for `look`, and the cell of the map that is its lower left one, a multiple of `columns`; `None` if
+/// nothing is known.
+///
+/// What is unknown is no floor, but for gaps within known floor and around the robot at `pose`.
+fn plan(map: &OccupancyMap, look: &Look<'_>, pose: Pose, columns: i32) -> Option<(FloorPlan, Cell)> {
+    let known = map.to_plan("")?;
+    let side = map.resolution();
+    let from = Cell::at(known.origin.position() + Vector::new(0.5 * side, 0.5 * side), side);
+    let snap = |value: i32| (value - MARGIN).div_euclid(columns) * columns;
+    let low = Cell::new(snap(from.x), snap(from.y));
+    let size = |from: i32, low: i32, cells: usize| {
+        let least = from - low + cells as i32 + MARGIN;
+        (least + columns - least.rem_euclid(columns)) as usize
+    };
+    let (width, height) = (size(from.x, low.x, known.occupancy.width()), size(from.y, low.y, known.occupancy.height()));
+    let mut occupancy = Grid::filled(width, height, Occupancy::Unknown);
+    let outer = |cell: Cell| Cell::new(cell.x + low.x, cell.y + low.y);
+    for (index, value) in occupancy.values_mut().iter_mut().enumerate() {
+        let cell = Cell::new((index % width) as i32, (index / width) as i32);
+        let inner = Cell::new(cell.x + low.x - from.x, cell.y + low.y - from.y);
+        *value = known.occupancy.get(inner).copied().unwrap_or(Occupancy::Unknown);
+        let near = (outer(cell).centre(side) - pose.position()).norm() < look.robot.radius + AROUND;
+        if *value == Occupancy::Unknown && near {
+            *value = Occupancy::Free;
+        }
+    }
+    close(&mut occupancy, (GAP / side) as f32);
+    for index in 0..occupancy.len() {
+        let cell = occupancy.cell(index);
+        if look.barred.has(outer(cell)) {
+            occupancy[cell] = Occupancy::Occupied;
+        }
+    }
+    let origin = Pose::new(f64::from(low.x) * side, f64::from(low.y) * side, 0.0);
+    Some((FloorPlan { occupancy, origin, ..known }, low))
+}
+
+/// Makes floor of unknown cells in gaps of known floor, up to twice `reach` cells wide (closing, as of mathematical morphology:
+/// what is farther than that from floor stays unknown, and so does what is not farther from that).
+fn close(occupancy: &mut Grid<Occupancy>, reach: f32) {
+    let floor = occupancy.map(|&what| what == Occupancy::Free);
+    let far = clearance(&floor, reach + 2.0).map(|&cells| cells > reach);
+    let kept = clearance(&far, reach + 2.0);
+    for (value, &room) in occupancy.values_mut().iter_mut().zip(kept.values()) {
+        if *value == Occupancy::Unknown && room > reach {
+            *value = Occupancy::Free;
+        }
+    }
+}

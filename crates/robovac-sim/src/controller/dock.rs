@@ -1,0 +1,230 @@
+//! Return to the dock by its infrared beams.
+//!
+//! A Roomba's dock sends a green and a red beam that overlap in front of its middle, and a force field around it (Open
+//! Interface specification, infrared characters 160 to 173). A robot that faces the dock has the green beam on its left and
+//! the red one on its right. The specification says what the characters mean; how a Roomba drives by them is nowhere
+//! written, and what follows is ours:
+//!
+//! 1. *Search.* Random walk and wall follow in turn until a beam is seen. The force field alone, beside the dock, is
+//!    nothing to go by.
+//! 2. *Cross.* In one beam alone the robot is off the middle: it keeps the dock on that side where it would pass the middle,
+//!    and drives until it sees both beams.
+//! 3. *Approach.* Seeing both, it drives to where both of its front receivers see the dock, slowly within the force field.
+//!    Losing one beam, it steers back towards it: the overlap narrows to a centimetre where the contacts are.
+//! 4. *Retry.* If it bumps into something and isn't charged, it goes back the way it came, turns a little, and tries again.
+//!    After some tries it searches anew, for another side to come from.
+//!
+//! ```
+//! use robovac_sim::controller::*;
+//! use robovac_core::{registry::Params, robot::*};
+//! let info = find("dock").unwrap();
+//! let (robot, params) = (model("roomba600").unwrap(), Params::defaults(info.params));
+//! let mut dock = info.build(&Setup { robot, params: &params, seed: 1 }).unwrap();
+//! let seen = |omni| Sensors { infrared: Infrared { omni, left: omni, right: omni }, ..Sensors::default() };
+//! dock.step(&seen(172), 0.015);
+//! assert_eq!(dock.activity(), "driving to the dock");
+//! let battery = BatteryReading { on_dock: true, ..BatteryReading::default() };
+//! let on_dock = Sensors { battery, ..Sensors::default() };
+//! assert!((0..40).all(|_| dock.step(&on_dock, 0.015).is_stop()) && dock.is_done());
+//! ```
+
+use super::{
+    BehaviourInfo, Build, Claims, Setup,
+    parts::{Beacon, By, Driven, Habit, Hit, Kind, Move, Pilot},
+    random_walk::RandomWalk,
+    wall_follow::WallFollow,
+};
+use rand::RngExt;
+use robovac_core::{
+    registry::{Example, Explainer},
+    robot::{Drive, Sensors},
+};
+
+/// Speeds, m/s: to the dock from afar, and within its force field.
+const SPEED: (f64, f64) = (0.2, 0.07);
+/// Turn rates, rad/s: on the spot to find it, along an arc from afar, and close to it.
+const TURN: (f64, f64, f64) = (0.8, 0.5, 0.3);
+/// Time without a sight of the beams after which they are lost, s.
+const LOST_S: f64 = 4.0;
+/// Way back for another try, m.
+const BACK: f64 = 0.45;
+/// Tries before it searches anew.
+const TRIES: u32 = 4;
+/// How long it searches at random and along walls, s.
+const SEARCH_S: (f64, f64) = (60.0, 60.0);
+/// Time on the contacts after which it has come to rest there, s.
+const RESTS_S: f64 = 0.5;
+/// Time after a search began anew for which it doesn't look at beams, s: it must get elsewhere first.
+const BLIND_S: f64 = 8.0;
+
+pub(super) const INFO: BehaviourInfo = BehaviourInfo {
+    id: "dock",
+    title: "Return to dock",
+    summary: "Looks for the infrared beams of its dock and drives between them until it is charged.",
+    source: "iRobot Create 2 Open Interface specification: packets 17, 52 and 53, infrared characters; the way it drives is ours",
+    link: "https://edu.irobot.com/learning-library/create-2-oi-spec",
+    explainer: Explainer {
+        idea: "The robot drives at random and along walls until it sees a beam of its dock. \
+               The dock sends a green beam to one side of its middle and a red one to the other, and where both are seen is the way in. \
+               The robot steers back to whichever beam it loses, slower as it comes near, until its contacts touch.",
+        complexity: "O(1) time and memory a step.",
+        use_when: "When the battery runs low. Robots without infrared receivers can't, and in large or winding rooms the search takes long.",
+        shines: Example { room: "room12ft", why: "In one room its beams are soon seen." },
+        fails: Example { room: "maze", why: "The beams end at the next wall, and chance has to find the way there." },
+    },
+    claims: Claims { ends: true, cleans: false, manual: false, explores: false },
+    params: &[],
+};
+
+pub(super) const BUILD: Build = |setup| Driven::boxed(setup, Dock::new(setup));
+
+/// The habit.
+#[derive(Debug, Clone)]
+pub(super) struct Dock {
+    walk: RandomWalk,
+    walls: WallFollow,
+    beacon: Beacon,
+    phase: Phase,
+    tries: u32,
+    /// Whether the robot has receivers and contacts.
+    is_able: bool,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Phase {
+    /// For so long, s; along walls or at random; without looking at beams for so long, s.
+    Search { left: f64, along_walls: bool, blind: f64 },
+    /// Hasn't seen the beams for so long, s; when it saw the dock last, it was on the left.
+    Home { unseen: f64, was_left: bool },
+    /// On the contacts for so long, s.
+    Docked { since: f64 },
+}
+
+const START: Phase = Phase::Search { left: SEARCH_S.0, along_walls: false, blind: 0.0 };
+
+impl Dock {
+    pub(super) fn new(setup: &Setup<'_>) -> Self {
+        Self {
+            walk: RandomWalk::with(setup, (1.0, 1.0), 0.03),
+            walls: WallFollow::usual(setup),
+            beacon: Beacon::default(),
+            phase: START,
+            tries: 0,
+            is_able: setup.robot.sensors.infrared && setup.robot.battery.charge_ma > 0.0,
+        }
+    }
+
+    fn search(&mut self, pilot: &mut Pilot, along_walls: bool, blind: f64) {
+        let left = if along_walls { SEARCH_S.1 } else { SEARCH_S.0 };
+        self.phase = Phase::Search { left, along_walls, blind };
+        self.tries = 0;
+        if along_walls { self.walls.begin(pilot) } else { self.walk.begin(pilot) }
+    }
+
+    /// Drives by what is seen of the dock, which was on the left when it was seen last.
+    fn by_beams(&self, pilot: &Pilot, was_left: bool) -> Drive {
+        let is_near = self.beacon.is_near();
+        let speed = if is_near { SPEED.1 } else { SPEED.0 }.min(pilot.speed);
+        let rate = if is_near { TURN.2 } else { TURN.1 };
+        let arc = |left: bool| pilot.twist(speed, if left { rate } else { -rate });
+        let spin = |left: bool| pilot.twist(0.0, if left { TURN.0 } else { -TURN.0 });
+        match (self.beacon.beams(), self.beacon.sides()) {
+            // In the middle: keep the dock ahead.
+            ((true, true), (left, right)) if left != right => arc(left),
+            // On the left of the middle, go right, with the dock a little to the left; and the other way round.
+            ((true, true), (true, true)) | ((true, false), (true, false)) | ((false, true), (false, true)) => {
+                pilot.twist(speed, 0.0)
+            }
+            ((true, false), (true, true)) => arc(false),
+            ((false, true), (true, true)) => arc(true),
+            ((true, false), (false, true)) => spin(false),
+            ((false, true), (true, false)) => spin(true),
+            _ => spin(was_left),
+        }
+    }
+}
+
+impl Habit for Dock {
+    fn begin(&mut self, pilot: &mut Pilot) {
+        self.search(pilot, false, 0.0);
+    }
+
+    fn watch(&mut self, sensed: &Sensors, dt_s: f64) {
+        self.beacon.update(sensed, dt_s);
+        match &mut self.phase {
+            Phase::Docked { since } if sensed.battery.on_dock => *since += dt_s,
+            // Rolled over them.
+            Phase::Docked { .. } => self.phase = Phase::Home { unseen: 0.0, was_left: false },
+            phase if sensed.battery.on_dock => *phase = Phase::Docked { since: 0.0 },
+            Phase::Search { left, blind, .. } => {
+                *left -= dt_s;
+                *blind -= dt_s;
+            }
+            Phase::Home { unseen, was_left } => {
+                *unseen = if self.beacon.beams() == (false, false) { *unseen + dt_s } else { 0.0 };
+                *was_left = match self.beacon.sides() {
+                    (true, false) => true,
+                    (false, true) => false,
+                    _ => *was_left,
+                };
+            }
+        }
+    }
+
+    fn roam(&mut self, pilot: &mut Pilot, sensed: &Sensors, dt_s: f64) -> Drive {
+        match self.phase {
+            Phase::Search { blind, .. } if blind <= 0.0 && self.beacon.beams() != (false, false) => {
+                self.phase = Phase::Home { unseen: 0.0, was_left: self.beacon.sides().0 };
+                pilot.turn_speed = pilot.robot.turn_wheel_speed;
+                pilot.by = By::Counts;
+                self.by_beams(pilot, self.beacon.sides().0)
+            }
+            Phase::Search { left, along_walls, .. } => {
+                if left <= 0.0 {
+                    self.search(pilot, !along_walls, 0.0);
+                }
+                if along_walls { self.walls.roam(pilot, sensed, dt_s) } else { self.walk.roam(pilot, sensed, dt_s) }
+            }
+            Phase::Home { unseen, .. } if unseen > LOST_S => {
+                self.search(pilot, false, 0.0);
+                Drive::STOP
+            }
+            Phase::Home { was_left, .. } => self.by_beams(pilot, was_left),
+            Phase::Docked { .. } => Drive::STOP,
+        }
+    }
+
+    fn hit(&mut self, pilot: &mut Pilot, hit: Hit) {
+        match self.phase {
+            Phase::Docked { .. } => {}
+            Phase::Search { along_walls: true, .. } => self.walls.hit(pilot, hit),
+            Phase::Home { .. } if hit.kind == Kind::Bump && self.tries < TRIES => {
+                self.tries += 1;
+                let turn = pilot.rng.random_range(-0.4..0.4);
+                pilot.answer(hit, BACK, &[Move::Turn(turn)]);
+            }
+            Phase::Home { .. } => {
+                self.search(pilot, false, BLIND_S);
+                self.walk.hit(pilot, hit);
+            }
+            Phase::Search { .. } => self.walk.hit(pilot, hit),
+        }
+    }
+
+    fn is_done(&self) -> bool {
+        matches!(self.phase, Phase::Docked { since } if since > RESTS_S) || !self.is_able
+    }
+
+    fn activity(&self) -> &'static str {
+        match self.phase {
+            _ if !self.is_able => "without receivers for the beams of a dock",
+            Phase::Search { .. } => "looking for the dock",
+            Phase::Home { .. } => "driving to the dock",
+            Phase::Docked { .. } => "on its dock",
+        }
+    }
+
+    fn boxed_clone(&self) -> Box<dyn Habit> {
+        Box::new(self.clone())
+    }
+}

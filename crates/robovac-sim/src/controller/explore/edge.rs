@@ -1,0 +1,172 @@
+//! Phase 6: edge following (004, chapter 7 and section 7.1).
+//!
+//! Krapinec 2025 prints this phase as code: a timer calls `move_to_empty_space` every 0.1 s, which looks at the bumper and
+//! the six bits of the light bumper and rotates at 0.5 rad/s or moves forward at 0.1 m/s. When the bumper meets something,
+//! the robot rotates until only the outer light sensor on that side sees it, and goes along it. Where the edge ends, it goes
+//! around the end in three steps: 10 movements forward, 15 rotations, and a zig-zag. Where it can't get out of a rotation,
+//! it gives the obstacle up after a random number of rotations, between 100 and 200, and goes straight on.
+//!
+//! The rules, and where the print errs, are in [`edge_machine`](super::edge_machine).
+//!
+//! # Where the thesis is silent
+//!
+//! - *Edges of the floor and virtual walls*: the robot backs off as all behaviours here do, turns away by a random angle, and
+//!   begins anew.
+//! - *Robots without a light bumper* report no light. They find out what they follow by the bumper alone and lose it at once:
+//!   all that is left is the random rotation.
+//!
+//! ```
+//! use robovac_sim::controller::*;
+//! use robovac_core::{registry::Params, robot::*};
+//! let info = find("explore_edge").unwrap();
+//! let (robot, params) = (model("roomba600").unwrap(), Params::defaults(info.params));
+//! let mut explorer = info.build(&Setup { robot, params: &params, seed: 1 }).unwrap();
+//! let ahead = (0..7).map(|_| explorer.step(&Sensors::default(), 0.015)).last().unwrap();
+//! assert_eq!(ahead, Drive::wheels(0.1, 0.1));
+//! // A bump on the right: it rotates to the left until only the right light sensor sees the wall.
+//! let bump = Sensors { bump_right: true, ..Sensors::default() };
+//! let turning = (0..20).map(|_| explorer.step(&bump, 0.015)).last().unwrap();
+//! assert!(turning.left < 0.0 && turning.right > 0.0);
+//! let beside = Sensors { light_bumper: [false, false, false, false, false, true], ..Sensors::default() };
+//! let along = (0..20).map(|_| explorer.step(&beside, 0.015)).last().unwrap();
+//! assert_eq!((along, explorer.activity()), (Drive::wheels(0.1, 0.1), "following the edge on its right"));
+//! ```
+
+use super::{
+    THESIS,
+    edge_machine::{EdgeMachine, STUCK, Text, Twist},
+    position::Position,
+    turn_back,
+};
+use crate::controller::{
+    BehaviourInfo, Build, Claims,
+    parts::{By, Driven, Habit, Hit, Kind, Pilot},
+};
+use rand::RngExt;
+use robovac_core::{
+    registry::{Example, Explainer, ParamKind, ParamSpec},
+    robot::{Drive, Sensors},
+};
+
+/// `timer_period`, s.
+const PERIOD_S: f64 = 0.1;
+/// How long the driver holds a command, s.
+const LATCH_S: f64 = 0.2;
+
+pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
+    id: "explore_edge",
+    title: "Edge following",
+    summary: "Meets something, turns until it has it beside it, and goes along its edge and around its ends, rule by printed rule.",
+    source: "Krapinec 2025, Enhancing Robotic Vacuum Cleaner Performance through Improved Map Building, master's thesis, \
+             FER Zagreb: chapter 7, phase 6, and section 7.1, move_to_empty_space",
+    link: THESIS,
+    explainer: Explainer {
+        idea: "The robot drives forward until its bumper meets something, and rotates until only the outer light sensor on that side sees it. \
+               Then it goes along that edge; where it ends, it drives on for a length, rotates towards it, and looks for it in a zig-zag. \
+               If a rotation doesn't end, it gives the edge up after a random while and goes straight on.",
+        complexity: "O(1) time and memory a call, ten times a second: two sides, two counters, a step and a random number.",
+        use_when: "To map the border of a room and what stands at it, with a light bumper. It is slow, and furniture that stands alone holds it for ever.",
+        shines: Example {
+            room: "tshape",
+            why: "It goes into every nook that the wall leads to, where driving until an obstacle passes by.",
+        },
+        fails: Example { room: "ring", why: "It goes along the wall that it met first and never sees the other one." },
+    },
+    claims: Claims { ends: false, cleans: false, manual: false, explores: true },
+    params: &[
+        ParamSpec {
+            id: "text",
+            label: "Rules",
+            help: "Where code and text of the thesis differ: the zig-zag turns right as the code has it, or towards the edge.",
+            kind: ParamKind::Choice { options: &[("mended", "as meant"), ("printed", "as printed")] },
+        },
+        ParamSpec {
+            id: "speed",
+            label: "Speed",
+            help: "Speed forward; the thesis has 10 cm/s.",
+            kind: ParamKind::Number { min: 5.0, max: 25.0, step: 1.0, default: 10.0, unit: "cm/s" },
+        },
+        ParamSpec {
+            id: "turn",
+            label: "Turn rate",
+            help: "Turn rate of rotations; the thesis has 0.5 rad/s.",
+            kind: ParamKind::Number { min: 0.2, max: 1.5, step: 0.1, default: 0.5, unit: "rad/s" },
+        },
+    ],
+};
+
+pub(in crate::controller) const BUILD: Build = |setup| {
+    let text = if setup.params.choice("text") == "printed" { Text::Printed } else { Text::Mended };
+    let speeds = (setup.params.number("speed") / 100.0, setup.params.number("turn"));
+    Driven::boxed(setup, Edge { machine: EdgeMachine::new(text), speeds, since_call: 0.0, latched: None })
+};
+
+/// The habit.
+#[derive(Debug, Clone)]
+struct Edge {
+    machine: EdgeMachine,
+    /// m/s and rad/s.
+    speeds: (f64, f64),
+    /// Since the timer last called, s.
+    since_call: f64,
+    /// The last command, and how long ago it was given, s.
+    latched: Option<(Twist, f64)>,
+}
+
+impl Edge {
+    /// Nothing is followed and nothing was told.
+    fn restart(&mut self) {
+        self.machine = EdgeMachine::new(self.machine.text);
+        self.since_call = 0.0;
+        self.latched = None;
+    }
+}
+
+impl Habit for Edge {
+    fn begin(&mut self, pilot: &mut Pilot) {
+        pilot.turn_speed = pilot.robot.turn_wheel_speed;
+        pilot.by = By::Counts;
+        self.restart();
+    }
+
+    fn roam(&mut self, pilot: &mut Pilot, sensed: &Sensors, dt_s: f64) -> Drive {
+        self.since_call += dt_s;
+        self.latched = self.latched.map(|(twist, age)| (twist, age + dt_s)).filter(|(_, age)| *age < LATCH_S);
+        // The sum of many short times is a little off.
+        if self.since_call > PERIOD_S - 1e-9 {
+            self.since_call = (self.since_call - PERIOD_S).clamp(0.0, PERIOD_S);
+            let told = self.machine.call(sensed, || pilot.rng.random_range(STUCK.0..=STUCK.1));
+            self.latched = told.map(|twist| (twist, 0.0)).or(self.latched);
+        }
+        let (speed, turn) = (self.speeds.0.min(pilot.speed), self.speeds.1);
+        match self.latched {
+            None => Drive::STOP,
+            Some((Twist::Left, _)) => pilot.twist(0.0, turn),
+            Some((Twist::Right, _)) => pilot.twist(0.0, -turn),
+            Some((Twist::Forward, _)) => pilot.twist(speed, 0.0),
+        }
+    }
+
+    fn hit(&mut self, pilot: &mut Pilot, hit: Hit) {
+        // The rules know what to do about a bump.
+        if hit.kind != Kind::Bump {
+            turn_back(pilot, hit);
+            self.restart();
+        }
+    }
+
+    fn activity(&self) -> &'static str {
+        match (self.machine.edge_detected, self.machine.rotation.position, self.machine.obstacle) {
+            (1..=3, ..) => "going around the end of an edge",
+            (_, Position::Left, _) => "turning left along an edge",
+            (_, Position::Right, _) => "turning right along an edge",
+            (.., Position::Left) => "following the edge on its left",
+            (.., Position::Right) => "following the edge on its right",
+            (.., Position::None) => "looking for an obstacle",
+        }
+    }
+
+    fn boxed_clone(&self) -> Box<dyn Habit> {
+        Box::new(self.clone())
+    }
+}

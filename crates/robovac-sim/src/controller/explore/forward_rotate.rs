@@ -1,0 +1,57 @@
+//! Phase 1: forward or rotate, by chance (004, chapter 7).
+//!
+//! Krapinec 2025 begins with two options, a fixed way forward and a fixed rotation; one of them is drawn when the last one
+//! is done. There is no rule for obstacles: the wheels roll their distance even where a wall holds the robot, and whoever
+//! counts them is misled, as the thesis says. It likens the strategy to bogosort.
+//!
+//! # Where the thesis is silent
+//!
+//! - *Figures*: no distance and no angle are printed. 20 cm and 30 degrees are ours, as are the robot's own speeds.
+//! - *The way it rotates*: counter-clockwise; phase 2 is the first to tell left from right.
+//! - *The end*: "until a comprehensive map is generated", which no rule tells. It goes on.
+//! - *Edges of the floor and virtual walls* end a motion: the robot backs off and turns away by a random angle. Where it has
+//!   seen an edge, it no longer pushes walls: pushing it slips, and what slips doesn't know its way back.
+//!
+//! ```
+//! use robovac_sim::controller::*;
+//! use robovac_core::{registry::Params, robot::*};
+//! let info = find("explore_forward_rotate").unwrap();
+//! let (robot, params) = (model("roomba600").unwrap(), Params::defaults(info.params));
+//! let mut explorer = info.build(&Setup { robot, params: &params, seed: 1 }).unwrap();
+//! // It takes no notice of a wall: sooner or later the wheels roll ahead with the bumper pressed.
+//! let wall = Sensors { bump_left: true, bump_right: true, ..Sensors::default() };
+//! assert!((0..1000).any(|_| { let drive = explorer.step(&wall, 0.015); drive.left > 0.0 && drive.right > 0.0 }));
+//! ```
+
+use super::{
+    THESIS,
+    options::{ANGLE, DISTANCE, Options, PUSHES, Rules},
+};
+use crate::controller::{BehaviourInfo, Build, Claims, parts::Driven};
+use robovac_core::registry::{Example, Explainer};
+
+pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
+    id: "explore_forward_rotate",
+    title: "Forward or rotate",
+    summary: "Drives a fixed way forward or rotates by a fixed angle, as chance has it, and doesn't look.",
+    source: "Krapinec 2025, Enhancing Robotic Vacuum Cleaner Performance through Improved Map Building, master's thesis, \
+             FER Zagreb: chapter 7, phase 1",
+    link: THESIS,
+    explainer: Explainer {
+        idea: "One of two motions is drawn by chance: a fixed way forward, or a fixed rotation to the left. When it is done, the next one is drawn. Nothing that the robot senses changes what it does.",
+        complexity: "O(1) time and memory a step: it remembers at most the last contact.",
+        use_when: "As the baseline for everything that looks, and to see what a wall does to odometry: the wheels roll on where it holds the robot.",
+        shines: Example { room: "room12ft", why: "In a bare room a wandering robot meets every wall in the end." },
+        fails: Example {
+            room: "flat",
+            why: "It comes back again and again to where it has been, and through a door by luck alone.",
+        },
+    },
+    claims: Claims { ends: false, cleans: false, manual: false, explores: true },
+    params: &[DISTANCE, ANGLE, PUSHES],
+};
+
+/// Phase 1.
+const RULES: Rules = Rules { turns_right: false, looks_ahead: false, looks_aside: false };
+
+pub(in crate::controller) const BUILD: Build = |setup| Driven::boxed(setup, Options::new(setup, RULES));

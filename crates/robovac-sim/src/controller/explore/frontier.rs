@@ -1,0 +1,438 @@
+//! Frontiers: to where what is known ends, until it ends nowhere (Yamauchi 1997).
+//!
+//! Yamauchi's robot sees far, and drives to the nearest border between free and unknown cells that it can reach. A Roomba
+//! sees a hand's breadth, and knows floor only where it was. So there are two kinds of borders here:
+//!
+//! - *Walls*, which are followed by light, with the law of [`wall_follow`](super::super::wall_follow), until the robot comes
+//!   to where it followed one before. After a number of metres it leaves a wall for what is near and comes back later, so
+//!   that loops stay short, and walls are met again while the error of the pose is small.
+//! - *Floor*, which is crossed in lanes. A lane is a line of unknown cells on which the robot fits, entered from known floor.
+//!   The nearest one is next, long ones before short ones. A wall that it meets there for the first time is followed.
+//!
+//! All of it is planned on the map of the robot's own [`Mapper`] and driven by the Mapper's pose. Poses may jump and maps err:
+//! no place is gone for again and again, what shouldn't be there is driven around, edges and virtual walls are barred,
+//! and what takes too long is given up. The map is complete when no lane is left. A robot that was carried off finds itself on
+//! what it has mapped so far before it goes on.
+//!
+//! Distances, numbers of tries and the order of the two kinds are ours.
+//!
+//! ```
+//! use robovac_sim::controller::*;
+//! use robovac_core::{registry::Params, robot::*};
+//! let info = find("explore_frontier").unwrap();
+//! let (robot, params) = (model("roomba600").unwrap(), Params::defaults(info.params));
+//! let mut explorer = info.build(&Setup { robot, params: &params, seed: 1 }).unwrap();
+//! let ahead = explorer.step(&Sensors::default(), 0.015);
+//! assert!(ahead.left > 0.0 && ahead.left == ahead.right);
+//! assert_eq!(explorer.activity(), "looking for a wall");
+//! assert!(explorer.mapper().is_some() && !explorer.is_done());
+//! ```
+
+use super::{
+    BACK_FROM_EDGE,
+    trace::Trace,
+    tries::{THERE, Tries},
+};
+use crate::{
+    controller::{
+        BehaviourInfo, Build, Claims, Intent, Setup,
+        parts::{Barred, Driven, Habit, Hit, Kind, Pilot, Route, Search, Searched, Side},
+        wall_follow::WallFollow,
+    },
+    mapping::{Mapper, MapperSetup, Tracking},
+};
+use robovac_core::{
+    geometry::{Point, Pose},
+    registry::{Example, Explainer, ParamKind, ParamSpec},
+    robot::{Drive, OdometryModel, Sensors},
+};
+
+/// Way along a wall that was followed before after which it is known, m.
+const OVERLAP: f64 = 0.6;
+/// How often it sets out for the start.
+const WAYS_HOME: u32 = 5;
+/// Way back from what was met, m.
+const BACK: f64 = 0.03;
+/// Directions of what the bumper felt on one side, rad.
+const SIDE: f64 = 0.6;
+/// Signal of the two middle light sensors at which something is met: a wall at 8 cm.
+const AHEAD: u16 = 600;
+/// Share of the speed with something in sight.
+const CAREFUL: f64 = 0.45;
+/// How far it looks for a wall that it has lost, m.
+const LOST: f64 = 1.5;
+/// A robot that has moved less than that in so long is stuck, m and s.
+const STUCK: (f64, f64) = (0.15, 25.0);
+
+pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
+    id: "explore_frontier",
+    title: "Frontiers",
+    summary: "Follows walls and crosses unknown floor in lanes, always to the nearest place where its own map ends, until it ends nowhere.",
+    source: "Yamauchi 1997, A frontier-based approach for autonomous exploration, CIRA; walls and lanes for a robot that sees \
+             a hand's breadth are ours",
+    link: "https://doi.org/10.1109/CIRA.1997.613851",
+    explainer: Explainer {
+        idea: "The robot makes a map as it goes and drives to the nearest place where known floor borders on unknown. \
+               Walls that it meets for the first time are followed by light until it comes to where it was; open floor is crossed in lanes. \
+               When no unknown floor can be reached any more, the map is complete.",
+        complexity: "O(n log n) time for each new goal in the n cells of the map, and O(n) memory.",
+        use_when: "To map a whole flat: it knows what is missing, goes there, and knows when it is done. It stands and falls with the pose that it believes in.",
+        shines: Example {
+            room: "flat",
+            why: "It sees every room, goes round every piece of furniture once, and stops when it is done.",
+        },
+        fails: Example {
+            room: "hall20",
+            why: "In a hall of 20 m by 20 m there is hardly anything to meet, and its pose drifts from lane to lane.",
+        },
+    },
+    claims: Claims { ends: true, cleans: false, manual: false, explores: true },
+    params: &[
+        ParamSpec {
+            id: "tracking",
+            label: "Pose",
+            help: "How it keeps track of where it is: by wheel counts corrected by what it meets, or by wheel counts alone.",
+            kind: ParamKind::Choice { options: &[("corrected", "corrected"), ("odometry", "odometry alone")] },
+        },
+        ParamSpec {
+            id: "odometry",
+            label: "Odometry",
+            help: "How wheels that have rolled become motion: encoder counts or distance and angle packets, along arcs or in straight pieces.",
+            kind: ParamKind::Choice {
+                options: &[
+                    ("arc", "counts, arcs"),
+                    ("straight", "counts, straight"),
+                    ("packet_arc", "packets, arcs"),
+                    ("packet_straight", "packets, straight"),
+                ],
+            },
+        },
+        ParamSpec {
+            id: "lane",
+            label: "Lanes",
+            help: "Distance of the lanes on open floor; things narrower than what is left between them may stay unseen.",
+            kind: ParamKind::Number { min: 20.0, max: 100.0, step: 5.0, default: 45.0, unit: "cm" },
+        },
+        ParamSpec {
+            id: "leg",
+            label: "Along a wall",
+            help: "How far it follows a wall before it sees to what is near; short legs make short loops.",
+            kind: ParamKind::Number { min: 2.0, max: 100.0, step: 1.0, default: 25.0, unit: "m" },
+        },
+        ParamSpec {
+            id: "home",
+            label: "Comes back",
+            help: "Drives to where it started once the map is complete.",
+            kind: ParamKind::Flag { default: false },
+        },
+    ],
+};
+
+pub(in crate::controller) const BUILD: Build = |setup| {
+    let tracking = Tracking::parse(setup.params.choice("tracking")).unwrap_or_default();
+    let start = Pose::new(0.0, 0.0, 0.0);
+    let odometry = OdometryModel::parse(setup.params.choice("odometry")).unwrap_or_default();
+    let mapper = MapperSetup { robot: setup.robot.clone(), start, tracking, odometry, seed: setup.seed };
+    Driven::boxed(setup, Frontier::new(setup, Mapper::new(mapper)))
+};
+
+/// The habit.
+#[derive(Clone)]
+pub(super) struct Frontier {
+    pub(super) mapper: Mapper,
+    /// Lanes are so many cells apart.
+    pub(super) spacing: i32,
+    /// Metres along a wall.
+    leg: f64,
+    /// How often it may still set out for the start.
+    pub(super) ways_home: u32,
+    wall: WallFollow,
+    pub(super) trace: Trace,
+    pub(super) phase: Phase,
+    /// Where it left walls that go on.
+    pub(super) ends: Vec<Pose>,
+    /// How often places have been gone for.
+    pub(super) tries: Tries,
+    /// Cells of the map that are not to be entered.
+    pub(super) barred: Barred,
+    pub(super) doubts: u32,
+    /// Lanes that it could go for when it last chose, m.
+    pub(super) lanes: Vec<[Point; 2]>,
+    /// Where it was last seen to move, and how long ago, s.
+    moved: (Point, f64),
+    /// Whether it hangs, or hung, in somebody's hand.
+    is_lifted: bool,
+    search: Search,
+}
+
+#[derive(Clone)]
+pub(super) enum Phase {
+    /// Looks for a wall or follows one; it was so far ahead (m, of the pilot) when it began, and when it last felt one.
+    Follow {
+        began: f64,
+        felt: f64,
+        has_met: bool,
+    },
+    /// Decides where to go.
+    Choose,
+    /// Drives somewhere, for so long yet, s.
+    Drive {
+        route: Route,
+        patience: f64,
+        to: Goal,
+        place: Point,
+    },
+    /// Looks for itself on its map: somebody has carried it off.
+    Search,
+    Done,
+    /// It hasn't found itself, or there was nothing to find itself by.
+    Lost {
+        has_looked: bool,
+    },
+}
+
+/// What it drives for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Goal {
+    /// To see a lane.
+    Floor,
+    /// To go on along a wall where it left it.
+    Wall(Pose),
+    Home,
+}
+
+impl Frontier {
+    pub(super) fn new(setup: &Setup<'_>, mapper: Mapper) -> Self {
+        let resolution = mapper.map().resolution();
+        Self {
+            spacing: ((setup.params.number("lane") / 100.0 / resolution).round() as i32).max(1),
+            leg: setup.params.number("leg"),
+            ways_home: if setup.params.flag("home") { WAYS_HOME } else { 0 },
+            wall: WallFollow::endless(setup),
+            trace: Trace::default(),
+            phase: Phase::Choose,
+            ends: Vec::new(),
+            tries: Tries::default(),
+            barred: Barred::new(resolution),
+            doubts: 0,
+            lanes: Vec::new(),
+            moved: (Point::origin(), 0.0),
+            is_lifted: false,
+            search: Search::new(setup),
+            mapper,
+        }
+    }
+
+    pub(super) fn follow(&mut self, pilot: &mut Pilot) {
+        self.wall.begin(pilot);
+        self.phase = Phase::Follow { began: pilot.ahead(), felt: pilot.ahead(), has_met: false };
+    }
+
+    /// The wall that it was following or driving to when it was carried off: the pose is still that of the lift.
+    fn unfinished(&self) -> Option<Pose> {
+        match self.phase {
+            Phase::Follow { has_met: true, .. } => Some(self.mapper.pose()),
+            Phase::Drive { to: Goal::Wall(end), .. } => Some(end),
+            _ => None,
+        }
+    }
+
+    fn choose(&mut self) {
+        if let Phase::Drive { place, .. } = self.phase {
+            self.tries.stopped(self.mapper.pose().position(), place);
+        }
+        self.trace.stop();
+        self.phase = Phase::Choose;
+    }
+
+    /// Something is in the way of a route, so far to the left of straight ahead, rad: a wall that is new is followed, anything
+    /// else driven around.
+    fn meet(&mut self, pilot: &mut Pilot, aside: f64) {
+        let pose = self.mapper.pose();
+        if let Phase::Drive { to: Goal::Wall(end), .. } = self.phase {
+            if (pose.position() - end.position()).norm() < THERE {
+                self.follow(pilot);
+                return;
+            }
+            self.ends.push(end);
+        }
+        if self.trace.has_any(pose) {
+            self.barred.met(pose, pilot.robot.radius, aside);
+            self.choose();
+        } else {
+            self.follow(pilot);
+        }
+    }
+
+    /// Whether it hasn't got anywhere for long.
+    fn is_stuck(&mut self, dt_s: f64) -> bool {
+        let here = self.mapper.pose().position();
+        let (place, since) = self.moved;
+        self.moved = if (here - place).norm() > STUCK.0 { (here, 0.0) } else { (place, since + dt_s) };
+        self.moved.1 > STUCK.1
+    }
+
+    fn roam_along(&mut self, pilot: &mut Pilot, sensed: &Sensors, dt_s: f64) -> Drive {
+        let Phase::Follow { began, mut felt, mut has_met } = self.phase else { return Drive::STOP };
+        let drive = self.wall.roam(pilot, sensed, dt_s);
+        let ahead = pilot.ahead();
+        let mut overlap = 0.0;
+        if self.wall.has_wall() {
+            (felt, has_met) = (ahead, true);
+            overlap = self.trace.follow(self.mapper.pose());
+        }
+        self.phase = Phase::Follow { began, felt, has_met };
+        let is_lost = has_met && (!self.wall.has_wall() || ahead - felt > LOST);
+        if overlap > OVERLAP || is_lost {
+            self.choose();
+        } else if ahead - began > self.leg && has_met && overlap == 0.0 {
+            self.ends.push(self.mapper.pose());
+            self.choose();
+        }
+        drive
+    }
+}
+
+impl Habit for Frontier {
+    fn begin(&mut self, pilot: &mut Pilot) {
+        let is_carried = std::mem::take(&mut self.is_lifted);
+        if matches!(self.phase, Phase::Search) && !is_carried {
+            return;
+        }
+        self.trace.stop();
+        self.moved.1 = 0.0;
+        if !self.mapper.is_lost() {
+            self.follow(pilot);
+            return;
+        }
+        self.ends.extend(self.unfinished());
+        let has_looked = self.search.begin(pilot, &self.mapper);
+        self.phase = if has_looked { Phase::Search } else { Phase::Lost { has_looked } };
+    }
+
+    fn watch(&mut self, sensed: &Sensors, dt_s: f64) {
+        self.is_lifted |= sensed.wheel_drop_left && sensed.wheel_drop_right;
+        self.mapper.update(sensed);
+        if matches!(self.phase, Phase::Search) {
+            match self.search.watch(&mut self.mapper, sensed, dt_s) {
+                Searched::Looking => {}
+                Searched::Found => {
+                    self.moved = (self.mapper.pose().position(), 0.0);
+                    self.phase = Phase::Choose;
+                }
+                Searched::InVain => self.phase = Phase::Lost { has_looked: true },
+            }
+        }
+    }
+
+    fn roam(&mut self, pilot: &mut Pilot, sensed: &Sensors, dt_s: f64) -> Drive {
+        if matches!(self.phase, Phase::Search) {
+            return self.search.roam(pilot, sensed, dt_s);
+        }
+        if self.is_stuck(dt_s) && !self.is_done() {
+            self.moved.1 = 0.0;
+            self.doubts += 1;
+            self.choose();
+        }
+        match &mut self.phase {
+            Phase::Search | Phase::Done | Phase::Lost { .. } => Drive::STOP,
+            Phase::Choose => {
+                self.decide(pilot);
+                Drive::STOP
+            }
+            Phase::Follow { .. } => self.roam_along(pilot, sensed, dt_s),
+            Phase::Drive { route, patience, to, .. } => {
+                *patience -= dt_s;
+                let to = *to;
+                let [_, lights @ .., _] = sensed.light_signal;
+                if lights[1].max(lights[2]) > AHEAD && route.is_driving() {
+                    self.meet(pilot, 0.0);
+                    return Drive::STOP;
+                }
+                let is_near = sensed.light_bumper[1..5].contains(&true);
+                let speed = pilot.speed * if is_near { CAREFUL } else { 1.0 };
+                let drive = if *patience > 0.0 { route.steer(self.mapper.pose(), &pilot.robot, speed) } else { None };
+                if drive.is_none() {
+                    match to {
+                        Goal::Wall(_) => self.follow(pilot),
+                        Goal::Floor => self.choose(),
+                        // Where it gave up on the way, it may try again.
+                        Goal::Home if *patience < 0.0 => self.choose(),
+                        Goal::Home => self.phase = Phase::Done,
+                    }
+                }
+                drive.unwrap_or(Drive::STOP)
+            }
+        }
+    }
+
+    fn hit(&mut self, pilot: &mut Pilot, hit: Hit) {
+        if matches!(self.phase, Phase::Search) {
+            return self.search.hit(pilot, hit);
+        }
+        let pose = self.mapper.pose();
+        if hit.kind != Kind::Bump {
+            self.barred.edge(pose, pilot.robot.radius);
+            pilot.answer(hit, BACK_FROM_EDGE, &[]);
+            self.choose();
+            return;
+        }
+        match &self.phase {
+            Phase::Follow { .. } => self.wall.hit(pilot, hit),
+            // Turned away from what it touches, it may drive off.
+            Phase::Drive { route, .. } if !route.is_driving() => {}
+            Phase::Drive { to: Goal::Floor, .. } if !self.trace.has_any(pose) => {
+                self.follow(pilot);
+                self.wall.hit(pilot, hit);
+            }
+            Phase::Drive { .. } => {
+                let aside = match hit.side {
+                    Side::Left => SIDE,
+                    Side::Front => 0.0,
+                    Side::Right => -SIDE,
+                };
+                self.meet(pilot, aside);
+                pilot.answer(hit, BACK, &[]);
+            }
+            Phase::Choose | Phase::Search | Phase::Done | Phase::Lost { .. } => pilot.answer(hit, BACK, &[]),
+        }
+    }
+
+    fn is_done(&self) -> bool {
+        matches!(self.phase, Phase::Done | Phase::Lost { .. })
+    }
+
+    fn activity(&self) -> &'static str {
+        match &self.phase {
+            Phase::Follow { .. } => self.wall.activity(),
+            Phase::Choose => "looking at its map",
+            Phase::Drive { to: Goal::Floor, .. } => "driving to unknown floor",
+            Phase::Drive { to: Goal::Wall(_), .. } => "driving to where a wall goes on",
+            Phase::Drive { to: Goal::Home, .. } => "driving back to the start",
+            Phase::Search => "looking for itself on its map",
+            Phase::Done => "done: the map is complete",
+            Phase::Lost { has_looked: true } => "done: it can't find itself on its map",
+            Phase::Lost { has_looked: false } => {
+                "done: it was carried off, and there is nothing on its map to find itself by"
+            }
+        }
+    }
+
+    fn mapper(&self) -> Option<&Mapper> {
+        Some(&self.mapper)
+    }
+
+    fn intent(&self) -> Option<Intent<'_>> {
+        let route = if let Phase::Drive { route, .. } = &self.phase { route.rest() } else { &[] };
+        let locator = self.search.locator().filter(|_| matches!(self.phase, Phase::Search));
+        Some(Intent { route, frontiers: &self.lanes, locator, ..Intent::default() })
+    }
+
+    fn start_at(&mut self, start: Pose) {
+        self.mapper = Mapper::new(MapperSetup { start, ..self.mapper.setup().clone() });
+    }
+
+    fn boxed_clone(&self) -> Box<dyn Habit> {
+        Box::new(self.clone())
+    }
+}

@@ -1,0 +1,104 @@
+//! Where the frontier explorer goes next.
+
+use super::{
+    chart::{Chart, SLACK, Ways},
+    frontier::{Frontier, Goal, Phase},
+};
+use crate::controller::parts::{Pilot, Route};
+use robovac_core::geometry::{Point, Pose};
+
+/// How long a route may take: s, and s/m.
+const PATIENCE: (f64, f64) = (8.0, 8.0);
+/// Way below which it is at the end of a wall, m.
+const AT_END: f64 = 0.2;
+/// How much farther away than unknown floor the end of a wall may be and still come first, m.
+const WALL_FIRST: f64 = 3.0;
+/// How often it looks around once more when nothing seems left.
+const DOUBTS: u32 = 2;
+
+impl Frontier {
+    /// Looks for the next goal. A map that errs may show no way where there is one: then it squeezes through.
+    pub(super) fn decide(&mut self, pilot: &mut Pilot) {
+        let here = self.mapper.pose().position();
+        let trace = &self.trace;
+        self.ends.retain(|&end| !trace.has(beyond(end)));
+        for slack in SLACK {
+            let chart = Chart::new(self.mapper.map(), &self.barred, here, (pilot.robot.radius, slack));
+            let ways = chart.ways(here);
+            if self.go_for_the_nearest(pilot, &chart, &ways, here) {
+                return;
+            }
+        }
+        if self.doubts < DOUBTS {
+            self.doubts += 1;
+            self.barred.forget();
+            self.follow(pilot);
+        } else if !self.go_home(pilot, here) {
+            self.phase = Phase::Done;
+        }
+    }
+
+    /// Whether there is something to go for.
+    fn go_for_the_nearest(&mut self, pilot: &mut Pilot, chart: &Chart, ways: &Ways, here: Point) -> bool {
+        let lanes = chart.lanes(ways, self.spacing, |place| self.tries.allow(place));
+        self.lanes = lanes.iter().map(|lane| [lane.entry, lane.end].map(|cell| chart.centre(cell))).collect();
+        let floor = Chart::nearest(lanes);
+        let wall = self.nearest_end(chart, ways);
+        match (floor, wall) {
+            (Some(lane), wall) if wall.is_none_or(|(_, way)| lane.cost() < way - WALL_FIRST) => {
+                let mut line = chart.line(ways, lane.from);
+                line.extend([chart.centre(lane.entry), chart.centre(lane.end)]);
+                self.drive(here, line, (Goal::Floor, chart.centre(lane.entry)));
+            }
+            (_, Some((index, way))) => {
+                let end = self.ends.remove(index);
+                if way < AT_END {
+                    self.follow(pilot);
+                    return true;
+                }
+                let mut line = chart.line(ways, chart.cell_at(end.position()));
+                line.extend([end.position(), beyond(end).position()]);
+                self.drive(here, line, (Goal::Wall(end), end.position()));
+            }
+            _ => return false,
+        }
+        true
+    }
+
+    /// Whether it sets out for the start.
+    fn go_home(&mut self, pilot: &Pilot, here: Point) -> bool {
+        for slack in SLACK {
+            let chart = Chart::new(self.mapper.map(), &self.barred, here, (pilot.robot.radius, slack));
+            let ways = chart.ways(here);
+            let start = chart.cell_at(self.mapper.setup().start.position());
+            if self.ways_home > 0 && ways.reaches(start) {
+                self.ways_home -= 1;
+                self.drive(here, chart.line(&ways, start), (Goal::Home, chart.centre(start)));
+                return true;
+            }
+        }
+        false
+    }
+
+    /// The end of a wall that is nearest, by its index, and the way to it, m.
+    fn nearest_end(&self, chart: &Chart, ways: &Ways) -> Option<(usize, f64)> {
+        let resolution = self.mapper.map().resolution();
+        let ends = self.ends.iter().enumerate().filter(|(_, end)| self.tries.allow(end.position()));
+        let ways =
+            ends.filter_map(|(index, end)| Some((index, ways.cost(chart.cell_at(end.position()))? * resolution)));
+        ways.min_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
+    fn drive(&mut self, from: Point, line: Vec<Point>, (to, place): (Goal, Point)) {
+        self.tries.set_out(place);
+        let route = Route::new(from, line);
+        let patience = PATIENCE.0 + PATIENCE.1 * route.left(from);
+        self.phase = Phase::Drive { route, patience, to, place };
+    }
+}
+
+/// A little farther on.
+fn beyond(pose: Pose) -> Pose {
+    let Point { coords, .. } = pose.to_world(Point::new(0.3, 0.0));
+    Pose::new(coords.x, coords.y, pose.heading)
+}

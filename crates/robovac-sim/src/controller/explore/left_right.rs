@@ -1,0 +1,54 @@
+//! Phase 2: rotations to the left and to the right (004, chapter 7).
+//!
+//! Krapinec 2025 adds a third option to phase 1: the rotation is to the left or to the right, by the same angle. Turns make
+//! up two thirds of what it does, and half of them undo the other half. Figures, edges and the end are as in phase 1.
+//!
+//! ```
+//! use robovac_sim::controller::*;
+//! use robovac_core::{registry::Params, robot::*};
+//! let info = find("explore_left_right").unwrap();
+//! let (robot, params) = (model("roomba600").unwrap(), Params::defaults(info.params));
+//! let mut explorer = info.build(&Setup { robot, params: &params, seed: 1 }).unwrap();
+//! // It turns both ways, with wheels that do what they are told.
+//! let (mut turned, mut rolled) = ([false; 2], [0.0; 2]);
+//! for _ in 0..4000 {
+//!     let [left_counts, right_counts] = rolled.map(|metres: f64| (metres * robot.counts_per_metre) as i64 as u16);
+//!     let drive = explorer.step(&Sensors { left_counts, right_counts, ..Sensors::default() }, 0.015);
+//!     rolled = [rolled[0] + 0.015 * drive.left, rolled[1] + 0.015 * drive.right];
+//!     turned = [turned[0] | (drive.left < drive.right), turned[1] | (drive.left > drive.right)];
+//! }
+//! assert_eq!(turned, [true, true]);
+//! ```
+
+use super::{
+    THESIS,
+    options::{ANGLE, DISTANCE, Options, PUSHES, Rules},
+};
+use crate::controller::{BehaviourInfo, Build, Claims, parts::Driven};
+use robovac_core::registry::{Example, Explainer};
+
+pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
+    id: "explore_left_right",
+    title: "Forward, left or right",
+    summary: "Drives a fixed way forward or rotates by a fixed angle to the left or to the right, as chance has it, and doesn't look.",
+    source: "Krapinec 2025, Enhancing Robotic Vacuum Cleaner Performance through Improved Map Building, master's thesis, \
+             FER Zagreb: chapter 7, phase 2",
+    link: THESIS,
+    explainer: Explainer {
+        idea: "One of three motions is drawn by chance: a fixed way forward, or a fixed rotation to the left or to the right. When it is done, the next one is drawn. Nothing that the robot senses changes what it does.",
+        complexity: "O(1) time and memory a step: it remembers at most the last contact.",
+        use_when: "To see what the second direction of rotation does to phase 1: headings wander instead of going round.",
+        shines: Example { room: "room12ft", why: "In a bare room a wandering robot meets every wall in the end." },
+        fails: Example {
+            room: "flat",
+            why: "It rotates two times out of three and gets nowhere: the rooms next door stay unknown.",
+        },
+    },
+    claims: Claims { ends: false, cleans: false, manual: false, explores: true },
+    params: &[DISTANCE, ANGLE, PUSHES],
+};
+
+/// Phase 2.
+const RULES: Rules = Rules { turns_right: true, looks_ahead: false, looks_aside: false };
+
+pub(in crate::controller) const BUILD: Build = |setup| Driven::boxed(setup, Options::new(setup, RULES));

@@ -1,0 +1,86 @@
+//! What counts as an obstacle: what the light bumper reports, and what was felt.
+
+use crate::controller::parts::{Hit, Kind, Side};
+use robovac_core::{math, robot::Sensors};
+
+/// Turn after which a contact is no longer ahead, rad (ours).
+const TURNED_AWAY: f64 = 0.5 * math::FRAC_PI_2;
+
+/// Where obstacles are, as the robot looks.
+#[expect(clippy::struct_excessive_bools)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) struct Obstacles {
+    /// Directly ahead: one of the two middle light sensors (12 degrees off), or a contact.
+    pub ahead: bool,
+    /// In the way ahead: one of the four sensors in front (32 degrees off, and the middle ones), or a contact.
+    pub in_path: bool,
+    /// On the left: one of the two outer light sensors there, or a contact.
+    pub left: bool,
+    /// On the right, likewise.
+    pub right: bool,
+}
+
+/// The last contact, which the bumper no longer feels once the robot has backed off.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Contact {
+    side: Side,
+    /// How far the robot had turned in all by then, rad.
+    turned: f64,
+}
+
+impl Contact {
+    /// What was met after so much turning, rad.
+    pub fn of(hit: Hit, turned: f64) -> Self {
+        // An edge or a beam shows no side that could be trusted.
+        let side = if hit.kind == Kind::Bump { hit.side } else { Side::Front };
+        Self { side, turned }
+    }
+
+    /// Whether the robot has turned away from it.
+    pub fn is_past(&self, turned: f64) -> bool {
+        (turned - self.turned).abs() >= TURNED_AWAY - 1e-6
+    }
+}
+
+impl Obstacles {
+    /// What a reading and the last contact tell.
+    pub fn of(sensed: &Sensors, contact: Option<Contact>) -> Self {
+        let [left, front_left, middle_left, middle_right, front_right, right] = sensed.light_bumper;
+        let is_felt = contact.is_some() || sensed.bumped();
+        let felt = |side, pressed| pressed || contact.is_some_and(|contact| contact.side == side);
+        let ahead = middle_left || middle_right || is_felt;
+        Self {
+            ahead,
+            in_path: ahead || front_left || front_right,
+            left: left || front_left || felt(Side::Left, sensed.bump_left),
+            right: right || front_right || felt(Side::Right, sensed.bump_right),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_sensor_counts_where_it_looks() {
+        // Ahead, in the path, left, right.
+        let expected = ["---L", "-P-L", "AP--", "AP--", "-P-R", "---R"];
+        for (index, expected) in expected.into_iter().enumerate() {
+            let mut sensed = Sensors::default();
+            sensed.light_bumper[index] = true;
+            let Obstacles { ahead, in_path, left, right } = Obstacles::of(&sensed, None);
+            let found = (ahead, in_path, left, right);
+            let is = |letter| expected.contains(letter);
+            assert_eq!(found, (is('A'), is('P'), is('L'), is('R')), "sensor {index}");
+        }
+    }
+
+    #[test]
+    fn a_contact_is_remembered_until_the_robot_has_turned_away() {
+        let contact = Contact::of(Hit { kind: Kind::Bump, side: Side::Left }, 1.0);
+        let seen = Obstacles::of(&Sensors::default(), Some(contact));
+        assert_eq!(seen, Obstacles { ahead: true, in_path: true, left: true, right: false });
+        assert!(!contact.is_past(0.3) && contact.is_past(0.2) && contact.is_past(1.8));
+    }
+}

@@ -1,0 +1,232 @@
+//! Phases 1 to 4: one of a few motions, drawn by chance, again and again.
+
+use super::{
+    BACK_FROM_EDGE, leave,
+    obstacles::{Contact, Obstacles},
+    turn_back,
+};
+use crate::controller::{
+    Setup,
+    parts::{By, Habit, Hit, Kind, Move, Pilot, Side},
+};
+use rand::RngExt;
+use robovac_core::{
+    math,
+    registry::{ParamKind, ParamSpec},
+    robot::{Drive, Sensors},
+};
+
+/// Way back from what was felt, m.
+const BACK: f64 = 0.02;
+
+/// How far one motion ahead goes. The thesis has it fixed and prints no figure.
+pub(super) const DISTANCE: ParamSpec = ParamSpec {
+    id: "distance",
+    label: "Forward",
+    help: "How far it drives when it drives forward.",
+    kind: ParamKind::Number { min: 5.0, max: 100.0, step: 1.0, default: 20.0, unit: "cm" },
+};
+
+/// How far one rotation turns. The thesis has it fixed and prints no figure.
+pub(super) const ANGLE: ParamSpec = ParamSpec {
+    id: "angle",
+    label: "Rotation",
+    help: "How far it turns when it turns.",
+    kind: ParamKind::Number { min: 5.0, max: 180.0, step: 5.0, default: 30.0, unit: "°" },
+};
+
+/// What a contact does to a motion ahead that nobody looked out for.
+pub(super) const PUSHES: ParamSpec = ParamSpec {
+    id: "bump",
+    label: "At a wall",
+    help: "Whether wheels roll on at a wall right ahead until they have gone their distance, as printed, which misleads odometry, or stop.",
+    kind: ParamKind::Choice { options: &[("push", "rolls on, as printed"), ("stop", "stops and backs up")] },
+};
+
+/// What a phase adds to the one before.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Rules {
+    /// Phase 2: turns to the right as well.
+    pub turns_right: bool,
+    /// Phase 3: doesn't drive forward if there is an obstacle directly ahead.
+    pub looks_ahead: bool,
+    /// Phase 4: doesn't turn to a side if there is an obstacle on that side alone.
+    pub looks_aside: bool,
+}
+
+/// One of the motions to choose from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Choice {
+    Forward,
+    Left,
+    Right,
+}
+
+/// The habit.
+#[derive(Debug, Clone)]
+pub(super) struct Options {
+    rules: Rules,
+    /// m.
+    distance: f64,
+    /// rad.
+    angle: f64,
+    pushes: bool,
+    contact: Option<Contact>,
+    came: Option<Came>,
+    /// Where the motion ahead that is under way began, m ahead.
+    since: Option<f64>,
+    /// How far it is to back off once it has turned back to where it came from, m.
+    retreat: Option<f64>,
+}
+
+/// How the robot came to where it turns now: all that it knows of the floor there.
+#[derive(Debug, Clone, Copy)]
+struct Came {
+    /// Way straight ahead, m.
+    way: f64,
+    /// How far it had turned in all by then, rad.
+    turned: f64,
+}
+
+impl Rules {
+    /// Whether a motion that was drawn is made.
+    fn allow(self, choice: Choice, seen: Obstacles) -> bool {
+        match choice {
+            Choice::Forward => !(self.looks_ahead && seen.ahead),
+            Choice::Left => !(self.looks_aside && seen.left && !seen.right),
+            Choice::Right => !(self.looks_aside && seen.right && !seen.left),
+        }
+    }
+}
+
+impl Options {
+    /// With the parameters of `setup`.
+    pub(super) fn new(setup: &Setup<'_>, rules: Rules) -> Self {
+        Self {
+            rules,
+            distance: setup.params.number(DISTANCE.id) / 100.0,
+            angle: setup.params.number(ANGLE.id).to_radians(),
+            // Who looks out for obstacles doesn't push them.
+            pushes: !rules.looks_ahead && setup.params.choice(PUSHES.id) == "push",
+            contact: None,
+            came: None,
+            since: None,
+            retreat: None,
+        }
+    }
+
+    /// Backs off from an edge. Where it has just turned it knows no ground behind it: it turns back first, as it came.
+    fn leave_edge(&mut self, pilot: &mut Pilot, hit: Hit) {
+        self.since = None;
+        let came = self.came.take().filter(|_| pilot.way_back() < BACK_FROM_EDGE);
+        let back = came.map(|came| (came.way, pilot.turned() - came.turned));
+        match back.filter(|(_, turned)| turned.abs() < math::TAU) {
+            None => turn_back(pilot, hit),
+            Some((way, turned)) => {
+                self.retreat = Some(way);
+                pilot.answer(hit, BACK_FROM_EDGE, &[Move::Turn(-turned)]);
+            }
+        }
+    }
+}
+
+impl Habit for Options {
+    fn begin(&mut self, pilot: &mut Pilot) {
+        pilot.turn_speed = pilot.robot.turn_wheel_speed;
+        pilot.by = By::Counts;
+        self.contact = None;
+        (self.came, self.since, self.retreat) = (None, None, None);
+    }
+
+    fn roam(&mut self, pilot: &mut Pilot, sensed: &Sensors, _: f64) -> Drive {
+        let turned = pilot.turned();
+        if let Some(since) = self.since.take() {
+            self.came = Some(Came { way: pilot.ahead() - since, turned });
+        }
+        if let Some(way) = self.retreat.take() {
+            pilot.assume_way_back(way);
+            let turn = leave(pilot, 1.0);
+            pilot.go(&[Move::Back(way.min(BACK_FROM_EDGE)), turn]);
+            return Drive::STOP;
+        }
+        self.contact = self.contact.filter(|contact| !contact.is_past(turned));
+        let all = [Choice::Forward, Choice::Left, Choice::Right];
+        let choice = all[pilot.rng.random_range(0..if self.rules.turns_right { 3 } else { 2 })];
+        // What isn't allowed is drawn again with the next reading.
+        if self.rules.allow(choice, Obstacles::of(sensed, self.contact)) {
+            let step = match choice {
+                Choice::Forward => Move::Ahead(self.distance),
+                Choice::Left => Move::Turn(self.angle),
+                Choice::Right => Move::Turn(-self.angle),
+            };
+            self.since = (choice == Choice::Forward).then(|| pilot.ahead());
+            pilot.go(&[step]);
+        }
+        Drive::STOP
+    }
+
+    fn hit(&mut self, pilot: &mut Pilot, hit: Hit) {
+        // Where floors end, nothing is pushed: a robot that slips doesn't know its way back.
+        self.pushes &= hit.kind != Kind::Cliff;
+        if self.pushes && hit.kind == Kind::Bump && hit.side == Side::Front {
+            // The wheels slip: what they roll is no way.
+            (self.came, self.since) = (None, None);
+            return;
+        }
+        if hit.kind == Kind::Bump {
+            (self.came, self.since) = (None, None);
+            self.contact = Some(Contact::of(hit, pilot.turned()));
+            pilot.answer(hit, BACK, &[]);
+        } else {
+            self.leave_edge(pilot, hit);
+        }
+    }
+
+    fn activity(&self) -> &'static str {
+        "choosing what to do"
+    }
+
+    fn boxed_clone(&self) -> Box<dyn Habit> {
+        Box::new(self.clone())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 004, chapter 7: what phases 3 and 4 leave undone, by where obstacles are.
+    #[test]
+    fn each_phase_leaves_out_what_it_says() {
+        let seen = |text: &str| Obstacles {
+            ahead: text.contains('A'),
+            in_path: text.contains('A'),
+            left: text.contains('L'),
+            right: text.contains('R'),
+        };
+        let phase_2 = Rules { turns_right: true, looks_ahead: false, looks_aside: false };
+        let phase_3 = Rules { looks_ahead: true, ..phase_2 };
+        let phase_4 = Rules { looks_aside: true, ..phase_3 };
+        // Obstacles, and the motions that are left: forward, left, right.
+        let table = [
+            (phase_2, "ALR", "FLR"),
+            (phase_3, "", "FLR"),
+            (phase_3, "LR", "FLR"),
+            (phase_3, "A", "LR"),
+            (phase_3, "AL", "LR"),
+            (phase_4, "", "FLR"),
+            (phase_4, "A", "LR"),
+            // "Detected solely in the direction of rotation".
+            (phase_4, "L", "FR"),
+            (phase_4, "AR", "L"),
+            // "Obstacles are detected on both sides, the robot will continue to rotate".
+            (phase_4, "LR", "FLR"),
+            (phase_4, "ALR", "LR"),
+        ];
+        for (rules, obstacles, expected) in table {
+            let all = [(Choice::Forward, 'F'), (Choice::Left, 'L'), (Choice::Right, 'R')];
+            let left = all.iter().filter(|(choice, _)| rules.allow(*choice, seen(obstacles)));
+            assert_eq!(left.map(|(_, letter)| letter).collect::<String>(), expected, "{rules:?} {obstacles}");
+        }
+    }
+}

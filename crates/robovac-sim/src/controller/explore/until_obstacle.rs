@@ -1,0 +1,115 @@
+//! Phase 5: forward until an obstacle, then rotate (004, chapter 7).
+//!
+//! Krapinec 2025 drops chance: the robot drives forward until it detects an obstacle in its path, then rotates in one
+//! direction until none is in front of it. The thesis' Image 7.1 (lost) shows a room in which that goes round for ever;
+//! `tests/behaviours/exploring.rs` has such a room, in which the motion becomes periodic.
+//!
+//! # Where the thesis is silent
+//!
+//! - *In its path*: one of the four light sensors in front reports something.
+//! - *The direction*: "one direction", always the same one; a parameter says which.
+//! - *A contact* that the light didn't tell, as all are for a robot without a light bumper: the robot backs up and rotates by
+//!   a fixed angle (ours).
+//! - *Edges of the floor and virtual walls*: the robot backs off and turns away by a random angle.
+//!
+//! ```
+//! use robovac_sim::controller::*;
+//! use robovac_core::{registry::Params, robot::*};
+//! let info = find("explore_until_obstacle").unwrap();
+//! let (robot, params) = (model("roomba600").unwrap(), Params::defaults(info.params));
+//! let mut explorer = info.build(&Setup { robot, params: &params, seed: 1 }).unwrap();
+//! let ahead = explorer.step(&Sensors::default(), 0.015);
+//! assert!(ahead.left > 0.0 && ahead.left == ahead.right);
+//! let wall = Sensors { light_bumper: [false, false, false, true, true, false], ..Sensors::default() };
+//! let turning = explorer.step(&wall, 0.015);
+//! assert!(turning.left < 0.0 && turning.right > 0.0);
+//! ```
+
+use super::{THESIS, obstacles::Obstacles, turn_back};
+use crate::controller::{
+    BehaviourInfo, Build, Claims,
+    parts::{By, Driven, Habit, Hit, Kind, Move, Pilot},
+};
+use robovac_core::{
+    registry::{Example, Explainer, ParamKind, ParamSpec},
+    robot::{Drive, Sensors},
+};
+
+/// Way back from what was felt, m.
+const BACK: f64 = 0.02;
+
+pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
+    id: "explore_until_obstacle",
+    title: "Until an obstacle",
+    summary: "Drives forward until something is in its path, then rotates in one direction until the way is free.",
+    source: "Krapinec 2025, Enhancing Robotic Vacuum Cleaner Performance through Improved Map Building, master's thesis, \
+             FER Zagreb: chapter 7, phase 5",
+    link: THESIS,
+    explainer: Explainer {
+        idea: "The robot drives straight until something is in its path. \
+               It rotates, always in the same direction, until nothing is in front of it, and drives on. \
+               So it goes round along whatever encloses it.",
+        complexity: "O(1) time and memory a step: it remembers nothing of the room.",
+        use_when: "To see why a rule without chance or memory isn't enough: it may go round the same loop for ever.",
+        shines: Example { room: "ring", why: "Walls lead it along a corridor at full speed, all the way round." },
+        fails: Example { room: "flat", why: "It goes round the same few pieces of furniture and passes every door." },
+    },
+    claims: Claims { ends: false, cleans: false, manual: false, explores: true },
+    params: &[
+        ParamSpec {
+            id: "direction",
+            label: "Rotates",
+            help: "The direction in which it rotates away from obstacles.",
+            kind: ParamKind::Choice { options: &[("left", "to the left"), ("right", "to the right")] },
+        },
+        ParamSpec {
+            id: "angle",
+            label: "After a contact",
+            help: "How far it rotates away from what it felt and didn't see.",
+            kind: ParamKind::Number { min: 5.0, max: 180.0, step: 5.0, default: 30.0, unit: "°" },
+        },
+    ],
+};
+
+pub(in crate::controller) const BUILD: Build = |setup| {
+    let way = if setup.params.choice("direction") == "right" { -1.0 } else { 1.0 };
+    Driven::boxed(setup, UntilObstacle { way, angle: setup.params.number("angle").to_radians(), is_turning: false })
+};
+
+/// The habit.
+#[derive(Debug, Clone)]
+struct UntilObstacle {
+    /// 1 to rotate counter-clockwise, -1 for clockwise.
+    way: f64,
+    /// Rotation after a contact, rad.
+    angle: f64,
+    is_turning: bool,
+}
+
+impl Habit for UntilObstacle {
+    fn begin(&mut self, pilot: &mut Pilot) {
+        pilot.turn_speed = pilot.robot.turn_wheel_speed;
+        pilot.by = By::Counts;
+    }
+
+    fn roam(&mut self, pilot: &mut Pilot, sensed: &Sensors, _: f64) -> Drive {
+        self.is_turning = Obstacles::of(sensed, None).in_path;
+        if self.is_turning { pilot.twist(0.0, self.way * pilot.robot.turn_rate()) } else { pilot.straight() }
+    }
+
+    fn hit(&mut self, pilot: &mut Pilot, hit: Hit) {
+        if hit.kind == Kind::Bump {
+            pilot.answer(hit, BACK, &[Move::Turn(self.way * self.angle)]);
+        } else {
+            turn_back(pilot, hit);
+        }
+    }
+
+    fn activity(&self) -> &'static str {
+        if self.is_turning { "turning until the way is free" } else { "driving straight" }
+    }
+
+    fn boxed_clone(&self) -> Box<dyn Habit> {
+        Box::new(self.clone())
+    }
+}

@@ -1,0 +1,364 @@
+//! Drives a planned line by dead reckoning.
+
+use super::{Controller, parts::safe_speed};
+use robovac_core::{
+    geometry::{Point, Pose, Vector, difference},
+    math,
+    robot::{Drive, Odometry, OdometryModel, RobotModel, Sensors, Wheels},
+};
+use std::sync::Arc;
+
+/// A turn or a straight piece counts as done when this much wheel travel is left, m.
+const CLOSE_ENOUGH: f64 = 0.001;
+/// How far to back off from a wall, m.
+const BACK_OFF: f64 = 0.03;
+/// How far to back off from an edge, m: so far that turning on the spot brings no wheel over it. Never farther than the
+/// robot has come since it last turned.
+const BACK_FROM_EDGE: f64 = 0.1;
+/// How long to wait for somebody who stands in the way, s, and how much of a piece must be left to make it worth while, m.
+const WAIT: (f64, f64) = (3.0, 0.3);
+/// How far to back off from an edge that comes near while turning, m.
+const SHY: f64 = 0.04;
+/// After so long with one wheel over an edge it gives up, s.
+const HUNG_S: f64 = 10.0;
+/// How often to wait.
+const MOST_WAITS: u32 = 3;
+/// How far the line is shifted away from the side that was bumped, m.
+const NUDGE: f64 = 0.015;
+/// Bumps after which the rest of a straight piece is given up.
+const MOST_BUMPS: u32 = 4;
+/// Readings without a count after which the wheels are taken to stand still.
+const STILL: u32 = 3;
+/// Heading correction per metre off the line, rad/m, and its limit, rad.
+const STEER: (f64, f64) = (6.0, 0.5);
+/// Turn rate per radian of heading error, 1/s.
+const TURN_GAIN: f64 = 6.0;
+
+/// Speed back to the line per metre off it, 1/s, for a robot that moves in all directions.
+const SIDESTEP: f64 = 3.0;
+
+/// Follows a line of corners: turns on the spot towards the next corner, drives straight to it, and so on. A robot that
+/// moves in all directions keeps its heading instead, and turns nowhere.
+///
+/// It steers by its own estimate of the pose, from encoder counts. A wall where the line should be free means that the
+/// estimate is off: the robot backs off, shifts the piece of line away from the side that it bumped, and tries again;
+/// a frontal bump or the fourth one ends the piece, but if much of it is left, somebody may be in the way who goes on: it
+/// waits three times. An edge or the beam of a virtual wall ends the piece at once. So it always comes to the end of the
+/// line.
+#[derive(Debug, Clone)]
+pub struct FollowPath {
+    robot: RobotModel,
+    odometry: Odometry,
+    line: Arc<[Point]>,
+    /// Index in `line` of the corner that the robot drives to.
+    next: usize,
+    phase: Phase,
+    bumps: u32,
+    waits: u32,
+    /// How long one wheel has hung over an edge, s.
+    hung_s: f64,
+    /// Where the robot last turned or began.
+    began: Point,
+    /// Shift of the present piece to the left of its direction, m.
+    shift: f64,
+    /// Fastest speed straight ahead, m/s.
+    cruise: f64,
+    is_careful: bool,
+    /// Seconds left before the present piece is given up: slip and walls must not hold the robot for ever.
+    patience: f64,
+    /// The encoders' last counts, and how many readings ago they changed.
+    counts: [u16; 3],
+    still: u32,
+    /// Heading that a robot that moves in all directions keeps, rad.
+    heading: f64,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Phase {
+    /// Wait until the wheels stand still: turning before would carry the robot off the line.
+    Stop,
+    /// Turn on the spot to this heading.
+    Turn(f64),
+    /// Turned; wait until the wheels stand still.
+    Settle,
+    Drive,
+    /// Reverse from this point, so far.
+    BackOff(Point, f64, AfterBump),
+    /// Give way for so many seconds.
+    Wait(f64),
+    Done,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum AfterBump {
+    TryAgain,
+    Wait,
+    GiveUp,
+}
+
+impl FollowPath {
+    /// Follows `line`, metres, from `start`, which it takes to be where the robot stands.
+    pub fn new(robot: &RobotModel, odometry: OdometryModel, start: Pose, line: Arc<[Point]>) -> Self {
+        let mut follower = Self {
+            robot: robot.clone(),
+            cruise: robot.cruise_speed,
+            is_careful: false,
+            odometry: Odometry::new(robot, odometry, start),
+            line,
+            next: 0,
+            phase: Phase::Done,
+            bumps: 0,
+            waits: 0,
+            hung_s: 0.0,
+            began: start.position(),
+            shift: 0.0,
+            patience: 0.0,
+            counts: [0; 3],
+            still: 0,
+            heading: start.heading,
+        };
+        follower.next_piece();
+        follower
+    }
+
+    /// For rooms with stairs: no faster than it can stop before an edge that its cliff sensors see, and always in the
+    /// direction in which they look.
+    pub fn carefully(mut self) -> Self {
+        self.cruise = safe_speed(&self.robot);
+        self.is_careful = true;
+        self
+    }
+
+    fn next_piece(&mut self) {
+        self.next += 1;
+        self.bumps = 0;
+        self.waits = 0;
+        self.shift = 0.0;
+        self.phase = Phase::Done;
+        if self.next < self.line.len() {
+            let length = (self.line[self.next] - self.odometry.pose().position()).norm();
+            self.patience = 15.0 + 3.0 * self.robot.straight_time(length);
+            self.phase = Phase::Stop;
+        }
+    }
+
+    fn watch_wheels(&mut self, sensed: &Sensors) {
+        let counts = [sensed.left_counts, sensed.right_counts, sensed.lateral_counts];
+        self.still = if counts == self.counts { self.still + 1 } else { 0 };
+        self.counts = counts;
+    }
+
+    fn is_resting(&self) -> bool {
+        self.still >= STILL
+    }
+
+    fn moves_sideways(&self) -> bool {
+        self.robot.wheels == Wheels::Omnidirectional && !self.is_careful
+    }
+
+    fn face_next_corner(&mut self) {
+        if self.moves_sideways() {
+            self.began = self.odometry.pose().position();
+            self.phase = Phase::Drive;
+            return;
+        }
+        let pose = self.odometry.pose();
+        let (from, to) = self.piece();
+        // From close by, the bearing of the corner says little; the direction of the line is what counts.
+        let aim = to - pose.position();
+        let aim = if aim.norm() > 2.0 * NUDGE + BACK_OFF { aim } else { to - from };
+        self.phase = Phase::Turn(math::atan2(aim.y, aim.x));
+    }
+
+    /// Ends of the present piece, shifted.
+    fn piece(&self) -> (Point, Point) {
+        let (from, to) = (self.line[self.next - 1], self.line[self.next]);
+        let along = (to - from).normalize();
+        let left = Vector::new(-along.y, along.x) * self.shift;
+        (from + left, to + left)
+    }
+
+    fn turn(&mut self, heading: f64) -> Drive {
+        let error = difference(self.odometry.pose().heading, heading);
+        let travel = 0.5 * self.robot.wheel_base * error;
+        if travel.abs() < CLOSE_ENOUGH {
+            self.phase = Phase::Settle;
+            return Drive::STOP;
+        }
+        let wheel = self.braking_speed(travel.abs()).min(self.robot.turn_wheel_speed) * travel.signum();
+        Drive::wheels(-wheel, wheel)
+    }
+
+    fn drive(&mut self) -> Drive {
+        let pose = self.odometry.pose();
+        let (from, to) = self.piece();
+        let along = (to - from).normalize();
+        let left_over = (to - pose.position()).dot(&along);
+        if left_over < CLOSE_ENOUGH {
+            self.next_piece();
+            return Drive::STOP;
+        }
+        let off_line = along.perp(&(pose.position() - from));
+        if self.moves_sideways() {
+            let speed = self.braking_speed(left_over).min(self.cruise);
+            let aside = (-SIDESTEP * off_line).clamp(-0.5 * speed, 0.5 * speed);
+            return self.glide(along * speed + Vector::new(-along.y, along.x) * aside);
+        }
+        let correction = (-STEER.0 * off_line).clamp(-STEER.1, STEER.1);
+        let heading = math::atan2(along.y, along.x) + correction;
+        let speed = self.braking_speed(left_over).min(self.cruise);
+        // No sharper than the speed allows, so that the robot doesn't wag where it stops.
+        let sharpest = speed / self.robot.wheel_base;
+        let turn_rate = (TURN_GAIN * difference(pose.heading, heading)).clamp(-sharpest, sharpest);
+        Drive::from_twist(speed, turn_rate, self.robot.wheel_base)
+    }
+
+    /// Moves at a velocity in the plane, m/s, without turning.
+    fn glide(&self, velocity: Vector) -> Drive {
+        let pose = self.odometry.pose();
+        let ahead = pose.direction();
+        let turn_rate = TURN_GAIN * difference(pose.heading, self.heading);
+        let drive = Drive::from_twist(velocity.dot(&ahead), turn_rate.clamp(-0.5, 0.5), self.robot.wheel_base);
+        Drive { lateral: ahead.perp(&velocity), ..drive }
+    }
+
+    /// The speed from which the robot can still stop within `distance` metres, with a tenth in hand.
+    fn braking_speed(&self, distance: f64) -> f64 {
+        (2.0 * 0.9 * self.robot.acceleration * distance).sqrt()
+    }
+
+    fn bumped(&mut self, sensed: &Sensors) {
+        self.bumps += 1;
+        if self.moves_sideways() {
+            // Its bumper tells sides of the body, not of the line: it tries one side, then the other, farther each time.
+            let side = if self.bumps.is_multiple_of(2) { -1.0 } else { 1.0 };
+            self.shift = side * NUDGE * f64::from(self.bumps.div_ceil(2));
+            let then = if self.bumps >= MOST_BUMPS { AfterBump::GiveUp } else { AfterBump::TryAgain };
+            self.phase = Phase::BackOff(self.odometry.pose().position(), BACK_OFF, then);
+            return;
+        }
+        let at = self.odometry.pose().position();
+        let frontal = sensed.bump_left && sensed.bump_right;
+        let is_early = (self.line[self.next] - at).norm() > WAIT.1;
+        let then = match frontal || self.bumps >= MOST_BUMPS {
+            false => AfterBump::TryAgain,
+            true if is_early && self.waits < MOST_WAITS => AfterBump::Wait,
+            true => AfterBump::GiveUp,
+        };
+        self.shift += if sensed.bump_left { -NUDGE } else { NUDGE };
+        self.phase = Phase::BackOff(at, BACK_OFF, then);
+    }
+
+    /// There is no floor ahead, or it isn't to be entered: back over the way that it has come.
+    fn turned_back(&mut self) {
+        let at = self.odometry.pose().position();
+        let way = BACK_FROM_EDGE.min((at - self.began).norm());
+        self.phase = Phase::BackOff(at, way, AfterBump::GiveUp);
+    }
+
+    /// An edge comes near while it turns, and a wheel with it: a little back, and once more.
+    fn shied(&mut self) {
+        self.bumps += 1;
+        let then = if self.bumps >= MOST_BUMPS { AfterBump::GiveUp } else { AfterBump::TryAgain };
+        self.phase = Phase::BackOff(self.odometry.pose().position(), SHY, then);
+    }
+
+    fn back_off(&mut self, from: Point, way: f64, then: AfterBump) -> Drive {
+        let left_over = way - (self.odometry.pose().position() - from).norm();
+        if left_over < CLOSE_ENOUGH {
+            match then {
+                AfterBump::TryAgain => self.phase = Phase::Stop,
+                AfterBump::Wait => {
+                    self.waits += 1;
+                    self.patience += WAIT.0;
+                    (self.bumps, self.shift) = (0, 0.0);
+                    self.phase = Phase::Wait(WAIT.0);
+                }
+                AfterBump::GiveUp => self.next_piece(),
+            }
+            return Drive::STOP;
+        }
+        let speed = self.braking_speed(left_over).min(0.5 * self.cruise);
+        if self.moves_sideways() {
+            let (start, end) = self.piece();
+            return self.glide((start - end).normalize() * speed);
+        }
+        Drive::from_twist(-speed, 0.0, self.robot.wheel_base)
+    }
+}
+
+impl Controller for FollowPath {
+    fn step(&mut self, sensed: &Sensors, dt_s: f64) -> Drive {
+        self.odometry.update(sensed);
+        if sensed.wheel_dropped() {
+            // In somebody's hand both hang down; with one over an edge it can't get away.
+            let is_held = sensed.wheel_drop_left && sensed.wheel_drop_right;
+            self.hung_s = if is_held { 0.0 } else { self.hung_s + dt_s };
+            if self.hung_s > HUNG_S {
+                self.phase = Phase::Done;
+            }
+            return Drive::STOP;
+        }
+        self.hung_s = 0.0;
+        // On a dock, whose ramp is black, all cliff sensors see an edge that is none.
+        let sees_edge = sensed.sees_cliff() && !sensed.battery.on_dock;
+        match self.phase {
+            Phase::Drive if sees_edge || sensed.virtual_wall => self.turned_back(),
+            Phase::Turn(_) if sees_edge => self.shied(),
+            Phase::Drive if sensed.bumped() => self.bumped(sensed),
+            _ => {}
+        }
+        self.patience -= dt_s;
+        if self.patience < 0.0 && self.phase != Phase::Done {
+            self.next_piece();
+        }
+        self.watch_wheels(sensed);
+        match self.phase {
+            Phase::Stop => {
+                if self.is_resting() {
+                    self.face_next_corner();
+                }
+                Drive::STOP
+            }
+            Phase::Settle => {
+                if self.is_resting() {
+                    self.began = self.odometry.pose().position();
+                    self.phase = Phase::Drive;
+                }
+                Drive::STOP
+            }
+            Phase::Turn(heading) => self.turn(heading),
+            Phase::Drive => self.drive(),
+            Phase::BackOff(from, way, then) => self.back_off(from, way, then),
+            Phase::Wait(left) => {
+                self.phase = if left > dt_s { Phase::Wait(left - dt_s) } else { Phase::Stop };
+                Drive::STOP
+            }
+            Phase::Done => Drive::STOP,
+        }
+    }
+
+    fn is_done(&self) -> bool {
+        self.phase == Phase::Done
+    }
+
+    fn estimate(&self) -> Option<Pose> {
+        Some(self.odometry.pose())
+    }
+
+    fn activity(&self) -> &'static str {
+        match self.phase {
+            Phase::BackOff(..) => "backing up",
+            Phase::Wait(_) => "waiting, the way is blocked",
+            _ => "",
+        }
+    }
+
+    fn corner(&self) -> Option<usize> {
+        Some(self.next)
+    }
+
+    fn boxed_clone(&self) -> Box<dyn Controller> {
+        Box::new(self.clone())
+    }
+}

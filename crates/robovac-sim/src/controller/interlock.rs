@@ -1,0 +1,196 @@
+//! What a person may tell a robot to do: Tables I and II of 002 (Hasan, Al-Nahid & Reza 2014, section IV.B).
+//!
+//! In manual mode nobody backs away by himself, so what would do harm isn't obeyed: forward with anything in the way, and turns
+//! to the side on which a bumper switch is pressed or a cliff sensor sees no floor. Backward is always allowed.
+//!
+//! The tables know two bumper switches and three cliff sensors. Where both front sensors of a Roomba stand for the one in
+//! front, they hold for it as well. Beyond the tables: a wheel that hangs down allows nothing, a virtual wall blocks
+//! forward, and what cliff sensors see on a dock is its black ramp.
+//!
+//! ```
+//! use robovac_sim::controller::interlock;
+//! use robovac_core::robot::Sensors;
+//! let sensed = Sensors { bump_right: true, ..Sensors::default() };
+//! let blocked = interlock::blocked(&sensed);
+//! let allowed = interlock::allowed(&sensed);
+//! assert!(allowed.backward && allowed.left && !allowed.forward && !allowed.right);
+//! assert_eq!(blocked.right, Some("bumper pressed on the right"));
+//! ```
+
+use crate::controller::Command;
+use robovac_core::robot::Sensors;
+
+/// Which commands are obeyed.
+#[expect(clippy::struct_excessive_bools)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Allowed {
+    /// Drive ahead.
+    pub forward: bool,
+    /// Drive back.
+    pub backward: bool,
+    /// Turn to the left.
+    pub left: bool,
+    /// Turn to the right.
+    pub right: bool,
+}
+
+/// Why commands aren't obeyed; `None` for those that are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Blocked {
+    /// Drive ahead.
+    pub forward: Option<&'static str>,
+    /// Drive back.
+    pub backward: Option<&'static str>,
+    /// Turn to the left.
+    pub left: Option<&'static str>,
+    /// Turn to the right.
+    pub right: Option<&'static str>,
+}
+
+/// What is allowed.
+pub fn allowed(sensed: &Sensors) -> Allowed {
+    blocked(sensed).allowed()
+}
+
+/// What is blocked, and why.
+pub fn blocked(sensed: &Sensors) -> Blocked {
+    if sensed.wheel_dropped() {
+        let why = Some("a wheel hangs down");
+        return Blocked { forward: why, backward: why, left: why, right: why };
+    }
+    let cliff = if sensed.battery.on_dock { [false; 4] } else { sensed.cliff };
+    let [on_left, front_left, front_right, on_right] = cliff;
+    let side = |bump: bool, cliff: bool, bumped: &'static str, no_floor: &'static str| {
+        if cliff { Some(no_floor) } else { bump.then_some(bumped) }
+    };
+    let left = side(sensed.bump_left, on_left, "bumper pressed on the left", "no floor on the left");
+    let right = side(sensed.bump_right, on_right, "bumper pressed on the right", "no floor on the right");
+    let front = if front_left || front_right {
+        Some("no floor in front")
+    } else if sensed.bump_left && sensed.bump_right && !on_left && !on_right {
+        Some("bumper pressed in front")
+    } else {
+        left.or(right).or(sensed.virtual_wall.then_some("virtual wall"))
+    };
+    Blocked { forward: front, backward: None, left, right }
+}
+
+impl Blocked {
+    /// What is left.
+    pub fn allowed(&self) -> Allowed {
+        let Self { forward, backward, left, right } = self;
+        Allowed {
+            forward: forward.is_none(),
+            backward: backward.is_none(),
+            left: left.is_none(),
+            right: right.is_none(),
+        }
+    }
+}
+
+impl Allowed {
+    /// What of a command is obeyed: each of its two parts, or nothing of it.
+    pub fn cut(&self, command: Command) -> Command {
+        let part = |value: f64, plus: bool, minus: bool| {
+            let is_allowed = if value > 0.0 { plus } else { minus };
+            if is_allowed && value.is_finite() { value.clamp(-1.0, 1.0) } else { 0.0 }
+        };
+        Command {
+            forward: part(command.forward, self.forward, self.backward),
+            left: part(command.left, self.left, self.right),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use robovac_core::robot::BatteryReading;
+
+    fn sensed(bump: [u8; 2], cliff: [u8; 3]) -> Sensors {
+        let [left, front, right] = cliff.map(|bit| bit == 1);
+        Sensors {
+            bump_left: bump[0] == 1,
+            bump_right: bump[1] == 1,
+            cliff: [left, front, front, right],
+            ..Sensors::default()
+        }
+    }
+
+    /// Allowed commands as the tables print them.
+    fn printed(text: &str) -> Allowed {
+        let all = text.starts_with("All");
+        Allowed {
+            forward: all && !text.contains("except Forward"),
+            backward: all || text.contains("Backward"),
+            left: all || text.contains("Left"),
+            right: all || text.contains("Right"),
+        }
+    }
+
+    #[test]
+    fn table_1_bumper() {
+        for (bump, text) in [
+            ([0, 0], "All (Forward, Right, Left, Backward)"),
+            ([0, 1], "Backward & Left"),
+            ([1, 0], "Backward & Right"),
+            ([1, 1], "Backward"),
+        ] {
+            assert_eq!(allowed(&sensed(bump, [0; 3])), printed(text), "{bump:?}");
+        }
+    }
+
+    #[test]
+    fn table_2_cliff_sensors() {
+        for (cliff, text) in [
+            ([0, 0, 0], "All"),
+            ([0, 0, 1], "Backward & Left"),
+            ([0, 1, 0], "All except Forward"),
+            ([0, 1, 1], "Backward & Left"),
+            ([1, 0, 0], "Backward & Right"),
+            ([1, 0, 1], "Backward"),
+            ([1, 1, 0], "Backward & Right"),
+            ([1, 1, 1], "Backward"),
+        ] {
+            assert_eq!(allowed(&sensed([0; 2], cliff)), printed(text), "{cliff:?}");
+        }
+    }
+
+    #[test]
+    fn both_tables_hold_at_once_and_every_block_has_its_reason() {
+        for bits in 0..32_u8 {
+            let bit = |index: u8| bits >> index & 1;
+            let (bump, cliff) = ([bit(0), bit(1)], [bit(2), bit(3), bit(4)]);
+            let both = allowed(&sensed(bump, cliff));
+            let (one, two) = (allowed(&sensed(bump, [0; 3])), allowed(&sensed([0; 2], cliff)));
+            assert_eq!(both.forward, one.forward && two.forward, "{bump:?} {cliff:?}");
+            assert_eq!((both.left, both.right), (one.left && two.left, one.right && two.right), "{bump:?} {cliff:?}");
+            assert!(both.backward);
+        }
+        assert_eq!(blocked(&sensed([1, 1], [0; 3])).forward, Some("bumper pressed in front"));
+        assert_eq!(blocked(&sensed([1, 0], [0; 3])).forward, Some("bumper pressed on the left"));
+        assert_eq!(blocked(&sensed([1, 0], [1, 0, 0])).left, Some("no floor on the left"));
+        assert_eq!(blocked(&sensed([0, 0], [0, 1, 0])).forward, Some("no floor in front"));
+    }
+
+    #[test]
+    fn lifted_fenced_and_docked() {
+        let nothing = Allowed { forward: false, backward: false, left: false, right: false };
+        assert_eq!(allowed(&Sensors { wheel_drop_left: true, ..Sensors::default() }), nothing);
+        let fenced = blocked(&Sensors { virtual_wall: true, ..Sensors::default() });
+        assert_eq!(fenced, Blocked { forward: Some("virtual wall"), ..Blocked::default() });
+        let battery = BatteryReading { on_dock: true, ..BatteryReading::default() };
+        assert_eq!(blocked(&Sensors { battery, cliff: [true; 4], ..Sensors::default() }), Blocked::default());
+    }
+
+    #[test]
+    fn mixed_commands_are_cut_to_what_is_allowed() {
+        let command = Command { forward: 1.0, left: 0.5 };
+        let cut = |bump| allowed(&sensed(bump, [0; 3])).cut(command);
+        assert_eq!(cut([0, 0]), command);
+        assert_eq!(cut([0, 1]), Command { forward: 0.0, left: 0.5 });
+        assert_eq!(cut([1, 0]), Command::default());
+        let wild = Command { forward: f64::NAN, left: -9.0 };
+        assert_eq!(allowed(&sensed([0, 0], [0; 3])).cut(wild), Command { forward: 0.0, left: -1.0 });
+    }
+}

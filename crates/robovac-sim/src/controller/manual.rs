@@ -1,0 +1,149 @@
+//! Manual mode: a person drives, and the interlock decides what is obeyed (002, section IV.B).
+//!
+//! Hasan, Al-Nahid & Reza 2014: "as the user operates the robot by him in manual mode, some extra logics have to be developed.
+//! Without such programming the robot may bump an obstacle badly or fall from stairs." Their Tables I and II say which of
+//! four commands are allowed for what the bumper and the cliff sensors report: see [`interlock`].
+//!
+//! # Beyond the paper
+//!
+//! - *Brakes take a way.* The tables take the robot to stand where a sensor has seen an edge; by the time that it really stands
+//!   it is nearer, and turning there could get a wheel over the edge. So it rolls back by that way and a little more, and
+//!   doesn't drive ahead again until the stick has been let go.
+//! - *Nothing looks back.* Backward is always allowed by the tables, also down the stairs. If asked to be careful, the
+//!   robot reverses only the way that it came.
+//!
+//! ```
+//! use robovac_sim::controller::*;
+//! use robovac_core::{registry::Params, robot::*};
+//! let info = find("manual").unwrap();
+//! let (robot, params) = (model("dvr1").unwrap(), Params::defaults(info.params));
+//! let mut manual = info.build(&Setup { robot, params: &params, seed: 1 }).unwrap();
+//! manual.command(Command { forward: 1.0, left: 0.0 });
+//! assert!(manual.step(&Sensors::default(), 0.015).left > 0.0);
+//! let bump = Sensors { bump_left: true, ..Sensors::default() };
+//! assert!(manual.step(&bump, 0.015).is_stop());
+//! assert_eq!(manual.blocked().unwrap().left, Some("bumper pressed on the left"));
+//! ```
+
+use super::{
+    BehaviourInfo, Build, Claims, Command,
+    interlock::{self, Blocked},
+    parts::{By, Driven, Habit, Hit, Kind, Pilot},
+};
+use robovac_core::{
+    registry::{Example, Explainer, ParamKind, ParamSpec},
+    robot::{Drive, Sensors},
+};
+
+pub(super) const INFO: BehaviourInfo = BehaviourInfo {
+    id: "manual",
+    title: "Manual",
+    summary: "You drive, and the robot doesn't obey what would make it bump or fall.",
+    source: "Hasan, Al-Nahid & Reza 2014, Path planning algorithm development for autonomous vacuum cleaner robots, ICIEV: \
+             section IV.B, Tables I and II",
+    link: "https://ieeexplore.ieee.org/document/6850799",
+    explainer: Explainer {
+        idea: "You drive with keys, a gamepad or the joystick on the screen. \
+               For every combination of bumper and cliff sensors, two tables say which of forward, backward, left and right are allowed. \
+               All else is blocked, and you see why.",
+        complexity: "O(1) time and memory a step.",
+        use_when: "To clean one spot, to get to know a robot and its sensors, or to see how hard it is to leave nothing out.",
+        shines: Example { room: "room12ft", why: "One room that fits into your head." },
+        fails: Example { room: "clutter", why: "Try to leave nothing out." },
+    },
+    claims: Claims { ends: false, cleans: false, manual: true, explores: false },
+    params: &[ParamSpec {
+        id: "careful",
+        label: "Reverse only the way it came",
+        help: "Nothing looks back: the tables allow reversing anywhere, also down the stairs.",
+        kind: ParamKind::Flag { default: false },
+    }],
+};
+
+pub(super) const BUILD: Build = |setup| {
+    let is_careful = setup.params.flag("careful");
+    Driven::boxed(
+        setup,
+        Manual {
+            is_careful,
+            command: Command::default(),
+            blocked: Blocked::default(),
+            held: None,
+            has_recoiled: false,
+            obeyed: Drive::STOP,
+        },
+    )
+};
+
+#[derive(Debug, Clone)]
+struct Manual {
+    is_careful: bool,
+    command: Command,
+    blocked: Blocked,
+    /// Why it doesn't go ahead until the stick is let go.
+    held: Option<&'static str>,
+    /// Whether it has rolled back from the edge that it sees.
+    has_recoiled: bool,
+    obeyed: Drive,
+}
+
+impl Habit for Manual {
+    fn begin(&mut self, pilot: &mut Pilot) {
+        pilot.turn_speed = pilot.robot.turn_wheel_speed;
+        pilot.by = By::Counts;
+        self.held = None;
+    }
+
+    fn watch(&mut self, sensed: &Sensors, _: f64) {
+        self.blocked = interlock::blocked(sensed);
+        if self.command.forward <= 0.0 {
+            self.held = None;
+        }
+        self.has_recoiled &= sensed.sees_cliff();
+        self.blocked.forward = self.blocked.forward.or(self.held);
+    }
+
+    fn command(&mut self, command: Command) {
+        self.command = command;
+    }
+
+    fn blocked(&self) -> Option<Blocked> {
+        Some(self.blocked)
+    }
+
+    fn roam(&mut self, pilot: &mut Pilot, _: &Sensors, _: f64) -> Drive {
+        if self.is_careful && !pilot.knows_way_back() && self.blocked.backward.is_none() {
+            self.blocked.backward = Some("nothing looks back, and it hasn't come from there");
+        }
+        let Command { forward, left } = self.blocked.allowed().cut(self.command);
+        self.obeyed = if self.is_careful && forward < 0.0 {
+            pilot.retreat(-forward)
+        } else {
+            pilot.twist(forward * pilot.speed, left * pilot.robot.turn_rate())
+        };
+        self.obeyed
+    }
+
+    fn hit(&mut self, pilot: &mut Pilot, hit: Hit) {
+        if hit.kind == Kind::Cliff && !self.has_recoiled {
+            self.has_recoiled = true;
+            self.held = self.blocked.forward.or(Some("no floor in front"));
+            pilot.answer(hit, 0.0, &[]);
+        }
+    }
+
+    fn activity(&self) -> &'static str {
+        let Drive { left, right, .. } = self.obeyed;
+        match left + right {
+            sum if sum > 1e-9 => "driving ahead as told",
+            sum if sum < -1e-9 => "reversing as told",
+            _ if right > left => "turning left as told",
+            _ if right < left => "turning right as told",
+            _ => "waiting for you",
+        }
+    }
+
+    fn boxed_clone(&self) -> Box<dyn Habit> {
+        Box::new(self.clone())
+    }
+}

@@ -1,0 +1,69 @@
+//! What the infrared receivers tell of a dock, with what they miss filled in from the moments before.
+
+use robovac_core::robot::Sensors;
+
+/// How long a sight lasts, s: at 15 ms a reading, so many misses in a row are rare even in sunlight.
+const LASTS_S: f64 = 0.12;
+/// Bits of a dock's characters (Open Interface specification): force field, green beam, red beam. All have the base.
+const BASE: u8 = 160;
+const FIELD: u8 = 1;
+const GREEN: u8 = 4;
+const RED: u8 = 8;
+
+/// Sights of a dock.
+#[derive(Debug, Clone, Default)]
+pub(in crate::controller) struct Beacon {
+    /// Time left for which each was seen lately, s: force field, green beam, red beam; by the left and the right receiver.
+    left: [f64; 5],
+}
+
+impl Beacon {
+    /// Takes the next reading.
+    pub(in crate::controller) fn update(&mut self, sensed: &Sensors, dt_s: f64) {
+        let seen = sensed.infrared;
+        let all = [seen.omni, seen.left, seen.right];
+        let is_of_dock = |character: u8| character & !(FIELD | GREEN | RED) == BASE && character != BASE;
+        let has = |bit: u8| all.iter().any(|&character| is_of_dock(character) && character & bit != 0);
+        // Directions are those of the beams: the force field is thrown back from everywhere.
+        let beams = |character: u8| is_of_dock(character) && character & (GREEN | RED) != 0;
+        let now = [has(FIELD), has(GREEN), has(RED), beams(seen.left), beams(seen.right)];
+        for (left, now) in self.left.iter_mut().zip(now) {
+            *left = if now { LASTS_S } else { *left - dt_s };
+        }
+    }
+
+    /// Whether the dock is near.
+    pub(in crate::controller) fn is_near(&self) -> bool {
+        self.left[0] > 0.0
+    }
+
+    /// Whether the beam on the left and that on the right of the dock's middle are seen, by a robot that faces it.
+    pub(in crate::controller) fn beams(&self) -> (bool, bool) {
+        (self.left[1] > 0.0, self.left[2] > 0.0)
+    }
+
+    /// Whether the dock is seen by the receiver that looks to the left and by that to the right.
+    pub(in crate::controller) fn sides(&self) -> (bool, bool) {
+        (self.left[3] > 0.0, self.left[4] > 0.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use robovac_core::robot::Infrared;
+
+    #[test]
+    fn characters_are_told_apart_and_remembered_for_a_moment() {
+        let mut beacon = Beacon::default();
+        let reading = |omni, left, right| Sensors { infrared: Infrared { omni, left, right }, ..Sensors::default() };
+        beacon.update(&reading(165, 0, 164), 0.015);
+        assert!(beacon.is_near() && beacon.beams() == (true, false) && beacon.sides() == (false, true));
+        beacon.update(&reading(0, 0, 0), 0.015);
+        assert_eq!(beacon.beams(), (true, false));
+        for _ in 0..20 {
+            beacon.update(&reading(162, 162, 0), 0.015);
+        }
+        assert!(!beacon.is_near() && beacon.beams() == (false, false) && beacon.sides() == (false, false));
+    }
+}

@@ -1,0 +1,62 @@
+//! What stops a robot that drives ahead.
+
+use robovac_core::robot::Sensors;
+
+/// Something in the way.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::controller) struct Hit {
+    /// What it is.
+    pub kind: Kind,
+    /// Where it is.
+    pub side: Side,
+}
+
+/// Kinds of things that stop a robot.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::controller) enum Kind {
+    /// A wall or furniture, felt by the bumper.
+    Bump,
+    /// No floor.
+    Cliff,
+    /// The beam of a virtual wall.
+    Beam,
+}
+
+/// Where something is, as the robot looks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::controller) enum Side {
+    Left,
+    Front,
+    Right,
+}
+
+impl Side {
+    /// From what is reported on the left and on the right.
+    fn of(left: bool, right: bool) -> Option<Self> {
+        match (left, right) {
+            (true, true) => Some(Self::Front),
+            (true, false) => Some(Self::Left),
+            (false, true) => Some(Self::Right),
+            (false, false) => None,
+        }
+    }
+}
+
+impl Hit {
+    /// The worst of what a reading tells. On a dock, whose ramp is black, all cliff sensors see a cliff that is none.
+    pub(super) fn of(sensed: &Sensors, heeds_beam: bool) -> Option<Self> {
+        let [left, front_left, front_right, right] = sensed.cliff;
+        let edge = Side::of(left || front_left, right || front_right).filter(|_| !sensed.battery.on_dock);
+        if let Some(side) = edge {
+            return Some(Self { kind: Kind::Cliff, side });
+        }
+        if let Some(side) = Side::of(sensed.bump_left, sensed.bump_right) {
+            return Some(Self { kind: Kind::Bump, side });
+        }
+        // What holds the wheels, though the bumper doesn't feel it: a narrow bumper between two walls.
+        if sensed.overcurrent.left_wheel && sensed.overcurrent.right_wheel {
+            return Some(Self { kind: Kind::Bump, side: Side::Front });
+        }
+        (heeds_beam && sensed.virtual_wall).then_some(Self { kind: Kind::Beam, side: Side::Front })
+    }
+}

@@ -1,0 +1,127 @@
+//! Home on a low battery, and back to work: what every cleaning behaviour does on a robot that can.
+
+use super::{
+    driven::Habit,
+    pilot::{Move, Pilot},
+};
+use crate::controller::{Setup, dock::Dock};
+use rand::RngExt;
+use robovac_core::{
+    math,
+    registry::{ParamKind, ParamSpec},
+    robot::Sensors,
+};
+
+/// Way off the dock before it turns round, m.
+const LEAVE: f64 = 0.5;
+
+/// When it goes home.
+pub(in crate::controller) const GO_HOME: ParamSpec = ParamSpec {
+    id: "home_at",
+    label: "Home at",
+    help: "Charge at which it looks for its dock, if it has receivers for one; 0 for never.",
+    kind: ParamKind::Number { min: 0.0, max: 90.0, step: 1.0, default: 15.0, unit: "%" },
+};
+
+/// When it leaves again.
+pub(in crate::controller) const LEAVE_HOME: ParamSpec = ParamSpec {
+    id: "leave_at",
+    label: "Leaves at",
+    help: "Charge at which it leaves its dock and goes on cleaning.",
+    kind: ParamKind::Number { min: 5.0, max: 100.0, step: 1.0, default: 95.0, unit: "%" },
+};
+
+/// Watches the battery.
+#[derive(Debug, Clone)]
+pub(super) struct Home {
+    /// Shares of the charge at which it goes and leaves.
+    low: f64,
+    full: f64,
+    dock: Dock,
+    phase: Phase,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Phase {
+    /// The habit is at work.
+    Away,
+    Going,
+    Charging,
+    Leaving,
+}
+
+impl Home {
+    /// With the parameters of `setup`; `None` if it has none or if the robot has no receivers, contacts or gauge.
+    pub(super) fn new(setup: &Setup<'_>) -> Option<Self> {
+        let share = |id| setup.params.number(id) / 100.0;
+        let (low, battery) = (share(GO_HOME.id), setup.robot.battery);
+        let is_able = setup.robot.sensors.infrared && battery.charge_ma > 0.0 && battery.has_gauge;
+        // A robot that left before it wants to go home would never get away.
+        let full = share(LEAVE_HOME.id).max(low + 0.02).min(1.0);
+        (is_able && low > 0.0).then(|| Self { low, full, dock: Dock::new(setup), phase: Phase::Away })
+    }
+
+    /// Watches a reading; returns whether the robot stands and is charged, and whether the habit is to begin anew.
+    pub(super) fn watch(&mut self, pilot: &mut Pilot, sensed: &Sensors, dt_s: f64) -> (bool, bool) {
+        let share = sensed.battery.share();
+        if self.phase == Phase::Going {
+            self.dock.watch(sensed, dt_s);
+        }
+        match self.phase {
+            Phase::Away if share < self.low && !pilot.is_busy() => {
+                self.phase = Phase::Going;
+                self.dock.begin(pilot);
+            }
+            Phase::Going if self.dock.is_done() => {
+                self.phase = Phase::Charging;
+                pilot.go(&[]);
+            }
+            Phase::Charging if !sensed.battery.on_dock => {
+                // Pushed or carried off.
+                self.phase = Phase::Going;
+                self.dock.begin(pilot);
+            }
+            // Charge is told in whole mAh.
+            Phase::Charging if share >= self.full - 0.001 => {
+                self.phase = Phase::Leaving;
+                let turn = math::PI * pilot.rng.random_range(0.7..1.3);
+                // What is behind a robot on its dock is where it came from.
+                pilot.assume_way_back(LEAVE);
+                pilot.go(&[Move::Back(LEAVE), Move::Turn(turn)]);
+            }
+            Phase::Leaving if !pilot.is_busy() => {
+                self.phase = Phase::Away;
+                return (false, true);
+            }
+            _ => {}
+        }
+        (self.phase == Phase::Charging, false)
+    }
+
+    /// What drives instead of the habit, if anything does.
+    pub(super) fn driver(&mut self) -> Option<&mut Dock> {
+        (self.phase == Phase::Going).then_some(&mut self.dock)
+    }
+
+    /// What it is doing; `None` while the habit is at work.
+    pub(super) fn activity(&self) -> Option<&'static str> {
+        match self.phase {
+            Phase::Away => None,
+            Phase::Going => Some(self.dock.activity()),
+            Phase::Charging => Some("charging"),
+            Phase::Leaving => Some("leaving the dock"),
+        }
+    }
+
+    /// Starts over: somebody has put the robot elsewhere.
+    pub(super) fn begin(&mut self, pilot: &mut Pilot) {
+        match self.phase {
+            Phase::Away => {}
+            Phase::Leaving => self.phase = Phase::Away,
+            Phase::Going | Phase::Charging => {
+                self.phase = Phase::Going;
+                self.dock.begin(pilot);
+            }
+        }
+    }
+}

@@ -1,0 +1,201 @@
+//! Spiral: circles that grow until something is in the way (002, section IV.A.ii).
+//!
+//! Hasan, Al-Nahid & Reza 2014: the robot first checks whether there is enough place. If so, it convolutes to the left with a
+//! growing radius: the right wheel runs at full speed, the left wheel's speed rises with time. When an obstacle is sensed,
+//! the spiral is over.
+//!
+//! # Where the paper is silent
+//!
+//! - *How it checks for room*: its flowchart is lost, and a bumper can't look ahead. Here the first round, about the left
+//!   wheel, is the check: if nothing is hit until the robot has turned by 360 degrees, there is room. A robot with a light
+//!   bumper doesn't even begin where it sees something near.
+//! - *How fast the left wheel's speed rises.* If it rose evenly, the circles would lie farther and farther apart. Here it
+//!   starts from rest and rises ever more slowly, so that each circle lies the same distance outside the last one.
+//! - *What comes after.* The cleaning cycle hands over to the next behaviour. Alone, the robot turns away as in the random
+//!   walk, drives a random distance, and tries again.
+//!
+//! ```
+//! use robovac_sim::controller::*;
+//! use robovac_core::{registry::Params, robot::*};
+//! let info = find("spiral_out").unwrap();
+//! let (robot, params) = (model("roomba600").unwrap(), Params::defaults(info.params));
+//! let mut spiral = info.build(&Setup { robot, params: &params, seed: 1 }).unwrap();
+//! spiral.step(&Sensors::default(), 0.015);
+//! assert_eq!(spiral.activity(), "looking whether there is room");
+//! // The encoders of a robot that turns round and round about its left wheel.
+//! let reading = |step: u16| Sensors { right_counts: step.wrapping_mul(10), ..Sensors::default() };
+//! let check = spiral.step(&reading(1), 0.015);
+//! let later = (2..2000).map(|step| spiral.step(&reading(step), 0.015)).last().unwrap();
+//! assert_eq!(spiral.activity(), "spiralling out");
+//! assert!(check.left == 0.0 && later.left > 0.05 && check.right == later.right);
+//! ```
+
+use super::{
+    BehaviourInfo, Build, Claims, Setup,
+    parts::{Driven, GO_HOME, Habit, Hit, LEAVE_HOME, Pilot},
+    random_walk::RandomWalk,
+};
+use rand::RngExt;
+use robovac_core::{
+    math,
+    registry::{Example, Explainer, ParamKind, ParamSpec},
+    robot::{Drive, Sensors},
+};
+
+pub(super) const INFO: BehaviourInfo = BehaviourInfo {
+    id: "spiral_out",
+    title: "Spiral",
+    summary: "Drives growing circles to the left until it hits something, then moves on and begins again.",
+    source: "Hasan, Al-Nahid & Reza 2014, Path planning algorithm development for autonomous vacuum cleaner robots, ICIEV: \
+             section IV.A.ii",
+    link: "https://ieeexplore.ieee.org/document/6850799",
+    explainer: Explainer {
+        idea: "The right wheel runs at full speed and the left one a little faster all the time, so that the robot drives circles that grow. \
+               Each circle lies just outside the last one, and no floor is cleaned twice until something is in the way. \
+               Then the robot moves on in a random direction and begins again where there is room.",
+        complexity: "O(1) time and memory a step: it remembers nothing of the room.",
+        use_when: "On open floor, or to clean one spot thoroughly. Among furniture its circles end before they have begun.",
+        shines: Example {
+            room: "tshape",
+            why: "Few things are in the way, and circles grow until they meet the walls.",
+        },
+        fails: Example { room: "clutter", why: "No circle comes round before it hits something." },
+    },
+    claims: Claims { ends: false, cleans: true, manual: false, explores: false },
+    params: &[
+        ParamSpec {
+            id: "pitch",
+            label: "Distance of circles",
+            help: "Distance from one circle to the next, as a share of the width that one pass cleans.",
+            kind: ParamKind::Number { min: 20.0, max: 200.0, step: 5.0, default: 85.0, unit: "%" },
+        },
+        ParamSpec {
+            id: "way",
+            label: "Way between spirals",
+            help: "How far it drives at most before it begins again; the distance is drawn at random.",
+            kind: ParamKind::Number { min: 0.5, max: 10.0, step: 0.5, default: 4.0, unit: "m" },
+        },
+        GO_HOME,
+        LEAVE_HOME,
+    ],
+};
+
+pub(super) const BUILD: Build = |setup| {
+    let (pitch, way) = (setup.params.number("pitch") / 100.0, setup.params.number("way"));
+    Driven::boxed(setup, Spiral::new(setup, pitch, After::MoveOn(way)))
+};
+
+/// What follows a spiral.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum After {
+    /// Another one, at most so many metres away.
+    MoveOn(f64),
+    /// Nothing: it is done.
+    End,
+}
+
+/// The habit.
+#[derive(Debug, Clone)]
+pub(super) struct Spiral {
+    walk: RandomWalk,
+    after: After,
+    /// By how much the radius grows for each radian that is turned, m.
+    growth: f64,
+    phase: Phase,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Phase {
+    /// The first circle, about the left wheel, since this heading, rad.
+    Check {
+        from: f64,
+    },
+    /// Circles around a point so far to the left of the middle between the wheels, m.
+    Circle {
+        radius: f64,
+    },
+    /// Drives on until it is so far ahead, m.
+    MoveOn {
+        until: f64,
+    },
+    /// About to begin.
+    Begin,
+    Done,
+}
+
+impl Spiral {
+    /// With circles that lie `pitch` times the tool's width apart.
+    pub(super) fn new(setup: &Setup<'_>, pitch: f64, after: After) -> Self {
+        let growth = pitch * setup.robot.tool_width / math::TAU;
+        Self { walk: RandomWalk::with(setup, (1.0, 1.0), 0.03), after, growth, phase: Phase::Begin }
+    }
+
+    fn move_on(&mut self, pilot: &mut Pilot) {
+        self.phase = match self.after {
+            After::MoveOn(way) => Phase::MoveOn { until: pilot.ahead() + pilot.rng.random_range(0.3..way.max(0.4)) },
+            After::End => Phase::Done,
+        };
+    }
+}
+
+impl Habit for Spiral {
+    fn begin(&mut self, pilot: &mut Pilot) {
+        self.walk.begin(pilot);
+        self.phase = Phase::Begin;
+    }
+
+    fn roam(&mut self, pilot: &mut Pilot, sensed: &Sensors, dt_s: f64) -> Drive {
+        let half_base = 0.5 * pilot.robot.wheel_base;
+        match self.phase {
+            Phase::Begin => {
+                if sensed.light_bumper.contains(&true) {
+                    self.move_on(pilot);
+                } else {
+                    self.phase = Phase::Check { from: pilot.turned() };
+                }
+                Drive::STOP
+            }
+            Phase::Check { from } => {
+                if pilot.turned() - from > math::TAU {
+                    self.phase = Phase::Circle { radius: half_base };
+                }
+                Drive::wheels(0.0, pilot.speed)
+            }
+            Phase::Circle { radius } => {
+                let turn_rate = pilot.speed / (radius + half_base);
+                self.phase = Phase::Circle { radius: radius + self.growth * turn_rate * dt_s };
+                Drive::wheels(turn_rate * (radius - half_base), pilot.speed)
+            }
+            Phase::MoveOn { until } if pilot.ahead() < until => pilot.straight(),
+            Phase::MoveOn { .. } => {
+                self.phase = Phase::Begin;
+                Drive::STOP
+            }
+            Phase::Done => Drive::STOP,
+        }
+    }
+
+    fn hit(&mut self, pilot: &mut Pilot, hit: Hit) {
+        if !matches!(self.phase, Phase::MoveOn { .. }) {
+            self.move_on(pilot);
+        }
+        self.walk.hit(pilot, hit);
+    }
+
+    fn is_done(&self) -> bool {
+        self.phase == Phase::Done
+    }
+
+    fn activity(&self) -> &'static str {
+        match self.phase {
+            Phase::Circle { .. } => "spiralling out",
+            Phase::MoveOn { .. } => "moving on",
+            Phase::Begin | Phase::Check { .. } => "looking whether there is room",
+            Phase::Done => "done",
+        }
+    }
+
+    fn boxed_clone(&self) -> Box<dyn Habit> {
+        Box::new(self.clone())
+    }
+}

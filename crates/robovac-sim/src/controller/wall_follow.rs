@@ -1,0 +1,252 @@
+//! Wall following: along walls and around furniture, with the wall on the right (002, section IV.A.iv).
+//!
+//! Hasan, Al-Nahid & Reza 2014 want it for corners and edges, where the side brush takes the dirt, and show a robot that goes
+//! along the border of a room; the flowchart is lost. Two ways to do it, by what the robot has:
+//!
+//! - *By the bumper* (DVR-1): the robot drives an arc into the wall until it bumps, backs off a little, turns away a little,
+//!   and drives the next arc. Where the wall ends, the arc leads round the corner.
+//! - *By light* (Roomba): the signal of the light bumper's rightmost sensor grows as the wall comes nearer. A controller keeps
+//!   it at a set value by steering: proportional to how far it is off, and to how fast that changes. The front sensors
+//!   make it turn before a corner. Where the wall ends, it drives an arc to the right as well.
+//!
+//! # Where the paper is silent
+//!
+//! - *Finding a wall*: straight ahead until something is there.
+//! - *Furniture that stands alone* would be gone round for ever. A robot that has turned right by 360 degrees more than
+//!   left since it met its wall has gone round something; it leaves after a number of rounds, at a right angle. Around a
+//!   room it turns left, and goes on.
+//! - *A wall that isn't there*: after a circle and a half without meeting it again, it looks for another one.
+//! - *The edge of stairs* is no wall. On an arc around its corner the inner wheel would run inside the track of the cliff
+//!   sensors and get over the edge unseen. The robot turns away and looks for another wall; so it does at a virtual wall.
+//!
+//! ```
+//! use robovac_sim::controller::*;
+//! use robovac_core::{registry::Params, robot::*};
+//! let info = find("wall_follow").unwrap();
+//! let (robot, params) = (model("roomba600").unwrap(), Params::defaults(info.params));
+//! let mut follower = info.build(&Setup { robot, params: &params, seed: 1 }).unwrap();
+//! assert_eq!(follower.activity(), "looking for a wall");
+//! follower.step(&Sensors { bump_right: true, ..Sensors::default() }, 0.015);
+//! assert_eq!(follower.activity(), "backing up");
+//! assert!((0..400).any(|_| { follower.step(&Sensors::default(), 0.015); follower.activity() == "following the wall" }));
+//! ```
+
+use super::{
+    BehaviourInfo, Build, Claims, Setup,
+    parts::{By, Driven, GO_HOME, Habit, Hit, Kind, LEAVE_HOME, Move, Pilot, Side},
+};
+use rand::RngExt;
+use robovac_core::{
+    math,
+    registry::{Example, Explainer, ParamKind, ParamSpec},
+    robot::{Drive, Sensors},
+};
+
+/// Signal to keep: about 3 cm from a light wall, within the side brush's reach.
+const SIGNAL: f64 = 1000.0;
+/// Way back from a wall that was bumped into, m.
+const BACK: f64 = 0.015;
+/// Turns away from what was hit, rad: on the right, straight ahead, on the left.
+const AWAY: [f64; 3] = [0.35, 0.9, 1.6];
+/// Turn away from what isn't a wall, rad, drawn between these.
+const LEAVE: (f64, f64) = (1.6, 2.6);
+/// Turn, rad, after which a wall that wasn't met again is lost: a circle and a half.
+const LOST: f64 = 1.5 * math::TAU;
+/// Steering by light: turn rate for a signal that is off by all of its set value, and for one that changes by that much
+/// in a second (rad/s, rad).
+const GAINS: (f64, f64) = (1.2, 0.4);
+/// Fastest steering, rad/s.
+const STEER: f64 = 1.4;
+/// Signals are smoothed over about this time, s: dazzled sensors jump.
+const SMOOTH_S: f64 = 0.06;
+/// Signal of a front sensor at which it turns away: about 8 cm from a wall ahead, enough to stop.
+const AHEAD: f64 = 600.0;
+/// Share of the set signal below which there is no wall.
+const NOTHING: f64 = 0.2;
+/// Share of the speed while steering by light along a wall.
+const PACE: f64 = 0.8;
+
+pub(super) const INFO: BehaviourInfo = BehaviourInfo {
+    id: "wall_follow",
+    title: "Wall follow",
+    summary: "Keeps the wall on its right and goes along it, by bumping into it again and again or by the light that it throws back.",
+    source: "Hasan, Al-Nahid & Reza 2014, Path planning algorithm development for autonomous vacuum cleaner robots, ICIEV: \
+             section IV.A.iv",
+    link: "https://ieeexplore.ieee.org/document/6850799",
+    explainer: Explainer {
+        idea: "The robot looks for a wall and goes along it with the wall on its right. \
+               With nothing but a bumper it drives an arc into the wall, backs off, turns away a little and does it again; with light sensors it keeps its distance. \
+               What stands alone is left after a round, and the border of the room is followed for ever.",
+        complexity: "O(1) time and memory a step: it remembers how far it has turned along this wall.",
+        use_when: "For edges and corners, which all other behaviours clean last. Alone it never sees the middle of the room.",
+        shines: Example {
+            room: "maze",
+            why: "A maze is all walls: it goes along them through all of it, where chance gets stuck.",
+        },
+        fails: Example { room: "empty", why: "It cleans the border again and again and never sees the middle." },
+    },
+    claims: Claims { ends: false, cleans: true, manual: false, explores: false },
+    params: &[
+        ParamSpec {
+            id: "on",
+            label: "Feels the wall",
+            help: "By the bumper or by light; by itself it takes light if the robot has a light bumper.",
+            kind: ParamKind::Choice {
+                options: &[("auto", "as it can"), ("bumper", "by bumping"), ("light", "by light")],
+            },
+        },
+        ParamSpec {
+            id: "rounds",
+            label: "Rounds",
+            help: "How often it goes round something that stands alone before it leaves; 0 for ever.",
+            kind: ParamKind::Number { min: 0.0, max: 10.0, step: 1.0, default: 1.0, unit: "" },
+        },
+        ParamSpec {
+            id: "arc",
+            label: "Arc",
+            help: "How much wider than the robot's own radius the arcs are that it drives towards the wall.",
+            kind: ParamKind::Number { min: 0.0, max: 50.0, step: 1.0, default: 8.0, unit: "cm" },
+        },
+        ParamSpec {
+            id: "signal",
+            label: "Set signal",
+            help: "By light: strength of the rightmost light bumper signal that it keeps; more is nearer to the wall.",
+            kind: ParamKind::Number { min: 200.0, max: 3000.0, step: 50.0, default: SIGNAL, unit: "" },
+        },
+        GO_HOME,
+        LEAVE_HOME,
+    ],
+};
+
+pub(super) const BUILD: Build = |setup| {
+    let number = |id| setup.params.number(id);
+    let by_light = match setup.params.choice("on") {
+        "bumper" => false,
+        "light" => true,
+        _ => setup.robot.sensors.light_bumper.is_some(),
+    };
+    let light = by_light.then(|| number("signal"));
+    Driven::boxed(setup, WallFollow::new(setup, light, number("rounds") as u32, number("arc") / 100.0))
+};
+
+/// The habit.
+#[derive(Debug, Clone)]
+pub(super) struct WallFollow {
+    /// Signal to keep; `None` to follow by the bumper.
+    light: Option<f64>,
+    rounds: u32,
+    /// Radius of the arcs, m.
+    arc: f64,
+    phase: Phase,
+    /// Smoothed signal, as a share of the set one.
+    last: f64,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Phase {
+    Seek,
+    /// Along a wall that it met with this much turned, rad, and felt last with that much.
+    Follow {
+        met: f64,
+        felt: f64,
+    },
+}
+
+impl WallFollow {
+    /// By light at that signal or by the bumper; leaves what stands alone after so many rounds; arcs so much wider than the
+    /// robot, m.
+    pub(super) fn new(setup: &Setup<'_>, light: Option<f64>, rounds: u32, wider: f64) -> Self {
+        let light = light.filter(|_| setup.robot.sensors.light_bumper.is_some());
+        Self { light, rounds, arc: setup.robot.radius + wider, phase: Phase::Seek, last: 0.0 }
+    }
+
+    /// As the parameters have it unless asked for otherwise.
+    pub(super) fn usual(setup: &Setup<'_>) -> Self {
+        Self::new(setup, Some(SIGNAL), 1, 0.08)
+    }
+
+    /// Along whatever it meets, round and round.
+    pub(super) fn endless(setup: &Setup<'_>) -> Self {
+        Self::new(setup, Some(SIGNAL), 0, 0.08)
+    }
+
+    /// Whether it has a wall to follow.
+    pub(super) fn has_wall(&self) -> bool {
+        self.phase != Phase::Seek
+    }
+
+    fn feel(&mut self, turned: f64) {
+        let met = if let Phase::Follow { met, .. } = self.phase { met } else { turned };
+        self.phase = Phase::Follow { met, felt: turned };
+    }
+
+    /// Steers by the light that comes back from the wall; `None` where there is no wall.
+    fn by_light(&mut self, pilot: &Pilot, sensed: &Sensors, set: f64, dt_s: f64) -> Option<Drive> {
+        let [_, front_left, left, right, front_right, side] = sensed.light_signal.map(f64::from);
+        let before = self.last;
+        self.last += (side / set - before) * dt_s / SMOOTH_S;
+        let (side, change) = (self.last, (self.last - before) / dt_s);
+        if left.max(right).max(front_left).max(0.5 * front_right) > AHEAD {
+            return Some(pilot.twist(0.0, pilot.robot.turn_rate()));
+        }
+        if side < NOTHING {
+            return None;
+        }
+        let steer = GAINS.0 * (side - 1.0) + GAINS.1 * change;
+        Some(pilot.twist(PACE * pilot.speed, steer.clamp(-STEER, STEER)))
+    }
+}
+
+impl Habit for WallFollow {
+    fn begin(&mut self, pilot: &mut Pilot) {
+        pilot.turn_speed = pilot.robot.turn_wheel_speed;
+        pilot.by = By::Counts;
+        self.phase = Phase::Seek;
+    }
+
+    fn roam(&mut self, pilot: &mut Pilot, sensed: &Sensors, dt_s: f64) -> Drive {
+        let turned = pilot.turned();
+        let steered = self.light.and_then(|set| self.by_light(pilot, sensed, set, dt_s));
+        if steered.is_some() {
+            self.feel(turned);
+        }
+        let Phase::Follow { met, felt } = self.phase else { return pilot.straight() };
+        if self.rounds > 0 && turned - met < -math::TAU * f64::from(self.rounds) {
+            self.phase = Phase::Seek;
+            pilot.go(&[Move::Turn(math::FRAC_PI_2)]);
+            return Drive::STOP;
+        }
+        if turned - felt < -LOST {
+            self.phase = Phase::Seek;
+        }
+        // The right wheel goes the shorter way round.
+        steered.unwrap_or_else(|| pilot.twist(PACE * pilot.speed, -PACE * pilot.speed / self.arc))
+    }
+
+    fn hit(&mut self, pilot: &mut Pilot, hit: Hit) {
+        if hit.kind != Kind::Bump {
+            self.phase = Phase::Seek;
+            let turn = pilot.away_from(hit) * pilot.rng.random_range(LEAVE.0..LEAVE.1);
+            pilot.answer(hit, BACK, &[Move::Turn(turn)]);
+            return;
+        }
+        self.feel(pilot.turned());
+        let turn = match hit.side {
+            Side::Right => AWAY[0],
+            Side::Front => AWAY[1],
+            Side::Left => AWAY[2],
+        };
+        pilot.answer(hit, BACK, &[Move::Turn(turn)]);
+    }
+
+    fn activity(&self) -> &'static str {
+        match self.phase {
+            Phase::Seek => "looking for a wall",
+            Phase::Follow { .. } => "following the wall",
+        }
+    }
+
+    fn boxed_clone(&self) -> Box<dyn Habit> {
+        Box::new(self.clone())
+    }
+}

@@ -1,0 +1,119 @@
+//! What happened in a run, for people who read along.
+
+use robovac_core::robot::Sensors;
+use std::fmt;
+
+/// Something that happened.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Event {
+    /// After how many steps.
+    pub step: u64,
+    /// What.
+    pub what: What,
+}
+
+/// What can happen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum What {
+    /// The bumper was pressed, on the left, on the right or both.
+    Bump {
+        /// Its left half.
+        left: bool,
+        /// Its right half.
+        right: bool,
+    },
+    /// Cliff sensors lost the floor: left, front left, front right, right.
+    Cliff([bool; 4]),
+    /// The beam of a virtual wall was met.
+    VirtualWall,
+    /// A wheel dropped.
+    WheelDrop,
+    /// The robot stood on its dock and was charged.
+    Docked,
+    /// The battery was empty.
+    BatteryEmpty,
+    /// The robot fell down a drop-off.
+    Fell,
+    /// Somebody picked the robot up.
+    Lifted,
+    /// Somebody put it down.
+    PutDown,
+    /// The controller began with something else.
+    Began(&'static str),
+    /// The controller was done.
+    Done,
+}
+
+/// What of a reading makes events. It is compared after every step, and a whole reading is long.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Signs {
+    /// Left and right.
+    bump: [bool; 2],
+    cliff: [bool; 4],
+    virtual_wall: bool,
+    wheel_dropped: bool,
+    on_dock: bool,
+}
+
+impl Signs {
+    #[inline]
+    pub fn of(sensed: &Sensors) -> Self {
+        Self {
+            bump: [sensed.bump_left, sensed.bump_right],
+            cliff: sensed.cliff,
+            virtual_wall: sensed.virtual_wall,
+            wheel_dropped: sensed.wheel_dropped(),
+            on_dock: sensed.battery.on_dock,
+        }
+    }
+
+    #[inline]
+    pub fn bumped(self) -> bool {
+        self.bump.contains(&true)
+    }
+}
+
+impl What {
+    /// What a reading says that the one before didn't.
+    pub(super) fn between(before: Signs, now: Signs, mut tell: impl FnMut(Self)) {
+        if now.bumped() && !before.bumped() {
+            tell(Self::Bump { left: now.bump[0], right: now.bump[1] });
+        }
+        if now.cliff.contains(&true) && !before.cliff.contains(&true) {
+            tell(Self::Cliff(now.cliff));
+        }
+        if now.virtual_wall && !before.virtual_wall {
+            tell(Self::VirtualWall);
+        }
+        if now.wheel_dropped && !before.wheel_dropped {
+            tell(Self::WheelDrop);
+        }
+        if now.on_dock && !before.on_dock {
+            tell(Self::Docked);
+        }
+    }
+}
+
+/// As it is written in a list.
+impl fmt::Display for What {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let text = match self {
+            Self::Bump { left: true, right: true } => "bump in front",
+            Self::Bump { left: true, .. } => "bump left",
+            Self::Bump { .. } => "bump right",
+            Self::Cliff([_, true, _, _] | [_, _, true, _]) => "cliff in front",
+            Self::Cliff([true, ..]) => "cliff left",
+            Self::Cliff(_) => "cliff right",
+            Self::VirtualWall => "virtual wall",
+            Self::WheelDrop => "wheel drop",
+            Self::Docked => "docked, charging",
+            Self::BatteryEmpty => "battery empty",
+            Self::Fell => "fell down",
+            Self::Lifted => "picked up",
+            Self::PutDown => "put down",
+            Self::Began(activity) => activity,
+            Self::Done => "done",
+        };
+        f.write_str(text)
+    }
+}

@@ -1,0 +1,66 @@
+//! One planner in one room: what every comparison is made of.
+
+use crate::experiment::planning::{PlanRequest, Planned, Prepared};
+use coverage_planners::{Bounds, Observer, PathError, PlanError, PlannerInfo, metrics::PlanNumbers};
+use robovac_core::{
+    coverage::FloorError, floorplan::FloorPlan, geometry::Pose, grid::Cell, registry::Params, robot::RobotModel,
+};
+
+/// A room laid out for a robot, with what no walk in it can do without: the same for all that compete there.
+pub struct Arena {
+    prepared: Prepared,
+    bounds: Bounds,
+}
+
+/// What a planner reached.
+#[derive(Debug, Clone)]
+pub struct Outcome {
+    /// Its numbers.
+    pub numbers: PlanNumbers,
+    /// Its walk.
+    pub cells: Vec<Cell>,
+}
+
+/// Why a planner reached nothing.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum TrialError {
+    /// The robot can't be put into the room.
+    #[error(transparent)]
+    Floor(#[from] FloorError),
+    /// The planner gave up.
+    #[error(transparent)]
+    Plan(#[from] PlanError),
+    /// The planner is wrong.
+    #[error("it returned a walk that can't be driven: {0}")]
+    Path(#[from] PathError),
+}
+
+impl Arena {
+    /// Lays `plan` out for `robot` with planning cells of `cell_size` metres.
+    pub fn new(plan: &FloorPlan, robot: &RobotModel, cell_size: f64, start: Option<Pose>) -> Result<Self, FloorError> {
+        let prepared = Prepared::new(plan, robot, cell_size, start)?;
+        let bounds = Bounds::of(&prepared.job);
+        Ok(Self { prepared, bounds })
+    }
+
+    /// What no walk in this room can do without.
+    pub fn bounds(&self) -> Bounds {
+        self.bounds
+    }
+
+    /// Lets a planner try. `clock` tells seconds since any moment.
+    pub fn run(
+        &self,
+        planner: &'static PlannerInfo,
+        params: &Params,
+        seed: u64,
+        clock: impl Fn() -> f64,
+        observer: Option<Observer<'_>>,
+    ) -> Result<Outcome, TrialError> {
+        let request = PlanRequest { id: 0, planner, params: params.clone(), seed, job: self.prepared.job.clone() };
+        let answer = request.serve(clock, observer)?;
+        let Planned { walk, drive, planning_s, .. } = Planned::new(&self.prepared, &answer)?;
+        let numbers = PlanNumbers { walk, drive, planning_s, bounds: Some(self.bounds) };
+        Ok(Outcome { numbers, cells: answer.path.cells })
+    }
+}

@@ -1,0 +1,109 @@
+//! A robot that knows the room is picked up and put down anywhere: how long until it knows where it is?
+
+use crate::{
+    Conditions, Input, STEP_S,
+    controller::BehaviourInfo,
+    experiment::planning::Prepared,
+    mapping::{
+        OccupancyMap,
+        locate::{Locator, LocatorSetup},
+    },
+};
+use rand::RngExt;
+use robovac_core::coverage::with_objects;
+use robovac_core::{
+    floorplan::FloorPlan,
+    geometry::{Pose, difference},
+    math,
+    registry::Params,
+    rng::seeded,
+    robot::{OdometryModel, RobotModel},
+};
+
+/// Stream of the places where it is put down.
+const STREAM: u64 = 13;
+/// Steps that it drives before it is picked up, and for which it hangs in the air.
+const BEFORE: u64 = 1000;
+const IN_THE_AIR: u64 = 200;
+/// An estimate is right if it is off by less, m.
+pub const RIGHT_M: f64 = 0.1;
+
+/// What all trials have in common.
+#[derive(Debug, Clone)]
+pub struct Kidnapping<'a> {
+    /// The room, which the robot knows as it is, furniture included.
+    pub plan: &'a FloorPlan,
+    /// The room laid out for the robot.
+    pub prepared: &'a Prepared,
+    /// The robot.
+    pub robot: &'a RobotModel,
+    /// What drives it, with its parameters.
+    pub behaviour: &'static BehaviourInfo,
+    /// Their values.
+    pub params: &'a Params,
+    /// How true wheels and sensors are.
+    pub conditions: Conditions,
+    /// How wheel counts become motion.
+    pub odometry: OdometryModel,
+    /// Time after it was put down, s.
+    pub duration_s: f64,
+}
+
+/// What came out of one trial.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Kidnapped {
+    /// Seed of everything random in it.
+    pub seed: u64,
+    /// When it was sure of its place, and right, and stayed so to the end, s after it was put down; `None` if never.
+    pub found_s: Option<f64>,
+    /// For how long it was sure of a wrong place, s.
+    pub deluded_s: f64,
+    /// How far off its estimate was in the end, m and rad; `None` if it had none.
+    pub error: Option<(f64, f64)>,
+    /// Whether it was sure in the end.
+    pub is_sure: bool,
+}
+
+impl Kidnapping<'_> {
+    /// One trial; `None` if the behaviour isn't in the registry, or the room is empty of walls.
+    pub fn run(&self, seed: u64) -> Option<Kidnapped> {
+        let map = OccupancyMap::of(&with_objects(self.plan));
+        let setup = LocatorSetup { robot: self.robot.clone(), odometry: self.odometry, seed };
+        let mut locator = Locator::new(&map, setup)?;
+        let mut rng = seeded(seed, STREAM);
+        let places = locator.places();
+        let at = places[rng.random_range(0..places.len())];
+        let pose = Pose::new(at.x, at.y, rng.random_range(-math::PI..math::PI));
+        let mut run = self.prepared.run_behaviour(self.behaviour, self.params, self.conditions, seed)?;
+        let (mut found, mut deluded) = (None, 0_u64);
+        let steps = (self.duration_s / STEP_S).round() as u64;
+        for step in 0..BEFORE + IN_THE_AIR + steps {
+            match step {
+                BEFORE => run.apply(Input::Lift),
+                _ if step == BEFORE + IN_THE_AIR => run.apply(Input::PutDown(pose)),
+                _ => {}
+            }
+            run.step();
+            locator.update(run.sensors());
+            let Some(after) = step.checked_sub(BEFORE + IN_THE_AIR) else { continue };
+            let off = locator.pose().map(|pose| (pose.position() - run.pose().position()).norm());
+            match (locator.is_sure(), off) {
+                (true, Some(off)) if off < RIGHT_M => found = found.or(Some(after)),
+                (true, _) => (found, deluded) = (None, deluded + 1),
+                _ => {}
+            }
+        }
+        let error = locator.pose().map(|pose| {
+            let off = (pose.position() - run.pose().position()).norm();
+            (off, difference(run.pose().heading, pose.heading).abs())
+        });
+        let is_right = locator.is_sure() && error.is_some_and(|(off, _)| off < RIGHT_M);
+        Some(Kidnapped {
+            seed,
+            found_s: found.filter(|_| is_right).map(|step| step as f64 * STEP_S),
+            deluded_s: deluded as f64 * STEP_S,
+            error,
+            is_sure: locator.is_sure(),
+        })
+    }
+}

@@ -1,0 +1,67 @@
+//! Why there is no walk.
+
+use coverage_planners::{PathError, PlanError};
+use robovac_core::{coverage::FloorError, floorplan::MAX_RESOLUTION, grid::Cell};
+
+/// Why there is no walk.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum PlanningError {
+    /// No planning cells of that size can be laid over this map.
+    #[error("planning cells of {cell_size} m don't suit this map; choose a side from {least} m to {MAX_RESOLUTION} m")]
+    CellSize {
+        /// The side asked for, m.
+        cell_size: f64,
+        /// Smallest side that would do, m.
+        least: f64,
+    },
+    /// The heading isn't a number.
+    #[error("the heading can't be {0}; give degrees, counter-clockwise from 0 = right")]
+    Heading(f64),
+    /// The start lies outside.
+    #[error(
+        "the start cell {start} lies outside the planning grid of {width} x {height} cells; \
+         choose x from 0 to {}, y from 0 to {} (counted from the lower left)", width - 1, height - 1
+    )]
+    StartOutside {
+        /// The cell asked for.
+        start: Cell,
+        /// Columns of planning cells.
+        width: usize,
+        /// Rows of planning cells.
+        height: usize,
+    },
+    /// The start lies in a wall.
+    #[error("the start cell {start} is inside a wall; the nearest cell where the robot fits is {nearest}")]
+    StartInWall {
+        /// The cell asked for.
+        start: Cell,
+        /// The nearest one that would do.
+        nearest: Cell,
+    },
+    /// The robot doesn't fit between the walls around the start.
+    #[error(
+        "the robot, {diameter:.2} m wide, doesn't fit into the start cell {start}; the nearest where it does is {nearest}"
+    )]
+    StartTooTight {
+        /// The cell asked for.
+        start: Cell,
+        /// The nearest one that would do.
+        nearest: Cell,
+        /// Diameter of the robot, m.
+        diameter: f64,
+    },
+    /// The robot can't be put into the room.
+    #[error(transparent)]
+    Floor(#[from] FloorError),
+    /// The planner gave up.
+    #[error(transparent)]
+    Plan(#[from] PlanError),
+    /// The planner is wrong.
+    #[error("planner \"{planner}\" returned a walk that can't be driven: {error}; please report this with the map")]
+    BadPath {
+        /// Id of the planner.
+        planner: &'static str,
+        /// What is wrong with its walk.
+        error: PathError,
+    },
+}

@@ -1,0 +1,194 @@
+//! The steps: a room is laid out for a robot, a planner is asked, its walk becomes a line with numbers, a robot drives it.
+
+use crate::{
+    Conditions, Run, RunSetup, World,
+    controller::{BehaviourInfo, FollowPath, Setup},
+};
+use coverage_planners::{
+    Bounds, CoverageJob, CoveragePath, Film, MOST_FILMED_CELLS, Observer, PathError, PlanContext, PlanError,
+    PlannerInfo, Proof, TraceStep,
+    metrics::{DriveMetrics, PlanNumbers, WalkMetrics},
+};
+use robovac_core::{
+    coverage::{FloorError, Lattice, ReachableFloor, fine_resolution},
+    floorplan::FloorPlan,
+    geometry::{Point, Pose},
+    registry::Params,
+    robot::{OdometryModel, RobotModel},
+};
+use std::sync::Arc;
+
+/// A room laid out for one robot, one start and one cell size.
+#[derive(Debug, Clone)]
+pub struct Prepared {
+    /// What the robot can reach.
+    pub floor: Arc<ReachableFloor>,
+    /// The planning grid.
+    pub lattice: Arc<Lattice>,
+    /// The planner's job on it.
+    pub job: CoverageJob,
+    /// What is in the room beside its walls.
+    pub world: Arc<World>,
+    /// The robot.
+    pub robot: RobotModel,
+}
+
+/// A job for a planner, which may run elsewhere.
+#[derive(Debug, Clone)]
+pub struct PlanRequest {
+    /// Number of the request; answers carry it, and answers to older requests are dropped.
+    pub id: u32,
+    /// The planner.
+    pub planner: &'static PlannerInfo,
+    /// Its parameters.
+    pub params: Params,
+    /// Seed of its random numbers.
+    pub seed: u64,
+    /// What is to be planned.
+    pub job: CoverageJob,
+}
+
+/// What a planner answers.
+#[derive(Debug, Clone)]
+pub struct Answer {
+    /// The walk.
+    pub path: CoveragePath,
+    /// Time that planning took, s.
+    pub seconds: f64,
+    /// How good the walk is known to be, for planners that prove it.
+    pub proof: Option<Proof>,
+    /// The planner's decisions, if it tells them and the room isn't larger than [`MOST_SEARCH_CELLS`].
+    pub trace: Vec<TraceStep>,
+}
+
+/// Free cells up to which decisions are recorded: a record for every step is far larger than the step.
+pub const MOST_SEARCH_CELLS: usize = 20_000;
+
+/// A plan with its numbers, ready to be driven.
+#[derive(Debug, Clone)]
+pub struct Planned {
+    /// Corners of the line to be driven, m.
+    pub line: Arc<[Point]>,
+    /// Numbers of the walk on the planning grid.
+    pub walk: WalkMetrics,
+    /// Numbers of the line driven without noise.
+    pub drive: DriveMetrics,
+    /// Time that planning took, s.
+    pub planning_s: f64,
+    /// How good its planner knows the walk to be, in the weights of that.
+    pub proof: Option<Proof>,
+    /// How good it is known to be in steps + 2 x quarter turns, as plans are compared, once somebody has proven it.
+    pub compared: Option<Proof>,
+    /// Share of the search after which somebody was content with it before its planner was.
+    pub kept_at: Option<f64>,
+}
+
+impl Prepared {
+    /// Lays out `plan` for `robot` with planning cells of `cell_size` metres.
+    pub fn new(plan: &FloorPlan, robot: &RobotModel, cell_size: f64, start: Option<Pose>) -> Result<Self, FloorError> {
+        // Finer cells would have no fine cell's centre in them, and for a robot that fills one there could be billions.
+        let least = fine_resolution(plan);
+        if cell_size < least * (1.0 - 1e-9) {
+            return Err(FloorError::CellTooSmall { cell_size, least });
+        }
+        Ok(Self::on(plan, ReachableFloor::new(plan, robot, start)?, robot, cell_size))
+    }
+
+    /// Lays planning cells of `cell_size` metres over the floor that `robot` can reach in `plan`.
+    pub fn on(plan: &FloorPlan, floor: ReachableFloor, robot: &RobotModel, cell_size: f64) -> Self {
+        let lattice = Lattice::new(&floor, cell_size);
+        let job = CoverageJob::on_lattice(&lattice, &floor, robot);
+        let world = Arc::new(World::new(plan));
+        Self { floor: Arc::new(floor), lattice: Arc::new(lattice), job, world, robot: robot.clone() }
+    }
+}
+
+impl Prepared {
+    /// What a run on this floor is made of.
+    pub fn setup(&self, conditions: Conditions, seed: u64) -> RunSetup {
+        let Self { floor, world, robot, .. } = self;
+        RunSetup { floor: Arc::clone(floor), world: Arc::clone(world), robot: robot.clone(), conditions, seed }
+    }
+
+    /// The robot at the start, about to drive along `line` (corners, m) by dead reckoning. It gets another battery when one
+    /// is empty: plans are compared by what they clean, and what they take is a number of its own.
+    pub fn run_along(&self, line: &Arc<[Point]>, conditions: Conditions, odometry: OdometryModel, seed: u64) -> Run {
+        let follower = self.follower(&self.robot, line, odometry);
+        let follower = if self.world.drop_offs.is_empty() { follower } else { follower.carefully() };
+        let conditions = Conditions { spare_batteries: true, ..conditions };
+        Run::new(&self.setup(conditions, seed), Box::new(follower))
+    }
+
+    /// What drives `robot`, this one as it is or as it was calibrated, along `line` (corners, m) from the start.
+    pub fn follower(&self, robot: &RobotModel, line: &Arc<[Point]>, odometry: OdometryModel) -> FollowPath {
+        FollowPath::new(robot, odometry, self.floor.start, Arc::clone(line))
+    }
+
+    /// The robot at the start, about to do what `behaviour` does; `None` for one that isn't in the registry.
+    pub fn run_behaviour(
+        &self,
+        behaviour: &BehaviourInfo,
+        params: &Params,
+        conditions: Conditions,
+        seed: u64,
+    ) -> Option<Run> {
+        let controller = behaviour.build(&Setup { robot: &self.robot, params, seed })?;
+        Some(Run::new(&self.setup(conditions, seed), controller))
+    }
+}
+
+impl PlanRequest {
+    /// A film of the search, to be shown what the planner reports; `None` for planners that don't improve a walk, and for
+    /// rooms of more than [`MOST_FILMED_CELLS`].
+    pub fn film(&self) -> Option<Film> {
+        let is_filmed = self.planner.claims.anytime && self.job.cells() <= MOST_FILMED_CELLS;
+        is_filmed.then(|| Film::of(self.planner, &self.params, &self.job))
+    }
+
+    /// Plans here and now. `clock` tells seconds since any moment, as the core has no clock of its own.
+    pub fn serve(&self, clock: impl Fn() -> f64, observer: Option<Observer<'_>>) -> Result<Answer, PlanError> {
+        let planner = self.planner.build(&self.params);
+        let mut ctx = match observer {
+            Some(observer) => PlanContext::observed(self.seed, observer),
+            None => PlanContext::new(self.seed),
+        };
+        let mut trace = Vec::new();
+        let mut tell = |step| trace.push(step);
+        if self.planner.claims.traces && self.job.cells() <= MOST_SEARCH_CELLS {
+            ctx = ctx.traced(&mut tell);
+        }
+        let began = clock();
+        let path = planner.plan(&self.job, &mut ctx)?;
+        let proof = ctx.proof;
+        Ok(Answer { path, seconds: (clock() - began).max(0.0), proof, trace })
+    }
+}
+
+impl Planned {
+    /// Checks a walk and works out its line and numbers.
+    pub fn new(prepared: &Prepared, answer: &Answer) -> Result<Self, PathError> {
+        let Answer { path, seconds, proof, .. } = answer;
+        path.check(&prepared.job)?;
+        let line: Arc<[Point]> = prepared.lattice.polyline(&prepared.floor, &path.cells).into();
+        Ok(Self {
+            walk: WalkMetrics::of(&prepared.job, path),
+            drive: DriveMetrics::of(&prepared.floor, &prepared.robot, &line),
+            line,
+            planning_s: *seconds,
+            proof: *proof,
+            compared: None,
+            kept_at: None,
+        })
+    }
+
+    /// All numbers for a table, with the bounds of the job if they have been worked out.
+    pub fn numbers(&self, bounds: Option<Bounds>) -> PlanNumbers {
+        let Self { walk, drive, planning_s, .. } = *self;
+        PlanNumbers { walk, drive, planning_s, bounds }
+    }
+
+    /// The robot at the start, about to drive the line by dead reckoning.
+    pub fn run(&self, prepared: &Prepared, conditions: Conditions, odometry: OdometryModel, seed: u64) -> Run {
+        prepared.run_along(&self.line, conditions, odometry, seed)
+    }
+}

@@ -1,0 +1,296 @@
+//! The command line's way in: a start in planning cells that is kept or refused, and errors for people who type.
+
+use super::{PlanRequest, Planned, PlanningError, Prepared};
+use coverage_planners::{CoveragePath, Observer, PlannerInfo};
+use robovac_core::{
+    coverage::{FloorError, ReachableFloor, fine_resolution},
+    floorplan::{FloorPlan, MAX_RESOLUTION},
+    geometry::{Point, Pose, normalize},
+    grid::Cell,
+    registry::Params,
+    robot::{RobotModel, cell_robot, model},
+};
+
+/// Id of the robot that fills one cell, whatever the cell's size.
+pub const CELL_ROBOT: &str = "cell";
+
+/// A robot put into a room, from where it is to clean.
+#[derive(Debug, Clone)]
+pub struct Placement {
+    /// The room.
+    pub plan: FloorPlan,
+    /// The robot.
+    pub robot: RobotModel,
+    /// Side of the planning cells, m.
+    pub cell_size: f64,
+    /// Planning cell to start in; the plan's own start if `None`, or else a corner.
+    pub start: Option<Cell>,
+    /// Degrees counter-clockwise from the right; if `None`, 0 in a given start cell and the plan's own heading else.
+    pub heading_deg: Option<f64>,
+}
+
+/// All that determines a walk.
+#[derive(Debug, Clone)]
+pub struct PlanningTask {
+    /// Room and robot.
+    pub placement: Placement,
+    /// The planner.
+    pub planner: &'static PlannerInfo,
+    /// Its parameters.
+    pub params: Params,
+    /// Seed of its random numbers.
+    pub seed: u64,
+}
+
+/// A walk with everything that it was planned on.
+#[derive(Debug, Clone)]
+pub struct Solution {
+    /// The room laid out for the robot.
+    pub prepared: Prepared,
+    /// The walk.
+    pub path: CoveragePath,
+    /// Its line and numbers.
+    pub planned: Planned,
+}
+
+/// The robot with that id and the planning cells that it gets in `plan`, m, unless `cell_size` says otherwise.
+///
+/// The grid robot has the size of a planning cell, which is a map cell by default: so it reaches exactly the free cells
+/// that are connected with its start.
+pub fn choose_robot(id: &str, plan: &FloorPlan, cell_size: Option<f64>) -> Option<(RobotModel, f64)> {
+    if id == CELL_ROBOT {
+        let side = cell_size.unwrap_or(plan.resolution);
+        return Some((cell_robot(side), side));
+    }
+    model(id).map(|robot| (robot.clone(), cell_size.unwrap_or(robot.default_cell)))
+}
+
+impl PlanningTask {
+    /// Plans a walk and measures it. `clock` tells seconds since any moment, as the core has no clock of its own.
+    pub fn solve(&self, clock: impl Fn() -> f64, observer: Option<Observer<'_>>) -> Result<Solution, PlanningError> {
+        let prepared = self.placement.prepare()?;
+        let request = PlanRequest {
+            id: 0,
+            planner: self.planner,
+            params: self.params.clone(),
+            seed: self.seed,
+            job: prepared.job.clone(),
+        };
+        let answer = request.serve(clock, observer)?;
+        let planned = Planned::new(&prepared, &answer)
+            .map_err(|error| PlanningError::BadPath { planner: self.planner.id, error })?;
+        Ok(Solution { prepared, path: answer.path, planned })
+    }
+}
+
+impl Placement {
+    /// The room laid out for the robot, with everything checked that was asked for.
+    ///
+    /// A start cell that was asked for is kept or refused, never moved.
+    pub fn prepare(&self) -> Result<Prepared, PlanningError> {
+        Ok(Prepared::on(&self.plan, self.floor()?, &self.robot, self.cell_size))
+    }
+
+    /// The floor as reached from the start, with everything checked that was asked for.
+    fn floor(&self) -> Result<ReachableFloor, PlanningError> {
+        // Cells without a fine cell's centre in them would tear the planning grid apart.
+        let least = fine_resolution(&self.plan);
+        if !(least * (1.0 - 1e-9)..=MAX_RESOLUTION).contains(&self.cell_size) {
+            return Err(PlanningError::CellSize { cell_size: self.cell_size, least });
+        }
+        if let Some(heading) = self.heading_deg.filter(|deg| !deg.is_finite()) {
+            return Err(PlanningError::Heading(heading));
+        }
+        let mut floor = match self.start {
+            None => ReachableFloor::new(&self.plan, &self.robot, None)?,
+            Some(cell) => self.floor_from(cell)?,
+        };
+        if let Some(degrees) = self.heading_deg {
+            floor.start.heading = normalize((degrees % 360.0).to_radians());
+        }
+        Ok(floor)
+    }
+
+    fn floor_from(&self, start: Cell) -> Result<ReachableFloor, PlanningError> {
+        let (width, height) = (self.cells_along(self.plan.width_m()), self.cells_along(self.plan.height_m()));
+        if !(0..width as i32).contains(&start.x) || !(0..height as i32).contains(&start.y) {
+            return Err(PlanningError::StartOutside { start, width, height });
+        }
+        let stand = |at: Point| ReachableFloor::new(&self.plan, &self.robot, Some(Pose::new(at.x, at.y, 0.0)));
+        let floor = match stand(self.centre_of(start)) {
+            Err(FloorError::StartInWall { free_x, free_y, .. }) => {
+                // A table leg in the middle of a cell doesn't make the whole cell a wall.
+                let place = Point::new(free_x, free_y);
+                let nearest = self.cell_of(place);
+                if nearest != start {
+                    return Err(PlanningError::StartInWall { start, nearest });
+                }
+                stand(place)?
+            }
+            floor => floor?,
+        };
+        let nearest = self.cell_of(floor.start.position());
+        if nearest != start {
+            let diameter = 2.0 * self.robot.radius;
+            return Err(PlanningError::StartTooTight { start, nearest, diameter });
+        }
+        Ok(floor)
+    }
+
+    /// Planning cells along `length` metres; the last one may stick out.
+    fn cells_along(&self, length: f64) -> usize {
+        ((length / self.cell_size - 1e-6).ceil() as usize).max(1)
+    }
+
+    fn cell_of(&self, point: Point) -> Cell {
+        let index =
+            |metres: f64, length: f64| ((metres / self.cell_size) as i32).min(self.cells_along(length) as i32 - 1);
+        Cell::new(index(point.x, self.plan.width_m()), index(point.y, self.plan.height_m()))
+    }
+
+    /// Centre of a planning cell, of its part inside the map for one that sticks out.
+    fn centre_of(&self, cell: Cell) -> Point {
+        let centre = |index: i32, length: f64| {
+            let low = f64::from(index) * self.cell_size;
+            f64::midpoint(low, (low + self.cell_size).min(length))
+        };
+        Point::new(centre(cell.x, self.plan.width_m()), centre(cell.y, self.plan.height_m()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::experiment::planning::PlanReport;
+    use coverage_planners::PlanError;
+    use robovac_core::floorplan::{SourceFile, load, room};
+    use std::cell::Cell as Shared;
+
+    fn snake() -> &'static PlannerInfo {
+        coverage_planners::find("snake").unwrap()
+    }
+
+    fn text_map(text: &str) -> FloorPlan {
+        load(&[SourceFile { name: "test.txt".into(), bytes: text.into() }]).unwrap()
+    }
+
+    fn planned(
+        plan: &FloorPlan,
+        robot: &str,
+        cell: Option<f64>,
+        start: Option<(i32, i32)>,
+    ) -> Result<PlanReport, PlanningError> {
+        let (robot, cell_size) = choose_robot(robot, plan, cell).unwrap();
+        let start = start.map(|(x, y)| Cell::new(x, y));
+        let task = PlanningTask {
+            placement: Placement { plan: plan.clone(), robot, cell_size, start, heading_deg: None },
+            planner: snake(),
+            params: Params::default(),
+            seed: 0,
+        };
+        task.solve(|| 0.0, None).map(|solution| PlanReport::new(&task, solution))
+    }
+
+    #[test]
+    fn grid_robot_covers_exactly_the_connected_free_cells_of_every_room() {
+        for id in ["flat", "thesis8", "room12ft", "maze", "office"] {
+            let plan = (room(id).unwrap().build)();
+            let report = planned(&plan, CELL_ROBOT, None, None).unwrap();
+            let free = plan.occupancy.values().iter().filter(|o| o.is_free()).count();
+            assert_eq!((report.drive.coverage, report.walk.reachable_cells), (1.0, free), "{id}");
+            assert_eq!(
+                (report.task.room.width, report.task.room.height),
+                (plan.occupancy.width(), plan.occupancy.height())
+            );
+        }
+    }
+
+    #[test]
+    fn roomba_covers_most_of_every_room_on_its_own_lattice() {
+        for info in robovac_core::floorplan::ROOMS {
+            let report = planned(&(info.build)(), "roomba600", None, None).unwrap();
+            let coverage = report.drive.coverage;
+            assert!(coverage > 0.85, "{}: {coverage}", info.id);
+        }
+    }
+
+    #[test]
+    fn start_is_kept_or_refused_but_never_moved() {
+        let plan = text_map("; resolution 0.2\n....\n.##.\n....\n....\n");
+        for start in [(0, 0), (3, 3), (2, 1)] {
+            let report = planned(&plan, CELL_ROBOT, None, Some(start)).unwrap();
+            assert_eq!(
+                (report.task.start, report.cells[0]),
+                (Cell::new(start.0, start.1), Cell::new(start.0, start.1))
+            );
+        }
+        let message = |robot, cell, start| planned(&plan, robot, cell, Some(start)).unwrap_err().to_string();
+        assert_eq!(
+            message(CELL_ROBOT, None, (1, 2)),
+            "the start cell (1, 2) is inside a wall; the nearest cell where the robot fits is (1, 1)"
+        );
+        assert_eq!(
+            message(CELL_ROBOT, None, (4, 0)),
+            "the start cell (4, 0) lies outside the planning grid of 4 x 4 cells; \
+             choose x from 0 to 3, y from 0 to 3 (counted from the lower left)"
+        );
+        assert!(message(CELL_ROBOT, None, (0, -1)).contains("outside"));
+        let wide = text_map("; resolution 0.2\n....\n....\n....\n");
+        let error = planned(&wide, "roomba600", Some(0.1), Some((0, 0))).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "the robot, 0.35 m wide, doesn't fit into the start cell (0, 0); the nearest where it does is (1, 1)"
+        );
+        assert!(planned(&wide, "roomba600", Some(0.1), Some((1, 1))).is_ok());
+    }
+
+    #[test]
+    fn wall_in_the_middle_of_a_cell_leaves_the_cell_usable() {
+        let plan = text_map("; resolution 0.1\n...\n.#.\n...\n");
+        let fine = planned(&plan, CELL_ROBOT, None, Some((1, 1))).unwrap_err();
+        assert!(matches!(fine, PlanningError::StartInWall { .. }), "{fine}");
+        let (robot, _) = choose_robot(CELL_ROBOT, &plan, None).unwrap();
+        let task = PlanningTask {
+            placement: Placement {
+                plan: plan.clone(),
+                robot,
+                cell_size: 0.3,
+                start: Some(Cell::new(0, 0)),
+                heading_deg: Some(-450.0),
+            },
+            planner: snake(),
+            params: Params::default(),
+            seed: 0,
+        };
+        let report = PlanReport::new(&task, task.solve(|| 0.0, None).unwrap());
+        assert_eq!((report.task.start, report.walk.steps), (Cell::new(0, 0), 0));
+        assert!((report.task.heading_deg + 90.0).abs() < 1e-9, "{}", report.task.heading_deg);
+    }
+
+    #[test]
+    fn cells_that_dont_suit_are_refused() {
+        let plan = text_map("; resolution 0.2\n....\n....\n....\n");
+        for cell in [0.0, -0.2, f64::NAN, f64::INFINITY, 0.01, 1e9] {
+            let error = planned(&plan, "roomba600", Some(cell), None).unwrap_err();
+            assert!(matches!(error, PlanningError::CellSize { .. }), "{cell}: {error}");
+            assert!(planned(&plan, CELL_ROBOT, Some(cell), None).is_err(), "{cell}");
+        }
+    }
+
+    #[test]
+    fn time_is_the_callers_and_cancelling_reaches_the_planner() {
+        let plan = text_map("....\n....\n");
+        let (robot, cell_size) = choose_robot(CELL_ROBOT, &plan, None).unwrap();
+        let task = PlanningTask {
+            placement: Placement { plan: plan.clone(), robot, cell_size, start: None, heading_deg: None },
+            planner: snake(),
+            params: Params::default(),
+            seed: 0,
+        };
+        let now = Shared::new(10.0);
+        let clock = || now.replace(now.get() + 2.5);
+        assert_eq!(task.solve(clock, None).unwrap().planned.planning_s, 2.5);
+        let mut stop = |_: coverage_planners::Report<'_>| std::ops::ControlFlow::Break(());
+        assert_eq!(task.solve(|| 0.0, Some(&mut stop)).unwrap_err(), PlanningError::Plan(PlanError::Cancelled));
+    }
+}

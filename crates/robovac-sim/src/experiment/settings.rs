@@ -1,0 +1,308 @@
+//! What the user has chosen, and how that is written in a link.
+
+use super::Algorithm;
+use super::Shows;
+use crate::{Conditions, Noise, NoiseLevel, SensorKind, SlipLevel};
+use robovac_core::{
+    geometry::Pose,
+    registry::{ParamError, Params},
+    robot::{OdometryModel, RobotModel, cell_robot, model},
+};
+use std::collections::BTreeMap;
+
+/// Sides of planning cells that are offered, m.
+pub const CELL_SIZES: [f64; 8] = [0.1, 0.12, 0.15, 0.2, 0.25, 0.3, 0.35, 0.5];
+/// Speeds that are offered, times real time; 0 stands for as fast as it goes.
+pub const SPEEDS: [f64; 7] = [1.0, 4.0, 16.0, 64.0, 256.0, 1024.0, 0.0];
+
+/// Speed that robots are watched at, and at which people drive them, times real time.
+const DEFAULT_SPEED: f64 = 16.0;
+const MANUAL_SPEED: f64 = 1.0;
+
+/// Largest seed that is taken. JavaScript must be able to hold it exactly.
+const MAX_SEED: u64 = u32::MAX as u64;
+
+/// Everything that determines a run, but for the room.
+#[derive(Debug, Clone)]
+pub struct Settings {
+    /// What cleans.
+    pub algorithm: Algorithm,
+    /// Its parameters.
+    pub params: Params,
+    /// Parameters that other algorithms had when they were left, to come back to.
+    left: BTreeMap<&'static str, Params>,
+    /// Id of the robot.
+    pub robot: &'static str,
+    /// Side of the planning cells, m.
+    pub cell_size: f64,
+    /// Seed of everything random.
+    pub seed: u64,
+    /// How true wheels and sensors are.
+    pub conditions: Conditions,
+    /// How the follower computes its pose.
+    pub odometry: OdometryModel,
+    /// Start chosen by the user, if not the room's own.
+    pub start: Option<Pose>,
+    /// Times real time; 0 for as fast as it goes.
+    pub speed: f64,
+    /// Speed that was left when a person took the controls, to come back to.
+    left_speed: f64,
+    /// What is drawn on the floor.
+    pub shows: Shows,
+}
+
+/// Why a setting can't be taken.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SettingsError {
+    /// No such planner, robot, room, ...
+    #[error("there is no {kind} \"{id}\"; there are: {known}")]
+    Unknown {
+        /// What was looked for.
+        kind: &'static str,
+        /// The name given.
+        id: String,
+        /// The names that exist.
+        known: String,
+    },
+    /// A number isn't one or is out of range.
+    #[error("{kind} can't be \"{value}\"; it takes {expected}")]
+    Invalid {
+        /// Which setting.
+        kind: &'static str,
+        /// The value given.
+        value: String,
+        /// What it takes.
+        expected: &'static str,
+    },
+    /// A planner's parameter.
+    #[error(transparent)]
+    Param(#[from] ParamError),
+}
+
+impl Settings {
+    /// What the page opens with.
+    pub fn new() -> Self {
+        let algorithm = Algorithm::Planner(coverage_planners::PLANNERS[0]);
+        Self {
+            algorithm,
+            params: Params::defaults(algorithm.params()),
+            left: BTreeMap::new(),
+            robot: "roomba600",
+            cell_size: 0.12,
+            seed: 1,
+            conditions: Conditions::default(),
+            odometry: OdometryModel::Arc,
+            start: None,
+            speed: DEFAULT_SPEED,
+            left_speed: DEFAULT_SPEED,
+            shows: Shows::DEFAULT,
+        }
+    }
+
+    /// Chooses a planner or behaviour, with the parameters that it had when it was left.
+    pub fn select_algorithm(&mut self, id: &str) -> Result<(), SettingsError> {
+        let chosen = Algorithm::find(id)?;
+        self.left.insert(self.algorithm.id(), self.params.clone());
+        self.params = self.left.remove(chosen.id()).unwrap_or_else(|| Params::defaults(chosen.params()));
+        match (self.is_manual(), is_manual(chosen)) {
+            (false, true) => self.left_speed = std::mem::replace(&mut self.speed, MANUAL_SPEED),
+            (true, false) => self.speed = self.left_speed,
+            _ => {}
+        }
+        self.algorithm = chosen;
+        Ok(())
+    }
+
+    /// Whether a person drives.
+    pub fn is_manual(&self) -> bool {
+        is_manual(self.algorithm)
+    }
+
+    /// Chooses a planner or behaviour with its default parameters, as links and scenarios mean it.
+    pub(super) fn select_fresh_algorithm(&mut self, id: &str) -> Result<(), SettingsError> {
+        self.select_algorithm(id)?;
+        self.params = Params::defaults(self.algorithm.params());
+        Ok(())
+    }
+
+    /// Chooses a robot, with the cell size that fits it.
+    pub fn select_robot(&mut self, id: &str) -> Result<(), SettingsError> {
+        let known = || robovac_core::robot::MODELS.iter().map(|m| m.id).collect::<Vec<_>>().join(", ");
+        let chosen =
+            model(id).ok_or_else(|| SettingsError::Unknown { kind: "robot", id: id.into(), known: known() })?;
+        self.robot = chosen.id;
+        self.cell_size = chosen.default_cell;
+        Ok(())
+    }
+
+    /// Chooses the side of the planning cells, m.
+    pub fn set_cell_size(&mut self, metres: f64) -> Result<(), SettingsError> {
+        if !(0.02..=2.0).contains(&metres) {
+            let expected = "a length from 0.02 to 2 (metres)";
+            return Err(SettingsError::Invalid { kind: "the cell size", value: metres.to_string(), expected });
+        }
+        self.cell_size = metres;
+        Ok(())
+    }
+
+    /// Sets the seed from what a link or a scenario says; `text` is how it says it.
+    pub(super) fn set_seed(&mut self, seed: Option<u64>, text: &str) -> Result<(), SettingsError> {
+        self.seed = seed.filter(|&seed| seed <= MAX_SEED).ok_or_else(|| SettingsError::Invalid {
+            kind: "the seed",
+            value: text.to_owned(),
+            expected: "a whole number from 0 to 4294967295",
+        })?;
+        Ok(())
+    }
+
+    /// Sets one parameter of the algorithm from what a form or a link says.
+    pub fn set_param(&mut self, id: &str, text: &str) -> Result<(), SettingsError> {
+        Ok(self.params.set_text(self.algorithm.params(), id, text)?)
+    }
+
+    /// Chooses how well the wheels hold.
+    pub fn set_slip(&mut self, id: &str) -> Result<(), SettingsError> {
+        let known = || SlipLevel::ALL.map(|(_, name)| name).join(", ");
+        self.conditions.slip = SlipLevel::parse(id).ok_or_else(|| SettingsError::Unknown {
+            kind: "slip",
+            id: id.into(),
+            known: known(),
+        })?;
+        Ok(())
+    }
+
+    /// Chooses how much sensors err: all of them, or one kind if `sensor` names it.
+    pub fn set_noise(&mut self, sensor: Option<&str>, level: &str) -> Result<(), SettingsError> {
+        let unknown = |kind, id: &str, known: Vec<&str>| SettingsError::Unknown {
+            kind,
+            id: id.to_owned(),
+            known: known.join(", "),
+        };
+        let parsed = NoiseLevel::parse(level);
+        let parsed =
+            parsed.ok_or_else(|| unknown("noise level", level, NoiseLevel::ALL.map(|(_, name)| name).to_vec()))?;
+        match sensor {
+            None => self.conditions.noise = Noise::all(parsed),
+            Some(name) => {
+                let kind = SensorKind::parse(name)
+                    .ok_or_else(|| unknown("sensor", name, SensorKind::ALL.map(|(_, name)| name).to_vec()))?;
+                self.conditions.noise.set(kind, parsed);
+            }
+        }
+        Ok(())
+    }
+
+    /// Chooses how the follower computes its pose.
+    pub fn set_odometry(&mut self, id: &str) -> Result<(), SettingsError> {
+        let known = || OdometryModel::ALL.map(|(_, name)| name).join(", ");
+        self.odometry = OdometryModel::parse(id).ok_or_else(|| SettingsError::Unknown {
+            kind: "odometry model",
+            id: id.into(),
+            known: known(),
+        })?;
+        Ok(())
+    }
+
+    /// Whether the same room gets the same plan with `other`.
+    pub fn plans_like(&self, other: &Self) -> bool {
+        (self.algorithm.id(), &self.params, self.robot, self.cell_size, self.seed)
+            == (other.algorithm.id(), &other.params, other.robot, other.cell_size, other.seed)
+    }
+
+    /// The robot, which for the idealised one depends on the size of a cell.
+    pub fn robot_model(&self) -> RobotModel {
+        match model(self.robot) {
+            Some(robot) if robot.id != "cell" => robot.clone(),
+            _ => cell_robot(self.cell_size),
+        }
+    }
+
+    /// The settings as `key=value` pairs for a link; what is as it was at first is left out.
+    pub fn to_link(&self) -> Vec<(String, String)> {
+        let default = Self::new();
+        let mut pairs = Vec::new();
+        let mut push = |key: &str, value: String| pairs.push((key.to_owned(), value));
+        push(self.algorithm.kind(), self.algorithm.id().to_owned());
+        let defaults = Params::defaults(self.algorithm.params());
+        for (id, value) in self.params.iter().filter(|&(id, value)| defaults.get(id) != Some(value)) {
+            push(&format!("p.{id}"), value.to_string());
+        }
+        push("robot", self.robot.to_owned());
+        push("cell", self.cell_size.to_string());
+        if self.seed != default.seed {
+            push("seed", self.seed.to_string());
+        }
+        let Conditions { slip, noise, quantised, .. } = self.conditions;
+        if slip != default.conditions.slip {
+            push("slip", slip.id().to_owned());
+        }
+        for (kind, name) in SensorKind::ALL.into_iter().filter(|&(kind, _)| noise.of(kind) != NoiseLevel::Off) {
+            push(&format!("noise.{name}"), noise.of(kind).id().to_owned());
+        }
+        if quantised {
+            push("quantised", quantised.to_string());
+        }
+        if self.odometry != default.odometry {
+            push("odometry", self.odometry.id().to_owned());
+        }
+        if let Some(start) = self.start {
+            push("start", format!("{:.3},{:.3},{:.1}", start.x, start.y, start.heading.to_degrees()));
+        }
+        if self.speed != if self.is_manual() { MANUAL_SPEED } else { DEFAULT_SPEED } {
+            push("speed", self.speed.to_string());
+        }
+        if self.shows != default.shows {
+            push("show", self.shows.to_link());
+        }
+        pairs
+    }
+
+    /// Takes one `key=value` pair of a link. Unknown keys are left alone, as links of other versions may have more.
+    pub fn take_link(&mut self, key: &str, value: &str) -> Result<(), SettingsError> {
+        let number = |kind, expected| {
+            let wrong = || SettingsError::Invalid { kind, value: value.to_owned(), expected };
+            value.parse::<f64>().ok().filter(|n| n.is_finite()).ok_or_else(wrong)
+        };
+        match key {
+            "planner" | "behaviour" => self.select_fresh_algorithm(value)?,
+            "robot" => self.select_robot(value)?,
+            "cell" => self.set_cell_size(number("the cell size", "a length from 0.02 to 2 (metres)")?)?,
+            "seed" => self.set_seed(value.parse().ok(), value)?,
+            "slip" => self.set_slip(value)?,
+            "noise" => self.set_noise(None, value)?,
+            "quantised" => self.conditions.quantised = value == "true",
+            "odometry" => self.set_odometry(value)?,
+            "show" => self.shows = Shows::from_link(value)?,
+            "speed" => self.speed = number("the speed", "a number, 0 for as fast as it goes")?.max(0.0),
+            "start" => {
+                let expected = "x,y,heading in metres and degrees, e.g. 1.2,0.8,90";
+                let wrong = || SettingsError::Invalid { kind: "the start", value: value.to_owned(), expected };
+                let numbers: Vec<f64> = value.split(',').filter_map(|n| n.trim().parse().ok()).collect();
+                let [x, y, heading] = numbers[..] else { return Err(wrong()) };
+                if !(x.is_finite() && y.is_finite() && heading.is_finite()) {
+                    return Err(wrong());
+                }
+                self.start = Some(Pose::new(x, y, heading.to_radians()));
+            }
+            _ => {
+                if let Some(id) = key.strip_prefix("p.") {
+                    self.set_param(id, value)?;
+                } else if let Some(sensor) = key.strip_prefix("noise.") {
+                    self.set_noise(Some(sensor), value)?;
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Whether a person drives by it.
+fn is_manual(algorithm: Algorithm) -> bool {
+    algorithm.behaviour().is_some_and(|behaviour| behaviour.claims.manual)
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self::new()
+    }
+}

@@ -1,0 +1,73 @@
+//! A trial on its way to whoever has time for it: plain values that can cross to a worker.
+
+use super::{Arena, Entrant, Outcome};
+use crate::experiment::planning::{CELL_ROBOT, choose_robot};
+use coverage_planners::Observer;
+use robovac_core::{
+    floorplan::{self, FloorPlan, SourceFile},
+    geometry::Pose,
+    robot::cell_robot,
+};
+use serde::{Deserialize, Serialize};
+
+/// A trial for a worker.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct TrialRequest {
+    /// Number of the trial.
+    pub id: u32,
+    /// A room that ships, by its id; else `scenario` has it.
+    pub room: Option<String>,
+    /// The room as a scenario file, if it doesn't ship.
+    pub scenario: Option<String>,
+    /// Where the robot starts, if not where the room says: x, y in metres, heading in radians.
+    pub start: Option<[f64; 3]>,
+    /// Id of the robot.
+    pub robot: String,
+    /// Side of the planning cells, m.
+    pub cell_size: f64,
+    /// The planner with its parameters, as [`Entrant::parse`] reads it.
+    pub entrant: String,
+    /// Seed of its random numbers.
+    pub seed: u64,
+    /// Changes with room, start, robot and cell size: the same place has the same [`Arena`].
+    pub place: String,
+}
+
+impl TrialRequest {
+    /// The room laid out for the robot. Errors are for users.
+    pub fn arena(&self) -> Result<Arena, String> {
+        let plan = plan_of(self.room.as_deref(), self.scenario.as_deref())?;
+        let robot = match &*self.robot {
+            CELL_ROBOT => cell_robot(self.cell_size),
+            id => choose_robot(id, &plan, None).ok_or_else(|| format!("there is no robot \"{id}\""))?.0,
+        };
+        let start = self.start.map(|[x, y, heading]| Pose::new(x, y, heading));
+        Arena::new(&plan, &robot, self.cell_size, start).map_err(|e| e.to_string())
+    }
+
+    /// Lets the planner try in `arena`. `clock` tells seconds since any moment. Errors are for users.
+    pub fn run(
+        &self,
+        arena: &Arena,
+        clock: impl Fn() -> f64,
+        observer: Option<Observer<'_>>,
+    ) -> Result<Outcome, String> {
+        let (entrant, planner) = Entrant::parse_planner(&self.entrant).map_err(|e| e.to_string())?;
+        arena.run(planner, &entrant.params, self.seed, clock, observer).map_err(|e| e.to_string())
+    }
+}
+
+/// The room with that id, or that of a scenario file. Errors are for users.
+pub fn plan_of(room: Option<&str>, scenario: Option<&str>) -> Result<FloorPlan, String> {
+    match (room, scenario) {
+        (Some(id), _) => {
+            let room = floorplan::room(id).ok_or_else(|| format!("there is no room \"{id}\""))?;
+            Ok((room.build)())
+        }
+        (None, Some(json)) => {
+            let file = SourceFile { name: "room.json".to_owned(), bytes: json.as_bytes().to_vec() };
+            floorplan::load(&[file]).map_err(|e| e.to_string())
+        }
+        (None, None) => Err("there is no room".to_owned()),
+    }
+}

@@ -1,0 +1,109 @@
+//! Where things stand in the robot's way, finer than cells: patches of boundary.
+
+use super::Layer;
+use robovac_core::{
+    geometry::{Point, Vector},
+    grid::Cell,
+};
+
+/// Side of the cells that hold one patch each, m.
+const SIDE: f64 = 0.05;
+/// Cosine between normals of patches that are taken for one surface.
+const SAME: f64 = 0.8;
+/// Points after which a patch stays where it is: what was seen first was seen with less drift (ours).
+const MOST: f32 = 40.0;
+
+/// A few centimetres of a surface, flat as far as anybody knows.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Patch {
+    /// Points that it is the mean of; 0 for none.
+    weight: f32,
+    /// Less the centre of its cell, m.
+    offset: [f32; 2],
+    /// Out of the thing, towards free floor; a unit vector.
+    normal: [f32; 2],
+    /// How far the robot had driven when it found it, m.
+    found: f32,
+}
+
+/// Patches of boundary, one a cell.
+#[derive(Debug, Clone)]
+pub(super) struct Boundary(Layer<Patch>);
+
+/// A patch as the filter takes it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Surface {
+    pub point: Point,
+    pub normal: Vector,
+    /// How far the robot had driven when it found it, m.
+    pub found: f64,
+}
+
+impl Boundary {
+    pub fn new() -> Self {
+        Self(Layer::new())
+    }
+
+    /// Notes a point with its normal, found after so many metres.
+    pub fn add(&mut self, point: Point, normal: Vector, way: f64) {
+        let cell = Cell::at(point, SIDE);
+        let offset = point - cell.centre(SIDE);
+        let (offset, normal) = ([offset.x as f32, offset.y as f32], [normal.x as f32, normal.y as f32]);
+        let (weight, found) = (1.0, way as f32);
+        self.0.update(cell, |old| {
+            let fresh = Patch { weight, offset, normal, found };
+            if old.weight == 0.0 {
+                return fresh;
+            }
+            let agree = f64::from(old.normal[0] * normal[0] + old.normal[1] * normal[1]);
+            if agree < SAME {
+                // The edge of something: whichever is known better.
+                let weaker = Patch { weight: old.weight - 0.5 * weight, ..old };
+                return if weaker.weight > 0.0 { weaker } else { fresh };
+            }
+            let sum = old.weight + weight;
+            let mean = |a: [f32; 2], b: [f32; 2]| [0, 1].map(|i| (a[i] * old.weight + b[i] * weight) / sum);
+            let blend = mean(old.normal, normal);
+            let length = (blend[0] * blend[0] + blend[1] * blend[1]).sqrt().max(1e-6);
+            Patch { weight: sum.min(MOST), offset: mean(old.offset, offset), normal: blend.map(|v| v / length), ..old }
+        });
+    }
+
+    /// The patch that a point seen there belongs to best, if any lies within `reach` cells: the one whose surface is
+    /// nearest, among those beside the point and not along the surface from it. `facing` is the point's normal, or
+    /// roughly the direction that it was seen from; only patches whose normal is within that cosine of it are asked.
+    pub fn nearest(&self, point: Point, facing: Vector, cosine: f64, reach: i32) -> Option<Surface> {
+        let cell = Cell::at(point, SIDE);
+        let mut best: Option<(f64, Surface)> = None;
+        for y in cell.y - reach..=cell.y + reach {
+            for x in cell.x - reach..=cell.x + reach {
+                let at = Cell::new(x, y);
+                let patch = self.0.get(at);
+                if patch.weight == 0.0 {
+                    continue;
+                }
+                let normal = Vector::new(f64::from(patch.normal[0]), f64::from(patch.normal[1]));
+                if normal.dot(&facing) < cosine {
+                    continue;
+                }
+                let centre = at.centre(SIDE);
+                let surface = Point::new(centre.x + f64::from(patch.offset[0]), centre.y + f64::from(patch.offset[1]));
+                let off = point - surface;
+                let (height, aside) = (normal.dot(&off), normal.perp(&off));
+                if aside.abs() > 1.5 * SIDE {
+                    continue;
+                }
+                let distance = height * height + 0.5 * aside * aside;
+                if best.is_none_or(|(least, _)| distance < least) {
+                    best = Some((distance, Surface { point: surface, normal, found: f64::from(patch.found) }));
+                }
+            }
+        }
+        best.map(|(_, surface)| surface)
+    }
+
+    /// Roughly the memory that it takes, bytes.
+    pub fn bytes(&self) -> usize {
+        self.0.bytes()
+    }
+}

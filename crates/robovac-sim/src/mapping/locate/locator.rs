@@ -1,0 +1,365 @@
+//! The particle filter on a known map.
+
+use super::{DistanceField, likelihood::Reading};
+use crate::mapping::{OccupancyMap, Spread};
+use rand::RngExt;
+use robovac_core::{
+    geometry::{Point, Pose, difference, normalize},
+    math,
+    rng::{Rng, normal, seeded},
+    robot::{Odometry, OdometryModel, RobotModel, Sensors},
+};
+use std::{collections::BTreeMap, sync::Arc};
+
+/// Stream of its random numbers.
+const STREAM: u64 = 12;
+/// Way and turn after which it looks again, m and rad.
+const STRIDE: (f64, f64) = (0.06, 0.15);
+/// Poses that are drawn at once while it knows nothing, and how many times.
+const DRAWS: (usize, u32) = (20_000, 10);
+/// While it isn't sure, it draws so many at every so many-th look.
+const AGAIN: (usize, u32) = (6000, 6);
+/// Weight of these, as a share of all.
+const CHANCE: f64 = 0.03;
+/// Fewest and most particles.
+const COUNT: (usize, usize) = (400, 8000);
+/// Particles for each place that is still possible.
+const PER_PLACE: usize = 40;
+/// Side of a place, m and rad.
+const PLACE: (f64, f64) = (0.2, 0.35);
+/// Errors of motion: rad per square root of a metre, rad per rad, m per square root of a metre.
+const MOTION: (f64, f64, f64) = (0.02, 0.03, 0.01);
+/// Share of a reading's weight that counts: readings of one wall say much the same.
+const TEMPER: f64 = 0.35;
+/// Weights of the latest fit in the short and the long memory.
+const MEMORY: (f64, f64) = (0.1, 0.01);
+/// Readings fit so much worse than before that it must be elsewhere, mean logarithm of the fit.
+const LOST: f64 = 1.5;
+/// It is sure if so much of the weight lies within so many metres of its estimate.
+const SURE: (f64, f64) = (0.85, 0.25);
+/// And for so many looks.
+const SURE_LOOKS: u32 = 30;
+
+/// What a locator is made from.
+#[derive(Debug, Clone)]
+pub struct LocatorSetup {
+    /// The robot.
+    pub robot: RobotModel,
+    /// How wheel counts become motion.
+    pub odometry: OdometryModel,
+    /// Seed of its random numbers.
+    pub seed: u64,
+}
+
+/// Finds a robot on a map that it knows, and keeps track of it there.
+#[derive(Debug, Clone)]
+pub struct Locator {
+    setup: LocatorSetup,
+    field: Arc<DistanceField>,
+    /// Where the robot can stand, and those of these places that are near to something.
+    places: Arc<[Point]>,
+    near: Arc<[Point]>,
+    rng: Rng,
+    odometry: Odometry,
+    /// Where the odometry was when it last looked.
+    looked: Pose,
+    bumped: bool,
+    lifted: bool,
+    /// Draws that are left of a search all over the map.
+    draws: u32,
+    /// Looks since the search, and those for which nearly all the weight has been in one place.
+    looks: u32,
+    agreed: u32,
+    particles: Vec<Particle>,
+    /// Mean fits of the latest readings: short and long memory.
+    fits: Option<(f64, f64)>,
+    estimate: Option<Estimate>,
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Particle {
+    pose: Pose,
+    /// Natural logarithm.
+    weight: f64,
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Estimate {
+    pose: Pose,
+    spread: Spread,
+    /// Odometry at the moment of the estimate.
+    odometry: Pose,
+}
+
+impl Locator {
+    /// A robot that stands anywhere on `map`; `None` if the map has no walls or no room for it.
+    pub fn new(map: &OccupancyMap, setup: LocatorSetup) -> Option<Self> {
+        let field = DistanceField::new(map)?;
+        let radius = setup.robot.radius;
+        let slack = 0.5 * map.resolution();
+        let places: Arc<[Point]> = field.places(radius - slack).into();
+        let reach = radius + setup.robot.sensors.light_bumper.map_or(0.05, |light| light.range);
+        let near: Arc<[Point]> = places.iter().copied().filter(|&at| field.distance(at) < reach).collect();
+        if near.is_empty() {
+            return None;
+        }
+        let origin = Pose::new(0.0, 0.0, 0.0);
+        Some(Self {
+            odometry: Odometry::new(&setup.robot, setup.odometry, origin),
+            field: Arc::new(field),
+            places,
+            near,
+            rng: seeded(setup.seed, STREAM),
+            looked: origin,
+            bumped: false,
+            lifted: false,
+            draws: DRAWS.1,
+            looks: 0,
+            agreed: 0,
+            particles: Vec::new(),
+            fits: None,
+            estimate: None,
+            setup,
+        })
+    }
+
+    /// Takes the next reading.
+    pub fn update(&mut self, sensed: &Sensors) {
+        self.odometry.update(sensed);
+        if sensed.wheel_dropped() {
+            self.lifted |= sensed.wheel_drop_left && sensed.wheel_drop_right;
+            return;
+        }
+        if std::mem::take(&mut self.lifted) {
+            self.forget();
+        }
+        let now = self.odometry.pose();
+        let gone = (now.position() - self.looked.position()).norm();
+        let turned = difference(self.looked.heading, now.heading).abs();
+        let is_new = sensed.bumped() && !self.bumped;
+        self.bumped = sensed.bumped();
+        if gone < STRIDE.0 && turned < STRIDE.1 && !is_new {
+            return;
+        }
+        self.looks = self.looks.wrapping_add(1);
+        let reading = Reading::new(&self.setup.robot, sensed);
+        self.advance(now, gone, turned);
+        self.draw(&reading);
+        if !self.particles.is_empty() {
+            self.weigh(&reading);
+        }
+    }
+
+    /// Knows nothing any more but the map.
+    pub fn forget(&mut self) {
+        self.particles.clear();
+        self.draws = DRAWS.1;
+        self.agreed = 0;
+        self.fits = None;
+        self.estimate = None;
+        self.looked = self.odometry.pose();
+    }
+
+    /// Where it believes to be; `None` while it hasn't met anything yet.
+    pub fn pose(&self) -> Option<Pose> {
+        let Estimate { pose, odometry, .. } = self.estimate?;
+        Some(moved(pose, odometry, self.odometry.pose()))
+    }
+
+    /// How far the possible poses are spread; `None` while it knows nothing.
+    pub fn spread(&self) -> Option<Spread> {
+        self.estimate.map(|estimate| estimate.spread)
+    }
+
+    /// Whether hardly any other place is possible.
+    pub fn is_sure(&self) -> bool {
+        self.agreed >= SURE_LOOKS
+    }
+
+    /// Poses that are possible, with their weights, which add up to 1.
+    pub fn particles(&self) -> Vec<(Pose, f64)> {
+        let weights = self.weights();
+        self.particles.iter().map(|p| p.pose).zip(weights).collect()
+    }
+
+    /// Moves all particles as the wheels say, each with errors of its own.
+    fn advance(&mut self, now: Pose, gone: f64, turned: f64) {
+        let from = std::mem::replace(&mut self.looked, now);
+        let (heading, along) = (MOTION.0 * gone.sqrt() + MOTION.1 * turned, MOTION.2 * gone.sqrt());
+        for particle in &mut self.particles {
+            let pose = moved(particle.pose, from, now);
+            let [a, b, c] = [normal(&mut self.rng), normal(&mut self.rng), normal(&mut self.rng)];
+            particle.pose = Pose::new(pose.x + along * a, pose.y + along * b, normalize(pose.heading + heading * c));
+        }
+    }
+
+    /// While it searches, draws poses that fit the reading, wherever something is near.
+    fn draw(&mut self, reading: &Reading) {
+        let count = match self.draws {
+            0 if !self.is_sure() && self.looks.is_multiple_of(AGAIN.1) => AGAIN.0,
+            0 => 0,
+            _ => DRAWS.0,
+        };
+        if count == 0 || !reading.meets_something() {
+            return;
+        }
+        let is_searching = self.draws > 0;
+        let share = if is_searching { COUNT.1 / 2 } else { COUNT.1 / 16 };
+        self.draws = self.draws.saturating_sub(1);
+        let reach = self.setup.robot.radius + reading.reach();
+        let half = 0.5 * self.field.resolution();
+        let mut drawn = Vec::new();
+        for _ in 0..count {
+            let at = self.near[self.rng.random_range(0..self.near.len())];
+            let [x, y] = [0.0; 2].map(|_: f64| self.rng.random_range(-half..half));
+            let at = Point::new(at.x + x, at.y + y);
+            if self.field.distance(at) > reach {
+                continue;
+            }
+            let heading = self.rng.random_range(-math::PI..math::PI);
+            let pose = Pose::new(at.x, at.y, heading);
+            let fit = reading.fit(&self.field, pose);
+            if fit > -8.0 {
+                drawn.push(Particle { pose, weight: fit });
+            }
+        }
+        let drawn = resampled(&drawn, share.min(drawn.len()), &mut self.rng);
+        // Those that have come so far have earned as much as the new ones.
+        let old = self.particles.len().max(1) as f64;
+        let top = self.particles.iter().map(|p| p.weight).fold(f64::NEG_INFINITY, f64::max);
+        let mean = self.particles.iter().map(|p| math::exp(p.weight - top)).sum::<f64>() / old;
+        let mut weight = if self.particles.is_empty() { 0.0 } else { top + math::ln(mean.max(1e-300)) };
+        if !is_searching {
+            // All new ones together are given a small chance.
+            weight += math::ln(CHANCE * old / drawn.len().max(1) as f64);
+        }
+        self.particles.extend(drawn.into_iter().map(|p| Particle { weight, ..p }));
+    }
+
+    fn weigh(&mut self, reading: &Reading) {
+        let fits: Vec<f64> = self.particles.iter().map(|p| reading.fit(&self.field, p.pose)).collect();
+        let before = self.weights();
+        let mean: f64 = fits.iter().zip(&before).map(|(fit, weight)| fit.max(-12.0) * weight).sum();
+        for (particle, fit) in self.particles.iter_mut().zip(&fits) {
+            particle.weight += TEMPER * fit;
+        }
+        if self.draws == 0 {
+            self.remember(mean);
+        }
+        if self.particles.is_empty() {
+            return;
+        }
+        let weights = self.weights();
+        let effective = 1.0 / weights.iter().map(|w| w * w).sum::<f64>();
+        if effective < 0.5 * weights.len() as f64 {
+            let places = self.possible(&weights);
+            let count = (PER_PLACE * places).clamp(COUNT.0, COUNT.1);
+            self.particles = resampled(&self.particles, count, &mut self.rng);
+        }
+        self.judge();
+    }
+
+    /// Notices when readings have got so much worse that it must be somewhere else.
+    fn remember(&mut self, fit: f64) {
+        let (mut short, mut long) = self.fits.unwrap_or((fit, fit));
+        short += MEMORY.0 * (fit - short);
+        long += MEMORY.1 * (fit - long);
+        self.fits = Some((short, long));
+        if short < long - LOST {
+            self.forget();
+        }
+    }
+
+    /// Number of places that hold nearly all the weight.
+    fn possible(&self, weights: &[f64]) -> usize {
+        let mut places: BTreeMap<(i32, i32, i32), f64> = BTreeMap::new();
+        for (particle, weight) in self.particles.iter().zip(weights) {
+            let Pose { x, y, heading } = particle.pose;
+            let key = [x / PLACE.0, y / PLACE.0, heading / PLACE.1].map(math::floor);
+            *places.entry((key[0], key[1], key[2])).or_default() += weight;
+        }
+        places.values().filter(|&&weight| weight > 1e-4).count()
+    }
+
+    /// Finds the estimate: the mean of those near to the best place.
+    fn judge(&mut self) {
+        let weights = self.weights();
+        let mut places: BTreeMap<(i32, i32), f64> = BTreeMap::new();
+        for (particle, weight) in self.particles.iter().zip(&weights) {
+            let key = [particle.pose.x, particle.pose.y].map(|v| math::floor(v / SURE.1));
+            *places.entry((key[0], key[1])).or_default() += weight;
+        }
+        let around = |&(x, y): &(i32, i32)| -> f64 {
+            let cells = (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| (x + dx, y + dy)));
+            cells.filter_map(|key| places.get(&key)).sum()
+        };
+        let best = places.keys().map(|key| (around(key), *key)).reduce(|a, b| if b.0 > a.0 { b } else { a });
+        let Some((_, (x, y))) = best else { return };
+        let is_near = |pose: Pose| {
+            let key = [pose.x, pose.y].map(|v| math::floor(v / SURE.1));
+            (key[0] - x).abs() <= 1 && (key[1] - y).abs() <= 1
+        };
+        let near: Vec<(Pose, f64)> =
+            self.particles.iter().zip(&weights).map(|(p, &w)| (p.pose, w)).filter(|(p, _)| is_near(*p)).collect();
+        let share: f64 = near.iter().map(|(_, w)| w).sum();
+        self.agreed = if share >= SURE.0 && self.draws == 0 { self.agreed + 1 } else { 0 };
+        let mean = |f: &dyn Fn(Pose) -> f64| near.iter().map(|&(p, w)| w * f(p)).sum::<f64>() / share;
+        let (mx, my) = (mean(&|p| p.x), mean(&|p| p.y));
+        let heading = math::atan2(mean(&|p| math::sin(p.heading)), mean(&|p| math::cos(p.heading)));
+        let position = [
+            mean(&|p| (p.x - mx) * (p.x - mx)),
+            mean(&|p| (p.x - mx) * (p.y - my)),
+            mean(&|p| (p.y - my) * (p.y - my)),
+        ];
+        let turned = |p: Pose| difference(heading, p.heading);
+        let spread = Spread { position, heading: mean(&|p| turned(p) * turned(p)).sqrt() };
+        self.estimate = Some(Estimate { pose: Pose::new(mx, my, heading), spread, odometry: self.odometry.pose() });
+    }
+
+    /// Weights that add up to 1.
+    fn weights(&self) -> Vec<f64> {
+        normalised(&self.particles)
+    }
+
+    /// Where the robot can stand, as middles of cells.
+    pub fn places(&self) -> &[Point] {
+        &self.places
+    }
+}
+
+fn normalised(particles: &[Particle]) -> Vec<f64> {
+    let top = particles.iter().map(|p| p.weight).fold(f64::NEG_INFINITY, f64::max);
+    let weights: Vec<f64> = particles.iter().map(|p| math::exp(p.weight - top)).collect();
+    let sum: f64 = weights.iter().sum();
+    weights.into_iter().map(|w| w / sum).collect()
+}
+
+/// `count` particles of equal weight, drawn by theirs (low variance sampler; Probabilistic Robotics, table 4.4).
+fn resampled(particles: &[Particle], count: usize, rng: &mut Rng) -> Vec<Particle> {
+    let weights = normalised(particles);
+    let mut drawn = Vec::with_capacity(count);
+    if particles.is_empty() || count == 0 {
+        return drawn;
+    }
+    let step = 1.0 / count as f64;
+    let first = rng.random_range(0.0..step);
+    let (mut index, mut sum) = (0, weights[0]);
+    for i in 0..count {
+        let wanted = first + i as f64 * step;
+        while sum < wanted && index + 1 < particles.len() {
+            index += 1;
+            sum += weights[index];
+        }
+        drawn.push(Particle { weight: 0.0, ..particles[index] });
+    }
+    drawn
+}
+
+/// `pose` after the motion from `from` to `to`, seen in its own frame.
+fn moved(pose: Pose, from: Pose, to: Pose) -> Pose {
+    let turn = pose.heading - from.heading;
+    let (sin, cos) = math::sin_cos(turn);
+    let way = to.position() - from.position();
+    let heading = normalize(pose.heading + difference(from.heading, to.heading));
+    Pose::new(pose.x + way.x * cos - way.y * sin, pose.y + way.x * sin + way.y * cos, heading)
+}

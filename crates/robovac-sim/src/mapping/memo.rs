@@ -1,0 +1,68 @@
+//! The first readings, kept for a second look.
+//!
+//! What the wheels are really like shows after some metres along walls; until then the heading drifts by a degree every few
+//! metres, and all that is mapped later hangs on what was mapped then. So the filter goes over its first readings again
+//! once it knows the wheels.
+
+use robovac_core::robot::{BatteryReading, Moved, Sensors};
+use std::sync::Arc;
+
+/// Readings of one piece of the list.
+const PIECE: usize = 512;
+
+/// What the filter takes of a reading.
+#[derive(Debug, Clone, Copy)]
+struct Memo {
+    counts: [u16; 3],
+    moved: Option<Moved>,
+    light: [u16; 6],
+    bumps: [bool; 2],
+    progresses: bool,
+    is_docked: bool,
+    dirt: u8,
+}
+
+/// A list of readings whose copies share what is complete.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Memory {
+    complete: Vec<Arc<[Memo]>>,
+    last: Vec<Memo>,
+}
+
+impl Memory {
+    pub fn add(&mut self, sensed: &Sensors) {
+        self.last.push(Memo {
+            counts: [sensed.left_counts, sensed.right_counts, sensed.lateral_counts],
+            moved: sensed.moved,
+            light: sensed.light_signal,
+            bumps: [sensed.bump_left, sensed.bump_right],
+            progresses: sensed.stasis,
+            is_docked: sensed.battery.on_dock,
+            dirt: sensed.dirt,
+        });
+        if self.last.len() == PIECE {
+            self.complete.push(self.last.drain(..).collect());
+        }
+    }
+
+    /// All of them, in order.
+    pub fn readings(&self) -> impl Iterator<Item = Sensors> {
+        self.complete.iter().flat_map(|piece| piece.iter()).chain(&self.last).map(|memo| Sensors {
+            left_counts: memo.counts[0],
+            right_counts: memo.counts[1],
+            lateral_counts: memo.counts[2],
+            moved: memo.moved,
+            light_signal: memo.light,
+            bump_left: memo.bumps[0],
+            bump_right: memo.bumps[1],
+            stasis: memo.progresses,
+            battery: BatteryReading { on_dock: memo.is_docked, ..BatteryReading::default() },
+            dirt: memo.dirt,
+            ..Sensors::default()
+        })
+    }
+
+    pub fn bytes(&self) -> usize {
+        (self.complete.len() * PIECE + self.last.len()) * size_of::<Memo>()
+    }
+}

@@ -1,0 +1,285 @@
+//! What a reading says of the robot's surroundings, in the robot's frame: the sensor model.
+//!
+//! - A *beam* of the light bumper tells how far something is, by the law of [`robovac_core::robot::light_at`]. How much of the light
+//!   a surface sends back isn't known: reflectances of 0.6 to 1 and the cosine at which the light meets it. So the distance
+//!   from the sensor's source is uncertain by a share, which the filter makes smaller once it knows the wall's direction.
+//! - A *contact* touches the body in the direction that the switches tell: the left half, the right half, or both, which is
+//!   within the angle of the model. Where there is a light bumper, a straight wall that touches the body in a certain
+//!   direction sends back certain amounts to the beams beside it; the direction that explains them best is taken.
+//! - *Nothing seen* says that there is nothing within a hand's breadth.
+
+use robovac_core::{
+    geometry::{Point, Vector},
+    math,
+    robot::{LightBumper, RobotModel, Sensors, distance_of_light, light_at},
+};
+
+/// Beams of a light bumper.
+pub const BEAMS: usize = 6;
+/// Signal with nothing there: the middle of a Roomba's 2 to 32 (Open Interface facts, section 6).
+const IDLE: f64 = 17.0;
+/// Least signal above that which counts as an echo (ours: seven times the standard deviation of what is read idly).
+const LEAST: f64 = 65.0;
+/// Reflectance that is expected, and its uncertainty as a share (ours: between dark furniture and white walls).
+pub const REFLECTANCE: (f64, f64) = (0.92, 0.15);
+/// Cosine that is expected, and its uncertainty, where the direction of the surface isn't known (ours).
+pub const COSINE: (f64, f64) = (0.88, 0.15);
+/// Distance that a beam certainly sees, m: what a dark surface at 60 degrees sends back from there is an echo.
+const SEEN: f64 = 0.08;
+/// Directions of a contact that are tried, rad apart.
+const TRIES: f64 = 0.05;
+/// Direction of a contact beyond which a robot that pushes ahead makes progress, rad: it slides by the sine of that, and the
+/// castor takes less than three tenths for nothing.
+const SLIDES: f64 = 0.3;
+/// Difference of the wheels' ways in a reading from which a robot curves, m, and where it then touches what it curves around,
+/// as a share of the bumper's half arc (ours, measured: a robot that follows walls goes on at 93 % of what its wheels roll).
+const AROUND: (f64, f64) = (0.0005, 0.85);
+/// Uncertainty of a contact's direction found by light, rad (ours).
+const BY_LIGHT: f64 = 0.1;
+
+/// Something that a beam sees.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Echo {
+    /// Light above what is read idly.
+    pub light: f64,
+    /// Distance from the body's edge along the beam, m.
+    pub distance: f64,
+    /// Its standard deviation, m.
+    pub deviation: f64,
+}
+
+/// Something that the body touches.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Contact {
+    /// Direction from the body's origin, rad.
+    pub direction: f64,
+    /// Its standard deviation, rad.
+    pub deviation: f64,
+}
+
+/// What a reading says.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Observation {
+    /// What the beams see, from left to right.
+    pub echoes: [Option<Echo>; BEAMS],
+    /// What is touched.
+    pub contact: Option<Contact>,
+}
+
+/// The sensors of one robot.
+#[derive(Debug, Clone)]
+pub struct SensorModel {
+    radius: f64,
+    bumper: Option<[f64; 2]>,
+    light: Option<Light>,
+}
+
+#[derive(Debug, Clone)]
+struct Light {
+    bumper: LightBumper,
+    directions: [Vector; BEAMS],
+    /// For directions of a contact from -half arc upwards, [`TRIES`] apart: square roots of the signals of a straight wall.
+    walls: Vec<[f64; BEAMS]>,
+}
+
+impl SensorModel {
+    /// The sensors of `robot`.
+    pub fn new(robot: &RobotModel) -> Self {
+        let bumper = robot.sensors.bumper.map(|bumper| [bumper.half_arc, bumper.both_within]);
+        let light = robot.sensors.light_bumper.map(|light| {
+            let tries = bumper.map_or(0, |[half_arc, _]| (2.0 * half_arc / TRIES) as usize + 1);
+            let first = -bumper.map_or(0.0, |[half_arc, _]| half_arc);
+            Light {
+                directions: light.angles.map(|angle| Vector::new(math::cos(angle), math::sin(angle))),
+                walls: (0..tries).map(|i| touching(&light, robot.radius, first + TRIES * i as f64)).collect(),
+                bumper: light,
+            }
+        });
+        Self { radius: robot.radius, bumper, light }
+    }
+
+    /// What a reading says.
+    pub fn observe(&self, sensed: &Sensors) -> Observation {
+        let mut echoes = [None; BEAMS];
+        if self.light.is_some() {
+            for (echo, &signal) in echoes.iter_mut().zip(&sensed.light_signal) {
+                let light = f64::from(signal) - IDLE;
+                *echo = (light > LEAST).then(|| self.echo(light, COSINE.0, COSINE.1)).flatten();
+            }
+        }
+        Observation { echoes, contact: self.contact(sensed, false) }
+    }
+
+    /// What is touched; much quicker than all of [`SensorModel::observe`]. `pushes` says whether the wheels roll ahead: then
+    /// the castor tells whether the body slides along what it touches or stands.
+    pub fn contact(&self, sensed: &Sensors, pushes: bool) -> Option<Contact> {
+        let [half_arc, both_within] = self.bumper?;
+        let (least, most) = match (sensed.bump_left, sensed.bump_right) {
+            (false, false) => return None,
+            (true, true) => (-both_within, both_within),
+            (true, false) => (both_within, half_arc),
+            (false, true) => (-half_arc, -both_within),
+        };
+        // Where it stands still although it pushes, or slides.
+        let (least, most) = match (pushes, sensed.stasis) {
+            (true, true) if least.abs() < SLIDES && most > 0.0 && least >= 0.0 => (SLIDES.max(least), most),
+            (true, true) if most.abs() < SLIDES && least < 0.0 && most <= 0.0 => (least, (-SLIDES).min(most)),
+            (true, false) if least >= 0.0 => (least.min(SLIDES), least.min(SLIDES) + 0.05),
+            (true, false) if most <= 0.0 => (most.max(-SLIDES) - 0.05, most.max(-SLIDES)),
+            _ => (least, most),
+        };
+        let by_switches = Contact { direction: 0.5 * (least + most), deviation: (most - least) / 3.5 };
+        let Some(light) = &self.light else { return Some(by_switches) };
+        let roots = sensed.light_signal.map(|signal| (f64::from(signal) - IDLE).max(0.0).sqrt());
+        let brightest = roots.iter().copied().fold(0.0, f64::max);
+        // Something too narrow for the beams.
+        if brightest < 20.0 {
+            return Some(by_switches);
+        }
+        let misfit = |wall: &[f64; BEAMS]| wall.iter().zip(&roots).map(|(a, b)| (a - b) * (a - b)).sum::<f64>();
+        let direction = |i: usize| TRIES * i as f64 - half_arc;
+        // A bit beyond, as switches bounce.
+        let within = |i: usize| {
+            let slides = direction(i).abs() > SLIDES;
+            (least - 0.15..=most + 0.15).contains(&direction(i)) && (!pushes || slides == sensed.stasis)
+        };
+        let tries = light.walls.iter().enumerate().filter(|&(i, _)| within(i)).map(|(i, wall)| (i, misfit(wall)));
+        let best = tries.min_by(|a, b| a.1.total_cmp(&b.1));
+        let Some((best, misfit)) = best else { return Some(by_switches) };
+        // What explains less than nine tenths is no straight wall.
+        let total: f64 = roots.iter().map(|root| root * root).sum();
+        let deviation = if misfit < 0.1 * total { BY_LIGHT } else { 0.3 };
+        Some(Contact { direction: direction(best), deviation: deviation.min(by_switches.deviation) })
+    }
+
+    /// What is known better of a contact from the way that the robot drives, where the right wheel rolls so much more than
+    /// the left one, m: along an edge or a leg that it curves around, it goes on.
+    pub(super) fn aside(&self, contact: Contact, curve: f64) -> Contact {
+        let half_arc = self.bumper.map_or(0.0, |[half_arc, _]| half_arc);
+        let is_around = curve * contact.direction > 0.0 && curve.abs() > AROUND.0;
+        if contact.deviation <= BY_LIGHT || contact.direction.abs() < SLIDES || !is_around {
+            return contact;
+        }
+        Contact { direction: (AROUND.1 * half_arc).copysign(contact.direction), ..contact }
+    }
+
+    /// The distance of what sends back so much light, if the light meets it at an angle whose cosine is known up to
+    /// `uncertain`; `None` without a light bumper.
+    pub fn echo(&self, light: f64, cosine: f64, uncertain: f64) -> Option<Echo> {
+        let range = self.light.as_ref()?.bumper.range;
+        let distance = distance_of_light(light, REFLECTANCE.0 * cosine, range);
+        // Light falls with the square of the distance.
+        let share = 0.5 * (REFLECTANCE.1 * REFLECTANCE.1 + uncertain * uncertain).sqrt() + 0.02;
+        // Idle values differ by 9.
+        let idle = 0.5 * 9.0 / light.max(9.0);
+        Some(Echo { light, distance, deviation: 0.002 + (share + idle) * (distance + 0.017) })
+    }
+
+    /// Where a beam is `distance` metres from the body's edge, as seen from the robot.
+    #[inline]
+    pub fn along(&self, beam: usize, distance: f64) -> Point {
+        self.light.as_ref().map_or(Point::origin(), |light| {
+            Point::from(light.directions[beam.min(BEAMS - 1)] * (self.radius + distance))
+        })
+    }
+
+    /// Unit vector along a beam.
+    #[inline]
+    pub fn direction(&self, beam: usize) -> Vector {
+        self.light.as_ref().map_or(Vector::x(), |light| light.directions[beam.min(BEAMS - 1)])
+    }
+
+    /// Distance from the body's edge that a beam which sees nothing shows to be free, m; 0 without a light bumper.
+    pub fn seen(&self) -> f64 {
+        self.light.as_ref().map_or(0.0, |light| SEEN.min(0.5 * light.bumper.range))
+    }
+
+    /// Radius of the body, m.
+    pub fn radius(&self) -> f64 {
+        self.radius
+    }
+}
+
+/// Square roots of the signals when a straight wall touches the body in that direction.
+fn touching(light: &LightBumper, radius: f64, direction: f64) -> [f64; BEAMS] {
+    light.angles.map(|angle| {
+        let cosine = math::cos(angle - direction);
+        if cosine < 0.1 {
+            return 0.0;
+        }
+        let distance = radius / cosine - radius;
+        if distance >= light.range {
+            return 0.0;
+        }
+        light_at(distance, REFLECTANCE.0 * cosine, light.range).sqrt()
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use robovac_core::robot::model;
+
+    fn roomba() -> (&'static RobotModel, SensorModel) {
+        let robot = model("roomba600").unwrap();
+        (robot, SensorModel::new(robot))
+    }
+
+    /// What the simulated sensors read with a straight wall of that reflectance, `gap` metres from the body at the nearest
+    /// point, which is seen in that direction.
+    fn beside_a_wall(direction: f64, gap: f64, reflectance: f64) -> Sensors {
+        let (robot, _) = roomba();
+        let light = robot.sensors.light_bumper.unwrap();
+        let light_signal = light.angles.map(|angle| {
+            let cosine = math::cos(angle - direction);
+            let distance = (robot.radius + gap) / cosine - robot.radius;
+            let is_seen = cosine > 0.0 && distance < light.range;
+            let back = if is_seen { light_at(distance, reflectance * cosine, light.range) } else { 0.0 };
+            (back + IDLE) as u16
+        });
+        Sensors { light_signal, ..Sensors::default() }
+    }
+
+    #[test]
+    fn distances_are_those_that_the_simulator_turned_into_light() {
+        let (robot, model) = roomba();
+        let angles = robot.sensors.light_bumper.unwrap().angles;
+        for reflectance in [0.7, 1.0] {
+            for gap in [0.01, 0.03, 0.06, 0.09] {
+                let seen = model.observe(&beside_a_wall(angles[2], gap, reflectance));
+                let echo = seen.echoes[2].unwrap();
+                assert!((echo.distance - gap).abs() < 2.5 * echo.deviation, "{gap} m at {reflectance}: {echo:?}");
+                // Once the angle is known, only the reflectance is left.
+                let better = model.echo(echo.light, 1.0, 0.05).unwrap();
+                assert!(better.deviation < echo.deviation);
+                assert!((better.distance - gap).abs() < 0.2 * (gap + 0.017), "{gap} m at {reflectance}: {better:?}");
+            }
+        }
+        assert_eq!(model.observe(&Sensors::default()), Observation::default());
+    }
+
+    #[test]
+    fn light_tells_in_which_direction_a_wall_is_touched() {
+        let (_, model) = roomba();
+        for degrees in [-80_i32, -60, -35, -15, 0, 10, 30, 50, 75] {
+            let direction = f64::from(degrees).to_radians();
+            let touching = Sensors {
+                bump_left: direction >= -0.35,
+                bump_right: direction <= 0.35,
+                ..beside_a_wall(direction, 0.0005, 1.0)
+            };
+            let contact = model.contact(&touching, false).unwrap();
+            assert!((contact.direction - direction).abs() < 0.12, "{degrees}: {contact:?}");
+        }
+    }
+
+    #[test]
+    fn what_no_beam_sees_is_somewhere_on_the_side_that_is_pressed() {
+        let (_, model) = roomba();
+        let right = model.contact(&Sensors { bump_right: true, ..Sensors::default() }, false).unwrap();
+        assert!(right.direction < -0.35 && right.deviation > 0.3, "{right:?}");
+        let stuck = Sensors { bump_left: true, bump_right: true, ..Sensors::default() };
+        assert!(model.contact(&stuck, true).unwrap().direction.abs() < 0.01);
+        assert_eq!(model.contact(&Sensors::default(), true), None);
+    }
+}

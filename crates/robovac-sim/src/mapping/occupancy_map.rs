@@ -1,0 +1,125 @@
+//! An occupancy grid in log odds that grows as the robot goes.
+
+use super::Layer;
+use robovac_core::{
+    floorplan::FloorPlan,
+    geometry::{Point, Pose},
+    grid::{Cell, Grid, Occupancy},
+};
+
+/// Log odds are kept in hundredths.
+const UNIT: f64 = 0.01;
+/// Log odds are kept within these: what was seen a hundred times can still change (ours).
+const MOST: i16 = 500;
+/// Log odds above which a cell counts as occupied, and below which as free: probabilities of 0.65 and 0.25, as nav2's
+/// `map_saver` has them.
+const OCCUPIED: i16 = 62;
+const FREE: i16 = -110;
+
+/// What is known of every cell of the plane: log odds that it is occupied, 0 where nothing is known.
+#[derive(Debug, Clone)]
+pub struct OccupancyMap {
+    resolution: f64,
+    odds: Layer<i16>,
+}
+
+impl OccupancyMap {
+    /// Nothing known; cells of `resolution` metres, whose corners lie on multiples of it.
+    pub fn new(resolution: f64) -> Self {
+        Self { resolution, odds: Layer::new() }
+    }
+
+    /// A map that knows what `plan` says, with certainty; its lower-left corner becomes the origin.
+    pub fn of(plan: &FloorPlan) -> Self {
+        let mut map = Self::new(plan.resolution);
+        for (cell, &occupancy) in plan.occupancy.iter() {
+            let odds = match occupancy {
+                Occupancy::Unknown => continue,
+                Occupancy::Free => -MOST,
+                Occupancy::Occupied => MOST,
+            };
+            map.odds.update(cell, |_| odds);
+        }
+        map
+    }
+
+    /// Side of its cells, m.
+    #[inline]
+    pub fn resolution(&self) -> f64 {
+        self.resolution
+    }
+
+    /// The cell that holds a point.
+    #[inline]
+    pub fn cell_at(&self, point: Point) -> Cell {
+        Cell::at(point, self.resolution)
+    }
+
+    /// Centre of a cell, m.
+    #[inline]
+    pub fn centre(&self, cell: Cell) -> Point {
+        cell.centre(self.resolution)
+    }
+
+    /// Log odds that a cell is occupied: 0 where nothing is known.
+    #[inline]
+    pub fn log_odds(&self, cell: Cell) -> f64 {
+        f64::from(self.odds.get(cell)) * UNIT
+    }
+
+    /// What the map says of a cell.
+    #[inline]
+    pub fn occupancy(&self, cell: Cell) -> Occupancy {
+        match self.odds.get(cell) {
+            odds if odds > OCCUPIED => Occupancy::Occupied,
+            odds if odds < FREE => Occupancy::Free,
+            _ => Occupancy::Unknown,
+        }
+    }
+
+    /// Adds evidence: log odds that the cell is occupied, given what was seen alone.
+    #[inline]
+    pub fn add(&mut self, cell: Cell, log_odds: f64) {
+        let change = (log_odds / UNIT) as i16;
+        self.odds.update(cell, |odds| (odds + change).clamp(-MOST, MOST));
+    }
+
+    /// Lowest and highest cells of an area that holds everything known.
+    pub fn bounds(&self) -> Option<(Cell, Cell)> {
+        self.odds.bounds()
+    }
+
+    /// Cells of which something is known, with their log odds.
+    pub fn iter(&self) -> impl Iterator<Item = (Cell, f64)> {
+        self.odds.iter().map(|(cell, odds)| (cell, f64::from(odds) * UNIT))
+    }
+
+    /// The map as a floor plan, just large enough for what is known; its `origin` says where its lower-left corner lies in
+    /// the frame of the map. `None` if nothing is known.
+    pub fn to_plan(&self, name: &str) -> Option<FloorPlan> {
+        let known = || self.odds.iter().filter(|&(cell, _)| self.occupancy(cell) != Occupancy::Unknown);
+        let low = known().map(|(cell, _)| cell).reduce(|a, b| Cell::new(a.x.min(b.x), a.y.min(b.y)))?;
+        let high = known().map(|(cell, _)| cell).reduce(|a, b| Cell::new(a.x.max(b.x), a.y.max(b.y)))?;
+        let (width, height) = ((high.x - low.x + 1) as usize, (high.y - low.y + 1) as usize);
+        let mut occupancy = Grid::filled(width, height, Occupancy::Unknown);
+        for (cell, _) in known() {
+            let index = occupancy.index(Cell::new(cell.x - low.x, cell.y - low.y));
+            occupancy.values_mut()[index] = self.occupancy(cell);
+        }
+        let corner = [low.x, low.y].map(|i| f64::from(i) * self.resolution);
+        Some(FloorPlan {
+            name: name.to_owned(),
+            note: String::new(),
+            resolution: self.resolution,
+            occupancy,
+            objects: Vec::new(),
+            start: None,
+            origin: Pose::new(corner[0], corner[1], 0.0),
+        })
+    }
+
+    /// Roughly the memory that it takes, bytes.
+    pub fn bytes(&self) -> usize {
+        self.odds.bytes()
+    }
+}

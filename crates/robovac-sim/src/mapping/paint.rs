@@ -1,0 +1,79 @@
+//! The inverse sensor model: what a reading adds to the log odds of cells.
+//!
+//! - Floor under the body is free, certainly: the body is there.
+//! - A beam's way up to the echo, or as far as it certainly sees, is free.
+//! - What an echo or a contact comes from is occupied: the cell a centimetre behind the surface, as surfaces often lie
+//!   between two cells. An echo says so the more strongly the nearer it is.
+//!
+//! How strongly is ours: three or four sights settle a cell, and what was met by mistake is gone once the body has been
+//! there.
+
+use super::{
+    OccupancyMap,
+    observation::{Observation, SensorModel},
+};
+use robovac_core::{
+    geometry::{Point, Pose, Vector},
+    grid::Cell,
+    math,
+};
+
+/// Log odds of floor under the body, and along a beam.
+const UNDER_BODY: f64 = -0.4;
+const ALONG_BEAM: f64 = -0.12;
+/// Log odds of what is touched, and of an echo from right ahead.
+const TOUCHED: f64 = 1.2;
+const ECHO: f64 = 0.45;
+/// Farthest echo that makes a cell occupied, m from the body's edge.
+const FAR: f64 = 0.1;
+/// How far behind the surface, m.
+const BEHIND: f64 = 0.012;
+/// What is off by more than this in direction says little about a cell, rad.
+const VAGUE: f64 = 0.35;
+/// Adds a reading taken at `pose`.
+pub(super) fn paint(map: &mut OccupancyMap, pose: Pose, seen: &Observation, sensors: &SensorModel) {
+    let position = pose.position();
+    let radius = sensors.radius();
+    let size = map.resolution();
+    let low = map.cell_at(position - Vector::new(radius, radius));
+    let high = map.cell_at(position + Vector::new(radius, radius));
+    for y in low.y..=high.y {
+        for x in low.x..=high.x {
+            let cell = Cell::new(x, y);
+            if (cell.centre(size) - position).norm_squared() < radius * radius {
+                map.add(cell, UNDER_BODY);
+            }
+        }
+    }
+    let ahead = pose.direction();
+    let turned = |v: Vector| Vector::new(ahead.x * v.x - ahead.y * v.y, ahead.y * v.x + ahead.x * v.y);
+    if sensors.seen() > 0.0 {
+        for (beam, echo) in seen.echoes.iter().enumerate() {
+            let direction = turned(sensors.direction(beam));
+            let free = echo.map_or(sensors.seen(), |echo| (echo.distance - size).min(sensors.seen()));
+            ray(map, position + direction * radius, direction, free);
+            if let Some(echo) = echo.filter(|echo| echo.distance < FAR) {
+                let cell = map.cell_at(position + direction * (radius + echo.distance + BEHIND));
+                map.add(cell, ECHO * (1.0 - 0.7 * echo.distance / FAR));
+            }
+        }
+    }
+    if let Some(contact) = seen.contact {
+        let (sin, cos) = math::sin_cos(contact.direction);
+        let cell = map.cell_at(position + turned(Vector::new(cos, sin)) * (radius + BEHIND));
+        map.add(cell, if contact.deviation < VAGUE { TOUCHED } else { 0.3 * TOUCHED });
+    }
+}
+
+/// What a beam passes is free; each cell counts once.
+fn ray(map: &mut OccupancyMap, from: Point, direction: Vector, length: f64) {
+    let step = 0.5 * map.resolution();
+    let mut last = None;
+    for i in 0..=(length / step).max(0.0) as u32 {
+        let cell = map.cell_at(from + direction * (step * f64::from(i)));
+        if last != Some(cell) && length > 0.0 {
+            map.add(cell, ALONG_BEAM);
+            last = Some(cell);
+        }
+    }
+}

@@ -1,0 +1,209 @@
+//! Dead reckoning over a stretch of the way, with what it may be off by.
+//!
+//! The two errors that stay the same while a robot lives are wheels of unequal size and a wheel base that isn't what it is
+//! taken for (Borenstein & Feng 1996, Measurement and correction of systematic odometry errors in mobile robots, IEEE
+//! Transactions on Robotics and Automation 12(6)). Both act on the heading, and both act linearly as long as they are
+//! small; so a stretch keeps, beside its pose and covariance, the derivatives of the pose by them, and the filter can
+//! estimate them while it drives. What slips at random grows with the way (Thrun, Burgard & Fox 2005, Probabilistic
+//! Robotics, section 5.4).
+
+use nalgebra::{Matrix3, Matrix3x2};
+use robovac_core::{
+    geometry::{Point, Pose},
+    math,
+    robot::{OdometryModel, RobotModel, RollingScale, Sensors, advance, advance_sideways},
+};
+
+/// Standard deviation of each wheel's slip after one metre, m: a little more than at the simulator's typical level.
+const SLIP: f64 = 0.0012;
+/// Share by which the way along a contact is uncertain, and the way over which that is one and the same error, m (ours).
+const SLIDE: (f64, f64) = (0.3, 0.05);
+/// Way and turn after which covariances are brought up to date, m and rad.
+const STRIDE: (f64, f64) = (0.02, 0.06);
+/// Counts of one reading beyond which the wheels can't have done it: a lost connection, or another robot's numbers, m.
+const MOST_AT_ONCE: f64 = 0.5;
+
+/// What the wheels are taken for: both errors are estimates of the filter.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Wheels {
+    /// Right wheel's size less the left one's, as a share of both.
+    pub unequal: f64,
+    /// Wheel base less the nominal one, as a share of it.
+    pub base: f64,
+}
+
+/// Counts as they come, turned into ways of the wheels.
+#[derive(Debug, Clone)]
+pub(super) struct Rolling {
+    scale: RollingScale,
+    model: OdometryModel,
+    last: Option<[u16; 3]>,
+}
+
+impl Rolling {
+    pub fn new(robot: &RobotModel, model: OdometryModel) -> Self {
+        Self { scale: RollingScale::of(robot), model, last: None }
+    }
+
+    /// What the wheels have rolled since the last reading: left, right, sideways, m.
+    pub fn take(&mut self, sensed: &Sensors) -> [f64; 3] {
+        let counts = [sensed.left_counts, sensed.right_counts, sensed.lateral_counts];
+        let Some(last) = self.last.replace(counts) else { return [0.0; 3] };
+        let since = [0, 1, 2].map(|i| counts[i].wrapping_sub(last[i]) as i16);
+        let rolled = self.model.rolled(sensed, since, self.scale);
+        if rolled.iter().any(|way| way.abs() > MOST_AT_ONCE) { [0.0; 3] } else { rolled }
+    }
+}
+
+/// The way since some pose.
+#[derive(Debug, Clone)]
+pub(super) struct Reckoning {
+    /// Present pose as seen from where the stretch began.
+    pub at: Pose,
+    /// Heading less that at the beginning, not normalised, rad.
+    pub turn: f64,
+    /// Covariance of `at` (x, y, heading) by what slips at random.
+    pub noise: Matrix3<f64>,
+    /// Derivatives of `at` by [`Wheels::unequal`] and [`Wheels::base`].
+    pub by_wheels: Matrix3x2<f64>,
+    /// What the wheels were taken for.
+    pub wheels: Wheels,
+    /// Way, m, and all turning, rad.
+    pub way: f64,
+    pub turned: f64,
+    wheel_base: f64,
+    model: OdometryModel,
+    /// Since covariances were brought up to date: where that was, and rolled by the wheels, m.
+    since: Pose,
+    rolled: [f64; 2],
+    rolled_either_way: f64,
+    slid: f64,
+}
+
+impl Reckoning {
+    pub fn new(robot: &RobotModel, model: OdometryModel, wheels: Wheels) -> Self {
+        let here = Pose::new(0.0, 0.0, 0.0);
+        Self {
+            at: here,
+            turn: 0.0,
+            noise: Matrix3::zeros(),
+            by_wheels: Matrix3x2::zeros(),
+            wheels,
+            way: 0.0,
+            turned: 0.0,
+            wheel_base: robot.wheel_base,
+            model,
+            since: here,
+            rolled: [0.0; 2],
+            rolled_either_way: 0.0,
+            slid: 0.0,
+        }
+    }
+
+    /// Goes on; `contact` is the direction in which something is touched, if the bumper is pressed. Then the wheels spin
+    /// where they push against it, and the body slides along it. Returns whether a stride is complete.
+    pub fn roll(&mut self, [left, right, lateral]: [f64; 3], contact: Option<f64>) -> bool {
+        let half = 0.5 * self.wheels.unequal;
+        let (left, right) = ((1.0 - half) * left, (1.0 + half) * right);
+        let base = self.wheel_base * (1.0 + self.wheels.base);
+        let turn = (right - left) / base;
+        let ahead = 0.5 * (left + right);
+        self.at = match contact {
+            Some(direction) if ahead > 0.0 => {
+                let (sin, cos) = math::sin_cos(direction);
+                let along = self.at.to_world(Point::new(ahead * sin * sin, -ahead * sin * cos));
+                self.slid += ahead;
+                Pose::new(along.x, along.y, self.at.heading + turn)
+            }
+            _ if lateral == 0.0 => advance(self.at, left, right, base, self.model),
+            _ => advance_sideways(self.at, [left, right, lateral], base),
+        };
+        self.turn += turn;
+        self.way += ahead.abs().max(lateral.abs());
+        self.turned += turn.abs();
+        self.rolled = [self.rolled[0] + left, self.rolled[1] + right];
+        self.rolled_either_way += left.abs() + right.abs() + lateral.abs();
+        let is_complete = self.rolled_either_way > 2.0 * STRIDE.0
+            || (self.rolled[1] - self.rolled[0]).abs() > STRIDE.1 * self.wheel_base;
+        if is_complete {
+            self.settle();
+        }
+        is_complete
+    }
+
+    /// Brings covariances up to date.
+    pub fn settle(&mut self) {
+        let (dx, dy) = (self.at.x - self.since.x, self.at.y - self.since.y);
+        let shift = Matrix3::new(1.0, 0.0, -dy, 0.0, 1.0, dx, 0.0, 0.0, 1.0);
+        let [left, right] = self.rolled;
+        let (ahead, turn) = (0.5 * (left + right), (right - left) / self.wheel_base);
+        self.by_wheels = shift * self.by_wheels;
+        // What turns the stride by half as much moves its end sideways.
+        let turns = [ahead / self.wheel_base, -turn];
+        for (column, by) in turns.into_iter().enumerate() {
+            self.by_wheels[(0, column)] -= 0.5 * dy * by;
+            self.by_wheels[(1, column)] += 0.5 * dx * by;
+            self.by_wheels[(2, column)] += by;
+        }
+        let slip = SLIP * SLIP * self.rolled_either_way;
+        let slide = SLIDE.0 * SLIDE.0 * self.slid * SLIDE.1;
+        let position = 0.25 * slip + slide;
+        let heading = slip / (self.wheel_base * self.wheel_base) + 2.0 * slide;
+        self.noise = shift * self.noise * shift.transpose();
+        for (i, variance) in [position, position, heading].into_iter().enumerate() {
+            self.noise[(i, i)] += variance;
+        }
+        (self.since, self.rolled, self.rolled_either_way, self.slid) = (self.at, [0.0; 2], 0.0, 0.0);
+    }
+
+    /// A place in the frame of where the stretch began, as seen from here.
+    pub fn seen_from_here(&self, point: Point) -> Point {
+        let (offset, ahead) = (point - self.at.position(), self.at.direction());
+        Point::new(ahead.dot(&offset), ahead.perp(&offset))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use robovac_core::robot::model;
+
+    /// A stretch with a bend, driven by a robot that takes its wheels for these.
+    fn bend(wheels: Wheels) -> Reckoning {
+        let mut way = Reckoning::new(model("roomba600").unwrap(), OdometryModel::Arc, wheels);
+        for step in 0..300 {
+            let (left, right) = if step < 150 { (0.004, 0.004) } else { (0.002, 0.004) };
+            way.roll([left, right, 0.0], None);
+        }
+        way.settle();
+        way
+    }
+
+    #[test]
+    fn derivatives_tell_what_other_wheels_would_have_done() {
+        let nominal = bend(Wheels::default());
+        for (column, wheels) in [(0, Wheels { unequal: 1e-4, base: 0.0 }), (1, Wheels { unequal: 0.0, base: 1e-4 })] {
+            let other = bend(wheels);
+            let change = [other.at.x - nominal.at.x, other.at.y - nominal.at.y, other.turn - nominal.turn];
+            for (row, change) in change.into_iter().enumerate() {
+                let predicted = 1e-4 * nominal.by_wheels[(row, column)];
+                assert!((change - predicted).abs() < 8e-6, "{row}, {column}: {change}, predicted {predicted}");
+            }
+        }
+    }
+
+    #[test]
+    fn wheels_that_push_against_a_wall_ahead_move_nothing() {
+        let mut way = Reckoning::new(model("roomba600").unwrap(), OdometryModel::Arc, Wheels::default());
+        for _ in 0..20 {
+            way.roll([0.004, 0.004, 0.0], Some(0.0));
+        }
+        way.settle();
+        assert!(way.at.position().coords.norm() < 1e-9 && way.noise[(0, 0)].sqrt() > 0.01);
+        // At 45 degrees, it slides.
+        for _ in 0..20 {
+            way.roll([0.004, 0.004, 0.0], Some(core::f64::consts::FRAC_PI_4));
+        }
+        assert!((way.at.x - 0.04).abs() < 1e-9 && (way.at.y + 0.04).abs() < 1e-9, "{}", way.at);
+    }
+}

@@ -1,0 +1,167 @@
+//! Results as CSV and JSON: the same from the page and from the command line.
+
+use super::{Band, GOALS, Outcome, SAMPLES, Summary};
+use crate::experiment::quoted;
+use crate::{Conditions, SlipLevel, experiment::Entrant};
+use robovac_core::{registry::Params, robot::OdometryModel};
+use serde::Serialize;
+use std::fmt::Write;
+
+/// What all runs have in common.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub struct Head<'a> {
+    /// Name of the room.
+    pub room: &'a str,
+    /// Id of the robot.
+    pub robot: &'a str,
+    /// Side of the planning cells, m.
+    pub cell_size_m: f64,
+    /// How true wheels and sensors are.
+    #[serde(skip)]
+    pub conditions: Conditions,
+    /// How followers of planned paths compute their poses.
+    pub odometry: OdometryModel,
+    /// Simulated time of each run, min.
+    pub minutes: f64,
+}
+
+/// An algorithm with its runs, or why there are none.
+pub type Entry<'a> = (&'a Entrant, Result<Vec<&'a Outcome>, &'a str>);
+
+#[derive(Serialize)]
+struct JsonStudy<'a> {
+    #[serde(flatten)]
+    head: Head<'a>,
+    slip: SlipLevel,
+    noise: String,
+    quantised: bool,
+    /// The moments of all curves, s.
+    times_s: Vec<f64>,
+    algorithms: Vec<JsonAlgorithm<'a>>,
+}
+
+#[derive(Serialize)]
+struct JsonAlgorithm<'a> {
+    algorithm: &'static str,
+    kind: &'static str,
+    /// What coverage and times are of.
+    measure: &'static str,
+    params: &'a Params,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    error: Option<&'a str>,
+    #[serde(flatten)]
+    summary: Option<Summary>,
+    /// Coverage over time, 0 to 1, as quantiles over the runs.
+    curve: JsonCurve,
+    /// The runs one by one.
+    each: Vec<JsonRun>,
+}
+
+#[derive(Serialize)]
+struct JsonCurve {
+    low: Vec<f64>,
+    median: Vec<f64>,
+    high: Vec<f64>,
+}
+
+#[derive(Serialize)]
+struct JsonRun {
+    seed: u64,
+    coverage: f64,
+    /// When the shares of the goals had been swept, s; `null` if that didn't happen.
+    reached_s: [Option<f64>; GOALS.len()],
+    time_s: f64,
+    distance_m: f64,
+    bumps: u32,
+    falls: u32,
+    dirt_left: Option<f64>,
+    digest: String,
+}
+
+/// A JSON object: what was run where, and for each algorithm quantiles over its runs and every single run.
+pub fn to_json(head: &Head<'_>, entries: &[Entry<'_>]) -> String {
+    let study = JsonStudy {
+        head: *head,
+        slip: head.conditions.slip,
+        noise: head.conditions.noise.to_string(),
+        quantised: head.conditions.quantised,
+        times_s: (0..=SAMPLES).map(|i| 60.0 * head.minutes * i as f64 / SAMPLES as f64).collect(),
+        algorithms: entries.iter().map(JsonAlgorithm::of).collect(),
+    };
+    // Only maps with keys that aren't text can fail.
+    serde_json::to_string(&study).unwrap_or_default() + "\n"
+}
+
+/// A table with a head line, a run a line; empty where something didn't happen.
+pub fn to_csv(head: &Head<'_>, entries: &[Entry<'_>]) -> String {
+    let mut csv = String::from(
+        "room,robot,slip,noise,quantised,minutes,kind,algorithm,seed,error,coverage [%],time to 90 % [s],time to 99 % [s],\
+         time [s],distance [m],bumps,falls,dirt left [%],digest,measure\n",
+    );
+    let Conditions { slip, quantised, .. } = head.conditions;
+    let common = format!(
+        "{},{},{},{},{quantised},{}",
+        quoted(head.room),
+        head.robot,
+        slip.id(),
+        quoted(&head.conditions.noise.to_string()),
+        head.minutes
+    );
+    for (entrant, result) in entries {
+        let (kind, measure) = (entrant.algorithm.kind(), measure(entrant));
+        // Writing to a string doesn't fail.
+        let _ = match result {
+            Err(error) => writeln!(csv, "{common},{kind},{entrant},,{},,,,,,,,,,{measure}", quoted(error)),
+            Ok(runs) => runs.iter().try_for_each(|run| {
+                let [to_90, to_99] = run.reached_s.map(|s| if s.is_finite() { s.to_string() } else { String::new() });
+                let Outcome { seed, time_s, distance_m, bumps, falls, digest, .. } = run;
+                let coverage = 100.0 * run.coverage();
+                let dirt = run.dirt_left.map(|left| (100.0 * left).to_string()).unwrap_or_default();
+                writeln!(
+                    csv,
+                    "{common},{kind},{entrant},{seed},,{coverage},{to_90},{to_99},{time_s},{distance_m},{bumps},{falls},{dirt},{digest:016x},{measure}"
+                )
+            }),
+        };
+    }
+    csv
+}
+
+/// What a share of is told: floor that was swept, or boundary that was met.
+fn measure(entrant: &Entrant) -> &'static str {
+    if entrant.explores() { "boundary" } else { "floor" }
+}
+
+impl<'a> JsonAlgorithm<'a> {
+    fn of((entrant, result): &'a Entry<'a>) -> Self {
+        let runs = result.as_deref().unwrap_or_default();
+        let bands = Band::curve(runs);
+        let line = |of: fn(&Band) -> f64| bands.iter().map(of).collect();
+        Self {
+            algorithm: entrant.id(),
+            kind: entrant.algorithm.kind(),
+            measure: measure(entrant),
+            params: &entrant.params,
+            error: result.as_ref().err().copied(),
+            summary: Summary::of(runs),
+            curve: JsonCurve { low: line(|b| b.low), median: line(|b| b.median), high: line(|b| b.high) },
+            each: runs.iter().map(|run| JsonRun::of(run)).collect(),
+        }
+    }
+}
+
+impl JsonRun {
+    fn of(run: &Outcome) -> Self {
+        Self {
+            seed: run.seed,
+            coverage: run.coverage(),
+            reached_s: run.reached_s.map(|time| Some(time).filter(|time| time.is_finite())),
+            time_s: run.time_s,
+            distance_m: run.distance_m,
+            bumps: run.bumps,
+            falls: run.falls,
+            dirt_left: run.dirt_left,
+            digest: format!("{:016x}", run.digest),
+        }
+    }
+}

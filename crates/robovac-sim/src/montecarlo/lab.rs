@@ -1,0 +1,106 @@
+//! Where runs are made.
+
+use crate::{
+    Conditions, STEP_S,
+    experiment::{
+        Algorithm, Entrant, TrialError,
+        planning::{PlanRequest, Planned, Prepared},
+    },
+};
+use coverage_planners::Observer;
+use robovac_core::{
+    coverage::{Boundary, BoundaryTracker, FloorError},
+    floorplan::FloorPlan,
+    geometry::{Point, Pose},
+    robot::{OdometryModel, RobotModel},
+};
+use std::{
+    collections::BTreeMap,
+    sync::{Arc, OnceLock},
+};
+
+use super::Outcome;
+
+/// What all runs of a study have in common beside room and robot.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Terms {
+    /// How true wheels and sensors are.
+    pub conditions: Conditions,
+    /// How followers of planned paths compute their poses.
+    pub odometry: OdometryModel,
+    /// Simulated time of each run, s.
+    pub duration_s: f64,
+    /// Seed of the planners, which plan once; the runs have seeds of their own.
+    pub plan_seed: u64,
+}
+
+/// A room laid out for a robot, in which any number of runs are made.
+///
+/// A planner plans once; its path is then driven with the slip of every seed. The seed of its plan is that of the
+/// [`Terms`], so that a run doesn't depend on which others are made.
+pub struct Lab {
+    prepared: Prepared,
+    terms: Terms,
+    /// By the names of the entrants.
+    lines: BTreeMap<String, Result<Arc<[Point]>, TrialError>>,
+    /// What there is to be met by those that explore, once one of them is run.
+    boundary: OnceLock<Arc<Boundary>>,
+}
+
+impl Lab {
+    /// Lays `plan` out for `robot`, with planning cells of `cell_size` metres.
+    pub fn new(
+        plan: &FloorPlan,
+        robot: &RobotModel,
+        cell_size: f64,
+        start: Option<Pose>,
+        terms: Terms,
+    ) -> Result<Self, FloorError> {
+        Ok(Self::on(Prepared::new(plan, robot, cell_size, start)?, terms))
+    }
+
+    /// A lab where everything has been laid out already.
+    pub fn on(prepared: Prepared, terms: Terms) -> Self {
+        Self { prepared, terms, lines: BTreeMap::new(), boundary: OnceLock::new() }
+    }
+
+    /// Lets an entrant plan that plans and hasn't yet. To be called before its runs.
+    pub fn plan(&mut self, entrant: &Entrant, observer: Option<Observer<'_>>) -> Result<(), TrialError> {
+        let Algorithm::Planner(planner) = entrant.algorithm else { return Ok(()) };
+        let name = entrant.to_string();
+        if !self.lines.contains_key(&name) {
+            let params = entrant.params.clone();
+            let job = self.prepared.job.clone();
+            let request = PlanRequest { id: 0, planner, params, seed: self.terms.plan_seed, job };
+            let planned = request.serve(|| 0.0, observer).map_err(TrialError::from);
+            let planned = planned.and_then(|answer| Ok(Planned::new(&self.prepared, &answer)?));
+            self.lines.insert(name.clone(), planned.map(|planned| planned.line));
+        }
+        self.lines[&name].clone().map(|_| ())
+    }
+
+    /// Makes a run; `None` for an entrant that has no plan or isn't in the registry.
+    pub fn run(&self, entrant: &Entrant, seed: u64) -> Option<Outcome> {
+        let Self { prepared, terms: Terms { conditions, odometry, duration_s, .. }, .. } = self;
+        let run = match entrant.algorithm {
+            Algorithm::Behaviour(info) => prepared.run_behaviour(info, &entrant.params, *conditions, seed)?,
+            Algorithm::Planner(_) => {
+                let line = self.lines.get(&entrant.to_string())?.as_ref().ok()?;
+                prepared.run_along(line, *conditions, *odometry, seed)
+            }
+        };
+        if entrant.explores() {
+            let Prepared { floor, robot, .. } = prepared;
+            let boundary = self.boundary.get_or_init(|| Arc::new(Boundary::new(floor, robot)));
+            return Some(Outcome::of_exploring(run, seed, *duration_s, BoundaryTracker::new(boundary)));
+        }
+        Some(Outcome::of(run, seed, *duration_s))
+    }
+}
+
+impl Terms {
+    /// Steps of a whole run.
+    pub fn steps(&self) -> u64 {
+        (self.duration_s / STEP_S).round() as u64
+    }
+}

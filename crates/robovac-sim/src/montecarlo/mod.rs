@@ -1,0 +1,20 @@
+//! Many runs of the same algorithms with different seeds: what chance makes of them (Monte Carlo).
+//!
+//! A run is one algorithm with one seed, made in a [`Lab`]; its [`Outcome`] is coverage over time and what happened on
+//! the way. For behaviours that explore, the share of the [boundary](robovac_core::coverage::Boundary) that they have met takes the
+//! place of coverage. A [`Tally`] takes outcomes as they come, in any order, and sums them up. [`Study`] is what the page has:
+//! it says which runs are missing and keeps what came out. The command line makes the same runs on all cores.
+
+mod export;
+mod lab;
+mod outcome;
+mod quantile;
+mod request;
+mod summary;
+
+pub use export::{Entry, Head, to_csv, to_json};
+pub use lab::{Lab, Terms};
+pub use outcome::{GOALS, Outcome, SAMPLES};
+pub use quantile::quantile;
+pub use request::RunsRequest;
+pub use summary::{Band, Summary, Tally, TimeTo};

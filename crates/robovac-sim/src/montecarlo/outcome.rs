@@ -1,0 +1,121 @@
+//! What came out of one run.
+
+use crate::{Run, STEP_S};
+use robovac_core::coverage::BoundaryTracker;
+
+/// Shares whose times are taken: of the reachable floor, or of the boundary for those that explore.
+pub const GOALS: [f64; 2] = [0.9, 0.99];
+/// Coverage is taken so often, at equal distances in time, and at the start.
+pub const SAMPLES: usize = 200;
+
+/// What came out of one run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outcome {
+    /// Seed of everything random in it.
+    pub seed: u64,
+    /// Swept share of the reachable floor, or share of the boundary that has been met, 0 to 1, at the start and at the end of
+    /// each of [`SAMPLES`] equal parts of the time. After the end of a run that ended by itself it stays.
+    pub curve: Vec<f64>,
+    /// When the shares of [`GOALS`] had been swept or met, s; infinite if that didn't happen in time.
+    pub reached_s: [f64; GOALS.len()],
+    /// Simulated time, s; less than was given if the run ended by itself.
+    pub time_s: f64,
+    /// Distance driven, m.
+    pub distance_m: f64,
+    /// How often the bumper was pressed.
+    pub bumps: u32,
+    /// How often the robot fell down a drop-off.
+    pub falls: u32,
+    /// Share of the dirt that was left at the end, 0 to 1; `None` where there was none.
+    pub dirt_left: Option<f64>,
+    /// Tells the last state of the run from others, to the last bit.
+    pub digest: u64,
+}
+
+/// Numbers before the curve in [`Outcome::to_numbers`].
+const HEAD: usize = 9 + GOALS.len();
+
+impl Outcome {
+    /// Makes `run`, which was made with `seed`, go on for `duration_s` seconds from its start.
+    pub fn of(run: Run, seed: u64, duration_s: f64) -> Self {
+        Self::by(run, seed, duration_s, Run::coverage)
+    }
+
+    /// The same for a run of somebody who explores: what counts is how much of the boundary it has met.
+    pub fn of_exploring(run: Run, seed: u64, duration_s: f64, mut tracker: BoundaryTracker) -> Self {
+        Self::by(run, seed, duration_s, |run| {
+            tracker.update(run.pose(), run.sensors());
+            tracker.share()
+        })
+    }
+
+    /// By the share that `share` tells after each step.
+    fn by(mut run: Run, seed: u64, duration_s: f64, mut share: impl FnMut(&Run) -> f64) -> Self {
+        let steps = (duration_s / STEP_S).round() as u64;
+        let mut curve = Vec::with_capacity(SAMPLES + 1);
+        let mut now = share(&run);
+        curve.push(now);
+        let mut reached_s = [f64::INFINITY; GOALS.len()];
+        let mut next = 0;
+        let has_dirt = run.dirt_left() > 0.0;
+        for sample in 1..=SAMPLES as u64 {
+            let until = steps * sample / SAMPLES as u64;
+            while run.steps() < until && !run.is_finished() {
+                run.step();
+                now = share(&run);
+                while GOALS.get(next).is_some_and(|&goal| now >= goal) {
+                    reached_s[next] = run.time_s();
+                    next += 1;
+                }
+            }
+            curve.push(now);
+        }
+        Self {
+            seed,
+            curve,
+            reached_s,
+            time_s: run.time_s(),
+            distance_m: run.distance_m(),
+            bumps: run.bumps(),
+            falls: run.falls(),
+            dirt_left: has_dirt.then(|| run.dirt_left()),
+            digest: run.digest(),
+        }
+    }
+
+    /// Share at the end, 0 to 1.
+    pub fn coverage(&self) -> f64 {
+        self.curve.last().copied().unwrap_or(0.0)
+    }
+
+    /// All of it as numbers, to cross to another thread of a browser.
+    pub fn to_numbers(&self) -> impl Iterator<Item = f64> {
+        let halves = [(self.digest >> 32) as u32, self.digest as u32].map(f64::from);
+        let counts = [self.bumps, self.falls].map(f64::from);
+        let dirt_left = self.dirt_left.unwrap_or(f64::NAN);
+        let head = [self.curve.len() as f64, self.seed as f64, self.time_s, self.distance_m, dirt_left];
+        head.into_iter().chain(counts).chain(halves).chain(self.reached_s).chain(self.curve.iter().copied())
+    }
+
+    /// The inverse of [`Outcome::to_numbers`] for several after one another; those that are cut off are left out.
+    pub fn from_numbers(mut numbers: &[f64]) -> Vec<Self> {
+        let mut outcomes = Vec::new();
+        while let Some((head, rest)) = numbers.split_first_chunk::<HEAD>() {
+            let &[length, seed, time_s, distance_m, dirt_left, bumps, falls, high, low, reached_90, reached_99] = head;
+            let Some((curve, rest)) = rest.split_at_checked(length as usize) else { break };
+            outcomes.push(Self {
+                seed: seed as u64,
+                curve: curve.to_vec(),
+                reached_s: [reached_90, reached_99],
+                time_s,
+                distance_m,
+                bumps: bumps as u32,
+                falls: falls as u32,
+                dirt_left: Some(dirt_left).filter(|left| !left.is_nan()),
+                digest: (high as u64) << 32 | low as u64,
+            });
+            numbers = rest;
+        }
+        outcomes
+    }
+}

@@ -1,0 +1,54 @@
+//! Runs on their way to whoever has time for them: plain values that can cross to a worker.
+
+use super::{Lab, Outcome, Terms};
+use crate::experiment::{BEHAVIOUR, Entrant, PLANNER, Settings, plan_of};
+use coverage_planners::Observer;
+use serde::{Deserialize, Serialize};
+
+/// Runs of one algorithm for a worker.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RunsRequest {
+    /// Number of the request.
+    pub id: u32,
+    /// A room that ships, by its id; else `scenario` has it.
+    pub room: Option<String>,
+    /// The room as a scenario file, if it doesn't ship.
+    pub scenario: Option<String>,
+    /// Robot, cell size, start and conditions, as [`Settings::take_link`] reads them, joined by `&`.
+    pub settings: String,
+    /// Simulated time of each run, s.
+    pub duration_s: f64,
+    /// Seed of plans.
+    pub plan_seed: u64,
+    /// Whether it is a behaviour; else a planner.
+    pub behaves: bool,
+    /// The algorithm with its parameters, as [`Entrant::parse`] reads it.
+    pub entrant: String,
+    /// The seeds of the runs.
+    pub seeds: Vec<u64>,
+    /// Changes with everything but entrant and seeds: the same place has the same [`Lab`].
+    pub place: String,
+}
+
+impl RunsRequest {
+    /// Where the runs are to be made. Errors are for users.
+    pub fn lab(&self) -> Result<Lab, String> {
+        let plan = plan_of(self.room.as_deref(), self.scenario.as_deref())?;
+        let mut settings = Settings::new();
+        for (key, value) in self.settings.split('&').filter_map(|pair| pair.split_once('=')) {
+            settings.take_link(key, value).map_err(|e| e.to_string())?;
+        }
+        let Settings { conditions, odometry, cell_size, start, .. } = settings;
+        let terms = Terms { conditions, odometry, duration_s: self.duration_s, plan_seed: self.plan_seed };
+        Lab::new(&plan, &settings.robot_model(), cell_size, start, terms).map_err(|e| e.to_string())
+    }
+
+    /// Makes the runs in `lab`. Errors are for users.
+    pub fn run(&self, lab: &mut Lab, observer: Option<Observer<'_>>) -> Result<Vec<Outcome>, String> {
+        let kind = if self.behaves { BEHAVIOUR } else { PLANNER };
+        let entrant = Entrant::parse(kind, &self.entrant).map_err(|e| e.to_string())?;
+        lab.plan(&entrant, observer).map_err(|e| e.to_string())?;
+        let run = |&seed: &u64| lab.run(&entrant, seed).ok_or_else(|| "it can't be run".to_owned());
+        self.seeds.iter().map(run).collect()
+    }
+}

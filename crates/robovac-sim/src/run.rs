@@ -1,0 +1,485 @@
+//! A whole run: one robot, one controller, one floor.
+
+use super::{Event, Input, Life, Noise, STEP_S, SimRobot, SlipLevel, What, World, event::Signs};
+use crate::controller;
+use crate::{
+    controller::{Controller, Intent, interlock::Blocked},
+    mapping::{Mapper, locate::Locator},
+};
+use robovac_core::{
+    coverage::{CoverageTracker, ReachableFloor},
+    geometry::{Point, Pose, difference},
+    robot::{Odometry, OdometryModel, RobotModel, RobotPort, Sensors},
+};
+use std::{collections::VecDeque, sync::Arc};
+
+/// Most points of the trail that are kept, and their distance, m.
+const TRAIL: (usize, f64) = (600, 0.04);
+/// Most events that are kept.
+const MOST_EVENTS: usize = 100;
+
+/// What a run is made of.
+#[derive(Debug, Clone)]
+pub struct RunSetup {
+    /// The floor, with the start.
+    pub floor: Arc<ReachableFloor>,
+    /// What is in the room beside its walls.
+    pub world: Arc<World>,
+    /// The robot.
+    pub robot: RobotModel,
+    /// How true its wheels and sensors are.
+    pub conditions: Conditions,
+    /// Seed of everything random.
+    pub seed: u64,
+}
+
+/// How true a robot's wheels and sensors are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Conditions {
+    /// How well the wheels hold.
+    pub slip: SlipLevel,
+    /// How much the sensors err.
+    pub noise: Noise,
+    /// Whether the wheels only turn at the speeds that the motor controller can keep.
+    pub quantised: bool,
+    /// Charge of the battery at the start, percent.
+    pub start_charge_percent: u8,
+    /// Whether somebody puts a charged battery in whenever it's empty. Otherwise the run ends there.
+    pub spare_batteries: bool,
+}
+
+/// Perfect wheels and sensors, any speed, a full battery.
+impl Default for Conditions {
+    fn default() -> Self {
+        Self {
+            slip: SlipLevel::None,
+            noise: Noise::default(),
+            quantised: false,
+            start_charge_percent: 100,
+            spare_batteries: false,
+        }
+    }
+}
+
+/// The state of a run after a number of steps. Cloning it makes a key frame to come back to.
+pub struct Run {
+    floor: Arc<ReachableFloor>,
+    world: Arc<World>,
+    life: Life,
+    robot: SimRobot,
+    controller: Box<dyn Controller>,
+    tracker: CoverageTracker,
+    steps: u64,
+    distance_m: f64,
+    turning_rad: f64,
+    bumps: u32,
+    falls: u32,
+    trail: Trail,
+    /// Where the robot believes to be if its controller doesn't keep track, and where it believes to have been.
+    odometry: Option<Odometry>,
+    /// What makes a map, whoever drives.
+    mapper: Option<Box<Mapper>>,
+    /// What maps beside it for comparison.
+    baseline: Option<Box<Mapper>>,
+    /// What looks for it on a map that it knows.
+    locator: Option<Box<Locator>>,
+    /// What the ways of dead reckoning would say, for comparison.
+    reckoned: Vec<Odometry>,
+    believed: Trail,
+    events: VecDeque<Event>,
+}
+
+impl Run {
+    /// A robot at the start, about to be driven by `controller`.
+    pub fn new(setup: &RunSetup, mut controller: Box<dyn Controller>) -> Self {
+        let floor = Arc::clone(&setup.floor);
+        controller.start_at(floor.start);
+        let mut tracker = CoverageTracker::new(&floor);
+        tracker.sweep_to(&floor, floor.start.position());
+        let world = Arc::clone(&setup.world);
+        let life = Life::new(&world, &floor, setup.seed);
+        let robot = SimRobot::new(&setup.robot, floor.start, setup.conditions, setup.seed);
+        let trail = Trail(vec![floor.start.position()]);
+        let keeps_track = controller.estimate().is_some();
+        let odometry = (!keeps_track).then(|| Odometry::new(&setup.robot, OdometryModel::Arc, floor.start));
+        Self {
+            floor,
+            world,
+            life,
+            robot,
+            controller,
+            tracker,
+            steps: 0,
+            distance_m: 0.0,
+            turning_rad: 0.0,
+            bumps: 0,
+            falls: 0,
+            believed: trail.clone(),
+            trail,
+            odometry,
+            mapper: None,
+            baseline: None,
+            locator: None,
+            reckoned: Vec::new(),
+            events: VecDeque::new(),
+        }
+    }
+
+    /// Lets the robot make a map, whoever drives it. A controller that makes one of its own keeps to that.
+    pub fn with_mapper(mut self, mapper: Mapper) -> Self {
+        self.mapper = Some(Box::new(mapper));
+        self
+    }
+
+    /// Lets a second mapper see the same, for comparison: nobody acts on what it believes.
+    pub fn with_baseline(mut self, mapper: Mapper) -> Self {
+        self.baseline = Some(Box::new(mapper));
+        self
+    }
+
+    /// Lets something look for the robot on a map that it knows.
+    pub fn with_locator(mut self, locator: Locator) -> Self {
+        self.locator = Some(Box::new(locator));
+        self
+    }
+
+    /// Lets dead reckoning of all ways go along, for comparison.
+    pub fn with_reckoning(mut self, robot: &RobotModel) -> Self {
+        let start = self.floor.start;
+        self.reckoned = OdometryModel::ALL.map(|(model, _)| Odometry::new(robot, model, start)).into();
+        self
+    }
+
+    /// How far off the ways of dead reckoning are, in the order of [`OdometryModel::ALL`]: m and rad; empty unless they go along.
+    pub fn drifts(&self) -> Vec<[f64; 2]> {
+        let truth = self.pose();
+        let off =
+            |pose: Pose| [(pose.position() - truth.position()).norm(), difference(truth.heading, pose.heading).abs()];
+        self.reckoned.iter().map(|odometry| off(odometry.pose())).collect()
+    }
+
+    /// What looks for the robot on a map that it knows.
+    pub fn locator(&self) -> Option<&Locator> {
+        self.locator.as_deref()
+    }
+
+    /// What the second mapper believes.
+    pub fn baseline(&self) -> Option<&Mapper> {
+        self.baseline.as_deref()
+    }
+
+    /// The map that the robot makes, and its place on it.
+    pub fn mapper(&self) -> Option<&Mapper> {
+        self.controller.mapper().or(self.mapper.as_deref())
+    }
+
+    /// What its controller is going for on its map.
+    pub fn intent(&self) -> Option<Intent<'_>> {
+        self.controller.intent()
+    }
+
+    /// Advances by [`STEP_S`]; does nothing once the run is finished.
+    pub fn step(&mut self) {
+        if self.is_finished() {
+            return;
+        }
+        let (before, had_fallen) = (self.robot.pose(), self.robot.has_fallen());
+        let sensed = self.robot.sensors();
+        let signs = Signs::of(sensed);
+        let activity = self.controller.activity();
+        let drive = self.controller.step(sensed, STEP_S);
+        let Self { life, robot, world, floor, .. } = self;
+        life.step(world, |centre, radius| robot.is_near_disc(centre, radius, 0.0));
+        let was_empty = robot.is_empty();
+        robot.drive(drive);
+        robot.step(&floor.walls, world, life);
+        let pose = robot.pose();
+        self.steps += 1;
+        self.tell(signs, activity);
+        if self.robot.is_empty() && !was_empty {
+            self.note(What::BatteryEmpty);
+        }
+        if self.robot.has_fallen() && !had_fallen {
+            self.falls += 1;
+            self.note(What::Fell);
+        }
+        self.believe();
+        if self.robot.is_lifted() || had_fallen {
+            return;
+        }
+        self.distance_m += (pose.position() - before.position()).norm();
+        self.turning_rad += difference(before.heading, pose.heading).abs();
+        self.bumps += u32::from(self.robot.sensors().bumped() && !signs.bumped());
+        self.tracker.sweep_to(&self.floor, pose.position());
+        self.trail.extend(pose.position());
+    }
+
+    /// Lets a person do something, before the next step.
+    pub fn apply(&mut self, input: Input) {
+        match input {
+            Input::Command(command) => self.controller.command(command),
+            Input::Lift => {
+                self.robot.lift();
+                self.note(What::Lifted);
+            }
+            Input::PutDown(pose) => {
+                let (movers, body) = (self.life.movers(), self.floor.walls.body_radius);
+                let is_free = |at: Point| movers.iter().all(|&(centre, radius)| (at - centre).norm() > radius + body);
+                self.robot.put_down(self.floor.place_for(pose, is_free));
+                self.tracker.lift();
+                self.trail.0.clear();
+                self.note(What::PutDown);
+            }
+            Input::Clean(planner) => {
+                // What it was given to know counts, whatever the behaviour has mapped since.
+                let mapper = self.mapper.take().map(|mapper| *mapper).or_else(|| self.controller.mapper().cloned());
+                if let Some(mut mapper) = mapper {
+                    if let Some(locator) = self.locator.take().filter(|locator| locator.is_sure())
+                        && let Some((pose, spread)) = locator.pose().zip(locator.spread())
+                    {
+                        mapper.relocate(pose, &spread);
+                    }
+                    self.controller = controller::clean_by_map(mapper, planner);
+                    self.odometry = None;
+                }
+            }
+        }
+    }
+
+    /// Whether somebody has picked the robot up.
+    pub fn is_lifted(&self) -> bool {
+        self.robot.is_lifted()
+    }
+
+    /// What happened lately, oldest first.
+    pub fn events(&self) -> &VecDeque<Event> {
+        &self.events
+    }
+
+    /// How often the robot fell down a drop-off.
+    pub fn falls(&self) -> u32 {
+        self.falls
+    }
+
+    /// Whether the robot lies at the foot of the stairs.
+    pub fn has_fallen(&self) -> bool {
+        self.robot.has_fallen()
+    }
+
+    /// Share of the dirt that is left, 0 to 1; 0 where there was none.
+    pub fn dirt_left(&self) -> f64 {
+        self.life.dirt_left()
+    }
+
+    /// What moves and is used up in the room.
+    pub fn life(&self) -> &Life {
+        &self.life
+    }
+
+    /// What is in the room beside its walls.
+    pub fn world(&self) -> &Arc<World> {
+        &self.world
+    }
+
+    /// Notes what is new since `before`, when the controller was busy with `activity`.
+    fn tell(&mut self, before: Signs, activity: &'static str) {
+        let now = Signs::of(self.robot.sensors());
+        if now != before {
+            let mut news = [None; 8];
+            let mut count = 0;
+            What::between(before, now, |what| {
+                news[count] = Some(what);
+                count += 1;
+            });
+            news.into_iter().flatten().for_each(|what| self.note(what));
+        }
+        let now = self.controller.activity();
+        // Mostly it is the very same text.
+        if !std::ptr::eq(now, activity) && now != activity && !now.is_empty() {
+            self.note(What::Began(now));
+        }
+    }
+
+    fn note(&mut self, what: What) {
+        if self.events.len() == MOST_EVENTS {
+            self.events.pop_front();
+        }
+        self.events.push_back(Event { step: self.steps, what });
+    }
+
+    /// Keeps track of where the robot believes to be.
+    fn believe(&mut self) {
+        if let Some(odometry) = &mut self.odometry {
+            odometry.update(self.robot.sensors());
+        }
+        for mapper in [&mut self.mapper, &mut self.baseline].into_iter().flatten() {
+            mapper.update(self.robot.sensors());
+        }
+        for odometry in &mut self.reckoned {
+            odometry.update(self.robot.sensors());
+        }
+        if let Some(locator) = &mut self.locator {
+            locator.update(self.robot.sensors());
+        }
+        if let Some(estimate) = self.estimate() {
+            self.believed.extend(estimate.position());
+        }
+    }
+
+    /// Whether the controller is done or the battery empty, and the robot at rest.
+    #[inline]
+    pub fn is_finished(&self) -> bool {
+        let speed = self.robot.speed();
+        (self.controller.is_done() || self.robot.is_empty()) && speed.is_stop()
+    }
+
+    /// Steps taken.
+    #[inline]
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// Simulated time, s.
+    #[inline]
+    pub fn time_s(&self) -> f64 {
+        self.steps as f64 * STEP_S
+    }
+
+    /// Where the robot really is.
+    pub fn pose(&self) -> Pose {
+        self.robot.pose()
+    }
+
+    /// What the controller is doing, in a few words.
+    pub fn activity(&self) -> &'static str {
+        self.controller.activity()
+    }
+
+    /// What of a person's commands the controller doesn't obey at present, and why; `None` if nobody is at the controls.
+    pub fn blocked(&self) -> Option<Blocked> {
+        self.controller.blocked()
+    }
+
+    /// Where it believes to be: by its controller, or by counting wheel turns if the controller doesn't care.
+    pub fn estimate(&self) -> Option<Pose> {
+        if let Some(mapper) = self.mapper() {
+            return Some(mapper.pose());
+        }
+        self.controller.estimate().or(self.odometry.as_ref().map(Odometry::pose))
+    }
+
+    /// Index of the corner of its line that the controller drives to, if it follows one.
+    pub fn corner(&self) -> Option<usize> {
+        self.controller.corner()
+    }
+
+    /// Distance between where the robot is and where it believes to be, m.
+    pub fn pose_error_m(&self) -> Option<f64> {
+        self.estimate().map(|estimate| (estimate.position() - self.pose().position()).norm())
+    }
+
+    /// The latest sensor reading.
+    pub fn sensors(&self) -> &Sensors {
+        self.robot.sensors()
+    }
+
+    /// Distance driven, m.
+    pub fn distance_m(&self) -> f64 {
+        self.distance_m
+    }
+
+    /// Sum of all turning, rad.
+    pub fn turning_rad(&self) -> f64 {
+        self.turning_rad
+    }
+
+    /// How often the bumper was pressed.
+    pub fn bumps(&self) -> u32 {
+        self.bumps
+    }
+
+    /// Swept share of the reachable floor, 0 to 1.
+    pub fn coverage(&self) -> f64 {
+        self.tracker.coverage(&self.floor)
+    }
+
+    /// What has been swept.
+    pub fn tracker(&self) -> &CoverageTracker {
+        &self.tracker
+    }
+
+    /// What has been swept, to take what changed.
+    pub fn tracker_mut(&mut self) -> &mut CoverageTracker {
+        &mut self.tracker
+    }
+
+    /// The floor that the robot drives on.
+    pub fn floor(&self) -> &Arc<ReachableFloor> {
+        &self.floor
+    }
+
+    /// The last metres that the robot drove, oldest first, m.
+    pub fn trail(&self) -> &[Point] {
+        &self.trail.0
+    }
+
+    /// The last metres that it believes to have driven, oldest first, m.
+    pub fn believed_trail(&self) -> &[Point] {
+        &self.believed.0
+    }
+
+    /// Roughly the memory that a clone takes, bytes.
+    pub fn bytes(&self) -> usize {
+        let own = self.tracker.bytes() + self.life.bytes() + 2 * TRAIL.0 * size_of::<Point>();
+        let own = own + [self.mapper(), self.baseline()].into_iter().flatten().map(Mapper::bytes).sum::<usize>();
+        own
+    }
+
+    /// A number that two runs share only if they are in the same state, to the last bit (FNV-1a).
+    pub fn digest(&self) -> u64 {
+        let pose = self.robot.pose();
+        let bits = [pose.x, pose.y, pose.heading, self.distance_m, self.turning_rad].map(f64::to_bits);
+        let counts = [self.steps, u64::from(self.bumps), u64::from(self.falls), u64::from(self.robot.has_fallen())];
+        let words = bits.into_iter().chain(counts).chain(self.life.words());
+        let bytes = words.flat_map(u64::to_le_bytes).chain(self.tracker.visits().values().iter().copied());
+        bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
+    }
+}
+
+/// The latest points of a line that grows.
+#[derive(Clone)]
+struct Trail(Vec<Point>);
+
+impl Trail {
+    fn extend(&mut self, at: Point) {
+        let Self(points) = self;
+        if points.last().is_none_or(|last| (at - last).norm_squared() > TRAIL.1 * TRAIL.1) {
+            if points.len() == TRAIL.0 {
+                points.drain(..TRAIL.0 / 4);
+            }
+            points.push(at);
+        }
+    }
+}
+
+impl Clone for Run {
+    fn clone(&self) -> Self {
+        Self {
+            floor: Arc::clone(&self.floor),
+            world: Arc::clone(&self.world),
+            life: self.life.clone(),
+            robot: self.robot.clone(),
+            controller: self.controller.boxed_clone(),
+            tracker: self.tracker.clone(),
+            trail: self.trail.clone(),
+            odometry: self.odometry.clone(),
+            mapper: self.mapper.clone(),
+            baseline: self.baseline.clone(),
+            locator: self.locator.clone(),
+            reckoned: self.reckoned.clone(),
+            believed: self.believed.clone(),
+            events: self.events.clone(),
+            ..*self
+        }
+    }
+}

@@ -1,0 +1,93 @@
+//! Light bumper and wall sensor: infrared light that things ahead send back.
+//!
+//! How the signal falls with distance is the law in [`robovac_core::robot::light_at`].
+//!
+//! The light comes back with the cosine of the angle at which it meets the surface (Lambert), and with the
+//! surface's reflectance: 1 for walls, 0.7 for furniture, 0.6 for what moves, in shoes and fur (ours). One ray stands for the beam of about 10
+//! degrees. With nothing there, a Roomba's sensors read 2 to 32 (Open Interface facts, section 6).
+//!
+//! Noise: at "typical" a standard deviation of 3 % and the idle values above; at "harsh" 15 % and idle values up to 160,
+//! as in sunlight. The percentages and the threshold are ours.
+
+use super::{Around, Frame, Noisy, sight::look, slot};
+use crate::SensorKind;
+use robovac_core::{
+    coverage::{Hit, Surface},
+    geometry::Point,
+    math,
+    robot::{LightBumper, MOST_LIGHT, Sensors, light_at},
+};
+
+/// Value with nothing there and no noise.
+const IDLE: f64 = 12.0;
+/// Signals above this mean that something is near: a wall ahead at 13 cm.
+const THRESHOLD: u16 = 200;
+
+/// The six beams of one robot.
+#[derive(Debug, Clone)]
+pub(super) struct LightBeams {
+    /// Unit vectors, (ahead, left).
+    directions: [[f64; 2]; 6],
+    /// Distance from the body's origin at which beams start, m.
+    start: f64,
+    /// m.
+    range: f64,
+}
+
+impl LightBeams {
+    /// The beams of `light` on a round body.
+    pub fn new(body_radius: f64, light: LightBumper) -> Self {
+        let directions = light.angles.map(|angle| [math::cos(angle), math::sin(angle)]);
+        Self { directions, start: body_radius, range: light.range }
+    }
+
+    /// Reads all of them.
+    pub fn read(&self, around: Around<'_>, frame: &Frame, is_lifted: bool, noise: &Noisy<'_>, sensors: &mut Sensors) {
+        let deviation = noise.pick(SensorKind::Light, [0.0, 0.03, 0.15]);
+        let idle = noise.pick(SensorKind::Light, [(IDLE, 0.0), (2.0, 31.0), (2.0, 159.0)]);
+        let sees_nothing = is_lifted || self.is_all_out_of_reach(around, frame.position);
+        for (index, &direction) in self.directions.iter().enumerate() {
+            let light = if sees_nothing { 0.0 } else { self.light(around, frame, direction) };
+            let slot = slot::LIGHT + index;
+            let mut value = idle.0 + idle.1 * noise.uniform(slot);
+            if light > 0.0 {
+                value += light * (1.0 + deviation * noise.normal(slot)).max(0.0);
+            }
+            let signal = value.min(MOST_LIGHT) as u16;
+            sensors.light_signal[index] = signal;
+            sensors.light_bumper[index] = signal > THRESHOLD;
+        }
+        // The wall sensor of this generation is the right end of its light bumper (packet 8), with a quarter of the range.
+        sensors.wall = sensors.light_bumper[5];
+        sensors.wall_signal = sensors.light_signal[5] / 4;
+    }
+
+    /// Whether nothing is as near to the body's origin as a beam reaches, at a glance.
+    fn is_all_out_of_reach(&self, around: Around<'_>, origin: Point) -> bool {
+        let reach = self.start + self.range;
+        let is_near =
+            |&(centre, radius): &(Point, f64)| (centre - origin).norm_squared() < (reach + radius) * (reach + radius);
+        around.walls.are_far_from(origin, reach) && !around.life.movers().iter().any(is_near)
+    }
+
+    /// What comes back to one of them.
+    fn light(&self, around: Around<'_>, frame: &Frame, direction: [f64; 2]) -> f64 {
+        let direction = frame.direction(direction);
+        let middle = frame.position + direction * (self.start + 0.5 * self.range);
+        if around.life.movers().is_empty() && around.walls.are_far_from(middle, 0.5 * self.range) {
+            return 0.0;
+        }
+        let from = frame.position + direction * self.start;
+        look(around, from, direction, self.range).map_or(0.0, |hit| strength(hit, self.range))
+    }
+}
+
+/// Signal of what a beam meets.
+fn strength(hit: Hit, range: f64) -> f64 {
+    let reflectance = match hit.surface {
+        Surface::Wall => 1.0,
+        Surface::Object => 0.7,
+        Surface::Mover => 0.6,
+    };
+    light_at(hit.distance, reflectance * hit.cosine, range)
+}

@@ -1,0 +1,64 @@
+//! The Open Interface of the Roomba 500 and 600 and of the Create 2: commands, sensor packets, streams.
+//!
+//! Only the language is here, bytes in and bytes out; both ends of a line speak it. Nothing allocates for a byte, and nothing
+//! panics on any. From the robot's side: [`CommandDecoder`], [`Mode`], [`Readings::write`], [`write_frame`]. From the
+//! other: [`Command`], [`StreamParser`], [`Answer`], [`Readings::read`].
+//!
+//! The source is iRobot's Create 2 Open Interface Specification in its edition of August 2016 ("2016" below). Where it
+//! contradicts itself, older editions or measured robots, this is what was chosen:
+//!
+//! - **Encoders.** Packet 43 is the left one, 44 the right one, as in 2016, in the edition of 2015 and in nearly all drivers;
+//!   the Roomba 500 document and a driver that follows it have them the other way round. Only turning a given robot a
+//!   little settles it. The values are signed in 2016 and unsigned before: differences modulo 65536 are the same either way
+//!   ([`motion::encoder_delta`]).
+//! - **Songs.** 2016 says four songs and numbers them 0 to 4, and packet 36 up to 15. Robots take 0 to 3, and so does
+//!   [`Command::check`]; packet 36 is believed up to 15.
+//! - **Opcode 163** (segments of the digits) doesn't do what it should on the 500 and 600 series, as 2016 says itself. It is
+//!   encoded as described all the same; for text there is 164. There is no packet 163.
+//! - **Checksum.** Header included: 2016 and all robots measured. The Roomba 500 document leaves it out of its sum, and its
+//!   example ends with 182 instead of 163.
+//! - **Example of a stream.** All editions print bytes 2 and 25 as 549, which reads them as hexadecimal; they are decimal,
+//!   537, as the example's checksum proves. It also calls packet 29 left; it is front left.
+//! - **Packet 35** is one too high on some robots of the 600 series ([`Mode::from_report`]), and never shows Off.
+//! - **Packets 17, 52, 53.** No infrared character is 0; 255 was that on robots before the 500.
+//! - **Packet 14.** Bit 1 is reserved; drivers exist that take it for the main brush.
+//! - **Packet 21** goes up to 6 in the table of 2016, which explains 0 to 5.
+//! - **Packets 32 and 33** are one and two bytes: group 4 has 14 and group 6 has 52.
+//! - **Battery charge** of a flat battery arrives as a small negative number in a field that 2016 calls unsigned
+//!   ([`Readings::charge_left_mah`]).
+//! - **Reset (7) in Off** is taken, as are Start and nothing else.
+//! - **Not described anywhere**, and decided here: radius 0 drives straight ([`motion::WheelSpeeds::of_drive`]); a cliff while
+//!   turning on the spot counts as a tight turn ([`Hazard::of_cliff`]); frames of length 0 are refused ([`FrameError`]).
+
+#![cfg_attr(not(test), no_std)]
+
+mod answer;
+mod bits;
+mod command;
+mod decoder;
+mod frame;
+mod infrared;
+mod limits;
+mod mode;
+pub mod motion;
+mod opcode;
+mod packet;
+mod readings;
+mod stream;
+mod text;
+
+pub use answer::{Answer, MAX_ANSWER};
+pub use bits::{
+    BumpsAndDrops, Buttons, ChargingSources, Lamps, LightBumper, Motors, Overcurrents, ScheduleLamps, Stasis, Weekdays,
+};
+pub use command::{BAUD_RATES, Command, MAX_RECEIVED, MAX_WRITTEN, Note, ParseError, Time};
+pub use decoder::{CommandDecoder, Received};
+pub use frame::{FRAMING, Frame, FrameError, FrameTooLong, HEADER, MAX_FRAME, frame_size, slot_bytes, write_frame};
+pub use infrared::{DockBeams, InfraredCharacter};
+pub use limits::{MAX_MOTOR_PWM, MAX_PWM, Refusal, SONGS};
+pub use mode::{Hazard, Mode, Reaction, SAFETY};
+pub use opcode::{DataLength, ModeAfter, Opcode};
+pub use packet::{Format, GROUPS, Packet, PacketId, PacketSet};
+pub use readings::{ChargingState, InfraredSeen, Readings};
+pub use stream::{StreamCounts, StreamEvent, StreamParser};
+pub use text::{ChargingLog, Firmware, MAX_LINE, Said, Text};

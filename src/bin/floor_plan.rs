@@ -1,0 +1,11 @@
+//! What the tab Floor plan loads: readers of drawings, and the planner for their rooms.
+// JavaScript calls what the module exports; there is nothing to be run at the start.
+#![cfg_attr(target_arch = "wasm32", no_main)]
+
+#[path = "../floor_plan/mod.rs"]
+mod floor_plan;
+
+#[cfg(not(target_arch = "wasm32"))]
+fn main() {
+    eprintln!("This program is for browsers: ./dev build makes the page.");
+}

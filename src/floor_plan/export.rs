@@ -1,0 +1,46 @@
+//! Rooms and paths as files.
+
+use js_sys::{Array, Object, Reflect, Uint8Array};
+use robovac_app::export::{Exported, FORMATS};
+use robovac_core::{
+    floorplan::{Mode, Scenario},
+    geometry::Point,
+};
+use robovac_playground::wire::to_js;
+use wasm_bindgen::prelude::*;
+
+/// The formats that there are: `{ id, title, note, needs_path }`.
+#[wasm_bindgen]
+pub fn export_formats() -> Result<JsValue, JsValue> {
+    to_js(&FORMATS)
+}
+
+/// The files of a format, `{ name, kind, bytes }`: of the room in `scenario` (JSON) and of the path with the corners `path`
+/// (x and y in turn, m; empty for none). `stem` is their name without ending, `mode` how a ROS map says what a cell is
+/// (`trinary`, `scale` or `raw`), `negate` whether its light cells are walls. Throws a message for users.
+#[wasm_bindgen]
+pub fn export_files(
+    format: &str,
+    scenario: &str,
+    path: &[f64],
+    stem: &str,
+    mode: &str,
+    negate: bool,
+) -> Result<Array, JsValue> {
+    let scenario = Scenario::read(stem, scenario.as_bytes()).map_err(|e| e.to_string())?;
+    let plan = scenario.clone().plan(stem).map_err(|e| e.to_string())?;
+    let path: Vec<Point> = path.chunks_exact(2).map(|at| Point::new(at[0], at[1])).collect();
+    let mode = Mode::named(mode).ok_or_else(|| format!("there is no mode \"{mode}\""))?;
+    let exported = Exported { scenario: &scenario, plan: &plan, path: &path, stem, mode, negate };
+    let files = exported.files(format).map_err(|e| e.to_string())?;
+    files
+        .into_iter()
+        .map(|file| {
+            let object = Object::new();
+            Reflect::set(&object, &"name".into(), &file.name.into())?;
+            Reflect::set(&object, &"kind".into(), &file.kind.into())?;
+            Reflect::set(&object, &"bytes".into(), &Uint8Array::from(file.bytes.as_slice()))?;
+            Ok(object)
+        })
+        .collect()
+}

@@ -1,0 +1,109 @@
+//! What there is to choose from, for menus and forms.
+
+use robovac_app::READINGS;
+use robovac_core::{
+    floorplan::ROOMS,
+    robot::{Body, MODELS, RobotModel, Wheels},
+};
+use robovac_playground::wire::entry::Entry;
+use robovac_sim::{
+    SensorKind,
+    experiment::{Algorithm, CELL_SIZES, SPEEDS},
+};
+use serde::Serialize;
+
+/// Rooms, planners, behaviours, robots, kinds of sensors whose noise can be chosen, cell sizes and speeds.
+#[derive(Serialize)]
+pub(super) struct Catalogue {
+    rooms: Vec<Room>,
+    planners: Vec<Entry>,
+    behaviours: Vec<Entry>,
+    robots: Vec<Robot>,
+    sensors: [&'static str; SensorKind::ALL.len()],
+    /// Names of the numbers in `Playground::readings`.
+    readings: &'static [&'static str],
+    cell_sizes_m: [f64; CELL_SIZES.len()],
+    speeds: [f64; SPEEDS.len()],
+}
+
+#[derive(Serialize)]
+struct Room {
+    id: &'static str,
+    title: &'static str,
+    note: &'static str,
+}
+
+#[derive(Serialize)]
+#[expect(clippy::struct_excessive_bools)]
+struct Robot {
+    id: &'static str,
+    title: &'static str,
+    summary: &'static str,
+    default_cell_m: f64,
+    tool_width_m: f64,
+    /// Of the smallest circle around the body; all else is in its units, x ahead and y to the left.
+    radius_m: f64,
+    /// Corners of a body that isn't round.
+    body: Vec<[f64; 2]>,
+    wheel_base: f64,
+    wheel_radius: f64,
+    /// Half the angle that the bumper spans, rad; 0 for none.
+    bumper: f64,
+    /// Left, front left, front right, right; `null` where there is none.
+    cliffs: [Option<[f64; 2]>; 4],
+    /// Directions of the light bumper's beams, rad; empty for none.
+    light: Vec<f64>,
+    infrared: bool,
+    wheel_drops: bool,
+    gauge: bool,
+    lateral: bool,
+    /// First direction and step (rad), range and place (m) of the laser scanner; empty for none.
+    laser: Vec<f64>,
+}
+
+impl Catalogue {
+    pub fn new() -> Self {
+        Self {
+            rooms: ROOMS.iter().map(|r| Room { id: r.id, title: r.title, note: r.note }).collect(),
+            planners: Algorithm::all().filter(|a| a.planner().is_some()).map(Entry::new).collect(),
+            behaviours: Algorithm::all().filter(|a| a.behaviour().is_some()).map(Entry::new).collect(),
+            robots: MODELS.iter().copied().map(Robot::new).collect(),
+            sensors: SensorKind::ALL.map(|(_, name)| name),
+            readings: &READINGS,
+            cell_sizes_m: CELL_SIZES,
+            speeds: SPEEDS,
+        }
+    }
+}
+
+impl Robot {
+    fn new(model: &RobotModel) -> Self {
+        let unit = 1.0 / model.radius;
+        let scaled = |[x, y]: [f64; 2]| [unit * x, unit * y];
+        let sensors = &model.sensors;
+        Self {
+            id: model.id,
+            title: model.title,
+            summary: model.summary,
+            default_cell_m: model.default_cell,
+            tool_width_m: model.tool_width,
+            radius_m: model.radius,
+            body: match model.body {
+                Body::Round => Vec::new(),
+                Body::Polygon(corners) => corners.iter().copied().map(scaled).collect(),
+            },
+            wheel_base: unit * model.wheel_base,
+            wheel_radius: unit * model.wheel_radius,
+            bumper: sensors.bumper.map_or(0.0, |bumper| bumper.half_arc),
+            cliffs: sensors.cliffs.map(|cliff| cliff.map(scaled)),
+            light: sensors.light_bumper.map_or(Vec::new(), |light| light.angles.to_vec()),
+            infrared: sensors.infrared,
+            wheel_drops: sensors.wheel_drops,
+            gauge: model.battery.has_gauge,
+            lateral: model.wheels == Wheels::Omnidirectional,
+            laser: sensors
+                .laser
+                .map_or(Vec::new(), |laser| vec![laser.first, laser.step, laser.range[1], laser.at[0], laser.at[1]]),
+        }
+    }
+}

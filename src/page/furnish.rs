@@ -1,0 +1,83 @@
+//! What the page does with objects.
+
+use super::Playground;
+use js_sys::{Array, Reflect};
+use robovac_app::explore::Kind;
+use robovac_core::geometry::Point;
+use wasm_bindgen::prelude::*;
+
+/// Distance within which the pointer takes hold of small things, CSS pixels.
+const GRIP_PX: f64 = 12.0;
+/// Presses that don't move farther than this are clicks, CSS pixels.
+const CLICK_PX: f64 = 4.0;
+
+#[wasm_bindgen]
+impl Playground {
+    /// Chooses what the tool `place` places: `furniture`, `table`, `stairs`, `carpet`, `dirt`, `dock`, `virtual_wall`,
+    /// `person` or `pet`.
+    pub fn set_placing(&mut self, kind: &str) {
+        if let Some(kind) = Kind::parse(kind) {
+            self.furnisher.kind = kind;
+        }
+    }
+
+    /// Does something with the selected object: `left`, `right`, `up` or `down` move it by a step, `turn_left` and
+    /// `turn_right` by 15 degrees, `larger` and `smaller` by a tenth; `delete`. Says whether an object is selected.
+    pub fn edit_selected(&mut self, action: &str) -> bool {
+        self.furnisher.edit(&mut self.session, action)
+    }
+
+    /// Selects an object by its index; none if there is no such.
+    pub fn select_object(&mut self, index: Option<usize>) {
+        self.furnisher.select(&self.session, index);
+    }
+
+    /// Selects the object after the selected one, or the first.
+    pub fn select_next(&mut self) {
+        self.furnisher.select_next(&self.session);
+    }
+}
+
+impl Playground {
+    /// Writes into the view what objects there are, by name, which one is selected (-1 for none) and what would be placed.
+    pub(super) fn add_objects_to(&self, view: &JsValue) -> Result<(), JsValue> {
+        let names: Array = self.session.plan().objects.iter().map(|object| JsValue::from(object.name())).collect();
+        let selected = self.furnisher.selected(&self.session).map_or(-1.0, |index| index as f64);
+        Reflect::set(view, &"objects".into(), &names)?;
+        Reflect::set(view, &"selected".into(), &selected.into())?;
+        Reflect::set(view, &"placing".into(), &self.furnisher.kind.id().into())?;
+        Ok(())
+    }
+
+    /// Takes hold of what is selected, or one of its handles.
+    pub(super) fn takes_selected(&mut self, at: Point) -> bool {
+        let selected = self.furnisher.selected(&self.session);
+        let reach = GRIP_PX / self.viewport.scale;
+        selected.is_some_and(|index| self.furnisher.take_selected(&self.session, index, at, reach))
+    }
+
+    /// Takes hold of an object.
+    pub(super) fn takes_object(&mut self, at: Point) -> bool {
+        let reach = GRIP_PX / self.viewport.scale;
+        self.furnisher.take_any(&self.session, at, reach)
+    }
+
+    /// Selects what is clicked on with the view tool; puts a robot that is held down there.
+    pub(super) fn watch_for_click(&mut self, kind: &str, x: f64, y: f64) {
+        let is_near = |(from_x, from_y): (f64, f64)| (x - from_x).abs().max((y - from_y).abs()) < CLICK_PX;
+        match kind {
+            "down" => self.pressed = Some((x, y)),
+            "move" => self.pressed = self.pressed.filter(|&from| is_near(from)),
+            "up" => {
+                if self.pressed.take().is_some_and(is_near) {
+                    let at = self.viewport.to_world(x, y);
+                    if self.put_down_at(at) {
+                        return;
+                    }
+                    self.furnisher.click(&self.session, at, GRIP_PX / self.viewport.scale);
+                }
+            }
+            _ => self.pressed = None,
+        }
+    }
+}

@@ -1,0 +1,618 @@
+//! The page's one object: a session, the view of it on a canvas, and the hand that draws.
+
+mod hand;
+
+use self::hand::Carried;
+use super::catalogue::Catalogue;
+use coverage_planners::{CoveragePath, Report, TraceStep};
+use js_sys::{Array, Float64Array, Reflect};
+use robovac_app::{
+    RobotView, Scene, Viewport,
+    explore::{Brush, Furnisher, Session},
+};
+use robovac_core::{
+    geometry::{Point, Pose, Vector},
+    grid::Cell,
+};
+use robovac_playground::wire::message;
+use robovac_playground::{
+    canvas::Canvas,
+    wire::{clock, frames::frames_from_js, map, proof::proof_from_js, request, to_js, walk},
+};
+use robovac_sim::experiment::{SettingsError, planning::Answer};
+use wasm_bindgen::prelude::*;
+use web_sys::HtmlCanvasElement;
+
+/// Milliseconds of a frame that simulation may take; the rest of 16.7 ms is for drawing and the browser.
+const FRAME_BUDGET_MS: f64 = 8.0;
+/// Simulated time that the opening scene has behind it, s, so that there is something to see at once.
+const OPENING_S: f64 = 600.0;
+
+/// Distance from the robot's centre within which the pointer takes hold of it, CSS pixels, however small it is drawn.
+const LEAST_GRIP_PX: f64 = 16.0;
+/// Distance that the pointer has to go to pick a robot up, CSS pixels: a click alone does nothing.
+const LEAST_LIFT_PX: f64 = 4.0;
+
+/// What the pointer does on the floor.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Tool {
+    View,
+    Wall,
+    Erase,
+    Start,
+    Place,
+}
+
+/// What the pointer is doing between down and up.
+#[derive(Clone, Copy, PartialEq)]
+enum Gesture {
+    Pan {
+        x: f64,
+        y: f64,
+    },
+    Paint,
+    /// The hand has an object.
+    Object,
+    /// The start goes here if released now; dragging turns it if `turns`, else moves it.
+    Start {
+        pose: Pose,
+        turns: bool,
+    },
+    /// Has hold of a running robot, whose centre is `grip` from the pointer that went down at (`x`, `y`).
+    Grip {
+        x: f64,
+        y: f64,
+        grip: Vector,
+    },
+    /// Carries it.
+    Carry {
+        grip: Vector,
+    },
+}
+
+/// A session shown on a canvas.
+#[wasm_bindgen]
+pub struct Playground {
+    pub(super) session: Session,
+    pub(super) furnisher: Furnisher,
+    /// Whether what is shown is still the opening scene.
+    is_opening: bool,
+    canvas: Canvas,
+    pub(super) viewport: Viewport,
+    tool: Tool,
+    gesture: Option<Gesture>,
+    /// The robot, if it is held.
+    carried: Option<Carried>,
+    /// Cell that keyboard drawing is at.
+    cursor: Option<Cell>,
+    last_frame_ms: Option<f64>,
+    dark: bool,
+    /// Where a press of the view tool began, as long as it may be a click, CSS pixels.
+    pub(super) pressed: Option<(f64, f64)>,
+    /// Name and size of the room that the viewport was fitted to.
+    fitted: (String, f64, f64),
+}
+
+#[wasm_bindgen]
+impl Playground {
+    /// Opens on `canvas` with the furnished flat; unless a link leads elsewhere, the robot is in the middle of cleaning it.
+    #[wasm_bindgen(constructor)]
+    pub fn new(canvas: HtmlCanvasElement) -> Result<Self, JsValue> {
+        Ok(Self {
+            session: Session::new(),
+            furnisher: Furnisher::new(),
+            is_opening: true,
+            canvas: Canvas::new(canvas)?,
+            viewport: Viewport::new(1.0, 1.0, 1.0, 1.0, 1.0),
+            tool: Tool::View,
+            gesture: None,
+            carried: None,
+            cursor: None,
+            last_frame_ms: None,
+            dark: false,
+            pressed: None,
+            fitted: Default::default(),
+        })
+    }
+
+    /// What there is to choose from: see `Catalogue` in `www/types.d.ts`.
+    pub fn catalogue() -> Result<JsValue, JsValue> {
+        to_js(&Catalogue::new())
+    }
+
+    /// Snapshot of the session in numbers and words.
+    pub fn view(&self) -> Result<JsValue, JsValue> {
+        let view = to_js(&self.session.view())?;
+        let tool = match self.tool {
+            Tool::View => "view",
+            Tool::Wall => "wall",
+            Tool::Erase => "erase",
+            Tool::Start => "start",
+            Tool::Place => "place",
+        };
+        Reflect::set(&view, &"tool".into(), &tool.into())?;
+        self.add_objects_to(&view)?;
+        Reflect::set(&view, &"is_carried".into(), &self.carried.is_some().into())?;
+        // What is told of it must not hide it.
+        let is_high =
+            self.carried.is_some_and(|it| self.viewport.to_screen(it.pose.position()).y < 0.5 * self.viewport.size.y);
+        Reflect::set(&view, &"is_held_high".into(), &is_high.into())?;
+        Ok(view)
+    }
+
+    /// One or two sentences that stand for the picture.
+    pub fn description(&self) -> String {
+        self.session.description()
+    }
+
+    /// Lets the time since the last call pass, and draws.
+    pub fn frame(&mut self, now_ms: f64) -> Result<(), JsValue> {
+        let elapsed_s = self.last_frame_ms.replace(now_ms).map_or(0.0, |last| (now_ms - last) / 1000.0);
+        let deadline = clock() + FRAME_BUDGET_MS;
+        self.session.frame(elapsed_s, &mut || clock() < deadline);
+        // Another run, or another moment of it, in which nobody holds the robot.
+        self.carried = self.carried.filter(|_| self.session.is_lifted());
+        self.draw()
+    }
+
+    // ---- planning
+
+    /// The planning request that has to be served, once; pass it to `plan` in a worker. To be asked for in every frame.
+    pub fn take_plan_request(&mut self) -> Result<JsValue, JsValue> {
+        let request = self.session.take_plan_request();
+        // Whoever has chosen something else meanwhile wants to see that from its start.
+        if std::mem::take(&mut self.is_opening) && request.is_none() {
+            self.session.run_ahead(OPENING_S);
+        }
+        request.map_or(Ok(JsValue::UNDEFINED), |request| request::request_to_js(&request))
+    }
+
+    /// The worker reports the share done, its best walk so far and, as cost and bound, what is proven of that; and what
+    /// it was filmed at meanwhile.
+    pub fn plan_progress(
+        &mut self,
+        id: u32,
+        done: f64,
+        cells: &[u32],
+        proof: Option<Vec<f64>>,
+        film: &Array,
+    ) -> Result<(), JsValue> {
+        let proof = proof_from_js(proof);
+        self.session.plan_filmed(id, frames_from_js(film)?);
+        self.session.plan_progress(id, Report { done, walk: &walk::cells(cells), proof });
+        Ok(())
+    }
+
+    /// The worker is done.
+    pub fn plan_finished(
+        &mut self,
+        id: u32,
+        cells: &[u32],
+        seconds: f64,
+        trace: JsValue,
+        proof: Option<Vec<f64>>,
+    ) -> Result<(), JsValue> {
+        let trace: Vec<TraceStep> = serde_wasm_bindgen::from_value(trace).map_err(|e| e.to_string())?;
+        let path = CoveragePath { cells: walk::cells(cells) };
+        let proof = proof_from_js(proof);
+        self.session.plan_finished(id, Answer { path, seconds, proof, trace });
+        Ok(())
+    }
+
+    /// The worker has worked out what is proven of a plan that it has made.
+    pub fn plan_proven(&mut self, id: u32, proof: Option<Vec<f64>>) {
+        if let Some(proof) = proof_from_js(proof) {
+            self.session.plan_proven(id, proof);
+        }
+    }
+
+    /// The worker gave up.
+    pub fn plan_failed(&mut self, id: u32, message: &str) {
+        self.session.plan_failed(id, message);
+    }
+
+    /// The user doesn't want to wait. The worker has to be ended by the page.
+    pub fn cancel_plan(&mut self) {
+        self.session.cancel_plan();
+    }
+
+    /// The user is content with the best walk so far, `seconds` after the worker began; likewise.
+    pub fn keep_plan(&mut self, seconds: f64) {
+        self.session.keep_plan(seconds);
+    }
+
+    // ---- choices; each throws a message and changes nothing if the choice isn't possible
+
+    /// Chooses a room that ships.
+    pub fn select_room(&mut self, id: &str) -> Result<(), JsValue> {
+        self.session.select_room(id).map_err(message)
+    }
+
+    /// Chooses a planner or behaviour.
+    pub fn select_algorithm(&mut self, id: &str) -> Result<(), JsValue> {
+        self.session.configure(|s| s.select_algorithm(id)).map_err(message)
+    }
+
+    /// Chooses a robot.
+    pub fn select_robot(&mut self, id: &str) -> Result<(), JsValue> {
+        self.session.configure(|s| s.select_robot(id)).map_err(message)
+    }
+
+    /// Chooses the side of the planning cells, m.
+    pub fn set_cell_size(&mut self, metres: f64) -> Result<(), JsValue> {
+        self.session.configure(|s| s.set_cell_size(metres)).map_err(message)
+    }
+
+    /// Shows the planner's decisions, or no longer.
+    pub fn show_search(&mut self, on: bool) {
+        self.session.show_search(on);
+    }
+
+    /// Lets films wait for [`Playground::turn_film`].
+    pub fn hold_films(&mut self) {
+        self.session.hold_films();
+    }
+
+    /// The film's next picture, or the one before.
+    pub fn turn_film(&mut self, forward: bool) {
+        self.session.turn_film(forward);
+    }
+
+    /// Holds the film, or lets it go on.
+    pub fn hold_film(&mut self, is_held: bool) {
+        self.session.hold_film(is_held);
+    }
+
+    /// Sets a parameter of the planner from the text of a form.
+    pub fn set_param(&mut self, id: &str, text: &str) -> Result<(), JsValue> {
+        self.session.configure(|s| s.set_param(id, text)).map_err(message)
+    }
+
+    /// Sets the seed of everything random.
+    pub fn set_seed(&mut self, seed: u32) -> Result<(), JsValue> {
+        let set = |s: &mut robovac_sim::experiment::Settings| {
+            s.seed = u64::from(seed);
+            Ok::<(), SettingsError>(())
+        };
+        self.session.configure(set).map_err(message)
+    }
+
+    /// Chooses how well the wheels hold: `none`, `typical` or `harsh`.
+    pub fn set_slip(&mut self, id: &str) -> Result<(), JsValue> {
+        self.session.configure(|s| s.set_slip(id)).map_err(message)
+    }
+
+    /// Chooses how much sensors err, `off`, `typical` or `harsh`: one kind of the catalogue's `sensors`, or `all`.
+    pub fn set_noise(&mut self, sensor: &str, level: &str) -> Result<(), JsValue> {
+        self.session.configure(|s| s.set_noise(Some(sensor).filter(|&name| name != "all"), level)).map_err(message)
+    }
+
+    /// Lets wheels only turn at the speeds that the motor controller can keep, or at any.
+    pub fn set_quantised(&mut self, on: bool) -> Result<(), JsValue> {
+        let set = |s: &mut robovac_sim::experiment::Settings| {
+            s.conditions.quantised = on;
+            Ok::<(), SettingsError>(())
+        };
+        self.session.configure(set).map_err(message)
+    }
+
+    /// Shows a layer of the picture, or no longer: `coverage`, `dirt`, `sensors` or `estimate`.
+    pub fn show(&mut self, layer: &str, on: bool) -> Result<(), JsValue> {
+        self.session.show(layer, on).map_err(message)
+    }
+
+    /// Chooses how the follower computes its pose: `arc` or `straight`.
+    pub fn set_odometry(&mut self, id: &str) -> Result<(), JsValue> {
+        self.session.configure(|s| s.set_odometry(id)).map_err(message)
+    }
+
+    /// Takes a map or scenario that `read_map` has read in a worker.
+    pub fn take_map(&mut self, read: &JsValue) -> Result<(), JsValue> {
+        let import = map::import_from_js(read)?;
+        self.session.take_import(import).map_err(|e| JsValue::from(e.to_string()))
+    }
+
+    /// The room and the settings as a scenario file.
+    pub fn scenario_json(&self) -> String {
+        self.session.scenario_json()
+    }
+
+    /// Takes what `link` returned. Throws a message and changes nothing if that isn't possible.
+    pub fn restore(&mut self, link: &str) -> Result<(), JsValue> {
+        self.session.restore(link).map_err(message)?;
+        // A page that opens by a link begins there.
+        if std::mem::take(&mut self.is_opening) {
+            self.session.forget_changes();
+        }
+        Ok(())
+    }
+
+    /// The session as the part of a link behind `#`.
+    pub fn link(&self) -> String {
+        self.session.link()
+    }
+
+    /// Changes whenever the room does.
+    pub fn room_version(&self) -> f64 {
+        self.session.plan_version() as f64
+    }
+
+    // ---- time
+
+    /// Lets time go on.
+    pub fn play(&mut self) {
+        self.session.play();
+    }
+
+    /// Stops time.
+    pub fn pause(&mut self) {
+        self.session.pause();
+    }
+
+    /// Goes on by one move.
+    pub fn step(&mut self) {
+        self.session.step();
+    }
+
+    /// Back to the start.
+    pub fn reset(&mut self) {
+        self.session.reset();
+    }
+
+    /// Sets the speed, times real time; 0 for as fast as it goes.
+    pub fn set_speed(&mut self, times: f64) {
+        self.session.set_speed(times);
+    }
+
+    /// Goes to a point of the time simulated so far, s.
+    pub fn seek(&mut self, time_s: f64) {
+        self.session.seek(time_s);
+    }
+
+    /// Time (s) and coverage (0 to 1) of the whole run so far, in pairs.
+    pub fn coverage_curve(&self) -> Float64Array {
+        let pairs = self.session.recording().map_or(&[][..], |r| r.curve());
+        let flat: Vec<f64> = pairs.iter().flat_map(|&(time, coverage)| [time, coverage]).collect();
+        Float64Array::from(flat.as_slice())
+    }
+
+    /// Corners of the line that was planned, x and y in turn, m; none if there is no plan.
+    pub fn corners(&self) -> Vec<f64> {
+        self.session.planned().map_or(Vec::new(), |planned| planned.line.iter().flat_map(|p| [p.x, p.y]).collect())
+    }
+
+    // ---- the hand
+
+    /// Chooses what the pointer does: `view`, `wall`, `erase`, `start` or `place`.
+    pub fn set_tool(&mut self, id: &str) {
+        self.tool = match id {
+            "wall" => Tool::Wall,
+            "erase" => Tool::Erase,
+            "start" => Tool::Start,
+            "place" => Tool::Place,
+            _ => Tool::View,
+        };
+        self.cursor = None;
+        self.end_gesture();
+    }
+
+    /// The pointer at (`x`, `y`), CSS pixels on the canvas: `down`, `move`, `up` or `cancel`.
+    pub fn pointer(&mut self, kind: &str, x: f64, y: f64) {
+        let at = self.viewport.to_world(x, y);
+        if self.tool == Tool::View {
+            self.watch_for_click(kind, x, y);
+        }
+        match (kind, self.gesture) {
+            ("down", _) => self.press(at, x, y),
+            ("move", Some(Gesture::Pan { x: from_x, y: from_y })) => {
+                self.viewport.pan(x - from_x, y - from_y);
+                self.gesture = Some(Gesture::Pan { x, y });
+            }
+            ("move", Some(Gesture::Paint)) => self.session.go_on_stroke(at),
+            ("move", Some(Gesture::Object)) => self.furnisher.go_on(at),
+            ("move", Some(Gesture::Start { pose, turns: true })) => {
+                let aim = at - pose.position();
+                if aim.norm() > 0.1 {
+                    let heading = robovac_core::math::atan2(aim.y, aim.x);
+                    self.gesture = Some(Gesture::Start { pose: Pose::new(pose.x, pose.y, heading), turns: true });
+                }
+            }
+            ("move", Some(Gesture::Start { pose, turns: false })) => {
+                self.gesture = Some(Gesture::Start { pose: Pose::new(at.x, at.y, pose.heading), turns: false });
+            }
+            ("move", Some(Gesture::Grip { x: from_x, y: from_y, grip }))
+                if (x - from_x).abs().max((y - from_y).abs()) >= LEAST_LIFT_PX =>
+            {
+                self.take_robot();
+                self.gesture = Some(Gesture::Carry { grip });
+                self.carry_to(at, grip);
+            }
+            ("move", Some(Gesture::Carry { grip })) => self.carry_to(at, grip),
+            // Picked up by its button, it is where the pointer is.
+            ("move", None) => self.carry_to(at, Vector::zeros()),
+            ("cancel", Some(Gesture::Carry { .. })) => {
+                self.put_back();
+                self.gesture = None;
+            }
+            ("cancel", Some(Gesture::Start { .. })) => self.gesture = None,
+            ("cancel", Some(Gesture::Object)) => {
+                self.furnisher.let_go();
+                self.gesture = None;
+            }
+            ("cancel", Some(Gesture::Paint)) => {
+                self.session.abandon_stroke();
+                self.gesture = None;
+            }
+            ("up" | "cancel", _) => self.end_gesture(),
+            _ => {}
+        }
+    }
+
+    fn press(&mut self, at: Point, x: f64, y: f64) {
+        self.cursor = None;
+        let heading = self.session.prepared().map_or(0.0, |p| p.floor.start.heading);
+        let tool = self.tool;
+        self.gesture = Some(match tool {
+            Tool::Wall | Tool::Erase => {
+                let brush = if self.tool == Tool::Wall { Brush::Wall } else { Brush::Erase };
+                self.session.begin_stroke(brush, at);
+                Gesture::Paint
+            }
+            Tool::Start => Gesture::Start { pose: Pose::new(at.x, at.y, heading), turns: true },
+            // A click puts down what is held; see `watch_for_click`.
+            Tool::View if self.carried.is_some() && !self.is_on_robot(at) => Gesture::Pan { x, y },
+            Tool::View | Tool::Place if self.takes_selected(at) => Gesture::Object,
+            Tool::Place => {
+                self.furnisher.begin(at);
+                Gesture::Object
+            }
+            Tool::View if self.is_on_robot(at) && (self.carried.is_some() || self.may_lift()) => self.grip(at, x, y),
+            Tool::View if self.is_on_robot(at) => Gesture::Start { pose: Pose::new(at.x, at.y, heading), turns: false },
+            Tool::View if self.takes_object(at) => Gesture::Object,
+            Tool::View => Gesture::Pan { x, y },
+        });
+    }
+
+    fn end_gesture(&mut self) {
+        match self.gesture.take() {
+            Some(Gesture::Paint) => self.session.end_stroke(),
+            Some(Gesture::Start { pose, .. }) => self.session.move_start(pose),
+            Some(Gesture::Object) => self.furnisher.release(&mut self.session),
+            Some(Gesture::Carry { .. }) if self.carried.is_some() => self.pick_up(),
+            _ => {}
+        }
+    }
+
+    /// Takes hold of the robot at `at`, which is (`x`, `y`) on the screen.
+    fn grip(&self, at: Point, x: f64, y: f64) -> Gesture {
+        let pose = self.carried.map(|c| c.pose).or(self.session.recording().map(|r| r.run().pose()));
+        let grip = pose.map_or(Vector::zeros(), |pose| pose.position() - at);
+        if self.carried.is_some() { Gesture::Carry { grip } } else { Gesture::Grip { x, y, grip } }
+    }
+
+    fn is_on_robot(&self, at: Point) -> bool {
+        // The film has the floor for itself.
+        if self.session.picture().is_some() {
+            return false;
+        }
+        let radius = self.session.settings().robot_model().radius;
+        let robot = self.carried.map(|c| c.pose).or(self.session.recording().map(|r| r.run().pose()));
+        let reach = radius.max(LEAST_GRIP_PX / self.viewport.scale);
+        robot.is_some_and(|pose| (pose.position() - at).norm() < reach)
+    }
+
+    /// Moves by (`dx`, `dy`) CSS pixels.
+    pub fn pan(&mut self, dx: f64, dy: f64) {
+        self.viewport.pan(dx, dy);
+    }
+
+    /// Zooms by `factor` around (`x`, `y`), CSS pixels.
+    pub fn zoom(&mut self, x: f64, y: f64, factor: f64) {
+        self.viewport.zoom_at(x, y, factor);
+    }
+
+    /// Shows the whole room.
+    pub fn fit(&mut self) {
+        self.viewport.fit();
+    }
+
+    /// Drawing by keyboard: `left`, `right`, `up`, `down` move a cursor by a planning cell, `apply` draws there.
+    pub fn key_edit(&mut self, action: &str) {
+        let plan = self.session.plan();
+        let stride = (self.session.settings().cell_size / plan.resolution).round().max(1.0) as i32;
+        let (width, height) = (plan.occupancy.width() as i32, plan.occupancy.height() as i32);
+        let cursor = self.cursor.unwrap_or(Cell::new(width / 2, height / 2));
+        let (dx, dy) = match action {
+            "left" => (-stride, 0),
+            "right" => (stride, 0),
+            "up" => (0, stride),
+            "down" => (0, -stride),
+            _ => (0, 0),
+        };
+        let at = Cell::new((cursor.x + dx).clamp(0, width - 1), (cursor.y + dy).clamp(0, height - 1));
+        if action == "apply" {
+            let point = plan.centre(at);
+            let heading = self.session.prepared().map_or(0.0, |p| p.floor.start.heading);
+            match self.tool {
+                Tool::Wall => self.session.begin_stroke(Brush::Wall, point),
+                Tool::Erase => self.session.begin_stroke(Brush::Erase, point),
+                Tool::Start => self.session.move_start(Pose::new(point.x, point.y, heading)),
+                Tool::Place => {
+                    self.furnisher.begin(point);
+                    self.furnisher.release(&mut self.session);
+                }
+                Tool::View => {}
+            }
+            self.session.end_stroke();
+        }
+        self.cursor = Some(at);
+    }
+
+    /// Takes the last change of the room back.
+    pub fn undo(&mut self) {
+        self.session.undo();
+    }
+
+    /// Makes the last undone change again.
+    pub fn redo(&mut self) {
+        self.session.redo();
+    }
+
+    /// Tells the user that something went wrong.
+    pub fn report_error(&mut self, message: &str) {
+        self.session.report_error(message);
+    }
+
+    /// Takes the message away.
+    pub fn dismiss(&mut self) {
+        self.session.dismiss();
+    }
+
+    // ---- the picture
+
+    /// The canvas is `width` x `height` CSS pixels on a screen with `ratio` device pixels each.
+    pub fn resize(&mut self, width: f64, height: f64, ratio: f64) {
+        self.viewport.resize(width, height, ratio);
+    }
+
+    /// Keeps the uppermost `told` CSS pixels of the canvas free of the room: something is told there that must not hide it.
+    pub fn keep_clear(&mut self, told: f64) {
+        self.viewport.keep_clear(told);
+    }
+
+    /// Dark or light colours.
+    pub fn set_dark(&mut self, dark: bool) {
+        self.dark = dark;
+    }
+
+    fn draw(&mut self) -> Result<(), JsValue> {
+        let plan = self.session.plan();
+        let now = (plan.name.clone(), plan.width_m(), plan.height_m());
+        if now != self.fitted {
+            self.viewport.set_room(now.1, now.2);
+            self.fitted = now;
+        }
+        let dirty_rows = self.session.take_changed_rows();
+        let dragged = match self.gesture {
+            Some(Gesture::Start { pose, .. }) => Some(pose),
+            _ => None,
+        };
+        let held = self.carried.map(|carried| carried.pose);
+        let start = dragged.or(self.session.prepared().map(|p| p.floor.start));
+        let in_hand = self.furnisher.in_hand(&self.session);
+        let session = self.session.scene();
+        let robot = session.robot.map(|robot| RobotView { pose: held.unwrap_or(robot.pose), ..robot });
+        let scene = Scene {
+            robot,
+            start,
+            dirty_rows,
+            cursor: self.cursor,
+            selected: self.furnisher.selected(&self.session),
+            lifted: self.furnisher.lifted(),
+            in_hand: &in_hand,
+            dark: self.dark,
+            ..session
+        };
+        self.canvas.draw(&scene, &self.viewport)
+    }
+}

@@ -1,0 +1,127 @@
+//! The hand on the robot: at the joystick, and picking it up; and what it reports meanwhile.
+
+use super::Playground;
+use js_sys::{Array, Float32Array, Float64Array};
+use robovac_app::{
+    explore::{Action, Entry, diary},
+    readings,
+};
+use robovac_core::{
+    geometry::{Point, Pose, Vector},
+    math,
+};
+use robovac_sim::controller::Command;
+use wasm_bindgen::prelude::*;
+
+/// How far a key carries the robot, m, and turns it, rad.
+const STRIDE: f64 = 0.1;
+const TURN: f64 = math::PI / 12.0;
+
+/// A robot that was picked up here.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Carried {
+    /// Where it is held.
+    pub pose: Pose,
+    /// Where it stood.
+    from: Pose,
+}
+
+#[wasm_bindgen]
+impl Playground {
+    /// Moves the joystick: forward and to the left, each -1 to 1.
+    pub fn command(&mut self, forward: f64, left: f64) {
+        self.session.command(Command { forward, left });
+    }
+
+    /// Picks the robot up, or puts down the one that is held, where it is held.
+    pub fn pick_up(&mut self) {
+        match self.carried.take() {
+            Some(carried) => self.session.put_down(carried.pose),
+            None => self.take_robot(),
+        }
+    }
+
+    /// Carries the robot that is held by a key: `left`, `right`, `up`, `down`, `turn_left`, `turn_right`; `apply` puts it
+    /// down, `back` puts it where it stood.
+    pub fn carry(&mut self, action: &str) {
+        let Some(Carried { pose, from }) = self.carried else { return };
+        let (dx, dy, turn) = match action {
+            "left" => (-STRIDE, 0.0, 0.0),
+            "right" => (STRIDE, 0.0, 0.0),
+            "up" => (0.0, STRIDE, 0.0),
+            "down" => (0.0, -STRIDE, 0.0),
+            "turn_left" => (0.0, 0.0, TURN),
+            "turn_right" => (0.0, 0.0, -TURN),
+            "apply" => return self.pick_up(),
+            "back" => return self.put_back(),
+            _ => return,
+        };
+        let to = Pose::new(pose.x + dx, pose.y + dy, pose.heading + turn);
+        self.carried = Some(Carried { pose: self.above_floor(to), from });
+    }
+
+    /// The latest sensor reading, in the order of the catalogue's `readings`; empty without a robot.
+    pub fn readings(&self) -> Float64Array {
+        let row = self.session.recording().map(|recording| readings(recording.run().sensors()));
+        Float64Array::from(row.as_ref().map_or(&[][..], |row| row))
+    }
+
+    /// The latest scan of the laser: ranges, m, infinite where there is nothing; empty without one.
+    pub fn scan(&self) -> Float32Array {
+        let scan = self.session.recording().and_then(|recording| recording.run().sensors().laser.as_deref());
+        Float32Array::from(scan.unwrap_or(&[]))
+    }
+
+    /// What happened lately, latest first: seconds, text, and whether it was felt, in turn.
+    pub fn diary(&self) -> Array {
+        let follows_plan = self.session.planned().is_some();
+        let lines = self.session.recording().map_or(Vec::new(), |recording| diary(recording.run(), follows_plan));
+        let told = |line: Entry| [JsValue::from(line.time_s), line.text.into(), line.is_felt.into()];
+        lines.into_iter().flat_map(told).collect()
+    }
+}
+
+impl Playground {
+    /// Whether a robot that is on its way can be taken up.
+    pub(super) fn may_lift(&self) -> bool {
+        self.session.state().allows(Action::Lift)
+    }
+
+    /// Picks the robot up where it stands, or goes on holding one that was picked up before.
+    pub(super) fn take_robot(&mut self) {
+        let pose = self.session.recording().map(|recording| recording.run().pose());
+        let Some(pose) = pose.filter(|_| self.may_lift()) else { return };
+        self.session.lift();
+        self.carried = Some(Carried { pose, from: pose });
+    }
+
+    /// Carries the robot that is held such that the hand, `grip` from its centre, is at `at`.
+    pub(super) fn carry_to(&mut self, at: Point, grip: Vector) {
+        let Some(Carried { pose, from }) = self.carried else { return };
+        let to = at + grip;
+        self.carried = Some(Carried { pose: self.above_floor(Pose::new(to.x, to.y, pose.heading)), from });
+    }
+
+    /// Puts the robot that is held down at `at`, unless that is where it's held; says whether it did.
+    pub(crate) fn put_down_at(&mut self, at: Point) -> bool {
+        if self.carried.is_none() || self.is_on_robot(at) {
+            return false;
+        }
+        self.carry_to(at, Vector::zeros());
+        self.pick_up();
+        true
+    }
+
+    /// Puts the robot that is held where it stood.
+    pub(super) fn put_back(&mut self) {
+        if let Some(carried) = self.carried.take() {
+            self.session.put_down(carried.from);
+        }
+    }
+
+    /// The pose within the room.
+    fn above_floor(&self, pose: Pose) -> Pose {
+        let plan = self.session.plan();
+        Pose::new(pose.x.clamp(0.0, plan.width_m()), pose.y.clamp(0.0, plan.height_m()), pose.heading)
+    }
+}

@@ -1,0 +1,77 @@
+//! An algorithm as menus, forms and panels have it.
+
+use crate::wire::param::{Param, params};
+use robovac_core::registry;
+use robovac_sim::experiment::Algorithm;
+use serde::Serialize;
+
+/// A planner or behaviour. What only the other kind claims is false.
+#[derive(Serialize)]
+#[expect(clippy::struct_excessive_bools)]
+pub struct Entry {
+    id: &'static str,
+    title: &'static str,
+    summary: &'static str,
+    source: &'static str,
+    link: &'static str,
+    /// `planner` or `behaviour`.
+    kind: &'static str,
+    complete: bool,
+    deterministic: bool,
+    fast: bool,
+    anytime: bool,
+    ends: bool,
+    cleans: bool,
+    manual: bool,
+    idea: &'static str,
+    complexity: &'static str,
+    use_when: &'static str,
+    shines: Example,
+    fails: Example,
+    params: Vec<Param>,
+}
+
+#[derive(Serialize)]
+struct Example {
+    room: &'static str,
+    why: &'static str,
+}
+
+impl Entry {
+    /// All that is known of an algorithm.
+    pub fn new(algorithm: Algorithm) -> Self {
+        let explainer = algorithm.explainer();
+        let (summary, source, link) = match algorithm {
+            Algorithm::Planner(p) => (p.summary, p.source, p.link),
+            Algorithm::Behaviour(b) => (b.summary, b.source, b.link),
+        };
+        let (plans, reacts) = (algorithm.planner().map(|p| p.claims), algorithm.behaviour().map(|b| b.claims));
+        Self {
+            id: algorithm.id(),
+            title: algorithm.title(),
+            summary,
+            source,
+            link,
+            kind: algorithm.kind(),
+            complete: plans.is_some_and(|c| c.complete),
+            deterministic: plans.is_some_and(|c| c.deterministic),
+            fast: plans.is_some_and(|c| c.fast),
+            anytime: plans.is_some_and(|c| c.anytime),
+            ends: reacts.is_some_and(|c| c.ends),
+            cleans: reacts.is_some_and(|c| c.cleans),
+            manual: reacts.is_some_and(|c| c.manual),
+            idea: explainer.idea,
+            complexity: explainer.complexity,
+            use_when: explainer.use_when,
+            shines: Example::new(&explainer.shines),
+            fails: Example::new(&explainer.fails),
+            params: params(algorithm.params()),
+        }
+    }
+}
+
+impl Example {
+    fn new(example: &registry::Example) -> Self {
+        Self { room: example.room, why: example.why }
+    }
+}

@@ -1,0 +1,41 @@
+//! What a planner was filmed at, on its way from a worker: plain objects.
+
+use crate::wire::proof::proof_from_js;
+use crate::wire::proof::proof_to_js;
+use crate::wire::walk;
+use coverage_planners::Frame;
+use js_sys::Object;
+use js_sys::{Array, Reflect};
+use js_sys::{Float64Array, Uint32Array};
+use wasm_bindgen::JsValue;
+
+/// An array of `{ cells, proof, planner, number }`: x, y, x, y, ..., `[cost, bound]` or nothing, a title or "", and the
+/// number of improvements so far.
+pub fn frames_to_js(frames: &[Frame]) -> Result<Array, JsValue> {
+    let film = Array::new();
+    for frame in frames {
+        let object = Object::new();
+        Reflect::set(&object, &"cells".into(), &walk::flat(&frame.walk))?;
+        Reflect::set(&object, &"proof".into(), &proof_to_js(frame.proof))?;
+        Reflect::set(&object, &"planner".into(), &frame.planner.as_str().into())?;
+        Reflect::set(&object, &"number".into(), &frame.number.into())?;
+        film.push(&object);
+    }
+    Ok(film)
+}
+
+/// The inverse of [`frames_to_js`].
+pub fn frames_from_js(film: &Array) -> Result<Vec<Frame>, JsValue> {
+    let frame = |object: JsValue| -> Result<Frame, JsValue> {
+        let flat = Uint32Array::new(&Reflect::get(&object, &"cells".into())?).to_vec();
+        let proof = Reflect::get(&object, &"proof".into())?;
+        let proof = (!proof.is_undefined()).then(|| Float64Array::new(&proof).to_vec());
+        Ok(Frame {
+            walk: walk::cells(&flat),
+            proof: proof_from_js(proof),
+            planner: Reflect::get(&object, &"planner".into())?.as_string().unwrap_or_default(),
+            number: Reflect::get(&object, &"number".into())?.as_f64().unwrap_or(0.0) as u32,
+        })
+    };
+    film.iter().map(frame).collect()
+}

@@ -1,0 +1,31 @@
+//! Values on their way between the page and its workers, and between Rust and JavaScript: plain objects and arrays.
+
+pub mod benchmark;
+pub mod entry;
+pub mod frames;
+pub mod map;
+pub mod param;
+pub mod proof;
+pub mod request;
+pub mod walk;
+
+use serde::Serialize;
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen]
+extern "C" {
+    /// Milliseconds since the page or worker started.
+    #[wasm_bindgen(js_namespace = performance, js_name = now)]
+    pub fn clock() -> f64;
+}
+
+/// A value as a plain JavaScript object.
+pub fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
+    let serializer = serde_wasm_bindgen::Serializer::json_compatible();
+    value.serialize(&serializer).map_err(|e| JsValue::from(e.to_string()))
+}
+
+/// An error as the message that JavaScript catches.
+pub fn message(error: impl std::fmt::Display) -> JsValue {
+    error.to_string().into()
+}

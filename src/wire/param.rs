@@ -1,0 +1,39 @@
+//! Parameters as forms take them.
+
+use robovac_core::registry::{ParamKind, ParamSpec, ParamValue};
+use serde::Serialize;
+
+/// One parameter.
+#[derive(Serialize)]
+pub struct Param {
+    id: &'static str,
+    label: &'static str,
+    help: &'static str,
+    default: ParamValue,
+    #[serde(flatten)]
+    kind: Kind,
+}
+
+#[derive(Serialize)]
+#[serde(tag = "kind", rename_all = "lowercase")]
+enum Kind {
+    Number { min: f64, max: f64, step: f64, unit: &'static str },
+    Choice { options: &'static [(&'static str, &'static str)] },
+    Flag,
+}
+
+/// The parameters as forms take them.
+pub fn params(specs: &[ParamSpec]) -> Vec<Param> {
+    specs.iter().map(Param::new).collect()
+}
+
+impl Param {
+    fn new(spec: &ParamSpec) -> Self {
+        let kind = match spec.kind {
+            ParamKind::Number { min, max, step, unit, .. } => Kind::Number { min, max, step, unit },
+            ParamKind::Choice { options } => Kind::Choice { options },
+            ParamKind::Flag { .. } => Kind::Flag,
+        };
+        Self { id: spec.id, label: spec.label, help: spec.help, default: spec.kind.default(), kind }
+    }
+}

@@ -1,0 +1,18 @@
+//! What is proven of a walk, as it crosses to the page and back: cost and bound, or nothing.
+
+use coverage_planners::Proof;
+use {js_sys::Float64Array, wasm_bindgen::JsValue};
+
+/// `[cost, bound]`, or `undefined`.
+pub fn proof_to_js(proof: Option<Proof>) -> JsValue {
+    // Far below the whole numbers up to which these are exact.
+    proof.map_or(JsValue::UNDEFINED, |Proof { cost, bound }| {
+        Float64Array::from([cost as f64, bound as f64].as_slice()).into()
+    })
+}
+
+/// What [`proof_to_js`] has made.
+pub fn proof_from_js(numbers: Option<Vec<f64>>) -> Option<Proof> {
+    let [cost, bound]: [f64; 2] = numbers?.try_into().ok()?;
+    Some(Proof { cost: cost as u64, bound: bound as u64 })
+}

@@ -1,0 +1,68 @@
+//! What goes to a worker that plans: a plain object.
+
+use coverage_planners::{self, CoverageJob};
+use js_sys::{Reflect, Uint8Array};
+use robovac_core::{grid::Direction, registry::ParamValue};
+use robovac_core::{
+    grid::{Cell, Grid},
+    registry::Params,
+};
+use robovac_sim::experiment::planning::PlanRequest;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use wasm_bindgen::JsValue;
+
+/// A request as it crosses to the worker; the free cells go beside it, as bytes.
+#[derive(Debug, Serialize, Deserialize)]
+struct WireRequest {
+    id: u32,
+    planner: String,
+    params: BTreeMap<String, ParamValue>,
+    seed: u64,
+    width: usize,
+    start: [i32; 2],
+    heading: Direction,
+    step_s: f64,
+    turn_s: f64,
+}
+
+/// The request as a JavaScript object with its free cells in `free`.
+pub fn request_to_js(request: &PlanRequest) -> Result<JsValue, JsValue> {
+    let job = &request.job;
+    let wire = WireRequest {
+        id: request.id,
+        planner: request.planner.id.to_owned(),
+        params: request.params.iter().map(|(id, value)| (id.to_owned(), value.clone())).collect(),
+        seed: request.seed,
+        width: job.free.width(),
+        start: [job.start.x, job.start.y],
+        heading: job.heading,
+        step_s: job.step_s,
+        turn_s: job.turn_s,
+    };
+    let object = crate::wire::to_js(&wire)?;
+    let free: Vec<u8> = job.free.values().iter().map(|&f| u8::from(f)).collect();
+    Reflect::set(&object, &"free".into(), &Uint8Array::from(free.as_slice()))?;
+    Ok(object)
+}
+
+/// The inverse of [`request_to_js`].
+pub fn request_from_js(object: &JsValue) -> Result<PlanRequest, JsValue> {
+    let wire: WireRequest = serde_wasm_bindgen::from_value(object.clone()).map_err(|e| e.to_string())?;
+    let free = Uint8Array::new(&Reflect::get(object, &"free".into())?).to_vec();
+    let job = wire.job(&free).ok_or("the planning request has no free start")?;
+    let planner =
+        coverage_planners::find(&wire.planner).ok_or_else(|| format!("there is no planner \"{}\"", wire.planner))?;
+    let given = wire.params.iter().map(|(id, value)| (id.as_str(), value.clone()));
+    let params = Params::checked(planner.params, given).map_err(|e| e.to_string())?;
+    Ok(PlanRequest { id: wire.id, planner, params, seed: wire.seed, job })
+}
+
+impl WireRequest {
+    fn job(&self, free: &[u8]) -> Option<CoverageJob> {
+        let free = Grid::from_rows(self.width, free.iter().map(|&f| f != 0).collect())?;
+        let start = Cell::new(self.start[0], self.start[1]);
+        let job = CoverageJob::new(&free, start, self.heading)?;
+        Some(CoverageJob { step_s: self.step_s, turn_s: self.turn_s, ..job })
+    }
+}

@@ -1,0 +1,13 @@
+//! The benchmark in the browser: planning, mapping, streaming.
+
+use js_sys::Function;
+use robovac_app::bench;
+use robovac_playground::wire::benchmark::run;
+use wasm_bindgen::prelude::*;
+
+/// Runs all cases of the workshop, calls `on_result` with each as it comes, and returns them all. Blocks: call it in a
+/// worker.
+#[wasm_bindgen]
+pub fn bench(on_result: &Function) -> Result<JsValue, JsValue> {
+    run(&[bench::planning, bench::mapping, bench::streaming], on_result)
+}

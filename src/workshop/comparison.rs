@@ -1,0 +1,259 @@
+//! The page's comparison: its choices, its trials, and the race on up to nine canvases.
+
+use super::{
+    comparison_view::{ComparisonView, TableView},
+    guest::Guest,
+};
+use coverage_planners::metrics::PlanNumbers;
+use js_sys::Float64Array;
+use robovac_app::{
+    Scene, Viewport,
+    compare::{self, MOST_LANES, RoomChoice},
+};
+use robovac_playground::wire::message;
+use robovac_playground::{
+    canvas::Canvas,
+    wire::{clock, to_js, walk},
+};
+use robovac_sim::experiment::Outcome;
+use wasm_bindgen::prelude::*;
+use web_sys::HtmlCanvasElement;
+
+/// Milliseconds of a frame that simulation may take; the rest of 16.7 ms is for drawing up to nine pictures.
+const FRAME_BUDGET_MS: f64 = 6.0;
+
+/// Planners held against each other in the playground's room.
+#[wasm_bindgen]
+pub struct Comparison {
+    state: compare::Comparison,
+    panes: Vec<Pane>,
+    last_frame_ms: Option<f64>,
+    dark: bool,
+}
+
+/// A canvas with what it shows.
+struct Pane {
+    canvas: Canvas,
+    viewport: Viewport,
+    room: (f64, f64),
+}
+
+impl Pane {
+    fn new(canvas: HtmlCanvasElement) -> Result<Self, JsValue> {
+        Ok(Self { canvas: Canvas::new(canvas)?, viewport: Viewport::bare(), room: (0.0, 0.0) })
+    }
+
+    fn draw(&mut self, scene: &Scene<'_>) -> Result<(), JsValue> {
+        let room = (scene.plan.width_m(), scene.plan.height_m());
+        if room != self.room {
+            self.viewport.set_room(room.0, room.1);
+            self.room = room;
+        }
+        self.canvas.draw(scene, &self.viewport)
+    }
+}
+
+#[wasm_bindgen]
+impl Comparison {
+    /// Some planners, about to be compared.
+    #[wasm_bindgen(constructor)]
+    pub fn new() -> Self {
+        Self { state: compare::Comparison::new(), panes: Vec::new(), last_frame_ms: None, dark: false }
+    }
+
+    /// Takes room, robot, start and seed over from the playground's copy; cheap if they are the same.
+    pub fn take(&mut self, guest: &Guest) {
+        self.state.take(guest.session());
+    }
+
+    // ---- choices; each throws a message and changes nothing if the choice isn't possible
+
+    /// Lets a planner take part, or not.
+    pub fn choose(&mut self, id: &str, takes_part: bool) -> Result<(), JsValue> {
+        self.state.choose(id, takes_part).map_err(message)
+    }
+
+    /// Sets a parameter of a planner from the text of a form.
+    pub fn set_param(&mut self, planner: &str, id: &str, text: &str) -> Result<(), JsValue> {
+        self.state.set_param(planner, id, text).map_err(message)
+    }
+
+    /// Chooses the rooms, by the id of one of the view's `sets`.
+    pub fn set_rooms(&mut self, id: &str) -> Result<(), JsValue> {
+        self.state.set_rooms(id).map_err(message)
+    }
+
+    /// Number of seeds for planners that use chance.
+    pub fn set_seeds(&mut self, seeds: u32) {
+        self.state.set_seeds(seeds);
+    }
+
+    /// The choices as the part of a link behind that of the playground.
+    pub fn link(&self) -> String {
+        self.state.to_link()
+    }
+
+    /// Takes what `link` returned.
+    pub fn restore(&mut self, link: &str) -> Result<(), JsValue> {
+        self.state.restore(link).map_err(message)
+    }
+
+    // ---- trials
+
+    /// A trial that has to be made, if any; pass it to `Trials.run` in a worker.
+    pub fn take_trial(&mut self) -> Result<JsValue, JsValue> {
+        self.state.take_trial().map_or(Ok(JsValue::UNDEFINED), |request| to_js(&request))
+    }
+
+    /// Whether a trial under way is still wanted.
+    pub fn is_wanted(&self, id: u32) -> bool {
+        self.state.is_wanted(id)
+    }
+
+    /// A worker reports the share done.
+    pub fn trial_progress(&mut self, id: u32, done: f64) {
+        self.state.trial_progress(id, done);
+    }
+
+    /// A worker is done.
+    pub fn trial_finished(&mut self, id: u32, cells: &[u32], numbers: JsValue) -> Result<(), JsValue> {
+        let numbers: PlanNumbers = serde_wasm_bindgen::from_value(numbers).map_err(|e| e.to_string())?;
+        self.state.trial_finished(id, Ok(Outcome { numbers, cells: walk::cells(cells) }));
+        Ok(())
+    }
+
+    /// A worker has no result.
+    pub fn trial_failed(&mut self, id: u32, message: &str) {
+        self.state.trial_finished(id, Err(message.to_owned()));
+    }
+
+    /// The user doesn't want to wait.
+    pub fn cancel(&mut self) {
+        self.state.cancel();
+    }
+
+    /// Goes on after `cancel`.
+    pub fn resume(&mut self) {
+        self.state.resume();
+    }
+
+    // ---- what came out
+
+    /// Snapshot for every frame: choices, progress, race.
+    pub fn view(&self) -> Result<JsValue, JsValue> {
+        to_js(&ComparisonView::new(&self.state))
+    }
+
+    /// The numbers of a room by its place in the view's list, or of all rooms together; changes with the view's `version`.
+    pub fn table(&self, room: Option<usize>) -> Result<JsValue, JsValue> {
+        let room: Option<RoomChoice> = room.and_then(|index| self.state.rooms().get(index).copied());
+        to_js(&TableView::new(&self.state.table(room), room.and_then(|room| self.state.bounds(room))))
+    }
+
+    /// All trials as CSV.
+    pub fn csv(&self) -> String {
+        compare::to_csv(&self.state.records())
+    }
+
+    /// All trials as JSON.
+    pub fn json(&self) -> String {
+        compare::to_json(&self.state.records())
+    }
+
+    // ---- race
+
+    /// Lets the time since the last call pass, and draws.
+    pub fn frame(&mut self, now_ms: f64) -> Result<(), JsValue> {
+        let elapsed_s = self.last_frame_ms.replace(now_ms).map_or(0.0, |last| (now_ms - last) / 1000.0);
+        let deadline = clock() + FRAME_BUDGET_MS;
+        let Some(race) = self.state.race_mut() else { return Ok(()) };
+        race.frame(elapsed_s, &mut || clock() < deadline);
+        for (index, pane) in self.panes.iter_mut().enumerate() {
+            let dirty_rows = race.take_changed_rows(index);
+            if let Some(lane) = race.lanes().get(index) {
+                pane.draw(&Scene { dirty_rows, dark: self.dark, ..race.scene(lane) })?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The canvases of the race, one a lane, in the order of the view's lanes.
+    pub fn set_panes(&mut self, canvases: Vec<HtmlCanvasElement>) -> Result<(), JsValue> {
+        self.panes = canvases.into_iter().take(MOST_LANES).map(Pane::new).collect::<Result<_, _>>()?;
+        Ok(())
+    }
+
+    /// Every canvas of the race is `width` x `height` CSS pixels on a screen with `ratio` device pixels each.
+    pub fn resize(&mut self, width: f64, height: f64, ratio: f64) {
+        for pane in &mut self.panes {
+            pane.viewport.resize(width, height, ratio);
+            pane.viewport.fit();
+        }
+    }
+
+    /// Draws the whole walk of a planner, by its number in the view's list, onto a canvas of that size.
+    pub fn draw_path(
+        &mut self,
+        entrant: usize,
+        canvas: HtmlCanvasElement,
+        width: f64,
+        height: f64,
+        ratio: f64,
+    ) -> Result<bool, JsValue> {
+        let (Some(race), Some(path)) = (self.state.race(), self.state.path(entrant)) else { return Ok(false) };
+        let Some(line) = race.line(path) else { return Ok(false) };
+        let mut pane = Pane::new(canvas)?;
+        pane.viewport.resize(width, height, ratio);
+        pane.draw(&Scene { dark: self.dark, ..race.planned_scene(&line) })?;
+        Ok(true)
+    }
+
+    /// Dark or light colours.
+    pub fn set_dark(&mut self, dark: bool) {
+        self.dark = dark;
+    }
+
+    /// Time (s) and coverage (0 to 1) of a lane so far, in pairs.
+    pub fn coverage_curve(&self, lane: usize) -> Float64Array {
+        let pairs = self.state.race().and_then(|r| r.lanes().get(lane)).map_or(&[][..], |lane| lane.curve());
+        let flat: Vec<f64> = pairs.iter().flat_map(|&(time, coverage)| [time, coverage]).collect();
+        Float64Array::from(flat.as_slice())
+    }
+
+    /// Lets all robots go on.
+    pub fn play(&mut self) {
+        self.race(compare::Race::play);
+    }
+
+    /// Stops all robots.
+    pub fn pause(&mut self) {
+        self.race(compare::Race::pause);
+    }
+
+    /// Goes on by the time of one planning cell.
+    pub fn step(&mut self) {
+        self.race(compare::Race::step);
+    }
+
+    /// Goes to a point of the time simulated so far, s.
+    pub fn seek(&mut self, time_s: f64) {
+        self.race(|race| race.seek(time_s));
+    }
+
+    /// Sets the speed, times real time; 0 for as fast as it goes.
+    pub fn set_speed(&mut self, times: f64) {
+        self.race(|race| race.set_speed(times));
+    }
+
+    fn race(&mut self, what: impl FnOnce(&mut compare::Race)) {
+        if let Some(race) = self.state.race_mut() {
+            what(race);
+        }
+    }
+}
+
+impl Default for Comparison {
+    fn default() -> Self {
+        Self::new()
+    }
+}

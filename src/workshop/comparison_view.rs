@@ -1,0 +1,148 @@
+//! The comparison as plain objects.
+
+use coverage_planners::{
+    Bounds,
+    metrics::{METRICS, MetricInfo},
+};
+use robovac_app::{
+    compare::{Comparison, Progress, Race, RoomSet, Spread, Table},
+    explore::State,
+};
+use robovac_core::registry::Params;
+use serde::Serialize;
+
+/// Snapshot for every frame.
+#[derive(Serialize)]
+pub(super) struct ComparisonView<'a> {
+    version: u32,
+    set: &'static str,
+    sets: Vec<(&'static str, &'static str)>,
+    seeds: u32,
+    rooms: Vec<&'a str>,
+    /// Number of the session's room in `rooms`.
+    done: usize,
+    total: usize,
+    cancelled: bool,
+    entrants: Vec<EntrantView<'a>>,
+    race: Option<RaceView>,
+}
+
+#[derive(Serialize)]
+struct EntrantView<'a> {
+    id: &'static str,
+    chosen: bool,
+    params: &'a Params,
+    /// `out`, `trying`, `done` or `failed`.
+    state: &'static str,
+    /// 0 to 1.
+    progress: f64,
+    message: &'a str,
+}
+
+#[derive(Serialize)]
+struct RaceView {
+    state: State,
+    time_s: f64,
+    end_s: f64,
+    planned_s: f64,
+    speed: f64,
+    lanes: Vec<LaneView>,
+}
+
+#[derive(Serialize)]
+struct LaneView {
+    /// Number of the planner in `entrants`.
+    entrant: usize,
+    coverage: f64,
+    time_s: f64,
+    distance_m: f64,
+    turning_deg: f64,
+    finished: bool,
+    /// From 1.
+    place: usize,
+}
+
+impl<'a> ComparisonView<'a> {
+    pub fn new(comparison: &'a Comparison) -> Self {
+        let (done, total) = comparison.count();
+        let entrants = comparison.entrants().iter().enumerate().map(|(index, entrant)| {
+            let (state, progress, message) = match comparison.progress(index) {
+                Progress::Out => ("out", 0.0, ""),
+                Progress::Trying(share) => ("trying", share, ""),
+                Progress::Done => ("done", 1.0, ""),
+                Progress::Failed(message) => ("failed", 1.0, message),
+            };
+            let (id, params) = (entrant.id(), &entrant.params);
+            EntrantView { id, chosen: comparison.is_chosen(index), params, state, progress, message }
+        });
+        Self {
+            version: comparison.version(),
+            set: comparison.set().id(),
+            sets: RoomSet::all().map(|(_, id, title)| (id, title)).collect(),
+            seeds: comparison.seeds(),
+            rooms: comparison.rooms().iter().map(|&room| comparison.room_name(room)).collect(),
+            done,
+            total,
+            cancelled: comparison.is_cancelled(),
+            entrants: entrants.collect(),
+            race: comparison.race().filter(|race| !race.lanes().is_empty()).map(RaceView::new),
+        }
+    }
+}
+
+impl RaceView {
+    fn new(race: &Race) -> Self {
+        let lanes = race.lanes().iter().zip(race.places()).map(|(lane, place)| LaneView {
+            place,
+            entrant: lane.racer.entrant,
+            coverage: lane.run().coverage(),
+            time_s: lane.run().time_s(),
+            distance_m: lane.run().distance_m(),
+            turning_deg: lane.run().turning_rad().to_degrees(),
+            finished: lane.run().is_finished(),
+        });
+        Self {
+            state: race.state(),
+            time_s: race.time_s(),
+            end_s: race.end_s(),
+            planned_s: race.planned_s(),
+            speed: race.speed(),
+            lanes: lanes.collect(),
+        }
+    }
+}
+
+/// A table of numbers.
+#[derive(Serialize)]
+pub(super) struct TableView {
+    metrics: &'static [MetricInfo],
+    /// Of a single room.
+    bounds: Option<Bounds>,
+    rows: Vec<RowView>,
+}
+
+#[derive(Serialize)]
+struct RowView {
+    /// Number of the planner in the view's `entrants`.
+    entrant: usize,
+    trials: usize,
+    missing: usize,
+    failure: String,
+    values: Vec<Option<Spread>>,
+    /// Which values are the best of their column.
+    best: Vec<bool>,
+}
+
+impl TableView {
+    pub fn new(table: &Table, bounds: Option<Bounds>) -> Self {
+        let rows = table.rows.iter().map(|row| RowView {
+            entrant: row.index,
+            trials: row.trials,
+            missing: row.missing,
+            failure: row.failure.clone().unwrap_or_default(),
+            values: row.values.clone(),
+            best: (0..METRICS.len()).map(|column| table.is_best(row, column)).collect(),
+        });
+        Self { metrics: METRICS, bounds, rows: rows.collect() }
+    }
+}

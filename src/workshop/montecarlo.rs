@@ -1,0 +1,236 @@
+//! The page's many runs: choices, work for workers, curves and numbers.
+
+use super::guest::Guest;
+use coverage_planners::PLANNERS;
+use js_sys::Float64Array;
+use robovac_app::compare::{MINUTES, SEEDS, Study};
+use robovac_core::registry::Params;
+use robovac_playground::wire::message;
+use robovac_playground::wire::{
+    param::{Param, params},
+    to_js,
+};
+use robovac_sim::{
+    controller::BEHAVIOURS,
+    montecarlo::{Band, Head, Outcome, Summary, to_csv, to_json},
+};
+use serde::Serialize;
+use wasm_bindgen::prelude::*;
+
+/// Algorithms run many times in the playground's room.
+#[wasm_bindgen]
+#[derive(Default)]
+pub struct MonteCarlo {
+    state: Study,
+}
+
+/// What there is to choose from.
+#[derive(Serialize)]
+struct Offer {
+    entrants: Vec<EntrantOffer>,
+    seeds: [u32; SEEDS.len()],
+    minutes: [u32; MINUTES.len()],
+}
+
+#[derive(Serialize)]
+struct EntrantOffer {
+    id: &'static str,
+    title: &'static str,
+    summary: &'static str,
+    /// `planner` or `behaviour`.
+    kind: &'static str,
+    /// Whether it is measured by the boundary that it has met, and not by clean floor.
+    explores: bool,
+    /// Its place in the registry of its kind.
+    number: usize,
+    params: Vec<Param>,
+}
+
+/// Snapshot for every frame.
+#[derive(Serialize)]
+struct View<'a> {
+    version: u32,
+    running: bool,
+    done: usize,
+    total: usize,
+    seeds: u32,
+    minutes: u32,
+    entrants: Vec<EntrantView<'a>>,
+}
+
+#[derive(Serialize)]
+struct EntrantView<'a> {
+    chosen: bool,
+    params: &'a Params,
+    /// Runs made of those that are wanted.
+    runs: usize,
+    failure: &'a str,
+}
+
+/// Where and how all runs are made, in words.
+#[derive(Serialize)]
+struct Place<'a> {
+    room: &'a str,
+    robot: &'a str,
+    slip: &'static str,
+    noise: String,
+    quantised: bool,
+}
+
+#[wasm_bindgen]
+impl MonteCarlo {
+    /// The behaviours, about to be run.
+    #[wasm_bindgen(constructor)]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// All that can take part, in the order of the view's list, and the numbers that are offered.
+    pub fn offer(&self) -> Result<JsValue, JsValue> {
+        let entrants = self.state.entrants().iter().map(|entrant| {
+            let algorithm = entrant.algorithm;
+            let number = algorithm.planner().map_or_else(
+                || BEHAVIOURS.iter().position(|info| info.id == algorithm.id()),
+                |planner| PLANNERS.iter().position(|info| info.id == planner.id),
+            );
+            EntrantOffer {
+                id: algorithm.id(),
+                title: algorithm.title(),
+                summary: algorithm
+                    .planner()
+                    .map_or_else(|| algorithm.behaviour().map_or("", |info| info.summary), |info| info.summary),
+                kind: algorithm.kind(),
+                explores: entrant.explores(),
+                number: number.unwrap_or(0),
+                params: params(algorithm.params()),
+            }
+        });
+        to_js(&Offer { entrants: entrants.collect(), seeds: SEEDS, minutes: MINUTES })
+    }
+
+    /// Takes room, robot, start, conditions and seed over from the playground's copy; cheap if they are the
+    /// same.
+    pub fn take(&mut self, guest: &Guest) {
+        self.state.take(guest.session());
+    }
+
+    // ---- choices; each throws a message and changes nothing if the choice isn't possible
+
+    /// Lets an algorithm take part, or not, by its number in the offer.
+    pub fn choose(&mut self, entrant: usize, takes_part: bool) {
+        self.state.choose(entrant, takes_part);
+    }
+
+    /// Sets a parameter of an algorithm from the text of a form.
+    pub fn set_param(&mut self, entrant: usize, id: &str, text: &str) -> Result<(), JsValue> {
+        self.state.set_param(entrant, id, text).map_err(message)
+    }
+
+    /// Number of runs of each algorithm.
+    pub fn set_seeds(&mut self, seeds: u32) {
+        self.state.set_seeds(seeds);
+    }
+
+    /// Simulated time of each run, min.
+    pub fn set_minutes(&mut self, minutes: u32) {
+        self.state.set_minutes(minutes);
+    }
+
+    /// The choices as the part of a link behind that of the playground.
+    pub fn link(&self) -> String {
+        self.state.to_link()
+    }
+
+    /// Takes what `link` returned.
+    pub fn restore(&mut self, link: &str) -> Result<(), JsValue> {
+        self.state.restore(link).map_err(message)
+    }
+
+    // ---- runs
+
+    /// Begins with what is missing.
+    pub fn run(&mut self) {
+        self.state.run();
+    }
+
+    /// The user doesn't want to wait.
+    pub fn cancel(&mut self) {
+        self.state.cancel();
+    }
+
+    /// Runs that have to be made, if any; pass them to `Runner.run` in a worker.
+    pub fn take_batch(&mut self) -> Result<JsValue, JsValue> {
+        self.state.take_batch().map_or(Ok(JsValue::UNDEFINED), |request| to_js(&request))
+    }
+
+    /// Whether runs under way are still wanted.
+    pub fn is_wanted(&self, id: u32) -> bool {
+        self.state.is_wanted(id)
+    }
+
+    /// A worker is done.
+    pub fn batch_finished(&mut self, id: u32, outcomes: &[f64]) {
+        self.state.batch_finished(id, Ok(Outcome::from_numbers(outcomes)));
+    }
+
+    /// A worker has no result.
+    pub fn batch_failed(&mut self, id: u32, message: &str) {
+        self.state.batch_finished(id, Err(message.to_owned()));
+    }
+
+    // ---- what came out
+
+    /// Snapshot for every frame: choices and progress.
+    pub fn view(&self) -> Result<JsValue, JsValue> {
+        let state = &self.state;
+        let (done, total) = state.count();
+        let entrants = state.entrants().iter().enumerate().map(|(index, entrant)| EntrantView {
+            chosen: state.is_chosen(index),
+            params: &entrant.params,
+            runs: state.runs(index).len(),
+            failure: state.failure(index).unwrap_or(""),
+        });
+        to_js(&View {
+            version: state.version(),
+            running: state.is_running(),
+            done,
+            total,
+            seeds: state.seeds(),
+            minutes: state.minutes(),
+            entrants: entrants.collect(),
+        })
+    }
+
+    /// Where and how all runs are made; changes with the view's `version`.
+    pub fn place(&self) -> Result<JsValue, JsValue> {
+        let Some((Head { room, robot, conditions, .. }, _)) = self.state.export() else { return Ok(JsValue::NULL) };
+        let (slip, noise) = (conditions.slip.id(), conditions.noise.to_string());
+        to_js(&Place { room, robot, slip, noise, quantised: conditions.quantised })
+    }
+
+    /// An algorithm's runs summed up, by its number in the view's list; null if there are none.
+    pub fn summary(&self, entrant: usize) -> Result<JsValue, JsValue> {
+        let known = entrant < self.state.entrants().len();
+        to_js(&known.then(|| self.state.summary(entrant)).flatten() as &Option<Summary>)
+    }
+
+    /// Coverage over time, 0 to 1: all lower ends of the band, then all medians, then all upper ends, at the start and at
+    /// the ends of equal parts of the time; empty without runs.
+    pub fn curve(&self, entrant: usize) -> Float64Array {
+        let known = entrant < self.state.entrants().len();
+        let bands = if known { Band::curve(&self.state.runs(entrant)) } else { Vec::new() };
+        let ends: [fn(&Band) -> f64; 3] = [|band| band.low, |band| band.median, |band| band.high];
+        let flat: Vec<f64> = ends.iter().flat_map(|end| bands.iter().map(end)).collect();
+        Float64Array::from(flat.as_slice())
+    }
+
+    /// All runs as CSV.
+    pub fn csv(&self) -> String {
+        self.state.export().map(|(head, entries)| to_csv(&head, &entries)).unwrap_or_default()
+    }
+
+    /// Quantiles, curves and all runs as JSON.
+    pub fn json(&self) -> String {
+        self.state.export().map(|(head, entries)| to_json(&head, &entries)).unwrap_or_default()
+    }
+}

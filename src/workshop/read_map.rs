@@ -1,0 +1,14 @@
+//! Map files: a worker reads them, as a large one takes its time.
+
+use js_sys::Array;
+use robovac_playground::wire::map::{import_to_js, source_files};
+use robovac_sim::experiment::Import;
+use wasm_bindgen::prelude::*;
+
+/// Reads an array of `{ name, bytes }` that belong together: a map, or a scenario. To be called in a worker.
+///
+/// Returns what `Playground.take_map` takes; throws a message if the files are no map.
+#[wasm_bindgen]
+pub fn read_map(files: &Array) -> Result<JsValue, JsValue> {
+    import_to_js(Import::read(&source_files(files)?).map_err(|e| e.to_string())?)
+}

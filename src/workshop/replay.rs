@@ -1,0 +1,51 @@
+//! A recorded session once more.
+
+use robovac_link::link::{Recording, Replay as Player};
+use robovac_playground::wire::to_js;
+use wasm_bindgen::prelude::*;
+
+/// A recording that is played.
+#[wasm_bindgen]
+pub struct Replay {
+    player: Player,
+}
+
+#[wasm_bindgen]
+impl Replay {
+    /// Reads a recording; throws a sentence for users that names the line if it isn't one.
+    #[wasm_bindgen(constructor)]
+    pub fn new(text: &str) -> Result<Self, JsValue> {
+        let recording = Recording::parse(text).map_err(|e| e.to_string())?;
+        Ok(Self { player: Player::new(recording) })
+    }
+
+    /// How long it is, s.
+    pub fn duration_s(&self) -> f64 {
+        self.player.duration_s()
+    }
+
+    /// The moment that is shown, s.
+    pub fn time_s(&self) -> f64 {
+        self.player.time_s()
+    }
+
+    /// Goes on to that moment; back means from the beginning.
+    pub fn advance(&mut self, time_s: f64) {
+        self.player.advance(time_s);
+    }
+
+    /// What is shown, a `LinkView`; nothing can be asked for.
+    pub fn view(&mut self) -> Result<JsValue, JsValue> {
+        to_js(&self.player.view())
+    }
+
+    /// What went over the line since this was last asked for, as `Traffic[]`.
+    pub fn take_traffic(&mut self) -> Result<JsValue, JsValue> {
+        to_js(&self.player.take_traffic())
+    }
+
+    /// As `Link.take_trace`.
+    pub fn take_trace(&mut self) -> Vec<f64> {
+        self.player.take_trace()
+    }
+}

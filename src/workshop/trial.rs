@@ -1,0 +1,41 @@
+//! Comparing in workers: a trial comes in as a plain object, walk and numbers go out.
+
+use super::plan_job::reporter;
+use js_sys::{Function, Object, Reflect};
+use robovac_playground::wire::{clock, to_js, walk::flat};
+use robovac_sim::experiment::{Arena, TrialRequest};
+use wasm_bindgen::prelude::*;
+
+/// Makes trials. Keeps the room of the last one, as the next is often in the same.
+#[wasm_bindgen]
+#[derive(Default)]
+pub struct Trials {
+    arena: Option<(String, Arena)>,
+}
+
+#[wasm_bindgen]
+impl Trials {
+    /// No trial yet.
+    #[wasm_bindgen(constructor)]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Makes a trial that came from `Comparison.take_trial`. Blocks until it is done.
+    ///
+    /// `on_progress(done, cells)` as for `plan`. Returns `{ cells, numbers }`; throws a message if there is no result.
+    pub fn run(&mut self, request: JsValue, on_progress: &Function) -> Result<JsValue, JsValue> {
+        let request: TrialRequest = serde_wasm_bindgen::from_value(request).map_err(|e| e.to_string())?;
+        if self.arena.as_ref().is_none_or(|(place, _)| *place != request.place) {
+            self.arena = Some((request.place.clone(), request.arena()?));
+        }
+        let Some((_, arena)) = &self.arena else { return Err("there is no room".into()) };
+        let mut film = None;
+        let mut observe = reporter(on_progress, &mut film, || None);
+        let outcome = request.run(arena, || clock() / 1000.0, Some(&mut observe))?;
+        let result = Object::new();
+        Reflect::set(&result, &"cells".into(), &flat(&outcome.cells))?;
+        Reflect::set(&result, &"numbers".into(), &to_js(&outcome.numbers)?)?;
+        Ok(result.into())
+    }
+}

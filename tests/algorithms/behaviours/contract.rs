@@ -1,0 +1,160 @@
+//! What every behaviour holds to, over the registry.
+
+use super::support::{conditions, drive, lay_out, run, run_with};
+use robovac_core::{
+    floorplan::{ROOMS, Sketch, room},
+    registry::{Explainer, ParamKind, ParamValue, Params},
+    robot::{Body, MODELS, RobotModel, model},
+};
+use robovac_sim::{
+    NoiseLevel, Run,
+    controller::{self, BEHAVIOURS, BehaviourInfo},
+};
+
+/// Whether no wall is in the largest circle around the origin that fits into the body; a millimetre is forgiven.
+fn is_outside_walls(robot: &RobotModel, run: &Run) -> bool {
+    let inner = match robot.body {
+        Body::Round => robot.radius,
+        Body::Polygon(corners) => {
+            let edges = corners.iter().zip(corners.iter().cycle().skip(1));
+            edges.map(|(a, b)| (a[0] * b[1] - a[1] * b[0]) / (b[0] - a[0]).hypot(b[1] - a[1])).fold(f64::MAX, f64::min)
+        }
+    };
+    run.floor().walls.has_room(run.pose().position(), inner - 0.001)
+}
+
+#[test]
+fn nobody_enters_a_wall_and_everybody_says_what_it_does() {
+    for room in ROOMS {
+        let plan = (room.build)();
+        for (number, robot) in MODELS.iter().enumerate() {
+            let Some(setup) = lay_out(&plan, robot, conditions(NoiseLevel::Typical)) else { continue };
+            for info in BEHAVIOURS {
+                let mut run = run(&setup, info, number as u64);
+                for _ in 0..10 {
+                    drive(&mut run, 0.05);
+                    let what = format!("{} with {} in {} after {} s", info.id, robot.id, room.id, run.time_s());
+                    assert!(is_outside_walls(&setup.robot, &run), "{what}: in a wall at {}", run.pose());
+                    assert!(!run.activity().is_empty(), "{what}: no activity");
+                }
+                let is_still = info.claims.manual || info.claims.ends;
+                // Where chance decides, it may have a robot turn and turn.
+                let least = if info.claims.explores { 0.05 } else { 0.5 };
+                assert!(
+                    is_still || run.distance_m() > least,
+                    "{} with {} in {}: {} m",
+                    info.id,
+                    robot.id,
+                    room.id,
+                    run.distance_m()
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn the_same_seed_gives_the_same_run_and_another_seed_another_one() {
+    let plan = (room("room12ft").expect("it ships").build)();
+    let setup =
+        lay_out(&plan, model("roomba600").expect("it ships"), conditions(NoiseLevel::Typical)).expect("it fits");
+    for info in BEHAVIOURS {
+        let digest = |seed| {
+            let mut run = run(&setup, info, seed);
+            drive(&mut run, 3.0);
+            run.digest()
+        };
+        assert_eq!(digest(1), digest(1), "{}", info.id);
+        assert!(info.claims.manual || digest(1) != digest(2), "{} drives the same way with every seed", info.id);
+    }
+}
+
+#[test]
+fn a_copy_of_a_run_goes_on_the_same_way() {
+    let plan = (room("room12ft").expect("it ships").build)();
+    let setup =
+        lay_out(&plan, model("roomba600").expect("it ships"), conditions(NoiseLevel::Typical)).expect("it fits");
+    for info in BEHAVIOURS {
+        let mut run = run(&setup, info, 5);
+        drive(&mut run, 1.23);
+        let mut copy = run.clone();
+        drive(&mut run, 1.0);
+        drive(&mut copy, 1.0);
+        assert_eq!(run.digest(), copy.digest(), "{}", info.id);
+    }
+}
+
+#[test]
+fn every_value_at_the_end_of_its_range_works() {
+    let plan = (room("clutter").expect("it ships").build)();
+    let setup =
+        lay_out(&plan, model("roomba600").expect("it ships"), conditions(NoiseLevel::Typical)).expect("it fits");
+    for info in BEHAVIOURS {
+        for spec in info.params {
+            let values: Vec<ParamValue> = match spec.kind {
+                ParamKind::Number { min, max, .. } => vec![ParamValue::Number(min), ParamValue::Number(max)],
+                ParamKind::Choice { options } => options.iter().map(|o| ParamValue::Choice(o.0.to_owned())).collect(),
+                ParamKind::Flag { .. } => vec![ParamValue::Flag(false), ParamValue::Flag(true)],
+            };
+            for value in values {
+                let what = format!("{} with {} = {value}", info.id, spec.id);
+                let params = Params::checked(info.params, [(spec.id, value)]).expect("it is in range");
+                let mut run = run_with(&setup, info, &params, 3);
+                drive(&mut run, 3.0);
+                assert!(is_outside_walls(&setup.robot, &run), "{what}");
+                assert!(!info.claims.cleans || run.distance_m() > 1.0, "{what}: only {} m", run.distance_m());
+            }
+        }
+    }
+}
+
+/// What a behaviour must have cleaned of an open room in a quarter of an hour: walls alone are about a third of it.
+fn least_coverage(info: &BehaviourInfo) -> f64 {
+    if info.id == "wall_follow" { 0.18 } else { 0.55 }
+}
+
+#[test]
+fn those_that_clean_clean_an_open_room() {
+    let plan = Sketch::open(3.5, 3.0, 0.05).start(1.0, 1.0, 20.0).finish("open", "");
+    for robot in MODELS {
+        let setup = lay_out(&plan, robot, conditions(NoiseLevel::Typical)).expect("it fits");
+        for info in BEHAVIOURS.iter().filter(|info| info.claims.cleans) {
+            let mut run = run(&setup, info, 7);
+            drive(&mut run, 15.0);
+            assert!(run.coverage() > least_coverage(info), "{} with {}: {}", info.id, robot.id, run.coverage());
+            assert!(!run.is_finished() || info.claims.ends, "{} claims to go on", info.id);
+        }
+    }
+}
+
+#[test]
+fn everybody_explains_itself_with_rooms_that_ship() {
+    for info in BEHAVIOURS {
+        let Explainer { idea, complexity, use_when, shines, fails } = info.explainer;
+        assert_eq!(idea.matches(['.', '!', '?']).count(), 3, "{}: three sentences", info.id);
+        assert!(!complexity.is_empty() && !use_when.is_empty() && !info.source.is_empty(), "{}", info.id);
+        assert_eq!(info.summary.matches(['.', '!', '?']).count(), 1, "{}: one sentence", info.id);
+        for example in [shines, fails] {
+            assert!(room(example.room).is_some() && !example.why.is_empty(), "{}: {}", info.id, example.room);
+        }
+        assert!(controller::find(info.id).is_some_and(|found| found.title == info.title), "{}", info.id);
+    }
+}
+
+/// The DVR-1's bumper is narrow: in a corner it once felt only the nearer wall, beside it, and pushed for ever.
+#[test]
+fn nobody_jams_in_a_corner() {
+    let plan = Sketch::open(3.5, 3.0, 0.05).start(1.0, 1.0, 20.0).finish("open", "");
+    for robot in MODELS {
+        let setup = lay_out(&plan, robot, conditions(NoiseLevel::Off)).expect("it fits");
+        for info in BEHAVIOURS.iter().filter(|info| info.claims.cleans) {
+            let mut run = run(&setup, info, 1);
+            for minute in 1..=5 {
+                let before = run.distance_m();
+                drive(&mut run, 1.0);
+                let way = run.distance_m() - before;
+                assert!(way > 2.0, "{} with {}: {way} m in minute {minute}", info.id, robot.id);
+            }
+        }
+    }
+}

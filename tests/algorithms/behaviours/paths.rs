@@ -1,0 +1,39 @@
+//! Whoever follows a planned path minds edges, too: with wheels that slip, it isn't where it believes to be.
+
+use super::{stairs::rooms, support::conditions};
+use coverage_planners;
+use robovac_core::{
+    registry::Params,
+    robot::{MODELS, OdometryModel},
+};
+use robovac_sim::{
+    NoiseLevel,
+    experiment::planning::{PlanRequest, Planned, Prepared},
+};
+
+#[test]
+fn nobody_falls_off_a_planned_path() {
+    let planner = coverage_planners::find("boustrophedon").unwrap();
+    let (mut runs, mut edges) = (0, 0);
+    for plan in rooms() {
+        for robot in MODELS.iter().filter(|robot| robot.sensors.cliffs.iter().any(Option::is_some)) {
+            let Ok(prepared) = Prepared::new(&plan, robot, robot.default_cell, None) else { continue };
+            let (params, job) = (Params::defaults(planner.params), prepared.job.clone());
+            let answer = PlanRequest { id: 0, planner, params, seed: 0, job }.serve(|| 0.0, None).unwrap();
+            let planned = Planned::new(&prepared, &answer).unwrap();
+            for seed in 0..20 {
+                // The worst wheels: no room stays where the robot believes it to be.
+                let mut run = planned.run(&prepared, conditions(NoiseLevel::Harsh), OdometryModel::Arc, seed);
+                let mut saw = false;
+                while !run.is_finished() {
+                    run.step();
+                    edges += u32::from(run.sensors().sees_cliff() && !saw);
+                    saw = run.sensors().sees_cliff();
+                    assert!(!run.has_fallen(), "{} {} seed {seed} at {:.1} s", plan.name, robot.id, run.time_s());
+                }
+                runs += 1;
+            }
+        }
+    }
+    assert!(runs > 50 && edges > 100, "{runs} runs with {edges} edges");
+}

@@ -1,0 +1,12 @@
+//! Planners, behaviours, maps and the simulator.
+
+mod behaviours;
+mod cleaning;
+mod cspace;
+mod life;
+mod mapping;
+mod planners;
+mod senses;
+mod simulation;
+mod sweep;
+mod world;

@@ -1,0 +1,167 @@
+//! What every planner of the registry must do in every room.
+
+use super::support::{LARGE, Scenario, build, scenarios};
+use coverage_planners::{
+    CoverageJob, CoveragePath, PLANNERS, PlanContext, PlanError, PlannerInfo, Report, SLOW_CELLS, metrics::WalkMetrics,
+};
+use robovac_core::{
+    floorplan::room,
+    grid::{Cell, Direction, from_picture},
+    registry::{Explainer, ParamKind, ParamValue, Params},
+};
+use std::ops::ControlFlow;
+
+fn plan(info: &PlannerInfo, job: &CoverageJob, seed: u64) -> CoveragePath {
+    build(info, job.cells()).plan(job, &mut PlanContext::new(seed)).expect("nobody cancels")
+}
+
+fn describe(info: &PlannerInfo, scenario: &Scenario, job: &CoverageJob) -> String {
+    format!("{} in {} from {} facing {:?}", info.id, scenario.name, job.start, job.heading)
+}
+
+/// Free cells up to which planners that aren't fast are tried in every room; beyond that only in the hall of [`SLOW_CELLS`].
+const SLOW_IN_ALL: usize = 6_000;
+
+/// Whether a planner is tried in a room.
+fn suits(info: &PlannerInfo, scenario: &Scenario, job: &CoverageJob) -> bool {
+    info.claims.fast
+        || job.cells() <= SLOW_IN_ALL
+        || scenario.free.len() == SLOW_CELLS && scenario.name.contains("hall")
+}
+
+#[test]
+fn walks_can_be_driven_and_cover_what_they_claim() {
+    for scenario in scenarios() {
+        let jobs = || scenario.jobs().enumerate();
+        for (info, (number, job)) in PLANNERS.iter().flat_map(|info| jobs().map(move |job| (info, job))) {
+            if !suits(info, &scenario, &job) {
+                continue;
+            }
+            // With full effort once in each room.
+            let size = if number == 0 { job.cells() } else { usize::MAX };
+            let path = build(info, size).plan(&job, &mut PlanContext::new(1)).expect("nobody cancels");
+            let what = describe(info, &scenario, &job);
+            path.check(&job).unwrap_or_else(|error| panic!("{what}: {error}"));
+            let metrics = WalkMetrics::of(&job, &path);
+            if info.claims.complete {
+                assert_eq!(metrics.visited_cells, metrics.reachable_cells, "{what}");
+            }
+        }
+    }
+}
+
+#[test]
+fn seed_determines_the_walk() {
+    for scenario in scenarios().iter().filter(|s| s.free.len() < 2_000) {
+        for (info, job) in PLANNERS.iter().filter_map(|info| Some((info, scenario.jobs().next()?))) {
+            let what = describe(info, scenario, &job);
+            let walks = [1, 1, 2].map(|seed| plan(info, &job, seed));
+            assert_eq!(walks[0], walks[1], "{what}");
+            if info.claims.deterministic {
+                assert_eq!(walks[0], walks[2], "{what}");
+            }
+        }
+    }
+}
+
+#[test]
+fn every_choice_of_every_parameter_works() {
+    let rooms = scenarios();
+    for info in PLANNERS {
+        for spec in info.params {
+            let values: Vec<ParamValue> = match spec.kind {
+                ParamKind::Number { min, max, .. } => vec![ParamValue::Number(min), ParamValue::Number(max)],
+                ParamKind::Choice { options } => options.iter().map(|o| ParamValue::Choice(o.0.to_owned())).collect(),
+                ParamKind::Flag { .. } => vec![ParamValue::Flag(false), ParamValue::Flag(true)],
+            };
+            for value in values {
+                let params = Params::checked(info.params, [(spec.id, value.clone())]).expect("the value is in range");
+                for scenario in rooms.iter().filter(|s| s.free.len() < LARGE) {
+                    let Some(job) = scenario.jobs().next() else { continue };
+                    let path = info.build(&params).plan(&job, &mut PlanContext::new(1)).expect("nobody cancels");
+                    let what = format!("{} with {} = {value}", describe(info, scenario, &job), spec.id);
+                    path.check(&job).unwrap_or_else(|error| panic!("{what}: {error}"));
+                    let metrics = WalkMetrics::of(&job, &path);
+                    assert!(!info.claims.complete || metrics.visited_cells == metrics.reachable_cells, "{what}");
+                }
+            }
+        }
+    }
+}
+
+/// Rooms of a cell or a line of them, and start in a corner that diagonal neighbours don't lead out of.
+const TINY: [&str; 6] = [".", "..", ".\n.", ".............", ".\n.\n.\n.\n.\n.", ".#..\n#...\n...."];
+
+#[test]
+fn tiny_rooms_and_impossible_times_are_planned() {
+    let times = [0.0, 1.0, 1e-300, 1e300, -1.0, f64::INFINITY, f64::NAN];
+    for picture in TINY {
+        let free = from_picture(picture, |c| c == '.').expect("it is a rectangle");
+        let top_left = Cell::new(0, free.height() as i32 - 1);
+        for heading in Direction::ALL {
+            let job = CoverageJob::new(&free, top_left, heading).expect("the start is free");
+            for (step_s, turn_s) in times.into_iter().flat_map(|step_s| times.map(|turn_s| (step_s, turn_s))) {
+                let job = CoverageJob { step_s, turn_s, ..job.clone() };
+                for info in PLANNERS {
+                    let what = format!("{} with {step_s} s and {turn_s} s facing {heading:?} in\n{picture}", info.id);
+                    let path = build(info, LARGE + 1).plan(&job, &mut PlanContext::new(1)).expect("nobody cancels");
+                    path.check(&job).unwrap_or_else(|error| panic!("{what}: {error}"));
+                    let metrics = WalkMetrics::of(&job, &path);
+                    assert_eq!(metrics.visited_cells, metrics.reachable_cells, "{what}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn every_planner_explains_itself_with_rooms_that_ship() {
+    for info in PLANNERS {
+        let Explainer { idea, complexity, use_when, shines, fails } = info.explainer;
+        assert_eq!(idea.matches(['.', '!', '?']).count(), 3, "{}: three sentences", info.id);
+        assert!(!complexity.is_empty() && !use_when.is_empty(), "{}", info.id);
+        for example in [shines, fails] {
+            assert!(room(example.room).is_some() && !example.why.is_empty(), "{}: {}", info.id, example.room);
+        }
+    }
+}
+
+#[test]
+fn cancelling_is_honoured_at_the_first_checkpoint() {
+    let free = robovac_core::floorplan::generate::random_hall(200, 200, 1);
+    let job = CoverageJob::new(&free, Cell::new(0, 0), Direction::Right).expect("the start is free");
+    for info in PLANNERS {
+        let mut calls = 0;
+        let mut observer = |_: Report<'_>| {
+            calls += 1;
+            ControlFlow::Break(())
+        };
+        let result = build(info, 0).plan(&job, &mut PlanContext::observed(1, &mut observer));
+        assert_eq!(result, Err(PlanError::Cancelled), "{}", info.id);
+        assert_eq!(calls, 1, "{} goes on after having been cancelled", info.id);
+    }
+}
+
+#[test]
+fn reports_show_progress_and_walks_that_can_be_driven() {
+    for info in PLANNERS {
+        let side = if info.claims.fast { 200 } else { 40 };
+        let free = robovac_core::floorplan::generate::random_hall(side, side, 1);
+        let job = CoverageJob::new(&free, Cell::new(0, 0), Direction::Right).expect("the start is free");
+        let (mut calls, mut last) = (0, 0.0);
+        let mut observer = |Report { done, walk: so_far, .. }: Report<'_>| {
+            calls += 1;
+            assert!((last..=1.0).contains(&done), "{} reports {done} after {last}", info.id);
+            last = done;
+            if !so_far.is_empty() {
+                let walk = CoveragePath { cells: so_far.to_vec() };
+                walk.check(&job).unwrap_or_else(|error| panic!("{} reports a walk: {error}", info.id));
+            }
+            ControlFlow::Continue(())
+        };
+        let observed = build(info, 0).plan(&job, &mut PlanContext::observed(1, &mut observer)).expect("nobody cancels");
+        assert!(calls >= 3, "{} reports {calls} times", info.id);
+        let alone = build(info, 0).plan(&job, &mut PlanContext::new(1)).expect("nobody cancels");
+        assert!(observed == alone, "{} walks otherwise when watched", info.id);
+    }
+}

@@ -1,0 +1,59 @@
+//! What the planners say of themselves, by measurement.
+
+use coverage_planners::{Claims, CoverageJob, PLANNERS, PlanContext, PlannerInfo, metrics::WalkMetrics};
+use robovac_core::{floorplan::room, registry::Params, robot::model};
+use robovac_sim::experiment::planning::Prepared;
+use std::{collections::BTreeMap, fs};
+
+/// A room as the page opens it: for a Roomba, whose cells leave rooms small enough for full effort.
+fn job(id: &str) -> CoverageJob {
+    let plan = (room(id).expect("the room ships").build)();
+    let robot = model("roomba600").expect("the robot exists");
+    Prepared::new(&plan, robot, robot.default_cell, None).expect("the robot fits").job
+}
+
+/// Steps + 2 x quarter turns.
+fn cost(info: &PlannerInfo, job: &CoverageJob) -> f64 {
+    let path = info.build(&Params::defaults(info.params)).plan(job, &mut PlanContext::new(1)).expect("nobody cancels");
+    WalkMetrics::of(job, &path).cost() as f64
+}
+
+/// Costs are taken relative to the best of the planners that are fast and the planner itself: those that search for
+/// seconds are nearly always a little better, but would take this test minutes.
+#[test]
+fn planners_shine_and_fail_where_they_say() {
+    // Several planners name the same rooms.
+    let mut known: BTreeMap<(&str, &str), f64> = BTreeMap::new();
+    for info in PLANNERS {
+        let [shines, fails] = [info.explainer.shines, info.explainer.fails].map(|example| {
+            let job = job(example.room);
+            let mut cost = |other: &PlannerInfo| -> f64 {
+                *known.entry((example.room, other.id)).or_insert_with(|| cost(other, &job))
+            };
+            let own = cost(info);
+            let fast = PLANNERS.iter().filter(|other| other.claims.fast);
+            own / fast.map(|other| cost(other)).fold(own, f64::min)
+        });
+        println!("{:20} {shines:.3} {fails:.3}", info.id);
+        assert!(shines < fails, "{}: {shines} times the best where it shines, {fails} times where it fails", info.id);
+    }
+}
+
+/// A row a planner, in the order of the menus: id, idea, source, and whether it's complete, deterministic and fast.
+#[test]
+fn readme_lists_all_planners_and_their_claims() {
+    let readme = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md")).expect("it can be read");
+    let section = readme.split("## Planners").nth(1).and_then(|rest| rest.split("\n#").next()).expect("it exists");
+    let rows = section.lines().filter(|line| line.starts_with("| `"));
+    let listed: Vec<(String, Vec<bool>)> = rows
+        .map(|line| {
+            let cells: Vec<&str> = line.trim_matches('|').split('|').map(str::trim).collect();
+            (cells[0].trim_matches('`').to_owned(), cells[3..].iter().map(|&cell| cell == "yes").collect())
+        })
+        .collect();
+    let claimed = PLANNERS.iter().map(|info| {
+        let Claims { complete, deterministic, fast, .. } = info.claims;
+        (info.id.to_owned(), vec![complete, deterministic, fast])
+    });
+    assert_eq!(listed, claimed.collect::<Vec<_>>());
+}

@@ -1,0 +1,35 @@
+//! What holds for every planner in rooms that nobody has thought of.
+
+use super::support::build;
+use coverage_planners::{CoverageJob, PLANNERS, PlanContext, metrics::WalkMetrics};
+use proptest::prelude::*;
+use robovac_core::grid::{Direction, Grid};
+
+/// A room of up to 24 x 16 cells, some of them blocked, with a start and a heading; the start is made free.
+fn job() -> impl Strategy<Value = CoverageJob> {
+    let room = (1..24_usize, 1..16_usize, 0.0..0.6_f64).prop_flat_map(|(width, height, share)| {
+        let cells = proptest::collection::vec(proptest::bool::weighted(1.0 - share), width * height);
+        (Just(width), cells, any::<prop::sample::Index>(), 0..4_usize)
+    });
+    room.prop_filter_map("the cells fill the room", |(width, cells, start, heading)| {
+        let mut free = Grid::from_rows(width, cells)?;
+        let start = free.cell(start.index(free.len()));
+        free[start] = true;
+        CoverageJob::new(&free, start, Direction::ALL[heading])
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 200, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn walks_can_be_driven_and_cover_all(job in job(), turn_s in 0.0..10.0_f64) {
+        let job = CoverageJob { turn_s, ..job };
+        for info in PLANNERS {
+            let path = build(info, job.cells()).plan(&job, &mut PlanContext::new(0)).expect("nobody cancels");
+            prop_assert_eq!(path.check(&job), Ok(()), "{}", info.id);
+            let metrics = WalkMetrics::of(&job, &path);
+            prop_assert!(!info.claims.complete || metrics.visited_cells == metrics.reachable_cells, "{}", info.id);
+        }
+    }
+}

@@ -1,0 +1,248 @@
+//! Rooms that the tests of planners share.
+
+use coverage_planners::{CoverageJob, Planner, PlannerInfo};
+use robovac_core::{
+    floorplan::{
+        ROOMS,
+        generate::{random_clutter, random_hall},
+    },
+    grid::{Cell, Direction, Grid, from_picture},
+    registry::{ParamKind, ParamValue, Params},
+    robot::model,
+};
+use robovac_sim::experiment::planning::Prepared;
+use std::{fs, path::PathBuf};
+
+/// Parameters that say how long to look for something better.
+const EFFORTS: [&str; 2] = ["effort", "generations"];
+/// Free cells from which on tests don't look for something better: what holds at the least effort and with full effort in
+/// small rooms is worth more than the minutes.
+pub const LARGE: usize = 120;
+
+/// The planner with its default parameters, with the least effort for a large room.
+pub fn build(info: &PlannerInfo, cells: usize) -> Box<dyn Planner> {
+    let mut params = Params::defaults(info.params);
+    for spec in info.params.iter().filter(|spec| cells > LARGE && EFFORTS.contains(&spec.id)) {
+        if let ParamKind::Number { min, .. } = spec.kind {
+            params.set(info.params, spec.id, ParamValue::Number(min)).expect("the least is in range");
+        }
+    }
+    info.build(&params)
+}
+
+/// A room to plan in.
+pub struct Scenario {
+    pub name: String,
+    pub free: Grid<bool>,
+    /// Where plans start.
+    pub starts: Vec<Cell>,
+    pub headings: Vec<Direction>,
+}
+
+impl Scenario {
+    /// A room tried from every corner of its free cells and from its middle.
+    pub fn new(name: impl Into<String>, free: Grid<bool>) -> Self {
+        let cells: Vec<Cell> = free.iter().filter(|&(_, &f)| f).map(|(cell, _)| cell).collect();
+        let middle = cells[cells.len() / 2];
+        let extreme = |key: fn(&Cell) -> i32| cells.iter().copied().max_by_key(key).unwrap_or(middle);
+        let mut starts = vec![
+            extreme(|c| c.y - c.x),
+            extreme(|c| c.x + c.y),
+            extreme(|c| -c.x - c.y),
+            extreme(|c| c.x - c.y),
+            middle,
+        ];
+        starts.sort_unstable();
+        starts.dedup();
+        Self { name: name.into(), free, starts, headings: Direction::ALL.to_vec() }
+    }
+
+    /// A room tried once.
+    pub fn once(name: impl Into<String>, free: Grid<bool>, start: Cell) -> Self {
+        Self { name: name.into(), free, starts: vec![start], headings: vec![Direction::Right] }
+    }
+
+    /// Every start with every heading.
+    pub fn jobs(&self) -> impl Iterator<Item = CoverageJob> + '_ {
+        let starts = self.starts.iter();
+        starts.flat_map(|&start| self.headings.iter().map(move |&heading| (start, heading))).map(|(start, heading)| {
+            CoverageJob::new(&self.free, start, heading).unwrap_or_else(|| panic!("{}: {start} isn't free", self.name))
+        })
+    }
+}
+
+/// Rooms drawn by hand, each for something that is easily got wrong.
+const DRAWN: &[(&str, &str)] = &[
+    ("single cell", "."),
+    ("corridor", "........."),
+    ("shaft", ".\n.\n.\n.\n."),
+    ("square", "....\n....\n....\n...."),
+    ("the thesis' room", EIGHT),
+    (
+        "spiral corridor",
+        "
+        .........
+        .#######.
+        .#.....#.
+        .#.###.#.
+        .#.#...#.
+        .#.#####.
+        .#.......",
+    ),
+    (
+        "comb",
+        "
+        .#.#.#.#.
+        .#.#.#.#.
+        .#.#.#.#.
+        .........",
+    ),
+    (
+        "comb lying on its side",
+        "
+        ......
+        .#####
+        ......
+        .#####
+        ......
+        .#####",
+    ),
+    (
+        "islands",
+        "
+        ...........
+        .##..#..##.
+        .##.....##.
+        ....###....
+        .#..###..#.
+        ....###....
+        .##.....##.
+        ...........",
+    ),
+    (
+        "C",
+        "
+        .......
+        .......
+        ..#####
+        ..#####
+        .......
+        .......",
+    ),
+    (
+        "dead ends",
+        "
+        ####.####
+        ####.####
+        ...#.#...
+        ##.....##
+        ##.....##
+        ...#.#...
+        ####.####",
+    ),
+    (
+        "door between two rooms",
+        "
+        .....#.....
+        .....#.....
+        ...........
+        .....#.....
+        .....#.....",
+    ),
+    (
+        "slanted walls",
+        "
+        ....######
+        .....#####
+        ......####
+        #......###
+        ##......##
+        ###......#
+        ####......
+        #####....#
+        ######..##",
+    ),
+];
+
+/// The thesis' own room (Emu & Obaida 2020, Appendix B).
+pub const EIGHT: &str = "
+    ...##...
+    ...##...
+    ...##...
+    ........
+    ........
+    ........
+    ##......
+    ##......";
+
+/// A drawn room.
+pub fn drawn(text: &str) -> Grid<bool> {
+    from_picture(text, |c| c == '.').expect("the picture is a rectangle")
+}
+
+/// All rooms of the contract: drawn, made up, and the shared grids where they exist.
+pub fn scenarios() -> Vec<Scenario> {
+    let mut all: Vec<Scenario> = DRAWN.iter().map(|(name, text)| Scenario::new(*name, drawn(text))).collect();
+    for (seed, share) in [0.05, 0.1, 0.2, 0.3, 0.4].into_iter().enumerate() {
+        let free = random_clutter(18, 13, share, seed as u64);
+        all.push(Scenario::new(format!("clutter of {share}"), free));
+    }
+    all.push(Scenario::once("hall of 200 x 200", random_hall(200, 200, 1), Cell::new(0, 0)));
+    all.push(Scenario::once("clutter of 200 x 200", random_clutter(200, 200, 0.2, 1), Cell::new(0, 0)));
+    all.extend(shipped_rooms());
+    all.extend(shared_grids());
+    all
+}
+
+/// The rooms that ship, on the planning grids of the robots that fit into all of them.
+fn shipped_rooms() -> Vec<Scenario> {
+    let robots = ["roomba600", "cell"].map(|id| model(id).expect("the robot ships"));
+    let rooms = ROOMS.iter().flat_map(|room| robots.into_iter().map(move |robot| (room, robot)));
+    rooms
+        .map(|(room, robot)| {
+            let prepared = Prepared::new(&(room.build)(), robot, robot.default_cell, None).expect("the robot fits");
+            Scenario::once(format!("{} for {}", room.id, robot.id), prepared.job.free, prepared.job.start)
+        })
+        .collect()
+}
+
+/// Rooms of closed tours shared on the machine where this was developed, if they're there, and what the best tour known
+/// costs: a step each, and 50 a quarter turn.
+pub fn shared_tours() -> Vec<(CoverageJob, usize)> {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/maps/turncost");
+    let mut files: Vec<PathBuf> =
+        fs::read_dir(folder).into_iter().flatten().filter_map(|entry| Some(entry.ok()?.path())).collect();
+    files.sort();
+    files
+        .iter()
+        .map(|file| {
+            let text = fs::read_to_string(file).expect("the room can be read");
+            let (_, known) = text.split_once("best_ip ").expect("the header tells the best tour");
+            let known: f64 = known.split_whitespace().next().and_then(|known| known.parse().ok()).expect("a number");
+            let rows: Vec<&str> = text.lines().filter(|line| !line.starts_with(';')).collect();
+            let free = from_picture(&rows.join("\n"), |c| c != '#').expect("the room is a rectangle");
+            let start = free.iter().find(|&(_, &free)| free).expect("something is free").0;
+            (CoverageJob::new(&free, start, Direction::Right).expect("the start is free"), known as usize)
+        })
+        .collect()
+}
+
+/// Grids that other planners have been measured on; none where the folder doesn't exist.
+pub fn shared_grids() -> Vec<Scenario> {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/maps/grids");
+    let mut files: Vec<PathBuf> =
+        fs::read_dir(folder).into_iter().flatten().filter_map(|entry| Some(entry.ok()?.path())).collect();
+    files.sort();
+    files
+        .iter()
+        .map(|file| {
+            let text = fs::read_to_string(file).expect("the grid can be read");
+            let rows: Vec<&str> = text.lines().filter(|line| !line.starts_with(';')).collect();
+            let picture = rows.join("\n");
+            let glyphs = from_picture(&picture, |c| c).expect("the grid is a rectangle");
+            let (start, _) = glyphs.iter().find(|&(_, &c)| c == 'S').expect("the grid has a start");
+            let name = file.file_stem().unwrap_or_default().to_string_lossy();
+            Scenario::once(name, glyphs.map(|&c| c != '#'), start)
+        })
+        .collect()
+}

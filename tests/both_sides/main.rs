@@ -1,0 +1,4 @@
+//! What must be the same natively and in WebAssembly.
+
+mod determinism;
+mod live_map;

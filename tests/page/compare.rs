@@ -1,0 +1,310 @@
+//! Comparisons as the page makes them, without a page.
+
+use coverage_planners::{PLANNERS, find, metrics::METRICS};
+use robovac_app::{
+    compare::{Comparison, MOST_LANES, Progress, RoomChoice, Row, Spread, Table, to_csv, to_json},
+    explore::{Session, State},
+};
+use robovac_core::{floorplan::room, registry::Params, robot::cell_robot};
+use robovac_sim::experiment::{Algorithm, Arena, Entrant, TrialRequest};
+
+fn session(room: &str) -> Session {
+    let mut session = Session::new();
+    session.select_room(room).expect("the room ships");
+    session.configure(|s| s.select_robot("cell")).expect("the robot exists");
+    session.configure(|s| s.set_cell_size(0.2)).expect("the size is in range");
+    session
+}
+
+fn comparison(session: &Session, planners: &[&str]) -> Comparison {
+    let mut comparison = Comparison::new();
+    for info in PLANNERS {
+        comparison.choose(info.id, planners.contains(&info.id)).expect("the planner exists");
+    }
+    comparison.take(session);
+    comparison
+}
+
+/// Serves all trials, and tells which planners were asked.
+fn work(comparison: &mut Comparison) -> Vec<String> {
+    let mut asked = Vec::new();
+    while let Some(request) = comparison.take_trial() {
+        comparison.trial_finished(request.id, serve(&request));
+        asked.push(request.entrant);
+    }
+    asked
+}
+
+fn serve(request: &TrialRequest) -> Result<robovac_sim::experiment::Outcome, String> {
+    request.arena().and_then(|arena| request.run(&arena, || 0.0, None))
+}
+
+fn column(id: &str) -> usize {
+    METRICS.iter().position(|metric| metric.id == id).expect("the metric exists")
+}
+
+#[test]
+fn table_has_the_numbers_that_the_planners_reach_alone() {
+    let session = session("thesis8");
+    let mut comparison = comparison(&session, &["boustrophedon", "snake"]);
+    assert_eq!(work(&mut comparison), ["boustrophedon", "snake"]);
+    let table = comparison.table(None);
+    let plan = (room("thesis8").expect("it ships").build)();
+    let arena = Arena::new(&plan, &cell_robot(0.2), 0.2, None).expect("the robot fits");
+    for row in &table.rows {
+        let info = row.entrant.algorithm.planner().expect("a planner");
+        let alone = arena.run(info, &Params::defaults(info.params), 1, || 0.0, None).expect("it plans");
+        for (value, metric) in row.values.iter().zip(METRICS) {
+            assert_eq!(value.map(|v| v.median), metric.value(&alone.numbers), "{} of {}", metric.id, info.id);
+        }
+    }
+    // Known from the golden walks: 14 and 34 quarter turns.
+    let turns = column("turns");
+    assert!(table.is_best(&table.rows[0], turns) && !table.is_best(&table.rows[1], turns));
+    assert_eq!(table.rows[1].values[turns], Some(Spread { median: 34.0, min: 34.0, max: 34.0 }));
+}
+
+#[test]
+fn only_what_changed_is_tried_again() {
+    let mut session = session("thesis8");
+    let mut comparison = comparison(&session, &["boustrophedon", "snake"]);
+    work(&mut comparison);
+    comparison.set_param("snake", "patience", "0").expect("the value is in range");
+    assert_eq!(work(&mut comparison), ["snake~patience:0"]);
+    comparison.set_param("snake", "patience", "2").expect("the value is in range");
+    comparison.choose("boustrophedon", false).expect("it exists");
+    comparison.choose("boustrophedon", true).expect("it exists");
+    comparison.take(&session);
+    assert_eq!(work(&mut comparison), [""; 0], "both are known");
+    session.select_room("lshape").expect("it ships");
+    comparison.take(&session);
+    assert_eq!(work(&mut comparison).len(), 2);
+    session.select_room("thesis8").expect("it ships");
+    comparison.take(&session);
+    // The walks to be raced are those of one room; the numbers of the other are still known.
+    assert_eq!(comparison.count(), (2, 2));
+}
+
+#[test]
+fn trial_under_way_does_not_answer_for_another_parameter() {
+    let session = session("thesis8");
+    let mut comparison = comparison(&session, &["snake"]);
+    let before = comparison.take_trial().expect("there is work");
+    comparison.set_param("snake", "patience", "0").expect("it is in range");
+    assert!(!comparison.is_wanted(before.id));
+    comparison.trial_finished(before.id, serve(&before));
+    assert_eq!(comparison.count(), (0, 1));
+    assert_eq!(work(&mut comparison), ["snake~patience:0"]);
+}
+
+#[test]
+fn race_comes_back_with_the_room() {
+    let mut session = session("thesis8");
+    let mut comparison = comparison(&session, &["boustrophedon", "snake"]);
+    work(&mut comparison);
+    session.select_room("lshape").expect("it ships");
+    comparison.take(&session);
+    session.select_room("thesis8").expect("it ships");
+    comparison.take(&session);
+    work(&mut comparison);
+    assert_eq!(comparison.race().map_or(0, |race| race.lanes().len()), 2);
+}
+
+#[test]
+fn paths_are_there_beyond_the_lanes_of_the_race() {
+    let session = session("thesis8");
+    let ids: Vec<&str> = PLANNERS.iter().map(|planner| planner.id).collect();
+    let mut comparison = comparison(&session, &ids);
+    work(&mut comparison);
+    let race = comparison.race().expect("there is a room");
+    assert!(race.lanes().len() == MOST_LANES && ids.len() > MOST_LANES);
+    for (entrant, id) in ids.iter().enumerate() {
+        let line = comparison.path(entrant).and_then(|path| race.line(path));
+        assert!(line.is_some_and(|line| line.len() > 10), "{id}");
+    }
+}
+
+#[test]
+fn cancelled_trials_are_forgotten_and_made_when_it_goes_on() {
+    let session = session("thesis8");
+    let mut comparison = comparison(&session, &["boustrophedon", "snake"]);
+    let first = comparison.take_trial().expect("there is work");
+    comparison.trial_progress(first.id, 0.5);
+    assert_eq!(comparison.progress(0), Progress::Trying(0.5));
+    comparison.cancel();
+    assert!(!comparison.is_wanted(first.id) && comparison.take_trial().is_none());
+    comparison.trial_finished(first.id, serve(&first));
+    assert_eq!(comparison.count(), (0, 2), "a late answer counts for nothing");
+    comparison.resume();
+    assert_eq!(work(&mut comparison).len(), 2);
+    assert_eq!(comparison.progress(0), Progress::Done);
+}
+
+#[test]
+fn failure_is_told_and_the_others_go_on() {
+    let session = session("thesis8");
+    let mut comparison = comparison(&session, &["boustrophedon", "snake"]);
+    let first = comparison.take_trial().expect("there is work");
+    comparison.trial_finished(first.id, Err("it fell over".into()));
+    work(&mut comparison);
+    assert_eq!(comparison.progress(0), Progress::Failed("it fell over"));
+    let table = comparison.table(None);
+    assert_eq!(table.rows[0].failure.as_deref(), Some("it fell over"));
+    assert!(table.rows[0].values.iter().all(Option::is_none) && table.rows[1].values.iter().all(Option::is_some));
+    assert!(comparison.race().is_some_and(|race| race.lanes().len() == 1));
+}
+
+#[test]
+fn robots_race_under_one_clock_and_come_back_to_the_bit() {
+    let session = session("thesis8");
+    let mut comparison = comparison(&session, &["boustrophedon", "snake"]);
+    work(&mut comparison);
+    let race = comparison.race_mut().expect("there are plans");
+    assert_eq!(race.state(), State::Ready);
+    race.set_speed(100.0);
+    race.play();
+    race.frame(0.1, &mut || true);
+    let poses = |race: &robovac_app::compare::Race| -> Vec<(u64, _, _)> {
+        race.lanes().iter().map(|lane| (lane.run().steps(), lane.run().pose(), lane.run().coverage())).collect()
+    };
+    let early = poses(race);
+    let time = race.time_s();
+    assert!((time - 10.0).abs() < 0.02 && early[0].0 == early[1].0 && early[0].1 != early[1].1, "{time} s: {early:?}");
+    race.set_speed(0.0);
+    while race.state() == State::Playing {
+        race.frame(0.016, &mut || true);
+    }
+    assert_eq!(race.state(), State::Finished);
+    let [first, second] = race.lanes() else { panic!("two robots") };
+    assert!(first.run().time_s() < second.run().time_s(), "the snake turns more often");
+    assert!((first.run().time_s() - first.racer.planned_s).abs() < 0.05 * first.racer.planned_s);
+    assert_eq!(race.time_s(), second.run().time_s(), "the clock stops with the last robot");
+    race.seek(time);
+    while race.state() == State::Seeking {
+        race.frame(0.016, &mut || true);
+    }
+    assert_eq!(poses(race), early);
+    race.play();
+    assert_eq!(race.state(), State::Playing);
+}
+
+#[test]
+fn link_brings_the_comparison_back() {
+    let session = session("thesis8");
+    let mut comparison = comparison(&session, &["boustrophedon", "snake"]);
+    comparison.set_param("snake", "patience", "5").expect("the value is in range");
+    comparison.set_rooms("all").expect("there are rooms");
+    comparison.set_seeds(5);
+    let link = comparison.to_link();
+    assert_eq!(link, "vs=boustrophedon,snake~patience:5&rooms=all&seeds=5");
+    let mut other = Comparison::new();
+    other.take(&session);
+    other.restore(&format!("#room=thesis8&place=compare&{link}")).expect("it was just written");
+    assert_eq!(other.to_link(), link);
+    for wrong in ["vs=snail", "vs=snake~patience:much", "rooms=none", "seeds=0", "seeds=1000"] {
+        assert!(other.restore(wrong).is_err(), "{wrong}");
+        assert_eq!(other.to_link(), link, "{wrong} changed something");
+    }
+}
+
+#[test]
+fn own_rooms_are_compared_in_too() {
+    let mut session = session("thesis8");
+    session.begin_stroke(robovac_app::explore::Brush::Wall, robovac_core::geometry::Point::new(0.9, 0.7));
+    session.end_stroke();
+    let mut comparison = comparison(&session, &["boustrophedon"]);
+    assert_eq!(comparison.rooms(), [RoomChoice::Own]);
+    let request = comparison.take_trial().expect("there is work");
+    let outcome = serve(&request).expect("there is a plan");
+    assert_eq!(outcome.numbers.walk.reachable_cells, 53, "one of 54 cells is a wall now");
+}
+
+#[test]
+fn sums_and_means_over_rooms_and_median_over_seeds() {
+    let plan = (room("thesis8").expect("it ships").build)();
+    let arena = Arena::new(&plan, &cell_robot(0.2), 0.2, None).expect("the robot fits");
+    let info = find("snake").expect("it exists");
+    let one = arena.run(info, &Params::defaults(info.params), 1, || 0.0, None).expect("it plans").numbers;
+    let mut other = one;
+    other.walk.turns = 40;
+    other.drive.coverage = 0.5;
+    let row = Row::new(Entrant::new(Algorithm::Planner(info)), 0, &[vec![Ok(one), Ok(other)], vec![Ok(one), Ok(one)]]);
+    assert_eq!(row.values[column("turns")], Some(Spread { median: 71.0, min: 68.0, max: 74.0 }));
+    assert_eq!(row.values[column("coverage")], Some(Spread { median: 87.5, min: 75.0, max: 100.0 }));
+    assert_eq!((row.trials, row.missing), (4, 0));
+    let unfinished = Row::new(Entrant::new(Algorithm::Planner(info)), 0, &[vec![Ok(one)], vec![]]);
+    assert_eq!((unfinished.values[column("turns")], unfinished.missing), (None, 1));
+    assert_eq!(Table::new(vec![unfinished]).best[column("turns")], None);
+}
+
+#[test]
+fn files_hold_every_trial_with_all_numbers() {
+    let session = session("thesis8");
+    let mut comparison = comparison(&session, &["boustrophedon", "snake"]);
+    let first = comparison.take_trial().expect("there is work");
+    comparison.trial_finished(first.id, Err("a \"reason\", with a comma".into()));
+    work(&mut comparison);
+    let csv = to_csv(&comparison.records());
+    let lines: Vec<&str> = csv.lines().collect();
+    assert_eq!(lines.len(), 3);
+    assert!(lines[0].starts_with(
+        "room,robot,cell size [m],planner,seed,error,cells,bound steps,bound turns,bound steps + 2 turns,coverage [%],"
+    ));
+    assert!(lines[1].contains("\"a \"\"reason\"\", with a comma\",,,,,"));
+    assert!(lines[2].starts_with("Thesis preset 8 x 8,cell,0.2,snake,1,,54,53,14,81,100,"));
+    let json: serde_json::Value = serde_json::from_str(&to_json(&comparison.records())).expect("it is JSON");
+    assert_eq!(json[1]["numbers"]["turns"], 34.0);
+    assert_eq!(json[0]["error"], "a \"reason\", with a comma");
+}
+
+#[test]
+fn robot_that_comes_late_catches_up_and_the_race_goes_on() {
+    let session = session("thesis8");
+    let mut comparison = comparison(&session, &["boustrophedon", "snake"]);
+    let first = comparison.take_trial().expect("there is work");
+    comparison.trial_finished(first.id, serve(&first));
+    let race = comparison.race_mut().expect("there is a plan");
+    race.set_speed(100.0);
+    race.play();
+    race.frame(0.1, &mut || true);
+    let before = (race.time_s(), race.lanes()[0].run().pose());
+    work(&mut comparison);
+    let race = comparison.race_mut().expect("there are plans");
+    assert_eq!(race.lanes().len(), 2);
+    while race.state() == State::Seeking {
+        race.frame(0.0, &mut || true);
+    }
+    assert_eq!((race.time_s(), race.lanes()[0].run().pose()), before);
+    assert_eq!(race.lanes()[0].run().steps(), race.lanes()[1].run().steps());
+    assert_eq!(race.state(), State::Playing);
+    // Scrubbing ahead of what has been simulated gets there too, all robots together even if they are told to stop.
+    race.seek(40.0);
+    race.pause();
+    race.step();
+    while race.state() == State::Seeking {
+        race.frame(0.0, &mut || true);
+    }
+    assert!((race.time_s() - 40.0).abs() < 0.02, "{}", race.time_s());
+    assert_eq!(race.lanes()[0].run().steps(), race.lanes()[1].run().steps());
+    assert_eq!(race.state(), State::Paused);
+}
+
+#[test]
+fn who_stops_early_on_a_dirty_floor_is_not_first() {
+    let mut session = session("room12ft");
+    session.configure(|s| s.select_robot("roomba600")).expect("the robot exists");
+    session.configure(|s| s.set_slip("harsh")).expect("the level exists");
+    let mut comparison = comparison(&session, &["boustrophedon", "snake"]);
+    work(&mut comparison);
+    let race = comparison.race_mut().expect("there are plans");
+    race.set_speed(0.0);
+    race.play();
+    while race.state() == State::Playing {
+        race.frame(0.016, &mut || true);
+    }
+    let lanes: Vec<(usize, f64, u64)> =
+        race.places().into_iter().zip(race.lanes()).map(|(p, l)| (p, l.run().coverage(), l.run().steps())).collect();
+    let (first, second) = if lanes[0].0 == 1 { (lanes[0], lanes[1]) } else { (lanes[1], lanes[0]) };
+    assert!(second.1 < 0.95, "harsh slip leads the robot astray: {lanes:?}");
+    assert!(first.1 > second.1 && second.0 == 2, "{lanes:?}");
+}

@@ -1,0 +1,12 @@
+//! What the tabs of the page decide and show.
+
+mod compare;
+mod draft;
+mod drawing;
+mod floorplan;
+mod furnish;
+mod montecarlo;
+mod opening;
+mod scenario;
+mod session;
+mod survey;
