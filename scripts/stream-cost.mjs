@@ -44,7 +44,7 @@ async function share() {
 }
 
 const without = await share();
-await page.click(".link-bridge summary");
+await page.click(".connection-bridge summary");
 await page.fill("#connection-url", `${bus.url}/0`);
 await page.press("#connection-url", "Enter");
 await page.waitForFunction(() => document.querySelector("#panel-connection")?.textContent?.includes("connected"));
