@@ -43,7 +43,7 @@ async function build() {
     "div",
     { className: "row", hidden: true },
     make("label", { className: "field" }, make("span", { className: "label" }, "Mode"), mode),
-    make("label", { className: "check" }, negate, make("span", {}, "Light is wall (negate)")),
+    make("label", { className: "check" }, negate, make("span", {}, "Light pixels are walls (negate)")),
   );
   const complaint = make("p", { className: "fault", role: "alert", hidden: true });
   const save = make("button", { type: "submit", className: "primary", id: "save-now" }, "Save");

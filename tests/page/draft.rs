@@ -404,7 +404,7 @@ fn the_part_that_is_meant_is_cut_out_and_a_part_outside_says_so() {
 
 #[test]
 fn the_sample_drawing_is_a_flat_in_millimetres() {
-    let board = open(file("sample.dxf", include_bytes!("../../www/draft/sample.dxf")));
+    let board = open(file("sample.dxf", include_bytes!("../../www/floor-plan/sample.dxf")));
     let view = board.view();
     assert_eq!(view.settings.metre, Some(0.001));
     let roles: Vec<(&str, Role)> = view.layers.iter().map(|layer| (layer.name.as_str(), layer.role)).collect();
