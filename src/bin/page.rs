@@ -1,4 +1,4 @@
-//! What everyone loads first: the `Playground` of the tab Explore, and none of the planners.
+//! Module loaded first: the `Playground` of the Explore tab, without any planner.
 // JavaScript calls what the module exports; there is nothing to be run at the start.
 #![cfg_attr(target_arch = "wasm32", no_main)]
 

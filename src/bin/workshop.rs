@@ -1,4 +1,4 @@
-//! What is loaded when it is first needed: planners and trials for workers, and the tabs Compare, Map and Robot.
+//! Module loaded when first needed: planners and trials for workers, and the tabs Compare, Map and Robot.
 // JavaScript calls what the module exports; there is nothing to be run at the start.
 #![cfg_attr(target_arch = "wasm32", no_main)]
 

@@ -1,4 +1,4 @@
-//! Draws a picture of how a plan came to be.
+//! Draws a picture of a search film.
 
 use crate::canvas::line;
 use robovac_app::{FilmScene, Palette, Viewport, explore::Ink};

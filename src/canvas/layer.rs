@@ -1,4 +1,4 @@
-//! Pictures that are drawn once and shown often.
+//! Cached layers: drawn once, shown often.
 
 use robovac_app::Palette;
 use robovac_core::coverage::CoverageTracker;
@@ -19,7 +19,7 @@ impl Layer {
     /// A transparent canvas of `width` x `height` pixels.
     pub fn new(width: u32, height: u32) -> Result<Self, JsValue> {
         let canvas = OffscreenCanvas::new(width.max(1), height.max(1))?;
-        let context = canvas.get_context("2d")?.ok_or("this browser can't draw off screen")?;
+        let context = canvas.get_context("2d")?.ok_or("no off-screen canvas; use a current browser")?;
         Ok(Self { canvas, context: context.unchecked_into() })
     }
 

@@ -94,7 +94,7 @@ struct Shapes {
 impl Canvas {
     /// Draws onto `element` from now on.
     pub fn new(element: HtmlCanvasElement) -> Result<Self, JsValue> {
-        let context = element.get_context("2d")?.ok_or("this browser can't draw")?.unchecked_into();
+        let context = element.get_context("2d")?.ok_or("no 2D canvas; use a current browser")?.unchecked_into();
         let (below, above) = (Layer::new(1, 1)?, Layer::new(1, 1)?);
         Ok(Self { element, context, below, above, shapes: None, visits: None, last: None })
     }

@@ -1,4 +1,4 @@
-//! Draws what stands, lies and moves in a room.
+//! Draws the objects in a room.
 
 use js_sys::Array;
 use robovac_app::{Palette, Viewport, explore::handles};

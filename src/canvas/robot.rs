@@ -1,4 +1,4 @@
-//! Draws a robot as it is seen from above.
+//! Draws a robot from above.
 
 use robovac_app::{Palette, RobotView};
 use robovac_core::{
@@ -190,7 +190,7 @@ pub fn draw_start(
     Ok(())
 }
 
-/// Marks where the robot believes to be.
+/// Marks the robot's estimated pose.
 pub fn draw_estimate(
     context: &CanvasRenderingContext2d,
     palette: &Palette,

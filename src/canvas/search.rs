@@ -1,4 +1,4 @@
-//! Draws a planner's decision: the sides that it compares and the values that it looks at.
+//! Draws a planner's decision: the compared sides and values.
 
 use robovac_app::{Palette, SearchScene, Viewport};
 use robovac_core::{

@@ -1,4 +1,4 @@
-//! Draws what a robot's sensors look at, and what they see.
+//! Draws the beams of a robot's sensors and what they detect.
 
 use crate::canvas::robot::disc;
 use robovac_app::{Palette, RobotView, Sensed, Viewport};

@@ -1,4 +1,4 @@
-//! The drawing board for the page: it lives in a worker, with the canvas that it draws on.
+//! The Floor plan tab: runs in a worker, with its canvas.
 
 mod marks;
 mod paint;

@@ -1,4 +1,4 @@
-//! What there is to choose from, for menus and forms.
+//! Catalogue of algorithms, rooms and robots, for menus and forms.
 
 use robovac_app::READINGS;
 use robovac_core::{

@@ -1,4 +1,4 @@
-//! What the page does with objects.
+//! Object editing on the page.
 
 use super::Playground;
 use js_sys::{Array, Reflect};

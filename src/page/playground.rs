@@ -1,4 +1,4 @@
-//! The page's one object: a session, the view of it on a canvas, and the hand that draws.
+//! The page's main object: a session, its canvas and pointer input.
 
 mod hand;
 

@@ -1,4 +1,4 @@
-//! An algorithm as menus, forms and panels have it.
+//! An algorithm as shown in menus, forms and panels.
 
 use crate::wire::param::{Param, params};
 use robovac_core::registry;

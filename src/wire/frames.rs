@@ -1,4 +1,4 @@
-//! What a planner was filmed at, on its way from a worker: plain objects.
+//! Film frames from a worker, as plain objects.
 
 use crate::wire::proof::proof_from_js;
 use crate::wire::proof::proof_to_js;

@@ -1,4 +1,4 @@
-//! Map files: a worker reads them, as a large one takes its time; a plain object with the room comes back.
+//! Map files, read in a worker; the room is returned as a plain object.
 
 use js_sys::Array;
 use js_sys::{Float64Array, Reflect, Uint8Array};

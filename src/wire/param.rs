@@ -1,4 +1,4 @@
-//! Parameters as forms take them.
+//! Parameters for forms.
 
 use robovac_core::registry::{ParamKind, ParamSpec, ParamValue};
 use serde::Serialize;

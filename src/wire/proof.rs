@@ -1,4 +1,4 @@
-//! What is proven of a walk, as it crosses to the page and back: cost and bound, or nothing.
+//! A walk's cost and proven bound, if any, passed to the page and back.
 
 use coverage_planners::Proof;
 use {js_sys::Float64Array, wasm_bindgen::JsValue};

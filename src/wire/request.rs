@@ -1,4 +1,4 @@
-//! What goes to a worker that plans: a plain object.
+//! Planning request to a worker, as a plain object.
 
 use coverage_planners::{self, CoverageJob};
 use js_sys::{Reflect, Uint8Array};

@@ -1,4 +1,4 @@
-//! The page's comparison: its choices, its trials, and the race on up to nine canvases.
+//! The Compare tab: settings, trials, and the race on up to nine canvases.
 
 use super::{
     comparison_view::{ComparisonView, TableView},

@@ -1,4 +1,4 @@
-//! The playground's session as the comparisons' module sees it: a copy that follows the original.
+//! Mirror of the playground's session in another module.
 
 use coverage_planners::CoveragePath;
 use robovac_app::Import;

@@ -1,4 +1,4 @@
-//! A connection to a robot, in a worker: bytes in, bytes out, and what the page shows of it.
+//! A connection to a robot, in a worker: bytes in, bytes out, and the view model for the page.
 
 use super::guest::Guest;
 use robovac_core::geometry::Point;
@@ -95,7 +95,7 @@ impl Link {
                 // Only those that reckon for themselves have it.
                 let _ = params.set_text(behaviour.params, "odometry", odometry.id());
                 let setup = Setup { robot: &robot, params: &params, seed: settings.seed };
-                behaviour.build(&setup).ok_or("There is no such behaviour.")?
+                behaviour.build(&setup).ok_or("This behaviour doesn't exist.")?
             }
             Algorithm::Planner(_) => {
                 let line: Vec<Point> = corners.as_chunks().0.iter().map(|&[x, y]| Point::new(x, y)).collect();
@@ -117,7 +117,7 @@ impl Link {
         to_js(&self.link.take_traffic())
     }
 
-    /// Where the robot believes to have been since this was last asked for: x and y in m, heading in rad and what it felt
+    /// The robot's estimated trail since this was last asked for: x and y in m, heading in rad and what it felt
     /// there, in turn; see `app::link::Link::take_trace`.
     pub fn take_trace(&mut self) -> Vec<f64> {
         self.link.take_trace()

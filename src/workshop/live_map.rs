@@ -1,4 +1,4 @@
-//! What the page shows of a robot on its way: the room, where it believes to be, what it has swept and felt.
+//! Live map of a connected robot: room, estimated pose, swept floor and contacts.
 
 mod marks;
 mod paper;
@@ -61,7 +61,7 @@ impl LiveMap {
     /// On that canvas, in the room that `guest` shows if it is `known`, or else on blank paper.
     #[wasm_bindgen(constructor)]
     pub fn new(element: HtmlCanvasElement, guest: &Guest, known: bool) -> Result<Self, JsValue> {
-        let context = element.get_context("2d")?.ok_or("this browser can't draw")?.unchecked_into();
+        let context = element.get_context("2d")?.ok_or("no 2D canvas; use a current browser")?.unchecked_into();
         let canvas = Canvas::new(element)?;
         let robot = guest.session().settings().robot_model();
         let paper = Paper::new(guest.session(), &robot, known);
@@ -115,7 +115,7 @@ impl LiveMap {
         self.paper.start().map_or(Vec::new(), |start| vec![start.x, start.y, start.heading])
     }
 
-    /// From now on, a robot that believes to be at x, y, heading is at `to_x`, `to_y`, `to_heading` in the room.
+    /// From now on, a robot whose estimated pose is x, y, heading is at `to_x`, `to_y`, `to_heading` in the room.
     pub fn anchor(&mut self, x: f64, y: f64, heading: f64, to_x: f64, to_y: f64, to_heading: f64) {
         let turn = to_heading - heading;
         let moved = Pose::new(0.0, 0.0, turn).to_world(Point::new(x, y));
@@ -123,7 +123,7 @@ impl LiveMap {
         self.lift();
     }
 
-    /// From now on, a robot that believes to be at x, y, heading is where it is drawn now: it hasn't moved, but was told to
+    /// From now on, a robot whose estimated pose is x, y, heading is where it is drawn now: it hasn't moved, but was told to
     /// believe something else.
     pub fn stay(&mut self, x: f64, y: f64, heading: f64) {
         if let Some(here) = self.pose {
@@ -147,7 +147,7 @@ impl LiveMap {
         }
     }
 
-    /// Where it believes to be now, whether it is in somebody's hand, and whether each half of its bumper is pressed.
+    /// Its estimated pose now, whether it is in somebody's hand, and whether each half of its bumper is pressed.
     pub fn show_robot(&mut self, x: f64, y: f64, heading: f64, is_lifted: bool, left: bool, right: bool) {
         let pose = self.placed(x, y, heading);
         self.has_changed |= self.pose != Some(pose) || self.bumps != [left, right] || self.is_lifted != is_lifted;

@@ -1,4 +1,4 @@
-//! The page's many runs: choices, work for workers, curves and numbers.
+//! Monte Carlo studies on the page: settings, work for workers, curves and numbers.
 
 use super::guest::Guest;
 use coverage_planners::PLANNERS;

@@ -1,4 +1,4 @@
-//! A recorded session once more.
+//! Replay of a recording.
 
 use robovac_link::link::{Recording, Replay as Player};
 use robovac_playground::wire::to_js;

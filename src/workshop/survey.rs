@@ -1,4 +1,4 @@
-//! The page's place Map: a survey, the picture of it on a canvas, and the hand on the robot.
+//! The Map tab: a mapping session, its canvas and pointer input.
 
 mod hand;
 mod ink;
@@ -256,7 +256,7 @@ impl Survey {
     }
 
     fn mapped(&self) -> Result<FloorPlan, JsValue> {
-        let belief = self.state.belief().ok_or("there is no map: the robot can't be put into this room")?;
+        let belief = self.state.belief().ok_or("there is no map: the robot doesn't fit into this room")?;
         let title = self.state.plan().map_or("room", |plan| &plan.name);
         plan_of(belief.map, &format!("{title}, as mapped"))
     }

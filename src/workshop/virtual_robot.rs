@@ -1,4 +1,4 @@
-//! A robot that isn't there, in a worker: the emulator behind the same bytes as a real one.
+//! The virtual robot, in a worker: the emulator, with the same bytes as a real robot.
 
 use super::guest::Guest;
 use robovac_core::geometry::Pose;

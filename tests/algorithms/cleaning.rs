@@ -150,7 +150,7 @@ fn a_robot_that_is_carried_off_finds_itself_and_goes_on_cleaning() {
     survey.lift();
     survey.put_down(Pose::new(1.0, 1.6, 2.0));
     survey.run_ahead(2.0);
-    assert_eq!((survey.view().is_sure, survey.view().activity), (Some(false), "looking for itself on its map"));
+    assert_eq!((survey.view().is_sure, survey.view().activity), (Some(false), "relocalising on its map"));
     let before = marks(&survey);
     let mut waited = 0;
     while survey.view().is_sure.is_some() && waited < 40 {

@@ -277,7 +277,7 @@ test("what can't be read is refused, and what was there before stays", async (t)
     [anyFile("cut.dxf", dxf("", TWO_ROOMS, { units: 6 }).bytes.subarray(0, 300)), /cut\.dxf/],
     [anyFile("plan.dxf", "AC1027\0\0\0\0binary"), /plan\.dxf.*DWG/],
     [anyFile("cyclic.dxf", `${cyclic.join("\n")}\n`), /cyclic\.dxf/],
-    [anyFile("letter.txt", "Dear reader,\nthis is no map.\n"), /letter\.txt.*unknown kind/],
+    [anyFile("letter.txt", "Dear reader,\nthis is no map.\n"), /letter\.txt.*unknown format/],
     [anyFile("empty.svg", "<svg xmlns='http://www.w3.org/2000/svg'></svg>"), /empty\.svg/],
   ];
   for (const [file, reason] of cases) {

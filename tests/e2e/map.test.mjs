@@ -51,7 +51,7 @@ const picture = (page) =>
 test("it opens empty, explores, and its figures grow", async (t) => {
   const { page, app } = await openMap(t);
   assert.ok(await page.locator("#map-hint").isVisible());
-  assert.match(await page.locator("#map-floor").getAttribute("aria-label"), /knows nothing/);
+  assert.match(await page.locator("#map-floor").getAttribute("aria-label"), /has not mapped anything yet/);
   assert.ok(await page.locator("#map-export").isDisabled(), "there is nothing to export");
   const early = await explore(app, 30);
   const late = await explore(app, 240);
@@ -225,7 +225,7 @@ test("frontiers and the way to one are in the legend while they are drawn, and i
   await app.poll(() => page.locator("#panel-map").getAttribute("data-goals"), (goals) => goals === "frontiers route");
   await page.locator("#map-play").click();
   assert.ok(await frontier.isVisible() && await way.isVisible());
-  await app.poll(() => page.locator("#map-floor").getAttribute("aria-label"), (words) => /driving along a line to its goal; what it knows ends in (one place|\d+ places)\./.test(words));
+  await app.poll(() => page.locator("#map-floor").getAttribute("aria-label"), (words) => /driving to its goal; (one frontier is|\d+ frontiers are) left\./.test(words));
   await page.keyboard.press("l");
   await page.getByLabel("Goals, frontiers").uncheck();
   await frontier.waitFor({ state: "hidden" });
@@ -318,7 +318,7 @@ test("it cleans by its own map, which time can be gone back over and a reload br
   await app.poll(() => figures(app), (now) => now.time >= time + 20);
   await page.locator("#map-play").click();
   await phase("paused");
-  assert.match(await page.locator("#map-activity").textContent(), /clean|map|backing|turning/i);
+  assert.match(await page.locator("#map-activity").textContent(), /clean|floor|map|backing|turning/i);
   const numbers = () => page.locator("#map-more").textContent();
   assert.match(await numbers(), /Cleaned by its map[\d.]+ %, [\d.]+ m² left/);
   const end = (await figures(app)).time;
@@ -352,7 +352,7 @@ test("kidnapped while it cleans, it relocalises on its map and continues", async
   await page.keyboard.press("Enter");
   await phase("playing", "paused");
   if ((await page.locator("#panel-map").getAttribute("data-phase")) === "paused") await page.locator("#map-play").click();
-  await app.poll(() => page.locator("#map-activity").textContent(), (text) => /looking for itself/i.test(text));
+  await app.poll(() => page.locator("#map-activity").textContent(), (text) => /relocalising/i.test(text));
   assert.ok(await page.locator("#map-sure").isVisible());
   await page.locator("#map-speed").selectOption("256");
   await app.poll(() => page.locator("#map-activity").textContent(), (text) => /cleaning by its map|done/i.test(text));

@@ -44,7 +44,7 @@ test("runs are made when one asks, and chart, table and files tell the same of t
   assert.ok(await page.locator("#runs-chart").isHidden());
   await run(page, 6);
   const rows = await table(page);
-  assert.deepEqual(rows.map(({ name }) => name).sort(), ["Boustrophedon (mown lanes)", "Bounce"].sort());
+  assert.deepEqual(rows.map(({ name }) => name).sort(), ["Boustrophedon (parallel lanes)", "Bounce"].sort());
   assert.ok(rows.every(({ cells }) => cells[0] === "> 2:00" && cells[1] === "0 %"), JSON.stringify(rows));
   assert.equal(await page.locator("#runs-plot .curve").count(), 2);
   assert.equal(await page.locator("#runs-plot .band").count(), 2);

@@ -69,24 +69,24 @@ test("in a small room the search is a film: construction, and what every improve
   const told = [];
   const seen = new Set();
   const next = page.getByRole("button", { name: "Next frame" });
-  for (let i = 0; i < 40 && !/^The search is over/.test(told.at(-1) ?? ""); i++) {
+  for (let i = 0; i < 40 && !/^Search finished/.test(told.at(-1) ?? ""); i++) {
     await next.click();
     await app.frames(2);
     told.push(await note());
     seen.add(await floor());
     if (/taken apart/.test(told.at(-1)) && !told.slice(0, -1).some((text) => /taken apart/.test(text))) await screenshot("near-optimal-film");
   }
-  assert.ok(told.some((text) => /^Improvement.* of \d+: the tinted cells are about to change\.$/.test(text)), told.join("\n"));
-  assert.ok(told.some((text) => /taken apart there; \d+ parts? stays?\.$/.test(text)));
+  assert.ok(told.some((text) => /^Improvement.* of \d+: the tinted cells will change\.$/.test(text)), told.join("\n"));
+  assert.ok(told.some((text) => /taken apart there; \d+ parts? remains?\.$/.test(text)));
   assert.ok(told.some((text) => /merged again, .* (less|more|saved) \(.* % of the bound\); now (proven optimal|[\d.]+ % above)/.test(text)));
-  assert.match(told.at(-1), /^The search is over: the plan is (proven optimal|[\d.]+ % above the proven bound)\./);
+  assert.match(told.at(-1), /^Search finished: the plan is (proven optimal|[\d.]+ % above the proven bound)\./);
   assert.ok(seen.size > told.length / 2, "every picture is another");
   await page.getByRole("button", { name: "Play again" }).click();
   await app.poll(note, (text) => /^Construction, 1 of 3/.test(text));
   await app.poll(note, (text) => /^Construction, 2 of 3/.test(text));
 
   await app.press("Play");
-  await app.poll(note, (text) => /waits while the robot drives/.test(text));
+  await app.poll(note, (text) => /is hidden while the robot drives/.test(text));
   assert.deepEqual((await keys())[0].split("\n")[0], "Passes");
 });
 
@@ -115,7 +115,7 @@ test("a plan that was kept early says so and has a film; a room that is too larg
   assert.ok((await box.isChecked()) && (await refusal.isHidden()));
 
   await app.choose("room", "office");
-  assert.match(await refusal.textContent(), /^Rooms of more than 2000 planning cells aren't filmed; this one has \d+\.$/);
+  assert.match(await refusal.textContent(), /^Rooms with more than 2000 planning cells aren't filmed; this one has \d+\.$/);
   assert.ok((await refusal.isVisible()) && !(await box.isChecked()) && (await box.isDisabled()));
 });
 

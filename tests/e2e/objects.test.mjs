@@ -115,8 +115,8 @@ test("a scenario that can't be is refused with path, line and reason, and the ro
   const text = await saved(app);
   const [room, area] = [await app.room(), await app.reachableArea()];
   const cases = [
-    ['"version": 2', '"version": 9', /line \d+, column \d+, version: this is a scenario of version 9/],
-    ['"radius": 0.015', '"radius": -1', /objects\[\d+\]\.leg\.radius: -1 is out of range; write metres from 0\.005 to 5/],
+    ['"version": 2', '"version": 9', /line \d+, column \d+, version: this scenario has version 9/],
+    ['"radius": 0.015', '"radius": -1', /objects\[\d+\]\.leg\.radius: -1 is out of range; use metres from 0\.005 to 5/],
     ['"radius": 0.015', '"radius": 1e999', /objects\[\d+\]\.leg\.radius: number out of range/],
     ['"dock": { "x": 0.0', '"dock": { "x": -3.0', /objects\[\d+\]\.dock: .* lies outside the room/],
     ['"name":', '"nam":', /nam: unknown field/],

@@ -14,7 +14,7 @@ test("maps that can't be taken are refused with the reason, and the room stays",
   const cases = [
     [[anyFile("nothing.png", "")], /"nothing\.png" is empty/],
     [[anyFile("cut.png", whole.bytes.subarray(0, whole.bytes.length - 30))], /"cut\.png" is (cut off|damaged)/],
-    [[anyFile("letter.txt", "Dear reader,\nthis is no map.\n")], /"letter\.txt" is text of unknown kind/],
+    [[anyFile("letter.txt", "Dear reader,\nthis is no map.\n")], /"letter\.txt" is text of an unknown format/],
     [[anyFile("photo.jpg", "\xff\xd8\xff\xe0")], /"photo\.jpg" is/],
     [[pngOfSize("huge.png", 5000, 5000)], /"huge\.png" is 5000 x 5000 cells large/],
     [[textMap("solid.txt", ["###", "###"])], /"solid\.txt" has no free cell/],

@@ -152,7 +152,7 @@ fn cells_that_no_map_has_are_refused_and_the_width_stays() {
         assert_eq!(board.room().unwrap().plan.resolution, metre);
     }
     let mut drawing = furnished(None);
-    assert!(drawing.description().contains("unit isn't known"));
+    assert!(drawing.description().contains("unit not chosen yet"));
     change(&mut drawing, |settings| settings.metre = Some(0.000_001));
     change(&mut drawing, |settings| settings.metre = Some(-1.0));
     assert_eq!(drawing.settings().metre, Some(0.000_001), "the unit of a drawing is no cell");
@@ -326,10 +326,10 @@ fn files_of_a_sweep_name_the_robot_that_it_was_planned_for() {
     assert!(
         bytes.starts_with("# planned   for an octagon, 0.400 m wide\n# runs on   Roomba 600 / Create 2, a circle of")
     );
-    assert!(bytes.contains("not planned for"), "{bytes}");
+    assert!(bytes.contains("not the robot"), "{bytes}");
     let [program, bytes] = heads(BodyChoice::Model { id: "roomba600".into() });
     assert!(program.contains("for the Roomba 600 / Create 2, a circle of") && program.contains("turns on the spot"));
-    assert!(!bytes.contains("not planned for"), "{bytes}");
+    assert!(!bytes.contains("not the robot"), "{bytes}");
     let [program, _] = heads(BodyChoice::Circle { radius: 0.2 });
     assert!(program.contains("for a circle of 0.200 m radius\n; robot     moves as the Roomba"), "{program}");
 }

@@ -268,16 +268,16 @@ mod formats {
         assert_messages(&[
             (message(&[]), "no file was given; choose a floor plan"),
             (text(" \n"), "\"a.txt\" is empty; choose another file"),
-            (text("Dear diary"), "\"a.txt\" is text of unknown kind, which is not a map"),
+            (text("Dear diary"), "\"a.txt\" is text of an unknown format, not a supported map"),
             (
                 message(&[file("a.png", b"\xff\xd8\xff\xe0")]),
-                "\"a.png\" is a JPEG image, which is not a map that can be read; use a PNG",
+                "\"a.png\" is a JPEG image, not a supported map; use a PNG",
             ),
-            (message(&[file("a", b"\x00\xff\x01")]), "\"a\" is a file of unknown kind"),
-            (text("..\n.x"), "\"a.txt\", line 2, column 2: 'x' means nothing in a text map; use # for walls"),
+            (message(&[file("a", b"\x00\xff\x01")]), "\"a\" is a file of an unknown format"),
+            (text("..\n.x"), "\"a.txt\", line 2, column 2: 'x' is not allowed in a text map; use # for walls"),
             (
                 text("; note\n..\n..."),
-                "\"a.txt\", line 3: this row has 3 cells, the rows above have 2; make all rows equally long",
+                "\"a.txt\", line 3: this row has 3 cells, but the rows above have 2; make all rows equally long",
             ),
             (text("..\n\n.."), "\"a.txt\", line 2: this row has 0 cells"),
             (text("S.\n.S"), "\"a.txt\", line 2: there is a second start S, the first one is in line 1; keep one"),
@@ -285,10 +285,10 @@ mod formats {
             (text("; resolution 0.1\n"), "\"a.txt\" has no free cell"),
             (
                 text("; resolution 0\n.."),
-                "\"a.txt\", line 1: resolution can't be \"0\"; it takes metres per cell from 0.001 to 100",
+                "\"a.txt\", line 1: resolution can't be \"0\"; use metres per cell from 0.001 to 100",
             ),
             (text("; resolution\n.."), "\"a.txt\", line 1: resolution can't be \"\""),
-            (text(&".".repeat(4097)), "\"a.txt\" is 4097 x 1 cells large, at most 4096 x 4096 are taken in; crop it"),
+            (text(&".".repeat(4097)), "\"a.txt\" has 4097 x 1 cells, but the limit is 4096 x 4096; crop it"),
             (text(&".\n".repeat(5000)), "\"a.txt\" is 1 x 4097 cells large"),
         ]);
     }
@@ -318,23 +318,20 @@ mod formats {
         png[1] = b'Q';
         let threshold = "\"map.yaml\", line 6: occupied_thresh can't be";
         assert_messages(&[
-            (yaml("0.65", "high"), &format!("{threshold} \"high\"; it takes a number from 0 to 1")),
-            (yaml("0.65", "nan"), &format!("{threshold} \"nan\"; it takes a number from 0 to 1")),
-            (yaml("0.196", ""), "\"map.yaml\", line 7: free_thresh can't be \"\"; it takes one value"),
+            (yaml("0.65", "high"), &format!("{threshold} \"high\"; use a number from 0 to 1")),
+            (yaml("0.65", "nan"), &format!("{threshold} \"nan\"; use a number from 0 to 1")),
+            (yaml("0.196", ""), "\"map.yaml\", line 7: free_thresh can't be \"\"; use one value"),
             (
                 yaml("0.65", "0.1"),
-                "\"map.yaml\", line 7: free_thresh can't be \"0.196\"; it takes at most occupied_thresh, which is 0.1",
+                "\"map.yaml\", line 7: free_thresh can't be \"0.196\"; use at most occupied_thresh, which is 0.1",
             ),
             (with_image(b"P5 4 3 255\nabcdef"), "\"map.pgm\" is cut off: its picture ends too early; copy or export"),
             (with_image(b"P5 3 2 0\nabcdef"), "\"map.pgm\" is damaged: "),
             (with_image(b"P5 -3 2 255\nabcdef"), "\"map.pgm\" is damaged: "),
-            (
-                with_image(b"P9 3 2 255\nabcdef"),
-                "\"map.pgm\" is text of unknown kind, which is not a map that can be read; use",
-            ),
-            (with_image(b"P7\nWIDTH 3\n"), "\"map.pgm\" is a PAM image, which is not a map that can be read; use"),
+            (with_image(b"P9 3 2 255\nabcdef"), "\"map.pgm\" is text of an unknown format, not a supported map; use"),
+            (with_image(b"P7\nWIDTH 3\n"), "\"map.pgm\" is a PAM image, not a supported map; use"),
             (with_image(b""), "\"map.pgm\" is empty; choose another file"),
-            (with_image(&png), "\"map.pgm\" is a file of unknown kind, which is not a map that can be read; use"),
+            (with_image(&png), "\"map.pgm\" is a file of an unknown format, not a supported map; use"),
         ]);
     }
 
@@ -345,37 +342,34 @@ mod formats {
         assert_messages(&[
             (
                 yaml("resolution: 0.1", "resolution: 0"),
-                "\"map.yaml\", line 3: resolution can't be \"0\"; it takes metres per cell",
+                "\"map.yaml\", line 3: resolution can't be \"0\"; use metres per cell",
             ),
             (yaml("resolution: 0.1", "resolution: -0.05"), "\"map.yaml\", line 3: resolution can't be \"-0.05\""),
             (yaml("resolution: 0.1", "resolution: nan"), "\"map.yaml\", line 3: resolution can't be \"nan\""),
             (
                 yaml("resolution: 0.1", "resolution: [1, 2]"),
-                "\"map.yaml\", line 3: resolution can't be \"1, 2\"; it takes one value",
+                "\"map.yaml\", line 3: resolution can't be \"1, 2\"; use one value",
             ),
             (yaml("resolution", "resolutoin"), "\"map.yaml\" has no \"resolution\"; add the line \"resolution: 0.05\""),
             (yaml("image: map.pgm", "mode: raw"), "\"map.yaml\" has no \"image\"; add the line \"image: map.pgm\""),
-            (yaml("negate: 0", "negate: maybe"), "\"map.yaml\", line 5: negate can't be \"maybe\"; it takes 0 or 1"),
+            (yaml("negate: 0", "negate: maybe"), "\"map.yaml\", line 5: negate can't be \"maybe\"; use 0 or 1"),
             (
                 yaml("negate: 0", "mode: best"),
-                "\"map.yaml\", line 5: mode can't be \"best\"; it takes trinary, scale or raw",
+                "\"map.yaml\", line 5: mode can't be \"best\"; use trinary, scale or raw",
             ),
-            (
-                yaml("0.65", "6.5"),
-                "\"map.yaml\", line 6: occupied_thresh can't be \"6.5\"; it takes a number from 0 to 1",
-            ),
+            (yaml("0.65", "6.5"), "\"map.yaml\", line 6: occupied_thresh can't be \"6.5\"; use a number from 0 to 1"),
             (
                 yaml("0.196", "0.7"),
-                "\"map.yaml\", line 7: free_thresh can't be \"0.7\"; it takes at most occupied_thresh, which is 0.65",
+                "\"map.yaml\", line 7: free_thresh can't be \"0.7\"; use at most occupied_thresh, which is 0.65",
             ),
             (
                 yaml("[-1.5, 2.0, 0.5]", "[-1.5, 2.0]"),
-                "\"map.yaml\", line 4: origin can't be \"-1.5, 2.0\"; it takes [x, y, yaw]",
+                "\"map.yaml\", line 4: origin can't be \"-1.5, 2.0\"; use [x, y, yaw]",
             ),
             (yaml("[-1.5, 2.0, 0.5]", "[-1.5, 2.0"), "\"map.yaml\", line "),
             (
                 message(&ros_map(YAML)[..1]),
-                "\"map.yaml\" only describes a map, its cells are in \"map.pgm\"; choose both files together",
+                "\"map.yaml\" only describes a map; its cells are in \"map.pgm\"; choose both files together",
             ),
             (
                 message(&[ros_map(YAML)[0].clone(), image()]),
@@ -391,7 +385,7 @@ mod formats {
         // The others are in tests/scenario.
         let json = |from: &str, to: &str| message(&[file("a.json", SCENARIO.replace(from, to))]);
         assert_messages(&[
-            (json("robovac-scenario", "replay"), "\"a.json\" is JSON but not a scenario, which begins with"),
+            (json("robovac-scenario", "replay"), "\"a.json\" is JSON but not a scenario (no "),
             (json("\"..?\",", "\"..?\""), "\"a.json\", line 8, column 18: expected `,` or `]`; mend that line"),
             (json("\"seed\": 7\n}", "\"seed\": 7"), "\"a.json\" is cut off: its JSON ends too early"),
         ]);

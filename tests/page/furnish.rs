@@ -171,7 +171,7 @@ fn what_cannot_be_there_is_refused_with_the_reason_and_nothing_changes() {
     assert_eq!(session.view().message, "");
     place(&mut session, &mut hand, Kind::Furniture, (2.3, 1.8), (3.0, 2.2));
     let message = session.view().message;
-    assert!(message.starts_with("The dock at (2.500 m, 2.000 m) looks into furniture"), "{message}");
+    assert!(message.starts_with("The dock at (2.500 m, 2.000 m) faces furniture"), "{message}");
     assert_eq!(session.plan().objects.len(), 1);
 
     // Nor can a wall be drawn there, or a start.

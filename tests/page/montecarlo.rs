@@ -287,7 +287,7 @@ fn link_brings_back_the_choices_and_bad_ones_are_refused() {
         ("runs=manual", "there is no algorithm that cleans or explores by itself \"manual\""),
         ("paths=bounce", "there is no planner \"bounce\""),
         ("paths=snake~patience:99", "takes a whole number from 0 to 20"),
-        ("times=0", "can't be \"0\"; it takes a whole number from 1 to 1000"),
+        ("times=0", "can't be \"0\"; use a whole number from 1 to 1000"),
         ("minutes=1e9", "whole minutes from 1 to 600"),
     ] {
         let message = study.restore(&format!("minutes=10&{bad}")).expect_err(bad).to_string();

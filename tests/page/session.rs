@@ -331,7 +331,7 @@ fn watched(session: &mut Session) -> Vec<String> {
     let mut told = Vec::new();
     for _ in 0..60 * 40 {
         let text = session.view().search.text;
-        assert_eq!(session.picture().is_none(), text.contains("is over"), "{text}");
+        assert_eq!(session.picture().is_none(), text.contains("finished"), "{text}");
         if told.last() != Some(&text) {
             told.push(text);
         }
@@ -350,17 +350,17 @@ fn search_of_a_small_room_is_a_film() {
     session.show_search(true);
     assert_eq!(session.state(), State::Ready, "the robot waits");
     let told = watched(&mut session);
-    assert!(told[0].starts_with("Construction, 1 of 3: Boustrophedon (mown lanes) needs "), "{told:?}");
-    assert_eq!(told.iter().filter(|text| text.contains("The search begins with it")).count(), 1, "{told:?}");
+    assert!(told[0].starts_with("Construction, 1 of 3: Boustrophedon (parallel lanes) needs "), "{told:?}");
+    assert_eq!(told.iter().filter(|text| text.contains("The search starts from it")).count(), 1, "{told:?}");
     // Every improvement in three pictures, the way from what it was to what it is.
     let improvements = &told[3..told.len() - 1];
     assert!(!improvements.is_empty(), "{told:?}");
     for three in improvements.chunks(3) {
-        assert!(three[0].starts_with("Improvement") && three[0].ends_with("are about to change."), "{three:?}");
+        assert!(three[0].starts_with("Improvement") && three[0].ends_with("will change."), "{three:?}");
         assert!(three[1].contains("taken apart there; "), "{three:?}");
         assert!(three[2].contains("merged again, ") && three[2].contains(" % of the bound); now "), "{three:?}");
     }
-    assert!(told[told.len() - 1].starts_with("The search is over: the plan is "), "{told:?}");
+    assert!(told[told.len() - 1].starts_with("Search finished: the plan is "), "{told:?}");
     session.show_search(false);
     assert_eq!(session.view().search.text, "");
     session.show_search(true);
@@ -383,7 +383,7 @@ fn film_waits_while_the_robot_drives() {
         session.frame(1.0 / 60.0, &mut || true);
     }
     assert!(session.picture().is_none() && session.scene().robot.is_some());
-    assert!(session.view().search.text.contains("waits while the robot drives"), "{}", session.view().search.text);
+    assert!(session.view().search.text.contains("is hidden while the robot drives"), "{}", session.view().search.text);
     session.pause();
     assert_eq!(session.view().search.text, first, "it hasn't gone on meanwhile");
 }
@@ -515,7 +515,7 @@ fn search_of_the_snake_follows_the_robot() {
         "{}",
         block.note
     );
-    assert!(steps.iter().any(|step| step.rule == "Shortest way" || step.rule == "Back"));
+    assert!(steps.iter().any(|step| step.rule == "Shortest path" || step.rule == "Back"));
 
     // The decision shown is the one that the robot carries out, all along the run.
     let cell = session.settings().cell_size;
@@ -574,7 +574,7 @@ fn start_in_a_closet_is_told_with_the_floor_that_is_left_out() {
     let view = session.view();
     assert_eq!((view.room.reachable_m2, view.room.left_out_m2), (1.25, 31.0 * 0.25));
     assert!(
-        view.message.starts_with("From this start the robot reaches only 1.2 m² of floor; 7.8 m² (hatched)"),
+        view.message.starts_with("From this start the robot can reach only 1.2 m² of floor; 7.8 m² (hatched)"),
         "{}",
         view.message
     );
@@ -613,7 +613,7 @@ fn planned_robot_that_is_carried_off_is_told_to_go_on_blindly() {
     assert_eq!(session.view().message, "", "it stands where it stood");
     session.lift();
     session.put_down(Pose::new(there.x + 0.4, there.y, there.heading));
-    assert!(session.view().message.contains("doesn't know that it was carried"), "{}", session.view().message);
+    assert!(session.view().message.contains("can't detect that it was kidnapped"), "{}", session.view().message);
     session.run_ahead(1.0);
     let lines = diary(session.recording().unwrap().run(), true);
     assert!(lines.iter().any(|line| line.text.contains("put down, follows its plan as before")), "{lines:?}");

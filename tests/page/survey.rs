@@ -149,7 +149,7 @@ fn a_survey_that_was_left_goes_on_where_it_was() {
     // What was stored is there before the robot is.
     assert_eq!(known(&back), cells);
     assert_eq!(back.belief().expect("there is a robot").pose(), pose);
-    assert!(back.description().contains("as it was left"));
+    assert!(back.description().contains("restored from the last visit"));
     arrive(&mut back);
     assert_eq!(back.run().expect("there is a run").digest(), digest);
     assert!(!back.take_strayed());
@@ -286,9 +286,9 @@ fn an_explorer_that_is_carried_off_finds_itself_and_goes_on_exploring() {
     survey.lift();
     survey.put_down(Pose::new(1.0, 1.6, 2.0));
     survey.run_ahead(2.0);
-    assert_eq!((survey.view().is_sure, survey.view().activity), (Some(false), "looking for itself on its map"));
+    assert_eq!((survey.view().is_sure, survey.view().activity), (Some(false), "relocalising on its map"));
     let words = survey.description();
-    assert!(words.contains("carried off and looks for itself on its map, and"), "{words}");
+    assert!(words.contains("was kidnapped and is relocalising on its map, and"), "{words}");
     let mut waited = 0;
     while survey.view().is_sure.is_some() && waited < 40 {
         assert_eq!(survey.view().is_sure, Some(false), "it doesn't go by what it guesses yet");

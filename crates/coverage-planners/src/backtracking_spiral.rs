@@ -1,4 +1,5 @@
-//! Backtracking spiral algorithm (BSA): winds inwards along walls and clean floor, then goes to the nearest place left.
+//! Backtracking spiral algorithm (BSA): spirals inwards along walls and clean floor, then backtracks to the nearest
+//! cell left.
 //!
 //! González, Álvarez, Díaz, Parra & Bustacara 2005, "BSA: a complete coverage algorithm" (IEEE International Conference on
 //! Robotics and Automation). The robot has a reference side. Walls, furniture and clean cells are all obstacles to it:
@@ -48,30 +49,29 @@ use robovac_core::{
 pub const INFO: PlannerInfo = PlannerInfo {
     id: "backtracking_spiral",
     title: "Backtracking spiral (BSA)",
-    summary: "Winds inwards along walls and clean floor, then goes to the nearest place left and winds again.",
+    summary: "Spirals inwards along walls and clean floor, then goes to the nearest cell left and spirals again.",
     source: "González, Álvarez, Díaz, Parra & Bustacara 2005, BSA: a complete coverage algorithm, ICRA",
     link: "https://www.academia.edu/103916763/BSA_A_Complete_Coverage_Algorithm",
     explainer: Explainer {
-        idea: "The robot keeps walls and clean floor on one side and winds inwards until it is shut in. \
-               Then it goes to the nearest place that it has passed without cleaning it. \
-               There the next spiral begins.",
-        complexity: "O(n) time and memory for n cells, and a search around the end of every spiral.",
-        use_when: "Decides from its neighbours alone, and is at its best in corridors and empty rooms. \
-                   Slanted walls and scattered furniture make ragged spirals with many turns.",
+        idea: "The robot keeps walls and clean floor on one side and spirals inwards until it is enclosed. Then it \
+               backtracks to the nearest cell that it passed without cleaning. There the next spiral starts.",
+        complexity: "O(n) time and memory for n cells, plus a local search at the end of every spiral.",
+        use_when: "Uses only neighbouring cells; best in corridors and empty rooms. Slanted walls and scattered \
+                   furniture cause ragged spirals with many turns.",
         shines: Example {
             room: "spiral",
-            why: "Follows the walls round every corner, all the way in and back, where lanes break off.",
+            why: "Follows the walls round every corner, all the way in and back, where lanes would end.",
         },
         fails: Example {
             room: "slanted",
-            why: "A slanted wall is a stair of cells, and every winding turns at each of its steps.",
+            why: "A slanted wall is a staircase of cells, and every winding turns at each step.",
         },
     },
     claims: Claims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
     params: &[ParamSpec {
         id: "side",
         label: "Reference side",
-        help: "Side on which it keeps walls and clean floor; the better of both, or always the same.",
+        help: "Side on which it keeps walls and clean floor: the better one, or always the same.",
         kind: ParamKind::Choice { options: &[("auto", "the better"), ("left", "left"), ("right", "right")] },
     }],
 };

@@ -1,4 +1,4 @@
-//! Boustrophedon: cuts the room into parts that a lawn mower's way can sweep, and visits one after the other.
+//! Boustrophedon: decomposes the room into parts that can be swept in parallel lanes, and orders them.
 //!
 //! Choset & Pignon 1998 ("Coverage path planning: the boustrophedon cellular decomposition") and Choset 2000 ("Coverage of
 //! known spaces", Autonomous Robots 9). A line sweeps over the room; where its connectivity changes, a part ends or begins
@@ -8,7 +8,7 @@
 //! floor that has been cleaned anyway are cut short ([`tighten`]).
 //!
 //! Lanes run along x or y, whichever walk costs less. In a large room the choice is made by the number of lanes, and the
-//! order stays nearest first unless more effort is asked for.
+//! order stays nearest first unless more effort is set.
 //!
 //! ```
 //! use robovac_core::grid::*;
@@ -37,22 +37,23 @@ use robovac_core::{
 /// Entry in the registry.
 pub const INFO: PlannerInfo = PlannerInfo {
     id: "boustrophedon",
-    title: "Boustrophedon (mown lanes)",
-    summary: "Cuts the room at critical points into parts, mows each in lanes, and finds a good order to visit them.",
+    title: "Boustrophedon (parallel lanes)",
+    summary: "Decomposes the room at critical points, sweeps each part in lanes, and finds a good visiting order.",
     source: "Choset & Pignon 1998, Coverage path planning: the boustrophedon cellular decomposition; \
              Choset 2000, Coverage of known spaces, Autonomous Robots 9",
     link: "https://doi.org/10.1023/A:1008958800904",
     explainer: Explainer {
-        idea: "A line sweeps over the room, and wherever an obstacle splits or joins it a part ends and others begin. \
-               Every part can be mown in straight lanes from one of its corners. \
-               Then only the order of the parts is left to be chosen, like the towns of a travelling salesman.",
-        complexity: "Cutting and mowing take O(n) time and memory for n cells; ordering b parts takes up to O(b²).",
-        use_when: "The first choice for known rooms: few turns, hardly any cell twice, and fast even in a hall. \
-                   Slanted or ragged walls cut the room into many small parts, which costs it its lead.",
-        shines: Example { room: "empty", why: "Nothing but lanes from wall to wall, with hardly any cell twice." },
+        idea: "A line sweeps over the room, and wherever an obstacle splits or joins it, one part ends and others \
+               begin. Each part can be swept in straight lanes from one of its corners. The order of the parts is then \
+               chosen as in the travelling salesman problem.",
+        complexity: "Decomposition and lanes take O(n) time and memory for n cells; ordering b parts takes up to \
+            O(b²).",
+        use_when: "The first choice for known rooms: few turns, hardly any revisits, and fast even in a hall. Slanted \
+                   or ragged walls split the room into many small parts, which costs efficiency.",
+        shines: Example { room: "empty", why: "Long lanes from wall to wall, with hardly any revisits." },
         fails: Example {
             room: "spiral",
-            why: "All lanes lie one way, so that half of the arms are mown across, in short lanes full of turns.",
+            why: "All lanes have one direction, so half of the arms are swept across, in short lanes with many turns.",
         },
     },
     claims: Claims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
@@ -60,7 +61,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         ParamSpec {
             id: "lanes",
             label: "Lanes",
-            help: "Direction of the lanes; the faster of both by the robot's speeds, or always the same.",
+            help: "Direction of the lanes: the faster one for this robot, or always the same.",
             kind: ParamKind::Choice {
                 options: &[("auto", "the faster"), ("horizontal", "horizontal"), ("vertical", "vertical")],
             },
@@ -68,13 +69,13 @@ pub const INFO: PlannerInfo = PlannerInfo {
         ParamSpec {
             id: "effort",
             label: "Effort",
-            help: "How long to look for a better order of the parts; 0 takes the nearest first.",
+            help: "Search effort for a better order of the parts; 0 visits the nearest part first.",
             kind: ParamKind::Number { min: 0.0, max: 10.0, step: 1.0, default: 1.0, unit: "" },
         },
         ParamSpec {
             id: "max_jump",
-            label: "Widest jump",
-            help: "A part is cut in two where a wall beside it jumps by more than this.",
+            label: "Largest step",
+            help: "A part is split where the wall beside it steps by more than this.",
             kind: ParamKind::Number { min: 0.0, max: 100.0, step: 1.0, default: 4.0, unit: "cells" },
         },
     ],

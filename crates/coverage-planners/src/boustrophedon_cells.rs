@@ -1,4 +1,4 @@
-//! Boustrophedon with lanes along x in some parts of the room and along y in others, and every lane in its best place.
+//! Boustrophedon with lanes along x in some parts of the room and along y in others, in an optimised order.
 //!
 //! Huang 2001 ("Optimal line-sweep-based decompositions for coverage algorithms", ICRA) lets every part of a decomposition
 //! be swept in a direction of its own, as each end of a lane costs a turn. He chooses directions and parts together by
@@ -8,7 +8,7 @@
 //!
 //! 1. The parts are ordered nearest first, then by local search with a choice of corners ([`Tours`]).
 //! 2. The walk is taken apart into its lanes, and the same search puts these in order one by one ([`lanes_of`]).
-//! 3. Detours are cut short ([`Tours`]), the walk is taken apart anew into straight strokes, less what others clean as
+//! 3. Detours are cut short ([`Tours`]), the walk is split again into straight strokes, less what others clean as
 //!    well ([`strokes`]), and step 2 is repeated with these, always from the best walk. So lanes change as well: a way between
 //!    two lanes may become one, and neighbours shrink by what it cleans.
 //!
@@ -34,27 +34,23 @@ use robovac_core::registry::{Example, Explainer, ParamKind, ParamSpec};
 /// Entry in the registry.
 pub const INFO: PlannerInfo = PlannerInfo {
     id: "boustrophedon_cells",
-    title: "Boustrophedon, lanes turned part by part",
-    summary: "Mows every part of the room in the direction that leaves fewest lane ends, in a good order.",
+    title: "Boustrophedon, lane direction per part",
+    summary: "Sweeps each part of the room in the direction with the fewest lane ends, in a good order.",
     source: "Huang 2001, Optimal line-sweep-based decompositions for coverage algorithms, ICRA; \
              Arkin et al. 2005, Optimal covering tours with turn costs, SIAM J. Comput. 35(3)",
     link: "https://doi.org/10.1137/S0097539703434267",
     explainer: Explainer {
-        idea: "Every end of a lane costs a quarter turn, so the floor is split between lanes along x and along y such that \
-               they have fewest ends, which a minimum cut finds exactly. \
-               Neighbouring lanes are mown as parts, whose order is found as for a travelling salesman. \
-               Then the lanes are taken one by one, and local search looks for a better order of them all.",
-        complexity: "The cut takes up to O(p³) time for p rectangles between the lines of the walls, far less in practice; all else as \
-                     for boustrophedon with its O(l²) for l lanes.",
-        use_when: "Fewest turns of all lane mowers, in rooms whose arms and gaps run both ways. It plans for a second or so \
-                   where plain lanes take a tenth.",
-        shines: Example {
-            room: "spiral",
-            why: "Every arm is mown along its length, where plain lanes cross half of them.",
-        },
+        idea: "Every lane end costs a quarter turn, so the floor is divided into lanes along x and lanes along y with \
+               the fewest ends, which a minimum cut finds exactly. Neighbouring lanes form parts, ordered as in the \
+               travelling salesman problem. Finally, local search improves the order of the single lanes.",
+        complexity: "The cut takes up to O(p³) time for p rectangles between the wall lines, far less in practice; the \
+                     rest as for boustrophedon, with O(l²) for l lanes.",
+        use_when: "The fewest turns of all lane planners, in rooms with arms in both directions. Planning takes about \
+                   a second, ten times as long as plain lanes.",
+        shines: Example { room: "spiral", why: "Every arm is swept lengthwise, while plain lanes cross half of them." },
         fails: Example {
             room: "ushape",
-            why: "Rings along the walls go round both corners without a break and need a little less.",
+            why: "Rings along the walls pass both corners without a break and cost slightly less.",
         },
     },
     claims: Claims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
@@ -62,13 +58,13 @@ pub const INFO: PlannerInfo = PlannerInfo {
         ParamSpec {
             id: "effort",
             label: "Effort",
-            help: "How long to look for a better order of parts and lanes; 0 takes the nearest first.",
+            help: "Search effort for a better order of parts and lanes; 0 visits the nearest part first.",
             kind: ParamKind::Number { min: 0.0, max: 4.0, step: 1.0, default: 1.0, unit: "" },
         },
         ParamSpec {
             id: "max_jump",
-            label: "Widest jump",
-            help: "A part is cut in two where a wall beside it jumps by more than this.",
+            label: "Largest step",
+            help: "A part is split where the wall beside it steps by more than this.",
             kind: ParamKind::Number { min: 0.0, max: 100.0, step: 1.0, default: 4.0, unit: "cells" },
         },
     ],

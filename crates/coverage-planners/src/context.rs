@@ -1,4 +1,4 @@
-//! What a planner may ask of its surroundings: random numbers, and whether to go on.
+//! Context of a planner: random numbers, progress and cancellation.
 
 use super::{Proof, TraceStep};
 use robovac_core::{
@@ -39,14 +39,14 @@ pub struct Report<'a> {
     pub proof: Option<Proof>,
 }
 
-/// Is told how far a planner is; says whether to go on.
+/// Receives a planner's progress; returns whether to continue.
 pub type Observer<'a> = &'a mut dyn FnMut(Report<'_>) -> ControlFlow<()>;
 
-/// Is told every decision.
+/// Receives every decision.
 pub type Tracer<'a> = &'a mut dyn FnMut(TraceStep);
 
 impl<'a> PlanContext<'a> {
-    /// A run that nobody watches.
+    /// A run without observer.
     pub fn new(seed: u64) -> Self {
         Self { rng: seeded(seed, 0), proof: None, observer: None, tracer: None }
     }

@@ -44,28 +44,29 @@ use std::ops::ControlFlow;
 pub const INFO: PlannerInfo = PlannerInfo {
     id: "contour",
     title: "Contour (rings along the walls)",
-    summary: "Follows the walls all round, then drives ring inside ring at growing distance from them.",
+    summary: "Follows the walls, then drives concentric rings at growing distance from them.",
     source: "Held 1991, On the Computational Geometry of Pocket Machining, LNCS 500; Held, Lukács & Andor 1994, \
              Pocket machining based on contour-parallel tool paths, Computer-Aided Design 26(3)",
     link: "https://doi.org/10.1007/3-540-54103-9",
     explainer: Explainer {
-        idea: "All cells that are equally far from the nearest wall make up rings, one inside the other. \
-               The robot drives round a ring, steps over into the nearest one that is ready, and drives round that. \
-               A ring is ready when the rings between it and the wall have been driven, as a mill cuts a pocket.",
-        complexity: "Layers and rings take O(n) time and memory for n cells; so do the ways to the next ring if it's near.",
-        use_when: "Cleans along walls and furniture first, and its strokes follow them. \
-                   Rings round every island break off where they meet, which costs turns and ways in cluttered rooms.",
-        shines: Example { room: "ushape", why: "Follows the arms round both corners, where lanes would break off." },
+        idea: "Cells at equal distance from the nearest wall form rings, one inside the other. The robot drives a \
+               ring, then moves to the nearest one that is ready. A ring is ready when all rings between it and the \
+               wall are done, as in pocket milling.",
+        complexity: "Layers and rings take O(n) time and memory for n cells; so do the transitions between nearby \
+            rings.",
+        use_when: "Cleans along walls and furniture first. Rings around islands break where they meet, which costs \
+                   turns and detours in cluttered rooms.",
+        shines: Example { room: "ushape", why: "Follows the arms round both corners, where lanes would end." },
         fails: Example {
             room: "slanted",
-            why: "A slanted wall is a stair of cells, and every ring repeats all of its steps.",
+            why: "A slanted wall is a staircase of cells, and every ring repeats all of its steps.",
         },
     },
     claims: Claims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
     params: &[ParamSpec {
         id: "order",
         label: "Order",
-        help: "Whether to begin at the walls or in the middle, farthest from them.",
+        help: "Start at the walls or in the middle, farthest from them.",
         kind: ParamKind::Choice { options: &[("inwards", "from the walls"), ("outwards", "from the middle")] },
     }],
 };

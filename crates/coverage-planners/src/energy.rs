@@ -1,4 +1,4 @@
-//! Energy functional: always on to the cell beside the robot that costs the least "energy".
+//! Energy functional: always moves to the neighbouring cell with the least "energy".
 //!
 //! By Bormann, Hampp & Hägele 2015, "New brooms sweep clean - an autonomous robotic cleaning assistant for professional
 //! office cleaning" (ICRA); compared with others by Bormann, Jordan, Hampp & Hägele 2018, "Indoor coverage path planning:
@@ -52,26 +52,26 @@ use robovac_core::{
 pub const INFO: PlannerInfo = PlannerInfo {
     id: "energy",
     title: "Energy functional",
-    summary: "Goes on to the neighbour of least energy: near, straight ahead, and with much clean floor around it.",
+    summary: "Moves to the neighbour with the least energy: near, straight ahead, and surrounded by clean floor.",
     source: "Bormann, Hampp & Hägele 2015, New brooms sweep clean, ICRA; \
              Bormann, Jordan, Hampp & Hägele 2018, Indoor coverage path planning, ICRA",
     link: "https://doi.org/10.1109/ICRA.2018.8460566",
     explainer: Explainer {
-        idea: "Every cell beside the robot gets an energy, and the robot goes on to the cell with the least. \
-               Distance and turning raise the energy, clean cells and walls around the cell lower it. \
-               So the robot hugs what it has cleaned, and lanes come about that nobody has planned.",
-        complexity: "O(n) time and memory for n cells, and a search for the nearest cell left at each dead end; \
-                     eight times over in rooms of up to 100,000 cells.",
-        use_when: "As simple as greedy planning gets, and as fast; it can decide while it drives. \
-                   It sees one step ahead only, so it leaves corners behind for which it must come back.",
-        shines: Example { room: "lshape", why: "One long meander round the corner, as good as planned." },
-        fails: Example { room: "maze", why: "It can't see which way ends, and drives back for what it has left." },
+        idea: "Each cell beside the robot has an energy, and the robot moves to the one with the least. Distance and \
+               turning raise the energy; clean cells and walls around the cell lower it. So the robot stays close to \
+               cleaned floor, and lanes emerge by themselves.",
+        complexity: "O(n) time and memory for n cells, plus a search for the nearest cell left at each dead end; \
+                     repeated eight times in rooms of up to 100,000 cells.",
+        use_when: "Simple, fast greedy planning that also works online. It looks only one step ahead, so it leaves \
+                   corners that it must return to.",
+        shines: Example { room: "lshape", why: "One long meander round the corner, close to the best plan." },
+        fails: Example { room: "maze", why: "It can't see dead ends and drives back for cells it left." },
     },
     claims: Claims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
     params: &[
-        weight("rotation", "Turning", "Energy of a quarter turn; that of a step is 1.", 1.0),
-        weight("visited", "Clean floor", "How much each clean cell of the eight around lowers the energy.", 0.5),
-        weight("walls", "Walls", "How much each wall cell of the eight around lowers the energy.", 0.09),
+        weight("rotation", "Turning", "Energy of a quarter turn; a step costs 1.", 1.0),
+        weight("visited", "Clean floor", "Energy bonus for each clean cell among the eight neighbours.", 0.5),
+        weight("walls", "Walls", "Energy bonus for each wall cell among the eight neighbours.", 0.09),
     ],
 };
 

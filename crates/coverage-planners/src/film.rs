@@ -1,4 +1,4 @@
-//! A film in the making: the walks that a planner had.
+//! Recording of a film: the intermediate walks of a planner.
 
 use crate::{CoverageJob, PlanContext, PlannerInfo, Proof, Report};
 use robovac_core::{grid::Cell, registry::Params};

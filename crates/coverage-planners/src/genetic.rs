@@ -1,4 +1,4 @@
-//! A genetic algorithm that breeds walks.
+//! A genetic algorithm that evolves walks.
 //!
 //! Emu & Obaida 2020 (thesis, East West University), section 4.1, describe the method: a population of chromosomes, "usually
 //! coded as binary strings", made at random; a fitness function ranks it; *reproduction* copies each string in proportion
@@ -50,32 +50,24 @@ use robovac_core::{
 pub const INFO: PlannerInfo = PlannerInfo {
     id: "genetic",
     title: "Genetic algorithm",
-    summary: "Breeds walks: the better ones are crossed and changed a little, generation after generation.",
+    summary: "Evolves walks: the better ones are crossed and mutated, generation after generation.",
     source: "Emu & Obaida 2020, thesis, East West University: section 4.1; \
              Yakoubi & Laskri 2016, The path planning of cleaner robot, Journal of Innovation in Digital Ecosystems",
     link: "https://doi.org/10.1016/j.jides.2016.05.004",
     explainer: Explainer {
-        idea: "A chromosome has a gene for every cell that says which way to go on from there, and so stands for a whole walk. \
-               Walks that take less time have more children, which inherit patches of the room from both parents. \
-               Now and then a patch gets a new gene, and the best walk so far always lives on.",
+        idea: "A chromosome has one gene per cell for the direction to continue in, and so encodes a whole walk. \
+               Faster walks have more children, which inherit patches of the room from both parents. Sometimes a patch \
+               mutates, and the best walk so far always survives.",
         complexity: "O(p · g · n) time for p walks in g generations of n cells, O(p · n) memory.",
-        use_when: "To watch a solution grow out of chance, without a rule that says what a good walk looks like. \
-                   It takes a thousand times longer than lanes and seldom beats them.",
-        shines: Example { room: "thesis8", why: "Small enough to find about the best walk there is." },
-        fails: Example { room: "spiral", why: "Patches that change at random seldom straighten a whole lane." },
+        use_when: "To watch a solution evolve from random walks, without any rule for a good one. It takes a thousand \
+                   times longer than lanes and seldom beats them.",
+        shines: Example { room: "thesis8", why: "Small enough to find a nearly optimal walk." },
+        fails: Example { room: "spiral", why: "Random mutations seldom straighten a whole lane." },
     },
     claims: Claims { complete: true, deterministic: false, fast: false, traces: false, anytime: false },
     params: &[
-        number(
-            "generations",
-            "Generations",
-            "How often the population is replaced by its children.",
-            0.0,
-            2000.0,
-            1.0,
-            400.0,
-        ),
-        number("population", "Population", "Walks in every generation.", 4.0, 100.0, 1.0, 30.0),
+        number("generations", "Generations", "Number of generations.", 0.0, 2000.0, 1.0, 400.0),
+        number("population", "Population", "Number of walks per generation.", 4.0, 100.0, 1.0, 30.0),
         number(
             "crossover",
             "Crossover rate",
@@ -85,7 +77,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
             0.05,
             0.7,
         ),
-        number("mutation", "Mutation rate", "Patches of new genes in a child, in the mean.", 0.0, 5.0, 0.1, 1.0),
+        number("mutation", "Mutation rate", "Mean number of mutated patches per child.", 0.0, 5.0, 0.1, 1.0),
     ],
 };
 

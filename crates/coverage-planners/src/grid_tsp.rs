@@ -1,4 +1,4 @@
-//! Grid-point TSP: the free cells are the towns of a travelling salesman who doesn't like turns.
+//! Grid-point TSP: the free cells are the cities of a travelling salesman problem with turn costs.
 //!
 //! One of the planners that Bormann, Jordan, Hampp & Hägele 2018, "Indoor coverage path planning: survey, implementation,
 //! analysis" (ICRA), compare: a tour through the grid points, by nearest neighbour or a solver, which weighs lengths only.
@@ -42,45 +42,42 @@ use robovac_core::{
 pub const INFO: PlannerInfo = PlannerInfo {
     id: "grid_tsp",
     title: "Grid-point TSP",
-    summary: "Tours all cells like a travelling salesman: a first tour, then 2-opt and Or-opt moves that count turns.",
+    summary: "Finds a travelling salesman tour of all cells: a first tour, then 2-opt and Or-opt moves that count \
+        turns.",
     source: "Bormann, Jordan, Hampp & Hägele 2018, Indoor coverage path planning: survey, implementation, analysis, ICRA",
     link: "https://doi.org/10.1109/ICRA.2018.8460566",
     explainer: Explainer {
-        idea: "Every cell is a town, and a travelling salesman who loses time by turning looks for the cheapest tour. \
-               A first tour follows straight lanes, chosen so that they have few ends. \
-               Then parts of it are reversed and moved millions of times, now and then for the worse, and \
-               what proves cheaper is kept.",
-        complexity: "A thousand moves for each of n cells, each O(1) to weigh and up to O(n) to do; \
-                     O(n + l²) memory for l lanes.",
-        use_when: "Takes seconds and mostly finds the cheapest walk of all here. \
-                   Rooms of up to some ten thousand cells that are cleaned again and again are worth it.",
+        idea: "Each cell is a city of a travelling salesman problem in which turns cost time. A first tour follows \
+               straight lanes, chosen to have few ends. Then parts of it are reversed and moved millions of times, \
+               sometimes accepting a worse tour, and the cheapest is kept.",
+        complexity: "A thousand moves for each of n cells, each O(1) to evaluate and up to O(n) to apply; O(n + l²) \
+                     memory for l lanes.",
+        use_when: "Takes seconds and usually finds the cheapest walk of all planners here. Worth it for rooms of up to \
+                   some ten thousand cells that are cleaned often.",
         shines: Example {
             room: "maze",
-            why: "Nothing but forks and dead ends: moving single cells finds what lanes and rings can't.",
+            why: "Only forks and dead ends: moving single cells finds walks that lanes and rings can't.",
         },
-        fails: Example {
-            room: "lshape",
-            why: "Rings along the walls need no search at all and end up a little better.",
-        },
+        fails: Example { room: "lshape", why: "Rings along the walls need no search and are slightly better." },
     },
     claims: Claims { complete: true, deterministic: true, fast: false, traces: false, anytime: false },
     params: &[
         ParamSpec {
             id: "effort",
             label: "Effort",
-            help: "How long to look for a better tour; 0 keeps the first one.",
+            help: "Search effort for a better tour; 0 keeps the first one.",
             kind: ParamKind::Number { min: 0.0, max: 10.0, step: 1.0, default: 1.0, unit: "" },
         },
         ParamSpec {
             id: "construction",
             label: "First tour",
-            help: "Straight lanes in a good order, or always on to the nearest cell.",
+            help: "Straight lanes in a good order, or always the nearest cell next.",
             kind: ParamKind::Choice { options: &[("lanes", "lanes"), ("nearest", "nearest cell")] },
         },
         ParamSpec {
             id: "moves",
             label: "Moves",
-            help: "Parts of the tour are reversed, moved elsewhere, or both.",
+            help: "Reverse parts of the tour, move them elsewhere, or both.",
             kind: ParamKind::Choice { options: &[("both", "both"), ("two_opt", "2-opt"), ("or_opt", "Or-opt")] },
         },
     ],

@@ -1,4 +1,4 @@
-//! What a planner says of itself.
+//! Metadata of a planner.
 
 use robovac_core::registry::{Explainer, ParamSpec};
 

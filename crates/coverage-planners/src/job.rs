@@ -1,4 +1,4 @@
-//! What a planner is asked to do.
+//! Input of a planner.
 
 use robovac_core::{
     coverage::{Lattice, ReachableFloor},

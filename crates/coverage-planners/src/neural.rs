@@ -48,47 +48,47 @@ use robovac_core::{
 pub const INFO: PlannerInfo = PlannerInfo {
     id: "neural",
     title: "Neural network",
-    summary: "A field of neurons that uncleaned floor excites; the robot climbs to where they are most active.",
+    summary: "A neural field excited by uncleaned floor; the robot follows the highest activity.",
     source: "Yang & Luo 2004, A neural network approach to complete coverage path planning, \
              IEEE Trans. Systems, Man, and Cybernetics B 34(1)",
     link: "",
     explainer: Explainer {
-        idea: "Every cell is a neuron that is excited while its floor is dirty, and neurons excite their neighbours. \
-               Activity so spreads from dirty floor like heat, and obstacles don't conduct it. \
-               The robot goes to its most active neighbour, with a bonus for going straight on.",
-        complexity: "O(n) memory for n cells; a step touches the neurons whose activity changes, in the worst case all.",
-        use_when: "Made for floors that change while the robot cleans: the field follows by itself. \
-                   Nothing in it counts detours or turns, so known rooms are cleaned at lower cost by others.",
+        idea: "Each cell is a neuron that is excited while its floor is dirty and excites its neighbours. Activity \
+               spreads from dirty floor like heat, and obstacles block it. The robot moves to the most active \
+               neighbour, with a bonus for driving straight.",
+        complexity: "O(n) memory for n cells; each step updates the neurons whose activity changes, at worst all.",
+        use_when: "Made for floors that change during cleaning: the field adapts by itself. It ignores detours and \
+                   turns, so other planners are cheaper in known rooms.",
         shines: Example {
             room: "empty",
-            why: "Walls don't excite and clean floor doesn't either, so that lane joins lane.",
+            why: "Neither walls nor clean floor excite neurons, so lanes line up side by side.",
         },
-        fails: Example { room: "maze", why: "Floor left on many sides draws the robot to and fro." },
+        fails: Example { room: "maze", why: "Uncleaned floor on many sides pulls the robot back and forth." },
     },
     claims: Claims { complete: true, deterministic: true, fast: false, traces: false, anytime: false },
     params: &[
         ParamSpec {
             id: "straight",
             label: "Going straight (c)",
-            help: "What going straight on counts, compared with activities of at most 1.",
+            help: "Bonus for driving straight, compared with activities of at most 1.",
             kind: ParamKind::Number { min: 0.0, max: 2.0, step: 0.01, default: 0.5, unit: "" },
         },
         ParamSpec {
             id: "lateral",
             label: "Lateral weight (μ)",
-            help: "How strongly neurons excite their neighbours; more reaches further.",
+            help: "How strongly neurons excite their neighbours; higher reaches further.",
             kind: ParamKind::Number { min: 0.05, max: 1.0, step: 0.05, default: 0.7, unit: "" },
         },
         ParamSpec {
             id: "decay",
             label: "Decay (A)",
-            help: "How fast activity fades by itself.",
+            help: "How fast activity decays.",
             kind: ParamKind::Number { min: 5.0, max: 50.0, step: 1.0, default: 10.0, unit: "" },
         },
         ParamSpec {
             id: "input",
             label: "Input (E)",
-            help: "How much dirty floor excites its neuron.",
+            help: "How strongly dirty floor excites its neuron.",
             kind: ParamKind::Number { min: 20.0, max: 200.0, step: 1.0, default: 100.0, unit: "" },
         },
     ],

@@ -1,4 +1,4 @@
-//! What a walk is to keep low.
+//! The cost that a walk should minimise.
 
 use super::CoverageJob;
 use robovac_core::grid::{Cell, Direction};

@@ -1,4 +1,4 @@
-//! What a planner returns.
+//! Result of a planner.
 
 use super::CoverageJob;
 use robovac_core::grid::{Cell, Direction, Grid, picture};
@@ -17,7 +17,7 @@ pub enum PathError {
     #[error("the walk doesn't start in {0}")]
     WrongStart(Cell),
     /// Two consecutive cells aren't neighbours.
-    #[error("step {0} isn't one to a neighbour")]
+    #[error("step {0} doesn't lead to a neighbouring cell")]
     Jump(usize),
     /// A cell isn't free.
     #[error("step {0} leads into {1}, which isn't free")]

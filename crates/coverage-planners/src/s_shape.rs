@@ -14,7 +14,7 @@
 //!   there is nothing to go back to does the robot go on in its direction.
 //! - *Dead ends.* The thesis has none. Here the robot takes a shortest way to the nearest cell left and goes on from there
 //!   in the direction in which it came, so that every walk covers all.
-//! - *Direction of the lanes.* Across the side that takes fewer lanes, unless asked for another one.
+//! - *Direction of the lanes.* By default the one with fewer lanes.
 //!
 //! Nothing is planned ahead and no part of the room is told from another: that is what sets this apart from
 //! boustrophedon. O(n) steps; each search for the nearest cell left costs what it looks at.
@@ -40,32 +40,29 @@ use robovac_core::registry::{Example, Explainer, ParamKind, ParamSpec};
 pub const INFO: PlannerInfo = PlannerInfo {
     id: "s_shape",
     title: "S-shaped pathway",
-    summary: "Drives lane beside lane like the letter S; at a dead end it goes to the nearest floor left.",
+    summary: "Drives parallel lanes like the letter S; at a dead end it goes to the nearest cell left.",
     source: "Emu & Obaida 2020, thesis, East West University: section 4.1; \
              Hasan, Abdullah-Al-Nahid & Reza 2014, Path planning algorithm development, ICIEV",
     link: "",
     explainer: Explainer {
-        idea: "The robot drives straight on until something is in its way, steps aside and comes back beside its lane. \
-               Floor that is clean already stops it like a wall. \
-               When it is stuck, it takes a shortest way to the nearest floor left and goes on in lanes from there.",
-        complexity: "O(n) steps and memory for n cells; a search at every dead end costs the cells that it looks at.",
-        use_when: "The simplest method that leaves nothing out, and a hard one to beat in halls with little in them. \
-                   Every obstacle leaves a pocket behind it that the robot must come back for.",
-        shines: Example {
-            room: "lshape",
-            why: "Little in the way: lane beside lane, and back once for the other arm.",
-        },
-        fails: Example { room: "maze", why: "Every dead end of the maze is one for the robot, too." },
+        idea: "The robot drives straight until it is blocked, steps aside and returns beside its lane. Floor already \
+               clean blocks it like a wall. At a dead end it takes a shortest path to the nearest cell left and \
+               continues in lanes from there.",
+        complexity: "O(n) steps and memory for n cells, plus a search at every dead end.",
+        use_when: "The simplest complete method, and hard to beat in halls with few obstacles. Behind every obstacle a \
+                   pocket is left that the robot must return to.",
+        shines: Example { room: "lshape", why: "Few obstacles: parallel lanes, and one return for the other arm." },
+        fails: Example { room: "maze", why: "Every dead end of the maze is a dead end of the walk, too." },
     },
     claims: Claims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
     params: &[ParamSpec {
         id: "lanes",
         label: "Lanes",
-        help: "Direction of the lanes: the one that takes fewer of them, that in which the robot looks, or always the same.",
+        help: "Direction of the lanes: the one with fewer lanes, the robot's initial heading, or always the same.",
         kind: ParamKind::Choice {
             options: &[
                 ("auto", "fewer lanes"),
-                ("heading", "as it looks"),
+                ("heading", "initial heading"),
                 ("horizontal", "horizontal"),
                 ("vertical", "vertical"),
             ],

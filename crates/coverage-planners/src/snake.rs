@@ -1,4 +1,4 @@
-//! Improved snake: go straight, turn where the way is blocked or clean, towards the neighbour visited least.
+//! Improved snake: go straight, turn where the way is blocked or clean, towards the least-visited neighbour.
 //!
 //! By Emu & Obaida 2020 (thesis, East West University), section 4.2, Table 1 and the program in Appendix B. Every cell
 //! has a value: unseen, 0 for seen from a neighbouring cell, then the number of visits. The robot
@@ -58,24 +58,24 @@ use robovac_core::{
 pub const INFO: PlannerInfo = PlannerInfo {
     id: "snake",
     title: "Improved snake",
-    summary: "Goes straight until the way is blocked or clean, then turns to the neighbour visited least.",
+    summary: "Drives straight until the next cell is blocked or clean, then turns to the least-visited neighbour.",
     source: "Emu & Obaida 2020, thesis, East West University: section 4.2 and Appendix B",
     link: "",
     explainer: Explainer {
-        idea: "The robot counts how often it has visited every cell and goes straight while the cell ahead is new. \
-               Else it turns to the neighbour visited least and turns once more, which makes a lawn mower's U-turn. \
-               Between equal neighbours it takes the side with fewer cells left, so that no small corner is left over.",
+        idea: "The robot counts its visits to every cell and drives straight while the cell ahead is new. Otherwise it \
+               turns to the least-visited neighbour and turns once more, which makes a lawn mower's U-turn. Between \
+               equal neighbours it takes the side with fewer cells left, so that no small corner remains.",
         complexity: "O(n) steps by the rules, each O(width + height); O(n) memory for n cells.",
-        use_when: "Decides from its neighbours alone, so it runs on a small controller and needs no plan in advance. \
-                   It leaves islands behind that it must come back for.",
-        shines: Example { room: "empty", why: "Nothing in the way: a lawn mower's U-turns from wall to wall." },
-        fails: Example { room: "maze", why: "Ways that were passed are left behind and come back to again and again." },
+        use_when: "Uses only neighbouring cells, so it runs online on a small controller. It leaves islands that it \
+                   must return to.",
+        shines: Example { room: "empty", why: "No obstacles: a lawn mower's U-turns from wall to wall." },
+        fails: Example { room: "maze", why: "Branches that it passes stay uncleaned, so it keeps coming back." },
     },
     claims: Claims { complete: true, deterministic: true, fast: true, traces: true, anytime: false },
     params: &[ParamSpec {
         id: "patience",
         label: "Patience",
-        help: "How long the rules may lead over cleaned floor: this times the way to the nearest cell left.",
+        help: "How far the rules may lead over clean floor, as a multiple of the distance to the nearest cell left.",
         kind: ParamKind::Number { min: 0.0, max: 20.0, step: 1.0, default: 2.0, unit: "" },
     }],
 };
@@ -350,7 +350,7 @@ impl Memory {
             Rule::SmallerNeighbour => {
                 let (left, right) = (value(facing.left()), value(facing.right()));
                 let turn = if towards == facing.left() { "left" } else { "right" };
-                ("Smaller neighbour", format!("To its left {left}, to its right {right}: it turns {turn}"))
+                ("Smaller neighbour", format!("Left {left}, right {right}: turn {turn}"))
             }
             Rule::SmallerBlock => {
                 let blocks = self.blocks(at, facing);
@@ -362,8 +362,8 @@ impl Memory {
                     format!("Left and right equal; smaller block: {a} cells to clean {first}, {b} {second}{tie}: {to}");
                 ("Smaller block", note)
             }
-            Rule::Forward => ("Forward", format!("No better neighbour beside it: straight on, {to}")),
-            Rule::Back => ("Back", "No better neighbour beside it or ahead: back".to_owned()),
+            Rule::Forward => ("Forward", format!("No better neighbour on either side: straight on, {to}")),
+            Rule::Back => ("Back", "No better neighbour on either side or ahead: back".to_owned()),
         };
         TraceStep { step, rule: rule.into(), at, towards, marks: self.marks(at), sides, note }
     }
@@ -371,9 +371,8 @@ impl Memory {
     /// A step of a shortest way, to be shown.
     fn explain_way(&self, step: usize, at: Cell, towards: Direction, left: usize) -> TraceStep {
         let steps = if left == 1 { "step" } else { "steps" };
-        let note =
-            format!("The rules lead nowhere: shortest way to the nearest cell not cleaned, {left} {steps} to go");
-        TraceStep { step, rule: "Shortest way".into(), at, towards, marks: self.marks(at), sides: None, note }
+        let note = format!("The rules lead nowhere: shortest path to the nearest uncleaned cell, {left} {steps} to go");
+        TraceStep { step, rule: "Shortest path".into(), at, towards, marks: self.marks(at), sides: None, note }
     }
 }
 

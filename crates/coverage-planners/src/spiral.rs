@@ -1,4 +1,4 @@
-//! Growing spirals: circles outwards from the middle of free room, then on to the next place.
+//! Growing spirals: outwards from the middle of free space, then on to the next free area.
 //!
 //! Emu & Obaida 2020 (thesis, East West University), section 4.1: the robot "checks if there is enough place to start
 //! moving spirally"; if so it turns to the left again and again, its distance from the centre growing, until it senses an
@@ -9,7 +9,7 @@
 //! - *Enough place* is a square of cells that are left, *enough room* wide on every side of a cell.
 //! - *Clean floor* isn't an obstacle. A spiral that was stopped by it would end at the way that the robot came by. It does end
 //!   where one side of it, longer than a step, has nothing left to be cleaned.
-//! - *The next place* is looked for among the [`REACH`] cells nearest to the robot: the one with most room around it (which
+//! - *The next place* is looked for among the [`REACH`] cells nearest to the robot: the one with most space around it (which
 //!   makes the largest spirals), the nearest among equals; or simply the nearest with enough. The robot takes a shortest
 //!   way there.
 //! - *Corners and strips* without such a place are cleaned by turning to the same side where the cell there is left, else
@@ -45,43 +45,43 @@ use std::ops::ControlFlow;
 pub const INFO: PlannerInfo = PlannerInfo {
     id: "spiral",
     title: "Growing spirals",
-    summary: "Where there is room it circles outwards until it meets an obstacle, then goes to the next such place.",
+    summary: "Spirals outwards in free space until it meets an obstacle, then goes to the next free area.",
     source: "Emu & Obaida 2020, thesis, East West University: section 4.1",
     link: "",
     explainer: Explainer {
-        idea: "In the middle of free floor the robot circles outwards until it meets an obstacle. \
-               It then goes to the place nearby with most room and circles there. \
-               Corners and strips that are too narrow are cleaned along their edge.",
-        complexity: "O(n) steps and memory for n cells; each search for room looks at up to 400 cells.",
-        use_when: "For a dirty spot in the middle of open floor: that is cleaned first and all around. \
-                   Circles don't fill rectangles, so that strips between them are left to be come back for.",
+        idea: "In the middle of free floor the robot spirals outwards until it meets an obstacle. It then goes to the \
+               nearby cell with the most free space and spirals there. Corners and narrow strips are cleaned along \
+               their edges.",
+        complexity: "O(n) steps and memory for n cells; each search for free space visits up to 400 cells.",
+        use_when: "For a dirty spot in the middle of open floor, which is cleaned first. Spirals don't fill \
+                   rectangles, so strips are left in between that it must return to.",
         shines: Example {
             room: "maze",
-            why: "Too narrow to circle: it keeps along the walls, which suits a maze better than lanes.",
+            why: "Too narrow to spiral: it follows the walls, which suits a maze better than lanes.",
         },
         fails: Example {
             room: "slanted",
-            why: "Circles are square here: slanted walls stop them early and leave scraps to come back for.",
+            why: "Spirals are square here: slanted walls stop them early and leave scraps to return to.",
         },
     },
     claims: Claims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
     params: &[
         ParamSpec {
             id: "room",
-            label: "Enough room",
-            help: "Cells to be cleaned that there must be on every side of a place to start a spiral.",
+            label: "Free space",
+            help: "Uncleaned cells required on every side to start a spiral.",
             kind: ParamKind::Number { min: 1.0, max: 20.0, step: 1.0, default: 3.0, unit: "cells" },
         },
         ParamSpec {
             id: "next",
-            label: "Next place",
-            help: "Where the next spiral starts: where there is most room nearby, or in the nearest place with enough.",
-            kind: ParamKind::Choice { options: &[("roomiest", "most room"), ("nearest", "nearest")] },
+            label: "Next start",
+            help: "Where the next spiral starts: at the most free space nearby, or at the nearest cell with enough.",
+            kind: ParamKind::Choice { options: &[("roomiest", "most space"), ("nearest", "nearest")] },
         },
         ParamSpec {
             id: "turn",
-            label: "Turns to the",
-            help: "The side that spirals turn to; left in the thesis.",
+            label: "Turn direction",
+            help: "Direction in which spirals turn; left in the thesis.",
             kind: ParamKind::Choice { options: &[("left", "left"), ("right", "right")] },
         },
     ],

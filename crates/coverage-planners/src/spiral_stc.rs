@@ -43,31 +43,31 @@ use robovac_core::{
 pub const INFO: PlannerInfo = PlannerInfo {
     id: "spiral_stc",
     title: "Spanning tree (Spiral-STC)",
-    summary: "Divides the room into squares of 2 x 2 cells, connects them by a tree and drives round the tree.",
+    summary: "Divides the room into squares of 2 x 2 cells, connects them by a spanning tree and drives around it.",
     source: "Gabriely & Rimon 2001, Spanning-tree based coverage of continuous areas, Ann. Math. Artif. Intell. 31; \
              2003, Competitive on-line coverage of grid environments, Comput. Geom. 24",
     link: "https://doi.org/10.1023/A:1016610507833",
     explainer: Explainer {
-        idea: "Four cells at a time make a mega-cell, and a spanning tree connects all mega-cells. \
-               Driving round the tree, with it always on the same side, visits every cell once and comes back to the start. \
-               Of all the trees, one with long straight branches turns least.",
+        idea: "Each mega-cell has four cells, and a spanning tree connects all mega-cells. Driving around the tree, \
+               with it always on the same side, visits every cell once and returns to the start. Trees with long \
+               straight branches need the fewest turns.",
         complexity: "O(n α(n)) time, practically linear, and O(n) memory for n cells.",
-        use_when: "Hardly any floor twice, wherever the furniture stands, and it ends near where it began. \
-                   Passages one cell wide have to be driven there and back.",
+        use_when: "Hardly any revisits, wherever the furniture stands, and it ends near the start. Passages one cell \
+                   wide must be driven there and back.",
         shines: Example {
             room: "dining",
-            why: "Goes round every leg with hardly any floor twice; lanes break off at each.",
+            why: "Passes around every leg with hardly any revisits, where lanes end at each.",
         },
         fails: Example {
             room: "spiral",
-            why: "Where squares of four cells don't fit the corridor it goes there and back, again and again.",
+            why: "Where 2 x 2 squares don't fit the corridor, it drives there and back, again and again.",
         },
     },
     claims: Claims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
     params: &[ParamSpec {
         id: "tree",
         label: "Tree",
-        help: "How the spanning tree grows: as in the paper, or so that the tour round it has few turns.",
+        help: "How the spanning tree is built: as in the paper, or for a tour with few turns.",
         kind: ParamKind::Choice {
             options: &[("auto", "the cheapest"), ("spiral", "spiral"), ("straight", "few turns")],
         },

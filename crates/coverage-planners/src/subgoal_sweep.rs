@@ -1,4 +1,4 @@
-//! Subgoal sweep: scan lines from wall to wall and obstacle to obstacle, their ends linked from each to the nearest.
+//! Subgoal sweep: scan lines from wall to wall and obstacle to obstacle, with their ends linked nearest-first.
 //!
 //! Hyun (001, Honam University): a robot of any outline, moved in thought along scan lines through the obstacle map,
 //! records where it touches walls and obstacles (section 3, [`stage::subgoals`](super::stage::subgoals)). These
@@ -15,7 +15,7 @@
 //! - *The start.* The paper's robot stands at the first subgoal point, in the upper left. This one may stand
 //!   anywhere, and goes to the nearest.
 //! - *Links* become steps to neighbouring cells: round one corner where that is free, else along the straight line.
-//! - *Lines.* One on every row, unless asked otherwise: planning cells are as wide as the strip that the robot
+//! - *Lines.* One on every row by default: planning cells are as wide as the strip that the robot
 //!   cleans, or half as wide as the octagon, the distance that the paper gives.
 //! - *What is left* between lines that are farther apart than a row, the paper leaves to the width of the robot. A
 //!   stage of our own, after all links, goes to the nearest cell left and along its row, again and again: so every
@@ -51,34 +51,35 @@ use robovac_core::{
 pub const INFO: PlannerInfo = PlannerInfo {
     id: "subgoal_sweep",
     title: "Subgoal sweep",
-    summary: "Scans the room in lines, notes where the robot touches something, and links these points to the nearest.",
+    summary: "Scans the room in lines, marks contact points as subgoals, and links each to the nearest.",
     source: "Hyun, An Artificial Intelligent algorithm for an autonomous Cleaning Robot, Honam University: \
              sections 3 to 5",
     link: "",
     explainer: Explainer {
-        idea: "The robot is moved in thought along lines from the upper left to the lower right, and every contact with a wall \
-               or an obstacle becomes a subgoal point. \
-               From each point the sweep goes across to the other end of its line, and there to the nearest point that is left. \
-               Links that would go through an obstacle are led round it.",
-        complexity: "O(n) steps and memory for n cells; a search at every detour costs the cells that it looks at.",
-        use_when: "Made for large halls that are known from an architect's drawing, and quick enough to plan them while \
-                   somebody draws. \
-                   It sweeps in one direction only and looks no farther than the next point, so it comes back for what it left.",
-        shines: Example { room: "empty", why: "Nothing in the way: line after line, and no way driven twice." },
-        fails: Example { room: "maze", why: "The nearest point is often behind a wall, and the detour long." },
+        idea: "The planner scans the room along lines from the upper left to the lower right, and every contact with a \
+               wall or an obstacle becomes a subgoal point. From each point the sweep crosses to the other end of its \
+               line, and from there to the nearest point left. Links that would cross an obstacle are routed around \
+               it.",
+        complexity: "O(n) steps and memory for n cells, plus a search at every detour.",
+        use_when: "Made for large halls known from an architect's drawing, and fast enough to plan while drawing. It \
+                   sweeps in one direction only and looks no further than the next point, so it must return to what it \
+                   left.",
+        shines: Example { room: "empty", why: "No obstacles: line after line, without revisits." },
+        fails: Example { room: "maze", why: "The nearest point is often behind a wall, at the end of a long detour." },
     },
     claims: Claims { complete: true, deterministic: true, fast: true, traces: true, anytime: false },
     params: &[
         ParamSpec {
             id: "scan_lines",
             label: "Scan width",
-            help: "Rows of cells from one scan line to the next; what is left between them is cleaned at the end.",
+            help: "Rows of cells between scan lines; cells left in between are cleaned at the end.",
             kind: ParamKind::Number { min: 1.0, max: 10.0, step: 1.0, default: 1.0, unit: "rows" },
         },
         ParamSpec {
             id: "order",
             label: "At the end of a line",
-            help: "Go on to the nearest point left, or look across on the lines beside first, as the paper prints it.",
+            help: "Go to the nearest point left, or first look across on the neighbouring lines, as printed in the \
+                paper.",
             kind: ParamKind::Choice { options: &[("nearest", "nearest point"), ("printed", "across, as printed")] },
         },
     ],
@@ -163,7 +164,7 @@ fn finish(progress: &mut Progress<'_>, ctx: &mut PlanContext<'_>) -> Result<(), 
             towards,
             marks: Vec::new(),
             sides: None,
-            note: format!("All points are linked; {left} cells between the lines are left, nearest first"),
+            note: format!("All points are linked; {left} cells are left between the lines, nearest first"),
         });
     }
     while !progress.is_done() {
@@ -229,7 +230,7 @@ fn link(
     let what = to.obstacle.map_or(String::new(), |number| format!(" of obstacle {number}"));
     let round = detour.map_or(String::new(), |steps| {
         let Tally { collisions, resolved } = tally;
-        format!(": the straight way collides, {steps} steps round it; collision {collisions}, {resolved} resolved")
+        format!(": the straight link collides, {steps} steps around it; collision {collisions}, {resolved} resolved")
     });
     TraceStep {
         step,

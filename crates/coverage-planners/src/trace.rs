@@ -1,4 +1,4 @@
-//! What a planner thinks at every step, to be watched.
+//! Trace of a planner's decisions, for the animation.
 
 use robovac_core::grid::{Cell, Direction};
 use serde::{Deserialize, Serialize};

@@ -14,8 +14,8 @@
 //!   neighbours, then left before right.
 //! - *Dead ends.* The paper's walk ends where no neighbour is left. Here the robot goes on at the nearest unvisited cell, by
 //!   steps; of equally near ones at the one with the highest number.
-//! - *Goal.* The start makes it come home. Unless told otherwise, rooms of up to 100,000 cells are planned with three goals:
-//!   the start, the cell farthest from it, and the cell farthest from that one; the cheapest walk wins.
+//! - *Goal.* With the start as goal the robot returns there. By default, rooms of up to 100,000 cells are planned with three
+//!   goals: the start, the cell farthest from it, and the cell farthest from that one; the cheapest walk wins.
 //!
 //! At last, detours over floor that is cleaned at another time anyway are cut short. The order in which cells are
 //! cleaned stays that of the paper's rule but for this. O(n) for the transform and the rule; every dead end costs a
@@ -42,25 +42,24 @@ use robovac_core::registry::{Example, Explainer};
 pub const INFO: PlannerInfo = PlannerInfo {
     id: "wavefront_distance",
     title: "Wavefront, distance transform",
-    summary: "Numbers all cells by their distance to a goal and always goes to the unvisited neighbour farthest from it.",
+    summary: "Numbers cells by their distance to a goal and always moves to the unvisited neighbour farthest from it.",
     source: "Zelinsky, Jarvis, Byrne & Yuta 1993, Planning paths of complete coverage of an unstructured environment by a \
              mobile robot, International Conference on Advanced Robotics",
     link: "",
     explainer: Explainer {
-        idea: "A wave spreads from a goal and numbers every cell by its distance. \
-               The robot always goes to the new neighbour with the highest number, so it drives along the wave fronts, from the \
-               farthest one in. \
-               Where it finds none it goes to the nearest new cell.",
-        complexity: "O(n) time and memory for n cells, and a search around every dead end.",
-        use_when: "Simple, and the walk ends near a goal of your choice, such as the dock. \
-                   Fronts bend round every obstacle, which makes many turns.",
+        idea: "A wave spreads from a goal and numbers every cell by its distance. The robot always moves to the \
+               unvisited neighbour with the highest number, so it drives along the wavefronts, from the farthest \
+               inwards. Where there is none, it goes to the nearest unvisited cell.",
+        complexity: "O(n) time and memory for n cells, plus a local search at every dead end.",
+        use_when: "Simple, and the walk ends near a goal of your choice, such as the dock. Wavefronts bend around \
+                   every obstacle, which causes many turns.",
         shines: Example {
             room: "empty",
-            why: "Fronts are right angles round a corner: hardly any cell twice, and one turn more in every lane.",
+            why: "Wavefronts are right angles around a corner: hardly any revisits, but one more turn in every lane.",
         },
         fails: Example {
             room: "slanted",
-            why: "Straight fronts meet slanted walls, and every one of them ends in a corner left behind.",
+            why: "Straight wavefronts meet slanted walls, and each leaves a corner uncleaned.",
         },
     },
     claims: Claims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },

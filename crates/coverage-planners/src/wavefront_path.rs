@@ -1,4 +1,4 @@
-//! Wavefront coverage with the path transform: like the distance transform, but the waves shun obstacles.
+//! Wavefront coverage with the path transform: like the distance transform, but the waves avoid obstacles.
 //!
 //! Zelinsky, Jarvis, Byrne & Yuta 1993, "Planning paths of complete coverage of an unstructured environment by a mobile
 //! robot" (International Conference on Advanced Robotics). The path transform of a cell is the least, over all ways to the
@@ -38,25 +38,25 @@ use robovac_core::registry::{Example, Explainer, ParamKind, ParamSpec};
 pub const INFO: PlannerInfo = PlannerInfo {
     id: "wavefront_path",
     title: "Wavefront, path transform",
-    summary: "Like the distance transform, but waves shun obstacles, so that the robot follows outlines first.",
+    summary: "Like the distance transform, but waves avoid obstacles, so the robot follows outlines first.",
     source: "Zelinsky, Jarvis, Byrne & Yuta 1993, Planning paths of complete coverage of an unstructured environment by a \
              mobile robot, International Conference on Advanced Robotics",
     link: "",
     explainer: Explainer {
-        idea: "Waves spread from a goal as in the distance transform, but slowly beside obstacles. \
-               So cells along walls get high numbers, and the robot, which always goes to the new neighbour with the highest \
-               one, follows outlines first and the middle last. \
-               Alpha says how much the waves shun obstacles.",
-        complexity: "O(n) time and memory for n cells, and a search around every dead end.",
-        use_when: "Better than the distance transform in corridors and mazes, as it follows their walls. \
-                   In open rooms full of furniture it turns as often.",
+        idea: "Waves spread from a goal as in the distance transform, but more slowly near obstacles. So cells along \
+               walls get high numbers, and the robot, which always moves to the unvisited neighbour with the highest \
+               one, follows outlines first and cleans the middle last. Alpha sets how strongly the waves avoid \
+               obstacles.",
+        complexity: "O(n) time and memory for n cells, plus a local search at every dead end.",
+        use_when: "Better than the distance transform in corridors and mazes, as it follows their walls. In furnished \
+                   open rooms it turns as often.",
         shines: Example {
             room: "spiral",
             why: "Down one wall and back along the other, with far fewer turns than lanes.",
         },
         fails: Example {
             room: "slanted",
-            why: "Follows the slanted walls, which are stairs of cells, and so turns at every step of them.",
+            why: "Slanted walls are staircases of cells, and following them it turns at every step.",
         },
     },
     claims: Claims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
@@ -64,7 +64,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         ParamSpec {
             id: "alpha",
             label: "Alpha",
-            help: "How much waves shun obstacles: steps that a unit of discomfort counts for; 0 is the distance transform.",
+            help: "How strongly waves avoid obstacles: steps per unit of discomfort; 0 gives the distance transform.",
             kind: ParamKind::Number { min: 0.0, max: 4.0, step: 0.25, default: 1.0, unit: "" },
         },
         GOAL,

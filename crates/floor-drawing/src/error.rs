@@ -1,4 +1,4 @@
-//! What can be wrong with a drawing, said so that its owner can mend it.
+//! Errors in drawings, with a hint how to fix each.
 
 use robovac_core::floorplan::{MAX_RESOLUTION, MAX_SIDE, MIN_RESOLUTION, base_name};
 
@@ -39,7 +39,7 @@ pub enum DrawingFlaw {
         kind: &'static str,
     },
     /// The file is larger than any that is read.
-    #[error("the file has {found} MB, at most {most} MB are read; split the drawing or take out what isn't needed")]
+    #[error("the file has {found} MB, but the limit is {most} MB; split the drawing or remove what isn't needed")]
     TooLong {
         /// Its size, MB.
         found: usize,
@@ -48,14 +48,15 @@ pub enum DrawingFlaw {
     },
     /// A DXF where a group code should be and isn't.
     #[error(
-        "a group code should be here, a number from -5 to 1071, but there is \"{found}\"; the DXF is damaged from here on, export it again"
+        "expected a group code (a number from -5 to 1071), found \"{found}\"; the DXF is damaged from here on, export \
+         it again"
     )]
     Code {
         /// What is there instead.
         found: String,
     },
     /// A number of a DXF that is none.
-    #[error("group code {code} takes a number, but there is \"{found}\"; export the drawing again")]
+    #[error("group code {code} needs a number, found \"{found}\"; export the drawing again")]
     Value {
         /// The group code.
         code: i32,
@@ -75,21 +76,22 @@ pub enum DrawingFlaw {
         place: &'static str,
     },
     /// Nothing in it can be drawn.
-    #[error("nothing in it can be drawn{}; draw walls as lines, polylines, arcs or blocks", but(.left_out))]
+    #[error("nothing in the drawing can be used{}; draw walls as lines, polylines, arcs or blocks", but(.left_out))]
     Nothing {
         /// What it holds instead.
         left_out: Vec<String>,
     },
     /// A coordinate that isn't finite or far beyond any building.
     #[error(
-        "{value} is no coordinate, they go from -1e10 to 1e10; delete what lies there or move the drawing to the origin"
+        "the coordinate {value} is out of range (-1e10 to 1e10); delete what lies there or move the drawing to the \
+         origin"
     )]
     Coordinate {
         /// The value as it is written.
         value: String,
     },
     /// More than a drawing may hold.
-    #[error("with it the drawing has more than {most} {what}; take out blocks or layers that aren't needed")]
+    #[error("the drawing has more than {most} {what}; remove blocks or layers that aren't needed")]
     TooMany {
         /// What there is too much of.
         what: &'static str,
@@ -97,7 +99,7 @@ pub enum DrawingFlaw {
         most: usize,
     },
     /// A block that holds itself.
-    #[error("the block \"{block}\" inserts itself{}; take that insert out of it", by(.through))]
+    #[error("the block \"{block}\" inserts itself{}; remove that insert", by(.through))]
     Cycle {
         /// Its name.
         block: String,
@@ -113,26 +115,27 @@ pub enum DrawingFlaw {
         most: usize,
     },
     /// What the reader of SVG or GeoJSON says.
-    #[error("{cause}; mend that place or export the drawing again")]
+    #[error("{cause}; fix it there or export the drawing again")]
     Parser {
         /// In its words.
         cause: String,
     },
     /// The length of a unit is no length.
-    #[error("a drawing unit can't be {value} m long; say how long it is, e.g. 0.001 for millimetres")]
+    #[error("a drawing unit can't be {value} m long; enter its length, e.g. 0.001 for millimetres")]
     Metre {
         /// What was given, m.
         value: f64,
     },
     /// The side of a cell is no length.
-    #[error("cells can't be {value} m wide; take {MIN_RESOLUTION} to {MAX_RESOLUTION} m")]
+    #[error("the cell size can't be {value} m; use {MIN_RESOLUTION} to {MAX_RESOLUTION} m")]
     Resolution {
         /// What was given, m.
         value: f64,
     },
     /// The room has more cells than a map may.
     #[error(
-        "{width:.4} m x {height:.4} m are more than {MAX_SIDE} x {MAX_SIDE} cells of {resolution} m; cells of {would_do} m would do, or check the unit, or choose a smaller region"
+        "{width:.4} m x {height:.4} m is more than {MAX_SIDE} x {MAX_SIDE} cells of {resolution} m; use cells of \
+         {would_do} m, check the unit, or choose a smaller region"
     )]
     TooManyCells {
         /// Width of the region, m.
@@ -157,7 +160,7 @@ pub enum DrawingFlaw {
         resolution: f64,
     },
     /// Layers and roles don't match.
-    #[error("the drawing has {layers} layers, but {roles} roles are given; give every layer one")]
+    #[error("the drawing has {layers} layers, but {roles} roles are given; give each layer one role")]
     Roles {
         /// Number of layers.
         layers: usize,
@@ -165,16 +168,16 @@ pub enum DrawingFlaw {
         roles: usize,
     },
     /// All layers are ignored.
-    #[error("nothing is a wall or an obstacle; say what the layers are")]
+    #[error("no layer is a wall or an obstacle; set the roles of the layers")]
     AllIgnored,
     /// The corners of the region enclose nothing.
-    #[error("the region must be a simple polygon with 3 to {most} corners; mark it again without crossing lines")]
+    #[error("the region must be a simple polygon with 3 to {most} corners; draw it again without crossing lines")]
     Outline {
         /// Most corners.
         most: usize,
     },
     /// The click that chooses a room hit a wall or an obstacle.
-    #[error("there is {what} at ({x:.2}, {y:.2}); click on free floor, or draw finer cells")]
+    #[error("there is {what} at ({x:.2}, {y:.2}); click on free floor, or use smaller cells")]
     NotFloor {
         /// What is there.
         what: &'static str,
@@ -185,7 +188,8 @@ pub enum DrawingFlaw {
     },
     /// One gets out of the chosen room.
     #[error(
-        "the room isn't closed: one gets out near ({x:.2}, {y:.2}), through an opening about {width:.2} m wide; raise the gap tolerance above that or pick a rectangle"
+        "the room isn't closed: there is an opening about {width:.2} m wide near ({x:.2}, {y:.2}); raise the gap \
+         tolerance above that or pick a rectangle"
     )]
     Leak {
         /// Where, drawing units.
@@ -196,7 +200,7 @@ pub enum DrawingFlaw {
         width: f64,
     },
     /// Nothing is left to clean.
-    #[error("no floor is left in the region; choose another one, or say of fewer layers that they are walls")]
+    #[error("no floor is left in the region; choose another region, or make fewer layers walls")]
     NoFloor,
 }
 

@@ -132,7 +132,7 @@ impl Reader {
                 }
             }
             GeometryValue::GeometryCollection { .. } => {
-                return Err((feature, DrawingFlaw::TooMany { what: "collections in one another", most: MAX_DEPTH }));
+                return Err((feature, DrawingFlaw::TooMany { what: "nested collections", most: MAX_DEPTH }));
             }
             GeometryValue::Point { .. } | GeometryValue::MultiPoint { .. } => self.builder.leave_out("points", 1),
         }
@@ -153,7 +153,7 @@ impl Reader {
         let mut points = Vec::with_capacity(line.len());
         for position in line {
             let [x, y, ..] = position.as_slice() else {
-                let found = DrawingFlaw::Parser { cause: "a position has less than two numbers".to_owned() };
+                let found = DrawingFlaw::Parser { cause: "a position has fewer than two numbers".to_owned() };
                 return Err((feature, found));
             };
             super::model::check_coordinate(*x)

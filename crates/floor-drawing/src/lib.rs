@@ -1,7 +1,7 @@
 //! Line drawings of floors: CAD drawings (DXF) and other vector files in, and the rooms that are traced from them.
 //!
 //! A [`Drawing`] is what a file shows, flattened to straight strokes on layers, in the file's own units. [`trace`] makes a
-//! [`FloorPlan`](robovac_core::floorplan::FloorPlan) of it once somebody has said what its layers are, how long its unit is and
+//! [`FloorPlan`](robovac_core::floorplan::FloorPlan) of it once the user has chosen the roles of its layers, its unit and
 //! which part is meant. [`to_dxf`] draws lines, such as a sweeping path, beside a drawing.
 
 mod colours;

@@ -1,4 +1,4 @@
-//! What a drawing is made of, and how one is put together within bounds.
+//! Elements of a drawing, and a builder with size limits.
 
 use super::{
     DrawingFlaw,

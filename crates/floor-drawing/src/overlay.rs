@@ -1,4 +1,4 @@
-//! What is drawn beside a drawing.
+//! Overlay drawn on top of a drawing.
 
 use robovac_core::geometry::Point;
 

@@ -1,4 +1,4 @@
-//! Files in. What a file is, its content says.
+//! Reads files; the format is detected from the content.
 
 use super::{Drawing, DrawingError, DrawingFlaw, dxf, error::bad, geojson, svg};
 use robovac_core::floorplan::SourceFile;
@@ -6,7 +6,7 @@ use robovac_core::floorplan::SourceFile;
 /// Largest file that is read, MB.
 const MAX_MEGABYTES: usize = 256;
 
-/// First bytes of files that people try, with what to call them.
+/// First bytes of common file types, with their names.
 const OTHERS: &[(&[u8], &str)] = &[
     (b"\x89PNG", "a PNG image"),
     (b"\xff\xd8\xff", "a JPEG image"),
@@ -113,7 +113,7 @@ pub fn read(file: &SourceFile) -> Result<Drawing, DrawingError> {
         None => {
             let other = OTHERS.iter().find(|(magic, _)| bytes.starts_with(magic)).map(|&(_, kind)| kind);
             let is_text = std::str::from_utf8(bytes).is_ok();
-            let unknown = if is_text { "text of unknown kind" } else { "a file of unknown kind" };
+            let unknown = if is_text { "text of an unknown format" } else { "a file of an unknown format" };
             refuse(DrawingFlaw::NotADrawing { kind: other.unwrap_or(unknown) })
         }
     }

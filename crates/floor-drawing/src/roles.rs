@@ -1,4 +1,4 @@
-//! What a layer is, guessed from its name.
+//! Role of a layer, guessed from its name.
 
 use super::Role;
 

@@ -54,9 +54,8 @@ pub(super) fn read(file: &SourceFile) -> Result<Drawing, DrawingError> {
         let at = document.text_pos_at(element.range().start);
         format!("line {}, column {}", at.row, at.col)
     };
-    check_depth(&document).map_err(|element| {
-        refuse(&line(element), DrawingFlaw::TooMany { what: "elements in one another", most: MAX_DEPTH })
-    })?;
+    check_depth(&document)
+        .map_err(|element| refuse(&line(element), DrawingFlaw::TooMany { what: "nested elements", most: MAX_DEPTH }))?;
     let tree = Tree::from_xmltree(&document, &Options::default())
         .map_err(|error| refuse("", DrawingFlaw::Parser { cause: error.to_string() }))?;
     let is_physical = has_physical_size(&document);

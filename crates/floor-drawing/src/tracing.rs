@@ -1,4 +1,4 @@
-//! What is asked of a drawing to make a room of it, and what comes back.
+//! Input and result of tracing a room from a drawing.
 
 use super::model::Role;
 use robovac_core::{

@@ -1,4 +1,4 @@
-//! Files on their way into a session: read where there is time, taken where the session is.
+//! Import of files: parsed in a worker, applied to the session.
 
 use floor_drawing::{DrawingError, drawing_kind};
 use robovac_core::floorplan::{self, FloorPlan, MapError, Scenario, SourceFile};
@@ -53,8 +53,8 @@ pub enum ImportError {
     Drawing(#[from] DrawingError),
     /// A file is a drawing, of which a room has to be made first.
     #[error(
-        "\"{name}\" is {kind}, of which a room has to be made first; \
-         open it in the place Floor plan of the page or with \"robovac convert\" (a DWG has to be saved as DXF before)"
+        "\"{name}\" is {kind}, from which a room must be traced first; open it in the Floor plan tab of the page or \
+         use \"robovac convert\" (save a DWG as DXF first)"
     )]
     IsADrawing {
         /// The file.

@@ -1,4 +1,4 @@
-//! Objects as one list of numbers, for the way from a worker to the page: that costs the page less code than anything else.
+//! Objects packed into one list of numbers, for messages from a worker to the page: the smallest code for the page.
 
 use robovac_core::{
     floorplan::{Object, Who},

@@ -1,4 +1,4 @@
-//! Colours of the floor and of what drives on it; those of the page around it are in `www/style.css`.
+//! Colours of the floor and the robot; those of the page around it are in `www/style.css`.
 
 /// One set of colours, as CSS.
 #[derive(Debug)]
@@ -37,7 +37,7 @@ pub struct Palette {
     pub bump: &'static str,
     /// The start.
     pub start: &'static str,
-    /// Where the robot believes to be.
+    /// The robot's estimated pose.
     pub estimate: &'static str,
     /// What sensors look at and see.
     pub sensor: &'static str,

@@ -1,4 +1,4 @@
-//! A sensor reading as a row of numbers, which crosses to the page at every frame.
+//! Sensor readings as a row of numbers, passed to the page every frame.
 
 use robovac_core::robot::Sensors;
 

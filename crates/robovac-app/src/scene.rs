@@ -1,4 +1,4 @@
-//! What is to be drawn, without saying how.
+//! The scene to draw, independent of the renderer.
 
 use crate::explore::Picture;
 use coverage_planners::TraceStep;
@@ -42,7 +42,7 @@ pub struct Scene<'a> {
     pub life: Option<&'a Life>,
     /// Changes whenever `life` or `sensed` may have.
     pub steps: u64,
-    /// Where it believes to have been; empty if that isn't to be shown.
+    /// Its estimated trail; empty if that isn't to be shown.
     pub believed: &'a [Point],
     /// The robot; `None` before there is a run.
     pub robot: Option<RobotView>,
@@ -102,7 +102,7 @@ pub struct FilmScene<'a> {
 pub struct RobotView {
     /// Where it is.
     pub pose: Pose,
-    /// Where it believes to be, if that is to be shown.
+    /// Its estimated pose, if that is to be shown.
     pub estimate: Option<Pose>,
     /// Outline of its body.
     pub body: Body,
@@ -112,7 +112,7 @@ pub struct RobotView {
     pub wheels: [f64; 2],
     /// What it senses with.
     pub suite: SensorSuite,
-    /// Whether it is in somebody's hand.
+    /// Whether it is held.
     pub is_lifted: bool,
     /// Width of the strip that it cleans, m.
     pub tool_width: f64,
@@ -157,7 +157,7 @@ impl<'a> Scene<'a> {
 }
 
 impl RobotView {
-    /// The robot of `run`, which is a `model`, and where it believes to be if that is to be shown.
+    /// The robot of `run`, which is a `model`, and its estimated pose if that is to be shown.
     pub fn of(run: &Run, model: &RobotModel, with_estimate: bool) -> Self {
         Self {
             pose: run.pose(),

@@ -1,4 +1,4 @@
-//! Which part of the world is seen, and how large.
+//! Visible part of the world and its scale.
 
 use robovac_core::geometry::{Point, Vector};
 

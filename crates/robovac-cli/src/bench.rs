@@ -1,4 +1,4 @@
-//! `bench`: how fast planning and simulating are here, to be compared with the browser.
+//! `bench`: speed of planning and simulation, to compare with the browser.
 
 use super::{failure::Failure, output};
 use robovac_app::bench::{self, Bench, BenchResult};
@@ -40,7 +40,7 @@ fn all(only: &str, clock: &dyn Fn() -> f64, report: &mut dyn FnMut(&BenchResult)
     let results = bench.into_results();
     if results.is_empty() {
         return Err(Failure::usage(format!(
-            "--only {only}: no case has that in its name; \"robovac bench\" names all"
+            "--only {only}: no case name contains this; \"robovac bench\" lists all cases"
         )));
     }
     Ok(results)

@@ -22,31 +22,31 @@ const MOST_S: f64 = 4.0 * 3600.0;
 /// Stream of the places where it is put down.
 const STREAM: u64 = 15;
 
-/// Let a simulated robot map a room and then clean what is left by that map
+/// Simulate a robot that maps a room, then cleans the remaining floor using that map
 #[derive(clap::Args)]
 pub struct Arguments {
     #[command(flatten)]
     placement: PlacementArguments,
-    /// Behaviour that maps, see "robovac behaviours"
+    /// Behaviour used for mapping, see "robovac behaviours"
     #[arg(long, value_name = "ID", default_value = "explore_frontier")]
     behaviour: String,
     #[command(flatten)]
     params: ParamArguments,
     #[command(flatten)]
     conditions: ConditionsArguments,
-    /// Number of runs, with a seed each from --seed on
+    /// Number of runs; seeds count up from --seed
     #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u64).range(1..=10_000))]
     seeds: u64,
-    /// Simulated time after which it cleans, unless it is done with its map before
+    /// Simulated time after which cleaning starts, if the map isn't complete before
     #[arg(long, value_name = "MINUTES", default_value_t = 40.0, value_parser = super::montecarlo::parse_minutes, allow_hyphen_values = true)]
     minutes: f64,
-    /// Planner of what is left, see "robovac planners"
+    /// Planner for the remaining floor, see "robovac planners"
     #[arg(long, value_name = "ID", default_value = "boustrophedon_cells")]
     by: String,
-    /// Pick it up after so many minutes of cleaning and put it down anywhere
+    /// Kidnap the robot after this many minutes of cleaning: put it down at a random pose
     #[arg(long, value_name = "MINUTES")]
     carry: Option<f64>,
-    /// How it keeps track of itself: corrected or odometry
+    /// Localisation: corrected or odometry
     #[arg(long, value_name = "WAY", default_value = "corrected", value_parser = parse_tracking)]
     tracking: Tracking,
     /// Write JSON instead of a table
@@ -55,7 +55,7 @@ pub struct Arguments {
 }
 
 fn parse_tracking(text: &str) -> Result<Tracking, String> {
-    Tracking::parse(text).ok_or_else(|| format!("\"{text}\" is no way to keep track; choose corrected or odometry"))
+    Tracking::parse(text).ok_or_else(|| format!("unknown localisation method \"{text}\"; use corrected or odometry"))
 }
 
 /// What became of one run.
@@ -134,7 +134,7 @@ fn clean(mut run: Run, arguments: &Arguments, planner: &'static str, seed: u64) 
         believed: swept.map(|[swept, all]| swept / all.max(1e-9)),
         error_m: run.pose_error_m().unwrap_or_default(),
         bumps: run.bumps(),
-        end: if run.is_finished() { run.activity() } else { "not done yet" },
+        end: if run.is_finished() { run.activity() } else { "not finished" },
     }
 }
 
@@ -160,8 +160,8 @@ fn to_text(outcomes: &[Outcome]) -> String {
         };
         let _ = writeln!(text, "{name:>8}{}", row(&std::array::from_fn(column)));
     }
-    text + "mapped, cleaned: time that it took; swept: share of the reachable floor really swept by then; believed: what it takes\n\
-            that for, on the floor that it can get to by its map\n"
+    text + "mapped, cleaned: time needed; swept: true share of the reachable floor swept by then; believed: the robot's estimate\n\
+            of that share, from its map\n"
 }
 
 impl Outcome {

@@ -36,16 +36,16 @@ pub struct Arguments {
     /// Robot, see "robovac robots"; "cell" fills one planning cell
     #[arg(long, value_name = "ID", default_value = CELL_ROBOT)]
     robot: String,
-    /// Side of the planning cells in metres [default: a map cell for the robot "cell", else what suits the robot]
+    /// Planning cell size in metres [default: the map's cell size for the robot "cell", else chosen for the robot]
     #[arg(long, value_name = "M")]
     cell: Option<f64>,
-    /// First seed of all random numbers
+    /// First random seed
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
-    /// Number of seeds for planners that use chance; the table has the median
+    /// Number of seeds for randomised planners; the table shows the median
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=1000))]
     seeds: u64,
-    /// Plans made at the same time [default: one a core]; planning times are steadier with 1
+    /// Plans made in parallel [default: one per core]; with 1, planning times are more stable
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
     jobs: Option<u16>,
     /// Write all trials as JSON instead of a table
@@ -117,7 +117,7 @@ fn try_all(
     attempt: impl Fn(&Trial) -> Result<PlanNumbers, String> + Sync,
 ) -> Vec<Result<PlanNumbers, String>> {
     let next = AtomicUsize::new(0);
-    let results = Mutex::new(vec![Err("it was not tried".to_owned()); trials.len()]);
+    let results = Mutex::new(vec![Err("not tried".to_owned()); trials.len()]);
     let work = || {
         loop {
             let index = next.fetch_add(1, Ordering::Relaxed);
@@ -139,7 +139,7 @@ fn try_all(
 fn attempt(place: &Place, entrant: &Entrant, seed: u64) -> Result<PlanNumbers, String> {
     let begin = Instant::now();
     let arena = place.arena.as_ref().map_err(Clone::clone)?;
-    let planner = entrant.algorithm.planner().ok_or("it plans nothing")?;
+    let planner = entrant.algorithm.planner().ok_or("a behaviour doesn't plan; use robovac montecarlo")?;
     let outcome = arena.run(planner, &entrant.params, seed, || begin.elapsed().as_secs_f64(), None);
     outcome.map(|outcome| outcome.numbers).map_err(|e| e.to_string())
 }

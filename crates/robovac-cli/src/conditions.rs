@@ -1,23 +1,22 @@
-//! `--slip`, `--noise`, `--quantised`, `--odometry`: how true wheels and sensors are.
+//! `--slip`, `--noise`, `--quantised`, `--odometry`: errors of wheels and sensors.
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use robovac_core::robot::OdometryModel;
 use robovac_sim::{Conditions, Noise, NoiseLevel, SensorKind, SlipLevel};
 
-/// How true wheels and sensors are.
+/// Errors of wheels and sensors.
 #[derive(clap::Args)]
 pub struct ConditionsArguments {
-    /// How much the wheels slip
+    /// Wheel slip
     #[arg(long, value_name = "LEVEL", default_value = SlipLevel::None.id(), value_parser = slip_parser())]
     slip: SlipLevel,
-    /// How much the sensors err: off, typical or harsh, or one kind of sensor as in cliff=harsh; may be given several
-    /// times [default: off]
+    /// Sensor noise: off, typical or harsh, or for one kind of sensor as in cliff=harsh; can be repeated [default: off]
     #[arg(long, value_name = "LEVEL", value_parser = parse_noise)]
     noise: Vec<(Option<SensorKind>, NoiseLevel)>,
-    /// Let the wheels turn only at the speeds that the robot's motor controller can keep
+    /// Round wheel speeds to those that the robot's motor controller can hold
     #[arg(long)]
     quantised: bool,
-    /// How the robot computes its pose from the counts of its wheels
+    /// How odometry computes the pose from encoder counts
     #[arg(long, value_name = "MODEL", default_value = OdometryModel::Arc.id(), value_parser = odometry_parser())]
     pub odometry: OdometryModel,
 }

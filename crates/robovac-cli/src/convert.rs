@@ -14,13 +14,13 @@ pub struct Arguments {
     source: Source,
     #[command(flatten)]
     drawing: DrawingOptions,
-    /// File to write; its ending chooses the format
+    /// Output file; its extension chooses the format
     #[arg(long, value_name = "FILE")]
     out: PathBuf,
-    /// How a ROS map says what a cell is
+    /// Mode of a ROS map
     #[arg(long, value_name = "MODE", default_value = "trinary", value_parser = ["trinary", "scale", "raw"])]
     mode: String,
-    /// Walls of a ROS map are light
+    /// Negate a ROS map: walls are light
     #[arg(long)]
     negate: bool,
 }
@@ -36,10 +36,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let format = ENDINGS.iter().find(|(known, _)| *known == ending).map(|&(_, format)| format);
     let (Some(format), Some(stem)) = (format, out.file_stem().and_then(|stem| stem.to_str())) else {
         let endings = ENDINGS.map(|(ending, _)| format!(".{ending}")).join(", ");
-        return Err(Failure::usage(format!(
-            "--out {}: no format has this ending; use one of {endings}",
-            out.display()
-        )));
+        return Err(Failure::usage(format!("--out {}: unknown file extension; use one of {endings}", out.display())));
     };
     let drawing = arguments.source.file()?.filter(is_drawing);
     let plan = match &drawing {

@@ -1,4 +1,4 @@
-//! `--units`, `--layer`, `--gap`, `--resolution`, `--region`: how a drawing becomes a room.
+//! `--units`, `--layer`, `--gap`, `--resolution`, `--region`: how a room is traced from a drawing.
 
 use super::failure::Failure;
 use floor_drawing::{Drawing, Region, Role, Traced, Tracing, read, trace};
@@ -7,19 +7,19 @@ use robovac_core::{floorplan::SourceFile, geometry::Point};
 /// Only for drawings (DXF, SVG, GeoJSON).
 #[derive(clap::Args)]
 pub struct DrawingOptions {
-    /// What a unit of the drawing is: mm, cm, m, in, ft or its length in metres; if left out, what the drawing says
+    /// Drawing unit: mm, cm, m, in, ft or its length in metres [default: as stated in the drawing]
     #[arg(long)]
     units: Option<String>,
-    /// What a layer is: NAME=wall, NAME=obstacle or NAME=ignored; may be repeated; else names are guessed from
+    /// Role of a layer: NAME=wall, NAME=obstacle or NAME=ignored; can be repeated [default: guessed from the name]
     #[arg(long = "layer", value_name = "NAME=ROLE")]
     layers: Vec<String>,
-    /// Widest gap between ends of walls that is closed, m
+    /// Close gaps between wall ends up to this width, m
     #[arg(long, value_name = "M", default_value_t = 0.1)]
     gap: f64,
-    /// Side of the room's cells, m
+    /// Cell size of the room, m
     #[arg(long, value_name = "M", default_value_t = 0.05)]
     resolution: f64,
-    /// What of the drawing: whole, room:X,Y (the room around that point), rectangle:X,Y,X,Y or polygon:X,Y,X,Y,...; in
+    /// Region to use: whole, room:X,Y (the room around that point), rectangle:X,Y,X,Y or polygon:X,Y,X,Y,...; in
     /// drawing units
     #[arg(long, default_value = "whole", allow_hyphen_values = true)]
     region: String,
@@ -42,7 +42,7 @@ impl DrawingOptions {
     fn metre(&self, drawing: &Drawing) -> Result<f64, Failure> {
         let Some(units) = &self.units else {
             return drawing.metre.ok_or_else(|| {
-                Failure::usage("the drawing doesn't say what its unit is; add --units, e.g. --units mm".to_owned())
+                Failure::usage("the drawing doesn't state its unit; add --units, e.g. --units mm".to_owned())
             });
         };
         match units.as_str() {

@@ -1,4 +1,4 @@
-//! What is told to people and to scripts when something goes wrong.
+//! Error messages and exit codes.
 
 use floor_drawing::DrawingError;
 use robovac_app::ImportError;
@@ -15,7 +15,7 @@ const BAD_MAP: u8 = 3;
 const DOES_NOT_FIT: u8 = 4;
 const PLANNER: u8 = 5;
 
-/// A message for people and a code for scripts.
+/// A message for users and an exit code for scripts.
 #[derive(Debug)]
 pub struct Failure {
     /// Exit code.

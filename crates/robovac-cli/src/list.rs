@@ -1,4 +1,4 @@
-//! `planners`, `behaviours`, `rooms`, `robots`: what there is, one a line.
+//! `planners`, `behaviours`, `rooms`, `robots`: lists, one entry a line.
 
 use coverage_planners::{PLANNERS, metrics::METRICS};
 use robovac_core::{floorplan::ROOMS, robot::MODELS};

@@ -1,4 +1,4 @@
-//! `locate`: how well a robot finds itself on a map that it knows, after it was picked up and put down anywhere.
+//! `locate`: how well a kidnapped robot relocalises on a known map.
 
 use super::{
     conditions::ConditionsArguments,
@@ -23,22 +23,22 @@ use std::{
     time::Instant,
 };
 
-/// Let a robot find itself on a known map: it is picked up, put down anywhere, and drives on
+/// Relocalise a kidnapped robot on a known map
 #[derive(clap::Args)]
 pub struct Arguments {
     #[command(flatten)]
     placement: PlacementArguments,
-    /// Behaviour that drives, see "robovac behaviours"
+    /// Driving behaviour, see "robovac behaviours"
     #[arg(long, value_name = "ID", default_value = "wall_follow")]
     behaviour: String,
     #[command(flatten)]
     params: ParamArguments,
     #[command(flatten)]
     conditions: ConditionsArguments,
-    /// Number of trials, each with a place and a seed of its own
+    /// Number of trials, each with its own pose and seed
     #[arg(long, value_name = "N", default_value_t = 50, value_parser = clap::value_parser!(u64).range(1..=10_000))]
     trials: u64,
-    /// Simulated time after it was put down
+    /// Simulated time after kidnapping
     #[arg(long, value_name = "MINUTES", default_value_t = 5.0)]
     minutes: f64,
     /// Write all trials as JSON instead of a summary
@@ -87,21 +87,21 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     // Writing to a string can't fail.
     let _ = writeln!(
         text,
-        "{} of {} found within {} min ({share:.0} %): sure of a place and within {:.0} cm of it, to the end",
+        "{} of {} relocalised within {} min ({share:.0} %): confident and within {:.0} cm, until the end",
         found.len(),
         trials.len(),
         arguments.minutes,
         100.0 * RIGHT_M
     );
     if let Some((half, most)) = quantile(&found, 0.5).zip(quantile(&found, 0.9)) {
-        let _ = writeln!(text, "found after {half:.0} s (median), {most:.0} s (90 %)");
+        let _ = writeln!(text, "relocalised after {half:.0} s (median), {most:.0} s (90 %)");
     }
     let errors = sorted(trials.iter().filter(|t| t.found_s.is_some()).filter_map(|t| t.error).map(|e| 100.0 * e.0));
     if let Some((half, most)) = quantile(&errors, 0.5).zip(quantile(&errors, 0.9)) {
-        let _ = writeln!(text, "off by {half:.1} cm (median), {most:.1} cm (90 %) in the end");
+        let _ = writeln!(text, "final error {half:.1} cm (median), {most:.1} cm (90 %)");
     }
     let unsure = trials.len() - found.len() - deluded;
-    let _ = writeln!(text, "{deluded} sure of a wrong place in the end, {unsure} not sure of any");
+    let _ = writeln!(text, "at the end: {deluded} confident but wrong, {unsure} uncertain");
     let simulated = trials.len() as f64 * kidnapping.duration_s;
     let _ = writeln!(text, "{:.0} s simulated, {:.0} x real time on all cores", simulated, simulated / took_s);
     Ok(text)

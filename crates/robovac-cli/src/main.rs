@@ -63,13 +63,13 @@ mod native {
 Exit codes:
   0  done
   1  a file can't be read or written
-  2  wrong use: unknown option, planner, behaviour, room, robot or parameter
+  2  wrong usage: unknown option, planner, behaviour, room, robot or parameter
   3  the map can't be used
   4  the robot or its start doesn't fit into the room
   5  the planner failed";
 
-    /// Plans how a robot covers a floor, and lets a simulated one do it. Lengths are in metres, angles in degrees
-    /// counter-clockwise from 0 = right, cells are counted from the lower left.
+    /// Plan and simulate floor coverage by robot vacuum cleaners. Lengths are in metres, angles in degrees
+    /// counter-clockwise from 0 = right; cells are counted from the lower left.
     #[derive(Parser)]
     #[command(name = "robovac", version, after_help = EXIT_CODES)]
     struct Arguments {
@@ -81,15 +81,15 @@ Exit codes:
     enum Command {
         /// List the planners: id, then title
         Planners,
-        /// List the behaviours, which clean without a plan: id, then title
+        /// List the behaviours (reactive controllers): id, then title
         Behaviours,
-        /// List the rooms that ship: id, then title
+        /// List the built-in rooms: id, then title
         Rooms,
         /// List the robots: id, then title
         Robots,
-        /// List what virtual Roombas are like: id, then title
+        /// List the personalities of the virtual Roomba: id, then title
         Personalities,
-        /// List the numbers by which plans are compared: id, then what it is
+        /// List the metrics of plans: id, then definition
         Metrics,
         Plan(plan::Arguments),
         Sweep(sweep::Arguments),

@@ -1,4 +1,4 @@
-//! `map`: how good the maps are that a robot makes, with and without correction.
+//! `map`: quality of a robot's maps, with and without drift correction.
 
 use super::{
     conditions::ConditionsArguments,
@@ -23,17 +23,17 @@ use std::{fmt::Write, time::Instant};
 /// Readings that are taken at once, so that measuring the time takes none: a second.
 const BATCH: usize = 67;
 
-/// Let a simulated robot map a room, and measure its maps and its poses against the truth
+/// Map a room in simulation and compare maps and poses with ground truth
 #[derive(clap::Args)]
 pub struct Arguments {
     #[command(flatten)]
     placement: PlacementArguments,
-    /// Behaviour that drives, see "robovac behaviours"
+    /// Driving behaviour, see "robovac behaviours"
     #[arg(long, value_name = "ID", default_value = "wall_follow")]
     behaviour: String,
     #[command(flatten)]
     params: ParamArguments,
-    /// Number of runs, with a seed each from --seed on
+    /// Number of runs; seeds count up from --seed
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u64).range(1..=10_000))]
     seeds: u64,
     /// Simulated time of each run
@@ -41,7 +41,7 @@ pub struct Arguments {
     minutes: f64,
     #[command(flatten)]
     conditions: ConditionsArguments,
-    /// How the robot keeps track of itself
+    /// Localisation
     #[arg(long, value_name = "WAY", default_value = "both")]
     tracking: Ways,
     /// Write JSON instead of tables
@@ -52,11 +52,11 @@ pub struct Arguments {
 /// Ways of keeping track that are compared.
 #[derive(Clone, Copy, ValueEnum)]
 enum Ways {
-    /// By wheel counts alone
+    /// Encoder counts only
     Odometry,
-    /// Corrected by what bumper and light bumper meet
+    /// Drift corrected by matching bumper and light bumper contacts
     Corrected,
-    /// Both, on the very same drives
+    /// Both, on the same drives
     Both,
 }
 
@@ -207,8 +207,8 @@ fn to_text(ways: &[Tracking], outcomes: &[Outcome]) -> String {
         }
         text.push('\n');
     }
-    text + "end, median, 90 %: error of the pose at the end and over the run; right: known cells right within one cell;\n\
-            floor, boundary: known shares of what can be reached; off: mean distance of occupied cells from an edge;\n\
+    text + "end, median, 90 %: pose error at the end and over the run; right: share of known cells correct within one cell;\n\
+            floor, boundary: known shares of what is reachable; off: mean distance of occupied cells from a true edge;\n\
             speed: times real time\n"
 }
 

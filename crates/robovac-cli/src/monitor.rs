@@ -1,4 +1,4 @@
-//! `robovac monitor`: listens to a robot on a serial port, through the same driver as the page.
+//! `monitor`: listens to a robot on a serial port, with the same driver as the page.
 
 use super::failure::Failure;
 use robovac_link::{
@@ -21,18 +21,18 @@ const REPORT: Duration = Duration::from_secs(1);
 /// Largest lump of bytes that is read at once.
 const LUMP: usize = 4096;
 
-/// Listen to a robot on a serial port: find out who is there, show its sensors, keep a recording. It is not driven
+/// Listen to a robot on a serial port: identify it, show its sensors, record. Never drives the robot
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// The port, such as /dev/ttyUSB0 or COM3; "list" lists those that there are
+    /// Serial port, such as /dev/ttyUSB0 or COM3; "list" lists the ports
     port: String,
-    /// Seconds to listen for; without it, until Ctrl-C
+    /// Seconds to listen [default: until Ctrl-C]
     #[arg(long, value_name = "S")]
     seconds: Option<f64>,
-    /// Keep everything that goes over the line in this file, which the page can play
+    /// Record all traffic to this file, which the page can replay
     #[arg(long, value_name = "FILE")]
     record: Option<PathBuf>,
-    /// Show every command and frame, not just one line a second
+    /// Show every command and frame instead of one line per second
     #[arg(long)]
     traffic: bool,
 }
@@ -66,7 +66,7 @@ fn watch(arguments: &Arguments, port: &mut dyn SerialPort, link: &mut Link) -> R
             Ok(count) => link.feed(now, buffer.get(..count).unwrap_or_default()),
             Err(error) if matches!(error.kind(), ErrorKind::TimedOut | ErrorKind::Interrupted) => {}
             Err(error) => {
-                link.lost(now, "The port is gone.", true);
+                link.lost(now, "The port was unplugged or closed.", true);
                 return Err(lost(&error));
             }
         }
@@ -152,9 +152,9 @@ fn say(line: &str) {
 }
 
 fn list() -> Result<String, Failure> {
-    let ports = serialport::available_ports().map_err(|e| Failure::usage(format!("the ports can't be listed: {e}")))?;
+    let ports = serialport::available_ports().map_err(|e| Failure::usage(format!("can't list serial ports: {e}")))?;
     if ports.is_empty() && stderr().is_terminal() {
-        say("There is no serial port. Is the cable plugged in?");
+        say("No serial port found. Is the cable plugged in?");
     }
     Ok(ports.into_iter().map(|port| port.port_name + "\n").collect())
 }
@@ -165,9 +165,9 @@ fn cannot_open(arguments: &Arguments, error: &serialport::Error) -> Failure {
             "\"robovac monitor list\" lists the ports"
         }
         serialport::ErrorKind::Io(ErrorKind::PermissionDenied) => {
-            "you may not use it: on Linux, members of the group dialout may"
+            "permission denied: on Linux, add your user to the group dialout"
         }
         _ => "another program may be using it",
     };
-    Failure::usage(format!("{} can't be opened: {error}; {hint}", arguments.port))
+    Failure::usage(format!("can't open {}: {error}; {hint}", arguments.port))
 }

@@ -15,17 +15,17 @@ use std::{
     thread,
 };
 
-/// Run behaviours and planned paths many times and tell what chance makes of them
+/// Run behaviours and planned paths many times and report statistics
 #[derive(clap::Args)]
 pub struct Arguments {
     #[command(flatten)]
     placement: PlacementArguments,
     #[command(flatten)]
     entrants: EntrantArguments,
-    /// Number of runs of each, with a seed each
+    /// Number of runs of each algorithm, one seed per run
     #[arg(long, value_name = "N", default_value_t = 30, value_parser = clap::value_parser!(u64).range(1..=100_000))]
     seeds: u64,
-    /// First seed; planners plan with it once
+    /// First seed; planners plan once, with this seed
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
     /// Simulated time of each run
@@ -33,7 +33,7 @@ pub struct Arguments {
     minutes: f64,
     #[command(flatten)]
     conditions: ConditionsArguments,
-    /// Runs made at the same time [default: one a core]
+    /// Runs in parallel [default: one per core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
     jobs: Option<u16>,
     /// Write quantiles, curves and all runs as JSON instead of a table
@@ -48,10 +48,10 @@ pub struct Arguments {
 #[derive(clap::Args)]
 #[group(required = true, multiple = true)]
 struct EntrantArguments {
-    /// Behaviour, see "robovac behaviours", with its parameters as in "compare"; several times or separated by commas
+    /// Behaviours, see "robovac behaviours", with parameters as in "compare"; repeated or separated by commas
     #[arg(long = "behaviour", value_name = "LIST", value_delimiter = ',')]
     behaviours: Vec<String>,
-    /// Planner, see "robovac planners", whose path is driven; several times or separated by commas
+    /// Planners, see "robovac planners", whose paths are driven; repeated or separated by commas
     #[arg(long = "planner", value_name = "LIST", value_delimiter = ',')]
     planners: Vec<String>,
 }
@@ -99,7 +99,7 @@ impl EntrantArguments {
             Algorithm::find_kind(kind, id).map_err(|_| Failure::unknown(kind, id, &format!("{kind}s")))?;
             let entrant = Entrant::parse(kind, name).map_err(|error| Failure::usage(error.to_string()))?;
             if entrant.algorithm.behaviour().is_some_and(|info| info.claims.manual) {
-                return Err(Failure::usage(format!("behaviour \"{id}\" needs a person at the controls")));
+                return Err(Failure::usage(format!("behaviour \"{id}\" is driven by hand; choose another one")));
             }
             entrants.push(entrant);
         }
@@ -171,10 +171,9 @@ fn table(head: &Head<'_>, placement: &Placement, arguments: &Arguments, entries:
             band(bumps, 0)
         );
     }
-    text +=
-        "\nMedians; in brackets from where to where four in five runs lie. A dash: too few runs got there in time.\n";
+    text += "\nMedians, with the 10th and 90th percentiles in brackets. Dash: too few runs got there in time.\n";
     if entries.iter().any(|(entrant, _)| entrant.explores()) {
-        text += "Coverage of behaviours that explore: share of the walls and furniture in reach that light or bumper have met.\n";
+        text += "Coverage of exploring behaviours: share of reachable walls and furniture detected.\n";
     }
     text
 }

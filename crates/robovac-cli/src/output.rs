@@ -1,4 +1,4 @@
-//! How answers are written.
+//! Output to the terminal.
 
 use super::failure::Failure;
 use coverage_planners::metrics::METRICS;
@@ -21,7 +21,7 @@ pub fn json(value: &impl Serialize) -> String {
     serde_json::to_string(value).unwrap_or_default() + "\n"
 }
 
-/// A duration as people read it.
+/// A human-readable duration.
 pub fn minutes(seconds: f64) -> String {
     let seconds = seconds.round() as u64;
     format!("{} min {} s", seconds / 60, seconds % 60)

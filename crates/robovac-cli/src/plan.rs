@@ -1,4 +1,4 @@
-//! `plan`: one walk over one room, with its numbers.
+//! `plan`: one walk through one room, with its metrics.
 
 use super::{
     failure::Failure,
@@ -52,7 +52,7 @@ fn summary(task: &PlanningTask, report: &PlanReport) -> String {
         "{}\
          Coverage  {:.1} % of the reachable floor, {} reachable cells\n\
          Walk      {} steps, {} quarter turns and {} at the start, {} revisits, {:.1} % overlap\n\
-         Bound     no walk has fewer than {} steps or {} quarter turns, or steps + 2 x turns below {}{above}\n\
+         Bound     at least {} steps, at least {} quarter turns, steps + 2 x turns at least {}{above}\n\
          Drive     {:.1} m in {}, {:.1} Wh\n\
          Planning  {:.3} s\n",
         task::summary(Algorithm::Planner(task.planner), &task.placement, &report.task),

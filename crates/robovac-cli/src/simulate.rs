@@ -1,4 +1,4 @@
-//! `simulate`: a robot drives a planned walk, on its own estimate of where it is, or does what a behaviour does.
+//! `simulate`: a robot drives a planned walk by its own pose estimate, or runs a behaviour.
 
 use super::{
     conditions::ConditionsArguments,
@@ -22,7 +22,7 @@ pub const DEFAULT_ROBOT: &str = "roomba600";
 /// Time after which a behaviour that doesn't end by itself is stopped, s, unless another one is asked for.
 const MOST_TIME_S: f64 = 1800.0;
 
-/// Let a simulated robot clean: by a plan, or by a behaviour
+/// Simulate a cleaning robot that follows a plan or a behaviour
 #[derive(clap::Args)]
 pub struct Arguments {
     #[command(flatten)]
@@ -36,7 +36,7 @@ pub struct Arguments {
     /// Simulated time between two samples
     #[arg(long, value_name = "SECONDS", default_value_t = 10.0, value_parser = parse_seconds, allow_hyphen_values = true)]
     sample: f64,
-    /// Simulated time after which to stop [default: when the robot is done; 1800 for a behaviour that never is]
+    /// Simulated time limit [default: none; 1800 for behaviours that never finish]
     #[arg(long, value_name = "SECONDS", value_parser = parse_seconds, allow_hyphen_values = true)]
     max_time: Option<f64>,
     /// Write one JSON object instead of a table and a summary
@@ -82,7 +82,7 @@ struct Totals {
     bumps: u32,
     /// Area swept again, as a share of the area swept.
     overlap: f64,
-    /// Distance between where the robot is and where it believes to be.
+    /// Distance between the robot's true and estimated position.
     pose_error_m: Option<f64>,
     /// Whether the robot came to the end of what it does.
     finished: bool,
@@ -100,7 +100,7 @@ struct Sample {
     coverage: f64,
     /// Where the robot is.
     pose: ScenarioPose,
-    /// Where it believes to be.
+    /// Its estimated pose.
     estimate: Option<ScenarioPose>,
 }
 
@@ -148,9 +148,7 @@ impl AlgorithmArguments {
         let id = self.behaviour.as_deref().unwrap_or_default();
         let info = controller::find(id).ok_or_else(|| Failure::unknown("behaviour", id, "behaviours"))?;
         if info.claims.manual {
-            return Err(Failure::usage(format!(
-                "behaviour \"{id}\" needs a person at the controls; use it on the page"
-            )));
+            return Err(Failure::usage(format!("behaviour \"{id}\" is driven by hand; use it on the page")));
         }
         Ok(Algorithm::Behaviour(info))
     }
@@ -213,9 +211,9 @@ impl Report {
         }
         let totals = &self.totals;
         let end = match (totals.finished, algorithm) {
-            (true, Algorithm::Planner(_)) => "came to the end of the walk",
-            (true, Algorithm::Behaviour(_)) => "came to its end",
-            (false, _) if totals.battery_empty => "ended by an empty battery",
+            (true, Algorithm::Planner(_)) => "reached the end of the walk",
+            (true, Algorithm::Behaviour(_)) => "finished",
+            (false, _) if totals.battery_empty => "stopped by an empty battery",
             (false, _) => "stopped by --max-time",
         };
         let pose = totals.pose_error_m.map(|metres| format!("Pose      {metres:.3} m off at the end\n"));

@@ -13,10 +13,10 @@ use std::{
 #[derive(clap::Args)]
 #[group(required = true, multiple = false)]
 pub struct Source {
-    /// Map file: text of # and ., PNG, PGM, ROS map (YAML, its image is found by itself) or scenario
+    /// Map file: text of # and ., PNG, PGM, ROS map (YAML; its image is found automatically) or scenario
     #[arg(long, value_name = "FILE")]
     map: Option<PathBuf>,
-    /// Room that ships, see "robovac rooms"
+    /// Built-in room, see "robovac rooms"
     #[arg(long, value_name = "ID")]
     room: Option<String>,
 }

@@ -1,4 +1,4 @@
-//! `sweep`: the sweeping planner of 001, with a robot of any outline.
+//! `sweep`: the subgoal sweep of paper 001, for a robot of any outline.
 
 use super::{drawing::DrawingOptions, failure::Failure, output, source::Source};
 use coverage_planners::{
@@ -16,14 +16,14 @@ use robovac_link::commands_text;
 use serde::Serialize;
 use std::{fs, ops::ControlFlow, path::PathBuf, time::Instant};
 
-/// Sweep a room in scan lines from contact to contact, with a robot of any outline
+/// Plan a sweep along scan lines for a robot of any outline
 #[derive(clap::Args)]
 pub struct Arguments {
     #[command(flatten)]
     source: Source,
     #[command(flatten)]
     drawing: DrawingOptions,
-    /// Robot that drives, see "robovac robots"; its body is the outline unless --outline says otherwise
+    /// Robot, see "robovac robots"; its body is the outline unless --outline is given
     #[arg(long, value_name = "ID", default_value = "octagon")]
     robot: String,
     /// Outline in metres: circle:RADIUS, rectangle:LENGTHxWIDTH or octagon:WIDTH
@@ -32,10 +32,10 @@ pub struct Arguments {
     /// Distance between scan lines in metres [default: half the outline's width]
     #[arg(long, value_name = "M", allow_hyphen_values = true)]
     scan_width: Option<f64>,
-    /// Side of the obstacle map's cells in metres [default: a quarter of the outline's width]
+    /// Cell size of the obstacle map in metres [default: a quarter of the outline's width]
     #[arg(long, value_name = "M", allow_hyphen_values = true)]
     cell: Option<f64>,
-    /// File to write, may be given several times; its ending chooses what: .csv table, .yaml ROS path, .oi.txt Open
+    /// Output file, can be repeated; its extension chooses the format: .csv table, .yaml ROS path, .oi.txt Open
     /// Interface bytes for a Roomba 600, .txt program, .json all stages
     #[arg(long, value_name = "FILE")]
     out: Vec<PathBuf>,
@@ -159,7 +159,7 @@ fn format_of(out: &std::path::Path) -> Result<Format, Failure> {
     ];
     endings.into_iter().find(|(ending, _)| name.ends_with(ending)).map(|(_, format)| format).ok_or_else(|| {
         let endings = ".csv, .yaml, .oi.txt, .txt, .json or .dxf";
-        Failure::usage(format!("--out {}: no format has this ending; use {endings}", out.display()))
+        Failure::usage(format!("--out {}: unknown file extension; use {endings}", out.display()))
     })
 }
 
@@ -210,7 +210,7 @@ fn stages<'a>(found: &Sweep, report: &'a Report<'a>) -> Stages<'a> {
 fn parse_outline(text: &str) -> Result<Outline, Failure> {
     let usage = || {
         let forms = "circle:RADIUS, rectangle:LENGTHxWIDTH or octagon:WIDTH in metres, e.g. octagon:0.36";
-        Failure::usage(format!("--outline {text}: give it as {forms}"))
+        Failure::usage(format!("--outline {text}: use {forms}"))
     };
     let number = |text: &str| text.trim().parse::<f64>().map_err(|_| usage());
     let (kind, size) = text.split_once(':').ok_or_else(usage)?;

@@ -1,4 +1,4 @@
-//! What the commands have in common: which robot is to clean which room, and with which parameters.
+//! Arguments shared by the commands: room, robot, start and parameters.
 
 use super::{failure::Failure, source::Source};
 use robovac_core::{
@@ -24,7 +24,7 @@ pub struct PlacementArguments {
     /// Robot, see "robovac robots"; "cell" fills one planning cell [default: "cell" to plan, else "roomba600"]
     #[arg(long, value_name = "ID")]
     robot: Option<String>,
-    /// Side of the planning cells in metres [default: a map cell for the robot "cell", else what suits the robot]
+    /// Planning cell size in metres [default: the map's cell size for the robot "cell", else chosen for the robot]
     #[arg(long, value_name = "M", allow_hyphen_values = true)]
     cell: Option<f64>,
 }
@@ -32,10 +32,10 @@ pub struct PlacementArguments {
 /// Parameters and seed of one algorithm.
 #[derive(clap::Args)]
 pub struct ParamArguments {
-    /// Parameter of the algorithm; may be given several times
+    /// Parameter of the algorithm; can be repeated
     #[arg(long = "param", value_name = "KEY=VALUE", value_parser = parse_param)]
     params: Vec<(String, String)>,
-    /// Seed of all random numbers
+    /// Random seed
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub seed: u64,
 }

@@ -1,4 +1,4 @@
-//! `virtual-roomba`: a simulated Roomba on a serial line, in real time, for any program that talks to one.
+//! `virtual-roomba`: a simulated Roomba on a serial line, in real time, for any Roomba software.
 
 mod control;
 mod diary;
@@ -37,34 +37,34 @@ const LAST_WORDS: Duration = Duration::from_millis(250);
 /// Longest time that is made up for after the machine was busy or asleep.
 const MOST_LAG: Duration = Duration::from_secs(2);
 
-/// Put a simulated Roomba on a serial line, for any Roomba software. It prints "ready", and where, when it listens
+/// Simulate a Roomba on a serial line, for any Roomba software. Prints "ready" and the address once it listens
 #[derive(clap::Args)]
 pub struct Arguments {
     #[command(flatten)]
     end: End,
     #[command(flatten)]
     floor: floor::FloorArguments,
-    /// What it is like, see "robovac personalities"
+    /// Personality, see "robovac personalities"
     #[arg(long, value_name = "ID", default_value = "model", value_parser = personalities())]
     personality: String,
-    /// Seed of all random numbers
+    /// Random seed
     #[arg(long, value_name = "N", default_value_t = 0)]
     seed: u64,
-    /// Charge of its battery at the start, percent
+    /// Initial battery charge, percent
     #[arg(long, value_name = "PERCENT", default_value_t = 80, value_parser = clap::value_parser!(u8).range(0..=100))]
     charge: u8,
-    /// Let the wheels turn only at the speeds that a Create 2's motor controller can keep
+    /// Round wheel speeds to those that a Create 2's motor controller can hold
     #[arg(long)]
     quantised: bool,
-    /// Baud rate of the host's side, for --tcp and --stdio; a pseudo-terminal has its own
+    /// Baud rate of the host, for --tcp and --stdio; a pseudo-terminal has its own
     #[arg(long, value_name = "N", default_value_t = 115_200, value_parser = clap::value_parser!(u32).range(300..=3_000_000))]
     baud: u32,
-    /// Take orders from standard input, one a line: press clean (spot, dock), lift, drop, plug, unplug, unplug-line,
-    /// replug-line, brc low, brc high, state, quit. Its end is quit
+    /// Read control commands from standard input, one per line: press clean (spot, dock), lift, drop, plug, unplug,
+    /// unplug-line, replug-line, brc low, brc high, state, quit. End of input means quit
     #[arg(long, conflicts_with = "stdio")]
     control: bool,
-    /// Write every command that arrives and every change of the wheels into this file: seconds since ready, milliseconds
-    /// of the clock, and what
+    /// Log every received command and every wheel change to this file: seconds since ready, clock in milliseconds,
+    /// event
     #[arg(long, value_name = "FILE")]
     log: Option<PathBuf>,
 }
@@ -73,13 +73,13 @@ pub struct Arguments {
 #[derive(clap::Args)]
 #[group(required = true, multiple = false)]
 struct End {
-    /// A pseudo-terminal, with a link to it here
+    /// Pseudo-terminal; LINK is a symbolic link to it
     #[arg(long, value_name = "LINK")]
     pty: Option<PathBuf>,
     /// Standard input and output; messages go to standard error
     #[arg(long)]
     stdio: bool,
-    /// A TCP port, such as 127.0.0.1:4000, that carries the bare bytes; one client at a time
+    /// TCP port, such as 127.0.0.1:4000, carrying raw bytes; one client at a time
     #[arg(long, value_name = "ADDR")]
     tcp: Option<String>,
 }
@@ -146,9 +146,9 @@ impl End {
             #[cfg(unix)]
             (Some(link), _) => Ok(Box::new(pty::Pty::open(link)?)),
             #[cfg(not(unix))]
-            (Some(_), _) => Err(Failure::usage(
-                "there are no pseudo-terminals on this system; use --tcp ADDR or --stdio instead".to_owned(),
-            )),
+            (Some(_), _) => {
+                Err(Failure::usage("this system has no pseudo-terminals; use --tcp ADDR or --stdio instead".to_owned()))
+            }
             (None, Some(address)) => Ok(Box::new(tcp::TcpLine::listen(address, baud)?)),
             (None, None) => Ok(Box::new(StandardStreams::new(baud))),
         }
@@ -220,7 +220,7 @@ impl Host {
             Order::Brc(is_low) => self.robot.set_brc(is_low),
             Order::Cable(is_plugged) => {
                 if !self.line.plug(is_plugged)? {
-                    tell(&mut self.messages, format_args!("error this line can't be unplugged; only --pty can"));
+                    tell(&mut self.messages, format_args!("error only a --pty line can be unplugged"));
                 }
             }
             Order::State => {

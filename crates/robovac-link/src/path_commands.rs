@@ -1,7 +1,7 @@
-//! Paths as bytes of the Open Interface, to be sent at their times.
+//! Paths as timed Open Interface commands.
 //!
 //! Robots of the 600 series have no script commands (opcodes 152 to 158 are the Create's of 2006), and drive on until
-//! they are told otherwise: so a path is a list of commands, each with the time at which it is to be sent.
+//! the next command: so a path is a list of commands, each with the time at which it is to be sent.
 
 use coverage_planners::sweep::{FRAME, start_text};
 use robovac_core::{
@@ -61,7 +61,7 @@ impl TimedCommand {
 pub fn commands(path: &[Point], heading: f64, robot: &RobotModel) -> Vec<TimedCommand> {
     let mut list = List { robot, commands: Vec::new(), now: 0.0 };
     list.send(Command::Start, MODE_CHANGE, "start the interface".to_owned());
-    list.send(Command::Safe, MODE_CHANGE, "safe mode: it stops at cliffs and when it is lifted".to_owned());
+    list.send(Command::Safe, MODE_CHANGE, "safe mode: the robot stops at cliffs and when lifted".to_owned());
     if let Some(&first) = path.first() {
         let mut pose = Pose::new(first.x, first.y, heading);
         for to in &path[1..] {
@@ -93,7 +93,7 @@ pub fn commands_text(path: &[Point], heading: f64, robot: &RobotModel, planned: 
     let differs = if planned.contains(&body) {
         ""
     } else {
-        "#           which the path was not planned for: try it where nothing can be damaged\n"
+        "#           not the robot that the path was planned for: test it where nothing can be damaged\n"
     };
     let mut text = format!(
         "# planned   for {planned}\n\
@@ -257,7 +257,7 @@ mod tests {
                 "# planned   for an octagon, 0.400 m wide\n# runs on   Roomba 600 / Create 2, a circle of "
             )
         );
-        assert!(text.contains("not planned for"));
+        assert!(text.contains("not the robot"));
         assert!(text.contains("\n# start     x 1.000 m, y 1.000 m, heading 0.0 deg\n"), "{text}");
         assert!(text.contains("\n0.000  80               start the interface\n"), "{text}");
         // Half a millimetre short, and faster than what ends nearer.

@@ -1,4 +1,4 @@
-//! A body against walls, furniture and movers, exactly: circles and convex polygons.
+//! Exact contact of a body (circle or convex polygon) with walls, furniture and movers.
 
 use super::Touch;
 use robovac_core::{

@@ -1,4 +1,4 @@
-//! Spots of dirt, and how brushes pick it up.
+//! Dirt spots and their pick-up by brushes.
 
 use rand::RngExt;
 use robovac_core::{

@@ -1,4 +1,4 @@
-//! What happened in a run, for people who read along.
+//! Events of a run, for the log.
 
 use robovac_core::robot::Sensors;
 use std::fmt;
@@ -32,11 +32,11 @@ pub enum What {
     Docked,
     /// The battery was empty.
     BatteryEmpty,
-    /// The robot fell down a drop-off.
+    /// The robot fell off an edge a drop-off.
     Fell,
-    /// Somebody picked the robot up.
+    /// The robot was picked up.
     Lifted,
-    /// Somebody put it down.
+    /// The robot was put down.
     PutDown,
     /// The controller began with something else.
     Began(&'static str),
@@ -108,7 +108,7 @@ impl fmt::Display for What {
             Self::WheelDrop => "wheel drop",
             Self::Docked => "docked, charging",
             Self::BatteryEmpty => "battery empty",
-            Self::Fell => "fell down",
+            Self::Fell => "fell off an edge",
             Self::Lifted => "picked up",
             Self::PutDown => "put down",
             Self::Began(activity) => activity,

@@ -1,4 +1,4 @@
-//! What happens to a running robot from outside: a person at the controls, a hand that picks it up.
+//! External inputs of a run: manual control, lifting and putting down.
 
 use crate::controller::Command;
 use robovac_core::geometry::Pose;

@@ -1,4 +1,4 @@
-//! What moves and is used up in a world while a robot cleans it.
+//! Changes in the world during a run: movers and dirt.
 
 use super::{STEP_S, World, dirt::Spot, mover::Mover};
 use robovac_core::{

@@ -1,4 +1,4 @@
-//! People and pets that walk to and fro.
+//! People and pets that walk back and forth.
 
 use rand::RngExt;
 use robovac_core::{

@@ -1,4 +1,4 @@
-//! How much sensors err.
+//! Sensor noise.
 //!
 //! What each level means for a kind of sensor is said in that sensor's file.
 

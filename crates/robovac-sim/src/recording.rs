@@ -1,4 +1,4 @@
-//! A run that can be gone back to.
+//! A run that can be rewound.
 
 use crate::{Input, Run, STEP_S};
 

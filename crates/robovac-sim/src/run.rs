@@ -75,7 +75,7 @@ pub struct Run {
     bumps: u32,
     falls: u32,
     trail: Trail,
-    /// Where the robot believes to be if its controller doesn't keep track, and where it believes to have been.
+    /// The robot's estimated pose if its controller doesn't keep track, and where it believes to have been.
     odometry: Option<Odometry>,
     /// What makes a map, whoever drives.
     mapper: Option<Box<Mapper>>,
@@ -163,7 +163,7 @@ impl Run {
         self.locator.as_deref()
     }
 
-    /// What the second mapper believes.
+    /// The second mapper's estimates.
     pub fn baseline(&self) -> Option<&Mapper> {
         self.baseline.as_deref()
     }
@@ -246,7 +246,7 @@ impl Run {
         }
     }
 
-    /// Whether somebody has picked the robot up.
+    /// Whether the robot was picked up.
     pub fn is_lifted(&self) -> bool {
         self.robot.is_lifted()
     }
@@ -307,7 +307,7 @@ impl Run {
         self.events.push_back(Event { step: self.steps, what });
     }
 
-    /// Keeps track of where the robot believes to be.
+    /// Updates the robot's estimated pose.
     fn believe(&mut self) {
         if let Some(odometry) = &mut self.odometry {
             odometry.update(self.robot.sensors());
@@ -360,7 +360,7 @@ impl Run {
         self.controller.blocked()
     }
 
-    /// Where it believes to be: by its controller, or by counting wheel turns if the controller doesn't care.
+    /// Its estimated pose: by its controller, or by counting wheel turns if the controller doesn't care.
     pub fn estimate(&self) -> Option<Pose> {
         if let Some(mapper) = self.mapper() {
             return Some(mapper.pose());
@@ -373,7 +373,7 @@ impl Run {
         self.controller.corner()
     }
 
-    /// Distance between where the robot is and where it believes to be, m.
+    /// Distance between the robot's true and estimated position, m.
     pub fn pose_error_m(&self) -> Option<f64> {
         self.estimate().map(|estimate| (estimate.position() - self.pose().position()).norm())
     }

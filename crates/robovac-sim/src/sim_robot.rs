@@ -15,7 +15,7 @@ use robovac_core::{
 /// 0.5 m/s stops within 52 mm, of the 154 mm that its cliff sensors look ahead (ours).
 const BRAKING: f64 = 3.0;
 
-/// Body, wheels and sensors of one robot. It is told wheel speeds and reports what the Open Interface reports.
+/// Body, wheels and sensors of one robot. It takes wheel speeds and reports what the Open Interface reports.
 #[expect(clippy::struct_excessive_bools)]
 #[derive(Debug, Clone)]
 pub struct SimRobot {
@@ -27,7 +27,7 @@ pub struct SimRobot {
     /// Whether it stops as hard as it can, and whether brushes or vacuum run.
     is_braking: bool,
     is_sweeping: bool,
-    /// Wheel speeds that it was told, m/s.
+    /// Commanded wheel speeds, m/s.
     wanted: Drive,
     /// Present wheel speeds, m/s.
     speed: Drive,
@@ -79,7 +79,7 @@ impl SimRobot {
         self.senses.is_empty()
     }
 
-    /// Whether somebody has picked it up.
+    /// Whether it was picked up.
     pub fn is_lifted(&self) -> bool {
         self.is_lifted
     }

@@ -1,4 +1,4 @@
-//! Wheels that don't do exactly what their encoders say.
+//! Wheel slip: wheel motion that differs from encoder counts.
 //!
 //! Borenstein & Feng (Measurement and correction of systematic odometry errors in mobile robots, IEEE Transactions on
 //! Robotics and Automation 12(6), 1996) name the two errors that matter most for two driven wheels: wheels of unequal
@@ -7,7 +7,7 @@
 //! in the odometry model of Thrun, Burgard & Fox (Probabilistic Robotics, 2005, section 5.4).
 //!
 //! How large they are on household robots, owners have measured:
-//! - A Create 2 told to drive for 10 s on tiles came 582 to 600 mm far while its encoders said 601 to 604 mm; on carpet
+//! - A Create 2 driving for 10 s on tiles covered 582 to 600 mm while its encoders reported 601 to 604 mm; on carpet
 //!   698 to 735 mm of 763 to 805 mm, and 294 to 331 mm of 329 to 357 mm (K. Tibow, Roombas, motors, and noise,
 //!   ktibow.github.io/blog/roombamotors; three runs each). So carpet eats about 9 % of the way, and runs on tiles that the
 //!   encoders can't tell apart differ by 3 %.

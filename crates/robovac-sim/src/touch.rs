@@ -1,4 +1,4 @@
-//! Where a body is touched.
+//! Contact points on a body.
 
 use robovac_core::geometry::Vector;
 

@@ -1,4 +1,4 @@
-//! What is around a robot beside the walls.
+//! The robot's surroundings apart from the walls.
 
 use robovac_core::{
     floorplan::{FloorPlan, Object, Who},

@@ -1,4 +1,4 @@
-//! Answers to Sensors (142) and Query List (149): bare values, which only those who asked can read.
+//! Answers to Sensors (142) and Query List (149): bare values, readable only with the request.
 
 use super::{
     limits::Refusal,

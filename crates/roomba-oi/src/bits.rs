@@ -1,4 +1,4 @@
-//! Bytes whose bits have names of their own, in commands and in packets.
+//! Bytes with named bits, in commands and packets.
 
 /// A struct of named bits with its byte. Bits without a name are reserved: they are written as 0 and ignored when read.
 macro_rules! bits {

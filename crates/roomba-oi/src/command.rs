@@ -1,4 +1,4 @@
-//! Commands: what they hold, and their bytes.
+//! Commands: data and encoding.
 //!
 //! Any complete bytes make a [`Command`], also one that asks for more than a robot can do: what a robot makes of it is the
 //! emulator's business, and the console wants to show it. Nothing of that kind is ever *written*: [`Command::encode`]
@@ -172,7 +172,7 @@ pub const BAUD_RATES: [u32; 12] = [300, 600, 1200, 2400, 4800, 9600, 14_400, 19_
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum ParseError {
     /// No robot of the 500 or 600 series knows this opcode.
-    #[error("{0} is no opcode")]
+    #[error("{0} isn't an opcode")]
     Unknown(u8),
     /// The data bytes are not all there.
     #[error("{0} needs more data bytes")]

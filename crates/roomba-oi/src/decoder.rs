@@ -1,4 +1,4 @@
-//! Commands out of a stream of bytes: the robot's side.
+//! Decodes commands from a byte stream: the robot's side.
 
 use super::{
     command::{Command, MAX_RECEIVED, ParseError},

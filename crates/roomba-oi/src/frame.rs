@@ -36,13 +36,13 @@ pub enum FrameError {
     #[error("it ends within packet {0}")]
     CutPacket(u8),
     /// It holds other packets than those that were asked for.
-    #[error("it is not what was asked for")]
+    #[error("it has other packets than requested")]
     NotExpected,
     /// All bytes are there, and their sum is wrong: its low byte is given, which should be 0.
     #[error("its bytes add up to {0} instead of 0")]
     Checksum(u8),
     /// Bytes are missing.
-    #[error("it is not complete")]
+    #[error("it is incomplete")]
     Incomplete,
 }
 
@@ -143,7 +143,7 @@ impl<'a> Frame<'a> {
 
 /// Why no frame is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
-#[error("the frame takes {needed} bytes, and there is room for {room}")]
+#[error("the frame needs {needed} bytes, but there is room for {room}")]
 pub struct FrameTooLong {
     /// Bytes of the frame.
     pub needed: usize,

@@ -1,4 +1,4 @@
-//! What a robot can be asked for: ranges of commands, and builders that keep to them.
+//! Valid ranges of commands, and builders that check them.
 
 use super::{
     command::{BAUD_RATES, Command, Note},
@@ -21,7 +21,7 @@ pub const MAX_MOTOR_PWM: i8 = 127;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum Refusal {
     /// A value that no robot takes.
-    #[error("{what} is {value}, but robots take {least} to {most}")]
+    #[error("{what} is {value}, but must be {least} to {most}")]
     OutOfRange {
         /// Whose value.
         what: &'static str,
@@ -33,13 +33,13 @@ pub enum Refusal {
         most: i32,
     },
     /// A packet that doesn't exist.
-    #[error("there is no packet {0}: robots have 0 to 58, 100, 101, 106 and 107")]
+    #[error("there is no packet {0}; packets are 0 to 58, 100, 101, 106 and 107")]
     UnknownPacket(u8),
     /// A rate that opcode 129 has no code for.
-    #[error("{0} baud is none of the rates that robots have")]
+    #[error("{0} baud isn't a supported rate")]
     UnknownBaudRate(u32),
     /// The caller's buffer.
-    #[error("the command takes {needed} bytes, and the buffer has {got}")]
+    #[error("the command needs {needed} bytes, but the buffer has {got}")]
     BufferTooSmall {
         /// Bytes of the command.
         needed: usize,

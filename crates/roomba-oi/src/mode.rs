@@ -1,4 +1,4 @@
-//! Off, Passive, Safe, Full: what moves a robot from one to another.
+//! The modes Off, Passive, Safe and Full, and their transitions.
 
 use super::{
     motion::{ROBOT_RADIUS_MM, WheelSpeeds},
@@ -6,7 +6,7 @@ use super::{
 };
 use core::fmt;
 
-/// What a robot lets itself be told. Each mode allows all that those below it allow.
+/// Which commands a robot accepts. Each mode allows all that those below it allow.
 ///
 /// A robot never says that it changed its mode; that has to be read from packet 35.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]

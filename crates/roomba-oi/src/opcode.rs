@@ -1,4 +1,4 @@
-//! What a robot can be told, as a table: opcode, data bytes, modes that allow it, mode after it.
+//! Table of commands: opcode, data bytes, allowed modes, mode afterwards.
 
 use super::mode::Mode;
 use core::fmt;
@@ -76,9 +76,9 @@ opcodes! {
     Baud = 129, "Baud", Fixed(1), from Passive, then Same;
     /// The old name of Safe.
     Control = 130, "Control", Fixed(0), from Passive, then Is(Mode::Safe);
-    /// Drives as told, and stops by itself at cliffs, dropped wheels and on a charger.
+    /// Obeys drive commands, and stops by itself at cliffs, dropped wheels and on a charger.
     Safe = 131, "Safe", Fixed(0), from Passive, then Is(Mode::Safe);
-    /// Drives as told, whatever it senses.
+    /// Obeys drive commands, whatever it senses.
     Full = 132, "Full", Fixed(0), from Passive, then Is(Mode::Full);
     /// Puts the robot to sleep.
     Power = 133, "Power", Fixed(0), from Passive, then Is(Mode::Passive);

@@ -1,4 +1,4 @@
-//! Sensor packets: number, name, size, unit and range of each, and the groups that stand for several.
+//! Sensor packets: number, name, size, unit and range of each, and packet groups.
 
 use core::{fmt, ops::RangeInclusive};
 

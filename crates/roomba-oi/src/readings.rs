@@ -1,4 +1,4 @@
-//! All that a robot reports, as typed values.
+//! Everything that a robot reports, as typed values.
 
 use super::{
     bits::{BumpsAndDrops, Buttons, ChargingSources, LightBumper, Overcurrents, Stasis},

@@ -1,4 +1,4 @@
-//! Frames and text out of the bytes that a robot sends, whatever happened to them on the way.
+//! Extracts frames and text from a robot's byte stream, tolerating line errors.
 
 use super::{
     frame::{FRAMING, Frame, FrameError, HEADER, MAX_FRAME},
@@ -324,8 +324,8 @@ mod tests {
     fn only_what_was_asked_for_is_taken() {
         let mut parser = StreamParser::default();
         parser.expect(&[35]).unwrap();
-        assert_eq!(events(&mut parser, &VOLTAGE)[0], "[19, 3] it is not what was asked for");
-        assert_eq!(events(&mut parser, &[19, 2, 7, 0, 228])[0], "[19, 2, 7] it is not what was asked for");
+        assert_eq!(events(&mut parser, &VOLTAGE)[0], "[19, 3] it has other packets than requested");
+        assert_eq!(events(&mut parser, &[19, 2, 7, 0, 228])[0], "[19, 2, 7] it has other packets than requested");
         assert_eq!(events(&mut parser, &MODE), ["[(OiMode, 1)]"]);
         assert_eq!(parser.expect(&[59]), Err(Refusal::UnknownPacket(59)));
         assert!(parser.expect(&[100; 4]).is_err());

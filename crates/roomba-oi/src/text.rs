@@ -1,4 +1,4 @@
-//! What robots write in plain text: boot banners, the charging log, notes about sleep.
+//! Plain text from robots: boot banners, the charging log, sleep messages.
 //!
 //! It comes on the line of the packets, unasked: when the robot boots or wakes up, and once a second while it charges.
 

@@ -1,4 +1,4 @@
-//! What is drawn over a draft: gaps that were closed, objects, the part that is meant, what the hand does, the scale bar.
+//! Overlay of the Floor plan tab: closed gaps, objects, region, pointer actions, scale bar.
 //! One unit of the context is a CSS pixel.
 
 use js_sys::Array;

@@ -1,5 +1,5 @@
-//! Draws drafts. The room and the lines of the drawing, which may take long, are kept in one picture of the size of the
-//! canvas; while the view moves, that picture is moved with it.
+//! Draws the Floor plan tab. The room and the drawing are slow to draw, so they are cached in one picture of the size
+//! of the canvas, which moves with the view.
 
 use super::{marks, sweeping};
 use floor_drawing::{Drawing, Role, Traced};
@@ -61,7 +61,7 @@ pub(super) struct Painter {
 impl Painter {
     /// Draws onto `canvas` from now on.
     pub fn new(canvas: OffscreenCanvas) -> Result<Self, JsValue> {
-        let context = canvas.get_context("2d")?.ok_or("this browser can't draw off screen")?.unchecked_into();
+        let context = canvas.get_context("2d")?.ok_or("no off-screen canvas; use a current browser")?.unchecked_into();
         let picture = Layer::new(1, 1)?;
         Ok(Self { canvas, context, lines: Vec::new(), room: None, slice: None, picture, drawn: None, took: 0.0 })
     }

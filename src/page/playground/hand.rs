@@ -1,4 +1,4 @@
-//! The hand on the robot: at the joystick, and picking it up; and what it reports meanwhile.
+//! Manual input: joystick, picking up and putting down, and the readings meanwhile.
 
 use super::Playground;
 use js_sys::{Array, Float32Array, Float64Array};

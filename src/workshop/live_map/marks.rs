@@ -1,4 +1,4 @@
-//! Where a robot on its way bumped, and where it saw the floor end.
+//! Bumps and cliffs on the live map.
 
 use robovac_app::{Palette, Viewport};
 use robovac_core::{

@@ -1,4 +1,4 @@
-//! What a robot on its way is drawn on: the room, or blank paper that grows.
+//! Background of the live map: the room, or a blank sheet that grows.
 
 use robovac_app::explore::Session;
 use robovac_core::{

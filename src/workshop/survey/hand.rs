@@ -1,4 +1,4 @@
-//! The hand on the robot: picks it up, carries it, puts it down; it isn't told where.
+//! Kidnapping by pointer: picks the robot up and puts it down elsewhere.
 
 use super::Survey;
 use robovac_app::survey::{self, Deed, Phase};

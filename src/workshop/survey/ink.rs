@@ -1,4 +1,4 @@
-//! Colours of a map in the making. Blue is what the robot believes, orange what is true, everywhere in this place.
+//! Colours of the Map tab. Blue is the robot's estimate, orange is ground truth.
 
 /// One set of colours; those with four numbers are of cells: red, green, blue, opacity.
 #[derive(Debug)]
@@ -29,7 +29,7 @@ pub(super) struct Ink {
     pub unseen: &'static str,
     /// What is true.
     pub truth: &'static str,
-    /// What the robot believes.
+    /// The robot's estimates.
     pub belief: &'static str,
     /// How sure it is.
     pub doubt: &'static str,

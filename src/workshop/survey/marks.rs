@@ -1,4 +1,4 @@
-//! What is drawn over the cells: trails, robots in outline, particles, doubts.
+//! Overlay of the map: trails, robot outlines, particles, uncertainty.
 
 use robovac_app::Viewport;
 use robovac_core::{
@@ -142,7 +142,7 @@ pub(super) fn particles(context: &CanvasRenderingContext2d, viewport: &Viewport,
     context.set_global_alpha(1.0);
 }
 
-/// How sure the robot is: an ellipse around where it believes to be, a wedge for its heading.
+/// How sure the robot is: an ellipse around its estimated position, a wedge for its heading.
 pub(super) fn doubt(
     context: &CanvasRenderingContext2d,
     (radius, viewport): (f64, &Viewport),

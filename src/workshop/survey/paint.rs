@@ -1,4 +1,4 @@
-//! Draws a survey: belief as cells, truth as lines over them, what moves on top.
+//! Draws the Map tab: the estimate as cells, ground truth as lines over them, the robot on top.
 //!
 //! The cells are one picture with a pixel each, which is made anew at most some times a second while time goes on; all else
 //! is drawn every frame, but nothing at all if nothing has changed.
@@ -55,7 +55,7 @@ struct Shown {
 impl Painter {
     /// Draws onto `element` from now on.
     pub fn new(element: HtmlCanvasElement) -> Result<Self, JsValue> {
-        let context = element.get_context("2d")?.ok_or("this browser can't draw")?.unchecked_into();
+        let context = element.get_context("2d")?.ok_or("no 2D canvas; use a current browser")?.unchecked_into();
         Ok(Self { element, context, cells: CellPicture::new()?, cells_of: None, walls: None, last: None })
     }
 
@@ -266,7 +266,7 @@ fn grid(context: &CanvasRenderingContext2d, viewport: &Viewport, resolution: f64
     }
 }
 
-/// Trails, doubts, and the robot: solid where it believes to be, in outline where it is.
+/// Trails, doubts, and the robot: solid at the estimated pose, in outline at the true one.
 fn draw_robots(
     context: &CanvasRenderingContext2d,
     survey: &Survey,

@@ -77,7 +77,7 @@ fn cleaning_robots_go_home_are_charged_and_go_on() {
         let given = [("home_at", ParamValue::Number(15.0)), ("leave_at", ParamValue::Number(20.0))];
         let params = Params::checked(info.params, given).expect("they are in range");
         let mut run = run_with(&low_battery(&room_with_dock(), 17), info, &params, 3);
-        assert!(step_until(&mut run, 5.0, |run| run.activity() == "looking for the dock"), "{id} cleans on");
+        assert!(step_until(&mut run, 5.0, |run| run.activity() == "searching for the dock"), "{id} cleans on");
         assert!(step_until(&mut run, 15.0, |run| run.activity() == "charging"), "{id} doesn't get home");
         let place = run.pose().position();
         assert!(step_until(&mut run, 60.0, |run| run.activity() == "leaving the dock"), "{id} stays at home");
@@ -94,5 +94,5 @@ fn nobody_goes_home_who_is_told_not_to() {
     let info = behaviour("random_walk");
     let params = Params::checked(info.params, [("home_at", ParamValue::Number(0.0))]).expect("it is in range");
     let mut run = run_with(&low_battery(&room_with_dock(), 10), info, &params, 3);
-    assert!(!step_until(&mut run, 2.0, |run| run.activity() == "looking for the dock"));
+    assert!(!step_until(&mut run, 2.0, |run| run.activity() == "searching for the dock"));
 }

@@ -14,8 +14,8 @@ fn other_files_are_called_by_their_name() {
         (&b"AC1032\0\0\0"[..], "this is a DWG drawing, AutoCAD's own format; save it as DXF"),
         (b"\x89PNG\r\n\x1a\n", "this is a PNG image, not a drawing; choose a DXF, SVG or GeoJSON file"),
         (b"\xff\xd8\xff\xe0", "this is a JPEG image"),
-        (b"####\n#..#\n", "this is text of unknown kind"),
-        (b"\xfe\xed\xfa", "this is a file of unknown kind"),
+        (b"####\n#..#\n", "this is text of an unknown format"),
+        (b"\xfe\xed\xfa", "this is a file of an unknown format"),
         (b" \n", "is empty"),
     ] {
         let message = refusal(bytes);
@@ -25,8 +25,8 @@ fn other_files_are_called_by_their_name() {
 
 #[test]
 fn nothing_to_draw_is_said_with_what_there_is() {
-    assert!(refusal(entities("")).contains("nothing in it can be drawn;"));
-    assert!(refusal(entities("0 TEXT 1 a 0 TEXT 1 b")).contains("nothing in it can be drawn, only 2 texts;"));
+    assert!(refusal(entities("")).contains("nothing in the drawing can be used;"));
+    assert!(refusal(entities("0 TEXT 1 a 0 TEXT 1 b")).contains("nothing in the drawing can be used, only 2 texts;"));
 }
 
 #[test]
@@ -54,7 +54,7 @@ fn every_prefix_is_refused_with_its_line_or_is_whole() {
 #[test]
 fn sections_are_the_same_to_the_reader_and_to_the_writer() {
     let unnamed = entities(LINE).replacen("SECTION\n2\n", "SECTION\n1\n", 1);
-    assert!(refusal(unnamed.as_str()).contains("line 3: the section before this has no name"), "{unnamed}");
+    assert!(refusal(unnamed.as_str()).contains("line 3: the previous section has no name"), "{unnamed}");
     let skipped = format!("0 SECTION 2 BLOCKS 0 BLOCK 2 A 10 0 20 0 {LINE}");
     let text = dxf(&[("", &skipped), ("ENTITIES", LINE)]);
     let line = vec![Point::new(1.0, 2.0), Point::new(3.0, 4.5)];
@@ -68,13 +68,13 @@ fn a_damaged_line_is_named() {
     let damaged = entities(LINE).replace("\n20\n0\n", "\ntwenty\n0\n");
     assert_eq!(
         refusal(damaged),
-        "\"plan.dxf\", line 11: a group code should be here, a number from -5 to 1071, but there is \"twenty\"; \
+        "\"plan.dxf\", line 11: expected a group code (a number from -5 to 1071), found \"twenty\"; \
          the DXF is damaged from here on, export it again"
     );
     let damaged = entities(LINE).replace("\n11\n1\n", "\n11\n1,5\n");
     assert_eq!(
         refusal(damaged),
-        "\"plan.dxf\", entity 1 on layer \"WALL\" (line 14): group code 11 takes a number, but there is \"1,5\"; \
+        "\"plan.dxf\", entity 1 on layer \"WALL\" (line 14): group code 11 needs a number, found \"1,5\"; \
          export the drawing again"
     );
 }

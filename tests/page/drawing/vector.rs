@@ -55,16 +55,16 @@ fn svgs_that_cannot_be_are_refused() {
     let message = svg("viewBox=\"0 0 9 9\"", "<path d=\"M0 0\n\n H1\" stroke=\"red\"></g>").unwrap_err().to_string();
     assert!(message.starts_with("\"plan.svg\", line 3, column"), "{message}");
     let deep = svg("viewBox=\"0 0 9 9\"", &("<g>".repeat(5000) + LINE + &"</g>".repeat(5000)));
-    assert!(deep.unwrap_err().to_string().contains("more than 100 elements in one another"));
+    assert!(deep.unwrap_err().to_string().contains("more than 100 nested elements"));
     let chain: String = (1..500).map(|i| format!("<g id=\"a{i}\"><use xlink:href=\"#a{}\"/></g>", i - 1)).collect();
     let chain = svg("viewBox=\"0 0 9 9\"", &format!("<g id=\"a0\">{LINE}</g>{chain}"));
-    assert!(chain.unwrap_err().to_string().contains("more than 100 elements in one another"));
+    assert!(chain.unwrap_err().to_string().contains("more than 100 nested elements"));
     let laughs: String = (1..9)
         .map(|i| format!("<g id=\"a{i}\">{}</g>", format!("<use xlink:href=\"#a{}\"/>", i - 1).repeat(10)))
         .collect();
     assert!(svg("viewBox=\"0 0 9 9\"", &format!("<g id=\"a0\">{LINE}</g>{laughs}")).is_err());
     let itself = svg("viewBox=\"0 0 9 9\"", "<g id=\"a\"><use xlink:href=\"#a\"/></g>");
-    assert!(itself.unwrap_err().to_string().contains("nothing in it can be drawn"));
+    assert!(itself.unwrap_err().to_string().contains("nothing in the drawing can be used"));
     assert!(svg("viewBox=\"0 0 9 9\"", "<path d=\"M0 0H1e30\" stroke=\"red\"/>").is_err());
     assert!(svg("width=\"0\" height=\"1\"", LINE).is_err());
 }
@@ -135,8 +135,8 @@ fn geojson_that_cannot_be_is_refused() {
         ("{\"type\":\"Feature\",\"geometry\":", "cut off"),
         ("{\"type\":\"FeatureCollection\",\"features\":[}", "line 1, column"),
         ("{\"type\":\"Polygon\",\"coordinates\":[[[1]]]}", "feature 1"),
-        ("{\"type\":\"LineString\",\"coordinates\":[[0,0],[1e300,0]]}", "is no coordinate"),
-        ("{\"type\":\"FeatureCollection\",\"features\":[]}", "nothing in it can be drawn"),
+        ("{\"type\":\"LineString\",\"coordinates\":[[0,0],[1e300,0]]}", "is out of range (-1e10 to 1e10)"),
+        ("{\"type\":\"FeatureCollection\",\"features\":[]}", "nothing in the drawing can be used"),
     ] {
         let message = geo(text).unwrap_err().to_string();
         assert!(message.contains(expected), "{text}: {message}");

@@ -168,57 +168,57 @@ const STRUCTURE: &[Case] = &[
     (
         "\"version\": 2",
         "\"version\": 3",
-        "\"a.json\", line 4, column 14, version: this is a scenario of version 3, this program reads 1 and 2; reload the page or update the program",
+        "\"a.json\", line 4, column 14, version: this scenario has version 3, but this program reads 1 and 2; reload the page or update the program",
     ),
     (
         "\"version\": 2",
         "\"version\": \"2\"",
-        "\"a.json\", line 4, column 16, version: this is a scenario of version \"2\", this program reads 1 and 2; reload the page or update the program",
+        "\"a.json\", line 4, column 16, version: this scenario has version \"2\", but this program reads 1 and 2; reload the page or update the program",
     ),
     (
         "\"version\": 2,",
         "",
-        "\"a.json\", line 37, column 1: missing field `version`; mend that line or export the file again",
+        "\"a.json\", line 37, column 1: missing field `version`; fix that line or export the file again",
     ),
     (
         "\"name\": \"Nook\"",
         "\"title\": \"Nook\"",
-        "\"a.json\", line 5, column 9, title: unknown field `title`, expected one of `$schema`, `format`, `version`, `name`, `note`, `resolution`, `width`, `height`, `rows`, `origin`, `objects`, `start`, `robot`, `planner`, `behaviour`, `params`, `cell_size`, `seed`, `slip`, `noise`, `quantised`, `odometry`; mend that line or export the file again",
+        "\"a.json\", line 5, column 9, title: unknown field `title`, expected one of `$schema`, `format`, `version`, `name`, `note`, `resolution`, `width`, `height`, `rows`, `origin`, `objects`, `start`, `robot`, `planner`, `behaviour`, `params`, `cell_size`, `seed`, `slip`, `noise`, `quantised`, `odometry`; fix that line or export the file again",
     ),
     (
         "\"radius\": 0.02",
         "\"radius\": 0.02, \"colour\": \"red\"",
-        "\"a.json\", line 20, column 55, objects[1].leg.colour: unknown field `colour`, expected `at` or `radius`; mend that line or export the file again",
+        "\"a.json\", line 20, column 55, objects[1].leg.colour: unknown field `colour`, expected `at` or `radius`; fix that line or export the file again",
     ),
     (
         "\"drop_off\"",
         "\"stairs\"",
-        "\"a.json\", line 21, column 14, objects[2]: unknown variant `stairs`, expected one of `furniture`, `leg`, `drop_off`, `carpet`, `dirt`, `dock`, `virtual_wall`, `mover`; mend that line or export the file again",
+        "\"a.json\", line 21, column 14, objects[2]: unknown variant `stairs`, expected one of `furniture`, `leg`, `drop_off`, `carpet`, `dirt`, `dock`, `virtual_wall`, `mover`; fix that line or export the file again",
     ),
     (
         "\"quantised\": true",
         "\"quantised\": 1",
-        "\"a.json\", line 35, column 16, quantised: invalid type: integer `1`, expected a boolean; mend that line or export the file again",
+        "\"a.json\", line 35, column 16, quantised: invalid type: integer `1`, expected a boolean; fix that line or export the file again",
     ),
     (
         "\"width\": 8",
         "\"width\": 8.5",
-        "\"a.json\", line 7, column 14, width: invalid type: floating point `8.5`, expected a whole number; mend that line or export the file again",
+        "\"a.json\", line 7, column 14, width: invalid type: floating point `8.5`, expected a whole number; fix that line or export the file again",
     ),
     (
         "\"width\": 8",
         "\"width\": 4097",
-        "\"a.json\", line 7, column 15, width: 4097 cells are too many, at most 4096 are taken; crop the room or save it at a coarser resolution",
+        "\"a.json\", line 7, column 15, width: 4097 cells are too many, the limit is 4096; crop the room or save it at a coarser resolution",
     ),
     (
         "\"resolution\": 0.5",
         "\"resolution\": -0.5",
-        "\"a.json\", line 6, column 20, resolution: -0.5 is out of range; write metres per cell from 0.001 to 100",
+        "\"a.json\", line 6, column 20, resolution: -0.5 is out of range; use metres per cell from 0.001 to 100",
     ),
     (
         "\"resolution\": 0.5",
         "\"resolution\": 1e999",
-        "\"a.json\", line 6, column 21, resolution: number out of range; mend that line or export the file again",
+        "\"a.json\", line 6, column 21, resolution: number out of range; fix that line or export the file again",
     ),
     (
         "......#.\",\n    \"......#.\",",
@@ -228,67 +228,67 @@ const STRUCTURE: &[Case] = &[
     (
         "\"radius\": 0.02",
         "\"radius\": -0.02",
-        "\"a.json\", line 20, column 46, objects[1].leg.radius: -0.02 is out of range; write metres from 0.005 to 5",
+        "\"a.json\", line 20, column 46, objects[1].leg.radius: -0.02 is out of range; use metres from 0.005 to 5",
     ),
     (
         "\"radius\": 0.02",
         "\"radius\": 0",
-        "\"a.json\", line 20, column 42, objects[1].leg.radius: 0 is out of range; write metres from 0.005 to 5",
+        "\"a.json\", line 20, column 42, objects[1].leg.radius: 0 is out of range; use metres from 0.005 to 5",
     ),
     (
         "\"radius\": 0.02",
         "\"radius\": \"thin\"",
-        "\"a.json\", line 20, column 47, objects[1].leg.radius: invalid type: string \"thin\", expected a number; mend that line or export the file again",
+        "\"a.json\", line 20, column 47, objects[1].leg.radius: invalid type: string \"thin\", expected a number; fix that line or export the file again",
     ),
     (
         ", \"radius\": 0.02",
         "",
-        "\"a.json\", line 20, column 31, objects[1].leg: missing field `radius`; mend that line or export the file again",
+        "\"a.json\", line 20, column 31, objects[1].leg: missing field `radius`; fix that line or export the file again",
     ),
     (
         "\"radius\": 0.25",
         "\"radius\": 1e999",
-        "\"a.json\", line 23, column 47, objects[4].dirt.radius: number out of range; mend that line or export the file again",
+        "\"a.json\", line 23, column 47, objects[4].dirt.radius: number out of range; fix that line or export the file again",
     ),
     (
         "\"length\": 1.5",
         "\"length\": 100",
-        "\"a.json\", line 25, column 76, objects[6].virtual_wall.length: 100 is out of range; write metres from 0.1 to 20",
+        "\"a.json\", line 25, column 76, objects[6].virtual_wall.length: 100 is out of range; use metres from 0.1 to 20",
     ),
     (
         "\"heading_deg\": -90",
         "\"heading_deg\": 900",
-        "\"a.json\", line 25, column 61, objects[6].virtual_wall.heading_deg: 900 is out of range; write degrees from -360 to 360",
+        "\"a.json\", line 25, column 61, objects[6].virtual_wall.heading_deg: 900 is out of range; use degrees from -360 to 360",
     ),
     (
         "\"heading_deg\": 90 }",
         "\"heading_deg\": 900 }",
-        "\"a.json\", line 17, column 53, start.heading_deg: 900 is out of range; write degrees from -360 to 360",
+        "\"a.json\", line 17, column 53, start.heading_deg: 900 is out of range; use degrees from -360 to 360",
     ),
     (
         "[[3, 0], [4, 0], [4, 0.5]]",
         "[[3, 0], [4, 0]]",
-        "\"a.json\", line 21, column 32, objects[2].drop_off.outline: there are 2 corners, it takes at least 3; add the missing ones",
+        "\"a.json\", line 21, column 32, objects[2].drop_off.outline: there are 2 corners, but at least 3 are needed; add the missing ones",
     ),
     (
         "[[3, 0], [4, 0], [4, 0.5]]",
         "[[3, 0], [4, 0], [4]]",
-        "\"a.json\", line 21, column 51, objects[2].drop_off.outline[2]: invalid length 1, expected an array of length 2; mend that line or export the file again",
+        "\"a.json\", line 21, column 51, objects[2].drop_off.outline[2]: invalid length 1, expected an array of length 2; fix that line or export the file again",
     ),
     (
         "[[0.5, 0.5], [2.5, 1.5]]",
         "[]",
-        "\"a.json\", line 26, column 41, objects[7].mover.path: there are 0 points, it takes at least 1; add the missing ones",
+        "\"a.json\", line 26, column 41, objects[7].mover.path: there are 0 points, but at least 1 are needed; add the missing ones",
     ),
     (
         "\"who\": \"pet\"",
         "\"who\": \"elephant\"",
-        "\"a.json\", line 26, column 34, objects[7].mover.who: unknown variant `elephant`, expected `person` or `pet`; mend that line or export the file again",
+        "\"a.json\", line 26, column 34, objects[7].mover.who: unknown variant `elephant`, expected `person` or `pet`; fix that line or export the file again",
     ),
     (
         "\"behaviour\": \"bounce\"",
         "\"behaviour\": \"bounce\", \"planner\": \"snake\"",
-        "\"a.json\", line 29, column 23, behaviour: a robot either follows a planner or behaves; take out \"planner\" or \"behaviour\"",
+        "\"a.json\", line 29, column 23, behaviour: a robot follows either a planner or a behaviour; remove \"planner\" or \"behaviour\"",
     ),
 ];
 
@@ -347,12 +347,12 @@ const WORLD: &[Case] = &[
     (
         "[[2, 2], [2.5, 2], [2.5, 3], [2, 3]]",
         "[[2, 2], [2.5, 2], [2, 3], [2.5, 3]]",
-        "\"a.json\", line 22, column 30, objects[3].carpet.outline: the outline crosses itself, its edge from corner 1 meets the one from corner 3; list the corners in the order in which one walks round",
+        "\"a.json\", line 22, column 30, objects[3].carpet.outline: the outline crosses itself: the edge from corner 1 meets the one from corner 3; list the corners in order around the outline",
     ),
     (
         "[[2, 2], [2.5, 2], [2.5, 3], [2, 3]]",
         "[[2, 2], [2.5, 2], [3, 2]]",
-        "\"a.json\", line 22, column 30, objects[3].carpet.outline: the outline crosses itself, its edge from corner 0 meets the one from corner 2; list the corners in the order in which one walks round",
+        "\"a.json\", line 22, column 30, objects[3].carpet.outline: the outline crosses itself: the edge from corner 0 meets the one from corner 2; list the corners in order around the outline",
     ),
     (
         "[[2, 2], [2.5, 2], [2.5, 3], [2, 3]]",
@@ -367,17 +367,17 @@ const WORLD: &[Case] = &[
     (
         "\"x\": 0, \"y\": 0.75",
         "\"x\": 3.25, \"y\": 1.25",
-        "\"a.json\", line 24, column 16, objects[5].dock: the dock at (3.250 m, 1.250 m) looks into a wall or unknown floor; put its back to a wall and let it look into the room",
+        "\"a.json\", line 24, column 16, objects[5].dock: the dock at (3.250 m, 1.250 m) faces a wall or unknown floor; put its back to a wall so that it faces the room",
     ),
     (
         "\"x\": 0, \"y\": 0.75",
         "\"x\": 0.5, \"y\": 2.75",
-        "\"a.json\", line 24, column 16, objects[5].dock: the dock at (0.500 m, 2.750 m) looks into furniture; put its back to a wall and let it look into the room",
+        "\"a.json\", line 24, column 16, objects[5].dock: the dock at (0.500 m, 2.750 m) faces furniture; put its back to a wall so that it faces the room",
     ),
     (
         "\"heading_deg\": -90",
         "\"heading_deg\": 90",
-        "\"a.json\", line 25, column 24, objects[6].virtual_wall: the virtual wall at (1.750 m, 3.000 m) looks into a wall or unknown floor; put its back to a wall and let it look into the room",
+        "\"a.json\", line 25, column 24, objects[6].virtual_wall: the virtual wall at (1.750 m, 3.000 m) faces a wall or unknown floor; put its back to a wall so that it faces the room",
     ),
     (
         "[[0.5, 0.5], [2.5, 1.5]]",
@@ -387,12 +387,12 @@ const WORLD: &[Case] = &[
     (
         "[[0.5, 0.5], [2.5, 1.5]]",
         "[[0.5, 1.25], [3.75, 1.25]]",
-        "\"a.json\", line 26, column 54, objects[7].mover.path[1]: the path leads through a wall at (3.00 m, 1.25 m); lead it round by more points",
+        "\"a.json\", line 26, column 54, objects[7].mover.path[1]: the path crosses a wall at (3.00 m, 1.25 m); add points to lead it around",
     ),
     (
         "[[0.5, 0.5], [2.5, 1.5]]",
         "[[3.25, 1.25]]",
-        "\"a.json\", line 26, column 41, objects[7].mover.path[0]: the path leads through a wall at (3.25 m, 1.25 m); lead it round by more points",
+        "\"a.json\", line 26, column 41, objects[7].mover.path[0]: the path crosses a wall at (3.25 m, 1.25 m); add points to lead it around",
     ),
 ];
 
@@ -460,7 +460,7 @@ fn size_limits_are_kept() {
     assert!(read(&objects(MAX_OBJECTS - 7)).is_ok());
     assert_eq!(
         read(&objects(MAX_OBJECTS - 6)).unwrap_err(),
-        "\"a.json\", line 19, column 4, objects: there are 501 objects, at most 500 are taken; leave some out"
+        "\"a.json\", line 19, column 4, objects: there are 501 objects, but at most 500 are allowed; remove some"
     );
     assert!(schema_complains(&objects(MAX_OBJECTS - 6)).is_some());
     // Corners on a circle, as an outline and as a path.
@@ -479,7 +479,7 @@ fn size_limits_are_kept() {
         let too_many = with(from, &points(MAX_CORNERS + 1));
         assert_eq!(
             read(&too_many).unwrap_err(),
-            format!("\"a.json\", {path}: there are 201 {what}, at most 200 are taken; leave some out")
+            format!("\"a.json\", {path}: there are 201 {what}, but at most 200 are allowed; remove some")
         );
         assert!(schema_complains(&too_many).is_some());
     }
@@ -501,7 +501,7 @@ fn version_1_has_no_keys_of_version_2() {
         );
         let said = read(&text).unwrap_err();
         assert!(said.starts_with("\"a.json\", line 3, column "), "{said}");
-        let end = format!("{key}: version 1 has no such key; write \"version\": 2, or take it out");
+        let end = format!("{key}: version 1 has no such key; write \"version\": 2, or remove the key");
         assert!(said.ends_with(&end), "{said}");
     }
 }

@@ -103,7 +103,7 @@ fn a_question_is_not_driven_away_by_mistake() {
     let requests = [Request::Drive { forward: 1.0, left: 0.0 }, Request::Calibrate { what: Calibration::Spin }];
     for request in requests {
         let refused = wire.link.request(wire.now, request).unwrap_err();
-        assert!(refused.to_string().contains("answer it first"), "{refused}");
+        assert!(refused.to_string().contains("answer or skip it first"), "{refused}");
     }
     wire.pass(1.0);
     assert!(!wire.is_rolling() && wire.view().calibration.step == "asking");

@@ -140,7 +140,7 @@ fn a_lifted_robot_says_why_it_stopped_and_can_be_taken_again() {
     wire.pass(1.0);
     let drop = wire.view().drop.expect("a mode drop");
     assert_eq!(drop.from, "Safe");
-    assert!(drop.text.contains("wheels hang down"), "{drop:?}");
+    assert!(drop.text.contains("wheels have dropped"), "{drop:?}");
     let lifted = wire.now;
     let pose = wire.pose();
     wire.robot.apply(Input::PutDown(pose));

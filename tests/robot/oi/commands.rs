@@ -106,7 +106,7 @@ fn a_command_waits_for_its_data_for_ever() {
 #[test]
 fn builders_refuse_and_clamp() {
     let drive = Command::drive(600, -3000);
-    assert_eq!(drive.unwrap_err().to_string(), "velocity in mm/s is 600, but robots take -500 to 500");
+    assert_eq!(drive.unwrap_err().to_string(), "velocity in mm/s is 600, but must be -500 to 500");
     let wild = Command::Drive { velocity: 600, radius: -3000 };
     assert_eq!(wild.clamped(), Command::Drive { velocity: 500, radius: -2000 });
     let straight = Command::Drive { velocity: i16::MIN, radius: i16::MAX };

@@ -1,4 +1,4 @@
-//! Better prices for strips, by subgradient steps.
+//! Improves the dual prices of strips by subgradient steps.
 //!
 //! Where two strips use an edge of theirs differently, its price goes up for the one that uses it more. How far is given by
 //! a level that the bound is hoped to reach (Polyak 1969, Minimization of unsmooth functionals): it's lowered whenever it

@@ -1,4 +1,4 @@
-//! Cells that must be visited again because others hang on them.
+//! Cut vertices: cells that must be revisited because they connect others.
 
 use super::graph::{Graph, NONE};
 

@@ -1,4 +1,4 @@
-//! Good prices by diffusion: quick, and blind to what lies further than the next cell.
+//! Initial dual prices by diffusion: fast, but purely local.
 //!
 //! All edges are gone over and the price of each is shifted so that both its cells would gain equally from using it: max-sum
 //! diffusion (Werner 2007, A linear programming approach to max-sum problem: a review). As that spreads by one cell a time,

@@ -1,4 +1,4 @@
-//! The dynamic programme over a strip: cell by cell, what the part behind costs for every way to use the edges ahead.
+//! Profile dynamic programme over a strip: cell by cell, the least cost so far for every use of the edges ahead.
 
 use super::{
     crossings::{LABELLINGS, LABELS},

@@ -1,4 +1,4 @@
-//! What no walk can be better than: proven lower bounds on steps, turns and their weighted sum.
+//! Proven lower bounds on steps, turns and their weighted sum.
 //!
 //! A job has n free cells, 4-connected, and a start. A *walk* here starts there, visits every free cell, may visit cells
 //! again, may end anywhere, and has S steps and T quarter turns between consecutive steps (a reversal counts two). For

@@ -1,4 +1,4 @@
-//! Prices on the sides of cells, and the bound that follows from them, in whole numbers.
+//! Dual prices on the sides of cells, and the resulting bound, in whole numbers.
 
 use super::{
     cuts::Cuts,

@@ -1,4 +1,4 @@
-//! The best prices there are, by approximation: the linear programme of fractional walks and its dual.
+//! Approximately optimal dual prices: the linear programme of fractional walks and its dual.
 //!
 //! The programme has a variable for every passage of every cell through two of its sides (ten: two straight, four bent,
 //! four back through the same side), one for every side of a cell where the walk may end and one for every side of the

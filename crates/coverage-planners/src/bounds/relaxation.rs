@@ -1,4 +1,4 @@
-//! A bound on step x S + turn x T by prices on the sides of cells.
+//! A bound on step x S + turn x T by dual prices on the sides of cells.
 //!
 //! Every visit of a walk but the first and the last enters the cell through one side and leaves it through one side,
 //! perhaps the same: call that a passage. Give every side a of every cell c a price p(c, a), positive or negative, such

@@ -1,4 +1,4 @@
-//! A stronger bound by the same prices: whole strips of the room instead of single cells.
+//! A stronger bound by the same dual prices: whole strips of the room instead of single cells.
 //!
 //! The room is cut into strips of some rows (or columns). Within a strip, neighbours agree on how often their edge is used:
 //! what all its passages cost at least, each of its cells visited, is found exactly by dynamic programming over the edges

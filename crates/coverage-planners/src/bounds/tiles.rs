@@ -1,4 +1,4 @@
-//! Better prices for rooms too large for one programme: tile by tile, the prices of everything around a tile held.
+//! Improves dual prices in large rooms tile by tile, with the prices around each tile fixed.
 //!
 //! A tile's own programme ([`super::primal_dual`]) knows what leaving the tile costs, but not that neighbours there must agree;
 //! so its prices are good ones for the rest as it is. They're kept if they raise what the tile's cells cost together. As

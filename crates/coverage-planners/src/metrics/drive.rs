@@ -1,4 +1,4 @@
-//! Numbers of the line that a robot drives to follow a walk.
+//! Metrics of the path that a robot drives to follow a walk.
 
 use robovac_core::{
     coverage::{CoverageTracker, ReachableFloor},

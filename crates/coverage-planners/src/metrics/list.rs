@@ -1,4 +1,4 @@
-//! The list of all numbers by which tables are made, on the page, in CSV files and on the command line.
+//! The list of all metrics in tables of the page, CSV files and the command line.
 
 use super::{DriveMetrics, WalkMetrics};
 use crate::bounds::{Bounds, TURN_STEPS};
@@ -79,7 +79,7 @@ pub const METRICS: &[MetricInfo] = &[
         id: "coverage",
         label: "Coverage",
         unit: "%",
-        definition: "Share of the floor that the robot's tool can reach from the start and that the plan sweeps.",
+        definition: "Swept share of the floor that the robot's tool can reach from the start.",
         better: Better::Higher,
         decimals: 1,
         value: |n| Some(100.0 * n.drive.coverage),
@@ -88,69 +88,67 @@ pub const METRICS: &[MetricInfo] = &[
         "above_bound",
         "Above the bound",
         ("%", 1),
-        "How much more steps + 2 x quarter turns are than what every walk over these cells must have at least. Nobody \
-         can get below 0, and 0 itself is often out of reach.",
+        "Excess of steps + 2 x quarter turns over a proven lower bound for all walks over these cells. 0 means \
+         optimal, but is often out of reach.",
         PlanNumbers::above_bound_percent,
     ),
-    lower("length", "Length", ("m", 1), "Length of the line that the robot drives.", |n| Some(n.drive.length_m)),
+    lower("length", "Length", ("m", 1), "Length of the path that the robot drives.", |n| Some(n.drive.length_m)),
     lower(
         "duration",
         "Time",
         ("s", 0),
-        "From setting off to standing still, by the robot's speeds and accelerations; it stops for every turn.",
+        "Driving time from start to standstill, by the robot's speeds and accelerations; it stops for every turn.",
         |n| Some(n.drive.duration_s),
     ),
     lower(
         "energy",
         "Energy",
         ("Wh", 1),
-        "What the battery gives for the drive: the robot's power while driving straight and while turning, each times the \
-         time of it.",
+        "Battery energy used: power while driving straight and while turning, each multiplied by its time.",
         |n| Some(n.drive.energy_wh),
     ),
     lower(
         "turns",
         "Quarter turns",
         ("", 0),
-        "Turns by 90° between steps of the walk; a reversal counts two. The turn before the first step isn't counted.",
+        "Turns by 90° between steps of the walk; a reversal counts as two. The turn before the first step isn't \
+         counted.",
         |n| Some(n.walk.turns as f64),
     ),
     lower(
         "turning",
         "Turning",
         ("°", 0),
-        "Sum of all turns on the line that the robot drives, the one at the start included.",
+        "Sum of all turning angles along the path, including the turn at the start.",
         |n| Some(n.drive.turning_deg),
     ),
-    lower("steps", "Steps", ("", 0), "Steps of the walk from planning cell to planning cell.", |n| {
-        Some(n.walk.steps as f64)
-    }),
+    lower("steps", "Steps", ("", 0), "Steps of the walk between planning cells.", |n| Some(n.walk.steps as f64)),
     lower(
         "revisits",
         "Revisits",
         ("", 0),
-        "Visits to cells beyond the first to each: driving that cleans nothing new.",
+        "Visits to cells beyond the first visit to each: driving that cleans nothing new.",
         |n| Some(n.walk.revisits as f64),
     ),
-    lower("revisited_cells", "Revisited cells", ("", 0), "Cells that the walk visits more than once.", |n| {
+    lower("revisited_cells", "Revisited cells", ("", 0), "Cells visited more than once.", |n| {
         Some(n.walk.revisited_cells as f64)
     }),
     lower(
         "overlap",
         "Overlap",
         ("%", 1),
-        "Passes beyond the first, as a share of the floor swept: at 30 %, three tenths of it were swept a second time. \
-         A tool that is wider than a planning cell sweeps the edge of the lane beside it again.",
+        "Repeated passes, as a share of the floor swept: at 30 %, three tenths of it were swept a second time. A tool \
+         wider than a planning cell also overlaps the neighbouring lane.",
         |n| Some(100.0 * n.drive.overlap),
     ),
     lower(
         "overlap_area",
         "Overlap area",
         ("m²", 2),
-        "Floor swept again after the tool had left it; what is swept three times counts twice.",
+        "Floor area swept again after the tool had left it; floor swept three times counts twice.",
         |n| Some(n.drive.overlap_m2),
     ),
-    lower("planning", "Planning", ("s", 3), "Time that the planner took on this machine.", |n| Some(n.planning_s)),
+    lower("planning", "Planning", ("s", 3), "Computing time of the planner on this machine.", |n| Some(n.planning_s)),
 ];
 
 // The definition above names the weight.

@@ -1,4 +1,4 @@
-//! One definition of every number that the page, the command line and the tests show.
+//! One definition of every metric on the page, the command line and in tests.
 //!
 //! [`WalkMetrics`] are those of the walk on the planning grid, [`DriveMetrics`] those of the line that the robot drives,
 //! [`Bounds`] say how good any walk can be. [`METRICS`] is the list by which tables are made.

@@ -1,9 +1,9 @@
-//! Numbers of a walk on the planning grid.
+//! Metrics of a walk on the planning grid.
 
 use crate::{CoverageJob, CoveragePath, bounds::TURN_STEPS};
 use serde::{Deserialize, Serialize};
 
-/// Numbers of a walk on the planning grid. All are exact counts.
+/// Metrics of a walk on the planning grid. All are exact counts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct WalkMetrics {
     /// Cells that can be reached from the start, the start included.

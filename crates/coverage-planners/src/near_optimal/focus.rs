@@ -1,5 +1,5 @@
-//! A walk in which what lies far from one block of the room is folded up, so that changes in the block cost what the block
-//! costs, however large the room is.
+//! A walk with everything outside one block contracted, so that a change costs time in the size of the block, not of
+//! the room.
 
 use super::tour::Tour;
 

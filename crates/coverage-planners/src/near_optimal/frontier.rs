@@ -1,4 +1,4 @@
-//! The cheapest walk through a region, by dynamic programming over the border between what is done and what is not.
+//! The cheapest walk through a region, by profile dynamic programming over the border of the processed cells.
 
 use super::{
     region::{Beyond, Region, Site},

@@ -1,4 +1,4 @@
-//! Puts a walk together from passages in a region and the walk's parts outside.
+//! Joins passages in a region and the walk's parts outside into one walk.
 
 use super::{
     region::{Arc, Beyond, Region},

@@ -1,4 +1,4 @@
-//! Near-optimal: a walk that gets better the longer it is worked at, with a proof of how much better any walk could be.
+//! Near-optimal: an anytime planner that improves a walk and proves how far it is from the optimum.
 //!
 //! Finding the cheapest walk is NP-hard (Arkin, Bender, Demaine, Fekete, Mitchell & Sethia 2005, "Optimal covering tours
 //! with turn costs", SIAM Journal on Computing 35). Krupke 2024, "Near-optimal coverage path planning with turn costs"
@@ -59,41 +59,39 @@ use work::Work;
 pub const INFO: PlannerInfo = PlannerInfo {
     id: "near_optimal",
     title: "Near-optimal",
-    summary: "Rebuilds a good walk window by window, and proves how far from the best any walk can be.",
+    summary: "Improves a good walk window by window, and proves a lower bound on the cost of any walk.",
     source: "Objective and relaxation after Krupke 2024, Near-optimal coverage path planning with turn costs, ALENEX; \
              Arkin et al. 2005, Optimal covering tours with turn costs; the search is ours",
     link: "https://arxiv.org/abs/2310.20340",
     explainer: Explainer {
-        idea: "Starts from the best walk of three fast planners. Then it empties a window of the room and refills it \
-               in the cheapest way that leaves one single walk, again and again, where the walk is dearest. \
-               Prices on the sides of all cells tell what is dear, \
-               and prove that no walk whatever costs less than a certain bound.",
-        complexity: "O(n) memory for n cells. A window takes a millisecond or so; \
-                     how many there are is the effort that you choose.",
-        use_when: "When a room is cleaned again and again, or to know how good other planners' walks are. \
-                   Stop it at any time: it keeps the best walk so far.",
-        shines: Example { room: "maze", why: "Forks and dead ends: windows find what lanes and rings can't." },
-        fails: Example { room: "lshape", why: "To and fro is nearly as good already, and takes no time." },
+        idea: "Starts from the best walk of three fast planners. Then it repeatedly clears a window where the walk is \
+               expensive and refills it with the cheapest passages that still make one walk. Dual prices on the sides \
+               of all cells show what is expensive and prove a lower bound on the cost of any walk.",
+        complexity: "O(n) memory for n cells. A window takes about a millisecond; the effort sets their number.",
+        use_when: "When a room is cleaned often, or to judge the walks of other planners. Stop it at any time: it \
+                   keeps the best walk so far.",
+        shines: Example { room: "maze", why: "Forks and dead ends: windows find walks that lanes and rings can't." },
+        fails: Example { room: "lshape", why: "Simple lanes are nearly as good and take no time." },
     },
     claims: Claims { complete: true, deterministic: false, fast: false, traces: false, anytime: true },
     params: &[
         ParamSpec {
             id: "effort",
             label: "Effort",
-            help: "How long to look for a better walk; 0 keeps the first one.",
+            help: "Search effort for a better walk; 0 keeps the first one.",
             kind: ParamKind::Number { min: 0.0, max: 100.0, step: 0.1, default: 1.0, unit: "" },
         },
         ParamSpec {
             id: "finish",
             label: "Ends",
-            help: "Anywhere, or where it began: a closed tour, as a robot needs that goes back to its dock.",
+            help: "Anywhere, or at the start: a closed tour, for a robot that returns to its dock.",
             kind: ParamKind::Choice { options: &[("anywhere", "anywhere"), ("start", "at the start")] },
         },
         ParamSpec {
             id: "turn",
             label: "Quarter turn",
-            help: "Steps that a quarter turn counts as; 0 for as long as the robot takes for it, and then the turn to its \
-                   first step counts, too.",
+            help: "Cost of a quarter turn in steps; 0 uses the robot's turning time, and then the turn to its first \
+                   step counts, too.",
             kind: ParamKind::Number { min: 0.0, max: 64.0, step: 0.5, default: 0.0, unit: "steps" },
         },
     ],

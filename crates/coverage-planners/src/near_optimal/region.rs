@@ -1,4 +1,4 @@
-//! A part of the room that is walked anew, while the rest of the walk stays.
+//! A region where the walk is rebuilt, while the rest stays.
 
 use super::{
     frontier::MOST_OPEN,

@@ -1,4 +1,4 @@
-//! A walk that is rebuilt piece by piece, and where it visits each cell.
+//! A walk that is rebuilt piece by piece, with an index of its visits to each cell.
 
 const NONE: u32 = u32::MAX;
 

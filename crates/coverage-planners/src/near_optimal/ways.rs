@@ -1,4 +1,4 @@
-//! What a walk can do in one cell.
+//! The ways a walk can pass one cell.
 
 /// Most uses of one side of a cell, see [`super`].
 pub(super) const MOST_USES: usize = 3;

@@ -1,4 +1,4 @@
-//! One run of the planner: the walk it works at, the best so far, the prices, and what is left of the effort.
+//! Local search: the current walk, the best so far, the dual prices, and the effort left.
 
 use super::{
     improver::{Improver, Settling},

@@ -1,4 +1,4 @@
-//! Stage: improves a walk cell by cell with the moves of the travelling salesman problem, turns included.
+//! Stage: improves a walk cell by cell with moves of the travelling salesman problem, including turn costs.
 //!
 //! Reversals of a part of the walk (2-opt, Croes 1958) and moves of a part to elsewhere (Or 1976) are tried where cells
 //! lie side by side, so that both ends of a part can be linked by single steps. A part whose own ends touch is a

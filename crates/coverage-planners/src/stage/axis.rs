@@ -1,4 +1,4 @@
-//! Stage: a room lying on its side, so that stages which work along rows serve columns as well.
+//! Stage: the transposed room, so that stages for rows also work on columns.
 
 use crate::CoverageJob;
 use robovac_core::grid::{Cell, Direction, Grid};

@@ -1,4 +1,4 @@
-//! What steps and turns cost, in whole numbers, so that sums don't depend on their order.
+//! Costs of steps and turns in whole numbers, so that sums don't depend on their order.
 
 use crate::CoverageJob;
 use robovac_core::grid::{Cell, Direction};

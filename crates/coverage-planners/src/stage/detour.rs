@@ -1,4 +1,4 @@
-//! Stage: a way round what stands in the way of a straight link (001, section 5).
+//! Stage: a detour around obstacles on a straight link (001, section 5).
 //!
 //! The paper calls the procedure of Hyun & Suh (A heuristic collision-free path planning algorithm for robots, IROS
 //! 1995), and prints nothing of it. Figure 6 shows what it is for: a short way with few corners, round the obstacle

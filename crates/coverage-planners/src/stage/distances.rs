@@ -1,4 +1,4 @@
-//! Stage: how far the ends of blocks are from each other.
+//! Stage: distances between the ends of blocks.
 
 use super::{
     cost::{Costs, fewest_turns},
@@ -53,7 +53,7 @@ const DETOUR_SHARE: u32 = 4;
 const DETOUR_TURNS: u32 = 2;
 
 impl<'a> Links<'a> {
-    /// Looks at `reach` cells around every corner. `report` is told the share of corners done every few dozen.
+    /// Looks at `reach` cells around every corner. `report` receives the share of corners done every few dozen.
     pub fn new(
         free: &Grid<bool>,
         sweeps: &'a [[Sweep; SWEEPS]],

@@ -1,4 +1,4 @@
-//! Minimum cut, by the blocking flows of Dinic 1970 ("Algorithm for solution of a problem of maximum flow in networks with
+//! Minimum cut by blocking flows: Dinic 1970 ("Algorithm for solution of a problem of maximum flow in networks with
 //! power estimation").
 
 use crate::PlanError;
@@ -54,7 +54,7 @@ impl Network {
     }
 
     /// Whether each node is on the side of the source in a cheapest cut; of several the one with fewest there.
-    /// `report` is told about every round.
+    /// `report` is called every round.
     pub fn cut(mut self, mut report: impl FnMut() -> Result<(), PlanError>) -> Result<Vec<bool>, PlanError> {
         loop {
             report()?;

@@ -1,5 +1,4 @@
-//! Stages that planners are composed of. They take what they need as arguments; those that are objects keep memory to be
-//! used again, and nothing of a planner.
+//! Stages that planners are composed of. They take robot parameters as arguments; objects only keep buffers for reuse.
 
 mod anneal;
 mod axis;

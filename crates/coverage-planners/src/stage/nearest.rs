@@ -11,7 +11,7 @@ use robovac_core::grid::{Cell, Direction, Grid};
 use std::ops::ControlFlow;
 
 /// Goes from each block to the nearest one that is left, by the number of steps and turns of the way there and of the
-/// sweep through it beyond its shortest. `report` is told the number of blocks done every few hundred.
+/// sweep through it beyond its shortest. `report` receives the number of blocks done every few hundred.
 pub fn nearest_first(
     free: &Grid<bool>,
     sweeps: &[[Sweep; SWEEPS]],

@@ -1,4 +1,4 @@
-//! Stage: parts of a room with the direction in which they are mown, and the walk along a tour of them.
+//! Stage: parts of a room with their lane direction, and the walk along a tour of them.
 
 use super::{
     axis::{swap_cell, swap_direction, swap_walk},

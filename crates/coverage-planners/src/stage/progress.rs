@@ -1,4 +1,4 @@
-//! Stage: a walk in the making, with what is left to be cleaned.
+//! Stage: a walk under construction, with the cells left to clean.
 
 use super::seek::Seeker;
 use crate::{CoverageJob, CoveragePath, PlanContext, PlanError};

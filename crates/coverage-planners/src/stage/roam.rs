@@ -1,4 +1,4 @@
-//! Stage: a robot that follows a rule over new floor and goes to the nearest floor left where the rule leads no further.
+//! Stage: greedy walk that follows a rule over new floor, and goes to the nearest cell left where the rule ends.
 
 use super::{
     cost::Costs,

@@ -1,4 +1,4 @@
-//! Stage: the way to the nearest cell that is worth going to.
+//! Stage: shortest path to the nearest goal cell (breadth-first search).
 
 use robovac_core::grid::{Cell, Direction, Grid};
 

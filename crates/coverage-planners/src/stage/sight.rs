@@ -1,4 +1,4 @@
-//! Stage: straight ways over a grid of free cells.
+//! Stage: line of sight over a grid of free cells.
 
 use robovac_core::grid::{Cell, Direction, Grid};
 use std::{cmp::Ordering, ops::ControlFlow};

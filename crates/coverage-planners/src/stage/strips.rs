@@ -1,4 +1,4 @@
-//! Stage: which floor to mow along x and which along y, so that lanes have fewest ends.
+//! Stage: which floor to sweep along x and which along y, with the fewest lane ends.
 //!
 //! Every lane has two ends, and a mower makes a quarter turn at each. Fewest lanes that cover all cells are a smallest
 //! strip cover, which Arkin, Bender, Demaine, Fekete, Mitchell & Sethia 2005 ("Optimal covering tours with turn costs", SIAM

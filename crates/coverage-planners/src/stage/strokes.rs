@@ -1,4 +1,4 @@
-//! Stage: a tour taken apart into single lanes, so that these can be put in a better order.
+//! Stage: a tour split into single lanes, to improve their order.
 
 use super::{
     axis::swap_cell,

@@ -1,4 +1,4 @@
-//! Stage: subgoal points, where a robot that scans the room line by line meets something (001, section 3).
+//! Stage: subgoal points, the contacts of a line-by-line scan (001, section 3).
 //!
 //! Steps 1 to 5 of the paper: the robot, turned to heading 0, begins at the upper left, moves along x until it
 //! touches something, moves on by a line's distance, comes back, and so on to the lower right. Every contact is

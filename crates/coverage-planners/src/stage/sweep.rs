@@ -1,4 +1,4 @@
-//! Stage: the lawn mower's way through one block.
+//! Stage: parallel lanes through one block.
 //!
 //! It drives along every run from end to end, then steps into the next one. Where the runs of a block differ in length it
 //! drives back to where it can step over, or out to the end that it missed; which end of each run to finish at is

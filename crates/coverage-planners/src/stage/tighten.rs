@@ -1,4 +1,4 @@
-//! Stage: cuts short where a walk drives over cells that it cleans at another time anyway.
+//! Stage: shortcuts past cells that the walk cleans at another time anyway.
 
 use super::{
     cost::Costs,
@@ -10,7 +10,7 @@ use robovac_core::grid::{Cell, Direction, Grid};
 /// Replaces stretches of `walk` whose cells it visits elsewhere too by cheaper ways; covers what it covered before.
 ///
 /// A stretch begins where the one before ended, so one call is a single pass in O(length) searches of the way between
-/// two cells; another call may find more. Returns whether anything changed. `report` is told the share of the walk
+/// two cells; another call may find more. Returns whether anything changed. `report` receives the share of the walk
 /// that is done every two thousand cells.
 pub fn tighten(
     job: &CoverageJob,

@@ -19,7 +19,7 @@ use robovac_core::{
 
 /// Puts parts in order, drives them, cuts detours, and keeps the cheapest walk.
 ///
-/// Every stage is told between which shares of all the work it lies.
+/// Every stage gets the range of progress that it covers.
 pub(crate) struct Tours<'j, 'c> {
     job: &'j CoverageJob,
     pub ctx: &'j mut PlanContext<'c>,

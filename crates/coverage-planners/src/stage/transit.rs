@@ -1,4 +1,4 @@
-//! Stage: the cheapest way between two cells, turns included.
+//! Stage: the cheapest path between two cells, turns included.
 
 use super::{cost::Costs, frame::Frame};
 use robovac_core::grid::{Cell, Direction, Grid};

@@ -129,11 +129,11 @@ pub(crate) enum Goal {
 pub(crate) const GOAL: ParamSpec = ParamSpec {
     id: "goal",
     label: "Goal",
-    help: "Where the waves spread from, and near which the walk ends; the cheapest of several, or always the same.",
+    help: "Origin of the waves, near which the walk ends: the cheapest of several, or always the same.",
     kind: ParamKind::Choice {
         options: &[
             ("cheapest", "the cheapest"),
-            ("start", "the start: come home"),
+            ("start", "the start: return there"),
             ("farthest", "farthest from the start"),
         ],
     },

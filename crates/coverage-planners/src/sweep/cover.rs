@@ -1,4 +1,4 @@
-//! How much of the floor is swept.
+//! Coverage of a sweep.
 
 use robovac_core::{
     cspace::{Outline, Swath},

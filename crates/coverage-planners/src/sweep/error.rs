@@ -1,15 +1,15 @@
-//! Why there is no sweep.
+//! Errors of the sweep.
 
 use robovac_core::cspace::CspaceError;
 
-/// Why there is no sweep.
+/// Errors of the sweep.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SweepError {
     /// The obstacle map can't be made.
     #[error(transparent)]
     Cspace(#[from] CspaceError),
     /// A number is out of range.
-    #[error("{what} can't be {value}; it takes {expected}")]
+    #[error("{what} can't be {value}; use {expected}")]
     Value {
         /// What the number is for.
         what: &'static str,

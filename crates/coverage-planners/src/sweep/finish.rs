@@ -1,4 +1,4 @@
-//! What the links leave out.
+//! Sweeps the floor that the links leave out.
 //!
 //! Scan lines lie where their distance puts them. Under the edge of a desk that lies between two lines, up to a line's distance is left unswept, for
 //! which the paper has nothing. So after all links the robot drives along such edges, from each to the nearest that is worth it. This stage is

@@ -1,4 +1,4 @@
-//! The way from one place to another.
+//! Collision-free paths between two positions.
 
 use crate::stage::{Detours, is_straight_free};
 use robovac_core::{

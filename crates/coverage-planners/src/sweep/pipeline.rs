@@ -1,4 +1,4 @@
-//! The stages one after the other.
+//! The stages in order.
 
 use super::{
     Link, Subgoal, Sweep, SweepError, SweepSetup,
@@ -25,7 +25,7 @@ const REPORT_EVERY: usize = 256;
 /// How far the stages are when they end, 0 to 1: the obstacle map, subgoals, links, finish.
 const DONE: [f64; 4] = [0.25, 0.3, 0.8, 0.95];
 
-/// Plans a sweep of `plan`. `observe` is told how far it is, 0 to 1, and says whether to go on.
+/// Plans a sweep of `plan`. `observe` receives how far it is, 0 to 1, and says whether to go on.
 ///
 /// Of the obstacle map only heading 0 is made here, which is all that the sweep needs; the other headings are
 /// [`ConfigurationSpace`]'s. Without a start the robot begins at the first subgoal point of the largest part of the

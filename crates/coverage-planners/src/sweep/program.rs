@@ -1,4 +1,4 @@
-//! Paths as programs that people read (001, section 2: "robot language command is generated for the sweeping motion").
+//! Paths as human-readable programs (001, section 2: "robot language command is generated for the sweeping motion").
 
 use super::track::{FRAME, Waypoint, start_text, waypoints};
 use robovac_core::{
@@ -43,7 +43,7 @@ pub fn program(path: &[Point], heading: f64, robot: &RobotModel, planned: &str) 
     let stops = waypoints(path, heading, robot);
     let mut text = String::new();
     let is_free = robot.wheels == Wheels::Omnidirectional;
-    let how = if is_free { "moves in every direction without turning" } else { "turns on the spot, drives ahead" };
+    let how = if is_free { "moves in any direction without turning" } else { "turns on the spot, drives forward" };
     let _ = writeln!(text, "; planned   for {planned}\n; robot     moves as the {}: {how}", robot.title);
     let _ = writeln!(text, "; frame     {FRAME}\n; units     m; degrees, counter-clockwise from the x axis");
     if let (Some(first), Some(last)) = (stops.first(), stops.last()) {
@@ -97,7 +97,10 @@ mod tests {
             text.ends_with("MOVE 2.000 m at 0.0 deg\nMOVE 0.500 m at -90.0 deg\nMOVE 2.000 m at 180.0 deg\nSTOP\n"),
             "{text}"
         );
-        assert!(text.starts_with("; planned   for an octagon\n; robot     moves as the Omnidirectional octagon: moves in every direction without turning\n; frame"));
+        assert!(text.starts_with(
+            "; planned   for an octagon\n; robot     moves as the Omnidirectional octagon: moves \
+            in any direction without turning\n; frame"
+        ));
         assert!(text.contains("; length    4.500 m\n"));
     }
 

@@ -1,4 +1,4 @@
-//! What is asked for, and what comes of it.
+//! Input and results of the stages.
 
 use crate::stage::Contact;
 use robovac_core::{

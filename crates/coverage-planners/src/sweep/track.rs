@@ -11,7 +11,7 @@ use std::fmt::Write;
 const STRAIGHT_ON: f64 = 1e-9;
 
 /// The frame of all files, in words.
-pub const FRAME: &str = "that of the room's drawing or map, x to the right, y up; else its lower left corner";
+pub const FRAME: &str = "of the room's drawing or map, else the room's lower left corner; x to the right, y up";
 
 /// A path through a room and the heading that it begins with, rad, in the frame of the map or drawing that the room was made
 /// from, which the room's `origin` tells: files that lie side by side must agree on where things are.
@@ -88,8 +88,7 @@ pub fn to_ros_path(path: &[Point], heading: f64, robot: &RobotModel) -> String {
         let _ = writeln!(
             text,
             "- header:\n    stamp: {{sec: {sec}, nanosec: {nanosec}}}\n    frame_id: map\n  pose:\n    \
-             position: {{x: {:.4}, y: {:.4}, z: 0.0}}\n    \
-             orientation: {{x: 0.0, y: 0.0, z: {sin:.9}, w: {cos:.9}}}",
+             position: {{x: {:.4}, y: {:.4}, z: 0.0}}\n    orientation: {{x: 0.0, y: 0.0, z: {sin:.9}, w: {cos:.9}}}",
             pose.x, pose.y
         );
     }

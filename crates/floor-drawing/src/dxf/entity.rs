@@ -1,4 +1,4 @@
-//! One entity between its type and the next one: what of it is drawn, checked number by number.
+//! Reads one entity and checks its numbers.
 
 use super::pairs::{Fault, Pair};
 use crate::{
@@ -46,7 +46,7 @@ pub(super) fn kind_of(name: &[u8]) -> Result<Kind, Option<&'static str>> {
             return Err(Some("images"));
         }
         b"3DSOLID" | b"BODY" | b"REGION" | b"SURFACE" | b"MESH" => return Err(Some("solid bodies")),
-        b"RAY" | b"XLINE" => return Err(Some("endless lines")),
+        b"RAY" | b"XLINE" => return Err(Some("infinite lines")),
         _ => return Err(Some("other entities")),
     })
 }

@@ -1,4 +1,4 @@
-//! Blocks and model space as they are drawn in their own coordinates, before blocks are inserted.
+//! Blocks and model space in their own coordinates, before blocks are inserted.
 
 use crate::{DrawingFlaw, model::MAX_POINTS};
 use robovac_core::geometry::{Point, Vector};

@@ -139,7 +139,7 @@ impl<'a> Pairs<'a> {
             return Err((at, DrawingFlaw::Code { found: shown(line) }));
         };
         let Some(value) = self.take_line() else {
-            return Err((at, DrawingFlaw::CutOff { place: "within a pair of group code and value" }));
+            return Err((at, DrawingFlaw::CutOff { place: "between a group code and its value" }));
         };
         Ok(Some(Pair { code, value: Value::Text(value.trim_ascii()), at, start }))
     }

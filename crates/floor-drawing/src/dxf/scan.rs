@@ -106,11 +106,11 @@ impl<'a> Scan<'a> {
                     b"TABLES" => self.tables()?,
                     b"BLOCKS" => self.blocks()?,
                     b"ENTITIES" if self.has_entities => {
-                        let what = "there is a second section of entities";
+                        let what = "there is a second ENTITIES section";
                         return Err(Stop::At(pair.at, DrawingFlaw::Structure { what }));
                     }
                     b"ENTITIES" => self.model()?,
-                    _ => while !is_end(&self.must("within a section that isn't drawn")?, b"ENDSEC") {},
+                    _ => while !is_end(&self.must("inside a skipped section")?, b"ENDSEC") {},
                 },
                 (0, _) => {
                     let what = "a section should begin here";
@@ -120,7 +120,7 @@ impl<'a> Scan<'a> {
             }
         }
         if !self.has_entities {
-            return Err(Stop::At(0, DrawingFlaw::CutOff { place: "before the section of entities" }));
+            return Err(Stop::At(0, DrawingFlaw::CutOff { place: "before the ENTITIES section" }));
         }
         Ok(())
     }
@@ -128,7 +128,7 @@ impl<'a> Scan<'a> {
     fn section_name(&mut self) -> Result<&'a [u8], Stop> {
         let pair = self.must("after the start of a section")?;
         if pair.code != 2 {
-            return Err(Stop::At(pair.at, DrawingFlaw::Structure { what: "the section before this has no name" }));
+            return Err(Stop::At(pair.at, DrawingFlaw::Structure { what: "the previous section has no name" }));
         }
         Ok(pair.text())
     }
@@ -252,7 +252,7 @@ impl<'a> Scan<'a> {
                         return Ok(());
                     }
                     if matches!(name, b"ENDSEC" | b"EOF" | b"BLOCK" | b"SECTION") {
-                        let what = "the end of a block or section is missing before this";
+                        let what = "the end of the previous block or section is missing";
                         return Err(Stop::At(pair.at, DrawingFlaw::Structure { what }));
                     }
                     self.begin_entity(name, pair.at, body);

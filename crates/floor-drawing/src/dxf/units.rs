@@ -1,4 +1,4 @@
-//! `$INSUNITS`: what a drawing unit is.
+//! `$INSUNITS`: the drawing unit.
 
 /// Metres per unit by its number in the DXF reference; `None` for 0, "unitless", and unknown ones.
 pub(super) fn metres(number: i64) -> Option<f64> {

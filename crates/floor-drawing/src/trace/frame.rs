@@ -1,4 +1,4 @@
-//! How the cells of a room lie in a drawing.
+//! Transform between a room's cells and a drawing.
 
 use crate::{Drawing, DrawingFlaw};
 use robovac_core::{

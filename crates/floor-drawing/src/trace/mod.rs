@@ -1,4 +1,4 @@
-//! A room from a drawing.
+//! Traces a room from a drawing.
 
 mod frame;
 mod gaps;

@@ -1,4 +1,4 @@
-//! Strokes and outlines on cells.
+//! Rasterises strokes and outlines.
 
 use crate::DrawingFlaw;
 use robovac_core::{

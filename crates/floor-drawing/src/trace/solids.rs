@@ -1,4 +1,4 @@
-//! Closed outlines of things on the floor.
+//! Closed outlines of obstacles on the floor.
 
 use super::{
     frame::{Bounds, Frame},

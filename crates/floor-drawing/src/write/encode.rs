@@ -1,4 +1,4 @@
-//! Pairs of a DXF in the form of the file that they go into.
+//! Encodes DXF pairs in the format of the target file.
 
 use crate::dxf::Form;
 use encoding_rs::Encoding;

@@ -1,4 +1,4 @@
-//! Lines beside a drawing: a DXF with layers of its own for them, in which nothing else is changed.
+//! Adds lines to a DXF on separate layers; nothing else is changed.
 
 mod encode;
 mod room;
@@ -43,7 +43,7 @@ pub fn to_dxf(original: Option<&[u8]>, overlays: &[Overlay]) -> Result<Vec<u8>, 
     let template;
     let original = match original {
         Some(bytes) if is_dxf(bytes) => bytes,
-        Some(_) => return Err(bad(NAME, "", DrawingFlaw::NotADrawing { kind: "something else than a DXF" })),
+        Some(_) => return Err(bad(NAME, "", DrawingFlaw::NotADrawing { kind: "not a DXF file" })),
         None => {
             template = template::empty();
             &template

@@ -1,4 +1,4 @@
-//! What of a DXF must be known to put something into it.
+//! Scans a DXF for what is needed to insert entities.
 
 use crate::{
     DrawingFlaw,

@@ -1,4 +1,4 @@
-//! An empty drawing, into which lines are put when there is no drawing to put them beside.
+//! An empty drawing, used when there is no drawing to add lines to.
 
 /// Release 2000 with all that AutoCAD asks for, in metres; group codes and values, separated by blanks.
 const PAIRS: &str = "0 SECTION 2 HEADER 9 $ACADVER 1 AC1015 9 $DWGCODEPAGE 3 ANSI_1252 9 $INSUNITS 70 6 9 $MEASUREMENT 70 1 \

@@ -1,4 +1,4 @@
-//! The sweeping planner of 001, its obstacle map, and large drawings.
+//! Benchmarks of the sweeping planner of 001, its obstacle map, and large drawings.
 
 use super::Bench;
 use crate::draft::Board;

@@ -1,4 +1,4 @@
-//! What it takes to make a map, drift corrected.
+//! Benchmark of mapping with drift correction.
 
 use super::Bench;
 use robovac_core::{

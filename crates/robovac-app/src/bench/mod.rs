@@ -47,7 +47,7 @@ pub struct Bench<'a> {
 }
 
 impl<'a> Bench<'a> {
-    /// `clock` gives seconds, `memory` the bytes that the program has, if it can tell; `report` is told each result as it
+    /// `clock` gives seconds, `memory` the bytes that the program has, if it can tell; `report` receives each result as it
     /// comes.
     pub fn new(
         clock: &'a dyn Fn() -> f64,

@@ -1,4 +1,4 @@
-//! Planners and the simulator.
+//! Benchmarks of planners and the simulator.
 
 use super::Bench;
 use crate::explore::Session;

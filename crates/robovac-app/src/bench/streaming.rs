@@ -1,4 +1,4 @@
-//! What a robot on a line takes.
+//! Benchmarks of the sensor stream.
 
 use super::Bench;
 use robovac_link::{driver::FRAME_S, link::Link};

@@ -1,4 +1,4 @@
-//! What comparisons take over from the session.
+//! The settings that comparisons take from the session.
 
 use super::{RaceSetup, RoomChoice};
 use crate::explore::Session;

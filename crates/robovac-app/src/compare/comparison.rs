@@ -1,4 +1,4 @@
-//! A comparison as the page has it: who takes part where, what has been tried, and what is left to try.
+//! View model of a comparison: entrants, rooms, finished and open trials.
 
 use super::{
     Progress, Race, RaceSetup, Record, RoomChoice, RoomSet, Row, Table, Trial,

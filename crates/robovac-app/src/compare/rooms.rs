@@ -1,4 +1,4 @@
-//! The rooms that a comparison may be made in.
+//! The rooms available for a comparison.
 
 use robovac_core::floorplan::{ROOMS, RoomInfo, RoomKind};
 use robovac_sim::experiment::SettingsError;

@@ -1,4 +1,4 @@
-//! A study as the page has it: who is run where and how often, which runs are missing, and what came out.
+//! View model of a study: entrants, number of runs, missing runs, results.
 
 use crate::explore::Session;
 use robovac_core::floorplan::{FloorPlan, Scenario};
@@ -46,7 +46,7 @@ pub struct Study {
 /// What outcomes depend on beside their seed.
 type Key = String;
 
-/// Runs that somebody is making.
+/// Runs in progress.
 struct Batch {
     key: Key,
     seeds: Vec<u64>,
@@ -191,7 +191,7 @@ impl Study {
     fn index(&self, wanted: Algorithm) -> Result<usize, SettingsError> {
         let is_wanted = |e: &Entrant| e.algorithm.kind() == wanted.kind() && e.id() == wanted.id();
         self.entrants.iter().position(is_wanted).ok_or_else(|| SettingsError::Unknown {
-            kind: "algorithm that cleans or explores by itself",
+            kind: "autonomous cleaning or exploring algorithm",
             id: wanted.id().to_owned(),
             known: self.entrants.iter().map(Entrant::id).collect::<Vec<_>>().join(", "),
         })
@@ -218,7 +218,7 @@ impl Study {
                     next.seeds = whole(value, MOST_SEEDS, "the number of runs", "a whole number from 1 to 1000")?;
                 }
                 "minutes" => {
-                    next.minutes = whole(value, MOST_MINUTES, "the time of a run", "whole minutes from 1 to 600")?;
+                    next.minutes = whole(value, MOST_MINUTES, "the duration of a run", "whole minutes from 1 to 600")?;
                 }
                 _ => {}
             }

@@ -1,4 +1,4 @@
-//! What came out of a comparison, summed up: planners by numbers.
+//! Summary of a comparison: a table of planners by metrics.
 
 use coverage_planners::metrics::{Better, METRICS, MetricInfo, PlanNumbers};
 use robovac_sim::experiment::Entrant;

@@ -1,4 +1,4 @@
-//! What has to be tried for a comparison, what is being tried, and what came out.
+//! Trials of a comparison: pending, running and finished.
 
 use super::RoomChoice;
 use coverage_planners::metrics::PlanNumbers;

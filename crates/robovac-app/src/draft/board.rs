@@ -1,4 +1,4 @@
-//! The drawing board: what files hold, what was chosen for it, and what comes of that.
+//! State of the Floor plan tab: loaded file, settings, and the resulting room.
 
 use super::{Doors, Hand, Part, Settings, Sheet, Source};
 use crate::{Choices, Import, ImportError};
@@ -173,7 +173,7 @@ impl Board {
         self.settings.body.outline().map_err(|error| error.to_string())
     }
 
-    /// Plans the sweep of the room; `observe` is told how far it is, 0 to 1, and says whether to go on.
+    /// Plans the sweep of the room; `observe` receives how far it is, 0 to 1, and says whether to go on.
     pub fn sweep(&mut self, observe: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Result<(), String> {
         let outline = self.outline()?;
         let Some(room) = &self.room else { return Err(self.no_room()) };
@@ -225,9 +225,9 @@ impl Board {
 
     /// Makes the distance of the two points that were set so many metres.
     pub fn scale_to(&mut self, metres: f64) -> Result<(), String> {
-        let units = self.hand.measured().ok_or("set two points first, then type their distance")?;
+        let units = self.hand.measured().ok_or("set two points first, then enter the distance between them")?;
         if !(metres > 0.0 && metres.is_finite()) {
-            return Err(format!("a distance can't be {metres} m; type a length greater than 0"));
+            return Err(format!("the distance can't be {metres} m; enter a length greater than 0"));
         }
         self.set(Settings { metre: Some(metres / units), ..self.settings.clone() })?;
         self.hand.escape();

@@ -1,4 +1,4 @@
-//! The robot's outline as people say it.
+//! The robot's outline as entered by the user.
 
 use robovac_core::{
     cspace::{CspaceError, Outline},
@@ -47,7 +47,7 @@ pub enum BodyError {
     #[error(transparent)]
     Outline(#[from] CspaceError),
     /// A corner can't be read.
-    #[error("corner {number} of the robot, \"{text}\", isn't two numbers; write \"x y; x y; ...\" in metres")]
+    #[error("corner {number} of the robot outline, \"{text}\", isn't two numbers; write \"x y; x y; ...\" in metres")]
     Corner {
         /// Which one, counted from 1.
         number: usize,

@@ -1,4 +1,4 @@
-//! Grids that are too large for a picture.
+//! Downsampled grids for display.
 
 use robovac_core::grid::{Cell, Grid};
 

@@ -1,4 +1,4 @@
-//! Colours of layers, so that they can be told from the ground: CAD programs draw on black, people print on white.
+//! Layer colours with enough contrast: CAD programs draw on black, prints are white.
 
 /// Least contrast of a line with the ground, as WCAG 2 demands of graphics (success criterion 1.4.11).
 const LEAST_CONTRAST: f64 = 3.0;

@@ -1,4 +1,4 @@
-//! Rooms that reach on through open doors: what they would be if these were closed.
+//! Rooms that extend through open doors, and their size if these were closed.
 
 use floor_drawing::{self, Drawing, Region, Traced, Tracing};
 use robovac_core::geometry::Point;

@@ -1,4 +1,4 @@
-//! What leaves the drawing board as files.
+//! Export of the Floor plan tab as files.
 
 use super::{Board, Part, Source};
 use crate::{draft::sweep_dxf, export::ExportFile};
@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 pub enum Format {
     /// The path on layers of its own, beside the drawing.
     Dxf,
-    /// A program for people: turns and straight ways.
+    /// A human-readable program: turns and straight ways.
     Program,
     /// Bytes of the Open Interface with their times and meanings, as text. Always for the Roomba: no other robot here speaks it.
     Commands,
@@ -31,7 +31,7 @@ impl Board {
             return Err("plan the sweep first".to_owned());
         };
         let chosen = self.settings().body.model().and_then(robot::model);
-        let roomba = robot::model("roomba600").ok_or("there is no robot to be commanded")?;
+        let roomba = robot::model("roomba600").ok_or("the robot model roomba600 is missing from this build")?;
         let outline = self.outline()?;
         // What has an outline of its own moves as a robot that there is: the round one turns; any other keeps its heading, as
         // the path was planned.

@@ -1,5 +1,5 @@
-//! What the hand does on the drawing: points of a known distance, corners of the part that is meant. By pointer, or by a
-//! crosshair that keys move.
+//! Pointing on the drawing: two points of a known distance, corners of a region. By pointer, or by a crosshair moved
+//! with keys.
 
 use super::Part;
 use robovac_core::geometry::{Point, Vector};

@@ -1,4 +1,4 @@
-//! The drafting room: a file is looked at, scaled, traced and swept before it becomes the room.
+//! The Floor plan tab: a drawing is viewed, scaled, traced and swept before it becomes the room.
 //!
 //! [`Board`] holds what files are and what was chosen for them; [`DraftView`] is what the page shows of it. `web::Drafting`
 //! draws it, in a worker.

@@ -1,4 +1,4 @@
-//! All that people choose on the drawing board, as one value that crosses to the page and back.
+//! All settings of the Floor plan tab, as one value shared with the page.
 
 use super::{BodyChoice, Source};
 use floor_drawing::{Region, Role, Tracing};

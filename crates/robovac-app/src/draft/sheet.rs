@@ -1,4 +1,4 @@
-//! The sheet of paper: coordinates in which files of every unit and place are seen in the same way.
+//! Sheet coordinates, in which files of any unit and origin are displayed alike.
 
 use super::Source;
 use robovac_core::geometry::{Point, Vector};

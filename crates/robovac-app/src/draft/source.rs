@@ -1,4 +1,4 @@
-//! What files turned out to be: a drawing that becomes a room only when its layers, unit and region are said, or a map.
+//! The loaded source: a map, or a drawing that needs layers, unit and region to become a room.
 
 use crate::{Choices, Import, ImportError};
 use floor_drawing::{self, Drawing};

@@ -1,4 +1,4 @@
-//! Units that drawings are made in, and lengths as people read them.
+//! Drawing units and the display of lengths.
 
 use serde::Serialize;
 

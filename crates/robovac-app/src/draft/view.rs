@@ -1,4 +1,4 @@
-//! What the page shows of a draft, as one plain object.
+//! View model of the Floor plan tab, as one plain object.
 
 use super::{Board, Doors, Settings, Source, Tool, UNITS, size_in_words};
 use coverage_planners::{stage::Contact, sweep::Sweep};
@@ -191,18 +191,14 @@ impl Board {
         };
         if view.kind == "drawing" {
             let walls = view.layers.iter().filter(|layer| layer.role == Role::Wall).count();
-            say(format!(
-                "a drawing of {} strokes on {} layers, {walls} of them walls",
-                view.strokes,
-                view.layers.len()
-            ));
+            say(format!("{} strokes on {} layers, {walls} of them walls", view.strokes, view.layers.len()));
         }
         match (&view.size, &view.room) {
-            (None, _) => say("its unit isn't known yet".to_owned()),
-            (Some(size), None) => say(format!("{size} in all; no room comes of it: {}", view.fault)),
+            (None, _) => say("unit not chosen yet".to_owned()),
+            (Some(size), None) => say(format!("{size} overall; no room could be traced: {}", view.fault)),
             (Some(size), Some(room)) => {
                 say(format!(
-                    "{size} in all; the room is {} with {:.1} square metres of free floor",
+                    "{size} overall; the room is {} with {:.1} square metres of free floor",
                     size_in_words(room.width_m, room.height_m),
                     room.floor_m2
                 ));
@@ -214,8 +210,8 @@ impl Board {
         if let Some(Doors { count, gap, floor_m2 }) = view.doors {
             let openings = if count == 1 { "one opening".to_owned() } else { format!("{count} openings") };
             say(format!(
-                "it reaches through {openings} as wide as doors; with gaps closed up to {gap:.2} metres {floor_m2:.1} \
-                 square metres are left"
+                "it extends through {openings} as wide as doors; closing gaps up to {gap:.2} metres leaves \
+                 {floor_m2:.1} square metres"
             ));
         }
         if let Some(sweep) = &view.sweep {

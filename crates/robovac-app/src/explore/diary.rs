@@ -1,4 +1,4 @@
-//! What happened in a run, told in lines.
+//! The event log of a run, as lines of text.
 
 use robovac_sim::{Event, Run, STEP_S, What};
 

@@ -1,4 +1,4 @@
-//! The hand that places, selects and drags objects.
+//! Tool that places, selects and drags objects.
 
 use super::objects::{Kind, handles, moved, object_at, reshaped, scaled, turned};
 use crate::explore::Session;

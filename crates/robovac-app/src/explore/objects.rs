@@ -1,4 +1,4 @@
-//! Objects under a hand: made, found, moved, turned, resized.
+//! Editing of objects: create, find, move, turn, resize.
 
 use robovac_core::{
     floorplan::{BEAMS, FloorPlan, Object, RADII, Who, encloses, middle},

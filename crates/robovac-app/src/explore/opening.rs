@@ -1,7 +1,7 @@
-//! The plan that the page opens with, made in advance: until something else is asked for, no planner is needed.
+//! The precomputed plan of the opening scene, so that the first load needs no planner.
 //!
 //! It is what the planner finds for the opening scene, to the last step: `tests/opening.rs` compares the two, and writes
-//! the file anew when it is run with `UPDATE=1`.
+//! the file again when it is run with `UPDATE=1`.
 
 use coverage_planners::Proof;
 use robovac_core::grid::{Cell, Direction};

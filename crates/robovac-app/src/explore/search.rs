@@ -1,4 +1,4 @@
-//! How a planner came to its plan: its decisions, found by where the robot is on the way.
+//! A planner's decisions, looked up by the robot's position on the walk.
 
 use coverage_planners::TraceStep;
 use robovac_core::{geometry::Point, grid::Cell};

@@ -1,4 +1,4 @@
-//! What can be done when: one table.
+//! The state machine of the Explore tab: which action is legal when.
 
 use serde::Serialize;
 

@@ -1,4 +1,4 @@
-//! What the page shows in numbers and words: one snapshot a frame.
+//! View model of the page's numbers and texts: one snapshot a frame.
 
 use crate::explore::State;
 use coverage_planners::metrics::{DriveMetrics, WalkMetrics};
@@ -30,7 +30,7 @@ pub struct View {
     pub activity: &'static str,
     /// Changes whenever the list of events does.
     pub diary: f64,
-    /// Whether the robot is in somebody's hand.
+    /// Whether the robot is held.
     pub is_lifted: bool,
     /// Why a person's commands aren't obeyed: forward, left, right, backward; `None` unless a person drives.
     pub blocked: Option<[Option<&'static str>; 4]>,
@@ -70,7 +70,7 @@ pub struct View {
     pub turning_deg: f64,
     /// How often the bumper was pressed.
     pub bumps: u32,
-    /// Distance between where the robot is and where it believes to be, m.
+    /// Distance between the robot's true and estimated position, m.
     pub pose_error_m: f64,
     /// The planner's search.
     pub search: SearchView,

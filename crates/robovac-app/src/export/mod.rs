@@ -43,43 +43,44 @@ pub const FORMATS: &[Format] = &[
     Format {
         id: "scenario",
         title: "Scenario",
-        note: "All of it: room, objects, robot, algorithm and seeds, to be opened here again.",
+        note: "Everything: room, objects, robot, algorithm and seeds. Can be opened here again.",
         needs_path: false,
     },
     Format {
         id: "text",
         title: "Text map",
-        note: "One character a cell, to be read and changed by hand; without objects.",
+        note: "One character per cell, easy to read and edit by hand; objects are left out.",
         needs_path: false,
     },
     Format {
         id: "ros_pgm",
         title: "ROS map, PGM",
-        note: "An image and its YAML file for map_server and Nav2; furniture counts as wall.",
+        note: "An image and its YAML file for map_server and Nav2; furniture becomes wall.",
         needs_path: false,
     },
     Format {
         id: "ros_png",
         title: "ROS map, PNG",
-        note: "An image that every program shows and its YAML file; furniture counts as wall.",
+        note: "The same as PNG, which any image viewer opens, and its YAML file; furniture becomes wall.",
         needs_path: false,
     },
     Format {
         id: "svg",
         title: "SVG drawing",
-        note: "Walls, furniture and path for papers and web pages; one unit is a millimetre.",
+        note: "Walls, furniture and path for papers and web pages; one unit is one millimetre.",
         needs_path: false,
     },
     Format {
         id: "dxf",
         title: "DXF drawing",
-        note: "Walls, furniture and path on layers of their own, in metres, for CAD programs.",
+        note: "Walls, furniture and path on separate layers, in metres, for CAD programs.",
         needs_path: false,
     },
     Format {
         id: "path_csv",
         title: "Path, CSV table",
-        note: "Place, heading, distance and time at every corner: metres, radians, seconds; from the map's origin or, without a map, the room's lower left corner.",
+        note: "Position, heading, distance and time at every corner, in metres, radians and seconds. Origin: the \
+            map's, or the room's lower left corner.",
         needs_path: true,
     },
     Format {
@@ -91,13 +92,13 @@ pub const FORMATS: &[Format] = &[
     Format {
         id: "program",
         title: "Path, robot program",
-        note: "Forward and turn, a command a line, to be read by people.",
+        note: "Human-readable: one forward or turn command per line.",
         needs_path: true,
     },
     Format {
         id: "roomba",
         title: "Path, Roomba bytes",
-        note: "Open Interface commands with their times, for a Roomba 600 without feedback: it drifts.",
+        note: "Timed Open Interface commands for a Roomba 600. Open loop, so the robot drifts.",
         needs_path: true,
     },
 ];
@@ -126,16 +127,16 @@ pub struct Exported<'a> {
 #[derive(Debug, thiserror::Error)]
 pub enum ExportError {
     /// There is no such format.
-    #[error("there is no format \"{0}\"; one of {list} would do", list = ids())]
+    #[error("there is no format \"{0}\"; use one of {list}", list = ids())]
     Unknown(String),
     /// The format holds a path and there is none.
-    #[error("{0} holds a path, and there is none yet; plan one first")]
+    #[error("{0} needs a path, and there is none yet; plan one first")]
     NoPath(&'static str),
     /// The drawing can't be written.
     #[error(transparent)]
     Drawing(#[from] DrawingError),
     /// The scenario's robot isn't known.
-    #[error("the robot of this room isn't known; choose another one")]
+    #[error("the robot in this room is unknown; choose another one")]
     NoRobot,
     /// The ROS map can't be written.
     #[error(transparent)]

@@ -1,4 +1,4 @@
-//! What a survey takes over from the session.
+//! The settings that the Map tab takes from the session.
 
 use super::{Known, SurveySetup, Truth, numbers::digest};
 use crate::explore::Session;

@@ -1,10 +1,10 @@
-//! What the robot believes at one moment, wherever it has that from.
+//! The robot's estimates at one moment.
 
 use super::{Known, store::Still};
 use robovac_core::geometry::Pose;
 use robovac_sim::mapping::{Mapper, Marks, OccupancyMap, Spread, locate::Locator};
 
-/// What the robot believes.
+/// The robot's estimates.
 #[derive(Clone, Copy)]
 pub struct Belief<'a> {
     /// The map.
@@ -21,7 +21,7 @@ enum Source<'a> {
     Mapper(&'a Mapper),
     /// What looks for the robot on a map that it was given.
     Locator(&'a Locator),
-    /// What looks for a robot that was carried off on the map that it has made: until the robot goes by what this says, it only
+    /// Relocalises a kidnapped robot on its own map: until the robot goes by what this says, it only
     /// guesses.
     Lost(&'a Locator),
     /// Nobody at present: it was stored.
@@ -45,7 +45,7 @@ impl<'a> Belief<'a> {
         Self { map: &still.map, marks: &still.marks, source: Source::Store(still.pose) }
     }
 
-    /// Where it believes to be; `None` while it has no idea.
+    /// Its estimated pose; `None` while it has no idea.
     pub fn pose(&self) -> Option<Pose> {
         match self.source {
             Source::Mapper(mapper) => Some(mapper.pose()),

@@ -1,4 +1,4 @@
-//! The figures over time.
+//! Map quality over time.
 
 /// Samples that are kept; when there are more, every second one is dropped.
 const MOST: usize = 600;

@@ -1,4 +1,4 @@
-//! How good a map is, in numbers.
+//! Map quality figures.
 
 use super::Truth;
 use robovac_core::geometry::{Pose, difference};
@@ -7,9 +7,9 @@ use robovac_sim::mapping::{MapQuality, OccupancyMap};
 /// How far a mapper is from the truth.
 #[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize)]
 pub struct Figures {
-    /// Distance between where the robot is and where it believes to be, m; `None` while it has no idea.
+    /// Distance between the robot's true and estimated position, m; `None` while it has no idea.
     pub position_m: Option<f64>,
-    /// Angle between its heading and what it believes that to be, degrees, 0 to 180.
+    /// Angle between its true and estimated heading, degrees, 0 to 180.
     pub heading_deg: Option<f64>,
     /// Share of the known cells that are right within one cell, 0 to 1; 1 while nothing is known.
     pub right: f64,
@@ -20,7 +20,7 @@ pub struct Figures {
 }
 
 impl Figures {
-    /// The figures of a robot that believes to be at `believed` on `map` while it is at `pose`.
+    /// The figures of a robot whose estimated pose is `believed` on `map` while it is at `pose`.
     pub fn of(map: &OccupancyMap, believed: Option<Pose>, pose: Pose, truth: &Truth) -> Self {
         let MapQuality { right, known, boundary, .. } = truth.quality(map);
         Self {

@@ -1,4 +1,4 @@
-//! How a survey is stored, and brought back.
+//! Stores and restores the Map tab.
 
 use super::{Known, StoreError, Stored, Survey, stage::Return};
 use robovac_sim::STEP_S;
@@ -32,7 +32,7 @@ impl Survey {
         let robot = self.prepared().map(|prepared| &prepared.robot);
         let known = match (&stored.known, robot) {
             (Some((name, map)), Some(robot)) => {
-                let of_no_use = |_| StoreError::Damaged { what: "nobody can find himself on the map that was given" };
+                let of_no_use = |_| StoreError::Damaged { what: "the robot can't localise on the given map" };
                 Some(Known::of(map.clone(), name.clone(), robot).map_err(of_no_use)?)
             }
             _ => None,

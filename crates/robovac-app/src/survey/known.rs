@@ -1,4 +1,4 @@
-//! A map that the robot is given: its own, or one from a file.
+//! A given map: the robot's own, or one from a file.
 
 use super::{Survey, numbers::digest};
 use robovac_core::coverage::with_objects;
@@ -31,17 +31,15 @@ const TINY: f64 = 1e-6;
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum OpenError {
     /// There is no robot that it could be given to.
-    #[error("the robot can't be put into this room, so it has no use for a map; choose another room in Explore")]
+    #[error("the robot doesn't fit into this room, so it can't use a map; choose another room in Explore")]
     NoRoom,
     /// There is nothing on it to find oneself by.
     #[error(
-        "the robot can't find itself on this map: it has no walls, or no place where the robot fits; choose a map with both"
+        "the robot can't localise on this map: it has no walls, or no floor where the robot fits; choose another map"
     )]
     NothingOnIt,
     /// It is larger than any home.
-    #[error(
-        "this map is {width:.0} x {height:.0} m large; the robot takes up to {MOST_M} m a side: check its resolution"
-    )]
+    #[error("this map is {width:.0} m x {height:.0} m; the limit is {MOST_M} m a side: check its resolution")]
     TooLarge {
         /// Its width, m.
         width: f64,
@@ -175,7 +173,7 @@ impl Survey {
         self.begin();
     }
 
-    /// Puts the robot down anywhere; nobody tells it where.
+    /// Kidnaps the robot: puts it down anywhere.
     pub(super) fn lose(&mut self) {
         let seed = self.base.as_ref().map_or(0, |base| base.seed);
         if let Some(stage) = &mut self.stage {

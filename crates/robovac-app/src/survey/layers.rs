@@ -1,4 +1,4 @@
-//! What of a survey is drawn.
+//! Layers drawn in the Map tab.
 
 use robovac_sim::experiment::SettingsError;
 

@@ -1,8 +1,8 @@
-//! The place Map: a robot that makes a map of a room that it has never seen, and what it makes of it.
+//! The Map tab: a robot maps an unknown room.
 //!
 //! [`Survey`] is what the page has: a room taken over from the session, a robot in it that explores and maps, and time. What it
-//! believes is in its run's mapper; [`Truth`] is what quality figures compare that with, and nothing else sees it. [`Stored`]
-//! brings all of it over a reload.
+//! believes is in its run's mapper; [`Truth`] is what quality figures compare that with, and nothing else uses it.
+//! [`Stored`] brings all of it over a reload.
 
 mod base;
 mod belief;

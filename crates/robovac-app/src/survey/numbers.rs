@@ -1,4 +1,4 @@
-//! Numbers as text that a store takes: bytes in base 64, small integers in few bytes.
+//! Numbers as text for storage: base 64 and variable-length integers.
 
 /// Alphabet of RFC 4648, section 4.
 const ALPHABET: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

@@ -1,4 +1,4 @@
-//! A room, a robot that explores and maps it, and time.
+//! Session of the Map tab: a room, a robot that maps it, and time.
 
 use super::{Belief, Deed, Figures, Known, Phase, Sample, SurveySetup, Truth, base::Base, stage::Stage};
 use crate::explore::Session;
@@ -322,7 +322,7 @@ impl Survey {
         self.stage.as_ref().map(|stage| &stage.truth)
     }
 
-    /// What the robot believes.
+    /// The robot's estimates.
     pub fn belief(&self) -> Option<Belief<'_>> {
         let stage = self.stage.as_ref()?;
         stage.left().or_else(|| stage.belief())

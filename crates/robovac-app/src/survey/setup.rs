@@ -1,4 +1,4 @@
-//! How a survey is made, and how a link says so.
+//! Settings of the Map tab and their form in a link.
 
 use super::Layers;
 use coverage_planners::{self, PLANNERS, PlannerInfo};
@@ -98,7 +98,7 @@ impl SurveySetup {
             "explorer" => self.choose_behaviour(value)?,
             "track" => {
                 let known = Tracking::ALL.map(|(_, name)| name);
-                self.tracking = Tracking::parse(value).ok_or_else(|| unknown("way to keep track", &known))?;
+                self.tracking = Tracking::parse(value).ok_or_else(|| unknown("localisation method", &known))?;
             }
             "counts" => {
                 let known = OdometryModel::ALL.map(|(_, name)| name);
@@ -114,10 +114,7 @@ impl SurveySetup {
             }
             "clean" => {
                 self.planner = cleaners().find(|info| info.id == value).ok_or_else(|| {
-                    unknown(
-                        "planner that is fast and misses nothing",
-                        &cleaners().map(|info| info.id).collect::<Vec<_>>(),
-                    )
+                    unknown("fast and complete planner", &cleaners().map(|info| info.id).collect::<Vec<_>>())
                 })?;
             }
             "layers" => self.layers = Layers::from_link(value)?,
@@ -126,7 +123,7 @@ impl SurveySetup {
                 self.speed = speed.ok_or_else(|| SettingsError::Invalid {
                     kind: "the speed",
                     value: value.to_owned(),
-                    expected: "a number, 0 for as fast as it goes",
+                    expected: "a number, 0 for as fast as possible",
                 })?;
             }
             _ => {

@@ -1,4 +1,4 @@
-//! A run that can be gone back to, with what is known of it.
+//! A mapping run that can be rewound.
 
 use super::{Belief, Figures, Known, Sample, Stored, Truth, curve::Curve, store::Still};
 use robovac_sim::{Input, Recording, Run, STEP_S};
@@ -68,7 +68,7 @@ impl Stage {
         self.returning.as_ref().map(|way| Belief::left(&way.still))
     }
 
-    /// What the robot believes.
+    /// The robot's estimates.
     pub fn belief(&self) -> Option<Belief<'_>> {
         let run = self.run();
         if let (Some(known), Some(locator)) = (&self.known, run.locator()) {

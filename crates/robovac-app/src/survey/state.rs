@@ -1,4 +1,4 @@
-//! What can be done when: one table.
+//! The state machine of the Map tab: which action is legal when.
 
 use serde::Serialize;
 
@@ -14,7 +14,7 @@ pub enum Phase {
     Playing,
     /// Time stands still.
     Paused,
-    /// Somebody holds the robot.
+    /// The robot is held.
     Held,
     /// On the way to another point of time.
     Seeking,

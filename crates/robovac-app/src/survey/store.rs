@@ -1,4 +1,4 @@
-//! A survey as text, so that it survives a reload of the page.
+//! A mapping run as text, so that it survives a reload of the page.
 //!
 //! What is stored is the way there and what came of it. A simulated run is deterministic: its recipe, what a person did, and
 //! the number of its steps bring it back to the last bit, particles and all, by driving it again (a few seconds). The map,
@@ -29,34 +29,34 @@ const MOST_SIDE: i64 = 1 << 14;
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum StoreError {
     /// It is something else.
-    #[error("the stored map can't be read: it is no survey of this page ({0})")]
+    #[error("the stored map can't be read: it wasn't saved by this page ({0})")]
     NotASurvey(String),
     /// Another version of the page has stored it.
     #[error(
-        "the stored map was made by another version of this page (its format is {found}, this page's {STORE_VERSION}), so it \
-         can't go on here"
+        "the stored map was saved by another version of this page (format {found}, here {STORE_VERSION}), so it can't \
+         be continued"
     )]
     Version {
         /// The version that it has.
         found: u32,
     },
     /// It isn't what was stored.
-    #[error("the stored map is damaged ({what}), so it can't go on")]
+    #[error("the stored map is damaged ({what}), so it can't be continued")]
     Damaged {
         /// What is wrong.
         what: &'static str,
     },
     /// The robot was told to clean by a plan of a planner that this page doesn't have.
     #[error(
-        "the stored robot cleans by a plan of \"{id}\", a planner that this version of the page doesn't have, so it can't go on \
-         here"
+        "the stored run uses the planner \"{id}\", which this version of the page doesn't have, so it can't be \
+         continued"
     )]
     Planner {
         /// The planner's id.
         id: String,
     },
     /// It is of another room or robot, or was made otherwise.
-    #[error("the stored map is of another survey, in \"{title}\"; choose that room, robot and behaviour first")]
+    #[error("the stored map belongs to another run, in \"{title}\"; choose that room, robot and behaviour first")]
     Another {
         /// The room's name.
         title: String,
@@ -183,13 +183,13 @@ impl Stored {
             return Err(StoreError::Version { found: stamp.version });
         }
         let damaged = |what| StoreError::Damaged { what };
-        let envelope: Envelope = serde_json::from_str(text).map_err(|_| damaged("a part of it is missing"))?;
+        let envelope: Envelope = serde_json::from_str(text).map_err(|_| damaged("data is missing"))?;
         if envelope.check != format!("{:016x}", digest(&envelope.body)) {
-            return Err(damaged("its check sum doesn't fit"));
+            return Err(damaged("its checksum is wrong"));
         }
         let body: Body = serde_json::from_str(&envelope.body).map_err(|_| damaged("its content can't be read"))?;
         if !(body.resolution.is_finite() && body.resolution > 0.0 && body.pose.iter().all(|n| n.is_finite())) {
-            return Err(damaged("its scale or pose is no number"));
+            return Err(damaged("its scale or pose isn't a number"));
         }
         let list = |text: &str| from_text(text).and_then(|bytes| cells_of(&bytes));
         let unpacked = |text: &str| {
@@ -224,7 +224,7 @@ impl Stored {
             title: body.title,
             end: body.end,
             shown: body.shown.min(body.end),
-            digest: u64::from_str_radix(&body.digest, 16).map_err(|_| damaged("its digest is none"))?,
+            digest: u64::from_str_radix(&body.digest, 16).map_err(|_| damaged("its digest is invalid"))?,
             inputs: body.inputs.into_iter().map(input).collect::<Result<_, _>>()?,
             pose: pose(body.pose),
             map,

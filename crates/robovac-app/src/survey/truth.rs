@@ -1,4 +1,4 @@
-//! What is really there, in the cells of the map: for quality figures and the picture, never for the robot.
+//! Ground truth in the cells of the map: for quality figures and display, never for the robot.
 
 use robovac_core::{
     coverage::ReachableFloor,

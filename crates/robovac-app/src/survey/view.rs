@@ -1,4 +1,4 @@
-//! What the page shows of a survey in numbers and words: one snapshot a frame.
+//! View model of the Map tab's numbers and texts: one snapshot a frame.
 
 use super::{Deed, Figures, Phase, Survey};
 use robovac_sim::{Conditions, Run, mapping::Mark};
@@ -64,7 +64,7 @@ pub struct SurveyView {
     /// Floor that it can get to by its map and believes to have swept, and all that it can get to, m²; `None` unless it cleans
     /// by that.
     pub by_map: Option<[f64; 2]>,
-    /// Floor that the robot believes to have cleaned, m².
+    /// Floor cleaned by the robot's own estimate, m².
     pub cleaned_m2: f64,
     /// Share of the reachable floor that it really has cleaned.
     pub coverage: f64,

@@ -1,4 +1,4 @@
-//! A survey in words: for those who don't see the picture, and for the log.
+//! Text description of the Map tab, for screen readers and the log.
 
 use super::{Phase, Survey};
 
@@ -6,45 +6,45 @@ impl Survey {
     /// One or two sentences that stand for the picture.
     pub fn description(&self) -> String {
         let title = self.base.as_ref().map_or("no room", |base| &base.title);
-        let Some(run) = self.run() else { return format!("Map of {title}: the robot can't be put into this room.") };
+        let Some(run) = self.run() else { return format!("Map of {title}: the robot doesn't fit into this room.") };
         if let Some(done) = self.returned() {
             return format!(
-                "Map of {title}, as it was left. The robot is driven again up to there: {:.0} % done.",
+                "Map of {title}, restored from the last visit. Replaying the run: {:.0} % done.",
                 (100.0 * done).floor()
             );
         }
         let Some([here, odometry]) = self.figures() else { return format!("Map of {title}.") };
         if run.steps() == 0 {
-            return format!("Map of {title}: empty. The robot stands at its start and knows nothing of the room.");
+            return format!("Map of {title}: empty. The robot is at its start and has not mapped anything yet.");
         }
-        let held = if self.phase() == Phase::Held { " Somebody holds it." } else { "" };
+        let held = if self.phase() == Phase::Held { " It is being held." } else { "" };
         if let Some(is_sure) = self.belief().and_then(|belief| belief.is_sure()) {
             let place = match (here.position_m, is_sure) {
-                (None, _) => "has no idea where it is".to_owned(),
-                (Some(off), false) => format!("guesses where it is, {} off", length(off)),
-                (Some(off), true) => format!("is sure where it is, {} off", length(off)),
+                (None, _) => "has no pose estimate".to_owned(),
+                (Some(off), false) => format!("has an uncertain pose estimate, {} off", length(off)),
+                (Some(off), true) => format!("is localised, {} off", length(off)),
             };
             let looks = self.intent().is_some_and(|intent| intent.locator.is_some());
             let who = match (&self.known, looks) {
-                (Some(_), _) => "knows a map of the room",
-                (None, true) => "was carried off and looks for itself on its map",
-                (None, false) => "was carried off",
+                (Some(_), _) => "has a map of the room",
+                (None, true) => "was kidnapped and is relocalising on its map",
+                (None, false) => "was kidnapped",
             };
             return format!("{}: the robot {who}, and {place}.{held}", minutes(run.time_s()));
         }
         let goals = self.intent().map_or(String::new(), |intent| match (intent.frontiers.len(), intent.route.last()) {
             (0, None) => String::new(),
-            (0, Some(_)) => " It is driving along a line to its goal.".to_owned(),
-            (1, None) => " What it knows ends in one place where it could go on.".to_owned(),
-            (count, None) => format!(" What it knows ends in {count} places where it could go on."),
-            (1, Some(_)) => " It is driving along a line to its goal; what it knows ends in one place.".to_owned(),
+            (0, Some(_)) => " It is driving to its goal.".to_owned(),
+            (1, None) => " One frontier is left to explore.".to_owned(),
+            (count, None) => format!(" {count} frontiers are left to explore."),
+            (1, Some(_)) => " It is driving to its goal; one frontier is left.".to_owned(),
             (count, Some(_)) => {
-                format!(" It is driving along a line to its goal; what it knows ends in {count} places.")
+                format!(" It is driving to its goal; {count} frontiers are left.")
             }
         });
         format!(
-            "{}: {:.0} % of the boundary mapped, {:.0} % of the floor known. The robot believes to be {} from where it is; by \
-             odometry alone it would be {}.{goals}{held}",
+            "{}: {:.0} % of the boundary mapped, {:.0} % of the floor known. The pose estimate is {} off; by odometry \
+             alone it would be {}.{goals}{held}",
             minutes(run.time_s()),
             (100.0 * here.boundary).floor(),
             (100.0 * here.known).floor(),

@@ -1,4 +1,4 @@
-//! Orders on standard input, one a line: what a hand, a charger or a cable does to the robot.
+//! Control commands on standard input, one a line: buttons, lifting, charger, cable.
 
 use roomba_oi::Buttons;
 use std::{
@@ -69,7 +69,7 @@ fn parse(line: &str) -> Result<Order, String> {
         ["brc", "high"] => Order::Brc(false),
         ["state"] => Order::State,
         ["quit"] => Order::Quit,
-        _ => return Err(format!("there is no order \"{line}\"; \"robovac virtual-roomba --help\" lists them")),
+        _ => return Err(format!("there is no command \"{line}\"; \"robovac virtual-roomba --help\" lists them")),
     })
 }
 

@@ -1,5 +1,4 @@
-//! `--log`: what arrived and what the wheels did, with two times: seconds since ready, and the clock's in milliseconds since
-//! 1970, which other programs on the machine have as well.
+//! `--log`: received commands and wheel changes, each with seconds since ready and Unix time in milliseconds.
 
 use crate::failure::Failure;
 use robovac_link::emulator::Heard;

@@ -1,4 +1,4 @@
-//! Where a virtual Roomba drives: a room of the user's, or a bare one with something ahead.
+//! The virtual Roomba's room: the user's, or a bare one with a wall or drop-off ahead.
 
 use crate::{failure::Failure, source::load_with_image};
 use robovac_core::{
@@ -26,13 +26,13 @@ pub struct FloorArguments {
     /// Map file: text of # and ., PNG, PGM, ROS map or scenario [default: a bare room with 5 m of floor ahead]
     #[arg(long, value_name = "FILE", conflicts_with = "room")]
     map: Option<PathBuf>,
-    /// Room that ships, see "robovac rooms"
+    /// Built-in room, see "robovac rooms"
     #[arg(long, value_name = "ID")]
     room: Option<String>,
-    /// Put a wall across the bare room, so many metres ahead of the robot's middle
+    /// Put a wall across the bare room, this many metres ahead of the robot's centre
     #[arg(long, value_name = "M", value_parser = parse_distance, conflicts_with_all = ["map", "room", "cliff_at"])]
     wall_at: Option<f64>,
-    /// Let the floor of the bare room end so many metres ahead of the robot's middle
+    /// End the floor of the bare room this many metres ahead of the robot's centre
     #[arg(long, value_name = "M", value_parser = parse_distance, conflicts_with_all = ["map", "room"])]
     cliff_at: Option<f64>,
 }
@@ -69,5 +69,5 @@ impl FloorArguments {
 
 fn parse_distance(text: &str) -> Result<f64, String> {
     let metres = text.parse().ok().filter(|metres| (0.25..=20.0).contains(metres));
-    metres.ok_or_else(|| "give metres from 0.25 to 20: the robot reaches 0.17 m ahead of its middle".to_owned())
+    metres.ok_or_else(|| "use 0.25 to 20 metres: the robot itself extends 0.17 m ahead of its centre".to_owned())
 }

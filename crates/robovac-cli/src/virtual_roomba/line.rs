@@ -1,4 +1,4 @@
-//! Where a virtual Roomba's bytes come from and go to.
+//! The virtual Roomba's serial line.
 
 use crate::failure::Failure;
 use std::{

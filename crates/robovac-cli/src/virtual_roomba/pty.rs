@@ -1,4 +1,4 @@
-//! A pseudo-terminal with a link to it: for other programs a serial port like any other.
+//! A pseudo-terminal with a symbolic link to it, which other programs open as a serial port.
 //!
 //! It is raw before the link appears: no byte is echoed, translated or held back until a line is complete. This side keeps the
 //! terminal open, so that programs may come and go. Its rate is the one that a program sets, and a rate that isn't the
@@ -79,7 +79,7 @@ impl Ends {
 /// Makes the link in one go. One that is left from before is replaced; anything else is in the way.
 fn place(path: &Path, link: &Path) -> Result<(), Error> {
     if fs::symlink_metadata(link).is_ok_and(|found| !found.is_symlink()) {
-        return Err(Error::new(ErrorKind::AlreadyExists, "there is something that is no link"));
+        return Err(Error::new(ErrorKind::AlreadyExists, "the path exists and isn't a symbolic link"));
     }
     let mut name = link.file_name().unwrap_or_default().to_owned();
     name.push(format!(".{}", process::id()));

@@ -1,4 +1,4 @@
-//! A TCP port that carries the bare bytes, as bridges on a robot do. One client at a time; the next one waits.
+//! A TCP port that carries raw bytes, as serial bridges do. One client at a time; the next one waits.
 
 use super::line::{Line, keep_latest};
 use crate::failure::Failure;

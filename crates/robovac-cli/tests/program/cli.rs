@@ -194,7 +194,7 @@ fn run_is_told_as_a_table_and_a_summary() {
     let base = ["simulate", "--room", "thesis8", "--planner", "snake", "--robot", "cell"];
     let table = text(&[&base[..], &["--sample", "20"]].concat());
     assert!(table.contains("\n    0.00 s ") && table.contains("\n   20.01 s "), "{table}");
-    assert!(table.contains("came to the end of the walk, digest "), "{table}");
+    assert!(table.contains("reached the end of the walk, digest "), "{table}");
     let stopped = text(&[&base[..], &["--max-time", "5"]].concat());
     assert!(stopped.contains("\n    5.0") && stopped.contains("stopped by --max-time"), "{stopped}");
 }
@@ -222,7 +222,7 @@ fn behaviour_is_run_for_as_long_as_one_says() {
     assert!(told.contains("\n 1800.0"), "half an hour for those that never end: {told}");
     let base = ["simulate", "--room", "empty", "--behaviour", "bounce", "--sample", "1e5"];
     let told = text(&[&base[..], &["--max-time", "1e5"]].concat());
-    assert!(told.contains("ended by an empty battery"), "it never ends by itself: {told}");
+    assert!(told.contains("stopped by an empty battery"), "it never ends by itself: {told}");
 }
 
 #[test]
@@ -306,7 +306,7 @@ fn bench_names_its_cases_and_their_times() {
         assert!(result["times_real_time"].as_f64().is_some_and(|times| times > 1.0), "{result}");
     }
     let (code, message) = failure(&["bench", "--only", "flying"]);
-    assert!(code == 2 && message.contains("no case has that in its name"), "{code} {message}");
+    assert!(code == 2 && message.contains("no case name contains this"), "{code} {message}");
     let (code, message) = failure(&["bench", "--runs", "3"]);
     assert!(code == 2 && message.contains("unexpected argument '--runs'"), "{code} {message}");
 }
@@ -331,7 +331,7 @@ fn convert_makes_a_room_of_a_drawing() {
         assert!(said.contains(message), "{said}");
     }
     let (code, said) = failure(&["plan", "--planner", "boustrophedon", "--map", &drawing]);
-    assert!(code == 3 && said.contains("is a DXF drawing, of which a room has to be made first"), "{said}");
+    assert!(code == 3 && said.contains("is a DXF drawing, from which a room must be traced first"), "{said}");
 }
 
 #[test]
@@ -385,7 +385,7 @@ fn failures_have_a_code_and_say_what_to_do() {
         (
             &["convert", "--room", "flat", "--out", "flat.pdf"],
             2,
-            "flat.pdf: no format has this ending; use one of .txt, .json, .pgm, .png, .dxf, .svg",
+            "flat.pdf: unknown file extension; use one of .txt, .json, .pgm, .png, .dxf, .svg",
         ),
         (&["convert", "--room", "attic", "--out", &out], 2, "there is no room \"attic\"; \"robovac rooms\" lists them"),
         (&["convert", "--out", &out], 2, "--map <FILE>|--room <ID>"),

@@ -1,7 +1,6 @@
-//! What there is for a robot to find: the faces of walls and furniture that its sensors can meet, and how many of them they
-//! have met.
+//! The detectable boundary: faces of walls and furniture within reach of the sensors, and how many have been detected.
 //!
-//! Like coverage this is measured against the truth, whatever the robot believes: how fast a way of exploring meets what
+//! Like coverage this is measured against the truth, not the robot's estimate: how fast a way of exploring meets what
 //! there is to be mapped, apart from how well the map then is.
 
 use super::{ReachableFloor, Walls};

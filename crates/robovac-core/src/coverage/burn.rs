@@ -1,4 +1,4 @@
-//! Furniture as walls, for formats that know nothing but cells.
+//! Furniture turned into walls, for formats with cells only.
 
 use super::obstacles;
 use crate::{

@@ -1,10 +1,10 @@
-//! Why a robot can't be put into a room.
+//! Errors when placing a robot in a room.
 
-/// Why a robot can't be put into a room.
+/// Errors when placing a robot in a room.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum FloorError {
     /// No cell of the map is free.
-    #[error("the map has no free cell; it needs floor to clean (in images, light pixels are free)")]
+    #[error("the map has no free floor to clean; add some (in images, light pixels are free)")]
     NoFreeCell,
     /// The robot doesn't fit anywhere.
     #[error(
@@ -15,7 +15,7 @@ pub enum FloorError {
         diameter: f64,
     },
     /// Planning cells are finer than what the map tells apart.
-    #[error("planning cells of {cell_size} m are too small for this map; choose a side of at least {least} m")]
+    #[error("planning cells of {cell_size} m are too small for this map; choose at least {least} m")]
     CellTooSmall {
         /// Side asked for, m.
         cell_size: f64,

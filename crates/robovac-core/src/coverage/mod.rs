@@ -1,4 +1,4 @@
-//! What "covered" means, once for everybody: planners, controllers, simulator and tables.
+//! One definition of coverage for planners, controllers, simulator and tables.
 //!
 //! A robot of radius `r` can stand wherever no obstacle is nearer to its centre than `r`. The **reachable floor** is
 //! what its tool (a disc as wide as the strip it cleans) can sweep from all standing places that a path connects with

@@ -1,4 +1,4 @@
-//! Rays: what a beam that leaves a robot meets first.
+//! Ray casting: the first obstacle on a beam.
 
 use super::Walls;
 use crate::{

@@ -1,4 +1,4 @@
-//! What stands in a room off its grid: the shapes of objects, and an index to find those nearby.
+//! Shapes of objects in a room, with a spatial index.
 
 use super::Walls;
 use crate::{

@@ -1,4 +1,4 @@
-//! Which floor has been swept, and how often.
+//! Tracks which floor has been swept, and how often.
 
 use super::{ReachableFloor, stamp::Stamp};
 use crate::{geometry::Point, grid::Grid};

@@ -1,4 +1,4 @@
-//! Cells to be set by what lies over their centres.
+//! Rasterisation: sets cells by what covers their centres.
 
 use super::{bits::Bits, sum::Sum};
 use crate::math;

@@ -1,4 +1,4 @@
-//! What stands in the way, numbered.
+//! Numbered obstacles.
 
 use crate::grid::{Cell, Grid};
 

@@ -1,4 +1,4 @@
-//! What a body looks like from above.
+//! The outline of a body from above.
 
 use super::CspaceError;
 use crate::{
@@ -76,23 +76,21 @@ impl Outline {
             Self::Circle { radius } => {
                 if !(0.5 * least..=0.5 * most).contains(radius) {
                     let (low, high) = (0.5 * least, 0.5 * most);
-                    return refuse(format!("a robot's radius can't be {radius} m; choose {low} to {high} m"));
+                    return refuse(format!("the robot's radius can't be {radius} m; choose {low} to {high} m"));
                 }
             }
             Self::Polygon(corners) => {
                 let count = corners.len();
                 if !(3..=MAX_OUTLINE_CORNERS).contains(&count) {
-                    return refuse(format!(
-                        "an outline of {count} corners can't be used; draw 3 to {MAX_OUTLINE_CORNERS}"
-                    ));
+                    return refuse(format!("an outline can't have {count} corners; use 3 to {MAX_OUTLINE_CORNERS}"));
                 }
                 if let Some(at) = corners.iter().position(|p| !(p.x.is_finite() && p.y.is_finite())) {
-                    return refuse(format!("corner {} of the outline isn't a number; set it anew", at + 1));
+                    return refuse(format!("corner {} of the outline isn't a number; set it again", at + 1));
                 }
                 let (low, high) = bounds(corners);
                 for (extent, name) in [(high.x - low.x, "long"), (high.y - low.y, "wide")] {
                     if !(least..=most).contains(&extent) {
-                        return refuse(format!("the outline is {extent:.3} m {name}; it takes {least} to {most} m"));
+                        return refuse(format!("the outline is {extent:.3} m {name}; use {least} to {most} m"));
                     }
                 }
                 if let Some((first, second)) = crossing(corners) {
@@ -100,10 +98,12 @@ impl Outline {
                     return refuse(format!("sides {first} and {second} of the outline cross; move a corner of either"));
                 }
                 if signed_area(corners) < LEAST_AREA {
-                    return refuse("the outline encloses nothing; draw it wider".to_owned());
+                    return refuse("the outline encloses no area; make it wider".to_owned());
                 }
                 if !contains(corners, Point::origin()) {
-                    return refuse("the outline doesn't hold the robot's origin (0, 0); move it there".to_owned());
+                    return refuse(
+                        "the robot's origin (0, 0) is outside the outline; move the outline over it".to_owned(),
+                    );
                 }
             }
         }

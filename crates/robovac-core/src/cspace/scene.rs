@@ -1,4 +1,4 @@
-//! What a body can't go through, and the sums of it with the outline.
+//! Obstacles and their Minkowski sums with the outline.
 
 use super::{
     Outline,

@@ -1,4 +1,4 @@
-//! What can't be in a room: asked of files that come in and of every change on the canvas.
+//! Validation of rooms: for imported files and for every edit on the canvas.
 
 use super::{
     FloorPlan, Object,
@@ -23,7 +23,7 @@ const BORDER: f64 = 1e-6;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Fault {
     /// A number is out of range.
-    #[error("{value} is out of range; write {unit} from {low} to {high}")]
+    #[error("{value} is out of range; use {unit} from {low} to {high}")]
     Range {
         /// The number found.
         value: f64,
@@ -35,7 +35,7 @@ pub enum Fault {
         unit: &'static str,
     },
     /// More of something than is taken.
-    #[error("there are {found} {what}, at most {most} are taken; leave some out")]
+    #[error("there are {found} {what}, but at most {most} are allowed; remove some")]
     TooMany {
         /// Their number.
         found: usize,
@@ -45,7 +45,7 @@ pub enum Fault {
         what: &'static str,
     },
     /// Fewer corners or points than it takes.
-    #[error("there are {found} {what}, it takes at least {least}; add the missing ones")]
+    #[error("there are {found} {what}, but at least {least} are needed; add the missing ones")]
     TooFew {
         /// Their number.
         found: usize,
@@ -56,8 +56,8 @@ pub enum Fault {
     },
     /// An outline crosses or touches itself.
     #[error(
-        "the outline crosses itself, its edge from corner {first} meets the one from corner {second}; \
-         list the corners in the order in which one walks round"
+        "the outline crosses itself: the edge from corner {first} meets the one from corner {second}; list the corners \
+         in order around the outline"
     )]
     Crossing {
         /// Corner at which one edge begins, counted from 0.
@@ -97,9 +97,7 @@ pub enum Fault {
         place: &'static str,
     },
     /// Something that looks into the room stands where there is none.
-    #[error(
-        "the {what} at ({x:.3} m, {y:.3} m) looks into {place}; put its back to a wall and let it look into the room"
-    )]
+    #[error("the {what} at ({x:.3} m, {y:.3} m) faces {place}; put its back to a wall so that it faces the room")]
     NothingBefore {
         /// What stands there.
         what: &'static str,
@@ -110,8 +108,8 @@ pub enum Fault {
         /// What is there instead of floor.
         place: &'static str,
     },
-    /// Somebody's path leads through a wall.
-    #[error("the path leads through a wall at ({x:.2} m, {y:.2} m); lead it round by more points")]
+    /// A mover's path crosses a wall.
+    #[error("the path crosses a wall at ({x:.2} m, {y:.2} m); add points to lead it around")]
     PathInWall {
         /// Where, m.
         x: f64,

@@ -1,4 +1,4 @@
-//! What can be wrong with a map file, said so that its owner can mend it.
+//! Errors in map files, with a hint how to fix each.
 
 use super::{Fault, MAX_RESOLUTION, MAX_SIDE, MIN_RESOLUTION, Place, SCENARIO_VERSION};
 
@@ -16,8 +16,8 @@ pub enum MapError {
     },
     /// A file is of a kind that isn't read.
     #[error(
-        "\"{name}\" is {kind}, which is not a map that can be read; \
-         use a PNG or PGM image, a ROS map (YAML and its image), a text map of # and . or a scenario"
+        "\"{name}\" is {kind}, not a supported map; use a PNG or PGM image, a ROS map (YAML and its image), a text map \
+         of # and . or a scenario"
     )]
     NotAMap {
         /// The file.
@@ -27,8 +27,8 @@ pub enum MapError {
     },
     /// The map has too many rows or columns.
     #[error(
-        "\"{name}\" is {width} x {height} cells large, at most {MAX_SIDE} x {MAX_SIDE} are taken in; \
-         crop it or save it at a coarser resolution"
+        "\"{name}\" has {width} x {height} cells, but the limit is {MAX_SIDE} x {MAX_SIDE}; crop it or save it at a \
+         coarser resolution"
     )]
     TooLarge {
         /// The file.
@@ -56,8 +56,8 @@ pub enum MapError {
     },
     /// A text map contains a character without a meaning.
     #[error(
-        "\"{name}\", line {line}, column {column}: '{found}' means nothing in a text map; \
-         use # for walls, . for floor, ? for unknown and one S for the start"
+        "\"{name}\", line {line}, column {column}: '{found}' is not allowed in a text map; use # for walls, . for \
+         floor, ? for unknown and one S for the start"
     )]
     BadCharacter {
         /// The file.
@@ -71,7 +71,8 @@ pub enum MapError {
     },
     /// Rows of a text map differ in length.
     #[error(
-        "\"{name}\", line {line}: this row has {found} cells, the rows above have {expected}; make all rows equally long"
+        "\"{name}\", line {line}: this row has {found} cells, but the rows above have {expected}; make all rows \
+         equally long"
     )]
     UnequalRows {
         /// The file.
@@ -94,7 +95,7 @@ pub enum MapError {
         first: usize,
     },
     /// A value is out of range or of the wrong kind.
-    #[error("\"{name}\", {place}: {key} can't be \"{value}\"; it takes {expected}")]
+    #[error("\"{name}\", {place}: {key} can't be \"{value}\"; use {expected}")]
     BadValue {
         /// The file.
         name: String,
@@ -118,7 +119,7 @@ pub enum MapError {
         example: &'static str,
     },
     /// YAML or JSON is malformed.
-    #[error("\"{name}\", line {line}, column {column}: {cause}; mend that line or export the file again")]
+    #[error("\"{name}\", line {line}, column {column}: {cause}; fix that line or export the file again")]
     Syntax {
         /// The file.
         name: String,
@@ -130,7 +131,7 @@ pub enum MapError {
         cause: String,
     },
     /// A ROS map came without its image.
-    #[error("\"{name}\" only describes a map, its cells are in \"{image}\"; choose both files together")]
+    #[error("\"{name}\" only describes a map; its cells are in \"{image}\"; choose both files together")]
     ImageMissing {
         /// The YAML file.
         name: String,
@@ -169,15 +170,14 @@ pub enum MapError {
     },
     /// JSON, but something else than a scenario.
     #[error(
-        "\"{name}\" is JSON but not a scenario, which begins with \"format\": \"robovac-scenario\"; \
-         choose a file that was saved here"
+        "\"{name}\" is JSON but not a scenario (no \"format\": \"robovac-scenario\"); choose a file that was saved here"
     )]
     NotAScenario {
         /// The file.
         name: String,
     },
     /// JSON that isn't what a scenario is made of.
-    #[error("\"{name}\", {place}: {cause}; mend that line or export the file again")]
+    #[error("\"{name}\", {place}: {cause}; fix that line or export the file again")]
     BadJson {
         /// The file.
         name: String,
@@ -203,7 +203,7 @@ pub enum MapError {
 pub enum Flaw {
     /// A scenario of another program.
     #[error(
-        "this is a scenario of version {found}, this program reads 1 and {known}; reload the page or update the program"
+        "this scenario has version {found}, but this program reads 1 and {known}; reload the page or update the program"
     )]
     Version {
         /// Its version.
@@ -212,13 +212,13 @@ pub enum Flaw {
         known: u64,
     },
     /// A key that an older version doesn't have.
-    #[error("version 1 has no such key; write \"version\": {SCENARIO_VERSION}, or take it out")]
+    #[error("version 1 has no such key; write \"version\": {SCENARIO_VERSION}, or remove the key")]
     KeyOfLaterVersion,
     /// Both a planner and a behaviour.
-    #[error("a robot either follows a planner or behaves; take out \"planner\" or \"behaviour\"")]
+    #[error("a robot follows either a planner or a behaviour; remove \"planner\" or \"behaviour\"")]
     TwoAlgorithms,
     /// Rows don't match the size.
-    #[error("found {found} where \"{key}\" is {expected}; correct \"{key}\" or the rows")]
+    #[error("found {found}, but \"{key}\" is {expected}; correct \"{key}\" or the rows")]
     WrongSize {
         /// The size that isn't kept.
         key: &'static str,
@@ -228,9 +228,7 @@ pub enum Flaw {
         expected: usize,
     },
     /// The map has too many rows or columns.
-    #[error(
-        "{found} cells are too many, at most {MAX_SIDE} are taken; crop the room or save it at a coarser resolution"
-    )]
+    #[error("{found} cells are too many, the limit is {MAX_SIDE}; crop the room or save it at a coarser resolution")]
     TooLarge {
         /// Rows or columns.
         found: usize,

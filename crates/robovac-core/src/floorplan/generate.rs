@@ -1,4 +1,4 @@
-//! Rooms made up by a seed, for tests and measurements.
+//! Random rooms from a seed, for tests and benchmarks.
 
 use crate::{
     grid::{Cell, Grid, reachable},

@@ -1,4 +1,4 @@
-//! How a scenario's JSON is laid out: a line for each key, for each row of the map and for each object.
+//! Formats a scenario's JSON: one line per key, map row and object.
 
 use serde_json::ser::Formatter;
 use std::io::{Result, Write};

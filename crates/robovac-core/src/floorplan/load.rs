@@ -1,4 +1,5 @@
-//! Files in, floor plan out. What a file is, its content says; names are used for messages and to find images.
+//! Loads a floor plan from files. The format is detected from the content; names are used for messages and to find
+//! images.
 
 use super::{
     DEFAULT_IMAGE_RESOLUTION, FloorPlan, MapError, Scenario, Shading, ascii, raster, stem,
@@ -19,7 +20,7 @@ pub struct SourceFile {
 /// More text than a ROS map's description ever has; what is longer isn't one.
 const MAX_YAML_BYTES: usize = 1 << 16;
 
-/// First bytes of files that people try, with what to call them.
+/// First bytes of common file types, with their names.
 const OTHERS: &[(&[u8], &str)] = &[
     (b"\xff\xd8\xff", "a JPEG image"),
     (b"GIF8", "a GIF image"),
@@ -102,14 +103,14 @@ fn recognise(file: &SourceFile) -> Result<Content, MapError> {
     if let Some(&(_, kind)) = OTHERS.iter().find(|(magic, _)| bytes.starts_with(magic)) {
         return Err(not_a_map(kind));
     }
-    let text = std::str::from_utf8(bytes).map_err(|_| not_a_map("a file of unknown kind"))?;
+    let text = std::str::from_utf8(bytes).map_err(|_| not_a_map("a file of an unknown format"))?;
     if ascii::is_ascii(text) {
         return Ok(Content::Plan(Box::new(ascii::read(name, text)?.checked(name)?)));
     }
     if text.len() <= MAX_YAML_BYTES && yaml::is_yaml(text) {
         return Ok(Content::Yaml(MapYaml::read(name, text)?));
     }
-    Err(not_a_map("text of unknown kind"))
+    Err(not_a_map("text of an unknown format"))
 }
 
 fn bare_image(file: &SourceFile, format: ImageFormat, shading: &Shading) -> Result<FloorPlan, MapError> {

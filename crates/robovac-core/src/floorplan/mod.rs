@@ -1,4 +1,4 @@
-//! Floor plans: what the world looks like before a robot drives in it.
+//! Floor plans: walls, objects and start, before a robot drives.
 //!
 //! [`ROOMS`] ship with the program, [`load`] takes files in, [`to_ascii`], [`to_ros_map`] and [`Scenario`] write them.
 

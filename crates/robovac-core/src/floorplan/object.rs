@@ -1,4 +1,4 @@
-//! What stands, lies and moves in a room beside its walls.
+//! Objects in a room: furniture, carpets, docks, movers.
 
 use crate::geometry::{Point, Pose};
 use serde::{Deserialize, Serialize};
@@ -47,7 +47,7 @@ pub enum Object {
         /// Length of the beam, m.
         length: f64,
     },
-    /// Somebody who walks to and fro along a line.
+    /// A person or pet that walks back and forth along a line.
     Mover {
         /// Who.
         who: Who,
@@ -100,7 +100,7 @@ impl Object {
         }
     }
 
-    /// What people call it.
+    /// Its name for users.
     pub fn name(&self) -> &'static str {
         match self {
             Self::Furniture { .. } => "furniture",

@@ -1,4 +1,4 @@
-//! Where in a scenario's JSON something is.
+//! Position of a value in a scenario's JSON.
 
 use serde::de::{DeserializeSeed, Deserializer, Error, IgnoredAny, MapAccess, SeqAccess, Visitor};
 use std::fmt;

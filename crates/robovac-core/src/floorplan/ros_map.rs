@@ -35,7 +35,7 @@ pub struct RosMap {
 #[derive(Debug, thiserror::Error)]
 pub enum RosMapError {
     /// A PGM has no opacity, and that is how the mode says unknown.
-    #[error("in scale mode, unknown cells are transparent, which a PGM can't be; choose PNG, or trinary mode")]
+    #[error("in scale mode unknown cells are transparent, which PGM doesn't support; choose PNG or trinary mode")]
     NoOpacity,
     /// The image can't be written.
     #[error("the image can't be written: {0}")]

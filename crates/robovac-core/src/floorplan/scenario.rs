@@ -1,4 +1,4 @@
-//! Scenario files: a room, what stands and moves in it, where the robot starts, and what is to be run there.
+//! Scenario files: a room, its objects, the robot's start, and the algorithm to run.
 //!
 //! JSON with the map as `#.?` rows, the top row first, so that a scenario can be read and changed by hand. The schema in
 //! `docs/scenario.schema.json` says what may be in it. Version 2 came with objects, behaviours, noise and slip.
@@ -100,7 +100,7 @@ struct Head {
     odometry: Option<IgnoredAny>,
 }
 
-/// A pose with its heading in degrees, for people who edit files.
+/// A pose with its heading in degrees, for hand-edited files.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, expecting = "an object with x and y")]
 pub struct ScenarioPose {

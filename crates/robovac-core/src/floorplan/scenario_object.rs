@@ -1,4 +1,4 @@
-//! Objects as scenario files write them: the kind, then what there is to say about it.
+//! Objects in scenario files: the kind, then its properties.
 
 use super::{Object, ScenarioPose, Who};
 use crate::geometry::{Point, Pose};

@@ -1,4 +1,4 @@
-//! The YAML file of a ROS map: which image, how large, what its shades mean.
+//! The YAML file of a ROS map: image, resolution, thresholds.
 
 use super::{MapError, Mode, Shading, error::checked_resolution};
 use crate::geometry::Pose;
@@ -160,12 +160,12 @@ fn entries(name: &str, text: &str) -> Result<BTreeMap<String, Entry>, MapError> 
         } else if let Some(item) = item {
             item.trim().to_owned()
         } else if content.starts_with([' ', '\t']) {
-            return Err(wrong("indented lines that aren't a list don't belong into the description of a map"));
+            return Err(wrong("a map description can't have indented lines outside a list"));
         } else {
             let (key, value) = content.split_once(':').ok_or_else(|| wrong("expected a line \"key: value\""))?;
             let key = unquoted(key.trim()).to_owned();
             if entries.insert(key.clone(), Entry { line, values: Vec::new() }).is_some() {
-                return Err(wrong("this key was given before"));
+                return Err(wrong("duplicate key"));
             }
             last_key = Some(key);
             value.trim().to_owned()
@@ -243,7 +243,7 @@ mod tests {
             ("image: a\n\n  x: 1", 3, "indented"),
             ("- 1", 1, "before this list"),
             ("image: a\norigin: [1, 2", 2, "isn't closed"),
-            ("image: a\nimage: b", 2, "given before"),
+            ("image: a\nimage: b", 2, "duplicate key"),
         ] {
             let error = entries("map.yaml", text).err().unwrap();
             let MapError::Syntax { line: at, cause: why, .. } = &error else { panic!("{error}") };

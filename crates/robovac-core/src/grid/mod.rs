@@ -1,4 +1,4 @@
-//! Rectangular grids, row 0 at the bottom, and what is computed on them.
+//! Rectangular grids, row 0 at the bottom, and algorithms on them.
 
 mod cell;
 mod chessboard;

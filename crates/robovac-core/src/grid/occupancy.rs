@@ -1,4 +1,4 @@
-//! What a map says of a cell.
+//! Occupancy of a cell.
 
 /// State of a map cell, with the values of a ROS `OccupancyGrid`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

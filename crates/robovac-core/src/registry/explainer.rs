@@ -1,4 +1,4 @@
-//! What an algorithm is explained by.
+//! Explanation of an algorithm.
 
 /// What the page says of an algorithm to someone who doesn't know it.
 #[derive(Debug, Clone, Copy)]

@@ -1,4 +1,4 @@
-//! What planners and behaviours have in common: parameters that are described once, and explanations.
+//! Shared by planners and behaviours: parameter specifications and explanations.
 
 mod explainer;
 mod params;

@@ -1,4 +1,4 @@
-//! Parameters of planners and controllers: described once, then checked, shown and saved by everybody.
+//! Parameters of planners and controllers: one specification to check, display and save them.
 
 use serde::{Deserialize, Serialize};
 use std::{collections::BTreeMap, fmt};
@@ -78,7 +78,7 @@ pub enum ParamError {
         known: String,
     },
     /// The value is not of the parameter's kind or range.
-    #[error("parameter \"{id}\" can't be \"{value}\"; it takes {expected}")]
+    #[error("parameter \"{id}\" can't be \"{value}\"; use {expected}")]
     Invalid {
         /// Name of the parameter.
         id: &'static str,

@@ -1,4 +1,4 @@
-//! What a robot's body is shaped like, and where its sensors and brushes sit. SI units in the robot's frame: x ahead, y to
+//! Shape of a robot's body, with the positions of sensors and brushes. SI units in the robot's frame: x ahead, y to
 //! the left, angles counter-clockwise from straight ahead; the origin is the middle between the driven wheels.
 
 /// Outline of a body.

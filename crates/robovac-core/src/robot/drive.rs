@@ -1,4 +1,4 @@
-//! What a robot can be told.
+//! Drive commands of a robot.
 
 use serde::{Deserialize, Serialize};
 

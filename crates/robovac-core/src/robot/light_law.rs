@@ -1,9 +1,9 @@
-//! How much of a light bumper's light comes back from how far.
+//! Light bumper signal as a function of distance.
 //!
 //! How the signal falls with distance is a Create 3's, whose sensors have the same range of values: the means of its
 //! seven sensors at a white baseboard were 3545, 2961, 1291, 359, 93, 38 and 25 at 15, 25, 50, 110, 200, 300 and 400 mm
 //! from the bumper (github.com/slowrunner, Create3-WaLI, `create3_ir_dist.py`). The law `A / (d + d0)²` with A = 5.8 and
-//! d0 = 17 mm, bent over towards 4095, meets the first four within 15 %; beyond, the signal fades out at the model's
+//! d0 = 17 mm, saturating towards 4095, meets the first four within 15 %; beyond, the signal fades out at the model's
 //! range, which is a figure of the model.
 
 /// A and d0 of the law, m² and m.

@@ -1,4 +1,4 @@
-//! Robots: their geometry and limits, what they sense, what they can be told, and odometry from encoder counts.
+//! Robots: geometry, limits, sensors, drive commands, and odometry from encoder counts.
 
 mod body;
 mod drive;

@@ -1,4 +1,4 @@
-//! What is known of a robot: geometry, limits, sensors and power.
+//! A robot model: geometry, limits, sensors and power.
 
 use super::body::{Battery, Body, SensorSuite, SideBrush, Wheels};
 
@@ -9,7 +9,7 @@ pub struct RobotModel {
     pub id: &'static str,
     /// Name in menus.
     pub title: &'static str,
-    /// One sentence for people who choose.
+    /// One sentence for the menu.
     pub summary: &'static str,
     /// Outline of the body.
     pub body: Body,

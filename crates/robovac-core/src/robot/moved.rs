@@ -1,4 +1,4 @@
-//! The packets that tell distance and angle.
+//! The distance and angle packets.
 
 use super::{RobotModel, Sensors};
 use crate::math::PI;

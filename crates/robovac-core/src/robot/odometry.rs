@@ -1,4 +1,4 @@
-//! Pose estimate from encoder counts, or from the packets that tell distance and angle (004, section 4.2).
+//! Pose estimate from encoder counts, or from distance and angle packets (004, section 4.2).
 
 use super::{RobotModel, Sensors};
 use crate::{

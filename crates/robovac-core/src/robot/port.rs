@@ -1,4 +1,4 @@
-//! What a controller drives, whatever is behind it.
+//! The port between a controller and a robot, simulated or real.
 
 use super::{Drive, Sensors};
 

@@ -1,4 +1,4 @@
-//! What a controller gets to know: exactly what the Open Interface reports, in the same units.
+//! Sensor readings for a controller: exactly what the Open Interface reports, in the same units.
 
 use super::Moved;
 use std::sync::Arc;

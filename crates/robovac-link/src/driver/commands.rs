@@ -1,4 +1,4 @@
-//! What the robot is told.
+//! Commands sent to the robot.
 
 use super::{Driver, Finding, Happening, Phase, STOP, Step, happened, telling::subscriptions};
 use robovac_core::robot::Drive;

@@ -1,4 +1,4 @@
-//! Finding out who is on the other end of the line, step by step.
+//! Connecting: identifies the device on the line, step by step.
 
 use super::{Driver, Finding, LineRequest, Phase, Step};
 use roomba_oi::{Command, Mode};
@@ -70,7 +70,7 @@ impl Driver {
                 }
                 if passed >= AWAKE_S {
                     let finding = self.listen();
-                    self.diagnosis.note(format!("Pulled the wake-up wire (BRC) low for a second: {finding}."));
+                    self.diagnosis.note(format!("Held the wake-up wire (BRC) low for a second: {finding}."));
                     self.ask(now);
                 }
             }
@@ -86,7 +86,7 @@ impl Driver {
                         self.subscribe(now);
                     } else {
                         self.diagnosis.finding = Finding::NoStream;
-                        self.diagnosis.note("It doesn't send its sensors.".to_owned());
+                        self.diagnosis.note("It doesn't send sensor data.".to_owned());
                         self.wait(now);
                     }
                 }
@@ -155,7 +155,7 @@ impl Driver {
         };
         self.mode_offset = offset;
         self.aim(Mode::Passive, now);
-        let odd = if offset == 1 { " Its mode byte is one too high, as on some of the 600 series." } else { "" };
+        let odd = if offset == 1 { " Its mode byte is one too high, as on some robots of the 600 series." } else { "" };
         self.diagnosis.note(format!("Started it at {} baud: it answers.{odd}", self.baud));
         self.phase = Phase::Diagnosing;
         self.parser.clear();

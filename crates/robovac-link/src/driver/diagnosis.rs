@@ -1,4 +1,4 @@
-//! What is found out about who is on the other end of a line, and what to do about it.
+//! Diagnosis of the device on the line, with advice.
 
 use std::fmt;
 
@@ -72,15 +72,15 @@ impl Finding {
         match self {
             Self::Nothing => "Listening to the line.",
             Self::Silence => {
-                "Nothing answers. The robot is asleep or switched off, the cable doesn't reach it, or it is another model."
+                "No answer. The robot is asleep or switched off, the cable isn't connected, or it is another model."
             }
-            Self::Stream => "Somebody else has asked this robot for its sensors.",
+            Self::Stream => "Another program already streams this robot's sensors.",
             Self::Charging => "The robot is charging: it writes its charging log.",
             Self::Booting => "The robot is starting up.",
-            Self::Bootloader => "The robot sits in its bootloader and doesn't start.",
-            Self::Garbage => "Bytes come, but make no sense: the speed of the line is wrong, or it isn't a Roomba.",
-            Self::Text => "The robot, or something else, writes text, but doesn't answer.",
-            Self::NoStream => "A robot answers, but doesn't send its sensors.",
+            Self::Bootloader => "The robot is stuck in its bootloader.",
+            Self::Garbage => "The received bytes make no sense: the baud rate is wrong, or it isn't a Roomba.",
+            Self::Text => "Text is received, but there is no answer.",
+            Self::NoStream => "A robot answers, but doesn't send sensor data.",
             Self::Robot => "A robot answers.",
         }
     }
@@ -90,22 +90,22 @@ impl Finding {
         match self {
             Self::Nothing | Self::Robot | Self::Stream => "",
             Self::Silence => {
-                "Press CLEAN once on the robot: that wakes it, and this page goes on by itself. If it begins to clean, press \
-                 again. Still nothing? Check that the plug is in all the way and the battery is in."
+                "Press CLEAN once on the robot to wake it; this page then continues automatically. If it starts \
+                 cleaning, press again. Still no answer? Check that the plug is fully inserted and the battery is in."
             }
             Self::Charging => {
-                "Wait a moment. If nothing follows, take the robot off its dock and press CLEAN once: some fall silent while \
-                 they charge."
+                "Wait a moment. If nothing happens, take the robot off its dock and press CLEAN once: some robots fall \
+                 silent while charging."
             }
             Self::Booting => "Wait five seconds.",
-            Self::Bootloader => "Take its battery out for ten seconds, put it back, and press CLEAN.",
+            Self::Bootloader => "Remove its battery for ten seconds, put it back, and press CLEAN.",
             Self::Garbage => {
-                "Check that this is the robot's port and that no other program uses it. To put the robot back to its usual \
-                 speed, take its battery out for a moment."
+                "Check that this is the robot's port and that no other program uses it. To reset the robot's baud \
+                 rate, remove its battery for a moment."
             }
             Self::Text => "Press CLEAN once on the robot. If nothing changes, check that this is the robot's port.",
             Self::NoStream => {
-                "It may be a Create 1 or a Roomba 400, which speak an older language that this page doesn't. Otherwise, \
+                "It may be a Create 1 or a Roomba 400, whose older protocol this page doesn't support. Otherwise, \
                  press CLEAN and connect again."
             }
         }
@@ -116,11 +116,11 @@ impl fmt::Display for Finding {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Nothing | Self::Silence => "silence",
-            Self::Stream => "a stream of sensors",
+            Self::Stream => "a sensor stream",
             Self::Charging => "a charging log",
-            Self::Booting => "a robot that boots",
+            Self::Booting => "a booting robot",
             Self::Bootloader => "a bootloader",
-            Self::Garbage => "bytes without sense",
+            Self::Garbage => "unreadable bytes",
             Self::Text => "text",
             Self::NoStream => "an answer, but no stream",
             Self::Robot => "a robot",

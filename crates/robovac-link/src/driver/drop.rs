@@ -1,4 +1,4 @@
-//! Why a robot isn't in the mode any more that it was put in.
+//! Why a robot left its commanded mode.
 
 use roomba_oi::{Mode, Readings};
 use std::fmt;
@@ -42,17 +42,16 @@ impl ModeDrop {
     /// What to do.
     pub fn remedy(&self) -> &'static str {
         match self {
-            _ if self.charger[1] => {
-                "Take it off its dock first: there it goes back to Passive at once, so that it can charge."
-            }
-            _ if self.charger[0] => "Pull the charger out first.",
+            _ if self.charger[1] => "Take it off its dock first: there it returns to Passive at once, to charge.",
+            _ if self.charger[0] => "Unplug the charger first.",
             _ if self.wheel_drop.contains(&true) => {
                 "Put it down with both wheels on the floor, then take control again."
             }
             _ if self.cliff.contains(&true) => "Move it away from the edge, then take control again.",
             _ if self.button => "Take control again.",
             _ => {
-                "Take control again. If it happens over and over, another program may speak to the robot, or its battery is low."
+                "Take control again. If this happens repeatedly, another program may be sending commands, or the \
+                 battery is low."
             }
         }
     }
@@ -64,20 +63,20 @@ impl fmt::Display for ModeDrop {
         if self.was_there {
             write!(f, "The robot left {} and stopped: ", self.from)?;
         } else {
-            write!(f, "The robot didn't go to {}: ", self.from)?;
+            write!(f, "The robot didn't switch to {}: ", self.from)?;
         }
         let mut causes = Vec::new();
         if self.wheel_drop == [true; 2] {
-            causes.push("both wheels hang down".to_owned());
+            causes.push("both wheels have dropped".to_owned());
         } else {
             let sides = ["left", "right"].iter().zip(self.wheel_drop).filter(|(_, drops)| *drops);
-            causes.extend(sides.map(|(side, _)| format!("its {side} wheel hangs down")));
+            causes.extend(sides.map(|(side, _)| format!("its {side} wheel has dropped")));
         }
         let names = ["left", "front left", "front right", "right"];
         let cliffs: Vec<_> = names.iter().zip(self.cliff).filter(|(_, sees)| *sees).map(|(name, _)| *name).collect();
         // On a dock all of them look at its black ramp.
         if self.cliff == [true; 4] && !self.charger[1] {
-            causes.push("no floor under any cliff sensor".to_owned());
+            causes.push("no cliff sensor detects floor".to_owned());
         } else if !cliffs.is_empty() && !self.charger[1] {
             causes.push(format!("no floor under the cliff sensor {}", cliffs.join(" and ")));
         }
@@ -88,7 +87,7 @@ impl fmt::Display for ModeDrop {
             causes.push("it stands on its dock".to_owned());
         }
         if causes.is_empty() {
-            causes.push(if self.button { "somebody pressed a button" } else { "it doesn't say why" }.to_owned());
+            causes.push(if self.button { "a button was pressed" } else { "it reports no reason" }.to_owned());
         }
         write!(f, "{}.", causes.join(", "))
     }

@@ -1,4 +1,4 @@
-//! Which frames are believed.
+//! Plausibility filter for frames.
 //!
 //! An 8-bit sum lets one garbled frame in 256 through; flipped bits at the same place of two bytes cancel each other even
 //! more often. So what a frame says must also follow from what the last one said. A frame that doesn't isn't lost for

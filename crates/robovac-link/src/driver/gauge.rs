@@ -1,4 +1,4 @@
-//! How well a line does.
+//! Statistics of the serial link.
 
 use std::collections::VecDeque;
 

@@ -1,4 +1,4 @@
-//! What is on a line that nobody has asked anything on.
+//! Classifies unsolicited data on a line.
 
 use super::Finding;
 use roomba_oi::{Frame, HEADER, Mode, Said};

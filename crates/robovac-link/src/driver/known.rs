@@ -1,4 +1,4 @@
-//! What is known of a robot and of the line to it.
+//! Known properties of a robot and its line.
 
 use super::{Diagnosis, Driver, Gauge, Happening, Phase, Wheels};
 use roomba_oi::{FRAMING, PacketId, Readings, StreamCounts, slot_bytes};
@@ -24,7 +24,7 @@ impl Driver {
         self.is_stalled
     }
 
-    /// What the wheels are told.
+    /// The wheel commands.
     pub fn wheels(&self) -> &Wheels {
         &self.wheels
     }

@@ -1,15 +1,15 @@
-//! The host's side of the line, for a robot that is driven: finds out who is there, keeps it in Safe, hears its sensors, and
-//! makes sure that it stops.
+//! The host's driver for a robot: identifies it, keeps it in Safe mode, reads its sensors, and guarantees that it
+//! stops.
 //!
 //! It has no clock and does no I/O. Whoever has both calls [`Driver::feed`] with what arrives and [`Driver::tick`] every 10 ms
 //! or so, and sends at once what [`Driver::take_line`] and [`Driver::take_tx`] say. Times are in seconds of any one clock.
 //!
 //! # What keeps a robot from moving on
 //!
-//! - Nothing is sent that moves it before somebody has armed it, and arming is Safe unless Full was asked for.
+//! - No motion command is sent before the driver is armed; arming selects Safe unless Full is requested.
 //! - Wheel speeds hold for 200 ms unless they are renewed ([`DEAD_MAN_S`]).
-//! - A robot that has not been heard of for 250 ms, that left its mode, or that reports other speeds than it was told,
-//!   is told to stop, until it says that it has; three times where it can't say so, at 19200 baud.
+//! - A robot that is silent for 250 ms, leaves its mode, or reports speeds other than commanded is sent stop commands
+//!   until it confirms; three times where it can't confirm, at 19200 baud.
 
 mod commands;
 mod connect;
@@ -43,7 +43,7 @@ use std::collections::VecDeque;
 
 /// Nominal time between two frames, s.
 pub const FRAME_S: f64 = 0.015;
-/// After so long without a frame an armed robot is told to stop, s.
+/// After so long without a frame an armed robot is sent a stop command, s.
 const STALL_S: f64 = 0.25;
 /// After so long without a frame the robot counts as lost, s.
 const LOST_S: f64 = 1.0;
@@ -57,7 +57,7 @@ const SETTLE_S: f64 = 0.06;
 const QUIET_S: f64 = 0.03;
 /// Arrival of frames in lumps is evened out over this time, s.
 const LUMP_S: f64 = 0.04;
-/// Happenings that are kept until somebody asks for them.
+/// Happenings that are kept until they are fetched.
 const MOST_HAPPENINGS: usize = 2000;
 
 /// What the transport is to do with the line.
@@ -256,7 +256,7 @@ impl Driver {
                     };
                     let bytes = whole(frame.content());
                     match is_ours.then(|| filter.judge(now, frame)) {
-                        None => Happening::Refused(bytes, "nobody has asked for it".to_owned()),
+                        None => Happening::Refused(bytes, "it was not requested".to_owned()),
                         Some(verdict @ (Verdict::Believed | Verdict::Late)) => {
                             before.clone_from(readings);
                             frame.apply(readings);
@@ -266,10 +266,10 @@ impl Driver {
                         }
                         Some(verdict @ (Verdict::Waits | Verdict::Jumps)) => {
                             telling.hold(frame, verdict == Verdict::Jumps);
-                            Happening::Refused(bytes, "it jumps: the next one will tell whether that is so".to_owned())
+                            Happening::Refused(bytes, "its values jump: waiting for the next one to confirm".to_owned())
                         }
                         Some(Verdict::Impossible) => {
-                            Happening::Refused(bytes, "its checksum is right, but it says what can't be".to_owned())
+                            Happening::Refused(bytes, "its checksum is right, but its values are impossible".to_owned())
                         }
                     }
                 }
@@ -295,11 +295,11 @@ impl Driver {
         self.is_stalled = false;
         if self.diagnosis.step == Step::Subscribing {
             self.diagnosis.finding = Finding::Robot;
-            self.diagnosis.note("Its sensors arrive.".to_owned());
+            self.diagnosis.note("Receiving sensor data.".to_owned());
             self.diagnosis.go(Step::Done, now);
         }
         if self.phase == Phase::Lost {
-            self.happened(now, Happening::Line("The robot is heard again.".to_owned()));
+            self.happened(now, Happening::Line("Receiving data from the robot again.".to_owned()));
         }
         self.phase = Phase::Connected;
         self.watch_mode(now);
@@ -362,7 +362,7 @@ impl Driver {
         if silent > LOST_S && self.phase == Phase::Connected {
             self.phase = Phase::Lost;
             self.filter.forget();
-            self.happened(now, Happening::Line("The robot isn't heard any more.".to_owned()));
+            self.happened(now, Happening::Line("No more data from the robot.".to_owned()));
         }
         if self.phase == Phase::Lost && self.diagnosis.step == Step::Done && now - self.revived_at > REVIVE_S {
             self.revived_at = now;

@@ -1,4 +1,4 @@
-//! The mode that the robot is to be in, and is.
+//! Commanded and actual mode.
 
 use super::{Driver, Happening, MODE_S, ModeDrop, Phase, SETTLE_S, STOP};
 use roomba_oi::{Command, Mode};

@@ -1,7 +1,7 @@
-//! A question in the midst of a stream.
+//! A query during a stream.
 //!
-//! Answers have neither header nor checksum: between frames nobody could tell them. So the stream is paused, what is still on
-//! its way is waited for, and only then the question is sent.
+//! Answers have neither header nor checksum: between frames they couldn't be recognised. So the stream is paused, what
+//! is still on its way is waited for, and only then the question is sent.
 
 use roomba_oi::{Answer, Command, CommandDecoder};
 
@@ -71,11 +71,11 @@ impl Question {
     fn words(&self) -> String {
         let mut answer = match Answer::to(&self.ids) {
             Ok(answer) => answer,
-            Err(error) => return format!("no answer can be read: {error}"),
+            Err(error) => return format!("the answer can't be read: {error}"),
         };
         let rest = answer.feed(&self.heard);
         if answer.missing() > 0 {
-            return format!("the answer lacks {} bytes", answer.missing());
+            return format!("{} bytes of the answer are missing", answer.missing());
         }
         let values: Vec<String> = answer
             .values()

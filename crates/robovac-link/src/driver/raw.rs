@@ -1,4 +1,4 @@
-//! Bytes that a person typed, and bytes of a recording.
+//! Raw bytes, typed by the user or from a recording.
 
 use super::{Driver, Happening, Phase, Question, Step};
 use roomba_oi::{Command, CommandDecoder, Mode, Opcode};
@@ -9,11 +9,12 @@ use thiserror::Error;
 pub enum RawRefusal {
     /// The robot would wait for the rest, and take the next commands for it: the stop among them.
     #[error(
-        "These bytes end in the middle of {0}: the robot would take what is sent next, also a stop, for the rest of it. Complete it."
+        "These bytes end in the middle of {0}: the robot would read the next bytes, even a stop command, as the rest \
+         of it. Complete it."
     )]
     Incomplete(Opcode),
     /// The robot would go where this end doesn't hear it.
-    #[error("Another baud rate would leave the robot where this page doesn't hear it, and can't stop it.")]
+    #[error("After a change of baud rate, this page could neither receive from the robot nor stop it.")]
     Baud,
 }
 

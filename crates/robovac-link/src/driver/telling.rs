@@ -1,17 +1,17 @@
-//! Distance and angle (packets 19 and 20), for whoever goes by them.
+//! Distance and angle (packets 19 and 20), for odometry that uses them.
 //!
-//! A robot tells them in whole millimetres and degrees, cut towards 0, and begins anew: what it cut off is lost. In every frame,
-//! 15 ms apart, no turn below 67 degrees a second would ever be seen. So the stream does without them, and one frame in 16
-//! (0.24 s, as in the simulator) is of another subscription that has them: the driver asks for that, and a frame later for the
-//! usual one again. Answers to a question would have no checksum.
+//! A robot reports them in whole millimetres and degrees, truncated towards 0, and restarts at 0: the remainder is
+//! lost. In every frame, 15 ms apart, no turn below 67 degrees a second would ever be seen. So the stream does without
+//! them, and one frame in 16 (0.24 s, as in the simulator) is of another subscription that has them: the driver asks
+//! for that, and a frame later for the usual one again. Answers to a question would have no checksum.
 //!
 //! - If that request is lost, or the next one overtakes it before the robot sends a frame, the robot goes on summing up: nothing is
-//!   lost. If the way back is lost, every frame tells and cuts, until it is asked for again.
-//! - A frame with them that is lost or garbled is lost with what it told, as the robot has begun anew. Counts aren't.
-//! - One that has to wait is told with the next, once, if that bears it out or if only a signal jumped; otherwise it is lost.
-//! - The first one tells of a time when nobody had asked: it is left out.
+//!   lost. If the switch back is lost, every frame reports and truncates, until it is requested again.
+//! - A lost or garbled frame loses its values, as the robot has restarted at 0. Encoder counts aren't lost.
+//! - A held-back frame is added to the next one if that confirms it or if only a signal jumped; otherwise it is lost.
+//! - The first one covers time before the request: it is ignored.
 //! - Firmware up to 3.4.0 shows a third of every angle. A robot that turns three times as far by its counts (43, 44) has it: what
-//!   was left out is told at once, and whole angles from then on.
+//!   was left out is reported at once, and whole angles from then on.
 
 use super::{Driver, FRAME_S, Phase};
 use robovac_core::robot::{Moved, READINGS_PER_MOVED};

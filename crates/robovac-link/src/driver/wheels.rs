@@ -1,8 +1,8 @@
-//! Motion on its way to a robot that wouldn't stop by itself.
+//! Motion commands, with the timeout that stops the robot.
 //!
-//! The interface has no timeout: a robot does for ever what it was told last. So wheel speeds hold for [`DEAD_MAN_S`] only,
-//! the stop is repeated until the robot says that it has heard it, and a robot that reports other speeds than it was
-//! told is told again.
+//! The interface has no timeout: a robot executes its last command for ever. So wheel speeds hold for [`DEAD_MAN_S`]
+//! only, the stop is repeated until the robot says that it has heard it, and a robot that reports other speeds than it
+//! was told is told again.
 
 use robovac_core::robot::Drive;
 use roomba_oi::{Command, motion::MAX_SPEED_MM_S};
@@ -18,7 +18,7 @@ const LEAST_STOPS: u32 = 3;
 /// Time after which the robot should report what it was told, s: three frames and the way there.
 const ECHO_S: f64 = 0.12;
 
-/// What the wheels are told.
+/// The wheel commands.
 #[derive(Debug, Clone)]
 pub struct Wheels {
     /// Speeds of the right and left wheel, mm/s.
@@ -84,7 +84,7 @@ impl Wheels {
         (self.is_by_hand, self.is_other, self.stops_due) = (true, true, 0);
     }
 
-    /// Whether the robot is told to move.
+    /// Whether the robot is commanded to move.
     pub fn is_moving(&self) -> bool {
         self.wanted != (0, 0) || self.is_other
     }

@@ -1,4 +1,4 @@
-//! Charging: states and currents (packets 21, 23 and 34), and what the robot draws.
+//! Charging: states and currents (packets 21, 23 and 34), and the robot's consumption.
 //!
 //! A charger works in Off and Passive, also while the robot sleeps; in Safe and Full it doesn't (measured: state 2 becomes
 //! 0). 1232 mA from the dock and 302 mA into a battery that was run down were measured (fact sheet, section 6); two seconds

@@ -1,4 +1,4 @@
-//! Time inside of the emulator, in whole nanoseconds: sums of them don't depend on how time is cut into pieces.
+//! Emulator time in whole nanoseconds: sums don't depend on step sizes.
 
 /// Nanoseconds since the emulator began.
 pub(super) type Nanos = u64;

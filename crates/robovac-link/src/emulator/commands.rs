@@ -1,4 +1,4 @@
-//! What the robot does with commands.
+//! Execution of commands.
 //!
 //! Which mode allows which command, and the mode after it, is [`Mode::after_command`]'s table; the others are ignored, with
 //! their data. What values out of range do isn't described. Here **amounts** are brought into their range - speeds, radii,

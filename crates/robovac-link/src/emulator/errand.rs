@@ -1,4 +1,4 @@
-//! What a robot does by itself: Clean, Spot, Max and Seek Dock, with the project's own behaviours.
+//! Built-in programs: Clean, Spot, Max and Seek Dock, using the project's own behaviours.
 //!
 //! How a Roomba cleans is its maker's secret. Here Clean is the cleaning cycle for 45 minutes, and if it began on the dock,
 //! the robot goes home then; Spot is the growing spiral for 75 seconds; Max is the random walk until the battery is low;

@@ -1,6 +1,6 @@
-//! Lamps and digits.
+//! LEDs and digit display.
 //!
-//! In Off and Passive the robot shows what it likes; Safe switches everything off and shows what it is told, and so does
+//! In Off and Passive the robot controls its display; Safe switches everything off and obeys commands, and so does
 //! Full, which leaves on what was (the specification speaks of Safe alone). What a robot shows by itself is ours, after its
 //! manual: the Clean button is green, or red with a low battery, orange while it charges, and dark while it sleeps; Spot and
 //! Dock light up while it does that, and Check Robot when it has given up.
@@ -18,7 +18,7 @@ pub(super) struct Lights {
     schedule: ScheduleLamps,
 }
 
-/// Blank unless told otherwise.
+/// Blank by default.
 #[derive(Debug, Clone)]
 struct Digits([u8; 4]);
 

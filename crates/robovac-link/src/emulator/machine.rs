@@ -1,4 +1,4 @@
-//! The robot behind the interface: its parts, and what happens in a step.
+//! The robot behind the interface: its parts and its time step.
 
 use super::{
     calendar::Calendar,

@@ -1,4 +1,4 @@
-//! A Roomba on the other end of the line: the simulated robot behind Open Interface bytes.
+//! Roomba emulator: a simulated robot behind the Open Interface.
 //!
 //! It has no clock and does no I/O: whoever has it says how much time passes, brings bytes and takes bytes. Everything takes
 //! its time: a byte reaches the robot when the line has carried it, an answer leaves at the next refresh of the readings,
@@ -61,7 +61,7 @@ use roomba_oi::Command;
 
 /// Longest time that passes at once, s: a day.
 const LONGEST: f64 = 86_400.0;
-/// Most commands that are kept until somebody asks what was heard; the oldest go first.
+/// Most commands that are kept until they are fetched; the oldest go first.
 const MOST_HEARD: usize = 4096;
 
 /// A robot that speaks the Open Interface.

@@ -1,4 +1,4 @@
-//! What the wheels and brushes were told, and packets 19, 20 and 39 to 42.
+//! Wheel and brush commands, and packets 19, 20 and 39 to 42.
 //!
 //! The last motion command stays in force until another comes or the mode ends: there is no timeout. Drive PWM is taken as
 //! a speed: none up to a duty cycle of 21 of 255 on hard floor or 40 on carpet (measured by K. Tibow: what it takes to
@@ -13,7 +13,7 @@ use roomba_oi::{
 /// Greatest duty cycles of the wheels that don't move a robot, on hard floor and on carpet.
 const DEAD: [f64; 2] = [20.0, 39.0];
 
-/// What the wheels were told last.
+/// The last wheel command.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Told {
     how: How,

@@ -1,6 +1,6 @@
-//! What real robots do that the specification doesn't say.
+//! Personalities: how real robots deviate from the specification.
 //!
-//! Each is a robot, a cable or a firmware that somebody has met; the sources are in the project's fact sheet on the Open
+//! Each is a robot, a cable or a firmware seen in practice; the sources are in the project's fact sheet on the Open
 //! Interface (sections 1, 2 and 7). Rates of faults are ours where nothing else is said.
 
 use roomba_oi::motion::ANGLE_ERROR;
@@ -80,7 +80,7 @@ pub enum Log {
 const BY_THE_BOOK: Personality = Personality {
     id: "model",
     title: "By the book",
-    summary: "A Create 2 that does what the specification says.",
+    summary: "A Create 2 that follows the specification.",
     default_baud: 115_200,
     baud: 115_200,
     starts_asleep: false,
@@ -108,7 +108,7 @@ pub const PERSONALITIES: &[Personality] = &[
     Personality {
         id: "asleep",
         title: "Asleep",
-        summary: "Says nothing until its Clean button or the cable's BRC wire wakes it, as after five idle minutes.",
+        summary: "Silent until its Clean button or the cable's BRC wire wakes it, as after five idle minutes.",
         starts_asleep: true,
         tells_of_sleep: true,
         ..BY_THE_BOOK
@@ -116,7 +116,7 @@ pub const PERSONALITIES: &[Personality] = &[
     Personality {
         id: "no_brc",
         title: "Asleep, cable without BRC",
-        summary: "Sleeps, and only its Clean button wakes it: many cables lack the wire.",
+        summary: "Asleep; only its Clean button wakes it, as many cables lack the BRC wire.",
         starts_asleep: true,
         has_brc: false,
         ..BY_THE_BOOK
@@ -124,21 +124,21 @@ pub const PERSONALITIES: &[Personality] = &[
     Personality {
         id: "slow",
         title: "19200 baud",
-        summary: "Talks at 19200 baud, as after three short pulses on BRC; everything else is garbled.",
+        summary: "Communicates at 19200 baud, as after three short pulses on BRC; any other rate is garbled.",
         baud: 19_200,
         ..BY_THE_BOOK
     },
     Personality {
         id: "mode_plus_one",
         title: "Mode one too high",
-        summary: "Reports modes 2, 3 and 4 instead of 1, 2 and 3, as some of the 600 series do.",
+        summary: "Reports modes 2, 3 and 4 instead of 1, 2 and 3, as some robots of the 600 series do.",
         mode_offset: 1,
         ..BY_THE_BOOK
     },
     Personality {
         id: "chatty",
         title: "Chatty",
-        summary: "Writes a line about its battery into the data every second, and when it wakes and sleeps.",
+        summary: "Mixes text about its battery into the data every second, and when it wakes or sleeps.",
         // Most robots do so only while they charge (see "docked"). Some were read with text in the data of an active
         // interface, away from any dock: the worse case, and the one that a driver must stand.
         log: Log::Always,
@@ -148,7 +148,7 @@ pub const PERSONALITIES: &[Personality] = &[
     Personality {
         id: "docked",
         title: "On its dock",
-        summary: "Stands on its dock, charges, writes about it every second, and falls back from Safe to Passive at once.",
+        summary: "Charges on its dock, logs this every second, and falls back from Safe to Passive at once.",
         starts_docked: true,
         log: Log::Charging,
         tells_of_sleep: true,
@@ -156,8 +156,8 @@ pub const PERSONALITIES: &[Personality] = &[
     },
     Personality {
         id: "dozes",
-        title: "Falls silent on its dock",
-        summary: "Stands on its dock, says nothing after half a minute, and BRC doesn't wake it, as firmware 3 on a 650.",
+        title: "Silent on its dock",
+        summary: "Falls silent after half a minute on its dock; BRC doesn't wake it, as with firmware 3 on a 650.",
         starts_docked: true,
         silent_on_dock_s: Some(30.0),
         ..BY_THE_BOOK
@@ -165,7 +165,7 @@ pub const PERSONALITIES: &[Personality] = &[
     Personality {
         id: "angle_bug",
         title: "Old firmware",
-        summary: "Reports a third of every angle in packet 20, as firmware up to 3.4.0, and boots with the older banner.",
+        summary: "Reports a third of every angle in packet 20 and boots with the older banner, like firmware up to 3.4.0.",
         angle_factor: ANGLE_ERROR,
         banner: Banner::Str730,
         ..BY_THE_BOOK
@@ -173,29 +173,29 @@ pub const PERSONALITIES: &[Personality] = &[
     Personality {
         id: "noisy",
         title: "Noisy line",
-        summary: "One byte in a thousand that it sends is lost or has a bit flipped, as on a bad cable.",
+        summary: "One in a thousand bytes sent by the robot is lost or has a flipped bit, as with a bad cable.",
         lost_to_host: 0.0005,
         flipped_to_host: 0.0005,
         ..BY_THE_BOOK
     },
     Personality {
         id: "deaf",
-        title: "Hard of hearing",
-        summary: "Misses one byte in two hundred that is sent to it, and takes the next command for the missing data.",
+        title: "Lossy receiver",
+        summary: "Loses one in two hundred bytes sent to it, and reads the next command as the missing data.",
         lost_to_robot: 0.005,
         ..BY_THE_BOOK
     },
     Personality {
         id: "swapped",
         title: "Encoders swapped",
-        summary: "Packet 43 is the right wheel and 44 the left one, as the Roomba 500 document has it.",
+        summary: "Packet 43 is the right wheel and 44 the left one, as in the Roomba 500 document.",
         swaps_encoders: true,
         ..BY_THE_BOOK
     },
     Personality {
         id: "wrap",
         title: "Encoders about to wrap",
-        summary: "Its left wheel's counts wrap a hand's breadth ahead, its right wheel's as soon as it backs up.",
+        summary: "The left encoder wraps after about 10 cm ahead, the right one as soon as the robot backs up.",
         // 89 mm ahead for the left one, 22 mm back for the right one.
         first_counts: [65_336, 50],
         ..BY_THE_BOOK
@@ -203,14 +203,14 @@ pub const PERSONALITIES: &[Personality] = &[
     Personality {
         id: "bootloader",
         title: "Stuck in its boot loader",
-        summary: "Works until it is reset, then sends nothing but 254, as one of the 600 series did.",
+        summary: "Works until it is reset, then sends only 254, as seen on a robot of the 600 series.",
         stays_in_boot_loader: true,
         ..BY_THE_BOOK
     },
     Personality {
         id: "create1",
         title: "57600 baud",
-        summary: "Talks at 57600 baud and knows no packets after 42, as a Create 1 or Roomba 400.",
+        summary: "Communicates at 57600 baud and has no packets after 42, like a Create 1 or Roomba 400.",
         default_baud: 57_600,
         baud: 57_600,
         last_packet: 42,
@@ -220,7 +220,7 @@ pub const PERSONALITIES: &[Personality] = &[
     Personality {
         id: "silent",
         title: "Never answers",
-        summary: "Hears and obeys, but nothing that it sends arrives: a broken wire.",
+        summary: "Receives and obeys, but nothing that it sends arrives: a broken wire.",
         is_heard: false,
         ..BY_THE_BOOK
     },

@@ -1,7 +1,7 @@
-//! Awake, asleep, booting: when a robot listens, and what the BRC wire does.
+//! Power states (awake, asleep, booting) and the BRC wire.
 //!
 //! - In Passive it falls asleep after five minutes without a command, a button, a pulse on BRC or an errand of its own;
-//!   in Safe and Full never. In Off the interface isn't running, and no source tells of sleep: it stays awake.
+//!   in Safe and Full never. In Off the interface isn't running, and no source mentions sleep: it stays awake.
 //! - Asleep it is silent, and no byte wakes it. Its Clean button does, and so does the end of a low pulse on BRC.
 //!   Mode, rate and stream are those from before: none of the documented ways into Off leads through sleep.
 //! - Three low pulses on BRC of 50 to 500 ms each, two seconds or more after power-on, set 19200 baud. That they follow each

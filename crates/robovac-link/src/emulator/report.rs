@@ -1,6 +1,6 @@
-//! What the robot reports: answers, the stream, and its log.
+//! The robot's output: answers, sensor stream and log.
 //!
-//! Readings are refreshed every 15 ms, and whatever is asked for is sent at the next refresh, in the order of asking; then
+//! Readings are refreshed every 15 ms, and answers are sent at the next refresh, in the order of the queries; then
 //! comes the stream's frame. All of it goes through one buffer, at the line's rate.
 //!
 //! Packets that don't exist are left out of answers and of streams (not described). A stream without packets sends nothing,

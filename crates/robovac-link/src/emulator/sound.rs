@@ -6,7 +6,7 @@
 use super::clock::{Nanos, SECOND};
 use roomba_oi::{Note, SONGS};
 
-/// Most tunes that are kept until somebody listens.
+/// Most tunes that are kept until they are fetched.
 const MOST: usize = 64;
 
 /// The beep of Start in Off.

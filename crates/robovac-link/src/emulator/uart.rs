@@ -1,4 +1,4 @@
-//! A receiver on a serial line, bit by bit: what it makes of bytes that were sent at another rate than its own.
+//! A bit-level UART receiver: how bytes sent at another baud rate are garbled.
 //!
 //! The line is high at rest. A byte is a low start bit, eight data bits, the lowest first, and a high stop bit. A receiver
 //! waits for the line to fall, then looks at the middle of every bit by its own clock. One that runs at a wrong rate

@@ -1,4 +1,4 @@
-//! What users ask for, done or refused.
+//! User requests to a robot, executed or refused.
 
 use super::{Calibrated, Calibrating, Entry, Link, Refused, Request, refuse};
 use robovac_core::registry::Params;
@@ -27,8 +27,8 @@ impl Link {
         let in_control = || sorry(can.drive, "Take control of the robot first.");
         match request {
             Request::Connect => {
-                sorry(can.connect, "There is no line to a robot. Choose one first.")?;
-                self.end_ride("The line was opened anew.");
+                sorry(can.connect, "There is no connection to a robot. Choose one first.")?;
+                self.end_ride("The connection was reopened.");
                 self.motors_on = false;
                 self.driver.open_again(now);
                 self.place(self.odometry.pose());
@@ -42,18 +42,18 @@ impl Link {
                 self.use_known();
             }
             Request::Arm { full } => {
-                sorry(can.arm, "No robot is connected that could be controlled.")?;
+                sorry(can.arm, "No robot that can be controlled is connected.")?;
                 self.beaten_at = now;
                 self.driver.put_in(now, if full { Mode::Full } else { Mode::Safe });
             }
             Request::Disarm => {
-                sorry(can.disarm, "Nobody has control of the robot.")?;
-                self.end_ride("Control was given back.");
+                sorry(can.disarm, "The robot isn't under control.")?;
+                self.end_ride("Control was released.");
                 self.motors_on = false;
                 self.driver.put_in(now, Mode::Passive);
             }
             Request::Stop => {
-                self.end_ride("Stopped by hand.");
+                self.end_ride("Stopped by the user.");
                 self.motors_on = false;
                 self.driver.freeze(now);
             }
@@ -72,11 +72,11 @@ impl Link {
                 sorry(can.press, "No robot is connected.")?;
                 if bytes.is_empty() || bytes.len() > MOST_RAW {
                     return refuse(format!(
-                        "1 to {MOST_RAW} bytes can be sent at once, and these are {}.",
+                        "1 to {MOST_RAW} bytes can be sent at once, but there are {}.",
                         bytes.len()
                     ));
                 }
-                self.end_ride("Bytes were sent by hand.");
+                self.end_ride("Raw bytes were sent.");
                 self.beaten_at = now;
                 self.motors_on |= self.driver.send_raw(now, &bytes).map_err(|e| Refused(e.to_string()))?;
             }
@@ -112,16 +112,16 @@ impl Link {
                     return refuse("Take control of the robot first.");
                 }
                 self.nothing_asked()?;
-                let began = self.encoders().ok_or_else(|| Refused("The robot hasn't told its encoders yet.".into()))?;
+                let began = self.encoders().ok_or_else(|| Refused("No encoder readings yet. Wait a moment.".into()))?;
                 let controller = what.controller(&self.known.apply(&self.model));
                 self.set_off(now, what.title(), Box::new(controller), self.odometry.pose(), false);
                 self.calibrating = Some(Calibrating::new(what, began));
             }
             Request::Answer { .. } | Request::UseCalibration { .. } if self.is_acting() => {
-                return refuse("Stop the robot first: what drives it counts on its calibration.");
+                return refuse("Stop the robot first: the running program uses its calibration.");
             }
             Request::Odometry { .. } if self.is_acting() => {
-                return refuse("Stop the robot first: what drives it counts on its odometry.");
+                return refuse("Stop the robot first: the running program uses its odometry.");
             }
             Request::Odometry { model } => {
                 self.odometry_model = model;
@@ -130,21 +130,21 @@ impl Link {
             }
             Request::Answer { value } => {
                 let Some(calibrating) = self.calibrating.as_mut().filter(|c| c.is_asking()) else {
-                    return refuse("Nothing is asked.");
+                    return refuse("There is no question to answer.");
                 };
                 calibrating.answer(value, &mut self.known).map_err(Refused)?;
                 self.use_known();
             }
             Request::Skip => {
                 let Some(calibrating) = self.calibrating.as_mut().filter(|c| c.is_asking()) else {
-                    return refuse("Nothing is asked.");
+                    return refuse("There is no question to answer.");
                 };
-                calibrating.fail("It wasn't answered, and nothing has changed.");
+                calibrating.fail("Skipped; nothing has changed.");
             }
             Request::UseCalibration { swapped, distance_factor, base_factor } => {
                 let known = Calibrated { swapped, distance_factor, base_factor };
                 if !known.is_sound() {
-                    return refuse("The stored calibration can't be right. Calibrate again.");
+                    return refuse("The stored calibration is out of range. Calibrate again.");
                 }
                 self.known = known;
                 self.use_known();
@@ -184,18 +184,19 @@ impl Link {
     }
 
     fn send(&mut self, now: f64, command: Command<'_>) -> Result<(), Refused> {
-        self.driver.send(now, command).map_err(|e| Refused(format!("The robot wouldn't take that: {e}.")))
+        self.driver.send(now, command).map_err(|e| Refused(format!("Invalid command: {e}.")))
     }
 
     /// A person moves the stick.
     fn steer(&mut self, now: f64, stick: Stick) -> Result<(), Refused> {
         (self.stick_at, self.beaten_at) = (now, now);
         if self.ride.as_ref().is_none_or(|ride| !ride.is_manual || ride.is_done) {
-            let manual = controller::find("manual").ok_or_else(|| Refused("There is no manual mode.".into()))?;
+            let manual = controller::find("manual")
+                .ok_or_else(|| Refused("The manual mode is missing from this build.".into()))?;
             let params = Params::defaults(manual.params);
             let robot = self.known.apply(&self.model);
             let controller = manual.build(&Setup { robot: &robot, params: &params, seed: 0 });
-            let controller = controller.ok_or_else(|| Refused("There is no manual mode.".into()))?;
+            let controller = controller.ok_or_else(|| Refused("The manual mode is missing from this build.".into()))?;
             let pose = self.odometry.pose();
             self.set_off(now, manual.title, controller, pose, true);
         }

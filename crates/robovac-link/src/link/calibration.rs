@@ -1,4 +1,4 @@
-//! What is to be known of one very robot: which encoder is which, how large its wheels are, how far apart.
+//! Calibration of one robot: encoder sides, wheel diameter, wheel base.
 
 use super::{
     Calibration, CalibrationView,
@@ -16,7 +16,7 @@ const FACTORS: std::ops::RangeInclusive<f64> = 0.8..=1.25;
 const LEAST_COUNTS: i32 = 20;
 
 /// What encoders do wrong that don't count.
-pub(super) const UNCOUNTED: &str = "Its encoders counted hardly anything. Is it on the floor, and are its wheels free?";
+pub(super) const UNCOUNTED: &str = "The encoders hardly counted. Is the robot on the floor, and are its wheels free?";
 
 /// What was found out about a robot.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -108,10 +108,10 @@ impl Calibrating {
     /// Begins, with the encoders as they stand.
     pub fn new(what: Calibration, began: [u16; 2]) -> Self {
         let text = match what {
-            Calibration::Nudge => "It turns a little, ten degrees to the left. Watch which way it goes.",
-            Calibration::Spin => "It turns round once, to the left. Remember which way it looks.",
-            Calibration::Metre => "It drives a metre ahead. Mark where it starts.",
-            Calibration::Square => "It drives a square of a metre, to the left. Mark where it starts.",
+            Calibration::Nudge => "The robot turns ten degrees. Watch which way it turns.",
+            Calibration::Spin => "The robot turns once around, to the left. Remember which way it faces.",
+            Calibration::Metre => "The robot drives one metre ahead. Mark where it starts.",
+            Calibration::Square => "The robot drives a 1 m square, turning left. Mark where it starts.",
         };
         Self { what, stage: Stage::Moving, text: text.to_owned(), began, swapped: None }
     }
@@ -141,19 +141,21 @@ impl Calibrating {
                 return;
             }
             Calibration::Nudge if (first > 0) == (second > 0) => {
-                self.fail("Both encoders count the same way while it turns: they can't be trusted on this robot.");
+                self.fail(
+                    "Both encoders count in the same direction while turning: they are unreliable on this robot.",
+                );
                 return;
             }
             Calibration::Nudge => {
                 self.swapped = Some(first > 0);
-                "Did it turn to the left, counter-clockwise as seen from above?".to_owned()
+                "Did it turn left (counter-clockwise seen from above)?".to_owned()
             }
             Calibration::Spin => {
-                "How far has it turned, in degrees? 360 is right; less if it stopped short, more if it went on."
+                "How far did it turn, in degrees? Once around is 360; less if it stopped short, more if it overshot."
                     .to_owned()
             }
-            Calibration::Metre => "How far has it driven, in metres? Measure from front to front.".to_owned(),
-            Calibration::Square => "How far is it from where it started, in metres?".to_owned(),
+            Calibration::Metre => "How far did it drive, in metres? Measure from front to front.".to_owned(),
+            Calibration::Square => "How far is it from its starting point, in metres?".to_owned(),
         };
     }
 
@@ -164,21 +166,21 @@ impl Calibrating {
                 Ok(factor)
             } else {
                 Err(format!(
-                    "{value} can't be right: it would make the {what} wrong by more than a fifth. Measure again."
+                    "{value} can't be right: the {what} would differ by more than 20 % from the model's. Measure again."
                 ))
             }
         };
         match self.what {
             Calibration::Nudge if !(0.5..=1.0).contains(&value) => {
-                self.fail("Then this robot turns the other way than the interface says. Don't drive it from here.");
+                self.fail("Then this robot turns opposite to the specification. Don't drive it from here.");
                 return Ok(());
             }
             Calibration::Nudge => {
                 known.swapped = self.swapped.unwrap_or(known.swapped);
                 self.text = if known.swapped {
-                    "Its encoder packets 43 and 44 are swapped, and are now read so.".to_owned()
+                    "Encoder packets 43 and 44 are swapped on this robot; this is now corrected.".to_owned()
                 } else {
-                    "Packet 43 is its left encoder and 44 its right one, as it should be.".to_owned()
+                    "Packet 43 is the left encoder and 44 the right one, as specified.".to_owned()
                 };
             }
             Calibration::Spin => {
@@ -194,12 +196,14 @@ impl Calibrating {
                 self.text = format!("Wheel diameter {:.2} mm.", 72.0 * known.distance_factor);
             }
             Calibration::Square if !(0.0..=4.0).contains(&value) => {
-                return Err(format!("{value} m can't be right: the square itself is a metre wide. Measure again."));
+                return Err(format!(
+                    "{value} m can't be right: the square itself is only one metre wide. Measure again."
+                ));
             }
             Calibration::Square => {
                 self.text = format!(
-                    "{:.0} cm off after 4 m and a full turn: {:.1} % of the way. Turning is the larger part of it, as a rule; \
-                     Spin mends that.",
+                    "{:.0} cm off after 4 m and a full turn: {:.1} % of the distance. Usually most of it comes from \
+                     turning; Spin corrects that.",
                     100.0 * value,
                     25.0 * value
                 );

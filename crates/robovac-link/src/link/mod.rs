@@ -1,6 +1,6 @@
-//! A connection to a robot: the driver, what rides on it, what is shown and kept of it.
+//! A connection to a robot: driver, controller, view model and recording.
 //!
-//! It has no clock and no line of its own. Whoever has both tells it the time in seconds, brings it the bytes that arrive,
+//! It has no clock and no line of its own. The caller passes the time in seconds and the received bytes,
 //! and sends what [`Link::take_tx`] and [`Link::take_line`] ask for, at once: the stop is among it.
 
 mod asked;
@@ -48,7 +48,7 @@ const LEFT_ALONE_S: f64 = 1.5;
 const ODD_COUNTS: i32 = 138;
 /// Robots fall asleep after so long in Passive, s.
 const SLEEP_S: f64 = 300.0;
-/// Points of the trace that are kept until somebody asks for them: a minute.
+/// Points of the trace that are kept until they are fetched: a minute.
 const MOST_TRACE: usize = 4 * 64 * 60;
 
 /// Why a request is refused. Its text is a sentence for users.
@@ -134,7 +134,7 @@ impl Link {
     /// The transport is open at 115200 baud: finds out who is there.
     pub fn opened(&mut self, now: f64) {
         (self.now, self.beaten_at) = (now, now);
-        self.end_ride("The line was opened anew.");
+        self.end_ride("The connection was reopened.");
         self.motors_on = false;
         self.recorder.note(now, Entry::Line("open".into()));
         self.driver.open(now);
@@ -190,7 +190,7 @@ impl Link {
             self.driver.put_in(now, Mode::Passive);
         }
         if had_control {
-            self.say("notice", format!("{why} Take control again to go on."));
+            self.say("notice", format!("{why} Take control again to continue."));
         }
     }
 
@@ -198,7 +198,7 @@ impl Link {
     pub fn pause(&mut self, now: f64) {
         self.now = now;
         if self.is_acting() {
-            self.end_ride("The page had something else to do.");
+            self.end_ride("The page was busy.");
             self.motors_on = false;
             self.driver.halt(now);
         }
@@ -209,14 +209,14 @@ impl Link {
         self.now = now;
         self.driver.tick(now);
         if self.is_acting() && now - self.beaten_at > BEAT_S {
-            self.leave(now, "This page stopped answering, so the robot was stopped.");
+            self.leave(now, "The page stopped responding, so the robot was stopped.");
         }
         if self.is_acting() && self.driver.is_stalled() {
             self.stalled();
         }
         if self.ride.as_ref().is_some_and(|ride| !ride.is_done) && !self.driver.is_armed() {
             let dropped = self.driver.dropped().map(ToString::to_string);
-            self.end_ride(dropped.as_deref().unwrap_or("The robot is under control no longer."));
+            self.end_ride(dropped.as_deref().unwrap_or("The robot is no longer under control."));
             self.motors_on = false;
         }
         self.listen();
@@ -245,21 +245,21 @@ impl Link {
     /// The robot isn't heard while it is to move.
     fn stalled(&mut self) {
         let what = self.loose();
-        self.end_ride("The robot wasn't heard any more, so it was told to stop.");
+        self.end_ride("No data from the robot, so a stop command was sent.");
         self.motors_on = false;
         self.driver.halt(self.now);
         self.say(
             "error",
-            format!("The robot isn't heard any more. It is told to stop, but may not hear that either. {what}"),
+            format!("No data from the robot. A stop command was sent, but it may not have arrived. {what}"),
         );
     }
 
     /// What to do about a robot that may be moving where nothing reaches it.
     fn loose(&self) -> &'static str {
         if self.driver.target() == Mode::Full {
-            "It may still be moving: in Full nothing stops it. Take hold of it and press its CLEAN button."
+            "It may still be moving: in Full mode nothing stops it. Hold it and press its CLEAN button."
         } else {
-            "It may still be moving: lift it up, which stops its wheels in Safe."
+            "It may still be moving: lift it up, which stops its wheels in Safe mode."
         }
     }
 
@@ -293,7 +293,7 @@ impl Link {
     fn nothing_asked(&self) -> Result<(), Refused> {
         match &self.calibrating {
             Some(calibrating) if calibrating.is_asking() => {
-                refuse("A calibration asks something: answer it first, or skip it, in Tools, Calibrate.")
+                refuse("A calibration waits for an answer: answer or skip it first, in Tools, Calibrate.")
             }
             _ => Ok(()),
         }
@@ -311,7 +311,7 @@ impl Link {
 
     fn set_off(&mut self, now: f64, title: &str, mut controller: Box<dyn Controller>, start: Pose, is_manual: bool) {
         controller.start_at(start);
-        self.end_ride("Something else began.");
+        self.end_ride("Another action started.");
         self.beaten_at = now;
         self.place(start);
         self.ride = Some(Ride {
@@ -361,7 +361,7 @@ impl Link {
         why.clone_into(&mut ride.ended);
         self.driver.stop(self.now);
         if let Some(calibrating) = self.calibrating.as_mut().filter(|c| c.is_moving()) {
-            calibrating.fail(&format!("It was broken off, and nothing has changed. {why}"));
+            calibrating.fail(&format!("Calibration aborted; nothing has changed. {why}"));
         }
     }
 
@@ -375,7 +375,7 @@ impl Link {
                     calibrating.fail(&format!("{UNCOUNTED} Nothing has changed."));
                 }
                 Some(now) if !activity.starts_with("stopped") => calibrating.stopped(now),
-                _ => calibrating.fail("Something was in the way, so it was broken off. Nothing has changed."),
+                _ => calibrating.fail("Calibration aborted: something was in the way. Nothing has changed."),
             }
         }
     }
@@ -392,7 +392,7 @@ impl Link {
         self.console.lines()
     }
 
-    /// Where the robot believes to have been since this was last asked for, a reading after the other, four numbers each:
+    /// The robot's estimated trail since this was last asked for, a reading after the other, four numbers each:
     /// x and y in m, heading in rad, and what it felt there, as the sum of 1 bumper left, 2 bumper right, 4 cliff left, 8
     /// cliff front left, 16 cliff front right, 32 cliff right, 64 wheel drop, 128 virtual wall.
     pub fn take_trace(&mut self) -> Vec<f64> {

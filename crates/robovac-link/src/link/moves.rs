@@ -1,4 +1,4 @@
-//! A robot that is to make a few exact moves, for calibration.
+//! A few exact moves for calibration.
 
 use robovac_core::{
     geometry::{Pose, difference},
@@ -16,7 +16,7 @@ const EASE: f64 = 2.0;
 /// A wheel that doesn't get on by so much, m, in so many seconds, is stuck, or isn't counted.
 const STUCK: (f64, f64) = (0.005, 2.0);
 /// What it does then.
-pub(super) const STUCK_WORDS: &str = "stopped, as its wheels don't count";
+pub(super) const STUCK_WORDS: &str = "stopped: the encoders don't count";
 /// Pause between two moves, so that the robot stands still, s.
 const PAUSE_S: f64 = 0.4;
 
@@ -113,7 +113,7 @@ impl Controller for Moves {
     fn activity(&self) -> &'static str {
         match self.list.get(self.next) {
             _ if self.is_stuck => STUCK_WORDS,
-            _ if self.is_blocked => "stopped, as something is in the way",
+            _ if self.is_blocked => "stopped: something is in the way",
             Some(Move::Turn(_)) => "turning",
             Some(Move::Go(_)) => "driving ahead",
             None => "standing still",

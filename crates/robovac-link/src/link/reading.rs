@@ -1,4 +1,4 @@
-//! What a reading of the sensors sets going.
+//! Handling of a new sensor reading.
 
 use super::{Calibrating, LEFT_ALONE_S, Link, MOST_TRACE, ODD_COUNTS, STICK_S};
 use robovac_core::robot::{RobotPort, Sensors};
@@ -24,7 +24,8 @@ impl Link {
         if self.driver.has_old_angle() && !std::mem::replace(&mut self.is_old, true) {
             self.say(
                 "notice",
-                "It shows a third of every angle in packet 20, as firmware up to 3.4.0 does. That is corrected, but coarse: counts tell more."
+                "Packet 20 reports a third of every angle, as in firmware up to 3.4.0. This is corrected, but coarse; \
+                 encoder counts are more accurate."
                     .to_owned(),
             );
         }
@@ -72,8 +73,8 @@ impl Link {
             self.is_odd = true;
             self.say(
                 "notice",
-                "Its wheels count the other way round than they were told to turn: its encoders may be swapped, and \
-                its place on the map is wrong. Calibrate it with Nudge."
+                "The encoders count opposite to the commanded turn: they may be swapped, so the position on the map is \
+                wrong. Calibrate with Nudge."
                     .to_owned(),
             );
         }

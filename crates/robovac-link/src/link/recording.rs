@@ -1,4 +1,4 @@
-//! Everything that went over a line, with times, as a text file.
+//! Recording of all serial traffic, with times, as a text file.
 //!
 //! The file is read line by line. The first line is `robovac-oi-recording 1`. Every other line has a time in seconds since the
 //! recording began, a sign, and something:
@@ -52,10 +52,10 @@ pub enum RecordingError {
     #[error("this is not a recording: its first line should be \"{MAGIC}\", but it is \"{0}\"")]
     NotARecording(String),
     /// It is of a later version.
-    #[error("this recording has version {0}, and this program reads version 1: reload the page to get a newer one")]
+    #[error("this recording has version {0}, but this program reads version 1; reload the page to update it")]
     Version(String),
     /// It is too long.
-    #[error("this file has {0} MB, and recordings have {most} MB at most", most = MOST_READ >> 20)]
+    #[error("the file has {0} MB; recordings can have at most {most} MB", most = MOST_READ >> 20)]
     TooLong(usize),
     /// A line isn't as it should be.
     #[error("line {line}: {what}; lines look like \"1.250 < 13 02 23 01 C7\"")]
@@ -75,7 +75,7 @@ impl Recording {
     /// let recording = Recording::parse("robovac-oi-recording 1\n0.4 > 80 8E 23\n0.415 < 01\n").unwrap();
     /// assert_eq!(recording.entries[1], (0.415, Entry::Received(vec![1])));
     /// let error = Recording::parse("robovac-oi-recording 1\n0.4 > 8G\n").unwrap_err();
-    /// assert_eq!(error.to_string(), "line 2: \"8G\" is no byte; lines look like \"1.250 < 13 02 23 01 C7\"");
+    /// assert_eq!(error.to_string(), "line 2: \"8G\" isn't a byte; lines look like \"1.250 < 13 02 23 01 C7\"");
     /// ```
     pub fn parse(text: &str) -> Result<Self, RecordingError> {
         if text.len() > MOST_READ {
@@ -93,13 +93,13 @@ impl Recording {
         let mut before = 0.0;
         for (index, line) in lines.filter(|(_, line)| !line.is_empty() && !line.starts_with('#')) {
             let fail = |what: String| RecordingError::Line { line: index + 1, what };
-            let (time, rest) = line.split_once(' ').ok_or_else(|| fail("there is nothing after the time".into()))?;
-            let at: f64 = time.parse().map_err(|_| fail(format!("\"{time}\" is no time")))?;
+            let (time, rest) = line.split_once(' ').ok_or_else(|| fail("nothing follows the time".into()))?;
+            let at: f64 = time.parse().map_err(|_| fail(format!("\"{time}\" isn't a time")))?;
             if at.is_nan() || at > LONGEST_S {
-                return Err(fail(format!("time {time} can't be: recordings last {LONGEST_S} s at most")));
+                return Err(fail(format!("time {time} is out of range: recordings last {LONGEST_S} s at most")));
             }
             if at < before {
-                return Err(fail(format!("time {at} comes after {before}, and can't go back")));
+                return Err(fail(format!("time {at} comes after {before}; times must not decrease")));
             }
             before = at;
             let mut rest = rest.trim_start().chars();
@@ -112,7 +112,7 @@ impl Recording {
                     Some('<') => Entry::Received(bytes(data).map_err(fail)?),
                     Some('!') => Entry::Line(data.to_owned()),
                     Some('?') => Entry::Asked(data.to_owned()),
-                    other => return Err(fail(format!("\"{}\" is none of > < ! ?", other.unwrap_or(' ')))),
+                    other => return Err(fail(format!("\"{}\" isn't one of > < ! ?", other.unwrap_or(' ')))),
                 },
             ));
         }
@@ -127,7 +127,7 @@ fn bytes(text: &str) -> Result<Vec<u8>, String> {
         is_two.then(|| u8::from_str_radix(word, 16).ok()).flatten()
     };
     words
-        .map(|word| byte(word).ok_or_else(|| format!("\"{}\" is no byte", word.chars().take(20).collect::<String>())))
+        .map(|word| byte(word).ok_or_else(|| format!("\"{}\" isn't a byte", word.chars().take(20).collect::<String>())))
         .collect()
 }
 
@@ -151,7 +151,7 @@ impl Recorder {
         };
         if self.size > MOST_BYTES {
             self.is_full = true;
-            self.entries.push((now, Entry::Line("full: what came after isn't recorded".to_owned())));
+            self.entries.push((now, Entry::Line("recording full: nothing after this is recorded".to_owned())));
             return;
         }
         self.entries.push((now, entry));

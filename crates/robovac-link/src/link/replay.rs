@@ -1,4 +1,4 @@
-//! A recorded session once more, through the same driver.
+//! Replay of a recording through the same driver.
 
 use super::{Entry, Link, LinkView, Recording, Request, Traffic};
 use robovac_core::geometry::Pose;

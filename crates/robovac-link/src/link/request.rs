@@ -1,10 +1,10 @@
-//! What a user asks of a robot.
+//! User requests to a robot.
 
 use robovac_core::robot::OdometryModel;
 use roomba_oi::Command;
 use serde::{Deserialize, Serialize};
 
-/// What a user asks of a robot. In JavaScript, `{ do: "arm", full: false }` and the like.
+/// User requests to a robot. In JavaScript, `{ do: "arm", full: false }` and the like.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "do", rename_all = "snake_case")]
 pub enum Request {

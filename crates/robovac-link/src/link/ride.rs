@@ -1,4 +1,4 @@
-//! What drives a robot at the other end of a line.
+//! The controller that drives a connected robot.
 
 use robovac_sim::controller::Controller;
 

@@ -1,4 +1,4 @@
-//! What is shown of a connection, put together.
+//! Builds the view model of a connection.
 
 use super::{Calibrating, Can, DiagnosisView, DropView, Link, LinkView, RideView, SLEEP_S, Statistics};
 use crate::driver::{Phase, Step};

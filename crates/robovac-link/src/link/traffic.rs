@@ -1,11 +1,11 @@
-//! What went over the line, in words.
+//! Serial traffic described in words.
 
 use super::{Traffic, TrafficKind};
 use crate::driver::Happening;
 use roomba_oi::{Command, CommandDecoder, Frame, Packet, ParseError};
 use std::fmt::Write;
 
-/// Lines that are kept until somebody asks for them.
+/// Lines that are kept until they are fetched.
 const MOST: usize = 1000;
 /// Values that a line names.
 const MOST_VALUES: usize = 6;
@@ -32,7 +32,7 @@ impl Console {
                 }
                 if let Some((opcode, count)) = decoder.waiting() {
                     let rest = bytes.get(bytes.len().saturating_sub(count)..).unwrap_or_default();
-                    let text = format!("{opcode}, not complete: the robot waits for the rest");
+                    let text = format!("{opcode}, incomplete: the robot waits for the rest");
                     self.push(time_s, TrafficKind::Sent, rest, text);
                 }
             }

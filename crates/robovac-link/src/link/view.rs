@@ -1,4 +1,4 @@
-//! What a page shows of a connection.
+//! View model of the Robot tab.
 
 use serde::Serialize;
 
@@ -18,7 +18,7 @@ pub struct LinkView {
     pub ride: Option<RideView>,
     /// Latest values of the 52 packets from 7 to 58, as they are on the line; empty before the first.
     pub packets: Vec<u16>,
-    /// Where the robot believes to be: x, y in m, heading in rad.
+    /// The robot's estimated pose: x, y in m, heading in rad.
     pub pose: [f64; 3],
     /// Id of the odometry model that this is by.
     pub odometry: &'static str,

@@ -1,7 +1,6 @@
-//! Straight ahead until something is in the way, then off at a random angle: the baseline, and the bulk of what early
-//! Roombas did.
+//! Straight ahead until a contact, then a turn by a random angle: the baseline, and most of what early Roombas did.
 //!
-//! Jones 2006 tells how the Roomba came to it: no map, no knowledge of where it is, and yet all of the floor in the end. The
+//! Jones 2006 describes why the Roomba used it: no map, no localisation, and yet all of the floor in the end. The
 //! patent of its modes (Jones & Mass 2004, US 6,809,490: random bounce, spiral, obstacle following) has the robot turn away
 //! from where it bumped, by a random angle, until the way is free.
 //!
@@ -43,29 +42,28 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
              Jones & Mass 2004, US 6,809,490, Method and system for multi-mode coverage for an autonomous robot",
     link: "https://patents.google.com/patent/US6809490B2/en",
     explainer: Explainer {
-        idea: "The robot drives straight until its bumper is pressed or the floor ends. \
-               It turns away by a random angle and drives on. \
-               Chance alone brings it everywhere, to some places often and to others late.",
-        complexity: "O(1) time and memory a step: it remembers nothing of the room.",
-        use_when: "As the baseline that everything else has to beat, and where nothing better than a bumper is at hand.",
+        idea: "The robot drives straight until its bumper is pressed or a cliff sensor triggers. It turns away by a \
+               random angle and continues. Coverage is purely random: some areas are cleaned often, others late.",
+        complexity: "O(1) time and memory per step; no map.",
+        use_when: "As a baseline for all other behaviours, and for robots with nothing but a bumper.",
         shines: Example {
             room: "thesis226",
-            why: "One room with blocks in it: in 20 minutes chance has been nearly everywhere.",
+            why: "One room with a few obstacles: after 20 minutes nearly everything is covered.",
         },
-        fails: Example { room: "maze", why: "It comes through a door only if it happens to aim at it." },
+        fails: Example { room: "maze", why: "It passes a doorway only by chance." },
     },
     claims: Claims { ends: false, cleans: true, manual: false, explores: false },
     params: &[
         ParamSpec {
             id: "least",
             label: "Smallest turn",
-            help: "Smallest angle that it turns by.",
+            help: "Smallest turning angle.",
             kind: ParamKind::Number { min: 0.0, max: 180.0, step: 5.0, default: 90.0, unit: "°" },
         },
         ParamSpec {
             id: "most",
             label: "Largest turn",
-            help: "Largest angle that it turns by; if it is less than the smallest one, that one is used.",
+            help: "Largest turning angle; at least the smallest one is used.",
             kind: ParamKind::Number { min: 5.0, max: 360.0, step: 5.0, default: 180.0, unit: "°" },
         },
         GO_HOME,

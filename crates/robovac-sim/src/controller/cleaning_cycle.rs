@@ -23,7 +23,7 @@
 //!     seen.push(cycle.activity());
 //! }
 //! seen.dedup();
-//! assert_eq!(&seen[..3], ["driving straight", "looking whether there is room", "driving a lane"]);
+//! assert_eq!(&seen[..3], ["driving straight", "checking for free space", "driving a lane"]);
 //! ```
 
 use super::{
@@ -48,23 +48,21 @@ const fn seconds(id: &'static str, label: &'static str, help: &'static str, defa
 pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     id: "cleaning_cycle",
     title: "Cleaning cycle",
-    summary: "Walks at random, spirals, drives lanes and follows walls in turn, for a time each.",
+    summary: "Alternates between random walk, spiral, S-shaped path and wall following, each for a limited time.",
     source: "Hasan, Al-Nahid & Reza 2014, Path planning algorithm development for autonomous vacuum cleaner robots, ICIEV: \
              section IV.A, Cleaning Cycle",
     link: "https://ieeexplore.ieee.org/document/6850799",
     explainer: Explainer {
-        idea: "Random walk, spiral, S-shaped path and wall follow take turns, each for a time that is set or drawn at random. \
-               Where one is bad another is good: lanes and spirals clean open floor fast, walls bring it into corners, and chance into the next room. \
-               As the robot can't know when the floor is clean, it goes on until it is stopped.",
-        complexity: "O(1) time and memory a step.",
-        use_when: "When nothing is known of the room. It is seldom the best, and never the worst.",
-        shines: Example {
-            room: "thesis226",
-            why: "One room with blocks in it, where each of the four finds something to do.",
-        },
+        idea: "Random walk, spiral, S-shaped path and wall following alternate, each for a fixed or random time. They \
+               complement each other: lanes and spirals clean open floor fast, wall following reaches corners, and the \
+               random walk finds the next room. The robot can't know when the floor is clean, so it runs until it is \
+               stopped.",
+        complexity: "O(1) time and memory per step.",
+        use_when: "When nothing is known about the room. Seldom the best, never the worst.",
+        shines: Example { room: "thesis226", why: "One room with a few obstacles, where each of the four is useful." },
         fails: Example {
             room: "clutter",
-            why: "Three of the four can do nothing among so many things, and take their time all the same.",
+            why: "Three of the four are useless among so many obstacles, but still take their time.",
         },
     },
     claims: Claims { ends: false, cleans: true, manual: false, explores: false },
@@ -72,19 +70,19 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         ParamSpec {
             id: "durations",
             label: "Times",
-            help: "Whether the time of each is drawn at random, as in the paper if nothing is set, or as set below.",
+            help: "Random durations, as in the paper by default, or the durations set below.",
             kind: ParamKind::Choice { options: &[("random", "at random"), ("set", "as set")] },
         },
-        seconds("shortest", "Shortest", "At random: shortest time of each.", 20.0),
-        seconds("longest", "Longest", "At random: longest time of each.", 90.0),
-        seconds("random_walk", "Random walk", "As set: how long it walks at random; 0 to leave it out.", 60.0),
-        seconds("spiral", "Spiral", "As set: how long a spiral takes at most; 0 to leave it out.", 60.0),
-        seconds("s_path", "S-shaped path", "As set: how long it drives lanes; 0 to leave it out.", 60.0),
-        seconds("wall_follow", "Wall follow", "As set: how long it follows walls; 0 to leave it out.", 60.0),
+        seconds("shortest", "Shortest", "Random: shortest duration of each.", 20.0),
+        seconds("longest", "Longest", "Random: longest duration of each.", 90.0),
+        seconds("random_walk", "Random walk", "As set: duration of the random walk; 0 skips it.", 60.0),
+        seconds("spiral", "Spiral", "As set: longest duration of a spiral; 0 skips it.", 60.0),
+        seconds("s_path", "S-shaped path", "As set: duration of the S-shaped path; 0 skips it.", 60.0),
+        seconds("wall_follow", "Wall follow", "As set: duration of wall following; 0 skips it.", 60.0),
         ParamSpec {
             id: "minutes",
             label: "Ends after",
-            help: "Time after which it stops; 0 for never.",
+            help: "Total running time; 0 for no limit.",
             kind: ParamKind::Number { min: 0.0, max: 600.0, step: 1.0, default: 0.0, unit: "min" },
         },
         GO_HOME,

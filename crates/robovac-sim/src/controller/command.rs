@@ -1,4 +1,4 @@
-//! What a person at the controls wants.
+//! Commands of manual control.
 
 use serde::{Deserialize, Serialize};
 

@@ -12,7 +12,7 @@
 //! 3. *Approach.* Seeing both, it drives to where both of its front receivers see the dock, slowly within the force field.
 //!    Losing one beam, it steers back towards it: the overlap narrows to a centimetre where the contacts are.
 //! 4. *Retry.* If it bumps into something and isn't charged, it goes back the way it came, turns a little, and tries again.
-//!    After some tries it searches anew, for another side to come from.
+//!    After some attempts it searches again, to approach from another side.
 //!
 //! ```
 //! use robovac_sim::controller::*;
@@ -60,17 +60,20 @@ const BLIND_S: f64 = 8.0;
 pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     id: "dock",
     title: "Return to dock",
-    summary: "Looks for the infrared beams of its dock and drives between them until it is charged.",
-    source: "iRobot Create 2 Open Interface specification: packets 17, 52 and 53, infrared characters; the way it drives is ours",
+    summary: "Searches for the dock's infrared beams and drives in between them to charge.",
+    source: "iRobot Create 2 Open Interface specification: packets 17, 52 and 53, infrared characters; the driving \
+        strategy is ours",
     link: "https://edu.irobot.com/learning-library/create-2-oi-spec",
     explainer: Explainer {
-        idea: "The robot drives at random and along walls until it sees a beam of its dock. \
-               The dock sends a green beam to one side of its middle and a red one to the other, and where both are seen is the way in. \
-               The robot steers back to whichever beam it loses, slower as it comes near, until its contacts touch.",
+        idea: "The robot combines random driving and wall following until it detects a beam of its dock. The dock \
+               sends a green beam to one side of its centre line and a red one to the other; both are visible on the \
+               line. The robot steers towards whichever beam it loses, slowing down as it gets closer, until its \
+               contacts touch.",
         complexity: "O(1) time and memory a step.",
-        use_when: "When the battery runs low. Robots without infrared receivers can't, and in large or winding rooms the search takes long.",
-        shines: Example { room: "room12ft", why: "In one room its beams are soon seen." },
-        fails: Example { room: "maze", why: "The beams end at the next wall, and chance has to find the way there." },
+        use_when: "When the battery runs low. It needs infrared receivers; in large or winding rooms the search is \
+            slow.",
+        shines: Example { room: "room12ft", why: "In a single room the beams are found quickly." },
+        fails: Example { room: "maze", why: "Walls block the beams, so the dock is found only by chance." },
     },
     claims: Claims { ends: true, cleans: false, manual: false, explores: false },
     params: &[],
@@ -217,10 +220,10 @@ impl Habit for Dock {
 
     fn activity(&self) -> &'static str {
         match self.phase {
-            _ if !self.is_able => "without receivers for the beams of a dock",
-            Phase::Search { .. } => "looking for the dock",
+            _ if !self.is_able => "no infrared receivers for the dock's beams",
+            Phase::Search { .. } => "searching for the dock",
             Phase::Home { .. } => "driving to the dock",
-            Phase::Docked { .. } => "on its dock",
+            Phase::Docked { .. } => "docked",
         }
     }
 

@@ -349,7 +349,7 @@ impl Controller for FollowPath {
     fn activity(&self) -> &'static str {
         match self.phase {
             Phase::BackOff(..) => "backing up",
-            Phase::Wait(_) => "waiting, the way is blocked",
+            Phase::Wait(_) => "waiting, the path is blocked",
             _ => "",
         }
     }

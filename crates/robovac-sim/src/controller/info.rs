@@ -1,4 +1,4 @@
-//! What a behaviour says of itself, and what it is made from.
+//! Metadata and construction of a behaviour.
 
 use robovac_core::{
     registry::{Explainer, ParamSpec, Params},

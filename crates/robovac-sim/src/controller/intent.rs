@@ -1,4 +1,4 @@
-//! What a controller is going for, for those who look on.
+//! A controller's current goal, for display.
 
 use crate::mapping::{Layer, Mark, Marks, locate::Locator};
 use robovac_core::geometry::Point;

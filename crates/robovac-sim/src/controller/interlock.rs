@@ -1,4 +1,4 @@
-//! What a person may tell a robot to do: Tables I and II of 002 (Hasan, Al-Nahid & Reza 2014, section IV.B).
+//! Which manual commands are allowed: Tables I and II of 002 (Hasan, Al-Nahid & Reza 2014, section IV.B).
 //!
 //! In manual mode nobody backs away by himself, so what would do harm isn't obeyed: forward with anything in the way, and turns
 //! to the side on which a bumper switch is pressed or a cliff sensor sees no floor. Backward is always allowed.
@@ -55,7 +55,7 @@ pub fn allowed(sensed: &Sensors) -> Allowed {
 /// What is blocked, and why.
 pub fn blocked(sensed: &Sensors) -> Blocked {
     if sensed.wheel_dropped() {
-        let why = Some("a wheel hangs down");
+        let why = Some("wheel drop");
         return Blocked { forward: why, backward: why, left: why, right: why };
     }
     let cliff = if sensed.battery.on_dock { [false; 4] } else { sensed.cliff };

@@ -1,4 +1,4 @@
-//! Manual mode: a person drives, and the interlock decides what is obeyed (002, section IV.B).
+//! Manual mode: the user drives, and the interlock blocks unsafe commands (002, section IV.B).
 //!
 //! Hasan, Al-Nahid & Reza 2014: "as the user operates the robot by him in manual mode, some extra logics have to be developed.
 //! Without such programming the robot may bump an obstacle badly or fall from stairs." Their Tables I and II say which of
@@ -9,7 +9,7 @@
 //! - *Brakes take a way.* The tables take the robot to stand where a sensor has seen an edge; by the time that it really stands
 //!   it is nearer, and turning there could get a wheel over the edge. So it rolls back by that way and a little more, and
 //!   doesn't drive ahead again until the stick has been let go.
-//! - *Nothing looks back.* Backward is always allowed by the tables, also down the stairs. If asked to be careful, the
+//! - *No rear sensors.* Backward is always allowed by the tables, even down stairs. If asked to be careful, the
 //!   robot reverses only the way that it came.
 //!
 //! ```
@@ -38,24 +38,24 @@ use robovac_core::{
 pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     id: "manual",
     title: "Manual",
-    summary: "You drive, and the robot doesn't obey what would make it bump or fall.",
+    summary: "You drive; commands that would make the robot bump or fall are blocked.",
     source: "Hasan, Al-Nahid & Reza 2014, Path planning algorithm development for autonomous vacuum cleaner robots, ICIEV: \
              section IV.B, Tables I and II",
     link: "https://ieeexplore.ieee.org/document/6850799",
     explainer: Explainer {
-        idea: "You drive with keys, a gamepad or the joystick on the screen. \
-               For every combination of bumper and cliff sensors, two tables say which of forward, backward, left and right are allowed. \
-               All else is blocked, and you see why.",
-        complexity: "O(1) time and memory a step.",
-        use_when: "To clean one spot, to get to know a robot and its sensors, or to see how hard it is to leave nothing out.",
-        shines: Example { room: "room12ft", why: "One room that fits into your head." },
-        fails: Example { room: "clutter", why: "Try to leave nothing out." },
+        idea: "You drive with keys, a gamepad or the on-screen joystick. For every combination of bumper and cliff \
+               sensors, two tables define which of forward, backward, left and right are allowed. Everything else is \
+               blocked, with the reason shown.",
+        complexity: "O(1) time and memory per step.",
+        use_when: "To clean one spot, to get to know a robot and its sensors, or to see how hard complete coverage is.",
+        shines: Example { room: "room12ft", why: "One room that is easy to keep in mind." },
+        fails: Example { room: "clutter", why: "Try to cover everything." },
     },
     claims: Claims { ends: false, cleans: false, manual: true, explores: false },
     params: &[ParamSpec {
         id: "careful",
-        label: "Reverse only the way it came",
-        help: "Nothing looks back: the tables allow reversing anywhere, also down the stairs.",
+        label: "Reverse only over known ground",
+        help: "No sensor faces backwards: with this off, the robot may reverse anywhere, even down stairs.",
         kind: ParamKind::Flag { default: false },
     }],
 };
@@ -113,7 +113,7 @@ impl Habit for Manual {
 
     fn roam(&mut self, pilot: &mut Pilot, _: &Sensors, _: f64) -> Drive {
         if self.is_careful && !pilot.knows_way_back() && self.blocked.backward.is_none() {
-            self.blocked.backward = Some("nothing looks back, and it hasn't come from there");
+            self.blocked.backward = Some("no rear sensor, and the ground behind is unknown");
         }
         let Command { forward, left } = self.blocked.allowed().cut(self.command);
         self.obeyed = if self.is_careful && forward < 0.0 {
@@ -135,11 +135,11 @@ impl Habit for Manual {
     fn activity(&self) -> &'static str {
         let Drive { left, right, .. } = self.obeyed;
         match left + right {
-            sum if sum > 1e-9 => "driving ahead as told",
-            sum if sum < -1e-9 => "reversing as told",
-            _ if right > left => "turning left as told",
-            _ if right < left => "turning right as told",
-            _ => "waiting for you",
+            sum if sum > 1e-9 => "driving forward on command",
+            sum if sum < -1e-9 => "reversing on command",
+            _ if right > left => "turning left on command",
+            _ if right < left => "turning right on command",
+            _ => "waiting for your command",
         }
     }
 

@@ -1,4 +1,4 @@
-//! Controllers: what drives a robot, from nothing but what it senses.
+//! Controllers, which drive a robot by its sensor readings alone.
 //!
 //! [`FollowPath`] drives a planned line. All others are behaviours, which know nothing of the room: one file each, all in
 //! one registry. To add one, write its file with the constants `INFO` (a [`BehaviourInfo`]) and `BUILD` (a [`Build`]) and
@@ -42,7 +42,7 @@ pub trait Controller {
     /// Whether there is nothing left to do.
     fn is_done(&self) -> bool;
 
-    /// Where the controller believes the robot to be, if it keeps track.
+    /// The controller's pose estimate, if it has one.
     fn estimate(&self) -> Option<Pose> {
         None
     }

@@ -42,44 +42,42 @@ use robovac_core::{
 pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     id: "random_walk",
     title: "Random walk",
-    summary: "Drives straight until it hits something, turns away just far enough to get out of any corner, and a random bit more.",
+    summary: "Drives straight until it hits something, then turns far enough to escape any corner, plus a random part.",
     source: "Hasan, Al-Nahid & Reza 2014, Path planning algorithm development for autonomous vacuum cleaner robots, ICIEV: \
              section IV.A.i",
     link: "https://ieeexplore.ieee.org/document/6850799",
     explainer: Explainer {
-        idea: "The robot drives straight ahead until its bumper is pressed or the floor ends. \
-               Then it turns away from the side that was hit, by at least half of the angle that its bumper spans, so that no corner can hold it. \
-               A random part of up to as much again makes that it comes everywhere in time.",
-        complexity: "O(1) time and memory a step: it remembers nothing of the room.",
-        use_when: "With the cheapest sensors, and where time doesn't matter. It needs no map and never gets stuck, \
-                   but the last tenth of the floor takes as long as all the rest.",
+        idea: "The robot drives straight until its bumper is pressed or a cliff sensor triggers. Then it turns away \
+               from the side of the contact, by at least half of the angle that its bumper spans, so that no corner \
+               can trap it. A random extra turn of up to the same size spreads it over the whole floor in time.",
+        complexity: "O(1) time and memory per step; no map.",
+        use_when: "With the cheapest sensors, when time doesn't matter. It needs no map and never gets stuck, but the \
+                   last tenth of the floor takes as long as all the rest.",
         shines: Example {
             room: "kitchen",
-            why: "Chance soon finds every nook of one furnished room: in 20 minutes it cleans more of it than any other behaviour.",
+            why: "It soon reaches every nook of one furnished room: in 20 minutes it cleans more than any other \
+                behaviour.",
         },
-        fails: Example {
-            room: "maze",
-            why: "It comes through a door only if it happens to aim at it: most of the maze is never seen.",
-        },
+        fails: Example { room: "maze", why: "It passes a doorway only by chance: most of the maze is never reached." },
     },
     claims: Claims { ends: false, cleans: true, manual: false, explores: false },
     params: &[
         ParamSpec {
             id: "least",
-            label: "Least turn",
-            help: "Share of the paper's least turning time, which is half of the bumper's angle.",
+            label: "Minimum turn",
+            help: "Relative to the paper's minimum turning time, which is half of the bumper's angle.",
             kind: ParamKind::Number { min: 0.0, max: 3.0, step: 0.1, default: 1.0, unit: "x" },
         },
         ParamSpec {
             id: "random",
             label: "Random turn",
-            help: "Most that is added by chance, as a share of the paper's.",
+            help: "Largest random extra turn, relative to the paper's.",
             kind: ParamKind::Number { min: 0.0, max: 5.0, step: 0.1, default: 1.0, unit: "x" },
         },
         ParamSpec {
             id: "back",
             label: "Back up",
-            help: "How far it backs up before it turns; from cliffs always far enough to turn safely.",
+            help: "Distance it backs up before turning; at cliffs always far enough to turn safely.",
             kind: ParamKind::Number { min: 0.0, max: 20.0, step: 0.5, default: 3.0, unit: "cm" },
         },
         GO_HOME,
@@ -95,7 +93,7 @@ pub(super) const BUILD: Build =
 pub(super) struct RandomWalk {
     /// Wheel speed of turns, m/s.
     speed: f64,
-    /// Least turn and most that is added by chance, rad.
+    /// Minimum turn and most that is added by chance, rad.
     turn: (f64, f64),
     back: f64,
 }

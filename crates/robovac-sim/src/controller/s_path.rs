@@ -47,44 +47,41 @@ const LANE: f64 = 3.0;
 pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     id: "s_path",
     title: "S-shaped path",
-    summary: "Drives lane beside lane: at every collision it backs up, turns, goes one lane aside, and turns again.",
+    summary: "Drives parallel lanes: at every collision it backs up, turns, shifts by one lane, and turns again.",
     source: "Hasan, Al-Nahid & Reza 2014, Path planning algorithm development for autonomous vacuum cleaner robots, ICIEV: \
              section IV.A.iii",
     link: "https://ieeexplore.ieee.org/document/6850799",
     explainer: Explainer {
-        idea: "The robot drives straight until it hits something, backs up a little, and comes back one lane beside. \
-               It turns to the left and to the right in turn, so that its lanes lie side by side like the letter S. \
-               In a corner it goes on along the other wall.",
-        complexity: "O(1) time and memory a step: it remembers nothing but the side of its last turn.",
-        use_when: "In rooms with few and straight things in them, where hardly any floor is cleaned twice. \
-                   Slip bends the lanes, and what lies behind furniture may be left out for long.",
+        idea: "The robot drives straight until it hits something, backs up a little, and returns one lane further. \
+               Left and right turns alternate, so that the path looks like the letter S. In a corner it continues \
+               along the other wall.",
+        complexity: "O(1) time and memory per step; it stores only the direction of its last turn.",
+        use_when: "In rooms with few, straight obstacles, where hardly any floor is cleaned twice. Wheel slip bends \
+                   the lanes, and floor behind furniture may stay uncovered for long.",
         shines: Example {
             room: "empty",
-            why: "Lane beside lane from wall to wall, with hardly any floor cleaned twice.",
+            why: "Parallel lanes from wall to wall, with hardly any floor cleaned twice.",
         },
-        fails: Example {
-            room: "clutter",
-            why: "Lanes end before they have begun, and every collision costs four motions.",
-        },
+        fails: Example { room: "clutter", why: "Lanes end almost at once, and every collision costs four motions." },
     },
     claims: Claims { ends: false, cleans: true, manual: false, explores: false },
     params: &[
         ParamSpec {
             id: "lane",
-            label: "Distance of lanes",
-            help: "Distance from one lane to the next, as a share of L, the width that one pass cleans.",
+            label: "Lane spacing",
+            help: "Distance between lanes, relative to L, the width that one pass cleans.",
             kind: ParamKind::Number { min: 20.0, max: 300.0, step: 5.0, default: 100.0, unit: "%" },
         },
         ParamSpec {
             id: "by",
-            label: "Turns and ways",
-            help: "Whether they are told by the clock, as in the paper, or by the wheels' encoders.",
+            label: "Measure moves",
+            help: "Measure turns and distances by time, as in the paper, or by the wheel encoders.",
             kind: ParamKind::Choice { options: &[("time", "by time"), ("encoder", "by encoders")] },
         },
         ParamSpec {
             id: "again",
-            label: "Directions of lanes",
-            help: "After so many corners, each of which turns the lanes by a right angle, it turns by chance.",
+            label: "Change direction",
+            help: "Each corner turns the lanes by a right angle; after this many corners the turn is random.",
             kind: ParamKind::Number { min: 1.0, max: 20.0, step: 1.0, default: 4.0, unit: "" },
         },
         GO_HOME,

@@ -21,7 +21,7 @@
 //! let (robot, params) = (model("roomba600").unwrap(), Params::defaults(info.params));
 //! let mut spiral = info.build(&Setup { robot, params: &params, seed: 1 }).unwrap();
 //! spiral.step(&Sensors::default(), 0.015);
-//! assert_eq!(spiral.activity(), "looking whether there is room");
+//! assert_eq!(spiral.activity(), "checking for free space");
 //! // The encoders of a robot that turns round and round about its left wheel.
 //! let reading = |step: u16| Sensors { right_counts: step.wrapping_mul(10), ..Sensors::default() };
 //! let check = spiral.step(&reading(1), 0.015);
@@ -45,34 +45,31 @@ use robovac_core::{
 pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     id: "spiral_out",
     title: "Spiral",
-    summary: "Drives growing circles to the left until it hits something, then moves on and begins again.",
+    summary: "Drives growing circles to the left until it hits something, then moves on and starts again.",
     source: "Hasan, Al-Nahid & Reza 2014, Path planning algorithm development for autonomous vacuum cleaner robots, ICIEV: \
              section IV.A.ii",
     link: "https://ieeexplore.ieee.org/document/6850799",
     explainer: Explainer {
-        idea: "The right wheel runs at full speed and the left one a little faster all the time, so that the robot drives circles that grow. \
-               Each circle lies just outside the last one, and no floor is cleaned twice until something is in the way. \
-               Then the robot moves on in a random direction and begins again where there is room.",
-        complexity: "O(1) time and memory a step: it remembers nothing of the room.",
-        use_when: "On open floor, or to clean one spot thoroughly. Among furniture its circles end before they have begun.",
-        shines: Example {
-            room: "tshape",
-            why: "Few things are in the way, and circles grow until they meet the walls.",
-        },
-        fails: Example { room: "clutter", why: "No circle comes round before it hits something." },
+        idea: "The right wheel runs at full speed and the left one gradually speeds up, so that the robot drives \
+               growing circles. Each circle lies just outside the last one, so no floor is cleaned twice until an \
+               obstacle is met. Then the robot moves on in a random direction and starts again where there is room.",
+        complexity: "O(1) time and memory per step; no map.",
+        use_when: "On open floor, or to clean one spot thoroughly. Among furniture its circles end almost at once.",
+        shines: Example { room: "tshape", why: "Few obstacles: circles grow until they reach the walls." },
+        fails: Example { room: "clutter", why: "No circle closes before a collision." },
     },
     claims: Claims { ends: false, cleans: true, manual: false, explores: false },
     params: &[
         ParamSpec {
             id: "pitch",
-            label: "Distance of circles",
-            help: "Distance from one circle to the next, as a share of the width that one pass cleans.",
+            label: "Circle spacing",
+            help: "Distance between circles, relative to the width that one pass cleans.",
             kind: ParamKind::Number { min: 20.0, max: 200.0, step: 5.0, default: 85.0, unit: "%" },
         },
         ParamSpec {
             id: "way",
-            label: "Way between spirals",
-            help: "How far it drives at most before it begins again; the distance is drawn at random.",
+            label: "Distance between spirals",
+            help: "Longest drive before the next spiral; the distance is random.",
             kind: ParamKind::Number { min: 0.5, max: 10.0, step: 0.5, default: 4.0, unit: "m" },
         },
         GO_HOME,
@@ -190,7 +187,7 @@ impl Habit for Spiral {
         match self.phase {
             Phase::Circle { .. } => "spiralling out",
             Phase::MoveOn { .. } => "moving on",
-            Phase::Begin | Phase::Check { .. } => "looking whether there is room",
+            Phase::Begin | Phase::Check { .. } => "checking for free space",
             Phase::Done => "done",
         }
     }

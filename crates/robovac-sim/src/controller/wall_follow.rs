@@ -25,7 +25,7 @@
 //! let info = find("wall_follow").unwrap();
 //! let (robot, params) = (model("roomba600").unwrap(), Params::defaults(info.params));
 //! let mut follower = info.build(&Setup { robot, params: &params, seed: 1 }).unwrap();
-//! assert_eq!(follower.activity(), "looking for a wall");
+//! assert_eq!(follower.activity(), "searching for a wall");
 //! follower.step(&Sensors { bump_right: true, ..Sensors::default() }, 0.015);
 //! assert_eq!(follower.activity(), "backing up");
 //! assert!((0..400).any(|_| { follower.step(&Sensors::default(), 0.015); follower.activity() == "following the wall" }));
@@ -69,48 +69,49 @@ const PACE: f64 = 0.8;
 pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     id: "wall_follow",
     title: "Wall follow",
-    summary: "Keeps the wall on its right and goes along it, by bumping into it again and again or by the light that it throws back.",
+    summary: "Follows the wall on its right, by repeated contact or by its light bumper.",
     source: "Hasan, Al-Nahid & Reza 2014, Path planning algorithm development for autonomous vacuum cleaner robots, ICIEV: \
              section IV.A.iv",
     link: "https://ieeexplore.ieee.org/document/6850799",
     explainer: Explainer {
-        idea: "The robot looks for a wall and goes along it with the wall on its right. \
-               With nothing but a bumper it drives an arc into the wall, backs off, turns away a little and does it again; with light sensors it keeps its distance. \
-               What stands alone is left after a round, and the border of the room is followed for ever.",
-        complexity: "O(1) time and memory a step: it remembers how far it has turned along this wall.",
-        use_when: "For edges and corners, which all other behaviours clean last. Alone it never sees the middle of the room.",
+        idea: "The robot searches for a wall and follows it on its right. With only a bumper it drives an arc into the \
+               wall, backs off, turns away a little and repeats; with a light bumper it keeps a constant distance. It \
+               leaves free-standing obstacles after one round, but follows the border of the room for ever.",
+        complexity: "O(1) time and memory per step; it stores how far it has turned along this wall.",
+        use_when: "For edges and corners, which other behaviours clean last. Alone it never cleans the middle of the \
+            room.",
         shines: Example {
             room: "maze",
-            why: "A maze is all walls: it goes along them through all of it, where chance gets stuck.",
+            why: "A maze is all walls: it follows them through the whole maze, where random behaviours get stuck.",
         },
-        fails: Example { room: "empty", why: "It cleans the border again and again and never sees the middle." },
+        fails: Example { room: "empty", why: "It cleans the border again and again and never the middle." },
     },
     claims: Claims { ends: false, cleans: true, manual: false, explores: false },
     params: &[
         ParamSpec {
             id: "on",
-            label: "Feels the wall",
-            help: "By the bumper or by light; by itself it takes light if the robot has a light bumper.",
+            label: "Wall sensing",
+            help: "By bumper or by light bumper; automatic uses the light bumper if the robot has one.",
             kind: ParamKind::Choice {
-                options: &[("auto", "as it can"), ("bumper", "by bumping"), ("light", "by light")],
+                options: &[("auto", "automatic"), ("bumper", "by bumper"), ("light", "by light")],
             },
         },
         ParamSpec {
             id: "rounds",
             label: "Rounds",
-            help: "How often it goes round something that stands alone before it leaves; 0 for ever.",
+            help: "Rounds around a free-standing obstacle before it leaves; 0 for no limit.",
             kind: ParamKind::Number { min: 0.0, max: 10.0, step: 1.0, default: 1.0, unit: "" },
         },
         ParamSpec {
             id: "arc",
             label: "Arc",
-            help: "How much wider than the robot's own radius the arcs are that it drives towards the wall.",
+            help: "Extra radius of the arcs driven towards the wall, beyond the robot's own.",
             kind: ParamKind::Number { min: 0.0, max: 50.0, step: 1.0, default: 8.0, unit: "cm" },
         },
         ParamSpec {
             id: "signal",
-            label: "Set signal",
-            help: "By light: strength of the rightmost light bumper signal that it keeps; more is nearer to the wall.",
+            label: "Target signal",
+            help: "By light: target strength of the rightmost light bumper signal; higher is closer to the wall.",
             kind: ParamKind::Number { min: 200.0, max: 3000.0, step: 50.0, default: SIGNAL, unit: "" },
         },
         GO_HOME,
@@ -241,7 +242,7 @@ impl Habit for WallFollow {
 
     fn activity(&self) -> &'static str {
         match self.phase {
-            Phase::Seek => "looking for a wall",
+            Phase::Seek => "searching for a wall",
             Phase::Follow { .. } => "following the wall",
         }
     }

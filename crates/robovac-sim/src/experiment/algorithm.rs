@@ -1,4 +1,4 @@
-//! What cleans: a planner whose path is followed, or a behaviour.
+//! An algorithm: a planner whose path is followed, or a reactive behaviour.
 
 use super::SettingsError;
 use crate::controller::{self, BEHAVIOURS, BehaviourInfo};

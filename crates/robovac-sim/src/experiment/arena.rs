@@ -1,4 +1,4 @@
-//! One planner in one room: what every comparison is made of.
+//! One planner in one room: the unit of every comparison.
 
 use crate::experiment::planning::{PlanRequest, Planned, Prepared};
 use coverage_planners::{Bounds, Observer, PathError, PlanError, PlannerInfo, metrics::PlanNumbers};
@@ -31,7 +31,7 @@ pub enum TrialError {
     #[error(transparent)]
     Plan(#[from] PlanError),
     /// The planner is wrong.
-    #[error("it returned a walk that can't be driven: {0}")]
+    #[error("the planner returned an invalid walk: {0}")]
     Path(#[from] PathError),
 }
 
@@ -48,7 +48,7 @@ impl Arena {
         self.bounds
     }
 
-    /// Lets a planner try. `clock` tells seconds since any moment.
+    /// Lets a planner try. `clock` returns seconds since any moment.
     pub fn run(
         &self,
         planner: &'static PlannerInfo,

@@ -1,4 +1,4 @@
-//! An algorithm with its parameters, as it takes part in comparisons and as links name it.
+//! An algorithm with its parameters in a comparison, and its form in a link.
 
 use crate::experiment::{Algorithm, SettingsError};
 use coverage_planners::{self, PlannerInfo};

@@ -1,4 +1,4 @@
-//! A robot that knows the room is picked up and put down anywhere: how long until it knows where it is?
+//! Kidnapped robot trials: how long until a robot with a map relocalises?
 
 use crate::{
     Conditions, Input, STEP_S,

@@ -1,4 +1,4 @@
-//! What the user has chosen, and how that is written in a link.
+//! The user's settings and their form in a link.
 
 use super::Algorithm;
 use super::Shows;
@@ -65,7 +65,7 @@ pub enum SettingsError {
         known: String,
     },
     /// A number isn't one or is out of range.
-    #[error("{kind} can't be \"{value}\"; it takes {expected}")]
+    #[error("{kind} can't be \"{value}\"; use {expected}")]
     Invalid {
         /// Which setting.
         kind: &'static str,
@@ -273,7 +273,7 @@ impl Settings {
             "quantised" => self.conditions.quantised = value == "true",
             "odometry" => self.set_odometry(value)?,
             "show" => self.shows = Shows::from_link(value)?,
-            "speed" => self.speed = number("the speed", "a number, 0 for as fast as it goes")?.max(0.0),
+            "speed" => self.speed = number("the speed", "a number, 0 for as fast as possible")?.max(0.0),
             "start" => {
                 let expected = "x,y,heading in metres and degrees, e.g. 1.2,0.8,90";
                 let wrong = || SettingsError::Invalid { kind: "the start", value: value.to_owned(), expected };

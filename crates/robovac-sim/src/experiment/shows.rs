@@ -1,4 +1,4 @@
-//! What of a run is drawn on the floor.
+//! Which layers of a run are drawn on the floor.
 
 use super::SettingsError;
 use serde::Serialize;
@@ -13,7 +13,7 @@ pub struct Shows {
     pub dirt: bool,
     /// What the sensors look at, and what they see.
     pub sensors: bool,
-    /// Where the robot believes to have been.
+    /// The robot's estimated trail.
     pub estimate: bool,
 }
 

@@ -1,4 +1,4 @@
-//! A trial on its way to whoever has time for it: plain values that can cross to a worker.
+//! A trial as plain values that can be sent to a worker.
 
 use super::{Arena, Entrant, Outcome};
 use crate::experiment::planning::{CELL_ROBOT, choose_robot};
@@ -45,7 +45,7 @@ impl TrialRequest {
         Arena::new(&plan, &robot, self.cell_size, start).map_err(|e| e.to_string())
     }
 
-    /// Lets the planner try in `arena`. `clock` tells seconds since any moment. Errors are for users.
+    /// Lets the planner try in `arena`. `clock` returns seconds since any moment. Errors are for users.
     pub fn run(
         &self,
         arena: &Arena,

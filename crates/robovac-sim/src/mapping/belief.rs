@@ -1,5 +1,5 @@
-//! What the robot believes of its pose, its wheels and the directions of walls, and the boundary that it has found: an
-//! extended Kalman filter with few states beside a map of patches.
+//! Estimate of the pose, wheel parameters, wall directions and boundary: an extended Kalman filter with few states and
+//! a map of boundary patches.
 
 use super::{
     Spread,

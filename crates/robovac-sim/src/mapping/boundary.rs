@@ -1,4 +1,4 @@
-//! Where things stand in the robot's way, finer than cells: patches of boundary.
+//! Positions of obstacles, finer than cells: boundary patches.
 
 use super::Layer;
 use robovac_core::{

@@ -1,4 +1,4 @@
-//! What observations say about the state, as a sum of squares.
+//! Observations of the state as a least-squares problem (normal equations).
 
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 

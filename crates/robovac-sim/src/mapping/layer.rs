@@ -1,4 +1,4 @@
-//! A grid without bounds, in tiles.
+//! An unbounded grid, stored in tiles.
 
 use robovac_core::grid::Cell;
 use std::sync::Arc;

@@ -1,4 +1,4 @@
-//! What makes the map and keeps track of the robot on it.
+//! Builds the map and estimates the robot's pose on it.
 
 use super::{
     Mark, Marks, OccupancyMap, Spread,
@@ -21,7 +21,7 @@ use robovac_core::{
 const STREAM: u64 = 60;
 /// Dirt sensor values up to this are the brush's own noise (ours).
 const DIRTY: u8 = 24;
-/// Poses that stand for what it believes.
+/// Poses that represent its estimate.
 const PARTICLES: usize = 24;
 /// Way and turn after which the pose is corrected, m and rad (ours: as long as odometry is good to a few millimetres).
 const STRETCH: (f64, f64) = (0.5, 1.6);
@@ -170,7 +170,7 @@ impl Mapper {
         &self.setup
     }
 
-    /// Where it believes to be.
+    /// Its estimated pose.
     pub fn pose(&self) -> Pose {
         self.belief.after(&self.way)
     }
@@ -182,7 +182,7 @@ impl Mapper {
         Spread { position: [variance(0), covariance[(0, 1)], variance(1)], heading: variance(2).sqrt().min(math::PI) }
     }
 
-    /// Poses that it holds possible, with their weights, which add up to 1: drawn from what it believes, always in the same
+    /// Poses that it holds possible, with their weights, which add up to 1: drawn from its estimate, always in the same
     /// way, so that they move as that does.
     pub fn particles(&self) -> Vec<(Pose, f64)> {
         let (pose, weight) = (self.pose(), 1.0 / PARTICLES as f64);

@@ -1,4 +1,4 @@
-//! What the robot did where: floor that it cleaned, dirt that it found.
+//! Floor cleaned and dirt found, on the map.
 
 use super::Layer;
 use robovac_core::{geometry::Point, grid::Cell};

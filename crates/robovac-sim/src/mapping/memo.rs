@@ -1,4 +1,4 @@
-//! The first readings, kept for a second look.
+//! The first readings, kept to be processed again.
 //!
 //! What the wheels are really like shows after some metres along walls; until then the heading drifts by a degree every few
 //! metres, and all that is mapped later hangs on what was mapped then. So the filter goes over its first readings again

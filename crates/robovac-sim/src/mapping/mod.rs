@@ -1,8 +1,7 @@
-//! Maps that a robot makes, and where it believes to be on them, from what a Roomba senses: a bumper, six light sensors that
-//! reach a hand's breadth, and wheel counts.
+//! Mapping and pose estimation from a Roomba's sensors: bumper, six short-range light sensors, and encoder counts.
 //!
 //! [`Mapper`] is what others use: it takes readings and has a map, a pose and how sure it is of it. Its map is an
-//! [`OccupancyMap`] in log odds, which grows as the robot goes; beside it, [`Marks`] tell what the robot has cleaned and
+//! [`OccupancyMap`] in log odds, which grows as the robot drives; [`Marks`] record what the robot has cleaned and
 //! where it found dirt. Everything is in the frame of the pose that it started from (REP 103). [`Truth`] measures a map.
 //!
 //! # How the pose is corrected

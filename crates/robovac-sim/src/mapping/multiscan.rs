@@ -1,6 +1,6 @@
-//! What was seen over a stretch of the way, put together: a multiscan.
+//! A multiscan: observations combined over a stretch of the path.
 //!
-//! Six beams that reach a hand's breadth see too little at once to tell where the robot is. Beevers & Huang (2006, SLAM with
+//! Six short-range beams see too little at once to localise the robot. Beevers & Huang (2006, SLAM with
 //! sparse sensing, ICRA) gather such readings over a stretch of the way, as long as odometry can be trusted, and take
 //! them for one scan with lines in it. So does this. How far an echo comes from depends on the angle at which the light
 //! meets the surface, which a line tells: so a line is tried with the distances that it implies, and the one that explains

@@ -1,12 +1,12 @@
-//! What a reading says of the robot's surroundings, in the robot's frame: the sensor model.
+//! The sensor model: from a reading to observations in the robot's frame.
 //!
-//! - A *beam* of the light bumper tells how far something is, by the law of [`robovac_core::robot::light_at`]. How much of the light
+//! - A *beam* of the light bumper measures a distance, by the law of [`robovac_core::robot::light_at`]. How much of the light
 //!   a surface sends back isn't known: reflectances of 0.6 to 1 and the cosine at which the light meets it. So the distance
 //!   from the sensor's source is uncertain by a share, which the filter makes smaller once it knows the wall's direction.
-//! - A *contact* touches the body in the direction that the switches tell: the left half, the right half, or both, which is
+//! - A *contact* touches the body in the direction of the switches: the left half, the right half, or both, which is
 //!   within the angle of the model. Where there is a light bumper, a straight wall that touches the body in a certain
 //!   direction sends back certain amounts to the beams beside it; the direction that explains them best is taken.
-//! - *Nothing seen* says that there is nothing within a hand's breadth.
+//! - *Nothing seen* says that there is no obstacle within range.
 
 use robovac_core::{
     geometry::{Point, Vector},

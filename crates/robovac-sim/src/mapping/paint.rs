@@ -1,4 +1,4 @@
-//! The inverse sensor model: what a reading adds to the log odds of cells.
+//! The inverse sensor model: log-odds updates of cells by a reading.
 //!
 //! - Floor under the body is free, certainly: the body is there.
 //! - A beam's way up to the echo, or as far as it certainly sees, is free.

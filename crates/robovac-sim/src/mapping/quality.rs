@@ -1,4 +1,4 @@
-//! How good a map is, measured against the truth: one definition for the page, the command and the tests.
+//! Map quality against ground truth: one definition for the page, the command line and the tests.
 //!
 //! The truth is a room's floor as a robot reaches it, in cells of the map's size: a cell is *occupied* if anything stands in
 //! it, in nine places that are looked at, and *free* otherwise; all beyond the plan is occupied. The *reachable floor* are

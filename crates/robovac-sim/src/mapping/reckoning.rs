@@ -1,6 +1,6 @@
-//! Dead reckoning over a stretch of the way, with what it may be off by.
+//! Dead reckoning over a stretch of the path, with its uncertainty.
 //!
-//! The two errors that stay the same while a robot lives are wheels of unequal size and a wheel base that isn't what it is
+//! The two systematic errors of a robot are wheels of unequal size and a wheel base that isn't what it is
 //! taken for (Borenstein & Feng 1996, Measurement and correction of systematic odometry errors in mobile robots, IEEE
 //! Transactions on Robotics and Automation 12(6)). Both act on the heading, and both act linearly as long as they are
 //! small; so a stretch keeps, beside its pose and covariance, the derivatives of the pose by them, and the filter can

@@ -1,4 +1,4 @@
-//! How sure the robot is of its pose.
+//! Covariance of the pose estimate.
 
 /// Standard deviations and covariance of a pose.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -1,4 +1,4 @@
-//! Where runs are made.
+//! Executes the runs.
 
 use crate::{
     Conditions, STEP_S,

@@ -1,4 +1,4 @@
-//! Many runs of the same algorithms with different seeds: what chance makes of them (Monte Carlo).
+//! Monte Carlo studies: many runs of the same algorithms with different seeds.
 //!
 //! A run is one algorithm with one seed, made in a [`Lab`]; its [`Outcome`] is coverage over time and what happened on
 //! the way. For behaviours that explore, the share of the [boundary](robovac_core::coverage::Boundary) that they have met takes the

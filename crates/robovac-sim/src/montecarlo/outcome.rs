@@ -1,4 +1,4 @@
-//! What came out of one run.
+//! Result of one run.
 
 use crate::{Run, STEP_S};
 use robovac_core::coverage::BoundaryTracker;
@@ -8,7 +8,7 @@ pub const GOALS: [f64; 2] = [0.9, 0.99];
 /// Coverage is taken so often, at equal distances in time, and at the start.
 pub const SAMPLES: usize = 200;
 
-/// What came out of one run.
+/// Result of one run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outcome {
     /// Seed of everything random in it.
@@ -41,7 +41,7 @@ impl Outcome {
         Self::by(run, seed, duration_s, Run::coverage)
     }
 
-    /// The same for a run of somebody who explores: what counts is how much of the boundary it has met.
+    /// The same for an exploring run: what counts is how much of the boundary it has met.
     pub fn of_exploring(run: Run, seed: u64, duration_s: f64, mut tracker: BoundaryTracker) -> Self {
         Self::by(run, seed, duration_s, |run| {
             tracker.update(run.pose(), run.sensors());
@@ -49,7 +49,7 @@ impl Outcome {
         })
     }
 
-    /// By the share that `share` tells after each step.
+    /// By the share that `share` returns after each step.
     fn by(mut run: Run, seed: u64, duration_s: f64, mut share: impl FnMut(&Run) -> f64) -> Self {
         let steps = (duration_s / STEP_S).round() as u64;
         let mut curve = Vec::with_capacity(SAMPLES + 1);

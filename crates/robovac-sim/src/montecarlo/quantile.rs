@@ -1,4 +1,4 @@
-//! One definition of quantiles, which also holds where some of the values aren't known but only known to be large.
+//! Quantiles, also of censored values (only known to be large).
 
 /// The `p` quantile (0 to 1) of `sorted` values, ascending; `None` without any.
 ///

@@ -1,4 +1,4 @@
-//! Runs on their way to whoever has time for them: plain values that can cross to a worker.
+//! Run requests as plain values that can be sent to a worker.
 
 use super::{Lab, Outcome, Terms};
 use crate::experiment::{BEHAVIOUR, Entrant, PLANNER, Settings, plan_of};
@@ -48,7 +48,7 @@ impl RunsRequest {
         let kind = if self.behaves { BEHAVIOUR } else { PLANNER };
         let entrant = Entrant::parse(kind, &self.entrant).map_err(|e| e.to_string())?;
         lab.plan(&entrant, observer).map_err(|e| e.to_string())?;
-        let run = |&seed: &u64| lab.run(&entrant, seed).ok_or_else(|| "it can't be run".to_owned());
+        let run = |&seed: &u64| lab.run(&entrant, seed).ok_or_else(|| "this algorithm can't be run".to_owned());
         self.seeds.iter().map(run).collect()
     }
 }

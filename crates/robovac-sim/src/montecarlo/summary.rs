@@ -1,4 +1,4 @@
-//! Many runs of one algorithm, summed up.
+//! Summary of many runs of one algorithm.
 
 use super::{GOALS, Outcome, SAMPLES, quantile};
 use serde::Serialize;
@@ -36,7 +36,7 @@ pub struct TimeTo {
     pub high_s: Option<f64>,
 }
 
-/// Many runs of one algorithm, summed up.
+/// Summary of many runs of one algorithm.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Summary {
     /// How many.

@@ -8,7 +8,7 @@
 //! straight between and beyond, and down to 12 V, 1 V a cell, when empty (ours); other batteries have the same curve
 //! in proportion to their nominal voltage (ours). Stalled wheels draw another 10 W, brushes and wheels on carpet 5 W (ours).
 //!
-//! A [`Supply`] from outside - an interface that switches brushes and charger - takes the place of standing power and dock.
+//! A [`Supply`] from outside - an interface that switches brushes and charger - replaces standing power and dock.
 //!
 //! Noise: at "typical" a standard deviation of 20 mV and 10 mA, so that a standing robot reads what is reported of it
 //! (-111 to -151 mA); at "harsh" 100 mV and 50 mA, and a worn battery whose gauge is off by up to 15 %, the same all

@@ -1,4 +1,4 @@
-//! Cliff sensors: light that the floor sends back to the underside.
+//! Cliff sensors: light reflected by the floor.
 //!
 //! A Roomba's reads 2500 to 2680 over floor, and 0 with a cliff reported on all four while it stands on its dock, whose
 //! ramp is black to them (Open Interface facts, section 6: measured on a 690). Both are kept: so a controller has to

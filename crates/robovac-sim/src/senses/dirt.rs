@@ -1,4 +1,4 @@
-//! The dirt sensor, which hears what hits the brush's housing.
+//! The dirt sensor: counts particles hitting the brush housing.
 //!
 //! Noise: at "typical" up to 2, at "harsh" up to 20 of 255 are read while nothing hits it. The figures are ours; the Open
 //! Interface only says that more is dirtier.

@@ -1,4 +1,4 @@
-//! Laser scanner: distances all around, some times a second.
+//! Laser scanner: distances all around, several times a second.
 //!
 //! All beams of a scan are taken at once, where the robot stands when the scan is due. What is nearer than the scanner's
 //! least distance is not seen, nor what is farther than its greatest.

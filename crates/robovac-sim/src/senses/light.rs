@@ -1,4 +1,4 @@
-//! Light bumper and wall sensor: infrared light that things ahead send back.
+//! Light bumper and wall sensor: infrared light reflected by obstacles.
 //!
 //! How the signal falls with distance is the law in [`robovac_core::robot::light_at`].
 //!

@@ -1,4 +1,4 @@
-//! Sensors: what a robot reports of its surroundings and of itself, one kind a file.
+//! Simulated sensors, one kind a file.
 
 mod battery;
 mod bumper;

@@ -1,4 +1,4 @@
-//! What the wheels tell: progress, and motors that are stuck.
+//! Wheel sensors: encoder counts and stalled motors.
 
 use super::Carrier;
 use crate::STEP_S;

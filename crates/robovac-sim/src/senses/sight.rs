@@ -1,4 +1,4 @@
-//! What a beam meets: walls, objects, and what moves.
+//! Ray casting against walls, objects and movers.
 
 use super::Around;
 use robovac_core::{

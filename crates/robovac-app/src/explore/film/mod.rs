@@ -1,4 +1,4 @@
-//! How a walk came to be: what a planner that improves its walk had on its way, to be watched afterwards.
+//! Film of a search: the intermediate walks of a planner that improves its walk.
 
 mod change;
 mod showing;

@@ -1,4 +1,4 @@
-//! A film that is shown: pictures, how long each is looked at, and what is said of it.
+//! Playback of a film: pictures with durations and captions.
 
 use super::{
     Change,
@@ -121,7 +121,7 @@ impl Showing {
 
     /// What is seen, in words; `end` is what is proven of the plan.
     pub fn text(&self, end: Option<Proof>) -> String {
-        self.picture().map_or_else(|| format!("The search is over: the plan is {}.", good(end)), |it| it.text.clone())
+        self.picture().map_or_else(|| format!("Search finished: the plan is {}.", good(end)), |it| it.text.clone())
     }
 }
 
@@ -145,7 +145,7 @@ fn won(former: &Frame, latter: &Frame) -> f64 {
 fn first(frame: &Frame, (number, all): (usize, usize), is_chosen: bool, lattice: &Lattice) -> Picture {
     let Frame { walk, planner, .. } = frame;
     let (steps, turns) = (amount(steps(walk), "step"), amount(turns(walk), "turn"));
-    let chosen = if is_chosen { " The search begins with it." } else { "" };
+    let chosen = if is_chosen { " The search starts from it." } else { "" };
     Picture {
         lines: vec![(Ink::Walk, lattice.anchors(walk))],
         tinted: Vec::new(),
@@ -170,8 +170,8 @@ fn improvement([former, latter]: [&Frame; 2], total: u32, seconds: [f64; 3], lat
     let share = 100.0 * won(former, latter);
     let share = if share < 0.05 { "less than 0.1".to_owned() } else { format!("{share:.1}") };
     let texts = [
-        format!("{which}: the tinted cells are about to change."),
-        format!("{which}: the walk is taken apart there; {} stay{s}.", amount(stay as i64, "part")),
+        format!("{which}: the tinted cells will change."),
+        format!("{which}: the walk is taken apart there; {} remain{s}.", amount(stay as i64, "part")),
         format!("{which}: merged again, {} ({share} % of the bound); now {}.", less(&change), good(latter.proof)),
     ];
     let [marked, apart, merged_text] = texts;
@@ -208,7 +208,7 @@ fn amount(number: i64, unit: &str) -> String {
 /// How good a walk is known to be.
 fn good(proof: Option<Proof>) -> String {
     match proof.map(Proof::gap) {
-        None => "one of which nothing is proven yet".to_owned(),
+        None => "not yet compared with a bound".to_owned(),
         Some(gap) if gap <= 0.0 => "proven optimal".to_owned(),
         // Rounded up, as the page does: nothing but the best is 0 % above.
         Some(gap) => format!("{:.1} % above the proven bound", (1000.0 * gap - 1e-6).ceil() / 10.0),

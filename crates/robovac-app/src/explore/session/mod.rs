@@ -27,8 +27,8 @@ use std::sync::Arc;
 const LONGEST_FRAME: f64 = 0.1;
 
 /// What is told of a robot that was put down elsewhere and can't feel that.
-const CARRIED: &str = "The robot follows its plan from odometry: it doesn't know that it was carried.";
-/// How far from where it believes to be a robot has to be put down for that to be worth a word, m.
+const CARRIED: &str = "The robot follows its plan by odometry and can't detect that it was kidnapped.";
+/// How far from its estimated position a robot must be put down for a message, m.
 const CARRIED_M: f64 = 0.1;
 
 /// What links say of a room that was drawn or loaded: it stays what it is.
@@ -318,7 +318,7 @@ impl Session {
         }
     }
 
-    /// Whether the robot is in somebody's hand.
+    /// Whether the robot is held.
     pub fn is_lifted(&self) -> bool {
         self.recording.as_ref().is_some_and(|recording| recording.run().is_lifted())
     }

@@ -1,4 +1,4 @@
-//! What stands, lies and moves in the session's room.
+//! Objects in the session's room.
 
 use super::{Session, sentence};
 use robovac_core::floorplan::{FloorPlan, Object};

@@ -1,4 +1,4 @@
-//! Plans: asked for, answered from elsewhere, and what their user is told.
+//! Planning in a session: requests, results and messages.
 
 use super::{Planning, Session, sentence};
 use crate::explore::{Search, Showing, State, opening};
@@ -142,7 +142,7 @@ impl Session {
             self.playing = false;
             // What it had found so far is no longer drawn.
             self.previews += 1;
-            self.say("notice", "Planning was cancelled. Press play to plan again, or choose something else.".into());
+            self.say("notice", "Planning was cancelled. Press play to plan again, or change the settings.".into());
         }
     }
 
@@ -154,8 +154,8 @@ impl Session {
             self.say(
                 "notice",
                 format!(
-                    "From this start the robot reaches only {reached:.1} m² of floor; {left_out:.1} m² (hatched) lie \
-                     behind walls, or behind passages that are too narrow for it. Move the start, or choose a smaller robot."
+                    "From this start the robot can reach only {reached:.1} m² of floor; {left_out:.1} m² (hatched) are \
+                     behind walls or passages too narrow for it. Move the start, or choose a smaller robot."
                 ),
             );
         }
@@ -167,8 +167,10 @@ impl Session {
             let (percent, cell) = (100.0 * coverage, 100.0 * self.settings.cell_size);
             self.say(
                 "notice",
-                format!("This plan covers only {percent:.0} % of the floor within reach: planning cells of {cell:.0} cm \
-                     don't fit through the room's passages, or the tool is narrower than they are. Choose smaller cells."),
+                format!(
+                    "This plan covers only {percent:.0} % of the reachable floor: planning cells of {cell:.0} cm \
+                     don't fit through the room's passages, or the tool is narrower than a cell. Choose smaller cells."
+                ),
             );
         }
     }

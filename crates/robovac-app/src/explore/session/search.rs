@@ -1,4 +1,4 @@
-//! The planner's search, on demand.
+//! Display of the planner's search, on demand.
 
 use super::Session;
 use crate::explore::{
@@ -109,7 +109,7 @@ impl Session {
         if !self.offers_search() || cells <= most {
             return String::new();
         }
-        format!("Rooms of more than {most} planning cells aren't {shown}; this one has {cells}.")
+        format!("Rooms with more than {most} planning cells aren't {shown}; this one has {cells}.")
     }
 
     /// The decisions behind the plan, if the planner tells them.
@@ -129,13 +129,13 @@ impl Session {
         };
         match (self.shown_film(), self.decision()) {
             (Some(film), _) if self.is_driving() && !film.is_over() => {
-                "The film of the search waits while the robot drives. Pause to see it.".to_owned()
+                "The film of the search is hidden while the robot drives. Pause to watch it.".to_owned()
             }
             (Some(_), _) if self.is_driving() => String::new(),
             (Some(film), _) => film.text(planned.proof),
             (None, Some(step)) => format!("{}.", step.note),
             (None, None) if self.search.is_some() && self.state() == State::Finished => {
-                "All cells are clean: the search is over.".to_owned()
+                "All cells are clean: the search is finished.".to_owned()
             }
             (None, None) => String::new(),
         }

@@ -1,4 +1,4 @@
-//! A session as it is shown: drawn, in numbers, and in words.
+//! View of a session: scene, numbers and texts.
 
 use super::Session;
 use crate::{
@@ -168,8 +168,8 @@ impl Session {
             State::Planning => "a path is being planned",
             State::Ready => "the robot stands at the start",
             State::Playing => "the robot is cleaning",
-            State::Paused | State::Seeking => "the robot stands still",
-            State::Finished => "the run is over",
+            State::Paused | State::Seeking => "the robot is paused",
+            State::Finished => "the run is finished",
         };
         let search = if view.search.text.is_empty() { String::new() } else { format!(" {}", view.search.text) };
         let objects = in_words(&self.plan().objects);
@@ -187,5 +187,5 @@ impl Session {
 fn activity(run: &Run) -> &'static str {
     let last = run.events().back();
     let is_put_down = last.is_some_and(|event| event.what == What::PutDown && event.step >= run.steps());
-    if is_put_down { "put down, about to go on" } else { run.activity() }
+    if is_put_down { "put down, about to continue" } else { run.activity() }
 }

@@ -10,7 +10,7 @@ const SOLID: &[Rect] =
 pub(super) const ROOM: RoomInfo = RoomInfo {
     id: "bedroom",
     title: "Bedroom",
-    note: "Good for a bed to go round: the two narrow ways beside it both end at the wall.",
+    note: "Good for dead ends: the narrow passages on both sides of the bed end at the wall.",
     kind: RoomKind::Cluttered,
     is_benchmark: true,
     build: || {

@@ -9,7 +9,7 @@ const SOLID: &[Rect] = &[[3.0, 6.6, 6.0, 7.2], [0.4, 0.0, 3.6, 0.4]];
 pub(super) const ROOM: RoomInfo = RoomInfo {
     id: "classroom",
     title: "Classroom",
-    note: "Good for legs in rows: twelve desks with two chairs each, aisles between them.",
+    note: "Good for rows of thin legs: twelve desks with two chairs each, and aisles in between.",
     kind: RoomKind::Office,
     is_benchmark: true,
     build: || {

@@ -6,7 +6,7 @@ use crate::floorplan::{Sketch, generate::random_clutter};
 pub(super) const ROOM: RoomInfo = RoomInfo {
     id: "clutter",
     title: "Store with boxes",
-    note: "Good for the worst of furniture: a quarter of the half-metre squares is full, at random.",
+    note: "Good for worst-case clutter: boxes fill a random quarter of the half-metre squares.",
     kind: RoomKind::Cluttered,
     is_benchmark: true,
     build: || {

@@ -9,7 +9,7 @@ const SOLID: &[Rect] = &[[1.0, 4.6, 3.4, 5.0], [5.6, 1.6, 6.0, 3.4]];
 pub(super) const ROOM: RoomInfo = RoomInfo {
     id: "dining",
     title: "Dining room",
-    note: "Good for legs: a table and ten chairs stand on forty-four of them.",
+    note: "Good for thin legs: a table and ten chairs have forty-four of them.",
     kind: RoomKind::Cluttered,
     is_benchmark: true,
     build: || {

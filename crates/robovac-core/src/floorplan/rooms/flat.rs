@@ -89,7 +89,7 @@ const ROUND: &[(f64, f64, f64)] = &[
 pub(super) const ROOM: RoomInfo = RoomInfo {
     id: "flat",
     title: "Furnished flat",
-    note: "Good for everyday comparison: four rooms, bath and hall, chair legs, a loop through three doors.",
+    note: "Good for everyday comparisons: four rooms, bath and hall, chair legs, and a loop through three doors.",
     kind: RoomKind::Cluttered,
     is_benchmark: true,
     build: || {

@@ -9,7 +9,7 @@ const WAYS: &[Rect] = &[[0.0, 3.4, 20.0, 5.0], [18.4, 0.0, 20.0, 3.4], [8.0, 5.0
 pub(super) const ROOM: RoomInfo = RoomInfo {
     id: "hotel",
     title: "Hotel corridor",
-    note: "Good for long narrow floor: twenty metres of corridor with niches of doors on both sides.",
+    note: "Good for long narrow floors: twenty metres of corridor with door niches on both sides.",
     kind: RoomKind::Corridor,
     is_benchmark: true,
     build: || {

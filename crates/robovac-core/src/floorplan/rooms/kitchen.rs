@@ -12,7 +12,7 @@ const LEGS: &[Rect] = &[[1.8, 1.0, 2.2, 1.4], [2.6, 1.0, 3.0, 1.4], [3.7, 0.2, 4
 pub(super) const ROOM: RoomInfo = RoomInfo {
     id: "kitchen",
     title: "Kitchen with an island",
-    note: "Good for a loop: the way round the island is narrow, with stools and table legs in it.",
+    note: "Good for a loop: the passage around the island is narrow, with stools and table legs in it.",
     kind: RoomKind::Cluttered,
     is_benchmark: true,
     build: || Sketch::open(5.0, 3.8, 0.05).fill(SOLID).legs(LEGS).start(0.3, 0.3, 0.0).finish(ROOM.title, ROOM.note),

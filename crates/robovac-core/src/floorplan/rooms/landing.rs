@@ -20,7 +20,7 @@ const CHEST: &[(f64, f64)] = &[(1.9, 3.9), (2.9, 3.9), (2.9, 4.4), (1.9, 4.4)];
 pub(super) const ROOM: RoomInfo = RoomInfo {
     id: "stairs",
     title: "Landing with stairs",
-    note: "Good for cliff sensors: the floor ends at stairs down, and a virtual wall guards a door.",
+    note: "Good for cliff sensors: the floor ends at stairs leading down, and a virtual wall blocks a door.",
     kind: RoomKind::Cluttered,
     is_benchmark: false,
     build: || {

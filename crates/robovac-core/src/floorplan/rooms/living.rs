@@ -22,7 +22,7 @@ const CAT: &[(f64, f64)] = &[(0.55, 1.8), (1.3, 0.95), (3.0, 0.9), (3.2, 2.6), (
 pub(super) const ROOM: RoomInfo = RoomInfo {
     id: "living",
     title: "Living room with a cat",
-    note: "Good for sensors: thin legs, slanted furniture, a carpet, a dock to come back to, and somebody in the way.",
+    note: "Good for sensors: thin legs, slanted furniture, a carpet, a dock, and a cat in the way.",
     kind: RoomKind::Cluttered,
     is_benchmark: false,
     build: || {

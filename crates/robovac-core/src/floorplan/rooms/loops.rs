@@ -22,7 +22,7 @@ const MISSING: &[[i32; 4]] = &[
 pub(super) const ROOM: RoomInfo = RoomInfo {
     id: "loops",
     title: "Maze with loops",
-    note: "Good for choices: few ways end here, but many come back to where they began.",
+    note: "Good for choices: few dead ends, but many loops.",
     kind: RoomKind::Maze,
     is_benchmark: true,
     build: || {

@@ -6,7 +6,7 @@ use crate::floorplan::Sketch;
 pub(super) const ROOM: RoomInfo = RoomInfo {
     id: "lshape",
     title: "L-shaped room",
-    note: "Good for seeing how a room is split into parts: one inner corner, no furniture.",
+    note: "Good for seeing how a room is decomposed: one inner corner, no furniture.",
     kind: RoomKind::Simple,
     is_benchmark: true,
     build: || {

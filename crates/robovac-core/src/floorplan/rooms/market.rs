@@ -6,7 +6,7 @@ use crate::floorplan::{Sketch, generate::random_hall};
 pub(super) const ROOM: RoomInfo = RoomInfo {
     id: "market",
     title: "Market hall",
-    note: "Good for blocks at random: stalls of all sizes, as in the hall that planners are timed on.",
+    note: "Good for random obstacles: stalls of all sizes, as in the hall used to time planners.",
     kind: RoomKind::Large,
     is_benchmark: true,
     build: || {

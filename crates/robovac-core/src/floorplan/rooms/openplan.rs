@@ -15,7 +15,7 @@ const SOLID: &[Rect] = &[
 pub(super) const ROOM: RoomInfo = RoomInfo {
     id: "openplan",
     title: "Open-plan office",
-    note: "Good for islands in rank and file: eighteen double desks on thin legs.",
+    note: "Good for regular islands: eighteen double desks on thin legs.",
     kind: RoomKind::Office,
     is_benchmark: true,
     build: || {

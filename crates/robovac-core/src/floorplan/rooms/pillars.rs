@@ -6,7 +6,7 @@ use crate::floorplan::Sketch;
 pub(super) const ROOM: RoomInfo = RoomInfo {
     id: "pillars",
     title: "Hall of pillars",
-    note: "Good for size: 400 x 400 cells, and pillars that break lanes without dividing the floor.",
+    note: "Good for very large maps: 400 x 400 cells, with pillars that break lanes without dividing the floor.",
     kind: RoomKind::Large,
     is_benchmark: true,
     build: || {

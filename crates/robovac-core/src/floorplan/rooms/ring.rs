@@ -6,7 +6,7 @@ use crate::floorplan::Sketch;
 pub(super) const ROOM: RoomInfo = RoomInfo {
     id: "ring",
     title: "Ring corridor",
-    note: "Good for going round: both ways lead to the same place, and the planner must cut it open.",
+    note: "Good for one large loop: both directions meet, so the planner must cut it somewhere.",
     kind: RoomKind::Corridor,
     is_benchmark: true,
     build: || {

@@ -16,7 +16,7 @@ const LEGS: &[Rect] = &[[1.37, 2.95, 2.59, SIDE], [1.73, 2.54, 2.18, 2.95]];
 pub(super) const ROOM: RoomInfo = RoomInfo {
     id: "room12ft",
     title: "Furnished room, 12 ft x 12 ft",
-    note: "Good for random walks: the size of the arena in which the DVR-1's behaviours were timed.",
+    note: "Good for random walks: as large as the arena in which the DVR-1's behaviours were timed.",
     kind: RoomKind::Cluttered,
     is_benchmark: true,
     build: || {

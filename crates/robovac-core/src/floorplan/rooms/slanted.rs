@@ -14,7 +14,7 @@ const CORNERS: &[&[(f64, f64)]] = &[
 pub(super) const ROOM: RoomInfo = RoomInfo {
     id: "slanted",
     title: "Attic with slanted walls",
-    note: "Good for walls at an angle, which give every lane another length.",
+    note: "Good for walls at an angle, which give every lane a different length.",
     kind: RoomKind::Simple,
     is_benchmark: true,
     build: || {

@@ -24,7 +24,7 @@ const WALLS: &[Rect] = &[
 pub(super) const ROOM: RoomInfo = RoomInfo {
     id: "spiral",
     title: "Spiral corridor",
-    note: "Good for long ways without a choice: what leads astray here has to be driven back.",
+    note: "Good for one long path without branches: every detour must be driven back.",
     kind: RoomKind::Maze,
     is_benchmark: true,
     build: || Sketch::open(SIDE, SIDE, 0.1).fill(WALLS).start(0.3, 0.3, 0.0).finish(ROOM.title, ROOM.note),

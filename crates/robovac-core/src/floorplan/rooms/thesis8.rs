@@ -6,7 +6,7 @@ use crate::floorplan::Sketch;
 pub(super) const ROOM: RoomInfo = RoomInfo {
     id: "thesis8",
     title: "Thesis preset 8 x 8",
-    note: "Good for following every step by hand: the 8 x 8 cells of 20 cm that the snake thesis ran on.",
+    note: "Good for following every step by hand: the 8 x 8 cells of 20 cm used in the snake thesis.",
     kind: RoomKind::Simple,
     is_benchmark: false,
     build: || {

@@ -6,7 +6,7 @@ use crate::floorplan::Sketch;
 pub(super) const ROOM: RoomInfo = RoomInfo {
     id: "tshape",
     title: "T-shaped room",
-    note: "Good for the choice of a direction: bar and stem want lanes across each other.",
+    note: "Good for the choice of lane direction: bar and stem need perpendicular lanes.",
     kind: RoomKind::Simple,
     is_benchmark: true,
     build: || {

@@ -6,7 +6,7 @@ use crate::floorplan::Sketch;
 pub(super) const ROOM: RoomInfo = RoomInfo {
     id: "ushape",
     title: "U-shaped room",
-    note: "Good for sweeping across a gap: lanes of both wings lie in line but aren't connected.",
+    note: "Good for sweeping across a gap: the lanes of both wings line up but aren't connected.",
     kind: RoomKind::Simple,
     is_benchmark: true,
     build: || {

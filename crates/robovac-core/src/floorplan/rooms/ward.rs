@@ -9,7 +9,7 @@ const CORRIDOR: &[Rect] = &[[0.0, 5.0, 16.0, 7.2]];
 pub(super) const ROOM: RoomInfo = RoomInfo {
     id: "ward",
     title: "Hospital ward",
-    note: "Good for rooms alike: eight of them off one corridor, two beds on legs in each.",
+    note: "Good for similar rooms: eight of them off one corridor, with two beds on legs in each.",
     kind: RoomKind::Office,
     is_benchmark: true,
     build: || {

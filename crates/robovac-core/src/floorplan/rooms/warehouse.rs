@@ -9,7 +9,7 @@ const SOLID: &[Rect] = &[[24.0, 15.0, 24.2, 20.0], [24.2, 15.0, 27.6, 15.2]];
 pub(super) const ROOM: RoomInfo = RoomInfo {
     id: "warehouse",
     title: "Warehouse",
-    note: "Good for aisles: twelve shelves of nine metres, and long straight lanes between them.",
+    note: "Good for aisles: twelve shelves of nine metres with long straight lanes in between.",
     kind: RoomKind::Large,
     is_benchmark: true,
     build: || {

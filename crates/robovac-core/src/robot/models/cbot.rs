@@ -30,7 +30,7 @@ const STEP: f64 = TAU / 1024.0;
 pub(super) const CBOT: RobotModel = RobotModel {
     id: "cbot",
     title: "CBot",
-    summary: "A box of 40 x 20 cm with a laser scanner that cleans a strip as wide as itself",
+    summary: "Box of 40 x 20 cm with a laser scanner; cleans its full width",
     body: Body::Polygon(&[[-HALF[0], -HALF[1]], [HALF[0], -HALF[1]], [HALF[0], HALF[1]], [-HALF[0], HALF[1]]]),
     // The half diagonal.
     radius: 0.223_606_797_749_979,

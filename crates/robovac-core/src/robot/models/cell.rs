@@ -1,4 +1,4 @@
-//! The robot of the textbooks, which fills a cell of the grid.
+//! The textbook robot, which fills one grid cell.
 
 use crate::robot::{
     RobotModel,
@@ -21,7 +21,7 @@ pub const fn cell_robot(cell: f64) -> RobotModel {
     RobotModel {
         id: "cell",
         title: "Grid robot (one cell)",
-        summary: "The textbook's robot: fills one grid cell and cleans it",
+        summary: "The textbook robot: fills and cleans one grid cell",
         body: Body::Round,
         radius: 0.45 * cell,
         wheels: Wheels::Differential,

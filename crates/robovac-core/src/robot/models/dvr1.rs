@@ -35,7 +35,7 @@ const SPEED: f64 = TAU * WHEEL_RADIUS * REVOLUTIONS;
 pub(super) const DVR_1: RobotModel = RobotModel {
     id: "dvr1",
     title: "DVR-1",
-    summary: "Round, 29 cm wide, feels its way with two bumper switches and three cliff sensors",
+    summary: "Round, 29 cm wide, two bumper switches, three cliff sensors",
     body: Body::Round,
     radius: BODY_RADIUS,
     wheels: Wheels::Differential,

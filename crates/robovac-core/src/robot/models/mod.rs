@@ -1,4 +1,4 @@
-//! The robots that can be chosen, one a file, every figure with its source.
+//! The available robots, one a file, with a source for every value.
 
 mod cbot;
 mod cell;

@@ -21,7 +21,7 @@ const SIDE: f64 = HALF * 0.414_213_562_373_095;
 pub(super) const OCTAGON: RobotModel = RobotModel {
     id: "octagon",
     title: "Omnidirectional octagon",
-    summary: "Eight sides, 36 cm wide, moves in every direction without turning",
+    summary: "Eight sides, 36 cm wide, moves in any direction without turning",
     body: Body::Polygon(&[
         [HALF, -SIDE],
         [HALF, SIDE],

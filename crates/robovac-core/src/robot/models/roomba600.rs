@@ -20,7 +20,7 @@ use crate::robot::{
 pub(super) const ROOMBA_600: RobotModel = RobotModel {
     id: "roomba600",
     title: "Roomba 600 / Create 2",
-    summary: "Round, 35 cm wide, cleans a strip of 17 cm under its brush",
+    summary: "Round, 35 cm wide, 17 cm brush, light bumper, cliff sensors",
     body: Body::Round,
     radius: 0.174_25,
     wheels: Wheels::Differential,

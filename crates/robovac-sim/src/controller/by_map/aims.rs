@@ -1,4 +1,4 @@
-//! What a robot that cleans by its map goes for next.
+//! Chooses the next goal when cleaning by a map.
 
 use super::{
     ByMap, DOCK_S, End, Phase,

@@ -1,9 +1,9 @@
-//! Cleaning by a map that the robot has made: what is left is planned on it, and driven by the pose that it believes in.
+//! Cleaning by the robot's own map: the remaining floor is planned on it and driven by the estimated pose.
 //!
 //! 1. *What is left* is floor that the robot can get to by its map, less what its [`Marks`](crate::mapping::Marks) say is
 //!    swept. It falls into connected parts.
 //! 2. The *nearest part* is next. One of the planners plans a walk that covers it, which is driven as a line. Then what
-//!    is left is looked at anew: by then the map has grown, and the pose has been corrected.
+//!    is left is computed again: by then the map has grown, and the pose has been corrected.
 //! 3. *What the map doesn't have* and the robot meets is barred, beside what the mapper makes of it, and what is left is looked at
 //!    anew. Edges and virtual walls are barred for ever; what else was met gets another chance when nothing else is left.
 //! 4. A robot that was *picked up* doesn't know where it is. It follows walls until there is only one place on its map where
@@ -76,7 +76,7 @@ struct ByMap {
     stuck: u32,
     /// Where it was last seen to move, and how long ago, s.
     moved: (Point, f64),
-    /// Whether it hangs, or hung, in somebody's hand.
+    /// Whether it is, or was, held.
     is_lifted: bool,
     search: Search,
     dock: Dock,
@@ -92,7 +92,7 @@ enum Phase {
         patience: f64,
         goal: Cell,
     },
-    /// Looks for itself on its map.
+    /// Relocalises on its map.
     Search,
     /// Goes back to where it began, for so long yet, s.
     Return {
@@ -297,15 +297,15 @@ impl Habit for ByMap {
 
     fn activity(&self) -> &'static str {
         match &self.phase {
-            Phase::Choose => "planning what is left on its map",
+            Phase::Choose => "planning the remaining floor",
             Phase::Clean { .. } => "cleaning by its map",
-            Phase::Search => "looking for itself on its map",
+            Phase::Search => "relocalising on its map",
             Phase::Return { .. } => "driving back to its dock",
             Phase::Dock { .. } => self.dock.activity(),
-            Phase::Done(End::Clean) => "done: all that it can reach on its map is clean",
-            Phase::Done(End::NothingReachable) => "done: it can't get to what is left",
-            Phase::Done(End::Lost) => "done: it can't find itself on its map",
-            Phase::Done(End::Stuck) => "done: it is stuck",
+            Phase::Done(End::Clean) => "done: all reachable floor on its map is clean",
+            Phase::Done(End::NothingReachable) => "done: the remaining floor is unreachable",
+            Phase::Done(End::Lost) => "done: relocalisation failed",
+            Phase::Done(End::Stuck) => "done: the robot is stuck",
         }
     }
 

@@ -1,4 +1,4 @@
-//! What is left to be cleaned, by a robot's own map.
+//! Floor left to clean, by the robot's own map.
 
 use crate::{
     controller::parts::Barred,

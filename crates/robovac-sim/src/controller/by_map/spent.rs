@@ -1,4 +1,4 @@
-//! What was spent on places, so that nothing is gone for for ever.
+//! Effort spent on goals, so that unreachable ones are given up.
 
 use crate::mapping::Layer;
 use robovac_core::grid::Cell;

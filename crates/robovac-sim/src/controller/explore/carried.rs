@@ -1,4 +1,4 @@
-//! What the frontier explorer makes of being carried off, reading by reading.
+//! How the frontier explorer handles kidnapping, reading by reading.
 
 use super::frontier::{Frontier, Goal, Phase};
 use crate::{

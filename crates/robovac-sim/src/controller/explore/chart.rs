@@ -1,4 +1,4 @@
-//! What a map says about where the robot can go, and what is worth going for.
+//! Reachable cells and frontiers of a map.
 
 use crate::{controller::parts::Barred, mapping::OccupancyMap};
 use robovac_core::{

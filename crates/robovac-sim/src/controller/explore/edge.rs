@@ -56,40 +56,43 @@ const LATCH_S: f64 = 0.2;
 pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
     id: "explore_edge",
     title: "Edge following",
-    summary: "Meets something, turns until it has it beside it, and goes along its edge and around its ends, rule by printed rule.",
+    summary: "Finds an obstacle, turns alongside it, and follows its edge and ends, by the thesis' printed rules.",
     source: "Krapinec 2025, Enhancing Robotic Vacuum Cleaner Performance through Improved Map Building, master's thesis, \
              FER Zagreb: chapter 7, phase 6, and section 7.1, move_to_empty_space",
     link: THESIS,
     explainer: Explainer {
-        idea: "The robot drives forward until its bumper meets something, and rotates until only the outer light sensor on that side sees it. \
-               Then it goes along that edge; where it ends, it drives on for a length, rotates towards it, and looks for it in a zig-zag. \
-               If a rotation doesn't end, it gives the edge up after a random while and goes straight on.",
-        complexity: "O(1) time and memory a call, ten times a second: two sides, two counters, a step and a random number.",
-        use_when: "To map the border of a room and what stands at it, with a light bumper. It is slow, and furniture that stands alone holds it for ever.",
-        shines: Example {
-            room: "tshape",
-            why: "It goes into every nook that the wall leads to, where driving until an obstacle passes by.",
+        idea: "The robot drives forward until its bumper is pressed, and rotates until only the outer light sensor on \
+               that side detects the obstacle. Then it follows the edge; where the edge ends, it drives on a fixed \
+               distance, rotates towards it, and searches in a zig-zag. If a rotation doesn't end, it abandons the \
+               edge after a random time and drives straight on.",
+        complexity: "O(1) time and memory per call, ten calls a second; it stores two sides, two counters, a step and \
+            a random number.",
+        use_when: "To map the border of a room with a light bumper. Slow, and circles free-standing furniture for \
+            ever.",
+        shines: Example { room: "tshape", why: "It follows the wall into every nook, where phase 5 drives past." },
+        fails: Example {
+            room: "ring",
+            why: "It follows the first wall that it finds and never reaches the other one.",
         },
-        fails: Example { room: "ring", why: "It goes along the wall that it met first and never sees the other one." },
     },
     claims: Claims { ends: false, cleans: false, manual: false, explores: true },
     params: &[
         ParamSpec {
             id: "text",
             label: "Rules",
-            help: "Where code and text of the thesis differ: the zig-zag turns right as the code has it, or towards the edge.",
-            kind: ParamKind::Choice { options: &[("mended", "as meant"), ("printed", "as printed")] },
+            help: "The thesis' code and text differ: the zig-zag turns right as in the code, or towards the edge.",
+            kind: ParamKind::Choice { options: &[("mended", "as intended"), ("printed", "as printed")] },
         },
         ParamSpec {
             id: "speed",
             label: "Speed",
-            help: "Speed forward; the thesis has 10 cm/s.",
+            help: "Forward speed; 10 cm/s in the thesis.",
             kind: ParamKind::Number { min: 5.0, max: 25.0, step: 1.0, default: 10.0, unit: "cm/s" },
         },
         ParamSpec {
             id: "turn",
             label: "Turn rate",
-            help: "Turn rate of rotations; the thesis has 0.5 rad/s.",
+            help: "Turn rate of rotations; 0.5 rad/s in the thesis.",
             kind: ParamKind::Number { min: 0.2, max: 1.5, step: 0.1, default: 0.5, unit: "rad/s" },
         },
     ],
@@ -162,7 +165,7 @@ impl Habit for Edge {
             (_, Position::Right, _) => "turning right along an edge",
             (.., Position::Left) => "following the edge on its left",
             (.., Position::Right) => "following the edge on its right",
-            (.., Position::None) => "looking for an obstacle",
+            (.., Position::None) => "searching for an obstacle",
         }
     }
 

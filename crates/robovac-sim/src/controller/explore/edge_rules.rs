@@ -1,5 +1,5 @@
-//! The rules of `move_to_empty_space` one by one against the print (004, section 7.1): state and sensors before a call,
-//! command and state after it.
+//! The rules of `move_to_empty_space` one by one against the printed listing (004, section 7.1): state and sensors
+//! before a call, command and state after it.
 
 use super::{
     edge_machine::{EdgeMachine, Text, Twist},

@@ -1,4 +1,4 @@
-//! Phase 1: forward or rotate, by chance (004, chapter 7).
+//! Phase 1: forward or rotate, at random (004, chapter 7).
 //!
 //! Krapinec 2025 begins with two options, a fixed way forward and a fixed rotation; one of them is drawn when the last one
 //! is done. There is no rule for obstacles: the wheels roll their distance even where a wall holds the robot, and whoever
@@ -8,7 +8,7 @@
 //!
 //! - *Figures*: no distance and no angle are printed. 20 cm and 30 degrees are ours, as are the robot's own speeds.
 //! - *The way it rotates*: counter-clockwise; phase 2 is the first to tell left from right.
-//! - *The end*: "until a comprehensive map is generated", which no rule tells. It goes on.
+//! - *The end*: "until a comprehensive map is generated", but no rule defines that. It continues.
 //! - *Edges of the floor and virtual walls* end a motion: the robot backs off and turns away by a random angle. Where it has
 //!   seen an edge, it no longer pushes walls: pushing it slips, and what slips doesn't know its way back.
 //!
@@ -33,19 +33,18 @@ use robovac_core::registry::{Example, Explainer};
 pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
     id: "explore_forward_rotate",
     title: "Forward or rotate",
-    summary: "Drives a fixed way forward or rotates by a fixed angle, as chance has it, and doesn't look.",
+    summary: "Drives a fixed distance forward or rotates by a fixed angle, at random, without sensing.",
     source: "Krapinec 2025, Enhancing Robotic Vacuum Cleaner Performance through Improved Map Building, master's thesis, \
              FER Zagreb: chapter 7, phase 1",
     link: THESIS,
     explainer: Explainer {
-        idea: "One of two motions is drawn by chance: a fixed way forward, or a fixed rotation to the left. When it is done, the next one is drawn. Nothing that the robot senses changes what it does.",
-        complexity: "O(1) time and memory a step: it remembers at most the last contact.",
-        use_when: "As the baseline for everything that looks, and to see what a wall does to odometry: the wheels roll on where it holds the robot.",
-        shines: Example { room: "room12ft", why: "In a bare room a wandering robot meets every wall in the end." },
-        fails: Example {
-            room: "flat",
-            why: "It comes back again and again to where it has been, and through a door by luck alone.",
-        },
+        idea: "One of two motions is chosen at random: a fixed distance forward, or a fixed rotation to the left. When \
+            it ends, the next one is chosen. Sensor readings don't influence the choice.",
+        complexity: "O(1) time and memory per step; it stores at most the last contact.",
+        use_when: "As a baseline for sensing behaviours, and to see how walls corrupt odometry: the wheels keep \
+            rolling while the robot is blocked.",
+        shines: Example { room: "room12ft", why: "In an empty room a random walk eventually finds every wall." },
+        fails: Example { room: "flat", why: "It keeps revisiting the same floor and passes doorways only by chance." },
     },
     claims: Claims { ends: false, cleans: false, manual: false, explores: true },
     params: &[DISTANCE, ANGLE, PUSHES],

@@ -1,7 +1,7 @@
-//! Frontiers: to where what is known ends, until it ends nowhere (Yamauchi 1997).
+//! Frontier-based exploration (Yamauchi 1997).
 //!
 //! Yamauchi's robot sees far, and drives to the nearest border between free and unknown cells that it can reach. A Roomba
-//! sees a hand's breadth, and knows floor only where it was. So there are two kinds of borders here:
+//! sees a few centimetres, and knows floor only where it was. So there are two kinds of borders here:
 //!
 //! - *Walls*, which are followed by light, with the law of [`wall_follow`](super::super::wall_follow), until the robot comes
 //!   to where it followed one before. After a number of metres it leaves a wall for what is near and comes back later, so
@@ -11,8 +11,8 @@
 //!
 //! All of it is planned on the map of the robot's own [`Mapper`] and driven by the Mapper's pose. Poses may jump and maps err:
 //! no place is gone for again and again, what shouldn't be there is driven around, edges and virtual walls are barred,
-//! and what takes too long is given up. The map is complete when no lane is left. A robot that was carried off finds itself on
-//! what it has mapped so far before it goes on.
+//! and what takes too long is given up. The map is complete when no lane is left. A kidnapped robot relocalises on its
+//! map so far before it continues.
 //!
 //! Distances, numbers of tries and the order of the two kinds are ours.
 //!
@@ -24,7 +24,7 @@
 //! let mut explorer = info.build(&Setup { robot, params: &params, seed: 1 }).unwrap();
 //! let ahead = explorer.step(&Sensors::default(), 0.015);
 //! assert!(ahead.left > 0.0 && ahead.left == ahead.right);
-//! assert_eq!(explorer.activity(), "looking for a wall");
+//! assert_eq!(explorer.activity(), "searching for a wall");
 //! assert!(explorer.mapper().is_some() && !explorer.is_done());
 //! ```
 
@@ -67,23 +67,25 @@ const STUCK: (f64, f64) = (0.15, 25.0);
 pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
     id: "explore_frontier",
     title: "Frontiers",
-    summary: "Follows walls and crosses unknown floor in lanes, always to the nearest place where its own map ends, until it ends nowhere.",
-    source: "Yamauchi 1997, A frontier-based approach for autonomous exploration, CIRA; walls and lanes for a robot that sees \
-             a hand's breadth are ours",
+    summary: "Drives to the nearest frontier of its map, following walls and crossing open floor in lanes, until no \
+        frontier is left.",
+    source: "Yamauchi 1997, A frontier-based approach for autonomous exploration, CIRA; wall following and lanes for a \
+             short-sighted robot are ours",
     link: "https://doi.org/10.1109/CIRA.1997.613851",
     explainer: Explainer {
-        idea: "The robot makes a map as it goes and drives to the nearest place where known floor borders on unknown. \
-               Walls that it meets for the first time are followed by light until it comes to where it was; open floor is crossed in lanes. \
-               When no unknown floor can be reached any more, the map is complete.",
-        complexity: "O(n log n) time for each new goal in the n cells of the map, and O(n) memory.",
-        use_when: "To map a whole flat: it knows what is missing, goes there, and knows when it is done. It stands and falls with the pose that it believes in.",
+        idea: "The robot builds a map as it drives, always to the nearest frontier, where known floor borders on \
+               unknown. It follows new walls by its light bumper until it reaches a part already followed, and crosses \
+               open floor in lanes. When no frontier can be reached any more, the map is complete.",
+        complexity: "O(n log n) time for each new goal in a map of n cells, and O(n) memory.",
+        use_when: "To map a whole flat: it finds what is missing and knows when the map is complete. It depends on a \
+            good pose estimate.",
         shines: Example {
             room: "flat",
-            why: "It sees every room, goes round every piece of furniture once, and stops when it is done.",
+            why: "It visits every room, goes round every piece of furniture once, and stops when the map is complete.",
         },
         fails: Example {
             room: "hall20",
-            why: "In a hall of 20 m by 20 m there is hardly anything to meet, and its pose drifts from lane to lane.",
+            why: "In a hall of 20 m by 20 m there are few landmarks, and the pose drifts from lane to lane.",
         },
     },
     claims: Claims { ends: true, cleans: false, manual: false, explores: true },
@@ -91,13 +93,13 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
         ParamSpec {
             id: "tracking",
             label: "Pose",
-            help: "How it keeps track of where it is: by wheel counts corrected by what it meets, or by wheel counts alone.",
+            help: "Odometry alone, or with its drift corrected by matching contacts to earlier ones.",
             kind: ParamKind::Choice { options: &[("corrected", "corrected"), ("odometry", "odometry alone")] },
         },
         ParamSpec {
             id: "odometry",
             label: "Odometry",
-            help: "How wheels that have rolled become motion: encoder counts or distance and angle packets, along arcs or in straight pieces.",
+            help: "Odometry from encoder counts or distance and angle packets, along arcs or straight segments.",
             kind: ParamKind::Choice {
                 options: &[
                     ("arc", "counts, arcs"),
@@ -110,19 +112,19 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
         ParamSpec {
             id: "lane",
             label: "Lanes",
-            help: "Distance of the lanes on open floor; things narrower than what is left between them may stay unseen.",
+            help: "Distance between lanes on open floor; obstacles narrower than the gaps may be missed.",
             kind: ParamKind::Number { min: 20.0, max: 100.0, step: 5.0, default: 45.0, unit: "cm" },
         },
         ParamSpec {
             id: "leg",
             label: "Along a wall",
-            help: "How far it follows a wall before it sees to what is near; short legs make short loops.",
+            help: "Distance it follows a wall before visiting nearby frontiers; shorter legs close loops sooner.",
             kind: ParamKind::Number { min: 2.0, max: 100.0, step: 1.0, default: 25.0, unit: "m" },
         },
         ParamSpec {
             id: "home",
-            label: "Comes back",
-            help: "Drives to where it started once the map is complete.",
+            label: "Return to start",
+            help: "Drives back to the start once the map is complete.",
             kind: ParamKind::Flag { default: false },
         },
     ],
@@ -160,7 +162,7 @@ pub(super) struct Frontier {
     pub(super) lanes: Vec<[Point; 2]>,
     /// Where it was last seen to move, and how long ago, s.
     moved: (Point, f64),
-    /// Whether it hangs, or hung, in somebody's hand.
+    /// Whether it is, or was, held.
     is_lifted: bool,
     search: Search,
 }
@@ -182,7 +184,7 @@ pub(super) enum Phase {
         to: Goal,
         place: Point,
     },
-    /// Looks for itself on its map: somebody has carried it off.
+    /// Relocalises on its map: it was kidnapped.
     Search,
     Done,
     /// It hasn't found itself, or there was nothing to find itself by.
@@ -228,7 +230,7 @@ impl Frontier {
         self.phase = Phase::Follow { began: pilot.ahead(), felt: pilot.ahead(), has_met: false };
     }
 
-    /// The wall that it was following or driving to when it was carried off: the pose is still that of the lift.
+    /// The wall that it was following or driving to when it was kidnapped: the pose is still that of the lift.
     fn unfinished(&self) -> Option<Pose> {
         match self.phase {
             Phase::Follow { has_met: true, .. } => Some(self.mapper.pose()),
@@ -405,16 +407,14 @@ impl Habit for Frontier {
     fn activity(&self) -> &'static str {
         match &self.phase {
             Phase::Follow { .. } => self.wall.activity(),
-            Phase::Choose => "looking at its map",
-            Phase::Drive { to: Goal::Floor, .. } => "driving to unknown floor",
-            Phase::Drive { to: Goal::Wall(_), .. } => "driving to where a wall goes on",
+            Phase::Choose => "choosing the next frontier",
+            Phase::Drive { to: Goal::Floor, .. } => "driving to a frontier",
+            Phase::Drive { to: Goal::Wall(_), .. } => "driving to the end of a known wall",
             Phase::Drive { to: Goal::Home, .. } => "driving back to the start",
-            Phase::Search => "looking for itself on its map",
+            Phase::Search => "relocalising on its map",
             Phase::Done => "done: the map is complete",
-            Phase::Lost { has_looked: true } => "done: it can't find itself on its map",
-            Phase::Lost { has_looked: false } => {
-                "done: it was carried off, and there is nothing on its map to find itself by"
-            }
+            Phase::Lost { has_looked: true } => "done: relocalisation failed",
+            Phase::Lost { has_looked: false } => "done: kidnapped, and the map is too empty to relocalise",
         }
     }
 

@@ -1,4 +1,4 @@
-//! Where the frontier explorer goes next.
+//! Chooses the frontier explorer's next goal.
 
 use super::{
     chart::{Chart, SLACK, Ways},

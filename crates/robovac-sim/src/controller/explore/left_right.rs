@@ -9,7 +9,7 @@
 //! let info = find("explore_left_right").unwrap();
 //! let (robot, params) = (model("roomba600").unwrap(), Params::defaults(info.params));
 //! let mut explorer = info.build(&Setup { robot, params: &params, seed: 1 }).unwrap();
-//! // It turns both ways, with wheels that do what they are told.
+//! // It turns both ways, with wheels that follow commands exactly.
 //! let (mut turned, mut rolled) = ([false; 2], [0.0; 2]);
 //! for _ in 0..4000 {
 //!     let [left_counts, right_counts] = rolled.map(|metres: f64| (metres * robot.counts_per_metre) as i64 as u16);
@@ -30,18 +30,19 @@ use robovac_core::registry::{Example, Explainer};
 pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
     id: "explore_left_right",
     title: "Forward, left or right",
-    summary: "Drives a fixed way forward or rotates by a fixed angle to the left or to the right, as chance has it, and doesn't look.",
+    summary: "Drives a fixed distance forward or rotates left or right by a fixed angle, at random, without sensing.",
     source: "Krapinec 2025, Enhancing Robotic Vacuum Cleaner Performance through Improved Map Building, master's thesis, \
              FER Zagreb: chapter 7, phase 2",
     link: THESIS,
     explainer: Explainer {
-        idea: "One of three motions is drawn by chance: a fixed way forward, or a fixed rotation to the left or to the right. When it is done, the next one is drawn. Nothing that the robot senses changes what it does.",
-        complexity: "O(1) time and memory a step: it remembers at most the last contact.",
-        use_when: "To see what the second direction of rotation does to phase 1: headings wander instead of going round.",
-        shines: Example { room: "room12ft", why: "In a bare room a wandering robot meets every wall in the end." },
+        idea: "One of three motions is chosen at random: a fixed distance forward, or a fixed rotation to the left or \
+            to the right. When it ends, the next one is chosen. Sensor readings don't influence the choice.",
+        complexity: "O(1) time and memory per step; it stores at most the last contact.",
+        use_when: "To see what a second direction of rotation changes: the heading wanders instead of going round.",
+        shines: Example { room: "room12ft", why: "In an empty room a random walk eventually finds every wall." },
         fails: Example {
             room: "flat",
-            why: "It rotates two times out of three and gets nowhere: the rooms next door stay unknown.",
+            why: "Two motions out of three are rotations, so it makes little progress: the next rooms stay unknown.",
         },
     },
     claims: Claims { ends: false, cleans: false, manual: false, explores: true },

@@ -34,16 +34,18 @@ use robovac_core::registry::{Example, Explainer};
 pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
     id: "explore_look_ahead",
     title: "Look before moving",
-    summary: "Draws a motion forward, to the left or to the right, and doesn't drive forward when something is directly ahead.",
+    summary: "Moves forward, left or right at random, but not forward when something is directly ahead.",
     source: "Krapinec 2025, Enhancing Robotic Vacuum Cleaner Performance through Improved Map Building, master's thesis, \
              FER Zagreb: chapter 7, phase 3",
     link: THESIS,
     explainer: Explainer {
-        idea: "One of three motions is drawn by chance: a fixed way forward, or a fixed rotation to the left or to the right. Before it drives forward, the robot looks. If something is directly ahead, it draws again.",
-        complexity: "O(1) time and memory a step: it remembers at most the last contact.",
-        use_when: "To see how much a look is worth: odometry is no longer misled by walls, but chance is as slow as before.",
-        shines: Example { room: "kitchen", why: "It touches next to nothing on its way through a furnished room." },
-        fails: Example { room: "flat", why: "It still draws its way by chance: the rooms next door stay unknown." },
+        idea: "One of three motions is chosen at random: a fixed distance forward, or a fixed rotation to the left or \
+            to the right. Before driving forward, the robot checks its sensors. If something is directly ahead, it \
+            chooses again.",
+        complexity: "O(1) time and memory per step; it stores at most the last contact.",
+        use_when: "To see the effect of checking ahead: walls no longer corrupt odometry, but a random walk is slow.",
+        shines: Example { room: "kitchen", why: "It crosses a furnished room with hardly any contact." },
+        fails: Example { room: "flat", why: "It is still a random walk: the next rooms stay unknown." },
     },
     claims: Claims { ends: false, cleans: false, manual: false, explores: true },
     params: &[DISTANCE, ANGLE],

@@ -31,16 +31,18 @@ use robovac_core::registry::{Example, Explainer};
 pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
     id: "explore_look_around",
     title: "Look around",
-    summary: "Draws a motion forward, to the left or to the right, and leaves out what leads to an obstacle.",
+    summary: "Moves forward, left or right at random, but never towards an obstacle.",
     source: "Krapinec 2025, Enhancing Robotic Vacuum Cleaner Performance through Improved Map Building, master's thesis, \
              FER Zagreb: chapter 7, phase 4",
     link: THESIS,
     explainer: Explainer {
-        idea: "One of three motions is drawn by chance: a fixed way forward, or a fixed rotation to the left or to the right. If something is ahead it doesn't drive forward, and if something is on one side alone it doesn't turn to that side. Then it draws again.",
-        complexity: "O(1) time and memory a step: it remembers at most the last contact.",
-        use_when: "To see what a look to the sides adds: the robot turns away from walls sooner, and still goes where chance leads.",
-        shines: Example { room: "kitchen", why: "It turns away from what is beside it and soon gets out of corners." },
-        fails: Example { room: "flat", why: "It still draws its way by chance: the rooms next door stay unknown." },
+        idea: "One of three motions is chosen at random: a fixed distance forward, or a fixed rotation to the left or \
+            to the right. Driving forward is excluded if something is ahead, and so is turning towards a side where \
+            alone something is detected. Then it chooses again.",
+        complexity: "O(1) time and memory per step; it stores at most the last contact.",
+        use_when: "To see the effect of checking the sides: the robot leaves walls sooner, but still moves at random.",
+        shines: Example { room: "kitchen", why: "It turns away from obstacles beside it and soon leaves corners." },
+        fails: Example { room: "flat", why: "It is still a random walk: the next rooms stay unknown." },
     },
     claims: Claims { ends: false, cleans: false, manual: false, explores: true },
     params: &[DISTANCE, ANGLE],

@@ -1,9 +1,8 @@
-//! Behaviours that explore: they drive so that a map of the room can be made, with a bumper and a light that reaches a
-//! hand's breadth.
+//! Exploring behaviours: they drive so that the room can be mapped with a bumper and a light bumper of short range.
 //!
 //! The first six are the phases of the exploration strategy that Krapinec 2025 (004, chapter 7) grew, from chance to the
 //! following of edges; what they share is in [`options`] (phases 1 to 4) and [`obstacles`] (what counts as an obstacle).
-//! The thesis prints code for the last phase alone and tells the others in a paragraph each.
+//! The thesis prints code for the last phase only and describes the others in a paragraph each.
 //!
 //! The seventh, [`frontier`], makes a map as it goes and drives by it: [`chart`] says where it can go and what is worth going
 //! for, [`trace`] which walls it has followed, [`tries`] what is to be left alone.

@@ -1,4 +1,4 @@
-//! What counts as an obstacle: what the light bumper reports, and what was felt.
+//! What counts as an obstacle: light bumper readings and bumper contacts.
 
 use crate::controller::parts::{Hit, Kind, Side};
 use robovac_core::{math, robot::Sensors};

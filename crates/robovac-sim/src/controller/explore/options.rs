@@ -1,4 +1,4 @@
-//! Phases 1 to 4: one of a few motions, drawn by chance, again and again.
+//! Phases 1 to 4: one of a few motions, chosen at random, again and again.
 
 use super::{
     BACK_FROM_EDGE, leave,
@@ -23,7 +23,7 @@ const BACK: f64 = 0.02;
 pub(super) const DISTANCE: ParamSpec = ParamSpec {
     id: "distance",
     label: "Forward",
-    help: "How far it drives when it drives forward.",
+    help: "Length of a forward motion.",
     kind: ParamKind::Number { min: 5.0, max: 100.0, step: 1.0, default: 20.0, unit: "cm" },
 };
 
@@ -31,7 +31,7 @@ pub(super) const DISTANCE: ParamSpec = ParamSpec {
 pub(super) const ANGLE: ParamSpec = ParamSpec {
     id: "angle",
     label: "Rotation",
-    help: "How far it turns when it turns.",
+    help: "Angle of a rotation.",
     kind: ParamKind::Number { min: 5.0, max: 180.0, step: 5.0, default: 30.0, unit: "°" },
 };
 
@@ -39,7 +39,8 @@ pub(super) const ANGLE: ParamSpec = ParamSpec {
 pub(super) const PUSHES: ParamSpec = ParamSpec {
     id: "bump",
     label: "At a wall",
-    help: "Whether wheels roll on at a wall right ahead until they have gone their distance, as printed, which misleads odometry, or stop.",
+    help: "Keep the wheels rolling at a wall until the distance is done, as in the thesis, which corrupts odometry; or \
+        stop and back up.",
     kind: ParamKind::Choice { options: &[("push", "rolls on, as printed"), ("stop", "stops and backs up")] },
 };
 
@@ -183,7 +184,7 @@ impl Habit for Options {
     }
 
     fn activity(&self) -> &'static str {
-        "choosing what to do"
+        "choosing a motion"
     }
 
     fn boxed_clone(&self) -> Box<dyn Habit> {

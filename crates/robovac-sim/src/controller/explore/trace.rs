@@ -1,4 +1,4 @@
-//! Where a wall has been followed already.
+//! Walls that have been followed already.
 
 use crate::mapping::Layer;
 use robovac_core::{geometry::Pose, grid::Cell, math};

@@ -1,4 +1,4 @@
-//! What was gone for in vain, so that nothing is gone for again and again.
+//! Failed attempts at goals, so that none is repeated for ever.
 
 use crate::mapping::Layer;
 use robovac_core::{geometry::Point, grid::Cell};

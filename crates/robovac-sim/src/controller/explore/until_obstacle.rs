@@ -8,7 +8,7 @@
 //!
 //! - *In its path*: one of the four light sensors in front reports something.
 //! - *The direction*: "one direction", always the same one; a parameter says which.
-//! - *A contact* that the light didn't tell, as all are for a robot without a light bumper: the robot backs up and rotates by
+//! - *A contact* that the light bumper missed, as all are for a robot without a light bumper: the robot backs up and rotates by
 //!   a fixed angle (ours).
 //! - *Edges of the floor and virtual walls*: the robot backs off and turns away by a random angle.
 //!
@@ -41,31 +41,30 @@ const BACK: f64 = 0.02;
 pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
     id: "explore_until_obstacle",
     title: "Until an obstacle",
-    summary: "Drives forward until something is in its path, then rotates in one direction until the way is free.",
+    summary: "Drives forward until something is in its path, then rotates in one direction until the path is clear.",
     source: "Krapinec 2025, Enhancing Robotic Vacuum Cleaner Performance through Improved Map Building, master's thesis, \
              FER Zagreb: chapter 7, phase 5",
     link: THESIS,
     explainer: Explainer {
-        idea: "The robot drives straight until something is in its path. \
-               It rotates, always in the same direction, until nothing is in front of it, and drives on. \
-               So it goes round along whatever encloses it.",
-        complexity: "O(1) time and memory a step: it remembers nothing of the room.",
-        use_when: "To see why a rule without chance or memory isn't enough: it may go round the same loop for ever.",
-        shines: Example { room: "ring", why: "Walls lead it along a corridor at full speed, all the way round." },
-        fails: Example { room: "flat", why: "It goes round the same few pieces of furniture and passes every door." },
+        idea: "The robot drives straight until something is in its path. It rotates, always in the same direction, \
+               until nothing is in front, and drives on. So it circulates along whatever encloses it.",
+        complexity: "O(1) time and memory per step; no map.",
+        use_when: "To see why a rule without randomness or memory isn't enough: it may repeat the same loop for ever.",
+        shines: Example { room: "ring", why: "Walls guide it along the corridor at full speed, all the way round." },
+        fails: Example { room: "flat", why: "It circles the same few pieces of furniture and misses every door." },
     },
     claims: Claims { ends: false, cleans: false, manual: false, explores: true },
     params: &[
         ParamSpec {
             id: "direction",
             label: "Rotates",
-            help: "The direction in which it rotates away from obstacles.",
+            help: "Direction in which it rotates away from obstacles.",
             kind: ParamKind::Choice { options: &[("left", "to the left"), ("right", "to the right")] },
         },
         ParamSpec {
             id: "angle",
             label: "After a contact",
-            help: "How far it rotates away from what it felt and didn't see.",
+            help: "Angle by which it rotates away from an obstacle that only the bumper detected.",
             kind: ParamKind::Number { min: 5.0, max: 180.0, step: 5.0, default: 30.0, unit: "°" },
         },
     ],
@@ -106,7 +105,7 @@ impl Habit for UntilObstacle {
     }
 
     fn activity(&self) -> &'static str {
-        if self.is_turning { "turning until the way is free" } else { "driving straight" }
+        if self.is_turning { "turning until the path is clear" } else { "driving straight" }
     }
 
     fn boxed_clone(&self) -> Box<dyn Habit> {

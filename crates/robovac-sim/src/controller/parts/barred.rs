@@ -1,4 +1,4 @@
-//! Places that a map doesn't show as occupied and that are not to be driven over all the same.
+//! Forbidden areas that the map doesn't show as occupied.
 
 use crate::mapping::Layer;
 use robovac_core::{

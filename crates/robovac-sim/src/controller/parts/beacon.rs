@@ -1,4 +1,4 @@
-//! What the infrared receivers tell of a dock, with what they miss filled in from the moments before.
+//! Dock beams seen by the infrared receivers, with gaps filled from recent readings.
 
 use robovac_core::robot::Sensors;
 

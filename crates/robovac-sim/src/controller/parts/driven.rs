@@ -1,4 +1,4 @@
-//! A behaviour as a controller: the reflexes that all have, around what is its own.
+//! A behaviour as a controller: common reflexes around its own rules.
 
 use super::{hit::Hit, home::Home, pilot::Pilot};
 use crate::{
@@ -12,7 +12,7 @@ use robovac_core::{
 
 /// What is a behaviour's own: how it drives on free floor, and what it does when something is in the way.
 pub(in crate::controller) trait Habit {
-    /// Starts, or starts over: somebody has put the robot elsewhere, or another habit hands over.
+    /// Starts, or starts over: the robot was moved, or another habit hands over.
     fn begin(&mut self, _: &mut Pilot) {}
 
     /// Sees every reading, whatever is under way.
@@ -127,7 +127,7 @@ impl Controller for Driven {
 
     fn activity(&self) -> &'static str {
         if self.is_lifted {
-            return "waiting to be put down";
+            return "lifted, waiting to be put down";
         }
         let home = self.home.as_ref().and_then(Home::activity);
         match (home, self.pilot.activity()) {

@@ -1,4 +1,4 @@
-//! What stops a robot that drives ahead.
+//! Obstructions that stop a robot driving ahead.
 
 use robovac_core::robot::Sensors;
 

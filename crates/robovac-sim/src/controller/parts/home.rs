@@ -1,4 +1,4 @@
-//! Home on a low battery, and back to work: what every cleaning behaviour does on a robot that can.
+//! Docks on a low battery and resumes cleaning, on robots that can.
 
 use super::{
     driven::Habit,
@@ -18,16 +18,16 @@ const LEAVE: f64 = 0.5;
 /// When it goes home.
 pub(in crate::controller) const GO_HOME: ParamSpec = ParamSpec {
     id: "home_at",
-    label: "Home at",
-    help: "Charge at which it looks for its dock, if it has receivers for one; 0 for never.",
+    label: "Recharge below",
+    help: "Battery charge at which it returns to its dock, if it has infrared receivers; 0 for never.",
     kind: ParamKind::Number { min: 0.0, max: 90.0, step: 1.0, default: 15.0, unit: "%" },
 };
 
 /// When it leaves again.
 pub(in crate::controller) const LEAVE_HOME: ParamSpec = ParamSpec {
     id: "leave_at",
-    label: "Leaves at",
-    help: "Charge at which it leaves its dock and goes on cleaning.",
+    label: "Resume at",
+    help: "Battery charge at which it leaves its dock and resumes cleaning.",
     kind: ParamKind::Number { min: 5.0, max: 100.0, step: 1.0, default: 95.0, unit: "%" },
 };
 
@@ -113,7 +113,7 @@ impl Home {
         }
     }
 
-    /// Starts over: somebody has put the robot elsewhere.
+    /// Starts over: the robot was moved.
     pub(super) fn begin(&mut self, pilot: &mut Pilot) {
         match self.phase {
             Phase::Away => {}

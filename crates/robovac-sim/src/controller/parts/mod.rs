@@ -1,4 +1,4 @@
-//! What behaviours have in common: each part is one thing that several of them do.
+//! Building blocks shared by several behaviours.
 
 mod barred;
 mod beacon;

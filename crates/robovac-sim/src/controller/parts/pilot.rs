@@ -1,5 +1,5 @@
-//! Does what behaviours decide: drives a distance, turns by an angle, backs off over known ground, and says what is in the
-//! way.
+//! Executes motions for behaviours: drives a distance, turns by an angle, backs off over known ground, and reports
+//! obstructions.
 
 use super::{
     braking::{off_edge, safe_speed},
@@ -142,7 +142,7 @@ impl Pilot {
         self.leaving_beam &= self.beam_unseen < BEAM_GONE_S;
     }
 
-    /// Forgets what it was at and what it knows: somebody has carried the robot elsewhere.
+    /// Forgets what it was at and what it knows: the robot was kidnapped.
     pub(super) fn reset(&mut self) {
         self.moves.clear();
         self.trail.clear();
@@ -385,7 +385,7 @@ impl Pilot {
         match self.moves.front() {
             None => "",
             Some(Move::Back(_) | Move::BackOutOfBeam) => "backing up",
-            Some(Move::Ahead(_)) => "driving a short way",
+            Some(Move::Ahead(_)) => "driving a short distance",
             Some(Move::Turn(angle) | Move::Undo(angle)) if *angle > 0.0 => "turning left",
             Some(Move::Turn(_) | Move::Undo(_)) => "turning right",
         }

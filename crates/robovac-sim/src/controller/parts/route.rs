@@ -1,4 +1,4 @@
-//! Drives along a line by a pose that somebody else keeps track of, and that may jump when it is corrected.
+//! Follows a path by an external pose estimate, which may jump when it is corrected.
 
 use robovac_core::{
     geometry::{Point, Pose, difference},

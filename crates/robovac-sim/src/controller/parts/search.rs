@@ -1,5 +1,5 @@
-//! A robot that was carried off looks for itself on the map that it has made: it follows walls until there is only one place
-//! on it where it can be ([`locate`](crate::mapping::locate)).
+//! Relocalisation of a kidnapped robot on its own map: it follows walls until only one pose is left
+//! ([`locate`](crate::mapping::locate)).
 
 use super::{Habit, Hit, Pilot};
 use crate::{
@@ -11,7 +11,7 @@ use crate::{
 };
 use robovac_core::robot::{Drive, Sensors};
 
-/// How long it looks for itself, s (ours).
+/// How long it tries to relocalise, s (ours).
 const SEARCH_S: f64 = 900.0;
 /// How long there has to be only one place, s (ours). On a map that isn't complete the first that fits is often wrong: in the
 /// furnished flat, put down anywhere after ten minutes of exploring, 6 of 20 robots found themselves elsewhere without this, and

@@ -1,4 +1,4 @@
-//! The ground that was driven over last, so that a robot without eyes at its back reverses over nothing else.
+//! Recently driven ground, so that a robot without rear sensors reverses only over it.
 
 use std::collections::VecDeque;
 

@@ -1,4 +1,4 @@
-//! How far the wheels have rolled, by the encoders.
+//! Distance travelled, by the encoders.
 
 use robovac_core::robot::{RobotModel, Sensors};
 

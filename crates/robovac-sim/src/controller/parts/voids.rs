@@ -1,4 +1,4 @@
-//! Where the floor was seen to end, so that a turn on the spot near there gets no wheel over the edge.
+//! Remembered cliffs, so that a turn on the spot puts no wheel over an edge.
 
 use super::hit::Side;
 use robovac_core::{

@@ -1,13 +1,13 @@
-//! Why there is no walk.
+//! Planning errors.
 
 use coverage_planners::{PathError, PlanError};
 use robovac_core::{coverage::FloorError, floorplan::MAX_RESOLUTION, grid::Cell};
 
-/// Why there is no walk.
+/// Planning errors.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum PlanningError {
     /// No planning cells of that size can be laid over this map.
-    #[error("planning cells of {cell_size} m don't suit this map; choose a side from {least} m to {MAX_RESOLUTION} m")]
+    #[error("planning cells of {cell_size} m don't suit this map; choose {least} m to {MAX_RESOLUTION} m")]
     CellSize {
         /// The side asked for, m.
         cell_size: f64,
@@ -40,7 +40,8 @@ pub enum PlanningError {
     },
     /// The robot doesn't fit between the walls around the start.
     #[error(
-        "the robot, {diameter:.2} m wide, doesn't fit into the start cell {start}; the nearest where it does is {nearest}"
+        "the robot, {diameter:.2} m wide, doesn't fit into the start cell {start}; the nearest cell where it fits is \
+         {nearest}"
     )]
     StartTooTight {
         /// The cell asked for.
@@ -57,7 +58,7 @@ pub enum PlanningError {
     #[error(transparent)]
     Plan(#[from] PlanError),
     /// The planner is wrong.
-    #[error("planner \"{planner}\" returned a walk that can't be driven: {error}; please report this with the map")]
+    #[error("planner \"{planner}\" returned an invalid walk: {error}; please report this with the map")]
     BadPath {
         /// Id of the planner.
         planner: &'static str,

@@ -1,4 +1,4 @@
-//! From a floor plan to a checked walk with its numbers: what "plan" means on the page and on the command line.
+//! From a floor plan to a checked walk with its metrics, for the page and the command line.
 //!
 //! There is one way, [`Prepared`] to [`PlanRequest`] to [`Planned`]. The page goes it with a start in metres and serves
 //! the request in a worker; the command line goes it at once, with a start in planning cells ([`PlanningTask`]).

@@ -1,4 +1,4 @@
-//! The steps: a room is laid out for a robot, a planner is asked, its walk becomes a line with numbers, a robot drives it.
+//! The pipeline: grid for the robot, planner, walk with metrics, driven path.
 
 use crate::{
     Conditions, Run, RunSetup, World,
@@ -145,7 +145,7 @@ impl PlanRequest {
         is_filmed.then(|| Film::of(self.planner, &self.params, &self.job))
     }
 
-    /// Plans here and now. `clock` tells seconds since any moment, as the core has no clock of its own.
+    /// Plans here and now. `clock` returns seconds since any moment, as the core has no clock of its own.
     pub fn serve(&self, clock: impl Fn() -> f64, observer: Option<Observer<'_>>) -> Result<Answer, PlanError> {
         let planner = self.planner.build(&self.params);
         let mut ctx = match observer {

@@ -1,4 +1,4 @@
-//! What the command line writes about a plan.
+//! Report of a plan for the command line.
 
 use super::{Placement, PlanningTask, Prepared, Solution};
 use crate::experiment::Algorithm;

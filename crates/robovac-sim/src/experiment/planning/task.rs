@@ -1,4 +1,4 @@
-//! The command line's way in: a start in planning cells that is kept or refused, and errors for people who type.
+//! Planning tasks of the command line: the start in planning cells is kept or refused.
 
 use super::{PlanRequest, Planned, PlanningError, Prepared};
 use coverage_planners::{CoveragePath, Observer, PlannerInfo};
@@ -66,7 +66,7 @@ pub fn choose_robot(id: &str, plan: &FloorPlan, cell_size: Option<f64>) -> Optio
 }
 
 impl PlanningTask {
-    /// Plans a walk and measures it. `clock` tells seconds since any moment, as the core has no clock of its own.
+    /// Plans a walk and measures it. `clock` returns seconds since any moment, as the core has no clock of its own.
     pub fn solve(&self, clock: impl Fn() -> f64, observer: Option<Observer<'_>>) -> Result<Solution, PlanningError> {
         let prepared = self.placement.prepare()?;
         let request = PlanRequest {
@@ -239,7 +239,7 @@ mod tests {
         let error = planned(&wide, "roomba600", Some(0.1), Some((0, 0))).unwrap_err();
         assert_eq!(
             error.to_string(),
-            "the robot, 0.35 m wide, doesn't fit into the start cell (0, 0); the nearest where it does is (1, 1)"
+            "the robot, 0.35 m wide, doesn't fit into the start cell (0, 0); the nearest cell where it fits is (1, 1)"
         );
         assert!(planned(&wide, "roomba600", Some(0.1), Some((1, 1))).is_ok());
     }

@@ -1,4 +1,4 @@
-//! How far it is from anywhere on a map to what stands nearest.
+//! Distance field: from each point of a map to the nearest obstacle.
 
 use crate::mapping::OccupancyMap;
 use robovac_core::{

@@ -1,4 +1,4 @@
-//! How well a reading fits a pose on a known map.
+//! Likelihood of a reading at a pose on a known map.
 
 use super::DistanceField;
 use robovac_core::{

@@ -160,7 +160,7 @@ impl Locator {
         self.looked = self.odometry.pose();
     }
 
-    /// Where it believes to be; `None` while it hasn't met anything yet.
+    /// Its estimated pose; `None` while it hasn't met anything yet.
     pub fn pose(&self) -> Option<Pose> {
         let Estimate { pose, odometry, .. } = self.estimate?;
         Some(moved(pose, odometry, self.odometry.pose()))

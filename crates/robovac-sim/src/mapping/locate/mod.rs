@@ -1,7 +1,7 @@
-//! Where a robot is on a map that it knows: after it was put down somewhere, or when it got lost.
+//! Global localisation on a known map, for a kidnapped or lost robot.
 //!
 //! 004 (section 4.3) holds global localisation with a bumper and light sensors to be unsolvable without the dock, and the
-//! kidnapped robot likewise. One reading indeed says next to nothing: a wall is a hand's breadth to the right. But a robot
+//! kidnapped robot likewise. One reading carries almost no information: there is a wall close to the right. But a robot
 //! that follows walls reads their lengths, corners and doors with its wheels, and the sequence is different in every room.
 //! O'Kane & LaValle (Localization with limited sensing, IEEE Transactions on Robotics 23(4), 2007) prove that contact and
 //! odometry suffice up to the symmetries of a room. [`Locator`] is a particle filter in the line of Monte Carlo
