@@ -9,7 +9,7 @@ use wasm_bindgen::prelude::*;
 /// worker.
 #[wasm_bindgen]
 pub fn bench_draft(on_result: &Function) -> Result<JsValue, JsValue> {
-    run(&[bench::drafting], on_result)
+    run(&[bench::floor_plan], on_result)
 }
 
 /// The bytes of a DXF with so many entities, for what only the page can measure.

@@ -1,5 +1,5 @@
 //! The module `floor_plan`: the tab Floor plan, and files that rooms and paths are saved as.
 
 mod bench;
-mod drafting;
 mod export;
+mod session;

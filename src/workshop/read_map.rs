@@ -2,7 +2,7 @@
 
 use js_sys::Array;
 use robovac_app::Import;
-use robovac_playground::wire::map::{import_to_js, source_files};
+use robovac_playground::wire::map_file::{import_to_js, source_files};
 use wasm_bindgen::prelude::*;
 
 /// Reads an array of `{ name, bytes }` that belong together: a map, or a scenario. To be called in a worker.

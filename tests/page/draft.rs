@@ -1,9 +1,11 @@
 //! The drawing board: what comes of files, choices and the hand, without a browser.
 
 use floor_drawing::Role;
-use robovac_app::draft::{Board, BodyChoice, Format, Part, Settings, Source, Tool, coarse};
+use robovac_app::floor_plan::{
+    BodyChoice, DrawingPart, DrawingSession, DrawingSource, DrawingTool, FloorPlanSettings, Format, coarse,
+};
 use robovac_core::{
-    floorplan::SourceFile,
+    floor_plan::SourceFile,
     geometry::Point,
     grid::{Grid, Occupancy},
 };
@@ -20,17 +22,17 @@ fn image() -> SourceFile {
     file("scan.pgm", bytes)
 }
 
-fn open(file: SourceFile) -> Board {
-    Board::open(&[file]).unwrap()
+fn open(file: SourceFile) -> DrawingSession {
+    DrawingSession::open(&[file]).unwrap()
 }
 
-fn change(board: &mut Board, what: impl FnOnce(&mut Settings)) {
+fn change(board: &mut DrawingSession, what: impl FnOnce(&mut FloorPlanSettings)) {
     let mut settings = board.settings().clone();
     what(&mut settings);
     board.set(settings).unwrap();
 }
 
-fn cells(board: &Board) -> Vec<Occupancy> {
+fn cells(board: &DrawingSession) -> Vec<Occupancy> {
     board.room().unwrap().plan.occupancy.values()[..4].to_vec()
 }
 
@@ -39,20 +41,20 @@ fn an_image_is_five_centimetres_a_pixel_until_somebody_knows_better() {
     let mut board = open(image());
     assert_eq!(board.view().size.as_deref(), Some("200 × 100 mm"));
     assert!(!board.view().says_unit && board.view().is_scalable);
-    board.hand.take(Tool::Scale);
+    board.hand.take(DrawingTool::Scale);
     board.hand.click(Point::new(0.0, 1.0), 0.01);
     board.hand.click(Point::new(4.0, 1.0), 0.01);
     assert_eq!(board.measured_m(), Some(0.2));
     board.scale_to(8.0).unwrap();
     assert_eq!(board.room().unwrap().plan.resolution, 2.0);
-    assert_eq!((board.view().size.as_deref(), board.view().tool), (Some("8.0 × 4.0 m"), Tool::View));
+    assert_eq!((board.view().size.as_deref(), board.view().tool), (Some("8.0 × 4.0 m"), DrawingTool::View));
 }
 
 #[test]
 fn a_distance_of_nothing_changes_nothing() {
     let mut board = open(image());
     assert!(board.scale_to(1.0).unwrap_err().contains("two points"));
-    board.hand.take(Tool::Scale);
+    board.hand.take(DrawingTool::Scale);
     board.hand.click(Point::new(0.0, 1.0), 0.01);
     board.hand.click(Point::new(4.0, 1.0), 0.01);
     for metres in [0.0, -1.0, f64::NAN, f64::INFINITY] {
@@ -122,7 +124,7 @@ fn the_sweep_takes_its_planner_and_its_robot_along_and_no_parameters_of_another(
 fn whatever_the_page_says_stays_within_what_is_possible() {
     let mut board = open(image());
     change(&mut board, |settings| {
-        *settings = Settings {
+        *settings = FloorPlanSettings {
             metre: None,
             gap: 1e9,
             resolution: -1.0,
@@ -130,7 +132,7 @@ fn whatever_the_page_says_stays_within_what_is_possible() {
             cell: 0.0,
             headings: 0,
             scan_width: Some(-3.0),
-            part: Part::Polygon { corners: vec![[f64::NAN, 0.0]] },
+            part: DrawingPart::Polygon { corners: vec![[f64::NAN, 0.0]] },
             ..settings.clone()
         }
     });
@@ -143,7 +145,7 @@ fn whatever_the_page_says_stays_within_what_is_possible() {
 fn cells_that_no_map_has_are_refused_and_the_width_stays() {
     let mut board = open(image());
     for metre in [0.0, -0.05, 0.000_999, 100.1, f64::NAN, f64::INFINITY] {
-        let error = board.set(Settings { metre: Some(metre), ..board.settings().clone() }).unwrap_err();
+        let error = board.set(FloorPlanSettings { metre: Some(metre), ..board.settings().clone() }).unwrap_err();
         assert!(error.contains("0.1 to 10000 cm"), "{error}");
         assert_eq!(board.settings().metre, Some(0.05));
     }
@@ -171,7 +173,7 @@ fn a_slice_too_large_for_a_picture_is_coarser_and_free_only_where_all_of_it_is()
 
 #[test]
 fn two_files_that_do_not_belong_together_are_refused() {
-    let error = Board::open(&[image(), file("map.txt", "...\n...\n")]).err().unwrap().to_string();
+    let error = DrawingSession::open(&[image(), file("map.txt", "...\n...\n")]).err().unwrap().to_string();
     assert!(error.contains("scan.pgm") && error.contains("map.txt"), "{error}");
 }
 
@@ -194,13 +196,13 @@ fn dxf(name: &str, units: Option<u8>, strokes: &[Polyline]) -> SourceFile {
 }
 
 /// 4 x 3 with a table of 1 x 1, in metres if `units` is 6.
-fn furnished(units: Option<u8>) -> Board {
+fn furnished(units: Option<u8>) -> DrawingSession {
     let mut board = open(dxf("room.dxf", units, &[ROOM, TABLE]));
     change(&mut board, |settings| settings.roles = vec![Role::Wall, Role::Obstacle]);
     board
 }
 
-fn plan(board: &mut Board) -> Result<(), String> {
+fn plan(board: &mut DrawingSession) -> Result<(), String> {
     board.sweep(&mut |_| ControlFlow::Continue(()))
 }
 
@@ -220,7 +222,8 @@ fn a_drawing_without_unit_is_no_room_before_one_is_chosen() {
 #[test]
 fn floor_is_counted_without_what_stands_on_it_once() {
     let mut board = furnished(Some(6));
-    let near = |board: &Board, floor: f64| assert!((board.floor_m2() - floor).abs() < 0.8, "{}", board.floor_m2());
+    let near =
+        |board: &DrawingSession, floor: f64| assert!((board.floor_m2() - floor).abs() < 0.8, "{}", board.floor_m2());
     near(&board, 11.0);
     change(&mut board, |settings| settings.roles[1] = Role::Ignored);
     near(&board, 12.0);
@@ -266,7 +269,7 @@ fn a_sweep_leaves_in_every_format() {
         assert!(drawing.contains(layer), "{layer}");
     }
     // It can be opened again, with the path at its place.
-    let again = Board::open(&[file("again.dxf", drawing)]).unwrap();
+    let again = DrawingSession::open(&[file("again.dxf", drawing)]).unwrap();
     assert_eq!(again.view().size.as_deref(), Some("4.0 × 3.0 m"));
     assert!(text(Format::Program).contains("MOVE"));
     assert!(text(Format::Csv).starts_with("x_m,"));
@@ -277,7 +280,7 @@ fn a_sweep_leaves_in_every_format() {
 #[test]
 fn files_of_a_sweep_agree_on_where_it_begins() {
     let mut board = furnished(Some(6));
-    change(&mut board, |settings| settings.part = Part::Rectangle { corners: [[1.0, 0.5], [4.0, 3.0]] });
+    change(&mut board, |settings| settings.part = DrawingPart::Rectangle { corners: [[1.0, 0.5], [4.0, 3.0]] });
     plan(&mut board).unwrap();
     let origin = board.room().unwrap().plan.origin;
     let at = origin.to_world(board.planned().unwrap().path[0]);
@@ -298,7 +301,7 @@ fn sweeps_of_a_room_and_of_the_whole_drawing_have_names_of_their_own() {
     let mut board = furnished(Some(6));
     plan(&mut board).unwrap();
     let whole = board.export(Format::Csv).unwrap().name;
-    change(&mut board, |settings| settings.part = Part::Rectangle { corners: [[1.0, 0.5], [4.0, 3.0]] });
+    change(&mut board, |settings| settings.part = DrawingPart::Rectangle { corners: [[1.0, 0.5], [4.0, 3.0]] });
     plan(&mut board).unwrap();
     let part = board.export(Format::Csv).unwrap().name;
     assert!(whole.ends_with("-sweep.csv") && part.ends_with("-part-sweep.csv") && whole != part, "{whole} {part}");
@@ -346,7 +349,7 @@ const FLAT: [Polyline; 4] = [
 fn a_room_that_reaches_on_through_doors_says_so_and_how_to_close_them() {
     let mut board = open(dxf("flat.dxf", Some(6), &FLAT));
     assert_eq!(board.doors(), None, "nobody has marked a room");
-    board.set_part(Part::Room { at: [1.0, 1.5] }).unwrap();
+    board.set_part(DrawingPart::Room { at: [1.0, 1.5] }).unwrap();
     let (both, doors) = (board.floor_m2(), board.doors().expect("there is a door"));
     assert!(both > 17.0 && doors.count == 1, "{both} {doors:?}");
     assert!((0.75..=1.0).contains(&doors.gap) && (8.0..9.5).contains(&doors.floor_m2), "{doors:?}");
@@ -355,7 +358,7 @@ fn a_room_that_reaches_on_through_doors_says_so_and_how_to_close_them() {
     assert_eq!((board.floor_m2(), board.doors()), (doors.floor_m2, None));
     // A room without a door reaches nowhere.
     change(&mut board, |settings| settings.gap = 0.1);
-    board.set_part(Part::Room { at: [8.0, 1.5] }).unwrap();
+    board.set_part(DrawingPart::Room { at: [8.0, 1.5] }).unwrap();
     assert_eq!(board.doors(), None);
 }
 
@@ -366,7 +369,7 @@ fn a_map_that_is_swept_leaves_as_a_drawing_with_its_walls() {
     let mut board = open(file("map.txt", format!("; resolution 0.1\n{head}\n{inside}{head}\n")));
     plan(&mut board).unwrap();
     let drawing = board.export(Format::Dxf).unwrap();
-    let again = Board::open(&[SourceFile { name: drawing.name, bytes: drawing.bytes }]).unwrap();
+    let again = DrawingSession::open(&[SourceFile { name: drawing.name, bytes: drawing.bytes }]).unwrap();
     let layers: Vec<String> = again.view().layers.into_iter().map(|layer| layer.name).collect();
     assert_eq!(again.view().size.as_deref(), Some("1.8 × 1.8 m"), "the floor within its walls, in metres");
     assert!(["WALLS", "SWEEP_PATH"].iter().all(|name| layers.iter().any(|layer| layer == name)), "{layers:?}");
@@ -385,7 +388,7 @@ fn only_a_dxf_is_what_an_exported_drawing_begins_with() {
     ] {
         for mark in ["", MARK] {
             let board = open(file(name, [mark.as_bytes(), content].concat()));
-            let Source::Drawing { original, .. } = board.source() else { panic!("{name} is no drawing") };
+            let DrawingSource::Drawing { original, .. } = board.source() else { panic!("{name} is no drawing") };
             assert_eq!(original.is_some(), is_dxf, "{name} with mark {mark:?}");
         }
     }
@@ -394,11 +397,11 @@ fn only_a_dxf_is_what_an_exported_drawing_begins_with() {
 #[test]
 fn the_part_that_is_meant_is_cut_out_and_a_part_outside_says_so() {
     let mut board = furnished(Some(6));
-    board.set_part(Part::Rectangle { corners: [[4.0, 3.0], [2.5, 0.0]] }).unwrap();
+    board.set_part(DrawingPart::Rectangle { corners: [[4.0, 3.0], [2.5, 0.0]] }).unwrap();
     assert!((board.floor_m2() - 4.5).abs() < 0.5, "{}", board.floor_m2());
-    board.set_part(Part::Room { at: [100.0, 100.0] }).unwrap();
+    board.set_part(DrawingPart::Room { at: [100.0, 100.0] }).unwrap();
     assert!(board.room().is_none() && !board.fault().is_empty());
-    board.set_part(Part::Whole).unwrap();
+    board.set_part(DrawingPart::Whole).unwrap();
     assert!(board.room().is_some() && board.fault().is_empty());
 }
 
@@ -421,9 +424,9 @@ fn the_sample_drawing_is_a_flat_in_millimetres() {
 fn what_was_drawn_here_is_no_wall_when_it_is_opened_again() {
     let mut board = furnished(Some(6));
     plan(&mut board).unwrap();
-    let floor = |board: &Board| board.view().room.map(|room| room.floor_m2);
+    let floor = |board: &DrawingSession| board.view().room.map(|room| room.floor_m2);
     let drawing = board.export(Format::Dxf).unwrap();
-    let again = Board::open(&[SourceFile { name: drawing.name, bytes: drawing.bytes }]).unwrap();
+    let again = DrawingSession::open(&[SourceFile { name: drawing.name, bytes: drawing.bytes }]).unwrap();
     assert!(floor(&board).is_some());
     assert_eq!(floor(&again), floor(&board));
 }

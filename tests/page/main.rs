@@ -3,7 +3,7 @@
 mod compare;
 mod draft;
 mod drawing;
-mod floorplan;
+mod floor_plan;
 mod furnish;
 mod montecarlo;
 mod opening;

@@ -2,10 +2,10 @@
 
 use robovac_app::{
     explore::Session,
-    survey::{Deed, OpenError, Phase, STORE_VERSION, StoreError, Stored, Survey, Verdict, explorers},
+    map::{CellVerdict, MapAction, MapPhase, MapSession, OpenError, STORE_VERSION, StoreError, Stored, explorers},
 };
 use robovac_core::{
-    floorplan::{MapImage, Mode, SourceFile, load, room, to_ros_map},
+    floor_plan::{MapImage, OccupancyMode, SourceFile, load, room, to_ros_map},
     geometry::Pose,
     grid::{Cell, Occupancy},
     robot::OdometryModel,
@@ -16,24 +16,24 @@ use robovac_sim::{
 };
 
 /// A survey of the room of a link.
-fn survey(link: &str) -> Survey {
+fn survey(link: &str) -> MapSession {
     let mut session = Session::new();
     session.restore(link).expect("a link of ours");
-    let mut survey = Survey::new();
+    let mut survey = MapSession::new();
     survey.take(&session);
     survey
 }
 
-fn small() -> Survey {
+fn small() -> MapSession {
     let mut survey = survey("room=room12ft&robot=roomba600&seed=3");
     survey.set("explorer", "wall_follow").expect("it exists");
     survey
 }
 
 /// Frames until the survey is somewhere, as many as it takes.
-fn arrive(survey: &mut Survey) {
+fn arrive(survey: &mut MapSession) {
     for _ in 0..100_000 {
-        if !matches!(survey.phase(), Phase::Resuming | Phase::Seeking) {
+        if !matches!(survey.phase(), MapPhase::Resuming | MapPhase::Seeking) {
             return;
         }
         let mut looks = 0;
@@ -45,8 +45,8 @@ fn arrive(survey: &mut Survey) {
     panic!("still {:?}", survey.phase());
 }
 
-fn known(survey: &Survey) -> usize {
-    let map = survey.belief().expect("there is a robot").map;
+fn known(survey: &MapSession) -> usize {
+    let map = survey.estimate().expect("there is a robot").map;
     map.iter().filter(|&(cell, _)| map.occupancy(cell) != Occupancy::Unknown).count()
 }
 
@@ -54,7 +54,7 @@ fn known(survey: &Survey) -> usize {
 fn a_map_begins_empty_and_grows() {
     let mut survey = small();
     survey.set("explorer", "bounce").expect("it exists");
-    assert_eq!((survey.phase(), known(&survey)), (Phase::Ready, 0));
+    assert_eq!((survey.phase(), known(&survey)), (MapPhase::Ready, 0));
     assert_eq!(survey.figures().map(|[here, _]| here.boundary), Some(0.0));
     survey.run_ahead(120.0);
     let [early, _] = survey.figures().expect("there is a run");
@@ -82,7 +82,7 @@ fn perfect_wheels_are_typical_here_unless_asked_for() {
     // What Explore has chosen is kept.
     let mut session = Session::new();
     session.restore("room=room12ft&slip=harsh&noise.light=harsh").expect("a link of ours");
-    let mut survey = Survey::new();
+    let mut survey = MapSession::new();
     survey.take(&session);
     assert_eq!((survey.view().wheels, survey.view().senses.as_str()), ("harsh", "light=harsh"));
 }
@@ -116,7 +116,7 @@ fn all_odometry_models_can_be_chosen_and_differ() {
 fn the_same_recipe_makes_the_same_map_and_time_can_be_gone_back() {
     let mut survey = small();
     survey.run_ahead(90.0);
-    let digest = |survey: &Survey| survey.run().expect("there is a run").digest();
+    let digest = |survey: &MapSession| survey.run().expect("there is a run").digest();
     let (first, cells) = (digest(&survey), known(&survey));
     let end = survey.run().expect("there is a run").time_s();
     survey.run_ahead(30.0);
@@ -135,25 +135,25 @@ fn a_survey_that_was_left_goes_on_where_it_was() {
     assert_eq!(survey.store(), None, "nothing is worth it yet");
     survey.run_ahead(60.0);
     survey.lift();
-    assert_eq!(survey.phase(), Phase::Held);
+    assert_eq!(survey.phase(), MapPhase::Held);
     survey.run_ahead(2.0);
     survey.put_down(Pose::new(1.0, 1.0, 1.2));
     survey.run_ahead(60.0);
     let text = survey.store().expect("there is a map");
     let digest = survey.run().expect("there is a run").digest();
-    let (cells, pose) = (known(&survey), survey.belief().expect("there is a robot").pose());
+    let (cells, pose) = (known(&survey), survey.estimate().expect("there is a robot").pose());
 
     let mut back = small();
     back.resume(&text).expect("it is one of ours");
-    assert_eq!(back.phase(), Phase::Resuming);
+    assert_eq!(back.phase(), MapPhase::Resuming);
     // What was stored is there before the robot is.
     assert_eq!(known(&back), cells);
-    assert_eq!(back.belief().expect("there is a robot").pose(), pose);
+    assert_eq!(back.estimate().expect("there is a robot").pose(), pose);
     assert!(back.description().contains("restored from the last visit"));
     arrive(&mut back);
     assert_eq!(back.run().expect("there is a run").digest(), digest);
     assert!(!back.take_strayed());
-    assert_eq!(back.belief().expect("there is a robot").pose(), pose);
+    assert_eq!(back.estimate().expect("there is a robot").pose(), pose);
     // And it goes on alike.
     for survey in [&mut survey, &mut back] {
         survey.run_ahead(20.0);
@@ -213,7 +213,7 @@ fn what_was_stored_at_an_earlier_moment_comes_back_to_that() {
 fn stored_text_keeps_map_marks_and_pose() {
     let mut survey = small();
     survey.run_ahead(200.0);
-    let belief = survey.belief().expect("there is a robot");
+    let estimate = survey.estimate().expect("there is a robot");
     let stored = Stored::from_text(&survey.store().expect("there is a map")).expect("it is one of ours");
     let cells =
         |map: &OccupancyMap| map.iter().map(|(cell, odds)| (cell, (100.0 * odds).round() as i32)).collect::<Vec<_>>();
@@ -221,12 +221,12 @@ fn stored_text_keeps_map_marks_and_pose() {
         list.sort_by_key(|(cell, _)| (cell.y, cell.x));
         list
     };
-    assert_eq!(sorted(cells(&stored.map)), sorted(cells(belief.map)));
+    assert_eq!(sorted(cells(&stored.map)), sorted(cells(estimate.map)));
     for mark in [Mark::Cleaned, Mark::Dirty] {
-        assert!(belief.marks.cells(mark).all(|cell| stored.marks.has(cell, mark)));
-        assert_eq!(stored.marks.cells(mark).count(), belief.marks.cells(mark).count());
+        assert!(estimate.marks.cells(mark).all(|cell| stored.marks.has(cell, mark)));
+        assert_eq!(stored.marks.cells(mark).count(), estimate.marks.cells(mark).count());
     }
-    assert_eq!((Some(stored.pose), stored.title.as_str()), (belief.pose(), survey.view().title.as_str()));
+    assert_eq!((Some(stored.pose), stored.title.as_str()), (estimate.pose(), survey.view().title.as_str()));
     assert!(survey.store().is_some_and(|text| text.len() < 60_000), "it is compact");
 }
 
@@ -264,18 +264,18 @@ fn what_can_not_be_brought_back_is_explained_and_changes_nothing() {
 fn a_kidnapped_robot_does_not_know() {
     let mut survey = small();
     survey.run_ahead(30.0);
-    let before = survey.belief().and_then(|belief| belief.pose()).expect("it believes something");
+    let before = survey.estimate().and_then(|estimate| estimate.pose()).expect("it believes something");
     survey.lift();
     survey.put_down(Pose::new(2.5, 2.5, 0.0));
     survey.run_ahead(0.1);
     assert_eq!(survey.view().is_sure, Some(false), "it has felt that it was carried");
-    let belief = survey.belief().and_then(|belief| belief.pose()).expect("it believes something");
+    let estimate = survey.estimate().and_then(|estimate| estimate.pose()).expect("it believes something");
     let truth = survey.run().expect("there is a run").pose();
-    assert!((belief.position() - before.position()).norm() < 0.05, "{belief} was {before}");
+    assert!((estimate.position() - before.position()).norm() < 0.05, "{estimate} was {before}");
     assert!((truth.position() - before.position()).norm() > 0.2 || (truth.heading - before.heading).abs() > 0.5);
-    assert!(survey.can(Deed::Lift) || survey.phase() == Phase::Held);
+    assert!(survey.can(MapAction::Lift) || survey.phase() == MapPhase::Held);
     survey.forget();
-    assert_eq!((survey.phase(), known(&survey)), (Phase::Ready, 0));
+    assert_eq!((survey.phase(), known(&survey)), (MapPhase::Ready, 0));
 }
 
 #[test]
@@ -333,10 +333,10 @@ fn a_room_that_the_robot_does_not_fit_into_says_so() {
     let mut session = Session::new();
     session.restore("room=room12ft&robot=roomba600").expect("a link of ours");
     session.restore("start=-3,-3,0").expect("a link of ours");
-    let mut survey = Survey::new();
+    let mut survey = MapSession::new();
     survey.take(&session);
     if session.prepared().is_none() {
-        assert_eq!(survey.phase(), Phase::Failed);
+        assert_eq!(survey.phase(), MapPhase::Failed);
         assert!(!survey.complaint().is_empty());
     }
     // Nothing of it may panic.
@@ -356,33 +356,33 @@ fn truth_tells_right_from_wrong() {
     assert!(boundary.len() > 100 && boundary.iter().all(|&cell| truth.is_solid(cell)));
     let mut map = OccupancyMap::new(truth.resolution());
     let wall = boundary[boundary.len() / 2];
-    assert_eq!(truth.verdict(&map, wall), Some(Verdict::Unseen));
+    assert_eq!(truth.verdict(&map, wall), Some(CellVerdict::Unseen));
     map.add(wall, 3.0);
-    assert_eq!(truth.verdict(&map, wall), Some(Verdict::Right));
+    assert_eq!(truth.verdict(&map, wall), Some(CellVerdict::Right));
     let is_open =
         |cell: &Cell| (-2..=2).all(|dy| (-2..=2).all(|dx| !truth.is_solid(Cell::new(cell.x + dx, cell.y + dy))));
     let floor = truth.covered().find(is_open).expect("there is floor");
     assert_eq!(truth.verdict(&map, floor), None);
     map.add(floor, 3.0);
-    assert_eq!(truth.verdict(&map, floor), Some(Verdict::Phantom));
+    assert_eq!(truth.verdict(&map, floor), Some(CellVerdict::Phantom));
     let inside = Cell::new(-4, -4);
     map.add(inside, -3.0);
-    assert_eq!(truth.verdict(&map, inside), Some(Verdict::Missed));
+    assert_eq!(truth.verdict(&map, inside), Some(CellVerdict::Missed));
 }
 
 #[test]
 fn a_map_comes_back_from_a_file_where_it_was() {
     let mut survey = small();
     survey.run_ahead(120.0);
-    let map = survey.belief().expect("there is a robot").map.clone();
+    let map = survey.estimate().expect("there is a robot").map.clone();
     let plan = map.to_plan("mapped").expect("something is known");
-    let files = to_ros_map(&plan, "mapped", MapImage::Pgm, Mode::Trinary, false).expect("it can be written");
+    let files = to_ros_map(&plan, "mapped", MapImage::Pgm, OccupancyMode::Trinary, false).expect("it can be written");
     let file = |name: &str, bytes: Vec<u8>| SourceFile { name: name.into(), bytes };
     let read =
         load(&[file("mapped.yaml", files.yaml.into_bytes()), file(&files.image_name, files.image)]).expect("ours");
     assert_eq!(read.origin.position(), plan.origin.position());
     survey.open(&read).expect("it has walls");
-    let known = survey.belief().expect("there is a robot").map;
+    let known = survey.estimate().expect("there is a robot").map;
     for (cell, _) in map.iter() {
         assert_eq!(known.occupancy(cell), map.occupancy(cell), "{cell:?}");
     }
@@ -394,7 +394,7 @@ fn a_robot_that_is_given_a_map_starts_lost_and_finds_itself() {
     survey.set("explorer", "wall_follow").expect("it exists");
     let plan = (room("kitchen").expect("it ships").build)();
     survey.open(&plan).expect("it has walls");
-    let here = |survey: &Survey| survey.figures().expect("there is a run")[0];
+    let here = |survey: &MapSession| survey.figures().expect("there is a run")[0];
     assert_eq!((here(&survey).position_m, survey.view().is_sure), (None, Some(false)), "it has no idea");
     assert!(here(&survey).boundary > 0.95 && here(&survey).right > 0.95, "the map is the room: {:?}", here(&survey));
     let start = survey.prepared().expect("it fits").floor.start;
@@ -405,7 +405,7 @@ fn a_robot_that_is_given_a_map_starts_lost_and_finds_itself() {
     assert!(off < 0.1 && survey.view().is_sure == Some(true), "{off} m off after two minutes");
     // The way back to a map of its own.
     survey.close_map();
-    assert_eq!((survey.phase(), known(&survey), survey.view().known), (Phase::Ready, 0, None));
+    assert_eq!((survey.phase(), known(&survey), survey.view().known), (MapPhase::Ready, 0, None));
 }
 
 #[test]

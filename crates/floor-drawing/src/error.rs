@@ -1,6 +1,6 @@
 //! Errors in drawings, with a hint how to fix each.
 
-use robovac_core::floorplan::{MAX_RESOLUTION, MAX_SIDE, MIN_RESOLUTION, base_name};
+use robovac_core::floor_plan::{MAX_RESOLUTION, MAX_SIDE, MIN_RESOLUTION, base_name};
 
 /// A drawing that can't be read or written, or that no room can be made of. Every message names the cause, the place and
 /// what to do.

@@ -5,7 +5,7 @@ use super::{
     error::{DrawingError, bad},
 };
 use robovac_core::{
-    floorplan::{base_name, stem},
+    floor_plan::{base_name, stem},
     geometry::Point,
 };
 use std::{collections::BTreeMap, ops::Range};
@@ -25,7 +25,7 @@ pub struct Drawing {
     /// Metres per drawing unit, if the file says ($INSUNITS of a DXF); `None` is to be asked for.
     pub metre: Option<f64>,
     /// Layers with anything on them, in the file's order.
-    pub layers: Vec<Layer>,
+    pub layers: Vec<DrawingLayer>,
     /// Straight strokes: arcs, bulges, ellipses and splines are flattened, blocks are inserted.
     pub strokes: Vec<Stroke>,
     /// Corners of all strokes.
@@ -36,7 +36,7 @@ pub struct Drawing {
 
 /// A layer of a drawing.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Layer {
+pub struct DrawingLayer {
     /// Its name.
     pub name: String,
     /// Its colour in the drawing, red, green, blue.
@@ -82,7 +82,7 @@ impl Drawing {
 
 /// A drawing that is being read.
 pub(super) struct Builder {
-    layers: Vec<Layer>,
+    layers: Vec<DrawingLayer>,
     by_name: BTreeMap<String, u32>,
     strokes: Vec<Stroke>,
     points: Vec<Point>,
@@ -111,13 +111,13 @@ impl Builder {
         }
         let index = self.layers.len() as u32;
         let role = super::roles::guess(name);
-        self.layers.push(Layer { name: name.to_owned(), colour: [0; 3], strokes: 0, role });
+        self.layers.push(DrawingLayer { name: name.to_owned(), colour: [0; 3], strokes: 0, role });
         self.by_name.insert(key, index);
         Ok(index)
     }
 
     /// A layer, to be changed; it must exist.
-    pub fn layer_mut(&mut self, index: u32) -> &mut Layer {
+    pub fn layer_mut(&mut self, index: u32) -> &mut DrawingLayer {
         &mut self.layers[index as usize]
     }
 

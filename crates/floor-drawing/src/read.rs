@@ -1,7 +1,7 @@
 //! Reads files; the format is detected from the content.
 
 use super::{Drawing, DrawingError, DrawingFlaw, dxf, error::bad, geojson, svg};
-use robovac_core::floorplan::SourceFile;
+use robovac_core::floor_plan::SourceFile;
 
 /// Largest file that is read, MB.
 const MAX_MEGABYTES: usize = 256;
@@ -22,7 +22,7 @@ const OTHERS: &[(&[u8], &str)] = &[
 /// How DWGs begin.
 const DWG: &[u8] = b"AC10";
 
-enum Kind {
+enum DrawingFormat {
     Dxf,
     Svg,
     GeoJson,
@@ -32,7 +32,7 @@ enum Kind {
 ///
 /// ```
 /// use floor_drawing::is_drawing;
-/// use robovac_core::floorplan::SourceFile;
+/// use robovac_core::floor_plan::SourceFile;
 /// let file = |bytes: &[u8]| SourceFile { name: "room".into(), bytes: bytes.into() };
 /// assert!(is_drawing(&file(b"  0\nSECTION\n  2\nENTITIES\n")));
 /// assert!(is_drawing(&file(b"{\"type\": \"FeatureCollection\", \"features\": []}")));
@@ -46,33 +46,33 @@ pub fn is_drawing(file: &SourceFile) -> bool {
 ///
 /// ```
 /// use floor_drawing::is_dxf;
-/// use robovac_core::floorplan::SourceFile;
+/// use robovac_core::floor_plan::SourceFile;
 /// let file = |bytes: &[u8]| SourceFile { name: "room".into(), bytes: bytes.into() };
 /// assert!(is_dxf(&file(b"  0\nSECTION\n  2\nENTITIES\n")));
 /// assert!(!is_dxf(&file(b"\xef\xbb\xbf<svg xmlns='http://www.w3.org/2000/svg'/>")));
 /// ```
 pub fn is_dxf(file: &SourceFile) -> bool {
-    matches!(kind(&file.bytes), Some(Kind::Dxf))
+    matches!(kind(&file.bytes), Some(DrawingFormat::Dxf))
 }
 
 /// What kind of drawing a file is, by its content, e.g. "a DXF drawing"; a DWG too, which [`read`] can't read.
 pub fn drawing_kind(file: &SourceFile) -> Option<&'static str> {
     match kind(&file.bytes) {
-        Some(Kind::Dxf) => Some("a DXF drawing"),
-        Some(Kind::Svg) => Some("an SVG drawing"),
-        Some(Kind::GeoJson) => Some("a GeoJSON drawing"),
+        Some(DrawingFormat::Dxf) => Some("a DXF drawing"),
+        Some(DrawingFormat::Svg) => Some("an SVG drawing"),
+        Some(DrawingFormat::GeoJson) => Some("a GeoJSON drawing"),
         None => file.bytes.starts_with(DWG).then_some("a DWG drawing"),
     }
 }
 
-fn kind(bytes: &[u8]) -> Option<Kind> {
+fn kind(bytes: &[u8]) -> Option<DrawingFormat> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     if dxf::is_dxf(bytes) {
-        Some(Kind::Dxf)
+        Some(DrawingFormat::Dxf)
     } else if svg::is_svg(bytes) {
-        Some(Kind::Svg)
+        Some(DrawingFormat::Svg)
     } else if geojson::is_geojson(bytes) {
-        Some(Kind::GeoJson)
+        Some(DrawingFormat::GeoJson)
     } else {
         None
     }
@@ -88,7 +88,7 @@ fn kind(bytes: &[u8]) -> Option<Kind> {
 ///
 /// ```
 /// use floor_drawing::read;
-/// use robovac_core::{floorplan::SourceFile, geometry::Point};
+/// use robovac_core::{floor_plan::SourceFile, geometry::Point};
 /// let dxf = "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\nWALL\n10\n0\n20\n0\n11\n4\n21\n3\n0\nENDSEC\n0\nEOF\n";
 /// let drawing = read(&SourceFile { name: "house.dxf".into(), bytes: dxf.into() })?;
 /// assert_eq!((drawing.name.as_str(), drawing.layers[0].name.as_str()), ("house", "WALL"));
@@ -106,9 +106,9 @@ pub fn read(file: &SourceFile) -> Result<Drawing, DrawingError> {
         return refuse(DrawingFlaw::TooLong { found: bytes.len() >> 20, most: MAX_MEGABYTES });
     }
     match kind(bytes) {
-        Some(Kind::Dxf) => dxf::read(file),
-        Some(Kind::Svg) => svg::read(file),
-        Some(Kind::GeoJson) => geojson::read(file),
+        Some(DrawingFormat::Dxf) => dxf::read(file),
+        Some(DrawingFormat::Svg) => svg::read(file),
+        Some(DrawingFormat::GeoJson) => geojson::read(file),
         None if bytes.starts_with(DWG) => refuse(DrawingFlaw::Dwg),
         None => {
             let other = OTHERS.iter().find(|(magic, _)| bytes.starts_with(magic)).map(|&(_, kind)| kind);

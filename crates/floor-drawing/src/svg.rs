@@ -10,7 +10,7 @@ use super::{
     flatten::Nurbs,
     model::{Builder, MAX_POINTS},
 };
-use robovac_core::{floorplan::SourceFile, geometry::Point};
+use robovac_core::{floor_plan::SourceFile, geometry::Point};
 use std::collections::BTreeMap;
 use usvg::{
     Group, Node, Options, Paint, Tree,
@@ -60,7 +60,7 @@ pub(super) fn read(file: &SourceFile) -> Result<Drawing, DrawingError> {
         .map_err(|error| refuse("", DrawingFlaw::Parser { cause: error.to_string() }))?;
     let is_physical = has_physical_size(&document);
     let scale = if is_physical { MM_PER_PIXEL } else { 1.0 };
-    let mut painter = Painter {
+    let mut painter = SvgPainter {
         builder: Builder::new(),
         labels: labels(&document),
         height: f64::from(tree.size().height()),
@@ -131,7 +131,7 @@ struct Names {
     id: Option<String>,
 }
 
-struct Painter {
+struct SvgPainter {
     builder: Builder,
     labels: BTreeMap<String, String>,
     /// Of the picture, pixels.
@@ -140,7 +140,7 @@ struct Painter {
     paths: u32,
 }
 
-impl Painter {
+impl SvgPainter {
     fn group(&mut self, group: &Group, names: &Names) -> Result<(), (u32, DrawingFlaw)> {
         for node in group.children() {
             match node {

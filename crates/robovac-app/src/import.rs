@@ -1,7 +1,7 @@
 //! Import of files: parsed in a worker, applied to the session.
 
 use floor_drawing::{DrawingError, drawing_kind};
-use robovac_core::floorplan::{self, FloorPlan, MapError, Scenario, SourceFile};
+use robovac_core::floor_plan::{self, FloorPlan, MapError, Scenario, SourceFile};
 use robovac_sim::{
     Noise,
     experiment::{Algorithm, Settings, SettingsError},
@@ -14,12 +14,12 @@ pub struct Import {
     /// The room.
     pub plan: FloorPlan,
     /// What else a scenario says; `None` for other maps.
-    pub choices: Option<Choices>,
+    pub choices: Option<ScenarioChoices>,
 }
 
 /// What a scenario says beside its room, as text that settings check. What it doesn't mention stays as it is.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-pub struct Choices {
+pub struct ScenarioChoices {
     /// Id of the robot.
     pub robot: Option<String>,
     /// Side of the planning cells, m.
@@ -77,15 +77,15 @@ pub struct ScenarioError {
 impl Import {
     /// Reads files that belong together. May take seconds for a large map.
     pub fn read(files: &[SourceFile]) -> Result<Self, ImportError> {
-        let plan = floorplan::load(files).map_err(|error| {
+        let plan = floor_plan::load(files).map_err(|error| {
             let drawing = files.iter().find_map(|file| Some((file, drawing_kind(file)?)));
             drawing.map_or(ImportError::Map(error), |(file, kind)| ImportError::IsADrawing {
-                name: floorplan::base_name(&file.name).to_owned(),
+                name: floor_plan::base_name(&file.name).to_owned(),
                 kind,
             })
         })?;
         let choices = match files {
-            [file] => Scenario::read(&file.name, &file.bytes).ok().map(|scenario| Choices::of(&scenario)),
+            [file] => Scenario::read(&file.name, &file.bytes).ok().map(|scenario| ScenarioChoices::of(&scenario)),
             _ => None,
         };
         Ok(Self { plan, choices })
@@ -94,11 +94,11 @@ impl Import {
     /// Reads a scenario file, and nothing else.
     pub fn scenario(name: &str, bytes: &[u8]) -> Result<Self, MapError> {
         let scenario = Scenario::read(name, bytes)?;
-        Ok(Self { plan: scenario.plan(name)?, choices: Some(Choices::of(&scenario)) })
+        Ok(Self { plan: scenario.plan(name)?, choices: Some(ScenarioChoices::of(&scenario)) })
     }
 }
 
-impl Choices {
+impl ScenarioChoices {
     /// What `scenario` says.
     pub fn of(scenario: &Scenario) -> Self {
         let text = |value: &serde_json::Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);

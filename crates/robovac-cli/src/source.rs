@@ -2,7 +2,7 @@
 
 use super::failure::Failure;
 use robovac_app::Import;
-use robovac_core::floorplan::{FloorPlan, SourceFile, image_of, room};
+use robovac_core::floor_plan::{FloorPlan, SourceFile, image_of, room};
 use std::{
     fs,
     io::ErrorKind,
@@ -12,7 +12,7 @@ use std::{
 /// One of the two must be given.
 #[derive(clap::Args)]
 #[group(required = true, multiple = false)]
-pub struct Source {
+pub struct RoomSource {
     /// Map file: text of # and ., PNG, PGM, ROS map (YAML; its image is found automatically) or scenario
     #[arg(long, value_name = "FILE")]
     map: Option<PathBuf>,
@@ -21,7 +21,7 @@ pub struct Source {
     room: Option<String>,
 }
 
-impl Source {
+impl RoomSource {
     /// The file of `--map`, if that is given.
     pub fn file(&self) -> Result<Option<SourceFile>, Failure> {
         self.map.as_deref().map_or(Ok(None), read)

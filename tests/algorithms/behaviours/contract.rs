@@ -2,7 +2,7 @@
 
 use super::support::{conditions, drive, lay_out, run, run_with};
 use robovac_core::{
-    floorplan::{ROOMS, Sketch, room},
+    floor_plan::{ROOMS, Sketch, room},
     registry::{Explainer, ParamKind, ParamValue, Params},
     robot::{Body, MODELS, RobotModel, model},
 };

@@ -1,7 +1,7 @@
 //! DXFs as text, and what is in a drawing.
 
 use floor_drawing::{Drawing, DrawingError, read};
-use robovac_core::{floorplan::SourceFile, geometry::Point};
+use robovac_core::{floor_plan::SourceFile, geometry::Point};
 
 /// A file of that content.
 pub fn file(name: &str, bytes: impl Into<Vec<u8>>) -> SourceFile {

@@ -2,7 +2,7 @@
 
 use super::wire::{Wire, hall, setup_in};
 use robovac_core::geometry::difference;
-use robovac_link::link::{Calibration, Request};
+use robovac_link::connection::{Calibration, Request};
 use robovac_sim::Conditions;
 
 fn calibrate(wire: &mut Wire, what: Calibration) {

@@ -1,7 +1,7 @@
 //! What is found out about every kind of robot.
 
 use super::wire::{Wire, hall, moves, setup_in};
-use robovac_link::{emulator::PERSONALITIES, link::Request};
+use robovac_link::{connection::Request, emulator::PERSONALITIES};
 use robovac_sim::Conditions;
 
 fn opened(personality: &str, seconds: f64) -> Wire {

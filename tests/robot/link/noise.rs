@@ -7,7 +7,7 @@ use robovac_sim::{
     Conditions, Noise, NoiseLevel,
     controller::{self, Setup},
 };
-use roomba_oi::{Frame, StreamEvent, StreamParser};
+use roomba_oi::{StreamEvent, StreamFrame, StreamParser};
 use std::{cell::RefCell, collections::HashSet, rc::Rc};
 
 /// Share of the bytes that are lost or flipped.
@@ -60,7 +60,7 @@ fn spoil(wire: &mut Wire, seed: u64) -> Rc<RefCell<Truth>> {
 
 fn content(hex: &str) -> Vec<u8> {
     let bytes: Vec<u8> = hex.split(' ').map(|byte| u8::from_str_radix(byte, 16).unwrap()).collect();
-    Frame::parse(&bytes).unwrap().content().to_vec()
+    StreamFrame::parse(&bytes).unwrap().content().to_vec()
 }
 
 /// How a frame differs from the true one that is most like it.
@@ -100,7 +100,7 @@ fn a_bad_line_is_never_lost_and_hardly_ever_believed() {
         let view = wire.view();
         assert_eq!(view.phase, "connected", "at {:.1} s: {view:?}", wire.now);
         for line in wire.link.take_traffic() {
-            if line.kind == robovac_link::link::TrafficKind::Frame {
+            if line.kind == robovac_link::connection::TrafficKind::Frame {
                 looked += 1;
                 let content = content(&line.hex);
                 if !truth.borrow().frames.contains(&content) {

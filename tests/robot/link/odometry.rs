@@ -5,9 +5,9 @@ use robovac_core::{
     geometry::{Point, difference},
     robot::OdometryModel,
 };
-use robovac_link::link::Request;
+use robovac_link::connection::Request;
 use robovac_sim::{Conditions, controller::FollowPath};
-use roomba_oi::{Frame, Packet, PacketId, Readings, write_frame};
+use roomba_oi::{Packet, PacketId, Readings, StreamFrame, write_frame};
 use std::{cell::RefCell, rc::Rc, sync::Arc};
 
 /// Corners of a line of 14.5 m.
@@ -61,7 +61,7 @@ fn on_frames(mut change: impl FnMut(&[u8]) -> Vec<u8> + 'static) -> Fault {
             if header == 19 && waiting.len() < size {
                 break;
             }
-            let is_frame = Frame::parse(&waiting).is_ok();
+            let is_frame = StreamFrame::parse(&waiting).is_ok();
             let taken: Vec<u8> = waiting.drain(..if is_frame { size } else { 1 }).collect();
             out.extend(if is_frame { change(&taken) } else { taken });
         }
@@ -71,7 +71,7 @@ fn on_frames(mut change: impl FnMut(&[u8]) -> Vec<u8> + 'static) -> Fault {
 
 /// The distance that a frame tells, if it does, mm.
 fn distance(frame: &[u8]) -> Option<i32> {
-    let frame = Frame::parse(frame).unwrap();
+    let frame = StreamFrame::parse(frame).unwrap();
     frame.values().find(|&(packet, _)| packet == Packet::Distance).map(|(packet, raw)| packet.value(raw))
 }
 
@@ -151,7 +151,7 @@ fn no_distance_counts_twice_after_a_false_header_or_a_signal_that_jumps() {
             return frame.to_vec();
         }
         let mut readings = Readings::default();
-        Frame::parse(frame).unwrap().apply(&mut readings);
+        StreamFrame::parse(frame).unwrap().apply(&mut readings);
         readings.light_signal[2] = 3000;
         write_frame(&[PacketId::from_byte(100).unwrap()], &readings, &mut [0; 258]).unwrap().to_vec()
     })));

@@ -2,7 +2,7 @@
 
 use super::wire::Wire;
 use robovac_core::robot::OdometryModel;
-use robovac_link::link::{Recording, Replay, Request};
+use robovac_link::connection::{LineRecording, Replay, Request};
 use robovac_sim::Input;
 
 #[test]
@@ -17,7 +17,7 @@ fn a_replay_of_a_line_that_is_never_quiet_connects_as_well() {
         time(a).total_cmp(&time(b))
     });
     let text = format!("robovac-oi-recording 1\n{}", lines.join("\n"));
-    let mut replay = Replay::new(Recording::parse(&text).unwrap());
+    let mut replay = Replay::new(LineRecording::parse(&text).unwrap());
     replay.advance(f64::INFINITY);
     assert_eq!((replay.view().phase, replay.view().mode), ("connected", "Safe"));
 }
@@ -36,13 +36,13 @@ fn a_replay_shows_what_the_session_showed() {
     let text = wire.link.recording();
     assert!(text.starts_with("robovac-oi-recording 1\n0.0000 ! open\n"), "{}", &text[..80]);
     assert!(wire.now > opened);
-    let mut replay = Replay::new(Recording::parse(&text).unwrap());
+    let mut replay = Replay::new(LineRecording::parse(&text).unwrap());
     replay.advance(replay.duration_s());
     let now = replay.view();
     assert_eq!((now.phase, now.mode, &now.packets), (then.phase, then.mode, &then.packets));
     assert_eq!(now.drop.as_ref().unwrap().text, drop.text);
     assert_eq!(now.statistics.implausible, then.statistics.implausible);
-    let moved = |view: &robovac_link::link::LinkView| view.distance_m;
+    let moved = |view: &robovac_link::connection::ConnectionView| view.distance_m;
     assert!((moved(&now) - moved(&then)).abs() < 1e-9, "{} {}", now.distance_m, then.distance_m);
     assert!(moved(&now) > 0.3 && now.odometry == "packet_arc");
     // Back and forth again.

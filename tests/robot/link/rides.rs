@@ -9,7 +9,7 @@ use robovac_core::{
 use robovac_sim::{
     Conditions, Run,
     controller::{BEHAVIOURS, FollowPath, Setup},
-    experiment::planning::Prepared,
+    experiment::planning::RoomSetup,
 };
 use std::sync::Arc;
 
@@ -66,7 +66,7 @@ fn every_behaviour_rides_as_far_as_in_the_simulator() {
 #[test]
 fn a_planned_path_cleans_the_flat_over_the_line() {
     let plan = flat();
-    let prepared = Prepared::new(&plan, &roomba(), 0.25, None).unwrap();
+    let prepared = RoomSetup::new(&plan, &roomba(), 0.25, None).unwrap();
     let planner = coverage_planners::find("boustrophedon").unwrap();
     let params = Params::defaults(planner.params);
     let request =

@@ -2,7 +2,7 @@
 
 use super::wire::{Wire, flat, hall, moves, setup_in};
 use robovac_core::{geometry::Pose, registry::Params, robot::model};
-use robovac_link::link::{Calibration, PressedButton, Request, TrafficKind};
+use robovac_link::connection::{Calibration, PressedButton, Request, TrafficKind};
 use robovac_sim::{
     Conditions, Input,
     controller::{self, Setup},
@@ -296,7 +296,7 @@ fn every_line_begins_with_a_stop_whatever_was_cut_off() {
         // A page that crashed in the middle of a command; the next one knows nothing.
         wire.robot.receive(&[145, 0, 200, 0][..cut], 115_200);
         let before = wire.commands.len();
-        wire.link = robovac_link::link::Link::new();
+        wire.link = robovac_link::connection::Connection::new();
         wire.link.opened(wire.now);
         wire.pass(0.8);
         assert!(!wire.is_rolling(), "cut after {cut}");

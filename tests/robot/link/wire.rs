@@ -2,14 +2,14 @@
 
 use robovac_core::{
     coverage::ReachableFloor,
-    floorplan::{FloorPlan, Sketch, room},
+    floor_plan::{FloorPlan, Sketch, room},
     geometry::Pose,
     robot::{RobotModel, model},
 };
 use robovac_link::{
+    connection::{Connection, ConnectionView, Request},
     driver::LineRequest,
     emulator::{Emulator, personality},
-    link::{Link, LinkView, Request},
 };
 use robovac_sim::{Conditions, RunSetup, World};
 use roomba_oi::{Command, CommandDecoder, Mode};
@@ -45,7 +45,7 @@ pub fn flat() -> FloorPlan {
 pub type Fault = Box<dyn FnMut(Vec<u8>) -> Vec<u8>>;
 
 pub struct Wire {
-    pub link: Link,
+    pub link: Connection,
     pub robot: Emulator,
     pub now: f64,
     looks: u64,
@@ -63,7 +63,7 @@ impl Wire {
     pub fn new(setup: &RunSetup, personality_id: &str) -> Self {
         let robot = Emulator::new(setup, personality(personality_id).unwrap());
         let mut wire = Self {
-            link: Link::new(),
+            link: Connection::new(),
             robot,
             now: 100.0,
             looks: 0,
@@ -109,7 +109,7 @@ impl Wire {
         self.link.request(self.now, request).unwrap();
     }
 
-    pub fn view(&mut self) -> LinkView {
+    pub fn view(&mut self) -> ConnectionView {
         self.link.view(self.now)
     }
 

@@ -1,8 +1,8 @@
 //! Entities as polylines.
 
 use super::{
-    entity::{Entity, Kind},
-    local::{Affine, Content, Insert, Source},
+    entity::{Entity, EntityKind},
+    local::{Affine, DxfContent, EntitySource, Insert},
 };
 use crate::{
     DrawingFlaw,
@@ -18,25 +18,25 @@ impl Entity<'_> {
     /// Draws it, or says what it is called among all that is left out. `block` is the name of the block that it inserts.
     pub fn draw(
         &self,
-        source: Source,
+        source: EntitySource,
         block: String,
-        content: &mut Content,
+        content: &mut DxfContent,
     ) -> Result<Option<&'static str>, DrawingFlaw> {
         let Some(map) = self.mirror() else { return Ok(Some("entities in tilted planes")) };
         let to_plan = |point| map.apply(point);
         match self.kind {
-            Kind::Line => content.stroke(source, false, [10, 11].map(|code| self.point(code)))?,
-            Kind::LwPolyline | Kind::Polyline => {
+            EntityKind::Line => content.stroke(source, false, [10, 11].map(|code| self.point(code)))?,
+            EntityKind::LwPolyline | EntityKind::Polyline => {
                 content.stroke(source, self.is_closed(), self.corners().into_iter().map(to_plan))?;
             }
-            Kind::Circle | Kind::Arc => {
+            EntityKind::Circle | EntityKind::Arc => {
                 let radius = self.last(40, 0.0);
                 let [start, end] = [self.last(50, 0.0), self.last(51, 360.0)].map(f64::to_radians);
                 let (major, minor) = (Vector::new(radius, 0.0), Vector::new(0.0, radius));
                 let (points, is_closed) = ellipse(self.point(10), major, minor, start, end);
                 content.stroke(source, is_closed, points.into_iter().map(to_plan))?;
             }
-            Kind::Ellipse => {
+            EntityKind::Ellipse => {
                 let major = Vector::new(self.last(11, 1.0), self.last(21, 0.0));
                 // The centre and the axis are the world's; the minor axis is the normal times the major one.
                 let minor = Vector::new(-major.y, major.x) * (self.last(40, 1.0) * map.x.x);
@@ -44,11 +44,13 @@ impl Entity<'_> {
                 let (points, is_closed) = ellipse(self.point(10), major, minor, start, end);
                 content.stroke(source, is_closed, points)?;
             }
-            Kind::Spline => content.stroke(source, self.is_closed(), self.curve())?,
+            EntityKind::Spline => content.stroke(source, self.is_closed(), self.curve())?,
             // The third and fourth corner are crossed.
-            Kind::Solid => content.stroke(source, true, [10, 11, 13, 12].map(|code| to_plan(self.point(code))))?,
-            Kind::Face => content.stroke(source, true, [10, 11, 12, 13].map(|code| self.point(code)))?,
-            Kind::Insert => content.insert(self.insert(source, block, &map))?,
+            EntityKind::Solid => {
+                content.stroke(source, true, [10, 11, 13, 12].map(|code| to_plan(self.point(code))))?
+            }
+            EntityKind::Face => content.stroke(source, true, [10, 11, 12, 13].map(|code| self.point(code)))?,
+            EntityKind::Insert => content.insert(self.insert(source, block, &map))?,
         }
         Ok(None)
     }
@@ -106,7 +108,7 @@ impl Entity<'_> {
         Nurbs { degree, knots: &knots, weights: &weights, controls: &controls }.flatten()
     }
 
-    fn insert(&self, source: Source, block: String, mirror: &Affine) -> Insert {
+    fn insert(&self, source: EntitySource, block: String, mirror: &Affine) -> Insert {
         let (sin, cos) = sin_cos(self.last(50, 0.0).to_radians());
         let turn = Affine { x: Vector::new(cos, sin), y: Vector::new(-sin, cos), origin: self.point(10).coords };
         let turn = mirror.after(&turn);
@@ -137,7 +139,7 @@ mod tests {
 
     #[test]
     fn a_polyline_of_arcs_is_not_flattened_far_beyond_the_limit() {
-        let mut polyline = Entity::new(Kind::LwPolyline, 1, 1, 0);
+        let mut polyline = Entity::new(EntityKind::LwPolyline, 1, 1, 0);
         polyline.numbers = (0..100_000).flat_map(|i| [(10, f64::from(i % 2)), (42, 9.0)]).collect();
         let corners = polyline.corners().len();
         assert!((MAX_POINTS + 1..MAX_POINTS + 80).contains(&corners), "{corners}");

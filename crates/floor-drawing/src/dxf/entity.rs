@@ -1,6 +1,6 @@
 //! Reads one entity and checks its numbers.
 
-use super::pairs::{Fault, Pair};
+use super::pairs::{DxfFault, Pair};
 use crate::{
     DrawingFlaw,
     model::{MAX_COORDINATE, MAX_POINTS},
@@ -8,7 +8,7 @@ use crate::{
 
 /// What is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum EntityKind {
     Line,
     Circle,
     Arc,
@@ -23,18 +23,18 @@ pub(super) enum Kind {
 }
 
 /// What becomes of an entity of that type: it is drawn, or left out under a name, or not even counted.
-pub(super) fn kind_of(name: &[u8]) -> Result<Kind, Option<&'static str>> {
+pub(super) fn kind_of(name: &[u8]) -> Result<EntityKind, Option<&'static str>> {
     Ok(match name {
-        b"LINE" => Kind::Line,
-        b"CIRCLE" => Kind::Circle,
-        b"ARC" => Kind::Arc,
-        b"ELLIPSE" => Kind::Ellipse,
-        b"SPLINE" => Kind::Spline,
-        b"LWPOLYLINE" => Kind::LwPolyline,
-        b"POLYLINE" => Kind::Polyline,
-        b"SOLID" | b"TRACE" => Kind::Solid,
-        b"3DFACE" => Kind::Face,
-        b"INSERT" => Kind::Insert,
+        b"LINE" => EntityKind::Line,
+        b"CIRCLE" => EntityKind::Circle,
+        b"ARC" => EntityKind::Arc,
+        b"ELLIPSE" => EntityKind::Ellipse,
+        b"SPLINE" => EntityKind::Spline,
+        b"LWPOLYLINE" => EntityKind::LwPolyline,
+        b"POLYLINE" => EntityKind::Polyline,
+        b"SOLID" | b"TRACE" => EntityKind::Solid,
+        b"3DFACE" => EntityKind::Face,
+        b"INSERT" => EntityKind::Insert,
         b"VERTEX" | b"SEQEND" | b"VIEWPORT" | b"ATTDEF" => return Err(None),
         b"TEXT" | b"MTEXT" | b"ATTRIB" | b"ARCALIGNEDTEXT" | b"RTEXT" => return Err(Some("texts")),
         b"DIMENSION" | b"LARGE_RADIAL_DIMENSION" | b"ARC_DIMENSION" | b"LEADER" | b"MULTILEADER" | b"TOLERANCE" => {
@@ -53,7 +53,7 @@ pub(super) fn kind_of(name: &[u8]) -> Result<Kind, Option<&'static str>> {
 
 /// An entity as far as it has been read.
 pub(super) struct Entity<'a> {
-    pub kind: Kind,
+    pub kind: EntityKind,
     pub number: u32,
     pub at: usize,
     pub body: usize,
@@ -71,7 +71,7 @@ pub(super) struct Entity<'a> {
 }
 
 impl<'a> Entity<'a> {
-    pub fn new(kind: Kind, number: u32, at: usize, body: usize) -> Self {
+    pub fn new(kind: EntityKind, number: u32, at: usize, body: usize) -> Self {
         Self {
             kind,
             number,
@@ -93,15 +93,17 @@ impl<'a> Entity<'a> {
     }
 
     /// Takes in one pair.
-    pub fn take(&mut self, pair: &Pair<'a>) -> Result<(), Fault> {
+    pub fn take(&mut self, pair: &Pair<'a>) -> Result<(), DxfFault> {
         let in_vertex = self.vertex.is_some();
         match pair.code {
             8 if !in_vertex => self.layer = pair.text(),
-            2 if self.kind == Kind::Insert => self.block = pair.text(),
+            2 if self.kind == EntityKind::Insert => self.block = pair.text(),
             67 if !in_vertex => self.is_on_paper = pair.whole()? == 1,
             60 if !in_vertex => self.is_hidden = pair.whole()? == 1,
             70 if in_vertex => self.vertex_flags(pair.whole()?),
-            70 if matches!(self.kind, Kind::LwPolyline | Kind::Polyline | Kind::Spline) => self.flags = pair.whole()?,
+            70 if matches!(self.kind, EntityKind::LwPolyline | EntityKind::Polyline | EntityKind::Spline) => {
+                self.flags = pair.whole()?
+            }
             // Integers have 16 bits.
             70 | 71 if self.takes(pair.code) => self.push(pair, pair.whole()?.clamp(-0x8000, 0x7fff) as f64)?,
             code if self.takes(code) => {
@@ -121,7 +123,7 @@ impl<'a> Entity<'a> {
         Ok(())
     }
 
-    fn push(&mut self, pair: &Pair<'_>, value: f64) -> Result<(), Fault> {
+    fn push(&mut self, pair: &Pair<'_>, value: f64) -> Result<(), DxfFault> {
         if self.numbers.len() >= 3 * MAX_POINTS {
             return Err((pair.at, DrawingFlaw::TooMany { what: "corners", most: MAX_POINTS }));
         }
@@ -143,15 +145,15 @@ impl<'a> Entity<'a> {
             return self.vertex.is_none();
         }
         match self.kind {
-            Kind::Line => matches!(code, 10 | 20 | 11 | 21),
-            Kind::Circle => matches!(code, 10 | 20 | 40),
-            Kind::Arc => matches!(code, 10 | 20 | 40 | 50 | 51),
-            Kind::Ellipse => matches!(code, 10 | 20 | 11 | 21 | 40 | 41 | 42),
-            Kind::Spline => matches!(code, 10 | 20 | 11 | 21 | 40 | 41 | 71),
-            Kind::LwPolyline => matches!(code, 10 | 20 | 42),
-            Kind::Polyline => matches!(code, 10 | 20 | 42) && self.vertex.is_some_and(|start| start < usize::MAX),
-            Kind::Solid | Kind::Face => matches!(code, 10..=13 | 20..=23),
-            Kind::Insert => matches!(code, 10 | 20 | 41 | 42 | 44 | 45 | 50 | 70 | 71),
+            EntityKind::Line => matches!(code, 10 | 20 | 11 | 21),
+            EntityKind::Circle => matches!(code, 10 | 20 | 40),
+            EntityKind::Arc => matches!(code, 10 | 20 | 40 | 50 | 51),
+            EntityKind::Ellipse => matches!(code, 10 | 20 | 11 | 21 | 40 | 41 | 42),
+            EntityKind::Spline => matches!(code, 10 | 20 | 11 | 21 | 40 | 41 | 71),
+            EntityKind::LwPolyline => matches!(code, 10 | 20 | 42),
+            EntityKind::Polyline => matches!(code, 10 | 20 | 42) && self.vertex.is_some_and(|start| start < usize::MAX),
+            EntityKind::Solid | EntityKind::Face => matches!(code, 10..=13 | 20..=23),
+            EntityKind::Insert => matches!(code, 10 | 20 | 41 | 42 | 44 | 45 | 50 | 70 | 71),
         }
     }
 
@@ -162,14 +164,14 @@ impl<'a> Entity<'a> {
 
     /// Whether it is a mesh, which isn't drawn.
     pub fn is_mesh(&self) -> bool {
-        self.kind == Kind::Polyline && self.flags & (16 | 64) != 0
+        self.kind == EntityKind::Polyline && self.flags & (16 | 64) != 0
     }
 
     /// Whether it is in the world's coordinates, as 3D polylines are, and not in those of a plane of its own.
     pub fn is_in_world(&self) -> bool {
         match self.kind {
-            Kind::Line | Kind::Spline | Kind::Face => true,
-            Kind::Polyline => self.flags & 8 != 0,
+            EntityKind::Line | EntityKind::Spline | EntityKind::Face => true,
+            EntityKind::Polyline => self.flags & 8 != 0,
             _ => false,
         }
     }

@@ -15,7 +15,7 @@ mod units;
 pub(super) use pairs::{Form, Pairs, code_page, is_dxf};
 
 use super::{Drawing, DrawingError, error::bad};
-use robovac_core::floorplan::SourceFile;
+use robovac_core::floor_plan::SourceFile;
 
 /// Reads a DXF.
 pub(super) fn read(file: &SourceFile) -> Result<Drawing, DrawingError> {

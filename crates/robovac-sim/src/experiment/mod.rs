@@ -11,10 +11,10 @@ mod shows;
 mod trial;
 
 pub use algorithm::Algorithm;
-pub use arena::{Arena, Outcome, TrialError};
+pub use arena::{Arena, PlanOutcome, TrialError};
 pub use csv::quoted;
 pub use entrant::{BEHAVIOUR, Entrant, PLANNER};
-pub use planning::{Answer, MOST_SEARCH_CELLS, PlanRequest, Planned, Prepared};
+pub use planning::{MOST_SEARCH_CELLS, PlanAnswer, PlanRequest, Planned, RoomSetup};
 pub use settings::{CELL_SIZES, SPEEDS, Settings, SettingsError};
 pub use shows::Shows;
 pub use trial::{TrialRequest, plan_of};
