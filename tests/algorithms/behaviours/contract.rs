@@ -141,6 +141,14 @@ fn everybody_explains_itself_with_rooms_that_ship() {
     }
 }
 
+/// A row a behaviour, in the order of the menus.
+#[test]
+fn documentation_lists_all_behaviours() {
+    let page = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/behaviours.md")).expect("it exists");
+    let listed = page.lines().filter_map(|line| line.strip_prefix("| `")?.split('`').next());
+    assert_eq!(listed.collect::<Vec<_>>(), BEHAVIOURS.iter().map(|info| info.id).collect::<Vec<_>>());
+}
+
 /// The DVR-1's bumper is narrow: in a corner it once felt only the nearer wall, beside it, and pushed for ever.
 #[test]
 fn nobody_jams_in_a_corner() {
