@@ -1,7 +1,7 @@
 // @ts-check
 // The tab Floor plan's share of the benchmark, in a fresh instance of its module: what it measures itself, then how long a
 // large drawing takes from its file to the picture.
-import init, { FloorPlanSession, bench_draft, office_drawing } from "../draft.js";
+import init, { FloorPlanSession, bench_drawings, office_drawing } from "../floor_plan.js";
 
 const ENTITIES = 100_000;
 /** The picture's size, px: that of a laptop's screen. */
@@ -29,7 +29,7 @@ function draw() {
 self.addEventListener("message", async (/** @type {MessageEvent<{ module: WebAssembly.Module }>} */ event) => {
   try {
     await init({ module_or_path: event.data.module });
-    const results = bench_draft((/** @type {import("./types").BenchResult} */ result) => answer({ type: "result", result }));
+    const results = bench_drawings((/** @type {import("./types").BenchResult} */ result) => answer({ type: "result", result }));
     const drawn = draw();
     answer({ type: "result", result: drawn });
     answer({ type: "finished", results: [...results, drawn] });

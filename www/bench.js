@@ -65,7 +65,7 @@ async function measure(show) {
     results.push(result);
     show(result);
   };
-  const module = await compile(new URL("../draft_bg.wasm", import.meta.url));
+  const module = await compile(new URL("../floor_plan_bg.wasm", import.meta.url));
   const ms = await longestPause(() => inWorker(new URL("./bench-floor-plan-worker.js", import.meta.url), module, take));
   take({ name: "longest pause of the page meanwhile", ms, times_real_time: null, memory_mb: null });
   const workshop = await compile(new URL("../workshop_bg.wasm", import.meta.url));

@@ -8,7 +8,7 @@ use wasm_bindgen::prelude::*;
 /// Runs the cases about drawings, calls `on_result` with each result as it comes, and returns them all. Blocks: call it in a
 /// worker.
 #[wasm_bindgen]
-pub fn bench_draft(on_result: &Function) -> Result<JsValue, JsValue> {
+pub fn bench_drawings(on_result: &Function) -> Result<JsValue, JsValue> {
     run(&[bench::floor_plan], on_result)
 }
 

@@ -1,6 +1,6 @@
 // @ts-check
 // Many runs (Monte Carlo): who is run and how often, the workers that do it, and what came out.
-import { MonteCarlo } from "../../compare.js";
+import { MonteCarlo } from "../../workshop.js";
 import { startChart } from "./coverage-chart.js";
 import { button, byId, changed, fill, select, setAttribute, setHidden, setText, typed } from "../dom.js";
 import { entrantItem, markOf, showChoice, swatch } from "./entrants.js";
@@ -33,7 +33,7 @@ const PHASES = {
  * @param {import("../main.js").App} app
  * @param {WebAssembly.Module} module
  * @param {(what: () => void) => boolean} guard
- * @param {() => import("../../compare.js").SessionMirror} mirror The session, up to date.
+ * @param {() => import("../../workshop.js").SessionMirror} mirror The session, up to date.
  */
 export function startRuns(app, module, guard, mirror) {
   const study = new MonteCarlo();

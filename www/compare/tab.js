@@ -1,6 +1,6 @@
 // @ts-check
 // The tab Compare: who takes part, how far the trials are, and which view of them is shown.
-import { Comparison, SessionMirror } from "../../compare.js";
+import { Comparison, SessionMirror } from "../../workshop.js";
 import { startAbout } from "./about.js";
 import { button, byId, changed, fill, select, setAttribute, setHidden, setText, typed } from "../dom.js";
 import { entrantItem, showChoice, swatch } from "./entrants.js";

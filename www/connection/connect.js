@@ -1,6 +1,6 @@
 // @ts-check
 // Connecting: what can be connected to, and what is found there, in pictures.
-import { VirtualRobot } from "../../robot.js";
+import { VirtualRobot } from "../../workshop.js";
 import { button, byId, changed, fill, input, make, select, setAttribute, setHidden, setText } from "../dom.js";
 import { kept, keep, readSafety } from "./dialogs.js";
 import { support } from "./support.js";

@@ -7,7 +7,7 @@ import { VirtualLine } from "./virtual.js";
 /**
  * A line that isn't open yet. Throws a `Failure`.
  * @param {import("./types").WorkerTarget} target
- * @param {import("../../robot.js").SessionMirror} mirror the room of the virtual robot
+ * @param {import("../../workshop.js").SessionMirror} mirror the room of the virtual robot
  * @param {import("./types").TransportEvents} events
  */
 export function lineTo(target, mirror, events) {

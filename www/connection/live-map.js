@@ -1,6 +1,6 @@
 // @ts-check
 // The live map: its canvas, pointers and keys, and what is told of it in words.
-import { LiveMap } from "../../robot.js";
+import { LiveMap } from "../../workshop.js";
 import { byId, changed, fill, select, setAttribute, setHidden, setText, typed } from "../dom.js";
 import { goesOn, isOpen } from "./view.js";
 

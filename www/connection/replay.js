@@ -1,6 +1,6 @@
 // @ts-check
 // A recorded session once more: shown as it was, with nothing to be driven.
-import { Replay } from "../../robot.js";
+import { Replay } from "../../workshop.js";
 import { button, byId, changed, fill, input, select, setHidden, setText } from "../dom.js";
 import { clock } from "../format.js";
 import { textOf } from "../messages.js";

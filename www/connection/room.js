@@ -1,6 +1,6 @@
 // @ts-check
 // The room that the robot is in, as the page's copy and the worker's have it, and the algorithm that is to drive.
-import { SessionMirror } from "../../robot.js";
+import { SessionMirror } from "../../workshop.js";
 
 /** The robots that can be connected are of this kind. */
 const MODEL = "roomba600";

@@ -1,6 +1,6 @@
 // @ts-check
 // A line to a robot that isn't there: it lives in this worker, by the worker's clock.
-import { VirtualRobot } from "../../robot.js";
+import { VirtualRobot } from "../../workshop.js";
 import { failure } from "./ports.js";
 
 /** Time that is caught up at most after the worker was held up, s: the robot doesn't make leaps. */
@@ -17,7 +17,7 @@ export class VirtualLine {
   #events;
   #time = 0;
 
-  /** @param {import("../../robot.js").SessionMirror} mirror @param {string} personality @param {import("./types").TransportEvents} events */
+  /** @param {import("../../workshop.js").SessionMirror} mirror @param {string} personality @param {import("./types").TransportEvents} events */
   constructor(mirror, personality, events) {
     try {
       this.#robot = new VirtualRobot(mirror, personality);

@@ -1,6 +1,6 @@
 // @ts-check
 // A connection to a robot, away from the page, which may be busy, hidden or hung: bytes, time, and the safety stop.
-import init, { Connection, SessionMirror } from "../../robot.js";
+import init, { Connection, SessionMirror } from "../../workshop.js";
 import { lineTo } from "./lines.js";
 import { failure } from "./ports.js";
 import { STOP, startBeats } from "./safety.js";

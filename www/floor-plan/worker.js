@@ -1,6 +1,6 @@
 // @ts-check
 // The drawing board, away from the page: reads, traces, plans and draws. To cancel, the page ends this worker.
-import init, { FloorPlanSession } from "../../draft.js";
+import init, { FloorPlanSession } from "../../floor_plan.js";
 
 /** How long a stage of the sweep takes to be shown, ms. */
 const STAGE_MS = 1600;

@@ -6,7 +6,7 @@ import { clock } from "../format.js";
 import { complain, textOf, toast } from "../messages.js";
 import { ASIDE, KEPT, done, openDatabase, write } from "./database.js";
 import { dropLast, keepLast, theLast } from "./last.js";
-import { stored_ros_map } from "../../survey.js";
+import { stored_ros_map } from "../../workshop.js";
 
 /**
  * @typedef {import("./database.js").Kept} Kept

@@ -1,6 +1,6 @@
 // @ts-check
 // The tab Map: a robot explores a room that it has never seen, and its map is drawn next to the truth.
-import { MapSession, SessionMirror } from "../../survey.js";
+import { MapSession, SessionMirror } from "../../workshop.js";
 import { byId, changed, setAttribute, setHidden, setText, typed } from "../dom.js";
 import { complain, textOf } from "../messages.js";
 import { startMirror } from "../session-mirror.js";
