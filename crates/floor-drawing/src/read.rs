@@ -94,7 +94,7 @@ fn kind(bytes: &[u8]) -> Option<DrawingFormat> {
 /// assert_eq!((drawing.name.as_str(), drawing.layers[0].name.as_str()), ("house", "WALL"));
 /// assert_eq!(drawing.points, [Point::new(0.0, 0.0), Point::new(4.0, 3.0)]);
 /// assert_eq!(drawing.metre, None, "it says nothing of units");
-/// # Ok::<(), crate::DrawingError>(())
+/// # Ok::<(), floor_drawing::DrawingError>(())
 /// ```
 pub fn read(file: &SourceFile) -> Result<Drawing, DrawingError> {
     let bytes = &file.bytes;

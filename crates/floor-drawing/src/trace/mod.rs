@@ -48,7 +48,7 @@ const FIRST_LOOK: i32 = 512;
 /// assert!(to_ascii(&room.plan).ends_with(
 ///     "##########\n##########\n###.....##\n###.....##\n###.....##\n##########\n##########\n##########\n"
 /// ));
-/// # Ok::<(), crate::DrawingError>(())
+/// # Ok::<(), floor_drawing::DrawingError>(())
 /// ```
 pub fn trace(drawing: &Drawing, how: &Tracing) -> Result<Traced, DrawingError> {
     RoomTracer::new(drawing, how).and_then(|tracer| tracer.run()).map_err(|flaw| bad(&drawing.name, "", flaw))

@@ -37,7 +37,7 @@ const FIRST_UNICODE: u32 = 1021;
 /// let drawing = read(&SourceFile { name: "path.dxf".into(), bytes })?;
 /// assert_eq!((drawing.layers[0].name.as_str(), drawing.metre), ("PATH", Some(1.0)));
 /// assert_eq!(drawing.points, [Point::new(0.0, 0.0), Point::new(2.0, 1.0)]);
-/// # Ok::<(), crate::DrawingError>(())
+/// # Ok::<(), floor_drawing::DrawingError>(())
 /// ```
 pub fn to_dxf(original: Option<&[u8]>, overlays: &[Overlay]) -> Result<Vec<u8>, DrawingError> {
     let template;
