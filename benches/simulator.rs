@@ -6,7 +6,7 @@ use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_mai
 use robovac_app::bench::opening_run;
 use robovac_core::{
     coverage::ReachableFloor,
-    floorplan::{FloorPlan, Object, Who, room},
+    floor_plan::{FloorPlan, Object, Who, room},
     geometry::{Point, Pose},
     registry::Params,
     robot::model,

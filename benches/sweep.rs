@@ -6,7 +6,7 @@ use coverage_planners::sweep::{SweepSetup, sweep};
 use criterion::{Criterion, criterion_group, criterion_main};
 use robovac_core::{
     cspace::{ConfigurationSpace, Outline},
-    floorplan::{FloorPlan, Sketch, room},
+    floor_plan::{FloorPlan, Sketch, room},
     robot::model,
 };
 use std::{hint::black_box, ops::ControlFlow, time::Duration};

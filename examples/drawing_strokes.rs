@@ -2,7 +2,7 @@
 //! check both: `drawing_strokes DRAWING [DXF_BESIDE_IT [DXF_ALONE]]`.
 
 use floor_drawing::{Overlay, read, to_dxf};
-use robovac_core::{floorplan::SourceFile, geometry::Point};
+use robovac_core::{floor_plan::SourceFile, geometry::Point};
 use std::{env, error::Error, fs};
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -3,7 +3,7 @@
 //! quarter turns of closed tours in `turncost`. Its effort is the largest, and it's stopped after that many seconds (10): on
 //! Linux those that the processor worked at it, as other programs may run.
 
-use coverage_planners::{CoverageJob, CoveragePath, Objective, PlanContext, PlanError, Proof, Report, find};
+use coverage_planners::{CoverageJob, CoveragePath, Objective, PlanContext, PlanError, ProgressReport, Proof, find};
 use robovac_core::{
     grid::{Cell, Direction, from_picture},
     registry::{ParamValue, Params},
@@ -76,7 +76,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             )?;
             let clock = Clock::start();
             let (mut first, mut best) = (None, Best { walk: Vec::new(), proof: None, cost: u64::MAX, after: 0.0 });
-            let mut observe = |report: Report<'_>| {
+            let mut observe = |report: ProgressReport<'_>| {
                 let now = clock.seconds();
                 let is_whole = !is_closed || report.walk.first() == report.walk.last();
                 if is_whole && (first.is_some() || missed(&job, report.walk) == 0) {

@@ -5,11 +5,11 @@
 
 use coverage_planners::{Bounds, PLANNERS, PlanContext, SLOW_CELLS, metrics::WalkMetrics};
 use robovac_core::{
-    floorplan::{FloorPlan, SourceFile, load},
+    floor_plan::{FloorPlan, SourceFile, load},
     registry::Params,
     robot::cell_robot,
 };
-use robovac_sim::experiment::planning::Prepared;
+use robovac_sim::experiment::planning::RoomSetup;
 use std::{
     error::Error,
     fs,
@@ -32,7 +32,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 fn table(plan: &FloorPlan) -> Result<(), Box<dyn Error>> {
-    let prepared = Prepared::new(plan, &cell_robot(plan.resolution), plan.resolution, None)?;
+    let prepared = RoomSetup::new(plan, &cell_robot(plan.resolution), plan.resolution, None)?;
     let bound = Bounds::of(&prepared.job).cost;
     for info in PLANNERS.iter().filter(|info| info.claims.fast || prepared.job.cells() <= SLOW_CELLS) {
         let planner = info.build(&Params::defaults(info.params));

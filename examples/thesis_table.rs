@@ -4,7 +4,7 @@
 //! `cargo run --release --example thesis_table`
 
 use coverage_planners::{PLANNERS, find};
-use robovac_core::{floorplan::room, registry::Params};
+use robovac_core::{floor_plan::room, registry::Params};
 use robovac_sim::experiment::planning::{CELL_ROBOT, Placement, PlanningTask, choose_robot};
 use std::error::Error;
 

@@ -16,8 +16,8 @@ const bus = await startBus(t, [robot]);
 const server = await serveFolder("dist");
 const browser = await launchBrowser();
 const page = await browser.newPage({ viewport: { width: 1440, height: 900 } });
-await page.goto(`${server.url}#place=robot&room=flat`);
-await page.waitForSelector("#place-robot:not([hidden])");
+await page.goto(`${server.url}#tab=connection&room=flat`);
+await page.waitForSelector("#panel-connection:not([hidden])");
 
 /** Processor time of the browser's renderers so far, s. */
 function used() {
@@ -44,10 +44,10 @@ async function share() {
 }
 
 const without = await share();
-await page.click(".link-bridge summary");
-await page.fill("#link-url", `${bus.url}/0`);
-await page.press("#link-url", "Enter");
-await page.waitForFunction(() => document.querySelector("#place-robot")?.textContent?.includes("connected"));
+await page.click(".connection-bridge summary");
+await page.fill("#connection-url", `${bus.url}/0`);
+await page.press("#connection-url", "Enter");
+await page.waitForFunction(() => document.querySelector("#panel-connection")?.textContent?.includes("connected"));
 const connected = await share();
 console.log(`    page with nothing connected  ${without.toFixed(1)} % of a core`);
 console.log(`    page with a robot streaming  ${connected.toFixed(1)} % of a core`);

@@ -65,8 +65,8 @@ async function measure(show) {
     results.push(result);
     show(result);
   };
-  const draft = await compile(new URL("../draft_bg.wasm", import.meta.url));
-  const ms = await longestPause(() => inWorker(new URL("./bench-draft-worker.js", import.meta.url), draft, take));
+  const module = await compile(new URL("../floor_plan_bg.wasm", import.meta.url));
+  const ms = await longestPause(() => inWorker(new URL("./bench-floor-plan-worker.js", import.meta.url), module, take));
   take({ name: "longest pause of the page meanwhile", ms, times_real_time: null, memory_mb: null });
   const workshop = await compile(new URL("../workshop_bg.wasm", import.meta.url));
   await inWorker(new URL("./bench-worker.js", import.meta.url), workshop, take);

@@ -73,13 +73,13 @@ export const row = (name, tip, ...values) => make("div", { className: "reading",
 function flags(robot) {
   /** @type {[name: string, tip: string, is: (of: Reading) => boolean][]} */
   const all = [];
-  if (robot.light.length > 0) all.push(["Wall", "The wall sensor on the right sees something near.", (of) => of("wall") > 0]);
-  if (robot.infrared) all.push(["Virtual wall", "The beam of a virtual wall is seen.", (of) => of("virtual_wall") > 0]);
-  if (robot.wheel_drops) all.push(["Wheel drop", "A wheel hangs down: the robot was picked up, or stands over an edge.", (of) => of("drop_left") + of("drop_right") > 0]);
-  all.push(["Moving", "The castor's wheel turns: the robot makes headway (stasis sensor).", (of) => of("stasis") > 0]);
+  if (robot.light.length > 0) all.push(["Wall", "The wall sensor on the right detects something close.", (of) => of("wall") > 0]);
+  if (robot.infrared) all.push(["Virtual wall", "The beam of a virtual wall is detected.", (of) => of("virtual_wall") > 0]);
+  if (robot.wheel_drops) all.push(["Wheel drop", "A wheel has dropped: the robot was lifted, or stands over an edge.", (of) => of("drop_left") + of("drop_right") > 0]);
+  all.push(["Moving", "The castor turns: the robot is actually moving (stasis sensor).", (of) => of("stasis") > 0]);
   const lamps = all.map(([name, tip, is]) => ({ is, lamp: make("li", { "data-tip": tip }, make("button", { type: "button", className: "term" }, name)), state: make("span", { className: "hidden-text" }) }));
   for (const { lamp, state } of lamps) lamp.append(state);
-  const motors = make("li", { className: "overload", hidden: true, "data-tip": "A motor draws too much current: it is blocked." });
+  const motors = make("li", { className: "overload", hidden: true, "data-tip": "A motor draws too much current: it is probably blocked." });
   return {
     node: make("ul", { className: "lamps" }, ...lamps.map(({ lamp }) => lamp), motors),
     show: (of) => {
@@ -108,7 +108,7 @@ function cliffs(robot) {
   const text = make("span", { className: "value" });
   const sensors = cliffSensors(robot);
   return {
-    node: row("Cliff signals", "Light that the floor sends back to the cliff sensors, from left to right, 0 to 4095. Over an edge there is none.", text),
+    node: row("Cliff signals", "Light that the floor reflects to the cliff sensors, left to right, 0 to 4095. Over an edge there is none.", text),
     show: (of) => setText(text, sensors.map((index) => of(`cliff_signal_${index}`)).join(" · ")),
   };
 }
@@ -117,7 +117,7 @@ function cliffs(robot) {
 function battery() {
   const { node, set } = bar();
   const text = make("span", { className: "value" });
-  const shown = row("Battery", "What its gauge reports: charge left, and the current out of it (negative) or into it.", node, text);
+  const shown = row("Battery", "Charge and current as the battery gauge reports them; a negative current discharges.", node, text);
   return {
     node: shown,
     show: (of) => {
@@ -138,7 +138,7 @@ function infrared() {
     return { id, text, cell };
   });
   return {
-    node: row("Infrared", "Beams that its receivers see: the dock's green and red buoys and its force field, or a virtual wall.", make("span", { className: "receivers" }, ...receivers.map(({ cell }) => cell))),
+    node: row("Infrared", "Beams that the receivers detect: the dock's green and red buoys and its force field, or a virtual wall.", make("span", { className: "receivers" }, ...receivers.map(({ cell }) => cell))),
     show: (of) => {
       for (const { id, text, cell } of receivers) {
         const beams = decode(of(`infrared_${id}`));
@@ -164,7 +164,7 @@ function dirt() {
   const { node, set } = bar();
   const text = make("span", { className: "value" });
   return {
-    node: row("Dirt", "Dirt that is being picked up, 0 to 255.", node, text),
+    node: row("Dirt", "Dirt being picked up, 0 to 255.", node, text),
     show: (of) => {
       set(of("dirt") / MOST_DIRT);
       setText(text, String(of("dirt")));

@@ -7,20 +7,20 @@ import { make } from "./dom.js";
 
 /** @type {Claim[]} */
 const PLANNER_CLAIMS = [
-  ["complete", "visits every cell", "may miss cells", "Visits every cell of the planning grid that can be reached; tests hold it to that in every room. Coverage may still stay a little below 100 %: cells are coarser than the floor, and slivers along walls remain.", "Gives no promise to visit every cell that can be reached."],
-  ["deterministic", "same plan every time", "uses chance", "Gives the same plan whatever the seed.", "Draws random numbers; another seed gives another plan."],
-  ["fast", "fast in large halls", "takes its time", "Plans a million cells in about a second.", "Meant for rooms of up to 200 × 200 cells; shows its best plan so far and can be cancelled."],
-  ["anytime", "stops when you like", "", "Has a complete plan early on and improves it; stop it and it keeps the best so far.", ""],
+  ["complete", "visits every cell", "may miss cells", "Visits every cell of the planning grid that can be reached; tests check this in every room. Coverage can stay slightly below 100 %: cells are coarser than the floor, so slivers along walls remain.", "May leave cells unvisited that can be reached."],
+  ["deterministic", "same plan every time", "randomised", "Gives the same plan whatever the seed.", "Uses random numbers: another seed gives another plan."],
+  ["fast", "fast in large halls", "slow in large halls", "Plans a million cells in about a second.", "Meant for rooms of up to 200 × 200 cells; shows its best plan so far and can be cancelled."],
+  ["anytime", "can be stopped early", "", "Finds a complete plan early and improves it; when stopped, it keeps the best plan so far.", ""],
 ];
 
 /** @type {Claim[]} */
 const BEHAVIOUR_CLAIMS = [
-  ["cleans", "made to clean", "not made to clean", "Covers more and more of the floor.", "Serves another purpose. It sweeps where it drives, but doesn't set out to cover the floor."],
-  ["ends", "ends by itself", "goes on and on", "Comes to an end by itself.", "Goes on until you stop it or the battery is empty."],
+  ["cleans", "made to clean", "not made to clean", "Covers more and more of the floor.", "Serves another purpose: it sweeps where it drives, but doesn't aim to cover the floor."],
+  ["ends", "stops by itself", "runs until stopped", "Stops by itself when it is done.", "Runs until you stop it or the battery is empty."],
 ];
 
 /** @type {Claim[]} */
-const MANUAL_CLAIMS = [["manual", "you drive", "", "A person is at the controls; the robot only refuses what would do harm.", ""]];
+const MANUAL_CLAIMS = [["manual", "you drive", "", "You drive; the robot only refuses what would do harm.", ""]];
 
 /**
  * The explainer of an algorithm.
@@ -48,10 +48,10 @@ export function explainer(algorithm, rooms, openRoom) {
     make("ul", { className: "claims" }, ...claims),
     make("dl", { className: "explained" },
       make("dt", {}, "When to use it"), make("dd", {}, algorithm.use_when),
-      ...example("Shines in", algorithm.shines),
-      ...example("Struggles in", algorithm.fails),
+      ...example("Works well in", algorithm.shines),
+      ...example("Works poorly in", algorithm.fails),
       make("dt", {}, "Cost"), make("dd", {}, algorithm.complexity),
-      make("dt", {}, "Colours"), make("dd", {}, `Blue floor was swept once, the yellower the more often. ${plans ? "The thin line is the plan, the thick one" : "The line is"} where the robot has just been.`),
+      make("dt", {}, "Colours"), make("dd", {}, `Blue floor was swept once, yellow floor often. ${plans ? "The thin line is the plan, the thick line" : "The line is"} where the robot drove recently.`),
     ),
     source,
   ];

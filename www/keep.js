@@ -20,7 +20,7 @@ export async function restoreLink(app, link) {
     const saved = read();
     if (!saved) {
       app.act((p) => p.restore(link));
-      app.act((p) => p.report_error("The room of this link was drawn or loaded in another browser; ask for its scenario file and load that."));
+      app.act((p) => p.report_error("This link's room was drawn or loaded in another browser. Ask for its scenario file and load that."));
       return;
     }
     const bytes = new TextEncoder().encode(saved);
@@ -38,7 +38,7 @@ export function keepRoom(app, link) {
     // A private window has no storage at all; whoever opens one doesn't expect the room to stay.
     if (warned || !(error instanceof DOMException) || error.name !== "QuotaExceededError") return;
     warned = true;
-    toast("This room is too large to be kept in this browser. Save it before you leave.");
+    toast("This room is too large to keep in this browser. Save it before you leave.");
   }
 }
 

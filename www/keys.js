@@ -1,9 +1,9 @@
 // @ts-check
 // Keys that work everywhere on the page, and the dialog that lists them.
-import { pickUp } from "./carry.js";
+import { pickUp } from "./explore/carry.js";
 import { button, byId, input, typed } from "./dom.js";
-import { objectKey } from "./objects.js";
-import { place } from "./places.js";
+import { objectKey } from "./explore/objects.js";
+import { currentTab } from "./tabs.js";
 
 /** @typedef {import("./main.js").App} App */
 
@@ -43,14 +43,14 @@ export function startKeys(app) {
 
 /** Whether Escape means the planner: nothing else is open or being written. @param {App} app @param {KeyboardEvent} event */
 function cancels({ view }, { target, ctrlKey, metaKey, altKey }) {
-  if (place() !== "explore" || !view.can.cancel || ctrlKey || metaKey || altKey) return false;
+  if (currentTab() !== "explore" || !view.can.cancel || ctrlKey || metaKey || altKey) return false;
   const isOpen = document.querySelector("dialog[open], .sheet.open, #layers:not([hidden]), #tip:not([hidden])");
   return !isOpen && !(target instanceof Element && target.matches("select, textarea, input:not([type=checkbox], [type=range])"));
 }
 
 /** Ctrl or Cmd and a key. @param {App} app @param {KeyboardEvent} event */
 function withControl({ act, view }, event) {
-  if (["map", "draft", "robot"].includes(place())) return false;
+  if (["map", "floor-plan", "connection"].includes(currentTab())) return false;
   const key = event.key.toLowerCase();
   if (key === "y" || (key === "z" && event.shiftKey)) return view.can.redo && act((p) => p.redo());
   return key === "z" && view.can.undo && act((p) => p.undo());
@@ -66,7 +66,7 @@ function single(app, event, target, dialog) {
     openHelp(dialog);
     return true;
   }
-  if (place() !== "explore") return app.placeKey(key);
+  if (currentTab() !== "explore") return app.tabKey(key);
   const tool = TOOLS[key];
   if (tool) return (tool === "view" || view.can.edit) && act((p) => p.set_tool(tool));
   switch (key) {

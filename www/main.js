@@ -5,19 +5,19 @@ import { byId } from "./dom.js";
 import { startFiles } from "./files.js";
 import { keepRoom, restoreLink } from "./keep.js";
 import { startKeys } from "./keys.js";
-import { startLater } from "./later.js";
-import { startLayers } from "./layers.js";
+import { startLater } from "./explore/later.js";
+import { startLayers } from "./explore/layers.js";
 import { complain, cover, forgive, isFatal, startMessages, textOf, updateMessage } from "./messages.js";
-import { startObjects } from "./objects.js";
-import { startPanel } from "./panel.js";
-import { go, place, placeOf, startPlaces } from "./places.js";
+import { startObjects } from "./explore/objects.js";
+import { startPanel } from "./explore/panel.js";
+import { currentTab, go, tabOf, startTabs } from "./tabs.js";
 import { Planning } from "./planning.js";
-import { startPlaybar } from "./playbar.js";
+import { startPlaybar } from "./explore/playbar.js";
 import { startSheets } from "./sheets.js";
-import { startStage } from "./stage.js";
+import { startStage } from "./explore/stage.js";
 import { startTheme } from "./theme.js";
 import { startTips } from "./tips.js";
-import { updateView } from "./view.js";
+import { updateView } from "./explore/view.js";
 import { compile, missing } from "./wasm.js";
 
 /**
@@ -32,13 +32,13 @@ import { compile, missing } from "./wasm.js";
  * @property {() => void} cancelPlanning
  * @property {() => void} keepPlan Ends planning with the best plan so far.
  * @property {() => string} link What leads back to what is shown, behind `#`.
- * @property {(key: string) => boolean} placeKey A single key in another place; says whether it was used.
+ * @property {(key: string) => boolean} tabKey A single key in another tab; says whether it was used.
  */
 
 /** @param {unknown} error */
 function die(error) {
   console.error(error);
-  cover("failed", "The simulator has stopped", `It met an error of its own (${textOf(error)}). Reload to go on; the room and the settings are kept.`);
+  cover("failed", "The simulator has stopped", `Internal error: ${textOf(error)}. Reload the page; room and settings are kept.`);
 }
 
 async function start() {
@@ -88,8 +88,8 @@ async function start() {
       return app.act((p) => p.take_map(map));
     },
     bring: async (files) => {
-      await enter("draft");
-      others.draft?.take?.(files);
+      await enter("floor-plan");
+      others["floor-plan"]?.take?.(files);
     },
     cancelPlanning: () => {
       planning.cancel();
@@ -100,7 +100,7 @@ async function start() {
       app.act((p) => p.keep_plan(seconds));
     },
     link: () => [playground.link(), ...(here() ? [here()?.link()] : [])].join("&"),
-    placeKey: (key) => here()?.key(key) ?? false,
+    tabKey: (key) => here()?.key(key) ?? false,
   };
   const planning = new Planning({
     progress: (id, done, cells, proof, film) => guard(() => playground.plan_progress(id, done, cells, proof, film)),
@@ -110,23 +110,23 @@ async function start() {
   });
 
   /**
-   * A place that is loaded when one first goes there. Its `frame` may say what is to be told there.
+   * A tab that is loaded when it is first opened. Its `frame` may return a message to show.
    * @typedef {{ frame(now: number): { message: string, message_kind: string } | void, key(key: string): boolean, link(): string, restore(link: string): void, setDark(dark: boolean): void, take?(files: File[]): void }} Other
    * @type {Record<string, () => Promise<Other>>}
    */
   const doors = {
-    compare: () => import("./enter-compare.js").then(({ enterCompare }) => enterCompare(app, guard)),
-    map: () => import("./survey/enter.js").then(({ enterSurvey }) => enterSurvey(app)),
-    draft: () => import("./draft/enter.js").then(({ enterDraft }) => enterDraft(app)),
-    robot: () => import("./link/enter.js").then(({ enterRobot }) => enterRobot(app, guard)),
+    compare: () => import("./compare/enter.js").then(({ enterCompare }) => enterCompare(app, guard)),
+    map: () => import("./map/enter.js").then(({ enterMap }) => enterMap(app)),
+    "floor-plan": () => import("./floor-plan/enter.js").then(({ enterFloorPlan }) => enterFloorPlan(app)),
+    connection: () => import("./connection/enter.js").then(({ enterConnection }) => enterConnection(app, guard)),
   };
   /** @type {Record<string, Other>} */
   const others = {};
-  const here = () => others[place()];
+  const here = () => others[currentTab()];
   let isDark = false;
-  /** Where one wants to be; what the place needs may still have to be loaded. */
-  let wanted = place();
-  /** @param {import("./places.js").Place} next */
+  /** The tab that was chosen; what it needs may still have to be loaded. */
+  let wanted = currentTab();
+  /** @param {import("./tabs.js").Tab} next */
   const enter = async (next) => {
     wanted = next;
     const door = doors[next];
@@ -158,12 +158,12 @@ async function start() {
   /** @param {string} address */
   const restore = async (address) => {
     const { hash } = new URL(address);
-    // Other fragments are places on the page, such as that of the skip link.
+    // Other fragments are positions on the page, such as that of the skip link.
     if (!hash.includes("=")) return;
     const link = hash.slice(1);
     following += 1;
     await restoreLink(app, link);
-    await enter(placeOf(link));
+    await enter(tabOf(link));
     following -= 1;
     here()?.restore(link);
   };
@@ -183,7 +183,7 @@ async function start() {
     playground.hold_films();
   }
 
-  startPlaces((next) => void enter(next));
+  startTabs((next) => void enter(next));
   const resized = startStage(app);
   const updates = [startPanel, startPlaybar, startLayers, startObjects].map((begin) => begin(app));
   startFiles(app);
@@ -198,7 +198,7 @@ async function start() {
     guard(() => {
       const request = playground.take_plan_request();
       if (request) planning.start(request);
-      if (place() === "explore") {
+      if (currentTab() === "explore") {
         resized();
         playground.frame(now);
       }
@@ -231,7 +231,7 @@ async function start() {
 
 /** Says for a while why the robot has come so far already; and, until somebody does something, what this is. */
 function tellOpening() {
-  byId("opening").textContent = ": set off ten minutes ago";
+  byId("opening").textContent = ": started ten minutes ago";
   setTimeout(endOpening, 15_000);
   byId("welcome").hidden = false;
   for (const sign of ["pointerdown", "keydown"]) addEventListener(sign, () => (byId("welcome").hidden = true), { once: true, capture: true });
@@ -251,7 +251,7 @@ function keepLink(link) {
 async function boot() {
   startMessages();
   startTips();
-  startSheets(byId("place-explore"), byId("floor"));
+  startSheets(byId("panel-explore"), byId("floor"));
   const lack = missing();
   if (lack) {
     startTheme(() => {});

@@ -1,7 +1,7 @@
 // @ts-check
 // What went wrong and what to do: the message bar, the fatal cover, the short confirmation.
 import { button, byId, setAttribute, setHidden, setText } from "./dom.js";
-import { place } from "./places.js";
+import { currentTab } from "./tabs.js";
 
 let local = "";
 let dismissed = "";
@@ -40,7 +40,7 @@ export function startMessages() {
     dismissed = byId("message-text").textContent ?? "";
     local = "";
     const floor = byId("floor");
-    (floor.checkVisibility() ? floor : byId(`tab-${place()}`)).focus();
+    (floor.checkVisibility() ? floor : byId(`tab-${currentTab()}`)).focus();
   });
   button("cover-reload").addEventListener("click", () => location.reload());
 }

@@ -1,13 +1,13 @@
 // @ts-check
-// Kinds of odometry, as the places Map and Robot offer them.
+// Kinds of odometry, as the tabs Map and Robot offer them.
 
 /** Ids as in `robot::OdometryModel`, with their names in menus. @type {[id: string, name: string][]} */
 export const ODOMETRIES = [
-  ["arc", "counts, along arcs"],
-  ["straight", "counts, straight pieces"],
-  ["packet_arc", "distance and angle, along arcs"],
-  ["packet_straight", "distance and angle, straight pieces"],
+  ["arc", "encoder counts, arcs"],
+  ["straight", "encoder counts, straight segments"],
+  ["packet_arc", "distance and angle, arcs"],
+  ["packet_straight", "distance and angle, straight segments"],
 ];
 
 export const ODOMETRY_TIP =
-  "What tells of the wheels, encoder counts or the packets of distance (whole millimetres) and angle (whole degrees), which lose what they cut off; and how that becomes motion: along arcs, which is exact for a steady turn, or in straight pieces.";
+  "The data: encoder counts, or the packets with distance (whole millimetres) and angle (whole degrees), which lose the fractions. The model: arcs, exact for a steady turn, or straight segments.";

@@ -1,6 +1,6 @@
 // @ts-check
 // The room and its path as files of many kinds: a dialog, loaded with the module that writes them when one first saves.
-import init, { export_files, export_formats } from "../draft.js";
+import init, { export_files, export_formats } from "../floor_plan.js";
 import { byId, fill, make, setHidden } from "./dom.js";
 import { download, fileName } from "./files.js";
 import { style } from "./parts.js";
@@ -22,7 +22,7 @@ export async function openSave(app) {
 
 async function build() {
   await Promise.all([
-    compile(new URL("../draft_bg.wasm", import.meta.url)).then((compiled) => init({ module_or_path: compiled })),
+    compile(new URL("../floor_plan_bg.wasm", import.meta.url)).then((compiled) => init({ module_or_path: compiled })),
     style(new URL("./save.css", import.meta.url).href),
   ]);
   /** @type {Format[]} */
@@ -43,7 +43,7 @@ async function build() {
     "div",
     { className: "row", hidden: true },
     make("label", { className: "field" }, make("span", { className: "label" }, "Mode"), mode),
-    make("label", { className: "check" }, negate, make("span", {}, "Light is wall (negate)")),
+    make("label", { className: "check" }, negate, make("span", {}, "Light pixels are walls (negate)")),
   );
   const complaint = make("p", { className: "fault", role: "alert", hidden: true });
   const save = make("button", { type: "submit", className: "primary", id: "save-now" }, "Save");

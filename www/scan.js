@@ -36,7 +36,7 @@ export function scanPlot(robot) {
       });
       setAttribute(seen, "d", path ? `${path}Z` : "M0 0");
       const words = Number.isFinite(nearest) ? `Laser: nearest at ${nearest.toFixed(2)} m` : "Laser: nothing in range";
-      setText(text, `${words}; a ring every ${every} m`);
+      setText(text, `${words}; rings every ${every} m`);
       setAttribute(svg, "aria-label", words);
     },
   };

@@ -2,7 +2,7 @@
 // On a small screen the panels are sheets over the floor, one at a time.
 import { byId } from "./dom.js";
 
-/** @param {ParentNode} root The place whose panels they are. @param {HTMLElement} floor */
+/** @param {ParentNode} root The tab whose panels they are. @param {HTMLElement} floor */
 export function startSheets(root, floor) {
   const openers = [...root.querySelectorAll("button[data-sheet]")];
 

@@ -13,7 +13,7 @@ export function missing() {
   } catch {
     // What counts is that the browser asked for the type.
   }
-  return modules ? "" : "workers made of modules";
+  return modules ? "" : "module workers";
 }
 
 /** @param {URL} address @returns {Promise<WebAssembly.Module>} */

@@ -2,7 +2,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use robovac_core::floorplan::{Scenario, SourceFile, load, to_ascii};
+use robovac_core::floor_plan::{Scenario, SourceFile, load, to_ascii};
 
 fuzz_target!(|bytes: &[u8]| {
     let file = |name: &str, bytes: &[u8]| SourceFile { name: name.into(), bytes: bytes.into() };

@@ -2,7 +2,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use robovac_core::floorplan::Scenario;
+use robovac_core::floor_plan::Scenario;
 
 fuzz_target!(|bytes: &[u8]| {
     if let Ok(scenario) = Scenario::read("a.json", bytes) {

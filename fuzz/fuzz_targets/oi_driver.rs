@@ -3,7 +3,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use robovac_link::link::{Link, Request};
+use robovac_link::connection::{Connection, Request};
 use roomba_oi::{Command, CommandDecoder};
 
 fn moves(bytes: &[u8]) -> bool {
@@ -18,7 +18,7 @@ fn moves(bytes: &[u8]) -> bool {
 
 fuzz_target!(|input: (bool, u8, &[u8])| {
     let (takes_control, cut, bytes) = input;
-    let (mut link, mut now) = (Link::new(), 1.0);
+    let (mut link, mut now) = (Connection::new(), 1.0);
     link.opened(now);
     for (index, piece) in bytes.chunks(usize::from(cut) + 1).enumerate() {
         now += 0.01;

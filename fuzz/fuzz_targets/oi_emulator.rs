@@ -2,7 +2,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use robovac_core::{coverage::ReachableFloor, floorplan::Sketch, robot::{RobotPort, model}};
+use robovac_core::{coverage::ReachableFloor, floor_plan::Sketch, robot::{RobotPort, model}};
 use roomba_oi::Mode;
 use robovac_link::emulator::{Emulator, PERSONALITIES};
 use robovac_sim::{Conditions, RunSetup, World};

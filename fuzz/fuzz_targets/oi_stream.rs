@@ -3,10 +3,10 @@
 
 use libfuzzer_sys::fuzz_target;
 use robovac_link::sensors::{to_readings, to_sensors};
-use roomba_oi::{Answer, Frame, Readings, Said, StreamEvent, StreamParser};
+use roomba_oi::{Answer, StreamFrame, Readings, Said, StreamEvent, StreamParser};
 
 /// Digest of a frame's values.
-fn values(frame: &Frame<'_>) -> Vec<(u8, u16)> {
+fn values(frame: &StreamFrame<'_>) -> Vec<(u8, u16)> {
     frame.values().map(|(packet, raw)| (packet as u8, raw)).collect()
 }
 
@@ -15,7 +15,7 @@ fuzz_target!(|input: (u8, &[u8])| {
     let mut expected = Vec::new();
     let mut at = 0;
     while let Some(rest) = bytes.get(at..).filter(|rest| !rest.is_empty()) {
-        at += Frame::parse(rest).map_or(1, |frame| {
+        at += StreamFrame::parse(rest).map_or(1, |frame| {
             expected.push(values(&frame));
             frame.size()
         });

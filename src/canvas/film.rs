@@ -1,7 +1,7 @@
 //! Draws a picture of a search film.
 
 use crate::canvas::line;
-use robovac_app::{FilmScene, Palette, Viewport, explore::Ink};
+use robovac_app::{FilmScene, Palette, Viewport, explore::FilmInk};
 use robovac_core::geometry::Point;
 use web_sys::OffscreenCanvasRenderingContext2d;
 
@@ -19,12 +19,12 @@ pub fn draw(context: &OffscreenCanvasRenderingContext2d, film: &FilmScene<'_>, v
     context.fill();
     for (ink, points) in &film.picture.lines {
         let (colour, width) = match ink {
-            Ink::Walk => (palette.preview, 1.75),
-            Ink::Part(number) => (palette.parts[number % palette.parts.len()], 3.0),
-            Ink::New => (palette.link, 3.0),
+            FilmInk::Walk => (palette.preview, 1.75),
+            FilmInk::Part(number) => (palette.parts[number % palette.parts.len()], 3.0),
+            FilmInk::New => (palette.link, 3.0),
         };
         line(context, viewport, points, colour, width);
-        if let (Ink::Part(_), Some(first), Some(last)) = (ink, points.first(), points.last()) {
+        if let (FilmInk::Part(_), Some(first), Some(last)) = (ink, points.first(), points.last()) {
             ends(context, viewport, [first, last], colour);
         }
     }

@@ -8,14 +8,14 @@ use web_sys::{ImageData, OffscreenCanvas, OffscreenCanvasRenderingContext2d};
 
 /// A canvas that isn't in the document.
 #[derive(Debug)]
-pub struct Layer {
+pub struct OffscreenLayer {
     /// Itself, to be drawn elsewhere.
     pub canvas: OffscreenCanvas,
     /// To draw on it.
     pub context: OffscreenCanvasRenderingContext2d,
 }
 
-impl Layer {
+impl OffscreenLayer {
     /// A transparent canvas of `width` x `height` pixels.
     pub fn new(width: u32, height: u32) -> Result<Self, JsValue> {
         let canvas = OffscreenCanvas::new(width.max(1), height.max(1))?;
@@ -38,9 +38,9 @@ impl Layer {
 }
 
 /// One pixel for each cell of a grid; row 0 of the grid is the lowest.
-pub fn cell_picture<T>(grid: &Grid<T>, colour: impl Fn(&T) -> [u8; 4]) -> Result<Layer, JsValue> {
+pub fn cell_picture<T>(grid: &Grid<T>, colour: impl Fn(&T) -> [u8; 4]) -> Result<OffscreenLayer, JsValue> {
     let (width, height) = (grid.width() as u32, grid.height() as u32);
-    let layer = Layer::new(width, height)?;
+    let layer = OffscreenLayer::new(width, height)?;
     let rows = grid.values().chunks(grid.width()).rev();
     let pixels: Vec<u8> = rows.flatten().flat_map(colour).collect();
     layer.put_rows(&pixels, width, 0)?;
@@ -51,7 +51,7 @@ pub fn cell_picture<T>(grid: &Grid<T>, colour: impl Fn(&T) -> [u8; 4]) -> Result
 #[derive(Debug)]
 pub struct VisitsPicture {
     /// The picture.
-    pub layer: Layer,
+    pub layer: OffscreenLayer,
     colours: [[u8; 4]; 256],
     pixels: Vec<u8>,
 }
@@ -60,7 +60,7 @@ impl VisitsPicture {
     /// The picture of all that has been swept so far.
     pub fn new(tracker: &CoverageTracker, palette: &Palette) -> Result<Self, JsValue> {
         let visits = tracker.visits();
-        let layer = Layer::new(visits.width() as u32, visits.height() as u32)?;
+        let layer = OffscreenLayer::new(visits.width() as u32, visits.height() as u32)?;
         let mut picture = Self { layer, colours: palette.visits(), pixels: Vec::new() };
         picture.update(tracker, (0, visits.height() - 1))?;
         Ok(picture)

@@ -11,11 +11,11 @@ pub mod robot;
 pub mod search;
 pub mod sensed;
 
-use layer::{Layer, VisitsPicture, cell_picture};
-use objects::{Part, Pen};
+use layer::{OffscreenLayer, VisitsPicture, cell_picture};
+use objects::{CanvasPen, DrawPass};
 use robovac_app::{Palette, RobotView, Scene, Viewport};
 use robovac_core::{
-    floorplan::Object,
+    floor_plan::Object,
     geometry::{Point, Pose, Vector},
     grid::{Cell, Grid, Occupancy, outlines},
 };
@@ -39,17 +39,17 @@ const TRAIL_PIECES: usize = 16;
 pub struct Canvas {
     element: HtmlCanvasElement,
     context: CanvasRenderingContext2d,
-    below: Layer,
-    above: Layer,
+    below: OffscreenLayer,
+    above: OffscreenLayer,
     shapes: Option<Shapes>,
     visits: Option<VisitsPicture>,
-    last: Option<Drawn>,
+    last: Option<DrawnScene>,
 }
 
 /// What the canvas shows; if the next scene is the same, nothing needs to be done.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Drawn {
-    still: Still,
+struct DrawnScene {
+    still: SceneStill,
     run_version: u64,
     robot: Option<RobotView>,
     trail: (usize, Option<Point>, Option<Point>),
@@ -66,7 +66,7 @@ struct Drawn {
 
 /// The part of it that the layers depend on.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Still {
+struct SceneStill {
     plan_version: u64,
     planned_version: u64,
     viewport: Viewport,
@@ -77,32 +77,32 @@ struct Still {
 
 /// Cells as something that can be filled.
 #[derive(Debug)]
-enum Shape {
+enum FillShape {
     Path(Path2d),
-    Picture(Layer),
+    Picture(OffscreenLayer),
 }
 
 /// What is made from one version of the plan.
 #[derive(Debug)]
 struct Shapes {
     version: (u64, bool),
-    walls: Shape,
-    unknown: Shape,
-    unreachable: Option<Shape>,
+    walls: FillShape,
+    unknown: FillShape,
+    unreachable: Option<FillShape>,
 }
 
 impl Canvas {
     /// Draws onto `element` from now on.
     pub fn new(element: HtmlCanvasElement) -> Result<Self, JsValue> {
         let context = element.get_context("2d")?.ok_or("no 2D canvas; use a current browser")?.unchecked_into();
-        let (below, above) = (Layer::new(1, 1)?, Layer::new(1, 1)?);
+        let (below, above) = (OffscreenLayer::new(1, 1)?, OffscreenLayer::new(1, 1)?);
         Ok(Self { element, context, below, above, shapes: None, visits: None, last: None })
     }
 
     /// Shows `scene` through `viewport`. Costs next to nothing if it is what is shown already.
     pub fn draw(&mut self, scene: &Scene<'_>, viewport: &Viewport) -> Result<(), JsValue> {
         let palette = Palette::of(scene.dark);
-        let still = Still {
+        let still = SceneStill {
             plan_version: scene.plan_version,
             planned_version: scene.planned_version,
             viewport: *viewport,
@@ -110,7 +110,7 @@ impl Canvas {
             lifted: scene.lifted,
             dark: scene.dark,
         };
-        let drawn = Drawn {
+        let drawn = DrawnScene {
             still,
             run_version: scene.run_version,
             robot: scene.robot,
@@ -179,12 +179,12 @@ impl Canvas {
         below.fill_rect(0.0, 0.0, room.width_m(), room.height_m());
         if let (Some(unreachable), Some(floor)) = (&shapes.unreachable, fine) {
             unreachable.fill(below, viewport, floor.resolution, floor.floor.height(), palette.unreachable)?;
-            if let Shape::Path(path) = unreachable {
+            if let FillShape::Path(path) = unreachable {
                 hatch(below, path, viewport, floor.resolution, palette)?;
             }
         }
         to_css(below, viewport)?;
-        draw_objects(below, scene, viewport, palette, Part::Ground)?;
+        draw_objects(below, scene, viewport, palette, DrawPass::Ground)?;
 
         self.above.clear(width, height);
         let above = &self.above.context;
@@ -193,7 +193,7 @@ impl Canvas {
             grid_lines(above, viewport, scene, palette);
         }
         to_css(above, viewport)?;
-        draw_objects(above, scene, viewport, palette, Part::Texture)?;
+        draw_objects(above, scene, viewport, palette, DrawPass::Texture)?;
         if let Some(film) = &scene.film {
             film::draw(above, film, viewport, palette);
         } else if scene.preview.is_empty() {
@@ -201,7 +201,7 @@ impl Canvas {
         } else {
             line(above, viewport, scene.preview, palette.preview, 1.75);
         }
-        draw_objects(above, scene, viewport, palette, Part::Body)?;
+        draw_objects(above, scene, viewport, palette, DrawPass::Body)?;
         let rows = room.occupancy.height();
         shapes.unknown.fill(above, viewport, room.resolution, rows, palette.unknown)?;
         shapes.walls.fill(above, viewport, room.resolution, rows, palette.wall)?;
@@ -212,7 +212,7 @@ impl Canvas {
         above.set_stroke_style_str(palette.wall_line);
         above.set_line_width(1.25);
         above.stroke_rect(left_top.x, left_top.y, scale * room.width_m(), scale * room.height_m());
-        draw_objects(above, scene, viewport, palette, Part::Small)
+        draw_objects(above, scene, viewport, palette, DrawPass::Small)
     }
 
     /// Puts the layers together and draws what moves.
@@ -236,7 +236,7 @@ impl Canvas {
         context.set_transform(1.0, 0.0, 0.0, 1.0, 0.0, 0.0)?;
         context.draw_image_with_offscreen_canvas(&self.above.canvas, 0.0, 0.0)?;
         context.set_transform(ratio, 0.0, 0.0, ratio, 0.0, 0.0)?;
-        draw_objects(as_layer(context), scene, viewport, palette, Part::Live)?;
+        draw_objects(as_layer(context), scene, viewport, palette, DrawPass::Live)?;
         draw_life(context, scene, viewport, palette)?;
 
         if let Some(search) = &scene.search {
@@ -289,19 +289,19 @@ impl Shapes {
                 let fine = floor.floor.cell(index);
                 *value &= occupancy.get(scene.plan.cell_at(floor.centre(fine))).is_some_and(|o| o.is_free());
             }
-            Shape::new(&left_out, palette.unreachable)
+            FillShape::new(&left_out, palette.unreachable)
         });
         Ok(Self {
             version: (scene.plan_version, scene.dark),
             // Single cells have no edge to set them off, so a picture has the edge's colour.
-            walls: Shape::new(&occupancy.map(|&o| o == Occupancy::Occupied), palette.wall_line)?,
-            unknown: Shape::new(&occupancy.map(|&o| o == Occupancy::Unknown), palette.unknown)?,
+            walls: FillShape::new(&occupancy.map(|&o| o == Occupancy::Occupied), palette.wall_line)?,
+            unknown: FillShape::new(&occupancy.map(|&o| o == Occupancy::Unknown), palette.unknown)?,
             unreachable: unreachable.transpose()?,
         })
     }
 }
 
-impl Shape {
+impl FillShape {
     /// The set cells, as a path in units of cells if that isn't too long.
     fn new(cells: &Grid<bool>, colour: &str) -> Result<Self, JsValue> {
         let Some(loops) = outlines(cells, MOST_CORNERS) else {
@@ -378,9 +378,9 @@ fn draw_objects(
     scene: &Scene<'_>,
     viewport: &Viewport,
     palette: &Palette,
-    part: Part,
+    part: DrawPass,
 ) -> Result<(), JsValue> {
-    let pen = Pen { context, palette, viewport, has_life: scene.life.is_some() };
+    let pen = CanvasPen { context, palette, viewport, has_life: scene.life.is_some() };
     let mut placed = scene.plan.objects.iter().enumerate().filter(|&(index, _)| scene.lifted != Some(index));
     placed.try_for_each(|(_, object)| pen.draw(object, part))
 }
@@ -393,7 +393,7 @@ fn draw_life(
     palette: &Palette,
 ) -> Result<(), JsValue> {
     let Some(life) = scene.life else { return Ok(()) };
-    let pen = Pen { context: as_layer(context), palette, viewport, has_life: true };
+    let pen = CanvasPen { context: as_layer(context), palette, viewport, has_life: true };
     if scene.shows.dirt {
         life.spots().iter().for_each(|spot| pen.spot(spot));
     }
@@ -435,11 +435,11 @@ fn draw_hand(
     viewport: &Viewport,
     palette: &Palette,
 ) -> Result<(), JsValue> {
-    let pen = Pen { context: as_layer(context), palette, viewport, has_life: false };
+    let pen = CanvasPen { context: as_layer(context), palette, viewport, has_life: false };
     let selected = scene.selected.filter(|&index| scene.lifted != Some(index));
     for object in scene.in_hand.iter().chain(selected.and_then(|index| scene.plan.objects.get(index))) {
         if scene.lifted.is_some() || !scene.in_hand.is_empty() {
-            Part::ALL.into_iter().try_for_each(|part| pen.draw(object, part))?;
+            DrawPass::ALL.into_iter().try_for_each(|part| pen.draw(object, part))?;
         }
         pen.select(object)?;
     }

@@ -3,7 +3,7 @@
 use js_sys::Array;
 use robovac_app::{Palette, Viewport, explore::handles};
 use robovac_core::{
-    floorplan::{Object, Who, middle},
+    floor_plan::{Object, Who, middle},
     geometry::{Point, Pose, Vector},
     math,
 };
@@ -27,7 +27,7 @@ const HANDLE: f64 = 5.0;
 
 /// What of an object is drawn at a time, from below.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Part {
+pub enum DrawPass {
     /// What lies on the floor, below what was swept.
     Ground,
     /// What still shows of it where it was swept.
@@ -40,13 +40,13 @@ pub enum Part {
     Live,
 }
 
-impl Part {
+impl DrawPass {
     /// All parts, from below.
     pub const ALL: [Self; 5] = [Self::Ground, Self::Texture, Self::Body, Self::Small, Self::Live];
 }
 
 /// Draws onto one context; one unit is a CSS pixel.
-pub struct Pen<'a> {
+pub struct CanvasPen<'a> {
     /// Where to.
     pub context: &'a OffscreenCanvasRenderingContext2d,
     /// With which colours.
@@ -57,31 +57,31 @@ pub struct Pen<'a> {
     pub has_life: bool,
 }
 
-impl Pen<'_> {
+impl CanvasPen<'_> {
     /// Draws one part of an object.
-    pub fn draw(&self, object: &Object, part: Part) -> Result<(), JsValue> {
+    pub fn draw(&self, object: &Object, part: DrawPass) -> Result<(), JsValue> {
         let Palette { furniture, furniture_line, carpet, carpet_line, .. } = *self.palette;
         match (object, part) {
-            (Object::Carpet { outline }, Part::Ground) => {
+            (Object::Carpet { outline }, DrawPass::Ground) => {
                 self.trace(outline, true);
                 self.fill(carpet);
             }
-            (Object::Carpet { outline }, Part::Texture) => self.weave(outline, carpet_line),
-            (Object::Furniture { outline }, Part::Body) => {
+            (Object::Carpet { outline }, DrawPass::Texture) => self.weave(outline, carpet_line),
+            (Object::Furniture { outline }, DrawPass::Body) => {
                 self.trace(outline, true);
                 self.fill(furniture);
                 self.stroke(furniture_line, 1.25);
             }
-            (Object::DropOff { outline }, Part::Body) => self.stairs(outline)?,
-            (Object::Leg { at, radius }, Part::Small) => {
+            (Object::DropOff { outline }, DrawPass::Body) => self.stairs(outline)?,
+            (Object::Leg { at, radius }, DrawPass::Small) => {
                 self.circle(*at, radius.max(1.75 / self.viewport.scale))?;
                 self.fill(furniture);
                 self.stroke(furniture_line, 1.25);
             }
-            (Object::Dock { pose }, Part::Small) => self.dock(pose)?,
-            (Object::VirtualWall { pose, length }, Part::Small) => self.virtual_wall(pose, *length)?,
-            (Object::Dirt { at, radius }, Part::Live) if !self.has_life => self.dirt(*at, *radius),
-            (Object::Mover { who, path }, Part::Live) => {
+            (Object::Dock { pose }, DrawPass::Small) => self.dock(pose)?,
+            (Object::VirtualWall { pose, length }, DrawPass::Small) => self.virtual_wall(pose, *length)?,
+            (Object::Dirt { at, radius }, DrawPass::Live) if !self.has_life => self.dirt(*at, *radius),
+            (Object::Mover { who, path }, DrawPass::Live) => {
                 self.trace(path, false);
                 self.dash(&[5.0, 5.0])?;
                 self.stroke(if *who == Who::Person { self.palette.person } else { self.palette.pet }, 1.5);

@@ -2,7 +2,7 @@
 
 use robovac_app::{Palette, SearchScene, Viewport};
 use robovac_core::{
-    floorplan::FloorPlan,
+    floor_plan::FloorPlan,
     geometry::{Point, Vector},
     grid::{Cell, Direction},
 };

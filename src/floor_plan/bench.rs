@@ -8,8 +8,8 @@ use wasm_bindgen::prelude::*;
 /// Runs the cases about drawings, calls `on_result` with each result as it comes, and returns them all. Blocks: call it in a
 /// worker.
 #[wasm_bindgen]
-pub fn bench_draft(on_result: &Function) -> Result<JsValue, JsValue> {
-    run(&[bench::drafting], on_result)
+pub fn bench_drawings(on_result: &Function) -> Result<JsValue, JsValue> {
+    run(&[bench::floor_plan], on_result)
 }
 
 /// The bytes of a DXF with so many entities, for what only the page can measure.

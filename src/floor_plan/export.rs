@@ -3,7 +3,7 @@
 use js_sys::{Array, Object, Reflect, Uint8Array};
 use robovac_app::export::{Exported, FORMATS};
 use robovac_core::{
-    floorplan::{Mode, Scenario},
+    floor_plan::{OccupancyMode, Scenario},
     geometry::Point,
 };
 use robovac_playground::wire::to_js;
@@ -30,7 +30,7 @@ pub fn export_files(
     let scenario = Scenario::read(stem, scenario.as_bytes()).map_err(|e| e.to_string())?;
     let plan = scenario.clone().plan(stem).map_err(|e| e.to_string())?;
     let path: Vec<Point> = path.chunks_exact(2).map(|at| Point::new(at[0], at[1])).collect();
-    let mode = Mode::named(mode).ok_or_else(|| format!("there is no mode \"{mode}\""))?;
+    let mode = OccupancyMode::named(mode).ok_or_else(|| format!("there is no mode \"{mode}\""))?;
     let exported = Exported { scenario: &scenario, plan: &plan, path: &path, stem, mode, negate };
     let files = exported.files(format).map_err(|e| e.to_string())?;
     files

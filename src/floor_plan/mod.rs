@@ -1,5 +1,5 @@
 //! The module `floor_plan`: the Floor plan tab, and the export of rooms and paths.
 
 mod bench;
-mod drafting;
 mod export;
+mod session;

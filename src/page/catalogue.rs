@@ -2,10 +2,10 @@
 
 use robovac_app::READINGS;
 use robovac_core::{
-    floorplan::ROOMS,
-    robot::{Body, MODELS, RobotModel, Wheels},
+    floor_plan::ROOMS,
+    robot::{Body, MODELS, RobotModel, WheelLayout},
 };
-use robovac_playground::wire::entry::Entry;
+use robovac_playground::wire::entry::CatalogueEntry;
 use robovac_sim::{
     SensorKind,
     experiment::{Algorithm, CELL_SIZES, SPEEDS},
@@ -15,9 +15,9 @@ use serde::Serialize;
 /// Rooms, planners, behaviours, robots, kinds of sensors whose noise can be chosen, cell sizes and speeds.
 #[derive(Serialize)]
 pub(super) struct Catalogue {
-    rooms: Vec<Room>,
-    planners: Vec<Entry>,
-    behaviours: Vec<Entry>,
+    rooms: Vec<RoomEntry>,
+    planners: Vec<CatalogueEntry>,
+    behaviours: Vec<CatalogueEntry>,
     robots: Vec<Robot>,
     sensors: [&'static str; SensorKind::ALL.len()],
     /// Names of the numbers in `Playground::readings`.
@@ -27,7 +27,7 @@ pub(super) struct Catalogue {
 }
 
 #[derive(Serialize)]
-struct Room {
+struct RoomEntry {
     id: &'static str,
     title: &'static str,
     note: &'static str,
@@ -64,9 +64,9 @@ struct Robot {
 impl Catalogue {
     pub fn new() -> Self {
         Self {
-            rooms: ROOMS.iter().map(|r| Room { id: r.id, title: r.title, note: r.note }).collect(),
-            planners: Algorithm::all().filter(|a| a.planner().is_some()).map(Entry::new).collect(),
-            behaviours: Algorithm::all().filter(|a| a.behaviour().is_some()).map(Entry::new).collect(),
+            rooms: ROOMS.iter().map(|r| RoomEntry { id: r.id, title: r.title, note: r.note }).collect(),
+            planners: Algorithm::all().filter(|a| a.planner().is_some()).map(CatalogueEntry::new).collect(),
+            behaviours: Algorithm::all().filter(|a| a.behaviour().is_some()).map(CatalogueEntry::new).collect(),
             robots: MODELS.iter().copied().map(Robot::new).collect(),
             sensors: SensorKind::ALL.map(|(_, name)| name),
             readings: &READINGS,
@@ -100,7 +100,7 @@ impl Robot {
             infrared: sensors.infrared,
             wheel_drops: sensors.wheel_drops,
             gauge: model.battery.has_gauge,
-            lateral: model.wheels == Wheels::Omnidirectional,
+            lateral: model.wheels == WheelLayout::Omnidirectional,
             laser: sensors
                 .laser
                 .map_or(Vec::new(), |laser| vec![laser.first, laser.step, laser.range[1], laser.at[0], laser.at[1]]),

@@ -2,7 +2,7 @@
 
 use super::Playground;
 use js_sys::{Array, Reflect};
-use robovac_app::explore::Kind;
+use robovac_app::explore::PlaceableKind;
 use robovac_core::geometry::Point;
 use wasm_bindgen::prelude::*;
 
@@ -16,7 +16,7 @@ impl Playground {
     /// Chooses what the tool `place` places: `furniture`, `table`, `stairs`, `carpet`, `dirt`, `dock`, `virtual_wall`,
     /// `person` or `pet`.
     pub fn set_placing(&mut self, kind: &str) {
-        if let Some(kind) = Kind::parse(kind) {
+        if let Some(kind) = PlaceableKind::parse(kind) {
             self.furnisher.kind = kind;
         }
     }

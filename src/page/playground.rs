@@ -4,11 +4,11 @@ mod hand;
 
 use self::hand::Carried;
 use super::catalogue::Catalogue;
-use coverage_planners::{CoveragePath, Report, TraceStep};
+use coverage_planners::{CoveragePath, ProgressReport, TraceStep};
 use js_sys::{Array, Float64Array, Reflect};
 use robovac_app::{
     RobotView, Scene, Viewport,
-    explore::{Brush, Furnisher, Session},
+    explore::{Brush, ObjectTool, Session},
 };
 use robovac_core::{
     geometry::{Point, Pose, Vector},
@@ -17,9 +17,9 @@ use robovac_core::{
 use robovac_playground::wire::message;
 use robovac_playground::{
     canvas::Canvas,
-    wire::{clock, frames::frames_from_js, map, proof::proof_from_js, request, to_js, walk},
+    wire::{clock, frames::frames_from_js, map_file, proof::proof_from_js, request, to_js, walk},
 };
-use robovac_sim::experiment::{SettingsError, planning::Answer};
+use robovac_sim::experiment::{SettingsError, planning::PlanAnswer};
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
@@ -35,7 +35,7 @@ const LEAST_LIFT_PX: f64 = 4.0;
 
 /// What the pointer does on the floor.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Tool {
+enum FloorTool {
     View,
     Wall,
     Erase,
@@ -45,7 +45,7 @@ enum Tool {
 
 /// What the pointer is doing between down and up.
 #[derive(Clone, Copy, PartialEq)]
-enum Gesture {
+enum FloorGesture {
     Pan {
         x: f64,
         y: f64,
@@ -74,13 +74,13 @@ enum Gesture {
 #[wasm_bindgen]
 pub struct Playground {
     pub(super) session: Session,
-    pub(super) furnisher: Furnisher,
+    pub(super) furnisher: ObjectTool,
     /// Whether what is shown is still the opening scene.
     is_opening: bool,
     canvas: Canvas,
     pub(super) viewport: Viewport,
-    tool: Tool,
-    gesture: Option<Gesture>,
+    tool: FloorTool,
+    gesture: Option<FloorGesture>,
     /// The robot, if it is held.
     carried: Option<Carried>,
     /// Cell that keyboard drawing is at.
@@ -100,11 +100,11 @@ impl Playground {
     pub fn new(canvas: HtmlCanvasElement) -> Result<Self, JsValue> {
         Ok(Self {
             session: Session::new(),
-            furnisher: Furnisher::new(),
+            furnisher: ObjectTool::new(),
             is_opening: true,
             canvas: Canvas::new(canvas)?,
             viewport: Viewport::new(1.0, 1.0, 1.0, 1.0, 1.0),
-            tool: Tool::View,
+            tool: FloorTool::View,
             gesture: None,
             carried: None,
             cursor: None,
@@ -124,11 +124,11 @@ impl Playground {
     pub fn view(&self) -> Result<JsValue, JsValue> {
         let view = to_js(&self.session.view())?;
         let tool = match self.tool {
-            Tool::View => "view",
-            Tool::Wall => "wall",
-            Tool::Erase => "erase",
-            Tool::Start => "start",
-            Tool::Place => "place",
+            FloorTool::View => "view",
+            FloorTool::Wall => "wall",
+            FloorTool::Erase => "erase",
+            FloorTool::Start => "start",
+            FloorTool::Place => "place",
         };
         Reflect::set(&view, &"tool".into(), &tool.into())?;
         self.add_objects_to(&view)?;
@@ -179,7 +179,7 @@ impl Playground {
     ) -> Result<(), JsValue> {
         let proof = proof_from_js(proof);
         self.session.plan_filmed(id, frames_from_js(film)?);
-        self.session.plan_progress(id, Report { done, walk: &walk::cells(cells), proof });
+        self.session.plan_progress(id, ProgressReport { done, walk: &walk::cells(cells), proof });
         Ok(())
     }
 
@@ -195,7 +195,7 @@ impl Playground {
         let trace: Vec<TraceStep> = serde_wasm_bindgen::from_value(trace).map_err(|e| e.to_string())?;
         let path = CoveragePath { cells: walk::cells(cells) };
         let proof = proof_from_js(proof);
-        self.session.plan_finished(id, Answer { path, seconds, proof, trace });
+        self.session.plan_finished(id, PlanAnswer { path, seconds, proof, trace });
         Ok(())
     }
 
@@ -308,7 +308,7 @@ impl Playground {
 
     /// Takes a map or scenario that `read_map` has read in a worker.
     pub fn take_map(&mut self, read: &JsValue) -> Result<(), JsValue> {
-        let import = map::import_from_js(read)?;
+        let import = map_file::import_from_js(read)?;
         self.session.take_import(import).map_err(|e| JsValue::from(e.to_string()))
     }
 
@@ -386,11 +386,11 @@ impl Playground {
     /// Chooses what the pointer does: `view`, `wall`, `erase`, `start` or `place`.
     pub fn set_tool(&mut self, id: &str) {
         self.tool = match id {
-            "wall" => Tool::Wall,
-            "erase" => Tool::Erase,
-            "start" => Tool::Start,
-            "place" => Tool::Place,
-            _ => Tool::View,
+            "wall" => FloorTool::Wall,
+            "erase" => FloorTool::Erase,
+            "start" => FloorTool::Start,
+            "place" => FloorTool::Place,
+            _ => FloorTool::View,
         };
         self.cursor = None;
         self.end_gesture();
@@ -399,47 +399,47 @@ impl Playground {
     /// The pointer at (`x`, `y`), CSS pixels on the canvas: `down`, `move`, `up` or `cancel`.
     pub fn pointer(&mut self, kind: &str, x: f64, y: f64) {
         let at = self.viewport.to_world(x, y);
-        if self.tool == Tool::View {
+        if self.tool == FloorTool::View {
             self.watch_for_click(kind, x, y);
         }
         match (kind, self.gesture) {
             ("down", _) => self.press(at, x, y),
-            ("move", Some(Gesture::Pan { x: from_x, y: from_y })) => {
+            ("move", Some(FloorGesture::Pan { x: from_x, y: from_y })) => {
                 self.viewport.pan(x - from_x, y - from_y);
-                self.gesture = Some(Gesture::Pan { x, y });
+                self.gesture = Some(FloorGesture::Pan { x, y });
             }
-            ("move", Some(Gesture::Paint)) => self.session.go_on_stroke(at),
-            ("move", Some(Gesture::Object)) => self.furnisher.go_on(at),
-            ("move", Some(Gesture::Start { pose, turns: true })) => {
+            ("move", Some(FloorGesture::Paint)) => self.session.go_on_stroke(at),
+            ("move", Some(FloorGesture::Object)) => self.furnisher.go_on(at),
+            ("move", Some(FloorGesture::Start { pose, turns: true })) => {
                 let aim = at - pose.position();
                 if aim.norm() > 0.1 {
                     let heading = robovac_core::math::atan2(aim.y, aim.x);
-                    self.gesture = Some(Gesture::Start { pose: Pose::new(pose.x, pose.y, heading), turns: true });
+                    self.gesture = Some(FloorGesture::Start { pose: Pose::new(pose.x, pose.y, heading), turns: true });
                 }
             }
-            ("move", Some(Gesture::Start { pose, turns: false })) => {
-                self.gesture = Some(Gesture::Start { pose: Pose::new(at.x, at.y, pose.heading), turns: false });
+            ("move", Some(FloorGesture::Start { pose, turns: false })) => {
+                self.gesture = Some(FloorGesture::Start { pose: Pose::new(at.x, at.y, pose.heading), turns: false });
             }
-            ("move", Some(Gesture::Grip { x: from_x, y: from_y, grip }))
+            ("move", Some(FloorGesture::Grip { x: from_x, y: from_y, grip }))
                 if (x - from_x).abs().max((y - from_y).abs()) >= LEAST_LIFT_PX =>
             {
                 self.take_robot();
-                self.gesture = Some(Gesture::Carry { grip });
+                self.gesture = Some(FloorGesture::Carry { grip });
                 self.carry_to(at, grip);
             }
-            ("move", Some(Gesture::Carry { grip })) => self.carry_to(at, grip),
+            ("move", Some(FloorGesture::Carry { grip })) => self.carry_to(at, grip),
             // Picked up by its button, it is where the pointer is.
             ("move", None) => self.carry_to(at, Vector::zeros()),
-            ("cancel", Some(Gesture::Carry { .. })) => {
+            ("cancel", Some(FloorGesture::Carry { .. })) => {
                 self.put_back();
                 self.gesture = None;
             }
-            ("cancel", Some(Gesture::Start { .. })) => self.gesture = None,
-            ("cancel", Some(Gesture::Object)) => {
+            ("cancel", Some(FloorGesture::Start { .. })) => self.gesture = None,
+            ("cancel", Some(FloorGesture::Object)) => {
                 self.furnisher.let_go();
                 self.gesture = None;
             }
-            ("cancel", Some(Gesture::Paint)) => {
+            ("cancel", Some(FloorGesture::Paint)) => {
                 self.session.abandon_stroke();
                 self.gesture = None;
             }
@@ -453,41 +453,45 @@ impl Playground {
         let heading = self.session.prepared().map_or(0.0, |p| p.floor.start.heading);
         let tool = self.tool;
         self.gesture = Some(match tool {
-            Tool::Wall | Tool::Erase => {
-                let brush = if self.tool == Tool::Wall { Brush::Wall } else { Brush::Erase };
+            FloorTool::Wall | FloorTool::Erase => {
+                let brush = if self.tool == FloorTool::Wall { Brush::Wall } else { Brush::Erase };
                 self.session.begin_stroke(brush, at);
-                Gesture::Paint
+                FloorGesture::Paint
             }
-            Tool::Start => Gesture::Start { pose: Pose::new(at.x, at.y, heading), turns: true },
+            FloorTool::Start => FloorGesture::Start { pose: Pose::new(at.x, at.y, heading), turns: true },
             // A click puts down what is held; see `watch_for_click`.
-            Tool::View if self.carried.is_some() && !self.is_on_robot(at) => Gesture::Pan { x, y },
-            Tool::View | Tool::Place if self.takes_selected(at) => Gesture::Object,
-            Tool::Place => {
+            FloorTool::View if self.carried.is_some() && !self.is_on_robot(at) => FloorGesture::Pan { x, y },
+            FloorTool::View | FloorTool::Place if self.takes_selected(at) => FloorGesture::Object,
+            FloorTool::Place => {
                 self.furnisher.begin(at);
-                Gesture::Object
+                FloorGesture::Object
             }
-            Tool::View if self.is_on_robot(at) && (self.carried.is_some() || self.may_lift()) => self.grip(at, x, y),
-            Tool::View if self.is_on_robot(at) => Gesture::Start { pose: Pose::new(at.x, at.y, heading), turns: false },
-            Tool::View if self.takes_object(at) => Gesture::Object,
-            Tool::View => Gesture::Pan { x, y },
+            FloorTool::View if self.is_on_robot(at) && (self.carried.is_some() || self.may_lift()) => {
+                self.grip(at, x, y)
+            }
+            FloorTool::View if self.is_on_robot(at) => {
+                FloorGesture::Start { pose: Pose::new(at.x, at.y, heading), turns: false }
+            }
+            FloorTool::View if self.takes_object(at) => FloorGesture::Object,
+            FloorTool::View => FloorGesture::Pan { x, y },
         });
     }
 
     fn end_gesture(&mut self) {
         match self.gesture.take() {
-            Some(Gesture::Paint) => self.session.end_stroke(),
-            Some(Gesture::Start { pose, .. }) => self.session.move_start(pose),
-            Some(Gesture::Object) => self.furnisher.release(&mut self.session),
-            Some(Gesture::Carry { .. }) if self.carried.is_some() => self.pick_up(),
+            Some(FloorGesture::Paint) => self.session.end_stroke(),
+            Some(FloorGesture::Start { pose, .. }) => self.session.move_start(pose),
+            Some(FloorGesture::Object) => self.furnisher.release(&mut self.session),
+            Some(FloorGesture::Carry { .. }) if self.carried.is_some() => self.pick_up(),
             _ => {}
         }
     }
 
     /// Takes hold of the robot at `at`, which is (`x`, `y`) on the screen.
-    fn grip(&self, at: Point, x: f64, y: f64) -> Gesture {
+    fn grip(&self, at: Point, x: f64, y: f64) -> FloorGesture {
         let pose = self.carried.map(|c| c.pose).or(self.session.recording().map(|r| r.run().pose()));
         let grip = pose.map_or(Vector::zeros(), |pose| pose.position() - at);
-        if self.carried.is_some() { Gesture::Carry { grip } } else { Gesture::Grip { x, y, grip } }
+        if self.carried.is_some() { FloorGesture::Carry { grip } } else { FloorGesture::Grip { x, y, grip } }
     }
 
     fn is_on_robot(&self, at: Point) -> bool {
@@ -534,14 +538,14 @@ impl Playground {
             let point = plan.centre(at);
             let heading = self.session.prepared().map_or(0.0, |p| p.floor.start.heading);
             match self.tool {
-                Tool::Wall => self.session.begin_stroke(Brush::Wall, point),
-                Tool::Erase => self.session.begin_stroke(Brush::Erase, point),
-                Tool::Start => self.session.move_start(Pose::new(point.x, point.y, heading)),
-                Tool::Place => {
+                FloorTool::Wall => self.session.begin_stroke(Brush::Wall, point),
+                FloorTool::Erase => self.session.begin_stroke(Brush::Erase, point),
+                FloorTool::Start => self.session.move_start(Pose::new(point.x, point.y, heading)),
+                FloorTool::Place => {
                     self.furnisher.begin(point);
                     self.furnisher.release(&mut self.session);
                 }
-                Tool::View => {}
+                FloorTool::View => {}
             }
             self.session.end_stroke();
         }
@@ -594,7 +598,7 @@ impl Playground {
         }
         let dirty_rows = self.session.take_changed_rows();
         let dragged = match self.gesture {
-            Some(Gesture::Start { pose, .. }) => Some(pose),
+            Some(FloorGesture::Start { pose, .. }) => Some(pose),
             _ => None,
         };
         let held = self.carried.map(|carried| carried.pose);

@@ -8,7 +8,7 @@ use serde::Serialize;
 /// A planner or behaviour. What only the other kind claims is false.
 #[derive(Serialize)]
 #[expect(clippy::struct_excessive_bools)]
-pub struct Entry {
+pub struct CatalogueEntry {
     id: &'static str,
     title: &'static str,
     summary: &'static str,
@@ -26,18 +26,18 @@ pub struct Entry {
     idea: &'static str,
     complexity: &'static str,
     use_when: &'static str,
-    shines: Example,
-    fails: Example,
+    shines: ExampleEntry,
+    fails: ExampleEntry,
     params: Vec<Param>,
 }
 
 #[derive(Serialize)]
-struct Example {
+struct ExampleEntry {
     room: &'static str,
     why: &'static str,
 }
 
-impl Entry {
+impl CatalogueEntry {
     /// All that is known of an algorithm.
     pub fn new(algorithm: Algorithm) -> Self {
         let explainer = algorithm.explainer();
@@ -63,14 +63,14 @@ impl Entry {
             idea: explainer.idea,
             complexity: explainer.complexity,
             use_when: explainer.use_when,
-            shines: Example::new(&explainer.shines),
-            fails: Example::new(&explainer.fails),
+            shines: ExampleEntry::new(&explainer.shines),
+            fails: ExampleEntry::new(&explainer.fails),
             params: params(algorithm.params()),
         }
     }
 }
 
-impl Example {
+impl ExampleEntry {
     fn new(example: &registry::Example) -> Self {
         Self { room: example.room, why: example.why }
     }

@@ -3,7 +3,7 @@
 use crate::wire::proof::proof_from_js;
 use crate::wire::proof::proof_to_js;
 use crate::wire::walk;
-use coverage_planners::Frame;
+use coverage_planners::FilmFrame;
 use js_sys::Object;
 use js_sys::{Array, Reflect};
 use js_sys::{Float64Array, Uint32Array};
@@ -11,7 +11,7 @@ use wasm_bindgen::JsValue;
 
 /// An array of `{ cells, proof, planner, number }`: x, y, x, y, ..., `[cost, bound]` or nothing, a title or "", and the
 /// number of improvements so far.
-pub fn frames_to_js(frames: &[Frame]) -> Result<Array, JsValue> {
+pub fn frames_to_js(frames: &[FilmFrame]) -> Result<Array, JsValue> {
     let film = Array::new();
     for frame in frames {
         let object = Object::new();
@@ -25,12 +25,12 @@ pub fn frames_to_js(frames: &[Frame]) -> Result<Array, JsValue> {
 }
 
 /// The inverse of [`frames_to_js`].
-pub fn frames_from_js(film: &Array) -> Result<Vec<Frame>, JsValue> {
-    let frame = |object: JsValue| -> Result<Frame, JsValue> {
+pub fn frames_from_js(film: &Array) -> Result<Vec<FilmFrame>, JsValue> {
+    let frame = |object: JsValue| -> Result<FilmFrame, JsValue> {
         let flat = Uint32Array::new(&Reflect::get(&object, &"cells".into())?).to_vec();
         let proof = Reflect::get(&object, &"proof".into())?;
         let proof = (!proof.is_undefined()).then(|| Float64Array::new(&proof).to_vec());
-        Ok(Frame {
+        Ok(FilmFrame {
             walk: walk::cells(&flat),
             proof: proof_from_js(proof),
             planner: Reflect::get(&object, &"planner".into())?.as_string().unwrap_or_default(),

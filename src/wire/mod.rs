@@ -3,7 +3,7 @@
 pub mod benchmark;
 pub mod entry;
 pub mod frames;
-pub mod map;
+pub mod map_file;
 pub mod param;
 pub mod proof;
 pub mod request;

@@ -11,12 +11,12 @@ pub struct Param {
     help: &'static str,
     default: ParamValue,
     #[serde(flatten)]
-    kind: Kind,
+    kind: FieldKind,
 }
 
 #[derive(Serialize)]
 #[serde(tag = "kind", rename_all = "lowercase")]
-enum Kind {
+enum FieldKind {
     Number { min: f64, max: f64, step: f64, unit: &'static str },
     Choice { options: &'static [(&'static str, &'static str)] },
     Flag,
@@ -30,9 +30,9 @@ pub fn params(specs: &[ParamSpec]) -> Vec<Param> {
 impl Param {
     fn new(spec: &ParamSpec) -> Self {
         let kind = match spec.kind {
-            ParamKind::Number { min, max, step, unit, .. } => Kind::Number { min, max, step, unit },
-            ParamKind::Choice { options } => Kind::Choice { options },
-            ParamKind::Flag { .. } => Kind::Flag,
+            ParamKind::Number { min, max, step, unit, .. } => FieldKind::Number { min, max, step, unit },
+            ParamKind::Choice { options } => FieldKind::Choice { options },
+            ParamKind::Flag { .. } => FieldKind::Flag,
         };
         Self { id: spec.id, label: spec.label, help: spec.help, default: spec.kind.default(), kind }
     }

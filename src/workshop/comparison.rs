@@ -2,7 +2,7 @@
 
 use super::{
     comparison_view::{ComparisonView, TableView},
-    guest::Guest,
+    session_mirror::SessionMirror,
 };
 use coverage_planners::metrics::PlanNumbers;
 use js_sys::Float64Array;
@@ -15,7 +15,7 @@ use robovac_playground::{
     canvas::Canvas,
     wire::{clock, to_js, walk},
 };
-use robovac_sim::experiment::Outcome;
+use robovac_sim::experiment::PlanOutcome;
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
@@ -62,7 +62,7 @@ impl Comparison {
     }
 
     /// Takes room, robot, start and seed over from the playground's copy; cheap if they are the same.
-    pub fn take(&mut self, guest: &Guest) {
+    pub fn take(&mut self, guest: &SessionMirror) {
         self.state.take(guest.session());
     }
 
@@ -118,7 +118,7 @@ impl Comparison {
     /// A worker is done.
     pub fn trial_finished(&mut self, id: u32, cells: &[u32], numbers: JsValue) -> Result<(), JsValue> {
         let numbers: PlanNumbers = serde_wasm_bindgen::from_value(numbers).map_err(|e| e.to_string())?;
-        self.state.trial_finished(id, Ok(Outcome { numbers, cells: walk::cells(cells) }));
+        self.state.trial_finished(id, Ok(PlanOutcome { numbers, cells: walk::cells(cells) }));
         Ok(())
     }
 

@@ -5,8 +5,8 @@ use coverage_planners::{
     metrics::{METRICS, MetricInfo},
 };
 use robovac_app::{
-    compare::{Comparison, Progress, Race, RoomSet, Spread, Table},
-    explore::State,
+    compare::{Comparison, ComparisonTable, MedianAndRange, Race, RoomSet, TrialProgress},
+    explore::SessionState,
 };
 use robovac_core::registry::Params;
 use serde::Serialize;
@@ -41,7 +41,7 @@ struct EntrantView<'a> {
 
 #[derive(Serialize)]
 struct RaceView {
-    state: State,
+    state: SessionState,
     time_s: f64,
     end_s: f64,
     planned_s: f64,
@@ -67,10 +67,10 @@ impl<'a> ComparisonView<'a> {
         let (done, total) = comparison.count();
         let entrants = comparison.entrants().iter().enumerate().map(|(index, entrant)| {
             let (state, progress, message) = match comparison.progress(index) {
-                Progress::Out => ("out", 0.0, ""),
-                Progress::Trying(share) => ("trying", share, ""),
-                Progress::Done => ("done", 1.0, ""),
-                Progress::Failed(message) => ("failed", 1.0, message),
+                TrialProgress::Out => ("out", 0.0, ""),
+                TrialProgress::Trying(share) => ("trying", share, ""),
+                TrialProgress::Done => ("done", 1.0, ""),
+                TrialProgress::Failed(message) => ("failed", 1.0, message),
             };
             let (id, params) = (entrant.id(), &entrant.params);
             EntrantView { id, chosen: comparison.is_chosen(index), params, state, progress, message }
@@ -128,13 +128,13 @@ struct RowView {
     trials: usize,
     missing: usize,
     failure: String,
-    values: Vec<Option<Spread>>,
+    values: Vec<Option<MedianAndRange>>,
     /// Which values are the best of their column.
     best: Vec<bool>,
 }
 
 impl TableView {
-    pub fn new(table: &Table, bounds: Option<Bounds>) -> Self {
+    pub fn new(table: &ComparisonTable, bounds: Option<Bounds>) -> Self {
         let rows = table.rows.iter().map(|row| RowView {
             entrant: row.index,
             trials: row.trials,

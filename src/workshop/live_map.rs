@@ -3,8 +3,8 @@
 mod marks;
 mod paper;
 
-use self::{marks::Mark, paper::Paper};
-use super::guest::Guest;
+use self::{marks::FeltMark, paper::Paper};
+use super::session_mirror::SessionMirror;
 use robovac_app::{Palette, RobotView, Scene, Viewport};
 use robovac_core::{
     coverage::CoverageTracker,
@@ -22,7 +22,7 @@ const MOST_TRAIL: usize = 4000;
 const TRAIL_STEP: f64 = 0.02;
 /// Distance between two readings that no robot drives, m: it was taken elsewhere, or believes to be.
 const JUMP: f64 = 0.3;
-/// Sum of what a robot can feel that leaves a mark: bumpers and cliffs, see `app::link::Link::take_trace`.
+/// Sum of what a robot can feel that leaves a mark: bumpers and cliffs, see `app::connection::Connection::take_trace`.
 const FELT: u8 = 1 | 2 | 4 | 8 | 16 | 32;
 
 /// A robot on its way, drawn on a canvas. Poses that come in are those that the robot believes in; [`LiveMap::anchor`]
@@ -45,7 +45,7 @@ pub struct LiveMap {
     trail: Vec<Point>,
     /// All places of this way in the room, for a larger paper.
     places: Vec<Point>,
-    marks: Vec<Mark>,
+    marks: Vec<FeltMark>,
     /// What it felt last: a mark is left when that begins.
     felt: u8,
     planned: Vec<Point>,
@@ -60,7 +60,7 @@ pub struct LiveMap {
 impl LiveMap {
     /// On that canvas, in the room that `guest` shows if it is `known`, or else on blank paper.
     #[wasm_bindgen(constructor)]
-    pub fn new(element: HtmlCanvasElement, guest: &Guest, known: bool) -> Result<Self, JsValue> {
+    pub fn new(element: HtmlCanvasElement, guest: &SessionMirror, known: bool) -> Result<Self, JsValue> {
         let context = element.get_context("2d")?.ok_or("no 2D canvas; use a current browser")?.unchecked_into();
         let canvas = Canvas::new(element)?;
         let robot = guest.session().settings().robot_model();
@@ -91,7 +91,7 @@ impl LiveMap {
     }
 
     /// Begins anew, in the room that `guest` shows if it is `known`, or else on blank paper.
-    pub fn begin(&mut self, guest: &Guest, known: bool) {
+    pub fn begin(&mut self, guest: &SessionMirror, known: bool) {
         self.robot = guest.session().settings().robot_model();
         self.paper = Paper::new(guest.session(), &self.robot, known);
         self.planned.clear();
@@ -131,7 +131,7 @@ impl LiveMap {
         }
     }
 
-    /// Where it has been, as `app::link::Link::take_trace` tells it.
+    /// Where it has been, as `app::connection::Connection::take_trace` tells it.
     pub fn follow(&mut self, trace: &[f64]) {
         for &[x, y, heading, felt] in trace.as_chunks().0 {
             if ![x, y, heading].into_iter().all(f64::is_finite) {
@@ -139,7 +139,7 @@ impl LiveMap {
             }
             let place = self.placed(x, y, heading);
             let felt = felt as u8;
-            for mark in Mark::of(&self.robot, place, felt & FELT & !self.felt) {
+            for mark in FeltMark::of(&self.robot, place, felt & FELT & !self.felt) {
                 self.marks.push(mark);
             }
             self.felt = felt;

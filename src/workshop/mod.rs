@@ -3,17 +3,20 @@
 mod bench;
 mod comparison;
 mod comparison_view;
-mod guest;
-mod link;
+mod connection;
 mod live_map;
+mod map_session;
 mod montecarlo;
 mod plan_job;
 mod read_map;
 mod replay;
 mod runner;
-mod survey;
+mod session_mirror;
 mod trial;
 mod virtual_robot;
 
 #[allow(unused_imports, reason = "the boundary's tests are Rust; the page uses them by their exports")]
-pub use {guest::Guest, link::Link, plan_job::plan, read_map::read_map, replay::Replay, virtual_robot::VirtualRobot};
+pub use {
+    connection::Connection, plan_job::plan, read_map::read_map, replay::Replay, session_mirror::SessionMirror,
+    virtual_robot::VirtualRobot,
+};

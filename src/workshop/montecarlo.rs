@@ -1,6 +1,6 @@
 //! Monte Carlo studies on the page: settings, work for workers, curves and numbers.
 
-use super::guest::Guest;
+use super::session_mirror::SessionMirror;
 use coverage_planners::PLANNERS;
 use js_sys::Float64Array;
 use robovac_app::compare::{MINUTES, SEEDS, Study};
@@ -12,7 +12,7 @@ use robovac_playground::wire::{
 };
 use robovac_sim::{
     controller::BEHAVIOURS,
-    montecarlo::{Band, Head, Outcome, Summary, to_csv, to_json},
+    montecarlo::{Band, RunOutcome, StudyHeader, Summary, to_csv, to_json},
 };
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
@@ -48,18 +48,18 @@ struct EntrantOffer {
 
 /// Snapshot for every frame.
 #[derive(Serialize)]
-struct View<'a> {
+struct StudyView<'a> {
     version: u32,
     running: bool,
     done: usize,
     total: usize,
     seeds: u32,
     minutes: u32,
-    entrants: Vec<EntrantView<'a>>,
+    entrants: Vec<StudyEntrantView<'a>>,
 }
 
 #[derive(Serialize)]
-struct EntrantView<'a> {
+struct StudyEntrantView<'a> {
     chosen: bool,
     params: &'a Params,
     /// Runs made of those that are wanted.
@@ -69,7 +69,7 @@ struct EntrantView<'a> {
 
 /// Where and how all runs are made, in words.
 #[derive(Serialize)]
-struct Place<'a> {
+struct StudyPlace<'a> {
     room: &'a str,
     robot: &'a str,
     slip: &'static str,
@@ -110,7 +110,7 @@ impl MonteCarlo {
 
     /// Takes room, robot, start, conditions and seed over from the playground's copy; cheap if they are the
     /// same.
-    pub fn take(&mut self, guest: &Guest) {
+    pub fn take(&mut self, guest: &SessionMirror) {
         self.state.take(guest.session());
     }
 
@@ -170,7 +170,7 @@ impl MonteCarlo {
 
     /// A worker is done.
     pub fn batch_finished(&mut self, id: u32, outcomes: &[f64]) {
-        self.state.batch_finished(id, Ok(Outcome::from_numbers(outcomes)));
+        self.state.batch_finished(id, Ok(RunOutcome::from_numbers(outcomes)));
     }
 
     /// A worker has no result.
@@ -184,13 +184,13 @@ impl MonteCarlo {
     pub fn view(&self) -> Result<JsValue, JsValue> {
         let state = &self.state;
         let (done, total) = state.count();
-        let entrants = state.entrants().iter().enumerate().map(|(index, entrant)| EntrantView {
+        let entrants = state.entrants().iter().enumerate().map(|(index, entrant)| StudyEntrantView {
             chosen: state.is_chosen(index),
             params: &entrant.params,
             runs: state.runs(index).len(),
             failure: state.failure(index).unwrap_or(""),
         });
-        to_js(&View {
+        to_js(&StudyView {
             version: state.version(),
             running: state.is_running(),
             done,
@@ -203,9 +203,11 @@ impl MonteCarlo {
 
     /// Where and how all runs are made; changes with the view's `version`.
     pub fn place(&self) -> Result<JsValue, JsValue> {
-        let Some((Head { room, robot, conditions, .. }, _)) = self.state.export() else { return Ok(JsValue::NULL) };
+        let Some((StudyHeader { room, robot, conditions, .. }, _)) = self.state.export() else {
+            return Ok(JsValue::NULL);
+        };
         let (slip, noise) = (conditions.slip.id(), conditions.noise.to_string());
-        to_js(&Place { room, robot, slip, noise, quantised: conditions.quantised })
+        to_js(&StudyPlace { room, robot, slip, noise, quantised: conditions.quantised })
     }
 
     /// An algorithm's runs summed up, by its number in the view's list; null if there are none.

@@ -1,6 +1,6 @@
 //! Planning in a worker.
 
-use coverage_planners::{Bounds, CoveragePath, Film, Proof, Report, metrics::WalkMetrics};
+use coverage_planners::{Bounds, CoveragePath, Film, ProgressReport, Proof, metrics::WalkMetrics};
 use js_sys::{Function, Object, Reflect};
 use robovac_playground::wire::{
     clock,
@@ -30,7 +30,11 @@ pub fn plan(request: &JsValue, on_progress: &Function) -> Result<JsValue, JsValu
     let answer = request.serve(|| clock() / 1000.0, Some(&mut observe)).map_err(|e| e.to_string())?;
     drop(observe);
     if let Some(mut film) = film.or_else(|| request.film()) {
-        tell(on_progress, &Report { done: 1.0, walk: &answer.path.cells, proof: answer.proof }, Some(&mut film));
+        tell(
+            on_progress,
+            &ProgressReport { done: 1.0, walk: &answer.path.cells, proof: answer.proof },
+            Some(&mut film),
+        );
     }
     let result = Object::new();
     Reflect::set(&result, &"cells".into(), &flat(&answer.path.cells))?;
@@ -57,7 +61,7 @@ pub(super) fn reporter(
     on_progress: &Function,
     film: &mut Option<Film>,
     begin: impl Fn() -> Option<Film>,
-) -> impl FnMut(Report<'_>) -> ControlFlow<()> {
+) -> impl FnMut(ProgressReport<'_>) -> ControlFlow<()> {
     let mut next = clock() + REPORT_EVERY_MS;
     let mut is_proven = false;
     move |report| {
@@ -66,7 +70,7 @@ pub(super) fn reporter(
         if is_first || now >= next {
             // With its proof it could be kept, but there is no film of it yet.
             let proof = report.proof.filter(|_| !is_first);
-            tell(on_progress, &Report { proof, ..report }, film.as_mut());
+            tell(on_progress, &ProgressReport { proof, ..report }, film.as_mut());
             let told = clock();
             next = told + REPORT_EVERY_MS.max(TELLING * (told - now));
         }
@@ -82,7 +86,7 @@ pub(super) fn reporter(
 }
 
 /// A page that can't take the report shouldn't stop the planner.
-fn tell(on_progress: &Function, Report { done, walk, proof }: &Report<'_>, film: Option<&mut Film>) {
+fn tell(on_progress: &Function, ProgressReport { done, walk, proof }: &ProgressReport<'_>, film: Option<&mut Film>) {
     let frames = film.map_or_else(Vec::new, Film::take_frames);
     let frames = frames_to_js(&frames).unwrap_or_default();
     let _ = on_progress.call4(&JsValue::NULL, &(*done).into(), &flat(walk), &proof_to_js(*proof), &frames);

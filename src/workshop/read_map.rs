@@ -1,8 +1,8 @@
 //! Map files, read in a worker, as large ones take time.
 
 use js_sys::Array;
-use robovac_playground::wire::map::{import_to_js, source_files};
-use robovac_sim::experiment::Import;
+use robovac_app::Import;
+use robovac_playground::wire::map_file::{import_to_js, source_files};
 use wasm_bindgen::prelude::*;
 
 /// Reads an array of `{ name, bytes }` that belong together: a map, or a scenario. To be called in a worker.

@@ -1,6 +1,6 @@
 //! Replay of a recording.
 
-use robovac_link::link::{Recording, Replay as Player};
+use robovac_link::connection::{LineRecording, Replay as Player};
 use robovac_playground::wire::to_js;
 use wasm_bindgen::prelude::*;
 
@@ -15,7 +15,7 @@ impl Replay {
     /// Reads a recording; throws a sentence for users that names the line if it isn't one.
     #[wasm_bindgen(constructor)]
     pub fn new(text: &str) -> Result<Self, JsValue> {
-        let recording = Recording::parse(text).map_err(|e| e.to_string())?;
+        let recording = LineRecording::parse(text).map_err(|e| e.to_string())?;
         Ok(Self { player: Player::new(recording) })
     }
 
@@ -34,7 +34,7 @@ impl Replay {
         self.player.advance(time_s);
     }
 
-    /// What is shown, a `LinkView`; nothing can be asked for.
+    /// What is shown, a `ConnectionView`; nothing can be asked for.
     pub fn view(&mut self) -> Result<JsValue, JsValue> {
         to_js(&self.player.view())
     }
@@ -44,7 +44,7 @@ impl Replay {
         to_js(&self.player.take_traffic())
     }
 
-    /// As `Link.take_trace`.
+    /// As `Connection.take_trace`.
     pub fn take_trace(&mut self) -> Vec<f64> {
         self.player.take_trace()
     }

@@ -1,7 +1,7 @@
 //! Runs in workers: a request comes in as a plain object, outcomes go out as numbers.
 
 use js_sys::Float64Array;
-use robovac_sim::montecarlo::{Lab, Outcome, RunsRequest};
+use robovac_sim::montecarlo::{Lab, RunOutcome, RunsRequest};
 use wasm_bindgen::prelude::*;
 
 /// Makes runs. Keeps the room and the planned paths of the last ones, as the next are mostly in the same.
@@ -29,7 +29,7 @@ impl Runner {
         }
         let Some((_, lab)) = &mut self.lab else { return Err("there is no room".into()) };
         let outcomes = request.run(lab, None)?;
-        let numbers: Vec<f64> = outcomes.iter().flat_map(Outcome::to_numbers).collect();
+        let numbers: Vec<f64> = outcomes.iter().flat_map(RunOutcome::to_numbers).collect();
         Ok(Float64Array::from(numbers.as_slice()))
     }
 }

@@ -1,6 +1,6 @@
 //! The virtual robot, in a worker: the emulator, with the same bytes as a real robot.
 
-use super::guest::Guest;
+use super::session_mirror::SessionMirror;
 use robovac_core::geometry::Pose;
 use robovac_link::emulator::{Display, Emulator, PERSONALITIES, personality};
 use robovac_playground::wire::to_js;
@@ -45,7 +45,7 @@ struct VirtualView {
 impl VirtualRobot {
     /// A robot in the room that `guest` shows, at its start.
     #[wasm_bindgen(constructor)]
-    pub fn new(guest: &Guest, personality_id: &str) -> Result<Self, JsValue> {
+    pub fn new(guest: &SessionMirror, personality_id: &str) -> Result<Self, JsValue> {
         let session = guest.session();
         let prepared = session.prepared().ok_or("The robot doesn't fit into the room.")?;
         let who = personality(personality_id)

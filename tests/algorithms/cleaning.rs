@@ -2,13 +2,13 @@
 
 use robovac_app::{
     explore::Session,
-    survey::{Deed, Phase, STORE_VERSION, StoreError, Stored, Survey, cleaners},
+    map::{MapAction, MapPhase, MapSession, STORE_VERSION, StoreError, Stored, cleaners},
 };
 use robovac_core::{
-    floorplan::room,
+    floor_plan::room,
     geometry::Pose,
     registry::Params,
-    robot::{BatteryReading, OdometryModel, Sensors},
+    robot::{BatteryReading, OdometryModel, SensorReadings},
 };
 use robovac_sim::{
     Conditions, Input, Noise, NoiseLevel, Run, STEP_S, SlipLevel,
@@ -17,32 +17,32 @@ use robovac_sim::{
 };
 
 /// A survey of the room of a link.
-fn survey(link: &str) -> Survey {
+fn survey(link: &str) -> MapSession {
     let mut session = Session::new();
     session.restore(link).expect("a link of ours");
-    let mut survey = Survey::new();
+    let mut survey = MapSession::new();
     survey.take(&session);
     survey
 }
 
 /// A furnished room, mapped for so long, s.
-fn mapped(seconds: f64) -> Survey {
+fn mapped(seconds: f64) -> MapSession {
     let mut survey = survey("room=bedroom&robot=roomba600&seed=3");
     survey.run_ahead(seconds);
     survey
 }
 
 /// Lets it go on until it is done, at most so long, s.
-fn finish(survey: &mut Survey, most_s: f64) {
+fn finish(survey: &mut MapSession, most_s: f64) {
     let end = run(survey).time_s() + most_s;
-    while survey.phase() != Phase::Finished && run(survey).time_s() < end {
+    while survey.phase() != MapPhase::Finished && run(survey).time_s() < end {
         survey.run_ahead(30.0);
     }
 }
 
-fn arrive(survey: &mut Survey) {
+fn arrive(survey: &mut MapSession) {
     for _ in 0..100_000 {
-        if !matches!(survey.phase(), Phase::Resuming | Phase::Seeking) {
+        if !matches!(survey.phase(), MapPhase::Resuming | MapPhase::Seeking) {
             return;
         }
         survey.frame(0.016, &mut || true);
@@ -50,7 +50,7 @@ fn arrive(survey: &mut Survey) {
     panic!("still {:?}", survey.phase());
 }
 
-fn run(survey: &Survey) -> &Run {
+fn run(survey: &MapSession) -> &Run {
     survey.run().expect("there is a run")
 }
 
@@ -58,14 +58,14 @@ fn run(survey: &Survey) -> &Run {
 fn a_furnished_room_is_cleaned_by_the_robots_own_map() {
     let mut survey = mapped(60.0);
     finish(&mut survey, 1500.0);
-    assert_eq!(survey.phase(), Phase::Finished, "its map is complete");
+    assert_eq!(survey.phase(), MapPhase::Finished, "its map is complete");
     let before = run(&survey).coverage();
-    assert!(survey.can(Deed::Clean) && survey.view().by_map.is_none());
+    assert!(survey.can(MapAction::Clean) && survey.view().by_map.is_none());
     survey.clean();
-    assert_eq!(survey.phase(), Phase::Playing, "it sets out at once");
+    assert_eq!(survey.phase(), MapPhase::Playing, "it sets out at once");
     finish(&mut survey, 3600.0);
     let (view, after) = (survey.view(), run(&survey).coverage());
-    assert_eq!((survey.phase(), view.activity.starts_with("done")), (Phase::Finished, true), "{}", view.activity);
+    assert_eq!((survey.phase(), view.activity.starts_with("done")), (MapPhase::Finished, true), "{}", view.activity);
     let [swept, all] = view.by_map.expect("it has cleaned by its map");
     assert!(after > before + 0.1 && after > 0.88, "{before} mapping, {after} in the end");
     assert!(swept > 0.93 * all, "{swept} of {all} m² as it believes");
@@ -126,7 +126,7 @@ fn cleaning_is_gone_back_to_and_survives_a_reload() {
 fn a_run_that_was_over_and_goes_on_does_so_again() {
     let mut survey = survey("room=room12ft&robot=roomba600&seed=3");
     finish(&mut survey, 1500.0);
-    assert_eq!(survey.phase(), Phase::Finished);
+    assert_eq!(survey.phase(), MapPhase::Finished);
     let over = run(&survey).time_s();
     survey.clean();
     survey.run_ahead(40.0);
@@ -134,7 +134,7 @@ fn a_run_that_was_over_and_goes_on_does_so_again() {
     let text = survey.store().expect("there is a map");
     survey.seek(over);
     arrive(&mut survey);
-    assert!(survey.can(Deed::Play), "{:?}", survey.phase());
+    assert!(survey.can(MapAction::Play), "{:?}", survey.phase());
     let mut back = self::survey("room=room12ft&robot=roomba600&seed=3");
     back.resume(&text).expect("it is one of ours");
     arrive(&mut back);
@@ -146,7 +146,7 @@ fn a_robot_that_is_carried_off_finds_itself_and_goes_on_cleaning() {
     let mut survey = mapped(700.0);
     survey.clean();
     survey.run_ahead(60.0);
-    let marks = |survey: &Survey| survey.belief().expect("there is a robot").marks.cells(Mark::Cleaned).count();
+    let marks = |survey: &MapSession| survey.estimate().expect("there is a robot").marks.cells(Mark::Cleaned).count();
     survey.lift();
     survey.put_down(Pose::new(1.0, 1.6, 2.0));
     survey.run_ahead(2.0);
@@ -227,7 +227,7 @@ fn a_search_on_a_map_that_was_given_survives_a_reload() {
     assert!(!back.take_strayed());
     assert_eq!((run(&back).digest(), back.recipe()), (run(&survey).digest(), survey.recipe()));
     assert_eq!((back.view().known, back.view().is_sure), (survey.view().known, survey.view().is_sure));
-    let particles = |survey: &Survey| survey.belief().expect("there is a robot").particles().len();
+    let particles = |survey: &MapSession| survey.estimate().expect("there is a robot").particles().len();
     assert_eq!(particles(&back), particles(&survey));
     // Where it is of no use, it is refused, and what is there stays.
     let mut other = self::survey("room=bedroom&robot=roomba600&seed=1");
@@ -244,7 +244,7 @@ fn who_began_on_a_dock_goes_back_to_it() {
     assert!(start.heading.abs() > 3.0, "it looks at its dock, which is on the left: {start}");
     let mut mapper = Mapper::new(MapperSetup { robot, start, tracking: Tracking::Corrected, odometry, seed: 3 });
     let battery = BatteryReading { on_dock: true, ..BatteryReading::default() };
-    mapper.update(&Sensors { battery, ..Sensors::default() });
+    mapper.update(&SensorReadings { battery, ..SensorReadings::default() });
     assert!(mapper.began_on_dock());
     let noise = Noise::all(NoiseLevel::Typical);
     let conditions = Conditions { slip: SlipLevel::Typical, noise, ..Conditions::default() };

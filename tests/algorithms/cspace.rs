@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use robovac_core::{
     cspace::{ConfigurationSpace, CspaceError, Outline},
-    floorplan::{FloorPlan, Object, Sketch},
+    floor_plan::{FloorPlan, Object, Sketch},
     geometry::{Point, Shape, Vector, edges, outward, overlap, overlap_disc, signed_area},
     grid::{Cell, Grid, Occupancy, picture},
     math,

@@ -2,12 +2,12 @@
 
 use coverage_planners::{self, CoverageJob, PlanContext};
 use robovac_core::{
-    coverage::{Lattice, ReachableFloor},
-    floorplan::{FloorPlan, Object, Who},
+    coverage::{PlanningGrid, ReachableFloor},
+    floor_plan::{FloorPlan, Object, Who},
     geometry::{Point, Pose},
     grid::{Grid, Occupancy},
     registry::Params,
-    robot::{Drive, OdometryModel, RobotModel, Sensors, model},
+    robot::{Drive, OdometryModel, RobotModel, SensorReadings, model},
 };
 use robovac_sim::{
     Conditions, Input, Run, RunSetup, SlipLevel, What, World,
@@ -47,7 +47,7 @@ fn setup(plan: &FloorPlan, robot: &RobotModel, start: Option<Pose>, seed: u64) -
 struct Steady(Drive);
 
 impl Controller for Steady {
-    fn step(&mut self, _: &Sensors, _: f64) -> Drive {
+    fn step(&mut self, _: &SensorReadings, _: f64) -> Drive {
         self.0
     }
     fn is_done(&self) -> bool {
@@ -83,11 +83,11 @@ fn planned_paths_get_round_furniture_legs_and_stairs() {
     for (id, robot) in [("boustrophedon", "roomba600"), ("contour", "roomba600"), ("boustrophedon", "octagon")] {
         let robot = model(robot).unwrap();
         let setup = setup(&plan, robot, None, 3);
-        let lattice = Lattice::new(&setup.floor, robot.default_cell);
-        let job = CoverageJob::on_lattice(&lattice, &setup.floor, robot);
+        let planning_grid = PlanningGrid::new(&setup.floor, robot.default_cell);
+        let job = CoverageJob::on_planning_grid(&planning_grid, &setup.floor, robot);
         let info = coverage_planners::find(id).unwrap();
         let path = info.build(&Params::defaults(info.params)).plan(&job, &mut PlanContext::new(1)).unwrap();
-        let line = lattice.polyline(&setup.floor, &path.cells);
+        let line = planning_grid.polyline(&setup.floor, &path.cells);
         for corner in &line {
             assert!(setup.floor.limits().has_room(*corner, robot.radius), "{id}: {corner}");
         }

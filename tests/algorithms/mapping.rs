@@ -3,15 +3,15 @@
 use proptest::prelude::*;
 use robovac_core::{
     coverage::ReachableFloor,
-    floorplan::room,
+    floor_plan::room,
     geometry::{Pose, difference},
     registry::Params,
-    robot::{MODELS, OdometryModel, RobotModel, Sensors, model},
+    robot::{MODELS, OdometryModel, RobotModel, SensorReadings, model},
 };
 use robovac_sim::{
     Conditions, Noise, NoiseLevel, Run, RunSetup, SlipLevel, World,
     controller::{self, Setup},
-    mapping::{Mapper, MapperSetup, RESOLUTION, Spread, Tracking, Truth},
+    mapping::{MapTruth, Mapper, MapperSetup, PoseCovariance, RESOLUTION, Tracking},
 };
 use std::sync::Arc;
 
@@ -72,7 +72,7 @@ fn correction_keeps_a_robot_in_a_furnished_room_several_times_nearer_to_the_trut
     let (mut corrected, mut odometry) = (0.0, 0.0);
     for seed in 1..=4 {
         let truth = run("bedroom", "roomba600", "bounce", seed);
-        let quality = Truth::of(truth.floor(), RESOLUTION);
+        let quality = MapTruth::of(truth.floor(), RESOLUTION);
         let (errors, mappers) = compare(truth, 12.0);
         (corrected, odometry) = (corrected + errors[0][0], odometry + errors[1][0]);
         let [ours, theirs] = mappers.map(|mapper| quality.quality(mapper.map()));
@@ -118,7 +118,7 @@ fn the_same_readings_give_the_same_map_and_copies_go_on_alike() {
 fn a_robot_that_was_picked_up_is_lost_until_it_is_told_where_it_is() {
     let robot = model("roomba600").unwrap();
     let mut mapper = mapper(robot, Pose::new(1.0, 1.0, 0.0), Tracking::Corrected);
-    let mut sensed = Sensors::default();
+    let mut sensed = SensorReadings::default();
     let mut drive = |mapper: &mut Mapper, is_lifted: bool| {
         for _ in 0..400 {
             sensed.left_counts = sensed.left_counts.wrapping_add(10);
@@ -134,12 +134,12 @@ fn a_robot_that_was_picked_up_is_lost_until_it_is_told_where_it_is() {
     drive(&mut mapper, true);
     assert_eq!(mapper.pose(), before);
     drive(&mut mapper, false);
-    assert!(mapper.is_lost() && mapper.spread().heading > 1.0);
+    assert!(mapper.is_lost() && mapper.pose_covariance().heading > 1.0);
     assert_eq!(mapper.map().iter().count(), cells, "what it sees now belongs nowhere");
-    let spread = Spread { position: [1e-4, 0.0, 1e-4], heading: 0.02 };
+    let spread = PoseCovariance { position: [1e-4, 0.0, 1e-4], heading: 0.02 };
     mapper.relocate(Pose::new(4.0, 5.0, 1.0), &spread);
     assert_eq!(mapper.pose(), Pose::new(4.0, 5.0, 1.0));
-    assert!((mapper.spread().heading - 0.02).abs() < 1e-3 && !mapper.is_lost());
+    assert!((mapper.pose_covariance().heading - 0.02).abs() < 1e-3 && !mapper.is_lost());
     drive(&mut mapper, false);
     assert!(mapper.map().iter().count() > cells);
 }
@@ -153,7 +153,7 @@ fn robots_with_nothing_but_a_bumper_map_too() {
             drive.step();
             mapper.update(drive.sensors());
         }
-        let quality = Truth::of(drive.floor(), RESOLUTION).quality(mapper.map());
+        let quality = MapTruth::of(drive.floor(), RESOLUTION).quality(mapper.map());
         assert!(quality.right > 0.8 && quality.known > 0.15, "{}: {quality:?}", robot.id);
     }
 }
@@ -176,11 +176,11 @@ proptest! {
             }
             let [bump_left, bump_right, wheel_drop_left, wheel_drop_right, stasis] = bits;
             let [left_counts, right_counts, lateral_counts] = counts;
-            mapper.update(&Sensors {
+            mapper.update(&SensorReadings {
                 left_counts, right_counts, lateral_counts, light_signal, bump_left, bump_right,
-                wheel_drop_left, wheel_drop_right: wheel_drop_right && !is_calm, stasis, dirt, ..Sensors::default()
+                wheel_drop_left, wheel_drop_right: wheel_drop_right && !is_calm, stasis, dirt, ..SensorReadings::default()
             });
-            let (pose, spread) = (mapper.pose(), mapper.spread());
+            let (pose, spread) = (mapper.pose(), mapper.pose_covariance());
             prop_assert!([pose.x, pose.y, pose.heading].iter().all(|value| value.is_finite()));
             prop_assert!(spread.position.iter().all(|value| value.is_finite()) && spread.heading.is_finite());
         }

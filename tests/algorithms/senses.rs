@@ -3,10 +3,10 @@
 use proptest::prelude::*;
 use robovac_core::{
     coverage::ReachableFloor,
-    floorplan::{FloorPlan, Sketch},
+    floor_plan::{FloorPlan, Sketch},
     geometry::{Point, Pose},
     math,
-    robot::{Drive, Infrared, MODELS, RobotModel, RobotPort, Sensors, model},
+    robot::{Drive, Infrared, MODELS, RobotModel, RobotPort, SensorReadings, model},
 };
 use robovac_sim::{Conditions, Life, Noise, NoiseLevel, SensorKind, SimRobot, World};
 use std::sync::Arc;
@@ -37,14 +37,14 @@ impl Scene {
         Self::new(id, world, Conditions::default())
     }
 
-    fn step(&mut self, drive: Drive) -> &Sensors {
+    fn step(&mut self, drive: Drive) -> &SensorReadings {
         self.robot.drive(drive);
         self.robot.step(&self.floor.walls, &self.world, &mut self.life);
         self.robot.sensors()
     }
 
     /// What it senses at rest at a place, heading in degrees.
-    fn at(&mut self, x: f64, y: f64, degrees: f64) -> &Sensors {
+    fn at(&mut self, x: f64, y: f64, degrees: f64) -> &SensorReadings {
         self.robot.put_down(Pose::new(x, y, degrees.to_radians()));
         self.step(Drive::STOP)
     }
@@ -471,7 +471,7 @@ fn current_is_power_over_voltage() {
 }
 
 /// A Roomba that faces the dock at the left wall, as near as the dock's back lets it.
-fn docked(y: f64, degrees: f64) -> Sensors {
+fn docked(y: f64, degrees: f64) -> SensorReadings {
     let conditions = Conditions { start_charge_percent: 50, ..Conditions::default() };
     Scene::new("roomba600", dock(), conditions).at(0.205, y, degrees).clone()
 }

@@ -2,13 +2,13 @@
 
 use coverage_planners::{CoveragePath, metrics::DriveMetrics};
 use robovac_core::{
-    coverage::{Lattice, ReachableFloor},
-    floorplan::FloorPlan,
+    coverage::{PlanningGrid, ReachableFloor},
+    floor_plan::FloorPlan,
     geometry::{Point, Pose, Vector},
     grid::{Cell, Grid, Occupancy, from_picture},
     math,
     rng::{Rng, seeded},
-    robot::{Drive, OdometryModel, Sensors, model},
+    robot::{Drive, OdometryModel, SensorReadings, model},
 };
 use robovac_sim::{
     Conditions, Run, RunSetup, STEP_S, SlipLevel,
@@ -52,7 +52,7 @@ struct Reckless {
 }
 
 impl Controller for Reckless {
-    fn step(&mut self, _: &Sensors, _: f64) -> Drive {
+    fn step(&mut self, _: &SensorReadings, _: f64) -> Drive {
         use rand::RngExt;
         if self.countdown == 0 {
             self.countdown = self.rng.random_range(20..200);
@@ -117,10 +117,10 @@ fn bumper_tells_left_from_right() {
 }
 
 /// A lawn-mower path below the block, to the left of the thin wall.
-fn mowing(lattice: &Lattice) -> CoveragePath {
+fn mowing(planning_grid: &PlanningGrid) -> CoveragePath {
     let mut cells = Vec::new();
     for y in 1..5 {
-        let mut row: Vec<Cell> = (2..16).map(|x| Cell::new(x, y)).filter(|&c| lattice.free.is_set(c)).collect();
+        let mut row: Vec<Cell> = (2..16).map(|x| Cell::new(x, y)).filter(|&c| planning_grid.free.is_set(c)).collect();
         if y % 2 == 0 {
             row.reverse();
         }
@@ -129,8 +129,8 @@ fn mowing(lattice: &Lattice) -> CoveragePath {
     CoveragePath { cells }
 }
 
-fn follow(setup: &RunSetup, lattice: &Lattice, path: &CoveragePath) -> Run {
-    let line = lattice.polyline(&setup.floor, &path.cells);
+fn follow(setup: &RunSetup, planning_grid: &PlanningGrid, path: &CoveragePath) -> Run {
+    let line = planning_grid.polyline(&setup.floor, &path.cells);
     let follower = FollowPath::new(&setup.robot, OdometryModel::Arc, setup.floor.start, line.into());
     let mut run = Run::new(setup, Box::new(follower));
     while !run.is_finished() {
@@ -143,10 +143,10 @@ fn follow(setup: &RunSetup, lattice: &Lattice, path: &CoveragePath) -> Run {
 #[test]
 fn driving_a_plan_takes_as_long_and_covers_as_much_as_the_metrics_say() {
     let setup = setup(SlipLevel::None, 0);
-    let lattice = Lattice::new(&setup.floor, 0.15);
-    let path = mowing(&lattice);
-    let expected = DriveMetrics::of(&setup.floor, &setup.robot, &lattice.polyline(&setup.floor, &path.cells));
-    let run = follow(&setup, &lattice, &path);
+    let planning_grid = PlanningGrid::new(&setup.floor, 0.15);
+    let path = mowing(&planning_grid);
+    let expected = DriveMetrics::of(&setup.floor, &setup.robot, &planning_grid.polyline(&setup.floor, &path.cells));
+    let run = follow(&setup, &planning_grid, &path);
     let duration = run.time_s() / expected.duration_s;
     assert!((0.97..1.15).contains(&duration), "{} s driven, {} s expected", run.time_s(), expected.duration_s);
     assert!((run.distance_m() / expected.length_m - 1.0).abs() < 0.02);
@@ -160,8 +160,8 @@ fn driving_a_plan_takes_as_long_and_covers_as_much_as_the_metrics_say() {
 fn slip_makes_odometry_drift_and_the_run_still_ends() {
     let drift = |slip| {
         let setup = setup(slip, 11);
-        let lattice = Lattice::new(&setup.floor, 0.15);
-        let run = follow(&setup, &lattice, &mowing(&lattice));
+        let planning_grid = PlanningGrid::new(&setup.floor, 0.15);
+        let run = follow(&setup, &planning_grid, &mowing(&planning_grid));
         (run.estimate().unwrap().position() - run.pose().position()).norm()
     };
     let (none, harsh) = (drift(SlipLevel::None), drift(SlipLevel::Harsh));
@@ -172,8 +172,8 @@ fn slip_makes_odometry_drift_and_the_run_still_ends() {
 fn same_seed_same_run_other_seed_other_run() {
     let run = |seed| {
         let setup = setup(SlipLevel::Typical, seed);
-        let lattice = Lattice::new(&setup.floor, 0.3);
-        follow(&setup, &lattice, &mowing(&lattice)).digest()
+        let planning_grid = PlanningGrid::new(&setup.floor, 0.3);
+        follow(&setup, &planning_grid, &mowing(&planning_grid)).digest()
     };
     assert_eq!(run(1), run(1));
     assert_ne!(run(1), run(2));
@@ -182,8 +182,8 @@ fn same_seed_same_run_other_seed_other_run() {
 #[test]
 fn clone_of_a_run_goes_on_the_same_way() {
     let setup = setup(SlipLevel::Typical, 4);
-    let lattice = Lattice::new(&setup.floor, 0.3);
-    let line = lattice.polyline(&setup.floor, &mowing(&lattice).cells);
+    let planning_grid = PlanningGrid::new(&setup.floor, 0.3);
+    let line = planning_grid.polyline(&setup.floor, &mowing(&planning_grid).cells);
     let mut run =
         Run::new(&setup, Box::new(FollowPath::new(&setup.robot, OdometryModel::Arc, setup.floor.start, line.into())));
     for _ in 0..3000 {

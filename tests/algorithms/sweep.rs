@@ -1,13 +1,13 @@
 //! The sweeping planner of 001 in metres, and what is made of its path.
 
 use coverage_planners::{
-    stage::Contact,
+    stage::LineEndContact,
     sweep::{Sweep, SweepError, SweepSetup, sweep},
 };
-use robovac_app::draft::overlays;
+use robovac_app::floor_plan::overlays;
 use robovac_core::{
     cspace::{CspaceError, Motion, Outline},
-    floorplan::{FloorPlan, Object, Sketch, room},
+    floor_plan::{FloorPlan, Object, Sketch, room},
     geometry::{Point, Pose, Vector},
     robot::model,
 };
@@ -54,7 +54,7 @@ fn the_papers_case() {
         assert!(found.linked_share > 0.975 && found.coverage > 0.985, "{}", found.coverage);
         assert_eq!(found.links.len() + 1, found.subgoals.len());
         // Section 3: the first entry is LEFT_WALL, in the upper left.
-        assert_eq!((found.subgoals[0].contact, found.subgoals[0].line), (Contact::LeftWall, 0));
+        assert_eq!((found.subgoals[0].contact, found.subgoals[0].line), (LineEndContact::LeftWall, 0));
         assert_eq!(found.path[0], found.subgoals[0].at);
         // The stage stands against the wall: it's none of the obstacles.
         let numbers: std::collections::BTreeSet<u32> = found.subgoals.iter().filter_map(|s| s.obstacle).collect();
@@ -117,9 +117,9 @@ fn contacts_tell_walls_from_obstacles() {
     assert!(solid.iter().all(|s| s.obstacle == Some(1)) && solid.len() >= 4);
     for s in solid {
         assert!(((s.at - Point::new(2.0, 1.5)).norm() - 0.4).abs() < 1e-6, "{s:?}");
-        assert_eq!(s.contact == Contact::RightObstacle, s.at.x < 2.0);
+        assert_eq!(s.contact == LineEndContact::RightObstacle, s.at.x < 2.0);
     }
-    assert!(found.subgoals.iter().any(|s| s.contact == Contact::RightWall && (s.at.x - 3.85).abs() < 1e-6));
+    assert!(found.subgoals.iter().any(|s| s.contact == LineEndContact::RightWall && (s.at.x - 3.85).abs() < 1e-6));
 }
 
 #[test]

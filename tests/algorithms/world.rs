@@ -3,12 +3,12 @@
 use rand::RngExt;
 use robovac_core::{
     coverage::ReachableFloor,
-    floorplan::{FloorPlan, Object},
+    floor_plan::{FloorPlan, Object},
     geometry::{Point, Pose, Vector},
     grid::{Cell, Grid, Occupancy},
     math,
     rng::{Rng, seeded},
-    robot::{Body, Drive, RobotModel, Sensors, Wheels, model},
+    robot::{Body, Drive, RobotModel, SensorReadings, WheelLayout, model},
 };
 use robovac_sim::{Conditions, Run, RunSetup, SlipLevel, controller::Controller};
 use std::sync::Arc;
@@ -34,7 +34,7 @@ const OCTAGON: &[[f64; 2]] = &[
 ];
 
 /// A Roomba with another body.
-fn robot(body: Body, wheels: Wheels) -> RobotModel {
+fn robot(body: Body, wheels: WheelLayout) -> RobotModel {
     let roomba = model("roomba600").unwrap();
     let radius = match body {
         Body::Round => roomba.radius,
@@ -45,15 +45,15 @@ fn robot(body: Body, wheels: Wheels) -> RobotModel {
 
 fn robots() -> Vec<RobotModel> {
     let mut robots = vec![
-        robot(Body::Round, Wheels::Differential),
-        robot(Body::Polygon(RECTANGLE), Wheels::Differential),
-        robot(Body::Polygon(REAR_DRIVEN), Wheels::Differential),
-        robot(Body::Polygon(OCTAGON), Wheels::Omnidirectional),
+        robot(Body::Round, WheelLayout::Differential),
+        robot(Body::Polygon(RECTANGLE), WheelLayout::Differential),
+        robot(Body::Polygon(REAR_DRIVEN), WheelLayout::Differential),
+        robot(Body::Polygon(OCTAGON), WheelLayout::Omnidirectional),
     ];
     // A small round robot and a rectangle that are much too fast.
     let fast = |robot: RobotModel| RobotModel { max_wheel_speed: 1.5, acceleration: 20.0, ..robot };
-    robots.push(fast(RobotModel { radius: 0.05, ..robot(Body::Round, Wheels::Differential) }));
-    robots.push(fast(robot(Body::Polygon(RECTANGLE), Wheels::Differential)));
+    robots.push(fast(RobotModel { radius: 0.05, ..robot(Body::Round, WheelLayout::Differential) }));
+    robots.push(fast(robot(Body::Polygon(RECTANGLE), WheelLayout::Differential)));
     robots
 }
 
@@ -72,7 +72,7 @@ impl Reckless {
 }
 
 impl Controller for Reckless {
-    fn step(&mut self, _: &Sensors, _: f64) -> Drive {
+    fn step(&mut self, _: &SensorReadings, _: f64) -> Drive {
         if self.countdown == 0 {
             self.countdown = self.rng.random_range(5..80);
             let mut speed = || self.rng.random_range(-4.0..4.0);
@@ -94,7 +94,7 @@ impl Controller for Reckless {
 struct Steady(Drive);
 
 impl Controller for Steady {
-    fn step(&mut self, _: &Sensors, _: f64) -> Drive {
+    fn step(&mut self, _: &SensorReadings, _: f64) -> Drive {
         self.0
     }
     fn is_done(&self) -> bool {
@@ -324,7 +324,7 @@ fn rectangle_in_a_corridor_can_drive_but_not_turn() {
         plan.occupancy[Cell::new(x, 0)] = Occupancy::Occupied;
         plan.occupancy[Cell::new(x, 4)] = Occupancy::Occupied;
     }
-    let robot = robot(Body::Polygon(RECTANGLE), Wheels::Differential);
+    let robot = robot(Body::Polygon(RECTANGLE), WheelLayout::Differential);
     let floor = Arc::new(ReachableFloor::new(&plan, &robot, Some(Pose::new(0.4, 0.25, 0.0))).unwrap());
     let setup =
         RunSetup { floor, world: Arc::default(), robot: robot.clone(), conditions: Conditions::default(), seed: 1 };

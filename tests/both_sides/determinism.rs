@@ -4,18 +4,18 @@ use coverage_planners::PLANNERS;
 use robovac_app::explore::Session;
 use robovac_core::{
     coverage::ReachableFloor,
-    floorplan::room,
+    floor_plan::room,
     registry::{ParamValue, Params},
     robot::{OdometryModel, model},
 };
 use robovac_link::{
+    connection::{Connection, Request},
     emulator::{Emulator, personality},
-    link::{Link, Request},
 };
 use robovac_sim::{
     Conditions, Noise, NoiseLevel, Run, RunSetup, SlipLevel, World,
     controller::{self, Setup},
-    experiment::planning::Prepared,
+    experiment::planning::RoomSetup,
     mapping::{Mapper, MapperSetup, Tracking},
 };
 use std::sync::Arc;
@@ -73,9 +73,9 @@ fn exploring_a_kitchen() {
 #[wasm_bindgen_test(unsupported = test)]
 fn ride_over_a_bad_line() {
     let robot = model("roomba600").unwrap();
-    let prepared = Prepared::new(&(room("living").unwrap().build)(), robot, 0.25, None).unwrap();
+    let prepared = RoomSetup::new(&(room("living").unwrap().build)(), robot, 0.25, None).unwrap();
     let mut emulator = Emulator::new(&prepared.setup(Conditions::default(), 3), personality("noisy").unwrap());
-    let mut link = Link::new();
+    let mut link = Connection::new();
     link.opened(0.0);
     let mut bytes = Vec::new();
     for look in 0..12_000 {

@@ -2,7 +2,7 @@
 #![cfg(target_arch = "wasm32")]
 
 use js_sys::{Function, Reflect, Uint32Array};
-use robovac_playground::{Guest, LiveMap, plan};
+use robovac_playground::{LiveMap, SessionMirror, plan};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 use web_sys::HtmlCanvasElement;
@@ -12,13 +12,13 @@ wasm_bindgen_test_configure!(run_in_browser);
 /// Width of the strip that a Roomba 600 cleans, m.
 const TOOL_WIDTH: f64 = 0.17;
 
-fn guest(link: &str) -> Guest {
-    let mut guest = Guest::new();
+fn guest(link: &str) -> SessionMirror {
+    let mut guest = SessionMirror::new();
     guest.follow(link, 1.0, "").unwrap();
     guest
 }
 
-fn map(guest: &Guest, known: bool) -> LiveMap {
+fn map(guest: &SessionMirror, known: bool) -> LiveMap {
     let document = web_sys::window().unwrap().document().unwrap();
     let canvas: HtmlCanvasElement = document.create_element("canvas").unwrap().dyn_into().unwrap();
     let mut map = LiveMap::new(canvas, guest, known).unwrap();

@@ -6,7 +6,7 @@ use page::Playground;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 use web_sys::HtmlCanvasElement;
-use workshop::{Guest, Link, Replay, VirtualRobot, plan, read_map};
+use workshop::{Connection, Replay, SessionMirror, VirtualRobot, plan, read_map};
 
 #[path = "../../src/page/mod.rs"]
 mod page;
@@ -162,11 +162,11 @@ fn request(json: &str) -> JsValue {
 
 #[wasm_bindgen_test]
 fn virtual_robot_is_connected_controlled_and_recorded() {
-    let guest = Guest::new();
+    let guest = SessionMirror::new();
     assert!(VirtualRobot::new(&guest, "nobody").err().unwrap().as_string().unwrap().contains("\"nobody\""));
-    let (mut link, mut robot) = (Link::new(), VirtualRobot::new(&guest, "model").unwrap());
+    let (mut link, mut robot) = (Connection::new(), VirtualRobot::new(&guest, "model").unwrap());
     let mut now = 0.0;
-    let mut pass = |link: &mut Link, seconds: f64| {
+    let mut pass = |link: &mut Connection, seconds: f64| {
         let end = now + seconds;
         while now < end {
             now += 0.01;

@@ -92,7 +92,7 @@ export class App {
   /** Square metres of floor that the robot reaches, as the note under the menu of rooms says. */
   async reachableArea() {
     const note = (await this.page.locator("#room-note").textContent()) ?? "";
-    return Number(/([\d.]+) m² within reach/.exec(note)?.[1]);
+    return Number(/([\d.]+) m² reachable/.exec(note)?.[1]);
   }
 
   /** The name of the room, as the menu shows it. */
@@ -217,9 +217,9 @@ export class App {
     return (await this.poll(() => this.#taken(), (taken) => taken !== before)).endsWith("open");
   }
 
-  /** How often files were brought to the place Floor plan, and what came of the last. */
+  /** How often files were brought to the tab Floor plan, and what came of the last. */
   #taken() {
-    return this.page.evaluate(() => document.getElementById("place-draft").dataset.taken ?? "");
+    return this.page.evaluate(() => document.getElementById("panel-floor-plan").dataset.taken ?? "");
   }
 
   /** Does something that brings files. They are looked at first; if they could be read they are made the room. */
@@ -227,7 +227,7 @@ export class App {
     const before = await this.#taken();
     await what();
     const taken = await this.poll(() => this.#taken(), (now) => now !== before);
-    if (taken.endsWith("open")) await this.answered(() => this.page.locator("#draft-use").click());
+    if (taken.endsWith("open")) await this.answered(() => this.page.locator("#floor-plan-use").click());
     else await this.settled();
   }
 

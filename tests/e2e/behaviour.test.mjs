@@ -11,7 +11,7 @@ test("a behaviour is chosen, runs without a plan, and says what it feels", async
   const { page, app } = await openApp(t, { address: "#room=thesis8" });
   assert.ok(await page.locator("#dashboard").isHidden(), "out of the way for planners");
   assert.equal(await app.choose("algorithm", "bounce"), "playing");
-  assert.equal(await page.locator("#algorithm-kind").textContent(), "reacts to what it feels");
+  assert.equal(await page.locator("#algorithm-kind").textContent(), "reactive behaviour");
   await app.poll(() => app.numbers(), ({ distance, coverage }) => distance > 0.5 && coverage > 0);
 
   // Nothing of a plan is left.
@@ -78,7 +78,7 @@ test("what is shown, noise and behaviour are in the link", async (t) => {
   await app.linked("noise.bumper", (level) => level === undefined);
   assert.equal(await page.locator("#noise").inputValue(), "mixed");
   await page.locator("#quantised").check();
-  await page.getByRole("button", { name: "Show", exact: true }).click();
+  await page.getByRole("button", { name: "Layers", exact: true }).click();
   await page.locator("[data-layer=sensors]").check();
   await page.locator("[data-layer=coverage]").uncheck();
   await page.keyboard.press("Escape");

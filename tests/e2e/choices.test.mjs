@@ -20,7 +20,7 @@ test("every algorithm and every room can be chosen, and the robot sets off", asy
     // Before the algorithm is chosen: it sets to work at once.
     await app.choose("room", "thesis8");
     await app.choose("algorithm", planner);
-    const pace = /takes its time/.test((await page.locator("#explainer .claims").textContent()) ?? "") ? "slow" : "fast";
+    const pace = /slow in large halls/.test((await page.locator("#explainer .claims").textContent()) ?? "") ? "slow" : "fast";
     for (const [number, room] of rooms.entries()) {
       // The first goes everywhere, the others share the rooms; native tests have them in every room of their size.
       if (index > 0 && (number + index) % (pace === "slow" ? 8 : 16) !== 0) continue;

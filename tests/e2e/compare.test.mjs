@@ -1,4 +1,4 @@
-// The place Compare: algorithms held against each other, in a race and by numbers.
+// The tab Compare: algorithms held against each other, in a race and by numbers.
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import { test } from "node:test";
@@ -10,9 +10,9 @@ const PHONE = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, isM
 
 /** Opens a comparison by its link, without waiting for plans. */
 async function openCompare(t, { link = `vs=${FOUR}`, room = "room=empty", view = "race", ...options } = {}) {
-  const opened = await openPage(t, { address: `#${room}&place=compare&view=${view}&${link}`, ...options });
+  const opened = await openPage(t, { address: `#${room}&tab=compare&view=${view}&${link}`, ...options });
   const app = new App(opened.page);
-  await opened.page.locator("body[data-place=compare][data-boot=ready]").waitFor();
+  await opened.page.locator("body[data-tab=compare][data-boot=ready]").waitFor();
   return { ...opened, app };
 }
 
@@ -90,24 +90,24 @@ function parseCsv(text) {
   return rows.map((row) => Object.fromEntries(head.map((name, i) => [name, row[i]])));
 }
 
-test("one goes to Compare and back by tabs, and both places stay as they were", async (t) => {
+test("one goes to Compare and back by tabs, and both tabs stay as they were", async (t) => {
   const { page, app } = await openApp(t, { address: "#room=lshape&planner=spiral_stc&speed=4" });
   await app.pause();
   const { time } = await app.numbers();
   await page.locator("#tab-compare").click();
-  await page.locator("#place-compare").waitFor();
+  await page.locator("#panel-compare").waitFor();
   assert.equal(await page.locator("#tab-compare").getAttribute("aria-current"), "page");
-  assert.ok(await page.locator("#place-explore").isHidden());
+  assert.ok(await page.locator("#panel-explore").isHidden());
   assert.equal(await app.text("#compare-room"), "L-shaped room");
   await lanes(page, 4);
   await page.locator("#view-numbers").click();
-  assert.equal(await app.linked("place"), "compare");
+  assert.equal(await app.linked("tab"), "compare");
   await app.linked("view", (view) => view === "numbers");
   await page.locator("#to-explore").click();
-  await page.locator("#place-explore").waitFor();
+  await page.locator("#panel-explore").waitFor();
   assert.equal(await page.locator("#algorithm").inputValue(), "spiral_stc");
   assert.equal((await app.numbers()).time, time, "Explore stood still meanwhile");
-  assert.equal(await app.linked("place", (place) => place === undefined), undefined);
+  assert.equal(await app.linked("tab", (tab) => tab === undefined), undefined);
   await page.locator("#tab-compare").click();
   assert.equal(await page.locator("#view-numbers").getAttribute("aria-pressed"), "true");
   await tried(page, 4);
@@ -129,7 +129,7 @@ test("the copied link brings room, algorithms, parameters, seeds and view to ano
 
   const other = await context.newPage();
   await other.goto(copied);
-  await other.locator("#place-compare").waitFor();
+  await other.locator("#panel-compare").waitFor();
   const chosen = await other.locator("#entrants li:has(> input:checked)").evaluateAll((items) => items.map((item) => item.dataset.id));
   assert.deepEqual(chosen, ["spiral_stc", "snake"]);
   assert.equal(await other.locator("#in-snake-patience").inputValue(), "5");
@@ -160,7 +160,7 @@ test("algorithms are chosen by keyboard, and all robots have one clock", async (
   await page.locator("#race-speed").selectOption("16");
   await page.locator("#view-race").focus();
   await page.keyboard.press(".");
-  await page.getByRole("button", { name: "Five seconds on" }).click();
+  await page.getByRole("button", { name: "Forward 5 seconds" }).click();
   const stepped = await clockThat(app, (clock) => clock >= 9);
 
   await page.getByRole("button", { name: "Start the race" }).click();
@@ -267,7 +267,7 @@ test("all algorithms have all numbers in the flat; they can be sorted, explained
   await page.locator("#about .claims li").first().hover();
   assert.match(await app.text("#about #tip"), /every cell/, "before the dialog, not behind it");
   await page.getByRole("button", { name: "Open in Explore" }).click();
-  await page.locator("#place-explore").waitFor();
+  await page.locator("#panel-explore").waitFor();
   assert.equal(await page.locator("#algorithm").inputValue(), "spiral");
   await app.until("playing", "ready", "paused", "finished");
   // What has one name is one number.
@@ -326,15 +326,15 @@ test("a link with an algorithm that isn't there says which there are", async (t)
   await lanes(page, 4);
 });
 
-test("trying can be cancelled and goes on", async (t) => {
+test("planning can be cancelled and resumed", async (t) => {
   const { page, app } = await openCompare(t, { room: "room=flat", view: "numbers", link: "vs=snake,genetic,neural,energy,grid_tsp&rooms=furnished&seeds=20" });
   await page.getByRole("button", { name: "Cancel", exact: true }).click();
   await page.locator("#trying", { hasText: /^Stopped: \d+ of \d+/ }).waitFor();
   const stopped = await app.text("#trying");
   await app.frames(30);
   assert.equal(await app.text("#trying"), stopped);
-  await page.getByRole("button", { name: "Go on", exact: true }).click();
-  await page.locator("#trying", { hasText: /^Trying: / }).waitFor();
+  await page.getByRole("button", { name: "Resume", exact: true }).click();
+  await page.locator("#trying", { hasText: /^Planning: / }).waitFor();
   // A smaller choice ends what is no longer wanted.
   for (const id of ["genetic", "neural", "energy", "grid_tsp"]) await page.locator(`#in-${id}`).uncheck();
   await page.locator("#compare-rooms").selectOption("this");
@@ -408,7 +408,7 @@ test("a robot that doesn't fit is said to be too wide", async (t) => {
   await app.pick(textMap("pillars.txt", pillars(40, { every: 4, pillar: 2 }), { resolution: 0.1 }));
   assert.match(await app.message(), /fits nowhere|doesn't fit/);
   await page.locator("#tab-compare").click();
-  await page.locator("#place-compare").waitFor();
+  await page.locator("#panel-compare").waitFor();
   await page.waitForFunction(() => document.getElementById("trying").textContent.includes("4 failed"), undefined, { timeout: 60_000 });
   assert.match(await app.text("#race-hint"), /robot, 0\.\d\d m wide.*fit/);
   await page.locator("#view-numbers").click();

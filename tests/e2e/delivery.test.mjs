@@ -30,12 +30,12 @@ test("works from a sub-path and loads each module once", async (t) => {
   assert.match([...versions][0] ?? "", /^[0-9a-f]{12}$/);
 });
 
-test("opening needs no planner and none of the other places", async (t) => {
+test("opening needs no planner and none of the other tabs", async (t) => {
   const { page, app, server } = await openApp(t);
   await app.numbersThat(({ coverage, distance }) => coverage > 0 && distance > 0);
   await page.waitForLoadState("networkidle");
   const opened = transferred(server);
-  const lazy = ["workshop.js", "workshop_bg.wasm", "www/worker.js", "www/workers.js", "www/compare.js", "www/compare.css", "www/pool.js", "draft_bg.wasm", "www/draft/place.js", "survey_bg.wasm", "www/survey/place.js", "www/dashboard.js", "www/joystick.js", "www/placing.html", "www/film.js", "www/help.html"];
+  const lazy = ["workshop.js", "workshop_bg.wasm", "www/worker.js", "www/workers.js", "www/compare/tab.js", "www/compare/compare.css", "www/compare/pool.js", "floor_plan_bg.wasm", "www/floor-plan/tab.js", "survey_bg.wasm", "www/map/tab.js", "www/dashboard.js", "www/joystick.js", "www/explore/placing.html", "www/explore/film.js", "www/help.html"];
   for (const file of lazy) {
     assert.ok(fs.existsSync(path.join(DIST, file)), `${file} has another name now`);
     assert.ok(!opened.has(file), `${file} was transferred`);
@@ -46,17 +46,17 @@ test("opening needs no planner and none of the other places", async (t) => {
   assert.deepEqual([...weighed].filter((file) => !opened.has(file) && !/\.(svg|png|ico)$/.test(file)), []);
   const kilobytes = [...opened].reduce((sum, file) => sum + gzipSync(fs.readFileSync(path.join(DIST, file)), { level: 9 }).length / 1024, 0);
   t.diagnostic(`${kilobytes.toFixed(1)} KB in ${opened.size} files until the robot drives`);
-  assert.equal((await app.metric("Planned in")).plan, "made in advance");
+  assert.equal((await app.metric("Planned in")).plan, "preloaded");
 
   // The first plan brings the workshop, once for all that follow.
   await app.choose("room", "empty");
   await app.choose("algorithm", "snake");
   assert.match((await app.metric("Planned in")).plan, /\d/);
   assert.equal(server.requests.filter((address) => address.includes("workshop_bg.wasm")).length, 1);
-  assert.ok(!transferred(server).has("www/compare.js"));
+  assert.ok(!transferred(server).has("www/compare/tab.js"));
   await page.locator("#tab-compare").click();
-  await page.locator("#place-compare").waitFor();
-  assert.ok(["www/compare.js", "www/compare.css"].every((file) => transferred(server).has(file)));
+  await page.locator("#panel-compare").waitFor();
+  assert.ok(["www/compare/tab.js", "www/compare/compare.css"].every((file) => transferred(server).has(file)));
   assert.equal(server.requests.filter((address) => address.includes("workshop_bg.wasm")).length, 1);
 });
 
@@ -79,7 +79,7 @@ test("the page goes on while the largest map is read", async (t) => {
   await page.evaluate(() => {
     window.framesWhileReading = 0;
     const look = () => {
-      const busy = document.getElementById("draft-busy");
+      const busy = document.getElementById("floor-plan-busy");
       if (busy?.checkVisibility()) window.framesWhileReading += 1;
       requestAnimationFrame(look);
     };

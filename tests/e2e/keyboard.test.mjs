@@ -25,7 +25,7 @@ test("plays, steps and goes back by single keys", async (t) => {
 test("single keys can be switched off, and stay off", async (t) => {
   const { page, app } = await openApp(t, { address: ROOM });
   await page.keyboard.press("?");
-  await page.getByLabel("Single keys work everywhere").uncheck();
+  await page.getByLabel("Single-key shortcuts work everywhere").uncheck();
   await page.keyboard.press("Escape");
   // Until it is closed the space key is for the box just unchecked.
   await page.getByRole("dialog").waitFor({ state: "hidden" });

@@ -25,7 +25,7 @@ test("a running robot is dragged elsewhere: its wheels drop meanwhile, and it no
   assert.equal(await app.text("#activity"), "In your hand");
   await mouse.up();
   await app.poll(() => events(page), (text) => /picked up/.test(text) && /put down/.test(text) && /wheel drop/.test(text));
-  assert.ok((await error(app)) > 0.4, "it believes to be where it was picked up");
+  assert.ok((await error(app)) > 0.4, "its estimate stays where it was lifted");
   assert.equal((await app.link()).start, start, "the start stays");
   await app.poll(() => page.locator("#dashboard .wheel").first().getAttribute("class"), (name) => name !== "wheel on");
 });
@@ -41,7 +41,7 @@ test("a click on the robot does nothing to it", async (t) => {
 test("the robot is picked up and carried by keys, and escape puts it back", async (t) => {
   const { page, app } = await openApp(t, { address: ROOM });
   await app.numbersThat(({ time }) => time > 0);
-  await app.press("Pick the robot up");
+  await app.press("Lift the robot");
   await page.locator("#carry-note").waitFor();
   for (let i = 0; i < 8; i += 1) await page.keyboard.press("ArrowLeft");
   await page.keyboard.press("Shift+ArrowLeft");
@@ -64,13 +64,13 @@ for (const isPaused of [false, true]) {
     const { page, app } = await openApp(t, { address: ROOM });
     await app.numbersThat(({ time }) => time > 0);
     if (isPaused) await app.pause();
-    await app.press("Pick the robot up");
+    await app.press("Lift the robot");
     await page.locator("#carry-note").waitFor();
     await page.mouse.click(...(await app.spot(0.62, 0.4)));
     await page.locator("#carry-note").waitFor({ state: "hidden" });
-    await page.getByRole("button", { name: "Pick the robot up" }).waitFor();
+    await page.getByRole("button", { name: "Lift the robot" }).waitFor();
     if (isPaused) {
-      // Its readings are as old as the last step, and so is what it believes; but it was put down.
+      // Its readings are as old as the last step, and so is its estimate; but it was put down.
       await app.poll(() => page.locator("#activity").textContent(), (text) => !/wait|hand/i.test(text));
       await app.press("Play");
     }
@@ -80,7 +80,7 @@ for (const isPaused of [false, true]) {
 
 test("a robot with a plan is carried at the pointer, and the page says that it doesn't know", async (t) => {
   const { page, app } = await openApp(t, { viewport: { width: 1440, height: 900 } });
-  await app.press("Pick the robot up");
+  await app.press("Lift the robot");
   assert.equal(await page.locator("#tools [aria-pressed=true]").count(), 1, "one thing at a time is chosen");
   await page.locator("#carry-note").waitFor();
   const tops = [];

@@ -1,7 +1,8 @@
 // Every view is a link.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { openApp } from "./app.mjs";
+import { App, openApp } from "./app.mjs";
+import { openPage } from "./harness.mjs";
 
 const LINK = { room: "lshape", planner: "snake", robot: "cell", cell: "0.2", seed: "11", slip: "typical", odometry: "straight", start: "1.100,1.100,90.0", speed: "4" };
 const address = `#${Object.entries(LINK).map((pair) => pair.join("=")).join("&")}`;
@@ -54,4 +55,14 @@ test("a drawn room survives a reload, and its link says elsewhere that it is not
   await other.goto(address);
   await other.waitForFunction(() => document.body.innerText.includes("drawn or loaded in another browser"));
   await elsewhere.close();
+});
+
+test("links with the tabs' older names open them", async (t) => {
+  const { page } = await openPage(t, { address: "#room=empty&place=draft" });
+  const app = new App(page);
+  await page.locator("#panel-floor-plan").waitFor();
+  assert.equal(await app.linked("tab", (tab) => tab === "floor-plan"), "floor-plan");
+  await page.evaluate(() => (location.hash = "#room=empty&place=robot"));
+  await page.locator("#panel-connection").waitFor();
+  assert.equal(await app.linked("tab", (tab) => tab === "connection"), "connection");
 });

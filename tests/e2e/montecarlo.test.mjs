@@ -10,16 +10,16 @@ const PHONE = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, isM
 
 /** Opens many runs by their link. */
 async function openRuns(t, { link = SMALL, room = "room=empty&slip=typical", ...options } = {}) {
-  const opened = await openPage(t, { address: `#${room}&place=compare&view=runs&${link}`, ...options });
+  const opened = await openPage(t, { address: `#${room}&tab=compare&view=runs&${link}`, ...options });
   const app = new App(opened.page);
-  await opened.page.locator("body[data-place=compare][data-boot=ready]").waitFor();
+  await opened.page.locator("body[data-tab=compare][data-boot=ready]").waitFor();
   return { ...opened, app };
 }
 
 /** Runs all that is missing. */
 async function run(page, count) {
   await page.locator("#runs-go").click();
-  await page.waitForFunction((n) => document.getElementById("runs-far").textContent === `${n} runs made`, count, { timeout: 240_000 });
+  await page.waitForFunction((n) => document.getElementById("runs-far").textContent === `${n} runs done`, count, { timeout: 240_000 });
 }
 
 /** Names and cells of the table without what is small. */
@@ -86,9 +86,9 @@ test("runs can be cancelled and gone on with, and what was made stays", async (t
   await page.locator("#runs-go").click();
   await page.waitForFunction(() => /^([1-9]|\d\d) of 100 runs/.test(document.getElementById("runs-far").textContent), null, { timeout: 120_000 });
   await page.getByRole("button", { name: "Cancel" }).click();
-  await page.getByRole("button", { name: "Go on" }).waitFor();
+  await page.getByRole("button", { name: "Resume" }).waitFor();
   const made = await app.text("#runs-far");
-  assert.match(made, /^\d+ of 100 runs made$/);
+  assert.match(made, /^\d+ of 100 runs done$/);
   await app.frames(20);
   assert.equal(await app.text("#runs-far"), made, "nobody goes on in secret");
   assert.ok(await page.locator("#runs-chart").isVisible());
@@ -105,7 +105,7 @@ test("the link brings back who is run how often, and bad ones are refused", asyn
   await page.locator("#run-behaviour-spiral_out").uncheck();
   assert.equal(await app.linked("runs", (runs) => runs === "bounce"), "bounce");
   assert.equal(await app.linked("paths"), "snake~patience:3");
-  await page.evaluate(() => (location.hash = "#room=empty&place=compare&view=runs&runs=snail"));
+  await page.evaluate(() => (location.hash = "#room=empty&tab=compare&view=runs&runs=snail"));
   await page.getByText('there is no behaviour "snail"').waitFor();
 });
 

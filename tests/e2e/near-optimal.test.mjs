@@ -63,12 +63,12 @@ test("in a small room the search is a film: construction, and what every improve
   assert.ok(await page.locator("#tip").isHidden());
   // Only what is seen has a key.
   const keys = () => page.locator("#legend > div:visible").allInnerTexts().then((all) => all.map((text) => text.trim()));
-  assert.deepEqual(await app.poll(keys, (names) => names[0] === "Walk"), ["Walk", "About to change", "Parts that stay", "New", "Out of reach"]);
+  assert.deepEqual(await app.poll(keys, (names) => names[0] === "Path"), ["Path", "About to change", "Parts kept", "New", "Out of reach"]);
   assert.match(await note(), /^Construction, 1 of 3: Boustrophedon .* needs \d+ steps and \d+ turns\./);
   // Once a picture was turned by hand, no other comes by itself.
   const told = [];
   const seen = new Set();
-  const next = page.getByRole("button", { name: "Next picture" });
+  const next = page.getByRole("button", { name: "Next frame" });
   for (let i = 0; i < 40 && !/^Search finished/.test(told.at(-1) ?? ""); i++) {
     await next.click();
     await app.frames(2);
@@ -81,7 +81,7 @@ test("in a small room the search is a film: construction, and what every improve
   assert.ok(told.some((text) => /merged again, .* (less|more|saved) \(.* % of the bound\); now (proven optimal|[\d.]+ % above)/.test(text)));
   assert.match(told.at(-1), /^Search finished: the plan is (proven optimal|[\d.]+ % above the proven bound)\./);
   assert.ok(seen.size > told.length / 2, "every picture is another");
-  await page.getByRole("button", { name: "Show it again" }).click();
+  await page.getByRole("button", { name: "Play again" }).click();
   await app.poll(note, (text) => /^Construction, 1 of 3/.test(text));
   await app.poll(note, (text) => /^Construction, 2 of 3/.test(text));
 
@@ -95,7 +95,7 @@ test("with reduced motion the film stands still until somebody turns it", async 
   await film(page);
   await page.waitForTimeout(3000);
   assert.match(await page.locator("#search-note").textContent(), /^Construction, 1 of 3/);
-  await page.getByRole("button", { name: "Next picture" }).click();
+  await page.getByRole("button", { name: "Next frame" }).click();
   await app.poll(() => page.locator("#search-note").textContent(), (text) => /^Construction, 2 of 3/.test(text));
 });
 

@@ -30,7 +30,7 @@ test("opens on a robot that is already cleaning", async (t) => {
 test("says for a while that the opening scene began ten minutes ago, and others didn't", async (t) => {
   const { page } = await openApp(t);
   const caption = (page) => page.locator(".timeline-caption > span").first().innerText();
-  assert.equal(await caption(page), "Coverage over time: set off ten minutes ago");
+  assert.equal(await caption(page), "Coverage over time: started ten minutes ago");
   await page.waitForFunction(() => document.getElementById("opening").textContent === "", undefined, { timeout: 20_000 });
   const other = await openApp(t, { address: "#room=lshape" });
   assert.equal(await caption(other.page), "Coverage over time");
@@ -41,7 +41,7 @@ test("a definition stays while its term is clicked, and says what is counted", a
   const own = page.getByRole("button", { name: "Optimality gap" });
   await own.click();
   await app.frames(3);
-  assert.match(await app.text("#tip"), /a plan costs its steps \+ [\d.]+ × its quarter turns \(as long as this robot takes/);
+  assert.match(await app.text("#tip"), /a plan costs its steps \+ [\d.]+ × its quarter turns \(the time that this robot takes/);
   // One that proves nothing has no gap of its own: its definition goes with it.
   await page.mouse.move(5, 5);
   await page.keyboard.press("Tab");

@@ -20,7 +20,7 @@ if (!fs.existsSync(path.join(here, "../../dist/index.html"))) fail("dist/ is mis
 if (files.length === 0) fail(`no test file matches: ${words.join(" ") || "tests/e2e/*.test.mjs"}`);
 
 /** Where a robot's stop is due soon, its page has the machine for itself. */
-const isAlone = (file) => /^(link|robot)/.test(path.basename(file));
+const isAlone = (file) => /^connection/.test(path.basename(file));
 const timeout = 300_000 * Math.max(1, Number(process.env.LINK_ROUNDS ?? 0) / 10);
 let ran = 0;
 

@@ -2,10 +2,12 @@
 
 use coverage_planners::{PLANNERS, find, metrics::METRICS};
 use robovac_app::{
-    compare::{Comparison, MOST_LANES, Progress, RoomChoice, Row, Spread, Table, to_csv, to_json},
-    explore::{Session, State},
+    compare::{
+        Comparison, ComparisonTable, MOST_LANES, MedianAndRange, RoomChoice, Row, TrialProgress, to_csv, to_json,
+    },
+    explore::{Session, SessionState},
 };
-use robovac_core::{floorplan::room, registry::Params, robot::cell_robot};
+use robovac_core::{floor_plan::room, registry::Params, robot::cell_robot};
 use robovac_sim::experiment::{Algorithm, Arena, Entrant, TrialRequest};
 
 fn session(room: &str) -> Session {
@@ -35,7 +37,7 @@ fn work(comparison: &mut Comparison) -> Vec<String> {
     asked
 }
 
-fn serve(request: &TrialRequest) -> Result<robovac_sim::experiment::Outcome, String> {
+fn serve(request: &TrialRequest) -> Result<robovac_sim::experiment::PlanOutcome, String> {
     request.arena().and_then(|arena| request.run(&arena, || 0.0, None))
 }
 
@@ -61,7 +63,7 @@ fn table_has_the_numbers_that_the_planners_reach_alone() {
     // Known from the golden walks: 14 and 34 quarter turns.
     let turns = column("turns");
     assert!(table.is_best(&table.rows[0], turns) && !table.is_best(&table.rows[1], turns));
-    assert_eq!(table.rows[1].values[turns], Some(Spread { median: 34.0, min: 34.0, max: 34.0 }));
+    assert_eq!(table.rows[1].values[turns], Some(MedianAndRange { median: 34.0, min: 34.0, max: 34.0 }));
 }
 
 #[test]
@@ -130,14 +132,14 @@ fn cancelled_trials_are_forgotten_and_made_when_it_goes_on() {
     let mut comparison = comparison(&session, &["boustrophedon", "snake"]);
     let first = comparison.take_trial().expect("there is work");
     comparison.trial_progress(first.id, 0.5);
-    assert_eq!(comparison.progress(0), Progress::Trying(0.5));
+    assert_eq!(comparison.progress(0), TrialProgress::Trying(0.5));
     comparison.cancel();
     assert!(!comparison.is_wanted(first.id) && comparison.take_trial().is_none());
     comparison.trial_finished(first.id, serve(&first));
     assert_eq!(comparison.count(), (0, 2), "a late answer counts for nothing");
     comparison.resume();
     assert_eq!(work(&mut comparison).len(), 2);
-    assert_eq!(comparison.progress(0), Progress::Done);
+    assert_eq!(comparison.progress(0), TrialProgress::Done);
 }
 
 #[test]
@@ -147,7 +149,7 @@ fn failure_is_told_and_the_others_go_on() {
     let first = comparison.take_trial().expect("there is work");
     comparison.trial_finished(first.id, Err("it fell over".into()));
     work(&mut comparison);
-    assert_eq!(comparison.progress(0), Progress::Failed("it fell over"));
+    assert_eq!(comparison.progress(0), TrialProgress::Failed("it fell over"));
     let table = comparison.table(None);
     assert_eq!(table.rows[0].failure.as_deref(), Some("it fell over"));
     assert!(table.rows[0].values.iter().all(Option::is_none) && table.rows[1].values.iter().all(Option::is_some));
@@ -160,7 +162,7 @@ fn robots_race_under_one_clock_and_come_back_to_the_bit() {
     let mut comparison = comparison(&session, &["boustrophedon", "snake"]);
     work(&mut comparison);
     let race = comparison.race_mut().expect("there are plans");
-    assert_eq!(race.state(), State::Ready);
+    assert_eq!(race.state(), SessionState::Ready);
     race.set_speed(100.0);
     race.play();
     race.frame(0.1, &mut || true);
@@ -171,21 +173,21 @@ fn robots_race_under_one_clock_and_come_back_to_the_bit() {
     let time = race.time_s();
     assert!((time - 10.0).abs() < 0.02 && early[0].0 == early[1].0 && early[0].1 != early[1].1, "{time} s: {early:?}");
     race.set_speed(0.0);
-    while race.state() == State::Playing {
+    while race.state() == SessionState::Playing {
         race.frame(0.016, &mut || true);
     }
-    assert_eq!(race.state(), State::Finished);
+    assert_eq!(race.state(), SessionState::Finished);
     let [first, second] = race.lanes() else { panic!("two robots") };
     assert!(first.run().time_s() < second.run().time_s(), "the snake turns more often");
     assert!((first.run().time_s() - first.racer.planned_s).abs() < 0.05 * first.racer.planned_s);
     assert_eq!(race.time_s(), second.run().time_s(), "the clock stops with the last robot");
     race.seek(time);
-    while race.state() == State::Seeking {
+    while race.state() == SessionState::Seeking {
         race.frame(0.016, &mut || true);
     }
     assert_eq!(poses(race), early);
     race.play();
-    assert_eq!(race.state(), State::Playing);
+    assert_eq!(race.state(), SessionState::Playing);
 }
 
 #[test]
@@ -229,12 +231,12 @@ fn sums_and_means_over_rooms_and_median_over_seeds() {
     other.walk.turns = 40;
     other.drive.coverage = 0.5;
     let row = Row::new(Entrant::new(Algorithm::Planner(info)), 0, &[vec![Ok(one), Ok(other)], vec![Ok(one), Ok(one)]]);
-    assert_eq!(row.values[column("turns")], Some(Spread { median: 71.0, min: 68.0, max: 74.0 }));
-    assert_eq!(row.values[column("coverage")], Some(Spread { median: 87.5, min: 75.0, max: 100.0 }));
+    assert_eq!(row.values[column("turns")], Some(MedianAndRange { median: 71.0, min: 68.0, max: 74.0 }));
+    assert_eq!(row.values[column("coverage")], Some(MedianAndRange { median: 87.5, min: 75.0, max: 100.0 }));
     assert_eq!((row.trials, row.missing), (4, 0));
     let unfinished = Row::new(Entrant::new(Algorithm::Planner(info)), 0, &[vec![Ok(one)], vec![]]);
     assert_eq!((unfinished.values[column("turns")], unfinished.missing), (None, 1));
-    assert_eq!(Table::new(vec![unfinished]).best[column("turns")], None);
+    assert_eq!(ComparisonTable::new(vec![unfinished]).best[column("turns")], None);
 }
 
 #[test]
@@ -271,22 +273,22 @@ fn robot_that_comes_late_catches_up_and_the_race_goes_on() {
     work(&mut comparison);
     let race = comparison.race_mut().expect("there are plans");
     assert_eq!(race.lanes().len(), 2);
-    while race.state() == State::Seeking {
+    while race.state() == SessionState::Seeking {
         race.frame(0.0, &mut || true);
     }
     assert_eq!((race.time_s(), race.lanes()[0].run().pose()), before);
     assert_eq!(race.lanes()[0].run().steps(), race.lanes()[1].run().steps());
-    assert_eq!(race.state(), State::Playing);
+    assert_eq!(race.state(), SessionState::Playing);
     // Scrubbing ahead of what has been simulated gets there too, all robots together even if they are told to stop.
     race.seek(40.0);
     race.pause();
     race.step();
-    while race.state() == State::Seeking {
+    while race.state() == SessionState::Seeking {
         race.frame(0.0, &mut || true);
     }
     assert!((race.time_s() - 40.0).abs() < 0.02, "{}", race.time_s());
     assert_eq!(race.lanes()[0].run().steps(), race.lanes()[1].run().steps());
-    assert_eq!(race.state(), State::Paused);
+    assert_eq!(race.state(), SessionState::Paused);
 }
 
 #[test]
@@ -299,7 +301,7 @@ fn who_stops_early_on_a_dirty_floor_is_not_first() {
     let race = comparison.race_mut().expect("there are plans");
     race.set_speed(0.0);
     race.play();
-    while race.state() == State::Playing {
+    while race.state() == SessionState::Playing {
         race.frame(0.016, &mut || true);
     }
     let lanes: Vec<(usize, f64, u64)> =

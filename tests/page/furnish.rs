@@ -1,8 +1,8 @@
 //! Objects under a user's hand: placed, moved, turned, resized, taken away, undone, saved.
 
-use robovac_app::explore::{Brush, Furnisher, Kind, Session, State};
+use robovac_app::explore::{Brush, ObjectTool, PlaceableKind, Session, SessionState};
 use robovac_core::{
-    floorplan::{Object, SourceFile},
+    floor_plan::{Object, SourceFile},
     geometry::{Point, Vector},
 };
 
@@ -15,7 +15,7 @@ fn empty_room() -> Session {
 }
 
 /// Places what a drag from one point to another draws.
-fn place(session: &mut Session, hand: &mut Furnisher, kind: Kind, from: (f64, f64), to: (f64, f64)) {
+fn place(session: &mut Session, hand: &mut ObjectTool, kind: PlaceableKind, from: (f64, f64), to: (f64, f64)) {
     hand.kind = kind;
     hand.begin(Point::new(from.0, from.1));
     hand.go_on(Point::new(to.0, to.1));
@@ -31,15 +31,15 @@ fn outline(object: &Object) -> &[Point] {
 
 #[test]
 fn every_kind_can_be_clicked_and_drawn_anywhere_on_free_floor() {
-    let (mut session, mut hand, mut again) = (empty_room(), Furnisher::new(), Session::new());
-    for (kind, name) in Kind::ALL {
+    let (mut session, mut hand, mut again) = (empty_room(), ObjectTool::new(), Session::new());
+    for (kind, name) in PlaceableKind::ALL {
         for from in [(0.01, 0.01), (2.5, 3.9), (4.99, 2.0)] {
             for to in [from, (3.0, 1.2)] {
                 place(&mut session, &mut hand, kind, from, to);
                 let objects = &session.plan().objects;
                 // What would stand on the robot is refused; it starts in the corner.
                 let is_refused = objects.is_empty() && session.view().message.contains("start");
-                let count = if kind == Kind::Table { 4 } else { 1 };
+                let count = if kind == PlaceableKind::Table { 4 } else { 1 };
                 assert!(objects.len() == count || is_refused, "{name} {from:?} {to:?}: {}", session.view().message);
                 if !is_refused {
                     assert_eq!(hand.selected(&session), Some(count - 1));
@@ -56,8 +56,8 @@ fn every_kind_can_be_clicked_and_drawn_anywhere_on_free_floor() {
 
 #[test]
 fn changes_are_undone_and_redone_one_by_one() {
-    let (mut session, mut hand) = (empty_room(), Furnisher::new());
-    place(&mut session, &mut hand, Kind::Table, (2.0, 1.0), (3.2, 2.0));
+    let (mut session, mut hand) = (empty_room(), ObjectTool::new());
+    place(&mut session, &mut hand, PlaceableKind::Table, (2.0, 1.0), (3.2, 2.0));
     let placed = session.plan().objects.clone();
     assert_eq!(placed.len(), 4);
     assert!(hand.edit(&mut session, "right"));
@@ -74,13 +74,13 @@ fn changes_are_undone_and_redone_one_by_one() {
         session.redo();
     }
     assert_eq!(session.plan().objects.len(), 3);
-    assert_eq!(session.state(), State::Playing, "the run goes on in the changed room");
+    assert_eq!(session.state(), SessionState::Playing, "the run goes on in the changed room");
 }
 
 #[test]
 fn keys_move_turn_and_resize() {
-    let (mut session, mut hand) = (empty_room(), Furnisher::new());
-    place(&mut session, &mut hand, Kind::Furniture, (2.0, 1.0), (3.0, 1.5));
+    let (mut session, mut hand) = (empty_room(), ObjectTool::new());
+    place(&mut session, &mut hand, PlaceableKind::Furniture, (2.0, 1.0), (3.0, 1.5));
     let corners = |session: &Session| outline(&session.plan().objects[0]).to_vec();
     let before = corners(&session);
     for action in ["right", "up", "up", "left", "down", "down"] {
@@ -99,13 +99,13 @@ fn keys_move_turn_and_resize() {
     hand.edit(&mut session, "larger");
     let sides = corners(&session);
     assert!(((sides[1] - sides[0]).norm() - 1.1).abs() < 0.01, "{sides:?}");
-    assert!(!Furnisher::new().edit(&mut session, "left"), "nothing is selected there");
+    assert!(!ObjectTool::new().edit(&mut session, "left"), "nothing is selected there");
 }
 
 #[test]
 fn handles_reshape_and_drags_move() {
-    let (mut session, mut hand) = (empty_room(), Furnisher::new());
-    place(&mut session, &mut hand, Kind::Furniture, (2.0, 1.0), (3.0, 1.5));
+    let (mut session, mut hand) = (empty_room(), ObjectTool::new());
+    place(&mut session, &mut hand, PlaceableKind::Furniture, (2.0, 1.0), (3.0, 1.5));
     // The upper right corner; the lower left one stays, and it stays a rectangle.
     assert!(hand.take_selected(&session, 0, Point::new(3.02, 1.51), 0.1));
     hand.go_on(Point::new(3.5, 2.0));
@@ -126,7 +126,7 @@ fn handles_reshape_and_drags_move() {
     hand.release(&mut session);
     assert_eq!(outline(&session.plan().objects[0]), expected);
 
-    place(&mut session, &mut hand, Kind::VirtualWall, (1.0, 3.0), (2.0, 3.0));
+    place(&mut session, &mut hand, PlaceableKind::VirtualWall, (1.0, 3.0), (2.0, 3.0));
     assert!(hand.take_selected(&session, 1, Point::new(2.0, 3.0), 0.1));
     hand.go_on(Point::new(1.0, 1.5));
     hand.release(&mut session);
@@ -136,8 +136,8 @@ fn handles_reshape_and_drags_move() {
 
 #[test]
 fn carpets_have_to_be_selected_before_they_are_dragged() {
-    let (mut session, mut hand) = (empty_room(), Furnisher::new());
-    place(&mut session, &mut hand, Kind::Carpet, (1.0, 1.0), (4.0, 3.0));
+    let (mut session, mut hand) = (empty_room(), ObjectTool::new());
+    place(&mut session, &mut hand, PlaceableKind::Carpet, (1.0, 1.0), (4.0, 3.0));
     hand.select(&session, None);
     let middle = Point::new(2.5, 2.0);
     assert!(!hand.take_any(&session, middle, 0.1), "the view is moved instead");
@@ -149,8 +149,8 @@ fn carpets_have_to_be_selected_before_they_are_dragged() {
 #[test]
 fn a_dock_is_put_to_the_wall_that_is_near() {
     for (x, y, heading) in [(0.3, 2.0, 0.0), (4.8, 2.0, 180.0), (2.5, 3.8, -90.0), (2.5, 0.4, 90.0), (2.5, 2.0, 0.0)] {
-        let (mut session, mut hand) = (empty_room(), Furnisher::new());
-        place(&mut session, &mut hand, Kind::Dock, (x, y), (x, y));
+        let (mut session, mut hand) = (empty_room(), ObjectTool::new());
+        place(&mut session, &mut hand, PlaceableKind::Dock, (x, y), (x, y));
         let Object::Dock { pose } = session.plan().objects[0] else { panic!() };
         assert_eq!(pose.heading.to_degrees().round(), heading, "{x} {y}");
         let at_wall = [pose.x, 5.0 - pose.x, pose.y, 4.0 - pose.y].into_iter().fold(f64::MAX, f64::min);
@@ -160,16 +160,22 @@ fn a_dock_is_put_to_the_wall_that_is_near() {
 
 #[test]
 fn what_cannot_be_there_is_refused_with_the_reason_and_nothing_changes() {
-    let (mut session, mut hand) = (empty_room(), Furnisher::new());
+    let (mut session, mut hand) = (empty_room(), ObjectTool::new());
     let start = session.prepared().unwrap().floor.start;
-    place(&mut session, &mut hand, Kind::Furniture, (start.x - 0.1, start.y - 0.1), (start.x + 0.1, start.y + 0.1));
+    place(
+        &mut session,
+        &mut hand,
+        PlaceableKind::Furniture,
+        (start.x - 0.1, start.y - 0.1),
+        (start.x + 0.1, start.y + 0.1),
+    );
     let message = session.view().message;
     assert!(message.starts_with("The start at (") && message.contains("lies in furniture"), "{message}");
     assert!(session.plan().objects.is_empty() && !session.view().can.undo);
 
-    place(&mut session, &mut hand, Kind::Dock, (2.5, 2.0), (3.0, 2.0));
+    place(&mut session, &mut hand, PlaceableKind::Dock, (2.5, 2.0), (3.0, 2.0));
     assert_eq!(session.view().message, "");
-    place(&mut session, &mut hand, Kind::Furniture, (2.3, 1.8), (3.0, 2.2));
+    place(&mut session, &mut hand, PlaceableKind::Furniture, (2.3, 1.8), (3.0, 2.2));
     let message = session.view().message;
     assert!(message.starts_with("The dock at (2.500 m, 2.000 m) faces furniture"), "{message}");
     assert_eq!(session.plan().objects.len(), 1);
@@ -180,7 +186,7 @@ fn what_cannot_be_there_is_refused_with_the_reason_and_nothing_changes() {
     session.end_stroke();
     assert!(session.view().message.contains("faces a wall"), "{}", session.view().message);
     assert_eq!(session.plan().blocked().count(), 0);
-    place(&mut session, &mut hand, Kind::Stairs, (3.5, 2.5), (4.5, 3.5));
+    place(&mut session, &mut hand, PlaceableKind::Stairs, (3.5, 2.5), (4.5, 3.5));
     session.move_start(robovac_core::geometry::Pose::new(4.0, 3.0, 0.0));
     assert!(session.view().message.contains("lies in a drop-off"), "{}", session.view().message);
     assert_eq!(session.start(), None);
@@ -188,11 +194,11 @@ fn what_cannot_be_there_is_refused_with_the_reason_and_nothing_changes() {
 
 #[test]
 fn selection_ends_with_the_room_and_goes_round() {
-    let (mut session, mut hand) = (empty_room(), Furnisher::new());
+    let (mut session, mut hand) = (empty_room(), ObjectTool::new());
     hand.select_next(&session);
     assert_eq!(hand.selected(&session), None);
-    place(&mut session, &mut hand, Kind::Dirt, (1.5, 1.5), (1.5, 1.5));
-    place(&mut session, &mut hand, Kind::Pet, (2.5, 2.5), (3.5, 2.5));
+    place(&mut session, &mut hand, PlaceableKind::Dirt, (1.5, 1.5), (1.5, 1.5));
+    place(&mut session, &mut hand, PlaceableKind::Pet, (2.5, 2.5), (3.5, 2.5));
     let mut seen = Vec::new();
     for _ in 0..3 {
         hand.select_next(&session);

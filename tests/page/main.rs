@@ -1,12 +1,13 @@
 //! What the tabs of the page decide and show.
 
 mod compare;
-mod draft;
+mod docs;
 mod drawing;
-mod floorplan;
+mod floor_plan_tab;
 mod furnish;
+mod map;
+mod map_files;
 mod montecarlo;
 mod opening;
 mod scenario;
 mod session;
-mod survey;

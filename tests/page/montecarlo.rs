@@ -2,13 +2,13 @@
 
 use robovac_app::{compare::Study, explore::Session};
 use robovac_core::{
-    floorplan::room,
+    floor_plan::room,
     robot::{OdometryModel, model},
 };
 use robovac_sim::{
     Conditions, NoiseLevel, SlipLevel,
     experiment::{BEHAVIOUR, Entrant, PLANNER},
-    montecarlo::{Band, GOALS, Lab, Outcome, SAMPLES, Summary, Tally, Terms, to_csv, to_json},
+    montecarlo::{Band, GOALS, Lab, RunOutcome, RunTally, SAMPLES, Summary, Terms, to_csv, to_json},
 };
 use serde_json::Value;
 
@@ -25,9 +25,9 @@ fn entrant(name: &str) -> Entrant {
 }
 
 /// An outcome made by hand: coverage grows evenly to `end`, and the goals are reached at those times.
-fn outcome(seed: u64, end: f64, reached_s: [f64; GOALS.len()]) -> Outcome {
+fn outcome(seed: u64, end: f64, reached_s: [f64; GOALS.len()]) -> RunOutcome {
     let curve = (0..=SAMPLES).map(|i| end * i as f64 / SAMPLES as f64).collect();
-    Outcome {
+    RunOutcome {
         seed,
         curve,
         reached_s,
@@ -109,21 +109,21 @@ fn a_study_offers_those_that_explore_and_exports_say_what_is_measured() {
 fn outcomes_cross_to_another_thread_and_back() {
     let outcomes = [
         outcome(3, 0.95, [20.0, f64::INFINITY]),
-        Outcome { digest: u64::MAX - 5, dirt_left: Some(0.25), ..outcome(4, 0.5, [1.0, 2.0]) },
+        RunOutcome { digest: u64::MAX - 5, dirt_left: Some(0.25), ..outcome(4, 0.5, [1.0, 2.0]) },
     ];
-    let numbers: Vec<f64> = outcomes.iter().flat_map(Outcome::to_numbers).collect();
-    assert_eq!(Outcome::from_numbers(&numbers), outcomes);
-    assert_eq!(Outcome::from_numbers(&numbers[..numbers.len() - 1]), outcomes[..1], "half an outcome is none");
-    assert!(Outcome::from_numbers(&[f64::NAN; 22]).len() <= 2, "nonsense ends somewhere");
+    let numbers: Vec<f64> = outcomes.iter().flat_map(RunOutcome::to_numbers).collect();
+    assert_eq!(RunOutcome::from_numbers(&numbers), outcomes);
+    assert_eq!(RunOutcome::from_numbers(&numbers[..numbers.len() - 1]), outcomes[..1], "half an outcome is none");
+    assert!(RunOutcome::from_numbers(&[f64::NAN; 22]).len() <= 2, "nonsense ends somewhere");
 }
 
 #[test]
 fn summary_has_the_quantiles_of_the_definition_and_no_times_that_nobody_knows() {
     let never = f64::INFINITY;
     // Coverage 0.1 to 1.0: the 10 % quantile of ten values lies at place 0.9.
-    let runs: Vec<Outcome> =
+    let runs: Vec<RunOutcome> =
         (1..=10).map(|i| outcome(i, i as f64 / 10.0, [if i > 3 { 100.0 * i as f64 } else { never }, never])).collect();
-    let runs: Vec<&Outcome> = runs.iter().collect();
+    let runs: Vec<&RunOutcome> = runs.iter().collect();
     let summary = Summary::of(&runs).expect("there are runs");
     let near = |band: Band, low: f64, median: f64, high: f64| {
         for (found, expected) in [(band.low, low), (band.median, median), (band.high, high)] {
@@ -146,9 +146,9 @@ fn summary_has_the_quantiles_of_the_definition_and_no_times_that_nobody_knows() 
 
 #[test]
 fn order_of_outcomes_makes_no_difference() {
-    let all: Vec<Outcome> = (0..7).map(|i| outcome(i, 0.1 * i as f64, [i as f64, f64::INFINITY])).collect();
+    let all: Vec<RunOutcome> = (0..7).map(|i| outcome(i, 0.1 * i as f64, [i as f64, f64::INFINITY])).collect();
     let tally = |order: &[usize]| {
-        let mut tally = Tally::default();
+        let mut tally = RunTally::default();
         for &i in order {
             tally.add(all[i].clone());
         }

@@ -4,17 +4,17 @@
 
 use coverage_planners::{Bounds, CoveragePath, Proof, metrics::WalkMetrics};
 use robovac_app::explore::{Session, opening};
-use robovac_core::floorplan::ROOMS;
+use robovac_core::floor_plan::ROOMS;
 use robovac_sim::experiment::{
     Settings,
-    planning::{PlanRequest, Prepared},
+    planning::{PlanRequest, RoomSetup},
 };
 
 /// The opening scene's request, as any other would be made.
 fn request() -> PlanRequest {
     let settings = Settings::new();
     let plan = (ROOMS[0].build)();
-    let prepared = Prepared::new(&plan, &settings.robot_model(), settings.cell_size, None).unwrap();
+    let prepared = RoomSetup::new(&plan, &settings.robot_model(), settings.cell_size, None).unwrap();
     PlanRequest {
         id: 1,
         planner: settings.algorithm.planner().unwrap(),

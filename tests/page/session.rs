@@ -1,13 +1,13 @@
 //! A user's session from opening to undo, without a browser.
 
-use coverage_planners::{CoveragePath, Proof, Report};
-use robovac_app::explore::{Brush, Session, State, diary};
+use coverage_planners::{CoveragePath, ProgressReport, Proof};
+use robovac_app::explore::{Brush, Session, SessionState, diary};
 use robovac_core::{
-    floorplan::{Object, ROOMS, SourceFile},
+    floor_plan::{Object, ROOMS, SourceFile},
     geometry::{Point, Pose},
     grid::Cell,
 };
-use robovac_sim::experiment::planning::Answer;
+use robovac_sim::experiment::planning::PlanAnswer;
 use std::ops::ControlFlow;
 
 fn opened() -> Session {
@@ -32,9 +32,9 @@ fn finish(session: &mut Session) {
 #[test]
 fn opens_with_a_robot_that_cleans_the_flat() {
     let mut session = Session::new();
-    assert_eq!(session.state(), State::Planning);
+    assert_eq!(session.state(), SessionState::Planning);
     session.plan_now(|| 0.0);
-    assert_eq!(session.state(), State::Playing);
+    assert_eq!(session.state(), SessionState::Playing);
     play(&mut session, 1.0);
     let view = session.view();
     assert!((view.time_s - 16.0).abs() < 0.1, "{} s after a second at 16x", view.time_s);
@@ -53,7 +53,7 @@ fn every_room_is_cleaned_to_the_end() {
         assert_eq!(planned.walk.visited_cells, planned.walk.reachable_cells, "{}", room.id);
         finish(&mut session);
         let view = session.view();
-        assert_eq!(session.state(), State::Finished, "{}", room.id);
+        assert_eq!(session.state(), SessionState::Finished, "{}", room.id);
         // Who waits for somebody in the way may have to leave some floor out.
         let is_alone = !session.plan().objects.iter().any(|object| matches!(object, Object::Mover { .. }));
         let (least, spare) = if is_alone { (0.95, 0.01) } else { (0.9, 0.05) };
@@ -80,14 +80,14 @@ fn scrubbing_back_and_forth_shows_the_same_moment() {
     let at_end = session.recording().unwrap().run().digest();
     let end = session.view().time_s;
     session.seek(123.45);
-    while session.state() == State::Seeking {
+    while session.state() == SessionState::Seeking {
         session.frame(0.0, &mut || true);
     }
     assert!((session.view().time_s - 123.45).abs() < 0.015);
     assert_eq!(session.view().run_end_s, end);
     let there = session.recording().unwrap().run().digest();
     session.seek(end);
-    while session.state() == State::Seeking {
+    while session.state() == SessionState::Seeking {
         session.frame(0.0, &mut || true);
     }
     assert_eq!(session.recording().unwrap().run().digest(), at_end);
@@ -112,7 +112,7 @@ fn busy_machine_slows_time_instead_of_skipping() {
 fn step_moves_by_about_a_cell() {
     let mut session = opened();
     session.reset();
-    assert_eq!(session.state(), State::Ready);
+    assert_eq!(session.state(), SessionState::Ready);
     for _ in 0..5 {
         let before = session.view();
         session.step();
@@ -120,7 +120,7 @@ fn step_moves_by_about_a_cell() {
         assert!(after.time_s > before.time_s);
         assert!(after.distance_m - before.distance_m <= session.settings().cell_size + 0.01);
     }
-    assert_eq!(session.state(), State::Paused);
+    assert_eq!(session.state(), SessionState::Paused);
 }
 
 #[test]
@@ -132,7 +132,7 @@ fn wall_is_drawn_planned_around_and_undone() {
     session.begin_stroke(Brush::Wall, Point::new(2.0, 1.5));
     session.go_on_stroke(Point::new(3.0, 2.5));
     session.end_stroke();
-    assert_eq!(session.state(), State::Planning);
+    assert_eq!(session.state(), SessionState::Planning);
     session.plan_now(|| 0.0);
     assert!(session.planned().unwrap().walk.reachable_cells < before);
     assert_eq!(session.view().room.id, "");
@@ -240,8 +240,8 @@ fn scenario_with_a_seed_that_no_link_can_hold_is_refused() {
     assert_eq!(session.link(), before);
 }
 
-fn answer(cells: Vec<Cell>) -> Answer {
-    Answer { path: CoveragePath { cells }, seconds: 0.1, proof: None, trace: Vec::new() }
+fn answer(cells: Vec<Cell>) -> PlanAnswer {
+    PlanAnswer { path: CoveragePath { cells }, seconds: 0.1, proof: None, trace: Vec::new() }
 }
 
 #[test]
@@ -251,8 +251,8 @@ fn late_answers_of_older_plans_are_dropped() {
     let old = session.take_plan_request().unwrap();
     session.select_room("empty").unwrap();
     session.plan_finished(old.id, answer(vec![old.job.start]));
-    assert_eq!(session.state(), State::Planning);
-    session.plan_progress(old.id, Report { done: 0.5, walk: &[Cell::new(0, 0)], proof: None });
+    assert_eq!(session.state(), SessionState::Planning);
+    session.plan_progress(old.id, ProgressReport { done: 0.5, walk: &[Cell::new(0, 0)], proof: None });
     session.plan_proven(old.id, Proof { cost: 2, bound: 1 });
     assert!(session.preview().is_empty());
 }
@@ -263,7 +263,7 @@ fn walk_through_walls_is_refused() {
     session.select_room("empty").unwrap();
     let request = session.take_plan_request().unwrap();
     session.plan_finished(request.id, answer(vec![request.job.start, Cell::new(-1, 100_000)]));
-    assert_eq!(session.state(), State::Failed);
+    assert_eq!(session.state(), SessionState::Failed);
     let view = session.view();
     assert!(view.message.starts_with("The planner failed: step 1 leads into (-1, 100000)"), "{}", view.message);
 }
@@ -272,11 +272,11 @@ fn walk_through_walls_is_refused() {
 fn cancelled_plan_leaves_the_room_and_says_so() {
     let mut session = Session::new();
     session.cancel_plan();
-    assert_eq!(session.state(), State::Failed);
+    assert_eq!(session.state(), SessionState::Failed);
     assert_eq!(session.view().message_kind, "notice");
     session.play();
     session.plan_now(|| 0.0);
-    assert_eq!(session.state(), State::Playing);
+    assert_eq!(session.state(), SessionState::Playing);
 }
 
 #[test]
@@ -287,7 +287,7 @@ fn gap_is_shown_while_planning_and_afterwards() {
     let shown = |session: &Session| session.view().plan.unwrap().gap;
     assert_eq!(shown(&session), None);
     let proof = Some(Proof { cost: 110, bound: 100 });
-    session.plan_progress(request.id, Report { done: 0.5, walk: &[request.job.start], proof });
+    session.plan_progress(request.id, ProgressReport { done: 0.5, walk: &[request.job.start], proof });
     assert_eq!(shown(&session), Some(0.1));
     let mut answer = request.serve(|| 0.0, None).unwrap();
     answer.proof = proof;
@@ -312,7 +312,7 @@ fn best_walk_so_far_is_kept() {
     let request = session.take_plan_request().unwrap();
     let mut gaps = Vec::new();
     // As the page does it: somebody presses the button as soon as there is one.
-    let mut watch = |report: Report<'_>| {
+    let mut watch = |report: ProgressReport<'_>| {
         session.plan_progress(request.id, report);
         gaps.extend(session.view().plan.unwrap().gap);
         if session.view().can.keep { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
@@ -320,7 +320,7 @@ fn best_walk_so_far_is_kept() {
     assert!(request.serve(|| 0.0, Some(&mut watch)).is_err());
     session.keep_plan(1.5);
     let plan = session.view().plan.unwrap();
-    assert_eq!((session.state(), plan.planning_s), (State::Playing, Some(1.5)));
+    assert_eq!((session.state(), plan.planning_s), (SessionState::Playing, Some(1.5)));
     let walk = plan.walk.unwrap();
     assert_eq!(walk.visited_cells, walk.reachable_cells);
     assert!(plan.gap.is_some_and(|gap| gap > 0.0 && Some(&gap) == gaps.last()), "{gaps:?}");
@@ -346,9 +346,9 @@ fn search_of_a_small_room_is_a_film() {
     session.select_room("lshape").unwrap();
     session.configure(|s| s.select_algorithm("near_optimal")).unwrap();
     session.plan_now(|| 0.0);
-    assert_eq!((session.picture(), session.state()), (None, State::Playing), "it isn't shown unasked");
+    assert_eq!((session.picture(), session.state()), (None, SessionState::Playing), "it isn't shown unasked");
     session.show_search(true);
-    assert_eq!(session.state(), State::Ready, "the robot waits");
+    assert_eq!(session.state(), SessionState::Ready, "the robot waits");
     let told = watched(&mut session);
     assert!(told[0].starts_with("Construction, 1 of 3: Boustrophedon (parallel lanes) needs "), "{told:?}");
     assert_eq!(told.iter().filter(|text| text.contains("The search starts from it")).count(), 1, "{told:?}");
@@ -375,7 +375,7 @@ fn film_waits_while_the_robot_drives() {
     session.configure(|s| s.set_param("effort", "0")).unwrap();
     session.show_search(true);
     session.plan_now(|| 0.0);
-    assert_eq!(session.state(), State::Ready, "a film that was asked for has the floor first");
+    assert_eq!(session.state(), SessionState::Ready, "a film that was asked for has the floor first");
     let first = session.view().search.text;
     assert!(session.scene().robot.is_none(), "no robot is parked on what the film shows");
     session.play();
@@ -427,7 +427,7 @@ fn plan_that_is_kept_early_has_a_film_and_says_so() {
     session.configure(|s| s.select_algorithm("near_optimal")).unwrap();
     let request = session.take_plan_request().unwrap();
     let (mut film, mut last) = (request.film().unwrap(), None);
-    let mut watch = |report: Report<'_>| {
+    let mut watch = |report: ProgressReport<'_>| {
         film.take(&report);
         last = report.proof.map(|proof| (report.done, report.walk.to_vec(), proof));
         if report.done > 0.3 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
@@ -435,7 +435,7 @@ fn plan_that_is_kept_early_has_a_film_and_says_so() {
     assert!(request.serve(|| 0.0, Some(&mut watch)).is_err());
     let (done, walk, proof) = last.unwrap();
     session.plan_filmed(request.id, film.take_frames());
-    session.plan_progress(request.id, Report { done, walk: &walk, proof: Some(proof) });
+    session.plan_progress(request.id, ProgressReport { done, walk: &walk, proof: Some(proof) });
     session.keep_plan(1.5);
     let plan = session.view().plan.unwrap();
     assert_eq!((plan.kept_at, plan.planning_s), (Some(done), Some(1.5)));
@@ -453,7 +453,7 @@ fn cancelled_walk_is_no_longer_drawn() {
     session.select_room("lshape").unwrap();
     let request = session.take_plan_request().unwrap();
     let (start, other) = (request.job.start, Cell::new(request.job.start.x + 1, request.job.start.y));
-    session.plan_progress(request.id, Report { done: 0.5, walk: &[start, other], proof: None });
+    session.plan_progress(request.id, ProgressReport { done: 0.5, walk: &[start, other], proof: None });
     let drawn = session.scene().planned_version;
     assert_eq!(session.scene().preview.len(), 2);
     session.cancel_plan();
@@ -466,10 +466,10 @@ fn half_a_walk_is_not_kept() {
     session.select_room("empty").unwrap();
     session.configure(|s| s.select_algorithm("snake")).unwrap();
     let request = session.take_plan_request().unwrap();
-    session.plan_progress(request.id, Report { done: 0.5, walk: &[request.job.start], proof: None });
+    session.plan_progress(request.id, ProgressReport { done: 0.5, walk: &[request.job.start], proof: None });
     assert!(session.view().can.cancel && !session.view().can.keep);
     session.keep_plan(1.0);
-    assert_eq!((session.state(), session.planned().is_some()), (State::Failed, false));
+    assert_eq!((session.state(), session.planned().is_some()), (SessionState::Failed, false));
 }
 
 #[test]
@@ -489,7 +489,7 @@ fn cells_finer_than_the_map_are_refused_before_memory_runs_out() {
     session.load(&[SourceFile { name: "hall.txt".into(), bytes: hall.into_bytes() }]).unwrap();
     session.configure(|s| s.select_robot("cell")).unwrap();
     session.configure(|s| s.set_cell_size(0.02)).unwrap();
-    assert_eq!(session.state(), State::Failed);
+    assert_eq!(session.state(), SessionState::Failed);
     assert!(session.view().message.contains("too small for this map"), "{}", session.view().message);
 }
 
@@ -520,7 +520,7 @@ fn search_of_the_snake_follows_the_robot() {
     // The decision shown is the one that the robot carries out, all along the run.
     let cell = session.settings().cell_size;
     let mut shown = Vec::new();
-    while session.state() != State::Finished {
+    while session.state() != SessionState::Finished {
         session.step();
         let Some(decision) = session.decision() else { break };
         shown.push(decision.step);
@@ -641,11 +641,11 @@ fn what_a_person_did_happens_again_after_scrubbing() {
     let (end, now) = (session.recording().unwrap().end_s(), state(&session));
     for back in [0.0, 70.5, 61.44, 120.0] {
         session.seek(back);
-        while session.state() == State::Seeking {
+        while session.state() == SessionState::Seeking {
             session.frame(0.0, &mut || true);
         }
         session.seek(end);
-        while session.state() == State::Seeking {
+        while session.state() == SessionState::Seeking {
             session.frame(0.0, &mut || true);
         }
         assert_eq!(state(&session), now, "after going back to {back} s");

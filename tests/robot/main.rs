@@ -1,5 +1,5 @@
 //! The Open Interface: its language, the driver, the virtual Roomba.
 
+mod connection;
 mod emulator;
-mod link;
 mod oi;

@@ -37,8 +37,8 @@
 //! ```
 
 use super::{
-    Build, Claims, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerInfo,
-    stage::{Contest, Floor, MAX_CELLS_FOR_ALL, Rule},
+    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo,
+    stage::{BestOf, FloorLeft, MAX_CELLS_FOR_ALL, WalkRule},
 };
 use robovac_core::{
     grid::Direction,
@@ -67,7 +67,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
             why: "A slanted wall is a staircase of cells, and every winding turns at each step.",
         },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
     params: &[ParamSpec {
         id: "side",
         label: "Reference side",
@@ -77,7 +77,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
 };
 
 /// Makes the planner.
-pub(super) const BUILD: Build = |params| {
+pub(super) const BUILD: BuildPlanner = |params| {
     Box::new(BacktrackingSpiral {
         sides: match params.choice("side") {
             "left" => &[Direction::left],
@@ -101,27 +101,27 @@ impl Planner for BacktrackingSpiral {
         let is_small = job.cells() <= MAX_CELLS_FOR_ALL;
         let (sides, firsts) =
             if is_small { (self.sides, &Direction::ALL[..]) } else { (&self.sides[..1], &[job.heading][..]) };
-        let mut contest = Contest::new(job, sides.len() * firsts.len());
+        let mut best_of = BestOf::new(job, sides.len() * firsts.len());
         for &reference in sides {
             for &first in firsts {
-                let mut rule = Spiral { reference, first: Some(first) };
-                contest.roam(ctx, &mut rule)?;
+                let mut rule = SpiralRule { reference, first: Some(first) };
+                best_of.greedy_walk(ctx, &mut rule)?;
             }
         }
-        Ok(contest.finish())
+        Ok(best_of.finish())
     }
 }
 
 /// The rules of a spiral.
-struct Spiral {
+struct SpiralRule {
     /// The side on which the spiral keeps what it must not drive over.
     reference: SideOf,
     /// The direction in which to leave the start.
     first: Option<Direction>,
 }
 
-impl Rule for Spiral {
-    fn next(&mut self, floor: &Floor, at: usize, heading: Direction, begins: bool) -> Option<Direction> {
+impl WalkRule for SpiralRule {
+    fn next(&mut self, floor: &FloorLeft, at: usize, heading: Direction, begins: bool) -> Option<Direction> {
         let is_open = |&d: &Direction| floor.is_new_ahead(at, d);
         let side = (self.reference)(heading);
         if !begins {

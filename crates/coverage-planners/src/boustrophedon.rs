@@ -2,10 +2,10 @@
 //!
 //! Choset & Pignon 1998 ("Coverage path planning: the boustrophedon cellular decomposition") and Choset 2000 ("Coverage of
 //! known spaces", Autonomous Robots 9). A line sweeps over the room; where its connectivity changes, a part ends or begins
-//! ([`decompose`]). Every part is swept in parallel lanes from one of its corners ([`Part::sweeps`]).
+//! ([`decompose`]). Every part is swept in parallel lanes from one of its corners ([`MownBlock::sweeps`]).
 //! The papers visit the parts by a walk through their adjacency graph; here they are ordered like the towns of a
 //! travelling salesman: nearest first, then improved by local search with a choice of corners ([`improve`]). At last, detours over
-//! floor that has been cleaned anyway are cut short ([`tighten`]).
+//! floor that has been cleaned anyway are cut short ([`shortcut`]).
 //!
 //! Lanes run along x or y, whichever walk costs less. In a large room the choice is made by the number of lanes, and the
 //! order stays nearest first unless more effort is set.
@@ -22,10 +22,10 @@
 //! ```
 
 use super::{
-    Build, Claims, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerInfo,
+    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo,
     stage::{
-        Costs, Links, MAX_CELLS_FOR_ALL, Part, SWEEPS, Sweep, Transit, Visit, between, decompose, drive, improve,
-        lanes_lie_down, nearest_first, swap_axes, swap_walk, tighten,
+        BlockSweep, Costs, Links, MAX_CELLS_FOR_ALL, MownBlock, SWEEPS, Transit, Visit, between, decompose, drive,
+        improve, lanes_lie_down, nearest_first, shortcut, swap_axes, swap_walk,
     },
 };
 use robovac_core::{
@@ -56,7 +56,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
             why: "All lanes have one direction, so half of the arms are swept across, in short lanes with many turns.",
         },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
     params: &[
         ParamSpec {
             id: "lanes",
@@ -82,12 +82,12 @@ pub const INFO: PlannerInfo = PlannerInfo {
 };
 
 /// Makes the planner.
-pub(super) const BUILD: Build = |params| {
+pub(super) const BUILD: BuildPlanner = |params| {
     Box::new(Boustrophedon {
         lanes: match params.choice("lanes") {
-            "horizontal" => Lanes::Horizontal,
-            "vertical" => Lanes::Vertical,
-            _ => Lanes::Auto,
+            "horizontal" => BoustrophedonLanes::Horizontal,
+            "vertical" => BoustrophedonLanes::Vertical,
+            _ => BoustrophedonLanes::Auto,
         },
         effort: params.number("effort") as usize,
         max_jump: params.number("max_jump") as i32,
@@ -96,14 +96,14 @@ pub(super) const BUILD: Build = |params| {
 
 /// The planner.
 struct Boustrophedon {
-    lanes: Lanes,
+    lanes: BoustrophedonLanes,
     effort: usize,
     /// In cells.
     max_jump: i32,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Lanes {
+enum BoustrophedonLanes {
     Auto,
     Horizontal,
     Vertical,
@@ -125,15 +125,15 @@ const PASSES: usize = 3;
 impl Planner for Boustrophedon {
     fn plan(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError> {
         let lies_down = match self.lanes {
-            Lanes::Horizontal => vec![false],
-            Lanes::Vertical => vec![true],
-            Lanes::Auto if job.cells() <= MAX_CELLS_FOR_ALL => vec![false, true],
-            Lanes::Auto => vec![!lanes_lie_down(&job.free)],
+            BoustrophedonLanes::Horizontal => vec![false],
+            BoustrophedonLanes::Vertical => vec![true],
+            BoustrophedonLanes::Auto if job.cells() <= MAX_CELLS_FOR_ALL => vec![false, true],
+            BoustrophedonLanes::Auto => vec![!lanes_lie_down(&job.free)],
         };
         let share = 1.0 / lies_down.len() as f64;
         let cost = |walk: &[Cell]| Costs::of(job).of_walk(job.heading, walk);
         let mut best: Option<Vec<Cell>> = None;
-        let mut progress = Progress { ctx, job, from: 0.0, share, is_swapped: false, shown: Vec::new() };
+        let mut progress = ShareReporter { ctx, job, from: 0.0, share, is_swapped: false, shown: Vec::new() };
         for (i, is_swapped) in lies_down.into_iter().enumerate() {
             progress.from = i as f64 * share;
             progress.is_swapped = is_swapped;
@@ -153,7 +153,7 @@ impl Planner for Boustrophedon {
 }
 
 /// Reports a part of the work as a part of the whole.
-struct Progress<'r, 'c> {
+struct ShareReporter<'r, 'c> {
     ctx: &'r mut PlanContext<'c>,
     job: &'r CoverageJob,
     from: f64,
@@ -164,7 +164,7 @@ struct Progress<'r, 'c> {
     shown: Vec<Cell>,
 }
 
-impl Progress<'_, '_> {
+impl ShareReporter<'_, '_> {
     fn report(&mut self, done: f64) -> Result<(), PlanError> {
         self.ctx.checkpoint(self.from + self.share * done.min(1.0), &self.shown)
     }
@@ -194,14 +194,16 @@ const DRIVEN: f64 = 0.8;
 
 impl Boustrophedon {
     /// A walk with lanes along x.
-    fn plan_along_rows(&self, job: &CoverageJob, progress: &mut Progress<'_, '_>) -> Result<Vec<Cell>, PlanError> {
+    fn plan_along_rows(&self, job: &CoverageJob, progress: &mut ShareReporter<'_, '_>) -> Result<Vec<Cell>, PlanError> {
         let costs = Costs::of(job);
         let start = (job.start, job.heading);
         progress.report(0.0)?;
-        let parts: Vec<Part> =
-            decompose(&job.free, self.max_jump).into_iter().map(|block| Part { block, is_swapped: false }).collect();
+        let parts: Vec<MownBlock> = decompose(&job.free, self.max_jump)
+            .into_iter()
+            .map(|block| MownBlock { block, is_swapped: false })
+            .collect();
         progress.report(SWEPT / 2.0)?;
-        let sweeps: Vec<[Sweep; SWEEPS]> = parts.iter().map(|part| part.sweeps(costs)).collect();
+        let sweeps: Vec<[BlockSweep; SWEEPS]> = parts.iter().map(|part| part.sweeps(costs)).collect();
         let all = parts.len() as f64;
         let mut tour = nearest_first(&job.free, &sweeps, start, costs, |done| {
             progress.report(between([SWEPT, ORDERED], done as f64 / all))
@@ -220,7 +222,7 @@ impl Boustrophedon {
         progress.show(&walk);
         let passes = if job.cells() <= MAX_CELLS_FOR_ALL { PASSES } else { 1 };
         for pass in 0..passes {
-            let is_changed = tighten(job, costs, &mut transit, &mut walk, |done| {
+            let is_changed = shortcut(job, costs, &mut transit, &mut walk, |done| {
                 progress.report(between([DRIVEN, 1.0], (pass as f64 + done) / passes as f64))
             })?;
             if !is_changed {
@@ -235,9 +237,9 @@ impl Boustrophedon {
     fn improve_order(
         &self,
         job: &CoverageJob,
-        sweeps: &[[Sweep; SWEEPS]],
+        sweeps: &[[BlockSweep; SWEEPS]],
         tour: &mut Vec<Visit>,
-        progress: &mut Progress<'_, '_>,
+        progress: &mut ShareReporter<'_, '_>,
     ) -> Result<(), PlanError> {
         let start = (job.start, job.heading);
         let links = Links::new(&job.free, sweeps, start, Costs::of(job), REACH, |done| {

@@ -26,7 +26,7 @@
 //! ```
 
 use super::{
-    Build, Claims, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerInfo,
+    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo,
     stage::{Borders, Tours, lanes_of, strips, strokes},
 };
 use robovac_core::registry::{Example, Explainer, ParamKind, ParamSpec};
@@ -53,7 +53,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
             why: "Rings along the walls pass both corners without a break and cost slightly less.",
         },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
     params: &[
         ParamSpec {
             id: "effort",
@@ -71,11 +71,15 @@ pub const INFO: PlannerInfo = PlannerInfo {
 };
 
 /// Makes the planner.
-pub(super) const BUILD: Build =
-    |params| Box::new(Cells { effort: params.number("effort") as usize, max_jump: params.number("max_jump") as i32 });
+pub(super) const BUILD: BuildPlanner = |params| {
+    Box::new(BoustrophedonCells {
+        effort: params.number("effort") as usize,
+        max_jump: params.number("max_jump") as i32,
+    })
+};
 
 /// The planner.
-struct Cells {
+struct BoustrophedonCells {
     effort: usize,
     /// In cells.
     max_jump: i32,
@@ -106,7 +110,7 @@ const LINKED: f64 = 0.15;
 const IMPROVED: f64 = 0.3;
 const TIGHTENED: f64 = 0.35;
 
-impl Planner for Cells {
+impl Planner for BoustrophedonCells {
     fn plan(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError> {
         let mut tours = Tours::new(job, ctx, REACH);
         let parts =

@@ -25,12 +25,12 @@ pub struct PlanContext<'a> {
     /// How good the best walk so far is known to be; planners that prove nothing leave it alone.
     pub proof: Option<Proof>,
     observer: Option<Observer<'a>>,
-    tracer: Option<Tracer<'a>>,
+    tracer: Option<StepTracer<'a>>,
 }
 
 /// How far a planner is.
 #[derive(Debug, Clone, Copy)]
-pub struct Report<'a> {
+pub struct ProgressReport<'a> {
     /// Share of the work that is done, 0 to 1.
     pub done: f64,
     /// The best walk so far; empty before the first.
@@ -40,10 +40,10 @@ pub struct Report<'a> {
 }
 
 /// Receives a planner's progress; returns whether to continue.
-pub type Observer<'a> = &'a mut dyn FnMut(Report<'_>) -> ControlFlow<()>;
+pub type Observer<'a> = &'a mut dyn FnMut(ProgressReport<'_>) -> ControlFlow<()>;
 
 /// Receives every decision.
-pub type Tracer<'a> = &'a mut dyn FnMut(TraceStep);
+pub type StepTracer<'a> = &'a mut dyn FnMut(TraceStep);
 
 impl<'a> PlanContext<'a> {
     /// A run without observer.
@@ -57,7 +57,7 @@ impl<'a> PlanContext<'a> {
     }
 
     /// The same run, its decisions told to `tracer`.
-    pub fn traced(self, tracer: Tracer<'a>) -> Self {
+    pub fn traced(self, tracer: StepTracer<'a>) -> Self {
         Self { tracer: Some(tracer), ..self }
     }
 
@@ -76,7 +76,7 @@ impl<'a> PlanContext<'a> {
 
     /// To be called every few milliseconds: reports how far the planner is, 0 to 1, and the walk that it has so far.
     pub fn checkpoint(&mut self, done: f64, walk: &[Cell]) -> Result<(), PlanError> {
-        let report = Report { done, walk, proof: self.proof };
+        let report = ProgressReport { done, walk, proof: self.proof };
         match self.observer.as_mut().map(|observe| observe(report)) {
             Some(ControlFlow::Break(())) => Err(PlanError::Cancelled),
             _ => Ok(()),

@@ -12,7 +12,7 @@
 //! 2. A ring is ready when all cells of the layer before that it touches have been driven. The robot goes to the nearest
 //!    cell of such a ring and follows it: straight on if it can, else to the right or left. Where none is ready far and
 //!    wide it takes the nearest ring that is left: crossing a hall and coming back would cost more than the order is worth.
-//! 3. At last, detours over floor that is cleaned at another time are cut short ([`tighten`]).
+//! 3. At last, detours over floor that is cleaned at another time are cut short ([`shortcut`]).
 //!
 //! Milling leaves open which contour comes next where several may be cut; here it's the nearest, which joins rings where
 //! they are nearest. Corners and ridges, where offset curves of a round tool leave cusps that need extra strokes, need
@@ -31,8 +31,8 @@
 //! ```
 
 use super::{
-    Build, Claims, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerInfo,
-    stage::{Costs, Flood, Stop, Transit, tighten},
+    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo,
+    stage::{Costs, Flood, Transit, TransitEnd, shortcut},
 };
 use robovac_core::{
     grid::{Cell, Direction, Grid},
@@ -62,7 +62,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
             why: "A slanted wall is a staircase of cells, and every ring repeats all of its steps.",
         },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
     params: &[ParamSpec {
         id: "order",
         label: "Order",
@@ -72,7 +72,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
 };
 
 /// Makes the planner.
-pub(super) const BUILD: Build = |params| Box::new(Contour { is_outwards: params.choice("order") == "outwards" });
+pub(super) const BUILD: BuildPlanner = |params| Box::new(Contour { is_outwards: params.choice("order") == "outwards" });
 
 /// The planner.
 struct Contour {
@@ -82,7 +82,7 @@ struct Contour {
 impl Planner for Contour {
     fn plan(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError> {
         ctx.checkpoint(0.0, &[])?;
-        let mut floor = Floor::new(&job.free, self.is_outwards);
+        let mut floor = ContourFloor::new(&job.free, self.is_outwards);
         let costs = Costs::of(job);
         let mut flood = Flood::new(&job.free);
         let mut transit = Transit::new(&job.free, costs);
@@ -107,7 +107,8 @@ impl Planner for Contour {
             }
             // All free cells are connected and the outermost ring left is always ready, so that there is a way.
             let Some(next) = floor.next_ring(&mut flood, (at, heading), costs) else { break };
-            let (from, to) = (Stop { cell: at, heading: Some(heading) }, Stop { cell: next, heading: None });
+            let (from, to) =
+                (TransitEnd { cell: at, heading: Some(heading) }, TransitEnd { cell: next, heading: None });
             is_on_ring = true;
             let done = walk.len();
             let _ = transit.append_way(from, to, u32::MAX, &mut walk);
@@ -118,7 +119,7 @@ impl Planner for Contour {
             }
         }
         let before = if ctx.is_observed() { walk.clone() } else { Vec::new() };
-        tighten(job, costs, &mut transit, &mut walk, |done| ctx.checkpoint(DRIVEN + (1.0 - DRIVEN) * done, &before))?;
+        shortcut(job, costs, &mut transit, &mut walk, |done| ctx.checkpoint(DRIVEN + (1.0 - DRIVEN) * done, &before))?;
         Ok(CoveragePath { cells: walk })
     }
 }
@@ -133,7 +134,7 @@ const REACH: usize = 5_000;
 const DONE: u32 = u32::MAX;
 
 /// What is left to be cleaned.
-struct Floor {
+struct ContourFloor {
     /// In which turn a cell is due, or [`DONE`].
     layers: Grid<u32>,
     /// Number of the ring that a cell is in.
@@ -144,7 +145,7 @@ struct Floor {
     left: usize,
 }
 
-impl Floor {
+impl ContourFloor {
     fn new(free: &Grid<bool>, is_outwards: bool) -> Self {
         let mut layers = wall_distances(free);
         if is_outwards {

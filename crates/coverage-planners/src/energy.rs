@@ -24,7 +24,7 @@
 //! - It starts where the robot is; the program starts in the corner nearest to it and first turns the room so that its
 //!   main direction lies along x. Here the walk is planned for each direction in which the robot may look at the start,
 //!   with ties going to the left and to the right, and the cheapest is kept. At last detours over clean floor are cut
-//!   short ([`tighten`]). In rooms of more than 100,000 cells the first walk is taken as it is.
+//!   short ([`shortcut`]). In rooms of more than 100,000 cells the first walk is taken as it is.
 //!
 //! Energies are whole numbers, in hundredths, so that ties are ties on every target.
 //!
@@ -40,8 +40,8 @@
 //! ```
 
 use super::{
-    Build, Claims, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerInfo,
-    stage::{Costs, MAX_CELLS_FOR_ALL, Seeker, Transit, tighten},
+    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo,
+    stage::{Costs, MAX_CELLS_FOR_ALL, NearestGoalBfs, Transit, shortcut},
 };
 use robovac_core::{
     grid::{Cell, Direction, Grid},
@@ -67,7 +67,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         shines: Example { room: "lshape", why: "One long meander round the corner, close to the best plan." },
         fails: Example { room: "maze", why: "It can't see dead ends and drives back for cells it left." },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
     params: &[
         weight("rotation", "Turning", "Energy of a quarter turn; a step costs 1.", 1.0),
         weight("visited", "Clean floor", "Energy bonus for each clean cell among the eight neighbours.", 0.5),
@@ -76,7 +76,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
 };
 
 /// Makes the planner.
-pub(super) const BUILD: Build = |params| {
+pub(super) const BUILD: BuildPlanner = |params| {
     let hundredths = |id| (params.number(id) * HUNDRED).round() as i32;
     Box::new(Energy { rotation: hundredths("rotation"), visited: hundredths("visited"), walls: hundredths("walls") })
 };
@@ -95,7 +95,7 @@ struct Energy {
 }
 
 /// What is around the robot.
-struct Floor<'a> {
+struct EnergyFloor<'a> {
     weights: &'a Energy,
     free: &'a Grid<bool>,
     is_left: Grid<bool>,
@@ -105,7 +105,7 @@ struct Floor<'a> {
     is_left_first: bool,
 }
 
-impl Floor<'_> {
+impl EnergyFloor<'_> {
     fn visit(&mut self, cell: Cell) {
         self.is_left[cell] = false;
         for near in cell.block().filter(|&near| near != cell && self.free.is_set(near)) {
@@ -153,7 +153,7 @@ impl Planner for Energy {
         }
         if !is_large {
             let mut transit = Transit::new(&job.free, costs);
-            tighten(job, costs, &mut transit, &mut best, |_| ctx.checkpoint(1.0, &[]))?;
+            shortcut(job, costs, &mut transit, &mut best, |_| ctx.checkpoint(1.0, &[]))?;
         }
         Ok(CoveragePath { cells: best })
     }
@@ -174,8 +174,8 @@ impl Energy {
             let walls = cell.block().filter(|&near| !free.is_set(near)).count();
             drawn[cell] = -self.walls * walls as i32;
         }
-        let mut floor = Floor { weights: self, free, is_left: free.clone(), drawn, is_left_first };
-        let mut seeker = Seeker::new(free);
+        let mut floor = EnergyFloor { weights: self, free, is_left: free.clone(), drawn, is_left_first };
+        let mut seeker = NearestGoalBfs::new(free);
         let cells = job.cells();
         let (mut walk, mut at) = (Vec::with_capacity(cells * 9 / 8), job.start);
         walk.push(at);
@@ -213,8 +213,9 @@ mod tests {
         let weights = Energy { rotation: 100, visited: 50, walls: 9 };
         let free = Grid::filled(5, 5, true);
         let drawn = Grid::filled(5, 5, 0);
-        let mut floor = Floor { weights: &weights, free: &free, is_left: free.clone(), drawn, is_left_first: true };
-        let energy = |floor: &Floor<'_>, d: Direction| floor.energy(Direction::Right, d, Cell::new(2, 2).step(d));
+        let mut floor =
+            EnergyFloor { weights: &weights, free: &free, is_left: free.clone(), drawn, is_left_first: true };
+        let energy = |floor: &EnergyFloor<'_>, d: Direction| floor.energy(Direction::Right, d, Cell::new(2, 2).step(d));
         floor.visit(Cell::new(2, 2));
         assert_eq!(energy(&floor, Direction::Up) - energy(&floor, Direction::Right), 100, "a quarter turn costs 1");
         assert_eq!(energy(&floor, Direction::Left) - energy(&floor, Direction::Right), 200, "turning round costs 2");

@@ -1,6 +1,6 @@
 //! Recording of a film: the intermediate walks of a planner.
 
-use crate::{CoverageJob, PlanContext, PlannerInfo, Proof, Report};
+use crate::{CoverageJob, PlanContext, PlannerInfo, ProgressReport, Proof};
 use robovac_core::{grid::Cell, registry::Params};
 
 /// Free cells up to which a search is filmed: in larger rooms one doesn't see what a single improvement changes.
@@ -10,7 +10,7 @@ const MOST_FRAMES: usize = 120;
 
 /// The best walk at one moment of the search.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Frame {
+pub struct FilmFrame {
     /// The walk.
     pub walk: Vec<Cell>,
     /// How good it was known to be; `None` for one that the search could begin with.
@@ -24,9 +24,9 @@ pub struct Frame {
 /// Watches a planner.
 #[derive(Debug, Default)]
 pub struct Film {
-    frames: Vec<Frame>,
+    frames: Vec<FilmFrame>,
     /// The latest walk of the search.
-    last: Option<Frame>,
+    last: Option<FilmFrame>,
 }
 
 impl Film {
@@ -37,29 +37,29 @@ impl Film {
         for first in planners {
             let plan = first.build(&Params::defaults(first.params)).plan(&job, &mut PlanContext::new(0));
             if let Ok(path) = plan {
-                film.add(Frame { walk: path.cells, proof: None, planner: first.title.to_owned(), number: 0 });
+                film.add(FilmFrame { walk: path.cells, proof: None, planner: first.title.to_owned(), number: 0 });
             }
         }
         film
     }
 
     /// Looks at a report. What matters is a better walk, or more that is proven of it.
-    pub fn take(&mut self, report: &Report<'_>) {
+    pub fn take(&mut self, report: &ProgressReport<'_>) {
         let Some(proof) = report.proof else { return };
         let number = match &self.last {
             None => 0,
             Some(last) if last.walk == report.walk => last.number,
-            Some(Frame { proof: Some(known), .. }) if proof.cost >= known.cost => return,
+            Some(FilmFrame { proof: Some(known), .. }) if proof.cost >= known.cost => return,
             Some(last) => last.number + 1,
         };
         if self.last.as_ref().is_some_and(|last| last.number == number && last.proof == Some(proof)) {
             return;
         }
-        self.add(Frame { walk: report.walk.to_vec(), proof: Some(proof), planner: String::new(), number });
+        self.add(FilmFrame { walk: report.walk.to_vec(), proof: Some(proof), planner: String::new(), number });
     }
 
     /// Adds what came next.
-    pub fn add(&mut self, frame: Frame) {
+    pub fn add(&mut self, frame: FilmFrame) {
         if frame.proof.is_some() {
             if self.last.as_ref().is_some_and(|last| last.number == frame.number) {
                 // The same walk, of which more is proven.
@@ -75,8 +75,8 @@ impl Film {
 
     /// Leaves out the walk between the two smallest improvements.
     fn drop_least(&mut self) {
-        let cost = |frame: &Frame| frame.proof.map(|proof| proof.cost);
-        let won = |three: &[Frame]| Some(cost(&three[0])?.saturating_sub(cost(&three[2])?));
+        let cost = |frame: &FilmFrame| frame.proof.map(|proof| proof.cost);
+        let won = |three: &[FilmFrame]| Some(cost(&three[0])?.saturating_sub(cost(&three[2])?));
         let triples = self.frames.windows(3).enumerate();
         let least = triples.filter_map(|(index, three)| Some((won(three)?, index))).min();
         if let Some((_, index)) = least {
@@ -85,7 +85,7 @@ impl Film {
     }
 
     /// What was taken since this was asked for last.
-    pub fn take_frames(&mut self) -> Vec<Frame> {
+    pub fn take_frames(&mut self) -> Vec<FilmFrame> {
         std::mem::take(&mut self.frames)
     }
 }
@@ -94,17 +94,17 @@ impl Film {
 mod tests {
     use super::*;
 
-    fn frames(improvements: i32, won: impl Fn(i32) -> u64) -> Vec<Frame> {
+    fn frames(improvements: i32, won: impl Fn(i32) -> u64) -> Vec<FilmFrame> {
         let mut film = Film::default();
         let mut cost = 1_000_000;
         for i in 0..improvements {
             cost -= won(i);
             let walk = [Cell::new(i, 0)];
-            let report = Report { done: 0.0, walk: &walk, proof: Some(Proof { cost, bound: 1 }) };
-            film.take(&Report { proof: None, ..report });
+            let report = ProgressReport { done: 0.0, walk: &walk, proof: Some(Proof { cost, bound: 1 }) };
+            film.take(&ProgressReport { proof: None, ..report });
             film.take(&report);
             film.take(&report);
-            film.take(&Report { walk: &[Cell::new(i, 1)], ..report });
+            film.take(&ProgressReport { walk: &[Cell::new(i, 1)], ..report });
         }
         film.take_frames()
     }
@@ -127,7 +127,7 @@ mod tests {
         let mut film = Film::default();
         let walk = [Cell::new(0, 0)];
         for bound in [1, 5, 5, 7] {
-            film.take(&Report { done: 0.0, walk: &walk, proof: Some(Proof { cost: 9, bound }) });
+            film.take(&ProgressReport { done: 0.0, walk: &walk, proof: Some(Proof { cost: 9, bound }) });
         }
         let frames = film.take_frames();
         assert_eq!(frames.len(), 1);
@@ -135,7 +135,7 @@ mod tests {
         // Frames that were handed on meanwhile come again, and are put together there.
         let mut there = Film::default();
         there.add(frames[0].clone());
-        film.take(&Report { done: 0.0, walk: &walk, proof: Some(Proof { cost: 9, bound: 8 }) });
+        film.take(&ProgressReport { done: 0.0, walk: &walk, proof: Some(Proof { cost: 9, bound: 8 }) });
         for frame in film.take_frames() {
             there.add(frame);
         }

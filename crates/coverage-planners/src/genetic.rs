@@ -36,8 +36,8 @@
 //! ```
 
 use super::{
-    Build, Claims, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerInfo,
-    stage::{Costs, Seeker},
+    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo,
+    stage::{Costs, NearestGoalBfs},
 };
 use rand::RngExt;
 use robovac_core::{
@@ -64,7 +64,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         shines: Example { room: "thesis8", why: "Small enough to find a nearly optimal walk." },
         fails: Example { room: "spiral", why: "Random mutations seldom straighten a whole lane." },
     },
-    claims: Claims { complete: true, deterministic: false, fast: false, traces: false, anytime: false },
+    claims: PlannerClaims { complete: true, deterministic: false, fast: false, traces: false, anytime: false },
     params: &[
         number("generations", "Generations", "Number of generations.", 0.0, 2000.0, 1.0, 400.0),
         number("population", "Population", "Number of walks per generation.", 4.0, 100.0, 1.0, 30.0),
@@ -82,7 +82,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
 };
 
 /// Makes the planner.
-pub(super) const BUILD: Build = |params| {
+pub(super) const BUILD: BuildPlanner = |params| {
     Box::new(Genetic {
         generations: params.number("generations") as usize,
         population: params.number("population") as usize,
@@ -129,20 +129,20 @@ const PATIENCE: u32 = 80;
 
 /// A chromosome and what it costs.
 #[derive(Clone)]
-struct Walk {
+struct CostedWalk {
     genes: Grid<Gene>,
     cost: u64,
 }
 
 impl Planner for Genetic {
     fn plan(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError> {
-        let mut reader = Reader::new(job);
+        let mut reader = ChromosomeReader::new(job);
         let affordable = MOST_CELLS / (self.population * job.cells()).max(1);
         let generations = self.generations.min(affordable.max(1));
         let all = (self.population * (generations + 1)) as f64;
         let (mut done, mut best) = (0_u32, Best { cost: u64::MAX, walk: Vec::new() });
         let (width, height) = (job.free.width(), job.free.height());
-        let mut parents: Vec<Walk> = Vec::with_capacity(self.population);
+        let mut parents: Vec<CostedWalk> = Vec::with_capacity(self.population);
         for _ in 0..self.population {
             let genes = (0..job.free.len()).map(|_| ctx.rng.random_range(0..GENES)).collect();
             let genes = Grid::from_rows(width, genes).unwrap_or_else(|| Grid::filled(width, height, 0));
@@ -150,7 +150,7 @@ impl Planner for Genetic {
             best.take(cost, &reader.walk);
             ctx.checkpoint(f64::from(done) / all, &best.walk)?;
             done += 1;
-            parents.push(Walk { genes, cost });
+            parents.push(CostedWalk { genes, cost });
         }
         let mut children = parents.clone();
         let mut stale = 0;
@@ -164,11 +164,11 @@ impl Planner for Genetic {
                 if i >= ELITE {
                     if ctx.rng.random_bool(self.crossover) {
                         let other = &parents[wheel.spin(&mut ctx.rng)].genes;
-                        let patch = Patch::new(width, height, 0, &mut ctx.rng);
+                        let patch = RoomPatch::new(width, height, 0, &mut ctx.rng);
                         patch.copy(other, &mut child.genes);
                     }
                     for _ in 0..poisson(self.mutation, &mut ctx.rng) {
-                        let patch = Patch::new(width, height, 5, &mut ctx.rng);
+                        let patch = RoomPatch::new(width, height, 5, &mut ctx.rng);
                         patch.fill(ctx.rng.random_range(0..GENES), &mut child.genes);
                     }
                     child.cost = reader.read(&child.genes);
@@ -204,24 +204,24 @@ impl Best {
 }
 
 /// Reads chromosomes: turns them into walks.
-struct Reader<'j> {
+struct ChromosomeReader<'j> {
     job: &'j CoverageJob,
     costs: Costs,
     cells: usize,
     left: Grid<bool>,
-    seeker: Seeker,
+    seeker: NearestGoalBfs,
     /// The walk read last.
     walk: Vec<Cell>,
 }
 
-impl<'j> Reader<'j> {
+impl<'j> ChromosomeReader<'j> {
     fn new(job: &'j CoverageJob) -> Self {
         Self {
             job,
             costs: Costs::of(job),
             cells: job.cells(),
             left: job.free.clone(),
-            seeker: Seeker::new(&job.free),
+            seeker: NearestGoalBfs::new(&job.free),
             walk: Vec::with_capacity(2 * job.cells()),
         }
     }
@@ -277,7 +277,7 @@ struct Wheel(Vec<u64>);
 
 impl Wheel {
     /// For walks sorted by cost.
-    fn new(walks: &[Walk]) -> Self {
+    fn new(walks: &[CostedWalk]) -> Self {
         let worst = walks.last().map_or(0, |walk| walk.cost);
         // One more, so that equal walks are equally fit.
         let sums = walks.iter().scan(0, |sum, walk| {
@@ -294,13 +294,13 @@ impl Wheel {
 }
 
 /// A rectangle of the room.
-struct Patch {
+struct RoomPatch {
     low: Cell,
     width: usize,
     height: usize,
 }
 
-impl Patch {
+impl RoomPatch {
     /// Anywhere, its sides at most those of the room, halved a random number of times: up to `halvings` times.
     fn new(width: usize, height: usize, halvings: u32, rng: &mut Rng) -> Self {
         let shift = rng.random_range(0..=halvings);
@@ -344,7 +344,7 @@ fn poisson(mean: f64, rng: &mut Rng) -> u32 {
 mod tests {
     use super::*;
     use crate::metrics::WalkMetrics;
-    use robovac_core::{floorplan::generate::random_clutter, registry::ParamValue};
+    use robovac_core::{floor_plan::generate::random_clutter, registry::ParamValue};
 
     /// Cost, in steps, of the best walk after so many generations.
     fn cost(job: &CoverageJob, generations: u32) -> u64 {
@@ -369,7 +369,7 @@ mod tests {
 
     #[test]
     fn parents_are_chosen_in_proportion_to_their_fitness() {
-        let walk = |cost| Walk { genes: Grid::filled(1, 1, 0), cost };
+        let walk = |cost| CostedWalk { genes: Grid::filled(1, 1, 0), cost };
         let wheel = Wheel::new(&[walk(10), walk(10), walk(40)]);
         let mut rng = robovac_core::rng::seeded(1, 0);
         let mut chosen = [0; 3];

@@ -29,8 +29,8 @@
 //! ```
 
 use super::{
-    Build, Claims, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerInfo,
-    stage::{Borders, Moves, Part, Schedule, Seeker, Tours, anneal, between, strips, swap_grid},
+    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo,
+    stage::{Borders, MoveKinds, MownBlock, NearestGoalBfs, Schedule, Tours, anneal, between, strips, swap_grid},
 };
 use robovac_core::{
     grid::Cell,
@@ -60,7 +60,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         },
         fails: Example { room: "lshape", why: "Rings along the walls need no search and are slightly better." },
     },
-    claims: Claims { complete: true, deterministic: true, fast: false, traces: false, anytime: false },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: false, traces: false, anytime: false },
     params: &[
         ParamSpec {
             id: "effort",
@@ -84,14 +84,14 @@ pub const INFO: PlannerInfo = PlannerInfo {
 };
 
 /// Makes the planner.
-pub(super) const BUILD: Build = |params| {
+pub(super) const BUILD: BuildPlanner = |params| {
     Box::new(GridTsp {
         effort: params.number("effort") as usize,
         has_lanes: params.choice("construction") != "nearest",
         moves: match params.choice("moves") {
-            "two_opt" => Moves::Reverse,
-            "or_opt" => Moves::Move,
-            _ => Moves::Both,
+            "two_opt" => MoveKinds::Reverse,
+            "or_opt" => MoveKinds::Move,
+            _ => MoveKinds::Both,
         },
     })
 };
@@ -100,7 +100,7 @@ pub(super) const BUILD: Build = |params| {
 struct GridTsp {
     effort: usize,
     has_lanes: bool,
-    moves: Moves,
+    moves: MoveKinds,
 }
 
 /// Most lanes whose order is improved: the links between them take memory in proportion to the square.
@@ -166,7 +166,7 @@ const REPORT_EVERY: usize = 1024;
 fn tour_cells(job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<Vec<Cell>, PlanError> {
     let mut is_left = job.free.clone();
     is_left[job.start] = false;
-    let mut seeker = Seeker::new(&job.free);
+    let mut seeker = NearestGoalBfs::new(&job.free);
     let (mut walk, mut heading) = (vec![job.start], job.heading);
     let cells = job.cells();
     for visited in 1..=cells {
@@ -196,7 +196,7 @@ impl GridTsp {
             } else {
                 strips(&swap_grid(&job.free), costs, Borders::Apart, report)?.swapped()
             };
-            let lanes: Vec<Part> = strips.parts(0).into_iter().flat_map(Part::lanes).collect();
+            let lanes: Vec<MownBlock> = strips.parts(0).into_iter().flat_map(MownBlock::lanes).collect();
             let sweeps = tours.sweeps(&lanes);
             let mut tour = tours.nearest_first(&sweeps, [before, share(ORDERED)])?;
             if self.effort > 0 && lanes.len() <= MAX_LANES_TO_IMPROVE {

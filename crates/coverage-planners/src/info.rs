@@ -2,7 +2,7 @@
 
 use robovac_core::registry::{Explainer, ParamSpec};
 
-/// What menus, forms and tests know of a planner. How it is made is not in here: see [`super::Build`].
+/// What menus, forms and tests know of a planner. How it is made is not in here: see [`super::BuildPlanner`].
 #[derive(Debug)]
 pub struct PlannerInfo {
     /// Name in links, files and on the command line: lower case, `_` between words.
@@ -18,7 +18,7 @@ pub struct PlannerInfo {
     /// What its panel explains.
     pub explainer: Explainer,
     /// What the contract test holds it to.
-    pub claims: Claims,
+    pub claims: PlannerClaims,
     /// Its parameters, the important ones first.
     pub params: &'static [ParamSpec],
 }
@@ -26,7 +26,7 @@ pub struct PlannerInfo {
 /// Properties that a planner promises and the contract test checks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[expect(clippy::struct_excessive_bools)]
-pub struct Claims {
+pub struct PlannerClaims {
     /// Visits every free cell of every job.
     pub complete: bool,
     /// The result does not depend on the seed.

@@ -1,7 +1,7 @@
 //! Input of a planner.
 
 use robovac_core::{
-    coverage::{Lattice, ReachableFloor},
+    coverage::{PlanningGrid, ReachableFloor},
     grid::{Cell, Direction, Grid, reachable},
     robot::RobotModel,
 };
@@ -29,14 +29,14 @@ impl CoverageJob {
         free.is_set(start).then(|| Self { free: reachable(free, start), start, heading, step_s: 1.0, turn_s: 2.0 })
     }
 
-    /// The job of covering `lattice` with `robot`.
-    pub fn on_lattice(lattice: &Lattice, floor: &ReachableFloor, robot: &RobotModel) -> Self {
+    /// The job of covering `planning_grid` with `robot`.
+    pub fn on_planning_grid(planning_grid: &PlanningGrid, floor: &ReachableFloor, robot: &RobotModel) -> Self {
         let quarter = robot.turn_time(robovac_core::math::FRAC_PI_2);
         Self {
-            free: lattice.free.clone(),
-            start: lattice.start,
+            free: planning_grid.free.clone(),
+            start: planning_grid.start,
             heading: Direction::nearest(floor.start.heading),
-            step_s: lattice.cell_size / robot.cruise_speed,
+            step_s: planning_grid.cell_size / robot.cruise_speed,
             turn_s: quarter + robot.cruise_speed / robot.acceleration,
         }
     }

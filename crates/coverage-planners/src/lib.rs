@@ -2,7 +2,7 @@
 //!
 //! A planner gets a [`CoverageJob`], a grid of free cells that are all connected with the start, and returns a
 //! [`CoveragePath`] that visits them. To add one, write its file with the constants `INFO` (a
-//! [`PlannerInfo`]) and `BUILD` (a [`Build`]) and list it in the registry below; menus, parameter forms, command line,
+//! [`PlannerInfo`]) and `BUILD` (a [`BuildPlanner`]) and list it in the registry below; menus, parameter forms, command line,
 //! contract tests and benchmarks iterate [`PLANNERS`].
 
 mod backtracking_spiral;
@@ -35,9 +35,9 @@ pub mod stage;
 pub mod sweep;
 
 pub use bounds::{Bounds, Relaxation, TURN_STEPS};
-pub use context::{Observer, PlanContext, PlanError, Report, Tracer};
-pub use film::{Film, Frame, MOST_FILMED_CELLS};
-pub use info::{Claims, PlannerInfo, SLOW_CELLS};
+pub use context::{Observer, PlanContext, PlanError, ProgressReport, StepTracer};
+pub use film::{Film, FilmFrame, MOST_FILMED_CELLS};
+pub use info::{PlannerClaims, PlannerInfo, SLOW_CELLS};
 pub use job::CoverageJob;
 pub use objective::{Finish, Objective, Proof};
 pub use path::{CoveragePath, PathError};
@@ -57,7 +57,7 @@ pub trait Planner {
 }
 
 /// Makes a planner for checked parameters.
-pub type Build = fn(&Params) -> Box<dyn Planner>;
+pub type BuildPlanner = fn(&Params) -> Box<dyn Planner>;
 
 /// Two lists of the same planners: what they say of themselves, and how they are made. They are kept apart so that a
 /// program which only asks for the first, such as the page, doesn't carry the planners' code.
@@ -65,7 +65,7 @@ macro_rules! registry {
     ($($planner:ident),* $(,)?) => {
         /// All planners, in the order of the menus.
         pub const PLANNERS: &[&PlannerInfo] = &[$(&$planner::INFO),*];
-        const BUILDERS: &[(&str, Build)] = &[$(($planner::INFO.id, $planner::BUILD)),*];
+        const BUILDERS: &[(&str, BuildPlanner)] = &[$(($planner::INFO.id, $planner::BUILD)),*];
     };
 }
 

@@ -36,8 +36,8 @@
 //! ```
 
 use super::{
-    Build, Claims, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerInfo,
-    stage::{Costs, Seeker},
+    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo,
+    stage::{Costs, NearestGoalBfs},
 };
 use robovac_core::{
     grid::{Cell, Direction, Grid},
@@ -65,7 +65,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         },
         fails: Example { room: "maze", why: "Uncleaned floor on many sides pulls the robot back and forth." },
     },
-    claims: Claims { complete: true, deterministic: true, fast: false, traces: false, anytime: false },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: false, traces: false, anytime: false },
     params: &[
         ParamSpec {
             id: "straight",
@@ -95,7 +95,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
 };
 
 /// Makes the planner.
-pub(super) const BUILD: Build = |params| {
+pub(super) const BUILD: BuildPlanner = |params| {
     Box::new(Neural {
         straight: params.number("straight"),
         lateral: params.number("lateral"),
@@ -237,7 +237,7 @@ fn walk(
 ) -> Result<Vec<Cell>, PlanError> {
     let mut at = job.start;
     let mut walk = vec![at];
-    let mut seeker = Seeker::new(&job.free);
+    let mut seeker = NearestGoalBfs::new(&job.free);
     let cells = job.cells();
     let mut left = cells - 1;
     field.visit(at);
@@ -289,7 +289,7 @@ mod tests {
     /// The shunting equation's right side is 0 where the field is at rest, but for the tolerance.
     #[test]
     fn field_rests() {
-        let free = robovac_core::floorplan::generate::random_clutter(12, 9, 0.2, 3);
+        let free = robovac_core::floor_plan::generate::random_clutter(12, 9, 0.2, 3);
         let mut field = Field::new(&WEIGHTS, &free);
         let cells: Vec<Cell> = free.iter().filter(|&(_, &f)| f).map(|(cell, _)| cell).collect();
         cells.iter().step_by(2).for_each(|&cell| field.visit(cell));

@@ -31,8 +31,8 @@
 //! ```
 
 use super::{
-    Build, Claims, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerInfo,
-    stage::{Progress, lanes_lie_down},
+    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo,
+    stage::{CoverageProgress, lanes_lie_down},
 };
 use robovac_core::registry::{Example, Explainer, ParamKind, ParamSpec};
 
@@ -54,7 +54,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         shines: Example { room: "lshape", why: "Few obstacles: parallel lanes, and one return for the other arm." },
         fails: Example { room: "maze", why: "Every dead end of the maze is a dead end of the walk, too." },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
     params: &[ParamSpec {
         id: "lanes",
         label: "Lanes",
@@ -71,23 +71,23 @@ pub const INFO: PlannerInfo = PlannerInfo {
 };
 
 /// Makes the planner.
-pub(super) const BUILD: Build = |params| {
+pub(super) const BUILD: BuildPlanner = |params| {
     Box::new(SShape {
         lanes: match params.choice("lanes") {
-            "heading" => Lanes::Heading,
-            "horizontal" => Lanes::Horizontal,
-            "vertical" => Lanes::Vertical,
-            _ => Lanes::Auto,
+            "heading" => SShapeLanes::Heading,
+            "horizontal" => SShapeLanes::Horizontal,
+            "vertical" => SShapeLanes::Vertical,
+            _ => SShapeLanes::Auto,
         },
     })
 };
 
 /// The planner.
 struct SShape {
-    lanes: Lanes,
+    lanes: SShapeLanes,
 }
 
-enum Lanes {
+enum SShapeLanes {
     Auto,
     Heading,
     Horizontal,
@@ -97,14 +97,14 @@ enum Lanes {
 impl Planner for SShape {
     fn plan(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError> {
         let is_horizontal = match self.lanes {
-            Lanes::Auto => lanes_lie_down(&job.free),
-            Lanes::Heading => job.heading.is_horizontal(),
-            Lanes::Horizontal => true,
-            Lanes::Vertical => false,
+            SShapeLanes::Auto => lanes_lie_down(&job.free),
+            SShapeLanes::Heading => job.heading.is_horizontal(),
+            SShapeLanes::Horizontal => true,
+            SShapeLanes::Vertical => false,
         };
         let mut lane = if job.heading.is_horizontal() == is_horizontal { job.heading } else { job.heading.right() };
         let mut side = lane.left();
-        let mut progress = Progress::new(job);
+        let mut progress = CoverageProgress::new(job);
         while !progress.is_done() {
             progress.report(ctx)?;
             if progress.is_left(lane) {

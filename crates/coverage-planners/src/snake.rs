@@ -47,7 +47,8 @@
 //! ```
 
 use super::{
-    Build, Claims, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerInfo, TraceStep, stage::Seeker,
+    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo, TraceStep,
+    stage::NearestGoalBfs,
 };
 use robovac_core::{
     grid::{Cell, Direction, Grid},
@@ -71,7 +72,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         shines: Example { room: "empty", why: "No obstacles: a lawn mower's U-turns from wall to wall." },
         fails: Example { room: "maze", why: "Branches that it passes stay uncleaned, so it keeps coming back." },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true, traces: true, anytime: false },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: true, anytime: false },
     params: &[ParamSpec {
         id: "patience",
         label: "Patience",
@@ -81,7 +82,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
 };
 
 /// Makes the planner.
-pub(super) const BUILD: Build = |params| Box::new(Snake { patience: params.number("patience") as usize });
+pub(super) const BUILD: BuildPlanner = |params| Box::new(Snake { patience: params.number("patience") as usize });
 
 /// The planner.
 struct Snake {
@@ -91,7 +92,7 @@ struct Snake {
 
 /// Which of the program's two decisions comes next.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Phase {
+enum SnakePhase {
     /// Goes straight on if it can.
     Straight,
     /// Has just turned and gone one step: decides again at once, which completes a U-turn.
@@ -100,7 +101,7 @@ enum Phase {
 
 /// Why the robot moves as it does: what an animation of the search would show.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Rule {
+enum SnakeRule {
     /// The cell ahead isn't clean.
     Ahead,
     /// One side has the smaller value, or is the only one that is open.
@@ -115,11 +116,11 @@ enum Rule {
 
 /// A step by the rules.
 #[derive(Debug, Clone, Copy)]
-struct Move {
-    rule: Rule,
+struct SnakeMove {
+    rule: SnakeRule,
     /// Where to.
     towards: Direction,
-    phase: Phase,
+    phase: SnakePhase,
 }
 
 /// What the program's `findMinimumNeighbour` says of the cells left and right of the robot.
@@ -142,7 +143,7 @@ const SEEN: i32 = 0;
 const BLOCKED: i32 = i32::MAX;
 
 /// What the robot knows, with the counts that the smaller-block rule compares.
-struct Memory {
+struct SnakeMemory {
     values: Grid<i32>,
     /// Seen cells to be cleaned in every row.
     seen_in_row: Vec<u32>,
@@ -154,10 +155,10 @@ struct Memory {
 
 impl Planner for Snake {
     fn plan(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError> {
-        let mut memory = Memory::new(&job.free);
-        let mut seeker = Seeker::new(&job.free);
+        let mut memory = SnakeMemory::new(&job.free);
+        let mut seeker = NearestGoalBfs::new(&job.free);
         let mut walk = Vec::with_capacity(2 * memory.left);
-        let (mut at, mut facing, mut phase) = (job.start, job.heading, Phase::Straight);
+        let (mut at, mut facing, mut phase) = (job.start, job.heading, SnakePhase::Straight);
         // Steps over cleaned cells that the rules may still take; unknown while the robot cleans.
         let mut budget = None;
         let cells = memory.left as f64;
@@ -182,7 +183,7 @@ impl Planner for Snake {
             if let Some(step) = chosen.filter(|_| budget != Some(0)) {
                 ctx.trace(|| memory.explain(walk.len() - 1, at, facing, step));
                 at = at.step(step.towards);
-                if step.rule != Rule::Back {
+                if step.rule != SnakeRule::Back {
                     facing = step.towards;
                 }
                 phase = step.phase;
@@ -200,7 +201,7 @@ impl Planner for Snake {
                     memory.visit(at);
                     walk.push(at);
                 }
-                (phase, budget) = (Phase::Straight, None);
+                (phase, budget) = (SnakePhase::Straight, None);
             }
         }
         Ok(CoveragePath { cells: walk })
@@ -210,7 +211,7 @@ impl Planner for Snake {
 /// Steps between two reports.
 const REPORT_EVERY: usize = 4096;
 
-impl Memory {
+impl SnakeMemory {
     fn new(free: &Grid<bool>) -> Self {
         let mut left_in_column = vec![0; free.width()];
         for row in free.values().chunks(free.width()) {
@@ -248,25 +249,25 @@ impl Memory {
     }
 
     /// What the printed rules say; may lead into a block.
-    fn choose(&self, at: Cell, facing: Direction, phase: Phase) -> Move {
-        if phase == Phase::Straight && self.value(at.step(facing)) <= SEEN {
-            return Move { rule: Rule::Ahead, towards: facing, phase };
+    fn choose(&self, at: Cell, facing: Direction, phase: SnakePhase) -> SnakeMove {
+        if phase == SnakePhase::Straight && self.value(at.step(facing)) <= SEEN {
+            return SnakeMove { rule: SnakeRule::Ahead, towards: facing, phase };
         }
         // The first turn is followed by a second one, the second one by going straight.
-        let after_turn = if phase == Phase::Straight { Phase::Turned } else { Phase::Straight };
+        let after_turn = if phase == SnakePhase::Straight { SnakePhase::Turned } else { SnakePhase::Straight };
         match self.sides(at, facing) {
-            Sides::Better(side) => Move { rule: Rule::SmallerNeighbour, towards: side, phase: after_turn },
+            Sides::Better(side) => SnakeMove { rule: SnakeRule::SmallerNeighbour, towards: side, phase: after_turn },
             Sides::Equal => {
-                Move { rule: Rule::SmallerBlock, towards: self.smaller_block(at, facing), phase: after_turn }
+                SnakeMove { rule: SnakeRule::SmallerBlock, towards: self.smaller_block(at, facing), phase: after_turn }
             }
             Sides::CleanedOrBlocked if self.is_less_ahead(at, facing) => {
-                Move { rule: Rule::Forward, towards: facing, phase: Phase::Turned }
+                SnakeMove { rule: SnakeRule::Forward, towards: facing, phase: SnakePhase::Turned }
             }
-            Sides::CleanedOrBlocked if phase == Phase::Straight => {
-                Move { rule: Rule::Back, towards: facing.opposite(), phase }
+            Sides::CleanedOrBlocked if phase == SnakePhase::Straight => {
+                SnakeMove { rule: SnakeRule::Back, towards: facing.opposite(), phase }
             }
             Sides::CleanedOrBlocked | Sides::Shut => {
-                Move { rule: Rule::Forward, towards: facing, phase: Phase::Straight }
+                SnakeMove { rule: SnakeRule::Forward, towards: facing, phase: SnakePhase::Straight }
             }
         }
     }
@@ -336,8 +337,8 @@ impl Memory {
     }
 
     /// A step by the rules, to be shown.
-    fn explain(&self, step: usize, at: Cell, facing: Direction, chosen: Move) -> TraceStep {
-        let Move { rule, towards, .. } = chosen;
+    fn explain(&self, step: usize, at: Cell, facing: Direction, chosen: SnakeMove) -> TraceStep {
+        let SnakeMove { rule, towards, .. } = chosen;
         let to = name(towards);
         let value = |side| match self.value(at.step(side)) {
             BLOCKED => "a wall".to_owned(),
@@ -346,13 +347,13 @@ impl Memory {
         };
         let mut sides = None;
         let (rule, note) = match rule {
-            Rule::Ahead => ("Ahead", "The cell ahead is not cleaned: straight on".to_owned()),
-            Rule::SmallerNeighbour => {
+            SnakeRule::Ahead => ("Ahead", "The cell ahead is not cleaned: straight on".to_owned()),
+            SnakeRule::SmallerNeighbour => {
                 let (left, right) = (value(facing.left()), value(facing.right()));
                 let turn = if towards == facing.left() { "left" } else { "right" };
                 ("Smaller neighbour", format!("Left {left}, right {right}: turn {turn}"))
             }
-            Rule::SmallerBlock => {
+            SnakeRule::SmallerBlock => {
                 let blocks = self.blocks(at, facing);
                 sides = Some(blocks);
                 let [(first, a), (second, b)] = blocks;
@@ -362,8 +363,8 @@ impl Memory {
                     format!("Left and right equal; smaller block: {a} cells to clean {first}, {b} {second}{tie}: {to}");
                 ("Smaller block", note)
             }
-            Rule::Forward => ("Forward", format!("No better neighbour on either side: straight on, {to}")),
-            Rule::Back => ("Back", "No better neighbour on either side or ahead: back".to_owned()),
+            SnakeRule::Forward => ("Forward", format!("No better neighbour on either side: straight on, {to}")),
+            SnakeRule::Back => ("Back", "No better neighbour on either side or ahead: back".to_owned()),
         };
         TraceStep { step, rule: rule.into(), at, towards, marks: self.marks(at), sides, note }
     }

@@ -32,8 +32,8 @@
 //! ```
 
 use super::{
-    Build, Claims, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerInfo,
-    stage::{Flood, Progress},
+    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo,
+    stage::{CoverageProgress, Flood},
 };
 use robovac_core::{
     grid::{Cell, Direction, Grid},
@@ -64,7 +64,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
             why: "Spirals are square here: slanted walls stop them early and leave scraps to return to.",
         },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
     params: &[
         ParamSpec {
             id: "room",
@@ -88,8 +88,8 @@ pub const INFO: PlannerInfo = PlannerInfo {
 };
 
 /// Makes the planner.
-pub(super) const BUILD: Build = |params| {
-    Box::new(Spiral {
+pub(super) const BUILD: BuildPlanner = |params| {
+    Box::new(SpiralPlanner {
         turns_right: params.choice("turn") == "right",
         takes_nearest: params.choice("next") == "nearest",
         least_room: params.number("room") as i32,
@@ -97,7 +97,7 @@ pub(super) const BUILD: Build = |params| {
 };
 
 /// The planner.
-struct Spiral {
+struct SpiralPlanner {
     turns_right: bool,
     /// Whether the nearest place with enough room is taken rather than the one with most.
     takes_nearest: bool,
@@ -108,9 +108,9 @@ struct Spiral {
 /// Cells around the robot among which it looks for room.
 const REACH: usize = 400;
 
-impl Planner for Spiral {
+impl Planner for SpiralPlanner {
     fn plan(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError> {
-        let mut progress = Progress::new(job);
+        let mut progress = CoverageProgress::new(job);
         let mut flood = Flood::new(&job.free);
         // Never less than there is: what is left only shrinks.
         let mut room = room_in(&job.free);
@@ -134,7 +134,7 @@ impl Planner for Spiral {
     }
 }
 
-impl Spiral {
+impl SpiralPlanner {
     /// The direction after a turn.
     fn turned(&self, facing: Direction) -> Direction {
         if self.turns_right { facing.right() } else { facing.left() }
@@ -150,7 +150,7 @@ impl Spiral {
     fn circle(
         &self,
         free: &Grid<bool>,
-        progress: &mut Progress<'_>,
+        progress: &mut CoverageProgress<'_>,
         ctx: &mut PlanContext<'_>,
     ) -> Result<(), PlanError> {
         let mut facing = progress.facing;
@@ -174,7 +174,7 @@ impl Spiral {
     }
 
     /// Where the next spiral starts; `None` if there is no place with enough room nearby. Updates `room` where it looks.
-    fn next_place(&self, progress: &Progress<'_>, flood: &mut Flood, room: &mut Grid<i32>) -> Option<Cell> {
+    fn next_place(&self, progress: &CoverageProgress<'_>, flood: &mut Flood, room: &mut Grid<i32>) -> Option<Cell> {
         let frame = flood.frame();
         let left = progress.left();
         let (mut best, mut wanted, mut looked_at) = (None, self.least_room, 0);

@@ -31,8 +31,8 @@
 //! ```
 
 use super::{
-    Build, Claims, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerInfo,
-    stage::{Added, Contest, MAX_CELLS_FOR_ALL, MegaCells},
+    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo,
+    stage::{Added, BestOf, MAX_CELLS_FOR_ALL, MegaCells},
 };
 use robovac_core::{
     grid::Direction,
@@ -63,7 +63,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
             why: "Where 2 x 2 squares don't fit the corridor, it drives there and back, again and again.",
         },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
     params: &[ParamSpec {
         id: "tree",
         label: "Tree",
@@ -75,7 +75,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
 };
 
 /// Makes the planner.
-pub(super) const BUILD: Build = |params| {
+pub(super) const BUILD: BuildPlanner = |params| {
     Box::new(SpiralStc {
         shapes: match params.choice("tree") {
             "spiral" => SPIRALS,
@@ -88,12 +88,12 @@ pub(super) const BUILD: Build = |params| {
 /// The planner.
 struct SpiralStc {
     /// The trees that are tried.
-    shapes: &'static [Shape],
+    shapes: &'static [TreeShape],
 }
 
 /// How a tree grows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Shape {
+enum TreeShape {
     /// Depth first, to the right first: a spiral that winds counter-clockwise from outside in.
     CounterClockwise,
     /// Its mirror image.
@@ -104,9 +104,9 @@ enum Shape {
     Columns,
 }
 
-const ALL: &[Shape] = &[Shape::Rows, Shape::Columns, Shape::CounterClockwise, Shape::Clockwise];
-const STRAIGHT: &[Shape] = &[Shape::Rows, Shape::Columns];
-const SPIRALS: &[Shape] = &[Shape::CounterClockwise, Shape::Clockwise];
+const ALL: &[TreeShape] = &[TreeShape::Rows, TreeShape::Columns, TreeShape::CounterClockwise, TreeShape::Clockwise];
+const STRAIGHT: &[TreeShape] = &[TreeShape::Rows, TreeShape::Columns];
+const SPIRALS: &[TreeShape] = &[TreeShape::CounterClockwise, TreeShape::Clockwise];
 /// Where the lower left corners of mega-cells are: whether x and y are odd.
 const ALIGNMENTS: [[bool; 2]; 4] = [[false, false], [true, false], [false, true], [true, true]];
 
@@ -117,24 +117,25 @@ impl Planner for SpiralStc {
         let (shapes, alignments) =
             if is_small { (self.shapes, &ALIGNMENTS[..]) } else { (&self.shapes[..1], &ALIGNMENTS[..1]) };
         let ways_round = if is_small { 2 } else { 1 };
-        let mut contest = Contest::new(job, shapes.len() * alignments.len() * ways_round);
+        let mut best_of = BestOf::new(job, shapes.len() * alignments.len() * ways_round);
         for &is_odd in alignments {
             let megas = MegaCells::new(&job.free, is_odd);
             for &shape in shapes {
-                contest.report(ctx, 0.0)?;
-                let is_better_along_y =
-                    !is_small && shape == Shape::Rows && lanes(&megas, Direction::Up) < lanes(&megas, Direction::Right);
-                let shape = if is_better_along_y { Shape::Columns } else { shape };
-                let mut tour = grow(megas.clone(), shape, &contest, ctx)?.tour(job.start, job.heading);
-                contest.report(ctx, 1.0)?;
+                best_of.report(ctx, 0.0)?;
+                let is_better_along_y = !is_small
+                    && shape == TreeShape::Rows
+                    && lanes(&megas, Direction::Up) < lanes(&megas, Direction::Right);
+                let shape = if is_better_along_y { TreeShape::Columns } else { shape };
+                let mut tour = grow(megas.clone(), shape, &best_of, ctx)?.tour(job.start, job.heading);
+                best_of.report(ctx, 1.0)?;
                 if is_small {
-                    contest.offer(ctx, tour.clone())?;
+                    best_of.offer(ctx, tour.clone())?;
                     tour.reverse();
                 }
-                contest.offer(ctx, tour)?;
+                best_of.offer(ctx, tour)?;
             }
         }
-        Ok(contest.finish())
+        Ok(best_of.finish())
     }
 }
 
@@ -168,16 +169,16 @@ impl Union {
 /// Joins all mega-cells along a spanning tree.
 fn grow(
     mut megas: MegaCells,
-    shape: Shape,
-    contest: &Contest<'_>,
+    shape: TreeShape,
+    best_of: &BestOf<'_>,
     ctx: &mut PlanContext<'_>,
 ) -> Result<MegaCells, PlanError> {
-    let job = contest.job;
+    let job = best_of.job;
     match shape {
-        Shape::CounterClockwise => spiral(&mut megas, job, Direction::right),
-        Shape::Clockwise => spiral(&mut megas, job, Direction::left),
-        Shape::Rows => straight(&mut megas, contest, [Direction::Right, Direction::Up], ctx)?,
-        Shape::Columns => straight(&mut megas, contest, [Direction::Up, Direction::Right], ctx)?,
+        TreeShape::CounterClockwise => spiral(&mut megas, job, Direction::right),
+        TreeShape::Clockwise => spiral(&mut megas, job, Direction::left),
+        TreeShape::Rows => straight(&mut megas, best_of, [Direction::Right, Direction::Up], ctx)?,
+        TreeShape::Columns => straight(&mut megas, best_of, [Direction::Up, Direction::Right], ctx)?,
     }
     Ok(megas)
 }
@@ -188,14 +189,14 @@ const REPORT_EVERY: usize = 1 << 16;
 /// Joins what adds least to the tour first (Kruskal 1956), of equals in the first of two directions.
 fn straight(
     megas: &mut MegaCells,
-    contest: &Contest<'_>,
+    best_of: &BestOf<'_>,
     directions: [Direction; 2],
     ctx: &mut PlanContext<'_>,
 ) -> Result<(), PlanError> {
     let mut union = Union((0..megas.len() as u32).collect());
     // What can be added, cheapest first, and the links that add it. What a link adds changes with the links beside it.
     let mut kinds: Vec<Added> = Added::all().collect();
-    kinds.sort_by_key(|added| added.cost(contest.costs));
+    kinds.sort_by_key(|added| added.cost(best_of.costs));
     let rank = |added: Added| kinds.iter().position(|&kind| kind == added).unwrap_or(0);
     let mut queues: Vec<Vec<(u32, Direction)>> = vec![Vec::new(); kinds.len()];
     for direction in directions {
@@ -210,7 +211,7 @@ fn straight(
         for (mega, direction) in std::mem::take(&mut queues[i]) {
             looked += 1;
             if looked.is_multiple_of(REPORT_EVERY) {
-                contest.report(ctx, 0.0)?;
+                best_of.report(ctx, 0.0)?;
             }
             let mega = mega as usize;
             let Some(link) = megas.link(mega, direction).filter(|link| !union.are_connected(mega, link.to)) else {

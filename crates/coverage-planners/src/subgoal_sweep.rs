@@ -35,14 +35,14 @@
 //! ```
 
 use super::{
-    Build, Claims, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerInfo, TraceStep,
+    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo, TraceStep,
     stage::{
-        Beside, Contact, Detours, Found, Progress, Subgoal, SubgoalScan, is_straight_free, scan_rows, steps_along,
-        subgoals,
+        Beside, CoverageProgress, Detours, FoundBy, LineEndContact, Subgoal, SubgoalScan, is_straight_free, scan_rows,
+        steps_along, subgoals,
     },
 };
 use robovac_core::{
-    cspace::Obstacles,
+    cspace::ObstacleRuns,
     grid::{Cell, Direction},
     registry::{Example, Explainer, ParamKind, ParamSpec},
 };
@@ -67,7 +67,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         shines: Example { room: "empty", why: "No obstacles: line after line, without revisits." },
         fails: Example { room: "maze", why: "The nearest point is often behind a wall, at the end of a long detour." },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true, traces: true, anytime: false },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: true, anytime: false },
     params: &[
         ParamSpec {
             id: "scan_lines",
@@ -86,7 +86,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
 };
 
 /// Makes the planner.
-pub(super) const BUILD: Build = |params| {
+pub(super) const BUILD: BuildPlanner = |params| {
     Box::new(SubgoalSweep {
         distance: params.number("scan_lines"),
         beside: if params.choice("order") == "printed" { Beside::First } else { Beside::Never },
@@ -102,7 +102,7 @@ struct SubgoalSweep {
 
 /// What came of the links.
 #[derive(Default)]
-struct Tally {
+struct LinkTally {
     /// Links that go through an obstacle.
     collisions: usize,
     /// Of these, those with a detour.
@@ -112,12 +112,12 @@ struct Tally {
 impl Planner for SubgoalSweep {
     fn plan(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError> {
         let free = &job.free;
-        let points = subgoals(free, &scan_rows(free, self.distance), &Obstacles::of(free));
+        let points = subgoals(free, &scan_rows(free, self.distance), &ObstacleRuns::of(free));
         ctx.trace(|| contacts(&points, job));
         let mut scan = SubgoalScan::new(&points, self.beside);
         let mut detours = Detours::new(free);
-        let mut progress = Progress::new(job);
-        let mut tally = Tally::default();
+        let mut progress = CoverageProgress::new(job);
+        let mut tally = LinkTally::default();
         let mut from = Err(job.start);
         while let Some((to, found)) = scan.next(free, from) {
             progress.report(ctx)?;
@@ -142,7 +142,7 @@ impl Planner for SubgoalSweep {
 }
 
 /// Goes along a way of straight free pieces.
-fn follow(progress: &mut Progress<'_>, job: &CoverageJob, corners: &[Cell]) {
+fn follow(progress: &mut CoverageProgress<'_>, job: &CoverageJob, corners: &[Cell]) {
     for &corner in corners {
         for cell in steps_along(&job.free, progress.at, corner, progress.facing) {
             if let Some(direction) = progress.at.direction_to(cell) {
@@ -153,7 +153,7 @@ fn follow(progress: &mut Progress<'_>, job: &CoverageJob, corners: &[Cell]) {
 }
 
 /// Goes to the nearest cell left and along its row, until none is.
-fn finish(progress: &mut Progress<'_>, ctx: &mut PlanContext<'_>) -> Result<(), PlanError> {
+fn finish(progress: &mut CoverageProgress<'_>, ctx: &mut PlanContext<'_>) -> Result<(), PlanError> {
     let left = progress.left_count();
     if left > 0 {
         let (step, at, towards) = (progress.steps(), progress.at, progress.facing);
@@ -181,9 +181,14 @@ fn finish(progress: &mut Progress<'_>, ctx: &mut PlanContext<'_>) -> Result<(), 
 
 /// Where the scan touched something, to be shown: by the order of the scan.
 fn contacts(points: &[Subgoal], job: &CoverageJob) -> TraceStep {
-    let count = |contact: Contact| points.iter().filter(|p| p.contact == contact).count();
-    let [left, right, left_solid, right_solid] =
-        [Contact::LeftWall, Contact::RightWall, Contact::LeftObstacle, Contact::RightObstacle].map(count);
+    let count = |contact: LineEndContact| points.iter().filter(|p| p.contact == contact).count();
+    let [left, right, left_solid, right_solid] = [
+        LineEndContact::LeftWall,
+        LineEndContact::RightWall,
+        LineEndContact::LeftObstacle,
+        LineEndContact::RightObstacle,
+    ]
+    .map(count);
     TraceStep {
         step: 0,
         rule: "Subgoal points".into(),
@@ -206,9 +211,9 @@ fn link(
     step: usize,
     at: Cell,
     (points, to): (&[Subgoal], usize),
-    found: Found,
+    found: FoundBy,
     detour: Option<usize>,
-    tally: &Tally,
+    tally: &LinkTally,
 ) -> TraceStep {
     let near = points.iter().zip(1..).filter(|(point, _)| point.line.abs_diff(points[to].line) <= SHOWN_LINES);
     let marks = near.map(|(point, number)| (point.cell, number)).collect();
@@ -216,9 +221,9 @@ fn link(
     let to = &points[to];
     let rule = match (found, detour) {
         (_, Some(_)) => "Detour",
-        (Found::Across, None) => "Across the line",
-        (Found::Beside, None) => "Across beside",
-        (Found::Nearest, None) => "Nearest point",
+        (FoundBy::Across, None) => "Across the line",
+        (FoundBy::Beside, None) => "Across beside",
+        (FoundBy::Nearest, None) => "Nearest point",
     };
     let (dx, dy) = (to.cell.x - at.x, to.cell.y - at.y);
     let towards = match (dx.abs() >= dy.abs(), dx > 0, dy > 0) {
@@ -229,7 +234,7 @@ fn link(
     };
     let what = to.obstacle.map_or(String::new(), |number| format!(" of obstacle {number}"));
     let round = detour.map_or(String::new(), |steps| {
-        let Tally { collisions, resolved } = tally;
+        let LinkTally { collisions, resolved } = tally;
         format!(": the straight link collides, {steps} steps around it; collision {collisions}, {resolved} resolved")
     });
     TraceStep {

@@ -33,8 +33,8 @@
 //! ```
 
 use super::{
-    Build, Claims, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerInfo,
-    stage::{GOAL, Goal, STEP, cover},
+    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo,
+    stage::{GOAL, STEP, WaveGoal, cover},
 };
 use robovac_core::registry::{Example, Explainer};
 
@@ -62,16 +62,16 @@ pub const INFO: PlannerInfo = PlannerInfo {
             why: "Straight wavefronts meet slanted walls, and each leaves a corner uncleaned.",
         },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
     params: &[GOAL],
 };
 
 /// Makes the planner.
-pub(super) const BUILD: Build = |params| Box::new(WavefrontDistance { goal: Goal::of(params) });
+pub(super) const BUILD: BuildPlanner = |params| Box::new(WavefrontDistance { goal: WaveGoal::of(params) });
 
 /// The planner.
 struct WavefrontDistance {
-    goal: Goal,
+    goal: WaveGoal,
 }
 
 impl Planner for WavefrontDistance {

@@ -29,8 +29,8 @@
 //! ```
 
 use super::{
-    Build, Claims, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerInfo,
-    stage::{GOAL, Goal, STEP, cover, obstacle_transform},
+    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo,
+    stage::{GOAL, STEP, WaveGoal, cover, obstacle_transform},
 };
 use robovac_core::registry::{Example, Explainer, ParamKind, ParamSpec};
 
@@ -59,7 +59,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
             why: "Slanted walls are staircases of cells, and following them it turns at every step.",
         },
     },
-    claims: Claims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
     params: &[
         ParamSpec {
             id: "alpha",
@@ -72,15 +72,15 @@ pub const INFO: PlannerInfo = PlannerInfo {
 };
 
 /// Makes the planner.
-pub(super) const BUILD: Build = |params| {
-    Box::new(WavefrontPath { alpha: (params.number("alpha") * f64::from(STEP)) as u32, goal: Goal::of(params) })
+pub(super) const BUILD: BuildPlanner = |params| {
+    Box::new(WavefrontPath { alpha: (params.number("alpha") * f64::from(STEP)) as u32, goal: WaveGoal::of(params) })
 };
 
 /// The planner.
 struct WavefrontPath {
     /// Cost of a unit of discomfort, in the units of [`STEP`].
     alpha: u32,
-    goal: Goal,
+    goal: WaveGoal,
 }
 
 /// Steps from an obstacle beyond which there is no discomfort.

@@ -1,12 +1,9 @@
 //! GeoJSON floor plans (RFC 7946): polygons and lines, as building surveys and indoor maps come.
 
-use super::{
-    Drawing,
-    model::{Builder, bad},
-};
+use super::{Drawing, DrawingError, DrawingFlaw, error::bad, model::Builder};
 use geojson::{Feature, GeoJson, Geometry, GeometryValue, JsonObject};
 use robovac_core::{
-    floorplan::{DrawingFlaw, MapError, SourceFile},
+    floor_plan::SourceFile,
     geometry::Point,
     math::{PI, cos, exp},
 };
@@ -40,7 +37,7 @@ pub(super) fn is_geojson(bytes: &[u8]) -> bool {
 /// Reads GeoJSON. If all coordinates can be longitudes and latitudes of one building they are projected to metres around
 /// their middle (equirectangular: east, north), whatever a `crs` says. Else they are taken as they are: in metres if the `crs`
 /// is known to have them, in those of the Mercator projection of web maps, or in units to be asked for.
-pub(super) fn read(file: &SourceFile) -> Result<Drawing, MapError> {
+pub(super) fn read(file: &SourceFile) -> Result<Drawing, DrawingError> {
     let bytes = file.bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&file.bytes);
     let refuse = |place: &str, flaw| bad(&file.name, place, flaw);
     let parsed: GeoJson = match serde_json::from_slice(bytes) {
@@ -54,7 +51,7 @@ pub(super) fn read(file: &SourceFile) -> Result<Drawing, MapError> {
         }
     };
     let code = epsg_code(&parsed);
-    let mut reader = Reader { builder: Builder::new(), shapes: Vec::new() };
+    let mut reader = GeoJsonReader { builder: Builder::new(), shapes: Vec::new() };
     let read = match parsed {
         GeoJson::FeatureCollection(collection) => {
             collection.features.into_iter().enumerate().try_for_each(|(i, feature)| reader.feature(i + 1, feature))
@@ -92,22 +89,22 @@ fn is_metric(code: u32) -> bool {
         || matches!(code, 3006 | 3067 | 2180 | 2193)
 }
 
-struct Shape {
+struct GeoShape {
     feature: u32,
     layer: u32,
     is_closed: bool,
     points: Vec<Point>,
 }
 
-struct Reader {
+struct GeoJsonReader {
     builder: Builder,
-    shapes: Vec<Shape>,
+    shapes: Vec<GeoShape>,
 }
 
-type Refused = (u32, DrawingFlaw);
+type RefusedFeature = (u32, DrawingFlaw);
 
-impl Reader {
-    fn feature(&mut self, number: usize, feature: Feature) -> Result<(), Refused> {
+impl GeoJsonReader {
+    fn feature(&mut self, number: usize, feature: Feature) -> Result<(), RefusedFeature> {
         let number = u32::try_from(number).unwrap_or(u32::MAX);
         let layer = feature.properties.as_ref().and_then(layer_of).unwrap_or_else(|| "0".to_owned());
         match feature.geometry {
@@ -116,12 +113,18 @@ impl Reader {
         }
     }
 
-    fn top(&mut self, feature: u32, layer: &str, geometry: &Geometry) -> Result<(), Refused> {
+    fn top(&mut self, feature: u32, layer: &str, geometry: &Geometry) -> Result<(), RefusedFeature> {
         let layer = self.builder.layer(layer).map_err(|flaw| (feature, flaw))?;
         self.geometry(feature, layer, &geometry.value, 0)
     }
 
-    fn geometry(&mut self, feature: u32, layer: u32, value: &GeometryValue, depth: usize) -> Result<(), Refused> {
+    fn geometry(
+        &mut self,
+        feature: u32,
+        layer: u32,
+        value: &GeometryValue,
+        depth: usize,
+    ) -> Result<(), RefusedFeature> {
         match value {
             GeometryValue::Polygon { coordinates } => self.lines(feature, layer, true, coordinates)?,
             GeometryValue::MultiPolygon { coordinates } => {
@@ -148,11 +151,17 @@ impl Reader {
         layer: u32,
         is_closed: bool,
         lines: &[Vec<geojson::Position>],
-    ) -> Result<(), Refused> {
+    ) -> Result<(), RefusedFeature> {
         lines.iter().try_for_each(|line| self.line(feature, layer, is_closed, line))
     }
 
-    fn line(&mut self, feature: u32, layer: u32, is_closed: bool, line: &[geojson::Position]) -> Result<(), Refused> {
+    fn line(
+        &mut self,
+        feature: u32,
+        layer: u32,
+        is_closed: bool,
+        line: &[geojson::Position],
+    ) -> Result<(), RefusedFeature> {
         let mut points = Vec::with_capacity(line.len());
         for position in line {
             let [x, y, ..] = position.as_slice() else {
@@ -166,11 +175,11 @@ impl Reader {
         }
         // A line that ends where it began is an outline.
         let is_closed = is_closed || (points.len() > 3 && points.first() == points.last());
-        self.shapes.push(Shape { feature, layer, is_closed, points });
+        self.shapes.push(GeoShape { feature, layer, is_closed, points });
         Ok(())
     }
 
-    fn draw(mut self, code: Option<u32>) -> Result<(Builder, Option<f64>), Refused> {
+    fn draw(mut self, code: Option<u32>) -> Result<(Builder, Option<f64>), RefusedFeature> {
         let bounds = self.bounds();
         let middle = bounds.and_then(place_on_earth);
         let metre = match (code, bounds) {

@@ -1,7 +1,11 @@
 //! Elements of a drawing, and a builder with size limits.
 
+use super::{
+    DrawingFlaw,
+    error::{DrawingError, bad},
+};
 use robovac_core::{
-    floorplan::{DrawingFlaw, MapError},
+    floor_plan::{base_name, stem},
     geometry::Point,
 };
 use std::{collections::BTreeMap, ops::Range};
@@ -21,7 +25,7 @@ pub struct Drawing {
     /// Metres per drawing unit, if the file says ($INSUNITS of a DXF); `None` is to be asked for.
     pub metre: Option<f64>,
     /// Layers with anything on them, in the file's order.
-    pub layers: Vec<Layer>,
+    pub layers: Vec<DrawingLayer>,
     /// Straight strokes: arcs, bulges, ellipses and splines are flattened, blocks are inserted.
     pub strokes: Vec<Stroke>,
     /// Corners of all strokes.
@@ -32,7 +36,7 @@ pub struct Drawing {
 
 /// A layer of a drawing.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Layer {
+pub struct DrawingLayer {
     /// Its name.
     pub name: String,
     /// Its colour in the drawing, red, green, blue.
@@ -78,7 +82,7 @@ impl Drawing {
 
 /// A drawing that is being read.
 pub(super) struct Builder {
-    layers: Vec<Layer>,
+    layers: Vec<DrawingLayer>,
     by_name: BTreeMap<String, u32>,
     strokes: Vec<Stroke>,
     points: Vec<Point>,
@@ -107,13 +111,13 @@ impl Builder {
         }
         let index = self.layers.len() as u32;
         let role = super::roles::guess(name);
-        self.layers.push(Layer { name: name.to_owned(), colour: [0; 3], strokes: 0, role });
+        self.layers.push(DrawingLayer { name: name.to_owned(), colour: [0; 3], strokes: 0, role });
         self.by_name.insert(key, index);
         Ok(index)
     }
 
     /// A layer, to be changed; it must exist.
-    pub fn layer_mut(&mut self, index: u32) -> &mut Layer {
+    pub fn layer_mut(&mut self, index: u32) -> &mut DrawingLayer {
         &mut self.layers[index as usize]
     }
 
@@ -166,7 +170,7 @@ impl Builder {
     }
 
     /// The drawing, with the layers that anything is on.
-    pub fn finish(mut self, file: &str, metre: Option<f64>) -> Result<Drawing, MapError> {
+    pub fn finish(mut self, file: &str, metre: Option<f64>) -> Result<Drawing, DrawingError> {
         let left_out: Vec<String> = self.left_out.iter().map(|(what, count)| format!("{count} {what}")).collect();
         if self.strokes.is_empty() {
             return Err(bad(file, "", DrawingFlaw::Nothing { left_out }));
@@ -185,7 +189,7 @@ impl Builder {
             stroke.layer = moved[stroke.layer as usize];
         }
         let Self { layers, strokes, points, .. } = self;
-        Ok(Drawing { name: stem(file), metre, layers, strokes, points, left_out })
+        Ok(Drawing { name: stem(base_name(file)), metre, layers, strokes, points, left_out })
     }
 }
 
@@ -193,18 +197,4 @@ impl Builder {
 pub(super) fn check_coordinate(value: f64) -> Result<(), DrawingFlaw> {
     // Said this way round as no comparison holds for what isn't a number.
     if value.abs() <= MAX_COORDINATE { Ok(()) } else { Err(DrawingFlaw::Coordinate { value: value.to_string() }) }
-}
-
-/// The error for a place in a file.
-pub(super) fn bad(file: &str, place: &str, flaw: DrawingFlaw) -> MapError {
-    MapError::BadDrawing { name: base_name(file).to_owned(), place: place.to_owned(), flaw: Box::new(flaw) }
-}
-
-fn base_name(path: &str) -> &str {
-    path.rsplit(['/', '\\']).next().unwrap_or(path)
-}
-
-fn stem(path: &str) -> String {
-    let name = base_name(path);
-    name.rsplit_once('.').map_or(name, |(stem, _)| if stem.is_empty() { name } else { stem }).to_owned()
 }

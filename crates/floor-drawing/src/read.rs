@@ -1,7 +1,7 @@
 //! Reads files; the format is detected from the content.
 
-use super::{Drawing, dxf, geojson, model::bad, svg};
-use robovac_core::floorplan::{DrawingFlaw, MapError, SourceFile};
+use super::{Drawing, DrawingError, DrawingFlaw, dxf, error::bad, geojson, svg};
+use robovac_core::floor_plan::SourceFile;
 
 /// Largest file that is read, MB.
 const MAX_MEGABYTES: usize = 256;
@@ -19,7 +19,10 @@ const OTHERS: &[(&[u8], &str)] = &[
     (b"P2", "a PGM image"),
 ];
 
-enum Kind {
+/// How DWGs begin.
+const DWG: &[u8] = b"AC10";
+
+enum DrawingFormat {
     Dxf,
     Svg,
     GeoJson,
@@ -29,7 +32,7 @@ enum Kind {
 ///
 /// ```
 /// use floor_drawing::is_drawing;
-/// use robovac_core::floorplan::SourceFile;
+/// use robovac_core::floor_plan::SourceFile;
 /// let file = |bytes: &[u8]| SourceFile { name: "room".into(), bytes: bytes.into() };
 /// assert!(is_drawing(&file(b"  0\nSECTION\n  2\nENTITIES\n")));
 /// assert!(is_drawing(&file(b"{\"type\": \"FeatureCollection\", \"features\": []}")));
@@ -43,23 +46,33 @@ pub fn is_drawing(file: &SourceFile) -> bool {
 ///
 /// ```
 /// use floor_drawing::is_dxf;
-/// use robovac_core::floorplan::SourceFile;
+/// use robovac_core::floor_plan::SourceFile;
 /// let file = |bytes: &[u8]| SourceFile { name: "room".into(), bytes: bytes.into() };
 /// assert!(is_dxf(&file(b"  0\nSECTION\n  2\nENTITIES\n")));
 /// assert!(!is_dxf(&file(b"\xef\xbb\xbf<svg xmlns='http://www.w3.org/2000/svg'/>")));
 /// ```
 pub fn is_dxf(file: &SourceFile) -> bool {
-    matches!(kind(&file.bytes), Some(Kind::Dxf))
+    matches!(kind(&file.bytes), Some(DrawingFormat::Dxf))
 }
 
-fn kind(bytes: &[u8]) -> Option<Kind> {
+/// What kind of drawing a file is, by its content, e.g. "a DXF drawing"; a DWG too, which [`read`] can't read.
+pub fn drawing_kind(file: &SourceFile) -> Option<&'static str> {
+    match kind(&file.bytes) {
+        Some(DrawingFormat::Dxf) => Some("a DXF drawing"),
+        Some(DrawingFormat::Svg) => Some("an SVG drawing"),
+        Some(DrawingFormat::GeoJson) => Some("a GeoJSON drawing"),
+        None => file.bytes.starts_with(DWG).then_some("a DWG drawing"),
+    }
+}
+
+fn kind(bytes: &[u8]) -> Option<DrawingFormat> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     if dxf::is_dxf(bytes) {
-        Some(Kind::Dxf)
+        Some(DrawingFormat::Dxf)
     } else if svg::is_svg(bytes) {
-        Some(Kind::Svg)
+        Some(DrawingFormat::Svg)
     } else if geojson::is_geojson(bytes) {
-        Some(Kind::GeoJson)
+        Some(DrawingFormat::GeoJson)
     } else {
         None
     }
@@ -75,28 +88,28 @@ fn kind(bytes: &[u8]) -> Option<Kind> {
 ///
 /// ```
 /// use floor_drawing::read;
-/// use robovac_core::{floorplan::SourceFile, geometry::Point};
+/// use robovac_core::{floor_plan::SourceFile, geometry::Point};
 /// let dxf = "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\nWALL\n10\n0\n20\n0\n11\n4\n21\n3\n0\nENDSEC\n0\nEOF\n";
 /// let drawing = read(&SourceFile { name: "house.dxf".into(), bytes: dxf.into() })?;
 /// assert_eq!((drawing.name.as_str(), drawing.layers[0].name.as_str()), ("house", "WALL"));
 /// assert_eq!(drawing.points, [Point::new(0.0, 0.0), Point::new(4.0, 3.0)]);
 /// assert_eq!(drawing.metre, None, "it says nothing of units");
-/// # Ok::<(), robovac_core::floorplan::MapError>(())
+/// # Ok::<(), floor_drawing::DrawingError>(())
 /// ```
-pub fn read(file: &SourceFile) -> Result<Drawing, MapError> {
+pub fn read(file: &SourceFile) -> Result<Drawing, DrawingError> {
     let bytes = &file.bytes;
     if bytes.trim_ascii().is_empty() {
-        return Err(MapError::Empty { name: file.name.clone() });
+        return Err(DrawingError::Empty { name: file.name.clone() });
     }
     let refuse = |flaw| Err(bad(&file.name, "", flaw));
     if bytes.len() > MAX_MEGABYTES << 20 {
         return refuse(DrawingFlaw::TooLong { found: bytes.len() >> 20, most: MAX_MEGABYTES });
     }
     match kind(bytes) {
-        Some(Kind::Dxf) => dxf::read(file),
-        Some(Kind::Svg) => svg::read(file),
-        Some(Kind::GeoJson) => geojson::read(file),
-        None if bytes.starts_with(b"AC10") => refuse(DrawingFlaw::Dwg),
+        Some(DrawingFormat::Dxf) => dxf::read(file),
+        Some(DrawingFormat::Svg) => svg::read(file),
+        Some(DrawingFormat::GeoJson) => geojson::read(file),
+        None if bytes.starts_with(DWG) => refuse(DrawingFlaw::Dwg),
         None => {
             let other = OTHERS.iter().find(|(magic, _)| bytes.starts_with(magic)).map(|&(_, kind)| kind);
             let is_text = std::str::from_utf8(bytes).is_ok();

@@ -4,15 +4,13 @@
 //! the file itself.
 
 use super::{
-    Drawing,
+    Drawing, DrawingError, DrawingFlaw,
     colours::true_colour,
+    error::bad,
     flatten::Nurbs,
-    model::{Builder, MAX_POINTS, bad},
+    model::{Builder, MAX_POINTS},
 };
-use robovac_core::{
-    floorplan::{DrawingFlaw, MapError, SourceFile},
-    geometry::Point,
-};
+use robovac_core::{floor_plan::SourceFile, geometry::Point};
 use std::collections::BTreeMap;
 use usvg::{
     Group, Node, Options, Paint, Tree,
@@ -40,7 +38,7 @@ pub(super) fn is_svg(bytes: &[u8]) -> bool {
 
 /// Reads an SVG. Its y axis is turned up. If its width has a physical unit, the drawing is in millimetres; else in pixels,
 /// whose length is to be asked for.
-pub(super) fn read(file: &SourceFile) -> Result<Drawing, MapError> {
+pub(super) fn read(file: &SourceFile) -> Result<Drawing, DrawingError> {
     let refuse = |place: &str, flaw| bad(&file.name, place, flaw);
     let bytes = file.bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&file.bytes);
     let not_text = |error: std::str::Utf8Error| {
@@ -62,7 +60,7 @@ pub(super) fn read(file: &SourceFile) -> Result<Drawing, MapError> {
         .map_err(|error| refuse("", DrawingFlaw::Parser { cause: error.to_string() }))?;
     let is_physical = has_physical_size(&document);
     let scale = if is_physical { MM_PER_PIXEL } else { 1.0 };
-    let mut painter = Painter {
+    let mut painter = SvgPainter {
         builder: Builder::new(),
         labels: labels(&document),
         height: f64::from(tree.size().height()),
@@ -133,7 +131,7 @@ struct Names {
     id: Option<String>,
 }
 
-struct Painter {
+struct SvgPainter {
     builder: Builder,
     labels: BTreeMap<String, String>,
     /// Of the picture, pixels.
@@ -142,7 +140,7 @@ struct Painter {
     paths: u32,
 }
 
-impl Painter {
+impl SvgPainter {
     fn group(&mut self, group: &Group, names: &Names) -> Result<(), (u32, DrawingFlaw)> {
         for node in group.children() {
             match node {

@@ -2,13 +2,13 @@
 
 use super::model::Role;
 use robovac_core::{
-    floorplan::FloorPlan,
+    floor_plan::FloorPlan,
     geometry::{Point, Vector},
 };
 
 /// The part of a drawing that is meant, in drawing units.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Region {
+pub enum DrawingRegion {
     /// All of it.
     Whole,
     /// An upright rectangle.
@@ -36,7 +36,7 @@ pub struct Tracing {
     /// Side of the room's cells, m.
     pub resolution: f64,
     /// The part that is meant.
-    pub region: Region,
+    pub region: DrawingRegion,
 }
 
 /// A room traced from a drawing.

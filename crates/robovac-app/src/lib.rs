@@ -2,16 +2,18 @@
 
 pub mod bench;
 pub mod compare;
-pub mod draft;
 pub mod explore;
 pub mod export;
+pub mod floor_plan;
+mod import;
+pub mod map;
 mod pack;
 mod palette;
 mod readings;
 mod scene;
-pub mod survey;
 mod viewport;
 
+pub use import::{Import, ImportError, ScenarioChoices, ScenarioError};
 pub use pack::{pack, unpack};
 pub use palette::Palette;
 pub use readings::{READINGS, readings};

@@ -1,7 +1,7 @@
 //! Objects packed into one list of numbers, for messages from a worker to the page: the smallest code for the page.
 
 use robovac_core::{
-    floorplan::{Object, Who},
+    floor_plan::{Object, Who},
     geometry::{Point, Pose},
 };
 

@@ -210,7 +210,7 @@ mod tests {
 
     #[test]
     fn the_legend_of_a_film_shows_its_colours() {
-        let css = include_str!("../../../www/film.css");
+        let css = include_str!("../../../www/explore/film.css");
         let parts = LIGHT.parts.into_iter().zip(DARK.parts);
         let others = [(LIGHT.preview, DARK.preview), (LIGHT.tint, DARK.tint), (LIGHT.link, DARK.link)];
         for (light, dark) in parts.chain(others) {

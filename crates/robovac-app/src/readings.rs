@@ -1,6 +1,6 @@
 //! Sensor readings as a row of numbers, passed to the page every frame.
 
-use robovac_core::robot::Sensors;
+use robovac_core::robot::SensorReadings;
 
 /// What the numbers of [`readings`] are, in their order; `cliff` stands for the left one of four, and so on.
 pub const READINGS: [&str; 45] = [
@@ -51,11 +51,13 @@ pub const READINGS: [&str; 45] = [
     "on_dock",
 ];
 
-/// The reading in the order of [`READINGS`], in the units of [`Sensors`]; 1 and 0 for yes and no. The laser's scan isn't
+/// The reading in the order of [`READINGS`], in the units of [`SensorReadings`]; 1 and 0 for yes and no. The laser's scan isn't
 /// part of it.
-pub fn readings(sensed: &Sensors) -> [f64; READINGS.len()] {
+pub fn readings(sensed: &SensorReadings) -> [f64; READINGS.len()] {
     let is = |yes: bool| f64::from(u8::from(yes));
-    let Sensors { cliff, cliff_signal: floor, light_bumper: near, light_signal: light, infrared, battery, .. } = sensed;
+    let SensorReadings {
+        cliff, cliff_signal: floor, light_bumper: near, light_signal: light, infrared, battery, ..
+    } = sensed;
     let over = sensed.overcurrent;
     [
         is(sensed.bump_left),
@@ -114,7 +116,7 @@ mod tests {
     /// Every field has a value of its own, so that one that landed in another's place shows.
     #[test]
     fn every_number_is_in_the_place_of_its_name() {
-        let sensed = Sensors {
+        let sensed = SensorReadings {
             bump_right: true,
             wheel_drop_left: true,
             cliff: [false, true, false, false],
@@ -137,7 +139,7 @@ mod tests {
                 on_dock: true,
                 ..BatteryReading::default()
             },
-            ..Sensors::default()
+            ..SensorReadings::default()
         };
         let row = readings(&sensed);
         let of = |name: &str| row[READINGS.iter().position(|n| *n == name).unwrap()];

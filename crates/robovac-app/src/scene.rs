@@ -4,10 +4,10 @@ use crate::explore::Picture;
 use coverage_planners::TraceStep;
 use robovac_core::{
     coverage::{CoverageTracker, ReachableFloor},
-    floorplan::{FloorPlan, Object},
+    floor_plan::{FloorPlan, Object},
     geometry::{Point, Pose},
     grid::Cell,
-    robot::{Body, RobotModel, SensorSuite, Sensors},
+    robot::{Body, RobotModel, SensorReadings, SensorSuite},
 };
 use robovac_sim::experiment::Shows;
 use robovac_sim::{Life, Run};
@@ -74,7 +74,7 @@ pub struct Scene<'a> {
 #[derive(Debug, Clone, Copy)]
 pub struct Sensed<'a> {
     /// The reading.
-    pub reading: &'a Sensors,
+    pub reading: &'a SensorReadings,
     /// The floor that it stands on.
     pub floor: &'a ReachableFloor,
 }

@@ -34,7 +34,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
 
 fn all(only: &str, clock: &dyn Fn() -> f64, report: &mut dyn FnMut(&BenchResult)) -> Result<Vec<BenchResult>, Failure> {
     let mut bench = Bench::new(clock, &|| None, report).only(only);
-    for cases in [bench::planning, bench::mapping, bench::streaming, bench::drafting] {
+    for cases in [bench::planning, bench::mapping, bench::streaming, bench::floor_plan] {
         cases(&mut bench);
     }
     let results = bench.into_results();

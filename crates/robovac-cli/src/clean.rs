@@ -60,7 +60,7 @@ fn parse_tracking(text: &str) -> Result<Tracking, String> {
 
 /// What became of one run.
 #[derive(Serialize)]
-struct Outcome {
+struct CleanOutcome {
     seed: u64,
     /// Time until it began to clean, and until it ended, s.
     mapped_s: f64,
@@ -105,7 +105,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
 }
 
 /// Maps, then cleans.
-fn clean(mut run: Run, arguments: &Arguments, planner: &'static str, seed: u64) -> Outcome {
+fn clean(mut run: Run, arguments: &Arguments, planner: &'static str, seed: u64) -> CleanOutcome {
     while !run.is_finished() && run.time_s() < 60.0 * arguments.minutes {
         run.step();
     }
@@ -125,7 +125,7 @@ fn clean(mut run: Run, arguments: &Arguments, planner: &'static str, seed: u64) 
         run.step();
     }
     let swept = run.intent().zip(run.mapper()).and_then(|(intent, mapper)| intent.swept(mapper.marks()));
-    Outcome {
+    CleanOutcome {
         seed,
         mapped_s,
         end_s: run.time_s(),
@@ -138,7 +138,7 @@ fn clean(mut run: Run, arguments: &Arguments, planner: &'static str, seed: u64) 
     }
 }
 
-fn to_text(outcomes: &[Outcome]) -> String {
+fn to_text(outcomes: &[CleanOutcome]) -> String {
     let mut text = String::new();
     let heads = ["mapped", "swept", "cleaned", "swept", "believed", "pose off", "bumps"];
     // Writing to a string can't fail.
@@ -164,7 +164,7 @@ fn to_text(outcomes: &[Outcome]) -> String {
             of that share, from its map\n"
 }
 
-impl Outcome {
+impl CleanOutcome {
     fn numbers(&self) -> [f64; 7] {
         let believed = self.believed.unwrap_or_default();
         let Self { mapped_s, end_s, swept_mapping, swept, error_m, bumps, .. } = *self;

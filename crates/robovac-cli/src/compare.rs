@@ -5,9 +5,9 @@ use coverage_planners::{
     PLANNERS,
     metrics::{METRICS, PlanNumbers},
 };
-use robovac_app::compare::{Record, RoomChoice, RoomSet, Row, Table, to_csv, to_json};
+use robovac_app::compare::{ComparisonTable, Record, RoomChoice, RoomSet, Row, to_csv, to_json};
 use robovac_core::{
-    floorplan::{FloorPlan, room},
+    floor_plan::{FloorPlan, room},
     robot::RobotModel,
 };
 use robovac_sim::experiment::{
@@ -57,7 +57,7 @@ pub struct Arguments {
 }
 
 /// A room with what its trials need.
-struct Place {
+struct TrialRoom {
     name: String,
     robot: RobotModel,
     cell_size: f64,
@@ -65,7 +65,7 @@ struct Place {
 }
 
 /// One planner in one room with one seed; numbers in the lists of rooms and planners.
-struct Trial {
+struct CompareTrial {
     place: usize,
     entrant: usize,
     seed: u64,
@@ -79,20 +79,20 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
         let (robot, cell_size) = choose_robot(&arguments.robot, plan, arguments.cell)
             .ok_or_else(|| Failure::unknown("robot", &arguments.robot, "robots"))?;
         let arena = Arena::new(plan, &robot, cell_size, None).map_err(|e| e.to_string());
-        Ok(Place { name: plan.name.clone(), robot, cell_size, arena })
+        Ok(TrialRoom { name: plan.name.clone(), robot, cell_size, arena })
     };
-    let places: Vec<Place> = plans.iter().map(place).collect::<Result<_, Failure>>()?;
+    let places: Vec<TrialRoom> = plans.iter().map(place).collect::<Result<_, Failure>>()?;
     let mut trials = Vec::new();
     for place in 0..places.len() {
         for (index, entrant) in entrants.iter().enumerate() {
             let seeds = if entrant.is_deterministic() { 1 } else { arguments.seeds };
-            trials.extend((0..seeds).map(|i| Trial { place, entrant: index, seed: arguments.seed + i }));
+            trials.extend((0..seeds).map(|i| CompareTrial { place, entrant: index, seed: arguments.seed + i }));
         }
     }
     let jobs = arguments.jobs.map_or_else(|| thread::available_parallelism().map_or(1, usize::from), usize::from);
     let results = try_all(&trials, jobs, |trial| attempt(&places[trial.place], &entrants[trial.entrant], trial.seed));
-    let record = |(trial, result): (&Trial, _)| {
-        let place: &Place = &places[trial.place];
+    let record = |(trial, result): (&CompareTrial, _)| {
+        let place: &TrialRoom = &places[trial.place];
         Record {
             room: &place.name,
             robot: place.robot.id,
@@ -112,9 +112,9 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
 
 /// Makes the trials, `jobs` at a time; results in the order of trials.
 fn try_all(
-    trials: &[Trial],
+    trials: &[CompareTrial],
     jobs: usize,
-    attempt: impl Fn(&Trial) -> Result<PlanNumbers, String> + Sync,
+    attempt: impl Fn(&CompareTrial) -> Result<PlanNumbers, String> + Sync,
 ) -> Vec<Result<PlanNumbers, String>> {
     let next = AtomicUsize::new(0);
     let results = Mutex::new(vec![Err("not tried".to_owned()); trials.len()]);
@@ -136,7 +136,7 @@ fn try_all(
     results.into_inner().unwrap_or_default()
 }
 
-fn attempt(place: &Place, entrant: &Entrant, seed: u64) -> Result<PlanNumbers, String> {
+fn attempt(place: &TrialRoom, entrant: &Entrant, seed: u64) -> Result<PlanNumbers, String> {
     let begin = Instant::now();
     let arena = place.arena.as_ref().map_err(Clone::clone)?;
     let planner = entrant.algorithm.planner().ok_or("a behaviour doesn't plan; use robovac montecarlo")?;
@@ -186,17 +186,22 @@ fn entrants(names: &[String]) -> Result<Vec<Entrant>, Failure> {
 const SHOWN: [&str; 8] = ["coverage", "above_bound", "length", "duration", "turns", "steps", "revisits", "planning"];
 
 /// A Markdown table for each room.
-fn tables(places: &[Place], entrants: &[Entrant], trials: &[Trial], results: &[Result<PlanNumbers, String>]) -> String {
+fn tables(
+    places: &[TrialRoom],
+    entrants: &[Entrant],
+    trials: &[CompareTrial],
+    results: &[Result<PlanNumbers, String>],
+) -> String {
     let columns: Vec<usize> =
         METRICS.iter().enumerate().filter(|(_, metric)| SHOWN.contains(&metric.id)).map(|(i, _)| i).collect();
     let row = |place: usize, (index, entrant): (usize, &Entrant)| {
         let own = trials.iter().zip(results).filter(|(trial, _)| (trial.place, trial.entrant) == (place, index));
         Row::new(entrant.clone(), index, &[own.map(|(_, result)| result.clone()).collect()])
     };
-    let table = |(index, place): (usize, &Place)| {
+    let table = |(index, place): (usize, &TrialRoom)| {
         let title = format!("{}, {}, cells of {} m", place.name, place.robot.title, place.cell_size);
         let rows = entrants.iter().enumerate().map(|entrant| row(index, entrant)).collect();
-        output::markdown(&title, &columns, &Table::new(rows))
+        output::markdown(&title, &columns, &ComparisonTable::new(rows))
     };
     places.iter().enumerate().map(table).collect()
 }

@@ -1,9 +1,9 @@
 //! `convert`: a map or drawing in another format.
 
-use super::{drawing::DrawingOptions, failure::Failure, source::Source};
+use super::{drawing::DrawingOptions, failure::Failure, source::RoomSource};
 use floor_drawing::is_drawing;
 use robovac_app::export::{ExportError, Exported};
-use robovac_core::floorplan::{Mode, Scenario};
+use robovac_core::floor_plan::{OccupancyMode, Scenario};
 use std::{fs, path::PathBuf};
 
 /// Write a map, or the room in a drawing, as text (.txt), scenario (.json), ROS map (.pgm or .png, and its YAML file beside it) or
@@ -11,7 +11,7 @@ use std::{fs, path::PathBuf};
 #[derive(clap::Args)]
 pub struct Arguments {
     #[command(flatten)]
-    source: Source,
+    source: RoomSource,
     #[command(flatten)]
     drawing: DrawingOptions,
     /// Output file; its extension chooses the format
@@ -44,7 +44,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
         None => arguments.source.plan()?,
     };
     let scenario = Scenario::of(&plan);
-    let mode = Mode::named(&arguments.mode).unwrap_or_default();
+    let mode = OccupancyMode::named(&arguments.mode).unwrap_or_default();
     let exported = Exported { scenario: &scenario, plan: &plan, path: &[], stem, mode, negate: arguments.negate };
     for file in exported.files(format)? {
         let path = out.with_file_name(&file.name);

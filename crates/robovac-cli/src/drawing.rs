@@ -1,8 +1,8 @@
 //! `--units`, `--layer`, `--gap`, `--resolution`, `--region`: how a room is traced from a drawing.
 
 use super::failure::Failure;
-use floor_drawing::{Drawing, Region, Role, Traced, Tracing, read, trace};
-use robovac_core::{floorplan::SourceFile, geometry::Point};
+use floor_drawing::{Drawing, DrawingRegion, Role, Traced, Tracing, read, trace};
+use robovac_core::{floor_plan::SourceFile, geometry::Point};
 
 /// Only for drawings (DXF, SVG, GeoJSON).
 #[derive(clap::Args)]
@@ -79,13 +79,13 @@ impl DrawingOptions {
         Ok(roles)
     }
 
-    fn region(&self) -> Result<Region, Failure> {
+    fn region(&self) -> Result<DrawingRegion, Failure> {
         let bad = || {
             let given = &self.region;
             Failure::usage(format!("--region {given}: use whole, room:X,Y, rectangle:X,Y,X,Y or polygon:X,Y,X,Y,X,Y"))
         };
         if self.region == "whole" {
-            return Ok(Region::Whole);
+            return Ok(DrawingRegion::Whole);
         }
         let (kind, numbers) = self.region.split_once(':').ok_or_else(bad)?;
         let numbers: Vec<f64> =
@@ -93,9 +93,9 @@ impl DrawingOptions {
         let points: Vec<Point> = numbers.chunks_exact(2).map(|pair| Point::new(pair[0], pair[1])).collect();
         match (kind, points.as_slice()) {
             _ if numbers.len() % 2 == 1 => Err(bad()),
-            ("room", &[at]) => Ok(Region::Room(at)),
-            ("rectangle", &[low, high]) => Ok(Region::Rectangle { low, high }),
-            ("polygon", [_, _, _, ..]) => Ok(Region::Polygon(points)),
+            ("room", &[at]) => Ok(DrawingRegion::Room(at)),
+            ("rectangle", &[low, high]) => Ok(DrawingRegion::Rectangle { low, high }),
+            ("polygon", [_, _, _, ..]) => Ok(DrawingRegion::Polygon(points)),
             _ => Err(bad()),
         }
     }

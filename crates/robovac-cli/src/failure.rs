@@ -1,6 +1,8 @@
 //! Error messages and exit codes.
 
-use robovac_core::{floorplan::MapError, registry::ParamError};
+use floor_drawing::DrawingError;
+use robovac_app::ImportError;
+use robovac_core::registry::ParamError;
 use robovac_sim::experiment::planning::PlanningError;
 use std::{fmt, io};
 
@@ -54,8 +56,14 @@ impl fmt::Display for Failure {
     }
 }
 
-impl From<MapError> for Failure {
-    fn from(error: MapError) -> Self {
+impl From<DrawingError> for Failure {
+    fn from(error: DrawingError) -> Self {
+        ImportError::from(error).into()
+    }
+}
+
+impl From<ImportError> for Failure {
+    fn from(error: ImportError) -> Self {
         Self { code: BAD_MAP, message: error.to_string() }
     }
 }

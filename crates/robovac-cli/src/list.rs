@@ -1,7 +1,7 @@
 //! `planners`, `behaviours`, `rooms`, `robots`: lists, one entry a line.
 
 use coverage_planners::{PLANNERS, metrics::METRICS};
-use robovac_core::{floorplan::ROOMS, robot::MODELS};
+use robovac_core::{floor_plan::ROOMS, robot::MODELS};
 use robovac_link::emulator::PERSONALITIES;
 use robovac_sim::controller::BEHAVIOURS;
 

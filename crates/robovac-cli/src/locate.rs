@@ -47,7 +47,7 @@ pub struct Arguments {
 }
 
 #[derive(Serialize)]
-struct Trial {
+struct LocateTrial {
     seed: u64,
     found_s: Option<f64>,
     deluded_s: f64,
@@ -77,7 +77,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let trials = all(&kidnapping, arguments.params.seed, arguments.trials);
     let took_s = began.elapsed().as_secs_f64();
     if arguments.json {
-        let trials: Vec<Trial> = trials.iter().map(Trial::of).collect();
+        let trials: Vec<LocateTrial> = trials.iter().map(LocateTrial::of).collect();
         return Ok(output::json(&trials));
     }
     let mut text = String::new();
@@ -136,7 +136,7 @@ fn all(kidnapping: &Kidnapping<'_>, first: u64, count: u64) -> Vec<Kidnapped> {
     trials
 }
 
-impl Trial {
+impl LocateTrial {
     fn of(trial: &Kidnapped) -> Self {
         Self {
             seed: trial.seed,

@@ -10,11 +10,11 @@ use super::{
 use clap::ValueEnum;
 use robovac_core::{
     geometry::{Pose, difference},
-    robot::Sensors,
+    robot::SensorReadings,
 };
 use robovac_sim::{
     Run, STEP_S, controller,
-    mapping::{MapQuality, Mapper, MapperSetup, Tracking, Truth},
+    mapping::{MapQuality, MapTruth, Mapper, MapperSetup, Tracking},
     montecarlo::quantile,
 };
 use serde::Serialize;
@@ -43,7 +43,7 @@ pub struct Arguments {
     conditions: ConditionsArguments,
     /// Localisation
     #[arg(long, value_name = "WAY", default_value = "both")]
-    tracking: Ways,
+    tracking: TrackingWays,
     /// Write JSON instead of tables
     #[arg(long)]
     json: bool,
@@ -51,7 +51,7 @@ pub struct Arguments {
 
 /// Ways of keeping track that are compared.
 #[derive(Clone, Copy, ValueEnum)]
-enum Ways {
+enum TrackingWays {
     /// Encoder counts only
     Odometry,
     /// Drift corrected by matching bumper and light bumper contacts
@@ -62,7 +62,7 @@ enum Ways {
 
 /// What became of one run with one way of keeping track.
 #[derive(Serialize)]
-struct Outcome {
+struct MapOutcome {
     seed: u64,
     tracking: &'static str,
     /// Error of the pose at the end, and its median and 90th percentile over the run, once a second.
@@ -91,9 +91,9 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let prepared = arguments.placement.placement(DEFAULT_ROBOT)?.prepare()?;
     let conditions = arguments.conditions.conditions();
     let ways: &[Tracking] = match arguments.tracking {
-        Ways::Odometry => &[Tracking::Odometry],
-        Ways::Corrected => &[Tracking::Corrected],
-        Ways::Both => &[Tracking::Corrected, Tracking::Odometry],
+        TrackingWays::Odometry => &[Tracking::Odometry],
+        TrackingWays::Corrected => &[Tracking::Corrected],
+        TrackingWays::Both => &[Tracking::Corrected, Tracking::Odometry],
     };
     let first = arguments.params.seed;
     let mut outcomes = Vec::new();
@@ -125,7 +125,7 @@ impl Followed {
         Self { mapper, errors: Vec::new(), seconds: 0.0 }
     }
 
-    fn take(&mut self, readings: &[Sensors], truth: Pose) {
+    fn take(&mut self, readings: &[SensorReadings], truth: Pose) {
         let begin = Instant::now();
         for sensed in readings {
             self.mapper.update(sensed);
@@ -141,7 +141,7 @@ impl Followed {
 }
 
 /// Drives to the end with mappers that listen; a behaviour that makes a map of its own drives by that.
-fn follow(mut run: Run, mut mappers: Vec<Followed>, minutes: f64, seed: u64) -> Vec<Outcome> {
+fn follow(mut run: Run, mut mappers: Vec<Followed>, minutes: f64, seed: u64) -> Vec<MapOutcome> {
     let most_steps = (60.0 * minutes / STEP_S) as u64;
     let mut readings = Vec::with_capacity(BATCH);
     while !run.is_finished() && run.steps() < most_steps {
@@ -157,19 +157,19 @@ fn follow(mut run: Run, mut mappers: Vec<Followed>, minutes: f64, seed: u64) -> 
     for mapper in &mut mappers {
         mapper.take(&readings, run.pose());
     }
-    let truth = Truth::of(run.floor(), robovac_sim::mapping::RESOLUTION);
+    let truth = MapTruth::of(run.floor(), robovac_sim::mapping::RESOLUTION);
     mappers.into_iter().map(|followed| followed.outcome(&truth, run.time_s(), seed)).collect()
 }
 
 impl Followed {
-    fn outcome(self, truth: &Truth, time_s: f64, seed: u64) -> Outcome {
+    fn outcome(self, truth: &MapTruth, time_s: f64, seed: u64) -> MapOutcome {
         let MapQuality { right, known, boundary, boundary_error_m, .. } = truth.quality(self.mapper.map());
         let of = |value: &dyn Fn(&(f64, f64)) -> f64| {
             let values: Vec<f64> = self.errors.iter().map(value).collect();
             let last = values.last().copied().unwrap_or_default();
             [last, at(&values, 0.5), at(&values, 0.9)]
         };
-        Outcome {
+        MapOutcome {
             seed,
             tracking: self.mapper.setup().tracking.id(),
             error_m: of(&|error| error.0),
@@ -187,10 +187,10 @@ fn at(values: &[f64], p: f64) -> f64 {
     quantile(&sorted, p).unwrap_or_default()
 }
 
-fn to_text(ways: &[Tracking], outcomes: &[Outcome]) -> String {
+fn to_text(ways: &[Tracking], outcomes: &[MapOutcome]) -> String {
     let mut text = String::new();
     for way in ways {
-        let of_way: Vec<&Outcome> = outcomes.iter().filter(|outcome| outcome.tracking == way.id()).collect();
+        let of_way: Vec<&MapOutcome> = outcomes.iter().filter(|outcome| outcome.tracking == way.id()).collect();
         let _ = writeln!(text, "{}", way.id());
         let heads = ["end", "median", "90 %", "end", "median", "90 %", "right", "floor", "boundary", "off", "speed"];
         let _ = write!(text, "{:>10}", "seed");
@@ -212,7 +212,7 @@ fn to_text(ways: &[Tracking], outcomes: &[Outcome]) -> String {
             speed: times real time\n"
 }
 
-impl Outcome {
+impl MapOutcome {
     fn numbers(&self) -> [f64; 11] {
         let [a, b, c] = self.error_m;
         let [d, e, f] = self.error_deg;

@@ -2,8 +2,8 @@
 
 use super::failure::Failure;
 use robovac_link::{
+    connection::{Connection, ConnectionView, Request, Traffic, TrafficKind},
     driver::LineRequest,
-    link::{Link, LinkView, Request, Traffic, TrafficKind},
 };
 use serialport::{ClearBuffer, SerialPort};
 use std::{
@@ -45,7 +45,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
         serialport::new(&arguments.port, BAUD).timeout(LOOK).open().map_err(|e| cannot_open(arguments, &e))?;
     // Opening may have pulled the wake-up wire low: let it go.
     let _ = (port.write_request_to_send(false), port.write_data_terminal_ready(false), port.clear(ClearBuffer::Input));
-    let mut link = Link::new();
+    let mut link = Connection::new();
     let watched = watch(arguments, port.as_mut(), &mut link);
     if let Some(path) = &arguments.record {
         std::fs::write(path, link.recording()).map_err(|e| Failure::io(path.display(), &e))?;
@@ -53,7 +53,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     watched.map(|()| String::new())
 }
 
-fn watch(arguments: &Arguments, port: &mut dyn SerialPort, link: &mut Link) -> Result<(), Failure> {
+fn watch(arguments: &Arguments, port: &mut dyn SerialPort, link: &mut Connection) -> Result<(), Failure> {
     let lost = |error: &std::io::Error| Failure::io(&arguments.port, error);
     let began = Instant::now();
     let mut reported = began;
@@ -101,7 +101,7 @@ fn watch(arguments: &Arguments, port: &mut dyn SerialPort, link: &mut Link) -> R
 }
 
 /// Does what the driver asks for, at once.
-fn send(port: &mut dyn SerialPort, link: &mut Link) -> std::io::Result<()> {
+fn send(port: &mut dyn SerialPort, link: &mut Connection) -> std::io::Result<()> {
     while let Some(request) = link.take_line() {
         match request {
             LineRequest::Baud(baud) => port.set_baud_rate(baud)?,
@@ -112,7 +112,7 @@ fn send(port: &mut dyn SerialPort, link: &mut Link) -> std::io::Result<()> {
     port.write_all(&link.take_tx())
 }
 
-fn summary(now: f64, view: &LinkView) -> String {
+fn summary(now: f64, view: &ConnectionView) -> String {
     // Places of packets from 7 on.
     let packet = |id: usize| view.packets.get(id - 7).copied().unwrap_or_default();
     let signed = |id: usize| packet(id).cast_signed();

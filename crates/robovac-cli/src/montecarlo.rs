@@ -4,7 +4,7 @@ use super::{conditions::ConditionsArguments, failure::Failure, simulate::DEFAULT
 use robovac_sim::{
     Conditions,
     experiment::{Algorithm, BEHAVIOUR, Entrant, PLANNER, planning::Placement},
-    montecarlo::{Band, Entry, Head, Lab, Outcome, Summary, Terms, TimeTo, to_csv, to_json},
+    montecarlo::{Band, EntrantRuns, Lab, RunOutcome, StudyHeader, Summary, Terms, TimeTo, to_csv, to_json},
 };
 use std::{
     fmt::Write,
@@ -74,8 +74,9 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let of =
         |who: usize| runs.iter().zip(&outcomes).filter(move |((w, _), _)| *w == who).filter_map(|(_, o)| o.as_ref());
     let result = |who: usize| failures[who].as_deref().map_or_else(|| Ok(of(who).collect()), Err);
-    let entries: Vec<Entry<'_>> = entrants.iter().enumerate().map(|(who, entrant)| (entrant, result(who))).collect();
-    let head = Head {
+    let entries: Vec<EntrantRuns<'_>> =
+        entrants.iter().enumerate().map(|(who, entrant)| (entrant, result(who))).collect();
+    let head = StudyHeader {
         room: &placement.plan.name,
         robot: placement.robot.id,
         cell_size_m: placement.cell_size,
@@ -111,8 +112,8 @@ impl EntrantArguments {
 fn make_all(
     runs: &[(usize, u64)],
     jobs: usize,
-    make: impl Fn(&(usize, u64)) -> Option<Outcome> + Sync,
-) -> Vec<Option<Outcome>> {
+    make: impl Fn(&(usize, u64)) -> Option<RunOutcome> + Sync,
+) -> Vec<Option<RunOutcome>> {
     let next = AtomicUsize::new(0);
     let outcomes = Mutex::new(vec![None; runs.len()]);
     let work = || {
@@ -134,7 +135,7 @@ fn make_all(
 }
 
 /// A Markdown table: medians, with 10 to 90 % of the runs in brackets.
-fn table(head: &Head<'_>, placement: &Placement, arguments: &Arguments, entries: &[Entry<'_>]) -> String {
+fn table(head: &StudyHeader<'_>, placement: &Placement, arguments: &Arguments, entries: &[EntrantRuns<'_>]) -> String {
     let Conditions { slip, noise, quantised, .. } = head.conditions;
     let quantised = if quantised { ", quantised wheel speeds" } else { "" };
     let (robot, minutes) = (placement.robot.title, head.minutes);

@@ -2,7 +2,7 @@
 
 use super::failure::Failure;
 use coverage_planners::metrics::METRICS;
-use robovac_app::compare::Table;
+use robovac_app::compare::ComparisonTable;
 use serde::Serialize;
 use std::io::{ErrorKind, Write};
 
@@ -28,7 +28,7 @@ pub fn minutes(seconds: f64) -> String {
 }
 
 /// A Markdown table with those columns of [`METRICS`]; the best of a column is bold, ranges are over seeds.
-pub fn markdown(title: &str, columns: &[usize], table: &Table) -> String {
+pub fn markdown(title: &str, columns: &[usize], table: &ComparisonTable) -> String {
     let heads = columns.iter().map(|&column| {
         let metric = &METRICS[column];
         if metric.unit.is_empty() { metric.label.to_owned() } else { format!("{}, {}", metric.label, metric.unit) }

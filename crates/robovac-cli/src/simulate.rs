@@ -6,7 +6,7 @@ use super::{
     output, plan,
     task::{self, ParamArguments, PlacementArguments},
 };
-use robovac_core::{floorplan::ScenarioPose, robot::OdometryModel};
+use robovac_core::{floor_plan::ScenarioPose, robot::OdometryModel};
 use robovac_sim::{
     Run, STEP_S, SlipLevel, What, controller,
     experiment::{
@@ -58,7 +58,7 @@ struct AlgorithmArguments {
 
 /// What is written about a run.
 #[derive(Serialize)]
-struct Report {
+struct SimulateReport {
     #[serde(flatten)]
     task: TaskReport,
     slip: SlipLevel,
@@ -67,7 +67,7 @@ struct Report {
     odometry: OdometryModel,
     #[serde(flatten)]
     totals: Totals,
-    samples: Vec<Sample>,
+    samples: Vec<SimulateSample>,
 }
 
 /// The numbers of a run when it is over or was stopped.
@@ -94,7 +94,7 @@ struct Totals {
 
 /// One moment of a run.
 #[derive(Serialize)]
-struct Sample {
+struct SimulateSample {
     time_s: f64,
     /// Swept share of the reachable floor, 0 to 1.
     coverage: f64,
@@ -128,7 +128,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let never_ends = algorithm.behaviour().is_some_and(|info| !info.claims.ends);
     let max_time = arguments.max_time.or(never_ends.then_some(MOST_TIME_S));
     let samples = drive(&mut run, arguments.sample, max_time);
-    let report = Report {
+    let report = SimulateReport {
         task: TaskReport::new(algorithm, &params, seed, &placement, &prepared),
         slip: conditions.slip,
         noise: conditions.noise.to_string(),
@@ -155,20 +155,20 @@ impl AlgorithmArguments {
 }
 
 /// Drives to the end or for `max_time` seconds, and takes a sample at the start, every `interval` seconds and at the end.
-fn drive(run: &mut Run, interval: f64, max_time: Option<f64>) -> Vec<Sample> {
+fn drive(run: &mut Run, interval: f64, max_time: Option<f64>) -> Vec<SimulateSample> {
     let most_steps = max_time.map_or(u64::MAX, |seconds| (seconds / STEP_S) as u64);
-    let mut samples = vec![Sample::of(run)];
+    let mut samples = vec![SimulateSample::of(run)];
     while !run.is_finished() && run.steps() < most_steps {
         run.step();
         let is_last = run.is_finished() || run.steps() == most_steps;
         if is_last || run.time_s() >= samples.len() as f64 * interval {
-            samples.push(Sample::of(run));
+            samples.push(SimulateSample::of(run));
         }
     }
     samples
 }
 
-impl Sample {
+impl SimulateSample {
     fn of(run: &Run) -> Self {
         Self {
             time_s: run.time_s(),
@@ -197,7 +197,7 @@ impl Totals {
     }
 }
 
-impl Report {
+impl SimulateReport {
     fn to_text(&self, algorithm: Algorithm, placement: &Placement) -> String {
         let mut text = task::summary(algorithm, placement, &self.task);
         let quantised = if self.quantised { ", quantised" } else { "" };

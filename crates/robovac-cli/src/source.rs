@@ -1,7 +1,8 @@
 //! `--map` and `--room`: where a floor plan comes from.
 
 use super::failure::Failure;
-use robovac_core::floorplan::{FloorPlan, SourceFile, image_of, load, room};
+use robovac_app::Import;
+use robovac_core::floor_plan::{FloorPlan, SourceFile, image_of, room};
 use std::{
     fs,
     io::ErrorKind,
@@ -11,7 +12,7 @@ use std::{
 /// One of the two must be given.
 #[derive(clap::Args)]
 #[group(required = true, multiple = false)]
-pub struct Source {
+pub struct RoomSource {
     /// Map file: text of # and ., PNG, PGM, ROS map (YAML; its image is found automatically) or scenario
     #[arg(long, value_name = "FILE")]
     map: Option<PathBuf>,
@@ -20,7 +21,7 @@ pub struct Source {
     room: Option<String>,
 }
 
-impl Source {
+impl RoomSource {
     /// The file of `--map`, if that is given.
     pub fn file(&self) -> Result<Option<SourceFile>, Failure> {
         self.map.as_deref().map_or(Ok(None), read)
@@ -43,7 +44,7 @@ pub fn load_with_image(path: &Path) -> Result<FloorPlan, Failure> {
         // If it isn't there, the loader says what is missing.
         files.extend(read(&folder.join(image))?);
     }
-    Ok(load(&files)?)
+    Ok(Import::read(&files)?.plan)
 }
 
 /// A file, or `None` if there is none.

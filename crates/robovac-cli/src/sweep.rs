@@ -1,12 +1,12 @@
 //! `sweep`: the subgoal sweep of paper 001, for a robot of any outline.
 
-use super::{drawing::DrawingOptions, failure::Failure, output, source::Source};
+use super::{drawing::DrawingOptions, failure::Failure, output, source::RoomSource};
 use coverage_planners::{
-    stage::Contact,
+    stage::LineEndContact,
     sweep::{Sweep, SweepError, SweepSetup, in_frame, planned_for, program, sweep, to_csv, to_ros_path},
 };
 use floor_drawing::{Traced, is_drawing, is_dxf};
-use robovac_app::draft::sweep_dxf;
+use robovac_app::floor_plan::sweep_dxf;
 use robovac_core::{
     cspace::{CspaceError, Outline},
     geometry::{Point, Vector},
@@ -20,7 +20,7 @@ use std::{fs, ops::ControlFlow, path::PathBuf, time::Instant};
 #[derive(clap::Args)]
 pub struct Arguments {
     #[command(flatten)]
-    source: Source,
+    source: RoomSource,
     #[command(flatten)]
     drawing: DrawingOptions,
     /// Robot, see "robovac robots"; its body is the outline unless --outline is given
@@ -43,7 +43,7 @@ pub struct Arguments {
 
 /// The numbers of a sweep.
 #[derive(Serialize)]
-struct Report<'a> {
+struct SweepReport<'a> {
     room: &'a str,
     robot: &'a str,
     width_m: f64,
@@ -64,7 +64,7 @@ struct Report<'a> {
 #[derive(Serialize)]
 struct Stages<'a> {
     #[serde(flatten)]
-    report: &'a Report<'a>,
+    report: &'a SweepReport<'a>,
     points: Vec<StagePoint>,
     links: Vec<StageLink>,
     path: Vec<[f64; 2]>,
@@ -73,7 +73,7 @@ struct Stages<'a> {
 #[derive(Serialize)]
 struct StagePoint {
     at: [f64; 2],
-    status: Contact,
+    status: LineEndContact,
     line: u32,
     obstacle: Option<u32>,
 }
@@ -122,7 +122,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     };
     let begin = Instant::now();
     let found = sweep(plan, &setup, &mut |_| ControlFlow::Continue(()))?;
-    let report = Report {
+    let report = SweepReport {
         room: &plan.name,
         robot: robot.id,
         width_m: width,
@@ -166,7 +166,7 @@ fn format_of(out: &std::path::Path) -> Result<Format, Failure> {
 fn written(
     format: Format,
     found: &Sweep,
-    report: &Report<'_>,
+    report: &SweepReport<'_>,
     (room, original): (&Traced, Option<&[u8]>),
     (robot, heading, planned): (&RobotModel, f64, &str),
 ) -> Result<Vec<u8>, Failure> {
@@ -185,7 +185,7 @@ fn written(
     Ok(text.into_bytes())
 }
 
-fn stages<'a>(found: &Sweep, report: &'a Report<'a>) -> Stages<'a> {
+fn stages<'a>(found: &Sweep, report: &'a SweepReport<'a>) -> Stages<'a> {
     let pair = |p: &Point| [p.x, p.y];
     let points = found.subgoals.iter();
     let links = found.links.iter();

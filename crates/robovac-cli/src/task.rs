@@ -1,6 +1,6 @@
 //! Arguments shared by the commands: room, robot, start and parameters.
 
-use super::{failure::Failure, source::Source};
+use super::{failure::Failure, source::RoomSource};
 use robovac_core::{
     grid::Cell,
     registry::{ParamSpec, Params},
@@ -14,7 +14,7 @@ use robovac_sim::experiment::{
 #[derive(clap::Args)]
 pub struct PlacementArguments {
     #[command(flatten)]
-    source: Source,
+    source: RoomSource,
     /// Planning cell to start in: column and row, counted from 0 at the lower left [default: the map's own start]
     #[arg(long, value_name = "X,Y", value_parser = parse_cell, allow_hyphen_values = true)]
     start: Option<Cell>,

@@ -12,8 +12,8 @@ use super::failure::Failure;
 use clap::builder::PossibleValuesParser;
 use control::{Control, Order};
 use diary::Diary;
-use line::{Line, StandardStreams};
-use robovac_core::{floorplan::ScenarioPose, geometry::Pose};
+use line::{HostLine, StandardStreams};
+use robovac_core::{floor_plan::ScenarioPose, geometry::Pose};
 use robovac_link::emulator::{Emulator, PERSONALITIES, personality};
 use robovac_sim::{Conditions, Input};
 use serde::Serialize;
@@ -41,7 +41,7 @@ const MOST_LAG: Duration = Duration::from_secs(2);
 #[derive(clap::Args)]
 pub struct Arguments {
     #[command(flatten)]
-    end: End,
+    end: ProgramEnd,
     #[command(flatten)]
     floor: floor::FloorArguments,
     /// Personality, see "robovac personalities"
@@ -72,7 +72,7 @@ pub struct Arguments {
 /// One of the three must be given.
 #[derive(clap::Args)]
 #[group(required = true, multiple = false)]
-struct End {
+struct ProgramEnd {
     /// Pseudo-terminal; LINK is a symbolic link to it
     #[arg(long, value_name = "LINK")]
     pty: Option<PathBuf>,
@@ -87,7 +87,7 @@ struct End {
 /// What `state` prints.
 #[expect(clippy::struct_excessive_bools)]
 #[derive(Serialize)]
-struct State {
+struct ProgramState {
     /// Since ready, s.
     time_s: f64,
     /// Where it really is.
@@ -101,8 +101,8 @@ struct State {
     bumped: bool,
     baud: u32,
     /// Wheel speeds that the host asks for, and present ones, mm/s.
-    asked: Wheels,
-    speed: Wheels,
+    asked: WheelState,
+    speed: WheelState,
     /// When the last motion command arrived that the robot obeyed, s since ready.
     last_motion_s: Option<f64>,
     /// Commands that arrived.
@@ -110,7 +110,7 @@ struct State {
 }
 
 #[derive(Serialize, PartialEq, Clone, Copy)]
-struct Wheels {
+struct WheelState {
     left: f64,
     right: f64,
 }
@@ -140,8 +140,8 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     Ok(String::new())
 }
 
-impl End {
-    fn open(&self, baud: u32) -> Result<Box<dyn Line>, Failure> {
+impl ProgramEnd {
+    fn open(&self, baud: u32) -> Result<Box<dyn HostLine>, Failure> {
         match (&self.pty, &self.tcp) {
             #[cfg(unix)]
             (Some(link), _) => Ok(Box::new(pty::Pty::open(link)?)),
@@ -163,14 +163,14 @@ fn tell(to: &mut dyn Write, text: std::fmt::Arguments<'_>) {
 /// The robot on its line.
 struct Host {
     robot: Emulator,
-    line: Box<dyn Line>,
+    line: Box<dyn HostLine>,
     control: Control,
     diary: Diary,
     messages: Box<dyn Write>,
     last_motion_s: Option<f64>,
     commands: u64,
     /// Wheel speeds that were asked for, and whether the wheels turned, at the last look.
-    was: Option<(Wheels, bool)>,
+    was: Option<(WheelState, bool)>,
 }
 
 impl Host {
@@ -245,20 +245,20 @@ impl Host {
         let is = (asked, speed.left != 0.0 || speed.right != 0.0);
         if self.was != Some(is) {
             self.was = Some(is);
-            let (moves, Wheels { left, right }) = (if is.1 { "turning" } else { "at rest" }, asked);
+            let (moves, WheelState { left, right }) = (if is.1 { "turning" } else { "at rest" }, asked);
             self.diary.note(time_s, format_args!("wheels asked left {left:.0} right {right:.0} mm/s, {moves}"));
         }
     }
 
-    fn wheels(&self) -> (Wheels, Wheels) {
+    fn wheels(&self) -> (WheelState, WheelState) {
         let (asked, speed) = (self.robot.asked_speeds(), self.robot.robot().speed());
-        let asked = Wheels { left: asked.left, right: asked.right };
-        (asked, Wheels { left: 1000.0 * speed.left, right: 1000.0 * speed.right })
+        let asked = WheelState { left: asked.left, right: asked.right };
+        (asked, WheelState { left: 1000.0 * speed.left, right: 1000.0 * speed.right })
     }
 
-    fn state(&self) -> State {
+    fn state(&self) -> ProgramState {
         let (robot, (asked, speed)) = (&self.robot, self.wheels());
-        State {
+        ProgramState {
             time_s: robot.time_s(),
             pose: robot.pose().into(),
             mode: robot.mode().to_string(),

@@ -6,7 +6,7 @@
 //! - [`geometry`]: points, angles, poses
 //! - [`grid`]: rectangular grids, occupancy, clearance, reachability, `#.` pictures
 //! - [`registry`]: shared by planners and behaviours: parameters, explanations
-//! - [`floorplan`]: built-in rooms, map files, scenarios
+//! - [`floor_plan`]: built-in rooms, map files, scenarios
 //! - [`robot`]: models, sensor readings, odometry
 //! - [`coverage`]: which floor a robot can reach and what it has swept; the planning grid
 //! - [`cspace`]: where a body of any outline fits: the configuration space over x, y and heading
@@ -14,7 +14,7 @@
 //! Everything is pure: no clock, no input or output, no global state, no panic on bad input.
 //!
 //! ```
-//! use robovac_core::{floorplan::room, robot::model};
+//! use robovac_core::{floor_plan::room, robot::model};
 //!
 //! let plan = room("thesis8").unwrap().build();
 //! let robot = model("roomba600").unwrap();
@@ -23,7 +23,7 @@
 
 pub mod coverage;
 pub mod cspace;
-pub mod floorplan;
+pub mod floor_plan;
 pub mod geometry;
 pub mod grid;
 pub mod math;

@@ -1,8 +1,8 @@
 //! Both ends of a Roomba's serial line: driver, emulator, connection and recordings.
 
+pub mod connection;
 pub mod driver;
 pub mod emulator;
-pub mod link;
 mod path_commands;
 pub mod sensors;
 

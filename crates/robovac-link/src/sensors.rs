@@ -1,11 +1,11 @@
-//! Conversion between a Roomba's [`Readings`] and the [`Sensors`] of controllers.
+//! Conversion between a Roomba's [`Readings`] and the [`SensorReadings`] of controllers.
 
-use robovac_core::robot::{BatteryReading, Drive, Infrared, Overcurrent, Sensors};
+use robovac_core::robot::{BatteryReading, Drive, Infrared, Overcurrent, SensorReadings};
 use roomba_oi::{BumpsAndDrops, ChargingSources, Command, InfraredSeen, LightBumper, Overcurrents, Readings, Stasis};
 
 /// What a robot with these sensors reports. What only the interface knows - mode, songs, requests, buttons, motor currents,
 /// distance and angle - stays at its default, and so does the charger apart from the dock.
-pub fn to_readings(sensed: &Sensors) -> Readings {
+pub fn to_readings(sensed: &SensorReadings) -> Readings {
     let [left, front_left, centre_left, centre_right, front_right, right] = sensed.light_bumper;
     Readings {
         bumps: BumpsAndDrops {
@@ -43,9 +43,9 @@ pub fn to_readings(sensed: &Sensors) -> Readings {
 }
 
 /// What a controller gets to see of it.
-pub fn to_sensors(readings: &Readings) -> Sensors {
+pub fn to_sensors(readings: &Readings) -> SensorReadings {
     let light = readings.light_bumper;
-    Sensors {
+    SensorReadings {
         bump_left: readings.bumps.bump_left,
         bump_right: readings.bumps.bump_right,
         wheel_drop_left: readings.bumps.drop_left,
@@ -88,7 +88,7 @@ pub fn to_sensors(readings: &Readings) -> Sensors {
             on_dock: readings.chargers.home_base,
         },
         // The interface has neither a sideways encoder nor a laser; distance and angle are the driver's to tell.
-        ..Sensors::default()
+        ..SensorReadings::default()
     }
 }
 

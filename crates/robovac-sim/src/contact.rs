@@ -24,7 +24,7 @@ const STRIDE: (f64, f64) = (0.004, 0.02);
 
 /// What a body can run into.
 #[derive(Clone, Copy)]
-pub(super) struct Obstacles<'a> {
+pub(super) struct CollisionObstacles<'a> {
     /// Walls and furniture.
     pub walls: &'a Walls,
     /// Discs that move: centre and radius, m.
@@ -33,7 +33,7 @@ pub(super) struct Obstacles<'a> {
 
 /// Where a body ends up, and what it touches.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Contact {
+pub(super) struct Collision {
     /// Where it doesn't overlap anything.
     pub pose: Pose,
     /// Where it is touched.
@@ -55,7 +55,7 @@ pub(super) struct Footprint {
     touched: Vec<Point>,
 }
 
-impl<'a> Obstacles<'a> {
+impl<'a> CollisionObstacles<'a> {
     /// Whether a disc certainly touches nothing, at a glance.
     #[inline]
     fn are_far_from(&self, point: Point, radius: f64) -> bool {
@@ -182,24 +182,24 @@ impl Footprint {
     /// Moves the body from one pose, where it overlaps nothing, towards another: as far as obstacles let it, sliding along
     /// them. If there is no way to resolve an overlap, it stays where it was.
     #[inline]
-    pub fn slide(&mut self, obstacles: Obstacles<'_>, from: Pose, to: Pose) -> Contact {
+    pub fn slide(&mut self, obstacles: CollisionObstacles<'_>, from: Pose, to: Pose) -> Collision {
         let way = (to.position() - from.position()).norm();
         let margin = if way < self.stride { BUMPER_PLAY } else { BUMPER_PLAY + way };
         if obstacles.are_far_from(to.position(), self.radius + margin) {
-            return Contact { pose: to, touch: Touch::NONE };
+            return Collision { pose: to, touch: Touch::NONE };
         }
         self.slide_near_obstacles(obstacles, from, to)
     }
 
-    fn slide_near_obstacles(&mut self, obstacles: Obstacles<'_>, from: Pose, to: Pose) -> Contact {
+    fn slide_near_obstacles(&mut self, obstacles: CollisionObstacles<'_>, from: Pose, to: Pose) -> Collision {
         let way = to.position() - from.position();
         if self.is_round() && way.norm_squared() < self.stride * self.stride {
             // Mostly it comes near without being held.
             let at = to.position();
             match obstacles.nearest(at, self.radius + BUMPER_PLAY) {
-                None => return Contact { pose: to, touch: Touch::NONE },
+                None => return Collision { pose: to, touch: Touch::NONE },
                 Some((_, distance)) if self.radius - distance <= 1e-12 => {
-                    return Contact { pose: to, touch: self.touch(obstacles, to) };
+                    return Collision { pose: to, touch: self.touch(obstacles, to) };
                 }
                 Some(_) => {}
             }
@@ -213,7 +213,7 @@ impl Footprint {
             let next = if strides > 1.0 { Pose::new(next.x, next.y, pose.heading + turn / strides) } else { to };
             pose = self.settle(obstacles, pose, next);
         }
-        Contact { pose, touch: self.touch(obstacles, pose) }
+        Collision { pose, touch: self.touch(obstacles, pose) }
     }
 
     fn is_round(&self) -> bool {
@@ -221,7 +221,7 @@ impl Footprint {
     }
 
     /// One stride: where the body is pushed to, or else only its motion or only its turn, or else nothing.
-    fn settle(&mut self, obstacles: Obstacles<'_>, from: Pose, to: Pose) -> Pose {
+    fn settle(&mut self, obstacles: CollisionObstacles<'_>, from: Pose, to: Pose) -> Pose {
         if obstacles.are_far_from(to.position(), self.radius) {
             return to;
         }
@@ -234,7 +234,7 @@ impl Footprint {
     /// The pose moved out of all obstacles by the shortest way, the deepest overlap first; `None` if that leads nowhere.
     ///
     /// The tangential part of a motion survives: the robot slides along walls.
-    fn push_out(&mut self, obstacles: Obstacles<'_>, mut pose: Pose) -> Option<Pose> {
+    fn push_out(&mut self, obstacles: CollisionObstacles<'_>, mut pose: Pose) -> Option<Pose> {
         let wanted = pose.position();
         for _ in 0..ROUNDS {
             let Some((depth, away)) = self.deepest(obstacles, pose) else { return Some(pose) };
@@ -247,7 +247,7 @@ impl Footprint {
     }
 
     /// The deepest overlap with an obstacle, m, and the direction out of it.
-    fn deepest(&mut self, obstacles: Obstacles<'_>, pose: Pose) -> Option<(f64, Vector)> {
+    fn deepest(&mut self, obstacles: CollisionObstacles<'_>, pose: Pose) -> Option<(f64, Vector)> {
         let at = pose.position();
         if self.is_round() {
             let (wall, distance) = obstacles.nearest(at, self.radius)?;
@@ -266,7 +266,7 @@ impl Footprint {
 
     /// Where the body is touched: a circle by every obstacle at its nearest point. Where a side of a polygon lies flat
     /// against a wall, or both ends of one do, that is the middle of all points that touch on that side.
-    fn touch(&mut self, obstacles: Obstacles<'_>, pose: Pose) -> Touch {
+    fn touch(&mut self, obstacles: CollisionObstacles<'_>, pose: Pose) -> Touch {
         let at = pose.position();
         let mut touch = Touch::NONE;
         if self.is_round() {

@@ -1,6 +1,6 @@
 //! Events of a run, for the log.
 
-use robovac_core::robot::Sensors;
+use robovac_core::robot::SensorReadings;
 use std::fmt;
 
 /// Something that happened.
@@ -57,7 +57,7 @@ pub(super) struct Signs {
 
 impl Signs {
     #[inline]
-    pub fn of(sensed: &Sensors) -> Self {
+    pub fn of(sensed: &SensorReadings) -> Self {
         Self {
             bump: [sensed.bump_left, sensed.bump_right],
             cliff: sensed.cliff,

@@ -1,13 +1,13 @@
 //! External inputs of a run: manual control, lifting and putting down.
 
-use crate::controller::Command;
+use crate::controller::Joystick;
 use robovac_core::geometry::Pose;
 
 /// Something that a person does during a run. Runs are repeated by repeating it at the same step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Input {
     /// Moves the joystick.
-    Command(Command),
+    Command(Joystick),
     /// Picks the robot up: its wheels drop, and it goes nowhere.
     Lift,
     /// Puts it down here, as near as it fits.

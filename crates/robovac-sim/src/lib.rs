@@ -29,7 +29,7 @@ pub use event::{Event, What};
 pub use input::Input;
 pub use life::Life;
 pub use noise::{Noise, NoiseLevel, SensorKind};
-pub use recording::Recording;
+pub use recording::RunRecording;
 pub use run::{Conditions, Run, RunSetup};
 pub use senses::Supply;
 pub use sim_robot::SimRobot;

@@ -2,7 +2,7 @@
 
 use rand::RngExt;
 use robovac_core::{
-    floorplan::Who,
+    floor_plan::Who,
     geometry::{Point, Vector},
     rng::Rng,
 };

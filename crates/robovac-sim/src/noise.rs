@@ -140,19 +140,22 @@ impl NoiseSource {
     /// The random bytes of one step, for all sensors but the laser: each takes its own ones, so that the level of one
     /// kind changes nothing for the others.
     #[inline]
-    pub fn draw(&mut self) -> Draw<'_> {
-        Draw { bytes: [self.rng.next_u64().to_le_bytes(), self.rng.next_u64().to_le_bytes()], normals: &self.normals }
+    pub fn draw(&mut self) -> NoiseDraw<'_> {
+        NoiseDraw {
+            bytes: [self.rng.next_u64().to_le_bytes(), self.rng.next_u64().to_le_bytes()],
+            normals: &self.normals,
+        }
     }
 }
 
 /// Sixteen random bytes.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Draw<'a> {
+pub(super) struct NoiseDraw<'a> {
     bytes: [[u8; 8]; 2],
     normals: &'a Normals,
 }
 
-impl Draw<'_> {
+impl NoiseDraw<'_> {
     /// Byte `index`, 0 to 15.
     #[inline]
     pub fn byte(&self, index: usize) -> u8 {

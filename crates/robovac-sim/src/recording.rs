@@ -16,7 +16,7 @@ const CHUNK: u64 = 64;
 /// Runs are deterministic, so a moment is found again by going on from the last key frame before it: no poses are
 /// stored, and what is shown after scrubbing is what was shown before, to the last bit. What a person did to the robot
 /// is stored with its step, and done again there.
-pub struct Recording {
+pub struct RunRecording {
     run: Run,
     key_frames: Vec<Run>,
     interval: u64,
@@ -35,7 +35,7 @@ pub struct Recording {
     budget: usize,
 }
 
-impl Recording {
+impl RunRecording {
     /// A recording of `run` from here on.
     pub fn new(run: Run) -> Self {
         Self::within(run, KEY_FRAME_BUDGET)
@@ -157,7 +157,7 @@ impl Recording {
         taken
     }
 
-    /// Heads for the moment `time_s`, within what has been simulated; [`Recording::seek_on`] gets there.
+    /// Heads for the moment `time_s`, within what has been simulated; [`RunRecording::seek_on`] gets there.
     pub fn seek(&mut self, time_s: f64) {
         let goal = ((time_s / STEP_S).round().max(0.0) as u64).min(self.end);
         let before = self.key_frames.partition_point(|f| f.steps() <= goal);

@@ -9,7 +9,7 @@ use crate::{
 use robovac_core::{
     coverage::{CoverageTracker, ReachableFloor},
     geometry::{Point, Pose, difference},
-    robot::{Odometry, OdometryModel, RobotModel, RobotPort, Sensors},
+    robot::{Odometry, OdometryModel, RobotModel, RobotPort, SensorReadings},
 };
 use std::{collections::VecDeque, sync::Arc};
 
@@ -74,7 +74,7 @@ pub struct Run {
     turning_rad: f64,
     bumps: u32,
     falls: u32,
-    trail: Trail,
+    trail: RecentTrail,
     /// The robot's estimated pose if its controller doesn't keep track, and where it believes to have been.
     odometry: Option<Odometry>,
     /// What makes a map, whoever drives.
@@ -85,7 +85,7 @@ pub struct Run {
     locator: Option<Box<Locator>>,
     /// What the ways of dead reckoning would say, for comparison.
     reckoned: Vec<Odometry>,
-    believed: Trail,
+    believed: RecentTrail,
     events: VecDeque<Event>,
 }
 
@@ -99,7 +99,7 @@ impl Run {
         let world = Arc::clone(&setup.world);
         let life = Life::new(&world, &floor, setup.seed);
         let robot = SimRobot::new(&setup.robot, floor.start, setup.conditions, setup.seed);
-        let trail = Trail(vec![floor.start.position()]);
+        let trail = RecentTrail(vec![floor.start.position()]);
         let keeps_track = controller.estimate().is_some();
         let odometry = (!keeps_track).then(|| Odometry::new(&setup.robot, OdometryModel::Arc, floor.start));
         Self {
@@ -235,7 +235,7 @@ impl Run {
                 let mapper = self.mapper.take().map(|mapper| *mapper).or_else(|| self.controller.mapper().cloned());
                 if let Some(mut mapper) = mapper {
                     if let Some(locator) = self.locator.take().filter(|locator| locator.is_sure())
-                        && let Some((pose, spread)) = locator.pose().zip(locator.spread())
+                        && let Some((pose, spread)) = locator.pose().zip(locator.pose_covariance())
                     {
                         mapper.relocate(pose, &spread);
                     }
@@ -379,7 +379,7 @@ impl Run {
     }
 
     /// The latest sensor reading.
-    pub fn sensors(&self) -> &Sensors {
+    pub fn sensors(&self) -> &SensorReadings {
         self.robot.sensors()
     }
 
@@ -448,9 +448,9 @@ impl Run {
 
 /// The latest points of a line that grows.
 #[derive(Clone)]
-struct Trail(Vec<Point>);
+struct RecentTrail(Vec<Point>);
 
-impl Trail {
+impl RecentTrail {
     fn extend(&mut self, at: Point) {
         let Self(points) = self;
         if points.last().is_none_or(|last| (at - last).norm_squared() > TRAIL.1 * TRAIL.1) {

@@ -2,13 +2,13 @@
 
 use super::{
     Conditions, Life, STEP_S, Slip, Touch, World,
-    contact::{Footprint, Obstacles},
+    contact::{CollisionObstacles, Footprint},
     senses::{Around, Carrier, Senses, Supply},
 };
 use robovac_core::{
     coverage::Walls,
     geometry::{Point, Pose},
-    robot::{Drive, RobotModel, RobotPort, Sensors, Wheels, advance_sideways},
+    robot::{Drive, RobotModel, RobotPort, SensorReadings, WheelLayout, advance_sideways},
 };
 
 /// How much harder than they accelerate motors brake in an emergency: at 2.4 m/s² a Roomba that comes to an edge at its full
@@ -128,7 +128,7 @@ impl SimRobot {
     pub fn step(&mut self, walls: &Walls, world: &World, life: &mut Life) {
         let before = self.pose;
         let drive = if self.senses.is_empty() { Drive::STOP } else { self.wanted };
-        let touch = self.roll(Obstacles { walls, movers: life.movers() }, world, drive);
+        let touch = self.roll(CollisionObstacles { walls, movers: life.movers() }, world, drive);
         let is_cleaning = self.is_sweeping && !self.is_lifted && !self.has_fallen;
         let dirt = if is_cleaning { 1e3 * life.sweep(&self.model, self.pose) } else { 0.0 };
         let carrier = Carrier {
@@ -146,8 +146,8 @@ impl SimRobot {
     }
 
     /// Turns the wheels and moves the body as far as the obstacles allow; returns where it is touched.
-    fn roll(&mut self, obstacles: Obstacles<'_>, world: &World, drive: Drive) -> Touch {
-        let lateral = if self.model.wheels == Wheels::Omnidirectional { drive.lateral } else { 0.0 };
+    fn roll(&mut self, obstacles: CollisionObstacles<'_>, world: &World, drive: Drive) -> Touch {
+        let lateral = if self.model.wheels == WheelLayout::Omnidirectional { drive.lateral } else { 0.0 };
         let speed = Drive {
             left: self.approach(self.speed.left, drive.left),
             right: self.approach(self.speed.right, drive.right),
@@ -204,7 +204,7 @@ impl SimRobot {
 
 impl RobotPort for SimRobot {
     #[inline]
-    fn sensors(&self) -> &Sensors {
+    fn sensors(&self) -> &SensorReadings {
         self.senses.reading()
     }
 

@@ -46,11 +46,11 @@ impl SlipLevel {
         Self::ALL[self as usize].1
     }
 
-    fn figures(self) -> Figures {
+    fn figures(self) -> SlipFigures {
         match self {
-            Self::None => Figures { size: 0.0, wheel_base: 0.0, slip: 0.0, carpet: 1.0 },
-            Self::Typical => Figures { size: 0.001, wheel_base: 0.005, slip: 0.001, carpet: 0.96 },
-            Self::Harsh => Figures { size: 0.005, wheel_base: 0.02, slip: 0.006, carpet: 0.91 },
+            Self::None => SlipFigures { size: 0.0, wheel_base: 0.0, slip: 0.0, carpet: 1.0 },
+            Self::Typical => SlipFigures { size: 0.001, wheel_base: 0.005, slip: 0.001, carpet: 0.96 },
+            Self::Harsh => SlipFigures { size: 0.005, wheel_base: 0.02, slip: 0.006, carpet: 0.91 },
         }
     }
 }
@@ -58,7 +58,7 @@ impl SlipLevel {
 /// Sizes of the errors. Those of the harsh level are taken from the measurements above; a calibrated robot (typical) is
 /// taken to be three to six times better, and its carpet to have a short pile: that is ours, as is the share of each.
 #[derive(Debug, Clone, Copy)]
-struct Figures {
+struct SlipFigures {
     /// Standard deviation of each wheel's size, as a share of it.
     size: f64,
     /// Standard deviation of the wheel base, as a share of it.
@@ -76,7 +76,7 @@ const CARPET_SLIP: f64 = 3.0;
 #[derive(Debug, Clone)]
 pub struct Slip {
     rng: Rng,
-    figures: Figures,
+    figures: SlipFigures,
     /// Sizes of the wheels as shares of the nominal one: left, right, and the one that moves the robot sideways.
     sizes: [f64; 3],
     /// True wheel base as a share of the nominal one.

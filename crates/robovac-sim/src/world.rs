@@ -1,7 +1,7 @@
 //! The robot's surroundings apart from the walls.
 
 use robovac_core::{
-    floorplan::{FloorPlan, Object, Who},
+    floor_plan::{FloorPlan, Object, Who},
     geometry::{Point, Pose, contains},
 };
 

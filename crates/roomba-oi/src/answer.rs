@@ -1,7 +1,7 @@
 //! Answers to Sensors (142) and Query List (149): bare values, readable only with the request.
 
 use super::{
-    limits::Refusal,
+    limits::CommandRefusal,
     packet::{Packet, PacketId, PacketSet},
     readings::Readings,
 };
@@ -25,7 +25,7 @@ pub struct Answer {
 
 impl Answer {
     /// The answer to a question for these packets, nothing of which has arrived yet.
-    pub fn to(packets: &[u8]) -> Result<Self, Refusal> {
+    pub fn to(packets: &[u8]) -> Result<Self, CommandRefusal> {
         let mut answer = Self {
             ids: [Packet::Wall.into(); MAX_ANSWER],
             asked: packets.len(),
@@ -34,10 +34,10 @@ impl Answer {
             expected: 0,
         };
         for &id in packets {
-            answer.expected += PacketId::size_of(id).ok_or(Refusal::UnknownPacket(id))?;
+            answer.expected += PacketId::size_of(id).ok_or(CommandRefusal::UnknownPacket(id))?;
         }
         if answer.expected > MAX_ANSWER {
-            return Err(Refusal::BufferTooSmall { needed: answer.expected, got: MAX_ANSWER });
+            return Err(CommandRefusal::BufferTooSmall { needed: answer.expected, got: MAX_ANSWER });
         }
         // Each takes a byte at least: they fit.
         for (to, id) in answer.ids.iter_mut().zip(packets.iter().filter_map(|&id| PacketId::from_byte(id))) {
@@ -108,9 +108,9 @@ mod tests {
 
     #[test]
     fn what_cannot_be_asked_is_refused() {
-        assert_eq!(Answer::to(&[7, 60]).unwrap_err(), Refusal::UnknownPacket(60));
+        assert_eq!(Answer::to(&[7, 60]).unwrap_err(), CommandRefusal::UnknownPacket(60));
         assert!(Answer::to(&[100; 3]).is_ok_and(|answer| answer.missing() == 240));
-        assert_eq!(Answer::to(&[100; 4]).unwrap_err(), Refusal::BufferTooSmall { needed: 320, got: MAX_ANSWER });
+        assert_eq!(Answer::to(&[100; 4]).unwrap_err(), CommandRefusal::BufferTooSmall { needed: 320, got: MAX_ANSWER });
     }
 
     #[test]

@@ -6,7 +6,7 @@
 
 use super::{
     bits::{Buttons, Lamps, Motors, ScheduleLamps, Weekdays},
-    limits::Refusal,
+    limits::CommandRefusal,
     opcode::Opcode,
 };
 use thiserror::Error;
@@ -82,7 +82,7 @@ pub enum Command<'a> {
         number: u8,
     },
     /// Asks for one packet or group (142).
-    Sensors {
+    SensorReadings {
         /// 0 to 58, 100, 101, 106 or 107.
         packet: u8,
     },
@@ -216,7 +216,7 @@ impl<'a> Command<'a> {
                 Self::Song { number, notes: rest.as_chunks().0.get(..usize::from(count))? }
             }
             Opcode::Play => Self::Play { number: *data.first()? },
-            Opcode::Sensors => Self::Sensors { packet: *data.first()? },
+            Opcode::SensorReadings => Self::SensorReadings { packet: *data.first()? },
             Opcode::SeekDock => Self::SeekDock,
             Opcode::PwmMotors => {
                 let &[main_brush, side_brush, vacuum] = data.first_chunk()?;
@@ -271,7 +271,7 @@ impl<'a> Command<'a> {
             Self::Leds { .. } => Opcode::Leds,
             Self::Song { .. } => Opcode::Song,
             Self::Play { .. } => Opcode::Play,
-            Self::Sensors { .. } => Opcode::Sensors,
+            Self::SensorReadings { .. } => Opcode::SensorReadings,
             Self::SeekDock => Opcode::SeekDock,
             Self::PwmMotors { .. } => Opcode::PwmMotors,
             Self::DriveDirect { .. } => Opcode::DriveDirect,
@@ -308,10 +308,10 @@ impl<'a> Command<'a> {
     /// let drive = Command::Drive { velocity: -200, radius: 500 };
     /// assert_eq!(drive.encode(&mut buffer), Ok(&[137, 255, 56, 1, 244][..]));
     /// ```
-    pub fn encode<'b>(&self, buffer: &'b mut [u8]) -> Result<&'b [u8], Refusal> {
+    pub fn encode<'b>(&self, buffer: &'b mut [u8]) -> Result<&'b [u8], CommandRefusal> {
         self.check()?;
         let (needed, got) = (self.encoded_len(), buffer.len());
-        let Some(out) = buffer.get_mut(..needed) else { return Err(Refusal::BufferTooSmall { needed, got }) };
+        let Some(out) = buffer.get_mut(..needed) else { return Err(CommandRefusal::BufferTooSmall { needed, got }) };
         if let [first, data @ ..] = &mut *out {
             *first = self.opcode() as u8;
             self.write_data(data);
@@ -323,7 +323,7 @@ impl<'a> Command<'a> {
         match *self {
             Self::Baud { code: byte }
             | Self::Play { number: byte }
-            | Self::Sensors { packet: byte }
+            | Self::SensorReadings { packet: byte }
             | Self::PauseResume { state: byte } => put(out, [byte]),
             Self::Motors(motors) => put(out, [motors.byte()]),
             Self::Buttons(buttons) => put(out, [buttons.byte()]),

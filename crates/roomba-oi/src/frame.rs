@@ -48,11 +48,11 @@ pub enum FrameError {
 
 /// A frame whose checksum and packets are right.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Frame<'a> {
+pub struct StreamFrame<'a> {
     fields: &'a [u8],
 }
 
-impl<'a> Frame<'a> {
+impl<'a> StreamFrame<'a> {
     /// Of what stands between length and checksum; the caller has looked at it.
     pub(super) const fn of_fields(fields: &'a [u8]) -> Self {
         Self { fields }
@@ -66,11 +66,11 @@ impl<'a> Frame<'a> {
     /// The frame at the start of `bytes`; what follows it is not looked at.
     ///
     /// ```
-    /// use roomba_oi::{Frame, FrameError, Packet};
+    /// use roomba_oi::{StreamFrame, FrameError, Packet};
     /// // The specification's example: light from the floor at the front left, virtual wall.
-    /// let frame = Frame::parse(&[19, 5, 29, 2, 25, 13, 0, 163]).unwrap();
+    /// let frame = StreamFrame::parse(&[19, 5, 29, 2, 25, 13, 0, 163]).unwrap();
     /// assert!(frame.values().eq([(Packet::CliffFrontLeftSignal, 537), (Packet::VirtualWall, 0)]));
-    /// assert_eq!(Frame::parse(&[19, 5, 29, 2, 25, 13, 0, 164]), Err(FrameError::Checksum(1)));
+    /// assert_eq!(StreamFrame::parse(&[19, 5, 29, 2, 25, 13, 0, 164]), Err(FrameError::Checksum(1)));
     /// ```
     pub fn parse(bytes: &'a [u8]) -> Result<Self, FrameError> {
         let (&header, rest) = bytes.split_first().ok_or(FrameError::Incomplete)?;
@@ -221,7 +221,7 @@ mod tests {
 
     #[test]
     fn what_is_no_frame_says_why() {
-        let error = |bytes: &[u8]| Frame::parse(bytes).unwrap_err();
+        let error = |bytes: &[u8]| StreamFrame::parse(bytes).unwrap_err();
         assert_eq!((error(&[]), error(&[18])), (FrameError::Incomplete, FrameError::NoHeader));
         assert_eq!((error(&[19, 0, 237]), error(&[19, 2, 59])), (FrameError::Empty, FrameError::UnknownPacket(59)));
         assert_eq!((error(&[19, 2, 22]), error(&[19, 3, 22, 0])), (FrameError::CutPacket(22), FrameError::Incomplete));

@@ -53,12 +53,14 @@ pub use bits::{
 };
 pub use command::{BAUD_RATES, Command, MAX_RECEIVED, MAX_WRITTEN, Note, ParseError, Time};
 pub use decoder::{CommandDecoder, Received};
-pub use frame::{FRAMING, Frame, FrameError, FrameTooLong, HEADER, MAX_FRAME, frame_size, slot_bytes, write_frame};
+pub use frame::{
+    FRAMING, FrameError, FrameTooLong, HEADER, MAX_FRAME, StreamFrame, frame_size, slot_bytes, write_frame,
+};
 pub use infrared::{DockBeams, InfraredCharacter};
-pub use limits::{MAX_MOTOR_PWM, MAX_PWM, Refusal, SONGS};
+pub use limits::{CommandRefusal, MAX_MOTOR_PWM, MAX_PWM, SONGS};
 pub use mode::{Hazard, Mode, Reaction, SAFETY};
 pub use opcode::{DataLength, ModeAfter, Opcode};
-pub use packet::{Format, GROUPS, Packet, PacketId, PacketSet};
+pub use packet::{GROUPS, Packet, PacketId, PacketSet, ValueFormat};
 pub use readings::{ChargingState, InfraredSeen, Readings};
 pub use stream::{StreamCounts, StreamEvent, StreamParser};
 pub use text::{ChargingLog, Firmware, MAX_LINE, Said, Text};

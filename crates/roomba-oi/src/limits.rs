@@ -19,7 +19,7 @@ pub const MAX_MOTOR_PWM: i8 = 127;
 
 /// Why a command is not written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
-pub enum Refusal {
+pub enum CommandRefusal {
     /// A value that no robot takes.
     #[error("{what} is {value}, but must be {least} to {most}")]
     OutOfRange {
@@ -53,26 +53,26 @@ fn within(
     value: impl Into<i32>,
     least: impl Into<i32>,
     most: impl Into<i32>,
-) -> Result<(), Refusal> {
+) -> Result<(), CommandRefusal> {
     let (value, least, most) = (value.into(), least.into(), most.into());
-    if (least..=most).contains(&value) { Ok(()) } else { Err(Refusal::OutOfRange { what, value, least, most }) }
+    if (least..=most).contains(&value) { Ok(()) } else { Err(CommandRefusal::OutOfRange { what, value, least, most }) }
 }
 
-fn speed(what: &'static str, value: impl Into<i32>) -> Result<(), Refusal> {
+fn speed(what: &'static str, value: impl Into<i32>) -> Result<(), CommandRefusal> {
     within(what, value, -MAX_SPEED_MM_S, MAX_SPEED_MM_S)
 }
 
-fn known_packets(packets: &[u8]) -> Result<(), Refusal> {
+fn known_packets(packets: &[u8]) -> Result<(), CommandRefusal> {
     within("number of packets", packets.len().try_into().unwrap_or(i32::MAX), 0, 255)?;
     match packets.iter().find(|&&id| PacketId::from_byte(id).is_none()) {
-        Some(&id) => Err(Refusal::UnknownPacket(id)),
+        Some(&id) => Err(CommandRefusal::UnknownPacket(id)),
         None => Ok(()),
     }
 }
 
 impl<'a> Command<'a> {
     /// Whether every value is one that robots take; names the first that isn't.
-    pub fn check(&self) -> Result<(), Refusal> {
+    pub fn check(&self) -> Result<(), CommandRefusal> {
         match *self {
             Self::Baud { code } => within("baud code", code, 0, BAUD_RATES.len() as i32 - 1),
             Self::Drive { velocity, radius } => {
@@ -87,7 +87,7 @@ impl<'a> Command<'a> {
                 within("number of notes", notes.len().try_into().unwrap_or(i32::MAX), 1, 16)
             }
             Self::Play { number } => within("song number", number, 0, SONGS - 1),
-            Self::Sensors { packet } => known_packets(&[packet]),
+            Self::SensorReadings { packet } => known_packets(&[packet]),
             Self::PwmMotors { main_brush, side_brush, vacuum } => {
                 within("duty cycle of the main brush", main_brush, -MAX_MOTOR_PWM, MAX_MOTOR_PWM)?;
                 within("duty cycle of the side brush", side_brush, -MAX_MOTOR_PWM, MAX_MOTOR_PWM)?;
@@ -141,7 +141,7 @@ impl<'a> Command<'a> {
     }
 
     /// Drives along an arc, or refuses.
-    pub fn drive(velocity_mm_s: i16, radius_mm: i16) -> Result<Self, Refusal> {
+    pub fn drive(velocity_mm_s: i16, radius_mm: i16) -> Result<Self, CommandRefusal> {
         Self::Drive { velocity: velocity_mm_s, radius: radius_mm }.checked()
     }
 
@@ -160,33 +160,33 @@ impl<'a> Command<'a> {
     /// let refused = Command::song(4, &[[69, 32]]).unwrap_err();
     /// assert_eq!(refused.to_string(), "song number is 4, but must be 0 to 3");
     /// ```
-    pub fn song(number: u8, notes: &'a [Note]) -> Result<Self, Refusal> {
+    pub fn song(number: u8, notes: &'a [Note]) -> Result<Self, CommandRefusal> {
         Self::Song { number, notes }.checked()
     }
 
     /// Plays a stored song, or refuses.
-    pub fn play(number: u8) -> Result<Self, Refusal> {
+    pub fn play(number: u8) -> Result<Self, CommandRefusal> {
         Self::Play { number }.checked()
     }
 
     /// Changes the baud rate, or refuses one that robots don't have.
-    pub fn baud(bits_per_second: u32) -> Result<Self, Refusal> {
+    pub fn baud(bits_per_second: u32) -> Result<Self, CommandRefusal> {
         let code = BAUD_RATES.iter().position(|&rate| rate == bits_per_second);
-        code.map(|code| Self::Baud { code: code as u8 }).ok_or(Refusal::UnknownBaudRate(bits_per_second))
+        code.map(|code| Self::Baud { code: code as u8 }).ok_or(CommandRefusal::UnknownBaudRate(bits_per_second))
     }
 
     /// Asks for a stream of these packets, or refuses those that don't exist.
-    pub fn stream(packets: &'a [u8]) -> Result<Self, Refusal> {
+    pub fn stream(packets: &'a [u8]) -> Result<Self, CommandRefusal> {
         Self::Stream { packets }.checked()
     }
 
     /// Asks for these packets once, or refuses those that don't exist.
-    pub fn query_list(packets: &'a [u8]) -> Result<Self, Refusal> {
+    pub fn query_list(packets: &'a [u8]) -> Result<Self, CommandRefusal> {
         Self::QueryList { packets }.checked()
     }
 
     /// Four characters for the digits; shorter texts are filled up with blanks, longer ones and others than ASCII refused.
-    pub fn digits(text: &str) -> Result<Self, Refusal> {
+    pub fn digits(text: &str) -> Result<Self, CommandRefusal> {
         let mut padded = [b' '; 4];
         within("number of characters", text.len().try_into().unwrap_or(i32::MAX), 0, padded.len() as i32)?;
         for (to, from) in padded.iter_mut().zip(text.bytes()) {
@@ -196,12 +196,12 @@ impl<'a> Command<'a> {
     }
 
     /// Itself, if [`Self::check`] has nothing against it.
-    pub fn checked(self) -> Result<Self, Refusal> {
+    pub fn checked(self) -> Result<Self, CommandRefusal> {
         self.check().map(|()| self)
     }
 }
 
-fn time_of_day(hour: u8, minute: u8) -> Result<(), Refusal> {
+fn time_of_day(hour: u8, minute: u8) -> Result<(), CommandRefusal> {
     within("hour", hour, 0, 23)?;
     within("minute", minute, 0, 59)
 }
@@ -237,8 +237,8 @@ mod tests {
         assert_eq!(refused(Command::DayTime { day: 3, time: [24, 0] }), "hour is 24, but must be 0 to 23");
         assert_eq!(Command::digits("ABCDE").unwrap_err().to_string(), "number of characters is 5, but must be 0 to 4");
         assert_eq!(Command::digits("é").unwrap_err().to_string(), "character is 195, but must be 32 to 126");
-        assert_eq!(Command::baud(9601), Err(Refusal::UnknownBaudRate(9601)));
-        assert_eq!(Command::Safe.encode(&mut []), Err(Refusal::BufferTooSmall { needed: 1, got: 0 }));
+        assert_eq!(Command::baud(9601), Err(CommandRefusal::UnknownBaudRate(9601)));
+        assert_eq!(Command::Safe.encode(&mut []), Err(CommandRefusal::BufferTooSmall { needed: 1, got: 0 }));
     }
 
     #[test]

@@ -99,7 +99,7 @@ opcodes! {
     /// Plays a stored song.
     Play = 141, "Play", Fixed(1), from Safe, then Same;
     /// Asks for one packet or group.
-    Sensors = 142, "Sensors", Fixed(1), from Passive, then Same;
+    SensorReadings = 142, "Sensors", Fixed(1), from Passive, then Same;
     /// Looks for the dock.
     SeekDock = 143, "Seek Dock", Fixed(0), from Passive, then Is(Mode::Passive);
     /// Brushes and vacuum with chosen duty cycles.

@@ -4,7 +4,7 @@ use core::{fmt, ops::RangeInclusive};
 
 /// How a value stands on the line; high byte first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Format {
+pub enum ValueFormat {
     /// One byte, unsigned.
     U8,
     /// One byte, signed.
@@ -15,7 +15,7 @@ pub enum Format {
     I16,
 }
 
-impl Format {
+impl ValueFormat {
     /// Bytes on the line.
     pub const fn size(self) -> usize {
         match self {
@@ -58,8 +58,8 @@ macro_rules! packets {
             }
 
             /// How it stands on the line.
-            pub const fn format(self) -> Format {
-                match self { $(Self::$variant => Format::$format,)+ }
+            pub const fn format(self) -> ValueFormat {
+                match self { $(Self::$variant => ValueFormat::$format,)+ }
             }
 
             /// Its unit; empty for flags, numbers of things and raw signals.
@@ -71,7 +71,7 @@ macro_rules! packets {
             pub const fn range(self) -> RangeInclusive<i32> {
                 let (least, most) = match self { $(Self::$variant => {
                     #[allow(unused_variables)]
-                    let range = Format::$format.full_range();
+                    let range = ValueFormat::$format.full_range();
                     $(let range: (i32, i32) = ($least, $most);)?
                     range
                 })+ };
@@ -198,9 +198,9 @@ impl Packet {
     /// The value of its bits: one byte's stand in the low half.
     pub const fn value(self, raw: u16) -> i32 {
         match self.format() {
-            Format::U8 | Format::U16 => raw as i32,
-            Format::I8 => raw as i8 as i32,
-            Format::I16 => raw.cast_signed() as i32,
+            ValueFormat::U8 | ValueFormat::U16 => raw as i32,
+            ValueFormat::I8 => raw as i8 as i32,
+            ValueFormat::I16 => raw.cast_signed() as i32,
         }
     }
 

@@ -1,8 +1,8 @@
 //! Extracts frames and text from a robot's byte stream, tolerating line errors.
 
 use super::{
-    frame::{FRAMING, Frame, FrameError, HEADER, MAX_FRAME},
-    limits::Refusal,
+    frame::{FRAMING, FrameError, HEADER, MAX_FRAME, StreamFrame},
+    limits::CommandRefusal,
     packet::PacketId,
     text::{LineCollector, Text},
 };
@@ -11,7 +11,7 @@ use super::{
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StreamEvent<'a> {
     /// A frame whose checksum is right.
-    Frame(Frame<'a>),
+    Frame(StreamFrame<'a>),
     /// It began like a frame and is none. All bytes but the first are looked at again.
     Refused {
         /// What was there of it.
@@ -42,7 +42,7 @@ pub struct StreamCounts {
 ///
 /// Memory is bounded and nothing is allocated. A header is given up as soon as what follows it can't be a frame - a
 /// packet that doesn't exist, one that the length cuts, a wrong checksum - and the search goes on with the byte after it. So
-/// any bytes give the frames that [`Frame::parse`] finds when it is tried at each byte outside the frame before, however
+/// any bytes give the frames that [`StreamFrame::parse`] finds when it is tried at each byte outside the frame before, however
 /// they were cut.
 #[derive(Debug, Clone)]
 pub struct StreamParser {
@@ -74,20 +74,20 @@ struct Expected {
 
 impl Expected {
     /// Frames with these packets, if there are any.
-    fn of(packets: &[u8]) -> Result<Option<Self>, Refusal> {
+    fn of(packets: &[u8]) -> Result<Option<Self>, CommandRefusal> {
         if packets.is_empty() {
             return Ok(None);
         }
         let mut length = 0;
         for &id in packets {
-            length += 1 + PacketId::size_of(id).ok_or(Refusal::UnknownPacket(id))?;
+            length += 1 + PacketId::size_of(id).ok_or(CommandRefusal::UnknownPacket(id))?;
         }
         let mut ids = [0; 127];
         for (to, &from) in ids.iter_mut().zip(packets) {
             *to = from;
         }
         let room = MAX_FRAME - FRAMING;
-        let length = u8::try_from(length).map_err(|_| Refusal::BufferTooSmall { needed: length, got: room })?;
+        let length = u8::try_from(length).map_err(|_| CommandRefusal::BufferTooSmall { needed: length, got: room })?;
         Ok(Some(Self { ids, length }))
     }
 }
@@ -117,12 +117,12 @@ impl StreamParser {
 
     /// From now on takes frames with exactly these packets in this order only, or any again if there are none. That
     /// leaves hardly any chance to noise, but also refuses the frames of an older subscription.
-    pub fn expect(&mut self, packets: &[u8]) -> Result<(), Refusal> {
+    pub fn expect(&mut self, packets: &[u8]) -> Result<(), CommandRefusal> {
         self.expect_either([packets, &[]])
     }
 
     /// The same for two subscriptions that follow each other, of frames of unequal length.
-    pub fn expect_either(&mut self, subscriptions: [&[u8]; 2]) -> Result<(), Refusal> {
+    pub fn expect_either(&mut self, subscriptions: [&[u8]; 2]) -> Result<(), CommandRefusal> {
         let [first, second] = subscriptions;
         self.expected = [Expected::of(first)?, Expected::of(second)?];
         Ok(())
@@ -185,7 +185,7 @@ impl StreamParser {
                 Ok(true) => {
                     self.counts.frames += 1;
                     if let Some(fields) = self.buffer.get(2..self.checked - 1) {
-                        sink(StreamEvent::Frame(Frame::of_fields(fields)));
+                        sink(StreamEvent::Frame(StreamFrame::of_fields(fields)));
                     }
                     self.drop_front(self.checked, sink);
                 }
@@ -327,7 +327,7 @@ mod tests {
         assert_eq!(events(&mut parser, &VOLTAGE)[0], "[19, 3] it has other packets than requested");
         assert_eq!(events(&mut parser, &[19, 2, 7, 0, 228])[0], "[19, 2, 7] it has other packets than requested");
         assert_eq!(events(&mut parser, &MODE), ["[(OiMode, 1)]"]);
-        assert_eq!(parser.expect(&[59]), Err(Refusal::UnknownPacket(59)));
+        assert_eq!(parser.expect(&[59]), Err(CommandRefusal::UnknownPacket(59)));
         assert!(parser.expect(&[100; 4]).is_err());
         parser.expect(&[]).unwrap();
         assert_eq!(events(&mut parser, &VOLTAGE), ["[(Voltage, 4883)]"]);

@@ -3,14 +3,14 @@
 use super::Playground;
 use js_sys::{Array, Float32Array, Float64Array};
 use robovac_app::{
-    explore::{Action, Entry, diary},
+    explore::{Action, DiaryEntry, diary},
     readings,
 };
 use robovac_core::{
     geometry::{Point, Pose, Vector},
     math,
 };
-use robovac_sim::controller::Command;
+use robovac_sim::controller::Joystick;
 use wasm_bindgen::prelude::*;
 
 /// How far a key carries the robot, m, and turns it, rad.
@@ -30,7 +30,7 @@ pub(super) struct Carried {
 impl Playground {
     /// Moves the joystick: forward and to the left, each -1 to 1.
     pub fn command(&mut self, forward: f64, left: f64) {
-        self.session.command(Command { forward, left });
+        self.session.command(Joystick { forward, left });
     }
 
     /// Picks the robot up, or puts down the one that is held, where it is held.
@@ -76,7 +76,7 @@ impl Playground {
     pub fn diary(&self) -> Array {
         let follows_plan = self.session.planned().is_some();
         let lines = self.session.recording().map_or(Vec::new(), |recording| diary(recording.run(), follows_plan));
-        let told = |line: Entry| [JsValue::from(line.time_s), line.text.into(), line.is_felt.into()];
+        let told = |line: DiaryEntry| [JsValue::from(line.time_s), line.text.into(), line.is_felt.into()];
         lines.into_iter().flat_map(told).collect()
     }
 }

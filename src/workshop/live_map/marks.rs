@@ -13,15 +13,15 @@ use web_sys::CanvasRenderingContext2d;
 const HALF: f64 = 0.7;
 
 /// A place where it felt something.
-pub(super) struct Mark {
+pub(super) struct FeltMark {
     /// In the room, m.
     at: Point,
     /// Whether it is the end of the floor, rather than an obstacle.
     pub is_cliff: bool,
 }
 
-impl Mark {
-    /// What a robot at `place` feels: bits as in `app::link::Link::take_trace`.
+impl FeltMark {
+    /// What a robot at `place` feels: bits as in `app::connection::Connection::take_trace`.
     pub fn of(robot: &RobotModel, place: Pose, felt: u8) -> impl Iterator<Item = Self> {
         let rim = |angle: f64| Point::new(robot.radius * math::cos(angle), robot.radius * math::sin(angle));
         let bumpers = [(1, HALF), (2, -HALF)].map(|(bit, angle)| (bit, rim(angle), false));
@@ -38,7 +38,7 @@ impl Mark {
 pub(super) fn draw(
     context: &CanvasRenderingContext2d,
     palette: &Palette,
-    marks: &[Mark],
+    marks: &[FeltMark],
     shift: Vector,
     viewport: &Viewport,
 ) -> Result<(), JsValue> {

@@ -3,7 +3,7 @@
 use robovac_app::explore::Session;
 use robovac_core::{
     coverage::ReachableFloor,
-    floorplan::FloorPlan,
+    floor_plan::FloorPlan,
     geometry::{Point, Pose, Vector},
     grid::{Grid, Occupancy},
     robot::RobotModel,

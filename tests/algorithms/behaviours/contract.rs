@@ -2,7 +2,7 @@
 
 use super::support::{conditions, drive, lay_out, run, run_with};
 use robovac_core::{
-    floorplan::{ROOMS, Sketch, room},
+    floor_plan::{ROOMS, Sketch, room},
     registry::{Explainer, ParamKind, ParamValue, Params},
     robot::{Body, MODELS, RobotModel, model},
 };
@@ -139,6 +139,14 @@ fn everybody_explains_itself_with_rooms_that_ship() {
         }
         assert!(controller::find(info.id).is_some_and(|found| found.title == info.title), "{}", info.id);
     }
+}
+
+/// A row a behaviour, in the order of the menus.
+#[test]
+fn documentation_lists_all_behaviours() {
+    let page = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/behaviours.md")).expect("it exists");
+    let listed = page.lines().filter_map(|line| line.strip_prefix("| `")?.split('`').next());
+    assert_eq!(listed.collect::<Vec<_>>(), BEHAVIOURS.iter().map(|info| info.id).collect::<Vec<_>>());
 }
 
 /// The DVR-1's bumper is narrow: in a corner it once felt only the nearer wall, beside it, and pushed for ever.

@@ -3,7 +3,7 @@
 use super::support::{conditions, lay_out, lay_out_from, run_with};
 use rand::RngExt;
 use robovac_core::{
-    floorplan::{FloorPlan, Object, Sketch},
+    floor_plan::{FloorPlan, Object, Sketch},
     geometry::Pose,
     math,
     registry::{ParamValue, Params},

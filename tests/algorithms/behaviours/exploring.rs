@@ -3,7 +3,7 @@
 use super::support::{conditions, lay_out, run_with};
 use robovac_core::{
     coverage::{Boundary, BoundaryTracker},
-    floorplan::{FloorPlan, Object, Sketch, Who, room},
+    floor_plan::{FloorPlan, Object, Sketch, Who, room},
     geometry::{Point, Pose, difference},
     registry::{ParamValue, Params},
     robot::model,

@@ -8,7 +8,7 @@ use robovac_core::{
 };
 use robovac_sim::{
     NoiseLevel,
-    experiment::planning::{PlanRequest, Planned, Prepared},
+    experiment::planning::{PlanRequest, Planned, RoomSetup},
 };
 
 #[test]
@@ -17,7 +17,7 @@ fn nobody_falls_off_a_planned_path() {
     let (mut runs, mut edges) = (0, 0);
     for plan in rooms() {
         for robot in MODELS.iter().filter(|robot| robot.sensors.cliffs.iter().any(Option::is_some)) {
-            let Ok(prepared) = Prepared::new(&plan, robot, robot.default_cell, None) else { continue };
+            let Ok(prepared) = RoomSetup::new(&plan, robot, robot.default_cell, None) else { continue };
             let (params, job) = (Params::defaults(planner.params), prepared.job.clone());
             let answer = PlanRequest { id: 0, planner, params, seed: 0, job }.serve(|| 0.0, None).unwrap();
             let planned = Planned::new(&prepared, &answer).unwrap();

@@ -3,7 +3,7 @@
 use super::support::{conditions, lay_out_from, run_with};
 use rand::RngExt;
 use robovac_core::{
-    floorplan::{FloorPlan, Object, Sketch},
+    floor_plan::{FloorPlan, Object, Sketch},
     geometry::{Point, Pose},
     math,
     registry::{ParamValue, Params},
@@ -12,7 +12,7 @@ use robovac_core::{
 };
 use robovac_sim::{
     Input, NoiseLevel, Run,
-    controller::{BEHAVIOURS, Command},
+    controller::{BEHAVIOURS, Joystick},
 };
 
 /// 3 m x 2.5 m with a drop-off of these corners.
@@ -38,7 +38,7 @@ pub fn rooms() -> Vec<FloorPlan> {
 /// Somebody who plays with the joystick, but doesn't know better than to do it near stairs.
 fn play(run: &mut Run, rng: &mut Rng, backward: bool) {
     let least = if backward { -1.0 } else { 0.0 };
-    let command = Command { forward: rng.random_range(least..1.0), left: rng.random_range(-1.0..1.0) };
+    let command = Joystick { forward: rng.random_range(least..1.0), left: rng.random_range(-1.0..1.0) };
     run.apply(Input::Command(command));
 }
 

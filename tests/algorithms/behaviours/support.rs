@@ -1,7 +1,7 @@
 //! Rooms, robots and runs.
 
 use robovac_core::{
-    coverage::ReachableFloor, floorplan::FloorPlan, geometry::Pose, registry::Params, robot::RobotModel,
+    coverage::ReachableFloor, floor_plan::FloorPlan, geometry::Pose, registry::Params, robot::RobotModel,
 };
 use robovac_sim::{
     Conditions, Noise, NoiseLevel, Run, RunSetup, SlipLevel, World,

@@ -2,10 +2,11 @@
 
 use super::support::{LARGE, Scenario, build, scenarios};
 use coverage_planners::{
-    CoverageJob, CoveragePath, PLANNERS, PlanContext, PlanError, PlannerInfo, Report, SLOW_CELLS, metrics::WalkMetrics,
+    CoverageJob, CoveragePath, PLANNERS, PlanContext, PlanError, PlannerInfo, ProgressReport, SLOW_CELLS,
+    metrics::WalkMetrics,
 };
 use robovac_core::{
-    floorplan::room,
+    floor_plan::room,
     grid::{Cell, Direction, from_picture},
     registry::{Explainer, ParamKind, ParamValue, Params},
 };
@@ -128,11 +129,11 @@ fn every_planner_explains_itself_with_rooms_that_ship() {
 
 #[test]
 fn cancelling_is_honoured_at_the_first_checkpoint() {
-    let free = robovac_core::floorplan::generate::random_hall(200, 200, 1);
+    let free = robovac_core::floor_plan::generate::random_hall(200, 200, 1);
     let job = CoverageJob::new(&free, Cell::new(0, 0), Direction::Right).expect("the start is free");
     for info in PLANNERS {
         let mut calls = 0;
-        let mut observer = |_: Report<'_>| {
+        let mut observer = |_: ProgressReport<'_>| {
             calls += 1;
             ControlFlow::Break(())
         };
@@ -146,10 +147,10 @@ fn cancelling_is_honoured_at_the_first_checkpoint() {
 fn reports_show_progress_and_walks_that_can_be_driven() {
     for info in PLANNERS {
         let side = if info.claims.fast { 200 } else { 40 };
-        let free = robovac_core::floorplan::generate::random_hall(side, side, 1);
+        let free = robovac_core::floor_plan::generate::random_hall(side, side, 1);
         let job = CoverageJob::new(&free, Cell::new(0, 0), Direction::Right).expect("the start is free");
         let (mut calls, mut last) = (0, 0.0);
-        let mut observer = |Report { done, walk: so_far, .. }: Report<'_>| {
+        let mut observer = |ProgressReport { done, walk: so_far, .. }: ProgressReport<'_>| {
             calls += 1;
             assert!((last..=1.0).contains(&done), "{} reports {done} after {last}", info.id);
             last = done;

@@ -1,15 +1,15 @@
 //! What the planners say of themselves, by measurement.
 
-use coverage_planners::{Claims, CoverageJob, PLANNERS, PlanContext, PlannerInfo, metrics::WalkMetrics};
-use robovac_core::{floorplan::room, registry::Params, robot::model};
-use robovac_sim::experiment::planning::Prepared;
+use coverage_planners::{CoverageJob, PLANNERS, PlanContext, PlannerClaims, PlannerInfo, metrics::WalkMetrics};
+use robovac_core::{floor_plan::room, registry::Params, robot::model};
+use robovac_sim::experiment::planning::RoomSetup;
 use std::{collections::BTreeMap, fs};
 
 /// A room as the page opens it: for a Roomba, whose cells leave rooms small enough for full effort.
 fn job(id: &str) -> CoverageJob {
     let plan = (room(id).expect("the room ships").build)();
     let robot = model("roomba600").expect("the robot exists");
-    Prepared::new(&plan, robot, robot.default_cell, None).expect("the robot fits").job
+    RoomSetup::new(&plan, robot, robot.default_cell, None).expect("the robot fits").job
 }
 
 /// Steps + 2 x quarter turns.
@@ -41,9 +41,9 @@ fn planners_shine_and_fail_where_they_say() {
 
 /// A row a planner, in the order of the menus: id, idea, source, and whether it's complete, deterministic and fast.
 #[test]
-fn readme_lists_all_planners_and_their_claims() {
-    let readme = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md")).expect("it can be read");
-    let section = readme.split("## Planners").nth(1).and_then(|rest| rest.split("\n#").next()).expect("it exists");
+fn documentation_lists_all_planners_and_their_claims() {
+    let page = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/planners.md")).expect("it can be read");
+    let section = page.split("\n## ").next().expect("it has a beginning");
     let rows = section.lines().filter(|line| line.starts_with("| `"));
     let listed: Vec<(String, Vec<bool>)> = rows
         .map(|line| {
@@ -52,7 +52,7 @@ fn readme_lists_all_planners_and_their_claims() {
         })
         .collect();
     let claimed = PLANNERS.iter().map(|info| {
-        let Claims { complete, deterministic, fast, .. } = info.claims;
+        let PlannerClaims { complete, deterministic, fast, .. } = info.claims;
         (info.id.to_owned(), vec![complete, deterministic, fast])
     });
     assert_eq!(listed, claimed.collect::<Vec<_>>());

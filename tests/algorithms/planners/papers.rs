@@ -3,12 +3,12 @@
 use coverage_planners::{CoverageJob, CoveragePath, PlanContext, TraceStep, find, metrics::WalkMetrics};
 use proptest::prelude::*;
 use robovac_core::{
-    floorplan::{generate::random_clutter, room},
+    floor_plan::{generate::random_clutter, room},
     grid::{Cell, Direction, Grid},
     registry::{ParamValue, Params},
     robot::model,
 };
-use robovac_sim::experiment::planning::Prepared;
+use robovac_sim::experiment::planning::RoomSetup;
 
 fn plan(id: &str, job: &CoverageJob, given: &[(&str, ParamValue)]) -> CoveragePath {
     let info = find(id).expect("the planner exists");
@@ -95,7 +95,7 @@ fn spiral_winds_to_the_middle_with_the_walls_on_its_reference_side() {
 #[test]
 fn subgoal_sweep_of_a_hall_with_seven_obstacles() {
     let (octagon, hall) = (model("octagon").expect("it exists"), room("hall20").expect("it ships"));
-    let job = Prepared::new(&(hall.build)(), octagon, octagon.default_cell, None).expect("it fits").job;
+    let job = RoomSetup::new(&(hall.build)(), octagon, octagon.default_cell, None).expect("it fits").job;
     let info = find("subgoal_sweep").expect("it exists");
     for lines in [1.0, 2.0] {
         let params = Params::checked(info.params, [("scan_lines", ParamValue::Number(lines))]).expect("it is in range");

@@ -2,7 +2,7 @@
 
 use coverage_planners::{CoverageJob, Planner, PlannerInfo};
 use robovac_core::{
-    floorplan::{
+    floor_plan::{
         ROOMS,
         generate::{random_clutter, random_hall},
     },
@@ -10,7 +10,7 @@ use robovac_core::{
     registry::{ParamKind, ParamValue, Params},
     robot::model,
 };
-use robovac_sim::experiment::planning::Prepared;
+use robovac_sim::experiment::planning::RoomSetup;
 use std::{fs, path::PathBuf};
 
 /// Parameters that say how long to look for something better.
@@ -200,7 +200,7 @@ fn shipped_rooms() -> Vec<Scenario> {
     let rooms = ROOMS.iter().flat_map(|room| robots.into_iter().map(move |robot| (room, robot)));
     rooms
         .map(|(room, robot)| {
-            let prepared = Prepared::new(&(room.build)(), robot, robot.default_cell, None).expect("the robot fits");
+            let prepared = RoomSetup::new(&(room.build)(), robot, robot.default_cell, None).expect("the robot fits");
             Scenario::once(format!("{} for {}", room.id, robot.id), prepared.job.free, prepared.job.start)
         })
         .collect()

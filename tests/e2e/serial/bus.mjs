@@ -59,6 +59,6 @@ export function fakeFiles(config) {
   return {
     "/fake.js": `const FAKE = ${JSON.stringify(config)};\n${read(path.join(HERE, "fake.js"))}`,
     "/desk.html": read(path.join(HERE, "page.html")).replace('<script type="module">', '<script src="/fake.js"></script>$&'),
-    "/www/link/worker.js": `import "/fake.js";\n${read(path.join(DIST, "www/link/worker.js"))}`,
+    "/www/connection/worker.js": `import "/fake.js";\n${read(path.join(DIST, "www/connection/worker.js"))}`,
   };
 }

@@ -81,7 +81,7 @@ export async function openDesk(t, { robot, allow = [], extra = {} } = {}) {
     assert.deepEqual(problems, [], "the page reported problems");
   });
   const open = async () => {
-    const desk = new Desk(await context.newPage(), server);
+    const desk = new FloorPlanTab(await context.newPage(), server);
     await desk.load();
     return desk;
   };
@@ -112,7 +112,7 @@ export async function udev(t, action) {
 }
 
 /** What a person at the desk does and sees. */
-export class Desk {
+export class FloorPlanTab {
   constructor(tab, server) {
     this.tab = tab;
     this.server = server;

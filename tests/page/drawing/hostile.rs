@@ -1,7 +1,7 @@
 //! Drawings that are damaged, hostile or none at all: a message with a place, no panic and no hang.
 
 use super::support::{drawn, dxf, entities, file, refusal};
-use floor_drawing::{MAX_POINTS, Overlay, Region, Role, Tracing, read, to_dxf, trace};
+use floor_drawing::{DrawingRegion, MAX_POINTS, Overlay, Role, Tracing, read, to_dxf, trace};
 use proptest::prelude::*;
 use robovac_core::geometry::Point;
 use std::fmt::Write;
@@ -213,7 +213,7 @@ proptest! {
         }
         let bytes = lines.join("\n").into_bytes();
         if let Ok(drawing) = read(&file("plan.dxf", bytes.clone())) {
-            for (role, region) in [(Role::Wall, Region::Whole), (Role::Obstacle, Region::Room(drawing.points[0]))] {
+            for (role, region) in [(Role::Wall, DrawingRegion::Whole), (Role::Obstacle, DrawingRegion::Room(drawing.points[0]))] {
                 let roles = vec![role; drawing.layers.len()];
                 if let Ok(traced) = trace(&drawing, &Tracing { roles, metre: 0.001, gap: 0.05, resolution: 0.01, region }) {
                     prop_assert_eq!(traced.plan.check_objects(None), Ok(()));

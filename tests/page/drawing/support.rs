@@ -1,10 +1,7 @@
 //! DXFs as text, and what is in a drawing.
 
-use floor_drawing::{Drawing, read};
-use robovac_core::{
-    floorplan::{MapError, SourceFile},
-    geometry::Point,
-};
+use floor_drawing::{Drawing, DrawingError, read};
+use robovac_core::{floor_plan::SourceFile, geometry::Point};
 
 /// A file of that content.
 pub fn file(name: &str, bytes: impl Into<Vec<u8>>) -> SourceFile {
@@ -28,7 +25,7 @@ pub fn entities(text: &str) -> String {
 }
 
 /// Reads a DXF.
-pub fn drawn(text: &str) -> Result<Drawing, MapError> {
+pub fn drawn(text: &str) -> Result<Drawing, DrawingError> {
     read(&file("plan.dxf", text))
 }
 

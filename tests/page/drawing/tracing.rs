@@ -1,9 +1,9 @@
 //! Rooms from drawings.
 
 use super::support::{drawn, entities};
-use floor_drawing::{Drawing, Region, Role, Traced, Tracing, trace};
+use floor_drawing::{Drawing, DrawingError, DrawingRegion, Role, Traced, Tracing, trace};
 use robovac_core::{
-    floorplan::{MapError, Object, to_ascii},
+    floor_plan::{Object, to_ascii},
     geometry::{Point, Vector},
 };
 
@@ -12,7 +12,7 @@ const FLAT: &str = "0 LWPOLYLINE 8 WALL 70 0 10 1800 20 1000 10 1000 20 1000 10 
     10 2600 20 1000 0 LWPOLYLINE 8 FURN 70 1 10 2000 20 2000 10 3000 20 2000 10 3000 20 3000 10 2000 20 3000 \
     0 CIRCLE 8 FURN 10 4000 20 2000 40 100";
 
-fn traced(drawing: &Drawing, gap: f64, region: Region) -> Result<Traced, MapError> {
+fn traced(drawing: &Drawing, gap: f64, region: DrawingRegion) -> Result<Traced, DrawingError> {
     let roles = drawing.layers.iter().map(|layer| layer.role).collect();
     trace(drawing, &Tracing { roles, metre: 0.001, gap, resolution: 0.25, region })
 }
@@ -20,7 +20,7 @@ fn traced(drawing: &Drawing, gap: f64, region: Region) -> Result<Traced, MapErro
 #[test]
 fn a_room_with_furniture_is_traced_exactly() {
     let flat = drawn(&entities(FLAT)).unwrap();
-    let room = traced(&flat, 0.9, Region::Room(Point::new(1500.0, 3500.0))).unwrap();
+    let room = traced(&flat, 0.9, DrawingRegion::Room(Point::new(1500.0, 3500.0))).unwrap();
     assert_eq!(room.gaps.len(), 1);
     let plan = &room.plan;
     assert!(plan.check_objects(None).is_ok());
@@ -38,11 +38,11 @@ fn a_room_with_furniture_is_traced_exactly() {
 #[test]
 fn an_open_room_leaks_where_its_door_is() {
     let flat = drawn(&entities(FLAT)).unwrap();
-    let message = traced(&flat, 0.0, Region::Room(Point::new(1500.0, 3500.0))).unwrap_err().to_string();
+    let message = traced(&flat, 0.0, DrawingRegion::Room(Point::new(1500.0, 3500.0))).unwrap_err().to_string();
     assert!(message.contains("the room isn't closed: ") && message.contains(" m wide near (2"), "{message}");
-    let message = traced(&flat, 0.9, Region::Room(Point::new(2500.0, 2500.0))).unwrap_err().to_string();
+    let message = traced(&flat, 0.9, DrawingRegion::Room(Point::new(2500.0, 2500.0))).unwrap_err().to_string();
     assert!(message.contains("there is an obstacle at (2500.00, 2500.00)"), "{message}");
-    let message = traced(&flat, 0.9, Region::Room(Point::new(1010.0, 2500.0))).unwrap_err().to_string();
+    let message = traced(&flat, 0.9, DrawingRegion::Room(Point::new(1010.0, 2500.0))).unwrap_err().to_string();
     assert!(message.contains("there is a wall"), "{message}");
 }
 
@@ -50,9 +50,9 @@ fn an_open_room_leaks_where_its_door_is() {
 fn the_whole_is_what_walls_enclose_or_the_box() {
     let flat = drawn(&entities(FLAT)).unwrap();
     let free = |traced: &Traced| traced.plan.occupancy.values().iter().filter(|cell| cell.is_free()).count();
-    let closed = traced(&flat, 0.9, Region::Whole).unwrap();
+    let closed = traced(&flat, 0.9, DrawingRegion::Whole).unwrap();
     assert_eq!((free(&closed), closed.plan.objects.len()), (15 * 11, 2));
-    let open = traced(&flat, 0.0, Region::Whole).unwrap();
+    let open = traced(&flat, 0.0, DrawingRegion::Whole).unwrap();
     // 4 m x 3 m and a metre around.
     assert_eq!((open.plan.width_m(), open.plan.height_m()), (6.0, 5.0));
     assert!(free(&open) > 15 * 11 + 100, "{}", to_ascii(&open.plan));
@@ -61,16 +61,16 @@ fn the_whole_is_what_walls_enclose_or_the_box() {
 #[test]
 fn rectangles_and_polygons_cut_walls_off() {
     let flat = drawn(&entities(FLAT)).unwrap();
-    let rectangle = Region::Rectangle { low: Point::new(5000.0, 2250.0), high: Point::new(3500.0, 1250.0) };
+    let rectangle = DrawingRegion::Rectangle { low: Point::new(5000.0, 2250.0), high: Point::new(3500.0, 1250.0) };
     let room = traced(&flat, 0.0, rectangle).unwrap();
     assert_eq!((room.corner, room.plan.width_m(), room.plan.height_m()), (Vector::new(3500.0, 1250.0), 1.5, 1.0));
     assert_eq!(room.plan.objects.len(), 1);
     let corners = [(1000.0, 1000.0), (5000.0, 1000.0), (5000.0, 4000.0)].map(|(x, y)| Point::new(x, y));
-    let half = traced(&flat, 0.0, Region::Polygon(corners.to_vec())).unwrap();
+    let half = traced(&flat, 0.0, DrawingRegion::Polygon(corners.to_vec())).unwrap();
     let free = half.plan.occupancy.values().iter().filter(|cell| cell.is_free()).count();
     assert!((80..=96).contains(&free), "{}", to_ascii(&half.plan));
     let crossed = [(0.0, 0.0), (9.0, 9.0), (9.0, 0.0), (0.0, 9.0)].map(|(x, y)| Point::new(x, y));
-    assert!(traced(&flat, 0.0, Region::Polygon(crossed.to_vec())).is_err());
+    assert!(traced(&flat, 0.0, DrawingRegion::Polygon(crossed.to_vec())).is_err());
 }
 
 #[test]
@@ -82,7 +82,7 @@ fn what_cannot_be_is_said() {
         metre: 0.001,
         gap: 0.0,
         resolution: 0.05,
-        region: Region::Whole,
+        region: DrawingRegion::Whole,
     };
     let huge = message(Tracing { metre: 1.0, ..how.clone() });
     assert!(huge.contains("use cells of 1 m"), "{huge}");
@@ -90,7 +90,7 @@ fn what_cannot_be_is_said() {
     assert!(message(Tracing { resolution: 0.0, ..how.clone() }).contains("the cell size can't be 0 m"));
     assert!(message(Tracing { roles: vec![], ..how.clone() }).contains("2 layers, but 0 roles"));
     assert!(message(Tracing { roles: vec![Role::Ignored; 2], ..how.clone() }).contains("no layer is a wall"));
-    let point = Region::Rectangle { low: Point::origin(), high: Point::origin() };
+    let point = DrawingRegion::Rectangle { low: Point::origin(), high: Point::origin() };
     assert!(message(Tracing { region: point, ..how }).contains("less than three cells"));
 }
 
@@ -102,13 +102,13 @@ const OUTLINED: &str = "0 LWPOLYLINE 8 WALL 70 1 10 0 20 0 10 1000 20 0 10 1000 
 #[test]
 fn doors_in_walls_drawn_as_outlines_are_closed() {
     let house = drawn(&entities(OUTLINED)).unwrap();
-    let fine = |gap: f64, region: Region| {
+    let fine = |gap: f64, region: DrawingRegion| {
         trace(&house, &Tracing { roles: vec![Role::Wall], metre: 0.001, gap, resolution: 0.05, region })
     };
     let floor = |traced: &Traced| {
         traced.plan.occupancy.values().iter().filter(|cell| cell.is_free()).count() as f64 * 0.05 * 0.05
     };
-    let click = || Region::Room(Point::new(2000.0, 2000.0));
+    let click = || DrawingRegion::Room(Point::new(2000.0, 2000.0));
     assert!(fine(0.3, click()).unwrap_err().to_string().contains("the room isn't closed"));
     let room = fine(0.9, click()).unwrap();
     assert!((11.0..12.8).contains(&floor(&room)), "{}\n{}", floor(&room), to_ascii(&room.plan));
@@ -116,7 +116,7 @@ fn doors_in_walls_drawn_as_outlines_are_closed() {
     for [a, b] in &room.gaps {
         assert!((0.5..=1.2).contains(&(b - a).norm()), "{a} {b}");
     }
-    let both = fine(0.9, Region::Whole).unwrap();
+    let both = fine(0.9, DrawingRegion::Whole).unwrap();
     assert!((22.5..25.5).contains(&floor(&both)), "{}\n{}", floor(&both), to_ascii(&both.plan));
 }
 
@@ -130,7 +130,7 @@ fn a_room_ends_at_its_open_doors_if_gaps_are_closed() {
     let flat = drawn(&entities(TWO_ROOMS)).unwrap();
     let roles = vec![Role::Wall];
     let room = |gap: f64| {
-        let region = Region::Room(Point::new(1000.0, 1500.0));
+        let region = DrawingRegion::Room(Point::new(1000.0, 1500.0));
         let how = Tracing { roles: roles.clone(), metre: 0.001, gap, resolution: 0.05, region };
         trace(&flat, &how).unwrap()
     };
@@ -149,7 +149,8 @@ fn a_hollow_column_does_not_make_the_rest_of_the_flat_outside() {
     let column = "0 LWPOLYLINE 8 WALL 70 1 10 5000 20 3000 10 5650 20 3000 10 5650 20 3650 10 5000 20 3650";
     for text in [OPEN_FLAT.to_owned(), format!("{OPEN_FLAT} {column}")] {
         let flat = drawn(&entities(&text)).unwrap();
-        let how = Tracing { roles: vec![Role::Wall], metre: 0.001, gap: 1.0, resolution: 0.05, region: Region::Whole };
+        let how =
+            Tracing { roles: vec![Role::Wall], metre: 0.001, gap: 1.0, resolution: 0.05, region: DrawingRegion::Whole };
         let room = trace(&flat, &how).unwrap();
         let floor = room.plan.occupancy.values().iter().filter(|cell| cell.is_free()).count() as f64 * 0.05 * 0.05;
         assert!((36.0..41.0).contains(&floor), "{floor}\n{}", to_ascii(&room.plan));
@@ -161,7 +162,7 @@ fn a_hollow_column_does_not_make_the_rest_of_the_flat_outside() {
 fn the_inside_of_an_outlined_wall_is_not_floor_at_coarse_cells() {
     let flat = drawn(&entities(OPEN_FLAT)).unwrap();
     for resolution in [0.1, 0.2] {
-        let how = Tracing { roles: vec![Role::Wall], metre: 0.001, gap: 0.0, resolution, region: Region::Whole };
+        let how = Tracing { roles: vec![Role::Wall], metre: 0.001, gap: 0.0, resolution, region: DrawingRegion::Whole };
         // The door stands open: all is outside, with a metre around.
         let room = trace(&flat, &how).unwrap();
         assert!((room.plan.width_m() - 10.0).abs() < 0.5, "{}", to_ascii(&room.plan));

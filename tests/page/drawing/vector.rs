@@ -1,10 +1,9 @@
 //! SVG and GeoJSON.
 
 use super::support::{file, rounded};
-use floor_drawing::{Drawing, Role, is_drawing, read};
-use robovac_core::floorplan::MapError;
+use floor_drawing::{Drawing, DrawingError, Role, is_drawing, read};
 
-fn svg(attributes: &str, body: &str) -> Result<Drawing, MapError> {
+fn svg(attributes: &str, body: &str) -> Result<Drawing, DrawingError> {
     let text = format!(
         "<?xml version=\"1.0\"?><svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" \
          xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" {attributes}>{body}</svg>"
@@ -14,7 +13,7 @@ fn svg(attributes: &str, body: &str) -> Result<Drawing, MapError> {
     read(&file)
 }
 
-fn geo(text: &str) -> Result<Drawing, MapError> {
+fn geo(text: &str) -> Result<Drawing, DrawingError> {
     let file = file("plan.geojson", text);
     assert!(is_drawing(&file), "{text}");
     read(&file)

@@ -3,7 +3,7 @@
 use super::support::{drawn, dxf, entities, file, pairs, strokes};
 use floor_drawing::{Overlay, Role, outlines, read, to_dxf, trace};
 use robovac_core::{
-    floorplan::{SourceFile, load},
+    floor_plan::{SourceFile, load},
     geometry::Point,
 };
 
@@ -124,10 +124,10 @@ fn a_room_comes_back_from_its_outlines() {
         metre: drawing.metre.unwrap(),
         gap: 0.0,
         resolution: 0.05,
-        region: floor_drawing::Region::Whole,
+        region: floor_drawing::DrawingRegion::Whole,
     };
     let traced = trace(&drawing, &how).unwrap().plan;
-    let area = |plan: &robovac_core::floorplan::FloorPlan| {
+    let area = |plan: &robovac_core::floor_plan::FloorPlan| {
         let free = plan.occupancy.values().iter().filter(|cell| cell.is_free()).count();
         free as f64 * plan.resolution * plan.resolution
     };

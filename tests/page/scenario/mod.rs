@@ -5,7 +5,7 @@ mod schema;
 use proptest::prelude::*;
 use robovac_app::explore::Session;
 use robovac_core::{
-    floorplan::{FloorPlan, MAX_CORNERS, MAX_OBJECTS, Object, ROOMS, Scenario, SourceFile, Who, load},
+    floor_plan::{FloorPlan, MAX_CORNERS, MAX_OBJECTS, Object, ROOMS, Scenario, SourceFile, Who, load},
     geometry::{Point, Pose},
 };
 use serde_json::Value;

@@ -2,7 +2,7 @@
 
 use super::support::{Lab, plan};
 use robovac_core::{
-    floorplan::{FloorPlan, Object},
+    floor_plan::{FloorPlan, Object},
     geometry::Pose,
 };
 use robovac_sim::{Conditions, Input};

@@ -1,7 +1,7 @@
 //! Rates, pulses on BRC, and what a wrong rate makes of bytes.
 
 use super::support::{BAUD, Lab};
-use roomba_oi::{BAUD_RATES, Frame, Mode};
+use roomba_oi::{BAUD_RATES, Mode, StreamFrame};
 
 #[test]
 fn every_rate_can_be_set_and_talks() {
@@ -81,7 +81,7 @@ fn a_wrong_rate_garbles_both_ways_and_always_the_same() {
     };
     let (heard_by_host, heard_by_robot) = garbled();
     assert!(heard_by_host.len() > 20 && heard_by_host.len() < 600, "{}", heard_by_host.len());
-    assert!((0..heard_by_host.len()).all(|at| Frame::parse(&heard_by_host[at..]).is_err()));
+    assert!((0..heard_by_host.len()).all(|at| StreamFrame::parse(&heard_by_host[at..]).is_err()));
     assert!(!heard_by_robot.iter().any(|heard| heard.bytes == [142, 35]));
     assert_eq!(garbled(), (heard_by_host, heard_by_robot));
 }

@@ -12,7 +12,7 @@ pub fn example(opcode: Opcode) -> Vec<u8> {
         Opcode::Drive => &[0, 200, 128, 0],
         Opcode::Leds => &[4, 128, 255],
         Opcode::Song => &[0, 1, 69, 16],
-        Opcode::Motors | Opcode::Sensors => &[7],
+        Opcode::Motors | Opcode::SensorReadings => &[7],
         Opcode::PwmMotors => &[100, 50, 20],
         Opcode::DriveDirect | Opcode::DrivePwm => &[0, 100, 0, 100],
         Opcode::Stream | Opcode::QueryList => &[1, 7],

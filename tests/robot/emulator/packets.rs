@@ -2,7 +2,7 @@
 
 use super::support::{BAUD, Lab};
 use robovac_link::sensors::to_readings;
-use roomba_oi::{Command, Frame, GROUPS, Mode, Packet, PacketId, Readings, slot_bytes, write_frame};
+use roomba_oi::{Command, GROUPS, Mode, Packet, PacketId, Readings, StreamFrame, slot_bytes, write_frame};
 
 #[test]
 fn all_packets_are_those_of_the_simulated_robot() {
@@ -119,7 +119,7 @@ fn a_packet_that_is_asked_twice_at_once_has_distance_once() {
 /// The values of all frames in a stream without errors.
 fn frames(mut bytes: &[u8]) -> Vec<Vec<(Packet, u16)>> {
     let mut frames = Vec::new();
-    while let Ok(frame) = Frame::parse(bytes) {
+    while let Ok(frame) = StreamFrame::parse(bytes) {
         frames.push(frame.values().collect());
         bytes = &bytes[frame.size()..];
     }
@@ -195,12 +195,12 @@ fn a_stream_that_fills_its_slot_is_whole_and_one_that_overruns_it_is_corrupted_a
     lab.send(&[&[148, too_long.len() as u8], &too_long[..]].concat());
     lab.wait(0.5);
     let early = lab.take();
-    assert!(Frame::parse(&early).is_ok_and(|frame| frame.size() > slot_bytes(BAUD)), "the first ones are whole");
+    assert!(StreamFrame::parse(&early).is_ok_and(|frame| frame.size() > slot_bytes(BAUD)), "the first ones are whole");
     lab.wait(5.0);
     lab.take();
     lab.wait(1.0);
     let late = lab.take();
-    let whole = (0..late.len()).filter(|&at| Frame::parse(&late[at..]).is_ok_and(|f| f.size() == 186)).count();
+    let whole = (0..late.len()).filter(|&at| StreamFrame::parse(&late[at..]).is_ok_and(|f| f.size() == 186)).count();
     assert!(whole < 60, "{whole} of 66 frames are whole");
 }
 

@@ -1,7 +1,7 @@
 //! A robot in the middle of a bare room, and a host at the other end of its line.
 
 use robovac_core::{
-    floorplan::{FloorPlan, Object, Sketch},
+    floor_plan::{FloorPlan, Object, Sketch},
     geometry::Point,
     robot::model,
 };

@@ -43,7 +43,7 @@ pub const EXAMPLES: &[(Command<'static>, &[u8])] = &[
     ),
     (Command::Song { number: 2, notes: &[[60, 16], [64, 16]] }, &[140, 2, 2, 60, 16, 64, 16]),
     (Command::Play { number: 0 }, &[141, 0]),
-    (Command::Sensors { packet: 100 }, &[142, 100]),
+    (Command::SensorReadings { packet: 100 }, &[142, 100]),
     (Command::SeekDock, &[143]),
     (Command::PwmMotors { main_brush: 32, side_brush: -127, vacuum: 127 }, &[144, 32, 129, 127]),
     (Command::DriveDirect { right: 200, left: -200 }, &[145, 0, 200, 255, 56]),

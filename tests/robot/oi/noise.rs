@@ -2,7 +2,7 @@
 
 use super::stream::hear;
 use proptest::{collection::vec, prelude::*};
-use roomba_oi::{Frame, MAX_FRAME, Packet, PacketId, Readings, StreamEvent, StreamParser, write_frame};
+use roomba_oi::{MAX_FRAME, Packet, PacketId, Readings, StreamEvent, StreamFrame, StreamParser, write_frame};
 use std::ops::Range;
 
 /// Where a frame is, and what it holds.
@@ -12,7 +12,7 @@ type Found = (Range<usize>, Vec<(Packet, u16)>);
 fn reference(bytes: &[u8]) -> Vec<Found> {
     let (mut at, mut found) = (0, Vec::new());
     while at < bytes.len() {
-        let Ok(frame) = Frame::parse(&bytes[at..]) else {
+        let Ok(frame) = StreamFrame::parse(&bytes[at..]) else {
             at += 1;
             continue;
         };
@@ -53,7 +53,7 @@ proptest! {
     #[test]
     fn what_is_written_is_heard(frames in vec(frame(), 0..12)) {
         let heard = hear(frames.iter().map(Vec::as_slice));
-        let written: Vec<Vec<_>> = frames.iter().map(|f| Frame::parse(f).unwrap().values().collect()).collect();
+        let written: Vec<Vec<_>> = frames.iter().map(|f| StreamFrame::parse(f).unwrap().values().collect()).collect();
         prop_assert_eq!(heard.frames, written);
         prop_assert!(heard.refused.is_empty() && heard.texts.is_empty());
     }
@@ -81,7 +81,7 @@ proptest! {
 
     #[test]
     fn the_next_good_frame_is_found(before in garbage(0..300), good in frame()) {
-        let values: Vec<_> = Frame::parse(&good).unwrap().values().collect();
+        let values: Vec<_> = StreamFrame::parse(&good).unwrap().values().collect();
         let bytes = [&before[..], &good].concat();
         let heard = hear([&bytes[..]]);
         // One thing only can hide it: garbage that is a frame by chance, right checksum and all, and reaches into it.

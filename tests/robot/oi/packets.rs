@@ -1,7 +1,7 @@
 //! Sensor packets: values, groups, and what controllers see.
 
 use proptest::prelude::*;
-use robovac_core::robot::{BatteryReading, Infrared, Overcurrent, Sensors};
+use robovac_core::robot::{BatteryReading, Infrared, Overcurrent, SensorReadings};
 use robovac_link::sensors::{to_readings, to_sensors};
 use roomba_oi::{ChargingState, GROUPS, Packet, PacketId, Readings};
 
@@ -75,12 +75,12 @@ fn groups_hold_their_packets_in_ascending_order() {
     }
 }
 
-fn sensors() -> impl Strategy<Value = Sensors> {
+fn sensors() -> impl Strategy<Value = SensorReadings> {
     let flags = any::<[bool; 16]>();
     let signals = (any::<[u16; 4]>(), any::<[u16; 6]>(), any::<[u16; 3]>());
     let battery = (any::<[u16; 2]>(), 0_u16..32_768, any::<i16>(), any::<i8>());
     (flags, any::<[bool; 6]>(), signals, any::<[u8; 4]>(), battery).prop_map(
-        |(f, light_bumper, signals, bytes, battery)| Sensors {
+        |(f, light_bumper, signals, bytes, battery)| SensorReadings {
             bump_left: f[0],
             bump_right: f[1],
             wheel_drop_left: f[2],
@@ -106,7 +106,7 @@ fn sensors() -> impl Strategy<Value = Sensors> {
                 temperature_c: battery.3,
                 on_dock: f[15],
             },
-            ..Sensors::default()
+            ..SensorReadings::default()
         },
     )
 }

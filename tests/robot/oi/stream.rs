@@ -1,7 +1,7 @@
 //! Streams: cut, corrupted, mixed with text.
 
 use roomba_oi::{
-    Frame, MAX_LINE, Packet, PacketId, Readings, Said, StreamEvent, StreamParser, slot_bytes, write_frame,
+    MAX_LINE, Packet, PacketId, Readings, Said, StreamEvent, StreamFrame, StreamParser, slot_bytes, write_frame,
 };
 
 /// What a stream turned out to be, for comparison.
@@ -63,7 +63,7 @@ fn every_split_in_two_gives_the_same() {
 #[test]
 fn every_single_flipped_bit_is_noticed() {
     let frame = [19, 5, 29, 2, 25, 13, 0, 163];
-    let good: Vec<(Packet, u16)> = Frame::parse(&frame).unwrap().values().collect();
+    let good: Vec<(Packet, u16)> = StreamFrame::parse(&frame).unwrap().values().collect();
     for bit in 0..8 * frame.len() {
         let mut flipped = frame;
         flipped[bit / 8] ^= 1 << (bit % 8);
@@ -87,7 +87,7 @@ fn packets_that_the_length_cuts_are_refused() {
     // Voltage with one of its two bytes, and with none; the sums are right.
     for bytes in [&[19, 2, 22, 0, 213][..], &[19, 1, 22, 214]] {
         assert_eq!(bytes.iter().map(|&byte| u32::from(byte)).sum::<u32>() % 256, 0);
-        assert!(hear([bytes]).frames.is_empty() && Frame::parse(bytes).is_err());
+        assert!(hear([bytes]).frames.is_empty() && StreamFrame::parse(bytes).is_err());
     }
 }
 

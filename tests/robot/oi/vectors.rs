@@ -65,7 +65,7 @@ fn arguments(command: Command<'_>) -> Value {
         Command::DayTime { day, time } => json!({"day": day, "hour": time[0], "minute": time[1]}),
         Command::Song { number, notes } => json!({"number": number, "notes": notes}),
         Command::Play { number } => json!({"number": number}),
-        Command::Sensors { packet } => json!({"packet": packet}),
+        Command::SensorReadings { packet } => json!({"packet": packet}),
         Command::Stream { packets } | Command::QueryList { packets } => json!({"packets": packets}),
         Command::PauseResume { state } => json!({"state": state}),
         _ => json!({}),

@@ -6,8 +6,8 @@
 //! the prices needn't be the best.
 
 use super::{
+    dual_prices::{DualPrices, WALL},
     graph::{Graph, NONE},
-    prices::{Prices, WALL},
 };
 
 /// Cells visited by all sweeps together, within the two limits below.
@@ -25,7 +25,7 @@ pub(super) fn effort(cells: usize) -> usize {
     (EFFORT / cells.max(1)).clamp(FEWEST_SWEEPS, MOST_SWEEPS)
 }
 
-impl Prices {
+impl DualPrices {
     /// That many sweeps, after `done` ones.
     pub(super) fn diffuse(&mut self, graph: &Graph, done: usize, sweeps: usize) {
         for index in done..done + sweeps {

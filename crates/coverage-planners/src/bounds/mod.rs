@@ -4,7 +4,7 @@
 //! again, may end anywhere, and has S steps and T quarter turns between consecutive steps (a reversal counts two). For
 //! n = 1 everything is 0; below, n is at least 2.
 //!
-//! **Steps, by connection** ([`cuts`]). Take a cell c other than the start whose removal leaves k parts. One holds the
+//! **Steps, by connection** ([`cut_vertices`]). Take a cell c other than the start whose removal leaves k parts. One holds the
 //! start; the walk enters each of the other k - 1 by a visit to c and, unless it ends inside, leaves it by a later one. So
 //! c is visited at least k times, or k - 1 times if the walk ends in one of those k - 1 parts ("below c"). A start whose
 //! removal leaves k parts is visited at least k times. With e(c) = k - 1 for all these cells, and 0 for the others,
@@ -25,22 +25,22 @@
 //!
 //! The bounds on steps and turns hold together, so step x S + turn x T is also at least the sum of both.
 
-mod ascent;
 mod crossings;
-mod cuts;
+mod cut_vertices;
 mod diffusion;
-mod frontier;
+mod dual_prices;
 mod graph;
-mod prices;
 mod primal_dual;
+mod profile_dp;
 mod relaxation;
 mod strips;
+mod subgradient;
 mod tiles;
 
 use super::{CoverageJob, Objective};
-use cuts::Cuts;
+use cut_vertices::CutVertices;
+pub use dual_prices::{DualPrices, MOST_WEIGHT};
 pub use graph::Graph;
-pub use prices::{MOST_WEIGHT, Prices};
 pub use relaxation::Relaxation;
 use robovac_core::grid::{Direction, Grid};
 use serde::{Deserialize, Serialize};
@@ -89,19 +89,19 @@ impl Bounds {
     }
 }
 
-fn laid_out(job: &CoverageJob) -> (Graph, Cuts) {
+fn laid_out(job: &CoverageJob) -> (Graph, CutVertices) {
     let graph = Graph::new(&job.free, job.start);
-    let cuts = Cuts::of(&graph);
+    let cuts = CutVertices::of(&graph);
     (graph, cuts)
 }
 
-fn least(graph: &Graph, cuts: &Cuts, objective: Objective) -> u64 {
-    let mut prices = Prices::new(graph, objective, Direction::Right);
+fn least(graph: &Graph, cuts: &CutVertices, objective: Objective) -> u64 {
+    let mut prices = DualPrices::new(graph, objective, Direction::Right);
     prices.diffuse(graph, 0, diffusion::effort(graph.len()));
     prices.bound(graph, cuts)
 }
 
-fn fewest_steps(job: &CoverageJob, cuts: &Cuts) -> usize {
+fn fewest_steps(job: &CoverageJob, cuts: &CutVertices) -> usize {
     if job.cells() < 2 {
         return 0;
     }
@@ -111,7 +111,7 @@ fn fewest_steps(job: &CoverageJob, cuts: &Cuts) -> usize {
     cuts.fewest_steps().max(2 * same - 2).max(2 * other - 1)
 }
 
-fn fewest_turns(job: &CoverageJob, graph: &Graph, cuts: &Cuts) -> usize {
+fn fewest_turns(job: &CoverageJob, graph: &Graph, cuts: &CutVertices) -> usize {
     let by_square = 2 * largest_square(&job.free).saturating_sub(1);
     by_square.max(least(graph, cuts, Objective::open(0, 1)) as usize)
 }

@@ -38,7 +38,7 @@ type Outer = Vec<[f64; 4]>;
 
 /// An iterate: what is used how often, and what that costs.
 #[derive(Clone)]
-struct Point {
+struct Iterate {
     passages: Vec<[f64; 10]>,
     ends: Vec<[f64; 4]>,
     begins: [f64; 4],
@@ -54,9 +54,9 @@ struct Point {
 pub(super) struct PrimalDual {
     programme: Programme,
     outer: Outer,
-    now: Point,
+    now: Iterate,
     /// Where the iteration was restarted.
-    anchor: Point,
+    anchor: Iterate,
     /// How often each cell's sides are used in the extrapolated point,
     /// and how often it is visited.
     uses: Vec<[f64; 5]>,
@@ -86,7 +86,7 @@ impl PrimalDual {
             outer.push([0, 1, 2, 3].map(|side| if is_outer(side) { sides[side] } else { 0.0 }));
         }
         let is_open = programme.begin.is_some();
-        let now = Point {
+        let now = Iterate {
             passages: vec![[0.0; 10]; count],
             ends: vec![[0.0; 4]; if is_open { count } else { 0 }],
             begins: [0.0; 4],
@@ -135,7 +135,7 @@ impl PrimalDual {
     /// Squared length of what the primal variables moved.
     fn primal_step(&mut self, graph: &Graph, share: f64) -> f64 {
         let pace = Pace { length: -COLUMN / self.weight, share };
-        let Point { passages, ends, begins, edges, visits, halves } = &mut self.now;
+        let Iterate { passages, ends, begins, edges, visits, halves } = &mut self.now;
         let costs: [f64; 10] = std::array::from_fn(|index| self.programme.cost(index));
         let half = self.programme.step / 2.0;
         let mut moved = 0.0;
@@ -244,7 +244,7 @@ impl Programme {
     }
 }
 
-impl Point {
+impl Iterate {
     fn primal_distance(&self, other: &Self) -> f64 {
         distance(&self.passages, &other.passages) + distance(&self.ends, &other.ends)
     }

@@ -13,24 +13,24 @@
 //!
 //! > sum of v(c) f(c)  +  g(start) - f(start)  +  g(e) - f(e).
 //!
-//! With v(c) = 1 + excess(c) - (1 if e is below c) by [`Cuts`] and the worst e, that holds for every walk, whatever the
+//! With v(c) = 1 + excess(c) - (1 if e is below c) by [`CutVertices`] and the worst e, that holds for every walk, whatever the
 //! prices are: it's a Lagrangian relaxation of the constraint that passages of neighbours fit together.
 //!
 //! A closed tour has no ends: its passages alone cost at least the sum of v(c) f(c), with no e to save anything.
 //!
 //! The best prices give what the linear programme of fractional walks costs (parts of passages, with as much use of an edge
 //! from either side). They are neared in three stages: by [`super::diffusion`], by [`super::primal_dual`], and then, for
-//! strips of the room instead of single cells, by [`super::ascent`]; in rooms too large for that, by diffusion and then by
+//! strips of the room instead of single cells, by [`super::subgradient`]; in rooms too large for that, by diffusion and then by
 //! [`super::tiles`]. No rounding spoils the bound, as it's reckoned in whole numbers, from whatever prices.
 
 use super::{
-    ascent::Ascent,
     crossings::Crossings,
-    cuts::Cuts,
+    cut_vertices::CutVertices,
     diffusion::{MOST_SWEEPS, effort},
+    dual_prices::DualPrices,
     graph::Graph,
-    prices::Prices,
     primal_dual::{PrimalDual, Programme},
+    subgradient::Subgradient,
     tiles::Tiles,
 };
 use crate::{CoverageJob, Objective};
@@ -51,9 +51,9 @@ const RISE: u64 = 2000;
 pub struct Relaxation {
     /// The cells.
     pub graph: Graph,
-    cuts: Cuts,
+    cuts: CutVertices,
     /// The best prices so far, of single cells.
-    pub prices: Prices,
+    pub prices: DualPrices,
     /// The bound that they give, and the best bound.
     cell_bound: u64,
     bound: u64,
@@ -68,7 +68,7 @@ pub struct Relaxation {
     risen_to: u64,
     crossings: Option<Crossings>,
     /// Ascents to be gone on with, in turn: by rows and by columns, higher and higher ones.
-    ascents: VecDeque<Ascent>,
+    subgradients: VecDeque<Subgradient>,
     is_in_strips: bool,
 }
 
@@ -76,8 +76,8 @@ impl Relaxation {
     /// No work done yet; weights above 4,096 count as that.
     pub fn new(job: &CoverageJob, objective: Objective) -> Self {
         let graph = Graph::new(&job.free, job.start);
-        let cuts = Cuts::of(&graph);
-        let prices = Prices::new(&graph, objective, job.heading);
+        let cuts = CutVertices::of(&graph);
+        let prices = DualPrices::new(&graph, objective, job.heading);
         let bound = prices.bound(&graph, &cuts);
         Self {
             graph,
@@ -93,7 +93,7 @@ impl Relaxation {
             last_rise: 0,
             risen_to: 0,
             crossings: None,
-            ascents: VecDeque::new(),
+            subgradients: VecDeque::new(),
             is_in_strips: false,
         }
     }
@@ -171,37 +171,37 @@ impl Relaxation {
         if !self.is_in_strips {
             self.is_in_strips = true;
             for upright in [false, true] {
-                let mut ascent = Ascent::first(&self.graph, &self.prices, upright);
-                ascent.step(&self.graph, &self.cuts, crossings);
-                self.bound = self.bound.max(ascent.bound());
-                done += ascent.effort(&self.graph);
-                self.ascents.push_back(ascent);
+                let mut subgradient = Subgradient::first(&self.graph, &self.prices, upright);
+                subgradient.step(&self.graph, &self.cuts, crossings);
+                self.bound = self.bound.max(subgradient.bound());
+                done += subgradient.effort(&self.graph);
+                self.subgradients.push_back(subgradient);
             }
             // The better ones first.
-            if self.ascents[0].bound() < self.ascents[1].bound() {
-                self.ascents.swap(0, 1);
+            if self.subgradients[0].bound() < self.subgradients[1].bound() {
+                self.subgradients.swap(0, 1);
             }
         }
         while done < cells {
-            let Some(mut ascent) = self.ascents.pop_front() else {
+            let Some(mut subgradient) = self.subgradients.pop_front() else {
                 return false;
             };
-            done += ascent.effort(&self.graph);
-            let goes_on = ascent.step(&self.graph, &self.cuts, crossings);
-            self.bound = self.bound.max(ascent.bound());
+            done += subgradient.effort(&self.graph);
+            let goes_on = subgradient.step(&self.graph, &self.cuts, crossings);
+            self.bound = self.bound.max(subgradient.bound());
             if goes_on {
-                self.ascents.push_front(ascent);
-            } else if ascent.is_final() {
-                self.ascents.clear();
+                self.subgradients.push_front(subgradient);
+            } else if subgradient.is_final() {
+                self.subgradients.clear();
             } else {
-                self.ascents.extend(ascent.higher(&self.graph));
+                self.subgradients.extend(subgradient.higher(&self.graph));
             }
         }
         true
     }
 
     /// Keeps the present prices if they're better than those before.
-    fn look(&mut self, before: Prices) {
+    fn look(&mut self, before: DualPrices) {
         let bound = self.prices.bound(&self.graph, &self.cuts);
         if bound < self.cell_bound {
             self.prices = before;

@@ -13,10 +13,10 @@
 
 use super::{
     crossings::{Crossings, LABELLINGS, LABELS, Use},
-    cuts::Cuts,
-    frontier::Trace,
+    cut_vertices::CutVertices,
+    dual_prices::DualPrices,
     graph::{Graph, NONE},
-    prices::Prices,
+    profile_dp::DpTrace,
 };
 
 /// More than any walk through a strip.
@@ -27,10 +27,10 @@ pub(super) const DEAREST: i32 = 1 << 28;
 const MOST_SAVED: i64 = 1 << 27;
 
 /// Per labelling of a cell's sides, as a strip sees them, what the best use costs.
-type Table = [i32; LABELLINGS];
+type LabelTable = [i32; LABELLINGS];
 
 /// A room in strips.
-pub(super) struct Strips {
+pub(super) struct RoomStrips {
     /// Their cells, column by column of the strip, [`NONE`] for walls.
     cells: Vec<Vec<u32>>,
     /// Cells across a strip.
@@ -41,12 +41,12 @@ pub(super) struct Strips {
 
 /// Costs of a cell's labellings beyond the cell's share of the bound, and the uses that they are of; each without and with
 /// the walk's end.
-pub(super) struct Site {
-    pub tables: [Table; 2],
+pub(super) struct SiteCosts {
+    pub tables: [LabelTable; 2],
     uses: [[[u8; 4]; LABELLINGS]; 2],
 }
 
-impl Site {
+impl SiteCosts {
     /// The use of a labelling.
     pub fn crossings(&self, kind: usize, labelling: usize) -> [u8; 4] {
         self.uses[kind][labelling]
@@ -54,7 +54,7 @@ impl Site {
 }
 
 /// What the strips cost together, and how.
-pub(super) struct Solution {
+pub(super) struct StripSolution {
     /// In price units.
     pub bound: i64,
     /// Per cell how often each side is used.
@@ -62,14 +62,14 @@ pub(super) struct Solution {
 }
 
 /// What is needed of the whole room.
-pub(super) struct Room<'a> {
+pub(super) struct WholeRoom<'a> {
     pub graph: &'a Graph,
-    pub cuts: &'a Cuts,
-    pub prices: &'a Prices,
+    pub cuts: &'a CutVertices,
+    pub prices: &'a DualPrices,
     pub crossings: &'a Crossings,
 }
 
-impl Strips {
+impl RoomStrips {
     /// Strips of at most that many rows or, if `upright`, columns.
     pub fn new(graph: &Graph, upright: bool, most: usize) -> Self {
         let (width, rows) = (graph.numbers.width(), graph.numbers.height());
@@ -100,8 +100,8 @@ impl Strips {
     }
 
     /// The bound of all strips together, at prices that fit; `None` if the walk's end may save too much to be reckoned with.
-    pub fn solve(&self, room: &Room<'_>) -> Option<Solution> {
-        let Room { graph, cuts, prices, .. } = room;
+    pub fn solve(&self, room: &WholeRoom<'_>) -> Option<StripSolution> {
+        let WholeRoom { graph, cuts, prices, .. } = room;
         let mut below = vec![0; if prices.is_open() { graph.len() } else { 0 }];
         if prices.is_open() {
             for (cell, sum) in cuts.sums_below(|cell| i64::from(prices.visits(cell).0)) {
@@ -115,9 +115,9 @@ impl Strips {
         let mut bound: i64 = (0..graph.len()).map(visits).sum();
         let mut crossings = vec![[0; 4]; graph.len()];
         // Where the walk's end adds least: how much, and how that strip is used then.
-        let mut end: Option<(i64, Trace)> = None;
+        let mut end: Option<(i64, DpTrace)> = None;
         for strip in &self.cells {
-            let sites: Vec<Site> = strip
+            let sites: Vec<SiteCosts> = strip
                 .iter()
                 .filter(|&&cell| cell != NONE)
                 .map(|&cell| self.site(room, cell as usize, below.get(cell as usize).copied().unwrap_or(0)))
@@ -139,12 +139,12 @@ impl Strips {
                 crossings[cell as usize] = uses;
             }
         }
-        Some(Solution { bound, crossings })
+        Some(StripSolution { bound, crossings })
     }
 
     /// What a cell's labellings cost.
-    fn site(&self, room: &Room<'_>, cell: usize, below: i64) -> Site {
-        let Room { graph, cuts, prices, crossings } = room;
+    fn site(&self, room: &WholeRoom<'_>, cell: usize, below: i64) -> SiteCosts {
+        let WholeRoom { graph, cuts, prices, crossings } = room;
         let is_begun = prices.is_open() && cell == graph.start;
         let sides = prices.sides[cell];
         let (passage, _) = prices.visits(cell);
@@ -160,7 +160,7 @@ impl Strips {
             priced + prices.step / 2 * total + prices.turn * i32::from(one.turns) - share - saved
         };
         let kinds = if is_begun { &crossings.begun } else { &crossings.plain };
-        let mut site = Site { tables: [[NEVER; LABELLINGS]; 2], uses: [[[0; 4]; LABELLINGS]; 2] };
+        let mut site = SiteCosts { tables: [[NEVER; LABELLINGS]; 2], uses: [[[0; 4]; LABELLINGS]; 2] };
         for (kind, uses) in kinds.iter().enumerate().take(1 + usize::from(prices.is_open())) {
             for (labelling, uses) in uses.iter().enumerate() {
                 let label = |side: usize| labelling / LABELS.pow(side as u32) % LABELS;

@@ -5,9 +5,9 @@
 //! tiles of the next round lie across the borders of those before, the whole room gains in a few rounds.
 
 use super::{
-    cuts::Cuts,
+    cut_vertices::CutVertices,
+    dual_prices::DualPrices,
     graph::{Graph, NONE},
-    prices::Prices,
     primal_dual::{PrimalDual, Programme},
 };
 use robovac_core::grid::{Cell, Grid};
@@ -30,7 +30,7 @@ pub(super) struct Tiles {
 
 impl Tiles {
     /// Makes the next tile's prices better; the cells visited for it, or nothing if all rounds are over.
-    pub fn improve(&mut self, graph: &Graph, cuts: &Cuts, prices: &mut Prices) -> Option<usize> {
+    pub fn improve(&mut self, graph: &Graph, cuts: &CutVertices, prices: &mut DualPrices) -> Option<usize> {
         if self.round == ROUNDS {
             return None;
         }
@@ -55,7 +55,7 @@ fn part(graph: &Graph, low: Cell) -> Option<Graph> {
 }
 
 /// Makes the prices of the tile with that lowest corner better; the cells visited for it.
-fn improve(graph: &Graph, cuts: &Cuts, prices: &mut Prices, low: Cell) -> usize {
+fn improve(graph: &Graph, cuts: &CutVertices, prices: &mut DualPrices, low: Cell) -> usize {
     let numbers = |margin: i32| {
         let across = -margin..SIDE + margin;
         let cells = across.clone().flat_map(move |y| across.clone().map(move |x| Cell::new(low.x + x, low.y + y)));
@@ -80,7 +80,7 @@ fn improve(graph: &Graph, cuts: &Cuts, prices: &mut Prices, low: Cell) -> usize 
     // What is shifted may change the cells beside it, too.
     let near: Vec<u32> = numbers(RING + 1).collect();
     let shifted: Vec<u32> = numbers(RING).collect();
-    let worth = |prices: &Prices| {
+    let worth = |prices: &DualPrices| {
         near.iter().try_fold(0, |sum, &cell| {
             let passage = i64::from(prices.visits(cell as usize).0);
             (passage >= 0).then(|| sum + passage * (1 + i64::from(cuts.excess[cell as usize])))
@@ -113,8 +113,8 @@ mod tests {
         let mut rng = seeded(1, 0);
         let pillars = (0..100 * 90).map(|index| index == 0 || rng.random_range(0..12) > 0).collect();
         let graph = Graph::new(&Grid::from_rows(100, pillars).unwrap(), Cell::new(0, 0));
-        let cuts = Cuts::of(&graph);
-        let mut prices = Prices::new(&graph, Objective::open(1, 2), Direction::Right);
+        let cuts = CutVertices::of(&graph);
+        let mut prices = DualPrices::new(&graph, Objective::open(1, 2), Direction::Right);
         prices.diffuse(&graph, 0, 400);
         let walls = prices.sides.clone();
         let mut bounds = vec![prices.bound(&graph, &cuts)];

@@ -34,7 +34,7 @@ pub struct DriveMetrics {
 impl DriveMetrics {
     /// Drives `line` (corners, m) in thought, without noise.
     pub fn of(floor: &ReachableFloor, robot: &RobotModel, line: &[Point]) -> Self {
-        let Drive { length, turning, straight_s, turning_s } = Drive::along(line, floor.start.heading, robot);
+        let LineDrive { length, turning, straight_s, turning_s } = LineDrive::along(line, floor.start.heading, robot);
         let mut tracker = CoverageTracker::new(floor);
         for &point in line {
             tracker.sweep_to(floor, point);
@@ -54,7 +54,7 @@ impl DriveMetrics {
 }
 
 /// A line driven from rest to rest.
-struct Drive {
+struct LineDrive {
     /// m.
     length: f64,
     /// Sum of all turns, rad.
@@ -65,7 +65,7 @@ struct Drive {
     turning_s: f64,
 }
 
-impl Drive {
+impl LineDrive {
     fn along(line: &[Point], mut heading: f64, robot: &RobotModel) -> Self {
         let mut drive = Self { length: 0.0, turning: 0.0, straight_s: 0.0, turning_s: 0.0 };
         for piece in line.windows(2) {
@@ -88,7 +88,7 @@ impl Drive {
 mod tests {
     use super::*;
     use robovac_core::{
-        floorplan::Sketch,
+        floor_plan::Sketch,
         robot::{cell_robot, model},
     };
 
@@ -96,7 +96,7 @@ mod tests {
     fn duration_adds_pieces_and_turns() {
         let robot = cell_robot(0.2);
         let line = [Point::new(0.0, 0.0), Point::new(3.0, 0.0), Point::new(3.0, 3.0)];
-        let drive = Drive::along(&line, 0.0, &robot);
+        let drive = LineDrive::along(&line, 0.0, &robot);
         assert_eq!(drive.length, 6.0);
         assert!((drive.turning - math::FRAC_PI_2).abs() < 1e-12);
         assert!((drive.straight_s - 2.0 * (10.0 + 0.3 / 0.8)).abs() < 1e-12);

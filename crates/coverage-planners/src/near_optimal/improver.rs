@@ -2,10 +2,10 @@
 
 use super::{
     focus::Focus,
-    frontier::Search,
-    region::{Ground, Region, Window},
+    profile_dp::DpSearch,
+    region::{Ground, WalkRegion, Window},
     tour::Tour,
-    ways::Ways,
+    ways::CellWays,
 };
 use rand::RngExt;
 use robovac_core::{
@@ -16,7 +16,7 @@ use std::collections::VecDeque;
 
 /// A walk that gets better.
 pub(super) struct Improver {
-    ways: Ways,
+    ways: CellWays,
     /// The free cells, by their numbers.
     cells: Vec<Cell>,
     pub tour: Tour,
@@ -30,7 +30,7 @@ pub(super) struct Improver {
 
 /// A rectangle of the room, its upper right corner not included.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Block {
+pub(super) struct WindowBlock {
     low: Cell,
     high: Cell,
 }
@@ -62,7 +62,7 @@ impl Improver {
     /// Nothing improved yet.
     pub fn new(cells: Vec<Cell>, tour: Tour, rng: Rng) -> Self {
         let site_of = vec![u32::MAX; cells.len()];
-        Self { ways: Ways::new(2), cells, tour, cost: 0, work: 0, site_of, rng }
+        Self { ways: CellWays::new(2), cells, tour, cost: 0, work: 0, site_of, rng }
     }
 
     /// A walk from cell to cell, begun in `start`.
@@ -86,11 +86,11 @@ impl Improver {
         noise: i32,
     ) -> Option<i64> {
         self.work += WORK_PER_WINDOW;
-        let mut region = Region::new(ground, tour, window, &mut self.site_of)?;
+        let mut region = WalkRegion::new(ground, tour, window, &mut self.site_of)?;
         if noise > 0 {
             region.disturb(noise, &mut self.rng);
         }
-        let search = Search { limit: region.seeming_cost(), most_states, is_all_or_nothing: false };
+        let search = DpSearch { limit: region.seeming_cost(), most_states, is_all_or_nothing: false };
         let found = region.search(ground.costs(), &self.ways, search, |_| true);
         self.work += found.work;
         if found.ways.is_empty() {
@@ -101,9 +101,9 @@ impl Improver {
     }
 
     /// Blocks that cover the room and overlap by `overlap` cells: one, unless the room is large.
-    pub fn blocks(&self, numbers: &Grid<u32>, overlap: usize) -> Vec<Block> {
+    pub fn blocks(&self, numbers: &Grid<u32>, overlap: usize) -> Vec<WindowBlock> {
         let (width, height) = (numbers.width() as i32, numbers.height() as i32);
-        let room = Block { low: Cell::new(0, 0), high: Cell::new(width, height) };
+        let room = WindowBlock { low: Cell::new(0, 0), high: Cell::new(width, height) };
         if self.cells.len() > FOLDED { room.parts(FOLD, overlap as i32) } else { vec![room] }
     }
 
@@ -111,7 +111,7 @@ impl Improver {
     pub fn settle(
         &mut self,
         ground: &Ground<'_>,
-        block: Block,
+        block: WindowBlock,
         (side, most_states): (usize, usize),
         goes_on: impl FnMut(Settling<'_>) -> bool,
     ) {
@@ -121,7 +121,7 @@ impl Improver {
     }
 
     /// Lets `act` change the walk in a block, what lies elsewhere folded up if the room is large.
-    fn within(&mut self, block: Block, act: impl FnOnce(&mut Self, &mut Tour, &mut i64)) {
+    fn within(&mut self, block: WindowBlock, act: impl FnOnce(&mut Self, &mut Tour, &mut i64)) {
         let mut cost = 0;
         if self.cells.len() > FOLDED {
             let cells = &self.cells;
@@ -143,7 +143,7 @@ impl Improver {
         &mut self,
         ground: &Ground<'_>,
         tour: &mut Tour,
-        block: Block,
+        block: WindowBlock,
         (side, most_states): (usize, usize),
         mut goes_on: impl FnMut(Settling<'_>) -> bool,
     ) -> i64 {
@@ -184,9 +184,9 @@ impl Improver {
         let (width, height) = (ground.numbers.width(), ground.numbers.height());
         let window = Window { corner: Cell::new(0, 0), width, height };
         // The turn from the robot's heading may ask for a third use of an edge.
-        let ways = Ways::new(if ground.counts_first_turn { 3 } else { 2 });
-        let Some(region) = Region::new(ground, &self.tour, window, &mut self.site_of) else { return false };
-        let search = Search { limit: region.cost, most_states, is_all_or_nothing: true };
+        let ways = CellWays::new(if ground.counts_first_turn { 3 } else { 2 });
+        let Some(region) = WalkRegion::new(ground, &self.tour, window, &mut self.site_of) else { return false };
+        let search = DpSearch { limit: region.cost, most_states, is_all_or_nothing: true };
         let found = region.search(ground.costs(), &ways, search, |_| goes_on());
         if found.ways.is_empty() {
             return found.is_exact;
@@ -211,7 +211,7 @@ impl Improver {
         let low = |at: i32, most: i32| (at - BLOCK / 2).clamp(0, (most - BLOCK).max(0));
         let low = Cell::new(low(centre.x, width), low(centre.y, height));
         let high = Cell::new((low.x + BLOCK).min(width), (low.y + BLOCK).min(height));
-        let block = Block { low, high };
+        let block = WindowBlock { low, high };
         self.within(block, |improver, tour, cost| {
             let before = tour.cells.clone();
             let (step, turn) = ground.costs();
@@ -258,7 +258,7 @@ const FOLDED: usize = 4_000;
 /// Side of the blocks that settle one after the other then, cells.
 const FOLD: i32 = 64;
 
-impl Block {
+impl WindowBlock {
     fn contains(self, cell: Cell) -> bool {
         (self.low.x..self.high.x).contains(&cell.x) && (self.low.y..self.high.y).contains(&cell.y)
     }

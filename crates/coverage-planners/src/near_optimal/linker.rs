@@ -1,47 +1,47 @@
 //! Joins passages in a region and the walk's parts outside into one walk.
 
 use super::{
-    region::{Arc, Beyond, Region},
+    region::{Beyond, OutsideStretch, WalkRegion},
     tour::Tour,
-    ways::{Side, Way},
+    ways::{CellSide, CellWay},
 };
 
-impl Region {
+impl WalkRegion {
     /// The walk that does in each site what `ways` say, its parts outside put in; `None` if they don't fit together.
-    pub fn walk(&self, tour: &Tour, ways: &[&Way]) -> Option<Vec<u32>> {
-        Linker::new(self, tour, ways)?.walk(tour)
+    pub fn walk(&self, tour: &Tour, ways: &[&CellWay]) -> Option<Vec<u32>> {
+        PieceLinker::new(self, tour, ways)?.walk(tour)
     }
 }
 
 /// Ends of pieces at the two halves of an edge.
-type Ends = [Vec<(usize, usize)>; 2];
+type PieceEnds = [Vec<(usize, usize)>; 2];
 
 /// Pieces of a walk that are linked where they use the same edges.
-struct Linker<'a> {
-    region: &'a Region,
+struct PieceLinker<'a> {
+    region: &'a WalkRegion,
     /// Cells of the region that are passed, and parts outside.
-    pieces: Vec<Piece>,
+    pieces: Vec<WalkPiece>,
     /// Per piece and end the piece that it's linked with, and that one's end.
     mates: Vec<[Option<(usize, usize)>; 2]>,
     begin: usize,
 }
 
 #[derive(Clone, Copy)]
-enum Piece {
+enum WalkPiece {
     Cell(u32),
     Arc(usize),
 }
 
-impl<'a> Linker<'a> {
-    fn new(region: &'a Region, tour: &Tour, ways: &[&Way]) -> Option<Self> {
+impl<'a> PieceLinker<'a> {
+    fn new(region: &'a WalkRegion, tour: &Tour, ways: &[&CellWay]) -> Option<Self> {
         let sites = region.sites.len();
-        let mut edges: Vec<Ends> = vec![Default::default(); 2 * sites + region.plugs.len()];
+        let mut edges: Vec<PieceEnds> = vec![Default::default(); 2 * sites + region.plugs.len()];
         let mut pieces = Vec::new();
         let mut begin = None;
         // The site to the left, and the one below in every column.
         let (mut left, mut below) = (0, vec![0; region.columns]);
         for (i, (site, way)) in region.sites.iter().zip(ways).enumerate() {
-            let edge_at = |side: Side| match (site.beyond[side], side) {
+            let edge_at = |side: CellSide| match (site.beyond[side], side) {
                 (Beyond::Plug(plug), _) => Some((2 * sites + plug, 0)),
                 (Beyond::Nothing, _) => None,
                 (Beyond::Site, 0 | 1) => Some((2 * i + side, 0)),
@@ -53,7 +53,7 @@ impl<'a> Linker<'a> {
                     let (edge, half) = edge_at(side)?;
                     edges[edge][half].push((pieces.len(), end));
                 }
-                pieces.push(Piece::Cell(site.cell));
+                pieces.push(WalkPiece::Cell(site.cell));
             }
             for (h, &side) in way.halves.iter().enumerate() {
                 // The first half of the start's cell is the walk's first step.
@@ -63,7 +63,7 @@ impl<'a> Linker<'a> {
                 }
                 let (edge, half) = edge_at(side)?;
                 edges[edge][half].push((pieces.len(), usize::from(is_first)));
-                pieces.push(Piece::Cell(site.cell));
+                pieces.push(WalkPiece::Cell(site.cell));
             }
             left = i;
             below[site.column] = i;
@@ -75,7 +75,7 @@ impl<'a> Linker<'a> {
             for (end, plug) in arc.plugs.into_iter().enumerate().filter_map(|(end, plug)| Some((end, plug?))) {
                 edges[2 * sites + plug][1].push((pieces.len(), end));
             }
-            pieces.push(Piece::Arc(i));
+            pieces.push(WalkPiece::Arc(i));
         }
         let begin = if tour.is_closed { 0 } else { begin? };
         let mut linker = Self { region, mates: vec![[None; 2]; pieces.len()], pieces, begin };
@@ -84,7 +84,7 @@ impl<'a> Linker<'a> {
     }
 
     /// Links pieces at all edges, such that all are one.
-    fn link(&mut self, edges: &[Ends]) -> Option<()> {
+    fn link(&mut self, edges: &[PieceEnds]) -> Option<()> {
         let mut parents: Vec<usize> = (0..self.pieces.len()).collect();
         for [ends, others] in edges {
             if ends.len() != others.len() {
@@ -122,8 +122,8 @@ impl<'a> Linker<'a> {
         loop {
             count += 1;
             match self.pieces[piece] {
-                Piece::Cell(cell) => cells.push(cell),
-                Piece::Arc(arc) => self.region.arcs[arc].append(tour, entry == 1, &mut cells),
+                WalkPiece::Cell(cell) => cells.push(cell),
+                WalkPiece::Arc(arc) => self.region.arcs[arc].append(tour, entry == 1, &mut cells),
             }
             let Some((next, end)) = self.mates[piece][1 - entry] else { break };
             (piece, entry) = (next, end);
@@ -135,7 +135,7 @@ impl<'a> Linker<'a> {
     }
 }
 
-impl Arc {
+impl OutsideStretch {
     /// Appends its cells.
     fn append(&self, tour: &Tour, is_reversed: bool, cells: &mut Vec<u32>) {
         let begin = cells.len();

@@ -33,19 +33,20 @@
 //! The result depends on the seed and the effort alone. Cost: O(n) memory; time as much as one gives it.
 
 mod focus;
-mod frontier;
 mod improver;
 mod linker;
+mod local_search;
+mod profile_dp;
 mod region;
 mod tour;
 mod ways;
-mod work;
 
 use super::{
-    Build, Claims, CoverageJob, CoveragePath, Finish, Objective, PlanContext, PlanError, Planner, PlannerInfo, Proof,
-    Report, backtracking_spiral, boustrophedon, boustrophedon_cells,
+    BuildPlanner, CoverageJob, CoveragePath, Finish, Objective, PlanContext, PlanError, Planner, PlannerClaims,
+    PlannerInfo, ProgressReport, Proof, backtracking_spiral, boustrophedon, boustrophedon_cells,
     stage::{Costs, MAX_CELLS_FOR_ALL, between},
 };
+use local_search::LocalSearch;
 use rand::RngExt;
 use robovac_core::{
     grid::Cell,
@@ -53,7 +54,6 @@ use robovac_core::{
     rng::seeded,
 };
 use std::ops::ControlFlow;
-use work::Work;
 
 /// Entry in the registry.
 pub const INFO: PlannerInfo = PlannerInfo {
@@ -73,7 +73,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         shines: Example { room: "maze", why: "Forks and dead ends: windows find walks that lanes and rings can't." },
         fails: Example { room: "lshape", why: "Simple lanes are nearly as good and take no time." },
     },
-    claims: Claims { complete: true, deterministic: false, fast: false, traces: false, anytime: true },
+    claims: PlannerClaims { complete: true, deterministic: false, fast: false, traces: false, anytime: true },
     params: &[
         ParamSpec {
             id: "effort",
@@ -98,7 +98,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
 };
 
 /// Makes the planner.
-pub(super) const BUILD: Build = |params| {
+pub(super) const BUILD: BuildPlanner = |params| {
     Box::new(NearOptimal {
         effort: params.number("effort"),
         finish: if params.choice("finish") == "start" { Finish::Start } else { Finish::Anywhere },
@@ -148,7 +148,7 @@ impl Planner for NearOptimal {
         };
         let cells = job.cells() as f64;
         let most = self.effort * (WORK_PER_CELL * cells).min(MOST_WORK).max(LEAST_WORK_PER_CELL * cells);
-        let mut work = Work::new(job, objective, most as usize, seeded(ctx.rng.random(), 0));
+        let mut work = LocalSearch::new(job, objective, most as usize, seeded(ctx.rng.random(), 0));
         let half = FIRST / 2.0;
         let first = fast_walk(&boustrophedon::INFO, boustrophedon::BUILD, job, &[], [0.0, half], ctx)?;
         work.begin_with(first, ctx);
@@ -200,13 +200,13 @@ impl NearOptimal {
 /// What a fast planner finds, while `so_far` is shown.
 fn fast_walk(
     info: &PlannerInfo,
-    build: Build,
+    build: BuildPlanner,
     job: &CoverageJob,
     so_far: &[Cell],
     shares: [f64; 2],
     ctx: &mut PlanContext<'_>,
 ) -> Result<Vec<Cell>, PlanError> {
-    let mut observe = |report: Report<'_>| {
+    let mut observe = |report: ProgressReport<'_>| {
         let walk = if so_far.is_empty() { report.walk } else { so_far };
         match ctx.checkpoint(between(shares, report.done), walk) {
             Ok(()) => ControlFlow::Continue(()),

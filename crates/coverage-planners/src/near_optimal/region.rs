@@ -1,11 +1,11 @@
 //! A region where the walk is rebuilt, while the rest stays.
 
 use super::{
-    frontier::MOST_OPEN,
+    profile_dp::MOST_OPEN,
     tour::Tour,
-    ways::{MOST_USES, Side, Way, turns},
+    ways::{CellSide, CellWay, MOST_USES, turns},
 };
-use crate::bounds::{Graph, Prices};
+use crate::bounds::{DualPrices, Graph};
 use rand::RngExt;
 use robovac_core::{
     grid::{Cell, Grid},
@@ -28,7 +28,7 @@ pub(super) enum Beyond {
 
 /// A cell of the region, as it's seen when columns are scanned one row after the other.
 #[derive(Debug, Clone)]
-pub(super) struct Site {
+pub(super) struct RegionSite {
     pub cell: u32,
     /// Column of the scan.
     pub column: usize,
@@ -69,27 +69,27 @@ pub(super) struct Window {
 }
 
 /// Cells to be walked anew, the ends of the walk's parts outside, and what it does inside now.
-pub(super) struct Region {
+pub(super) struct WalkRegion {
     /// In the order of the scan.
-    pub sites: Vec<Site>,
+    pub sites: Vec<RegionSite>,
     pub columns: usize,
     pub plugs: Vec<Plug>,
     /// Whether the walk ends in the region.
     pub has_end: bool,
     /// Side that the robot looks to at the start, and what a quarter turn to the first step costs.
-    pub heading: (Side, i32),
+    pub heading: (CellSide, i32),
     /// What the walk costs in the region, in price units.
     pub cost: i64,
     /// What noise adds to that.
     disturbed: i64,
     /// Positions of the walk's parts outside, and the plugs at both ends.
-    pub arcs: Vec<Arc>,
+    pub arcs: Vec<OutsideStretch>,
     is_swapped: bool,
 }
 
 /// A part of the walk outside, from one position to another, both included; the second may be smaller in a closed tour.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Arc {
+pub(super) struct OutsideStretch {
     pub first: usize,
     pub last: usize,
     pub plugs: [Option<usize>; 2],
@@ -99,11 +99,11 @@ pub(super) struct Arc {
 #[derive(Clone, Copy)]
 pub(super) struct Ground<'a> {
     pub graph: &'a Graph,
-    pub prices: &'a Prices,
+    pub prices: &'a DualPrices,
     /// Numbers of the free cells.
     pub numbers: &'a Grid<u32>,
     /// Sides of the heading, and whether the turn from it counts.
-    pub heading: Side,
+    pub heading: CellSide,
     pub counts_first_turn: bool,
 }
 
@@ -114,18 +114,18 @@ impl Ground<'_> {
     }
 }
 
-fn swapped(side: Side) -> Side {
+fn swapped(side: CellSide) -> CellSide {
     side ^ 1
 }
 
-impl Region {
+impl WalkRegion {
     /// The region of a window and the walk's parts outside it; `None` if the walk isn't there at all.
     pub fn new(ground: &Ground<'_>, tour: &Tour, window: Window, site_of: &mut [u32]) -> Option<Self> {
         let Ground { graph, prices, numbers, .. } = ground;
         let is_swapped = window.width > window.height;
         let (columns, rows) = if is_swapped { (window.height, window.width) } else { (window.width, window.height) };
-        let turned = |side: Side| if is_swapped { swapped(side) } else { side };
-        let mut sites: Vec<Site> = Vec::new();
+        let turned = |side: CellSide| if is_swapped { swapped(side) } else { side };
+        let mut sites: Vec<RegionSite> = Vec::new();
         for row in 0..rows {
             for column in 0..columns {
                 let (dx, dy) = if is_swapped { (row, column) } else { (column, row) };
@@ -133,7 +133,7 @@ impl Region {
                 let Some(&number) = numbers.get(cell).filter(|&&number| number != OUTSIDE) else { continue };
                 site_of[number as usize] = sites.len() as u32;
                 let sides = prices.sides[number as usize];
-                sites.push(Site {
+                sites.push(RegionSite {
                     cell: number,
                     column,
                     beyond: [Beyond::Nothing; 4],
@@ -211,16 +211,16 @@ impl Region {
             self.has_end = last + 1 == tour.cells.len();
             if first > 0 {
                 let (_, other, plug) = comes.remove(0);
-                self.arcs.push(Arc { first: 0, last: other, plugs: [None, Some(plug)] });
+                self.arcs.push(OutsideStretch { first: 0, last: other, plugs: [None, Some(plug)] });
             }
             if !self.has_end
                 && let Some((_, other, plug)) = leaves.pop()
             {
-                self.arcs.push(Arc { first: other, last: tour.cells.len() - 1, plugs: [Some(plug), None] });
+                self.arcs.push(OutsideStretch { first: other, last: tour.cells.len() - 1, plugs: [Some(plug), None] });
             }
         }
         let between = leaves.into_iter().zip(comes);
-        self.arcs.extend(between.map(|(from, to)| Arc {
+        self.arcs.extend(between.map(|(from, to)| OutsideStretch {
             first: from.1,
             last: to.1,
             plugs: [Some(from.2), Some(to.2)],
@@ -241,13 +241,13 @@ impl Region {
         true
     }
 
-    fn side(&self, graph: &Graph, from: u32, to: u32) -> Side {
+    fn side(&self, graph: &Graph, from: u32, to: u32) -> CellSide {
         let side = graph.neighbours[from as usize].iter().position(|&next| next == to).unwrap_or(0);
         if self.is_swapped { swapped(side) } else { side }
     }
 
     /// Uses a plug once more.
-    fn plug(&mut self, site: usize, side: Side) -> usize {
+    fn plug(&mut self, site: usize, side: CellSide) -> usize {
         if let Beyond::Plug(plug) = self.sites[site].beyond[side] {
             self.plugs[plug].uses = self.plugs[plug].uses.saturating_add(1);
             return plug;
@@ -258,7 +258,7 @@ impl Region {
     }
 
     /// Cost of a visit by the sides it uses; the first of the walk has no side before it, the last none after it.
-    fn passage_cost(&self, prices: &Prices, site: usize, sides: [Option<Side>; 2]) -> i32 {
+    fn passage_cost(&self, prices: &DualPrices, site: usize, sides: [Option<CellSide>; 2]) -> i32 {
         let site = &self.sites[site];
         match sides {
             [Some(a), Some(b)] => prices.step + prices.turn * turns(a, b) as i32 + site.prices[a] + site.prices[b],
@@ -269,7 +269,7 @@ impl Region {
     }
 
     /// Cost of a way in a site, in price units.
-    pub fn cost_of(&self, (step, turn): (i32, i32), site: &Site, way: &Way) -> i32 {
+    pub fn cost_of(&self, (step, turn): (i32, i32), site: &RegionSite, way: &CellWay) -> i32 {
         let sides: i32 = (0..4).map(|side| i32::from(way.used[side]) * site.prices[side]).sum();
         let first = if site.is_start { way.halves.first().map_or(0, |&side| self.first_turn(side)) } else { 0 };
         let half_steps = (2 * way.passages.len() + way.halves.len()) as i32;
@@ -277,13 +277,13 @@ impl Region {
     }
 
     /// What a way seems to cost in a site, noise included.
-    pub fn seeming_cost_of(&self, costs: (i32, i32), site: &Site, way: &Way) -> i32 {
+    pub fn seeming_cost_of(&self, costs: (i32, i32), site: &RegionSite, way: &CellWay) -> i32 {
         let noise: i32 = (0..4).map(|side| i32::from(way.used[side]) * site.noise[side]).sum();
         self.cost_of(costs, site, way) + noise + i32::from(way.turns) * site.turn_noise
     }
 
     /// Cost of the turn from the heading to the first step.
-    pub fn first_turn(&self, side: Side) -> i32 {
+    pub fn first_turn(&self, side: CellSide) -> i32 {
         let (heading, turn) = self.heading;
         turn * turns(heading ^ 2, side) as i32
     }

@@ -5,12 +5,12 @@ pub(super) const MOST_USES: usize = 3;
 const USES: usize = MOST_USES + 1;
 
 /// A side of a cell, counter-clockwise: 0 right, 1 up, 2 left, 3 down.
-pub(super) type Side = usize;
+pub(super) type CellSide = usize;
 
 /// All that a walk does in one cell: passages, each in through one side and out through one (perhaps the same), and halves
 /// of passages where the walk begins or ends.
 #[derive(Debug, Clone)]
-pub(super) struct Way {
+pub(super) struct CellWay {
     /// How often each side is used.
     pub used: [u8; 4],
     /// Quarter turns of all passages.
@@ -18,19 +18,19 @@ pub(super) struct Way {
     /// Which sides are connected: those with the same number. Unused sides have the numbers of nothing.
     pub groups: [u8; 4],
     /// The passages.
-    pub passages: Vec<[Side; 2]>,
+    pub passages: Vec<[CellSide; 2]>,
     /// Sides of halves: of the walk's first step, then of its last.
-    pub halves: Vec<Side>,
+    pub halves: Vec<CellSide>,
 }
 
 /// Ways by how many halves they have.
 #[derive(Debug)]
-pub(super) struct Ways {
-    by_halves: [Vec<Way>; 3],
+pub(super) struct CellWays {
+    by_halves: [Vec<CellWay>; 3],
 }
 
 /// Quarter turns between coming in through one side and going out through another.
-pub(super) fn turns(a: Side, b: Side) -> u32 {
+pub(super) fn turns(a: CellSide, b: CellSide) -> u32 {
     match (a + 4 - b) & 3 {
         0 => 2,
         2 => 0,
@@ -38,16 +38,16 @@ pub(super) fn turns(a: Side, b: Side) -> u32 {
     }
 }
 
-impl Ways {
+impl CellWays {
     /// All ways that use no side more often than `most_uses`, but for those that another one makes needless: it uses the
     /// same sides, turns no more and connects more.
     pub fn new(most_uses: usize) -> Self {
         let most_uses = most_uses.min(MOST_USES) as u8;
-        let mut by_halves: [Vec<Way>; 3] = Default::default();
+        let mut by_halves: [Vec<CellWay>; 3] = Default::default();
         let mut halves = vec![vec![]];
         halves.extend((0..4).map(|a| vec![a]));
         halves.extend((0..16).map(|ab| vec![ab / 4, ab % 4]));
-        let pairs: Vec<[Side; 2]> = (0..4).flat_map(|a| (a..4).map(move |b| [a, b])).collect();
+        let pairs: Vec<[CellSide; 2]> = (0..4).flat_map(|a| (a..4).map(move |b| [a, b])).collect();
         for halves in halves {
             let mut used = [0; 4];
             for &side in &halves {
@@ -73,24 +73,24 @@ impl Ways {
         Self { by_halves }
     }
 
-    pub fn with_halves(&self, count: usize) -> &[Way] {
+    pub fn with_halves(&self, count: usize) -> &[CellWay] {
         &self.by_halves[count]
     }
 }
 
 /// Whether `a` connects all that `b` connects; both use the same sides.
-fn is_coarser(a: &Way, b: &Way) -> bool {
+fn is_coarser(a: &CellWay, b: &CellWay) -> bool {
     (0..4).all(|i| (0..4).all(|j| b.groups[i] != b.groups[j] || a.groups[i] == a.groups[j]))
 }
 
 /// Adds every way to go on with `passages` of the list.
 fn extend(
-    pairs: &[[Side; 2]],
-    passages: &mut Vec<[Side; 2]>,
+    pairs: &[[CellSide; 2]],
+    passages: &mut Vec<[CellSide; 2]>,
     used: [u8; 4],
     most_uses: u8,
-    halves: &[Side],
-    found: &mut Vec<Way>,
+    halves: &[CellSide],
+    found: &mut Vec<CellWay>,
 ) {
     if !(passages.is_empty() && halves.is_empty()) {
         let mut groups = [0, 1, 2, 3];
@@ -99,7 +99,7 @@ fn extend(
             groups.iter_mut().filter(|g| **g == from).for_each(|g| *g = to);
         }
         let turns = passages.iter().map(|&[a, b]| turns(a, b) as u8).sum();
-        found.push(Way { used, turns, groups, passages: passages.clone(), halves: halves.to_vec() });
+        found.push(CellWay { used, turns, groups, passages: passages.clone(), halves: halves.to_vec() });
     }
     for (i, &[a, b]) in pairs.iter().enumerate() {
         let mut used = used;

@@ -5,7 +5,7 @@
 //! loop, which may be opened at any of its steps. Cells that are visited elsewhere too may be left out. Moves are taken
 //! by simulated annealing (Kirkpatrick, Gelatt & Vecchi 1983).
 
-use super::{cost::Costs, frame::Frame};
+use super::{cost::Costs, frame::FramedGrid};
 use crate::{CoverageJob, PlanError};
 use rand::RngExt;
 use robovac_core::{
@@ -24,12 +24,12 @@ pub struct Schedule {
     /// Temperature at the end, in quarter turns.
     pub cold: f64,
     /// Moves to choose from.
-    pub moves: Moves,
+    pub moves: MoveKinds,
 }
 
 /// Kinds of moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Moves {
+pub enum MoveKinds {
     /// All.
     Both,
     /// Parts are driven backwards (2-opt).
@@ -48,7 +48,7 @@ pub fn anneal(
     rng: &mut Rng,
     mut report: impl FnMut(f64, &[Cell]) -> Result<(), PlanError>,
 ) -> Result<(), PlanError> {
-    let mut state = Walk::new(&job.free, job.heading, costs, walk);
+    let mut state = AnnealedWalk::new(&job.free, job.heading, costs, walk);
     let mut best = state.cost;
     // What a move may cost: the temperature times an exponential deviate.
     let deviates: [f64; DEVIATES] = std::array::from_fn(|i| -math::ln((i as f64 + 0.5) / DEVIATES as f64));
@@ -85,8 +85,8 @@ const END: usize = 0;
 
 /// A walk that is being changed. Position 0 is the cell behind the start, from which the robot seems to come, 1 the
 /// start.
-struct Walk {
-    frame: Frame,
+struct AnnealedWalk {
+    frame: FramedGrid,
     stride: usize,
     step: i32,
     turn: i32,
@@ -102,7 +102,7 @@ struct Walk {
 
 /// A part of the walk to be moved: from `first` to `last`.
 #[derive(Clone, Copy)]
-struct Part {
+struct WalkPart {
     first: usize,
     last: usize,
 }
@@ -119,9 +119,9 @@ struct Target {
     is_reversed: bool,
 }
 
-impl Walk {
+impl AnnealedWalk {
     fn new(free: &Grid<bool>, heading: Direction, costs: Costs, walk: &[Cell]) -> Self {
-        let frame = Frame::around(free);
+        let frame = FramedGrid::around(free);
         let start = frame.index(walk[0]);
         let mut cells = vec![frame.ahead(start, heading.opposite())];
         cells.extend(walk.iter().map(|&cell| frame.index(cell)));
@@ -173,7 +173,7 @@ impl Walk {
     }
 
     /// Tries a random move; does it if it costs at most `limit`.
-    fn try_move(&mut self, random: u64, moves: Moves, limit: i32) {
+    fn try_move(&mut self, random: u64, moves: MoveKinds, limit: i32) {
         let end = self.end();
         let mut at = 1 + (((random & 0xffff_ffff) * (end as u64 - 1)) >> 32) as usize;
         let kind = (random >> 32) & 0xff;
@@ -197,9 +197,9 @@ impl Walk {
             return;
         }
         let is_reversal = match moves {
-            Moves::Both => kind & 2 == 0,
-            Moves::Reverse => true,
-            Moves::Move => false,
+            MoveKinds::Both => kind & 2 == 0,
+            MoveKinds::Reverse => true,
+            MoveKinds::Move => false,
         };
         if is_reversal {
             if high < end && (high + 1 == end || self.touch(self.cells[low + 1], self.cells[high + 1])) {
@@ -208,7 +208,7 @@ impl Walk {
                 self.reverse(low - 1, high - 1, limit);
             }
         } else if !(high - low - 1 <= LONGEST_CUT && self.leave_out(low + 1, high, limit)) {
-            self.move_part(Part { first: low + 1, last: high - 1 }, (random >> 42) as usize & 0x3fff, limit);
+            self.move_part(WalkPart { first: low + 1, last: high - 1 }, (random >> 42) as usize & 0x3fff, limit);
         }
     }
 
@@ -234,7 +234,7 @@ impl Walk {
             self.visits[self.cells[left]] -= 1;
             left += 1;
         }
-        let part = Part { first, last: end - 1 };
+        let part = WalkPart { first, last: end - 1 };
         let inside = (first + 1..part.last).map(|i| Self::turns(self.cells[i - 1], self.cells[i], self.cells[i + 1]));
         let turns = self.turns_by_gap(part) - inside.sum::<i32>();
         let change = self.turn * turns - self.step * (end - first) as i32;
@@ -249,7 +249,7 @@ impl Walk {
     }
 
     /// How many turns more there are if the neighbours of a part are linked; those inside it stay.
-    fn turns_by_gap(&self, Part { first, last }: Part) -> i32 {
+    fn turns_by_gap(&self, WalkPart { first, last }: WalkPart) -> i32 {
         let c = &self.cells;
         // The turns at both ends of the part, which are one turn if it is a single cell.
         let at_first = Self::turns(c[first - 1], c[first], c[first + 1]);
@@ -262,8 +262,8 @@ impl Walk {
     }
 
     /// Takes a part of at least two cells out and puts it in elsewhere, the best way found.
-    fn move_part(&mut self, part: Part, random: usize, limit: i32) {
-        let Part { first, last } = part;
+    fn move_part(&mut self, part: WalkPart, random: usize, limit: i32) {
+        let WalkPart { first, last } = part;
         let length = last - first + 1;
         // As if it were a loop, whether or not its ends touch: opening it there takes these turns back.
         let closing = Self::turns(self.cells[last - 1], self.cells[last], self.cells[first])
@@ -301,18 +301,18 @@ impl Walk {
         }
     }
 
-    fn before(part: Part, position: usize) -> usize {
+    fn before(part: WalkPart, position: usize) -> usize {
         if position == part.last + 1 { part.first - 1 } else { position - 1 }
     }
 
-    fn after(part: Part, position: usize) -> usize {
+    fn after(part: WalkPart, position: usize) -> usize {
         if position + 1 == part.first { part.last + 1 } else { position + 1 }
     }
 
     /// Weighs putting the part, opened after position `open`, between the cell at position `x` and a cell `y` beside
     /// it.
-    fn consider(&self, part: Part, open: usize, x: usize, y: usize, taken: i32, best: &mut Option<Target>) {
-        let Part { first, last } = part;
+    fn consider(&self, part: WalkPart, open: usize, x: usize, y: usize, taken: i32, best: &mut Option<Target>) {
+        let WalkPart { first, last } = part;
         if (first..=last).contains(&x) {
             return;
         }
@@ -342,7 +342,7 @@ impl Walk {
         }
     }
 
-    fn put(&mut self, Part { first, last }: Part, target: Target) {
+    fn put(&mut self, WalkPart { first, last }: WalkPart, target: Target) {
         let length = last - first + 1;
         let part = &mut self.cells[first..=last];
         part.rotate_left((target.open + 1 - first) % length);
@@ -364,7 +364,7 @@ impl Walk {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use robovac_core::{floorplan::generate::random_clutter, rng::seeded};
+    use robovac_core::{floor_plan::generate::random_clutter, rng::seeded};
 
     /// A walk through all cells that is easily improved: depth first, with the way back.
     fn depth_first(free: &Grid<bool>, at: Cell, seen: &mut Grid<bool>, walk: &mut Vec<Cell>) {
@@ -389,11 +389,11 @@ mod tests {
             depth_first(&job.free, start, &mut job.free.map(|_| false), &mut walk);
             let cost = |walk: &[Cell]| costs.of_walk(job.heading, walk) as i64;
             let before = cost(&walk);
-            let mut state = Walk::new(&job.free, job.heading, costs, &walk);
+            let mut state = AnnealedWalk::new(&job.free, job.heading, costs, &walk);
             let mut rng = seeded(seed, 0);
             let mut least = before;
             for _ in 0..20_000 {
-                state.try_move(rng.random(), Moves::Both, 20);
+                state.try_move(rng.random(), MoveKinds::Both, 20);
                 state.store(&mut walk);
                 let path = crate::CoveragePath { cells: walk.clone() };
                 assert_eq!(path.check(&job), Ok(()));

@@ -8,7 +8,7 @@ use robovac_core::grid::{Cell, Grid};
 
 /// Free cells of one row between two that aren't.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Run {
+pub struct CellRun {
     /// The row.
     pub y: i32,
     /// First column.
@@ -17,28 +17,28 @@ pub struct Run {
     pub right: i32,
 }
 
-impl Run {
+impl CellRun {
     /// Whether a step up or down leads from one to the other, given that they lie in neighbouring rows.
     fn touches(self, other: Self) -> bool {
         self.left <= other.right && other.left <= self.right
     }
 
     /// The cell at one end.
-    pub fn end(self, side: Side) -> Cell {
-        Cell::new(if side == Side::Left { self.left } else { self.right }, self.y)
+    pub fn end(self, side: RunSide) -> Cell {
+        Cell::new(if side == RunSide::Left { self.left } else { self.right }, self.y)
     }
 }
 
 /// One end of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Side {
+pub enum RunSide {
     /// Where x is least.
     Left,
     /// Where x is greatest.
     Right,
 }
 
-impl Side {
+impl RunSide {
     /// Both.
     pub const BOTH: [Self; 2] = [Self::Left, Self::Right];
 
@@ -49,7 +49,7 @@ impl Side {
 }
 
 /// Runs in consecutive rows from the lowest up, each of which touches only the next; at least one.
-pub type Block = Vec<Run>;
+pub type Block = Vec<CellRun>;
 
 /// Cuts the free cells into blocks: at critical points, and where an end of the run jumps by more than `max_jump`
 /// columns, as sweeping across a jump drives over cells twice.
@@ -67,7 +67,7 @@ pub type Block = Vec<Run>;
 pub fn decompose(free: &Grid<bool>, max_jump: i32) -> Vec<Block> {
     let mut blocks: Vec<Block> = Vec::new();
     // Runs of the row below, with the block that each is in.
-    let mut below: Vec<(Run, usize)> = Vec::new();
+    let mut below: Vec<(CellRun, usize)> = Vec::new();
     for (y, row) in free.values().chunks(free.width()).enumerate() {
         let runs = runs_of(row, y as i32);
         let mut current = Vec::with_capacity(runs.len());
@@ -97,14 +97,14 @@ pub fn decompose(free: &Grid<bool>, max_jump: i32) -> Vec<Block> {
 }
 
 /// The runs of one row, from the left.
-fn runs_of(row: &[bool], y: i32) -> Vec<Run> {
+fn runs_of(row: &[bool], y: i32) -> Vec<CellRun> {
     let mut runs = Vec::new();
     let mut x = 0;
     while let Some(skipped) = row[x..].iter().position(|&free| free) {
         let left = x + skipped;
         let length = row[left..].iter().position(|&free| !free).unwrap_or(row.len() - left);
         x = left + length;
-        runs.push(Run { y, left: left as i32, right: x as i32 - 1 });
+        runs.push(CellRun { y, left: left as i32, right: x as i32 - 1 });
     }
     runs
 }

@@ -7,7 +7,7 @@
 //! taut, corner by corner, as far as the straight line stays in FREE cells. What is left is within a few percent of
 //! the shortest.
 
-use super::{frame::Frame, is_straight_free};
+use super::{frame::FramedGrid, is_straight_free};
 use robovac_core::grid::{Cell, Grid};
 
 /// Costs of a step straight and slantwise: 99/70 is the square root of 2 but for 0.00007.
@@ -22,7 +22,7 @@ const LOOK_AHEAD: usize = 64;
 #[derive(Debug)]
 pub struct Detours<'a> {
     free: &'a Grid<bool>,
-    frame: Frame,
+    frame: FramedGrid,
     /// `base` + cost of the way to a cell; lower values are left from searches before, and [`WALL`] is above all.
     reached: Vec<u32>,
     base: u32,
@@ -36,7 +36,7 @@ const WALL: u32 = u32::MAX;
 impl<'a> Detours<'a> {
     /// Searches through `free` cells.
     pub fn new(free: &'a Grid<bool>) -> Self {
-        let frame = Frame::around(free);
+        let frame = FramedGrid::around(free);
         Self { free, frame, reached: frame.drawn(free, 0, WALL), base: 1, dearest: 0, queue: Queue::default() }
     }
 
@@ -227,7 +227,7 @@ fn pulled(free: &Grid<bool>, way: &[Cell]) -> Vec<Cell> {
 mod tests {
     use super::*;
     use robovac_core::{
-        floorplan::generate::random_clutter,
+        floor_plan::generate::random_clutter,
         grid::{from_picture, reachable},
     };
 

@@ -4,7 +4,7 @@ use super::{
     cost::{Costs, fewest_turns},
     flood::Flood,
     order::Visit,
-    sweep::{SWEEPS, Sweep},
+    sweep::{BlockSweep, SWEEPS},
 };
 use crate::PlanError;
 use robovac_core::grid::{Cell, Direction, Grid};
@@ -16,13 +16,13 @@ use std::ops::ControlFlow;
 /// without detour. So it's a guide for finding a good order, not the cost of the walk that is driven in the end.
 #[derive(Debug)]
 pub struct Links<'a> {
-    sweeps: &'a [[Sweep; SWEEPS]],
+    sweeps: &'a [[BlockSweep; SWEEPS]],
     costs: Costs,
-    start: End,
+    start: SweepEnd,
     /// Where each sweep begins.
-    entries: Vec<[End; SWEEPS]>,
+    entries: Vec<[SweepEnd; SWEEPS]>,
     /// Where each sweep ends.
-    exits: Vec<[End; SWEEPS]>,
+    exits: Vec<[SweepEnd; SWEEPS]>,
     corners: usize,
     /// Cost of ways between corners but for the turns that they have without detour, row by row; the start is corner 0.
     ways: Vec<u32>,
@@ -34,7 +34,7 @@ pub struct Links<'a> {
 
 /// One end of a sweep.
 #[derive(Debug, Clone, Copy)]
-struct End {
+struct SweepEnd {
     cell: Cell,
     heading: Option<Direction>,
     /// Number of the corner that it's in.
@@ -56,7 +56,7 @@ impl<'a> Links<'a> {
     /// Looks at `reach` cells around every corner. `report` receives the share of corners done every few dozen.
     pub fn new(
         free: &Grid<bool>,
-        sweeps: &'a [[Sweep; SWEEPS]],
+        sweeps: &'a [[BlockSweep; SWEEPS]],
         start: (Cell, Direction),
         costs: Costs,
         reach: usize,
@@ -74,7 +74,7 @@ impl<'a> Links<'a> {
             }
             *number
         };
-        let mut end = |cell, heading| End { cell, heading, corner: number(cell) };
+        let mut end = |cell, heading| SweepEnd { cell, heading, corner: number(cell) };
         let start = end(start.0, Some(start.1));
         let entries: Vec<_> = sweeps.iter().map(|all| all.each_ref().map(|s| end(s.entry, s.entering))).collect();
         let exits = sweeps.iter().map(|all| all.each_ref().map(|s| end(s.exit, s.leaving))).collect();
@@ -91,7 +91,7 @@ impl<'a> Links<'a> {
     }
 
     /// The sweep of a visit.
-    pub fn sweep(&self, visit: Visit) -> &Sweep {
+    pub fn sweep(&self, visit: Visit) -> &BlockSweep {
         &self.sweeps[visit.block][visit.sweep]
     }
 
@@ -161,7 +161,7 @@ fn steps_between(
 }
 
 /// Steps between the nearest corners of all pairs of blocks.
-fn nearest_corners(entries: &[[End; SWEEPS]], steps: &[u32], corners: usize) -> Vec<u32> {
+fn nearest_corners(entries: &[[SweepEnd; SWEEPS]], steps: &[u32], corners: usize) -> Vec<u32> {
     let mut nearest = Vec::with_capacity(entries.len() * entries.len());
     for a in entries {
         nearest.extend(entries.iter().map(|b| {

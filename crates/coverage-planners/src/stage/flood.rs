@@ -1,6 +1,6 @@
 //! Stage: breadth-first search over free cells, for thousands of searches in one room.
 
-use super::frame::Frame;
+use super::frame::FramedGrid;
 use robovac_core::grid::{Cell, Grid};
 use std::ops::ControlFlow;
 
@@ -8,7 +8,7 @@ use std::ops::ControlFlow;
 /// search costs what it looks at and no more.
 #[derive(Debug)]
 pub struct Flood {
-    frame: Frame,
+    frame: FramedGrid,
     /// `base` + steps from the last search's start; lower values are left from searches before, and [`WALL`] is above all.
     /// So one comparison tells whether a cell is free, inside and new.
     reached: Vec<u32>,
@@ -21,12 +21,12 @@ const WALL: u32 = u32::MAX;
 impl Flood {
     /// Searches through the free cells of `free`.
     pub fn new(free: &Grid<bool>) -> Self {
-        let frame = Frame::around(free);
+        let frame = FramedGrid::around(free);
         Self { frame, reached: frame.drawn(free, 0, WALL), base: 1, queue: Vec::new() }
     }
 
     /// The numbers by which `visit` is told cells.
-    pub fn frame(&self) -> Frame {
+    pub fn frame(&self) -> FramedGrid {
         self.frame
     }
 

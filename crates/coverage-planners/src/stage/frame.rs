@@ -4,13 +4,13 @@ use robovac_core::grid::{Cell, Direction, Grid};
 
 /// Numbers the cells of a grid and of the frame around it, row by row from the lower left.
 #[derive(Debug, Clone, Copy)]
-pub struct Frame {
+pub struct FramedGrid {
     /// Numbers from one row to the next.
     stride: usize,
     len: usize,
 }
 
-impl Frame {
+impl FramedGrid {
     /// The frame around `grid`.
     pub fn around<T>(grid: &Grid<T>) -> Self {
         let stride = grid.width() + 2;
@@ -74,7 +74,7 @@ mod tests {
     #[test]
     fn numbers_lead_back_to_cells_and_the_frame_is_wall() {
         let free = from_picture("..#\n.#.", |c| c == '.').unwrap();
-        let frame = Frame::around(&free);
+        let frame = FramedGrid::around(&free);
         let drawn = frame.drawn(&free, '.', '#');
         assert_eq!(drawn.iter().collect::<String>(), "######.#.##..#######");
         for (cell, &is_free) in free.iter() {

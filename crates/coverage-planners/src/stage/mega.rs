@@ -1,6 +1,6 @@
 //! Stage: mega-cells of 2 x 2 cells, and the tour round a tree that connects them (Gabriely & Rimon 2001).
 
-use super::{cost::Costs, frame::Frame};
+use super::{cost::Costs, frame::FramedGrid};
 use robovac_core::grid::{Cell, Direction, Grid};
 
 /// Mega-cells, and the tours round the trees that join them.
@@ -11,7 +11,7 @@ use robovac_core::grid::{Cell, Direction, Grid};
 /// the one pair of free cells, which adds two.
 #[derive(Debug, Clone)]
 pub(crate) struct MegaCells {
-    frame: Frame,
+    frame: FramedGrid,
     /// The mega-cell of every cell; [`NONE`] for blocked cells.
     mega_of: Vec<u32>,
     /// For every mega-cell and direction the cell at that side, or the lower or left one of two, from which a step leads
@@ -25,7 +25,7 @@ const NONE: u32 = u32::MAX;
 
 /// Where two mega-cells can be joined.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Link {
+pub(crate) struct MegaLink {
     /// The neighbour.
     pub to: usize,
     /// Whether both cells of the shared side are free on both sides.
@@ -44,7 +44,7 @@ pub(crate) struct Added {
 impl MegaCells {
     /// Mega-cells whose lower left megas have coordinates that are even, or odd along x or y.
     pub fn new(free: &Grid<bool>, is_odd: [bool; 2]) -> Self {
-        let frame = Frame::around(free);
+        let frame = FramedGrid::around(free);
         let mut mega_of = frame.drawn(free, 0, NONE);
         let mut ways = frame.filled(0);
         let mut megas = 0_u32;
@@ -91,7 +91,7 @@ impl MegaCells {
     }
 
     /// Where a mega-cell can be joined with its neighbour in one direction.
-    pub fn link(&self, mega: usize, towards: Direction) -> Option<Link> {
+    pub fn link(&self, mega: usize, towards: Direction) -> Option<MegaLink> {
         let cell = self.sides[mega][towards as usize];
         if cell == NONE {
             return None;
@@ -100,25 +100,25 @@ impl MegaCells {
         let to = self.mega_of[self.frame.ahead(cell, towards)];
         let second = self.frame.ahead(cell, along(towards));
         let is_wide = self.mega_of[second] == mega as u32 && self.mega_of[self.frame.ahead(second, towards)] == to;
-        Some(Link { to: to as usize, is_wide, towards, cell })
+        Some(MegaLink { to: to as usize, is_wide, towards, cell })
     }
 
     /// What joining there adds to the tours.
-    pub fn added(&self, link: Link) -> Added {
+    pub fn added(&self, link: MegaLink) -> Added {
         let turns = self.changes(link).map(|(cell, ways)| turns_of(ways) - turns_of(self.ways[cell])).into_iter().sum();
         if link.is_wide { Added { steps: 0, turns } } else { Added { steps: 2, turns: turns / 2 } }
     }
 
     /// Makes one tour of the two.
-    pub fn join(&mut self, link: Link) {
+    pub fn join(&mut self, link: MegaLink) {
         for (cell, ways) in self.changes(link) {
             self.ways[cell] = ways;
         }
     }
 
     /// The four cells at a link with their ways after joining; twice the same two if it is narrow.
-    fn changes(&self, link: Link) -> [(usize, u8); 4] {
-        let Link { cell, towards, is_wide, .. } = link;
+    fn changes(&self, link: MegaLink) -> [(usize, u8); 4] {
+        let MegaLink { cell, towards, is_wide, .. } = link;
         let back = towards.opposite();
         let ahead = |cell| self.frame.ahead(cell, towards);
         if is_wide {
@@ -162,7 +162,7 @@ impl MegaCells {
 }
 
 /// The four cells of a mega-cell, counter-clockwise from the lower left.
-fn cells_of(frame: Frame, corner: usize) -> [usize; 4] {
+fn cells_of(frame: FramedGrid, corner: usize) -> [usize; 4] {
     let up = corner + frame.stride();
     [corner, corner + 1, up + 1, up]
 }

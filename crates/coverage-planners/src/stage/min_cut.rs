@@ -14,11 +14,11 @@ pub(super) struct Network {
     /// The first arc from each node, or [`NONE`].
     first: Vec<u32>,
     /// Arcs; number `i ^ 1` is number `i` backwards.
-    arcs: Vec<Arc>,
+    arcs: Vec<FlowArc>,
 }
 
 #[derive(Debug, Clone, Copy)]
-struct Arc {
+struct FlowArc {
     to: u32,
     /// What it can still carry.
     room: u32,
@@ -46,9 +46,9 @@ impl Network {
 
     /// What it costs to have `a` on the side of the source and `b` on the side of the sink, and the other way round;
     /// both together less than 2³².
-    pub fn tie(&mut self, a: usize, b: usize, cost: u32, cost_back: u32) {
+    pub fn add_edge(&mut self, a: usize, b: usize, cost: u32, cost_back: u32) {
         for (from, to, room) in [(a, b, cost), (b, a, cost_back)] {
-            self.arcs.push(Arc { to: to as u32, room, next: self.first[from] });
+            self.arcs.push(FlowArc { to: to as u32, room, next: self.first[from] });
             self.first[from] = self.arcs.len() as u32 - 1;
         }
     }
@@ -169,7 +169,7 @@ mod tests {
                 network.tie_to_sink(n, sink[n]);
             }
             for &(a, b, there, back) in &ties {
-                network.tie(a, b, there, back);
+                network.add_edge(a, b, there, back);
             }
             let found = network.cut(|| Ok(())).unwrap();
             let least = (0..64_usize).map(|bits| cost(&std::array::from_fn::<bool, 6, _>(|n| bits >> n & 1 == 1))).min();

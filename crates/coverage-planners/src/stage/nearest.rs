@@ -4,7 +4,7 @@ use super::{
     cost::Costs,
     flood::Flood,
     order::Visit,
-    sweep::{SWEEPS, Sweep},
+    sweep::{BlockSweep, SWEEPS},
 };
 use crate::PlanError;
 use robovac_core::grid::{Cell, Direction, Grid};
@@ -14,7 +14,7 @@ use std::ops::ControlFlow;
 /// sweep through it beyond its shortest. `report` receives the number of blocks done every few hundred.
 pub fn nearest_first(
     free: &Grid<bool>,
-    sweeps: &[[Sweep; SWEEPS]],
+    sweeps: &[[BlockSweep; SWEEPS]],
     start: (Cell, Direction),
     costs: Costs,
     mut report: impl FnMut(usize) -> Result<(), PlanError>,
@@ -45,14 +45,14 @@ const NONE: u32 = u32::MAX;
 /// Breadth-first search for the next block.
 struct Nearest<'a> {
     flood: Flood,
-    sweeps: &'a [[Sweep; SWEEPS]],
+    sweeps: &'a [[BlockSweep; SWEEPS]],
     costs: Costs,
     /// The block left to visit that a sweep enters in a cell, or [`NONE`], by the flood's numbers.
     open: Vec<u32>,
 }
 
 impl<'a> Nearest<'a> {
-    fn new(free: &Grid<bool>, sweeps: &'a [[Sweep; SWEEPS]], costs: Costs) -> Self {
+    fn new(free: &Grid<bool>, sweeps: &'a [[BlockSweep; SWEEPS]], costs: Costs) -> Self {
         let flood = Flood::new(free);
         let mut open = flood.frame().filled(NONE);
         for (block, all) in sweeps.iter().enumerate() {
@@ -98,7 +98,7 @@ impl<'a> Nearest<'a> {
 /// The sweep that is cheapest if entered in `entry`, `steps` from where the robot is, and its cost beyond the block's
 /// cheapest, way included.
 fn cheapest_entry(
-    sweeps: &[Sweep; SWEEPS],
+    sweeps: &[BlockSweep; SWEEPS],
     costs: Costs,
     (from, heading): (Cell, Direction),
     entry: Cell,
@@ -106,6 +106,6 @@ fn cheapest_entry(
 ) -> Option<(u32, usize)> {
     let shortest = sweeps.iter().map(|s| s.cost).min().unwrap_or(0);
     let detour = (steps - from.manhattan(entry)) * costs.step;
-    let cost = |s: &Sweep| costs.at_least(from, Some(heading), entry, s.entering) + detour + s.cost - shortest;
+    let cost = |s: &BlockSweep| costs.at_least(from, Some(heading), entry, s.entering) + detour + s.cost - shortest;
     sweeps.iter().zip(0..).filter(|(s, _)| s.entry == entry).map(|(s, number)| (cost(s), number)).min()
 }

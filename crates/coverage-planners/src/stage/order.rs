@@ -31,7 +31,7 @@ pub fn improve(
     if tour.len() < 2 {
         return Ok(());
     }
-    let mut search = LocalSearch::new(links, tour);
+    let mut search = OrOpt::new(links, tour);
     let everything: Vec<usize> = (0..search.tour.len()).collect();
     search.settle(everything, &mut report)?;
     search.choose_corners();
@@ -79,7 +79,7 @@ const LONGEST_MOVE: usize = 3;
 /// Parts up to that length that a block is in.
 const PARTS: usize = LONGEST_MOVE * (LONGEST_MOVE + 1) / 2;
 
-struct LocalSearch<'a> {
+struct OrOpt<'a> {
     links: &'a Links<'a>,
     tour: Vec<Visit>,
     /// Where each block stands in the tour.
@@ -88,7 +88,7 @@ struct LocalSearch<'a> {
     near: Vec<Vec<usize>>,
 }
 
-impl<'a> LocalSearch<'a> {
+impl<'a> OrOpt<'a> {
     fn new(links: &'a Links<'a>, tour: &[Visit]) -> Self {
         let near = (0..tour.len()).map(|block| nearest_blocks(links, block, tour.len())).collect();
         let mut search = Self { links, position: vec![0; tour.len()], tour: Vec::new(), near };
@@ -187,7 +187,7 @@ impl<'a> LocalSearch<'a> {
     }
 
     /// The parts with `block` in them that might be better off elsewhere.
-    fn parts_around(&self, block: usize) -> [Option<Part>; PARTS] {
+    fn parts_around(&self, block: usize) -> [Option<TourPart>; PARTS] {
         let lengths = (1..=LONGEST_MOVE).flat_map(|length| (0..length).map(move |shift| (length, shift)));
         let mut parts = [None; PARTS];
         for (part, (length, shift)) in parts.iter_mut().zip(lengths) {
@@ -197,7 +197,7 @@ impl<'a> LocalSearch<'a> {
     }
 
     /// The `length` blocks of which `block` is number `shift`, unless nothing is won by taking them out.
-    fn part(&self, block: usize, length: usize, shift: usize) -> Option<Part> {
+    fn part(&self, block: usize, length: usize, shift: usize) -> Option<TourPart> {
         let first = self.position[block].checked_sub(shift)?;
         let end = first + length;
         if end > self.tour.len() || length == self.tour.len() {
@@ -208,7 +208,7 @@ impl<'a> LocalSearch<'a> {
         let link = |a, b| i64::from(self.links.between(a, b));
         let removal = link(before, Some(head)) + link(Some(tail), after) - link(before, after);
         let slack = if length == 1 { self.own(head) - i64::from(self.links.cheapest(block)) } else { 0 };
-        (removal + slack > 0).then_some(Part { first, end, removal, slack })
+        (removal + slack > 0).then_some(TourPart { first, end, removal, slack })
     }
 
     /// Cost of a visit's sweep.
@@ -217,8 +217,8 @@ impl<'a> LocalSearch<'a> {
     }
 
     /// Moves a part with `block` in it to before or after `other`.
-    fn try_move(&mut self, part: Part, block: usize, other: usize) -> Option<[Option<Visit>; 6]> {
-        let Part { first, end, removal, slack } = part;
+    fn try_move(&mut self, part: TourPart, block: usize, other: usize) -> Option<[Option<Visit>; 6]> {
+        let TourPart { first, end, removal, slack } = part;
         let is_single = end == first + 1;
         let target = self.position[other];
         if (first..end).contains(&target) {
@@ -246,12 +246,12 @@ impl<'a> LocalSearch<'a> {
                 (0..SWEEPS)
                     .map(|sweep| Visit { sweep, ..head })
                     .filter(|&v| self.own(v) < most)
-                    .map(|v| (gain(v, v) + self.own(head) - self.own(v), Change::Sweep(v.sweep)))
+                    .map(|v| (gain(v, v) + self.own(head) - self.own(v), SegmentChange::Sweep(v.sweep)))
                     .max_by_key(|(gain, _)| *gain)
-                    .unwrap_or((0, Change::Keep))
+                    .unwrap_or((0, SegmentChange::Keep))
             } else {
                 let (kept, back) = (gain(head, tail), gain(turned(tail), turned(head)));
-                if back > kept { (back, Change::Reverse) } else { (kept, Change::Keep) }
+                if back > kept { (back, SegmentChange::Reverse) } else { (kept, SegmentChange::Keep) }
             };
             if best.0 > 0 {
                 self.apply_move(first, end, seam, best.1);
@@ -261,11 +261,11 @@ impl<'a> LocalSearch<'a> {
         None
     }
 
-    fn apply_move(&mut self, first: usize, end: usize, seam: usize, change: Change) {
+    fn apply_move(&mut self, first: usize, end: usize, seam: usize, change: SegmentChange) {
         match change {
-            Change::Keep => {}
-            Change::Sweep(sweep) => self.tour[first].sweep = sweep,
-            Change::Reverse => self.reverse(first, end),
+            SegmentChange::Keep => {}
+            SegmentChange::Sweep(sweep) => self.tour[first].sweep = sweep,
+            SegmentChange::Reverse => self.reverse(first, end),
         }
         let (low, high) = if seam < first {
             self.tour[seam..end].rotate_right(end - first);
@@ -352,7 +352,7 @@ impl<'a> LocalSearch<'a> {
 
 /// Consecutive visits of a tour that may be moved.
 #[derive(Clone, Copy)]
-struct Part {
+struct TourPart {
     first: usize,
     /// Index after the last one.
     end: usize,
@@ -364,7 +364,7 @@ struct Part {
 
 /// What happens to a part that is moved.
 #[derive(Clone, Copy)]
-enum Change {
+enum SegmentChange {
     Keep,
     Reverse,
     Sweep(usize),

@@ -5,29 +5,29 @@ use super::{
     cost::Costs,
     decompose::Block,
     order::Visit,
-    sweep::{SWEEPS, Sweep, append_sweep, sweeps_of},
-    transit::{Stop, Transit},
+    sweep::{BlockSweep, SWEEPS, append_sweep, sweeps_of},
+    transit::{Transit, TransitEnd},
 };
 use crate::{CoverageJob, PlanError};
 use robovac_core::grid::Cell;
 
 /// A block that is mown along x or along y.
 #[derive(Debug, Clone)]
-pub struct Part {
+pub struct MownBlock {
     /// Its runs, with x and y swapped if it's mown along y.
     pub block: Block,
     /// Whether it's mown along y.
     pub is_swapped: bool,
 }
 
-impl Part {
+impl MownBlock {
     /// All ways through it.
-    pub fn sweeps(&self, costs: Costs) -> [Sweep; SWEEPS] {
+    pub fn sweeps(&self, costs: Costs) -> [BlockSweep; SWEEPS] {
         let sweeps = sweeps_of(&self.block, costs);
         if !self.is_swapped {
             return sweeps;
         }
-        sweeps.map(|sweep| Sweep {
+        sweeps.map(|sweep| BlockSweep {
             entry: swap_cell(sweep.entry),
             entering: sweep.entering.map(swap_direction),
             exit: swap_cell(sweep.exit),
@@ -63,8 +63,8 @@ const REPORT_EVERY: usize = 256;
 pub fn drive(
     job: &CoverageJob,
     costs: Costs,
-    parts: &[Part],
-    sweeps: &[[Sweep; SWEEPS]],
+    parts: &[MownBlock],
+    sweeps: &[[BlockSweep; SWEEPS]],
     tour: &[Visit],
     transit: &mut Transit,
     mut report: impl FnMut(f64) -> Result<(), PlanError>,
@@ -77,8 +77,8 @@ pub fn drive(
         }
         let sweep = &sweeps[visit.block][visit.sweep];
         let heading = if let [.., before, last] = *walk { before.direction_to(last) } else { Some(job.heading) };
-        let from = Stop { cell: walk[walk.len() - 1], heading };
-        let to = Stop { cell: sweep.entry, heading: sweep.entering };
+        let from = TransitEnd { cell: walk[walk.len() - 1], heading };
+        let to = TransitEnd { cell: sweep.entry, heading: sweep.entering };
         // All free cells are connected, so that there is a way.
         let _ = transit.append_way(from, to, u32::MAX, &mut walk);
         parts[visit.block].append(visit.sweep, costs, &mut walk);

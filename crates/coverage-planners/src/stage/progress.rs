@@ -1,14 +1,14 @@
 //! Stage: a walk under construction, with the cells left to clean.
 
-use super::seek::Seeker;
+use super::nearest_goal_bfs::NearestGoalBfs;
 use crate::{CoverageJob, CoveragePath, PlanContext, PlanError};
 use robovac_core::grid::{Cell, Direction, Grid};
 
 /// Where a robot has been, where it is, and which cells are left.
 #[derive(Debug)]
-pub struct Progress<'j> {
+pub struct CoverageProgress<'j> {
     job: &'j CoverageJob,
-    seeker: Seeker,
+    seeker: NearestGoalBfs,
     /// Cells that the walk hasn't visited.
     left: Grid<bool>,
     left_count: usize,
@@ -24,7 +24,7 @@ pub struct Progress<'j> {
 /// Steps between two reports.
 const REPORT_EVERY: usize = 4096;
 
-impl<'j> Progress<'j> {
+impl<'j> CoverageProgress<'j> {
     /// At the start of `job`, with the cell there clean.
     pub fn new(job: &'j CoverageJob) -> Self {
         let cells = job.cells();
@@ -34,7 +34,7 @@ impl<'j> Progress<'j> {
         walk.push(job.start);
         Self {
             job,
-            seeker: Seeker::new(&job.free),
+            seeker: NearestGoalBfs::new(&job.free),
             left,
             left_count: cells - 1,
             cells,
@@ -128,7 +128,7 @@ mod tests {
     #[test]
     fn what_was_walked_over_is_not_left() {
         let job = CoverageJob::new(&Grid::filled(4, 1, true), Cell::new(1, 0), Direction::Right).unwrap();
-        let mut progress = Progress::new(&job);
+        let mut progress = CoverageProgress::new(&job);
         progress.go_to(Cell::new(3, 0));
         assert!(!progress.is_done() && !progress.is_left(Direction::Left));
         progress.go_to_nearest_left();

@@ -13,7 +13,7 @@ use super::{
     cost::Costs,
     decompose::{Block, decompose},
     min_cut::Network,
-    part::Part,
+    part::MownBlock,
 };
 use crate::PlanError;
 use robovac_core::grid::{Cell, Direction, Grid};
@@ -35,10 +35,11 @@ impl Strips {
 
     /// Connected floor of one direction, cut at critical points and wherever a wall beside it jumps by more than
     /// `max_jump` cells.
-    pub fn parts(&self, max_jump: i32) -> Vec<Part> {
+    pub fn parts(&self, max_jump: i32) -> Vec<MownBlock> {
         let along_y = swap_grid(&self.along_y);
-        let parts =
-            |floor, is_swapped| decompose(floor, max_jump).into_iter().map(move |block| Part { block, is_swapped });
+        let parts = |floor, is_swapped| {
+            decompose(floor, max_jump).into_iter().map(move |block| MownBlock { block, is_swapped })
+        };
         parts(&self.along_x, false).chain(parts(&along_y, true)).collect()
     }
 }
@@ -120,10 +121,10 @@ pub fn strips(
     contacts.sort_unstable();
     for same in contacts.chunk_by(|a, b| a == b) {
         let cost = (same.len() as u32).saturating_mul(borders.weight() * costs.turn).min(NEVER);
-        network.tie(same[0].0 as usize, same[0].1 as usize, cost, cost);
+        network.add_edge(same[0].0 as usize, same[0].1 as usize, cost, cost);
     }
     for (piece, &area) in areas.iter().enumerate() {
-        network.tie(2 * piece, 2 * piece + 1, area.saturating_mul(SCALE * costs.step).min(NEVER), NEVER);
+        network.add_edge(2 * piece, 2 * piece + 1, area.saturating_mul(SCALE * costs.step).min(NEVER), NEVER);
     }
     let sides = network.cut(report)?;
     let is_mown =
@@ -187,7 +188,7 @@ mod tests {
     #[test]
     fn no_other_strips_cost_less() {
         for seed in 0..8 {
-            let free = robovac_core::floorplan::generate::random_clutter(3, 3, 0.3, seed);
+            let free = robovac_core::floor_plan::generate::random_clutter(3, 3, 0.3, seed);
             let cells: Vec<Cell> = free.iter().filter(|&(_, &f)| f).map(|(cell, _)| cell).collect();
             // Along x, along y or both in every cell.
             let least = (0..3_usize.pow(cells.len() as u32)).map(|choice| {

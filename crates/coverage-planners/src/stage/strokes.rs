@@ -2,9 +2,9 @@
 
 use super::{
     axis::swap_cell,
-    decompose::{Block, Run},
+    decompose::{Block, CellRun},
     order::Visit,
-    part::Part,
+    part::MownBlock,
     sweep::SWEEPS,
 };
 use robovac_core::grid::{Cell, Grid};
@@ -15,16 +15,16 @@ const THERE: usize = 1;
 const BACK: usize = 2;
 
 /// Every lane as a part of its own, and a tour that drives them in the order in which `tour` drives its parts.
-pub fn lanes_of(parts: &[Part], tour: &[Visit]) -> (Vec<Part>, Vec<Visit>) {
+pub fn lanes_of(parts: &[MownBlock], tour: &[Visit]) -> (Vec<MownBlock>, Vec<Visit>) {
     let (mut lanes, mut visits) = (Vec::new(), Vec::new());
     for visit in tour {
-        let Part { block, is_swapped } = &parts[visit.block];
+        let MownBlock { block, is_swapped } = &parts[visit.block];
         let is_down = visit.sweep >= SWEEPS / 2;
         // Where the first lane begins hardly matters: the order is improved from here.
         for i in 0..block.len() {
             let run = block[if is_down { block.len() - 1 - i } else { i }];
             visits.push(Visit { block: lanes.len(), sweep: if i % 2 == 0 { THERE } else { BACK } });
-            lanes.push(Part { block: vec![run], is_swapped: *is_swapped });
+            lanes.push(MownBlock { block: vec![run], is_swapped: *is_swapped });
         }
     }
     (lanes, visits)
@@ -34,7 +34,7 @@ pub fn lanes_of(parts: &[Part], tour: &[Visit]) -> (Vec<Part>, Vec<Visit>) {
 /// tour that drives them in the walk's order.
 ///
 /// So what was a way between two lanes may become a lane, and lanes shrink by what ways have cleaned.
-pub fn strokes(free: &Grid<bool>, walk: &[Cell]) -> (Vec<Part>, Vec<Visit>) {
+pub fn strokes(free: &Grid<bool>, walk: &[Cell]) -> (Vec<MownBlock>, Vec<Visit>) {
     // Indices of the first cell of every stroke and of the one after its last.
     let mut strokes = Vec::new();
     let mut first = 0;
@@ -62,10 +62,10 @@ pub fn strokes(free: &Grid<bool>, walk: &[Cell]) -> (Vec<Part>, Vec<Visit>) {
 }
 
 /// The lane between two cells.
-fn lane(a: Cell, b: Cell, is_swapped: bool) -> Part {
+fn lane(a: Cell, b: Cell, is_swapped: bool) -> MownBlock {
     let (a, b) = if is_swapped { (swap_cell(a), swap_cell(b)) } else { (a, b) };
-    let block: Block = vec![Run { y: a.y, left: a.x.min(b.x), right: a.x.max(b.x) }];
-    Part { block, is_swapped }
+    let block: Block = vec![CellRun { y: a.y, left: a.x.min(b.x), right: a.x.max(b.x) }];
+    MownBlock { block, is_swapped }
 }
 
 #[cfg(test)]

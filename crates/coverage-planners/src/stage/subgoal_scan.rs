@@ -32,7 +32,7 @@ pub enum Beside {
 
 /// By which step a point was found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Found {
+pub enum FoundBy {
     /// Steps 1 and 2: across on its line.
     Across,
     /// Steps 3 to 5: across on the line above or below.
@@ -88,19 +88,19 @@ impl<'a> SubgoalScan<'a> {
     }
 
     /// The point to go to from `from` or, at the start, from a cell; `None` once all are tracked.
-    pub fn next(&mut self, free: &Grid<bool>, from: Result<usize, Cell>) -> Option<(usize, Found)> {
+    pub fn next(&mut self, free: &Grid<bool>, from: Result<usize, Cell>) -> Option<(usize, FoundBy)> {
         let at = from.map_or_else(|cell| cell, |number| self.subgoals[number].cell);
         if let Ok(number) = from {
             if let Some(across) = self.across(number) {
-                return Some((across, Found::Across));
+                return Some((across, FoundBy::Across));
             }
             if self.beside == Beside::First
                 && let Some(beside) = self.beside(free, number)
             {
-                return Some((beside, Found::Beside));
+                return Some((beside, FoundBy::Beside));
             }
         }
-        self.nearest(at).map(|number| (number, Found::Nearest))
+        self.nearest(at).map(|number| (number, FoundBy::Nearest))
     }
 
     /// Sets a point's tracked flag.
@@ -221,15 +221,15 @@ fn follow(next: &mut [u32], mut number: usize) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::stage::{Contact, scan_rows, subgoals};
-    use robovac_core::{cspace::Obstacles, grid::from_picture};
+    use crate::stage::{LineEndContact, scan_rows, subgoals};
+    use robovac_core::{cspace::ObstacleRuns, grid::from_picture};
 
-    fn order(picture: &str, beside: Beside) -> (Vec<Subgoal>, Vec<(usize, Found)>) {
+    fn order(picture: &str, beside: Beside) -> (Vec<Subgoal>, Vec<(usize, FoundBy)>) {
         let free = from_picture(picture, |c| c == '.').unwrap();
-        let found = subgoals(&free, &scan_rows(&free, 1.0), &Obstacles::of(&free));
+        let found = subgoals(&free, &scan_rows(&free, 1.0), &ObstacleRuns::of(&free));
         let mut scan = SubgoalScan::new(&found, beside);
         scan.track(0);
-        let mut links = vec![(0, Found::Nearest)];
+        let mut links = vec![(0, FoundBy::Nearest)];
         while let Some((next, by)) = scan.next(&free, Ok(links[links.len() - 1].0)) {
             scan.track(next);
             links.push((next, by));
@@ -247,11 +247,11 @@ mod tests {
     /// begins with the first entry.
     #[test]
     fn lines_are_swept_to_and_fro() {
-        use Found::{Across, Nearest};
+        use FoundBy::{Across, Nearest};
         let (points, links) = order("....\n....\n....", Beside::Never);
         let cells: Vec<_> = links.iter().map(|&(n, _)| (points[n].cell.x, points[n].cell.y)).collect();
         assert_eq!(cells, [(0, 2), (3, 2), (3, 1), (0, 1), (0, 0), (3, 0)]);
-        assert_eq!(points[0].contact, Contact::LeftWall);
+        assert_eq!(points[0].contact, LineEndContact::LeftWall);
         assert!(links.iter().map(|l| l.1).eq([Nearest, Across, Nearest, Across, Nearest, Across]));
     }
 
@@ -261,7 +261,7 @@ mod tests {
         let (points, links) = order("....\n....\n....", Beside::First);
         let cells: Vec<_> = links.iter().map(|&(n, _)| (points[n].cell.x, points[n].cell.y)).collect();
         assert_eq!(cells, [(0, 2), (3, 2), (0, 1), (3, 1), (0, 0), (3, 0)]);
-        assert_eq!(links[2].1, Found::Beside);
+        assert_eq!(links[2].1, FoundBy::Beside);
     }
 
     /// Section 4: "a Subgoal point should not be linked more than once and the linked path is never closed".
@@ -270,7 +270,7 @@ mod tests {
         for beside in [Beside::Never, Beside::First] {
             let (points, links) = order(ISLAND, beside);
             let mut numbers: Vec<usize> = links.iter().map(|l| l.0).collect();
-            let swept = links.windows(2).filter(|l| l[1].1 == Found::Across).count();
+            let swept = links.windows(2).filter(|l| l[1].1 == FoundBy::Across).count();
             assert_eq!(swept, points.len() / 2);
             numbers.sort_unstable();
             assert!(numbers.into_iter().eq(0..points.len()));
@@ -284,7 +284,7 @@ mod tests {
         for _ in 0..30 {
             let mut free = Grid::filled(40, 25, true);
             free.values_mut().iter_mut().for_each(|f| *f = rng.random_bool(0.8));
-            let found = subgoals(&free, &scan_rows(&free, 2.0), &Obstacles::of(&free));
+            let found = subgoals(&free, &scan_rows(&free, 2.0), &ObstacleRuns::of(&free));
             let mut scan = SubgoalScan::new(&found, Beside::Never);
             let mut is_left = vec![true; found.len()];
             for _ in 0..found.len() {

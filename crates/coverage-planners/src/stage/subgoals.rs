@@ -19,14 +19,14 @@
 //! - Lines are recorded to the right and to the left in turn, as the paper's robot moves.
 
 use robovac_core::{
-    cspace::Obstacles,
+    cspace::ObstacleRuns,
     grid::{Cell, Grid},
 };
 
 /// What a body touches at the end of a scan line (001, section 3).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Contact {
+pub enum LineEndContact {
     /// Its left side touches a wall of the workspace.
     LeftWall,
     /// Its right side touches a wall of the workspace.
@@ -37,7 +37,7 @@ pub enum Contact {
     RightObstacle,
 }
 
-impl Contact {
+impl LineEndContact {
     /// Whether the robot's left side touches.
     pub fn is_left(self) -> bool {
         matches!(self, Self::LeftWall | Self::LeftObstacle)
@@ -60,7 +60,7 @@ pub struct Subgoal {
     /// `posion`: where the robot is.
     pub cell: Cell,
     /// `status`: what it touches.
-    pub contact: Contact,
+    pub contact: LineEndContact,
     /// The scan line, counted from the top.
     pub line: u32,
     /// `obstacleNo`, counted from 1; `None` for a wall.
@@ -86,7 +86,7 @@ pub fn scan_rows(free: &Grid<bool>, distance: f64) -> Vec<i32> {
 }
 
 /// Both ends of every run of free cells on the lines at `rows`, in the order of the scan.
-pub fn subgoals(free: &Grid<bool>, rows: &[i32], obstacles: &Obstacles) -> Vec<Subgoal> {
+pub fn subgoals(free: &Grid<bool>, rows: &[i32], obstacles: &ObstacleRuns) -> Vec<Subgoal> {
     let width = free.width();
     let mut found: Vec<Subgoal> = Vec::new();
     for (&y, line) in rows.iter().zip(0..) {
@@ -98,14 +98,14 @@ pub fn subgoals(free: &Grid<bool>, rows: &[i32], obstacles: &Obstacles) -> Vec<S
             let end = row[first..].iter().position(|&is_free| !is_free).map_or(width, |run| first + run);
             let (left, right) =
                 (obstacles.number(Cell::new(first as i32 - 1, y)), obstacles.number(Cell::new(end as i32, y)));
-            let subgoal = |x: usize, wall: Contact, solid: Contact, obstacle: Option<u32>| Subgoal {
+            let subgoal = |x: usize, wall: LineEndContact, solid: LineEndContact, obstacle: Option<u32>| Subgoal {
                 cell: Cell::new(x as i32, y),
                 contact: if obstacle.is_some() { solid } else { wall },
                 line,
                 obstacle,
             };
-            found.push(subgoal(first, Contact::LeftWall, Contact::LeftObstacle, left));
-            found.push(subgoal(end - 1, Contact::RightWall, Contact::RightObstacle, right));
+            found.push(subgoal(first, LineEndContact::LeftWall, LineEndContact::LeftObstacle, left));
+            found.push(subgoal(end - 1, LineEndContact::RightWall, LineEndContact::RightObstacle, right));
             x = end;
         }
         if line % 2 == 1 {
@@ -122,14 +122,14 @@ mod tests {
 
     fn scanned(picture: &str, distance: f64) -> Vec<Subgoal> {
         let free = from_picture(picture, |c| c == '.').unwrap();
-        subgoals(&free, &scan_rows(&free, distance), &Obstacles::of(&free))
+        subgoals(&free, &scan_rows(&free, distance), &ObstacleRuns::of(&free))
     }
 
     /// 001, section 3, steps 1 to 3: from the upper left, to the right and to the left in turn, contacts with walls
     /// and obstacles.
     #[test]
     fn contacts_are_recorded_in_the_order_of_the_scan() {
-        use Contact::{LeftObstacle, LeftWall, RightObstacle, RightWall};
+        use LineEndContact::{LeftObstacle, LeftWall, RightObstacle, RightWall};
         let found = scanned(
             "
             ........

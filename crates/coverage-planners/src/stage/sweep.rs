@@ -6,13 +6,13 @@
 
 use super::{
     cost::Costs,
-    decompose::{Block, Run, Side},
+    decompose::{Block, CellRun, RunSide},
 };
 use robovac_core::grid::{Cell, Direction};
 
 /// A way through a block: where it starts and ends and what it costs.
 #[derive(Debug, Clone, Copy)]
-pub struct Sweep {
+pub struct BlockSweep {
     /// First cell: an end of the first run of the way.
     pub entry: Cell,
     /// Direction of its first step; `None` if it has no step.
@@ -25,7 +25,7 @@ pub struct Sweep {
     pub cost: u32,
 }
 
-impl Sweep {
+impl BlockSweep {
     /// The same way driven backwards.
     fn reversed(self) -> Self {
         Self {
@@ -50,9 +50,9 @@ pub const fn reversed(sweep: usize) -> usize {
 }
 
 /// All ways through `block`; [`append_sweep`] drives them.
-pub fn sweeps_of(block: &Block, costs: Costs) -> [Sweep; SWEEPS] {
-    let upwards = Side::BOTH.map(|entry| {
-        finish(block, entry, costs, |_| {}).map(|state| Sweep {
+pub fn sweeps_of(block: &Block, costs: Costs) -> [BlockSweep; SWEEPS] {
+    let upwards = RunSide::BOTH.map(|entry| {
+        finish(block, entry, costs, |_| {}).map(|state| BlockSweep {
             entry: block[0].end(entry),
             entering: state.first,
             exit: state.at,
@@ -70,11 +70,11 @@ pub fn sweeps_of(block: &Block, costs: Costs) -> [Sweep; SWEEPS] {
 /// Appends the cells of sweep number `number` to `walk`; its first cell only if the walk doesn't end there already.
 pub fn append_sweep(block: &Block, number: usize, costs: Costs, walk: &mut Vec<Cell>) {
     let up = number % UPWARDS;
-    let mut chosen_before: Vec<[Side; 2]> = Vec::with_capacity(block.len());
+    let mut chosen_before: Vec<[RunSide; 2]> = Vec::with_capacity(block.len());
     finish(block, entry_side(up), costs, |before| chosen_before.push(before));
     // Ends at which the runs are finished, from the last one back.
     let mut side = exit_side(up);
-    let mut sides: Vec<Side> = Vec::with_capacity(block.len());
+    let mut sides: Vec<RunSide> = Vec::with_capacity(block.len());
     for before in chosen_before.iter().rev() {
         sides.push(side);
         side = before[side as usize];
@@ -108,24 +108,24 @@ fn drive(walk: &mut Vec<Cell>, at: &mut Cell, x: i32) {
     }
 }
 
-fn entry_side(sweep: usize) -> Side {
-    Side::BOTH[sweep >> 1 & 1]
+fn entry_side(sweep: usize) -> RunSide {
+    RunSide::BOTH[sweep >> 1 & 1]
 }
 
-fn exit_side(sweep: usize) -> Side {
-    Side::BOTH[sweep & 1]
+fn exit_side(sweep: usize) -> RunSide {
+    RunSide::BOTH[sweep & 1]
 }
 
 /// The cheapest way so far that ends at one end of a run.
 #[derive(Debug, Clone, Copy)]
-struct State {
+struct SweepState {
     cost: u32,
     at: Cell,
     first: Option<Direction>,
     heading: Option<Direction>,
 }
 
-impl State {
+impl SweepState {
     fn turn_and_go(&mut self, direction: Direction, steps: u32, costs: Costs) {
         if steps > 0 {
             self.cost += steps * costs.step + self.heading.map_or(0, |h| h.quarter_turns(direction)) * costs.turn;
@@ -142,7 +142,7 @@ impl State {
     }
 
     /// Steps over into `run`, drives along all of it and ends at `side`.
-    fn cover(mut self, run: Run, side: Side, costs: Costs) -> Self {
+    fn cover(mut self, run: CellRun, side: RunSide, costs: Costs) -> Self {
         if run.y != self.at.y {
             self.drive(self.at.x.clamp(run.left, run.right), costs);
             self.turn_and_go(Direction::Up, 1, costs);
@@ -155,13 +155,13 @@ impl State {
 
 /// Dynamic programming over the runs: the best ways that end at the left and at the right end of the last run. Tells
 /// `chosen` for every run at which end the run before was finished if this one is finished left and right.
-fn finish(block: &Block, entry: Side, costs: Costs, mut chosen: impl FnMut([Side; 2])) -> [State; 2] {
-    let start = State { cost: 0, at: block[0].end(entry), first: None, heading: None };
+fn finish(block: &Block, entry: RunSide, costs: Costs, mut chosen: impl FnMut([RunSide; 2])) -> [SweepState; 2] {
+    let start = SweepState { cost: 0, at: block[0].end(entry), first: None, heading: None };
     let mut states = [start; 2];
     for &run in block {
-        let options = Side::BOTH.map(|side| states.map(|state| state.cover(run, side, costs)));
+        let options = RunSide::BOTH.map(|side| states.map(|state| state.cover(run, side, costs)));
         let before =
-            options.each_ref().map(|[left, right]| if right.cost < left.cost { Side::Right } else { Side::Left });
+            options.each_ref().map(|[left, right]| if right.cost < left.cost { RunSide::Right } else { RunSide::Left });
         chosen(before);
         states = [options[0][before[0] as usize], options[1][before[1] as usize]];
     }

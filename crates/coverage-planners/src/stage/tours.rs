@@ -1,14 +1,14 @@
 //! Stage: walks along tours of parts, of which the cheapest is kept.
 
 use super::{
-    contest::MAX_CELLS_FOR_ALL,
+    best_of::MAX_CELLS_FOR_ALL,
     cost::Costs,
     distances::Links,
     nearest::nearest_first,
     order::{Visit, improve},
-    part::{Part, drive},
-    sweep::{SWEEPS, Sweep},
-    tighten::tighten,
+    part::{MownBlock, drive},
+    shortcut::shortcut,
+    sweep::{BlockSweep, SWEEPS},
     transit::Transit,
 };
 use crate::{CoverageJob, PlanContext, PlanError};
@@ -50,12 +50,16 @@ impl<'j, 'c> Tours<'j, 'c> {
     }
 
     /// All ways through every part.
-    pub fn sweeps(&self, parts: &[Part]) -> Vec<[Sweep; SWEEPS]> {
+    pub fn sweeps(&self, parts: &[MownBlock]) -> Vec<[BlockSweep; SWEEPS]> {
         parts.iter().map(|part| part.sweeps(self.costs)).collect()
     }
 
     /// The parts in an order, nearest first.
-    pub fn nearest_first(&mut self, sweeps: &[[Sweep; SWEEPS]], shares: [f64; 2]) -> Result<Vec<Visit>, PlanError> {
+    pub fn nearest_first(
+        &mut self,
+        sweeps: &[[BlockSweep; SWEEPS]],
+        shares: [f64; 2],
+    ) -> Result<Vec<Visit>, PlanError> {
         let Self { job, ctx, costs, best, .. } = self;
         nearest_first(&job.free, sweeps, (job.start, job.heading), *costs, |done| {
             ctx.checkpoint(between(shares, done as f64 / sweeps.len() as f64), best)
@@ -65,7 +69,7 @@ impl<'j, 'c> Tours<'j, 'c> {
     /// Looks for a better order. The shares are those before, after the ways between parts are known, and after.
     pub fn improve(
         &mut self,
-        sweeps: &[[Sweep; SWEEPS]],
+        sweeps: &[[BlockSweep; SWEEPS]],
         tour: &mut Vec<Visit>,
         rounds: usize,
         [before, linked, after]: [f64; 3],
@@ -80,8 +84,8 @@ impl<'j, 'c> Tours<'j, 'c> {
     /// Drives a tour and [offers](Self::offer) the walk.
     pub fn drive(
         &mut self,
-        parts: &[Part],
-        sweeps: &[[Sweep; SWEEPS]],
+        parts: &[MownBlock],
+        sweeps: &[[BlockSweep; SWEEPS]],
         tour: &[Visit],
         [before, after]: [f64; 2],
     ) -> Result<bool, PlanError> {
@@ -92,13 +96,13 @@ impl<'j, 'c> Tours<'j, 'c> {
         self.offer(walk, [middle, after])
     }
 
-    /// Cuts a walk's detours ([`tighten`]) and keeps it if it's the cheapest; whether it is.
+    /// Cuts a walk's detours ([`shortcut`]) and keeps it if it's the cheapest; whether it is.
     pub fn offer(&mut self, mut walk: Vec<Cell>, shares: [f64; 2]) -> Result<bool, PlanError> {
         let Self { job, ctx, costs, transit, best, .. } = self;
         let passes = if job.cells() <= MAX_CELLS_FOR_ALL { PASSES } else { 1 };
         for pass in 0..passes {
             let report = |done| ctx.checkpoint(between(shares, (pass as f64 + done) / passes as f64), best);
-            if !tighten(job, *costs, transit, &mut walk, report)? {
+            if !shortcut(job, *costs, transit, &mut walk, report)? {
                 break;
             }
         }

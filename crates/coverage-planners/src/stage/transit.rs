@@ -1,6 +1,6 @@
 //! Stage: the cheapest path between two cells, turns included.
 
-use super::{cost::Costs, frame::Frame};
+use super::{cost::Costs, frame::FramedGrid};
 use robovac_core::grid::{Cell, Direction, Grid};
 use std::{cmp::Reverse, collections::BinaryHeap};
 
@@ -8,7 +8,7 @@ use std::{cmp::Reverse, collections::BinaryHeap};
 /// it looks at and no more.
 #[derive(Debug)]
 pub struct Transit {
-    frame: Frame,
+    frame: FramedGrid,
     is_free: Vec<bool>,
     /// `base` + cost of the way to a cell, by its heading there; lower values are left from searches before.
     reached: Vec<[u32; 4]>,
@@ -22,7 +22,7 @@ pub struct Transit {
 
 /// One end of a way.
 #[derive(Debug, Clone, Copy)]
-pub struct Stop {
+pub struct TransitEnd {
     /// The cell.
     pub cell: Cell,
     /// The direction in which the robot comes to it or has to leave it; `None` if that doesn't matter.
@@ -32,7 +32,7 @@ pub struct Stop {
 impl Transit {
     /// For grids of the size of `free`.
     pub fn new(free: &Grid<bool>, costs: Costs) -> Self {
-        let frame = Frame::around(free);
+        let frame = FramedGrid::around(free);
         Self {
             frame,
             is_free: frame.drawn(free, true, false),
@@ -46,7 +46,7 @@ impl Transit {
 
     /// Appends the cheapest way through free cells to `walk`, the cell in which it starts left out, and returns its cost
     /// with the turns at both ends; `None` if there is none that costs less than `limit`.
-    pub fn append_way(&mut self, from: Stop, to: Stop, limit: u32, walk: &mut Vec<Cell>) -> Option<u32> {
+    pub fn append_way(&mut self, from: TransitEnd, to: TransitEnd, limit: u32, walk: &mut Vec<Cell>) -> Option<u32> {
         self.make_old();
         let start = self.frame.index(from.cell);
         // Without a heading every direction is as good to start with.
@@ -88,7 +88,7 @@ impl Transit {
     }
 
     #[inline]
-    fn reach(&mut self, index: usize, cell: Cell, heading: Direction, cost: u32, to: Stop, limit: u32) {
+    fn reach(&mut self, index: usize, cell: Cell, heading: Direction, cost: u32, to: TransitEnd, limit: u32) {
         let mark = &mut self.reached[index][heading as usize];
         if *mark >= self.base && *mark <= self.base + cost {
             return;
@@ -131,7 +131,7 @@ mod tests {
     fn longer_way_with_fewer_turns_wins_if_turns_are_dear() {
         let free = from_picture("......\n.#.##.\n...#..\n##...#", |c| c == '.').unwrap();
         let (from, to) = (Cell::new(0, 1), Cell::new(5, 1));
-        let stop = |cell| Stop { cell, heading: None };
+        let stop = |cell| TransitEnd { cell, heading: None };
         for (turn, steps) in [(0, 7), (200, 9)] {
             let costs = Costs { step: 16, turn };
             let mut walk = vec![from];
@@ -146,7 +146,7 @@ mod tests {
     fn gives_up_at_the_limit() {
         let free = Grid::filled(9, 1, true);
         let mut transit = Transit::new(&free, Costs { step: 16, turn: 32 });
-        let stop = |x| Stop { cell: Cell::new(x, 0), heading: Some(Direction::Right) };
+        let stop = |x| TransitEnd { cell: Cell::new(x, 0), heading: Some(Direction::Right) };
         let mut walk = Vec::new();
         assert_eq!(transit.append_way(stop(0), stop(8), 128, &mut walk), None);
         assert_eq!(transit.append_way(stop(0), stop(8), 129, &mut walk), Some(128));

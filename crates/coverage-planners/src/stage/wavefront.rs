@@ -1,9 +1,9 @@
 //! Stage: waves that spread from a goal, and the walk that covers a room against them (Zelinsky et al. 1993).
 
 use super::{
-    contest::{Contest, MAX_CELLS_FOR_ALL},
-    frame::Frame,
-    roam::{Floor, Rule},
+    best_of::{BestOf, MAX_CELLS_FOR_ALL},
+    frame::FramedGrid,
+    greedy_walk::{FloorLeft, WalkRule},
 };
 use crate::{CoverageJob, CoveragePath, PlanContext, PlanError};
 use robovac_core::{
@@ -17,7 +17,7 @@ pub const STEP: u32 = 16;
 
 /// Steps to the nearest blocked cell or edge of the room, over 8 neighbours, at most `limit`; by the frame's numbers.
 pub(crate) fn obstacle_transform(free: &Grid<bool>, limit: u32) -> Vec<u32> {
-    let frame = Frame::around(free);
+    let frame = FramedGrid::around(free);
     let mut steps = frame.drawn(free, limit, 0);
     let mut wave: Vec<usize> = (0..steps.len()).filter(|&i| steps[i] == 0).collect();
     let width = frame.stride();
@@ -44,7 +44,7 @@ pub(crate) fn obstacle_transform(free: &Grid<bool>, limit: u32) -> Vec<u32> {
 /// A step to a diagonal neighbour needs both cells beside it free. Dijkstra's algorithm with a ring of buckets (Dial
 /// 1969): O(n + largest value).
 fn transform(free: &Grid<bool>, goal: Cell, cost: &dyn Fn(usize) -> u32, dearest: u32) -> Vec<u32> {
-    let frame = Frame::around(free);
+    let frame = FramedGrid::around(free);
     let goal = frame.index(goal);
     // A blocked cell's value can't be improved.
     let mut values = frame.drawn(free, u32::MAX, 0);
@@ -94,8 +94,8 @@ struct Descent {
     values: Vec<u32>,
 }
 
-impl Rule for Descent {
-    fn next(&mut self, floor: &Floor, at: usize, heading: Direction, _: bool) -> Option<Direction> {
+impl WalkRule for Descent {
+    fn next(&mut self, floor: &FloorLeft, at: usize, heading: Direction, _: bool) -> Option<Direction> {
         let mut best = None;
         for direction in [heading, heading.left(), heading.right(), heading.opposite()] {
             if floor.is_new_ahead(at, direction) {
@@ -116,7 +116,7 @@ impl Rule for Descent {
 
 /// Where the waves start from: what a walk ends near.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Goal {
+pub(crate) enum WaveGoal {
     /// The cheapest walk of those for several goals.
     Cheapest,
     /// The robot's start: it comes home.
@@ -125,7 +125,7 @@ pub(crate) enum Goal {
     Farthest,
 }
 
-/// Parameter that chooses the [`Goal`].
+/// Parameter that chooses the [`WaveGoal`].
 pub(crate) const GOAL: ParamSpec = ParamSpec {
     id: "goal",
     label: "Goal",
@@ -139,7 +139,7 @@ pub(crate) const GOAL: ParamSpec = ParamSpec {
     },
 };
 
-impl Goal {
+impl WaveGoal {
     /// The goal that [`GOAL`] says.
     pub fn of(params: &Params) -> Self {
         match params.choice(GOAL.id) {
@@ -153,30 +153,30 @@ impl Goal {
 /// Covers a room against the waves from its goal; entering a cell costs `cost(cell)`, see [`transform`].
 pub(crate) fn cover(
     job: &CoverageJob,
-    goal: Goal,
+    goal: WaveGoal,
     cost: &dyn Fn(usize) -> u32,
     dearest: u32,
     ctx: &mut PlanContext<'_>,
 ) -> Result<CoveragePath, PlanError> {
     ctx.checkpoint(0.0, &[])?;
-    let frame = Frame::around(&job.free);
+    let frame = FramedGrid::around(&job.free);
     let farthest_from =
         |goal| highest(&transform(&job.free, goal, cost, dearest)).map_or(goal, |index| frame.cell(index));
     let goals = match goal {
-        Goal::Start => vec![job.start],
-        Goal::Farthest => vec![farthest_from(job.start)],
-        Goal::Cheapest if job.cells() > MAX_CELLS_FOR_ALL => vec![job.start],
-        Goal::Cheapest => {
+        WaveGoal::Start => vec![job.start],
+        WaveGoal::Farthest => vec![farthest_from(job.start)],
+        WaveGoal::Cheapest if job.cells() > MAX_CELLS_FOR_ALL => vec![job.start],
+        WaveGoal::Cheapest => {
             let farthest = farthest_from(job.start);
             vec![job.start, farthest, farthest_from(farthest)]
         }
     };
-    let mut contest = Contest::new(job, goals.len());
+    let mut best_of = BestOf::new(job, goals.len());
     for goal in goals {
         let mut rule = Descent { values: transform(&job.free, goal, cost, dearest) };
-        contest.roam(ctx, &mut rule)?;
+        best_of.greedy_walk(ctx, &mut rule)?;
     }
-    Ok(contest.finish())
+    Ok(best_of.finish())
 }
 
 /// The first cell of the highest value; `None` if all are 0.
@@ -188,11 +188,11 @@ fn highest(values: &[u32]) -> Option<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::stage::{Costs, Transit, roam::roam};
+    use crate::stage::{Costs, Transit, greedy_walk::greedy_walk};
     use robovac_core::grid::{from_picture, picture};
 
     fn drawn(free: &Grid<bool>, values: &[u32], unit: u32) -> String {
-        let frame = Frame::around(free);
+        let frame = FramedGrid::around(free);
         let cells = free.iter().map(|(cell, _)| values[frame.index(cell)] / unit).collect();
         let values = Grid::from_rows(free.width(), cells).unwrap();
         picture(&values, |&value| char::from_digit(value, 36).unwrap_or('?'))
@@ -210,10 +210,10 @@ mod tests {
     fn goes_nearer_only_where_all_farther_neighbours_are_clean() {
         let free = from_picture("......#\n.##....\n.#...#.\n...#...\n.......", |c| c == '.').unwrap();
         let job = CoverageJob::new(&free, Cell::new(0, 0), Direction::Up).unwrap();
-        let frame = Frame::around(&free);
+        let frame = FramedGrid::around(&free);
         let values = transform(&free, Cell::new(6, 3), &|_| STEP, STEP);
-        let mut floor = Floor::of(&job);
-        let walk = roam(
+        let mut floor = FloorLeft::of(&job);
+        let walk = greedy_walk(
             &job,
             &mut Transit::new(&free, Costs::of(&job)),
             &mut Descent { values: values.clone() },
@@ -232,7 +232,7 @@ mod tests {
     #[test]
     fn dear_cells_are_gone_round() {
         let free = Grid::filled(5, 3, true);
-        let frame = Frame::around(&free);
+        let frame = FramedGrid::around(&free);
         let dear = frame.index(Cell::new(1, 1));
         let values = transform(&free, Cell::new(0, 1), &|cell| if cell == dear { 100 } else { 1 }, 100);
         assert_eq!(values[frame.index(Cell::new(4, 1))], 4);

@@ -7,7 +7,7 @@
 use super::{
     SweepError,
     cover::Cover,
-    linker::{Linker, Stop},
+    linker::{WayLinker, WayStop},
 };
 use robovac_core::{
     geometry::Point,
@@ -23,10 +23,10 @@ const REPORT_EVERY: usize = 64;
 
 /// Ways to and along edges that add something, in the order in which they are driven from `at`. `report` is told the share done, 0 to 1.
 pub(super) fn finish(
-    linker: &mut Linker<'_>,
+    linker: &mut WayLinker<'_>,
     cover: &mut Cover,
     rows: &[i32],
-    mut at: Stop,
+    mut at: WayStop,
     report: &mut dyn FnMut(f64) -> Result<(), SweepError>,
 ) -> Result<Vec<Vec<Point>>, SweepError> {
     let mut edges = edges(linker.free, rows);

@@ -8,10 +8,10 @@ use robovac_core::{
 };
 
 /// A place, and the FREE cell that it belongs to.
-pub(super) type Stop = (Cell, Point);
+pub(super) type WayStop = (Cell, Point);
 
 /// Makes ways from place to place.
-pub(super) struct Linker<'a> {
+pub(super) struct WayLinker<'a> {
     /// Cells that the robot gets to.
     pub free: &'a Grid<bool>,
     /// To the nanometre.
@@ -22,12 +22,12 @@ pub(super) struct Linker<'a> {
     pub cell: f64,
 }
 
-impl Linker<'_> {
+impl WayLinker<'_> {
     /// The way from a place in a cell to a place in another. The straight way collides if the line between the cells'
     /// centres leaves the FREE cells (the check of the paper's map). Where it doesn't, it is driven between the
     /// places themselves if that is free to the nanometre, or else by the centres.
-    pub fn way(&mut self, from: Stop, to: Stop) -> (Vec<Point>, bool) {
-        let mut line = Line::default();
+    pub fn way(&mut self, from: WayStop, to: WayStop) -> (Vec<Point>, bool) {
+        let mut line = CornerLine::default();
         line.extend(&[from.1]);
         let collides = !is_straight_free(self.free, from.0, to.0);
         if collides {
@@ -44,12 +44,12 @@ impl Linker<'_> {
 
 /// Corners of a line, without those at which it doesn't turn.
 #[derive(Default)]
-pub(super) struct Line {
+pub(super) struct CornerLine {
     /// m.
     pub corners: Vec<Point>,
 }
 
-impl Line {
+impl CornerLine {
     /// Goes on along these points.
     pub fn extend(&mut self, points: &[Point]) {
         for &point in points {

@@ -1,15 +1,15 @@
 //! The stages in order.
 
 use super::{
-    Link, Subgoal, Sweep, SweepError, SweepSetup,
+    Subgoal, SubgoalLink, Sweep, SweepError, SweepSetup,
     cover::Cover,
     finish::finish,
-    linker::{Line, Linker},
+    linker::{CornerLine, WayLinker},
 };
 use crate::stage::{self, Beside, Detours, SubgoalScan, scan_rows, subgoals};
 use robovac_core::{
-    cspace::{ConfigurationSpace, Motion, Obstacles},
-    floorplan::{FloorPlan, MAX_RESOLUTION, MIN_RESOLUTION},
+    cspace::{ConfigurationSpace, Motion, ObstacleRuns},
+    floor_plan::{FloorPlan, MAX_RESOLUTION, MIN_RESOLUTION},
     geometry::{Point, Pose},
     grid::{Cell, Grid, largest_part, reachable},
 };
@@ -57,13 +57,13 @@ pub fn sweep(
     let begin = begin(&free, setup).ok_or(fits_nowhere.clone())?;
     let reached = reachable(&free, begin);
     let rows = scan_rows(&reached, scan_width / setup.cell);
-    let points = subgoals(&reached, &rows, &Obstacles::of(&free));
+    let points = subgoals(&reached, &rows, &ObstacleRuns::of(&free));
     let places = places(&points, &motion, setup.cell);
     if points.is_empty() {
         return Err(fits_nowhere);
     }
     report(DONE[1])?;
-    let mut linker = Linker { free: &reached, motion: &motion, detours: Detours::new(&reached), cell: setup.cell };
+    let mut linker = WayLinker { free: &reached, motion: &motion, detours: Detours::new(&reached), cell: setup.cell };
     let stop = |number: usize| (points[number].cell, places[number]);
     let mut scan = SubgoalScan::new(&points, Beside::Never);
     let start = setup.start.map(|pose| start_place(pose, begin, &motion, setup.cell));
@@ -72,12 +72,12 @@ pub fn sweep(
         Some(_) => scan.next(&reached, Err(begin)).map_or(0, |(first, _)| first),
     };
     scan.track(first);
-    let mut path = Line::default();
+    let mut path = CornerLine::default();
     if let Some(start) = start {
         path.extend(&linker.way((begin, start), stop(first)).0);
     }
     path.extend(&[places[first]]);
-    let mut links: Vec<Link> = Vec::with_capacity(points.len());
+    let mut links: Vec<SubgoalLink> = Vec::with_capacity(points.len());
     let mut from = first;
     while let Some((to, _)) = scan.next(&reached, Ok(from)) {
         if links.len().is_multiple_of(REPORT_EVERY) {
@@ -86,7 +86,7 @@ pub fn sweep(
         scan.track(to);
         let (way, collides) = linker.way(stop(from), stop(to));
         path.extend(&way);
-        links.push(Link { from, to, collides, way });
+        links.push(SubgoalLink { from, to, collides, way });
         from = to;
     }
     report(DONE[2])?;

@@ -5,7 +5,7 @@ use robovac_core::{
     cspace::Outline,
     geometry::{Point, difference},
     math,
-    robot::{RobotModel, Wheels},
+    robot::{RobotModel, WheelLayout},
 };
 use std::fmt::Write;
 
@@ -42,7 +42,7 @@ pub fn planned_for(robot: &RobotModel) -> String {
 pub fn program(path: &[Point], heading: f64, robot: &RobotModel, planned: &str) -> String {
     let stops = waypoints(path, heading, robot);
     let mut text = String::new();
-    let is_free = robot.wheels == Wheels::Omnidirectional;
+    let is_free = robot.wheels == WheelLayout::Omnidirectional;
     let how = if is_free { "moves in any direction without turning" } else { "turns on the spot, drives forward" };
     let _ = writeln!(text, "; planned   for {planned}\n; robot     moves as the {}: {how}", robot.title);
     let _ = writeln!(text, "; frame     {FRAME}\n; units     m; degrees, counter-clockwise from the x axis");

@@ -1,6 +1,6 @@
 //! Input and results of the stages.
 
-use crate::stage::Contact;
+use crate::stage::LineEndContact;
 use robovac_core::{
     cspace::Outline,
     geometry::{Point, Pose},
@@ -13,7 +13,7 @@ pub struct Subgoal {
     /// Where the body's origin is, m in the room: the very place at which it touches, not a cell's centre.
     pub at: Point,
     /// What it touches.
-    pub contact: Contact,
+    pub contact: LineEndContact,
     /// The scan line, counted from the top.
     pub line: u32,
     /// The obstacle that it touches, counted from 1; `None` for a wall.
@@ -22,7 +22,7 @@ pub struct Subgoal {
 
 /// A step from one subgoal to the next.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Link {
+pub struct SubgoalLink {
     /// Index of the subgoal that it leads from.
     pub from: usize,
     /// Index of the subgoal that it leads to.
@@ -60,7 +60,7 @@ pub struct Sweep {
     /// Stage 1: subgoal points in the order of the scan (Fig. 3).
     pub subgoals: Vec<Subgoal>,
     /// Stages 2 and 3: links in the order in which they are driven (Figs 4 and 5).
-    pub links: Vec<Link>,
+    pub links: Vec<SubgoalLink>,
     /// Links whose straight way collides.
     pub collisions: usize,
     /// Of these, those with a detour.

@@ -3,7 +3,7 @@
 use robovac_core::{
     geometry::{Point, Pose, difference, normalize},
     math,
-    robot::{RobotModel, Wheels},
+    robot::{RobotModel, WheelLayout},
 };
 use std::fmt::Write;
 
@@ -48,7 +48,7 @@ pub(super) fn waypoints(path: &[Point], heading: f64, robot: &RobotModel) -> Vec
         if length <= 0.0 {
             continue;
         }
-        if robot.wheels == Wheels::Differential {
+        if robot.wheels == WheelLayout::Differential {
             let towards = math::atan2(way.y, way.x);
             let turn = difference(at.pose.heading, towards);
             if turn.abs() > STRAIGHT_ON {

@@ -1,11 +1,13 @@
 //! Inserts blocks into model space.
 
 use super::{
-    local::{Affine, Content, Insert, MAX_INSERTS, Source},
+    local::{Affine, DxfContent, EntitySource, Insert, MAX_INSERTS, RefusedEntity},
     scan::{Scanned, Stopped},
 };
-use crate::model::{Builder, MAX_POINTS};
-use robovac_core::floorplan::DrawingFlaw;
+use crate::{
+    DrawingFlaw,
+    model::{Builder, MAX_POINTS},
+};
 use std::collections::BTreeMap;
 
 /// Deepest nesting of blocks.
@@ -19,12 +21,11 @@ pub(super) fn expand(scanned: &mut Scanned) -> Result<(), Stopped> {
         by_name.entry(body.name.to_uppercase()).or_insert(index);
     }
     let mut count = Count { content, by_name, sizes: vec![None; content.bodies.len()], path: Vec::new() };
-    let stop =
-        |builder: &Builder, (source, flaw): (Source, DrawingFlaw)| (content.place(&source, builder, *is_text), flaw);
+    let stop = |builder: &Builder, (source, flaw): RefusedEntity| (content.place(&source, builder, *is_text), flaw);
     count.body(0).map_err(|refused| stop(builder, refused))?;
     let Count { by_name, sizes, .. } = count;
     let zero = builder.layer("0").map_err(|flaw| (String::new(), flaw))?;
-    let mut draw = Draw { content, by_name: &by_name, sizes: &sizes, builder, zero, missing: 0 };
+    let mut draw = BlockExpander { content, by_name: &by_name, sizes: &sizes, builder, zero, missing: 0 };
     let drawn = draw.body(0, &Affine::IDENTITY, None);
     let missing = draw.missing;
     drawn.map_err(|refused| stop(builder, refused))?;
@@ -41,7 +42,7 @@ struct Size {
 }
 
 struct Count<'a> {
-    content: &'a Content,
+    content: &'a DxfContent,
     by_name: BTreeMap<String, usize>,
     sizes: Vec<Option<Size>>,
     /// Bodies that are being counted, outermost first.
@@ -49,7 +50,7 @@ struct Count<'a> {
 }
 
 impl Count<'_> {
-    fn body(&mut self, index: usize) -> Result<Size, (Source, DrawingFlaw)> {
+    fn body(&mut self, index: usize) -> Result<Size, RefusedEntity> {
         if let Some(size) = self.sizes[index] {
             return Ok(size);
         }
@@ -90,8 +91,8 @@ impl Count<'_> {
     }
 }
 
-struct Draw<'a> {
-    content: &'a Content,
+struct BlockExpander<'a> {
+    content: &'a DxfContent,
     by_name: &'a BTreeMap<String, usize>,
     sizes: &'a [Option<Size>],
     builder: &'a mut Builder,
@@ -100,9 +101,9 @@ struct Draw<'a> {
     missing: usize,
 }
 
-impl Draw<'_> {
+impl BlockExpander<'_> {
     /// Draws a body; `from` is the insert of model space that it comes from, with the layer that layer 0 stands for.
-    fn body(&mut self, index: usize, map: &Affine, from: Option<Source>) -> Result<(), (Source, DrawingFlaw)> {
+    fn body(&mut self, index: usize, map: &Affine, from: Option<EntitySource>) -> Result<(), RefusedEntity> {
         let body = &self.content.bodies[index];
         for stroke in &self.content.strokes[body.strokes.clone()] {
             let source = self.seen_as(stroke.source, from);
@@ -117,14 +118,16 @@ impl Draw<'_> {
         Ok(())
     }
 
-    fn seen_as(&self, source: Source, from: Option<Source>) -> Source {
+    fn seen_as(&self, source: EntitySource, from: Option<EntitySource>) -> EntitySource {
         match from {
-            Some(from) => Source { layer: if source.layer == self.zero { from.layer } else { source.layer }, ..from },
+            Some(from) => {
+                EntitySource { layer: if source.layer == self.zero { from.layer } else { source.layer }, ..from }
+            }
             None => source,
         }
     }
 
-    fn insert(&mut self, insert: &Insert, map: &Affine, source: Source) -> Result<(), (Source, DrawingFlaw)> {
+    fn insert(&mut self, insert: &Insert, map: &Affine, source: EntitySource) -> Result<(), RefusedEntity> {
         let Some(&inserted) = self.by_name.get(&insert.block.to_uppercase()) else {
             self.missing += 1;
             return Ok(());

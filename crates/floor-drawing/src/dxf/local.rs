@@ -1,10 +1,7 @@
 //! Blocks and model space in their own coordinates, before blocks are inserted.
 
-use crate::model::MAX_POINTS;
-use robovac_core::{
-    floorplan::DrawingFlaw,
-    geometry::{Point, Vector},
-};
+use crate::{DrawingFlaw, model::MAX_POINTS};
+use robovac_core::geometry::{Point, Vector};
 use std::ops::Range;
 
 /// Most inserts of a drawing, those that inserted blocks bring along too (ours): one for every corner that it can have.
@@ -12,27 +9,30 @@ pub(super) const MAX_INSERTS: usize = MAX_POINTS;
 
 /// Where an entity comes from, for messages and for [`crate::Stroke::entity`].
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Source {
+pub(super) struct EntitySource {
     /// Its number in its block or in model space, counted from 1.
     pub number: u32,
     /// Index of its layer.
     pub layer: u32,
     /// Line or byte at which it begins.
     pub at: usize,
-    /// Index of what holds it, see [`Content::bodies`].
+    /// Index of what holds it, see [`DxfContent::bodies`].
     pub body: usize,
 }
 
+/// What is wrong with an entity.
+pub(super) type RefusedEntity = (EntitySource, DrawingFlaw);
+
 /// A polyline of a block.
 pub(super) struct LocalStroke {
-    pub source: Source,
+    pub source: EntitySource,
     pub is_closed: bool,
     pub points: Range<usize>,
 }
 
 /// A block inserted into another one or into model space.
 pub(super) struct Insert {
-    pub source: Source,
+    pub source: EntitySource,
     /// Name of the block, in upper case.
     pub block: String,
     pub map: Affine,
@@ -43,7 +43,7 @@ pub(super) struct Insert {
 }
 
 /// Model space or a block.
-pub(super) struct Body {
+pub(super) struct DxfBlock {
     pub name: String,
     pub base: Point,
     pub strokes: Range<usize>,
@@ -51,23 +51,23 @@ pub(super) struct Body {
 }
 
 /// All that is drawn in a file. The first body is model space.
-pub(super) struct Content {
-    pub bodies: Vec<Body>,
+pub(super) struct DxfContent {
+    pub bodies: Vec<DxfBlock>,
     pub strokes: Vec<LocalStroke>,
     pub inserts: Vec<Insert>,
     pub points: Vec<Point>,
 }
 
-impl Content {
+impl DxfContent {
     pub fn new() -> Self {
-        let model = Body { name: String::new(), base: Point::origin(), strokes: 0..0, inserts: 0..0 };
+        let model = DxfBlock { name: String::new(), base: Point::origin(), strokes: 0..0, inserts: 0..0 };
         Self { bodies: vec![model], strokes: Vec::new(), inserts: Vec::new(), points: Vec::new() }
     }
 
     /// Adds a polyline, if it has a length. What one body holds must come in one go.
     pub fn stroke(
         &mut self,
-        source: Source,
+        source: EntitySource,
         is_closed: bool,
         points: impl IntoIterator<Item = Point>,
     ) -> Result<(), DrawingFlaw> {
@@ -143,8 +143,8 @@ mod tests {
 
     #[test]
     fn entities_that_draw_nothing_do_not_pile_up() {
-        let source = Source { number: 1, layer: 0, at: 1, body: 0 };
-        let mut content = Content::new();
+        let source = EntitySource { number: 1, layer: 0, at: 1, body: 0 };
+        let mut content = DxfContent::new();
         assert!(content.stroke(source, true, []).is_ok() && content.stroke(source, false, [Point::origin()]).is_ok());
         assert!(content.strokes.is_empty() && content.points.is_empty());
         let mut insert = || {

@@ -1,6 +1,6 @@
 //! A DXF as it is written: pairs of a group code and a value, in text or binary.
 
-use robovac_core::floorplan::DrawingFlaw;
+use crate::DrawingFlaw;
 use std::borrow::Cow;
 
 /// How binary DXFs begin.
@@ -8,7 +8,7 @@ pub(crate) const BINARY: &[u8] = b"AutoCAD Binary DXF\r\n\x1a\0";
 
 /// A value. In text all are text.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Value<'a> {
+pub(crate) enum DxfValue<'a> {
     /// Text without the blanks around it; names may be in any encoding.
     Text(&'a [u8]),
     /// A floating-point number of a binary DXF.
@@ -21,7 +21,7 @@ pub(crate) enum Value<'a> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Pair<'a> {
     pub code: i32,
-    pub value: Value<'a>,
+    pub value: DxfValue<'a>,
     /// Where the group code is: its line, counted from 1, or in binary its byte, counted from 0.
     pub at: usize,
     /// Bytes from the start of the file to the group code.
@@ -29,20 +29,20 @@ pub(crate) struct Pair<'a> {
 }
 
 /// What is wrong, and where, as [`Pair::at`].
-pub(crate) type Fault = (usize, DrawingFlaw);
+pub(crate) type DxfFault = (usize, DrawingFlaw);
 
 impl<'a> Pair<'a> {
     /// The value as text; nothing for numbers.
     pub fn text(&self) -> &'a [u8] {
-        if let Value::Text(text) = self.value { text } else { b"" }
+        if let DxfValue::Text(text) = self.value { text } else { b"" }
     }
 
     /// The value as a number, finite or not.
-    pub fn real(&self) -> Result<f64, Fault> {
+    pub fn real(&self) -> Result<f64, DxfFault> {
         match self.value {
-            Value::Real(value) => Ok(value),
-            Value::Whole(value) => Ok(value as f64),
-            Value::Text(text) => std::str::from_utf8(text)
+            DxfValue::Real(value) => Ok(value),
+            DxfValue::Whole(value) => Ok(value as f64),
+            DxfValue::Text(text) => std::str::from_utf8(text)
                 .ok()
                 .and_then(|text| text.parse().ok())
                 .ok_or_else(|| (self.at + 1, DrawingFlaw::Value { code: self.code, found: shown(text) })),
@@ -50,9 +50,9 @@ impl<'a> Pair<'a> {
     }
 
     /// The value as an integer; some programs write integers with a decimal point.
-    pub fn whole(&self) -> Result<i64, Fault> {
+    pub fn whole(&self) -> Result<i64, DxfFault> {
         match self.value {
-            Value::Whole(value) => Ok(value),
+            DxfValue::Whole(value) => Ok(value),
             _ => self.real().map(|value| value as i64),
         }
     }
@@ -122,11 +122,11 @@ impl<'a> Pairs<'a> {
     }
 
     /// The next pair; `None` at the end of the file.
-    pub fn next(&mut self) -> Result<Option<Pair<'a>>, Fault> {
+    pub fn next(&mut self) -> Result<Option<Pair<'a>>, DxfFault> {
         if self.form == Form::Text { self.next_text() } else { self.next_binary() }
     }
 
-    fn next_text(&mut self) -> Result<Option<Pair<'a>>, Fault> {
+    fn next_text(&mut self) -> Result<Option<Pair<'a>>, DxfFault> {
         let start = self.position;
         let Some(line) = self.take_line() else { return Ok(None) };
         let at = self.line;
@@ -141,7 +141,7 @@ impl<'a> Pairs<'a> {
         let Some(value) = self.take_line() else {
             return Err((at, DrawingFlaw::CutOff { place: "between a group code and its value" }));
         };
-        Ok(Some(Pair { code, value: Value::Text(value.trim_ascii()), at, start }))
+        Ok(Some(Pair { code, value: DxfValue::Text(value.trim_ascii()), at, start }))
     }
 
     fn take_line(&mut self) -> Option<&'a [u8]> {
@@ -152,7 +152,7 @@ impl<'a> Pairs<'a> {
         Some(&rest[..end])
     }
 
-    fn next_binary(&mut self) -> Result<Option<Pair<'a>>, Fault> {
+    fn next_binary(&mut self) -> Result<Option<Pair<'a>>, DxfFault> {
         let start = self.position;
         if start >= self.bytes.len() {
             return Ok(None);
@@ -167,37 +167,37 @@ impl<'a> Pairs<'a> {
         };
         let value = match code {
             10..=59 | 110..=149 | 210..=239 | 460..=469 | 1010..=1059 => {
-                Value::Real(f64::from_le_bytes(self.take(start)?))
+                DxfValue::Real(f64::from_le_bytes(self.take(start)?))
             }
             60..=79 | 170..=179 | 270..=289 | 370..=389 | 400..=409 | 1060..=1070 => {
-                Value::Whole(i16::from_le_bytes(self.take(start)?).into())
+                DxfValue::Whole(i16::from_le_bytes(self.take(start)?).into())
             }
-            90..=99 | 420..=429 | 440..=459 | 1071 => Value::Whole(i32::from_le_bytes(self.take(start)?).into()),
-            160..=169 => Value::Whole(i64::from_le_bytes(self.take(start)?)),
-            290..=299 => Value::Whole(self.take::<1>(start)?[0].into()),
+            90..=99 | 420..=429 | 440..=459 | 1071 => DxfValue::Whole(i32::from_le_bytes(self.take(start)?).into()),
+            160..=169 => DxfValue::Whole(i64::from_le_bytes(self.take(start)?)),
+            290..=299 => DxfValue::Whole(self.take::<1>(start)?[0].into()),
             310..=319 | 1004 => {
                 let [length] = self.take::<1>(start)?;
                 self.skip(start, usize::from(length))?;
-                Value::Text(b"")
+                DxfValue::Text(b"")
             }
             -5..=1071 => {
                 let rest = &self.bytes[self.position..];
                 let end = rest.iter().position(|&byte| byte == 0).ok_or((start, CUT))?;
                 self.position += end + 1;
-                Value::Text(rest[..end].trim_ascii())
+                DxfValue::Text(rest[..end].trim_ascii())
             }
             _ => return Err((start, DrawingFlaw::Code { found: code.to_string() })),
         };
         Ok(Some(Pair { code, value, at: start, start }))
     }
 
-    fn take<const N: usize>(&mut self, start: usize) -> Result<[u8; N], Fault> {
+    fn take<const N: usize>(&mut self, start: usize) -> Result<[u8; N], DxfFault> {
         let bytes = self.bytes[self.position..].first_chunk().ok_or((start, CUT))?;
         self.position += N;
         Ok(*bytes)
     }
 
-    fn skip(&mut self, start: usize, length: usize) -> Result<(), Fault> {
+    fn skip(&mut self, start: usize, length: usize) -> Result<(), DxfFault> {
         if self.bytes.len() - self.position < length {
             return Err((start, CUT));
         }
@@ -293,7 +293,7 @@ mod tests {
         for bytes in [short, long] {
             let mut pairs = Pairs::new(&bytes);
             assert_eq!(pairs.next().unwrap().unwrap().text(), b"SECTION");
-            assert_eq!(pairs.next().unwrap().unwrap().value, Value::Real(1.5));
+            assert_eq!(pairs.next().unwrap().unwrap().value, DxfValue::Real(1.5));
             let named = pairs.next().unwrap().unwrap();
             assert_eq!((named.code, named.text()), (1000, &b"x"[..]));
             assert_eq!(pairs.next(), Ok(None));

@@ -1,18 +1,17 @@
 //! Goes through the pairs of a DXF once: header, layers, blocks and entities.
 
 use super::{
-    entities::{Batch, Refused},
-    entity::{Entity, kind_of},
-    local::{Body, Content, Source},
-    pairs::{Fault, Pair, Pairs, code_page, decode},
+    entity::{Entity, EntityKind, kind_of},
+    local::{DxfBlock, DxfContent, EntitySource, RefusedEntity},
+    pairs::{DxfFault, Pair, Pairs, code_page, decode},
     units,
 };
 use crate::{
-    Role, colours,
+    DrawingFlaw, Role, colours,
     model::{Builder, check_coordinate},
 };
 use encoding_rs::Encoding;
-use robovac_core::{floorplan::DrawingFlaw, geometry::Point};
+use robovac_core::geometry::Point;
 
 /// Most blocks of a drawing.
 const MAX_BLOCKS: usize = 100_000;
@@ -22,7 +21,7 @@ pub(super) type Stopped = (String, DrawingFlaw);
 
 /// What a DXF holds.
 pub(super) struct Scanned {
-    pub content: Content,
+    pub content: DxfContent,
     pub builder: Builder,
     pub metre: Option<f64>,
     pub is_text: bool,
@@ -35,18 +34,16 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scanned, Stopped> {
         code_page: encoding_rs::WINDOWS_1252,
         metre: None,
         builder: Builder::new(),
-        content: Content::new(),
-        batch: Batch::new(),
+        content: DxfContent::new(),
         entity: None,
         counted: 0,
         has_entities: false,
     };
     match scan.sections() {
         Ok(()) => {}
-        Err(Stop::At(at, flaw)) => return Err((place(scan.pairs.is_text(), at), flaw)),
-        Err(Stop::In(refused)) => {
-            let place = scan.content.place(&refused.source, &scan.builder, scan.pairs.is_text());
-            return Err((place, refused.flaw));
+        Err(ScanStop::At(at, flaw)) => return Err((place(scan.pairs.is_text(), at), flaw)),
+        Err(ScanStop::In((source, flaw))) => {
+            return Err((scan.content.place(&source, &scan.builder, scan.pairs.is_text()), flaw));
         }
     }
     let is_text = scan.pairs.is_text();
@@ -57,9 +54,9 @@ fn place(is_text: bool, at: usize) -> String {
     format!("{} {at}", if is_text { "line" } else { "byte" })
 }
 
-impl Content {
+impl DxfContent {
     /// Where an entity is, in words.
-    pub fn place(&self, source: &Source, builder: &Builder, is_text: bool) -> String {
+    pub fn place(&self, source: &EntitySource, builder: &Builder, is_text: bool) -> String {
         let block = match self.bodies.get(source.body).map(|body| body.name.as_str()) {
             None | Some("") => String::new(),
             Some(name) => format!(" of block \"{name}\""),
@@ -69,19 +66,19 @@ impl Content {
     }
 }
 
-enum Stop {
+enum ScanStop {
     At(usize, DrawingFlaw),
-    In(Refused),
+    In(RefusedEntity),
 }
 
-impl From<Fault> for Stop {
-    fn from((at, flaw): Fault) -> Self {
+impl From<DxfFault> for ScanStop {
+    fn from((at, flaw): DxfFault) -> Self {
         Self::At(at, flaw)
     }
 }
 
-impl From<Refused> for Stop {
-    fn from(refused: Refused) -> Self {
+impl From<RefusedEntity> for ScanStop {
+    fn from(refused: RefusedEntity) -> Self {
         Self::In(refused)
     }
 }
@@ -91,17 +88,16 @@ struct Scan<'a> {
     code_page: &'static Encoding,
     metre: Option<f64>,
     builder: Builder,
-    content: Content,
-    batch: Batch,
+    content: DxfContent,
     /// The entity that is being read.
-    entity: Option<Entity>,
+    entity: Option<Entity<'a>>,
     /// Entities of the body that is being read, so far.
     counted: u32,
     has_entities: bool,
 }
 
 impl<'a> Scan<'a> {
-    fn sections(&mut self) -> Result<(), Stop> {
+    fn sections(&mut self) -> Result<(), ScanStop> {
         while let Some(pair) = self.pairs.next()? {
             match (pair.code, pair.text()) {
                 (0, b"EOF") => break,
@@ -111,35 +107,34 @@ impl<'a> Scan<'a> {
                     b"BLOCKS" => self.blocks()?,
                     b"ENTITIES" if self.has_entities => {
                         let what = "there is a second ENTITIES section";
-                        return Err(Stop::At(pair.at, DrawingFlaw::Structure { what }));
+                        return Err(ScanStop::At(pair.at, DrawingFlaw::Structure { what }));
                     }
                     b"ENTITIES" => self.model()?,
                     _ => while !is_end(&self.must("inside a skipped section")?, b"ENDSEC") {},
                 },
                 (0, _) => {
                     let what = "a section should begin here";
-                    return Err(Stop::At(pair.at, DrawingFlaw::Structure { what }));
+                    return Err(ScanStop::At(pair.at, DrawingFlaw::Structure { what }));
                 }
                 _ => {}
             }
         }
         if !self.has_entities {
-            return Err(Stop::At(0, DrawingFlaw::CutOff { place: "before the ENTITIES section" }));
+            return Err(ScanStop::At(0, DrawingFlaw::CutOff { place: "before the ENTITIES section" }));
         }
-        let builder = &mut self.builder;
-        Ok(self.batch.flush(&mut self.content, &mut |what| builder.leave_out(what, 1))?)
+        Ok(())
     }
 
-    fn section_name(&mut self) -> Result<&'a [u8], Stop> {
+    fn section_name(&mut self) -> Result<&'a [u8], ScanStop> {
         let pair = self.must("after the start of a section")?;
         if pair.code != 2 {
-            return Err(Stop::At(pair.at, DrawingFlaw::Structure { what: "the previous section has no name" }));
+            return Err(ScanStop::At(pair.at, DrawingFlaw::Structure { what: "the previous section has no name" }));
         }
         Ok(pair.text())
     }
 
     /// The next pair, where the file can't end.
-    fn must(&mut self, place: &'static str) -> Result<Pair<'a>, Fault> {
+    fn must(&mut self, place: &'static str) -> Result<Pair<'a>, DxfFault> {
         let end = self.pairs.position();
         let is_text = self.pairs.is_text();
         match self.pairs.next()? {
@@ -148,7 +143,7 @@ impl<'a> Scan<'a> {
         }
     }
 
-    fn header(&mut self) -> Result<(), Stop> {
+    fn header(&mut self) -> Result<(), ScanStop> {
         let mut variable: &[u8] = b"";
         loop {
             let pair = self.must("within its header")?;
@@ -162,13 +157,13 @@ impl<'a> Scan<'a> {
         }
     }
 
-    fn tables(&mut self) -> Result<(), Stop> {
+    fn tables(&mut self) -> Result<(), ScanStop> {
         let mut layer: Option<LayerRecord<'a>> = None;
         loop {
             let pair = self.must("within its tables")?;
             if pair.code == 0 {
                 if let Some(layer) = layer.take() {
-                    self.add_layer(&layer).map_err(|flaw| Stop::At(pair.at, flaw))?;
+                    self.add_layer(&layer).map_err(|flaw| ScanStop::At(pair.at, flaw))?;
                 }
                 match pair.text() {
                     b"ENDSEC" => return Ok(()),
@@ -203,7 +198,7 @@ impl<'a> Scan<'a> {
         Ok(())
     }
 
-    fn blocks(&mut self) -> Result<(), Stop> {
+    fn blocks(&mut self) -> Result<(), ScanStop> {
         loop {
             let pair = self.must("within its blocks")?;
             match (pair.code, pair.text()) {
@@ -214,9 +209,9 @@ impl<'a> Scan<'a> {
         }
     }
 
-    fn block(&mut self, at: usize) -> Result<(), Stop> {
+    fn block(&mut self, at: usize) -> Result<(), ScanStop> {
         if self.content.bodies.len() > MAX_BLOCKS {
-            return Err(Stop::At(at, DrawingFlaw::TooMany { what: "blocks", most: MAX_BLOCKS }));
+            return Err(ScanStop::At(at, DrawingFlaw::TooMany { what: "blocks", most: MAX_BLOCKS }));
         }
         let (mut name, mut base) = (&b""[..], Point::origin());
         let first = loop {
@@ -229,30 +224,28 @@ impl<'a> Scan<'a> {
                 _ => {}
             }
         };
-        check_coordinate(base.x).and(check_coordinate(base.y)).map_err(|flaw| Stop::At(at, flaw))?;
+        check_coordinate(base.x).and(check_coordinate(base.y)).map_err(|flaw| ScanStop::At(at, flaw))?;
         let name = decode(name, self.code_page);
-        self.content.bodies.push(Body { name, base, strokes: 0..0, inserts: 0..0 });
+        self.content.bodies.push(DxfBlock { name, base, strokes: 0..0, inserts: 0..0 });
         self.entities(first, self.content.bodies.len() - 1, b"ENDBLK")
     }
 
-    fn model(&mut self) -> Result<(), Stop> {
+    fn model(&mut self) -> Result<(), ScanStop> {
         self.has_entities = true;
         let first = self.must("within its entities")?;
         self.entities(first, 0, b"ENDSEC")
     }
 
     /// Reads entities until `end`. A block whose end is missing ends with its section.
-    fn entities(&mut self, first: Pair<'a>, body: usize, end: &[u8]) -> Result<(), Stop> {
+    fn entities(&mut self, first: Pair<'a>, body: usize, end: &[u8]) -> Result<(), ScanStop> {
         self.counted = 0;
         let mut pair = first;
         loop {
             if pair.code == 0 {
                 let name = pair.text();
-                let goes_on = matches!((&self.entity, name), (Some(entity), b"VERTEX") if entity.is_polyline());
-                if goes_on {
-                    if let Some(entity) = &mut self.entity {
-                        entity.begin_vertex();
-                    }
+                let polyline = self.entity.as_mut().filter(|entity| entity.kind == EntityKind::Polyline);
+                if let (Some(entity), b"VERTEX") = (polyline, name) {
+                    entity.begin_vertex();
                 } else {
                     self.finish_entity()?;
                     if name == end {
@@ -260,7 +253,7 @@ impl<'a> Scan<'a> {
                     }
                     if matches!(name, b"ENDSEC" | b"EOF" | b"BLOCK" | b"SECTION") {
                         let what = "the end of the previous block or section is missing";
-                        return Err(Stop::At(pair.at, DrawingFlaw::Structure { what }));
+                        return Err(ScanStop::At(pair.at, DrawingFlaw::Structure { what }));
                     }
                     self.begin_entity(name, pair.at, body);
                 }
@@ -269,7 +262,7 @@ impl<'a> Scan<'a> {
             {
                 // Which entity it is tells more than the line alone.
                 let source = self.source(at)?;
-                return Err(Stop::In(Refused { source, flaw }));
+                return Err(ScanStop::In((source, flaw)));
             }
             pair = self.must(if body == 0 { "within its entities" } else { "within a block" })?;
         }
@@ -288,15 +281,15 @@ impl<'a> Scan<'a> {
     }
 
     /// Where the entity that is being read comes from, with `at` as its place.
-    fn source(&mut self, at: usize) -> Result<Source, Stop> {
-        let Some(entity) = &self.entity else { return Ok(Source { number: 0, layer: 0, at, body: 0 }) };
-        let name = if entity.layer.is_empty() { "0".into() } else { decode(&entity.layer, self.code_page) };
+    fn source(&mut self, at: usize) -> Result<EntitySource, ScanStop> {
+        let Some(entity) = &self.entity else { return Ok(EntitySource { number: 0, layer: 0, at, body: 0 }) };
+        let name = if entity.layer.is_empty() { "0".into() } else { decode(entity.layer, self.code_page) };
         let (number, body) = (entity.number, entity.body);
-        let layer = self.builder.layer(&name).map_err(|flaw| Stop::At(at, flaw))?;
-        Ok(Source { number, layer, at, body })
+        let layer = self.builder.layer(&name).map_err(|flaw| ScanStop::At(at, flaw))?;
+        Ok(EntitySource { number, layer, at, body })
     }
 
-    fn finish_entity(&mut self) -> Result<(), Stop> {
+    fn finish_entity(&mut self) -> Result<(), ScanStop> {
         let Some(at) = self.entity.as_ref().map(|entity| entity.at) else { return Ok(()) };
         let source = self.source(at)?;
         let Some(entity) = self.entity.take() else { return Ok(()) };
@@ -307,17 +300,11 @@ impl<'a> Scan<'a> {
         } else if entity.is_mesh() {
             Some("meshes")
         } else {
-            None
+            let block = decode(entity.block, self.code_page);
+            entity.draw(source, block, &mut self.content).map_err(|flaw| (source, flaw))?
         };
         if let Some(what) = left_out {
             self.builder.leave_out(what, 1);
-            return Ok(());
-        }
-        let block = if entity.block.is_empty() { String::new() } else { decode(&entity.block, self.code_page) };
-        entity.hand_over(source, block, &mut self.batch);
-        if self.batch.is_full() {
-            let builder = &mut self.builder;
-            self.batch.flush(&mut self.content, &mut |what| builder.leave_out(what, 1))?;
         }
         Ok(())
     }

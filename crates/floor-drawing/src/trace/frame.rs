@@ -1,20 +1,20 @@
 //! Transform between a room's cells and a drawing.
 
-use crate::model::Drawing;
+use crate::{Drawing, DrawingFlaw};
 use robovac_core::{
-    floorplan::{DrawingFlaw, MAX_SIDE},
+    floor_plan::MAX_SIDE,
     geometry::{Point, Vector},
     math::ceil,
 };
 
 /// An upright rectangle.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Bounds {
+pub(super) struct BoundingBox {
     pub low: Point,
     pub high: Point,
 }
 
-impl Bounds {
+impl BoundingBox {
     pub fn of(points: impl IntoIterator<Item = Point>) -> Option<Self> {
         let mut points = points.into_iter();
         let first = points.next()?;
@@ -27,7 +27,7 @@ impl Bounds {
 
 /// A grid of cells on a drawing.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Frame {
+pub(super) struct RasterFrame {
     /// Lower-left corner, drawing units.
     pub low: Point,
     /// Side of a cell, drawing units.
@@ -36,9 +36,9 @@ pub(super) struct Frame {
     pub size: [i32; 2],
 }
 
-impl Frame {
+impl RasterFrame {
     /// Cells for all of the bounds, with `margin` more of them on every side.
-    pub fn around(bounds: &Bounds, side: f64, margin: i32) -> Self {
+    pub fn around(bounds: &BoundingBox, side: f64, margin: i32) -> Self {
         let size = bounds.high - bounds.low;
         let count = |length: f64| ceil(length / side - 1e-9).max(1).saturating_add(2 * margin);
         let low = bounds.low - Vector::repeat(side * f64::from(margin));
@@ -83,7 +83,7 @@ impl Frame {
 }
 
 /// Bounds of strokes.
-pub(super) fn bounds_of(drawing: &Drawing, mut is_meant: impl FnMut(u32) -> bool) -> Option<Bounds> {
+pub(super) fn bounds_of(drawing: &Drawing, mut is_meant: impl FnMut(u32) -> bool) -> Option<BoundingBox> {
     let strokes = drawing.strokes.iter().filter(|stroke| is_meant(stroke.layer));
-    Bounds::of(strokes.flat_map(|stroke| drawing.corners(stroke)).copied())
+    BoundingBox::of(strokes.flat_map(|stroke| drawing.corners(stroke)).copied())
 }

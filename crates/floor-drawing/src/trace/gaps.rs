@@ -18,19 +18,21 @@ const DETOUR: f64 = 3.0;
 const MAX_SQUARES: usize = 1024;
 
 /// A wall's stroke as its corners; `is_closed` if its last corner is joined to its first.
-pub(super) struct Wall<'a> {
+pub(super) struct WallStroke<'a> {
     pub corners: &'a [Point],
     pub is_closed: bool,
 }
 
 /// Lines that close gaps of up to `gap`: from ends of strokes that nothing touches to the nearest such end or wall,
 /// nearest first, one for every end. What is closer than `touching` counts as joined. All in the same unit.
-pub(super) fn bridges(walls: &[Wall<'_>], gap: f64, touching: f64) -> Vec<[Point; 2]> {
-    let mut ends: Vec<End> = Vec::new();
+pub(super) fn bridges(walls: &[WallStroke<'_>], gap: f64, touching: f64) -> Vec<[Point; 2]> {
+    let mut ends: Vec<StrokeEnd> = Vec::new();
     for (wall, stroke) in walls.iter().enumerate().filter(|(_, stroke)| !stroke.is_closed) {
         let last = stroke.corners.len().saturating_sub(1);
         let both = [(0, stroke.corners.first()), (last, stroke.corners.last())];
-        ends.extend(both.into_iter().filter_map(|(corner, at)| Some(End { at: *at?, wall, corner, nearest: None })));
+        ends.extend(
+            both.into_iter().filter_map(|(corner, at)| Some(StrokeEnd { at: *at?, wall, corner, nearest: None })),
+        );
     }
     let Some(squares) = Squares::of(&ends, gap.max(touching)) else { return Vec::new() };
     let mut left = MAX_COMPARISONS;
@@ -65,7 +67,7 @@ pub(super) fn bridges(walls: &[Wall<'_>], gap: f64, touching: f64) -> Vec<[Point
         }
     }
     let mut candidates: Vec<Candidate> = Vec::new();
-    let is_free = |end: &End| end.nearest.is_none_or(|(away, _)| away > touching);
+    let is_free = |end: &StrokeEnd| end.nearest.is_none_or(|(away, _)| away > touching);
     for (index, end) in ends.iter().enumerate().filter(|(_, end)| is_free(end)) {
         let finished = candidates.len();
         let mut searched = ControlFlow::Continue(());
@@ -115,11 +117,11 @@ pub(super) fn bridges(walls: &[Wall<'_>], gap: f64, touching: f64) -> Vec<[Point
 }
 
 /// Of a stroke from its first corner to its last; a closed one has no ends that it would matter to.
-fn length(stroke: &Wall<'_>) -> f64 {
+fn length(stroke: &WallStroke<'_>) -> f64 {
     if stroke.is_closed { 0.0 } else { stroke.corners.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum() }
 }
 
-struct End {
+struct StrokeEnd {
     at: Point,
     wall: usize,
     /// Index of its corner in its wall.
@@ -151,7 +153,7 @@ struct Squares {
 }
 
 impl Squares {
-    fn of(ends: &[End], reach: f64) -> Option<Self> {
+    fn of(ends: &[StrokeEnd], reach: f64) -> Option<Self> {
         let low = ends.iter().map(|end| end.at).reduce(|low, at| low.inf(&at))?;
         let high = ends.iter().map(|end| end.at).reduce(|high, at| high.sup(&at))?;
         let size = high - low;
@@ -160,7 +162,7 @@ impl Squares {
         let (columns, rows) = (count(size.x), count(size.y));
         let mut squares =
             Self { low, side, reach, columns, rows, starts: vec![0; columns * rows + 1], ends: vec![0; ends.len()] };
-        let square = |end: &End| {
+        let square = |end: &StrokeEnd| {
             let cell = (end.at - low) / side;
             let [x, y] = [cell.x as usize, cell.y as usize];
             y.min(rows - 1) * columns + x.min(columns - 1)
@@ -244,7 +246,8 @@ mod tests {
     fn closed(strokes: &[&[(f64, f64)]], gap: f64) -> Vec<[(f64, f64); 2]> {
         let corners: Vec<Vec<Point>> =
             strokes.iter().map(|stroke| stroke.iter().map(|&(x, y)| Point::new(x, y)).collect()).collect();
-        let walls: Vec<Wall<'_>> = corners.iter().map(|corners| Wall { corners, is_closed: false }).collect();
+        let walls: Vec<WallStroke<'_>> =
+            corners.iter().map(|corners| WallStroke { corners, is_closed: false }).collect();
         bridges(&walls, gap, 0.001).into_iter().map(|ends| ends.map(|end| (end.x, end.y))).collect()
     }
 
@@ -298,10 +301,11 @@ mod tests {
         let strokes: Vec<[Point; 2]> = (0..7000)
             .map(|i| [0.0, 0.5].map(|y| Point::new(f64::from(i) * 1e-4, y + f64::from(i % 7) * 0.01)))
             .collect();
-        let walls: Vec<Wall<'_>> = strokes.iter().map(|corners| Wall { corners, is_closed: false }).collect();
+        let walls: Vec<WallStroke<'_>> =
+            strokes.iter().map(|corners| WallStroke { corners, is_closed: false }).collect();
         assert!(bridges(&walls, 1.0, 1e-6).is_empty());
-        let ends: Vec<End> =
-            strokes.iter().map(|corners| End { at: corners[0], wall: 0, corner: 0, nearest: None }).collect();
+        let ends: Vec<StrokeEnd> =
+            strokes.iter().map(|corners| StrokeEnd { at: corners[0], wall: 0, corner: 0, nearest: None }).collect();
         let squares = Squares::of(&ends, 1.0).unwrap();
         let (mut left, mut seen) = (6999, 0);
         assert!(squares.near(ends[0].at, ends[0].at, &mut left, |_| seen += 1).is_break());

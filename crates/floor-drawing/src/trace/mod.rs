@@ -7,13 +7,11 @@ mod raster;
 mod region;
 mod solids;
 
-use super::{Drawing, Region, Role, Traced, Tracing, model::bad};
-use frame::{Bounds, Frame, bounds_of};
-use raster::Canvas;
+use super::{Drawing, DrawingError, DrawingFlaw, DrawingRegion, Role, Traced, Tracing, error::bad};
+use frame::{BoundingBox, RasterFrame, bounds_of};
+use raster::RasterCanvas;
 use robovac_core::{
-    floorplan::{
-        DrawingFlaw, FloorPlan, MAX_CORNERS, MAX_RESOLUTION, MAX_SIDE, MIN_RESOLUTION, MapError, crossing, encloses,
-    },
+    floor_plan::{FloorPlan, MAX_CORNERS, MAX_RESOLUTION, MAX_SIDE, MIN_RESOLUTION, crossing, encloses},
     geometry::{Point, Pose},
     grid::{Cell, Grid, Occupancy},
     math::{ceil, floor},
@@ -39,34 +37,34 @@ const FIRST_LOOK: i32 = 512;
 /// openings up to the same width are closed however the walls beside them are drawn: walls that are outlines have no free ends.
 ///
 /// ```
-/// use floor_drawing::{Region, Role, Tracing, read, trace};
-/// use robovac_core::floorplan::{SourceFile, to_ascii};
+/// use floor_drawing::{DrawingRegion, Role, Tracing, read, trace};
+/// use robovac_core::floor_plan::{SourceFile, to_ascii};
 /// let dxf = "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\nWALL\n70\n1\n10\n0\n20\n0\n10\n3000\n20\n0\n10\n3000\n20\n2000\n\
 ///            10\n0\n20\n2000\n0\nENDSEC\n0\nEOF\n";
 /// let drawing = read(&SourceFile { name: "room.dxf".into(), bytes: dxf.into() })?;
 /// let how =
-///     Tracing { roles: vec![Role::Wall], metre: 0.001, gap: 0.0, resolution: 0.5, region: Region::Whole };
+///     Tracing { roles: vec![Role::Wall], metre: 0.001, gap: 0.0, resolution: 0.5, region: DrawingRegion::Whole };
 /// let room = trace(&drawing, &how)?;
 /// assert!(to_ascii(&room.plan).ends_with(
 ///     "##########\n##########\n###.....##\n###.....##\n###.....##\n##########\n##########\n##########\n"
 /// ));
-/// # Ok::<(), robovac_core::floorplan::MapError>(())
+/// # Ok::<(), floor_drawing::DrawingError>(())
 /// ```
-pub fn trace(drawing: &Drawing, how: &Tracing) -> Result<Traced, MapError> {
-    Tracer::new(drawing, how).and_then(|tracer| tracer.run()).map_err(|flaw| bad(&drawing.name, "", flaw))
+pub fn trace(drawing: &Drawing, how: &Tracing) -> Result<Traced, DrawingError> {
+    RoomTracer::new(drawing, how).and_then(|tracer| tracer.run()).map_err(|flaw| bad(&drawing.name, "", flaw))
 }
 
-struct Tracer<'a> {
+struct RoomTracer<'a> {
     drawing: &'a Drawing,
     how: &'a Tracing,
     /// Box around all that isn't ignored, drawing units.
-    bounds: Bounds,
+    bounds: BoundingBox,
     /// Side of a cell, drawing units.
     side: f64,
     bridges: Vec<[Point; 2]>,
 }
 
-impl<'a> Tracer<'a> {
+impl<'a> RoomTracer<'a> {
     fn new(drawing: &'a Drawing, how: &'a Tracing) -> Result<Self, DrawingFlaw> {
         let (layers, roles) = (drawing.layers.len(), how.roles.len());
         if layers != roles || drawing.strokes.iter().any(|stroke| stroke.layer as usize >= roles) {
@@ -89,12 +87,12 @@ impl<'a> Tracer<'a> {
 
     fn bridges(&self) -> Vec<[Point; 2]> {
         let is_wall = |layer: u32| self.how.roles[layer as usize] == Role::Wall;
-        let walls: Vec<gaps::Wall<'_>> = self
+        let walls: Vec<gaps::WallStroke<'_>> = self
             .drawing
             .strokes
             .iter()
             .filter(|stroke| is_wall(stroke.layer))
-            .map(|stroke| gaps::Wall { corners: self.drawing.corners(stroke), is_closed: stroke.is_closed })
+            .map(|stroke| gaps::WallStroke { corners: self.drawing.corners(stroke), is_closed: stroke.is_closed })
             .collect();
         let gap = self.how.gap.min(1e6) / self.how.metre;
         gaps::bridges(&walls, gap, TOUCHING / self.how.metre)
@@ -102,15 +100,15 @@ impl<'a> Tracer<'a> {
 
     fn run(&self) -> Result<Traced, DrawingFlaw> {
         match &self.how.region {
-            Region::Whole => self.whole(),
-            Region::Rectangle { low, high } => self.rectangle(*low, *high),
-            Region::Polygon(outline) => self.polygon(outline),
-            Region::Room(point) => self.room(*point),
+            DrawingRegion::Whole => self.whole(),
+            DrawingRegion::Rectangle { low, high } => self.rectangle(*low, *high),
+            DrawingRegion::Polygon(outline) => self.polygon(outline),
+            DrawingRegion::Room(point) => self.room(*point),
         }
     }
 
     fn whole(&self) -> Result<Traced, DrawingFlaw> {
-        let frame = Frame::around(&self.bounds, self.side, MARGIN);
+        let frame = RasterFrame::around(&self.bounds, self.side, MARGIN);
         frame.check(self.how.metre)?;
         let walls = self.walls(&frame)?;
         let inside = region::enclosed(&walls, self.how.resolution);
@@ -123,7 +121,7 @@ impl<'a> Tracer<'a> {
             return self.furnished(&frame, &inside);
         }
         let margin = ceil(OPEN_MARGIN / self.how.resolution).max(MARGIN);
-        let frame = Frame::around(&self.bounds, self.side, margin);
+        let frame = RasterFrame::around(&self.bounds, self.side, margin);
         frame.check(self.how.metre)?;
         let walls = self.walls(&frame)?;
         self.furnished(&frame, &walls.map(|is_wall| !is_wall))
@@ -132,7 +130,7 @@ impl<'a> Tracer<'a> {
     /// What walls enclose if openings in them are closed, if that is more than the `closed` cells that they enclose anyway.
     fn whole_with_open_doors(&self, closed: usize) -> Result<Option<Traced>, DrawingFlaw> {
         let gap = self.how.gap / self.how.resolution;
-        let frame = Frame::around(&self.bounds, self.side, ceil(gap.min(1e6)).saturating_add(MARGIN));
+        let frame = RasterFrame::around(&self.bounds, self.side, ceil(gap.min(1e6)).saturating_add(MARGIN));
         if gap <= 0.0 || frame.check(self.how.metre).is_err() {
             return Ok(None);
         }
@@ -150,7 +148,7 @@ impl<'a> Tracer<'a> {
     }
 
     fn rectangle(&self, a: Point, b: Point) -> Result<Traced, DrawingFlaw> {
-        let frame = self.frame_of(&Bounds { low: a.inf(&b), high: a.sup(&b) })?;
+        let frame = self.frame_of(&BoundingBox { low: a.inf(&b), high: a.sup(&b) })?;
         let walls = self.walls(&frame)?;
         self.furnished(&frame, &walls.map(|is_wall| !is_wall))
     }
@@ -158,7 +156,7 @@ impl<'a> Tracer<'a> {
     fn polygon(&self, outline: &[Point]) -> Result<Traced, DrawingFlaw> {
         let refused = DrawingFlaw::Outline { most: MAX_CORNERS };
         let is_simple = (3..=MAX_CORNERS).contains(&outline.len()) && crossing(outline).is_none();
-        let Some(bounds) = Bounds::of(outline.iter().copied()).filter(|_| is_simple) else { return Err(refused) };
+        let Some(bounds) = BoundingBox::of(outline.iter().copied()).filter(|_| is_simple) else { return Err(refused) };
         let frame = self.frame_of(&bounds)?;
         let mut free = self.walls(&frame)?.map(|is_wall| !is_wall);
         let outline: Vec<Point> = outline.iter().map(|&corner| frame.cells(corner)).collect();
@@ -170,19 +168,19 @@ impl<'a> Tracer<'a> {
     }
 
     /// Cells for a region that was marked, if it is of a size that makes sense.
-    fn frame_of(&self, bounds: &Bounds) -> Result<Frame, DrawingFlaw> {
+    fn frame_of(&self, bounds: &BoundingBox) -> Result<RasterFrame, DrawingFlaw> {
         let size = (bounds.high - bounds.low) * self.how.metre;
         let (width, height) = (size.x, size.y);
         let least = 3.0 * self.how.resolution;
         if width >= least && height >= least {
-            let frame = Frame::around(bounds, self.side, 0);
+            let frame = RasterFrame::around(bounds, self.side, 0);
             return frame.check(self.how.metre).map(|()| frame);
         }
         Err(DrawingFlaw::TooSmall { width, height, resolution: self.how.resolution })
     }
 
     fn room(&self, click: Point) -> Result<Traced, DrawingFlaw> {
-        let all = Frame::around(&self.bounds, self.side, MARGIN);
+        let all = RasterFrame::around(&self.bounds, self.side, MARGIN);
         let at = all.cells(click);
         let not_floor = |what| DrawingFlaw::NotFloor { what, x: click.x, y: click.y };
         let is_inside = at.x >= 0.0 && at.y >= 0.0 && at.x < f64::from(all.size[0]) && at.y < f64::from(all.size[1]);
@@ -200,7 +198,7 @@ impl<'a> Tracer<'a> {
             if walls.is_set(start) {
                 return Err(not_floor("a wall"));
             }
-            let mut blocked = Canvas::new(frame.size);
+            let mut blocked = RasterCanvas::new(frame.size);
             for stroke in solids::solids(self.drawing, &self.how.roles) {
                 blocked.fill(&solids::in_cells(self.drawing, stroke, &frame))?;
             }
@@ -239,14 +237,14 @@ impl<'a> Tracer<'a> {
     /// The room with what stands in it, within one cell of wall. `openings` were closed for it.
     fn cropped(
         &self,
-        frame: &Frame,
+        frame: &RasterFrame,
         mut floor: Grid<bool>,
         walls: &Grid<bool>,
         openings: &[[Point; 2]],
     ) -> Result<Traced, DrawingFlaw> {
         // What stands on the floor has floor beneath it.
-        let mut beneath = Canvas::new(frame.size);
-        let on_floor = solids::Floor::new(&floor);
+        let mut beneath = RasterCanvas::new(frame.size);
+        let on_floor = solids::DrawnFloor::new(&floor);
         for stroke in solids::solids(self.drawing, &self.how.roles) {
             let outline = solids::in_cells(self.drawing, stroke, frame);
             if on_floor.touches(&outline) {
@@ -282,8 +280,8 @@ impl<'a> Tracer<'a> {
     }
 
     /// Cells that walls, closed gaps and open obstacles cross.
-    fn walls(&self, frame: &Frame) -> Result<Grid<bool>, DrawingFlaw> {
-        let mut canvas = Canvas::new(frame.size);
+    fn walls(&self, frame: &RasterFrame) -> Result<Grid<bool>, DrawingFlaw> {
+        let mut canvas = RasterCanvas::new(frame.size);
         for stroke in &self.drawing.strokes {
             let stops = match self.how.roles[stroke.layer as usize] {
                 Role::Wall => true,
@@ -307,7 +305,7 @@ impl<'a> Tracer<'a> {
         Ok(canvas.cells)
     }
 
-    fn furnished(&self, frame: &Frame, floor: &Grid<bool>) -> Result<Traced, DrawingFlaw> {
+    fn furnished(&self, frame: &RasterFrame, floor: &Grid<bool>) -> Result<Traced, DrawingFlaw> {
         let metre = self.how.metre;
         let mut plan = FloorPlan {
             name: self.drawing.name.clone(),

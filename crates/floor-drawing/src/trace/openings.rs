@@ -8,7 +8,7 @@ use robovac_core::{
 use std::collections::VecDeque;
 
 /// A part of the floor that openings bound.
-pub(super) struct Part {
+pub(super) struct FloorPart {
     pub cells: Grid<bool>,
     /// Whether it goes to the border.
     pub meets_border: bool,
@@ -20,7 +20,7 @@ pub(super) struct Part {
 /// it leaves out. So openings up to that width are closed, however the walls beside them are drawn.
 ///
 /// A cell that lies nearer to the border than to the next wall counts as wide: outside there is room.
-pub(super) fn part(blocked: &Grid<bool>, seeds: impl IntoIterator<Item = Cell>, widest: f64) -> Part {
+pub(super) fn part(blocked: &Grid<bool>, seeds: impl IntoIterator<Item = Cell>, widest: f64) -> FloorPart {
     let moves = chessboard(blocked);
     // A square that is n moves from the next wall is 2 n - 1 cells wide.
     let least = ceil((widest / 2.0).clamp(0.0, 200.0)) + 1;
@@ -66,7 +66,7 @@ pub(super) fn part(blocked: &Grid<bool>, seeds: impl IntoIterator<Item = Cell>, 
     }
     niches(blocked, &mut cells, |cell| is_wide(cell) || from_border(cell) == 0);
     let openings = openings(blocked, &cells);
-    Part { cells, meets_border, openings }
+    FloorPart { cells, meets_border, openings }
 }
 
 /// The nearest cell, in steps over free cells, where the square fits.

@@ -1,7 +1,7 @@
 //! Rasterises strokes and outlines.
 
+use crate::DrawingFlaw;
 use robovac_core::{
-    floorplan::DrawingFlaw,
     geometry::Point,
     grid::Grid,
     math::{ceil, floor},
@@ -12,12 +12,12 @@ use std::ops::Range;
 const MAX_WORK: usize = 500_000_000;
 
 /// A grid that is drawn on, in cells from its lower-left corner. What lies outside is left out.
-pub(super) struct Canvas {
+pub(super) struct RasterCanvas {
     pub cells: Grid<bool>,
     work: usize,
 }
 
-impl Canvas {
+impl RasterCanvas {
     pub fn new(size: [i32; 2]) -> Self {
         Self { cells: Grid::filled(size[0].max(1) as usize, size[1].max(1) as usize, false), work: 0 }
     }
@@ -95,8 +95,8 @@ mod tests {
     use super::*;
     use robovac_core::grid::picture;
 
-    fn drawn(size: [i32; 2], draw: impl Fn(&mut Canvas)) -> String {
-        let mut canvas = Canvas::new(size);
+    fn drawn(size: [i32; 2], draw: impl Fn(&mut RasterCanvas)) -> String {
+        let mut canvas = RasterCanvas::new(size);
         draw(&mut canvas);
         picture(&canvas.cells, |&is_set| if is_set { '#' } else { '.' })
     }

@@ -124,7 +124,7 @@ pub(super) fn leak(blocked: &Grid<bool>, start: Cell) -> Option<(Point, f64)> {
 mod tests {
     use super::*;
     use robovac_core::{
-        floorplan::generate::random_clutter,
+        floor_plan::generate::random_clutter,
         grid::{from_picture, picture, reachable},
     };
 

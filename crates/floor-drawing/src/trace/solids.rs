@@ -1,14 +1,12 @@
 //! Closed outlines of obstacles on the floor.
 
 use super::{
-    frame::{Bounds, Frame},
-    raster::Canvas,
+    frame::{BoundingBox, RasterFrame},
+    raster::RasterCanvas,
 };
-use crate::{Drawing, Role, model::Stroke};
+use crate::{Drawing, DrawingFlaw, Role, model::Stroke};
 use robovac_core::{
-    floorplan::{
-        DrawingFlaw, FloorPlan, MAX_CORNERS, MAX_OBJECTS, MAX_SIDE, Object, RADII, crossing, has_area, middle,
-    },
+    floor_plan::{FloorPlan, MAX_CORNERS, MAX_OBJECTS, MAX_SIDE, Object, RADII, crossing, has_area, middle},
     geometry::Point,
     grid::{Cell, Grid, Occupancy},
     math::{ceil, floor},
@@ -25,7 +23,7 @@ pub(super) fn solids<'a>(drawing: &'a Drawing, roles: &'a [Role]) -> impl Iterat
 }
 
 /// A stroke's corners in cells of the frame.
-pub(super) fn in_cells(drawing: &Drawing, stroke: &Stroke, frame: &Frame) -> Vec<Point> {
+pub(super) fn in_cells(drawing: &Drawing, stroke: &Stroke, frame: &RasterFrame) -> Vec<Point> {
     drawing.corners(stroke).iter().map(|&corner| frame.cells(corner)).collect()
 }
 
@@ -35,11 +33,11 @@ pub(super) fn furnish(
     plan: &mut FloorPlan,
     drawing: &Drawing,
     roles: &[Role],
-    frame: &Frame,
+    frame: &RasterFrame,
 ) -> Result<(), DrawingFlaw> {
     let free = plan.occupancy.map(|cell| cell.is_free());
-    let floor = Floor::new(&free);
-    let mut rest = Canvas::new(frame.size);
+    let floor = DrawnFloor::new(&free);
+    let mut rest = RasterCanvas::new(frame.size);
     for stroke in solids(drawing, roles) {
         let outline = in_cells(drawing, stroke, frame);
         let object = if plan.objects.len() < MAX_OBJECTS { object(&outline, plan) } else { None };
@@ -58,23 +56,23 @@ pub(super) fn furnish(
 }
 
 /// The floor that things stand on, with the box around it: most of a large drawing lies outside.
-pub(super) struct Floor<'a> {
+pub(super) struct DrawnFloor<'a> {
     free: &'a Grid<bool>,
-    bounds: Option<Bounds>,
+    bounds: Option<BoundingBox>,
 }
 
-impl<'a> Floor<'a> {
+impl<'a> DrawnFloor<'a> {
     pub fn new(free: &'a Grid<bool>) -> Self {
         let cells = free.iter().filter(|(_, is_free)| **is_free);
         let corner = |cell: Cell, side: i32| Point::new(f64::from(cell.x + side), f64::from(cell.y + side));
         // With the cells beside it.
-        let bounds = Bounds::of(cells.flat_map(|(cell, _)| [corner(cell, -1), corner(cell, 2)]));
+        let bounds = BoundingBox::of(cells.flat_map(|(cell, _)| [corner(cell, -1), corner(cell, 2)]));
         Self { free, bounds }
     }
 
     /// Whether there is floor under an outline or beside it, looked for along its edges and in its middle. In cells.
     pub fn touches(&self, outline: &[Point]) -> bool {
-        let meets = |points: &[Point]| match (self.bounds, Bounds::of(points.iter().copied())) {
+        let meets = |points: &[Point]| match (self.bounds, BoundingBox::of(points.iter().copied())) {
             (Some(ours), Some(other)) => {
                 let is_apart = |axis: usize| ours.low[axis] > other.high[axis] || other.low[axis] > ours.high[axis];
                 !is_apart(0) && !is_apart(1)
@@ -135,7 +133,7 @@ mod tests {
         }
         let square =
             |low: f64, high: f64| [(low, low), (high, low), (high, high), (low, high)].map(|(x, y)| Point::new(x, y));
-        let on = |floor: &Grid<bool>, outline: &[Point]| Floor::new(floor).touches(outline);
+        let on = |floor: &Grid<bool>, outline: &[Point]| DrawnFloor::new(floor).touches(outline);
         assert!(on(&free, &square(41.0, 90.0)) && on(&free, &square(37.0, 39.5)) && on(&free, &square(20.0, 62.0)));
         assert!(!on(&free, &square(43.5, 90.0)) && !on(&free, &square(1.0, 38.5)));
         assert!(!on(&Grid::filled(9, 9, false), &square(1.0, 8.0)));

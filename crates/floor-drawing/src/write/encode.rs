@@ -5,7 +5,7 @@ use encoding_rs::Encoding;
 
 /// A value to be written.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Value {
+pub(super) enum EncodedValue {
     Text(String),
     Real(f64),
     /// Of 16 bits in binary files, as 62 and 70 are.
@@ -29,24 +29,24 @@ impl Writer {
     }
 
     pub fn text(&mut self, code: i32, value: &str) {
-        self.pair(code, &Value::Text(value.to_owned()));
+        self.pair(code, &EncodedValue::Text(value.to_owned()));
     }
 
     pub fn real(&mut self, code: i32, value: f64) {
-        self.pair(code, &Value::Real(value));
+        self.pair(code, &EncodedValue::Real(value));
     }
 
     pub fn short(&mut self, code: i32, value: i64) {
-        self.pair(code, &Value::Short(value));
+        self.pair(code, &EncodedValue::Short(value));
     }
 
-    pub fn pair(&mut self, code: i32, value: &Value) {
+    pub fn pair(&mut self, code: i32, value: &EncodedValue) {
         match self.form {
             Form::Text => {
                 let value = match value {
-                    Value::Text(text) => text.clone(),
-                    Value::Real(real) => format!("{real:?}"),
-                    Value::Short(whole) | Value::Long(whole) => whole.to_string(),
+                    EncodedValue::Text(text) => text.clone(),
+                    EncodedValue::Real(real) => format!("{real:?}"),
+                    EncodedValue::Short(whole) | EncodedValue::Long(whole) => whole.to_string(),
                 };
                 let end = self.line_end;
                 self.bytes.extend(format!("{code:3}{end}").into_bytes());
@@ -59,14 +59,14 @@ impl Writer {
             Form::Long => self.bytes.extend((code as i16).to_le_bytes()),
         }
         match value {
-            Value::Text(text) => {
+            EncodedValue::Text(text) => {
                 let text = self.encoding.encode(text).0;
                 self.bytes.extend(text.iter().filter(|&&byte| byte != 0));
                 self.bytes.push(0);
             }
-            Value::Real(real) => self.bytes.extend(real.to_le_bytes()),
-            Value::Short(whole) => self.bytes.extend((*whole as i16).to_le_bytes()),
-            Value::Long(whole) => self.bytes.extend((*whole as i32).to_le_bytes()),
+            EncodedValue::Real(real) => self.bytes.extend(real.to_le_bytes()),
+            EncodedValue::Short(whole) => self.bytes.extend((*whole as i16).to_le_bytes()),
+            EncodedValue::Long(whole) => self.bytes.extend((*whole as i32).to_le_bytes()),
         }
     }
 }

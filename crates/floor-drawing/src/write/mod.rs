@@ -1,21 +1,20 @@
 //! Adds lines to a DXF on separate layers; nothing else is changed.
 
 mod encode;
+mod landmarks;
 mod room;
-mod survey;
 mod template;
 
 pub use room::outlines;
 
 use super::{
-    Overlay,
+    DrawingError, DrawingFlaw, Overlay,
     dxf::{Pairs, is_dxf},
-    model::bad,
+    error::bad,
 };
-use encode::{Value, Writer};
+use encode::{EncodedValue, Writer};
 use encoding_rs::Encoding;
-use robovac_core::floorplan::{DrawingFlaw, MapError};
-use survey::Survey;
+use landmarks::DxfLandmarks;
 
 /// What messages call the drawing, whose name isn't known here.
 const NAME: &str = "the drawing";
@@ -32,15 +31,15 @@ const FIRST_UNICODE: u32 = 1021;
 ///
 /// ```
 /// use floor_drawing::{Overlay, read, to_dxf};
-/// use robovac_core::{floorplan::SourceFile, geometry::Point};
+/// use robovac_core::{floor_plan::SourceFile, geometry::Point};
 /// let path = Overlay { layer: "PATH".into(), colour: 1, lines: vec![vec![Point::new(0.0, 0.0), Point::new(2.0, 1.0)]] };
 /// let bytes = to_dxf(None, &[path])?;
 /// let drawing = read(&SourceFile { name: "path.dxf".into(), bytes })?;
 /// assert_eq!((drawing.layers[0].name.as_str(), drawing.metre), ("PATH", Some(1.0)));
 /// assert_eq!(drawing.points, [Point::new(0.0, 0.0), Point::new(2.0, 1.0)]);
-/// # Ok::<(), robovac_core::floorplan::MapError>(())
+/// # Ok::<(), floor_drawing::DrawingError>(())
 /// ```
-pub fn to_dxf(original: Option<&[u8]>, overlays: &[Overlay]) -> Result<Vec<u8>, MapError> {
+pub fn to_dxf(original: Option<&[u8]>, overlays: &[Overlay]) -> Result<Vec<u8>, DrawingError> {
     let template;
     let original = match original {
         Some(bytes) if is_dxf(bytes) => bytes,
@@ -50,13 +49,13 @@ pub fn to_dxf(original: Option<&[u8]>, overlays: &[Overlay]) -> Result<Vec<u8>, 
             &template
         }
     };
-    let survey = Survey::of(original).map_err(|(at, flaw)| {
+    let survey = DxfLandmarks::of(original).map_err(|(at, flaw)| {
         bad(NAME, &format!("{} {at}", if Pairs::new(original).is_text() { "line" } else { "byte" }), flaw)
     })?;
     let Some(entities_end) = survey.entities_end else {
         return Err(bad(NAME, "", DrawingFlaw::CutOff { place: "before the end of its entities" }));
     };
-    let mut pen = Pen { next_handle: survey.last_handle + 1, survey: &survey };
+    let mut pen = DxfPen { next_handle: survey.last_handle + 1, survey: &survey };
     let names = pen.names(overlays);
     let mut insertions: Vec<(usize, usize, Vec<u8>)> = Vec::new();
     insertions.extend(pen.layers(overlays, &names));
@@ -80,12 +79,12 @@ pub fn to_dxf(original: Option<&[u8]>, overlays: &[Overlay]) -> Result<Vec<u8>, 
     Ok(result)
 }
 
-struct Pen<'a> {
-    survey: &'a Survey,
+struct DxfPen<'a> {
+    survey: &'a DxfLandmarks,
     next_handle: u64,
 }
 
-impl Pen<'_> {
+impl DxfPen<'_> {
     fn writer(&self) -> Writer {
         Writer::new(self.survey.form, self.survey.is_crlf, self.encoding())
     }
@@ -213,7 +212,7 @@ impl Pen<'_> {
                     writer.text(100, "AcDbEntity");
                     writer.text(8, name);
                     writer.text(100, "AcDbPolyline");
-                    writer.pair(90, &Value::Long(finite.len() as i64));
+                    writer.pair(90, &EncodedValue::Long(finite.len() as i64));
                     writer.short(70, is_closed.into());
                     for corner in finite {
                         writer.real(10, corner.x);

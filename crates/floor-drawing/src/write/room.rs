@@ -2,7 +2,7 @@
 
 use crate::{Overlay, flatten::ellipse};
 use robovac_core::{
-    floorplan::{FloorPlan, Object},
+    floor_plan::{FloorPlan, Object},
     geometry::{Point, Vector},
     grid::{self, Cell, Grid},
     math::TAU,
@@ -12,7 +12,7 @@ use robovac_core::{
 ///
 /// ```
 /// use floor_drawing::outlines;
-/// use robovac_core::floorplan::{SourceFile, load};
+/// use robovac_core::floor_plan::{SourceFile, load};
 /// let bytes = "; resolution 0.5\n####\n#..#\n####\n".into();
 /// let room = load(&[SourceFile { name: "room.txt".into(), bytes }])?;
 /// let walls = &outlines(&room)[0];

@@ -3,14 +3,14 @@
 use super::Bench;
 use robovac_core::{
     coverage::ReachableFloor,
-    floorplan::room,
+    floor_plan::room,
     registry::Params,
-    robot::{OdometryModel, Sensors, model},
+    robot::{OdometryModel, SensorReadings, model},
 };
 use robovac_sim::{
     Conditions, Noise, NoiseLevel, Run, RunSetup, STEP_S, SlipLevel, World,
     controller::{self, Setup},
-    mapping::{Mapper, MapperSetup, RESOLUTION, Tracking, Truth},
+    mapping::{MapTruth, Mapper, MapperSetup, RESOLUTION, Tracking},
 };
 use std::{iter::repeat_with, sync::Arc};
 
@@ -20,11 +20,11 @@ const READINGS: usize = 20_000;
 /// A drive, and a mapper that is about to hear of it.
 pub struct MappingCase {
     /// What a robot reads that follows the walls of the furnished flat, with typical slip and noise.
-    pub readings: Vec<Sensors>,
+    pub readings: Vec<SensorReadings>,
     /// As it begins, with drift to be corrected.
     pub mapper: Mapper,
     /// The flat as it is.
-    pub truth: Truth,
+    pub truth: MapTruth,
 }
 
 impl MappingCase {
@@ -37,7 +37,7 @@ impl MappingCase {
         let behaviour = info.build(&Setup { robot: &robot, params: &params, seed: 1 })?;
         let noise = Noise::all(NoiseLevel::Typical);
         let conditions = Conditions { slip: SlipLevel::Typical, noise, ..Conditions::default() };
-        let truth = Truth::of(&floor, RESOLUTION);
+        let truth = MapTruth::of(&floor, RESOLUTION);
         let mapper = Mapper::new(MapperSetup {
             robot: robot.clone(),
             start: floor.start,

@@ -1,11 +1,11 @@
 //! The benchmark that runs natively (`robovac bench`) and in the browser (`bench.html`), so that both can be compared.
 
-mod drafting;
+mod floor_plan;
 mod mapping;
 mod planning;
 mod streaming;
 
-pub use drafting::{drafting, office_drawing};
+pub use floor_plan::{floor_plan, office_drawing};
 pub use mapping::{MappingCase, mapping};
 pub use planning::{cycle, hall, opening_run, planning};
 pub use streaming::{stream, streaming};

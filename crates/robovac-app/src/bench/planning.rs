@@ -4,7 +4,7 @@ use super::Bench;
 use crate::explore::Session;
 use coverage_planners::{CoverageJob, PLANNERS, PlanContext, SLOW_CELLS};
 use robovac_core::{
-    floorplan::generate::random_hall,
+    floor_plan::generate::random_hall,
     grid::{Cell, Direction},
     registry::Params,
 };

@@ -1,7 +1,7 @@
 //! Benchmarks of the sensor stream.
 
 use super::Bench;
-use robovac_link::{driver::FRAME_S, link::Link};
+use robovac_link::{connection::Connection, driver::FRAME_S};
 use roomba_oi::{MAX_FRAME, PacketId, Readings, StreamParser, write_frame};
 
 /// Bytes of the stream that is parsed, those of one frame of it, and frames that a whole connection hears: a minute.
@@ -20,7 +20,7 @@ pub fn streaming(bench: &mut Bench<'_>) {
     };
     bench.take(&format!("parse {} MB of sensor stream", STREAM_BYTES / 1_000_000), &mut parse, None);
     let mut hear = || {
-        let mut link = Link::new();
+        let mut link = Connection::new();
         for (index, frame) in stream.chunks_exact(FRAME_BYTES).take(HEARD_FRAMES).enumerate() {
             let now = index as f64 * FRAME_S;
             if index == 0 {

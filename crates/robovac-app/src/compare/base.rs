@@ -2,17 +2,17 @@
 
 use super::{RaceSetup, RoomChoice};
 use crate::explore::Session;
-use robovac_core::{floorplan::FloorPlan, geometry::Pose};
-use robovac_sim::experiment::planning::Prepared;
+use robovac_core::{floor_plan::FloorPlan, geometry::Pose};
+use robovac_sim::experiment::planning::RoomSetup;
 use std::sync::Arc;
 
 /// The session's room, robot, start and seed at one moment.
-pub(super) struct Base {
+pub(super) struct ComparisonBase {
     pub plan: Arc<FloorPlan>,
     /// Name of the room.
     pub title: String,
     room: Option<&'static str>,
-    pub prepared: Option<Prepared>,
+    pub prepared: Option<RoomSetup>,
     start: Option<Pose>,
     pub robot: &'static str,
     pub cell_size: f64,
@@ -29,7 +29,7 @@ const SPEED: f64 = 64.0;
 /// Begins the names of rooms that don't ship.
 pub(super) const OWN: &str = "own";
 
-impl Base {
+impl ComparisonBase {
     /// What the session has now; races go at `speed`, or at [`SPEED`].
     pub fn of(session: &Session, speed: Option<f64>) -> Self {
         let settings = session.settings();

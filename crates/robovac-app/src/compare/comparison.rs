@@ -1,15 +1,15 @@
 //! View model of a comparison: entrants, rooms, finished and open trials.
 
 use super::{
-    Progress, Race, RaceSetup, Record, RoomChoice, RoomSet, Row, Table, Trial,
-    base::{Base, OWN},
+    ComparisonTable, Race, RaceSetup, Record, RoomChoice, RoomSet, Row, Trial, TrialProgress,
+    base::{ComparisonBase, OWN},
     race::{MOST_LANES, Racer},
-    trials::{Key, Trials},
+    trials::{TrialKey, Trials},
 };
 use crate::explore::Session;
 use coverage_planners::{Bounds, CoveragePath, PLANNERS};
-use robovac_core::floorplan::{ROOMS, Scenario};
-use robovac_sim::experiment::{Algorithm, Entrant, Outcome, SettingsError, TrialRequest};
+use robovac_core::floor_plan::{ROOMS, Scenario};
+use robovac_sim::experiment::{Algorithm, Entrant, PlanOutcome, SettingsError, TrialRequest};
 use std::{
     collections::{BTreeMap, BTreeSet},
     sync::Arc,
@@ -24,7 +24,7 @@ const MOST_KEPT_CELLS: usize = 8_000_000;
 
 /// Who competes where, and what came out.
 pub struct Comparison {
-    base: Option<Base>,
+    base: Option<ComparisonBase>,
     /// One for each planner of the registry, in its order.
     entrants: Vec<Entrant>,
     chosen: BTreeSet<usize>,
@@ -32,7 +32,7 @@ pub struct Comparison {
     seeds: u32,
     trials: Trials,
     /// Walks to be raced.
-    paths: BTreeMap<Key, CoveragePath>,
+    paths: BTreeMap<TrialKey, CoveragePath>,
     race: Option<Race>,
     races: u32,
     version: u32,
@@ -66,7 +66,7 @@ impl Comparison {
         if self.base.as_ref().is_some_and(|base| base.is_of(session)) {
             return;
         }
-        self.base = Some(Base::of(session, self.race.as_ref().map(Race::speed)));
+        self.base = Some(ComparisonBase::of(session, self.race.as_ref().map(Race::speed)));
         // Earlier states of an own room don't come back.
         let here = self.place(self.here());
         self.trials.retain(|key| !key.starts_with(OWN) || key.starts_with(&here));
@@ -157,7 +157,7 @@ impl Comparison {
     // ---- trials
 
     /// Everything that has to be tried, room by room.
-    fn wanted(&self) -> Vec<(Trial, Key)> {
+    fn wanted(&self) -> Vec<(Trial, TrialKey)> {
         let first = self.base.as_ref().map_or(0, |base| base.seed);
         let names: Vec<(usize, String)> = self.chosen.iter().map(|&i| (i, self.entrants[i].to_string())).collect();
         let mut trials = Vec::new();
@@ -180,7 +180,7 @@ impl Comparison {
 
     /// The session's room.
     pub fn here(&self) -> RoomChoice {
-        self.base.as_ref().map_or(RoomChoice::Own, Base::here)
+        self.base.as_ref().map_or(RoomChoice::Own, ComparisonBase::here)
     }
 
     fn place(&self, room: RoomChoice) -> String {
@@ -218,9 +218,9 @@ impl Comparison {
     }
 
     /// A worker is done.
-    pub fn trial_finished(&mut self, id: u32, result: Result<Outcome, String>) {
+    pub fn trial_finished(&mut self, id: u32, result: Result<PlanOutcome, String>) {
         let Some((trial, key)) = self.trials.end(id) else { return };
-        let result = result.map(|Outcome { numbers, cells }| {
+        let result = result.map(|PlanOutcome { numbers, cells }| {
             if self.base.as_ref().is_some_and(|base| base.seed == trial.seed) {
                 self.keep(&key, CoveragePath { cells });
             }
@@ -232,8 +232,9 @@ impl Comparison {
     }
 
     /// Keeps a walk to be raced.
-    fn keep(&mut self, key: &Key, path: CoveragePath) {
-        let kept = |paths: &BTreeMap<Key, CoveragePath>| paths.values().map(|path| path.cells.len()).sum::<usize>();
+    fn keep(&mut self, key: &TrialKey, path: CoveragePath) {
+        let kept =
+            |paths: &BTreeMap<TrialKey, CoveragePath>| paths.values().map(|path| path.cells.len()).sum::<usize>();
         if kept(&self.paths) + path.cells.len() > MOST_KEPT_CELLS {
             // Whoever comes back to another room has it planned again.
             let here = self.place(self.here());
@@ -267,7 +268,7 @@ impl Comparison {
     }
 
     /// How far a planner is.
-    pub fn progress(&self, entrant: usize) -> Progress<'_> {
+    pub fn progress(&self, entrant: usize) -> TrialProgress<'_> {
         self.trials.progress(entrant)
     }
 
@@ -299,7 +300,7 @@ impl Comparison {
     }
 
     /// The numbers of one room, or of all rooms together.
-    pub fn table(&self, room: Option<RoomChoice>) -> Table {
+    pub fn table(&self, room: Option<RoomChoice>) -> ComparisonTable {
         let rooms = room.map_or_else(|| self.rooms(), |room| vec![room]);
         let rows = self.chosen.iter().map(|&entrant| {
             let results = |&room: &RoomChoice| {
@@ -308,7 +309,7 @@ impl Comparison {
             };
             Row::new(self.entrants[entrant].clone(), entrant, &rooms.iter().map(results).collect::<Vec<_>>())
         });
-        Table::new(rows.collect())
+        ComparisonTable::new(rows.collect())
     }
 
     /// What no walk in a room can do without, once something is known of it.
@@ -394,7 +395,7 @@ impl Comparison {
     }
 }
 
-fn key(place: &str, entrant: &str, seed: u64) -> Key {
+fn key(place: &str, entrant: &str, seed: u64) -> TrialKey {
     format!("{place} {entrant} {seed}")
 }
 

@@ -1,6 +1,6 @@
 //! The Compare tab: planners compared in the same room, with the same robot and the same metrics.
 //!
-//! [`Comparison`] defines the trials and keeps the results, [`Table`] summarises them, [`Race`] lets robots drive the plans
+//! [`Comparison`] defines the trials and keeps the results, [`ComparisonTable`] summarises them, [`Race`] lets robots drive the plans
 //! under one clock, [`Study`] does the same for many runs.
 
 mod base;
@@ -14,8 +14,8 @@ mod trials;
 
 pub use comparison::{Comparison, MOST_SEEDS};
 pub use export::{Record, to_csv, to_json};
-pub use race::{Lane, MOST_LANES, Race, RaceSetup, Racer};
+pub use race::{MOST_LANES, Race, RaceLane, RaceSetup, Racer};
 pub use rooms::{RoomChoice, RoomSet};
 pub use study::{MINUTES, MOST_MINUTES, SEEDS, Study};
-pub use table::{Row, Spread, Table};
-pub use trials::{Progress, Trial};
+pub use table::{ComparisonTable, MedianAndRange, Row};
+pub use trials::{Trial, TrialProgress};

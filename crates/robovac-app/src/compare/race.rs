@@ -1,9 +1,9 @@
 //! Several robots in copies of the same room, under one clock.
 
-use crate::{RobotView, Scene, explore::State};
+use crate::{RobotView, Scene, explore::SessionState};
 use coverage_planners::CoveragePath;
-use robovac_core::{floorplan::FloorPlan, geometry::Point, robot::OdometryModel};
-use robovac_sim::{Conditions, Recording, Run, STEP_S, SlipLevel, experiment::planning::Prepared};
+use robovac_core::{floor_plan::FloorPlan, geometry::Point, robot::OdometryModel};
+use robovac_sim::{Conditions, Run, RunRecording, STEP_S, SlipLevel, experiment::planning::RoomSetup};
 use std::sync::Arc;
 
 /// Most robots in a race.
@@ -44,10 +44,10 @@ pub struct Racer {
 }
 
 /// One robot of a race.
-pub struct Lane {
+pub struct RaceLane {
     /// Who drives here.
     pub racer: Racer,
-    recording: Recording,
+    recording: RunRecording,
     line: Arc<[Point]>,
 }
 
@@ -55,10 +55,10 @@ pub struct Lane {
 ///
 /// All of them have taken the same number of simulation steps, but for those that have arrived.
 pub struct Race {
-    prepared: Prepared,
+    prepared: RoomSetup,
     plan: Arc<FloorPlan>,
     setup: RaceSetup,
-    lanes: Vec<Lane>,
+    lanes: Vec<RaceLane>,
     /// Tells it from other races.
     number: u32,
     /// Steps that the clock has counted, and the furthest that it has been.
@@ -71,7 +71,7 @@ pub struct Race {
 
 impl Race {
     /// A race without robots in `plan`, laid out as `prepared`; `number` tells it from others.
-    pub fn new(number: u32, plan: Arc<FloorPlan>, prepared: Prepared, setup: RaceSetup) -> Self {
+    pub fn new(number: u32, plan: Arc<FloorPlan>, prepared: RoomSetup, setup: RaceSetup) -> Self {
         Self { prepared, plan, setup, lanes: Vec::new(), number, now: 0, end: 0, playing: false, goal: None, due: 0.0 }
     }
 
@@ -83,14 +83,14 @@ impl Race {
         let Some(line) = self.line(path) else { return };
         let RaceSetup { conditions, odometry, seed, .. } = self.setup;
         let run = self.prepared.run_along(&line, conditions, odometry, seed);
-        self.lanes.push(Lane { racer, recording: Recording::within(run, KEY_FRAME_BUDGET / MOST_LANES), line });
+        self.lanes.push(RaceLane { racer, recording: RunRecording::within(run, KEY_FRAME_BUDGET / MOST_LANES), line });
     }
 
     /// Places of the robots, from 1, in the order of [`Race::lanes`]: who has arrived with at least 95 % of the floor
     /// swept by time, before the others by what they have swept.
     pub fn places(&self) -> Vec<usize> {
-        let has_won = |lane: &Lane| lane.run().is_finished() && lane.run().coverage() >= CLEAN;
-        let is_ahead = |a: &Lane, b: &Lane| match (has_won(a), has_won(b)) {
+        let has_won = |lane: &RaceLane| lane.run().is_finished() && lane.run().coverage() >= CLEAN;
+        let is_ahead = |a: &RaceLane, b: &RaceLane| match (has_won(a), has_won(b)) {
             (true, true) => a.run().steps() < b.run().steps(),
             (false, false) => a.run().coverage() > b.run().coverage(),
             (won, _) => won,
@@ -104,7 +104,7 @@ impl Race {
     }
 
     /// The robots, in the order of the registry.
-    pub fn lanes(&self) -> &[Lane] {
+    pub fn lanes(&self) -> &[RaceLane] {
         &self.lanes
     }
 
@@ -114,14 +114,14 @@ impl Race {
     }
 
     /// What the race is doing.
-    pub fn state(&self) -> State {
+    pub fn state(&self) -> SessionState {
         match () {
-            () if self.lanes.is_empty() => State::Failed,
-            () if self.goal.is_some() => State::Seeking,
-            () if self.is_over() => State::Finished,
-            () if self.playing => State::Playing,
-            () if self.now == 0 => State::Ready,
-            () => State::Paused,
+            () if self.lanes.is_empty() => SessionState::Failed,
+            () if self.goal.is_some() => SessionState::Seeking,
+            () if self.is_over() => SessionState::Finished,
+            () if self.playing => SessionState::Playing,
+            () if self.now == 0 => SessionState::Ready,
+            () => SessionState::Paused,
         }
     }
 
@@ -157,7 +157,7 @@ impl Race {
 
     /// Lets time go on, from the start if the race is over.
     pub fn play(&mut self) {
-        if self.state() == State::Finished {
+        if self.state() == SessionState::Finished {
             self.seek(0.0);
         }
         self.playing = true;
@@ -227,8 +227,8 @@ impl Race {
     /// Lets `elapsed_s` seconds pass for all robots, as long as `has_time` says so.
     pub fn frame(&mut self, elapsed_s: f64, has_time: &mut dyn FnMut() -> bool) {
         match self.state() {
-            State::Seeking => self.seek_on(has_time),
-            State::Playing => {
+            SessionState::Seeking => self.seek_on(has_time),
+            SessionState::Playing => {
                 self.due += elapsed_s.clamp(0.0, LONGEST_FRAME) * self.setup.speed / STEP_S;
                 let wanted = if self.setup.speed == 0.0 { u64::MAX } else { self.due as u64 };
                 let taken = self.advance(wanted, has_time);
@@ -258,7 +258,7 @@ impl Race {
     }
 
     /// What is to be drawn of a lane.
-    pub fn scene<'a>(&'a self, lane: &'a Lane) -> Scene<'a> {
+    pub fn scene<'a>(&'a self, lane: &'a RaceLane) -> Scene<'a> {
         let run = lane.recording.run();
         Scene {
             tracker: Some(run.tracker()),
@@ -286,11 +286,11 @@ impl Race {
     /// The line of a walk, whether or not a robot drives it; `None` if it can't be driven.
     pub fn line(&self, path: &CoveragePath) -> Option<Arc<[Point]>> {
         path.check(&self.prepared.job).ok()?;
-        Some(self.prepared.lattice.polyline(&self.prepared.floor, &path.cells).into())
+        Some(self.prepared.planning_grid.polyline(&self.prepared.floor, &path.cells).into())
     }
 }
 
-impl Lane {
+impl RaceLane {
     /// The run at the moment that is shown.
     pub fn run(&self) -> &Run {
         self.recording.run()

@@ -1,6 +1,6 @@
 //! The rooms available for a comparison.
 
-use robovac_core::floorplan::{ROOMS, RoomInfo, RoomKind};
+use robovac_core::floor_plan::{ROOMS, RoomInfo, RoomKind};
 use robovac_sim::experiment::SettingsError;
 
 /// A room of a comparison.

@@ -1,10 +1,10 @@
 //! View model of a study: entrants, number of runs, missing runs, results.
 
 use crate::explore::Session;
-use robovac_core::floorplan::{FloorPlan, Scenario};
+use robovac_core::floor_plan::{FloorPlan, Scenario};
 use robovac_sim::{
     experiment::{Algorithm, BEHAVIOUR, Entrant, PLANNER, Settings, SettingsError},
-    montecarlo::{Entry, Head, Outcome, RunsRequest, Summary, Tally},
+    montecarlo::{EntrantRuns, RunOutcome, RunTally, RunsRequest, StudyHeader, Summary},
 };
 use std::{
     collections::{BTreeMap, BTreeSet},
@@ -28,15 +28,15 @@ const BATCH_MINUTES: u32 = 30;
 /// Runs that were made once are kept, whatever is chosen meanwhile: to add an algorithm or to ask for more seeds only
 /// costs the runs that are new.
 pub struct Study {
-    base: Option<Base>,
+    base: Option<StudyBase>,
     /// All that can take part, in the order of the registries.
     entrants: Vec<Entrant>,
     chosen: BTreeSet<usize>,
     seeds: u32,
     minutes: u32,
-    tallies: BTreeMap<Key, Tally>,
-    failures: BTreeMap<Key, String>,
-    under_way: BTreeMap<u32, Batch>,
+    tallies: BTreeMap<OutcomeKey, RunTally>,
+    failures: BTreeMap<OutcomeKey, String>,
+    under_way: BTreeMap<u32, RunBatch>,
     /// Number of the request made last.
     last: u32,
     is_running: bool,
@@ -44,16 +44,16 @@ pub struct Study {
 }
 
 /// What outcomes depend on beside their seed.
-type Key = String;
+type OutcomeKey = String;
 
 /// Runs in progress.
-struct Batch {
-    key: Key,
+struct RunBatch {
+    key: OutcomeKey,
     seeds: Vec<u64>,
 }
 
 /// What the study takes over from the session.
-struct Base {
+struct StudyBase {
     plan: Arc<FloorPlan>,
     title: String,
     room: Option<&'static str>,
@@ -64,7 +64,7 @@ struct Base {
     plan_version: u64,
 }
 
-impl Base {
+impl StudyBase {
     fn of(session: &Session) -> Self {
         let mut settings = session.settings().clone();
         settings.start = session.start();
@@ -125,14 +125,14 @@ impl Study {
 
     /// Takes room, robot, start, conditions and seed over from the session; cheap if they are the same.
     pub fn take(&mut self, session: &Session) {
-        let is_same = |base: &Base| base.plan_version == session.plan_version() && base.link == session.link();
+        let is_same = |base: &StudyBase| base.plan_version == session.plan_version() && base.link == session.link();
         if self.base.as_ref().is_some_and(is_same) {
             return;
         }
-        let base = Base::of(session);
+        let base = StudyBase::of(session);
         if self.base.as_ref().is_none_or(|old| old.key() != base.key()) {
             // Earlier states of a room of one's own don't come back.
-            let (own, here) = (|key: &Key| key.starts_with(|c: char| c.is_ascii_digit()), base.key());
+            let (own, here) = (|key: &OutcomeKey| key.starts_with(|c: char| c.is_ascii_digit()), base.key());
             self.tallies.retain(|key, _| !own(key) || key.starts_with(&here));
             // Whoever goes elsewhere isn't waiting for the rest.
             self.is_running = false;
@@ -231,7 +231,7 @@ impl Study {
     /// What is asked for is different from before: what nobody wants any more isn't waited for.
     fn changed(&mut self) {
         self.version += 1;
-        let wanted: BTreeSet<Key> = self.chosen.iter().filter_map(|&index| self.key(index)).collect();
+        let wanted: BTreeSet<OutcomeKey> = self.chosen.iter().filter_map(|&index| self.key(index)).collect();
         self.under_way.retain(|_, batch| wanted.contains(&batch.key));
         self.rest();
     }
@@ -289,11 +289,11 @@ impl Study {
             seeds: seeds.clone(),
             place: format!("{} {first} {}", base.key(), self.minutes),
         };
-        self.under_way.insert(self.last, Batch { key, seeds });
+        self.under_way.insert(self.last, RunBatch { key, seeds });
         Some(request)
     }
 
-    fn has_begun(&self, key: &Key, seed: u64) -> bool {
+    fn has_begun(&self, key: &OutcomeKey, seed: u64) -> bool {
         self.tallies.get(key).is_some_and(|tally| tally.has(seed))
             || self.under_way.values().any(|batch| batch.key == *key && batch.seeds.contains(&seed))
     }
@@ -304,8 +304,8 @@ impl Study {
     }
 
     /// A worker is done, or has a message why it can't be.
-    pub fn batch_finished(&mut self, id: u32, result: Result<Vec<Outcome>, String>) {
-        let Some(Batch { key, .. }) = self.under_way.remove(&id) else { return };
+    pub fn batch_finished(&mut self, id: u32, result: Result<Vec<RunOutcome>, String>) {
+        let Some(RunBatch { key, .. }) = self.under_way.remove(&id) else { return };
         match result {
             Ok(outcomes) => {
                 let tally = self.tallies.entry(key).or_default();
@@ -330,7 +330,7 @@ impl Study {
 
     // ---- what came out
 
-    fn key(&self, entrant: usize) -> Option<Key> {
+    fn key(&self, entrant: usize) -> Option<OutcomeKey> {
         let base = self.base.as_ref()?;
         let entrant = &self.entrants[entrant];
         let planned = entrant.algorithm.planner().map_or(String::new(), |_| base.settings.seed.to_string());
@@ -338,7 +338,7 @@ impl Study {
     }
 
     /// The runs of an algorithm that are wanted and made, by their seeds.
-    pub fn runs(&self, entrant: usize) -> Vec<&Outcome> {
+    pub fn runs(&self, entrant: usize) -> Vec<&RunOutcome> {
         let known = || Some((self.base.as_ref()?.settings.seed, self.tallies.get(&self.key(entrant)?)?));
         known().map(|(first, tally)| tally.runs(first, u64::from(self.seeds))).unwrap_or_default()
     }
@@ -379,9 +379,9 @@ impl Study {
     }
 
     /// What an export is of, with the chosen ones and their runs.
-    pub fn export(&self) -> Option<(Head<'_>, Vec<Entry<'_>>)> {
+    pub fn export(&self) -> Option<(StudyHeader<'_>, Vec<EntrantRuns<'_>>)> {
         let base = self.base.as_ref()?;
-        let head = Head {
+        let head = StudyHeader {
             room: &base.title,
             robot: base.settings.robot,
             cell_size_m: base.settings.cell_size,

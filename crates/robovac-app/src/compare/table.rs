@@ -6,7 +6,7 @@ use serde::Serialize;
 
 /// A number over several seeds.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Spread {
+pub struct MedianAndRange {
     /// The middle value; of an even number of values the mean of the two in the middle.
     pub median: f64,
     /// The smallest value.
@@ -24,7 +24,7 @@ pub struct Row {
     pub index: usize,
     /// One for each of [`METRICS`]: summed up over the rooms for every seed, for shares the mean; then over the seeds.
     /// `None` as long as there is a room without a result.
-    pub values: Vec<Option<Spread>>,
+    pub values: Vec<Option<MedianAndRange>>,
     /// Trials that the values stand for.
     pub trials: usize,
     /// Rooms in which all trials failed or haven't been made.
@@ -35,14 +35,14 @@ pub struct Row {
 
 /// Planners by numbers.
 #[derive(Debug, Clone)]
-pub struct Table {
+pub struct ComparisonTable {
     /// The planners.
     pub rows: Vec<Row>,
     /// The best median of each of [`METRICS`], as rounded for display; `None` with fewer than two rows to choose from.
     pub best: Vec<Option<f64>>,
 }
 
-impl Spread {
+impl MedianAndRange {
     /// The spread of `values`; `None` without any.
     pub fn of(mut values: Vec<f64>) -> Option<Self> {
         values.sort_by(f64::total_cmp);
@@ -71,7 +71,7 @@ impl Row {
 }
 
 /// A number seed by seed, put together over the rooms.
-fn over_rooms(metric: &MetricInfo, rooms: &[Vec<PlanNumbers>]) -> Option<Spread> {
+fn over_rooms(metric: &MetricInfo, rooms: &[Vec<PlanNumbers>]) -> Option<MedianAndRange> {
     let seeds = rooms.first()?.len();
     let count = rooms.len() as f64;
     let of_seed = |seed: usize| -> Option<f64> {
@@ -80,11 +80,11 @@ fn over_rooms(metric: &MetricInfo, rooms: &[Vec<PlanNumbers>]) -> Option<Spread>
         // Shares of different rooms don't add up.
         Some(if metric.unit == "%" { sum / count } else { sum })
     };
-    Spread::of((0..seeds).map(of_seed).collect::<Option<Vec<f64>>>()?)
+    MedianAndRange::of((0..seeds).map(of_seed).collect::<Option<Vec<f64>>>()?)
         .filter(|_| rooms.iter().all(|r| r.len() == seeds))
 }
 
-impl Table {
+impl ComparisonTable {
     /// The table of those planners.
     pub fn new(rows: Vec<Row>) -> Self {
         let best = METRICS.iter().enumerate().map(|(column, metric)| best_of(&rows, column, metric)).collect();
@@ -104,7 +104,7 @@ fn best_of(rows: &[Row], column: usize, metric: &MetricInfo) -> Option<f64> {
         return None;
     }
     let values: Vec<f64> = rows.iter().filter_map(|r| Some(rounded(metric, r.values[column]?.median))).collect();
-    let spread = Spread::of(values.clone()).filter(|_| values.len() > 1)?;
+    let spread = MedianAndRange::of(values.clone()).filter(|_| values.len() > 1)?;
     Some(if metric.better == Better::Lower { spread.min } else { spread.max })
 }
 

@@ -16,14 +16,14 @@ pub struct Trial {
 }
 
 /// What a result depends on: room, start, robot and cell size, planner with parameters, seed.
-pub(super) type Key = String;
+pub(super) type TrialKey = String;
 
 /// What came out of a trial: numbers, or a message.
 pub(super) type TrialResult = Result<PlanNumbers, String>;
 
 /// How far a planner is.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Progress<'a> {
+pub enum TrialProgress<'a> {
     /// It doesn't take part.
     Out,
     /// This share of its trials is done; those under way count in part.
@@ -37,10 +37,10 @@ pub enum Progress<'a> {
 /// Trials that are wanted, under way and done.
 #[derive(Default)]
 pub(super) struct Trials {
-    wanted: Vec<(Trial, Key)>,
+    wanted: Vec<(Trial, TrialKey)>,
     /// By the planners' numbers; those beyond the end don't take part.
-    tallies: Vec<Tally>,
-    known: BTreeMap<Key, TrialResult>,
+    tallies: Vec<TrialTally>,
+    known: BTreeMap<TrialKey, TrialResult>,
     running: BTreeMap<u32, Running>,
     /// Number of the trial begun last.
     last: u32,
@@ -50,14 +50,14 @@ pub(super) struct Trials {
 /// A trial under way.
 struct Running {
     trial: Trial,
-    key: Key,
+    key: TrialKey,
     /// Share that is done, 0 to 1.
     done: f64,
 }
 
 /// Trials of one planner: summed up once a change, as every frame asks.
 #[derive(Clone, Default)]
-struct Tally {
+struct TrialTally {
     all: usize,
     done: usize,
     failure: Option<String>,
@@ -65,10 +65,10 @@ struct Tally {
 
 impl Trials {
     /// From now on just these are wanted. Others are ended, but what came out of them stays.
-    pub fn want(&mut self, wanted: Vec<(Trial, Key)>) {
+    pub fn want(&mut self, wanted: Vec<(Trial, TrialKey)>) {
         self.is_cancelled = false;
         self.wanted = wanted;
-        let keys: BTreeSet<&Key> = self.wanted.iter().map(|(_, key)| key).collect();
+        let keys: BTreeSet<&TrialKey> = self.wanted.iter().map(|(_, key)| key).collect();
         self.running.retain(|_, running| keys.contains(&running.key));
         self.sum_up();
     }
@@ -77,7 +77,7 @@ impl Trials {
         self.tallies.clear();
         for (trial, key) in &self.wanted {
             if self.tallies.len() <= trial.entrant {
-                self.tallies.resize(trial.entrant + 1, Tally::default());
+                self.tallies.resize(trial.entrant + 1, TrialTally::default());
             }
             let tally = &mut self.tallies[trial.entrant];
             tally.all += 1;
@@ -95,7 +95,7 @@ impl Trials {
         if self.is_cancelled {
             return None;
         }
-        let is_new = |key: &Key| !self.known.contains_key(key) && self.running.values().all(|r| r.key != *key);
+        let is_new = |key: &TrialKey| !self.known.contains_key(key) && self.running.values().all(|r| r.key != *key);
         let (trial, key) = self.wanted.iter().find(|(_, key)| is_new(key))?.clone();
         self.last += 1;
         self.running.insert(self.last, Running { trial: trial.clone(), key, done: 0.0 });
@@ -115,7 +115,7 @@ impl Trials {
     }
 
     /// Ends a trial; `None` if it isn't wanted any more.
-    pub fn end(&mut self, id: u32) -> Option<(Trial, Key)> {
+    pub fn end(&mut self, id: u32) -> Option<(Trial, TrialKey)> {
         self.running.remove(&id).map(|running| (running.trial, running.key))
     }
 
@@ -126,18 +126,18 @@ impl Trials {
     }
 
     /// Keeps a result.
-    pub fn learn(&mut self, key: Key, result: TrialResult) {
+    pub fn learn(&mut self, key: TrialKey, result: TrialResult) {
         self.known.insert(key, result);
         self.sum_up();
     }
 
     /// The result of a trial.
-    pub fn result(&self, key: &Key) -> Option<&TrialResult> {
+    pub fn result(&self, key: &TrialKey) -> Option<&TrialResult> {
         self.known.get(key)
     }
 
     /// Forgets the results that aren't to be kept.
-    pub fn retain(&mut self, mut is_kept: impl FnMut(&Key) -> bool) {
+    pub fn retain(&mut self, mut is_kept: impl FnMut(&TrialKey) -> bool) {
         self.known.retain(|key, _| is_kept(key));
     }
 
@@ -152,14 +152,14 @@ impl Trials {
     }
 
     /// How far a planner is.
-    pub fn progress(&self, entrant: usize) -> Progress<'_> {
+    pub fn progress(&self, entrant: usize) -> TrialProgress<'_> {
         match self.tallies.get(entrant) {
-            None | Some(Tally { all: 0, .. }) => Progress::Out,
-            Some(Tally { failure: Some(message), .. }) => Progress::Failed(message),
-            Some(Tally { all, done, .. }) if done == all => Progress::Done,
-            Some(Tally { all, done, .. }) => {
+            None | Some(TrialTally { all: 0, .. }) => TrialProgress::Out,
+            Some(TrialTally { failure: Some(message), .. }) => TrialProgress::Failed(message),
+            Some(TrialTally { all, done, .. }) if done == all => TrialProgress::Done,
+            Some(TrialTally { all, done, .. }) => {
                 let under_way: f64 = self.running.values().filter(|r| r.trial.entrant == entrant).map(|r| r.done).sum();
-                Progress::Trying((*done as f64 + under_way) / *all as f64)
+                TrialProgress::Trying((*done as f64 + under_way) / *all as f64)
             }
         }
     }

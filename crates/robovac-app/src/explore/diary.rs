@@ -7,7 +7,7 @@ const ANSWER: u64 = 4;
 
 /// A line of the diary: when, and what happened.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Entry {
+pub struct DiaryEntry {
     /// Seconds since the run began.
     pub time_s: f64,
     /// What happened, and what the robot did about it: `bump left, backing up`.
@@ -17,7 +17,7 @@ pub struct Entry {
 }
 
 /// What `run` remembers, latest first; of a robot that `follows_plan`, that it does so wherever it is put.
-pub fn diary(run: &Run, follows_plan: bool) -> Vec<Entry> {
+pub fn diary(run: &Run, follows_plan: bool) -> Vec<DiaryEntry> {
     let mut lines = tell(run.events());
     let put_down = What::PutDown.to_string();
     for line in lines.iter_mut().filter(|_| follows_plan) {
@@ -33,8 +33,8 @@ pub fn diary_version(run: &Run) -> f64 {
     events.len() as f64 + 128.0 * ends[1] + ends[0] / 1e9
 }
 
-fn tell<'a>(events: impl IntoIterator<Item = &'a Event>) -> Vec<Entry> {
-    let mut lines: Vec<Entry> = Vec::new();
+fn tell<'a>(events: impl IntoIterator<Item = &'a Event>) -> Vec<DiaryEntry> {
+    let mut lines: Vec<DiaryEntry> = Vec::new();
     let mut last = None;
     for &Event { step, what } in events {
         let answers = last.is_some_and(|last| step - last <= ANSWER);
@@ -47,7 +47,7 @@ fn tell<'a>(events: impl IntoIterator<Item = &'a Event>) -> Vec<Entry> {
                 line.text.push_str(&what.to_string());
             }
             _ => {
-                lines.push(Entry { time_s: step as f64 * STEP_S, text: what.to_string(), is_felt });
+                lines.push(DiaryEntry { time_s: step as f64 * STEP_S, text: what.to_string(), is_felt });
                 last = Some(step);
             }
         }

@@ -1,7 +1,7 @@
 //! The room as the user shapes it, with undo and redo.
 
 use robovac_core::{
-    floorplan::FloorPlan,
+    floor_plan::FloorPlan,
     geometry::{Point, Pose},
     grid::{Cell, Occupancy},
 };
@@ -25,7 +25,7 @@ pub enum Brush {
 
 /// What undo and redo bring back.
 #[derive(Debug, Clone)]
-struct Content {
+struct EditorState {
     plan: Arc<FloorPlan>,
     room: Option<&'static str>,
     start: Option<Pose>,
@@ -34,9 +34,9 @@ struct Content {
 /// A floor plan being edited.
 #[derive(Debug, Clone)]
 pub struct Editor {
-    now: Content,
-    undo: Vec<Content>,
-    redo: Vec<Content>,
+    now: EditorState,
+    undo: Vec<EditorState>,
+    redo: Vec<EditorState>,
     stroke: Option<(Brush, Point)>,
     version: u64,
 }
@@ -44,7 +44,7 @@ pub struct Editor {
 impl Editor {
     /// Starts with a room: `id` if it is one that ships.
     pub fn new(plan: FloorPlan, id: Option<&'static str>) -> Self {
-        let now = Content { plan: Arc::new(plan), room: id, start: None };
+        let now = EditorState { plan: Arc::new(plan), room: id, start: None };
         Self { now, undo: Vec::new(), redo: Vec::new(), stroke: None, version: 0 }
     }
 
@@ -81,7 +81,7 @@ impl Editor {
     /// Takes another room, with a start chosen by the user if there is one; the old room can be brought back.
     pub fn replace(&mut self, plan: FloorPlan, id: Option<&'static str>, start: Option<Pose>) {
         self.remember();
-        self.now = Content { plan: Arc::new(plan), room: id, start };
+        self.now = EditorState { plan: Arc::new(plan), room: id, start };
     }
 
     /// Makes what there is now the beginning: there is nothing to undo or redo.

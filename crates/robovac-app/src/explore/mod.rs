@@ -3,7 +3,7 @@
 mod diary;
 mod editor;
 mod film;
-mod furnisher;
+mod object_tool;
 mod objects;
 pub mod opening;
 mod search;
@@ -11,12 +11,12 @@ mod session;
 mod state;
 mod view;
 
-pub use diary::{Entry, diary, diary_version};
+pub use diary::{DiaryEntry, diary, diary_version};
 pub use editor::{Brush, Editor};
-pub use film::{Ink, Picture, Showing};
-pub use furnisher::Furnisher;
-pub use objects::{Kind, handles, in_words};
-pub use search::Search;
+pub use film::{FilmInk, Picture, Showing};
+pub use object_tool::ObjectTool;
+pub use objects::{PlaceableKind, handles, in_words};
+pub use search::PlanSearch;
 pub use session::{LoadError, Session};
-pub use state::{Action, State};
-pub use view::View;
+pub use state::{Action, SessionState};
+pub use view::SessionView;

@@ -1,7 +1,7 @@
 //! Editing of objects: create, find, move, turn, resize.
 
 use robovac_core::{
-    floorplan::{BEAMS, FloorPlan, Object, RADII, Who, encloses, middle},
+    floor_plan::{BEAMS, FloorPlan, Object, RADII, Who, encloses, middle},
     geometry::{Point, Pose, Vector, normalize},
     math,
 };
@@ -19,7 +19,7 @@ const STROLL: f64 = 1.0;
 
 /// What can be placed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum PlaceableKind {
     /// A box that stands on the floor.
     Furniture,
     /// Four legs.
@@ -40,7 +40,7 @@ pub enum Kind {
     Pet,
 }
 
-impl Kind {
+impl PlaceableKind {
     /// All kinds with the names that the page's buttons have.
     pub const ALL: [(Self, &'static str); 9] = [
         (Self::Furniture, "furniture"),

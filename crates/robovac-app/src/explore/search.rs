@@ -4,13 +4,13 @@ use coverage_planners::TraceStep;
 use robovac_core::{geometry::Point, grid::Cell};
 use robovac_sim::{
     Run,
-    experiment::planning::{Planned, Prepared},
+    experiment::planning::{Planned, RoomSetup},
 };
 use std::sync::Arc;
 
 /// The decisions behind one plan.
 #[derive(Debug)]
-pub struct Search {
+pub struct PlanSearch {
     steps: Vec<TraceStep>,
     /// How far along the line each cell of the walk is reached, m.
     arrivals: Vec<f64>,
@@ -19,9 +19,9 @@ pub struct Search {
     corners: Vec<f64>,
 }
 
-impl Search {
+impl PlanSearch {
     /// The decisions in `steps` that led to `walk`.
-    pub fn new(prepared: &Prepared, planned: &Planned, walk: &[Cell], steps: Vec<TraceStep>) -> Self {
+    pub fn new(prepared: &RoomSetup, planned: &Planned, walk: &[Cell], steps: Vec<TraceStep>) -> Self {
         let line = Arc::clone(&planned.line);
         let mut corners = vec![0.0];
         let mut length = 0.0;
@@ -29,7 +29,7 @@ impl Search {
             length += (piece[1] - piece[0]).norm();
             length
         }));
-        let arrivals = prepared.lattice.arrivals(&prepared.floor, walk);
+        let arrivals = prepared.planning_grid.arrivals(&prepared.floor, walk);
         Self { steps, arrivals, line, corners }
     }
 

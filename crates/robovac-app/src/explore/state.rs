@@ -5,7 +5,7 @@ use serde::Serialize;
 /// What the page is doing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
-pub enum State {
+pub enum SessionState {
     /// There is nothing to run: the robot doesn't fit, or planning was cancelled or failed.
     Failed,
     /// A planner is at work.
@@ -43,7 +43,7 @@ pub enum Action {
     Lift,
 }
 
-impl State {
+impl SessionState {
     /// All states.
     pub const ALL: [Self; 7] =
         [Self::Failed, Self::Planning, Self::Ready, Self::Playing, Self::Paused, Self::Seeking, Self::Finished];
@@ -71,15 +71,18 @@ mod tests {
 
     #[test]
     fn room_can_be_changed_in_every_state() {
-        assert!(State::ALL.iter().all(|s| s.allows(Action::Edit)));
+        assert!(SessionState::ALL.iter().all(|s| s.allows(Action::Edit)));
     }
 
     #[test]
     fn only_planning_can_be_cancelled_and_only_motion_paused() {
-        let with = |action| State::ALL.into_iter().filter(|s| s.allows(action)).collect::<Vec<_>>();
-        assert_eq!(with(Action::Cancel), [State::Planning]);
-        assert_eq!(with(Action::Pause), [State::Playing, State::Seeking]);
-        assert_eq!(with(Action::Lift), [State::Playing, State::Paused]);
-        assert_eq!(with(Action::Play), [State::Failed, State::Ready, State::Paused, State::Finished]);
+        let with = |action| SessionState::ALL.into_iter().filter(|s| s.allows(action)).collect::<Vec<_>>();
+        assert_eq!(with(Action::Cancel), [SessionState::Planning]);
+        assert_eq!(with(Action::Pause), [SessionState::Playing, SessionState::Seeking]);
+        assert_eq!(with(Action::Lift), [SessionState::Playing, SessionState::Paused]);
+        assert_eq!(
+            with(Action::Play),
+            [SessionState::Failed, SessionState::Ready, SessionState::Paused, SessionState::Finished]
+        );
     }
 }

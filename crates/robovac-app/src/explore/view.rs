@@ -1,6 +1,6 @@
 //! View model of the page's numbers and texts: one snapshot a frame.
 
-use crate::explore::State;
+use crate::explore::SessionState;
 use coverage_planners::metrics::{DriveMetrics, WalkMetrics};
 use robovac_core::registry::Params;
 use robovac_sim::SensorKind;
@@ -9,11 +9,11 @@ use serde::Serialize;
 
 /// Snapshot of a session. SI units; shares from 0 to 1.
 #[derive(Debug, Clone, Serialize)]
-pub struct View {
+pub struct SessionView {
     /// What the page is doing.
-    pub state: State,
+    pub state: SessionState,
     /// What the user may do.
-    pub can: Can,
+    pub can: SessionActions,
     /// Something to tell the user; empty for nothing.
     pub message: String,
     /// `error` or `notice`; empty for nothing.
@@ -81,7 +81,7 @@ pub struct View {
 /// What the user may do now: a flag for each button, which JavaScript only copies.
 #[expect(clippy::struct_excessive_bools)]
 #[derive(Debug, Clone, Copy, Serialize)]
-pub struct Can {
+pub struct SessionActions {
     /// Let time go on.
     pub play: bool,
     /// Stop time.

@@ -5,8 +5,9 @@ mod svg;
 pub use svg::to_svg;
 
 use coverage_planners::sweep::{in_frame, planned_for, program, to_csv, to_ros_path};
+use floor_drawing::DrawingError;
 use robovac_core::{
-    floorplan::{FloorPlan, MapError, MapImage, Mode, RosMapError, Scenario, to_ascii, to_ros_map},
+    floor_plan::{FloorPlan, MapImage, OccupancyMode, RosMapError, Scenario, to_ascii, to_ros_map},
     geometry::Point,
     robot::{RobotModel, model},
 };
@@ -117,7 +118,7 @@ pub struct Exported<'a> {
     /// Name of the files without ending.
     pub stem: &'a str,
     /// How a ROS map says what a cell is.
-    pub mode: Mode,
+    pub mode: OccupancyMode,
     /// Whether light cells of a ROS map are walls.
     pub negate: bool,
 }
@@ -133,7 +134,7 @@ pub enum ExportError {
     NoPath(&'static str),
     /// The drawing can't be written.
     #[error(transparent)]
-    Drawing(#[from] MapError),
+    Drawing(#[from] DrawingError),
     /// The scenario's robot isn't known.
     #[error("the robot in this room is unknown; choose another one")]
     NoRobot,
@@ -223,7 +224,7 @@ impl Exported<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use robovac_core::floorplan::room;
+    use robovac_core::floor_plan::room;
 
     #[test]
     fn every_format_gives_files() {
@@ -236,7 +237,7 @@ mod tests {
                 plan: &plan,
                 path: &path,
                 stem: "flat",
-                mode: Mode::Trinary,
+                mode: OccupancyMode::Trinary,
                 negate: false,
             };
             let files = exported.files(format.id).unwrap();
@@ -250,8 +251,14 @@ mod tests {
     fn an_unknown_format_names_those_that_there_are() {
         let plan = (room("thesis8").unwrap().build)();
         let scenario = Scenario::of(&plan);
-        let exported =
-            Exported { scenario: &scenario, plan: &plan, path: &[], stem: "r", mode: Mode::Raw, negate: false };
+        let exported = Exported {
+            scenario: &scenario,
+            plan: &plan,
+            path: &[],
+            stem: "r",
+            mode: OccupancyMode::Raw,
+            negate: false,
+        };
         let message = exported.files("dwg").unwrap_err().to_string();
         assert!(message.contains("\"dwg\"") && message.contains("ros_png"), "{message}");
     }

@@ -2,7 +2,7 @@
 
 use robovac_core::{
     coverage::obstacles,
-    floorplan::FloorPlan,
+    floor_plan::FloorPlan,
     geometry::{Point, Shape},
     grid::{Cell, Grid, Occupancy, outlines},
 };
@@ -119,7 +119,7 @@ fn escaped(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use robovac_core::{floorplan::Object, geometry::Pose, grid::from_picture};
+    use robovac_core::{floor_plan::Object, geometry::Pose, grid::from_picture};
 
     #[test]
     fn y_is_turned_and_names_are_escaped() {

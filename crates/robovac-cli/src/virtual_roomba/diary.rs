@@ -1,7 +1,7 @@
 //! `--log`: received commands and wheel changes, each with seconds since ready and Unix time in milliseconds.
 
 use crate::failure::Failure;
-use robovac_link::emulator::Heard;
+use robovac_link::emulator::ReceivedCommand;
 use roomba_oi::Command;
 use std::{
     fmt::{Arguments, Write as _},
@@ -25,7 +25,7 @@ impl Diary {
     }
 
     /// Notes a command or a byte that is none.
-    pub fn command(&mut self, heard: &Heard) {
+    pub fn command(&mut self, heard: &ReceivedCommand) {
         if self.file.is_none() {
             return;
         }

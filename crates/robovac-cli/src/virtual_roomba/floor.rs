@@ -2,7 +2,7 @@
 
 use crate::{failure::Failure, source::load_with_image};
 use robovac_core::{
-    floorplan::{FloorPlan, Object, Sketch, room},
+    floor_plan::{FloorPlan, Object, Sketch, room},
     geometry::Point,
 };
 use robovac_sim::{

@@ -15,7 +15,7 @@ use std::{
 const MOST_WAITING: usize = 1 << 16;
 
 /// The host's end of a line. Nothing here ever waits for the host.
-pub trait Line {
+pub trait HostLine {
     /// What `ready` is followed by.
     fn name(&self) -> String;
 
@@ -79,7 +79,7 @@ impl StandardStreams {
     }
 }
 
-impl Line for StandardStreams {
+impl HostLine for StandardStreams {
     fn name(&self) -> String {
         "stdio".to_owned()
     }

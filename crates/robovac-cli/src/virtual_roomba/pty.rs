@@ -4,7 +4,7 @@
 //! terminal open, so that programs may come and go. Its rate is the one that a program sets, and a rate that isn't the
 //! robot's garbles bytes as on a real line. It has no modem lines: RTS, and so BRC, can't be reached through it.
 
-use super::line::Line;
+use super::line::HostLine;
 use crate::failure::Failure;
 use rustix::{
     fs::{Mode, OFlags, open},
@@ -26,10 +26,10 @@ const BAUD: u32 = 115_200;
 /// A pseudo-terminal; none while its cable is pulled out.
 pub struct Pty {
     link: PathBuf,
-    ends: Option<Ends>,
+    ends: Option<PtyEnds>,
 }
 
-struct Ends {
+struct PtyEnds {
     /// The robot's.
     robot: OwnedFd,
     /// The host's, kept open.
@@ -40,7 +40,7 @@ struct Ends {
 
 impl Pty {
     pub fn open(link: &Path) -> Result<Self, Failure> {
-        let ends = Ends::open(link).map_err(|e| Failure::io(link.display(), &e))?;
+        let ends = PtyEnds::open(link).map_err(|e| Failure::io(link.display(), &e))?;
         Ok(Self { link: link.to_owned(), ends: Some(ends) })
     }
 
@@ -58,7 +58,7 @@ impl Pty {
     }
 }
 
-impl Ends {
+impl PtyEnds {
     fn open(link: &Path) -> Result<Self, Error> {
         let robot = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY | OpenptFlags::CLOEXEC)?;
         grantpt(&robot)?;
@@ -88,7 +88,7 @@ fn place(path: &Path, link: &Path) -> Result<(), Error> {
     fs::rename(&fresh, link).inspect_err(|_| drop(fs::remove_file(&fresh)))
 }
 
-impl Line for Pty {
+impl HostLine for Pty {
     fn name(&self) -> String {
         self.link.display().to_string()
     }

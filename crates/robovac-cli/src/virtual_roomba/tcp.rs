@@ -1,6 +1,6 @@
 //! A TCP port that carries raw bytes, as serial bridges do. One client at a time; the next one waits.
 
-use super::line::{Line, keep_latest};
+use super::line::{HostLine, keep_latest};
 use crate::failure::Failure;
 use std::{
     collections::VecDeque,
@@ -45,7 +45,7 @@ fn is_busy(error: &Error) -> bool {
     matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::Interrupted)
 }
 
-impl Line for TcpLine {
+impl HostLine for TcpLine {
     fn name(&self) -> String {
         self.address.to_string()
     }

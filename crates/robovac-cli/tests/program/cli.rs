@@ -3,7 +3,7 @@
 
 use coverage_planners::{PLANNERS, metrics::METRICS};
 use robovac_app::explore::Session;
-use robovac_core::{floorplan::ROOMS, robot::MODELS};
+use robovac_core::{floor_plan::ROOMS, robot::MODELS};
 use robovac_sim::controller::BEHAVIOURS;
 use serde_json::Value;
 use std::{

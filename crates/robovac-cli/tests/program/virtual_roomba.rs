@@ -1,7 +1,7 @@
 //! `robovac virtual-roomba` as a program on the other end of its line sees it: in real time, so times are generous.
 #![cfg(unix)]
 
-use roomba_oi::{Frame, Packet};
+use roomba_oi::{Packet, StreamFrame};
 use rustix::{
     fs::{Mode, OFlags, open},
     io::{Errno, ioctl_fionbio, read, write},
@@ -150,7 +150,7 @@ fn a_terminal_answers_drives_and_streams() {
     program.wait_for("it stops", |state| state["speed"]["right"] == 0.0);
     terminal.send(&[148, 2, 35, 21]);
     let stream = terminal.hear(70);
-    let frame = Frame::parse(&stream).unwrap();
+    let frame = StreamFrame::parse(&stream).unwrap();
     assert!(frame.values().eq([(Packet::OiMode, 2), (Packet::ChargingState, 0)]));
     program.quit();
 }

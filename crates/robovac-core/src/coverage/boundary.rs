@@ -8,7 +8,7 @@ use crate::{
     geometry::{Point, Pose, Vector},
     grid::{Cell, Grid},
     math,
-    robot::{LightBumper, RobotModel, Sensors},
+    robot::{LightBumper, RobotModel, SensorReadings},
 };
 use std::sync::Arc;
 
@@ -93,7 +93,7 @@ impl BoundaryTracker {
 
     /// Takes what a robot that really is at `pose` reports: a contact meets the nearest wall, a bit of the light bumper what
     /// its beam ends at.
-    pub fn update(&mut self, pose: Pose, sensed: &Sensors) {
+    pub fn update(&mut self, pose: Pose, sensed: &SensorReadings) {
         let boundary = Arc::clone(&self.boundary);
         let walls = &boundary.floor.walls;
         if sensed.bumped() {
@@ -148,7 +148,7 @@ fn cell_at(point: Point) -> Cell {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{floorplan::Sketch, robot::model};
+    use crate::{floor_plan::Sketch, robot::model};
 
     fn boundary(robot: &str) -> Arc<Boundary> {
         let plan = Sketch::open(2.0, 1.5, 0.05).disc(1.0, 0.75, 0.01).start(0.4, 0.4, 0.0).finish("", "");
@@ -172,7 +172,7 @@ mod tests {
     #[test]
     fn what_is_met_counts_once_and_only_where_there_is_something() {
         let mut tracker = BoundaryTracker::new(&boundary("roomba600"));
-        let pressed = Sensors { bump_left: true, ..Sensors::default() };
+        let pressed = SensorReadings { bump_left: true, ..SensorReadings::default() };
         tracker.update(Pose::new(0.5, 0.4, 0.0), &pressed);
         assert_eq!(tracker.share(), 0.0, "a bumper that is pressed in the open");
         let pose = Pose::new(0.5, 0.178, 0.0);
@@ -181,7 +181,7 @@ mod tests {
         }
         let one = tracker.share();
         assert!(one > 0.0 && tracker.met().values().iter().filter(|met| **met).count() == 1);
-        let mut sensed = Sensors::default();
+        let mut sensed = SensorReadings::default();
         sensed.light_bumper[5] = true;
         tracker.update(pose, &sensed);
         assert!((tracker.share() - 2.0 * one).abs() < 1e-12);

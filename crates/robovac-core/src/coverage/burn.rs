@@ -2,7 +2,7 @@
 
 use super::obstacles;
 use crate::{
-    floorplan::FloorPlan,
+    floor_plan::FloorPlan,
     geometry::Point,
     grid::{Cell, Occupancy},
 };
@@ -33,7 +33,7 @@ pub fn with_objects(plan: &FloorPlan) -> FloorPlan {
 mod tests {
     use super::*;
     use crate::{
-        floorplan::{Object, room, to_ascii},
+        floor_plan::{Object, room, to_ascii},
         geometry::Point,
     };
 

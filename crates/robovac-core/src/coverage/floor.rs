@@ -1,8 +1,8 @@
 //! Where a robot can stand, and which floor it can reach from there.
 
-use super::{FloorError, shapes, stamp::Stamp, walls::Walls};
+use super::{FloorError, shapes, stamp::DiscStamp, walls::Walls};
 use crate::{
-    floorplan::FloorPlan,
+    floor_plan::FloorPlan,
     geometry::{Point, Pose, Vector},
     grid::{Cell, Direction, Grid, largest_part, reachable},
     math,
@@ -308,7 +308,7 @@ fn covered(walls: &Walls, is_strict: bool) -> Grid<bool> {
 ///
 /// Discs around cells at the edge of `standing` are enough: of all its cells, the nearest to a cell outside is one of them.
 fn sweepable(standing: &Grid<bool>, blocked: &Grid<bool>, radius: f64) -> Grid<bool> {
-    let stamp = Stamp { radius, width: standing.width(), height: standing.height() };
+    let stamp = DiscStamp { radius, width: standing.width(), height: standing.height() };
     let mut floor = standing.clone();
     for (cell, &stands) in standing.iter() {
         if stands && !cell.block().all(|c| standing.is_set(c)) {

@@ -8,7 +8,7 @@ use crate::{
 
 /// What a ray met.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Hit {
+pub struct RayHit {
     /// Distance from where the ray began, m; 0 if that is inside.
     pub distance: f64,
     /// Cosine of the angle between the ray and the surface's normal, 0 for a ray that grazes it to 1.
@@ -34,9 +34,9 @@ impl Walls {
     ///
     /// It goes from cell to cell (Amanatides & Woo 1987), and in the open from one side of the largest free square around a
     /// cell to the other. In the first cell that an object touches, all objects that can be in the way are looked at.
-    pub fn ray(&self, from: Point, direction: Vector, reach: f64) -> Option<Hit> {
+    pub fn ray(&self, from: Point, direction: Vector, reach: f64) -> Option<RayHit> {
         let size = self.resolution;
-        let mut walk = Walk::new(from, direction, size);
+        let mut walk = RayWalk::new(from, direction, size);
         let mut reach = reach;
         // The nearest object, once there may be one.
         let mut object = None;
@@ -46,12 +46,12 @@ impl Walls {
             if moves == 0 {
                 let travelled = walk.travelled * size;
                 if self.squares().get(walk.cell) != Some(&false) {
-                    return Some(Hit { distance: travelled, cosine: walk.cosine, surface: Surface::Wall });
+                    return Some(RayHit { distance: travelled, cosine: walk.cosine, surface: Surface::Wall });
                 }
                 if !has_looked {
                     has_looked = true;
                     object = self.first_object(from, direction, travelled, reach);
-                    reach = object.map_or(reach, |hit: Hit| hit.distance);
+                    reach = object.map_or(reach, |hit: RayHit| hit.distance);
                 }
             }
             walk.leave_square(moves.max(1));
@@ -60,13 +60,13 @@ impl Walls {
     }
 
     /// The first object that a ray meets between `near` and `far` metres from where it begins.
-    fn first_object(&self, from: Point, direction: Vector, near: f64, far: f64) -> Option<Hit> {
+    fn first_object(&self, from: Point, direction: Vector, near: f64, far: f64) -> Option<RayHit> {
         let ends = [from + direction * near, from + direction * far];
-        let mut first: Option<Hit> = None;
+        let mut first: Option<RayHit> = None;
         self.shapes_in_box(ends[0].inf(&ends[1]), ends[0].sup(&ends[1]), |shape| {
             let hit = match shape {
-                Shape::Disc { centre, radius } => Hit::on_disc(*centre - from, *radius, direction, Surface::Object),
-                Shape::Convex(corners) => Hit::on_convex(corners, from, direction),
+                Shape::Disc { centre, radius } => RayHit::on_disc(*centre - from, *radius, direction, Surface::Object),
+                Shape::Convex(corners) => RayHit::on_convex(corners, from, direction),
             };
             if let Some(hit) = hit.filter(|hit| hit.distance < first.map_or(far, |first| first.distance)) {
                 first = Some(hit);
@@ -76,7 +76,7 @@ impl Walls {
     }
 }
 
-impl Hit {
+impl RayHit {
     /// Where a ray in `direction` meets a disc whose centre is `centre` away from where it begins.
     pub fn on_disc(centre: Vector, radius: f64, direction: Vector, surface: Surface) -> Option<Self> {
         let along = centre.dot(&direction);
@@ -116,7 +116,7 @@ impl Hit {
 }
 
 /// A ray on its way from cell to cell. Lengths are in cells.
-struct Walk {
+struct RayWalk {
     from: Point,
     direction: Vector,
     /// Way of the ray for a step along each axis; infinite for an axis that it is square to.
@@ -128,7 +128,7 @@ struct Walk {
     cosine: f64,
 }
 
-impl Walk {
+impl RayWalk {
     #[inline]
     fn new(from: Point, direction: Vector, size: f64) -> Self {
         let (from, stride) = (from / size, Vector::new(1.0 / direction.x, 1.0 / direction.y));

@@ -2,7 +2,7 @@
 
 use super::Walls;
 use crate::{
-    floorplan::{FloorPlan, Object},
+    floor_plan::{FloorPlan, Object},
     geometry::{Point, Pose, Shape, convex_pieces},
     math,
 };

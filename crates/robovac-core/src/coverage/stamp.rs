@@ -5,7 +5,7 @@ use std::ops::Range;
 
 /// A disc to be stamped onto a grid of `width` x `height` cells.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Stamp {
+pub(super) struct DiscStamp {
     /// Radius in cells.
     pub radius: f64,
     /// Columns of the grid.
@@ -14,7 +14,7 @@ pub(super) struct Stamp {
     pub height: usize,
 }
 
-impl Stamp {
+impl DiscStamp {
     /// Calls `visit` with the range of indices of every row in which cells have their centre in the disc around
     /// (`x`, `y`), both in cells.
     #[inline]

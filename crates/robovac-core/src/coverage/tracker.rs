@@ -1,6 +1,6 @@
 //! Tracks which floor has been swept, and how often.
 
-use super::{ReachableFloor, stamp::Stamp};
+use super::{ReachableFloor, stamp::DiscStamp};
 use crate::{geometry::Point, grid::Grid};
 
 /// Counts passes of the tool over every fine cell.
@@ -9,7 +9,7 @@ use crate::{geometry::Point, grid::Grid};
 /// since it last touched the cell; so neither standing still nor turning on the spot counts.
 #[derive(Debug, Clone)]
 pub struct CoverageTracker {
-    stamp: Stamp,
+    stamp: DiscStamp,
     resolution: f64,
     /// Passes per fine cell, at most 255.
     visits: Grid<u8>,
@@ -34,7 +34,7 @@ impl CoverageTracker {
         // Stamps are half a cell apart: 4 radii of them are a diameter.
         let memory = (4.0 * radius).ceil() as u32 + 1;
         Self {
-            stamp: Stamp { radius, width: grid.width(), height: grid.height() },
+            stamp: DiscStamp { radius, width: grid.width(), height: grid.height() },
             resolution: floor.resolution,
             visits: Grid::filled(grid.width(), grid.height(), 0),
             touched: vec![0; grid.len()],

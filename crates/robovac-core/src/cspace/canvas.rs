@@ -5,7 +5,7 @@ use crate::math;
 
 /// A grid of bits in metres: cell (0, 0) has its lower left corner at the origin.
 #[derive(Debug, Clone)]
-pub(super) struct Canvas {
+pub(super) struct BitCanvas {
     /// The cells that are set.
     pub bits: Bits,
     /// Side of a cell, m.
@@ -16,7 +16,7 @@ pub(super) struct Canvas {
     pub height: usize,
 }
 
-impl Canvas {
+impl BitCanvas {
     /// Nothing set.
     pub fn new(width: usize, height: usize, cell: f64) -> Self {
         Self { bits: Bits::new(width, height), cell, width, height }

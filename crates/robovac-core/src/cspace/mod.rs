@@ -2,7 +2,7 @@
 //!
 //! An [`Outline`] is moved over a room with its origin in the centre of every cell. A [`ConfigurationSpace`] says which
 //! cells are FREE and which are FULL, exactly, by Minkowski sums (Lozano-Pérez, Spatial planning: a configuration space
-//! approach, IEEE Transactions on Computers 1983). [`Obstacles`] numbers what of it stands in the way.
+//! approach, IEEE Transactions on Computers 1983). [`ObstacleRuns`] numbers what of it stands in the way.
 
 mod bits;
 mod canvas;
@@ -17,7 +17,7 @@ mod swath;
 
 pub use error::CspaceError;
 pub use motion::Motion;
-pub use obstacles::Obstacles;
+pub use obstacles::ObstacleRuns;
 pub use outline::{EXTENTS, MAX_OUTLINE_CORNERS, Outline};
 pub use space::{ConfigurationSpace, MAX_BYTES};
 pub use swath::Swath;

@@ -2,15 +2,15 @@
 
 use super::{
     CspaceError, HAIR, Outline,
-    scene::{Scene, Sums},
+    scene::{ObstacleScene, Sums},
 };
-use crate::{floorplan::FloorPlan, geometry::Point};
+use crate::{floor_plan::FloorPlan, geometry::Point};
 
 /// Answers for a body at heading 0: where it is stopped on a line along x, and whether a straight way is free. What
 /// is in the way is as for [`super::ConfigurationSpace`].
 #[derive(Debug, Clone)]
 pub struct Motion {
-    scene: Scene,
+    scene: ObstacleScene,
     sums: Sums,
 }
 
@@ -18,7 +18,7 @@ impl Motion {
     /// For `outline` in `plan`.
     pub fn new(plan: &FloorPlan, outline: &Outline) -> Result<Self, CspaceError> {
         outline.check()?;
-        let scene = Scene::of(plan);
+        let scene = ObstacleScene::of(plan);
         let sums = scene.sums(outline, 0.0);
         Ok(Self { scene, sums })
     }

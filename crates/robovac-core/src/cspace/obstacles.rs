@@ -9,7 +9,7 @@ use crate::grid::{Cell, Grid};
 /// part of it. They are numbered from 1 in the order in which a scan from the top left meets them (001, section 3:
 /// `obstacleNo`).
 #[derive(Debug, Clone)]
-pub struct Obstacles {
+pub struct ObstacleRuns {
     /// Where the runs of every row begin in `runs`, from the bottom row.
     starts: Vec<u32>,
     /// First and last column of a run of FULL cells, and its obstacle's number; 0 for a wall.
@@ -17,7 +17,7 @@ pub struct Obstacles {
     count: u32,
 }
 
-impl Obstacles {
+impl ObstacleRuns {
     /// The obstacles between FREE cells. O(n).
     pub fn of(free: &Grid<bool>) -> Self {
         let (width, height) = (free.width(), free.height());
@@ -121,7 +121,7 @@ mod tests {
             |c| c == '.',
         )
         .unwrap();
-        let obstacles = Obstacles::of(&free);
+        let obstacles = ObstacleRuns::of(&free);
         let numbers =
             Grid::from_rows(free.width(), free.iter().map(|(cell, _)| obstacles.number(cell)).collect::<Vec<_>>())
                 .unwrap();

@@ -2,7 +2,7 @@
 
 use super::CspaceError;
 use crate::{
-    floorplan::crossing,
+    floor_plan::crossing,
     geometry::{Point, Vector, contains, convex_pieces, signed_area},
     math,
     robot::{Body, RobotModel},

@@ -3,17 +3,17 @@
 use super::{
     Outline,
     outline::bounds,
-    sum::{Piece, Sum},
+    sum::{ConvexPiece, Sum},
 };
 use crate::{
     coverage::{drop_offs, obstacles},
-    floorplan::FloorPlan,
+    floor_plan::FloorPlan,
     geometry::{Point, Shape},
 };
 
 /// What a body can't go through.
 #[derive(Debug, Clone)]
-pub(super) struct Scene {
+pub(super) struct ObstacleScene {
     /// Side of the plan's cells, m.
     pub resolution: f64,
     /// Width and height, m.
@@ -34,7 +34,7 @@ pub(super) struct Sums {
     pub reach: (Point, Point),
 }
 
-impl Scene {
+impl ObstacleScene {
     pub fn of(plan: &FloorPlan) -> Self {
         let resolution = plan.resolution;
         let columns = plan.occupancy.width();
@@ -73,8 +73,8 @@ impl Scene {
             Outline::Polygon(_) => {
                 let pieces = outline.pieces(heading);
                 let reach = bounds(&pieces.concat());
-                let pieces: Vec<Piece> = pieces.into_iter().map(Piece::new).collect();
-                let sum = |shape: &Shape, piece: &Piece| match shape {
+                let pieces: Vec<ConvexPiece> = pieces.into_iter().map(ConvexPiece::new).collect();
+                let sum = |shape: &Shape, piece: &ConvexPiece| match shape {
                     Shape::Disc { centre, radius } => Sum::of_disc(*centre, *radius, piece),
                     Shape::Convex(corners) => Sum::of_polygons(corners, piece),
                 };

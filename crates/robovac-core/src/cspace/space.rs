@@ -3,12 +3,12 @@
 use super::{
     CspaceError, HAIR, Outline,
     bits::Bits,
-    canvas::Canvas,
-    scene::{Scene, Sums},
+    canvas::BitCanvas,
+    scene::{ObstacleScene, Sums},
     sum::Sum,
 };
 use crate::{
-    floorplan::FloorPlan,
+    floor_plan::FloorPlan,
     geometry::Point,
     grid::{Cell, Grid},
     math,
@@ -55,9 +55,9 @@ impl ConfigurationSpace {
         if bytes > MAX_BYTES || width.saturating_mul(height) > MAX_SLICE {
             return Err(CspaceError::TooLarge { width, height, headings });
         }
-        let scene = Scene::of(plan);
+        let scene = ObstacleScene::of(plan);
         let layer = |heading: usize| {
-            let mut slice = Slice { canvas: Canvas::new(width, height, cell) };
+            let mut slice = Slice { canvas: BitCanvas::new(width, height, cell) };
             slice.draw(&scene, &scene.sums(outline, heading as f64 * (math::TAU / headings as f64)));
             slice.canvas.bits
         };
@@ -87,11 +87,11 @@ impl ConfigurationSpace {
 
 /// A slice in the making.
 struct Slice {
-    canvas: Canvas,
+    canvas: BitCanvas,
 }
 
 impl Slice {
-    fn draw(&mut self, scene: &Scene, sums: &Sums) {
+    fn draw(&mut self, scene: &ObstacleScene, sums: &Sums) {
         self.draw_outside(scene, sums.reach);
         for sum in &sums.line {
             self.draw_runs(scene, sum);
@@ -102,7 +102,7 @@ impl Slice {
     }
 
     /// Makes FULL what is too near to the edge of the plan for an outline that reaches from `low` to `high`.
-    fn draw_outside(&mut self, scene: &Scene, (low, high): (Point, Point)) {
+    fn draw_outside(&mut self, scene: &ObstacleScene, (low, high): (Point, Point)) {
         let canvas = &mut self.canvas;
         let inside = canvas.rows((-low.y - HAIR, scene.size.1 - high.y + HAIR));
         let (first, last) = canvas.between(-low.x - HAIR, scene.size.0 - high.x + HAIR);
@@ -123,7 +123,7 @@ impl Slice {
 
     /// Makes FULL what overlaps the cells of the plan. `sum` is that of an upright line at the origin: what it says
     /// of a row holds for every run of cells, its left end for their left and its right end for their right.
-    fn draw_runs(&mut self, scene: &Scene, sum: &Sum) {
+    fn draw_runs(&mut self, scene: &ObstacleScene, sum: &Sum) {
         let canvas = &mut self.canvas;
         let (low, high) = sum.rows();
         for (runs, number) in scene.rows.iter().zip(0..) {

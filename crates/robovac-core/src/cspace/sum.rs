@@ -27,7 +27,7 @@ pub(super) enum Sum {
 
 /// A convex piece of an outline, with what every sum with it takes.
 #[derive(Debug, Clone)]
-pub(super) struct Piece {
+pub(super) struct ConvexPiece {
     pub corners: Vec<Point>,
     /// Normals of the sides of its mirror image, and how far that reaches along them.
     sides: Vec<(Vector, f64)>,
@@ -35,7 +35,7 @@ pub(super) struct Piece {
     bounds: (Point, Point),
 }
 
-impl Piece {
+impl ConvexPiece {
     /// With counter-clockwise corners.
     pub fn new(corners: Vec<Point>) -> Self {
         let normals = edges(&corners).map(|(a, b)| -outward(a, b)).filter(|normal| *normal != Vector::zeros());
@@ -47,7 +47,7 @@ impl Piece {
 impl Sum {
     /// Where a convex piece of the outline overlaps a convex polygon by more than a hair. The sides of both are all
     /// that can part them, as in [`crate::geometry::overlap`].
-    pub fn of_polygons(obstacle: &[Point], piece: &Piece) -> Self {
+    pub fn of_polygons(obstacle: &[Point], piece: &ConvexPiece) -> Self {
         // A side without length parts nothing.
         let own = edges(obstacle).map(|(a, b)| outward(a, b)).filter(|normal| *normal != Vector::zeros());
         let own = own.map(|normal| (normal, support(&piece.corners, -normal)));
@@ -58,7 +58,7 @@ impl Sum {
     }
 
     /// Where a convex piece of the outline overlaps a disc.
-    pub fn of_disc(centre: Point, radius: f64, piece: &Piece) -> Self {
+    pub fn of_disc(centre: Point, radius: f64, piece: &ConvexPiece) -> Self {
         let corners = piece.corners.iter().map(|p| centre - p.coords).collect();
         Self::Rounded { corners, radius: radius - HAIR }
     }

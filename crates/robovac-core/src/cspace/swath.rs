@@ -2,8 +2,8 @@
 
 use super::{
     Outline,
-    canvas::Canvas,
-    sum::{Piece, Sum},
+    canvas::BitCanvas,
+    sum::{ConvexPiece, Sum},
 };
 use crate::{
     geometry::Point,
@@ -13,9 +13,9 @@ use crate::{
 /// Floor swept by an outline at heading 0: a cell is swept once its centre has been under the body.
 #[derive(Debug, Clone)]
 pub struct Swath {
-    canvas: Canvas,
+    canvas: BitCanvas,
     /// The outline's pieces mirrored: the floor under a body that moves is what its mirror image would touch.
-    mirrored: Vec<Piece>,
+    mirrored: Vec<ConvexPiece>,
     radius: f64,
 }
 
@@ -23,9 +23,9 @@ impl Swath {
     /// Nothing swept, on `width` x `height` cells of `cell` metres.
     pub fn new(outline: &Outline, width: usize, height: usize, cell: f64) -> Self {
         let radius = if let Outline::Circle { radius } = outline { *radius } else { 0.0 };
-        let mirror = |piece: Vec<Point>| Piece::new(piece.into_iter().map(|p| -p).collect());
+        let mirror = |piece: Vec<Point>| ConvexPiece::new(piece.into_iter().map(|p| -p).collect());
         let mirrored = outline.pieces(0.0).into_iter().map(mirror).collect();
-        Self { canvas: Canvas::new(width, height, cell), mirrored, radius }
+        Self { canvas: BitCanvas::new(width, height, cell), mirrored, radius }
     }
 
     /// Sweeps with the body's origin straight from `from` to `to`.

@@ -75,7 +75,7 @@ mod tests {
     #[test]
     fn floods_fill_all_that_steps_connect() {
         for (seed, density) in [(1, 0.1), (2, 0.3), (3, 0.45), (4, 0.6)] {
-            let free = crate::floorplan::generate::random_clutter(37, 29, density, seed);
+            let free = crate::floor_plan::generate::random_clutter(37, 29, density, seed);
             let (start, _) = free.iter().find(|(_, is_free)| **is_free).unwrap();
             let seen = reachable(&free, start);
             assert!(seen.is_set(start));

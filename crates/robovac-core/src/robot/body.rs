@@ -12,7 +12,7 @@ pub enum Body {
 
 /// How a robot moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Wheels {
+pub enum WheelLayout {
     /// Two driven wheels on one axle, and castors.
     Differential,
     /// Moves in every direction without turning.

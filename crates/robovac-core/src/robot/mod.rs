@@ -1,21 +1,21 @@
 //! Robots: geometry, limits, sensors, drive commands, and odometry from encoder counts.
 
 mod body;
+mod distance_angle;
 mod drive;
 mod light_law;
 mod model;
 mod models;
-mod moved;
 mod odometry;
 mod port;
-mod sensors;
+mod sensor_readings;
 
-pub use body::{Battery, Body, Bumper, Laser, LightBumper, SensorSuite, SideBrush, Wheels};
+pub use body::{Battery, Body, Bumper, Laser, LightBumper, SensorSuite, SideBrush, WheelLayout};
+pub use distance_angle::{DistanceAngle, DistanceAngleMeter, READINGS_PER_DISTANCE_ANGLE};
 pub use drive::Drive;
 pub use light_law::{MOST_LIGHT, apparent_distance, distance_of_light, light_at};
-pub use model::{Power, RobotModel};
+pub use model::{PowerDraw, RobotModel};
 pub use models::{MODELS, cell_robot, model};
-pub use moved::{Moved, MovedMeter, READINGS_PER_MOVED};
 pub use odometry::{Odometry, OdometryModel, RollingScale, advance, advance_sideways};
 pub use port::RobotPort;
-pub use sensors::{BatteryReading, Infrared, Overcurrent, Sensors};
+pub use sensor_readings::{BatteryReading, Infrared, Overcurrent, SensorReadings};

@@ -1,6 +1,6 @@
 //! A robot model: geometry, limits, sensors and power.
 
-use super::body::{Battery, Body, SensorSuite, SideBrush, Wheels};
+use super::body::{Battery, Body, SensorSuite, SideBrush, WheelLayout};
 
 /// Geometry, limits, sensors and power of a robot. SI units; the middle between the wheels is the body's origin.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,7 +16,7 @@ pub struct RobotModel {
     /// Radius of the smallest circle around the origin that holds the body, m: where it fits, the robot can turn round.
     pub radius: f64,
     /// How it moves.
-    pub wheels: Wheels,
+    pub wheels: WheelLayout,
     /// What it senses with.
     pub sensors: SensorSuite,
     /// Brushes beside the tool.
@@ -48,12 +48,12 @@ pub struct RobotModel {
     /// on a cell cleans all of it.
     pub fills_cell: bool,
     /// What it draws from its battery.
-    pub power: Power,
+    pub power: PowerDraw,
 }
 
 /// Electrical power that a cleaning robot draws from its battery, W.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Power {
+pub struct PowerDraw {
     /// Electronics and cleaning motors: drawn all the time.
     pub standing: f64,
     /// Wheels while driving straight, in addition.

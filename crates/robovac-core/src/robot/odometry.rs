@@ -1,6 +1,6 @@
 //! Pose estimate from encoder counts, or from distance and angle packets (004, section 4.2).
 
-use super::{RobotModel, Sensors};
+use super::{RobotModel, SensorReadings};
 use crate::{
     geometry::{Point, Pose},
     math,
@@ -37,7 +37,7 @@ impl OdometryModel {
     }
 
     /// What tells it of the wheels: left, right, sideways, m. `since` are counts since the last reading.
-    pub fn rolled(self, sensed: &Sensors, since: [i16; 3], robot: RollingScale) -> [f64; 3] {
+    pub fn rolled(self, sensed: &SensorReadings, since: [i16; 3], robot: RollingScale) -> [f64; 3] {
         let metres = since.map(|counts| f64::from(counts) * robot.metres_per_count);
         if !self.is_by_packets() {
             return metres;
@@ -97,7 +97,7 @@ impl Odometry {
 
     /// Takes the next reading. Counters may wrap, but not by half their range (14.6 m) at once; packets of the first reading tell
     /// of what was before.
-    pub fn update(&mut self, sensed: &Sensors) {
+    pub fn update(&mut self, sensed: &SensorReadings) {
         let counts = [sensed.left_counts, sensed.right_counts, sensed.lateral_counts];
         let Some(last) = self.last.replace(counts) else { return };
         let since = [0, 1, 2].map(|i| counts[i].wrapping_sub(last[i]) as i16);
@@ -186,7 +186,8 @@ mod tests {
     fn counters_wrap_both_ways() {
         let robot = model("roomba600").unwrap();
         let mut odometry = Odometry::new(robot, OdometryModel::Arc, Pose::new(0.0, 0.0, 0.0));
-        let reading = |counts: u16| Sensors { left_counts: counts, right_counts: counts, ..Sensors::default() };
+        let reading =
+            |counts: u16| SensorReadings { left_counts: counts, right_counts: counts, ..SensorReadings::default() };
         for counts in [65_530, 10, 65_530] {
             odometry.update(&reading(counts));
         }

@@ -1,8 +1,8 @@
 //! Commands sent to the robot.
 
-use super::{Driver, Finding, Happening, Phase, STOP, Step, happened, telling::subscriptions};
+use super::{ConnectionPhase, Driver, Finding, Happening, STOP, Step, distance_angle_poll::subscriptions, happened};
 use robovac_core::robot::Drive;
-use roomba_oi::{Command, MAX_WRITTEN, Mode, Motors, Refusal};
+use roomba_oi::{Command, CommandRefusal, MAX_WRITTEN, Mode, Motors};
 
 /// Bytes that a list of packets may be taken to have.
 const LONGEST_LIST: usize = 255;
@@ -19,7 +19,7 @@ impl Driver {
     /// Stops the wheels, now. Sent whatever the mode is.
     pub fn stop(&mut self, now: f64) {
         self.wheels.stop();
-        if self.phase == Phase::Closed {
+        if self.phase == ConnectionPhase::Closed {
             return;
         }
         self.push(now, &STOP);
@@ -32,7 +32,7 @@ impl Driver {
     /// Stops wheels, brushes and vacuum.
     pub fn halt(&mut self, now: f64) {
         self.stop(now);
-        if self.phase != Phase::Closed {
+        if self.phase != ConnectionPhase::Closed {
             let _ = self.send(now, Command::Motors(Motors::default()));
         }
     }
@@ -40,7 +40,7 @@ impl Driver {
     /// Stops everything, also a robot that cleans by itself: in Passive it doesn't hear about wheels, so it is put in Safe for a
     /// moment, where it stands still.
     pub fn freeze(&mut self, now: f64) {
-        let is_by_itself = self.phase != Phase::Closed && self.target <= Mode::Passive;
+        let is_by_itself = self.phase != ConnectionPhase::Closed && self.target <= Mode::Passive;
         if is_by_itself {
             let _ = self.send(now, Command::Safe);
         }
@@ -52,9 +52,9 @@ impl Driver {
 
     /// Stops everything and ends the interface: the robot is in Off, where it charges and sleeps.
     pub fn leave(&mut self, now: f64) {
-        if self.phase != Phase::Closed {
+        if self.phase != ConnectionPhase::Closed {
             self.halt(now);
-            if self.telling.is_wanted {
+            if self.poll.is_wanted {
                 // A list whose length was garbled on its way swallows what comes next, were it the stop.
                 self.push(now, &[0; LONGEST_LIST]);
                 self.halt(now);
@@ -63,13 +63,13 @@ impl Driver {
                 let _ = self.send(now, command);
             }
         }
-        self.phase = Phase::Closed;
+        self.phase = ConnectionPhase::Closed;
         self.diagnosis.step = Step::Idle;
         self.firmware = None;
     }
 
     pub(super) fn turn_wheels(&mut self, now: f64) {
-        if !matches!(self.phase, Phase::Connected | Phase::Lost) {
+        if !matches!(self.phase, ConnectionPhase::Connected | ConnectionPhase::Lost) {
             return;
         }
         let tells = self.has_read && subscriptions(self.baud).tells_speeds;
@@ -79,14 +79,14 @@ impl Driver {
         if let Some((right, left)) = self.wheels.due(now, reported) {
             self.filter.asked(right, left);
             if before != (right, left) {
-                self.gauge.asked(now, (right, left));
+                self.link_stats.asked(now, (right, left));
             }
             let _ = self.send(now, Command::DriveDirect { right, left });
         }
     }
 
     /// Sends a command that doesn't concern mode or wheels, or refuses one that robots don't take.
-    pub fn send(&mut self, now: f64, command: Command<'_>) -> Result<(), Refusal> {
+    pub fn send(&mut self, now: f64, command: Command<'_>) -> Result<(), CommandRefusal> {
         let mut buffer = [0; MAX_WRITTEN];
         let bytes = command.encode(&mut buffer)?;
         self.push(now, bytes);

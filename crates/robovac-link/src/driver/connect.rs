@@ -1,6 +1,6 @@
 //! Connecting: identifies the device on the line, step by step.
 
-use super::{Driver, Finding, LineRequest, Phase, Step};
+use super::{ConnectionPhase, Driver, Finding, LineRequest, Step};
 use roomba_oi::{Command, Mode};
 
 /// Time to listen before a word is said, s.
@@ -29,10 +29,10 @@ const RATES: [u32; 3] = [115_200, 19_200, 57_600];
 impl Driver {
     /// Begins at the beginning.
     pub(super) fn begin(&mut self, now: f64) {
-        self.phase = Phase::Diagnosing;
+        self.phase = ConnectionPhase::Diagnosing;
         self.question = None;
         self.diagnosis.go(Step::Listening, now);
-        self.hearing.clear();
+        self.classifier.clear();
     }
 
     /// Goes on.
@@ -56,7 +56,7 @@ impl Driver {
                 if passed >= patience * f64::from(self.diagnosis.tries) {
                     if self.diagnosis.tries < QUESTIONS {
                         // The end of somebody else's stream may have been in the way of the answer.
-                        self.hearing.clear();
+                        self.classifier.clear();
                         self.question(now);
                     } else {
                         self.nobody_answered(now);
@@ -100,7 +100,7 @@ impl Driver {
                         self.listen();
                     }
                     self.diagnosis.go(Step::Waiting, now);
-                    self.hearing.clear();
+                    self.classifier.clear();
                     self.question(now);
                 }
             }
@@ -108,7 +108,7 @@ impl Driver {
     }
 
     fn listen(&mut self) -> Finding {
-        let finding = self.hearing.sort().finding();
+        let finding = self.classifier.classify().finding();
         // Silence after a charging log is still a robot that charges.
         let is_news = finding != Finding::Silence || self.diagnosis.finding == Finding::Nothing;
         if is_news {
@@ -123,7 +123,7 @@ impl Driver {
             return;
         }
         self.diagnosis.go(Step::Asking, now);
-        self.hearing.clear();
+        self.classifier.clear();
         self.question(now);
     }
 
@@ -134,19 +134,19 @@ impl Driver {
             let _ = self.send(now, Command::PauseResume { state: 0 });
         }
         let _ = self.send(now, Command::Start);
-        let _ = self.send(now, Command::Sensors { packet: 35 });
+        let _ = self.send(now, Command::SensorReadings { packet: 35 });
     }
 
     /// Whether the mode was told, and it goes on from there.
     fn take_mode(&mut self, now: f64) -> bool {
-        let heard = self.hearing.sort();
+        let heard = self.classifier.classify();
         // Just started it is Passive: 1, or 2 on those that report one too much.
         let offset = match heard.mode_byte() {
             Some(1) => 0,
             // A Start that was lost leaves a robot in Safe, which is 2 as well: asked once more.
             Some(2) if !self.diagnosis.has_doubted => {
                 self.diagnosis.has_doubted = true;
-                self.hearing.clear();
+                self.classifier.clear();
                 self.question(now);
                 return false;
             }
@@ -157,7 +157,7 @@ impl Driver {
         self.aim(Mode::Passive, now);
         let odd = if offset == 1 { " Its mode byte is one too high, as on some robots of the 600 series." } else { "" };
         self.diagnosis.note(format!("Started it at {} baud: it answers.{odd}", self.baud));
-        self.phase = Phase::Diagnosing;
+        self.phase = ConnectionPhase::Diagnosing;
         self.parser.clear();
         self.filter.forget();
         self.diagnosis.go(Step::Subscribing, now);
@@ -173,7 +173,7 @@ impl Driver {
             (_, Finding::Booting) if self.diagnosis.boots < MOST_BOOTS => {
                 self.diagnosis.boots += 1;
                 self.diagnosis.go(Step::Listening, now);
-                self.hearing.clear();
+                self.classifier.clear();
             }
             (_, Finding::Bootloader) => self.wait(now),
             (115_200, _) if self.is_rate_fixed && self.diagnosis.has_pulsed => self.wait(now),
@@ -181,7 +181,7 @@ impl Driver {
             (115_200, finding) if !self.diagnosis.has_pulsed && finding != Finding::Garbage => {
                 self.line.push_back(LineRequest::Brc(true));
                 self.diagnosis.go(Step::Waking, now);
-                self.hearing.clear();
+                self.classifier.clear();
             }
             (baud, _) => {
                 let next = RATES.iter().skip_while(|&&rate| rate != baud).nth(1).copied();
@@ -197,15 +197,15 @@ impl Driver {
         self.baud = baud;
         self.line.push_back(LineRequest::Baud(baud));
         self.diagnosis.go(Step::Changing, now);
-        self.hearing.clear();
+        self.classifier.clear();
     }
 
     fn wait(&mut self, now: f64) {
         if self.baud != RATES[0] {
             self.set_rate(now, RATES[0]);
         }
-        self.phase = Phase::Waiting;
+        self.phase = ConnectionPhase::Waiting;
         self.diagnosis.go(Step::Waiting, now);
-        self.hearing.clear();
+        self.classifier.clear();
     }
 }

@@ -6,7 +6,7 @@
 
 use robovac_core::math::PI;
 use roomba_oi::{
-    Frame, Packet,
+    Packet, StreamFrame,
     motion::{MAX_SPEED_MM_S, MM_PER_COUNT, WHEEL_BASE_MM},
 };
 
@@ -22,7 +22,7 @@ const LUMP_S: f64 = 0.1;
 
 /// How a value follows from the one before.
 #[derive(Debug, Clone, Copy)]
-enum Rule {
+enum ChangeRule {
     /// It may change at any time: flags.
     Free,
     /// By so much and a share of its value, one in so many, or none for 0. What jumps is believed once there is another frame.
@@ -38,11 +38,11 @@ enum Rule {
     Counts,
     /// What a Drive Direct asked for.
     RightSpeed,
-    /// See [`Rule::RightSpeed`].
+    /// See [`ChangeRule::RightSpeed`].
     LeftSpeed,
 }
 
-const fn rule(packet: Packet) -> Rule {
+const fn rule(packet: Packet) -> ChangeRule {
     match packet {
         Packet::Unused1
         | Packet::Unused2
@@ -55,7 +55,7 @@ const fn rule(packet: Packet) -> Rule {
         | Packet::OiMode
         | Packet::Temperature
         | Packet::ChargingState
-        | Packet::ChargingSources => Rule::Rare,
+        | Packet::ChargingSources => ChangeRule::Rare,
         Packet::InfraredOmni
         | Packet::InfraredLeft
         | Packet::InfraredRight
@@ -63,9 +63,9 @@ const fn rule(packet: Packet) -> Rule {
         | Packet::SongPlaying
         | Packet::Wall
         | Packet::VirtualWall
-        | Packet::Buttons => Rule::Signal(0, 0),
-        Packet::Distance => Rule::Way(1.0),
-        Packet::Angle => Rule::Way(2.0 / WHEEL_BASE_MM * 180.0 / PI),
+        | Packet::Buttons => ChangeRule::Signal(0, 0),
+        Packet::Distance => ChangeRule::Way(1.0),
+        Packet::Angle => ChangeRule::Way(2.0 / WHEEL_BASE_MM * 180.0 / PI),
         Packet::DirtDetect
         | Packet::WallSignal
         | Packet::LightLeft
@@ -73,39 +73,39 @@ const fn rule(packet: Packet) -> Rule {
         | Packet::LightCentreLeft
         | Packet::LightCentreRight
         | Packet::LightFrontRight
-        | Packet::LightRight => Rule::Signal(24, 2),
+        | Packet::LightRight => ChangeRule::Signal(24, 2),
         Packet::CliffLeftSignal
         | Packet::CliffFrontLeftSignal
         | Packet::CliffFrontRightSignal
-        | Packet::CliffRightSignal => Rule::Signal(24, 4),
+        | Packet::CliffRightSignal => ChangeRule::Signal(24, 4),
         Packet::LeftMotorCurrent | Packet::RightMotorCurrent | Packet::MainBrushCurrent | Packet::SideBrushCurrent => {
-            Rule::Signal(60, 2)
+            ChangeRule::Signal(60, 2)
         }
-        Packet::Voltage => Rule::Signal(400, 0),
-        Packet::Current => Rule::Signal(400, 2),
-        Packet::BatteryCharge => Rule::Within(4),
-        Packet::LeftEncoder | Packet::RightEncoder => Rule::Counts,
-        Packet::RequestedRightVelocity => Rule::RightSpeed,
-        Packet::RequestedLeftVelocity => Rule::LeftSpeed,
-        _ => Rule::Free,
+        Packet::Voltage => ChangeRule::Signal(400, 0),
+        Packet::Current => ChangeRule::Signal(400, 2),
+        Packet::BatteryCharge => ChangeRule::Within(4),
+        Packet::LeftEncoder | Packet::RightEncoder => ChangeRule::Counts,
+        Packet::RequestedRightVelocity => ChangeRule::RightSpeed,
+        Packet::RequestedLeftVelocity => ChangeRule::LeftSpeed,
+        _ => ChangeRule::Free,
     }
 }
 
 /// Bits of every packet, by its place in [`Packet::ALL`]; `None` for those that weren't in the frame.
-type Bits = [Option<u16>; Packet::ALL.len()];
+type FlagBits = [Option<u16>; Packet::ALL.len()];
 
 /// A frame, and what those before it told of other packets.
 #[derive(Debug, Clone, Copy)]
-struct Heard {
+struct HeardFrame {
     /// When it came, s, and the last one with distance and angle.
     at: f64,
     told_at: Option<f64>,
-    bits: Bits,
+    bits: FlagBits,
 }
 
 /// What becomes of a frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Verdict {
+pub enum FrameVerdict {
     /// It follows from the one before.
     Believed,
     /// It follows from the one that waited, which was true then.
@@ -122,8 +122,8 @@ pub enum Verdict {
 #[derive(Debug, Clone)]
 pub struct Filter {
     /// The last frame that was believed, or that waits to be.
-    believed: Option<Heard>,
-    waiting: Option<Heard>,
+    believed: Option<HeardFrame>,
+    waiting: Option<HeardFrame>,
     /// Wheel speeds that were asked for lately: right, left.
     asked: [(i16, i16); REMEMBERED],
     next: usize,
@@ -162,8 +162,8 @@ impl Filter {
     }
 
     /// What to make of `frame`, which arrives at `now`.
-    pub fn judge(&mut self, now: f64, frame: Frame<'_>) -> Verdict {
-        let mut bits: Bits = [None; Packet::ALL.len()];
+    pub fn judge(&mut self, now: f64, frame: StreamFrame<'_>) -> FrameVerdict {
+        let mut bits: FlagBits = [None; Packet::ALL.len()];
         let mut is_possible = true;
         for (packet, raw) in frame.values() {
             is_possible &= packet.is_plausible(raw);
@@ -171,7 +171,7 @@ impl Filter {
                 *slot = Some(raw);
             }
         }
-        let follows = |from: &Option<Heard>, is_strict: bool| {
+        let follows = |from: &Option<HeardFrame>, is_strict: bool| {
             from.as_ref().is_some_and(|before| self.follows(before, &bits, now, is_strict))
         };
         // A signal may go on jumping: then it is believed at every other frame at least.
@@ -179,7 +179,7 @@ impl Filter {
         let is_late = !is_next && is_possible && follows(&self.waiting, false);
         let is_told = bits.get(DISTANCE).is_some_and(Option::is_some);
         // Other frames of the subscription may have other packets.
-        let heard = |before: Option<Heard>| Heard {
+        let heard = |before: Option<HeardFrame>| HeardFrame {
             at: now,
             told_at: if is_told { Some(now) } else { before.and_then(|before| before.told_at) },
             bits: before.map_or(bits, |before| {
@@ -191,18 +191,18 @@ impl Filter {
             self.refused -= u64::from(is_late);
             self.late += u64::from(is_late);
             (self.believed, self.waiting) = (Some(heard(before)), None);
-            return if is_late { Verdict::Late } else { Verdict::Believed };
+            return if is_late { FrameVerdict::Late } else { FrameVerdict::Believed };
         }
         let is_near = is_possible && follows(&self.believed, false);
         self.refused += 1;
         if !is_possible {
-            return Verdict::Impossible;
+            return FrameVerdict::Impossible;
         }
         self.waiting = Some(heard(self.believed));
-        if is_near { Verdict::Jumps } else { Verdict::Waits }
+        if is_near { FrameVerdict::Jumps } else { FrameVerdict::Waits }
     }
 
-    fn follows(&self, from: &Heard, bits: &Bits, now_s: f64, is_strict: bool) -> bool {
+    fn follows(&self, from: &HeardFrame, bits: &FlagBits, now_s: f64, is_strict: bool) -> bool {
         let most_since = |then: f64| ((now_s - then).max(0.0) + LUMP_S) * f64::from(MAX_SPEED_MM_S);
         let most_mm = most_since(from.at);
         let asked =
@@ -211,20 +211,20 @@ impl Filter {
             let (&Some(before), &Some(now)) = pair else { return true };
             let (old, new) = (packet.value(before), packet.value(now));
             match rule(packet) {
-                Rule::Free => true,
-                Rule::Signal(..) if !is_strict => true,
-                Rule::Signal(most, part) => {
+                ChangeRule::Free => true,
+                ChangeRule::Signal(..) if !is_strict => true,
+                ChangeRule::Signal(most, part) => {
                     (new - old).abs() <= most + old.abs().max(new.abs()).checked_div(part).unwrap_or(0)
                 }
-                Rule::Way(_) if from.told_at == Some(from.at) => !is_strict || (new - old).abs() <= 1,
-                Rule::Way(per_mm) => {
+                ChangeRule::Way(_) if from.told_at == Some(from.at) => !is_strict || (new - old).abs() <= 1,
+                ChangeRule::Way(per_mm) => {
                     from.told_at.is_none_or(|then| f64::from(new).abs() <= per_mm * most_since(then) + 1.0)
                 }
-                Rule::Rare => old == new,
-                Rule::Within(most) => (new - old).abs() <= most,
-                Rule::Counts => f64::from(now.wrapping_sub(before).cast_signed()).abs() <= most_mm / MM_PER_COUNT,
-                Rule::RightSpeed => old == new || asked(|pair| pair.0, new),
-                Rule::LeftSpeed => old == new || asked(|pair| pair.1, new),
+                ChangeRule::Rare => old == new,
+                ChangeRule::Within(most) => (new - old).abs() <= most,
+                ChangeRule::Counts => f64::from(now.wrapping_sub(before).cast_signed()).abs() <= most_mm / MM_PER_COUNT,
+                ChangeRule::RightSpeed => old == new || asked(|pair| pair.0, new),
+                ChangeRule::LeftSpeed => old == new || asked(|pair| pair.1, new),
             }
         })
     }

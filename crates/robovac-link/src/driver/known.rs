@@ -1,11 +1,11 @@
 //! Known properties of a robot and its line.
 
-use super::{Diagnosis, Driver, Gauge, Happening, Phase, Wheels};
+use super::{ConnectionPhase, Diagnosis, Driver, Happening, LinkStats, WheelCommand};
 use roomba_oi::{FRAMING, PacketId, Readings, StreamCounts, slot_bytes};
 
 impl Driver {
     /// How far it is.
-    pub fn phase(&self) -> Phase {
+    pub fn phase(&self) -> ConnectionPhase {
         self.phase
     }
 
@@ -25,7 +25,7 @@ impl Driver {
     }
 
     /// The wheel commands.
-    pub fn wheels(&self) -> &Wheels {
+    pub fn wheels(&self) -> &WheelCommand {
         &self.wheels
     }
 
@@ -35,8 +35,8 @@ impl Driver {
     }
 
     /// Rate, gaps and round trips.
-    pub fn gauge(&self) -> &Gauge {
-        &self.gauge
+    pub fn link_stats(&self) -> &LinkStats {
+        &self.link_stats
     }
 
     /// What came of the bytes.

@@ -14,30 +14,30 @@
 mod commands;
 mod connect;
 mod diagnosis;
-mod drop;
+mod distance_angle_poll;
 mod filter;
-mod gauge;
-mod hearing;
 mod known;
+mod line_classifier;
+mod link_stats;
+mod mode_loss;
 mod modes;
 mod question;
 mod raw;
-mod telling;
 mod wheels;
 
 pub use diagnosis::{Diagnosis, Finding, Step};
-pub use drop::ModeDrop;
-pub use filter::{Filter, Verdict};
-pub use gauge::Gauge;
+pub use filter::{Filter, FrameVerdict};
+pub use link_stats::LinkStats;
+pub use mode_loss::ModeLoss;
 pub use raw::RawRefusal;
-pub use wheels::{DEAD_MAN_S, Wheels};
+pub use wheels::{DEAD_MAN_S, WheelCommand};
 
 use self::{
-    hearing::Hearing,
+    distance_angle_poll::DistanceAnglePoll,
+    line_classifier::LineClassifier,
     question::{Next, Question},
-    telling::Telling,
 };
-use robovac_core::robot::{Drive, Moved, RobotPort, Sensors};
+use robovac_core::robot::{DistanceAngle, Drive, RobotPort, SensorReadings};
 use roomba_oi::{Command, FRAMING, HEADER, Mode, Readings, Said, StreamEvent, StreamParser};
 use std::collections::VecDeque;
 
@@ -72,7 +72,7 @@ pub enum LineRequest {
 
 /// How far a connection is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Phase {
+pub enum ConnectionPhase {
     /// There is no line.
     #[default]
     Closed,
@@ -107,16 +107,16 @@ pub enum Happening {
 #[expect(clippy::struct_excessive_bools)]
 #[derive(Debug, Default)]
 pub struct Driver {
-    phase: Phase,
+    phase: ConnectionPhase,
     diagnosis: Diagnosis,
-    hearing: Hearing,
+    classifier: LineClassifier,
     baud: u32,
     parser: StreamParser,
     filter: Filter,
-    gauge: Gauge,
-    telling: Telling,
+    link_stats: LinkStats,
+    poll: DistanceAnglePoll,
     readings: Readings,
-    sensors: Sensors,
+    sensors: SensorReadings,
     /// Readings of the frame before.
     before: Readings,
     has_read: bool,
@@ -129,8 +129,8 @@ pub struct Driver {
     target_since: f64,
     target_told: f64,
     target_reached: bool,
-    dropped: Option<ModeDrop>,
-    wheels: Wheels,
+    dropped: Option<ModeLoss>,
+    wheels: WheelCommand,
     /// Encoder packets 43 and 44 are the other way round on this robot.
     swapped: bool,
     question: Option<Question>,
@@ -163,9 +163,9 @@ impl Driver {
         let (firmware, swapped, bytes) = (self.firmware.take(), self.swapped, self.bytes);
         let (is_rate_fixed, is_replay, was_in_control) = (self.is_rate_fixed, self.is_replay, self.was_in_control);
         let happenings = std::mem::take(&mut self.happenings);
-        let telling = self.telling.anew();
+        let poll = self.poll.anew();
         *self = Self {
-            telling,
+            poll,
             firmware,
             swapped,
             bytes,
@@ -202,9 +202,10 @@ impl Driver {
     pub fn closed(&mut self, now: f64, why: &str) {
         self.tx.clear();
         self.line.clear();
-        self.wheels = Wheels::default();
+        self.wheels = WheelCommand::default();
         self.question = None;
-        self.phase = if self.phase == Phase::Closed { Phase::Closed } else { Phase::Lost };
+        self.phase =
+            if self.phase == ConnectionPhase::Closed { ConnectionPhase::Closed } else { ConnectionPhase::Lost };
         self.diagnosis.step = Step::Idle;
         self.fresh = None;
         self.happened(now, Happening::Line(why.to_owned()));
@@ -226,15 +227,15 @@ impl Driver {
         self.last_byte_at = now;
         for (index, &byte) in bytes.iter().enumerate() {
             self.bytes[0] += 1;
-            if matches!(self.phase, Phase::Diagnosing | Phase::Waiting) {
-                self.hearing.push(&[byte]);
+            if matches!(self.phase, ConnectionPhase::Diagnosing | ConnectionPhase::Waiting) {
+                self.classifier.push(&[byte]);
             }
             if let Some(question) = self.question.as_mut().filter(|question| question.is_sent()) {
                 question.hear(byte);
             } else if let Some(Believed { moved }) = self.take_byte(now, byte) {
                 self.reading_arrived(now, moved);
                 return index + 1;
-            } else if self.telling.take_news() {
+            } else if self.poll.take_news() {
                 self.mind_telling(now, true);
             }
         }
@@ -243,32 +244,32 @@ impl Driver {
 
     /// The frame that was completed, if it is believed.
     fn take_byte(&mut self, now: f64, byte: u8) -> Option<Believed> {
-        let Self { parser, filter, telling, readings, before, firmware, happenings, phase, diagnosis, .. } = self;
+        let Self { parser, filter, poll, readings, before, firmware, happenings, phase, diagnosis, .. } = self;
         let mut read = None;
         parser.feed(&[byte], &mut |event| {
             let happening = match event {
                 StreamEvent::Frame(frame) => {
                     // While it asks, frames are those of somebody else's stream.
                     let is_ours = match phase {
-                        Phase::Closed => false,
-                        Phase::Diagnosing | Phase::Waiting => diagnosis.step == Step::Subscribing,
-                        Phase::Connected | Phase::Lost => true,
+                        ConnectionPhase::Closed => false,
+                        ConnectionPhase::Diagnosing | ConnectionPhase::Waiting => diagnosis.step == Step::Subscribing,
+                        ConnectionPhase::Connected | ConnectionPhase::Lost => true,
                     };
                     let bytes = whole(frame.content());
                     match is_ours.then(|| filter.judge(now, frame)) {
                         None => Happening::Refused(bytes, "it was not requested".to_owned()),
-                        Some(verdict @ (Verdict::Believed | Verdict::Late)) => {
+                        Some(verdict @ (FrameVerdict::Believed | FrameVerdict::Late)) => {
                             before.clone_from(readings);
                             frame.apply(readings);
-                            let moved = telling.take(frame, readings, now, verdict == Verdict::Late);
+                            let moved = poll.take(frame, readings, now, verdict == FrameVerdict::Late);
                             read = Some(Believed { moved });
                             Happening::Frame(bytes)
                         }
-                        Some(verdict @ (Verdict::Waits | Verdict::Jumps)) => {
-                            telling.hold(frame, verdict == Verdict::Jumps);
+                        Some(verdict @ (FrameVerdict::Waits | FrameVerdict::Jumps)) => {
+                            poll.hold(frame, verdict == FrameVerdict::Jumps);
                             Happening::Refused(bytes, "its values jump: waiting for the next one to confirm".to_owned())
                         }
-                        Some(Verdict::Impossible) => {
+                        Some(FrameVerdict::Impossible) => {
                             Happening::Refused(bytes, "its checksum is right, but its values are impossible".to_owned())
                         }
                     }
@@ -281,9 +282,9 @@ impl Driver {
         read
     }
 
-    fn reading_arrived(&mut self, now: f64, moved: Option<Moved>) {
+    fn reading_arrived(&mut self, now: f64, moved: Option<DistanceAngle>) {
         self.has_read = true;
-        self.sensors = Sensors { moved, ..crate::sensors::to_sensors(&self.readings) };
+        self.sensors = SensorReadings { moved, ..crate::sensors::to_sensors(&self.readings) };
         if self.swapped {
             std::mem::swap(&mut self.sensors.left_counts, &mut self.sensors.right_counts);
         }
@@ -291,17 +292,17 @@ impl Driver {
         let before = self.robot_time.unwrap_or(now - FRAME_S);
         let time = (before + FRAME_S).max(now - LUMP_S);
         (self.fresh, self.robot_time) = (Some(time - before), Some(time));
-        self.gauge.arrived(now, (self.readings.requested_right, self.readings.requested_left));
+        self.link_stats.arrived(now, (self.readings.requested_right, self.readings.requested_left));
         self.is_stalled = false;
         if self.diagnosis.step == Step::Subscribing {
             self.diagnosis.finding = Finding::Robot;
             self.diagnosis.note("Receiving sensor data.".to_owned());
             self.diagnosis.go(Step::Done, now);
         }
-        if self.phase == Phase::Lost {
+        if self.phase == ConnectionPhase::Lost {
             self.happened(now, Happening::Line("Receiving data from the robot again.".to_owned()));
         }
-        self.phase = Phase::Connected;
+        self.phase = ConnectionPhase::Connected;
         self.watch_mode(now);
         self.turn_wheels(now);
         self.mind_telling(now, true);
@@ -329,9 +330,9 @@ impl Driver {
             });
         }
         match self.phase {
-            Phase::Closed => {}
-            Phase::Diagnosing | Phase::Waiting => self.find_out(now),
-            Phase::Connected | Phase::Lost => {
+            ConnectionPhase::Closed => {}
+            ConnectionPhase::Diagnosing | ConnectionPhase::Waiting => self.find_out(now),
+            ConnectionPhase::Connected | ConnectionPhase::Lost => {
                 self.pursue_question(now);
                 self.watch_line(now);
             }
@@ -353,18 +354,19 @@ impl Driver {
     }
 
     fn watch_line(&mut self, now: f64) {
-        let Some(last) = self.gauge.last() else { return };
+        let Some(last) = self.link_stats.last() else { return };
         let silent = now - last;
         if silent > STALL_S && !self.is_stalled {
             self.is_stalled = true;
             self.wheels.stop();
         }
-        if silent > LOST_S && self.phase == Phase::Connected {
-            self.phase = Phase::Lost;
+        if silent > LOST_S && self.phase == ConnectionPhase::Connected {
+            self.phase = ConnectionPhase::Lost;
             self.filter.forget();
             self.happened(now, Happening::Line("No more data from the robot.".to_owned()));
         }
-        if self.phase == Phase::Lost && self.diagnosis.step == Step::Done && now - self.revived_at > REVIVE_S {
+        if self.phase == ConnectionPhase::Lost && self.diagnosis.step == Step::Done && now - self.revived_at > REVIVE_S
+        {
             self.revived_at = now;
             if self.was_in_control {
                 self.push(now, &STOP);
@@ -390,7 +392,7 @@ pub struct Port<'a> {
 }
 
 impl RobotPort for Port<'_> {
-    fn sensors(&self) -> &Sensors {
+    fn sensors(&self) -> &SensorReadings {
         &self.driver.sensors
     }
 
@@ -401,7 +403,7 @@ impl RobotPort for Port<'_> {
 
 /// A frame that is believed, with what it tells of distance and angle.
 struct Believed {
-    moved: Option<Moved>,
+    moved: Option<DistanceAngle>,
 }
 
 /// Both wheels at rest.

@@ -1,12 +1,12 @@
 //! Commanded and actual mode.
 
-use super::{Driver, Happening, MODE_S, ModeDrop, Phase, SETTLE_S, STOP};
+use super::{ConnectionPhase, Driver, Happening, MODE_S, ModeLoss, SETTLE_S, STOP};
 use roomba_oi::{Command, Mode};
 
 impl Driver {
     /// Whether the robot has been put in Safe or Full and is there.
     pub fn is_armed(&self) -> bool {
-        self.phase == Phase::Connected && self.target > Mode::Passive && self.target_reached
+        self.phase == ConnectionPhase::Connected && self.target > Mode::Passive && self.target_reached
     }
 
     /// Puts the robot in `mode`. [`Mode::Safe`] and [`Mode::Full`] take control, [`Mode::Passive`] gives it back; with any,
@@ -66,7 +66,7 @@ impl Driver {
     }
 
     pub(super) fn drop_to(&mut self, now: f64, mode: Mode) {
-        let drop = ModeDrop::new(self.target, self.target_reached, [&self.before, &self.readings]);
+        let drop = ModeLoss::new(self.target, self.target_reached, [&self.before, &self.readings]);
         self.happened(now, Happening::Line(drop.to_string()));
         self.dropped = Some(drop);
         self.wheels.stop();
@@ -74,7 +74,7 @@ impl Driver {
     }
 
     /// Why the robot left Safe or Full, until it is put in a mode again.
-    pub fn dropped(&self) -> Option<&ModeDrop> {
+    pub fn dropped(&self) -> Option<&ModeLoss> {
         self.dropped.as_ref()
     }
 

@@ -36,7 +36,7 @@ impl Question {
         let mut ids = Vec::new();
         for &byte in bytes {
             match decoder.push(byte).map(|received| received.command) {
-                Some(Ok(Command::Sensors { packet })) => ids.push(packet),
+                Some(Ok(Command::SensorReadings { packet })) => ids.push(packet),
                 Some(Ok(Command::QueryList { packets })) => ids.extend_from_slice(packets),
                 _ => {}
             }

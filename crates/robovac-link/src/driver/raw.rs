@@ -1,6 +1,6 @@
 //! Raw bytes, typed by the user or from a recording.
 
-use super::{Driver, Happening, Phase, Question, Step};
+use super::{ConnectionPhase, Driver, Happening, Question, Step};
 use roomba_oi::{Command, CommandDecoder, Mode, Opcode};
 use thiserror::Error;
 
@@ -36,7 +36,7 @@ impl Driver {
         }
         self.question = Question::of(bytes, now);
         if self.question.is_some() {
-            self.gauge.pause();
+            self.link_stats.pause();
             let _ = self.send(now, Command::PauseResume { state: 0 });
         } else {
             self.push_raw(now, bytes);
@@ -81,14 +81,16 @@ impl Driver {
                 Command::DriveDirect { right, left } => {
                     self.filter.asked(right, left);
                     if (right, left) != self.wheels.sent() {
-                        self.gauge.asked(now, (right, left));
+                        self.link_stats.asked(now, (right, left));
                     }
                     self.wheels.by_hand(now, right, left);
                     continue;
                 }
-                Command::Sensors { packet: 35 } if matches!(self.phase, Phase::Diagnosing | Phase::Waiting) => {
+                Command::SensorReadings { packet: 35 }
+                    if matches!(self.phase, ConnectionPhase::Diagnosing | ConnectionPhase::Waiting) =>
+                {
                     self.diagnosis.go(Step::Asking, now);
-                    self.hearing.clear();
+                    self.classifier.clear();
                     continue;
                 }
                 Command::Safe => Mode::Safe,

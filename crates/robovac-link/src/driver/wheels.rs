@@ -20,7 +20,7 @@ const ECHO_S: f64 = 0.12;
 
 /// The wheel commands.
 #[derive(Debug, Clone)]
-pub struct Wheels {
+pub struct WheelCommand {
     /// Speeds of the right and left wheel, mm/s.
     wanted: (i16, i16),
     renewed_at: f64,
@@ -36,7 +36,7 @@ pub struct Wheels {
     is_other: bool,
 }
 
-impl Default for Wheels {
+impl Default for WheelCommand {
     fn default() -> Self {
         let never = f64::NEG_INFINITY;
         Self {
@@ -52,7 +52,7 @@ impl Default for Wheels {
     }
 }
 
-impl Wheels {
+impl WheelCommand {
     /// Wheel speeds from now on, for [`DEAD_MAN_S`].
     pub fn drive(&mut self, now: f64, wanted: Drive) {
         let Command::DriveDirect { right, left } = crate::sensors::drive_command(wanted) else { return };
@@ -131,7 +131,7 @@ mod tests {
 
     #[test]
     fn speeds_that_nobody_renews_end_in_three_stops() {
-        let mut wheels = Wheels::default();
+        let mut wheels = WheelCommand::default();
         wheels.drive(0.0, Drive::wheels(0.1, 0.2));
         let mut sent = Vec::new();
         for ms in 0..400 {
@@ -149,11 +149,11 @@ mod tests {
 
     #[test]
     fn a_robot_that_did_not_hear_the_stop_is_told_until_it_has() {
-        let mut wheels = Wheels::default();
+        let mut wheels = WheelCommand::default();
         wheels.drive(0.0, Drive::wheels(0.1, 0.1));
         assert!(wheels.due(0.0, None).is_some());
         wheels.stop();
-        let count = |wheels: &mut Wheels, from: i32, to: i32, reported| {
+        let count = |wheels: &mut WheelCommand, from: i32, to: i32, reported| {
             (from..to).filter(|&ms| wheels.due(f64::from(ms) * 1e-3, Some(reported)).is_some()).count()
         };
         assert!(count(&mut wheels, 1, 1000, (100, 100)) > 20);

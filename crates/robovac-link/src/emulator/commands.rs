@@ -13,11 +13,11 @@
 //! - Packets 39 to 42 are 0 again after a stop by mode.
 
 use super::{
+    builtin_program::Chore,
     clock::Nanos,
-    errand::Chore,
     machine::Machine,
     motion::{Brushes, Told},
-    power::Power,
+    power::PowerState,
     report::Stream,
     sound,
 };
@@ -53,7 +53,7 @@ impl Machine {
             Command::Full => self.enter(mode),
             Command::Power => {
                 self.enter(mode);
-                self.errand = None;
+                self.builtin_program = None;
                 self.fall_asleep();
             }
             Command::Clean | Command::Spot | Command::Max | Command::SeekDock => {
@@ -87,7 +87,7 @@ impl Machine {
             }
             Command::Song { number, notes } => self.sound.store(number, notes),
             Command::Play { number } => self.sound.play(self.now, number),
-            Command::Sensors { packet } => self.asked.push(packet),
+            Command::SensorReadings { packet } => self.asked.push(packet),
             Command::QueryList { packets } => self.asked.extend(packets),
             Command::Stream { packets } => {
                 let packets = packets.iter().filter_map(|&id| self.packet(id)).collect();
@@ -118,7 +118,7 @@ impl Machine {
             (false, true) => {
                 // What the robot shows by itself stays on in Full until it is told otherwise.
                 self.lights = super::lights::Lights::of(self.condition());
-                self.errand = None;
+                self.builtin_program = None;
                 self.is_in_trouble = false;
             }
             _ => {}
@@ -147,11 +147,16 @@ impl Machine {
     /// the same once more goes on. The dock is looked for from any errand; asked for twice, that pauses as well.
     pub fn ask(&mut self, chore: Chore) {
         self.is_in_trouble = false;
-        let goes_home_from_cleaning =
-            |errand: &super::errand::Errand| chore == Chore::Dock && errand.chore != Chore::Dock;
-        match &mut self.errand {
-            Some(errand) if !errand.is_paused && !goes_home_from_cleaning(errand) => errand.is_paused = true,
-            Some(errand) if errand.is_paused && errand.chore == chore => errand.is_paused = false,
+        let goes_home_from_cleaning = |builtin_program: &super::builtin_program::BuiltinProgram| {
+            chore == Chore::Dock && builtin_program.chore != Chore::Dock
+        };
+        match &mut self.builtin_program {
+            Some(builtin_program) if !builtin_program.is_paused && !goes_home_from_cleaning(builtin_program) => {
+                builtin_program.is_paused = true
+            }
+            Some(builtin_program) if builtin_program.is_paused && builtin_program.chore == chore => {
+                builtin_program.is_paused = false
+            }
             _ => self.begin(chore),
         }
     }
@@ -165,19 +170,19 @@ impl Machine {
         }
         self.errands += 1;
         let (robot, seed) = self.errand_setup();
-        self.errand = super::errand::Errand::new(chore, robot, seed, self.charger.on_dock);
+        self.builtin_program = super::builtin_program::BuiltinProgram::new(chore, robot, seed, self.charger.on_dock);
         self.sound.sound(sound::BEGINS);
     }
 
     /// Looks after an errand under way.
     pub fn go_on(&mut self) {
-        let Some(errand) = &self.errand else { return };
-        if !errand.is_paused {
+        let Some(builtin_program) = &self.builtin_program else { return };
+        if !builtin_program.is_paused {
             self.active = self.now;
         }
-        if errand.is_done() {
-            let goes_home = errand.goes_home;
-            self.errand = None;
+        if builtin_program.is_done() {
+            let goes_home = builtin_program.goes_home;
+            self.builtin_program = None;
             if goes_home { self.begin(Chore::Dock) } else { self.sound.sound(sound::DONE) }
         }
     }
@@ -191,15 +196,15 @@ impl Machine {
     /// A finger presses buttons.
     pub fn press(&mut self, buttons: Buttons) {
         match self.power {
-            Power::Awake => self.push(buttons),
-            Power::Asleep(since) if buttons.clean => self.wake(self.now - since, true),
+            PowerState::Awake => self.push(buttons),
+            PowerState::Asleep(since) if buttons.clean => self.wake(self.now - since, true),
             _ => {}
         }
     }
 
     /// Lets what it slept be known, and wakes up.
     pub fn wake(&mut self, slept: Nanos, by_button: bool) {
-        self.power = Power::Awake;
+        self.power = PowerState::Awake;
         self.active = self.now;
         if self.who.tells_of_sleep {
             self.line.send(self.now, super::power::woken(slept, by_button).as_bytes());

@@ -5,7 +5,7 @@
 //! manual: the Clean button is green, or red with a low battery, orange while it charges, and dark while it sleeps; Spot and
 //! Dock light up while it does that, and Check Robot when it has given up.
 
-use super::{Display, errand::Chore};
+use super::{Display, builtin_program::Chore};
 use roomba_oi::{Command, Lamps, ScheduleLamps, Weekdays};
 
 /// What is lit by command.

@@ -21,7 +21,7 @@ const CHANGE: Nanos = ms(100);
 
 /// Both directions.
 #[derive(Debug, Clone)]
-pub(super) struct Line {
+pub(super) struct SerialLine {
     baud: u32,
     /// Nothing is heard before.
     deaf_until: Nanos,
@@ -44,7 +44,7 @@ pub(super) struct Line {
     rng: Rng,
 }
 
-impl Line {
+impl SerialLine {
     pub fn new(who: &Personality, seed: u64) -> Self {
         Self {
             baud: who.baud,

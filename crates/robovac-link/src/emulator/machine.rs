@@ -1,15 +1,15 @@
 //! The robot behind the interface: its parts and its time step.
 
 use super::{
+    builtin_program::BuiltinProgram,
     calendar::Calendar,
     charger::Charger,
     clock::{Nanos, SECOND, STEP},
-    errand::Errand,
     lights::{Condition, Lights},
-    line::Line,
-    motion::{Brushes, Told, Travel, to_drive},
+    line::SerialLine,
+    motion::{Brushes, DistanceAngleSum, Told, to_drive},
     personality::{Log, Personality},
-    power::{Brc, Power, SLEEPS_AFTER},
+    power::{Brc, PowerState, SLEEPS_AFTER},
     report::Stream,
     sound::Sound,
 };
@@ -44,9 +44,9 @@ pub(super) struct Machine {
     pub life: Life,
     pub world: Arc<World>,
     floor: Arc<ReachableFloor>,
-    pub line: Line,
+    pub line: SerialLine,
     pub mode: Mode,
-    pub power: Power,
+    pub power: PowerState,
     pub powered_on: Nanos,
     pub brc: Brc,
     /// When something was last done with it.
@@ -55,12 +55,12 @@ pub(super) struct Machine {
     pub asked: Vec<u8>,
     pub stream: Stream,
     pub told: Told,
-    pub travel: Travel,
+    pub travel: DistanceAngleSum,
     pub brushes: Brushes,
     pub lights: Lights,
     pub sound: Sound,
     pub charger: Charger,
-    pub errand: Option<Errand>,
+    pub builtin_program: Option<BuiltinProgram>,
     /// Errands so far: each is led by other random numbers.
     pub errands: u64,
     pub is_in_trouble: bool,
@@ -87,21 +87,21 @@ impl Machine {
             life,
             world,
             floor: Arc::clone(&setup.floor),
-            line: Line::new(who, setup.seed),
+            line: SerialLine::new(who, setup.seed),
             mode: Mode::Off,
-            power: if who.starts_asleep { Power::Asleep(0) } else { Power::Awake },
+            power: if who.starts_asleep { PowerState::Asleep(0) } else { PowerState::Awake },
             powered_on: 0,
             brc: Brc::default(),
             active: 0,
             asked: Vec::new(),
             stream: Stream::default(),
             told: Told::default(),
-            travel: Travel::default(),
+            travel: DistanceAngleSum::default(),
             brushes: Brushes::default(),
             lights: Lights::default(),
             sound: Sound::default(),
             charger: Charger::default(),
-            errand: None,
+            builtin_program: None,
             errands: 0,
             is_in_trouble: false,
             pressed: (Buttons::default(), 0),
@@ -112,7 +112,7 @@ impl Machine {
 
     /// Whether it listens.
     pub fn is_awake(&self) -> bool {
-        self.power == Power::Awake
+        self.power == PowerState::Awake
     }
 
     /// When the next step is due.
@@ -167,10 +167,10 @@ impl Machine {
     /// Tells the wheels what to do until the next step.
     fn drive(&mut self) {
         let (is_awake, asked) = (self.is_awake(), self.asked_speeds());
-        match &mut self.errand {
+        match &mut self.builtin_program {
             _ if is_awake && self.mode >= Mode::Safe => self.robot.drive(to_drive(asked)),
-            Some(errand) if is_awake => {
-                let drive = errand.step(self.robot.sensors(), STEP_S);
+            Some(builtin_program) if is_awake => {
+                let drive = builtin_program.step(self.robot.sensors(), STEP_S);
                 self.robot.drive(drive);
             }
             // Nothing drives it any more. A command to stand still, above, is a speed like any other.
@@ -182,9 +182,9 @@ impl Machine {
 
     /// Brushes and vacuum that run.
     pub fn running(&self) -> Brushes {
-        match &self.errand {
+        match &self.builtin_program {
             _ if !self.is_awake() => Brushes::default(),
-            Some(errand) if self.mode < Mode::Safe && errand.cleans() => Brushes::CLEANING,
+            Some(builtin_program) if self.mode < Mode::Safe && builtin_program.cleans() => Brushes::CLEANING,
             _ => self.brushes,
         }
     }
@@ -196,13 +196,16 @@ impl Machine {
         let supply = self.charger.step(self.now, battery, may_charge, self.is_awake(), loads);
         self.robot.supply(supply);
         match (self.robot.is_empty(), self.power) {
-            (true, Power::Flat)
-            | (false, Power::Awake | Power::Asleep(_) | Power::Booting(..) | Power::BootLoader(_)) => {}
+            (true, PowerState::Flat)
+            | (
+                false,
+                PowerState::Awake | PowerState::Asleep(_) | PowerState::Booting(..) | PowerState::BootLoader(_),
+            ) => {}
             (true, _) => {
                 self.go_down();
-                self.power = Power::Flat;
+                self.power = PowerState::Flat;
             }
-            (false, Power::Flat) => self.boot(),
+            (false, PowerState::Flat) => self.boot(),
         }
     }
 
@@ -225,11 +228,11 @@ impl Machine {
                 self.enter(reaction.mode);
             }
         }
-        if has_dropped && self.errand.take().is_some() {
+        if has_dropped && self.builtin_program.take().is_some() {
             self.trouble();
         }
         if self.charger.is_plugged {
-            self.errand = None;
+            self.builtin_program = None;
         }
     }
 
@@ -238,7 +241,7 @@ impl Machine {
         if self.is_awake() {
             self.go_on();
             if self.mode <= Mode::Passive && self.calendar.is_due(self.now) {
-                self.begin(super::errand::Chore::Clean);
+                self.begin(super::builtin_program::Chore::Clean);
             }
             let idle = self.now - self.active;
             let dozes = |after: f64| {
@@ -282,7 +285,7 @@ impl Machine {
             is_charging: self.charger.state.is_charging(),
             is_low: self.robot.sensors().battery.share() < LOW,
             is_in_trouble: self.is_in_trouble,
-            chore: self.errand.as_ref().map(|errand| errand.chore),
+            chore: self.builtin_program.as_ref().map(|builtin_program| builtin_program.chore),
         }
     }
 

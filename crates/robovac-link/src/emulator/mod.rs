@@ -11,7 +11,7 @@
 //!
 //! ```
 //! use robovac_sim::{experiment::planning::{Placement, choose_robot}, Conditions};
-//! use robovac_core::floorplan::room;
+//! use robovac_core::floor_plan::room;
 //! use roomba_oi::Mode;
 //! use robovac_link::emulator::{Emulator, personality};
 //! let plan = (room("empty").unwrap().build)();
@@ -28,11 +28,11 @@
 //! assert_eq!(answer, [2]);
 //! ```
 
+mod builtin_program;
 mod calendar;
 mod charger;
 mod clock;
 mod commands;
-mod errand;
 mod lights;
 mod line;
 mod machine;
@@ -50,7 +50,7 @@ use lights::Lights;
 use machine::Machine;
 use robovac_core::{
     geometry::Pose,
-    robot::{RobotPort, Sensors},
+    robot::{RobotPort, SensorReadings},
 };
 use robovac_sim::{Input, Life, RunSetup, SimRobot, World};
 use roomba_oi::{Buttons, CommandDecoder, Lamps, Mode, Motors, Note, ScheduleLamps, Weekdays, motion::WheelSpeeds};
@@ -70,7 +70,7 @@ pub struct Emulator {
     machine: Machine,
     /// Time that was let pass beyond whole nanoseconds; negative if they were rounded up.
     rest: f64,
-    heard: Option<Vec<Heard>>,
+    heard: Option<Vec<ReceivedCommand>>,
 }
 
 /// What can be seen and heard of it.
@@ -94,7 +94,7 @@ pub struct Display {
 
 /// A command that arrived, or a byte that is none.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Heard {
+pub struct ReceivedCommand {
     /// When its last byte had arrived, s since the start.
     pub time_s: f64,
     /// As it was on the line.
@@ -177,7 +177,7 @@ impl Emulator {
                     heard.remove(0);
                 }
                 let time_s = machine.now as f64 / SECOND as f64;
-                heard.push(Heard { time_s, bytes: received.bytes.to_vec(), was_obeyed });
+                heard.push(ReceivedCommand { time_s, bytes: received.bytes.to_vec(), was_obeyed });
             }
         }
         if !machine.is_awake() {
@@ -192,7 +192,7 @@ impl Emulator {
     }
 
     /// The commands that arrived since this was last asked for; from the first time on that it is.
-    pub fn take_heard(&mut self) -> Vec<Heard> {
+    pub fn take_heard(&mut self) -> Vec<ReceivedCommand> {
         self.heard.replace(Vec::new()).unwrap_or_default()
     }
 
@@ -223,7 +223,7 @@ impl Emulator {
 
     /// Whether it cleans or looks for its dock by itself.
     pub fn is_on_errand(&self) -> bool {
-        self.machine.errand.as_ref().is_some_and(|errand| !errand.is_paused)
+        self.machine.builtin_program.as_ref().is_some_and(|builtin_program| !builtin_program.is_paused)
     }
 
     /// Where it really is.
@@ -237,7 +237,7 @@ impl Emulator {
     }
 
     /// What it really senses, whatever it says.
-    pub fn sensors(&self) -> &Sensors {
+    pub fn sensors(&self) -> &SensorReadings {
         self.machine.robot.sensors()
     }
 

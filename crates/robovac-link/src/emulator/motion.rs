@@ -4,7 +4,7 @@
 //! a speed: none up to a duty cycle of 21 of 255 on hard floor or 40 on carpet (measured by K. Tibow: what it takes to
 //! move), and from there evenly up to 500 mm/s (ours).
 
-use robovac_core::robot::{Drive, Sensors};
+use robovac_core::robot::{Drive, SensorReadings};
 use roomba_oi::{
     Command, Motors,
     motion::{MAX_SPEED_MM_S, MM_PER_COUNT, WHEEL_BASE_MM, WheelSpeeds, encoder_delta},
@@ -81,16 +81,16 @@ pub(super) fn to_drive(speeds: WheelSpeeds) -> Drive {
 /// Both are whole numbers, cut towards 0, and reading one begins anew: what was cut off is lost. So a slow motion that is
 /// read every 15 ms is never seen, and 67 degrees a second is the least turn that is (fact sheet, section 7).
 #[derive(Debug, Clone, Default)]
-pub(super) struct Travel {
+pub(super) struct DistanceAngleSum {
     last: [u16; 2],
     /// Counts of left and right wheel since packet 19, and since packet 20, was read.
     distance: [i64; 2],
     angle: [i64; 2],
 }
 
-impl Travel {
+impl DistanceAngleSum {
     /// Takes the counters after a step.
-    pub fn count(&mut self, sensed: &Sensors) {
+    pub fn count(&mut self, sensed: &SensorReadings) {
         for (wheel, now) in [sensed.left_counts, sensed.right_counts].into_iter().enumerate() {
             let delta = i64::from(encoder_delta(self.last[wheel], now));
             self.last[wheel] = now;
@@ -172,10 +172,10 @@ impl Brushes {
 mod tests {
     use super::*;
 
-    fn after(counts: &[(u16, u16)]) -> Travel {
-        let mut travel = Travel::default();
+    fn after(counts: &[(u16, u16)]) -> DistanceAngleSum {
+        let mut travel = DistanceAngleSum::default();
         for &(left_counts, right_counts) in counts {
-            travel.count(&Sensors { left_counts, right_counts, ..Sensors::default() });
+            travel.count(&SensorReadings { left_counts, right_counts, ..SensorReadings::default() });
         }
         travel
     }

@@ -37,7 +37,7 @@ const BETWEEN: Nanos = 2 * SECOND;
 
 /// What the robot's processor does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Power {
+pub(super) enum PowerState {
     /// Listens.
     Awake,
     /// Since then.
@@ -146,13 +146,13 @@ impl Machine {
         }
         let pulse = self.brc.set(self.now, is_low, self.powered_on);
         match (pulse, self.power) {
-            (Some(Pulse::Third), Power::Awake) => {
+            (Some(Pulse::Third), PowerState::Awake) => {
                 self.active = self.now;
                 self.sound.sound(sound::SLOW);
                 self.line.set_baud(self.now, SLOW_BAUD);
             }
-            (Some(_), Power::Awake) => self.active = self.now,
-            (Some(Pulse::Ended | Pulse::Third), Power::Asleep(since)) if self.who.silent_on_dock_s.is_none() => {
+            (Some(_), PowerState::Awake) => self.active = self.now,
+            (Some(Pulse::Ended | Pulse::Third), PowerState::Asleep(since)) if self.who.silent_on_dock_s.is_none() => {
                 self.wake(self.now - since, false);
             }
             _ => {}
@@ -167,14 +167,14 @@ impl Machine {
             self.line.power_down(self.now);
         }
         self.asked.clear();
-        self.errand = None;
-        self.power = Power::Asleep(self.now);
+        self.builtin_program = None;
+        self.power = PowerState::Asleep(self.now);
     }
 
     /// Loses all that it remembers and does nothing any more.
     pub fn go_down(&mut self) {
         self.enter(Mode::Off);
-        self.errand = None;
+        self.builtin_program = None;
         self.line.power_down(self.now);
         self.sound.power_down();
         self.calendar = Calendar::default();
@@ -186,19 +186,19 @@ impl Machine {
         self.line.set_baud(self.now, self.who.default_baud);
         self.powered_on = self.now;
         self.power = if self.who.stays_in_boot_loader {
-            Power::BootLoader(self.now + REPEATS)
+            PowerState::BootLoader(self.now + REPEATS)
         } else {
-            Power::Booting(self.now, 0)
+            PowerState::Booting(self.now, 0)
         };
     }
 
     /// What it does while it doesn't listen.
     pub fn go_up(&mut self) {
         match self.power {
-            Power::Booting(since, written) => match boot(self.who.banner, written, self.now - since) {
+            PowerState::Booting(since, written) => match boot(self.who.banner, written, self.now - since) {
                 Ok(Some(text)) => {
                     self.line.send(self.now, text);
-                    self.power = Power::Booting(since, written + 1);
+                    self.power = PowerState::Booting(since, written + 1);
                 }
                 Ok(None) => {}
                 Err(Booted) => {
@@ -207,13 +207,13 @@ impl Machine {
                         [left.wrapping_sub(sensed.left_counts), right.wrapping_sub(sensed.right_counts)];
                     self.travel.forget_distance();
                     self.travel.forget_angle();
-                    self.power = Power::Awake;
+                    self.power = PowerState::Awake;
                     self.active = self.now;
                 }
             },
-            Power::BootLoader(at) if self.now >= at => {
+            PowerState::BootLoader(at) if self.now >= at => {
                 self.line.send(self.now, &[0xFE]);
-                self.power = Power::BootLoader(at + REPEATS);
+                self.power = PowerState::BootLoader(at + REPEATS);
             }
             _ => {}
         }

@@ -17,18 +17,18 @@
 //! let (robot, params) = (model("roomba600").unwrap(), Params::defaults(info.params));
 //! let mut bounce = info.build(&Setup { robot, params: &params, seed: 1 }).unwrap();
 //! assert_eq!(bounce.activity(), "driving straight");
-//! let cliff = Sensors { cliff: [false, false, true, true], ..Sensors::default() };
+//! let cliff = SensorReadings { cliff: [false, false, true, true], ..SensorReadings::default() };
 //! assert!((0..100).any(|_| { let drive = bounce.step(&cliff, 0.015); drive.left < 0.0 && drive.right > 0.0 }));
 //! ```
 
 use super::{
-    BehaviourInfo, Build, Claims,
-    parts::{By, Driven, GO_HOME, Habit, Hit, LEAVE_HOME, Move, Pilot},
+    BehaviourClaims, BehaviourInfo, BuildBehaviour,
+    parts::{Behaviour, By, GO_HOME, LEAVE_HOME, Move, Obstruction, Pilot, Reactive},
 };
 use rand::RngExt;
 use robovac_core::{
     registry::{Example, Explainer, ParamKind, ParamSpec},
-    robot::{Drive, Sensors},
+    robot::{Drive, SensorReadings},
 };
 
 /// Way back before turning, m.
@@ -52,7 +52,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         },
         fails: Example { room: "maze", why: "It passes a doorway only by chance." },
     },
-    claims: Claims { ends: false, cleans: true, manual: false, explores: false },
+    claims: BehaviourClaims { ends: false, cleans: true, manual: false, explores: false },
     params: &[
         ParamSpec {
             id: "least",
@@ -71,10 +71,10 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     ],
 };
 
-pub(super) const BUILD: Build = |setup| {
+pub(super) const BUILD: BuildBehaviour = |setup| {
     let least = setup.params.number("least").to_radians();
     let most = setup.params.number("most").to_radians().max(least);
-    Driven::boxed(setup, Bounce { least, most })
+    Reactive::boxed(setup, Bounce { least, most })
 };
 
 #[derive(Debug, Clone)]
@@ -84,27 +84,27 @@ struct Bounce {
     most: f64,
 }
 
-impl Habit for Bounce {
+impl Behaviour for Bounce {
     fn begin(&mut self, pilot: &mut Pilot) {
         pilot.turn_speed = pilot.robot.turn_wheel_speed;
         pilot.by = By::Counts;
     }
 
-    fn roam(&mut self, pilot: &mut Pilot, _: &Sensors, _: f64) -> Drive {
+    fn roam(&mut self, pilot: &mut Pilot, _: &SensorReadings, _: f64) -> Drive {
         pilot.straight()
     }
 
-    fn hit(&mut self, pilot: &mut Pilot, hit: Hit) {
+    fn on_obstruction(&mut self, pilot: &mut Pilot, obstruction: Obstruction) {
         let turn = self.least + (self.most - self.least) * pilot.rng.random_range(0.0..1.0);
-        let way = pilot.away_from(hit);
-        pilot.answer(hit, BACK, &[Move::Turn(way * turn)]);
+        let way = pilot.away_from(obstruction);
+        pilot.answer(obstruction, BACK, &[Move::Turn(way * turn)]);
     }
 
     fn activity(&self) -> &'static str {
         "driving straight"
     }
 
-    fn boxed_clone(&self) -> Box<dyn Habit> {
+    fn boxed_clone(&self) -> Box<dyn Behaviour> {
         Box::new(self.clone())
     }
 }

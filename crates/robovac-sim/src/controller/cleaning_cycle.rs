@@ -19,7 +19,7 @@
 //! let mut cycle = info.build(&Setup { robot, params: &params, seed: 1 }).unwrap();
 //! let mut seen = Vec::new();
 //! for _ in 0..20_000 {
-//!     cycle.step(&Sensors::default(), 0.015);
+//!     cycle.step(&SensorReadings::default(), 0.015);
 //!     seen.push(cycle.activity());
 //! }
 //! seen.dedup();
@@ -27,17 +27,17 @@
 //! ```
 
 use super::{
-    BehaviourInfo, Build, Claims, Setup,
-    parts::{By, Driven, GO_HOME, Habit, Hit, LEAVE_HOME, Pilot},
+    BehaviourClaims, BehaviourInfo, BuildBehaviour, Setup,
+    parts::{Behaviour, By, GO_HOME, LEAVE_HOME, Obstruction, Pilot, Reactive},
     random_walk::RandomWalk,
     s_path::SPath,
-    spiral::{After, Spiral},
+    spiral::{After, SpiralBehaviour},
     wall_follow::WallFollow,
 };
 use rand::RngExt;
 use robovac_core::{
     registry::{Example, Explainer, ParamKind, ParamSpec},
-    robot::{Drive, Sensors},
+    robot::{Drive, SensorReadings},
 };
 
 /// A time for one of the four, s.
@@ -65,7 +65,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
             why: "Three of the four are useless among so many obstacles, but still take their time.",
         },
     },
-    claims: Claims { ends: false, cleans: true, manual: false, explores: false },
+    claims: BehaviourClaims { ends: false, cleans: true, manual: false, explores: false },
     params: &[
         ParamSpec {
             id: "durations",
@@ -90,11 +90,11 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     ],
 };
 
-pub(super) const BUILD: Build = |setup| Driven::boxed(setup, CleaningCycle::new(setup));
+pub(super) const BUILD: BuildBehaviour = |setup| Reactive::boxed(setup, CleaningCycle::new(setup));
 
 /// The habit.
 struct CleaningCycle {
-    parts: [Box<dyn Habit>; 4],
+    parts: [Box<dyn Behaviour>; 4],
     times: Times,
     present: usize,
     /// Time left for the present one and for all, s.
@@ -124,7 +124,7 @@ impl CleaningCycle {
         Self {
             parts: [
                 Box::new(RandomWalk::with(setup, (1.0, 1.0), 0.03)),
-                Box::new(Spiral::new(setup, 0.85, After::End)),
+                Box::new(SpiralBehaviour::new(setup, 0.85, After::End)),
                 Box::new(SPath::new(setup, 1.0, By::Time, 4)),
                 Box::new(WallFollow::usual(setup)),
             ],
@@ -150,17 +150,17 @@ impl CleaningCycle {
     }
 }
 
-impl Habit for CleaningCycle {
+impl Behaviour for CleaningCycle {
     fn begin(&mut self, pilot: &mut Pilot) {
         self.start(pilot);
     }
 
-    fn watch(&mut self, _: &Sensors, dt_s: f64) {
+    fn watch(&mut self, _: &SensorReadings, dt_s: f64) {
         self.left -= dt_s;
         self.left_in_all -= dt_s;
     }
 
-    fn roam(&mut self, pilot: &mut Pilot, sensed: &Sensors, dt_s: f64) -> Drive {
+    fn roam(&mut self, pilot: &mut Pilot, sensed: &SensorReadings, dt_s: f64) -> Drive {
         if self.left <= 0.0 || self.parts[self.present].is_done() {
             self.present = (self.present + 1) % self.parts.len();
             self.start(pilot);
@@ -168,8 +168,8 @@ impl Habit for CleaningCycle {
         self.parts[self.present].roam(pilot, sensed, dt_s)
     }
 
-    fn hit(&mut self, pilot: &mut Pilot, hit: Hit) {
-        self.parts[self.present].hit(pilot, hit);
+    fn on_obstruction(&mut self, pilot: &mut Pilot, obstruction: Obstruction) {
+        self.parts[self.present].on_obstruction(pilot, obstruction);
     }
 
     fn is_done(&self) -> bool {
@@ -180,7 +180,7 @@ impl Habit for CleaningCycle {
         if self.is_done() { "done" } else { self.parts[self.present].activity() }
     }
 
-    fn boxed_clone(&self) -> Box<dyn Habit> {
+    fn boxed_clone(&self) -> Box<dyn Behaviour> {
         let parts = [0, 1, 2, 3].map(|i| self.parts[i].boxed_clone());
         Box::new(Self { parts, ..*self })
     }

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 /// Position of a joystick. Both values lie in -1 to 1; outside, they are taken as the nearest of these.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-pub struct Command {
+pub struct Joystick {
     /// Forward, as a share of the robot's cruise speed; negative for backward.
     pub forward: f64,
     /// To the left, as a share of its turn rate; negative for right.

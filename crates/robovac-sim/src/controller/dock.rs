@@ -20,24 +20,24 @@
 //! let info = find("dock").unwrap();
 //! let (robot, params) = (model("roomba600").unwrap(), Params::defaults(info.params));
 //! let mut dock = info.build(&Setup { robot, params: &params, seed: 1 }).unwrap();
-//! let seen = |omni| Sensors { infrared: Infrared { omni, left: omni, right: omni }, ..Sensors::default() };
+//! let seen = |omni| SensorReadings { infrared: Infrared { omni, left: omni, right: omni }, ..SensorReadings::default() };
 //! dock.step(&seen(172), 0.015);
 //! assert_eq!(dock.activity(), "driving to the dock");
 //! let battery = BatteryReading { on_dock: true, ..BatteryReading::default() };
-//! let on_dock = Sensors { battery, ..Sensors::default() };
+//! let on_dock = SensorReadings { battery, ..SensorReadings::default() };
 //! assert!((0..40).all(|_| dock.step(&on_dock, 0.015).is_stop()) && dock.is_done());
 //! ```
 
 use super::{
-    BehaviourInfo, Build, Claims, Setup,
-    parts::{Beacon, By, Driven, Habit, Hit, Kind, Move, Pilot},
+    BehaviourClaims, BehaviourInfo, BuildBehaviour, Setup,
+    parts::{Beacon, Behaviour, By, Move, Obstruction, ObstructionKind, Pilot, Reactive},
     random_walk::RandomWalk,
     wall_follow::WallFollow,
 };
 use rand::RngExt;
 use robovac_core::{
     registry::{Example, Explainer},
-    robot::{Drive, Sensors},
+    robot::{Drive, SensorReadings},
 };
 
 /// Speeds, m/s: to the dock from afar, and within its force field.
@@ -75,11 +75,11 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         shines: Example { room: "room12ft", why: "In a single room the beams are found quickly." },
         fails: Example { room: "maze", why: "Walls block the beams, so the dock is found only by chance." },
     },
-    claims: Claims { ends: true, cleans: false, manual: false, explores: false },
+    claims: BehaviourClaims { ends: true, cleans: false, manual: false, explores: false },
     params: &[],
 };
 
-pub(super) const BUILD: Build = |setup| Driven::boxed(setup, Dock::new(setup));
+pub(super) const BUILD: BuildBehaviour = |setup| Reactive::boxed(setup, Dock::new(setup));
 
 /// The habit.
 #[derive(Debug, Clone)]
@@ -87,14 +87,14 @@ pub(super) struct Dock {
     walk: RandomWalk,
     walls: WallFollow,
     beacon: Beacon,
-    phase: Phase,
+    phase: DockPhase,
     tries: u32,
     /// Whether the robot has receivers and contacts.
     is_able: bool,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Phase {
+enum DockPhase {
     /// For so long, s; along walls or at random; without looking at beams for so long, s.
     Search { left: f64, along_walls: bool, blind: f64 },
     /// Hasn't seen the beams for so long, s; when it saw the dock last, it was on the left.
@@ -103,7 +103,7 @@ enum Phase {
     Docked { since: f64 },
 }
 
-const START: Phase = Phase::Search { left: SEARCH_S.0, along_walls: false, blind: 0.0 };
+const START: DockPhase = DockPhase::Search { left: SEARCH_S.0, along_walls: false, blind: 0.0 };
 
 impl Dock {
     pub(super) fn new(setup: &Setup<'_>) -> Self {
@@ -119,7 +119,7 @@ impl Dock {
 
     fn search(&mut self, pilot: &mut Pilot, along_walls: bool, blind: f64) {
         let left = if along_walls { SEARCH_S.1 } else { SEARCH_S.0 };
-        self.phase = Phase::Search { left, along_walls, blind };
+        self.phase = DockPhase::Search { left, along_walls, blind };
         self.tries = 0;
         if along_walls { self.walls.begin(pilot) } else { self.walk.begin(pilot) }
     }
@@ -147,23 +147,23 @@ impl Dock {
     }
 }
 
-impl Habit for Dock {
+impl Behaviour for Dock {
     fn begin(&mut self, pilot: &mut Pilot) {
         self.search(pilot, false, 0.0);
     }
 
-    fn watch(&mut self, sensed: &Sensors, dt_s: f64) {
+    fn watch(&mut self, sensed: &SensorReadings, dt_s: f64) {
         self.beacon.update(sensed, dt_s);
         match &mut self.phase {
-            Phase::Docked { since } if sensed.battery.on_dock => *since += dt_s,
+            DockPhase::Docked { since } if sensed.battery.on_dock => *since += dt_s,
             // Rolled over them.
-            Phase::Docked { .. } => self.phase = Phase::Home { unseen: 0.0, was_left: false },
-            phase if sensed.battery.on_dock => *phase = Phase::Docked { since: 0.0 },
-            Phase::Search { left, blind, .. } => {
+            DockPhase::Docked { .. } => self.phase = DockPhase::Home { unseen: 0.0, was_left: false },
+            phase if sensed.battery.on_dock => *phase = DockPhase::Docked { since: 0.0 },
+            DockPhase::Search { left, blind, .. } => {
                 *left -= dt_s;
                 *blind -= dt_s;
             }
-            Phase::Home { unseen, was_left } => {
+            DockPhase::Home { unseen, was_left } => {
                 *unseen = if self.beacon.beams() == (false, false) { *unseen + dt_s } else { 0.0 };
                 *was_left = match self.beacon.sides() {
                     (true, false) => true,
@@ -174,60 +174,60 @@ impl Habit for Dock {
         }
     }
 
-    fn roam(&mut self, pilot: &mut Pilot, sensed: &Sensors, dt_s: f64) -> Drive {
+    fn roam(&mut self, pilot: &mut Pilot, sensed: &SensorReadings, dt_s: f64) -> Drive {
         match self.phase {
-            Phase::Search { blind, .. } if blind <= 0.0 && self.beacon.beams() != (false, false) => {
-                self.phase = Phase::Home { unseen: 0.0, was_left: self.beacon.sides().0 };
+            DockPhase::Search { blind, .. } if blind <= 0.0 && self.beacon.beams() != (false, false) => {
+                self.phase = DockPhase::Home { unseen: 0.0, was_left: self.beacon.sides().0 };
                 pilot.turn_speed = pilot.robot.turn_wheel_speed;
                 pilot.by = By::Counts;
                 self.by_beams(pilot, self.beacon.sides().0)
             }
-            Phase::Search { left, along_walls, .. } => {
+            DockPhase::Search { left, along_walls, .. } => {
                 if left <= 0.0 {
                     self.search(pilot, !along_walls, 0.0);
                 }
                 if along_walls { self.walls.roam(pilot, sensed, dt_s) } else { self.walk.roam(pilot, sensed, dt_s) }
             }
-            Phase::Home { unseen, .. } if unseen > LOST_S => {
+            DockPhase::Home { unseen, .. } if unseen > LOST_S => {
                 self.search(pilot, false, 0.0);
                 Drive::STOP
             }
-            Phase::Home { was_left, .. } => self.by_beams(pilot, was_left),
-            Phase::Docked { .. } => Drive::STOP,
+            DockPhase::Home { was_left, .. } => self.by_beams(pilot, was_left),
+            DockPhase::Docked { .. } => Drive::STOP,
         }
     }
 
-    fn hit(&mut self, pilot: &mut Pilot, hit: Hit) {
+    fn on_obstruction(&mut self, pilot: &mut Pilot, obstruction: Obstruction) {
         match self.phase {
-            Phase::Docked { .. } => {}
-            Phase::Search { along_walls: true, .. } => self.walls.hit(pilot, hit),
-            Phase::Home { .. } if hit.kind == Kind::Bump && self.tries < TRIES => {
+            DockPhase::Docked { .. } => {}
+            DockPhase::Search { along_walls: true, .. } => self.walls.on_obstruction(pilot, obstruction),
+            DockPhase::Home { .. } if obstruction.kind == ObstructionKind::Bump && self.tries < TRIES => {
                 self.tries += 1;
                 let turn = pilot.rng.random_range(-0.4..0.4);
-                pilot.answer(hit, BACK, &[Move::Turn(turn)]);
+                pilot.answer(obstruction, BACK, &[Move::Turn(turn)]);
             }
-            Phase::Home { .. } => {
+            DockPhase::Home { .. } => {
                 self.search(pilot, false, BLIND_S);
-                self.walk.hit(pilot, hit);
+                self.walk.on_obstruction(pilot, obstruction);
             }
-            Phase::Search { .. } => self.walk.hit(pilot, hit),
+            DockPhase::Search { .. } => self.walk.on_obstruction(pilot, obstruction),
         }
     }
 
     fn is_done(&self) -> bool {
-        matches!(self.phase, Phase::Docked { since } if since > RESTS_S) || !self.is_able
+        matches!(self.phase, DockPhase::Docked { since } if since > RESTS_S) || !self.is_able
     }
 
     fn activity(&self) -> &'static str {
         match self.phase {
             _ if !self.is_able => "no infrared receivers for the dock's beams",
-            Phase::Search { .. } => "searching for the dock",
-            Phase::Home { .. } => "driving to the dock",
-            Phase::Docked { .. } => "docked",
+            DockPhase::Search { .. } => "searching for the dock",
+            DockPhase::Home { .. } => "driving to the dock",
+            DockPhase::Docked { .. } => "docked",
         }
     }
 
-    fn boxed_clone(&self) -> Box<dyn Habit> {
+    fn boxed_clone(&self) -> Box<dyn Behaviour> {
         Box::new(self.clone())
     }
 }

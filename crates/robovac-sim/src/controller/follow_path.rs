@@ -4,7 +4,7 @@ use super::{Controller, parts::safe_speed};
 use robovac_core::{
     geometry::{Point, Pose, Vector, difference},
     math,
-    robot::{Drive, Odometry, OdometryModel, RobotModel, Sensors, Wheels},
+    robot::{Drive, Odometry, OdometryModel, RobotModel, SensorReadings, WheelLayout},
 };
 use std::sync::Arc;
 
@@ -52,7 +52,7 @@ pub struct FollowPath {
     line: Arc<[Point]>,
     /// Index in `line` of the corner that the robot drives to.
     next: usize,
-    phase: Phase,
+    phase: FollowPhase,
     bumps: u32,
     waits: u32,
     /// How long one wheel has hung over an edge, s.
@@ -74,7 +74,7 @@ pub struct FollowPath {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Phase {
+enum FollowPhase {
     /// Wait until the wheels stand still: turning before would carry the robot off the line.
     Stop,
     /// Turn on the spot to this heading.
@@ -106,7 +106,7 @@ impl FollowPath {
             odometry: Odometry::new(robot, odometry, start),
             line,
             next: 0,
-            phase: Phase::Done,
+            phase: FollowPhase::Done,
             bumps: 0,
             waits: 0,
             hung_s: 0.0,
@@ -134,15 +134,15 @@ impl FollowPath {
         self.bumps = 0;
         self.waits = 0;
         self.shift = 0.0;
-        self.phase = Phase::Done;
+        self.phase = FollowPhase::Done;
         if self.next < self.line.len() {
             let length = (self.line[self.next] - self.odometry.pose().position()).norm();
             self.patience = 15.0 + 3.0 * self.robot.straight_time(length);
-            self.phase = Phase::Stop;
+            self.phase = FollowPhase::Stop;
         }
     }
 
-    fn watch_wheels(&mut self, sensed: &Sensors) {
+    fn watch_wheels(&mut self, sensed: &SensorReadings) {
         let counts = [sensed.left_counts, sensed.right_counts, sensed.lateral_counts];
         self.still = if counts == self.counts { self.still + 1 } else { 0 };
         self.counts = counts;
@@ -153,13 +153,13 @@ impl FollowPath {
     }
 
     fn moves_sideways(&self) -> bool {
-        self.robot.wheels == Wheels::Omnidirectional && !self.is_careful
+        self.robot.wheels == WheelLayout::Omnidirectional && !self.is_careful
     }
 
     fn face_next_corner(&mut self) {
         if self.moves_sideways() {
             self.began = self.odometry.pose().position();
-            self.phase = Phase::Drive;
+            self.phase = FollowPhase::Drive;
             return;
         }
         let pose = self.odometry.pose();
@@ -167,7 +167,7 @@ impl FollowPath {
         // From close by, the bearing of the corner says little; the direction of the line is what counts.
         let aim = to - pose.position();
         let aim = if aim.norm() > 2.0 * NUDGE + BACK_OFF { aim } else { to - from };
-        self.phase = Phase::Turn(math::atan2(aim.y, aim.x));
+        self.phase = FollowPhase::Turn(math::atan2(aim.y, aim.x));
     }
 
     /// Ends of the present piece, shifted.
@@ -182,7 +182,7 @@ impl FollowPath {
         let error = difference(self.odometry.pose().heading, heading);
         let travel = 0.5 * self.robot.wheel_base * error;
         if travel.abs() < CLOSE_ENOUGH {
-            self.phase = Phase::Settle;
+            self.phase = FollowPhase::Settle;
             return Drive::STOP;
         }
         let wheel = self.braking_speed(travel.abs()).min(self.robot.turn_wheel_speed) * travel.signum();
@@ -227,14 +227,14 @@ impl FollowPath {
         (2.0 * 0.9 * self.robot.acceleration * distance).sqrt()
     }
 
-    fn bumped(&mut self, sensed: &Sensors) {
+    fn bumped(&mut self, sensed: &SensorReadings) {
         self.bumps += 1;
         if self.moves_sideways() {
             // Its bumper tells sides of the body, not of the line: it tries one side, then the other, farther each time.
             let side = if self.bumps.is_multiple_of(2) { -1.0 } else { 1.0 };
             self.shift = side * NUDGE * f64::from(self.bumps.div_ceil(2));
             let then = if self.bumps >= MOST_BUMPS { AfterBump::GiveUp } else { AfterBump::TryAgain };
-            self.phase = Phase::BackOff(self.odometry.pose().position(), BACK_OFF, then);
+            self.phase = FollowPhase::BackOff(self.odometry.pose().position(), BACK_OFF, then);
             return;
         }
         let at = self.odometry.pose().position();
@@ -246,33 +246,33 @@ impl FollowPath {
             true => AfterBump::GiveUp,
         };
         self.shift += if sensed.bump_left { -NUDGE } else { NUDGE };
-        self.phase = Phase::BackOff(at, BACK_OFF, then);
+        self.phase = FollowPhase::BackOff(at, BACK_OFF, then);
     }
 
     /// There is no floor ahead, or it isn't to be entered: back over the way that it has come.
     fn turned_back(&mut self) {
         let at = self.odometry.pose().position();
         let way = BACK_FROM_EDGE.min((at - self.began).norm());
-        self.phase = Phase::BackOff(at, way, AfterBump::GiveUp);
+        self.phase = FollowPhase::BackOff(at, way, AfterBump::GiveUp);
     }
 
     /// An edge comes near while it turns, and a wheel with it: a little back, and once more.
     fn shied(&mut self) {
         self.bumps += 1;
         let then = if self.bumps >= MOST_BUMPS { AfterBump::GiveUp } else { AfterBump::TryAgain };
-        self.phase = Phase::BackOff(self.odometry.pose().position(), SHY, then);
+        self.phase = FollowPhase::BackOff(self.odometry.pose().position(), SHY, then);
     }
 
     fn back_off(&mut self, from: Point, way: f64, then: AfterBump) -> Drive {
         let left_over = way - (self.odometry.pose().position() - from).norm();
         if left_over < CLOSE_ENOUGH {
             match then {
-                AfterBump::TryAgain => self.phase = Phase::Stop,
+                AfterBump::TryAgain => self.phase = FollowPhase::Stop,
                 AfterBump::Wait => {
                     self.waits += 1;
                     self.patience += WAIT.0;
                     (self.bumps, self.shift) = (0, 0.0);
-                    self.phase = Phase::Wait(WAIT.0);
+                    self.phase = FollowPhase::Wait(WAIT.0);
                 }
                 AfterBump::GiveUp => self.next_piece(),
             }
@@ -288,14 +288,14 @@ impl FollowPath {
 }
 
 impl Controller for FollowPath {
-    fn step(&mut self, sensed: &Sensors, dt_s: f64) -> Drive {
+    fn step(&mut self, sensed: &SensorReadings, dt_s: f64) -> Drive {
         self.odometry.update(sensed);
         if sensed.wheel_dropped() {
             // In somebody's hand both hang down; with one over an edge it can't get away.
             let is_held = sensed.wheel_drop_left && sensed.wheel_drop_right;
             self.hung_s = if is_held { 0.0 } else { self.hung_s + dt_s };
             if self.hung_s > HUNG_S {
-                self.phase = Phase::Done;
+                self.phase = FollowPhase::Done;
             }
             return Drive::STOP;
         }
@@ -303,43 +303,43 @@ impl Controller for FollowPath {
         // On a dock, whose ramp is black, all cliff sensors see an edge that is none.
         let sees_edge = sensed.sees_cliff() && !sensed.battery.on_dock;
         match self.phase {
-            Phase::Drive if sees_edge || sensed.virtual_wall => self.turned_back(),
-            Phase::Turn(_) if sees_edge => self.shied(),
-            Phase::Drive if sensed.bumped() => self.bumped(sensed),
+            FollowPhase::Drive if sees_edge || sensed.virtual_wall => self.turned_back(),
+            FollowPhase::Turn(_) if sees_edge => self.shied(),
+            FollowPhase::Drive if sensed.bumped() => self.bumped(sensed),
             _ => {}
         }
         self.patience -= dt_s;
-        if self.patience < 0.0 && self.phase != Phase::Done {
+        if self.patience < 0.0 && self.phase != FollowPhase::Done {
             self.next_piece();
         }
         self.watch_wheels(sensed);
         match self.phase {
-            Phase::Stop => {
+            FollowPhase::Stop => {
                 if self.is_resting() {
                     self.face_next_corner();
                 }
                 Drive::STOP
             }
-            Phase::Settle => {
+            FollowPhase::Settle => {
                 if self.is_resting() {
                     self.began = self.odometry.pose().position();
-                    self.phase = Phase::Drive;
+                    self.phase = FollowPhase::Drive;
                 }
                 Drive::STOP
             }
-            Phase::Turn(heading) => self.turn(heading),
-            Phase::Drive => self.drive(),
-            Phase::BackOff(from, way, then) => self.back_off(from, way, then),
-            Phase::Wait(left) => {
-                self.phase = if left > dt_s { Phase::Wait(left - dt_s) } else { Phase::Stop };
+            FollowPhase::Turn(heading) => self.turn(heading),
+            FollowPhase::Drive => self.drive(),
+            FollowPhase::BackOff(from, way, then) => self.back_off(from, way, then),
+            FollowPhase::Wait(left) => {
+                self.phase = if left > dt_s { FollowPhase::Wait(left - dt_s) } else { FollowPhase::Stop };
                 Drive::STOP
             }
-            Phase::Done => Drive::STOP,
+            FollowPhase::Done => Drive::STOP,
         }
     }
 
     fn is_done(&self) -> bool {
-        self.phase == Phase::Done
+        self.phase == FollowPhase::Done
     }
 
     fn estimate(&self) -> Option<Pose> {
@@ -348,8 +348,8 @@ impl Controller for FollowPath {
 
     fn activity(&self) -> &'static str {
         match self.phase {
-            Phase::BackOff(..) => "backing up",
-            Phase::Wait(_) => "waiting, the path is blocked",
+            FollowPhase::BackOff(..) => "backing up",
+            FollowPhase::Wait(_) => "waiting, the path is blocked",
             _ => "",
         }
     }

@@ -21,7 +21,7 @@ pub struct BehaviourInfo {
     /// What its panel explains.
     pub explainer: Explainer,
     /// What the contract test holds it to.
-    pub claims: Claims,
+    pub claims: BehaviourClaims,
     /// Its parameters, the important ones first.
     pub params: &'static [ParamSpec],
 }
@@ -29,7 +29,7 @@ pub struct BehaviourInfo {
 /// Properties of a behaviour that the contract test checks.
 #[expect(clippy::struct_excessive_bools)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Claims {
+pub struct BehaviourClaims {
     /// Comes to an end by itself; others go on until the battery is empty.
     pub ends: bool,
     /// Cleans: covers more and more floor. Others serve another purpose, such as going home.

@@ -1,6 +1,6 @@
 //! A controller's current goal, for display.
 
-use crate::mapping::{Layer, Mark, Marks, locate::Locator};
+use crate::mapping::{Mark, Marks, TiledLayer, locate::Locator};
 use robovac_core::geometry::Point;
 
 /// What a controller that drives by a map of its own is going for, in the frame of that map.
@@ -11,7 +11,7 @@ pub struct Intent<'a> {
     /// Where what it knows ends and it could go: the ends of each piece, m.
     pub frontiers: &'a [[Point; 2]],
     /// Cells of the map that its tool can get to, as it last thought; `None` if it doesn't care.
-    pub reach: Option<&'a Layer<bool>>,
+    pub reach: Option<&'a TiledLayer<bool>>,
     /// What looks for it on its map while it is lost.
     pub locator: Option<&'a Locator>,
 }

@@ -9,16 +9,16 @@
 //!
 //! ```
 //! use robovac_sim::controller::interlock;
-//! use robovac_core::robot::Sensors;
-//! let sensed = Sensors { bump_right: true, ..Sensors::default() };
+//! use robovac_core::robot::SensorReadings;
+//! let sensed = SensorReadings { bump_right: true, ..SensorReadings::default() };
 //! let blocked = interlock::blocked(&sensed);
 //! let allowed = interlock::allowed(&sensed);
 //! assert!(allowed.backward && allowed.left && !allowed.forward && !allowed.right);
 //! assert_eq!(blocked.right, Some("bumper pressed on the right"));
 //! ```
 
-use crate::controller::Command;
-use robovac_core::robot::Sensors;
+use crate::controller::Joystick;
+use robovac_core::robot::SensorReadings;
 
 /// Which commands are obeyed.
 #[expect(clippy::struct_excessive_bools)]
@@ -48,12 +48,12 @@ pub struct Blocked {
 }
 
 /// What is allowed.
-pub fn allowed(sensed: &Sensors) -> Allowed {
+pub fn allowed(sensed: &SensorReadings) -> Allowed {
     blocked(sensed).allowed()
 }
 
 /// What is blocked, and why.
-pub fn blocked(sensed: &Sensors) -> Blocked {
+pub fn blocked(sensed: &SensorReadings) -> Blocked {
     if sensed.wheel_dropped() {
         let why = Some("wheel drop");
         return Blocked { forward: why, backward: why, left: why, right: why };
@@ -90,12 +90,12 @@ impl Blocked {
 
 impl Allowed {
     /// What of a command is obeyed: each of its two parts, or nothing of it.
-    pub fn cut(&self, command: Command) -> Command {
+    pub fn cut(&self, command: Joystick) -> Joystick {
         let part = |value: f64, plus: bool, minus: bool| {
             let is_allowed = if value > 0.0 { plus } else { minus };
             if is_allowed && value.is_finite() { value.clamp(-1.0, 1.0) } else { 0.0 }
         };
-        Command {
+        Joystick {
             forward: part(command.forward, self.forward, self.backward),
             left: part(command.left, self.left, self.right),
         }
@@ -107,13 +107,13 @@ mod tests {
     use super::*;
     use robovac_core::robot::BatteryReading;
 
-    fn sensed(bump: [u8; 2], cliff: [u8; 3]) -> Sensors {
+    fn sensed(bump: [u8; 2], cliff: [u8; 3]) -> SensorReadings {
         let [left, front, right] = cliff.map(|bit| bit == 1);
-        Sensors {
+        SensorReadings {
             bump_left: bump[0] == 1,
             bump_right: bump[1] == 1,
             cliff: [left, front, front, right],
-            ..Sensors::default()
+            ..SensorReadings::default()
         }
     }
 
@@ -176,21 +176,24 @@ mod tests {
     #[test]
     fn lifted_fenced_and_docked() {
         let nothing = Allowed { forward: false, backward: false, left: false, right: false };
-        assert_eq!(allowed(&Sensors { wheel_drop_left: true, ..Sensors::default() }), nothing);
-        let fenced = blocked(&Sensors { virtual_wall: true, ..Sensors::default() });
+        assert_eq!(allowed(&SensorReadings { wheel_drop_left: true, ..SensorReadings::default() }), nothing);
+        let fenced = blocked(&SensorReadings { virtual_wall: true, ..SensorReadings::default() });
         assert_eq!(fenced, Blocked { forward: Some("virtual wall"), ..Blocked::default() });
         let battery = BatteryReading { on_dock: true, ..BatteryReading::default() };
-        assert_eq!(blocked(&Sensors { battery, cliff: [true; 4], ..Sensors::default() }), Blocked::default());
+        assert_eq!(
+            blocked(&SensorReadings { battery, cliff: [true; 4], ..SensorReadings::default() }),
+            Blocked::default()
+        );
     }
 
     #[test]
     fn mixed_commands_are_cut_to_what_is_allowed() {
-        let command = Command { forward: 1.0, left: 0.5 };
+        let command = Joystick { forward: 1.0, left: 0.5 };
         let cut = |bump| allowed(&sensed(bump, [0; 3])).cut(command);
         assert_eq!(cut([0, 0]), command);
-        assert_eq!(cut([0, 1]), Command { forward: 0.0, left: 0.5 });
-        assert_eq!(cut([1, 0]), Command::default());
-        let wild = Command { forward: f64::NAN, left: -9.0 };
-        assert_eq!(allowed(&sensed([0, 0], [0; 3])).cut(wild), Command { forward: 0.0, left: -1.0 });
+        assert_eq!(cut([0, 1]), Joystick { forward: 0.0, left: 0.5 });
+        assert_eq!(cut([1, 0]), Joystick::default());
+        let wild = Joystick { forward: f64::NAN, left: -9.0 };
+        assert_eq!(allowed(&sensed([0, 0], [0; 3])).cut(wild), Joystick { forward: 0.0, left: -1.0 });
     }
 }

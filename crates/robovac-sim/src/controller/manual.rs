@@ -18,21 +18,21 @@
 //! let info = find("manual").unwrap();
 //! let (robot, params) = (model("dvr1").unwrap(), Params::defaults(info.params));
 //! let mut manual = info.build(&Setup { robot, params: &params, seed: 1 }).unwrap();
-//! manual.command(Command { forward: 1.0, left: 0.0 });
-//! assert!(manual.step(&Sensors::default(), 0.015).left > 0.0);
-//! let bump = Sensors { bump_left: true, ..Sensors::default() };
+//! manual.command(Joystick { forward: 1.0, left: 0.0 });
+//! assert!(manual.step(&SensorReadings::default(), 0.015).left > 0.0);
+//! let bump = SensorReadings { bump_left: true, ..SensorReadings::default() };
 //! assert!(manual.step(&bump, 0.015).is_stop());
 //! assert_eq!(manual.blocked().unwrap().left, Some("bumper pressed on the left"));
 //! ```
 
 use super::{
-    BehaviourInfo, Build, Claims, Command,
+    BehaviourClaims, BehaviourInfo, BuildBehaviour, Joystick,
     interlock::{self, Blocked},
-    parts::{By, Driven, Habit, Hit, Kind, Pilot},
+    parts::{Behaviour, By, Obstruction, ObstructionKind, Pilot, Reactive},
 };
 use robovac_core::{
     registry::{Example, Explainer, ParamKind, ParamSpec},
-    robot::{Drive, Sensors},
+    robot::{Drive, SensorReadings},
 };
 
 pub(super) const INFO: BehaviourInfo = BehaviourInfo {
@@ -51,7 +51,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         shines: Example { room: "room12ft", why: "One room that is easy to keep in mind." },
         fails: Example { room: "clutter", why: "Try to cover everything." },
     },
-    claims: Claims { ends: false, cleans: false, manual: true, explores: false },
+    claims: BehaviourClaims { ends: false, cleans: false, manual: true, explores: false },
     params: &[ParamSpec {
         id: "careful",
         label: "Reverse only over known ground",
@@ -60,13 +60,13 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     }],
 };
 
-pub(super) const BUILD: Build = |setup| {
+pub(super) const BUILD: BuildBehaviour = |setup| {
     let is_careful = setup.params.flag("careful");
-    Driven::boxed(
+    Reactive::boxed(
         setup,
         Manual {
             is_careful,
-            command: Command::default(),
+            command: Joystick::default(),
             blocked: Blocked::default(),
             held: None,
             has_recoiled: false,
@@ -78,7 +78,7 @@ pub(super) const BUILD: Build = |setup| {
 #[derive(Debug, Clone)]
 struct Manual {
     is_careful: bool,
-    command: Command,
+    command: Joystick,
     blocked: Blocked,
     /// Why it doesn't go ahead until the stick is let go.
     held: Option<&'static str>,
@@ -87,14 +87,14 @@ struct Manual {
     obeyed: Drive,
 }
 
-impl Habit for Manual {
+impl Behaviour for Manual {
     fn begin(&mut self, pilot: &mut Pilot) {
         pilot.turn_speed = pilot.robot.turn_wheel_speed;
         pilot.by = By::Counts;
         self.held = None;
     }
 
-    fn watch(&mut self, sensed: &Sensors, _: f64) {
+    fn watch(&mut self, sensed: &SensorReadings, _: f64) {
         self.blocked = interlock::blocked(sensed);
         if self.command.forward <= 0.0 {
             self.held = None;
@@ -103,7 +103,7 @@ impl Habit for Manual {
         self.blocked.forward = self.blocked.forward.or(self.held);
     }
 
-    fn command(&mut self, command: Command) {
+    fn command(&mut self, command: Joystick) {
         self.command = command;
     }
 
@@ -111,11 +111,11 @@ impl Habit for Manual {
         Some(self.blocked)
     }
 
-    fn roam(&mut self, pilot: &mut Pilot, _: &Sensors, _: f64) -> Drive {
+    fn roam(&mut self, pilot: &mut Pilot, _: &SensorReadings, _: f64) -> Drive {
         if self.is_careful && !pilot.knows_way_back() && self.blocked.backward.is_none() {
             self.blocked.backward = Some("no rear sensor, and the ground behind is unknown");
         }
-        let Command { forward, left } = self.blocked.allowed().cut(self.command);
+        let Joystick { forward, left } = self.blocked.allowed().cut(self.command);
         self.obeyed = if self.is_careful && forward < 0.0 {
             pilot.retreat(-forward)
         } else {
@@ -124,11 +124,11 @@ impl Habit for Manual {
         self.obeyed
     }
 
-    fn hit(&mut self, pilot: &mut Pilot, hit: Hit) {
-        if hit.kind == Kind::Cliff && !self.has_recoiled {
+    fn on_obstruction(&mut self, pilot: &mut Pilot, obstruction: Obstruction) {
+        if obstruction.kind == ObstructionKind::Cliff && !self.has_recoiled {
             self.has_recoiled = true;
             self.held = self.blocked.forward.or(Some("no floor in front"));
-            pilot.answer(hit, 0.0, &[]);
+            pilot.answer(obstruction, 0.0, &[]);
         }
     }
 
@@ -143,7 +143,7 @@ impl Habit for Manual {
         }
     }
 
-    fn boxed_clone(&self) -> Box<dyn Habit> {
+    fn boxed_clone(&self) -> Box<dyn Behaviour> {
         Box::new(self.clone())
     }
 }

@@ -1,7 +1,7 @@
 //! Controllers, which drive a robot by its sensor readings alone.
 //!
 //! [`FollowPath`] drives a planned line. All others are behaviours, which know nothing of the room: one file each, all in
-//! one registry. To add one, write its file with the constants `INFO` (a [`BehaviourInfo`]) and `BUILD` (a [`Build`]) and
+//! one registry. To add one, write its file with the constants `INFO` (a [`BehaviourInfo`]) and `BUILD` (a [`BuildBehaviour`]) and
 //! list it below; menus, forms, command line and the contract test iterate [`BEHAVIOURS`].
 
 mod bounce;
@@ -23,21 +23,21 @@ mod timing;
 mod wall_follow;
 
 pub use by_map::clean_by_map;
-pub use command::Command;
+pub use command::Joystick;
 pub use follow_path::FollowPath;
-pub use info::{BehaviourInfo, Claims, Setup};
+pub use info::{BehaviourClaims, BehaviourInfo, Setup};
 pub use intent::Intent;
 pub use timing::Timing;
 
 use robovac_core::{
     geometry::Pose,
-    robot::{Drive, Sensors},
+    robot::{Drive, SensorReadings},
 };
 
 /// What drives a robot. Pure: the same readings give the same commands, on the simulated and on a real robot.
 pub trait Controller {
     /// Takes a sensor reading, `dt_s` seconds after the last one, and says how to drive until the next.
-    fn step(&mut self, sensed: &Sensors, dt_s: f64) -> Drive;
+    fn step(&mut self, sensed: &SensorReadings, dt_s: f64) -> Drive;
 
     /// Whether there is nothing left to do.
     fn is_done(&self) -> bool;
@@ -58,7 +58,7 @@ pub trait Controller {
     }
 
     /// What a person at the controls wants; ignored by those that drive by themselves.
-    fn command(&mut self, _: Command) {}
+    fn command(&mut self, _: Joystick) {}
 
     /// What of a person's commands it doesn't obey at present, and why; `None` if nobody is at the controls.
     fn blocked(&self) -> Option<interlock::Blocked> {
@@ -84,14 +84,14 @@ pub trait Controller {
 }
 
 /// Makes a behaviour.
-pub type Build = fn(&Setup<'_>) -> Box<dyn Controller>;
+pub type BuildBehaviour = fn(&Setup<'_>) -> Box<dyn Controller>;
 
 /// Two lists of the same behaviours: what they say of themselves, and how they are made.
 macro_rules! registry {
     ($($(#[$when:meta])* $($behaviour:ident)::+),* $(,)?) => {
         /// All behaviours, in the order of the menus.
         pub const BEHAVIOURS: &[&BehaviourInfo] = &[$($(#[$when])* &$($behaviour::)+INFO),*];
-        const BUILDERS: &[(&str, Build)] =
+        const BUILDERS: &[(&str, BuildBehaviour)] =
             &[$($(#[$when])* ($($behaviour::)+INFO.id, $($behaviour::)+BUILD)),*];
     };
 }

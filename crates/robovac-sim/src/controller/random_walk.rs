@@ -22,21 +22,21 @@
 //! let info = find("random_walk").unwrap();
 //! let (robot, params) = (model("roomba600").unwrap(), Params::defaults(info.params));
 //! let mut walker = info.build(&Setup { robot, params: &params, seed: 1 }).unwrap();
-//! let ahead = walker.step(&Sensors::default(), 0.015);
+//! let ahead = walker.step(&SensorReadings::default(), 0.015);
 //! assert!(ahead.left > 0.0 && ahead.left == ahead.right);
-//! let bump = Sensors { bump_left: true, ..Sensors::default() };
+//! let bump = SensorReadings { bump_left: true, ..SensorReadings::default() };
 //! assert!((0..100).any(|_| { let drive = walker.step(&bump, 0.015); drive.left > 0.0 && drive.right < 0.0 }));
 //! assert_eq!(walker.activity(), "turning right");
 //! ```
 
 use super::{
-    BehaviourInfo, Build, Claims, Setup, Timing,
-    parts::{By, Driven, GO_HOME, Habit, Hit, LEAVE_HOME, Move, Pilot},
+    BehaviourClaims, BehaviourInfo, BuildBehaviour, Setup, Timing,
+    parts::{Behaviour, By, GO_HOME, LEAVE_HOME, Move, Obstruction, Pilot, Reactive},
 };
 use rand::RngExt;
 use robovac_core::{
     registry::{Example, Explainer, ParamKind, ParamSpec},
-    robot::{Drive, Sensors},
+    robot::{Drive, SensorReadings},
 };
 
 pub(super) const INFO: BehaviourInfo = BehaviourInfo {
@@ -60,7 +60,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         },
         fails: Example { room: "maze", why: "It passes a doorway only by chance: most of the maze is never reached." },
     },
-    claims: Claims { ends: false, cleans: true, manual: false, explores: false },
+    claims: BehaviourClaims { ends: false, cleans: true, manual: false, explores: false },
     params: &[
         ParamSpec {
             id: "least",
@@ -85,8 +85,8 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     ],
 };
 
-pub(super) const BUILD: Build =
-    |setup| Driven::boxed(setup, RandomWalk::new(setup, setup.params.number("back") / 100.0));
+pub(super) const BUILD: BuildBehaviour =
+    |setup| Reactive::boxed(setup, RandomWalk::new(setup, setup.params.number("back") / 100.0));
 
 /// The habit.
 #[derive(Debug, Clone)]
@@ -114,27 +114,27 @@ impl RandomWalk {
     }
 }
 
-impl Habit for RandomWalk {
+impl Behaviour for RandomWalk {
     fn begin(&mut self, pilot: &mut Pilot) {
         pilot.turn_speed = self.speed;
         pilot.by = By::Time;
     }
 
-    fn roam(&mut self, pilot: &mut Pilot, _: &Sensors, _: f64) -> Drive {
+    fn roam(&mut self, pilot: &mut Pilot, _: &SensorReadings, _: f64) -> Drive {
         pilot.straight()
     }
 
-    fn hit(&mut self, pilot: &mut Pilot, hit: Hit) {
+    fn on_obstruction(&mut self, pilot: &mut Pilot, obstruction: Obstruction) {
         let turn = self.turn.0 + self.turn.1 * pilot.rng.random_range(0.0..1.0);
-        let way = pilot.away_from(hit);
-        pilot.answer(hit, self.back, &[Move::Turn(way * turn)]);
+        let way = pilot.away_from(obstruction);
+        pilot.answer(obstruction, self.back, &[Move::Turn(way * turn)]);
     }
 
     fn activity(&self) -> &'static str {
         "driving straight"
     }
 
-    fn boxed_clone(&self) -> Box<dyn Habit> {
+    fn boxed_clone(&self) -> Box<dyn Behaviour> {
         Box::new(self.clone())
     }
 }

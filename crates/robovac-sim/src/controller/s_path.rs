@@ -24,19 +24,19 @@
 //! let (robot, params) = (model("roomba600").unwrap(), Params::defaults(info.params));
 //! let mut lanes = info.build(&Setup { robot, params: &params, seed: 1 }).unwrap();
 //! assert_eq!(lanes.activity(), "driving a lane");
-//! lanes.step(&Sensors { bump_right: true, ..Sensors::default() }, 0.015);
+//! lanes.step(&SensorReadings { bump_right: true, ..SensorReadings::default() }, 0.015);
 //! assert_eq!(lanes.activity(), "backing up");
 //! ```
 
 use super::{
-    BehaviourInfo, Build, Claims, Setup, Timing,
-    parts::{By, Driven, GO_HOME, Habit, Hit, LEAVE_HOME, Move, Pilot},
+    BehaviourClaims, BehaviourInfo, BuildBehaviour, Setup, Timing,
+    parts::{Behaviour, By, GO_HOME, LEAVE_HOME, Move, Obstruction, Pilot, Reactive},
 };
 use rand::RngExt;
 use robovac_core::{
     math,
     registry::{Example, Explainer, ParamKind, ParamSpec},
-    robot::{Drive, Sensors},
+    robot::{Drive, SensorReadings},
 };
 
 /// Collisions in a row without a lane between them after which the robot turns by chance.
@@ -64,7 +64,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         },
         fails: Example { room: "clutter", why: "Lanes end almost at once, and every collision costs four motions." },
     },
-    claims: Claims { ends: false, cleans: true, manual: false, explores: false },
+    claims: BehaviourClaims { ends: false, cleans: true, manual: false, explores: false },
     params: &[
         ParamSpec {
             id: "lane",
@@ -89,9 +89,9 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     ],
 };
 
-pub(super) const BUILD: Build = |setup| {
+pub(super) const BUILD: BuildBehaviour = |setup| {
     let by = if setup.params.choice("by") == "encoder" { By::Counts } else { By::Time };
-    Driven::boxed(
+    Reactive::boxed(
         setup,
         SPath::new(setup, setup.params.number("lane") / 100.0, by, setup.params.number("again") as u32),
     )
@@ -133,7 +133,7 @@ impl SPath {
     }
 }
 
-impl Habit for SPath {
+impl Behaviour for SPath {
     fn begin(&mut self, pilot: &mut Pilot) {
         pilot.turn_speed = self.turn_speed;
         pilot.by = self.by;
@@ -141,7 +141,7 @@ impl Habit for SPath {
         (self.corners, self.short) = (0, 0);
     }
 
-    fn roam(&mut self, pilot: &mut Pilot, _: &Sensors, _: f64) -> Drive {
+    fn roam(&mut self, pilot: &mut Pilot, _: &SensorReadings, _: f64) -> Drive {
         if self.lane_from.is_none() {
             self.lane_from = Some(pilot.ahead());
             self.side = -self.side;
@@ -149,7 +149,7 @@ impl Habit for SPath {
         pilot.straight()
     }
 
-    fn hit(&mut self, pilot: &mut Pilot, hit: Hit) {
+    fn on_obstruction(&mut self, pilot: &mut Pilot, obstruction: Obstruction) {
         let lane = self.lane_from.take().map(|from| pilot.ahead() - from);
         self.short = if lane.is_some_and(|length| length > LANE * self.go) { 0 } else { self.short + 1 };
         self.corners += u32::from(lane.is_none());
@@ -157,19 +157,19 @@ impl Habit for SPath {
             (self.short, self.corners) = (0, 0);
             let angle = pilot.rng.random_range(0.5..1.5) * math::FRAC_PI_2;
             self.lane_from = Some(pilot.ahead());
-            pilot.answer(hit, self.back, &[Move::Turn(self.side * angle)]);
+            pilot.answer(obstruction, self.back, &[Move::Turn(self.side * angle)]);
             return;
         } else {
             Move::Turn(self.side * math::FRAC_PI_2)
         };
-        pilot.answer(hit, self.back, &[turn, Move::Ahead(self.go), turn]);
+        pilot.answer(obstruction, self.back, &[turn, Move::Ahead(self.go), turn]);
     }
 
     fn activity(&self) -> &'static str {
         "driving a lane"
     }
 
-    fn boxed_clone(&self) -> Box<dyn Habit> {
+    fn boxed_clone(&self) -> Box<dyn Behaviour> {
         Box::new(self.clone())
     }
 }

@@ -20,10 +20,10 @@
 //! let info = find("spiral_out").unwrap();
 //! let (robot, params) = (model("roomba600").unwrap(), Params::defaults(info.params));
 //! let mut spiral = info.build(&Setup { robot, params: &params, seed: 1 }).unwrap();
-//! spiral.step(&Sensors::default(), 0.015);
+//! spiral.step(&SensorReadings::default(), 0.015);
 //! assert_eq!(spiral.activity(), "checking for free space");
 //! // The encoders of a robot that turns round and round about its left wheel.
-//! let reading = |step: u16| Sensors { right_counts: step.wrapping_mul(10), ..Sensors::default() };
+//! let reading = |step: u16| SensorReadings { right_counts: step.wrapping_mul(10), ..SensorReadings::default() };
 //! let check = spiral.step(&reading(1), 0.015);
 //! let later = (2..2000).map(|step| spiral.step(&reading(step), 0.015)).last().unwrap();
 //! assert_eq!(spiral.activity(), "spiralling out");
@@ -31,15 +31,15 @@
 //! ```
 
 use super::{
-    BehaviourInfo, Build, Claims, Setup,
-    parts::{Driven, GO_HOME, Habit, Hit, LEAVE_HOME, Pilot},
+    BehaviourClaims, BehaviourInfo, BuildBehaviour, Setup,
+    parts::{Behaviour, GO_HOME, LEAVE_HOME, Obstruction, Pilot, Reactive},
     random_walk::RandomWalk,
 };
 use rand::RngExt;
 use robovac_core::{
     math,
     registry::{Example, Explainer, ParamKind, ParamSpec},
-    robot::{Drive, Sensors},
+    robot::{Drive, SensorReadings},
 };
 
 pub(super) const INFO: BehaviourInfo = BehaviourInfo {
@@ -58,7 +58,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         shines: Example { room: "tshape", why: "Few obstacles: circles grow until they reach the walls." },
         fails: Example { room: "clutter", why: "No circle closes before a collision." },
     },
-    claims: Claims { ends: false, cleans: true, manual: false, explores: false },
+    claims: BehaviourClaims { ends: false, cleans: true, manual: false, explores: false },
     params: &[
         ParamSpec {
             id: "pitch",
@@ -77,9 +77,9 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     ],
 };
 
-pub(super) const BUILD: Build = |setup| {
+pub(super) const BUILD: BuildBehaviour = |setup| {
     let (pitch, way) = (setup.params.number("pitch") / 100.0, setup.params.number("way"));
-    Driven::boxed(setup, Spiral::new(setup, pitch, After::MoveOn(way)))
+    Reactive::boxed(setup, SpiralBehaviour::new(setup, pitch, After::MoveOn(way)))
 };
 
 /// What follows a spiral.
@@ -93,16 +93,16 @@ pub(super) enum After {
 
 /// The habit.
 #[derive(Debug, Clone)]
-pub(super) struct Spiral {
+pub(super) struct SpiralBehaviour {
     walk: RandomWalk,
     after: After,
     /// By how much the radius grows for each radian that is turned, m.
     growth: f64,
-    phase: Phase,
+    phase: SpiralPhase,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Phase {
+enum SpiralPhase {
     /// The first circle, about the left wheel, since this heading, rad.
     Check {
         from: f64,
@@ -120,79 +120,81 @@ enum Phase {
     Done,
 }
 
-impl Spiral {
+impl SpiralBehaviour {
     /// With circles that lie `pitch` times the tool's width apart.
     pub(super) fn new(setup: &Setup<'_>, pitch: f64, after: After) -> Self {
         let growth = pitch * setup.robot.tool_width / math::TAU;
-        Self { walk: RandomWalk::with(setup, (1.0, 1.0), 0.03), after, growth, phase: Phase::Begin }
+        Self { walk: RandomWalk::with(setup, (1.0, 1.0), 0.03), after, growth, phase: SpiralPhase::Begin }
     }
 
     fn move_on(&mut self, pilot: &mut Pilot) {
         self.phase = match self.after {
-            After::MoveOn(way) => Phase::MoveOn { until: pilot.ahead() + pilot.rng.random_range(0.3..way.max(0.4)) },
-            After::End => Phase::Done,
+            After::MoveOn(way) => {
+                SpiralPhase::MoveOn { until: pilot.ahead() + pilot.rng.random_range(0.3..way.max(0.4)) }
+            }
+            After::End => SpiralPhase::Done,
         };
     }
 }
 
-impl Habit for Spiral {
+impl Behaviour for SpiralBehaviour {
     fn begin(&mut self, pilot: &mut Pilot) {
         self.walk.begin(pilot);
-        self.phase = Phase::Begin;
+        self.phase = SpiralPhase::Begin;
     }
 
-    fn roam(&mut self, pilot: &mut Pilot, sensed: &Sensors, dt_s: f64) -> Drive {
+    fn roam(&mut self, pilot: &mut Pilot, sensed: &SensorReadings, dt_s: f64) -> Drive {
         let half_base = 0.5 * pilot.robot.wheel_base;
         match self.phase {
-            Phase::Begin => {
+            SpiralPhase::Begin => {
                 if sensed.light_bumper.contains(&true) {
                     self.move_on(pilot);
                 } else {
-                    self.phase = Phase::Check { from: pilot.turned() };
+                    self.phase = SpiralPhase::Check { from: pilot.turned() };
                 }
                 Drive::STOP
             }
-            Phase::Check { from } => {
+            SpiralPhase::Check { from } => {
                 if pilot.turned() - from > math::TAU {
-                    self.phase = Phase::Circle { radius: half_base };
+                    self.phase = SpiralPhase::Circle { radius: half_base };
                 }
                 Drive::wheels(0.0, pilot.speed)
             }
-            Phase::Circle { radius } => {
+            SpiralPhase::Circle { radius } => {
                 let turn_rate = pilot.speed / (radius + half_base);
-                self.phase = Phase::Circle { radius: radius + self.growth * turn_rate * dt_s };
+                self.phase = SpiralPhase::Circle { radius: radius + self.growth * turn_rate * dt_s };
                 Drive::wheels(turn_rate * (radius - half_base), pilot.speed)
             }
-            Phase::MoveOn { until } if pilot.ahead() < until => pilot.straight(),
-            Phase::MoveOn { .. } => {
-                self.phase = Phase::Begin;
+            SpiralPhase::MoveOn { until } if pilot.ahead() < until => pilot.straight(),
+            SpiralPhase::MoveOn { .. } => {
+                self.phase = SpiralPhase::Begin;
                 Drive::STOP
             }
-            Phase::Done => Drive::STOP,
+            SpiralPhase::Done => Drive::STOP,
         }
     }
 
-    fn hit(&mut self, pilot: &mut Pilot, hit: Hit) {
-        if !matches!(self.phase, Phase::MoveOn { .. }) {
+    fn on_obstruction(&mut self, pilot: &mut Pilot, obstruction: Obstruction) {
+        if !matches!(self.phase, SpiralPhase::MoveOn { .. }) {
             self.move_on(pilot);
         }
-        self.walk.hit(pilot, hit);
+        self.walk.on_obstruction(pilot, obstruction);
     }
 
     fn is_done(&self) -> bool {
-        self.phase == Phase::Done
+        self.phase == SpiralPhase::Done
     }
 
     fn activity(&self) -> &'static str {
         match self.phase {
-            Phase::Circle { .. } => "spiralling out",
-            Phase::MoveOn { .. } => "moving on",
-            Phase::Begin | Phase::Check { .. } => "checking for free space",
-            Phase::Done => "done",
+            SpiralPhase::Circle { .. } => "spiralling out",
+            SpiralPhase::MoveOn { .. } => "moving on",
+            SpiralPhase::Begin | SpiralPhase::Check { .. } => "checking for free space",
+            SpiralPhase::Done => "done",
         }
     }
 
-    fn boxed_clone(&self) -> Box<dyn Habit> {
+    fn boxed_clone(&self) -> Box<dyn Behaviour> {
         Box::new(self.clone())
     }
 }

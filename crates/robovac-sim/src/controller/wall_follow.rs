@@ -26,20 +26,20 @@
 //! let (robot, params) = (model("roomba600").unwrap(), Params::defaults(info.params));
 //! let mut follower = info.build(&Setup { robot, params: &params, seed: 1 }).unwrap();
 //! assert_eq!(follower.activity(), "searching for a wall");
-//! follower.step(&Sensors { bump_right: true, ..Sensors::default() }, 0.015);
+//! follower.step(&SensorReadings { bump_right: true, ..SensorReadings::default() }, 0.015);
 //! assert_eq!(follower.activity(), "backing up");
-//! assert!((0..400).any(|_| { follower.step(&Sensors::default(), 0.015); follower.activity() == "following the wall" }));
+//! assert!((0..400).any(|_| { follower.step(&SensorReadings::default(), 0.015); follower.activity() == "following the wall" }));
 //! ```
 
 use super::{
-    BehaviourInfo, Build, Claims, Setup,
-    parts::{By, Driven, GO_HOME, Habit, Hit, Kind, LEAVE_HOME, Move, Pilot, Side},
+    BehaviourClaims, BehaviourInfo, BuildBehaviour, Setup,
+    parts::{Behaviour, By, GO_HOME, LEAVE_HOME, Move, Obstruction, ObstructionKind, ObstructionSide, Pilot, Reactive},
 };
 use rand::RngExt;
 use robovac_core::{
     math,
     registry::{Example, Explainer, ParamKind, ParamSpec},
-    robot::{Drive, Sensors},
+    robot::{Drive, SensorReadings},
 };
 
 /// Signal to keep: about 3 cm from a light wall, within the side brush's reach.
@@ -86,7 +86,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         },
         fails: Example { room: "empty", why: "It cleans the border again and again and never the middle." },
     },
-    claims: Claims { ends: false, cleans: true, manual: false, explores: false },
+    claims: BehaviourClaims { ends: false, cleans: true, manual: false, explores: false },
     params: &[
         ParamSpec {
             id: "on",
@@ -119,7 +119,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     ],
 };
 
-pub(super) const BUILD: Build = |setup| {
+pub(super) const BUILD: BuildBehaviour = |setup| {
     let number = |id| setup.params.number(id);
     let by_light = match setup.params.choice("on") {
         "bumper" => false,
@@ -127,7 +127,7 @@ pub(super) const BUILD: Build = |setup| {
         _ => setup.robot.sensors.light_bumper.is_some(),
     };
     let light = by_light.then(|| number("signal"));
-    Driven::boxed(setup, WallFollow::new(setup, light, number("rounds") as u32, number("arc") / 100.0))
+    Reactive::boxed(setup, WallFollow::new(setup, light, number("rounds") as u32, number("arc") / 100.0))
 };
 
 /// The habit.
@@ -138,13 +138,13 @@ pub(super) struct WallFollow {
     rounds: u32,
     /// Radius of the arcs, m.
     arc: f64,
-    phase: Phase,
+    phase: WallPhase,
     /// Smoothed signal, as a share of the set one.
     last: f64,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Phase {
+enum WallPhase {
     Seek,
     /// Along a wall that it met with this much turned, rad, and felt last with that much.
     Follow {
@@ -158,7 +158,7 @@ impl WallFollow {
     /// robot, m.
     pub(super) fn new(setup: &Setup<'_>, light: Option<f64>, rounds: u32, wider: f64) -> Self {
         let light = light.filter(|_| setup.robot.sensors.light_bumper.is_some());
-        Self { light, rounds, arc: setup.robot.radius + wider, phase: Phase::Seek, last: 0.0 }
+        Self { light, rounds, arc: setup.robot.radius + wider, phase: WallPhase::Seek, last: 0.0 }
     }
 
     /// As the parameters have it unless asked for otherwise.
@@ -173,16 +173,16 @@ impl WallFollow {
 
     /// Whether it has a wall to follow.
     pub(super) fn has_wall(&self) -> bool {
-        self.phase != Phase::Seek
+        self.phase != WallPhase::Seek
     }
 
     fn feel(&mut self, turned: f64) {
-        let met = if let Phase::Follow { met, .. } = self.phase { met } else { turned };
-        self.phase = Phase::Follow { met, felt: turned };
+        let met = if let WallPhase::Follow { met, .. } = self.phase { met } else { turned };
+        self.phase = WallPhase::Follow { met, felt: turned };
     }
 
     /// Steers by the light that comes back from the wall; `None` where there is no wall.
-    fn by_light(&mut self, pilot: &Pilot, sensed: &Sensors, set: f64, dt_s: f64) -> Option<Drive> {
+    fn by_light(&mut self, pilot: &Pilot, sensed: &SensorReadings, set: f64, dt_s: f64) -> Option<Drive> {
         let [_, front_left, left, right, front_right, side] = sensed.light_signal.map(f64::from);
         let before = self.last;
         self.last += (side / set - before) * dt_s / SMOOTH_S;
@@ -198,56 +198,56 @@ impl WallFollow {
     }
 }
 
-impl Habit for WallFollow {
+impl Behaviour for WallFollow {
     fn begin(&mut self, pilot: &mut Pilot) {
         pilot.turn_speed = pilot.robot.turn_wheel_speed;
         pilot.by = By::Counts;
-        self.phase = Phase::Seek;
+        self.phase = WallPhase::Seek;
     }
 
-    fn roam(&mut self, pilot: &mut Pilot, sensed: &Sensors, dt_s: f64) -> Drive {
+    fn roam(&mut self, pilot: &mut Pilot, sensed: &SensorReadings, dt_s: f64) -> Drive {
         let turned = pilot.turned();
         let steered = self.light.and_then(|set| self.by_light(pilot, sensed, set, dt_s));
         if steered.is_some() {
             self.feel(turned);
         }
-        let Phase::Follow { met, felt } = self.phase else { return pilot.straight() };
+        let WallPhase::Follow { met, felt } = self.phase else { return pilot.straight() };
         if self.rounds > 0 && turned - met < -math::TAU * f64::from(self.rounds) {
-            self.phase = Phase::Seek;
+            self.phase = WallPhase::Seek;
             pilot.go(&[Move::Turn(math::FRAC_PI_2)]);
             return Drive::STOP;
         }
         if turned - felt < -LOST {
-            self.phase = Phase::Seek;
+            self.phase = WallPhase::Seek;
         }
         // The right wheel goes the shorter way round.
         steered.unwrap_or_else(|| pilot.twist(PACE * pilot.speed, -PACE * pilot.speed / self.arc))
     }
 
-    fn hit(&mut self, pilot: &mut Pilot, hit: Hit) {
-        if hit.kind != Kind::Bump {
-            self.phase = Phase::Seek;
-            let turn = pilot.away_from(hit) * pilot.rng.random_range(LEAVE.0..LEAVE.1);
-            pilot.answer(hit, BACK, &[Move::Turn(turn)]);
+    fn on_obstruction(&mut self, pilot: &mut Pilot, obstruction: Obstruction) {
+        if obstruction.kind != ObstructionKind::Bump {
+            self.phase = WallPhase::Seek;
+            let turn = pilot.away_from(obstruction) * pilot.rng.random_range(LEAVE.0..LEAVE.1);
+            pilot.answer(obstruction, BACK, &[Move::Turn(turn)]);
             return;
         }
         self.feel(pilot.turned());
-        let turn = match hit.side {
-            Side::Right => AWAY[0],
-            Side::Front => AWAY[1],
-            Side::Left => AWAY[2],
+        let turn = match obstruction.side {
+            ObstructionSide::Right => AWAY[0],
+            ObstructionSide::Front => AWAY[1],
+            ObstructionSide::Left => AWAY[2],
         };
-        pilot.answer(hit, BACK, &[Move::Turn(turn)]);
+        pilot.answer(obstruction, BACK, &[Move::Turn(turn)]);
     }
 
     fn activity(&self) -> &'static str {
         match self.phase {
-            Phase::Seek => "searching for a wall",
-            Phase::Follow { .. } => "following the wall",
+            WallPhase::Seek => "searching for a wall",
+            WallPhase::Follow { .. } => "following the wall",
         }
     }
 
-    fn boxed_clone(&self) -> Box<dyn Habit> {
+    fn boxed_clone(&self) -> Box<dyn Behaviour> {
         Box::new(self.clone())
     }
 }

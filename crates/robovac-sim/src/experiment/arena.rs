@@ -1,20 +1,20 @@
 //! One planner in one room: the unit of every comparison.
 
-use crate::experiment::planning::{PlanRequest, Planned, Prepared};
+use crate::experiment::planning::{PlanRequest, Planned, RoomSetup};
 use coverage_planners::{Bounds, Observer, PathError, PlanError, PlannerInfo, metrics::PlanNumbers};
 use robovac_core::{
-    coverage::FloorError, floorplan::FloorPlan, geometry::Pose, grid::Cell, registry::Params, robot::RobotModel,
+    coverage::FloorError, floor_plan::FloorPlan, geometry::Pose, grid::Cell, registry::Params, robot::RobotModel,
 };
 
 /// A room laid out for a robot, with what no walk in it can do without: the same for all that compete there.
 pub struct Arena {
-    prepared: Prepared,
+    prepared: RoomSetup,
     bounds: Bounds,
 }
 
 /// What a planner reached.
 #[derive(Debug, Clone)]
-pub struct Outcome {
+pub struct PlanOutcome {
     /// Its numbers.
     pub numbers: PlanNumbers,
     /// Its walk.
@@ -38,7 +38,7 @@ pub enum TrialError {
 impl Arena {
     /// Lays `plan` out for `robot` with planning cells of `cell_size` metres.
     pub fn new(plan: &FloorPlan, robot: &RobotModel, cell_size: f64, start: Option<Pose>) -> Result<Self, FloorError> {
-        let prepared = Prepared::new(plan, robot, cell_size, start)?;
+        let prepared = RoomSetup::new(plan, robot, cell_size, start)?;
         let bounds = Bounds::of(&prepared.job);
         Ok(Self { prepared, bounds })
     }
@@ -56,11 +56,11 @@ impl Arena {
         seed: u64,
         clock: impl Fn() -> f64,
         observer: Option<Observer<'_>>,
-    ) -> Result<Outcome, TrialError> {
+    ) -> Result<PlanOutcome, TrialError> {
         let request = PlanRequest { id: 0, planner, params: params.clone(), seed, job: self.prepared.job.clone() };
         let answer = request.serve(clock, observer)?;
         let Planned { walk, drive, planning_s, .. } = Planned::new(&self.prepared, &answer)?;
         let numbers = PlanNumbers { walk, drive, planning_s, bounds: Some(self.bounds) };
-        Ok(Outcome { numbers, cells: answer.path.cells })
+        Ok(PlanOutcome { numbers, cells: answer.path.cells })
     }
 }

@@ -3,7 +3,7 @@
 use crate::{
     Conditions, Input, STEP_S,
     controller::BehaviourInfo,
-    experiment::planning::Prepared,
+    experiment::planning::RoomSetup,
     mapping::{
         OccupancyMap,
         locate::{Locator, LocatorSetup},
@@ -12,7 +12,7 @@ use crate::{
 use rand::RngExt;
 use robovac_core::coverage::with_objects;
 use robovac_core::{
-    floorplan::FloorPlan,
+    floor_plan::FloorPlan,
     geometry::{Pose, difference},
     math,
     registry::Params,
@@ -34,7 +34,7 @@ pub struct Kidnapping<'a> {
     /// The room, which the robot knows as it is, furniture included.
     pub plan: &'a FloorPlan,
     /// The room laid out for the robot.
-    pub prepared: &'a Prepared,
+    pub prepared: &'a RoomSetup,
     /// The robot.
     pub robot: &'a RobotModel,
     /// What drives it, with its parameters.

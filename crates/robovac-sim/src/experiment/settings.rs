@@ -119,7 +119,7 @@ impl Settings {
     }
 
     /// Chooses a planner or behaviour with its default parameters, as links and scenarios mean it.
-    pub(super) fn select_fresh_algorithm(&mut self, id: &str) -> Result<(), SettingsError> {
+    pub fn select_fresh_algorithm(&mut self, id: &str) -> Result<(), SettingsError> {
         self.select_algorithm(id)?;
         self.params = Params::defaults(self.algorithm.params());
         Ok(())
@@ -146,7 +146,7 @@ impl Settings {
     }
 
     /// Sets the seed from what a link or a scenario says; `text` is how it says it.
-    pub(super) fn set_seed(&mut self, seed: Option<u64>, text: &str) -> Result<(), SettingsError> {
+    pub fn set_seed(&mut self, seed: Option<u64>, text: &str) -> Result<(), SettingsError> {
         self.seed = seed.filter(|&seed| seed <= MAX_SEED).ok_or_else(|| SettingsError::Invalid {
             kind: "the seed",
             value: text.to_owned(),

@@ -1,10 +1,10 @@
 //! A trial as plain values that can be sent to a worker.
 
-use super::{Arena, Entrant, Outcome};
+use super::{Arena, Entrant, PlanOutcome};
 use crate::experiment::planning::{CELL_ROBOT, choose_robot};
 use coverage_planners::Observer;
 use robovac_core::{
-    floorplan::{self, FloorPlan, SourceFile},
+    floor_plan::{self, FloorPlan, SourceFile},
     geometry::Pose,
     robot::cell_robot,
 };
@@ -51,7 +51,7 @@ impl TrialRequest {
         arena: &Arena,
         clock: impl Fn() -> f64,
         observer: Option<Observer<'_>>,
-    ) -> Result<Outcome, String> {
+    ) -> Result<PlanOutcome, String> {
         let (entrant, planner) = Entrant::parse_planner(&self.entrant).map_err(|e| e.to_string())?;
         arena.run(planner, &entrant.params, self.seed, clock, observer).map_err(|e| e.to_string())
     }
@@ -61,12 +61,12 @@ impl TrialRequest {
 pub fn plan_of(room: Option<&str>, scenario: Option<&str>) -> Result<FloorPlan, String> {
     match (room, scenario) {
         (Some(id), _) => {
-            let room = floorplan::room(id).ok_or_else(|| format!("there is no room \"{id}\""))?;
+            let room = floor_plan::room(id).ok_or_else(|| format!("there is no room \"{id}\""))?;
             Ok((room.build)())
         }
         (None, Some(json)) => {
             let file = SourceFile { name: "room.json".to_owned(), bytes: json.as_bytes().to_vec() };
-            floorplan::load(&[file]).map_err(|e| e.to_string())
+            floor_plan::load(&[file]).map_err(|e| e.to_string())
         }
         (None, None) => Err("there is no room".to_owned()),
     }

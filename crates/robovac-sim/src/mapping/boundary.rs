@@ -1,6 +1,6 @@
 //! Positions of obstacles, finer than cells: boundary patches.
 
-use super::Layer;
+use super::TiledLayer;
 use robovac_core::{
     geometry::{Point, Vector},
     grid::Cell,
@@ -15,7 +15,7 @@ const MOST: f32 = 40.0;
 
 /// A few centimetres of a surface, flat as far as anybody knows.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(super) struct Patch {
+pub(super) struct BoundaryPatch {
     /// Points that it is the mean of; 0 for none.
     weight: f32,
     /// Less the centre of its cell, m.
@@ -28,20 +28,20 @@ pub(super) struct Patch {
 
 /// Patches of boundary, one a cell.
 #[derive(Debug, Clone)]
-pub(super) struct Boundary(Layer<Patch>);
+pub(super) struct BoundaryPatches(TiledLayer<BoundaryPatch>);
 
 /// A patch as the filter takes it.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Surface {
+pub(super) struct FlatPatch {
     pub point: Point,
     pub normal: Vector,
     /// How far the robot had driven when it found it, m.
     pub found: f64,
 }
 
-impl Boundary {
+impl BoundaryPatches {
     pub fn new() -> Self {
-        Self(Layer::new())
+        Self(TiledLayer::new())
     }
 
     /// Notes a point with its normal, found after so many metres.
@@ -51,30 +51,35 @@ impl Boundary {
         let (offset, normal) = ([offset.x as f32, offset.y as f32], [normal.x as f32, normal.y as f32]);
         let (weight, found) = (1.0, way as f32);
         self.0.update(cell, |old| {
-            let fresh = Patch { weight, offset, normal, found };
+            let fresh = BoundaryPatch { weight, offset, normal, found };
             if old.weight == 0.0 {
                 return fresh;
             }
             let agree = f64::from(old.normal[0] * normal[0] + old.normal[1] * normal[1]);
             if agree < SAME {
                 // The edge of something: whichever is known better.
-                let weaker = Patch { weight: old.weight - 0.5 * weight, ..old };
+                let weaker = BoundaryPatch { weight: old.weight - 0.5 * weight, ..old };
                 return if weaker.weight > 0.0 { weaker } else { fresh };
             }
             let sum = old.weight + weight;
             let mean = |a: [f32; 2], b: [f32; 2]| [0, 1].map(|i| (a[i] * old.weight + b[i] * weight) / sum);
             let blend = mean(old.normal, normal);
             let length = (blend[0] * blend[0] + blend[1] * blend[1]).sqrt().max(1e-6);
-            Patch { weight: sum.min(MOST), offset: mean(old.offset, offset), normal: blend.map(|v| v / length), ..old }
+            BoundaryPatch {
+                weight: sum.min(MOST),
+                offset: mean(old.offset, offset),
+                normal: blend.map(|v| v / length),
+                ..old
+            }
         });
     }
 
     /// The patch that a point seen there belongs to best, if any lies within `reach` cells: the one whose surface is
     /// nearest, among those beside the point and not along the surface from it. `facing` is the point's normal, or
     /// roughly the direction that it was seen from; only patches whose normal is within that cosine of it are asked.
-    pub fn nearest(&self, point: Point, facing: Vector, cosine: f64, reach: i32) -> Option<Surface> {
+    pub fn nearest(&self, point: Point, facing: Vector, cosine: f64, reach: i32) -> Option<FlatPatch> {
         let cell = Cell::at(point, SIDE);
-        let mut best: Option<(f64, Surface)> = None;
+        let mut best: Option<(f64, FlatPatch)> = None;
         for y in cell.y - reach..=cell.y + reach {
             for x in cell.x - reach..=cell.x + reach {
                 let at = Cell::new(x, y);
@@ -95,7 +100,7 @@ impl Boundary {
                 }
                 let distance = height * height + 0.5 * aside * aside;
                 if best.is_none_or(|(least, _)| distance < least) {
-                    best = Some((distance, Surface { point: surface, normal, found: f64::from(patch.found) }));
+                    best = Some((distance, FlatPatch { point: surface, normal, found: f64::from(patch.found) }));
                 }
             }
         }

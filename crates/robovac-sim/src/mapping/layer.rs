@@ -12,7 +12,7 @@ const SHIFT: u32 = 5;
 /// Clones share their tiles until one of them changes: a copy costs no more than the list of tiles, so that every particle of
 /// a filter and every key frame of a recording can have a map of its own.
 #[derive(Debug, Clone, Default)]
-pub struct Layer<T> {
+pub struct TiledLayer<T> {
     /// Tile at the lower left, in tiles from the origin.
     low: [i32; 2],
     /// Columns and rows of tiles.
@@ -20,7 +20,7 @@ pub struct Layer<T> {
     tiles: Vec<Option<Arc<[T]>>>,
 }
 
-impl<T: Copy + Default + PartialEq> Layer<T> {
+impl<T: Copy + Default + PartialEq> TiledLayer<T> {
     /// Nothing set.
     pub fn new() -> Self {
         Self { low: [0; 2], size: [0; 2], tiles: Vec::new() }
@@ -111,7 +111,7 @@ mod tests {
 
     #[test]
     fn it_grows_to_all_sides_and_keeps_what_was_there() {
-        let mut layer = Layer::<u8>::new();
+        let mut layer = TiledLayer::<u8>::new();
         assert_eq!((layer.get(Cell::new(5, -7)), layer.bounds()), (0, None));
         let cells = [(0, 0), (-1, 0), (40, 3), (-200, -90), (31, 31), (32, 32), (7, 300)].map(|(x, y)| Cell::new(x, y));
         for (value, &cell) in (1..).zip(&cells) {
@@ -127,7 +127,7 @@ mod tests {
 
     #[test]
     fn a_copy_is_left_alone_by_changes_of_the_other() {
-        let mut layer = Layer::<i16>::new();
+        let mut layer = TiledLayer::<i16>::new();
         layer.update(Cell::new(3, 3), |_| 7);
         let copy = layer.clone();
         layer.update(Cell::new(3, 3), |old| old + 1);

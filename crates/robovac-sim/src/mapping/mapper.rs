@@ -1,20 +1,20 @@
 //! Builds the map and estimates the robot's pose on it.
 
 use super::{
-    Mark, Marks, OccupancyMap, Spread,
-    belief::Belief,
-    memo::Memory,
+    Mark, Marks, OccupancyMap, PoseCovariance,
+    memo::ReadingMemory,
     multiscan::Multiscan,
     observation::SensorModel,
     paint::paint,
-    reckoning::{Reckoning, Rolling, Wheels},
+    pose_ekf::PoseEkf,
+    reckoning::{Reckoning, Rolling, WheelErrors},
 };
 use nalgebra::{Matrix3, Vector3};
 use robovac_core::{
     geometry::Pose,
     math,
     rng::{normal, seeded},
-    robot::{OdometryModel, RobotModel, Sensors},
+    robot::{OdometryModel, RobotModel, SensorReadings},
 };
 
 /// Stream of its random numbers.
@@ -89,7 +89,7 @@ pub struct Mapper {
     /// The way since the last correction, and what was seen on it.
     way: Reckoning,
     scan: Multiscan,
-    belief: Belief,
+    ekf: PoseEkf,
     map: OccupancyMap,
     marks: Marks,
     /// Readings since the bumper was pressed.
@@ -101,7 +101,7 @@ pub struct Mapper {
     travelled: f64,
     docked: Option<f64>,
     /// Readings so far, as long as they may be looked at again, and how often they have been.
-    memory: Option<Memory>,
+    memory: Option<ReadingMemory>,
     looks: usize,
 }
 
@@ -111,9 +111,9 @@ impl Mapper {
         Self {
             sensors: SensorModel::new(&setup.robot),
             rolling: Rolling::new(&setup.robot, setup.odometry),
-            way: Reckoning::new(&setup.robot, setup.odometry, Wheels::default()),
+            way: Reckoning::new(&setup.robot, setup.odometry, WheelErrors::default()),
             scan: Multiscan::default(),
-            belief: Belief::new(setup.start),
+            ekf: PoseEkf::new(setup.start),
             map: OccupancyMap::new(RESOLUTION),
             marks: Marks::new(RESOLUTION),
             untouched: BOUNCE,
@@ -121,7 +121,7 @@ impl Mapper {
             is_lost: false,
             travelled: 0.0,
             docked: None,
-            memory: (setup.tracking == Tracking::Corrected).then(Memory::default),
+            memory: (setup.tracking == Tracking::Corrected).then(ReadingMemory::default),
             looks: 0,
             setup,
         }
@@ -136,7 +136,7 @@ impl Mapper {
     }
 
     /// Takes the next reading.
-    pub fn update(&mut self, sensed: &Sensors) {
+    pub fn update(&mut self, sensed: &SensorReadings) {
         if let Some(memory) = &mut self.memory {
             memory.add(sensed);
         }
@@ -147,9 +147,9 @@ impl Mapper {
     }
 
     /// Lets go of where it was: it is at `pose` now, as sure of it as `spread` says. The map is kept.
-    pub fn relocate(&mut self, pose: Pose, spread: &Spread) {
+    pub fn relocate(&mut self, pose: Pose, spread: &PoseCovariance) {
         self.memory = None;
-        self.belief.relocate(pose, spread);
+        self.ekf.relocate(pose, spread);
         self.begin_stretch();
         self.is_lost = false;
     }
@@ -172,14 +172,17 @@ impl Mapper {
 
     /// Its estimated pose.
     pub fn pose(&self) -> Pose {
-        self.belief.after(&self.way)
+        self.ekf.after(&self.way)
     }
 
     /// How sure it is of that.
-    pub fn spread(&self) -> Spread {
+    pub fn pose_covariance(&self) -> PoseCovariance {
         let covariance = self.covariance();
         let variance = |i: usize| covariance[(i, i)].max(0.0);
-        Spread { position: [variance(0), covariance[(0, 1)], variance(1)], heading: variance(2).sqrt().min(math::PI) }
+        PoseCovariance {
+            position: [variance(0), covariance[(0, 1)], variance(1)],
+            heading: variance(2).sqrt().min(math::PI),
+        }
     }
 
     /// Poses that it holds possible, with their weights, which add up to 1: drawn from its estimate, always in the same
@@ -209,17 +212,17 @@ impl Mapper {
     /// What the wheels are taken for: right wheel's size less the left one's, and the wheel base less the nominal one,
     /// both as shares.
     pub fn wheels(&self) -> [f64; 2] {
-        let wheels = self.belief.wheels();
+        let wheels = self.ekf.wheels();
         [wheels.unequal, wheels.base]
     }
 
     /// Roughly the memory that it takes, bytes.
     pub fn bytes(&self) -> usize {
-        let memory = self.memory.as_ref().map_or(0, Memory::bytes);
-        self.belief.bytes() + self.map.bytes() + self.marks.bytes() + memory
+        let memory = self.memory.as_ref().map_or(0, ReadingMemory::bytes);
+        self.ekf.bytes() + self.map.bytes() + self.marks.bytes() + memory
     }
 
-    fn take(&mut self, sensed: &Sensors) {
+    fn take(&mut self, sensed: &SensorReadings) {
         let rolled = self.rolling.take(sensed);
         if sensed.wheel_drop_left && sensed.wheel_drop_right {
             self.is_lifted = true;
@@ -266,10 +269,10 @@ impl Mapper {
     fn correct(&mut self) {
         self.way.settle();
         let features = std::mem::take(&mut self.scan).features(&self.way, &self.sensors);
-        self.belief.advance(&self.way);
-        self.belief.correct(&features);
-        self.belief.learn_axes(&features.walls);
-        self.belief.draw(&features.points);
+        self.ekf.advance(&self.way);
+        self.ekf.correct(&features);
+        self.ekf.learn_axes(&features.walls);
+        self.ekf.draw(&features.points);
         self.begin_stretch();
     }
 
@@ -279,7 +282,7 @@ impl Mapper {
         let is_again = self.docked.is_some_and(|last| travelled - last > UNDOCKED);
         if is_again && !self.is_lost {
             self.correct();
-            self.belief.meet(self.setup.start, DOCK);
+            self.ekf.meet(self.setup.start, DOCK);
         }
         if self.docked.is_some() || travelled < UNDOCKED {
             self.docked = Some(travelled);
@@ -292,14 +295,14 @@ impl Mapper {
         self.is_lost = self.setup.tracking == Tracking::Corrected;
         let square = LIFTED.0 * LIFTED.0;
         self.way.settle();
-        self.belief.advance(&self.way);
-        self.belief.loosen(&Spread { position: [square, 0.0, square], heading: LIFTED.1 });
+        self.ekf.advance(&self.way);
+        self.ekf.loosen(&PoseCovariance { position: [square, 0.0, square], heading: LIFTED.1 });
         self.begin_stretch();
     }
 
     fn begin_stretch(&mut self) {
         self.travelled += self.way.way;
-        self.way = Reckoning::new(&self.setup.robot, self.setup.odometry, self.belief.wheels());
+        self.way = Reckoning::new(&self.setup.robot, self.setup.odometry, self.ekf.wheels());
         self.scan = Multiscan::default();
     }
 
@@ -308,7 +311,7 @@ impl Mapper {
         let Some(memory) = self.memory.take() else { return };
         let mut fresh = Self::new(self.setup.clone());
         fresh.memory = None;
-        fresh.belief.know_wheels(&self.belief, AGAIN);
+        fresh.ekf.know_wheels(&self.ekf, AGAIN);
         fresh.begin_stretch();
         memory.readings().for_each(|sensed| fresh.take(&sensed));
         fresh.looks = self.looks + 1;
@@ -320,8 +323,8 @@ impl Mapper {
     fn covariance(&self) -> Matrix3<f64> {
         let mut way = self.way.clone();
         way.settle();
-        let mut belief = self.belief.bare();
-        belief.advance(&way);
-        belief.spread()
+        let mut ekf = self.ekf.bare();
+        ekf.advance(&way);
+        ekf.pose_covariance()
     }
 }

@@ -1,6 +1,6 @@
 //! Floor cleaned and dirt found, on the map.
 
-use super::Layer;
+use super::TiledLayer;
 use robovac_core::{geometry::Point, grid::Cell};
 
 /// What can be noted of a cell.
@@ -16,13 +16,13 @@ pub enum Mark {
 #[derive(Debug, Clone)]
 pub struct Marks {
     resolution: f64,
-    noted: Layer<u8>,
+    noted: TiledLayer<u8>,
 }
 
 impl Marks {
     /// No notes; cells of `resolution` metres.
     pub fn new(resolution: f64) -> Self {
-        Self { resolution, noted: Layer::new() }
+        Self { resolution, noted: TiledLayer::new() }
     }
 
     /// Side of its cells, m.

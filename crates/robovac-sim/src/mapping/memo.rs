@@ -4,7 +4,7 @@
 //! metres, and all that is mapped later hangs on what was mapped then. So the filter goes over its first readings again
 //! once it knows the wheels.
 
-use robovac_core::robot::{BatteryReading, Moved, Sensors};
+use robovac_core::robot::{BatteryReading, DistanceAngle, SensorReadings};
 use std::sync::Arc;
 
 /// Readings of one piece of the list.
@@ -14,7 +14,7 @@ const PIECE: usize = 512;
 #[derive(Debug, Clone, Copy)]
 struct Memo {
     counts: [u16; 3],
-    moved: Option<Moved>,
+    moved: Option<DistanceAngle>,
     light: [u16; 6],
     bumps: [bool; 2],
     progresses: bool,
@@ -24,13 +24,13 @@ struct Memo {
 
 /// A list of readings whose copies share what is complete.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Memory {
+pub(super) struct ReadingMemory {
     complete: Vec<Arc<[Memo]>>,
     last: Vec<Memo>,
 }
 
-impl Memory {
-    pub fn add(&mut self, sensed: &Sensors) {
+impl ReadingMemory {
+    pub fn add(&mut self, sensed: &SensorReadings) {
         self.last.push(Memo {
             counts: [sensed.left_counts, sensed.right_counts, sensed.lateral_counts],
             moved: sensed.moved,
@@ -46,8 +46,8 @@ impl Memory {
     }
 
     /// All of them, in order.
-    pub fn readings(&self) -> impl Iterator<Item = Sensors> {
-        self.complete.iter().flat_map(|piece| piece.iter()).chain(&self.last).map(|memo| Sensors {
+    pub fn readings(&self) -> impl Iterator<Item = SensorReadings> {
+        self.complete.iter().flat_map(|piece| piece.iter()).chain(&self.last).map(|memo| SensorReadings {
             left_counts: memo.counts[0],
             right_counts: memo.counts[1],
             lateral_counts: memo.counts[2],
@@ -58,7 +58,7 @@ impl Memory {
             stasis: memo.progresses,
             battery: BatteryReading { on_dock: memo.is_docked, ..BatteryReading::default() },
             dirt: memo.dirt,
-            ..Sensors::default()
+            ..SensorReadings::default()
         })
     }
 

@@ -2,7 +2,7 @@
 //!
 //! [`Mapper`] is what others use: it takes readings and has a map, a pose and how sure it is of it. Its map is an
 //! [`OccupancyMap`] in log odds, which grows as the robot drives; [`Marks`] record what the robot has cleaned and
-//! where it found dirt. Everything is in the frame of the pose that it started from (REP 103). [`Truth`] measures a map.
+//! where it found dirt. Everything is in the frame of the pose that it started from (REP 103). [`MapTruth`] measures a map.
 //!
 //! # How the pose is corrected
 //!
@@ -31,27 +31,27 @@
 //!   What is mapped first, everything else hangs on.
 //! - The *dock*, if the robot began there, is an absolute reference.
 
-mod belief;
 mod boundary;
-mod evidence;
 mod layer;
 pub mod locate;
 mod mapper;
 mod marks;
 mod memo;
 mod multiscan;
+mod normal_equations;
 pub mod observation;
 mod occupancy_map;
 mod paint;
+mod pose_covariance;
+mod pose_ekf;
 mod quality;
 mod reckoning;
-mod spread;
 mod thesis_grid;
 
-pub use layer::Layer;
+pub use layer::TiledLayer;
 pub use mapper::{Mapper, MapperSetup, RESOLUTION, Tracking};
 pub use marks::{Mark, Marks};
 pub use occupancy_map::OccupancyMap;
-pub use quality::{MapQuality, Truth};
-pub use spread::Spread;
+pub use pose_covariance::PoseCovariance;
+pub use quality::{MapQuality, MapTruth};
 pub use thesis_grid::{CellStatus, ThesisGrid};

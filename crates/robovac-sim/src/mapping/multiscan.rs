@@ -7,7 +7,7 @@
 //! most echoes is taken, then the next (RANSAC, Fischler & Bolles 1981, with pairs picked in turn and not at random).
 
 use super::{
-    observation::{BEAMS, COSINE, Contact, Observation, REFLECTANCE, SensorModel},
+    observation::{BEAMS, COSINE, ContactPoint, Observation, REFLECTANCE, SensorModel},
     reckoning::Reckoning,
 };
 use robovac_core::{
@@ -56,7 +56,7 @@ struct Sighting {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Multiscan {
     sightings: Vec<Sighting>,
-    contacts: Vec<(Pose, Contact)>,
+    contacts: Vec<(Pose, ContactPoint)>,
 }
 
 /// A point of a boundary, as seen from where the stretch ended.
@@ -76,7 +76,7 @@ pub(super) struct BoundaryPoint {
 
 /// A straight wall.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Wall {
+pub(super) struct WallLine {
     /// Direction as seen from where the stretch ended, rad; there is no telling it from the opposite one.
     pub direction: f64,
     /// rad.
@@ -89,7 +89,7 @@ pub(super) struct Wall {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Features {
     pub points: Vec<BoundaryPoint>,
-    pub walls: Vec<Wall>,
+    pub walls: Vec<WallLine>,
 }
 
 impl Multiscan {
@@ -112,7 +112,7 @@ impl Multiscan {
     /// Points and walls, as seen from where `way` ends.
     pub fn features(mut self, way: &Reckoning, sensors: &SensorModel) -> Features {
         let mut features = Features::default();
-        let mut lines: Vec<Line> = Vec::new();
+        let mut lines: Vec<StraightLine> = Vec::new();
         while lines.len() < MOST_LINES {
             let Some(line) = self.find_line(sensors) else { break };
             let (on, off): (Vec<_>, Vec<_>) = self.sightings.iter().partition(|s| line.explains(s));
@@ -135,18 +135,18 @@ impl Multiscan {
     }
 
     /// The line that explains most of what was seen.
-    fn find_line(&self, sensors: &SensorModel) -> Option<Line> {
+    fn find_line(&self, sensors: &SensorModel) -> Option<StraightLine> {
         let seen = &self.sightings;
         if seen.len() < LEAST_ECHOES {
             return None;
         }
-        let mut best: Option<(usize, Line)> = None;
+        let mut best: Option<(usize, StraightLine)> = None;
         for i in 0..TRIES {
             let first = &seen[i * seen.len() / TRIES];
             let is_apart =
                 |s: &&Sighting| (PAIR.0..PAIR.1).contains(&(s.point(COSINE.0) - first.point(COSINE.0)).norm());
             let second = seen.iter().cycle().skip(i * 29 % seen.len()).take(seen.len()).find(is_apart);
-            let Some(line) = second.and_then(|second| Line::between(first, second)) else { continue };
+            let Some(line) = second.and_then(|second| StraightLine::between(first, second)) else { continue };
             let count = seen.iter().filter(|s| line.explains(s)).count();
             if count >= LEAST_ECHOES && best.is_none_or(|(most, _)| count > most) {
                 best = Some((count, line));
@@ -155,7 +155,7 @@ impl Multiscan {
         let mut line = best?.1;
         for _ in 0..3 {
             let on: Vec<Sighting> = seen.iter().copied().filter(|s| line.explains(s)).collect();
-            line = Line::through(&on, &line, sensors)?;
+            line = StraightLine::through(&on, &line, sensors)?;
         }
         let count = seen.iter().filter(|s| line.explains(s)).count();
         (count >= LEAST_ECHOES && line.length >= LINE).then_some(line)
@@ -167,7 +167,7 @@ impl Features {
         self.points.last().map_or(0, |point| point.group + 1)
     }
 
-    fn add_line(&mut self, line: &Line, on: &[Sighting], sensors: &SensorModel) {
+    fn add_line(&mut self, line: &StraightLine, on: &[Sighting], sensors: &SensorModel) {
         let group = self.next_group();
         let own = line.off.max(0.002) + 0.002;
         let mut points: Vec<BoundaryPoint> = Vec::with_capacity(on.len());
@@ -184,7 +184,7 @@ impl Features {
             let fit = line.off.max(0.002) * (12.0 / echoes).sqrt() / line.length;
             let deviation = (fit * fit + line.tilt * line.tilt + WALL_DEVIATION * WALL_DEVIATION).sqrt();
             let direction = math::atan2(-line.normal.x, line.normal.y);
-            self.walls.push(Wall { direction, deviation, length: line.length });
+            self.walls.push(WallLine { direction, deviation, length: line.length });
         }
         self.points.extend(points);
     }
@@ -207,7 +207,7 @@ impl Features {
     }
 
     /// Where the body was touched. If that was by a line, the line tells the direction.
-    fn add_contact(&mut self, from: Pose, contact: Contact, lines: &[Line], radius: f64) {
+    fn add_contact(&mut self, from: Pose, contact: ContactPoint, lines: &[StraightLine], radius: f64) {
         let direction = from.heading + contact.direction;
         let by_line = lines.iter().find(|line| {
             let off = difference(math::atan2(-line.normal.y, -line.normal.x), direction);
@@ -242,7 +242,7 @@ impl Sighting {
 
 /// A straight line.
 #[derive(Debug, Clone, Copy)]
-struct Line {
+struct StraightLine {
     middle: Point,
     /// Unit vector towards the robot.
     normal: Vector,
@@ -254,7 +254,7 @@ struct Line {
     tilt: f64,
 }
 
-impl Line {
+impl StraightLine {
     /// Through two echoes, whose distances depend on it.
     fn between(first: &Sighting, second: &Sighting) -> Option<Self> {
         let mut cosines = [COSINE.0; 2];

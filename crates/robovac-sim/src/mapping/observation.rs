@@ -11,7 +11,7 @@
 use robovac_core::{
     geometry::{Point, Vector},
     math,
-    robot::{LightBumper, RobotModel, Sensors, distance_of_light, light_at},
+    robot::{LightBumper, RobotModel, SensorReadings, distance_of_light, light_at},
 };
 
 /// Beams of a light bumper.
@@ -50,7 +50,7 @@ pub struct Echo {
 
 /// Something that the body touches.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Contact {
+pub struct ContactPoint {
     /// Direction from the body's origin, rad.
     pub direction: f64,
     /// Its standard deviation, rad.
@@ -63,7 +63,7 @@ pub struct Observation {
     /// What the beams see, from left to right.
     pub echoes: [Option<Echo>; BEAMS],
     /// What is touched.
-    pub contact: Option<Contact>,
+    pub contact: Option<ContactPoint>,
 }
 
 /// The sensors of one robot.
@@ -99,7 +99,7 @@ impl SensorModel {
     }
 
     /// What a reading says.
-    pub fn observe(&self, sensed: &Sensors) -> Observation {
+    pub fn observe(&self, sensed: &SensorReadings) -> Observation {
         let mut echoes = [None; BEAMS];
         if self.light.is_some() {
             for (echo, &signal) in echoes.iter_mut().zip(&sensed.light_signal) {
@@ -112,7 +112,7 @@ impl SensorModel {
 
     /// What is touched; much quicker than all of [`SensorModel::observe`]. `pushes` says whether the wheels roll ahead: then
     /// the castor tells whether the body slides along what it touches or stands.
-    pub fn contact(&self, sensed: &Sensors, pushes: bool) -> Option<Contact> {
+    pub fn contact(&self, sensed: &SensorReadings, pushes: bool) -> Option<ContactPoint> {
         let [half_arc, both_within] = self.bumper?;
         let (least, most) = match (sensed.bump_left, sensed.bump_right) {
             (false, false) => return None,
@@ -128,7 +128,7 @@ impl SensorModel {
             (true, false) if most <= 0.0 => (most.max(-SLIDES) - 0.05, most.max(-SLIDES)),
             _ => (least, most),
         };
-        let by_switches = Contact { direction: 0.5 * (least + most), deviation: (most - least) / 3.5 };
+        let by_switches = ContactPoint { direction: 0.5 * (least + most), deviation: (most - least) / 3.5 };
         let Some(light) = &self.light else { return Some(by_switches) };
         let roots = sensed.light_signal.map(|signal| (f64::from(signal) - IDLE).max(0.0).sqrt());
         let brightest = roots.iter().copied().fold(0.0, f64::max);
@@ -149,18 +149,18 @@ impl SensorModel {
         // What explains less than nine tenths is no straight wall.
         let total: f64 = roots.iter().map(|root| root * root).sum();
         let deviation = if misfit < 0.1 * total { BY_LIGHT } else { 0.3 };
-        Some(Contact { direction: direction(best), deviation: deviation.min(by_switches.deviation) })
+        Some(ContactPoint { direction: direction(best), deviation: deviation.min(by_switches.deviation) })
     }
 
     /// What is known better of a contact from the way that the robot drives, where the right wheel rolls so much more than
     /// the left one, m: along an edge or a leg that it curves around, it goes on.
-    pub(super) fn aside(&self, contact: Contact, curve: f64) -> Contact {
+    pub(super) fn aside(&self, contact: ContactPoint, curve: f64) -> ContactPoint {
         let half_arc = self.bumper.map_or(0.0, |[half_arc, _]| half_arc);
         let is_around = curve * contact.direction > 0.0 && curve.abs() > AROUND.0;
         if contact.deviation <= BY_LIGHT || contact.direction.abs() < SLIDES || !is_around {
             return contact;
         }
-        Contact { direction: (AROUND.1 * half_arc).copysign(contact.direction), ..contact }
+        ContactPoint { direction: (AROUND.1 * half_arc).copysign(contact.direction), ..contact }
     }
 
     /// The distance of what sends back so much light, if the light meets it at an angle whose cosine is known up to
@@ -227,7 +227,7 @@ mod tests {
 
     /// What the simulated sensors read with a straight wall of that reflectance, `gap` metres from the body at the nearest
     /// point, which is seen in that direction.
-    fn beside_a_wall(direction: f64, gap: f64, reflectance: f64) -> Sensors {
+    fn beside_a_wall(direction: f64, gap: f64, reflectance: f64) -> SensorReadings {
         let (robot, _) = roomba();
         let light = robot.sensors.light_bumper.unwrap();
         let light_signal = light.angles.map(|angle| {
@@ -237,7 +237,7 @@ mod tests {
             let back = if is_seen { light_at(distance, reflectance * cosine, light.range) } else { 0.0 };
             (back + IDLE) as u16
         });
-        Sensors { light_signal, ..Sensors::default() }
+        SensorReadings { light_signal, ..SensorReadings::default() }
     }
 
     #[test]
@@ -255,7 +255,7 @@ mod tests {
                 assert!((better.distance - gap).abs() < 0.2 * (gap + 0.017), "{gap} m at {reflectance}: {better:?}");
             }
         }
-        assert_eq!(model.observe(&Sensors::default()), Observation::default());
+        assert_eq!(model.observe(&SensorReadings::default()), Observation::default());
     }
 
     #[test]
@@ -263,7 +263,7 @@ mod tests {
         let (_, model) = roomba();
         for degrees in [-80_i32, -60, -35, -15, 0, 10, 30, 50, 75] {
             let direction = f64::from(degrees).to_radians();
-            let touching = Sensors {
+            let touching = SensorReadings {
                 bump_left: direction >= -0.35,
                 bump_right: direction <= 0.35,
                 ..beside_a_wall(direction, 0.0005, 1.0)
@@ -276,10 +276,10 @@ mod tests {
     #[test]
     fn what_no_beam_sees_is_somewhere_on_the_side_that_is_pressed() {
         let (_, model) = roomba();
-        let right = model.contact(&Sensors { bump_right: true, ..Sensors::default() }, false).unwrap();
+        let right = model.contact(&SensorReadings { bump_right: true, ..SensorReadings::default() }, false).unwrap();
         assert!(right.direction < -0.35 && right.deviation > 0.3, "{right:?}");
-        let stuck = Sensors { bump_left: true, bump_right: true, ..Sensors::default() };
+        let stuck = SensorReadings { bump_left: true, bump_right: true, ..SensorReadings::default() };
         assert!(model.contact(&stuck, true).unwrap().direction.abs() < 0.01);
-        assert_eq!(model.contact(&Sensors::default(), true), None);
+        assert_eq!(model.contact(&SensorReadings::default(), true), None);
     }
 }

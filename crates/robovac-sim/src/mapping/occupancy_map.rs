@@ -1,8 +1,8 @@
 //! An occupancy grid in log odds that grows as the robot goes.
 
-use super::Layer;
+use super::TiledLayer;
 use robovac_core::{
-    floorplan::FloorPlan,
+    floor_plan::FloorPlan,
     geometry::{Point, Pose},
     grid::{Cell, Grid, Occupancy},
 };
@@ -20,13 +20,13 @@ const FREE: i16 = -110;
 #[derive(Debug, Clone)]
 pub struct OccupancyMap {
     resolution: f64,
-    odds: Layer<i16>,
+    odds: TiledLayer<i16>,
 }
 
 impl OccupancyMap {
     /// Nothing known; cells of `resolution` metres, whose corners lie on multiples of it.
     pub fn new(resolution: f64) -> Self {
-        Self { resolution, odds: Layer::new() }
+        Self { resolution, odds: TiledLayer::new() }
     }
 
     /// A map that knows what `plan` says, with certainty; its lower-left corner becomes the origin.

@@ -17,7 +17,7 @@ const FARTHEST: f32 = 20.0;
 
 /// What a map ought to show.
 #[derive(Debug, Clone)]
-pub struct Truth {
+pub struct MapTruth {
     resolution: f64,
     /// Cells around the plan, so that what stands at its edge has its place.
     margin: i32,
@@ -48,7 +48,7 @@ pub struct MapQuality {
     pub cells: usize,
 }
 
-impl Truth {
+impl MapTruth {
     /// The room of `floor` in cells of `resolution` metres; the map's frame must be the plan's.
     pub fn of(floor: &ReachableFloor, resolution: f64) -> Self {
         let radius = floor.walls.body_radius;
@@ -179,10 +179,10 @@ mod tests {
     use robovac_core::grid::from_picture;
 
     /// A room of four by three cells whose whole floor a robot of one cell reaches.
-    fn truth() -> Truth {
+    fn truth() -> MapTruth {
         let occupied = from_picture("######\n#....#\n#....#\n#....#\n######", |glyph| glyph == '#').unwrap();
         let standing = occupied.map(|occupied| !occupied);
-        Truth::new(&occupied, &standing, 0.6, 0.05, 0)
+        MapTruth::new(&occupied, &standing, 0.6, 0.05, 0)
     }
 
     fn map(picture: &str) -> OccupancyMap {

@@ -11,7 +11,7 @@ use nalgebra::{Matrix3, Matrix3x2};
 use robovac_core::{
     geometry::{Point, Pose},
     math,
-    robot::{OdometryModel, RobotModel, RollingScale, Sensors, advance, advance_sideways},
+    robot::{OdometryModel, RobotModel, RollingScale, SensorReadings, advance, advance_sideways},
 };
 
 /// Standard deviation of each wheel's slip after one metre, m: a little more than at the simulator's typical level.
@@ -25,7 +25,7 @@ const MOST_AT_ONCE: f64 = 0.5;
 
 /// What the wheels are taken for: both errors are estimates of the filter.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Wheels {
+pub(super) struct WheelErrors {
     /// Right wheel's size less the left one's, as a share of both.
     pub unequal: f64,
     /// Wheel base less the nominal one, as a share of it.
@@ -46,7 +46,7 @@ impl Rolling {
     }
 
     /// What the wheels have rolled since the last reading: left, right, sideways, m.
-    pub fn take(&mut self, sensed: &Sensors) -> [f64; 3] {
+    pub fn take(&mut self, sensed: &SensorReadings) -> [f64; 3] {
         let counts = [sensed.left_counts, sensed.right_counts, sensed.lateral_counts];
         let Some(last) = self.last.replace(counts) else { return [0.0; 3] };
         let since = [0, 1, 2].map(|i| counts[i].wrapping_sub(last[i]) as i16);
@@ -64,10 +64,10 @@ pub(super) struct Reckoning {
     pub turn: f64,
     /// Covariance of `at` (x, y, heading) by what slips at random.
     pub noise: Matrix3<f64>,
-    /// Derivatives of `at` by [`Wheels::unequal`] and [`Wheels::base`].
+    /// Derivatives of `at` by [`WheelErrors::unequal`] and [`WheelErrors::base`].
     pub by_wheels: Matrix3x2<f64>,
     /// What the wheels were taken for.
-    pub wheels: Wheels,
+    pub wheels: WheelErrors,
     /// Way, m, and all turning, rad.
     pub way: f64,
     pub turned: f64,
@@ -81,7 +81,7 @@ pub(super) struct Reckoning {
 }
 
 impl Reckoning {
-    pub fn new(robot: &RobotModel, model: OdometryModel, wheels: Wheels) -> Self {
+    pub fn new(robot: &RobotModel, model: OdometryModel, wheels: WheelErrors) -> Self {
         let here = Pose::new(0.0, 0.0, 0.0);
         Self {
             at: here,
@@ -169,7 +169,7 @@ mod tests {
     use robovac_core::robot::model;
 
     /// A stretch with a bend, driven by a robot that takes its wheels for these.
-    fn bend(wheels: Wheels) -> Reckoning {
+    fn bend(wheels: WheelErrors) -> Reckoning {
         let mut way = Reckoning::new(model("roomba600").unwrap(), OdometryModel::Arc, wheels);
         for step in 0..300 {
             let (left, right) = if step < 150 { (0.004, 0.004) } else { (0.002, 0.004) };
@@ -181,8 +181,10 @@ mod tests {
 
     #[test]
     fn derivatives_tell_what_other_wheels_would_have_done() {
-        let nominal = bend(Wheels::default());
-        for (column, wheels) in [(0, Wheels { unequal: 1e-4, base: 0.0 }), (1, Wheels { unequal: 0.0, base: 1e-4 })] {
+        let nominal = bend(WheelErrors::default());
+        for (column, wheels) in
+            [(0, WheelErrors { unequal: 1e-4, base: 0.0 }), (1, WheelErrors { unequal: 0.0, base: 1e-4 })]
+        {
             let other = bend(wheels);
             let change = [other.at.x - nominal.at.x, other.at.y - nominal.at.y, other.turn - nominal.turn];
             for (row, change) in change.into_iter().enumerate() {
@@ -194,7 +196,7 @@ mod tests {
 
     #[test]
     fn wheels_that_push_against_a_wall_ahead_move_nothing() {
-        let mut way = Reckoning::new(model("roomba600").unwrap(), OdometryModel::Arc, Wheels::default());
+        let mut way = Reckoning::new(model("roomba600").unwrap(), OdometryModel::Arc, WheelErrors::default());
         for _ in 0..20 {
             way.roll([0.004, 0.004, 0.0], Some(0.0));
         }

@@ -27,7 +27,7 @@ use robovac_core::{
     geometry::Pose,
     grid::{Cell, Grid, Occupancy},
     math,
-    robot::{Odometry, OdometryModel, RobotModel, Sensors},
+    robot::{Odometry, OdometryModel, RobotModel, SensorReadings},
 };
 
 /// `grid_size`, cells.
@@ -70,7 +70,7 @@ impl ThesisGrid {
     }
 
     /// Takes the next reading: `odom_callback` and `bump_callback`, and `mark_robot` if the robot has moved forward.
-    pub fn update(&mut self, sensed: &Sensors) {
+    pub fn update(&mut self, sensed: &SensorReadings) {
         self.odometry.update(sensed);
         let before = std::mem::replace(&mut self.at, self.odometry.pose());
         let lights = LIGHT_OFFSETS.iter().zip(sensed.light_bumper).filter(|(_, is_near)| *is_near);
@@ -179,7 +179,7 @@ mod tests {
         let expected = [(50, 51), (51, 51), (51, 50), (51, 49), (51, 48), (50, 48)];
         for (sensor, cell) in expected.into_iter().enumerate() {
             let mut grid = grid_at(0.0, 0.0, 0.0);
-            let mut sensed = Sensors::default();
+            let mut sensed = SensorReadings::default();
             sensed.light_bumper[sensor] = true;
             grid.update(&sensed);
             assert_eq!(cells(&grid, CellStatus::Occupied), [cell], "sensor {sensor}");
@@ -234,13 +234,13 @@ mod tests {
     fn readings_of_a_robot_that_drives_ahead_make_a_strip_with_a_wall_at_its_end() {
         let mut grid = ThesisGrid::new(model("roomba600").unwrap());
         for counts in (0..1500_u16).step_by(10) {
-            grid.update(&Sensors { left_counts: counts, right_counts: counts, ..Sensors::default() });
+            grid.update(&SensorReadings { left_counts: counts, right_counts: counts, ..SensorReadings::default() });
         }
-        let wall = Sensors {
+        let wall = SensorReadings {
             light_bumper: [false, false, true, true, false, false],
             left_counts: 1490,
             right_counts: 1490,
-            ..Sensors::default()
+            ..SensorReadings::default()
         };
         grid.update(&wall);
         // 1490 counts are 66 cm: the robot's cells reach from 4 before the middle's to 56.

@@ -1,6 +1,6 @@
 //! Results as CSV and JSON: the same from the page and from the command line.
 
-use super::{Band, GOALS, Outcome, SAMPLES, Summary};
+use super::{Band, GOALS, RunOutcome, SAMPLES, Summary};
 use crate::experiment::quoted;
 use crate::{Conditions, SlipLevel, experiment::Entrant};
 use robovac_core::{registry::Params, robot::OdometryModel};
@@ -9,7 +9,7 @@ use std::fmt::Write;
 
 /// What all runs have in common.
 #[derive(Debug, Clone, Copy, Serialize)]
-pub struct Head<'a> {
+pub struct StudyHeader<'a> {
     /// Name of the room.
     pub room: &'a str,
     /// Id of the robot.
@@ -26,12 +26,12 @@ pub struct Head<'a> {
 }
 
 /// An algorithm with its runs, or why there are none.
-pub type Entry<'a> = (&'a Entrant, Result<Vec<&'a Outcome>, &'a str>);
+pub type EntrantRuns<'a> = (&'a Entrant, Result<Vec<&'a RunOutcome>, &'a str>);
 
 #[derive(Serialize)]
 struct JsonStudy<'a> {
     #[serde(flatten)]
-    head: Head<'a>,
+    head: StudyHeader<'a>,
     slip: SlipLevel,
     noise: String,
     quantised: bool,
@@ -79,7 +79,7 @@ struct JsonRun {
 }
 
 /// A JSON object: what was run where, and for each algorithm quantiles over its runs and every single run.
-pub fn to_json(head: &Head<'_>, entries: &[Entry<'_>]) -> String {
+pub fn to_json(head: &StudyHeader<'_>, entries: &[EntrantRuns<'_>]) -> String {
     let study = JsonStudy {
         head: *head,
         slip: head.conditions.slip,
@@ -93,7 +93,7 @@ pub fn to_json(head: &Head<'_>, entries: &[Entry<'_>]) -> String {
 }
 
 /// A table with a head line, a run a line; empty where something didn't happen.
-pub fn to_csv(head: &Head<'_>, entries: &[Entry<'_>]) -> String {
+pub fn to_csv(head: &StudyHeader<'_>, entries: &[EntrantRuns<'_>]) -> String {
     let mut csv = String::from(
         "room,robot,slip,noise,quantised,minutes,kind,algorithm,seed,error,coverage [%],time to 90 % [s],time to 99 % [s],\
          time [s],distance [m],bumps,falls,dirt left [%],digest,measure\n",
@@ -114,7 +114,7 @@ pub fn to_csv(head: &Head<'_>, entries: &[Entry<'_>]) -> String {
             Err(error) => writeln!(csv, "{common},{kind},{entrant},,{},,,,,,,,,,{measure}", quoted(error)),
             Ok(runs) => runs.iter().try_for_each(|run| {
                 let [to_90, to_99] = run.reached_s.map(|s| if s.is_finite() { s.to_string() } else { String::new() });
-                let Outcome { seed, time_s, distance_m, bumps, falls, digest, .. } = run;
+                let RunOutcome { seed, time_s, distance_m, bumps, falls, digest, .. } = run;
                 let coverage = 100.0 * run.coverage();
                 let dirt = run.dirt_left.map(|left| (100.0 * left).to_string()).unwrap_or_default();
                 writeln!(
@@ -133,7 +133,7 @@ fn measure(entrant: &Entrant) -> &'static str {
 }
 
 impl<'a> JsonAlgorithm<'a> {
-    fn of((entrant, result): &'a Entry<'a>) -> Self {
+    fn of((entrant, result): &'a EntrantRuns<'a>) -> Self {
         let runs = result.as_deref().unwrap_or_default();
         let bands = Band::curve(runs);
         let line = |of: fn(&Band) -> f64| bands.iter().map(of).collect();
@@ -151,7 +151,7 @@ impl<'a> JsonAlgorithm<'a> {
 }
 
 impl JsonRun {
-    fn of(run: &Outcome) -> Self {
+    fn of(run: &RunOutcome) -> Self {
         Self {
             seed: run.seed,
             coverage: run.coverage(),

@@ -4,13 +4,13 @@ use crate::{
     Conditions, STEP_S,
     experiment::{
         Algorithm, Entrant, TrialError,
-        planning::{PlanRequest, Planned, Prepared},
+        planning::{PlanRequest, Planned, RoomSetup},
     },
 };
 use coverage_planners::Observer;
 use robovac_core::{
     coverage::{Boundary, BoundaryTracker, FloorError},
-    floorplan::FloorPlan,
+    floor_plan::FloorPlan,
     geometry::{Point, Pose},
     robot::{OdometryModel, RobotModel},
 };
@@ -19,7 +19,7 @@ use std::{
     sync::{Arc, OnceLock},
 };
 
-use super::Outcome;
+use super::RunOutcome;
 
 /// What all runs of a study have in common beside room and robot.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,7 +39,7 @@ pub struct Terms {
 /// A planner plans once; its path is then driven with the slip of every seed. The seed of its plan is that of the
 /// [`Terms`], so that a run doesn't depend on which others are made.
 pub struct Lab {
-    prepared: Prepared,
+    prepared: RoomSetup,
     terms: Terms,
     /// By the names of the entrants.
     lines: BTreeMap<String, Result<Arc<[Point]>, TrialError>>,
@@ -56,11 +56,11 @@ impl Lab {
         start: Option<Pose>,
         terms: Terms,
     ) -> Result<Self, FloorError> {
-        Ok(Self::on(Prepared::new(plan, robot, cell_size, start)?, terms))
+        Ok(Self::on(RoomSetup::new(plan, robot, cell_size, start)?, terms))
     }
 
     /// A lab where everything has been laid out already.
-    pub fn on(prepared: Prepared, terms: Terms) -> Self {
+    pub fn on(prepared: RoomSetup, terms: Terms) -> Self {
         Self { prepared, terms, lines: BTreeMap::new(), boundary: OnceLock::new() }
     }
 
@@ -80,7 +80,7 @@ impl Lab {
     }
 
     /// Makes a run; `None` for an entrant that has no plan or isn't in the registry.
-    pub fn run(&self, entrant: &Entrant, seed: u64) -> Option<Outcome> {
+    pub fn run(&self, entrant: &Entrant, seed: u64) -> Option<RunOutcome> {
         let Self { prepared, terms: Terms { conditions, odometry, duration_s, .. }, .. } = self;
         let run = match entrant.algorithm {
             Algorithm::Behaviour(info) => prepared.run_behaviour(info, &entrant.params, *conditions, seed)?,
@@ -90,11 +90,11 @@ impl Lab {
             }
         };
         if entrant.explores() {
-            let Prepared { floor, robot, .. } = prepared;
+            let RoomSetup { floor, robot, .. } = prepared;
             let boundary = self.boundary.get_or_init(|| Arc::new(Boundary::new(floor, robot)));
-            return Some(Outcome::of_exploring(run, seed, *duration_s, BoundaryTracker::new(boundary)));
+            return Some(RunOutcome::of_exploring(run, seed, *duration_s, BoundaryTracker::new(boundary)));
         }
-        Some(Outcome::of(run, seed, *duration_s))
+        Some(RunOutcome::of(run, seed, *duration_s))
     }
 }
 

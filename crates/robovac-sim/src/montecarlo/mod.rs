@@ -1,8 +1,8 @@
 //! Monte Carlo studies: many runs of the same algorithms with different seeds.
 //!
-//! A run is one algorithm with one seed, made in a [`Lab`]; its [`Outcome`] is coverage over time and what happened on
+//! A run is one algorithm with one seed, made in a [`Lab`]; its [`RunOutcome`] is coverage over time and what happened on
 //! the way. For behaviours that explore, the share of the [boundary](robovac_core::coverage::Boundary) that they have met takes the
-//! place of coverage. A [`Tally`] takes outcomes as they come, in any order, and sums them up. [`Study`] is what the page has:
+//! place of coverage. A [`RunTally`] takes outcomes as they come, in any order, and sums them up. [`Study`] is what the page has:
 //! it says which runs are missing and keeps what came out. The command line makes the same runs on all cores.
 
 mod export;
@@ -12,9 +12,9 @@ mod quantile;
 mod request;
 mod summary;
 
-pub use export::{Entry, Head, to_csv, to_json};
+pub use export::{EntrantRuns, StudyHeader, to_csv, to_json};
 pub use lab::{Lab, Terms};
-pub use outcome::{GOALS, Outcome, SAMPLES};
+pub use outcome::{GOALS, RunOutcome, SAMPLES};
 pub use quantile::quantile;
 pub use request::RunsRequest;
-pub use summary::{Band, Summary, Tally, TimeTo};
+pub use summary::{Band, RunTally, Summary, TimeTo};

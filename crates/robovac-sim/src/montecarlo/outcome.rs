@@ -10,7 +10,7 @@ pub const SAMPLES: usize = 200;
 
 /// Result of one run.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Outcome {
+pub struct RunOutcome {
     /// Seed of everything random in it.
     pub seed: u64,
     /// Swept share of the reachable floor, or share of the boundary that has been met, 0 to 1, at the start and at the end of
@@ -32,10 +32,10 @@ pub struct Outcome {
     pub digest: u64,
 }
 
-/// Numbers before the curve in [`Outcome::to_numbers`].
+/// Numbers before the curve in [`RunOutcome::to_numbers`].
 const HEAD: usize = 9 + GOALS.len();
 
-impl Outcome {
+impl RunOutcome {
     /// Makes `run`, which was made with `seed`, go on for `duration_s` seconds from its start.
     pub fn of(run: Run, seed: u64, duration_s: f64) -> Self {
         Self::by(run, seed, duration_s, Run::coverage)
@@ -97,7 +97,7 @@ impl Outcome {
         head.into_iter().chain(counts).chain(halves).chain(self.reached_s).chain(self.curve.iter().copied())
     }
 
-    /// The inverse of [`Outcome::to_numbers`] for several after one another; those that are cut off are left out.
+    /// The inverse of [`RunOutcome::to_numbers`] for several after one another; those that are cut off are left out.
     pub fn from_numbers(mut numbers: &[f64]) -> Vec<Self> {
         let mut outcomes = Vec::new();
         while let Some((head, rest)) = numbers.split_first_chunk::<HEAD>() {

@@ -1,6 +1,6 @@
 //! Summary of many runs of one algorithm.
 
-use super::{GOALS, Outcome, SAMPLES, quantile};
+use super::{GOALS, RunOutcome, SAMPLES, quantile};
 use serde::Serialize;
 use std::{array, collections::BTreeMap};
 
@@ -57,11 +57,11 @@ pub struct Summary {
 
 /// Outcomes of one algorithm by their seeds. The order in which they come makes no difference.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Tally(BTreeMap<u64, Outcome>);
+pub struct RunTally(BTreeMap<u64, RunOutcome>);
 
-impl Tally {
+impl RunTally {
     /// Takes a run; one with the same seed is replaced, as it was the same.
-    pub fn add(&mut self, outcome: Outcome) {
+    pub fn add(&mut self, outcome: RunOutcome) {
         self.0.insert(outcome.seed, outcome);
     }
 
@@ -71,17 +71,17 @@ impl Tally {
     }
 
     /// The runs with seeds from `first` on, `count` at most, by their seeds.
-    pub fn runs(&self, first: u64, count: u64) -> Vec<&Outcome> {
+    pub fn runs(&self, first: u64, count: u64) -> Vec<&RunOutcome> {
         self.0.range(first..first.saturating_add(count)).map(|(_, outcome)| outcome).collect()
     }
 }
 
 impl Summary {
     /// Sums up `runs`; `None` if there are none.
-    pub fn of(runs: &[&Outcome]) -> Option<Self> {
+    pub fn of(runs: &[&RunOutcome]) -> Option<Self> {
         Some(Self {
             runs: runs.len(),
-            coverage: Band::of(runs, Outcome::coverage)?,
+            coverage: Band::of(runs, RunOutcome::coverage)?,
             time_to: array::from_fn(|goal| TimeTo::of(runs, goal)),
             distance_m: Band::of(runs, |run| run.distance_m)?,
             bumps: Band::of(runs, |run| f64::from(run.bumps))?,
@@ -93,7 +93,7 @@ impl Summary {
 
 impl Band {
     /// The band of a number of each run.
-    fn of(runs: &[&Outcome], number: impl Fn(&Outcome) -> f64) -> Option<Self> {
+    fn of(runs: &[&RunOutcome], number: impl Fn(&RunOutcome) -> f64) -> Option<Self> {
         let [low, median, high] = quantiles(runs, number)?;
         Some(Self { low, median, high })
     }
@@ -105,14 +105,14 @@ impl Band {
     }
 
     /// The bands of coverage over time: one at the start and one at the end of each of [`SAMPLES`] equal parts of it.
-    pub fn curve(runs: &[&Outcome]) -> Vec<Self> {
+    pub fn curve(runs: &[&RunOutcome]) -> Vec<Self> {
         let at = |sample: usize| Self::of(runs, |run| run.curve.get(sample).copied().unwrap_or(0.0));
         (0..=SAMPLES).filter_map(at).collect()
     }
 }
 
 impl TimeTo {
-    fn of(runs: &[&Outcome], goal: usize) -> Self {
+    fn of(runs: &[&RunOutcome], goal: usize) -> Self {
         let times = quantiles(runs, |run| run.reached_s[goal]).unwrap_or([f64::INFINITY; 3]);
         let [low_s, median_s, high_s] = times.map(|time| Some(time).filter(|time| time.is_finite()));
         let reached = runs.iter().filter(|run| run.reached_s[goal].is_finite()).count();
@@ -120,7 +120,7 @@ impl TimeTo {
     }
 }
 
-fn quantiles(runs: &[&Outcome], number: impl Fn(&Outcome) -> f64) -> Option<[f64; 3]> {
+fn quantiles(runs: &[&RunOutcome], number: impl Fn(&RunOutcome) -> f64) -> Option<[f64; 3]> {
     let mut values: Vec<f64> = runs.iter().map(|run| number(run)).collect();
     values.sort_unstable_by(f64::total_cmp);
     let [Some(low), Some(median), Some(high)] = QUANTILES.map(|p| quantile(&values, p)) else { return None };

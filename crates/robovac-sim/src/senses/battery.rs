@@ -1,6 +1,6 @@
 //! Battery and charger.
 //!
-//! The battery loses what the model's [`Power`](robovac_core::robot::Power) says: standing power all the time, wheel power in
+//! The battery loses what the model's [`PowerDraw`](robovac_core::robot::PowerDraw) says: standing power all the time, wheel power in
 //! proportion to wheel speed, which gives the model's straight and turning power at the speeds of path following. On the
 //! dock it takes the model's charging current until it is full.
 //!
@@ -20,7 +20,7 @@ use rand::RngExt;
 use robovac_core::{
     math,
     rng::seeded,
-    robot::{BatteryReading, RobotModel, Sensors},
+    robot::{BatteryReading, RobotModel, SensorReadings},
 };
 
 /// Stream of what is drawn once for a battery.
@@ -45,7 +45,7 @@ pub struct Supply {
 
 /// The battery of one robot.
 #[derive(Debug, Clone)]
-pub(super) struct Cells {
+pub(super) struct BatteryCells {
     /// When new, J.
     capacity: f64,
     /// J.
@@ -66,7 +66,7 @@ pub(super) struct Cells {
     has_gauge: bool,
 }
 
-impl Cells {
+impl BatteryCells {
     /// The battery of `model`, charged to `share`, 0 to 1.
     pub fn new(model: &RobotModel, conditions: Conditions, seed: u64) -> Self {
         let Conditions { noise, start_charge_percent, spare_batteries, .. } = conditions;
@@ -129,7 +129,7 @@ impl Cells {
     }
 
     /// What its electronics report; `deviate` is a normal deviate.
-    pub fn report(&self, deviate: f64, sensors: &mut Sensors) {
+    pub fn report(&self, deviate: f64, sensors: &mut SensorReadings) {
         sensors.battery.on_dock = self.on_dock;
         if !self.has_gauge {
             return;

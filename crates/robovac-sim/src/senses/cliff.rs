@@ -8,11 +8,11 @@
 //! and one in 256 tiles of the floor, 10 cm wide, is so dark that it reads as a cliff, as owners of dark carpets know.
 //! Where these tiles are depends on the seed alone. The threshold and the figures of "harsh" are ours.
 
-use super::{Frame, Noisy, slot};
+use super::{BodyFrame, Noisy, slot};
 use crate::{NoiseLevel, SensorKind, World};
 use robovac_core::{
     geometry::Point,
-    robot::{RobotModel, Sensors},
+    robot::{RobotModel, SensorReadings},
 };
 
 /// Signal over light floor: the middle of what was measured.
@@ -41,7 +41,14 @@ impl Edges {
     }
 
     /// Reads all of them; `has_floor` is false for a robot that is lifted or stands on its dock.
-    pub fn read(&self, world: &World, frame: &Frame, has_floor: bool, noise: &Noisy<'_>, sensors: &mut Sensors) {
+    pub fn read(
+        &self,
+        world: &World,
+        frame: &BodyFrame,
+        has_floor: bool,
+        noise: &Noisy<'_>,
+        sensors: &mut SensorReadings,
+    ) {
         let is_near_edge = world.drop_offs.iter().any(|outline| is_near(outline, frame.position, self.reach));
         let deviation = noise.pick(SensorKind::Cliff, [0.0, 30.0, 150.0]);
         let has_dark_tiles = noise.levels.of(SensorKind::Cliff) == NoiseLevel::Harsh;

@@ -14,12 +14,12 @@
 //!
 //! Noise: at "typical" a receiver misses one character in twenty, at "harsh", in sunlight, every third (ours).
 
-use super::{Around, Frame, Noisy, sight, slot};
+use super::{Around, BodyFrame, Noisy, sight, slot};
 use crate::{SensorKind, World};
 use robovac_core::{
     coverage::{DOCK_BACK, FENCE, HALO},
     geometry::{Point, Pose, Vector},
-    robot::{Infrared, RobotModel, Sensors},
+    robot::{Infrared, RobotModel, SensorReadings},
 };
 
 /// Place of the receivers ahead of the origin, as a share of the body's radius.
@@ -46,7 +46,7 @@ const DOCK: [u8; 4] = [160, 1, 4, 8];
 const CONTACT: (f64, f64, f64) = (0.015, 0.025, 0.15);
 
 /// Whether the robot stands on a dock so that its contacts touch.
-pub(super) fn is_docked(model: &RobotModel, world: &World, frame: &Frame) -> bool {
+pub(super) fn is_docked(model: &RobotModel, world: &World, frame: &BodyFrame) -> bool {
     let is_on = |dock: &Pose| {
         let way = frame.position - dock.position();
         let touching = model.radius + DOCK_BACK[1];
@@ -64,7 +64,13 @@ pub(super) fn is_docked(model: &RobotModel, world: &World, frame: &Frame) -> boo
 }
 
 /// Reads the three receivers.
-pub(super) fn read(model: &RobotModel, around: Around<'_>, frame: &Frame, noise: &Noisy<'_>, sensors: &mut Sensors) {
+pub(super) fn read(
+    model: &RobotModel,
+    around: Around<'_>,
+    frame: &BodyFrame,
+    noise: &Noisy<'_>,
+    sensors: &mut SensorReadings,
+) {
     sensors.infrared = Infrared::default();
     sensors.virtual_wall = false;
     let World { docks, virtual_walls, .. } = around.world;

@@ -8,7 +8,7 @@
 //! Tâche, Caprari & Siegwart 2009, Characterization of the compact Hokuyo URG-04LX 2D laser range scanner, ICRA; how
 //! often is ours). Both are taken as one standard deviation.
 
-use super::{Around, Frame, sight};
+use super::{Around, BodyFrame, sight};
 use crate::{NoiseLevel, STEP_S, noise::Normals};
 use rand::Rng as _;
 use robovac_core::{
@@ -58,7 +58,7 @@ impl Scanner {
     }
 
     /// A new scan, if one is due.
-    pub fn read(&mut self, around: Around<'_>, frame: &Frame) -> Option<Arc<[f32]>> {
+    pub fn read(&mut self, around: Around<'_>, frame: &BodyFrame) -> Option<Arc<[f32]>> {
         self.due_s -= STEP_S;
         if self.due_s > 0.0 {
             return None;

@@ -9,13 +9,13 @@
 //! Noise: at "typical" a standard deviation of 3 % and the idle values above; at "harsh" 15 % and idle values up to 160,
 //! as in sunlight. The percentages and the threshold are ours.
 
-use super::{Around, Frame, Noisy, sight::look, slot};
+use super::{Around, BodyFrame, Noisy, sight::look, slot};
 use crate::SensorKind;
 use robovac_core::{
-    coverage::{Hit, Surface},
+    coverage::{RayHit, Surface},
     geometry::Point,
     math,
-    robot::{LightBumper, MOST_LIGHT, Sensors, light_at},
+    robot::{LightBumper, MOST_LIGHT, SensorReadings, light_at},
 };
 
 /// Value with nothing there and no noise.
@@ -42,7 +42,14 @@ impl LightBeams {
     }
 
     /// Reads all of them.
-    pub fn read(&self, around: Around<'_>, frame: &Frame, is_lifted: bool, noise: &Noisy<'_>, sensors: &mut Sensors) {
+    pub fn read(
+        &self,
+        around: Around<'_>,
+        frame: &BodyFrame,
+        is_lifted: bool,
+        noise: &Noisy<'_>,
+        sensors: &mut SensorReadings,
+    ) {
         let deviation = noise.pick(SensorKind::Light, [0.0, 0.03, 0.15]);
         let idle = noise.pick(SensorKind::Light, [(IDLE, 0.0), (2.0, 31.0), (2.0, 159.0)]);
         let sees_nothing = is_lifted || self.is_all_out_of_reach(around, frame.position);
@@ -71,7 +78,7 @@ impl LightBeams {
     }
 
     /// What comes back to one of them.
-    fn light(&self, around: Around<'_>, frame: &Frame, direction: [f64; 2]) -> f64 {
+    fn light(&self, around: Around<'_>, frame: &BodyFrame, direction: [f64; 2]) -> f64 {
         let direction = frame.direction(direction);
         let middle = frame.position + direction * (self.start + 0.5 * self.range);
         if around.life.movers().is_empty() && around.walls.are_far_from(middle, 0.5 * self.range) {
@@ -83,7 +90,7 @@ impl LightBeams {
 }
 
 /// Signal of what a beam meets.
-fn strength(hit: Hit, range: f64) -> f64 {
+fn strength(hit: RayHit, range: f64) -> f64 {
     let reflectance = match hit.surface {
         Surface::Wall => 1.0,
         Surface::Object => 0.7,

@@ -12,9 +12,9 @@ mod sight;
 
 use super::{
     Conditions, Life, Noise, SensorKind, Touch, World,
-    noise::{Draw, NoiseSource},
+    noise::{NoiseDraw, NoiseSource},
 };
-use battery::Cells;
+use battery::BatteryCells;
 pub use battery::Supply;
 use bumper::Switches;
 use cliff::Edges;
@@ -25,7 +25,7 @@ use motors::Motors;
 use robovac_core::{
     coverage::Walls,
     geometry::{Point, Pose, Vector},
-    robot::{Drive, MovedMeter, RobotModel, Sensors},
+    robot::{DistanceAngleMeter, Drive, RobotModel, SensorReadings},
 };
 
 /// Everything that can be sensed from outside.
@@ -75,17 +75,17 @@ pub struct Senses {
     laser: Option<Scanner>,
     dirt: DirtSensor,
     motors: Motors,
-    cells: Cells,
-    moved: MovedMeter,
-    sensors: Sensors,
+    cells: BatteryCells,
+    moved: DistanceAngleMeter,
+    sensors: SensorReadings,
 }
 
 impl Senses {
     /// The sensors of `model`; `seed` decides over their noise.
     pub fn new(model: &RobotModel, conditions: Conditions, seed: u64) -> Self {
         let noise = conditions.noise;
-        let cells = Cells::new(model, conditions, seed);
-        let mut sensors = Sensors::default();
+        let cells = BatteryCells::new(model, conditions, seed);
+        let mut sensors = SensorReadings::default();
         cells.report(0.0, &mut sensors);
         Self {
             model: model.clone(),
@@ -98,14 +98,14 @@ impl Senses {
             dirt: DirtSensor::default(),
             motors: Motors::default(),
             cells,
-            moved: MovedMeter::new(model),
+            moved: DistanceAngleMeter::new(model),
             sensors,
         }
     }
 
     /// The latest reading.
     #[inline]
-    pub fn reading(&self) -> &Sensors {
+    pub fn reading(&self) -> &SensorReadings {
         &self.sensors
     }
 
@@ -125,7 +125,7 @@ impl Senses {
         let Self { model, noise, source, switches, edges, light, laser, dirt, motors, cells, moved, sensors } = self;
         let draw = source.as_mut().map(NoiseSource::draw);
         let noise = Noisy { levels: *noise, draw };
-        let frame = Frame::new(carrier.pose);
+        let frame = BodyFrame::new(carrier.pose);
         // Rounded down, as `floor` does, which is a call.
         let counts = |rolled: f64| {
             let counts = rolled * model.counts_per_metre;
@@ -157,13 +157,13 @@ impl Senses {
 
 /// The body's pose, ready to place sensors.
 #[derive(Debug, Clone, Copy)]
-struct Frame {
+struct BodyFrame {
     position: Point,
     /// Unit vector ahead.
     ahead: Vector,
 }
 
-impl Frame {
+impl BodyFrame {
     fn new(pose: Pose) -> Self {
         Self { position: pose.position(), ahead: pose.direction() }
     }
@@ -186,7 +186,7 @@ impl Frame {
 struct Noisy<'a> {
     levels: Noise,
     /// None if no sensor errs.
-    draw: Option<Draw<'a>>,
+    draw: Option<NoiseDraw<'a>>,
 }
 
 /// Which random bytes of a step each sensor takes.

@@ -2,7 +2,7 @@
 
 use super::Carrier;
 use crate::STEP_S;
-use robovac_core::robot::Sensors;
+use robovac_core::robot::SensorReadings;
 
 /// The castor turns if the body moves at least this share of what the wheels roll.
 const PROGRESS: f64 = 0.3;
@@ -25,7 +25,7 @@ impl Motors {
 
     /// Packets 58 and 14. Wheels that push against something that doesn't give way are taken to stall; brushes never are:
     /// nothing here winds around them.
-    pub fn read(&mut self, carrier: &Carrier, sensors: &mut Sensors) {
+    pub fn read(&mut self, carrier: &Carrier, sensors: &mut SensorReadings) {
         let speed = 0.5 * (carrier.speed.left + carrier.speed.right);
         let progresses = carrier.moved > PROGRESS * speed.abs() * STEP_S;
         sensors.stasis = speed > 0.0 && progresses && !carrier.is_lifted;

@@ -2,16 +2,16 @@
 
 use super::Around;
 use robovac_core::{
-    coverage::{Hit, Surface},
+    coverage::{RayHit, Surface},
     geometry::{Point, Vector},
 };
 
 /// The nearest thing on the way from `from` along the unit vector `direction` within `reach` metres.
-pub(super) fn look(around: Around<'_>, from: Point, direction: Vector, reach: f64) -> Option<Hit> {
+pub(super) fn look(around: Around<'_>, from: Point, direction: Vector, reach: f64) -> Option<RayHit> {
     let mut nearest = around.walls.ray(from, direction, reach);
     for &(centre, radius) in around.life.movers() {
         let reach = nearest.map_or(reach, |hit| hit.distance);
-        let hit = Hit::on_disc(centre - from, radius, direction, Surface::Mover);
+        let hit = RayHit::on_disc(centre - from, radius, direction, Surface::Mover);
         nearest = hit.filter(|hit| hit.distance < reach).or(nearest);
     }
     nearest

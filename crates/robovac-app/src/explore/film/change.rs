@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// The difference of two walks, whichever way round they are walked.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Change {
+pub struct WalkDiff {
     /// Cells that they pass in different ways, row by row.
     pub cells: Vec<Cell>,
     /// The parts of the former walk that stay, in its order.
@@ -18,7 +18,7 @@ pub struct Change {
     pub turns: i64,
 }
 
-impl Change {
+impl WalkDiff {
     /// From one walk to another.
     pub fn between(former: &[Cell], latter: &[Cell]) -> Self {
         let (mut before, mut after) = (passages(former), passages(latter));
@@ -39,13 +39,13 @@ impl Change {
 }
 
 /// A step, from the lesser cell to the greater.
-type Edge = (Cell, Cell);
+type WalkEdge = (Cell, Cell);
 /// How a cell is passed: the sides that the walk comes from and leaves by, in either order, or just one at its ends.
 type Passage = (Cell, [Option<Direction>; 2]);
 /// How often there is something.
 type Bag<T> = BTreeMap<T, usize>;
 
-fn edge(a: Cell, b: Cell) -> Edge {
+fn edge(a: Cell, b: Cell) -> WalkEdge {
     (a.min(b), a.max(b))
 }
 
@@ -64,7 +64,7 @@ fn bag<T: Ord>(things: impl Iterator<Item = T>) -> Bag<T> {
     bag
 }
 
-fn edges(walk: &[Cell]) -> Bag<Edge> {
+fn edges(walk: &[Cell]) -> Bag<WalkEdge> {
     bag(walk.windows(2).map(|pair| edge(pair[0], pair[1])))
 }
 
@@ -78,7 +78,7 @@ fn take<T: Ord>(bag: &mut Bag<T>, thing: &T) -> bool {
 }
 
 /// Cuts a walk into the pieces that are in another one, too, and those that aren't.
-fn pieces(walk: &[Cell], steps: &mut Bag<Edge>, ways: &mut Bag<Passage>) -> (Vec<Vec<Cell>>, Vec<Vec<Cell>>) {
+fn pieces(walk: &[Cell], steps: &mut Bag<WalkEdge>, ways: &mut Bag<Passage>) -> (Vec<Vec<Cell>>, Vec<Vec<Cell>>) {
     let (mut kept, mut torn): (Vec<Vec<Cell>>, Vec<Vec<Cell>>) = (Vec::new(), Vec::new());
     let mut was_kept = None;
     for (index, pair) in walk.windows(2).enumerate() {
@@ -122,7 +122,7 @@ mod tests {
     fn parts_that_stay_are_told_from_what_is_new() {
         // The right half in the other direction: one step goes, one comes, and the last corner is passed as before.
         let better = walk(&[(0, 0), (0, 1), (1, 1), (1, 0), (2, 0), (3, 0), (3, 1), (2, 1)]);
-        let change = Change::between(&lanes(), &better);
+        let change = WalkDiff::between(&lanes(), &better);
         assert_eq!(change.cells, walk(&[(2, 0), (3, 0), (2, 1)]));
         assert_eq!(change.parts, [lanes()[..5].to_vec(), lanes()[5..].to_vec()]);
         assert_eq!(change.links, [walk(&[(2, 0), (3, 0)])]);
@@ -132,7 +132,7 @@ mod tests {
     #[test]
     fn the_same_walk_backwards_is_no_change() {
         let backwards: Vec<Cell> = lanes().into_iter().rev().collect();
-        let change = Change::between(&lanes(), &backwards);
+        let change = WalkDiff::between(&lanes(), &backwards);
         assert_eq!((change.cells.len(), change.links.len()), (0, 0));
         assert_eq!(change.parts, [lanes()]);
     }
@@ -142,7 +142,7 @@ mod tests {
         // A cross of five cells with two loops through its middle, which may cross or only touch there.
         let straight = walk(&[(1, 1), (2, 1), (1, 1), (0, 1), (1, 1), (1, 2), (1, 1), (1, 0)]);
         let turned = walk(&[(1, 1), (0, 1), (1, 1), (2, 1), (1, 1), (1, 2), (1, 1), (1, 0)]);
-        let change = Change::between(&straight, &turned);
+        let change = WalkDiff::between(&straight, &turned);
         assert_eq!(change.cells, walk(&[(1, 1)]));
         assert!(change.links.is_empty() && change.parts.len() > 1, "{change:?}");
     }
@@ -150,8 +150,8 @@ mod tests {
     #[test]
     fn steps_that_are_saved_are_counted() {
         let detour = walk(&[(0, 0), (1, 0), (0, 0), (0, 1), (1, 1)]);
-        let change = Change::between(&detour, &walk(&[(0, 0), (1, 0), (1, 1), (0, 1)]));
+        let change = WalkDiff::between(&detour, &walk(&[(0, 0), (1, 0), (1, 1), (0, 1)]));
         assert_eq!((change.steps, change.turns), (1, 2));
-        assert_eq!(Change::between(&[], &[]).parts, Vec::<Vec<Cell>>::new());
+        assert_eq!(WalkDiff::between(&[], &[]).parts, Vec::<Vec<Cell>>::new());
     }
 }

@@ -3,5 +3,5 @@
 mod change;
 mod showing;
 
-use change::Change;
-pub use showing::{Ink, Picture, Showing};
+use change::WalkDiff;
+pub use showing::{FilmInk, Picture, Showing};

@@ -1,11 +1,11 @@
 //! Playback of a film: pictures with durations and captions.
 
 use super::{
-    Change,
+    WalkDiff,
     change::{steps, turns},
 };
-use coverage_planners::{Frame, Proof};
-use robovac_core::{coverage::Lattice, geometry::Point, grid::Cell};
+use coverage_planners::{FilmFrame, Proof};
+use robovac_core::{coverage::PlanningGrid, geometry::Point, grid::Cell};
 
 /// Improvements that are shown, the largest ones: all together last about half a minute (ours).
 const MOST_SHOWN: usize = 7;
@@ -17,7 +17,7 @@ const QUICK_S: [f64; 3] = [0.9, 1.1, 1.3];
 
 /// What a line is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Ink {
+pub enum FilmInk {
     /// A walk.
     Walk,
     /// A part of one that was taken apart, by its number.
@@ -30,7 +30,7 @@ pub enum Ink {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Picture {
     /// Lines, m, the later ones above the earlier.
-    pub lines: Vec<(Ink, Vec<Point>)>,
+    pub lines: Vec<(FilmInk, Vec<Point>)>,
     /// Cells where something changes.
     pub tinted: Vec<Cell>,
     /// The same in words.
@@ -53,19 +53,20 @@ pub struct Showing {
 
 impl Showing {
     /// From the beginning; `None` if there is nothing to be seen. One that `is_held` goes on only when asked to.
-    pub fn new(frames: &[Frame], lattice: &Lattice, is_held: bool) -> Option<Self> {
-        let (firsts, search): (Vec<&Frame>, Vec<&Frame>) = frames.iter().partition(|frame| frame.proof.is_none());
+    pub fn new(frames: &[FilmFrame], planning_grid: &PlanningGrid, is_held: bool) -> Option<Self> {
+        let (firsts, search): (Vec<&FilmFrame>, Vec<&FilmFrame>) =
+            frames.iter().partition(|frame| frame.proof.is_none());
         // A closed tour goes on from there, back to the start.
         let begun =
             search.first().and_then(|begun| firsts.iter().position(|frame| begun.walk.starts_with(&frame.walk)));
         let mut pictures: Vec<Picture> = Vec::new();
         for (index, frame) in firsts.iter().enumerate() {
-            pictures.push(first(frame, (index + 1, firsts.len()), begun == Some(index), lattice));
+            pictures.push(first(frame, (index + 1, firsts.len()), begun == Some(index), planning_grid));
         }
         for (index, pair) in largest(&search).into_iter().enumerate() {
             let total = search.last().map_or(0, |last| last.number);
             let seconds = if index == 0 { SLOW_S } else { QUICK_S };
-            pictures.extend(improvement(pair, total, seconds, lattice));
+            pictures.extend(improvement(pair, total, seconds, planning_grid));
         }
         (!pictures.is_empty()).then_some(Self { pictures, at: 0, since: 0.0, is_held })
     }
@@ -126,8 +127,8 @@ impl Showing {
 }
 
 /// The pairs of walks between which most was won, in their order.
-fn largest<'f>(search: &[&'f Frame]) -> Vec<[&'f Frame; 2]> {
-    let mut pairs: Vec<(f64, [&Frame; 2])> =
+fn largest<'f>(search: &[&'f FilmFrame]) -> Vec<[&'f FilmFrame; 2]> {
+    let mut pairs: Vec<(f64, [&FilmFrame; 2])> =
         search.windows(2).map(|pair| (won(pair[0], pair[1]), [pair[0], pair[1]])).collect();
     pairs.sort_by(|a, b| b.0.total_cmp(&a.0));
     pairs.truncate(MOST_SHOWN);
@@ -136,18 +137,18 @@ fn largest<'f>(search: &[&'f Frame]) -> Vec<[&'f Frame; 2]> {
 }
 
 /// What was won from one walk to the next, as a share of the bound.
-fn won(former: &Frame, latter: &Frame) -> f64 {
+fn won(former: &FilmFrame, latter: &FilmFrame) -> f64 {
     let (Some(former), Some(latter)) = (former.proof, latter.proof) else { return 0.0 };
     former.cost.saturating_sub(latter.cost) as f64 / latter.bound.max(1) as f64
 }
 
 /// A walk that the search could begin with.
-fn first(frame: &Frame, (number, all): (usize, usize), is_chosen: bool, lattice: &Lattice) -> Picture {
-    let Frame { walk, planner, .. } = frame;
+fn first(frame: &FilmFrame, (number, all): (usize, usize), is_chosen: bool, planning_grid: &PlanningGrid) -> Picture {
+    let FilmFrame { walk, planner, .. } = frame;
     let (steps, turns) = (amount(steps(walk), "step"), amount(turns(walk), "turn"));
     let chosen = if is_chosen { " The search starts from it." } else { "" };
     Picture {
-        lines: vec![(Ink::Walk, lattice.anchors(walk))],
+        lines: vec![(FilmInk::Walk, planning_grid.anchors(walk))],
         tinted: Vec::new(),
         text: format!("Construction, {number} of {all}: {planner} needs {steps} and {turns}.{chosen}"),
         seconds: FIRST_S,
@@ -155,17 +156,22 @@ fn first(frame: &Frame, (number, all): (usize, usize), is_chosen: bool, lattice:
 }
 
 /// The walk before with what will change, what stays of it, and the walk after.
-fn improvement([former, latter]: [&Frame; 2], total: u32, seconds: [f64; 3], lattice: &Lattice) -> [Picture; 3] {
-    let change = Change::between(&former.walk, &latter.walk);
+fn improvement(
+    [former, latter]: [&FilmFrame; 2],
+    total: u32,
+    seconds: [f64; 3],
+    planning_grid: &PlanningGrid,
+) -> [Picture; 3] {
+    let change = WalkDiff::between(&former.walk, &latter.walk);
     let which = if latter.number > former.number + 1 {
         format!("Improvements {} to {} of {total}", former.number + 1, latter.number)
     } else {
         format!("Improvement {} of {total}", latter.number)
     };
     let parts = change.parts.iter().enumerate();
-    let parts: Vec<_> = parts.map(|(index, part)| (Ink::Part(index), lattice.anchors(part))).collect();
-    let mut merged = vec![(Ink::Walk, lattice.anchors(&latter.walk))];
-    merged.extend(change.links.iter().map(|link| (Ink::New, lattice.anchors(link))));
+    let parts: Vec<_> = parts.map(|(index, part)| (FilmInk::Part(index), planning_grid.anchors(part))).collect();
+    let mut merged = vec![(FilmInk::Walk, planning_grid.anchors(&latter.walk))];
+    merged.extend(change.links.iter().map(|link| (FilmInk::New, planning_grid.anchors(link))));
     let (stay, s) = (parts.len(), if parts.len() == 1 { "s" } else { "" });
     let share = 100.0 * won(former, latter);
     let share = if share < 0.05 { "less than 0.1".to_owned() } else { format!("{share:.1}") };
@@ -177,14 +183,14 @@ fn improvement([former, latter]: [&Frame; 2], total: u32, seconds: [f64; 3], lat
     let [marked, apart, merged_text] = texts;
     let picture = |lines, text, seconds| Picture { lines, tinted: change.cells.clone(), text, seconds };
     [
-        picture(vec![(Ink::Walk, lattice.anchors(&former.walk))], marked, seconds[0]),
+        picture(vec![(FilmInk::Walk, planning_grid.anchors(&former.walk))], marked, seconds[0]),
         picture(parts, apart, seconds[1]),
         picture(merged, merged_text, seconds[2]),
     ]
 }
 
 /// What was won, in steps and turns.
-fn less(change: &Change) -> String {
+fn less(change: &WalkDiff) -> String {
     let (steps, turns) = (change.steps, change.turns);
     let each = |difference: i64, unit: &str| {
         let more = if difference < 0 { "more" } else { "less" };

@@ -5,19 +5,20 @@ mod planning;
 mod search;
 mod snapshot;
 
-use crate::explore::{Action, Brush, Editor, Search, Showing, State};
+use crate::explore::{Action, Brush, Editor, PlanSearch, SessionState, Showing};
+use crate::{Import, ImportError, ScenarioError};
 use coverage_planners::{Film, Proof};
 use robovac_core::{
-    floorplan::{self, FloorPlan, MapError, RoomInfo, Scenario, SourceFile},
+    floor_plan::{self, FloorPlan, RoomInfo, Scenario, SourceFile},
     geometry::{Point, Pose},
     grid::Cell,
 };
 use robovac_sim::{
-    Input, NoiseLevel, Recording, STEP_S, SensorKind,
-    controller::Command,
+    Input, NoiseLevel, RunRecording, STEP_S, SensorKind,
+    controller::Joystick,
     experiment::{
-        Import, ScenarioError, Settings, SettingsError,
-        planning::{PlanRequest, Planned, Prepared},
+        Settings, SettingsError,
+        planning::{PlanRequest, Planned, RoomSetup},
     },
 };
 use std::sync::Arc;
@@ -41,10 +42,10 @@ const OWN_ROOM: &str = "own";
 pub struct Session {
     settings: Settings,
     editor: Editor,
-    prepared: Option<Prepared>,
+    prepared: Option<RoomSetup>,
     planning: Option<Planning>,
     planned: Option<Planned>,
-    recording: Option<Recording>,
+    recording: Option<RunRecording>,
     playing: bool,
     /// Simulation steps that are due but not done.
     due: f64,
@@ -57,7 +58,7 @@ pub struct Session {
     message: Option<Message>,
     /// Whether the planner's decisions are to be shown, and they, once they are known.
     shows_search: bool,
-    search: Option<Search>,
+    search: Option<PlanSearch>,
     /// How the plan came to be, if it was filmed, and whether films go on only when asked to.
     film: Option<Showing>,
     holds_films: bool,
@@ -70,7 +71,7 @@ pub struct Session {
 pub enum LoadError {
     /// They are no map.
     #[error(transparent)]
-    Map(#[from] MapError),
+    Import(#[from] ImportError),
     /// They are a scenario that can't be run.
     #[error(transparent)]
     Scenario(#[from] ScenarioError),
@@ -100,7 +101,7 @@ struct Message {
 impl Session {
     /// The opening scene: the furnished flat, about to be cleaned.
     pub fn new() -> Self {
-        let room = &floorplan::ROOMS[0];
+        let room = &floor_plan::ROOMS[0];
         let mut session = Self {
             settings: Settings::new(),
             editor: Editor::new((room.build)(), Some(room.id)),
@@ -128,17 +129,17 @@ impl Session {
     // ---- what is shown
 
     /// What the session is doing.
-    pub fn state(&self) -> State {
+    pub fn state(&self) -> SessionState {
         if self.planning.is_some() {
-            return State::Planning;
+            return SessionState::Planning;
         }
-        let Some(recording) = &self.recording else { return State::Failed };
+        let Some(recording) = &self.recording else { return SessionState::Failed };
         match recording.run() {
-            _ if recording.is_seeking() => State::Seeking,
-            run if run.is_finished() => State::Finished,
-            _ if self.playing => State::Playing,
-            run if run.steps() == 0 => State::Ready,
-            _ => State::Paused,
+            _ if recording.is_seeking() => SessionState::Seeking,
+            run if run.is_finished() => SessionState::Finished,
+            _ if self.playing => SessionState::Playing,
+            run if run.steps() == 0 => SessionState::Ready,
+            _ => SessionState::Paused,
         }
     }
 
@@ -155,7 +156,7 @@ impl Session {
     /// Name of the room; one that shipped and was changed says so.
     pub fn room_title(&self) -> String {
         let name = &self.plan().name;
-        let is_changed = self.room().is_none() && floorplan::ROOMS.iter().any(|room| room.title == name);
+        let is_changed = self.room().is_none() && floor_plan::ROOMS.iter().any(|room| room.title == name);
         if is_changed { format!("{name} (changed)") } else { name.clone() }
     }
 
@@ -170,7 +171,7 @@ impl Session {
     }
 
     /// The room laid out for the robot; `None` if it doesn't fit.
-    pub fn prepared(&self) -> Option<&Prepared> {
+    pub fn prepared(&self) -> Option<&RoomSetup> {
         self.prepared.as_ref()
     }
 
@@ -185,7 +186,7 @@ impl Session {
     }
 
     /// The run.
-    pub fn recording(&self) -> Option<&Recording> {
+    pub fn recording(&self) -> Option<&RunRecording> {
         self.recording.as_ref()
     }
 
@@ -207,8 +208,8 @@ impl Session {
         let state = self.state();
         let Some(recording) = &mut self.recording else { return };
         match state {
-            State::Seeking => recording.seek_on(has_time),
-            State::Playing => {
+            SessionState::Seeking => recording.seek_on(has_time),
+            SessionState::Playing => {
                 let elapsed = elapsed_s.clamp(0.0, LONGEST_FRAME);
                 let unlimited = self.settings.speed == 0.0;
                 self.due += elapsed * self.settings.speed / STEP_S;
@@ -240,12 +241,12 @@ impl Session {
     /// Lets time go on; from the start if the run was over, with a new plan if there is none.
     pub fn play(&mut self) {
         let state = self.state();
-        if state == State::Finished {
+        if state == SessionState::Finished {
             self.reset();
         }
         self.playing = true;
         self.message = None;
-        if state == State::Failed {
+        if state == SessionState::Failed {
             self.prepare();
         }
     }
@@ -293,7 +294,7 @@ impl Session {
     // ---- the hand on the robot
 
     /// Moves the joystick; ignored by robots that drive by themselves.
-    pub fn command(&mut self, command: Command) {
+    pub fn command(&mut self, command: Joystick) {
         self.input(Input::Command(command));
     }
 
@@ -479,7 +480,7 @@ impl Session {
             return;
         }
         let robot = self.settings.robot_model();
-        match Prepared::new(self.editor.plan(), &robot, self.settings.cell_size, Some(to)) {
+        match RoomSetup::new(self.editor.plan(), &robot, self.settings.cell_size, Some(to)) {
             Ok(prepared) => {
                 self.message = None;
                 self.editor.set_start(Some(rounded(prepared.floor.start)));
@@ -533,8 +534,8 @@ impl Default for Session {
 
 /// The room that ships with that id.
 fn known_room(id: &str) -> Result<&'static RoomInfo, SettingsError> {
-    floorplan::room(id).ok_or_else(|| {
-        let known = floorplan::ROOMS.iter().map(|r| r.id).collect::<Vec<_>>().join(", ");
+    floor_plan::room(id).ok_or_else(|| {
+        let known = floor_plan::ROOMS.iter().map(|r| r.id).collect::<Vec<_>>().join(", ");
         SettingsError::Unknown { kind: "room", id: id.to_owned(), known }
     })
 }

@@ -1,7 +1,7 @@
 //! Objects in the session's room.
 
 use super::{Session, sentence};
-use robovac_core::floorplan::{FloorPlan, Object};
+use robovac_core::floor_plan::{FloorPlan, Object};
 
 impl Session {
     /// Puts objects into the room, as one change; says whether they can be there, and tells the user if they can't.

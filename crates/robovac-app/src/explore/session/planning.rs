@@ -1,14 +1,14 @@
 //! Planning in a session: requests, results and messages.
 
 use super::{Planning, Session, sentence};
-use crate::explore::{Search, Showing, State, opening};
-use coverage_planners::{CoveragePath, Film, Frame, PlanError, Proof, Report};
-use robovac_core::floorplan;
+use crate::explore::{PlanSearch, SessionState, Showing, opening};
+use coverage_planners::{CoveragePath, Film, FilmFrame, PlanError, ProgressReport, Proof};
+use robovac_core::floor_plan;
 use robovac_sim::{
-    Recording,
+    RunRecording,
     experiment::{
         Algorithm, Settings,
-        planning::{Answer, PlanRequest, Planned, Prepared},
+        planning::{PlanAnswer, PlanRequest, Planned, RoomSetup},
     },
 };
 use std::ops::ControlFlow;
@@ -26,7 +26,7 @@ impl Session {
             return Some(request);
         }
         let path = CoveragePath { cells: opening::from_runs(request.job.start, opening::WALK) };
-        let answer = Answer { path, seconds: 0.0, proof: None, trace: Vec::new() };
+        let answer = PlanAnswer { path, seconds: 0.0, proof: None, trace: Vec::new() };
         self.plan_finished(request.id, answer);
         self.plan_proven(request.id, opening::PROOF);
         None
@@ -36,7 +36,7 @@ impl Session {
     pub fn plan_now(&mut self, clock: impl Fn() -> f64) {
         let Some(request) = self.take_plan_request() else { return };
         let mut film = request.film();
-        let mut watch = |report: Report<'_>| {
+        let mut watch = |report: ProgressReport<'_>| {
             if let Some(film) = &mut film {
                 film.take(&report);
             }
@@ -53,19 +53,19 @@ impl Session {
     }
 
     /// A planner reports how far it is, its best walk so far, and what is proven of that.
-    pub fn plan_progress(&mut self, id: u32, Report { done, walk, proof }: Report<'_>) {
+    pub fn plan_progress(&mut self, id: u32, ProgressReport { done, walk, proof }: ProgressReport<'_>) {
         let Some(planning) = self.planning.as_mut().filter(|p| p.id == id) else { return };
         (planning.progress, planning.proof) = (done, proof);
         planning.walk.clear();
         planning.walk.extend_from_slice(walk);
         if let Some(prepared) = &self.prepared {
-            planning.preview = prepared.lattice.anchors(walk);
+            planning.preview = prepared.planning_grid.anchors(walk);
             self.previews += 1;
         }
     }
 
     /// What a planner was filmed at since this was told last.
-    pub fn plan_filmed(&mut self, id: u32, frames: Vec<Frame>) {
+    pub fn plan_filmed(&mut self, id: u32, frames: Vec<FilmFrame>) {
         if let Some(planning) = self.planning.as_mut().filter(|p| p.id == id) {
             for frame in frames {
                 planning.film.add(frame);
@@ -87,7 +87,7 @@ impl Session {
             return self.cancel_plan();
         }
         let path = CoveragePath { cells };
-        self.plan_finished(id, Answer { path, seconds, proof, trace: Vec::new() });
+        self.plan_finished(id, PlanAnswer { path, seconds, proof, trace: Vec::new() });
         if let Some(planned) = &mut self.planned {
             planned.kept_at = Some(done);
         }
@@ -103,18 +103,18 @@ impl Session {
     }
 
     /// A planner is done.
-    pub fn plan_finished(&mut self, id: u32, answer: Answer) {
+    pub fn plan_finished(&mut self, id: u32, answer: PlanAnswer) {
         let Some(mut planning) = self.planning.take_if(|p| p.id == id) else { return };
         self.previews += 1;
         let Some(prepared) = &self.prepared else { return };
         match Planned::new(prepared, &answer) {
             Ok(planned) => {
                 let Settings { conditions, odometry, seed, .. } = self.settings;
-                self.recording = Some(Recording::new(planned.run(prepared, conditions, odometry, seed)));
-                let Answer { path, trace, proof, .. } = answer;
-                planning.film.take(&Report { done: 1.0, walk: &path.cells, proof });
-                self.film = Showing::new(&planning.film.take_frames(), &prepared.lattice, self.holds_films);
-                self.search = (!trace.is_empty()).then(|| Search::new(prepared, &planned, &path.cells, trace));
+                self.recording = Some(RunRecording::new(planned.run(prepared, conditions, odometry, seed)));
+                let PlanAnswer { path, trace, proof, .. } = answer;
+                planning.film.take(&ProgressReport { done: 1.0, walk: &path.cells, proof });
+                self.film = Showing::new(&planning.film.take_frames(), &prepared.planning_grid, self.holds_films);
+                self.search = (!trace.is_empty()).then(|| PlanSearch::new(prepared, &planned, &path.cells, trace));
                 let coverage = planned.drive.coverage;
                 self.planned = Some(planned);
                 self.warn_of_coarse_cells(coverage);
@@ -147,7 +147,7 @@ impl Session {
     }
 
     /// Whoever starts in a closet should know why the rest stays dirty.
-    fn warn_of_closed_off(&mut self, prepared: &Prepared) {
+    fn warn_of_closed_off(&mut self, prepared: &RoomSetup) {
         let floor = &prepared.floor;
         if floor.closed_off_area() > floor.area() {
             let (reached, left_out) = (floor.area(), floor.left_out_area());
@@ -178,7 +178,7 @@ impl Session {
     /// Lays the room out anew and asks for a plan.
     pub(super) fn prepare(&mut self) {
         // Whoever has watched a run to its end and changes something wants to watch the next one.
-        self.playing |= self.state() == State::Finished;
+        self.playing |= self.state() == SessionState::Finished;
         self.planned = None;
         self.search = None;
         self.film = None;
@@ -186,11 +186,11 @@ impl Session {
         self.planning = None;
         self.due = 0.0;
         self.is_opening = self.is_opening
-            && self.editor.room() == Some(floorplan::ROOMS[0].id)
+            && self.editor.room() == Some(floor_plan::ROOMS[0].id)
             && self.editor.start().is_none()
             && self.settings.plans_like(&Settings::new());
         let robot = self.settings.robot_model();
-        match Prepared::new(self.editor.plan(), &robot, self.settings.cell_size, self.editor.start()) {
+        match RoomSetup::new(self.editor.plan(), &robot, self.settings.cell_size, self.editor.start()) {
             Ok(prepared) => {
                 self.requests += 1;
                 let Settings { algorithm, ref params, conditions, seed, .. } = self.settings;
@@ -213,7 +213,7 @@ impl Session {
                     // Nothing to wait for: it knows nothing of the room.
                     Algorithm::Behaviour(behaviour) => {
                         let run = prepared.run_behaviour(behaviour, params, conditions, seed);
-                        self.recording = run.map(Recording::new);
+                        self.recording = run.map(RunRecording::new);
                     }
                 }
                 self.warn_of_closed_off(&prepared);

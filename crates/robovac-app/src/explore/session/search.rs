@@ -2,7 +2,7 @@
 
 use super::Session;
 use crate::explore::{
-    Picture, Search, Showing, State,
+    Picture, PlanSearch, SessionState, Showing,
     view::{FilmView, SearchView},
 };
 use coverage_planners::{MOST_FILMED_CELLS, TraceStep};
@@ -90,7 +90,7 @@ impl Session {
     }
 
     fn is_driving(&self) -> bool {
-        matches!(self.state(), State::Playing | State::Seeking)
+        matches!(self.state(), SessionState::Playing | SessionState::Seeking)
     }
 
     /// Whether the planner can say what it decides.
@@ -113,7 +113,7 @@ impl Session {
     }
 
     /// The decisions behind the plan, if the planner tells them.
-    pub fn search(&self) -> Option<&Search> {
+    pub fn search(&self) -> Option<&PlanSearch> {
         self.search.as_ref()
     }
 
@@ -134,7 +134,7 @@ impl Session {
             (Some(_), _) if self.is_driving() => String::new(),
             (Some(film), _) => film.text(planned.proof),
             (None, Some(step)) => format!("{}.", step.note),
-            (None, None) if self.search.is_some() && self.state() == State::Finished => {
+            (None, None) if self.search.is_some() && self.state() == SessionState::Finished => {
                 "All cells are clean: the search is finished.".to_owned()
             }
             (None, None) => String::new(),

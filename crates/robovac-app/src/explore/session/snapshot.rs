@@ -4,18 +4,18 @@ use super::Session;
 use crate::{
     FilmScene, RobotView, Scene, SearchScene, Sensed,
     explore::{
-        Action, State, View, diary_version, in_words,
-        view::{Can, PlanView, RoomView},
+        Action, SessionState, SessionView, diary_version, in_words,
+        view::{PlanView, RoomView, SessionActions},
     },
 };
 use coverage_planners::Proof;
 use robovac_sim::experiment::Shows;
-use robovac_sim::{Recording, Run, SensorKind, SlipLevel, What};
+use robovac_sim::{Run, RunRecording, SensorKind, SlipLevel, What};
 
 impl Session {
     /// What is to be drawn, but for what the pointer is doing.
     pub fn scene(&self) -> Scene<'_> {
-        let run = self.recording.as_ref().map(Recording::run);
+        let run = self.recording.as_ref().map(RunRecording::run);
         let model = self.settings.robot_model();
         let Shows { sensors, estimate, .. } = self.settings.shows;
         let is_lost = self.settings.conditions.slip != SlipLevel::None;
@@ -30,7 +30,7 @@ impl Session {
             plan_version: self.editor.version() + u64::from(self.requests),
             floor: self.prepared.as_ref().map(|p| &*p.floor),
             tracker: run.map(Run::tracker),
-            run_version: (u64::from(self.requests) << 32) + self.recording.as_ref().map_or(0, Recording::version),
+            run_version: (u64::from(self.requests) << 32) + self.recording.as_ref().map_or(0, RunRecording::version),
             planned: self.planned.as_ref().map_or(&[], |p| &p.line),
             preview: self.preview(),
             film,
@@ -51,11 +51,11 @@ impl Session {
     }
 
     /// Snapshot in numbers and words.
-    pub fn view(&self) -> View {
+    pub fn view(&self) -> SessionView {
         let state = self.state();
-        let run = self.recording.as_ref().map(Recording::run);
+        let run = self.recording.as_ref().map(RunRecording::run);
         let (plan, conditions) = (self.plan(), self.settings.conditions);
-        View {
+        SessionView {
             state,
             can: self.can(state),
             message: self.message.as_ref().map(|m| m.text.clone()).unwrap_or_default(),
@@ -90,7 +90,7 @@ impl Session {
             speed: self.settings.speed,
             speed_factor: self.speed_factor,
             time_s: run.map_or(0.0, Run::time_s),
-            run_end_s: self.recording.as_ref().map_or(0.0, Recording::end_s),
+            run_end_s: self.recording.as_ref().map_or(0.0, RunRecording::end_s),
             coverage: run.map_or(0.0, Run::coverage),
             overlap: run.map_or(0.0, |r| r.tracker().overlap()),
             distance_m: run.map_or(0.0, Run::distance_m),
@@ -102,8 +102,8 @@ impl Session {
         }
     }
 
-    fn can(&self, state: State) -> Can {
-        Can {
+    fn can(&self, state: SessionState) -> SessionActions {
+        SessionActions {
             play: state.allows(Action::Play),
             pause: state.allows(Action::Pause),
             step: state.allows(Action::Step),
@@ -164,12 +164,12 @@ impl Session {
         let view = self.view();
         let room = format!("{}, {:.1} m by {:.1} m", view.room.title, view.room.width_m, view.room.height_m);
         let doing = match view.state {
-            State::Failed => "there is no plan to drive",
-            State::Planning => "a path is being planned",
-            State::Ready => "the robot stands at the start",
-            State::Playing => "the robot is cleaning",
-            State::Paused | State::Seeking => "the robot is paused",
-            State::Finished => "the run is finished",
+            SessionState::Failed => "there is no plan to drive",
+            SessionState::Planning => "a path is being planned",
+            SessionState::Ready => "the robot stands at the start",
+            SessionState::Playing => "the robot is cleaning",
+            SessionState::Paused | SessionState::Seeking => "the robot is paused",
+            SessionState::Finished => "the run is finished",
         };
         let search = if view.search.text.is_empty() { String::new() } else { format!(" {}", view.search.text) };
         let objects = in_words(&self.plan().objects);

@@ -2,8 +2,8 @@
 
 use crate::robot::{
     RobotModel,
-    body::{Battery, Body, Bumper, Laser, SensorSuite, Wheels},
-    model::Power,
+    body::{Battery, Body, Bumper, Laser, SensorSuite, WheelLayout},
+    model::PowerDraw,
 };
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -34,7 +34,7 @@ pub(super) const CBOT: RobotModel = RobotModel {
     body: Body::Polygon(&[[-HALF[0], -HALF[1]], [HALF[0], -HALF[1]], [HALF[0], HALF[1]], [-HALF[0], HALF[1]]]),
     // The half diagonal.
     radius: 0.223_606_797_749_979,
-    wheels: Wheels::Differential,
+    wheels: WheelLayout::Differential,
     sensors: SensorSuite {
         bumper: Some(Bumper { half_arc: FRAC_PI_2, both_within: 0.26 }),
         cliffs: [Some([0.14, 0.09]), Some([0.19, 0.05]), Some([0.19, -0.05]), Some([0.14, -0.09])],
@@ -63,7 +63,7 @@ pub(super) const CBOT: RobotModel = RobotModel {
     turn_wheel_speed: 0.15,
     default_cell: 0.15,
     fills_cell: false,
-    power: Power { standing: 21.0, straight: 5.0, turning: 2.5 },
+    power: PowerDraw { standing: 21.0, straight: 5.0, turning: 2.5 },
 };
 
 #[cfg(test)]

@@ -2,8 +2,8 @@
 
 use crate::robot::{
     RobotModel,
-    body::{Battery, Body, Bumper, SensorSuite, Wheels},
-    model::Power,
+    body::{Battery, Body, Bumper, SensorSuite, WheelLayout},
+    model::PowerDraw,
 };
 
 /// The thesis' robot on its grid: one cell of 20 cm is what it stands on and cleans (000, section 5.1).
@@ -24,7 +24,7 @@ pub const fn cell_robot(cell: f64) -> RobotModel {
         summary: "The textbook robot: fills and cleans one grid cell",
         body: Body::Round,
         radius: 0.45 * cell,
-        wheels: Wheels::Differential,
+        wheels: WheelLayout::Differential,
         sensors: SensorSuite {
             bumper: Some(Bumper { half_arc: core::f64::consts::FRAC_PI_2, both_within: 0.35 }),
             cliffs: [
@@ -51,6 +51,6 @@ pub const fn cell_robot(cell: f64) -> RobotModel {
         turn_wheel_speed: 0.2,
         default_cell: cell,
         fills_cell: true,
-        power: Power { standing: 16.2, straight: 10.8, turning: 7.2 },
+        power: PowerDraw { standing: 16.2, straight: 10.8, turning: 7.2 },
     }
 }

@@ -2,8 +2,8 @@
 
 use crate::robot::{
     RobotModel,
-    body::{Battery, Body, Bumper, SensorSuite, SideBrush, Wheels},
-    model::Power,
+    body::{Battery, Body, Bumper, SensorSuite, SideBrush, WheelLayout},
+    model::PowerDraw,
 };
 use core::f64::consts::{FRAC_PI_3, TAU};
 
@@ -38,7 +38,7 @@ pub(super) const DVR_1: RobotModel = RobotModel {
     summary: "Round, 29 cm wide, two bumper switches, three cliff sensors",
     body: Body::Round,
     radius: BODY_RADIUS,
-    wheels: Wheels::Differential,
+    wheels: WheelLayout::Differential,
     sensors: SensorSuite {
         bumper: Some(Bumper { half_arc: FRAC_PI_3, both_within: 0.26 }),
         cliffs: [Some([0.057, 0.1224]), Some([0.135, 0.0]), Some([0.135, 0.0]), Some([0.057, -0.1224])],
@@ -60,7 +60,7 @@ pub(super) const DVR_1: RobotModel = RobotModel {
     turn_wheel_speed: SPEED,
     default_cell: 0.1,
     fills_cell: false,
-    power: Power { standing: 16.2, straight: 10.8, turning: 10.8 },
+    power: PowerDraw { standing: 16.2, straight: 10.8, turning: 10.8 },
 };
 
 #[cfg(test)]

@@ -2,8 +2,8 @@
 
 use crate::robot::{
     RobotModel,
-    body::{Battery, Body, Bumper, SensorSuite, Wheels},
-    model::Power,
+    body::{Battery, Body, Bumper, SensorSuite, WheelLayout},
+    model::PowerDraw,
 };
 use core::f64::consts::PI;
 
@@ -34,7 +34,7 @@ pub(super) const OCTAGON: RobotModel = RobotModel {
     ]),
     // To a corner: HALF / cos 22.5°.
     radius: HALF * 1.082_392_200_292_394,
-    wheels: Wheels::Omnidirectional,
+    wheels: WheelLayout::Omnidirectional,
     sensors: SensorSuite {
         bumper: Some(Bumper { half_arc: PI, both_within: 0.35 }),
         cliffs: [Some([0.07, 0.16]), Some([0.17, 0.05]), Some([0.17, -0.05]), Some([0.07, -0.16])],
@@ -56,7 +56,7 @@ pub(super) const OCTAGON: RobotModel = RobotModel {
     turn_wheel_speed: 0.2,
     default_cell: HALF,
     fills_cell: false,
-    power: Power { standing: 21.0, straight: 5.0, turning: 3.3 },
+    power: PowerDraw { standing: 21.0, straight: 5.0, turning: 3.3 },
 };
 
 #[cfg(test)]

@@ -2,8 +2,8 @@
 
 use crate::robot::{
     RobotModel,
-    body::{Battery, Body, Bumper, LightBumper, SensorSuite, SideBrush, Wheels},
-    model::Power,
+    body::{Battery, Body, Bumper, LightBumper, SensorSuite, SideBrush, WheelLayout},
+    model::PowerDraw,
 };
 
 /// iRobot Roomba 600 and Create 2.
@@ -23,7 +23,7 @@ pub(super) const ROOMBA_600: RobotModel = RobotModel {
     summary: "Round, 35 cm wide, 17 cm brush, light bumper, cliff sensors",
     body: Body::Round,
     radius: 0.174_25,
-    wheels: Wheels::Differential,
+    wheels: WheelLayout::Differential,
     sensors: SensorSuite {
         bumper: Some(Bumper { half_arc: 1.553, both_within: 0.35 }),
         cliffs: [Some([0.063, 0.148]), Some([0.154, 0.042]), Some([0.154, -0.042]), Some([0.063, -0.148])],
@@ -46,7 +46,7 @@ pub(super) const ROOMBA_600: RobotModel = RobotModel {
     // Lanes overlap by 5 cm: that is how far walls off the lattice move them.
     default_cell: 0.12,
     fills_cell: false,
-    power: Power { standing: 21.0, straight: 5.0, turning: 3.3 },
+    power: PowerDraw { standing: 21.0, straight: 5.0, turning: 3.3 },
 };
 
 #[cfg(test)]

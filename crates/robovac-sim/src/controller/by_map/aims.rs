@@ -1,11 +1,11 @@
 //! Chooses the next goal when cleaning by a map.
 
 use super::{
-    ByMap, DOCK_S, End, Phase,
+    ByMap, CleaningPhase, DOCK_S, RunEnd,
     remains::{Aim, Look, Remains},
 };
 use crate::{
-    controller::parts::{Habit, Pilot, Route},
+    controller::parts::{Behaviour, Pilot, Route},
     mapping::Mark,
 };
 use coverage_planners::{self, PlanContext};
@@ -41,7 +41,7 @@ impl ByMap {
         if swept > self.swept + WORTH {
             self.swept = swept;
             self.barred.forget();
-            self.spent.forgive();
+            self.budget.forgive();
             return;
         }
         self.finish(pilot);
@@ -49,7 +49,7 @@ impl ByMap {
 
     /// Whether there is something to set out for.
     fn set_out(&mut self, pilot: &Pilot, aim: Aim) -> bool {
-        let is_spent = |cell| self.spent.is_up(cell);
+        let is_spent = |cell| self.budget.is_spent(cell);
         let look = Look { robot: &pilot.robot, aim, barred: &self.barred, is_spent: &is_spent };
         let Some(remains) = Remains::new(&self.mapper, &look) else { return false };
         if aim.slack <= 0.0 {
@@ -57,7 +57,7 @@ impl ByMap {
         }
         let Some((part, start)) = remains.nearest(aim.cells) else { return false };
         let goal = remains.name(start);
-        self.spent.set_out(goal);
+        self.budget.set_out(goal);
         let job = remains.job(part, start, &pilot.robot);
         let Some(info) = coverage_planners::find(self.planner) else { return false };
         let planner = info.build(&Params::defaults(info.params));
@@ -65,7 +65,7 @@ impl ByMap {
         let Ok(path) = planner.plan(&job, &mut PlanContext::new(seed)) else { return false };
         let line = remains.line(&path.cells);
         let (route, patience) = self.route(line);
-        self.phase = Phase::Clean { route, patience, goal };
+        self.phase = CleaningPhase::Clean { route, patience, goal };
         true
     }
 
@@ -90,20 +90,20 @@ impl ByMap {
         let look = Look { robot: &pilot.robot, aim: AIMS[1], barred: &self.barred, is_spent: &|_| false };
         let remains = Remains::new(&self.mapper, &look);
         let is_clean = remains.as_ref().is_some_and(|remains| remains.nearest(AIMS[1].cells).is_none());
-        let end = if is_clean { End::Clean } else { End::NothingReachable };
+        let end = if is_clean { RunEnd::Clean } else { RunEnd::NothingReachable };
         let start = self.mapper.setup().start;
         let before = start.to_world(Point::new(-BEFORE_DOCK, 0.0));
         let way = remains.filter(|_| self.mapper.began_on_dock()).and_then(|remains| remains.way(before));
         self.phase = match way {
             Some(line) => {
                 let (route, patience) = self.route(line);
-                Phase::Return { route, patience, end }
+                CleaningPhase::Return { route, patience, end }
             }
             None if self.mapper.began_on_dock() => {
                 self.dock.begin(pilot);
-                Phase::Dock { patience: DOCK_S, end }
+                CleaningPhase::Dock { patience: DOCK_S, end }
             }
-            None => Phase::Done(end),
+            None => CleaningPhase::Done(end),
         };
     }
 }

@@ -12,26 +12,30 @@
 //!    began on its dock, it goes there.
 //!
 //! It ends, whatever happens: every way that it sets out for, every place that it comes by and every stop is counted
-//! ([`Spent`]), and ways that take too long are given up.
+//! ([`AttemptBudget`]), and ways that take too long are given up.
 //!
 //! Planning by parts of what is left, on a map that changes, and all figures here are ours.
 
 mod aims;
 mod remains;
-mod spent;
 
-use self::{remains::name_at, spent::Spent};
+use crate::controller::parts::AttemptBudget;
+
+use self::remains::name_at;
 use super::{
     Controller, Intent, Setup,
     dock::Dock,
-    parts::{Barred, Driven, GO_HOME, Habit, Hit, Kind, LEAVE_HOME, Move, Pilot, Route, Search, Searched, Side},
+    parts::{
+        Barred, Behaviour, GO_HOME, LEAVE_HOME, Move, Obstruction, ObstructionKind, ObstructionSide, Pilot, Reactive,
+        RelocaliseSearch, Route, Searched,
+    },
 };
-use crate::mapping::{Layer, Mapper};
+use crate::mapping::{Mapper, TiledLayer};
 use robovac_core::{
     geometry::Point,
     grid::Cell,
     registry::Params,
-    robot::{Drive, Sensors},
+    robot::{Drive, SensorReadings},
 };
 use std::sync::Arc;
 
@@ -56,7 +60,7 @@ pub fn clean_by_map(mapper: Mapper, planner: &'static str) -> Box<dyn Controller
     // Who hasn't begun on a dock doesn't know of any.
     let params = Params::defaults(if mapper.began_on_dock() { &[GO_HOME, LEAVE_HOME] } else { &[] });
     let setup = Setup { robot: &robot, params: &params, seed };
-    Driven::boxed(&setup, ByMap::new(&setup, mapper, planner))
+    Reactive::boxed(&setup, ByMap::new(&setup, mapper, planner))
 }
 
 /// The habit.
@@ -64,13 +68,13 @@ pub fn clean_by_map(mapper: Mapper, planner: &'static str) -> Box<dyn Controller
 struct ByMap {
     mapper: Mapper,
     planner: &'static str,
-    phase: Phase,
+    phase: CleaningPhase,
     barred: Barred,
-    spent: Spent,
+    budget: AttemptBudget,
     /// The planning cell that it is in.
     at: Option<Cell>,
     /// What it can get to, in cells of the map.
-    reach: Arc<Layer<bool>>,
+    reach: Arc<TiledLayer<bool>>,
     /// Cells that were swept when it last thought that nothing was left.
     swept: usize,
     stuck: u32,
@@ -78,12 +82,12 @@ struct ByMap {
     moved: (Point, f64),
     /// Whether it is, or was, held.
     is_lifted: bool,
-    search: Search,
+    search: RelocaliseSearch,
     dock: Dock,
 }
 
 #[derive(Clone)]
-enum Phase {
+enum CleaningPhase {
     /// Decides what is next.
     Choose,
     /// Cleans along a line, for so long yet, s.
@@ -98,19 +102,19 @@ enum Phase {
     Return {
         route: Route,
         patience: f64,
-        end: End,
+        end: RunEnd,
     },
     /// Drives onto its dock, for so long yet, s.
     Dock {
         patience: f64,
-        end: End,
+        end: RunEnd,
     },
-    Done(End),
+    Done(RunEnd),
 }
 
 /// How it ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum End {
+enum RunEnd {
     Clean,
     NothingReachable,
     Lost,
@@ -122,15 +126,15 @@ impl ByMap {
         Self {
             barred: Barred::new(mapper.map().resolution()),
             planner,
-            phase: Phase::Choose,
-            spent: Spent::default(),
+            phase: CleaningPhase::Choose,
+            budget: AttemptBudget::default(),
             at: None,
             reach: Arc::default(),
             swept: 0,
             stuck: 0,
             moved: (mapper.pose().position(), 0.0),
             is_lifted: mapper.is_lost(),
-            search: Search::new(setup),
+            search: RelocaliseSearch::new(setup),
             dock: Dock::new(setup),
             mapper,
         }
@@ -138,18 +142,18 @@ impl ByMap {
 
     /// Something stops it: what it was going for, it won't go for again and again.
     fn stop(&mut self) {
-        if let Phase::Clean { goal, .. } = self.phase {
-            self.spent.stopped(goal);
+        if let CleaningPhase::Clean { goal, .. } = self.phase {
+            self.budget.stopped(goal);
             let pose = self.mapper.pose();
             let radius = self.mapper.setup().robot.radius;
             for ahead in [0.0, radius] {
-                self.spent.stopped(self.name(pose.to_world(Point::new(ahead, 0.0))));
+                self.budget.stopped(self.name(pose.to_world(Point::new(ahead, 0.0))));
             }
         }
         match self.phase {
-            Phase::Clean { .. } => self.phase = Phase::Choose,
+            CleaningPhase::Clean { .. } => self.phase = CleaningPhase::Choose,
             // By its beams it may get there from here as well.
-            Phase::Return { end, .. } => self.phase = Phase::Dock { patience: DOCK_S, end },
+            CleaningPhase::Return { end, .. } => self.phase = CleaningPhase::Dock { patience: DOCK_S, end },
             _ => {}
         }
     }
@@ -157,7 +161,7 @@ impl ByMap {
     /// Starts to look for itself.
     fn search(&mut self, pilot: &mut Pilot) {
         let can = self.search.begin(pilot, &self.mapper);
-        self.phase = if can { Phase::Search } else { Phase::Done(End::Lost) };
+        self.phase = if can { CleaningPhase::Search } else { CleaningPhase::Done(RunEnd::Lost) };
     }
 
     /// Whether it hasn't got anywhere for long.
@@ -175,7 +179,7 @@ impl ByMap {
         self.barred.met(self.mapper.pose(), pilot.robot.radius, 0.0);
         self.stop();
         if self.stuck > MOST_STUCK {
-            self.phase = Phase::Done(End::Stuck);
+            self.phase = CleaningPhase::Done(RunEnd::Stuck);
         }
         let turn = if self.stuck.is_multiple_of(2) { LOOSE.1 } else { -LOOSE.1 };
         pilot.go(&[Move::Back(LOOSE.0), Move::Turn(turn)]);
@@ -190,43 +194,43 @@ impl ByMap {
     fn come_by(&mut self) {
         let cell = self.name(self.mapper.pose().position());
         if self.at.replace(cell) != Some(cell) {
-            self.spent.came_by(cell);
+            self.budget.came_by(cell);
         }
     }
 }
 
-impl Habit for ByMap {
+impl Behaviour for ByMap {
     fn begin(&mut self, pilot: &mut Pilot) {
         self.moved = (self.mapper.pose().position(), 0.0);
         if std::mem::take(&mut self.is_lifted) {
             self.search(pilot);
-        } else if !matches!(self.phase, Phase::Search | Phase::Done(_)) {
-            self.phase = Phase::Choose;
+        } else if !matches!(self.phase, CleaningPhase::Search | CleaningPhase::Done(_)) {
+            self.phase = CleaningPhase::Choose;
         }
     }
 
-    fn watch(&mut self, sensed: &Sensors, dt_s: f64) {
+    fn watch(&mut self, sensed: &SensorReadings, dt_s: f64) {
         self.is_lifted |= sensed.wheel_drop_left && sensed.wheel_drop_right;
         self.mapper.update(sensed);
         match &mut self.phase {
-            Phase::Search => match self.search.watch(&mut self.mapper, sensed, dt_s) {
+            CleaningPhase::Search => match self.search.watch(&mut self.mapper, sensed, dt_s) {
                 Searched::Looking => {}
-                Searched::Found => self.phase = Phase::Choose,
-                Searched::InVain => self.phase = Phase::Done(End::Lost),
+                Searched::Found => self.phase = CleaningPhase::Choose,
+                Searched::InVain => self.phase = CleaningPhase::Done(RunEnd::Lost),
             },
-            Phase::Dock { patience, end } => {
+            CleaningPhase::Dock { patience, end } => {
                 *patience -= dt_s;
                 self.dock.watch(sensed, dt_s);
                 if self.dock.is_done() || *patience < 0.0 {
-                    self.phase = Phase::Done(*end);
+                    self.phase = CleaningPhase::Done(*end);
                 }
             }
             _ => {}
         }
     }
 
-    fn roam(&mut self, pilot: &mut Pilot, sensed: &Sensors, dt_s: f64) -> Drive {
-        if matches!(self.phase, Phase::Clean { .. } | Phase::Return { .. }) {
+    fn roam(&mut self, pilot: &mut Pilot, sensed: &SensorReadings, dt_s: f64) -> Drive {
+        if matches!(self.phase, CleaningPhase::Clean { .. } | CleaningPhase::Return { .. }) {
             self.come_by();
             if self.is_stuck(dt_s) {
                 self.get_loose(pilot);
@@ -235,11 +239,11 @@ impl Habit for ByMap {
         }
         let pose = self.mapper.pose();
         match &mut self.phase {
-            Phase::Choose => {
+            CleaningPhase::Choose => {
                 self.decide(pilot);
                 Drive::STOP
             }
-            Phase::Clean { route, patience, .. } | Phase::Return { route, patience, .. } => {
+            CleaningPhase::Clean { route, patience, .. } | CleaningPhase::Return { route, patience, .. } => {
                 *patience -= dt_s;
                 let is_near = sensed.light_bumper[2..4].contains(&true);
                 let speed = pilot.speed * if is_near { CAREFUL } else { 1.0 };
@@ -250,62 +254,63 @@ impl Habit for ByMap {
                 let drive = route.steer(pose, &pilot.robot, speed);
                 match (drive, &self.phase) {
                     (Some(drive), _) => return drive,
-                    (None, &Phase::Return { end, .. }) => {
+                    (None, &CleaningPhase::Return { end, .. }) => {
                         self.dock.begin(pilot);
-                        self.phase = Phase::Dock { patience: DOCK_S, end };
+                        self.phase = CleaningPhase::Dock { patience: DOCK_S, end };
                     }
-                    (None, _) => self.phase = Phase::Choose,
+                    (None, _) => self.phase = CleaningPhase::Choose,
                 }
                 Drive::STOP
             }
-            Phase::Search => self.search.roam(pilot, sensed, dt_s),
-            Phase::Dock { .. } => self.dock.roam(pilot, sensed, dt_s),
-            Phase::Done(_) => Drive::STOP,
+            CleaningPhase::Search => self.search.roam(pilot, sensed, dt_s),
+            CleaningPhase::Dock { .. } => self.dock.roam(pilot, sensed, dt_s),
+            CleaningPhase::Done(_) => Drive::STOP,
         }
     }
 
-    fn hit(&mut self, pilot: &mut Pilot, hit: Hit) {
+    fn on_obstruction(&mut self, pilot: &mut Pilot, obstruction: Obstruction) {
         let pose = self.mapper.pose();
         match &self.phase {
-            Phase::Search => return self.search.hit(pilot, hit),
-            Phase::Dock { .. } => return self.dock.hit(pilot, hit),
+            CleaningPhase::Search => return self.search.on_obstruction(pilot, obstruction),
+            CleaningPhase::Dock { .. } => return self.dock.on_obstruction(pilot, obstruction),
             _ => {}
         }
-        if hit.kind != Kind::Bump {
+        if obstruction.kind != ObstructionKind::Bump {
             self.barred.edge(pose, pilot.robot.radius);
-            pilot.answer(hit, BACK_FROM_EDGE, &[]);
+            pilot.answer(obstruction, BACK_FROM_EDGE, &[]);
             self.stop();
             return;
         }
         // Turned away from what it touches, it may drive off.
-        if matches!(&self.phase, Phase::Clean { route, .. } | Phase::Return { route, .. } if !route.is_driving()) {
+        if matches!(&self.phase, CleaningPhase::Clean { route, .. } | CleaningPhase::Return { route, .. } if !route.is_driving())
+        {
             return;
         }
-        let aside = match hit.side {
-            Side::Left => SIDE,
-            Side::Front => 0.0,
-            Side::Right => -SIDE,
+        let aside = match obstruction.side {
+            ObstructionSide::Left => SIDE,
+            ObstructionSide::Front => 0.0,
+            ObstructionSide::Right => -SIDE,
         };
         self.barred.met(pose, pilot.robot.radius, aside);
-        pilot.answer(hit, BACK, &[]);
+        pilot.answer(obstruction, BACK, &[]);
         self.stop();
     }
 
     fn is_done(&self) -> bool {
-        matches!(self.phase, Phase::Done(_))
+        matches!(self.phase, CleaningPhase::Done(_))
     }
 
     fn activity(&self) -> &'static str {
         match &self.phase {
-            Phase::Choose => "planning the remaining floor",
-            Phase::Clean { .. } => "cleaning by its map",
-            Phase::Search => "relocalising on its map",
-            Phase::Return { .. } => "driving back to its dock",
-            Phase::Dock { .. } => self.dock.activity(),
-            Phase::Done(End::Clean) => "done: all reachable floor on its map is clean",
-            Phase::Done(End::NothingReachable) => "done: the remaining floor is unreachable",
-            Phase::Done(End::Lost) => "done: relocalisation failed",
-            Phase::Done(End::Stuck) => "done: the robot is stuck",
+            CleaningPhase::Choose => "planning the remaining floor",
+            CleaningPhase::Clean { .. } => "cleaning by its map",
+            CleaningPhase::Search => "relocalising on its map",
+            CleaningPhase::Return { .. } => "driving back to its dock",
+            CleaningPhase::Dock { .. } => self.dock.activity(),
+            CleaningPhase::Done(RunEnd::Clean) => "done: all reachable floor on its map is clean",
+            CleaningPhase::Done(RunEnd::NothingReachable) => "done: the remaining floor is unreachable",
+            CleaningPhase::Done(RunEnd::Lost) => "done: relocalisation failed",
+            CleaningPhase::Done(RunEnd::Stuck) => "done: the robot is stuck",
         }
     }
 
@@ -315,14 +320,14 @@ impl Habit for ByMap {
 
     fn intent(&self) -> Option<Intent<'_>> {
         let route: &[Point] = match &self.phase {
-            Phase::Clean { route, .. } | Phase::Return { route, .. } => route.rest(),
+            CleaningPhase::Clean { route, .. } | CleaningPhase::Return { route, .. } => route.rest(),
             _ => &[],
         };
-        let locator = self.search.locator().filter(|_| matches!(self.phase, Phase::Search));
+        let locator = self.search.locator().filter(|_| matches!(self.phase, CleaningPhase::Search));
         Some(Intent { route, frontiers: &[], reach: Some(&self.reach), locator })
     }
 
-    fn boxed_clone(&self) -> Box<dyn Habit> {
+    fn boxed_clone(&self) -> Box<dyn Behaviour> {
         Box::new(self.clone())
     }
 }

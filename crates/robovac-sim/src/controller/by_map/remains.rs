@@ -2,12 +2,12 @@
 
 use crate::{
     controller::parts::Barred,
-    mapping::{Layer, Mapper, Mark, Marks, OccupancyMap},
+    mapping::{Mapper, Mark, Marks, OccupancyMap, TiledLayer},
 };
 use coverage_planners::CoverageJob;
 use robovac_core::{
-    coverage::{Lattice, ReachableFloor},
-    floorplan::FloorPlan,
+    coverage::{PlanningGrid, ReachableFloor},
+    floor_plan::FloorPlan,
     geometry::{Point, Pose, Vector},
     grid::{Cell, Direction, Grid, Occupancy, clearance, reachable},
     math,
@@ -29,7 +29,7 @@ const OVERLAP: f64 = 0.02;
 /// the same ones whatever is known: what is noted of one today is true of it tomorrow.
 pub(super) struct Remains {
     floor: ReachableFloor,
-    lattice: Lattice,
+    planning_grid: PlanningGrid,
     /// Planning cells that are left.
     left: Grid<bool>,
     /// Lower left corner, in the frame of the map: m, cells of the map, planning cells.
@@ -75,9 +75,9 @@ impl Remains {
         let narrow = RobotModel { radius: look.robot.radius - look.aim.slack, fills_cell: false, ..look.robot.clone() };
         let at = pose.position() - corner;
         let floor = ReachableFloor::new(&plan, &narrow, Some(Pose::new(at.x, at.y, pose.heading))).ok()?;
-        let lattice = Lattice::new(&floor, side * f64::from(columns));
+        let planning_grid = PlanningGrid::new(&floor, side * f64::from(columns));
         let first = Cell::new(low.x / columns, low.y / columns);
-        let mut remains = Self { left: lattice.free.clone(), floor, lattice, corner, low, first, side };
+        let mut remains = Self { left: planning_grid.free.clone(), floor, planning_grid, corner, low, first, side };
         remains.leave(mapper.marks(), columns, look);
         Some(remains)
     }
@@ -129,8 +129,8 @@ impl Remains {
 
     /// The line to about a place, in the frame of the map, if it can get there.
     pub fn way(&self, to: Point) -> Option<Vec<Point>> {
-        let near = self.lattice.cell_size;
-        let (cell, before) = self.search(|cell| (self.lattice.anchor(cell) + self.corner - to).norm() < near)?;
+        let near = self.planning_grid.cell_size;
+        let (cell, before) = self.search(|cell| (self.planning_grid.anchor(cell) + self.corner - to).norm() < near)?;
         let mut walk = vec![cell];
         while let Some(next) = walk.last().and_then(|&last| before[last]) {
             walk.push(next);
@@ -141,11 +141,11 @@ impl Remains {
 
     /// The nearest cell that is wanted, by steps, and before each cell the one that it was reached from.
     fn search(&self, is_wanted: impl Fn(Cell) -> bool) -> Option<(Cell, Grid<Option<Cell>>)> {
-        let free = &self.lattice.free;
+        let free = &self.planning_grid.free;
         let mut before = free.map(|_| None);
         let mut seen = free.map(|_| false);
-        seen[self.lattice.start] = true;
-        let mut queue = VecDeque::from([self.lattice.start]);
+        seen[self.planning_grid.start] = true;
+        let mut queue = VecDeque::from([self.planning_grid.start]);
         while let Some(cell) = queue.pop_front() {
             if is_wanted(cell) {
                 return Some((cell, before));
@@ -162,8 +162,8 @@ impl Remains {
 
     /// The job of covering a part from `start` on.
     pub fn job(&self, part: Grid<bool>, start: Cell, robot: &RobotModel) -> CoverageJob {
-        let toward = self.lattice.anchor(start) - self.floor.start.position();
-        let heading = if toward.norm() > self.lattice.cell_size {
+        let toward = self.planning_grid.anchor(start) - self.floor.start.position();
+        let heading = if toward.norm() > self.planning_grid.cell_size {
             math::atan2(toward.y, toward.x)
         } else {
             self.floor.start.heading
@@ -172,19 +172,19 @@ impl Remains {
             free: part,
             start,
             heading: Direction::nearest(heading),
-            step_s: self.lattice.cell_size / robot.cruise_speed,
+            step_s: self.planning_grid.cell_size / robot.cruise_speed,
             turn_s: robot.turn_time(math::FRAC_PI_2) + robot.cruise_speed / robot.acceleration,
         }
     }
 
     /// The line from the robot along a walk over planning cells, in the frame of the map.
     pub fn line(&self, walk: &[Cell]) -> Vec<Point> {
-        self.lattice.polyline(&self.floor, walk).into_iter().skip(1).map(|at| at + self.corner).collect()
+        self.planning_grid.polyline(&self.floor, walk).into_iter().skip(1).map(|at| at + self.corner).collect()
     }
 
     /// Cells of the map that the tool can get to.
-    pub fn reach(&self) -> Layer<bool> {
-        let mut reach = Layer::new();
+    pub fn reach(&self) -> TiledLayer<bool> {
+        let mut reach = TiledLayer::new();
         let [width, height] = [self.floor.floor.width(), self.floor.floor.height()]
             .map(|fine| (fine as f64 * self.floor.resolution / self.side).round() as i32);
         for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {

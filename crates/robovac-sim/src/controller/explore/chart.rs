@@ -42,7 +42,7 @@ pub(super) struct Chart {
 }
 
 /// The ways from one place to all that the robot can reach on known floor.
-pub(super) struct Ways {
+pub(super) struct ReachableWays {
     /// Thousandths of cells; `u32::MAX` where it can't get.
     cost: Grid<u32>,
     before: Grid<Option<Cell>>,
@@ -50,7 +50,7 @@ pub(super) struct Ways {
 
 /// Unknown floor in a line.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Lane {
+pub(super) struct UnknownLane {
     /// The last known cell before it, which can be reached.
     pub from: Cell,
     /// Its first and its last cell.
@@ -62,7 +62,7 @@ pub(super) struct Lane {
     pub length: f64,
 }
 
-impl Lane {
+impl UnknownLane {
     /// What it costs to see it, m.
     pub fn cost(&self) -> f64 {
         self.way - WORTH.0 * self.length.min(WORTH.1)
@@ -111,9 +111,9 @@ impl Chart {
     }
 
     /// The ways from `from` over known floor (Dijkstra 1959).
-    pub fn ways(&self, from: Point) -> Ways {
+    pub fn ways(&self, from: Point) -> ReachableWays {
         let start = self.cell_at(from);
-        let mut ways = Ways { cost: self.ground.map(|_| u32::MAX), before: self.ground.map(|_| None) };
+        let mut ways = ReachableWays { cost: self.ground.map(|_| u32::MAX), before: self.ground.map(|_| None) };
         if !self.ground.contains(start) {
             return ways;
         }
@@ -147,7 +147,7 @@ impl Chart {
 
     /// Unknown floor that can be entered from known floor, along lines `spacing` cells apart in both directions; `allow` says
     /// which entries count.
-    pub fn lanes(&self, ways: &Ways, spacing: i32, allow: impl Fn(Point) -> bool) -> Vec<Lane> {
+    pub fn lanes(&self, ways: &ReachableWays, spacing: i32, allow: impl Fn(Point) -> bool) -> Vec<UnknownLane> {
         let mut lanes = Vec::new();
         for (cell, _) in self.ground.iter() {
             let column = (cell.x + self.low.x).rem_euclid(spacing) == 0;
@@ -163,14 +163,14 @@ impl Chart {
             if cells >= SHORTEST && allow(self.centre(cell)) {
                 let way = f64::from(ways.cost[from]) / f64::from(STEP.0) * self.resolution;
                 let length = cells as f64 * self.resolution;
-                lanes.push(Lane { from, entry: cell, end, way, length });
+                lanes.push(UnknownLane { from, entry: cell, end, way, length });
             }
         }
         lanes
     }
 
     /// The lane that costs least to see.
-    pub fn nearest(lanes: Vec<Lane>) -> Option<Lane> {
+    pub fn nearest(lanes: Vec<UnknownLane>) -> Option<UnknownLane> {
         lanes.into_iter().min_by(|a, b| a.cost().total_cmp(&b.cost()).then(a.entry.cmp(&b.entry)))
     }
 
@@ -191,7 +191,7 @@ impl Chart {
     }
 
     /// The way to a cell that `ways` reach, with as few corners as there is room for.
-    pub fn line(&self, ways: &Ways, to: Cell) -> Vec<Point> {
+    pub fn line(&self, ways: &ReachableWays, to: Cell) -> Vec<Point> {
         let mut cells = VecDeque::from([to]);
         let mut at = to;
         while let Some(before) = ways.before.get(at).copied().flatten() {
@@ -220,7 +220,7 @@ impl Chart {
     }
 }
 
-impl Ways {
+impl ReachableWays {
     /// Whether a cell can be reached.
     pub fn reaches(&self, cell: Cell) -> bool {
         self.cost.get(cell).is_some_and(|&cost| cost < u32::MAX)

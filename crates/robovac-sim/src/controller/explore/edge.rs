@@ -21,31 +21,31 @@
 //! let info = find("explore_edge").unwrap();
 //! let (robot, params) = (model("roomba600").unwrap(), Params::defaults(info.params));
 //! let mut explorer = info.build(&Setup { robot, params: &params, seed: 1 }).unwrap();
-//! let ahead = (0..7).map(|_| explorer.step(&Sensors::default(), 0.015)).last().unwrap();
+//! let ahead = (0..7).map(|_| explorer.step(&SensorReadings::default(), 0.015)).last().unwrap();
 //! assert_eq!(ahead, Drive::wheels(0.1, 0.1));
 //! // A bump on the right: it rotates to the left until only the right light sensor sees the wall.
-//! let bump = Sensors { bump_right: true, ..Sensors::default() };
+//! let bump = SensorReadings { bump_right: true, ..SensorReadings::default() };
 //! let turning = (0..20).map(|_| explorer.step(&bump, 0.015)).last().unwrap();
 //! assert!(turning.left < 0.0 && turning.right > 0.0);
-//! let beside = Sensors { light_bumper: [false, false, false, false, false, true], ..Sensors::default() };
+//! let beside = SensorReadings { light_bumper: [false, false, false, false, false, true], ..SensorReadings::default() };
 //! let along = (0..20).map(|_| explorer.step(&beside, 0.015)).last().unwrap();
 //! assert_eq!((along, explorer.activity()), (Drive::wheels(0.1, 0.1), "following the edge on its right"));
 //! ```
 
 use super::{
     THESIS,
-    edge_machine::{EdgeMachine, STUCK, Text, Twist},
+    edge_machine::{EdgeMachine, STUCK, ThesisText, Twist},
     position::Position,
     turn_back,
 };
 use crate::controller::{
-    BehaviourInfo, Build, Claims,
-    parts::{By, Driven, Habit, Hit, Kind, Pilot},
+    BehaviourClaims, BehaviourInfo, BuildBehaviour,
+    parts::{Behaviour, By, Obstruction, ObstructionKind, Pilot, Reactive},
 };
 use rand::RngExt;
 use robovac_core::{
     registry::{Example, Explainer, ParamKind, ParamSpec},
-    robot::{Drive, Sensors},
+    robot::{Drive, SensorReadings},
 };
 
 /// `timer_period`, s.
@@ -75,7 +75,7 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
             why: "It follows the first wall that it finds and never reaches the other one.",
         },
     },
-    claims: Claims { ends: false, cleans: false, manual: false, explores: true },
+    claims: BehaviourClaims { ends: false, cleans: false, manual: false, explores: true },
     params: &[
         ParamSpec {
             id: "text",
@@ -98,15 +98,15 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
     ],
 };
 
-pub(in crate::controller) const BUILD: Build = |setup| {
-    let text = if setup.params.choice("text") == "printed" { Text::Printed } else { Text::Mended };
+pub(in crate::controller) const BUILD: BuildBehaviour = |setup| {
+    let text = if setup.params.choice("text") == "printed" { ThesisText::Printed } else { ThesisText::Mended };
     let speeds = (setup.params.number("speed") / 100.0, setup.params.number("turn"));
-    Driven::boxed(setup, Edge { machine: EdgeMachine::new(text), speeds, since_call: 0.0, latched: None })
+    Reactive::boxed(setup, EdgeBehaviour { machine: EdgeMachine::new(text), speeds, since_call: 0.0, latched: None })
 };
 
 /// The habit.
 #[derive(Debug, Clone)]
-struct Edge {
+struct EdgeBehaviour {
     machine: EdgeMachine,
     /// m/s and rad/s.
     speeds: (f64, f64),
@@ -116,7 +116,7 @@ struct Edge {
     latched: Option<(Twist, f64)>,
 }
 
-impl Edge {
+impl EdgeBehaviour {
     /// Nothing is followed and nothing was told.
     fn restart(&mut self) {
         self.machine = EdgeMachine::new(self.machine.text);
@@ -125,14 +125,14 @@ impl Edge {
     }
 }
 
-impl Habit for Edge {
+impl Behaviour for EdgeBehaviour {
     fn begin(&mut self, pilot: &mut Pilot) {
         pilot.turn_speed = pilot.robot.turn_wheel_speed;
         pilot.by = By::Counts;
         self.restart();
     }
 
-    fn roam(&mut self, pilot: &mut Pilot, sensed: &Sensors, dt_s: f64) -> Drive {
+    fn roam(&mut self, pilot: &mut Pilot, sensed: &SensorReadings, dt_s: f64) -> Drive {
         self.since_call += dt_s;
         self.latched = self.latched.map(|(twist, age)| (twist, age + dt_s)).filter(|(_, age)| *age < LATCH_S);
         // The sum of many short times is a little off.
@@ -150,10 +150,10 @@ impl Habit for Edge {
         }
     }
 
-    fn hit(&mut self, pilot: &mut Pilot, hit: Hit) {
+    fn on_obstruction(&mut self, pilot: &mut Pilot, obstruction: Obstruction) {
         // The rules know what to do about a bump.
-        if hit.kind != Kind::Bump {
-            turn_back(pilot, hit);
+        if obstruction.kind != ObstructionKind::Bump {
+            turn_back(pilot, obstruction);
             self.restart();
         }
     }
@@ -169,7 +169,7 @@ impl Habit for Edge {
         }
     }
 
-    fn boxed_clone(&self) -> Box<dyn Habit> {
+    fn boxed_clone(&self) -> Box<dyn Behaviour> {
         Box::new(self.clone())
     }
 }

@@ -6,8 +6,8 @@
 //! |---|---|
 //! | Both bumpers are pressed and the obstacle is on the left: a `return` is missing, the rule falls through to `exit()`, which ends the program. | The rule ends where that of the right side does. |
 //! | Both bumpers are pressed, no obstacle is known and neither front light sees one: `exit()`. | The obstacle is taken to be on the right, which is the side that the print asks about first. |
-//! | Each rule of step three turns right, wherever the obstacle is. The text says "towards objects edge". | [`Text::Mended`] turns towards the obstacle, [`Text::Printed`] right. |
-//! | `random.randint(100, 200)` may give 100, but the counter goes on to 101 in the same call: it is never met, and the robot rotates on. | [`Text::Mended`] takes the number for reached from there on, [`Text::Printed`] waits for ever, or for a light. |
+//! | Each rule of step three turns right, wherever the obstacle is. The text says "towards objects edge". | [`ThesisText::Mended`] turns towards the obstacle, [`ThesisText::Printed`] right. |
+//! | `random.randint(100, 200)` may give 100, but the counter goes on to 101 in the same call: it is never met, and the robot rotates on. | [`ThesisText::Mended`] takes the number for reached from there on, [`ThesisText::Printed`] waits for ever, or for a light. |
 //! | `random_number` starts at -1, which no counter reaches, and keeps its last value after a reset; the rule that asks for it comes first. So a second rule for it further down is never reached, and its `self.move_forward` without brackets would call nothing. | The second rule is left out. |
 //! | "Moves forward 9 times" in comment and text, `< 10` in the code. | 10, as the code. |
 //! | "Rotate 90 degrees": 15 and a few rotations of 0.5 rad/s for 0.1 s are less than 50. | As the code. |
@@ -18,11 +18,11 @@
 //! command for `latch_cmd_duration`, 0.2 s unless set otherwise, and then stops.
 
 use super::position::{Position, Rotation};
-use robovac_core::robot::Sensors;
+use robovac_core::robot::SensorReadings;
 
 /// Which text is followed where code and prose differ.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Text {
+pub(super) enum ThesisText {
     /// The code, to the letter, as far as it goes on at all.
     Printed,
     /// What the prose means.
@@ -68,7 +68,7 @@ const ZIGZAG: u32 = 3;
 /// Its variables, as `__init__` and `reset_status` have them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct EdgeMachine {
-    pub text: Text,
+    pub text: ThesisText,
     /// Where the obstacle is that it follows.
     pub obstacle: Position,
     pub rotation: Rotation,
@@ -81,7 +81,7 @@ pub(super) struct EdgeMachine {
 
 impl EdgeMachine {
     /// As `__init__` leaves it.
-    pub fn new(text: Text) -> Self {
+    pub fn new(text: ThesisText) -> Self {
         Self {
             text,
             obstacle: Position::None,
@@ -100,7 +100,7 @@ impl EdgeMachine {
     }
 
     /// `move_to_empty_space`: one call of the timer. `random` draws a number between the limits of [`STUCK`].
-    pub fn call(&mut self, bumper: &Sensors, random: impl FnOnce() -> u32) -> Option<Twist> {
+    pub fn call(&mut self, bumper: &SensorReadings, random: impl FnOnce() -> u32) -> Option<Twist> {
         if self.has_rotated_enough() {
             self.reset_status();
             self.obstacle = Position::None;
@@ -132,9 +132,9 @@ impl EdgeMachine {
     fn has_rotated_enough(&self) -> bool {
         let counter = self.rotation.counter;
         match self.text {
-            Text::Printed => self.random_number == Some(counter),
+            ThesisText::Printed => self.random_number == Some(counter),
             // Below the limit, the number is a former one.
-            Text::Mended => counter > STUCK.0 && self.random_number.is_some_and(|number| counter >= number),
+            ThesisText::Mended => counter > STUCK.0 && self.random_number.is_some_and(|number| counter >= number),
         }
     }
 
@@ -188,7 +188,7 @@ impl EdgeMachine {
         if !self.rotation.counter.is_multiple_of(ZIGZAG) {
             return Some(Twist::Forward);
         }
-        let is_mended = self.text == Text::Mended;
+        let is_mended = self.text == ThesisText::Mended;
         Some(if is_mended && self.obstacle.is_left() { Twist::Left } else { Twist::Right })
     }
 
@@ -215,7 +215,7 @@ impl EdgeMachine {
     }
 
     /// What the bumper has met.
-    fn meet(&mut self, bumper: &Sensors, seen: &Seen) -> Ruled {
+    fn meet(&mut self, bumper: &SensorReadings, seen: &Seen) -> Ruled {
         let [_, front_left, .., front_right, _] = bumper.light_bumper;
         if bumper.bump_left && bumper.bump_right {
             if self.obstacle.is_none() {
@@ -234,7 +234,7 @@ impl EdgeMachine {
     }
 
     /// What the light sensors have lost.
-    fn keep_to_the_edge(&mut self, bumper: &Sensors, seen: &Seen) -> Ruled {
+    fn keep_to_the_edge(&mut self, bumper: &SensorReadings, seen: &Seen) -> Ruled {
         if self.obstacle.is_none() {
             return Ruled::Not;
         }
@@ -274,7 +274,7 @@ struct Seen {
 }
 
 impl Seen {
-    fn of(bumper: &Sensors, obstacle: Position) -> Self {
+    fn of(bumper: &SensorReadings, obstacle: Position) -> Self {
         let [left, front_left, middle_left, middle_right, front_right, right] = bumper.light_bumper;
         let (is_known, is_left) = (!obstacle.is_none(), obstacle.is_left());
         let [outer, front, middle] =

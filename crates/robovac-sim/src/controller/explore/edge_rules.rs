@@ -2,17 +2,17 @@
 //! before a call, command and state after it.
 
 use super::{
-    edge_machine::{EdgeMachine, Text, Twist},
+    edge_machine::{EdgeMachine, ThesisText, Twist},
     position::{Position, Rotation},
 };
-use robovac_core::robot::Sensors;
+use robovac_core::robot::SensorReadings;
 
 /// Sensors in a picture: the bumper's left half, the six lights from left to right, the bumper's right half; `.` for
 /// nothing.
-fn sensors(picture: &str) -> Sensors {
+fn sensors(picture: &str) -> SensorReadings {
     let on: Vec<bool> = picture.chars().map(|c| c != '.').collect();
     let [bump_left, l0, l1, l2, l3, l4, l5, bump_right] = on[..] else { panic!("{picture}: eight signs") };
-    Sensors { bump_left, bump_right, light_bumper: [l0, l1, l2, l3, l4, l5], ..Sensors::default() }
+    SensorReadings { bump_left, bump_right, light_bumper: [l0, l1, l2, l3, l4, l5], ..SensorReadings::default() }
 }
 
 /// A state in a picture: obstacle, rotation's side, rotation's counter, edge detected, forward counter; `-` for no side.
@@ -29,7 +29,7 @@ fn state(text: &str) -> EdgeMachine {
         rotation: Rotation { position: side(rotation), counter: counter.parse().unwrap() },
         edge_detected: edge.parse().unwrap(),
         forward_counter: forward.parse().unwrap(),
-        ..EdgeMachine::new(Text::Mended)
+        ..EdgeMachine::new(ThesisText::Mended)
     }
 }
 
@@ -38,9 +38,9 @@ const L: Option<Twist> = Some(Twist::Left);
 const R: Option<Twist> = Some(Twist::Right);
 
 /// Place in the print, state, sensors, command, state after.
-type Rule = (&'static str, &'static str, &'static str, Option<Twist>, &'static str);
+type PrintedRule = (&'static str, &'static str, &'static str, Option<Twist>, &'static str);
 
-fn holds(rules: &[Rule], text: Text) {
+fn holds(rules: &[PrintedRule], text: ThesisText) {
     for &(place, before, picture, command, after) in rules {
         let mut machine = EdgeMachine { text, ..state(before) };
         let told = machine.call(&sensors(picture), || panic!("{place}: nothing is drawn here"));
@@ -50,7 +50,7 @@ fn holds(rules: &[Rule], text: Text) {
 }
 
 /// Rules that read the same in print and mended.
-const RULES: &[Rule] = &[
+const RULES: &[PrintedRule] = &[
     // Step one, "robot came to end of object edge": not before two rotations.
     ("edge_detected == 1, counter 1: rotates on", "R R 1 1 0", "........", R, "R R 2 1 0"),
     ("narrow corner, right", "R R 2 1 4", "L.......", None, "L - 0 0 0"),
@@ -135,19 +135,19 @@ const RULES: &[Rule] = &[
 
 #[test]
 fn every_rule_does_what_is_printed() {
-    holds(RULES, Text::Printed);
-    holds(RULES, Text::Mended);
+    holds(RULES, ThesisText::Printed);
+    holds(RULES, ThesisText::Mended);
 }
 
 #[test]
 fn the_zigzag_turns_right_as_printed_or_towards_the_edge() {
     let rule = |command| [("third of three, obstacle on the left", "L L 2 3 0", "........", command, "L L 3 3 0")];
-    holds(&rule(R), Text::Printed);
-    holds(&rule(L), Text::Mended);
+    holds(&rule(R), ThesisText::Printed);
+    holds(&rule(L), ThesisText::Mended);
 }
 
 /// Calls with nothing in sight until the obstacle is given up, with that number drawn; `None` if that takes a thousand.
-fn calls_until_free(text: Text, drawn: u32) -> Option<u32> {
+fn calls_until_free(text: ThesisText, drawn: u32) -> Option<u32> {
     let mut machine = EdgeMachine { text, ..state("R L 0 0 0") };
     (1..1000).find(|_| {
         machine.call(&sensors("........"), || drawn);
@@ -157,7 +157,7 @@ fn calls_until_free(text: Text, drawn: u32) -> Option<u32> {
 
 #[test]
 fn a_rotation_that_does_not_end_is_given_up_after_a_random_number() {
-    for text in [Text::Printed, Text::Mended] {
+    for text in [ThesisText::Printed, ThesisText::Mended] {
         // 100 rotations, the draw, which counts as one, the others, and the call that resets.
         assert_eq!(calls_until_free(text, 150), Some(100 + 1 + 49 + 1));
         assert_eq!(calls_until_free(text, 200), Some(201));
@@ -168,14 +168,14 @@ fn a_rotation_that_does_not_end_is_given_up_after_a_random_number() {
 /// `random.randint(100, 200)` gives 100 once in a hundred times, when the counter is already at 101.
 #[test]
 fn the_number_100_is_never_met_in_print() {
-    assert_eq!(calls_until_free(Text::Printed, 100), None);
-    assert_eq!(calls_until_free(Text::Mended, 100), Some(102));
+    assert_eq!(calls_until_free(ThesisText::Printed, 100), None);
+    assert_eq!(calls_until_free(ThesisText::Mended, 100), Some(102));
 }
 
 /// A number drawn before doesn't cut later rotations short.
 #[test]
 fn a_former_number_counts_for_nothing() {
-    for text in [Text::Printed, Text::Mended] {
+    for text in [ThesisText::Printed, ThesisText::Mended] {
         let mut machine = EdgeMachine { text, random_number: Some(120), ..state("R L 0 0 0") };
         for call in 0..100 {
             assert_eq!(machine.call(&sensors("........"), || panic!("not yet")), L, "call {call}");

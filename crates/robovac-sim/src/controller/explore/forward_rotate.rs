@@ -19,7 +19,7 @@
 //! let (robot, params) = (model("roomba600").unwrap(), Params::defaults(info.params));
 //! let mut explorer = info.build(&Setup { robot, params: &params, seed: 1 }).unwrap();
 //! // It takes no notice of a wall: sooner or later the wheels roll ahead with the bumper pressed.
-//! let wall = Sensors { bump_left: true, bump_right: true, ..Sensors::default() };
+//! let wall = SensorReadings { bump_left: true, bump_right: true, ..SensorReadings::default() };
 //! assert!((0..1000).any(|_| { let drive = explorer.step(&wall, 0.015); drive.left > 0.0 && drive.right > 0.0 }));
 //! ```
 
@@ -27,7 +27,7 @@ use super::{
     THESIS,
     options::{ANGLE, DISTANCE, Options, PUSHES, Rules},
 };
-use crate::controller::{BehaviourInfo, Build, Claims, parts::Driven};
+use crate::controller::{BehaviourClaims, BehaviourInfo, BuildBehaviour, parts::Reactive};
 use robovac_core::registry::{Example, Explainer};
 
 pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
@@ -46,11 +46,11 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
         shines: Example { room: "room12ft", why: "In an empty room a random walk eventually finds every wall." },
         fails: Example { room: "flat", why: "It keeps revisiting the same floor and passes doorways only by chance." },
     },
-    claims: Claims { ends: false, cleans: false, manual: false, explores: true },
+    claims: BehaviourClaims { ends: false, cleans: false, manual: false, explores: true },
     params: &[DISTANCE, ANGLE, PUSHES],
 };
 
 /// Phase 1.
 const RULES: Rules = Rules { turns_right: false, looks_ahead: false, looks_aside: false };
 
-pub(in crate::controller) const BUILD: Build = |setup| Driven::boxed(setup, Options::new(setup, RULES));
+pub(in crate::controller) const BUILD: BuildBehaviour = |setup| Reactive::boxed(setup, Options::new(setup, RULES));

@@ -22,21 +22,21 @@
 //! let info = find("explore_frontier").unwrap();
 //! let (robot, params) = (model("roomba600").unwrap(), Params::defaults(info.params));
 //! let mut explorer = info.build(&Setup { robot, params: &params, seed: 1 }).unwrap();
-//! let ahead = explorer.step(&Sensors::default(), 0.015);
+//! let ahead = explorer.step(&SensorReadings::default(), 0.015);
 //! assert!(ahead.left > 0.0 && ahead.left == ahead.right);
 //! assert_eq!(explorer.activity(), "searching for a wall");
 //! assert!(explorer.mapper().is_some() && !explorer.is_done());
 //! ```
 
-use super::{
-    BACK_FROM_EDGE,
-    trace::Trace,
-    tries::{THERE, Tries},
-};
+use super::{BACK_FROM_EDGE, trace::WallTrace};
+use crate::controller::parts::{AttemptBudget, THERE};
 use crate::{
     controller::{
-        BehaviourInfo, Build, Claims, Intent, Setup,
-        parts::{Barred, Driven, Habit, Hit, Kind, Pilot, Route, Search, Searched, Side},
+        BehaviourClaims, BehaviourInfo, BuildBehaviour, Intent, Setup,
+        parts::{
+            Barred, Behaviour, Obstruction, ObstructionKind, ObstructionSide, Pilot, Reactive, RelocaliseSearch, Route,
+            Searched,
+        },
         wall_follow::WallFollow,
     },
     mapping::{Mapper, MapperSetup, Tracking},
@@ -44,7 +44,7 @@ use crate::{
 use robovac_core::{
     geometry::{Point, Pose},
     registry::{Example, Explainer, ParamKind, ParamSpec},
-    robot::{Drive, OdometryModel, Sensors},
+    robot::{Drive, OdometryModel, SensorReadings},
 };
 
 /// Way along a wall that was followed before after which it is known, m.
@@ -88,7 +88,7 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
             why: "In a hall of 20 m by 20 m there are few landmarks, and the pose drifts from lane to lane.",
         },
     },
-    claims: Claims { ends: true, cleans: false, manual: false, explores: true },
+    claims: BehaviourClaims { ends: true, cleans: false, manual: false, explores: true },
     params: &[
         ParamSpec {
             id: "tracking",
@@ -130,12 +130,12 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
     ],
 };
 
-pub(in crate::controller) const BUILD: Build = |setup| {
+pub(in crate::controller) const BUILD: BuildBehaviour = |setup| {
     let tracking = Tracking::parse(setup.params.choice("tracking")).unwrap_or_default();
     let start = Pose::new(0.0, 0.0, 0.0);
     let odometry = OdometryModel::parse(setup.params.choice("odometry")).unwrap_or_default();
     let mapper = MapperSetup { robot: setup.robot.clone(), start, tracking, odometry, seed: setup.seed };
-    Driven::boxed(setup, Frontier::new(setup, Mapper::new(mapper)))
+    Reactive::boxed(setup, Frontier::new(setup, Mapper::new(mapper)))
 };
 
 /// The habit.
@@ -149,12 +149,12 @@ pub(super) struct Frontier {
     /// How often it may still set out for the start.
     pub(super) ways_home: u32,
     wall: WallFollow,
-    pub(super) trace: Trace,
-    pub(super) phase: Phase,
+    pub(super) trace: WallTrace,
+    pub(super) phase: ExplorePhase,
     /// Where it left walls that go on.
     pub(super) ends: Vec<Pose>,
     /// How often places have been gone for.
-    pub(super) tries: Tries,
+    pub(super) budget: AttemptBudget,
     /// Cells of the map that are not to be entered.
     pub(super) barred: Barred,
     pub(super) doubts: u32,
@@ -164,11 +164,11 @@ pub(super) struct Frontier {
     moved: (Point, f64),
     /// Whether it is, or was, held.
     is_lifted: bool,
-    search: Search,
+    search: RelocaliseSearch,
 }
 
 #[derive(Clone)]
-pub(super) enum Phase {
+pub(super) enum ExplorePhase {
     /// Looks for a wall or follows one; it was so far ahead (m, of the pilot) when it began, and when it last felt one.
     Follow {
         began: f64,
@@ -181,7 +181,7 @@ pub(super) enum Phase {
     Drive {
         route: Route,
         patience: f64,
-        to: Goal,
+        to: DriveGoal,
         place: Point,
     },
     /// Relocalises on its map: it was kidnapped.
@@ -195,7 +195,7 @@ pub(super) enum Phase {
 
 /// What it drives for.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Goal {
+pub(super) enum DriveGoal {
     /// To see a lane.
     Floor,
     /// To go on along a wall where it left it.
@@ -211,47 +211,47 @@ impl Frontier {
             leg: setup.params.number("leg"),
             ways_home: if setup.params.flag("home") { WAYS_HOME } else { 0 },
             wall: WallFollow::endless(setup),
-            trace: Trace::default(),
-            phase: Phase::Choose,
+            trace: WallTrace::default(),
+            phase: ExplorePhase::Choose,
             ends: Vec::new(),
-            tries: Tries::default(),
+            budget: AttemptBudget::default(),
             barred: Barred::new(resolution),
             doubts: 0,
             lanes: Vec::new(),
             moved: (Point::origin(), 0.0),
             is_lifted: false,
-            search: Search::new(setup),
+            search: RelocaliseSearch::new(setup),
             mapper,
         }
     }
 
     pub(super) fn follow(&mut self, pilot: &mut Pilot) {
         self.wall.begin(pilot);
-        self.phase = Phase::Follow { began: pilot.ahead(), felt: pilot.ahead(), has_met: false };
+        self.phase = ExplorePhase::Follow { began: pilot.ahead(), felt: pilot.ahead(), has_met: false };
     }
 
     /// The wall that it was following or driving to when it was kidnapped: the pose is still that of the lift.
     fn unfinished(&self) -> Option<Pose> {
         match self.phase {
-            Phase::Follow { has_met: true, .. } => Some(self.mapper.pose()),
-            Phase::Drive { to: Goal::Wall(end), .. } => Some(end),
+            ExplorePhase::Follow { has_met: true, .. } => Some(self.mapper.pose()),
+            ExplorePhase::Drive { to: DriveGoal::Wall(end), .. } => Some(end),
             _ => None,
         }
     }
 
     fn choose(&mut self) {
-        if let Phase::Drive { place, .. } = self.phase {
-            self.tries.stopped(self.mapper.pose().position(), place);
+        if let ExplorePhase::Drive { place, .. } = self.phase {
+            self.budget.stopped_at(self.mapper.pose().position(), place);
         }
         self.trace.stop();
-        self.phase = Phase::Choose;
+        self.phase = ExplorePhase::Choose;
     }
 
     /// Something is in the way of a route, so far to the left of straight ahead, rad: a wall that is new is followed, anything
     /// else driven around.
     fn meet(&mut self, pilot: &mut Pilot, aside: f64) {
         let pose = self.mapper.pose();
-        if let Phase::Drive { to: Goal::Wall(end), .. } = self.phase {
+        if let ExplorePhase::Drive { to: DriveGoal::Wall(end), .. } = self.phase {
             if (pose.position() - end.position()).norm() < THERE {
                 self.follow(pilot);
                 return;
@@ -274,8 +274,8 @@ impl Frontier {
         self.moved.1 > STUCK.1
     }
 
-    fn roam_along(&mut self, pilot: &mut Pilot, sensed: &Sensors, dt_s: f64) -> Drive {
-        let Phase::Follow { began, mut felt, mut has_met } = self.phase else { return Drive::STOP };
+    fn roam_along(&mut self, pilot: &mut Pilot, sensed: &SensorReadings, dt_s: f64) -> Drive {
+        let ExplorePhase::Follow { began, mut felt, mut has_met } = self.phase else { return Drive::STOP };
         let drive = self.wall.roam(pilot, sensed, dt_s);
         let ahead = pilot.ahead();
         let mut overlap = 0.0;
@@ -283,7 +283,7 @@ impl Frontier {
             (felt, has_met) = (ahead, true);
             overlap = self.trace.follow(self.mapper.pose());
         }
-        self.phase = Phase::Follow { began, felt, has_met };
+        self.phase = ExplorePhase::Follow { began, felt, has_met };
         let is_lost = has_met && (!self.wall.has_wall() || ahead - felt > LOST);
         if overlap > OVERLAP || is_lost {
             self.choose();
@@ -295,10 +295,10 @@ impl Frontier {
     }
 }
 
-impl Habit for Frontier {
+impl Behaviour for Frontier {
     fn begin(&mut self, pilot: &mut Pilot) {
         let is_carried = std::mem::take(&mut self.is_lifted);
-        if matches!(self.phase, Phase::Search) && !is_carried {
+        if matches!(self.phase, ExplorePhase::Search) && !is_carried {
             return;
         }
         self.trace.stop();
@@ -309,26 +309,26 @@ impl Habit for Frontier {
         }
         self.ends.extend(self.unfinished());
         let has_looked = self.search.begin(pilot, &self.mapper);
-        self.phase = if has_looked { Phase::Search } else { Phase::Lost { has_looked } };
+        self.phase = if has_looked { ExplorePhase::Search } else { ExplorePhase::Lost { has_looked } };
     }
 
-    fn watch(&mut self, sensed: &Sensors, dt_s: f64) {
+    fn watch(&mut self, sensed: &SensorReadings, dt_s: f64) {
         self.is_lifted |= sensed.wheel_drop_left && sensed.wheel_drop_right;
         self.mapper.update(sensed);
-        if matches!(self.phase, Phase::Search) {
+        if matches!(self.phase, ExplorePhase::Search) {
             match self.search.watch(&mut self.mapper, sensed, dt_s) {
                 Searched::Looking => {}
                 Searched::Found => {
                     self.moved = (self.mapper.pose().position(), 0.0);
-                    self.phase = Phase::Choose;
+                    self.phase = ExplorePhase::Choose;
                 }
-                Searched::InVain => self.phase = Phase::Lost { has_looked: true },
+                Searched::InVain => self.phase = ExplorePhase::Lost { has_looked: true },
             }
         }
     }
 
-    fn roam(&mut self, pilot: &mut Pilot, sensed: &Sensors, dt_s: f64) -> Drive {
-        if matches!(self.phase, Phase::Search) {
+    fn roam(&mut self, pilot: &mut Pilot, sensed: &SensorReadings, dt_s: f64) -> Drive {
+        if matches!(self.phase, ExplorePhase::Search) {
             return self.search.roam(pilot, sensed, dt_s);
         }
         if self.is_stuck(dt_s) && !self.is_done() {
@@ -337,13 +337,13 @@ impl Habit for Frontier {
             self.choose();
         }
         match &mut self.phase {
-            Phase::Search | Phase::Done | Phase::Lost { .. } => Drive::STOP,
-            Phase::Choose => {
+            ExplorePhase::Search | ExplorePhase::Done | ExplorePhase::Lost { .. } => Drive::STOP,
+            ExplorePhase::Choose => {
                 self.decide(pilot);
                 Drive::STOP
             }
-            Phase::Follow { .. } => self.roam_along(pilot, sensed, dt_s),
-            Phase::Drive { route, patience, to, .. } => {
+            ExplorePhase::Follow { .. } => self.roam_along(pilot, sensed, dt_s),
+            ExplorePhase::Drive { route, patience, to, .. } => {
                 *patience -= dt_s;
                 let to = *to;
                 let [_, lights @ .., _] = sensed.light_signal;
@@ -356,11 +356,11 @@ impl Habit for Frontier {
                 let drive = if *patience > 0.0 { route.steer(self.mapper.pose(), &pilot.robot, speed) } else { None };
                 if drive.is_none() {
                     match to {
-                        Goal::Wall(_) => self.follow(pilot),
-                        Goal::Floor => self.choose(),
+                        DriveGoal::Wall(_) => self.follow(pilot),
+                        DriveGoal::Floor => self.choose(),
                         // Where it gave up on the way, it may try again.
-                        Goal::Home if *patience < 0.0 => self.choose(),
-                        Goal::Home => self.phase = Phase::Done,
+                        DriveGoal::Home if *patience < 0.0 => self.choose(),
+                        DriveGoal::Home => self.phase = ExplorePhase::Done,
                     }
                 }
                 drive.unwrap_or(Drive::STOP)
@@ -368,53 +368,55 @@ impl Habit for Frontier {
         }
     }
 
-    fn hit(&mut self, pilot: &mut Pilot, hit: Hit) {
-        if matches!(self.phase, Phase::Search) {
-            return self.search.hit(pilot, hit);
+    fn on_obstruction(&mut self, pilot: &mut Pilot, obstruction: Obstruction) {
+        if matches!(self.phase, ExplorePhase::Search) {
+            return self.search.on_obstruction(pilot, obstruction);
         }
         let pose = self.mapper.pose();
-        if hit.kind != Kind::Bump {
+        if obstruction.kind != ObstructionKind::Bump {
             self.barred.edge(pose, pilot.robot.radius);
-            pilot.answer(hit, BACK_FROM_EDGE, &[]);
+            pilot.answer(obstruction, BACK_FROM_EDGE, &[]);
             self.choose();
             return;
         }
         match &self.phase {
-            Phase::Follow { .. } => self.wall.hit(pilot, hit),
+            ExplorePhase::Follow { .. } => self.wall.on_obstruction(pilot, obstruction),
             // Turned away from what it touches, it may drive off.
-            Phase::Drive { route, .. } if !route.is_driving() => {}
-            Phase::Drive { to: Goal::Floor, .. } if !self.trace.has_any(pose) => {
+            ExplorePhase::Drive { route, .. } if !route.is_driving() => {}
+            ExplorePhase::Drive { to: DriveGoal::Floor, .. } if !self.trace.has_any(pose) => {
                 self.follow(pilot);
-                self.wall.hit(pilot, hit);
+                self.wall.on_obstruction(pilot, obstruction);
             }
-            Phase::Drive { .. } => {
-                let aside = match hit.side {
-                    Side::Left => SIDE,
-                    Side::Front => 0.0,
-                    Side::Right => -SIDE,
+            ExplorePhase::Drive { .. } => {
+                let aside = match obstruction.side {
+                    ObstructionSide::Left => SIDE,
+                    ObstructionSide::Front => 0.0,
+                    ObstructionSide::Right => -SIDE,
                 };
                 self.meet(pilot, aside);
-                pilot.answer(hit, BACK, &[]);
+                pilot.answer(obstruction, BACK, &[]);
             }
-            Phase::Choose | Phase::Search | Phase::Done | Phase::Lost { .. } => pilot.answer(hit, BACK, &[]),
+            ExplorePhase::Choose | ExplorePhase::Search | ExplorePhase::Done | ExplorePhase::Lost { .. } => {
+                pilot.answer(obstruction, BACK, &[])
+            }
         }
     }
 
     fn is_done(&self) -> bool {
-        matches!(self.phase, Phase::Done | Phase::Lost { .. })
+        matches!(self.phase, ExplorePhase::Done | ExplorePhase::Lost { .. })
     }
 
     fn activity(&self) -> &'static str {
         match &self.phase {
-            Phase::Follow { .. } => self.wall.activity(),
-            Phase::Choose => "choosing the next frontier",
-            Phase::Drive { to: Goal::Floor, .. } => "driving to a frontier",
-            Phase::Drive { to: Goal::Wall(_), .. } => "driving to the end of a known wall",
-            Phase::Drive { to: Goal::Home, .. } => "driving back to the start",
-            Phase::Search => "relocalising on its map",
-            Phase::Done => "done: the map is complete",
-            Phase::Lost { has_looked: true } => "done: relocalisation failed",
-            Phase::Lost { has_looked: false } => "done: kidnapped, and the map is too empty to relocalise",
+            ExplorePhase::Follow { .. } => self.wall.activity(),
+            ExplorePhase::Choose => "choosing the next frontier",
+            ExplorePhase::Drive { to: DriveGoal::Floor, .. } => "driving to a frontier",
+            ExplorePhase::Drive { to: DriveGoal::Wall(_), .. } => "driving to the end of a known wall",
+            ExplorePhase::Drive { to: DriveGoal::Home, .. } => "driving back to the start",
+            ExplorePhase::Search => "relocalising on its map",
+            ExplorePhase::Done => "done: the map is complete",
+            ExplorePhase::Lost { has_looked: true } => "done: relocalisation failed",
+            ExplorePhase::Lost { has_looked: false } => "done: kidnapped, and the map is too empty to relocalise",
         }
     }
 
@@ -423,8 +425,8 @@ impl Habit for Frontier {
     }
 
     fn intent(&self) -> Option<Intent<'_>> {
-        let route = if let Phase::Drive { route, .. } = &self.phase { route.rest() } else { &[] };
-        let locator = self.search.locator().filter(|_| matches!(self.phase, Phase::Search));
+        let route = if let ExplorePhase::Drive { route, .. } = &self.phase { route.rest() } else { &[] };
+        let locator = self.search.locator().filter(|_| matches!(self.phase, ExplorePhase::Search));
         Some(Intent { route, frontiers: &self.lanes, locator, ..Intent::default() })
     }
 
@@ -432,7 +434,7 @@ impl Habit for Frontier {
         self.mapper = Mapper::new(MapperSetup { start, ..self.mapper.setup().clone() });
     }
 
-    fn boxed_clone(&self) -> Box<dyn Habit> {
+    fn boxed_clone(&self) -> Box<dyn Behaviour> {
         Box::new(self.clone())
     }
 }

@@ -1,9 +1,10 @@
 //! Chooses the frontier explorer's next goal.
 
 use super::{
-    chart::{Chart, SLACK, Ways},
-    frontier::{Frontier, Goal, Phase},
+    chart::{Chart, ReachableWays, SLACK},
+    frontier::{DriveGoal, ExplorePhase, Frontier},
 };
+use crate::controller::parts::AttemptBudget;
 use crate::controller::parts::{Pilot, Route};
 use robovac_core::geometry::{Point, Pose};
 
@@ -34,13 +35,13 @@ impl Frontier {
             self.barred.forget();
             self.follow(pilot);
         } else if !self.go_home(pilot, here) {
-            self.phase = Phase::Done;
+            self.phase = ExplorePhase::Done;
         }
     }
 
     /// Whether there is something to go for.
-    fn go_for_the_nearest(&mut self, pilot: &mut Pilot, chart: &Chart, ways: &Ways, here: Point) -> bool {
-        let lanes = chart.lanes(ways, self.spacing, |place| self.tries.allow(place));
+    fn go_for_the_nearest(&mut self, pilot: &mut Pilot, chart: &Chart, ways: &ReachableWays, here: Point) -> bool {
+        let lanes = chart.lanes(ways, self.spacing, |place| !self.budget.is_spent(AttemptBudget::cell(place)));
         self.lanes = lanes.iter().map(|lane| [lane.entry, lane.end].map(|cell| chart.centre(cell))).collect();
         let floor = Chart::nearest(lanes);
         let wall = self.nearest_end(chart, ways);
@@ -48,7 +49,7 @@ impl Frontier {
             (Some(lane), wall) if wall.is_none_or(|(_, way)| lane.cost() < way - WALL_FIRST) => {
                 let mut line = chart.line(ways, lane.from);
                 line.extend([chart.centre(lane.entry), chart.centre(lane.end)]);
-                self.drive(here, line, (Goal::Floor, chart.centre(lane.entry)));
+                self.drive(here, line, (DriveGoal::Floor, chart.centre(lane.entry)));
             }
             (_, Some((index, way))) => {
                 let end = self.ends.remove(index);
@@ -58,7 +59,7 @@ impl Frontier {
                 }
                 let mut line = chart.line(ways, chart.cell_at(end.position()));
                 line.extend([end.position(), beyond(end).position()]);
-                self.drive(here, line, (Goal::Wall(end), end.position()));
+                self.drive(here, line, (DriveGoal::Wall(end), end.position()));
             }
             _ => return false,
         }
@@ -73,7 +74,7 @@ impl Frontier {
             let start = chart.cell_at(self.mapper.setup().start.position());
             if self.ways_home > 0 && ways.reaches(start) {
                 self.ways_home -= 1;
-                self.drive(here, chart.line(&ways, start), (Goal::Home, chart.centre(start)));
+                self.drive(here, chart.line(&ways, start), (DriveGoal::Home, chart.centre(start)));
                 return true;
             }
         }
@@ -81,19 +82,20 @@ impl Frontier {
     }
 
     /// The end of a wall that is nearest, by its index, and the way to it, m.
-    fn nearest_end(&self, chart: &Chart, ways: &Ways) -> Option<(usize, f64)> {
+    fn nearest_end(&self, chart: &Chart, ways: &ReachableWays) -> Option<(usize, f64)> {
         let resolution = self.mapper.map().resolution();
-        let ends = self.ends.iter().enumerate().filter(|(_, end)| self.tries.allow(end.position()));
+        let ends =
+            self.ends.iter().enumerate().filter(|(_, end)| !self.budget.is_spent(AttemptBudget::cell(end.position())));
         let ways =
             ends.filter_map(|(index, end)| Some((index, ways.cost(chart.cell_at(end.position()))? * resolution)));
         ways.min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
-    fn drive(&mut self, from: Point, line: Vec<Point>, (to, place): (Goal, Point)) {
-        self.tries.set_out(place);
+    fn drive(&mut self, from: Point, line: Vec<Point>, (to, place): (DriveGoal, Point)) {
+        self.budget.set_out(AttemptBudget::cell(place));
         let route = Route::new(from, line);
         let patience = PATIENCE.0 + PATIENCE.1 * route.left(from);
-        self.phase = Phase::Drive { route, patience, to, place };
+        self.phase = ExplorePhase::Drive { route, patience, to, place };
     }
 }
 

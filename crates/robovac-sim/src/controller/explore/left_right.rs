@@ -13,7 +13,7 @@
 //! let (mut turned, mut rolled) = ([false; 2], [0.0; 2]);
 //! for _ in 0..4000 {
 //!     let [left_counts, right_counts] = rolled.map(|metres: f64| (metres * robot.counts_per_metre) as i64 as u16);
-//!     let drive = explorer.step(&Sensors { left_counts, right_counts, ..Sensors::default() }, 0.015);
+//!     let drive = explorer.step(&SensorReadings { left_counts, right_counts, ..SensorReadings::default() }, 0.015);
 //!     rolled = [rolled[0] + 0.015 * drive.left, rolled[1] + 0.015 * drive.right];
 //!     turned = [turned[0] | (drive.left < drive.right), turned[1] | (drive.left > drive.right)];
 //! }
@@ -24,7 +24,7 @@ use super::{
     THESIS,
     options::{ANGLE, DISTANCE, Options, PUSHES, Rules},
 };
-use crate::controller::{BehaviourInfo, Build, Claims, parts::Driven};
+use crate::controller::{BehaviourClaims, BehaviourInfo, BuildBehaviour, parts::Reactive};
 use robovac_core::registry::{Example, Explainer};
 
 pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
@@ -45,11 +45,11 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
             why: "Two motions out of three are rotations, so it makes little progress: the next rooms stay unknown.",
         },
     },
-    claims: Claims { ends: false, cleans: false, manual: false, explores: true },
+    claims: BehaviourClaims { ends: false, cleans: false, manual: false, explores: true },
     params: &[DISTANCE, ANGLE, PUSHES],
 };
 
 /// Phase 2.
 const RULES: Rules = Rules { turns_right: true, looks_ahead: false, looks_aside: false };
 
-pub(in crate::controller) const BUILD: Build = |setup| Driven::boxed(setup, Options::new(setup, RULES));
+pub(in crate::controller) const BUILD: BuildBehaviour = |setup| Reactive::boxed(setup, Options::new(setup, RULES));

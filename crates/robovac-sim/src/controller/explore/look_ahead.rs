@@ -17,9 +17,9 @@
 //! let (robot, params) = (model("roomba600").unwrap(), Params::defaults(info.params));
 //! let mut explorer = info.build(&Setup { robot, params: &params, seed: 1 }).unwrap();
 //! // With a wall ahead it never drives forward.
-//! let wall = Sensors { light_bumper: [false, true, true, true, true, false], ..Sensors::default() };
+//! let wall = SensorReadings { light_bumper: [false, true, true, true, true, false], ..SensorReadings::default() };
 //! for counts in 0..2000_u16 {
-//!     let drive = explorer.step(&Sensors { left_counts: counts, ..wall.clone() }, 0.015);
+//!     let drive = explorer.step(&SensorReadings { left_counts: counts, ..wall.clone() }, 0.015);
 //!     assert!(drive.left + drive.right <= 0.0);
 //! }
 //! ```
@@ -28,7 +28,7 @@ use super::{
     THESIS,
     options::{ANGLE, DISTANCE, Options, Rules},
 };
-use crate::controller::{BehaviourInfo, Build, Claims, parts::Driven};
+use crate::controller::{BehaviourClaims, BehaviourInfo, BuildBehaviour, parts::Reactive};
 use robovac_core::registry::{Example, Explainer};
 
 pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
@@ -47,11 +47,11 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
         shines: Example { room: "kitchen", why: "It crosses a furnished room with hardly any contact." },
         fails: Example { room: "flat", why: "It is still a random walk: the next rooms stay unknown." },
     },
-    claims: Claims { ends: false, cleans: false, manual: false, explores: true },
+    claims: BehaviourClaims { ends: false, cleans: false, manual: false, explores: true },
     params: &[DISTANCE, ANGLE],
 };
 
 /// Phase 3.
 const RULES: Rules = Rules { turns_right: true, looks_ahead: true, looks_aside: false };
 
-pub(in crate::controller) const BUILD: Build = |setup| Driven::boxed(setup, Options::new(setup, RULES));
+pub(in crate::controller) const BUILD: BuildBehaviour = |setup| Reactive::boxed(setup, Options::new(setup, RULES));

@@ -14,9 +14,9 @@
 //! let (robot, params) = (model("roomba600").unwrap(), Params::defaults(info.params));
 //! let mut explorer = info.build(&Setup { robot, params: &params, seed: 1 }).unwrap();
 //! // With a wall on the left alone it turns right.
-//! let wall = Sensors { light_bumper: [true, true, true, false, false, false], ..Sensors::default() };
+//! let wall = SensorReadings { light_bumper: [true, true, true, false, false, false], ..SensorReadings::default() };
 //! for counts in 0..2000_u16 {
-//!     let drive = explorer.step(&Sensors { left_counts: counts, ..wall.clone() }, 0.015);
+//!     let drive = explorer.step(&SensorReadings { left_counts: counts, ..wall.clone() }, 0.015);
 //!     assert!(drive.left >= drive.right);
 //! }
 //! ```
@@ -25,7 +25,7 @@ use super::{
     THESIS,
     options::{ANGLE, DISTANCE, Options, Rules},
 };
-use crate::controller::{BehaviourInfo, Build, Claims, parts::Driven};
+use crate::controller::{BehaviourClaims, BehaviourInfo, BuildBehaviour, parts::Reactive};
 use robovac_core::registry::{Example, Explainer};
 
 pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
@@ -44,11 +44,11 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
         shines: Example { room: "kitchen", why: "It turns away from obstacles beside it and soon leaves corners." },
         fails: Example { room: "flat", why: "It is still a random walk: the next rooms stay unknown." },
     },
-    claims: Claims { ends: false, cleans: false, manual: false, explores: true },
+    claims: BehaviourClaims { ends: false, cleans: false, manual: false, explores: true },
     params: &[DISTANCE, ANGLE],
 };
 
 /// Phase 4.
 const RULES: Rules = Rules { turns_right: true, looks_ahead: true, looks_aside: true };
 
-pub(in crate::controller) const BUILD: Build = |setup| Driven::boxed(setup, Options::new(setup, RULES));
+pub(in crate::controller) const BUILD: BuildBehaviour = |setup| Reactive::boxed(setup, Options::new(setup, RULES));

@@ -5,7 +5,7 @@
 //! The thesis prints code for the last phase only and describes the others in a paragraph each.
 //!
 //! The seventh, [`frontier`], makes a map as it goes and drives by it: [`chart`] says where it can go and what is worth going
-//! for, [`trace`] which walls it has followed, [`tries`] what is to be left alone.
+//! for, [`trace`] which walls it has followed, [`AttemptBudget`](super::parts::AttemptBudget) what is to be left alone.
 
 mod chart;
 pub(super) mod edge;
@@ -20,15 +20,14 @@ mod obstacles;
 mod options;
 mod position;
 mod trace;
-mod tries;
 pub(super) mod until_obstacle;
 
 #[cfg(test)]
-mod carried;
-#[cfg(test)]
 mod edge_rules;
+#[cfg(test)]
+mod kidnapped;
 
-use super::parts::{Hit, Move, Pilot};
+use super::parts::{Move, Obstruction, Pilot};
 use rand::RngExt;
 
 /// Where the thesis is kept.
@@ -39,10 +38,10 @@ const BACK_FROM_EDGE: f64 = 0.15;
 const LEAVE: (f64, f64) = (1.6, 2.6);
 
 /// What all phases do where the floor ends or a virtual wall is: the thesis knows neither.
-fn turn_back(pilot: &mut Pilot, hit: Hit) {
-    let side = pilot.away_from(hit);
+fn turn_back(pilot: &mut Pilot, obstruction: Obstruction) {
+    let side = pilot.away_from(obstruction);
     let turn = leave(pilot, side);
-    pilot.answer(hit, BACK_FROM_EDGE, &[turn]);
+    pilot.answer(obstruction, BACK_FROM_EDGE, &[turn]);
 }
 
 /// A turn away, to the left for a `side` of 1 and to the right for -1.

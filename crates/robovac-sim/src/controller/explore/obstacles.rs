@@ -1,7 +1,7 @@
 //! What counts as an obstacle: light bumper readings and bumper contacts.
 
-use crate::controller::parts::{Hit, Kind, Side};
-use robovac_core::{math, robot::Sensors};
+use crate::controller::parts::{Obstruction, ObstructionKind, ObstructionSide};
+use robovac_core::{math, robot::SensorReadings};
 
 /// Turn after which a contact is no longer ahead, rad (ours).
 const TURNED_AWAY: f64 = 0.5 * math::FRAC_PI_2;
@@ -9,7 +9,7 @@ const TURNED_AWAY: f64 = 0.5 * math::FRAC_PI_2;
 /// Where obstacles are, as the robot looks.
 #[expect(clippy::struct_excessive_bools)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(super) struct Obstacles {
+pub(super) struct SensedObstacles {
     /// Directly ahead: one of the two middle light sensors (12 degrees off), or a contact.
     pub ahead: bool,
     /// In the way ahead: one of the four sensors in front (32 degrees off, and the middle ones), or a contact.
@@ -22,17 +22,17 @@ pub(super) struct Obstacles {
 
 /// The last contact, which the bumper no longer feels once the robot has backed off.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Contact {
-    side: Side,
+pub(super) struct LastContact {
+    side: ObstructionSide,
     /// How far the robot had turned in all by then, rad.
     turned: f64,
 }
 
-impl Contact {
+impl LastContact {
     /// What was met after so much turning, rad.
-    pub fn of(hit: Hit, turned: f64) -> Self {
+    pub fn of(obstruction: Obstruction, turned: f64) -> Self {
         // An edge or a beam shows no side that could be trusted.
-        let side = if hit.kind == Kind::Bump { hit.side } else { Side::Front };
+        let side = if obstruction.kind == ObstructionKind::Bump { obstruction.side } else { ObstructionSide::Front };
         Self { side, turned }
     }
 
@@ -42,9 +42,9 @@ impl Contact {
     }
 }
 
-impl Obstacles {
+impl SensedObstacles {
     /// What a reading and the last contact tell.
-    pub fn of(sensed: &Sensors, contact: Option<Contact>) -> Self {
+    pub fn of(sensed: &SensorReadings, contact: Option<LastContact>) -> Self {
         let [left, front_left, middle_left, middle_right, front_right, right] = sensed.light_bumper;
         let is_felt = contact.is_some() || sensed.bumped();
         let felt = |side, pressed| pressed || contact.is_some_and(|contact| contact.side == side);
@@ -52,8 +52,8 @@ impl Obstacles {
         Self {
             ahead,
             in_path: ahead || front_left || front_right,
-            left: left || front_left || felt(Side::Left, sensed.bump_left),
-            right: right || front_right || felt(Side::Right, sensed.bump_right),
+            left: left || front_left || felt(ObstructionSide::Left, sensed.bump_left),
+            right: right || front_right || felt(ObstructionSide::Right, sensed.bump_right),
         }
     }
 }
@@ -67,9 +67,9 @@ mod tests {
         // Ahead, in the path, left, right.
         let expected = ["---L", "-P-L", "AP--", "AP--", "-P-R", "---R"];
         for (index, expected) in expected.into_iter().enumerate() {
-            let mut sensed = Sensors::default();
+            let mut sensed = SensorReadings::default();
             sensed.light_bumper[index] = true;
-            let Obstacles { ahead, in_path, left, right } = Obstacles::of(&sensed, None);
+            let SensedObstacles { ahead, in_path, left, right } = SensedObstacles::of(&sensed, None);
             let found = (ahead, in_path, left, right);
             let is = |letter| expected.contains(letter);
             assert_eq!(found, (is('A'), is('P'), is('L'), is('R')), "sensor {index}");
@@ -78,9 +78,9 @@ mod tests {
 
     #[test]
     fn a_contact_is_remembered_until_the_robot_has_turned_away() {
-        let contact = Contact::of(Hit { kind: Kind::Bump, side: Side::Left }, 1.0);
-        let seen = Obstacles::of(&Sensors::default(), Some(contact));
-        assert_eq!(seen, Obstacles { ahead: true, in_path: true, left: true, right: false });
+        let contact = LastContact::of(Obstruction { kind: ObstructionKind::Bump, side: ObstructionSide::Left }, 1.0);
+        let seen = SensedObstacles::of(&SensorReadings::default(), Some(contact));
+        assert_eq!(seen, SensedObstacles { ahead: true, in_path: true, left: true, right: false });
         assert!(!contact.is_past(0.3) && contact.is_past(0.2) && contact.is_past(1.8));
     }
 }

@@ -2,18 +2,18 @@
 
 use super::{
     BACK_FROM_EDGE, leave,
-    obstacles::{Contact, Obstacles},
+    obstacles::{LastContact, SensedObstacles},
     turn_back,
 };
 use crate::controller::{
     Setup,
-    parts::{By, Habit, Hit, Kind, Move, Pilot, Side},
+    parts::{Behaviour, By, Move, Obstruction, ObstructionKind, ObstructionSide, Pilot},
 };
 use rand::RngExt;
 use robovac_core::{
     math,
     registry::{ParamKind, ParamSpec},
-    robot::{Drive, Sensors},
+    robot::{Drive, SensorReadings},
 };
 
 /// Way back from what was felt, m.
@@ -57,7 +57,7 @@ pub(super) struct Rules {
 
 /// One of the motions to choose from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Choice {
+enum MotionChoice {
     Forward,
     Left,
     Right,
@@ -72,7 +72,7 @@ pub(super) struct Options {
     /// rad.
     angle: f64,
     pushes: bool,
-    contact: Option<Contact>,
+    contact: Option<LastContact>,
     came: Option<Came>,
     /// Where the motion ahead that is under way began, m ahead.
     since: Option<f64>,
@@ -91,11 +91,11 @@ struct Came {
 
 impl Rules {
     /// Whether a motion that was drawn is made.
-    fn allow(self, choice: Choice, seen: Obstacles) -> bool {
+    fn allow(self, choice: MotionChoice, seen: SensedObstacles) -> bool {
         match choice {
-            Choice::Forward => !(self.looks_ahead && seen.ahead),
-            Choice::Left => !(self.looks_aside && seen.left && !seen.right),
-            Choice::Right => !(self.looks_aside && seen.right && !seen.left),
+            MotionChoice::Forward => !(self.looks_ahead && seen.ahead),
+            MotionChoice::Left => !(self.looks_aside && seen.left && !seen.right),
+            MotionChoice::Right => !(self.looks_aside && seen.right && !seen.left),
         }
     }
 }
@@ -117,21 +117,21 @@ impl Options {
     }
 
     /// Backs off from an edge. Where it has just turned it knows no ground behind it: it turns back first, as it came.
-    fn leave_edge(&mut self, pilot: &mut Pilot, hit: Hit) {
+    fn leave_edge(&mut self, pilot: &mut Pilot, obstruction: Obstruction) {
         self.since = None;
         let came = self.came.take().filter(|_| pilot.way_back() < BACK_FROM_EDGE);
         let back = came.map(|came| (came.way, pilot.turned() - came.turned));
         match back.filter(|(_, turned)| turned.abs() < math::TAU) {
-            None => turn_back(pilot, hit),
+            None => turn_back(pilot, obstruction),
             Some((way, turned)) => {
                 self.retreat = Some(way);
-                pilot.answer(hit, BACK_FROM_EDGE, &[Move::Turn(-turned)]);
+                pilot.answer(obstruction, BACK_FROM_EDGE, &[Move::Turn(-turned)]);
             }
         }
     }
 }
 
-impl Habit for Options {
+impl Behaviour for Options {
     fn begin(&mut self, pilot: &mut Pilot) {
         pilot.turn_speed = pilot.robot.turn_wheel_speed;
         pilot.by = By::Counts;
@@ -139,7 +139,7 @@ impl Habit for Options {
         (self.came, self.since, self.retreat) = (None, None, None);
     }
 
-    fn roam(&mut self, pilot: &mut Pilot, sensed: &Sensors, _: f64) -> Drive {
+    fn roam(&mut self, pilot: &mut Pilot, sensed: &SensorReadings, _: f64) -> Drive {
         let turned = pilot.turned();
         if let Some(since) = self.since.take() {
             self.came = Some(Came { way: pilot.ahead() - since, turned });
@@ -151,35 +151,35 @@ impl Habit for Options {
             return Drive::STOP;
         }
         self.contact = self.contact.filter(|contact| !contact.is_past(turned));
-        let all = [Choice::Forward, Choice::Left, Choice::Right];
+        let all = [MotionChoice::Forward, MotionChoice::Left, MotionChoice::Right];
         let choice = all[pilot.rng.random_range(0..if self.rules.turns_right { 3 } else { 2 })];
         // What isn't allowed is drawn again with the next reading.
-        if self.rules.allow(choice, Obstacles::of(sensed, self.contact)) {
+        if self.rules.allow(choice, SensedObstacles::of(sensed, self.contact)) {
             let step = match choice {
-                Choice::Forward => Move::Ahead(self.distance),
-                Choice::Left => Move::Turn(self.angle),
-                Choice::Right => Move::Turn(-self.angle),
+                MotionChoice::Forward => Move::Ahead(self.distance),
+                MotionChoice::Left => Move::Turn(self.angle),
+                MotionChoice::Right => Move::Turn(-self.angle),
             };
-            self.since = (choice == Choice::Forward).then(|| pilot.ahead());
+            self.since = (choice == MotionChoice::Forward).then(|| pilot.ahead());
             pilot.go(&[step]);
         }
         Drive::STOP
     }
 
-    fn hit(&mut self, pilot: &mut Pilot, hit: Hit) {
+    fn on_obstruction(&mut self, pilot: &mut Pilot, obstruction: Obstruction) {
         // Where floors end, nothing is pushed: a robot that slips doesn't know its way back.
-        self.pushes &= hit.kind != Kind::Cliff;
-        if self.pushes && hit.kind == Kind::Bump && hit.side == Side::Front {
+        self.pushes &= obstruction.kind != ObstructionKind::Cliff;
+        if self.pushes && obstruction.kind == ObstructionKind::Bump && obstruction.side == ObstructionSide::Front {
             // The wheels slip: what they roll is no way.
             (self.came, self.since) = (None, None);
             return;
         }
-        if hit.kind == Kind::Bump {
+        if obstruction.kind == ObstructionKind::Bump {
             (self.came, self.since) = (None, None);
-            self.contact = Some(Contact::of(hit, pilot.turned()));
-            pilot.answer(hit, BACK, &[]);
+            self.contact = Some(LastContact::of(obstruction, pilot.turned()));
+            pilot.answer(obstruction, BACK, &[]);
         } else {
-            self.leave_edge(pilot, hit);
+            self.leave_edge(pilot, obstruction);
         }
     }
 
@@ -187,7 +187,7 @@ impl Habit for Options {
         "choosing a motion"
     }
 
-    fn boxed_clone(&self) -> Box<dyn Habit> {
+    fn boxed_clone(&self) -> Box<dyn Behaviour> {
         Box::new(self.clone())
     }
 }
@@ -199,7 +199,7 @@ mod tests {
     /// 004, chapter 7: what phases 3 and 4 leave undone, by where obstacles are.
     #[test]
     fn each_phase_leaves_out_what_it_says() {
-        let seen = |text: &str| Obstacles {
+        let seen = |text: &str| SensedObstacles {
             ahead: text.contains('A'),
             in_path: text.contains('A'),
             left: text.contains('L'),
@@ -225,7 +225,7 @@ mod tests {
             (phase_4, "ALR", "LR"),
         ];
         for (rules, obstacles, expected) in table {
-            let all = [(Choice::Forward, 'F'), (Choice::Left, 'L'), (Choice::Right, 'R')];
+            let all = [(MotionChoice::Forward, 'F'), (MotionChoice::Left, 'L'), (MotionChoice::Right, 'R')];
             let left = all.iter().filter(|(choice, _)| rules.allow(*choice, seen(obstacles)));
             assert_eq!(left.map(|(_, letter)| letter).collect::<String>(), expected, "{rules:?} {obstacles}");
         }

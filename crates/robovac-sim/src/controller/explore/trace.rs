@@ -1,6 +1,6 @@
 //! Walls that have been followed already.
 
-use crate::mapping::Layer;
+use crate::mapping::TiledLayer;
 use robovac_core::{geometry::Pose, grid::Cell, math};
 use std::collections::VecDeque;
 
@@ -17,16 +17,16 @@ const SPACING: f64 = 0.05;
 
 /// Places where the robot followed a wall, with the direction in which it did.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Trace {
+pub(super) struct WallTrace {
     /// A bit for each sector of headings.
-    marks: Layer<u8>,
+    marks: TiledLayer<u8>,
     /// The last marks, oldest first, which aren't among the others yet.
     recent: VecDeque<Pose>,
     /// Way in marked places without a break, m.
     overlap: f64,
 }
 
-impl Trace {
+impl WallTrace {
     /// The robot follows a wall, and is at `pose`; returns for how long it has been where it had followed one before, m.
     pub fn follow(&mut self, pose: Pose) -> f64 {
         let step = self.recent.back().map(|last| (pose.position() - last.position()).norm());
@@ -83,7 +83,7 @@ mod tests {
 
     #[test]
     fn a_loop_is_closed_where_it_is_driven_the_same_way_again() {
-        let mut trace = Trace::default();
+        let mut trace = WallTrace::default();
         // A circle of 0.5 m radius, twice.
         let closed = (0..1300).find(|i| {
             let angle = 0.01 * f64::from(*i);
@@ -96,7 +96,7 @@ mod tests {
 
     #[test]
     fn the_way_back_along_the_other_wall_of_a_corridor_is_new() {
-        let mut trace = Trace::default();
+        let mut trace = WallTrace::default();
         for i in 0..60 {
             trace.follow(Pose::new(0.05 * f64::from(i), 0.0, 0.0));
         }

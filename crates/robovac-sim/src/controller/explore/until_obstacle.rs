@@ -18,21 +18,21 @@
 //! let info = find("explore_until_obstacle").unwrap();
 //! let (robot, params) = (model("roomba600").unwrap(), Params::defaults(info.params));
 //! let mut explorer = info.build(&Setup { robot, params: &params, seed: 1 }).unwrap();
-//! let ahead = explorer.step(&Sensors::default(), 0.015);
+//! let ahead = explorer.step(&SensorReadings::default(), 0.015);
 //! assert!(ahead.left > 0.0 && ahead.left == ahead.right);
-//! let wall = Sensors { light_bumper: [false, false, false, true, true, false], ..Sensors::default() };
+//! let wall = SensorReadings { light_bumper: [false, false, false, true, true, false], ..SensorReadings::default() };
 //! let turning = explorer.step(&wall, 0.015);
 //! assert!(turning.left < 0.0 && turning.right > 0.0);
 //! ```
 
-use super::{THESIS, obstacles::Obstacles, turn_back};
+use super::{THESIS, obstacles::SensedObstacles, turn_back};
 use crate::controller::{
-    BehaviourInfo, Build, Claims,
-    parts::{By, Driven, Habit, Hit, Kind, Move, Pilot},
+    BehaviourClaims, BehaviourInfo, BuildBehaviour,
+    parts::{Behaviour, By, Move, Obstruction, ObstructionKind, Pilot, Reactive},
 };
 use robovac_core::{
     registry::{Example, Explainer, ParamKind, ParamSpec},
-    robot::{Drive, Sensors},
+    robot::{Drive, SensorReadings},
 };
 
 /// Way back from what was felt, m.
@@ -53,7 +53,7 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
         shines: Example { room: "ring", why: "Walls guide it along the corridor at full speed, all the way round." },
         fails: Example { room: "flat", why: "It circles the same few pieces of furniture and misses every door." },
     },
-    claims: Claims { ends: false, cleans: false, manual: false, explores: true },
+    claims: BehaviourClaims { ends: false, cleans: false, manual: false, explores: true },
     params: &[
         ParamSpec {
             id: "direction",
@@ -70,9 +70,9 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
     ],
 };
 
-pub(in crate::controller) const BUILD: Build = |setup| {
+pub(in crate::controller) const BUILD: BuildBehaviour = |setup| {
     let way = if setup.params.choice("direction") == "right" { -1.0 } else { 1.0 };
-    Driven::boxed(setup, UntilObstacle { way, angle: setup.params.number("angle").to_radians(), is_turning: false })
+    Reactive::boxed(setup, UntilObstacle { way, angle: setup.params.number("angle").to_radians(), is_turning: false })
 };
 
 /// The habit.
@@ -85,22 +85,22 @@ struct UntilObstacle {
     is_turning: bool,
 }
 
-impl Habit for UntilObstacle {
+impl Behaviour for UntilObstacle {
     fn begin(&mut self, pilot: &mut Pilot) {
         pilot.turn_speed = pilot.robot.turn_wheel_speed;
         pilot.by = By::Counts;
     }
 
-    fn roam(&mut self, pilot: &mut Pilot, sensed: &Sensors, _: f64) -> Drive {
-        self.is_turning = Obstacles::of(sensed, None).in_path;
+    fn roam(&mut self, pilot: &mut Pilot, sensed: &SensorReadings, _: f64) -> Drive {
+        self.is_turning = SensedObstacles::of(sensed, None).in_path;
         if self.is_turning { pilot.twist(0.0, self.way * pilot.robot.turn_rate()) } else { pilot.straight() }
     }
 
-    fn hit(&mut self, pilot: &mut Pilot, hit: Hit) {
-        if hit.kind == Kind::Bump {
-            pilot.answer(hit, BACK, &[Move::Turn(self.way * self.angle)]);
+    fn on_obstruction(&mut self, pilot: &mut Pilot, obstruction: Obstruction) {
+        if obstruction.kind == ObstructionKind::Bump {
+            pilot.answer(obstruction, BACK, &[Move::Turn(self.way * self.angle)]);
         } else {
-            turn_back(pilot, hit);
+            turn_back(pilot, obstruction);
         }
     }
 
@@ -108,7 +108,7 @@ impl Habit for UntilObstacle {
         if self.is_turning { "turning until the path is clear" } else { "driving straight" }
     }
 
-    fn boxed_clone(&self) -> Box<dyn Habit> {
+    fn boxed_clone(&self) -> Box<dyn Behaviour> {
         Box::new(self.clone())
     }
 }

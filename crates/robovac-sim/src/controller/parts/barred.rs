@@ -1,6 +1,6 @@
 //! Forbidden areas that the map doesn't show as occupied.
 
-use crate::mapping::Layer;
+use crate::mapping::TiledLayer;
 use robovac_core::{
     geometry::{Point, Pose},
     grid::Cell,
@@ -19,13 +19,13 @@ const FOR_EVER: u8 = 2;
 pub(in crate::controller) struct Barred {
     /// Side of the cells, m.
     side: f64,
-    cells: Layer<u8>,
+    cells: TiledLayer<u8>,
 }
 
 impl Barred {
     /// None, of cells of `side` metres.
     pub(in crate::controller) fn new(side: f64) -> Self {
-        Self { side, cells: Layer::new() }
+        Self { side, cells: TiledLayer::new() }
     }
 
     /// Whether a cell is barred.

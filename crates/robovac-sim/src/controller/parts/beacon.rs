@@ -1,6 +1,6 @@
 //! Dock beams seen by the infrared receivers, with gaps filled from recent readings.
 
-use robovac_core::robot::Sensors;
+use robovac_core::robot::SensorReadings;
 
 /// How long a sight lasts, s: at 15 ms a reading, so many misses in a row are rare even in sunlight.
 const LASTS_S: f64 = 0.12;
@@ -19,7 +19,7 @@ pub(in crate::controller) struct Beacon {
 
 impl Beacon {
     /// Takes the next reading.
-    pub(in crate::controller) fn update(&mut self, sensed: &Sensors, dt_s: f64) {
+    pub(in crate::controller) fn update(&mut self, sensed: &SensorReadings, dt_s: f64) {
         let seen = sensed.infrared;
         let all = [seen.omni, seen.left, seen.right];
         let is_of_dock = |character: u8| character & !(FIELD | GREEN | RED) == BASE && character != BASE;
@@ -56,7 +56,10 @@ mod tests {
     #[test]
     fn characters_are_told_apart_and_remembered_for_a_moment() {
         let mut beacon = Beacon::default();
-        let reading = |omni, left, right| Sensors { infrared: Infrared { omni, left, right }, ..Sensors::default() };
+        let reading = |omni, left, right| SensorReadings {
+            infrared: Infrared { omni, left, right },
+            ..SensorReadings::default()
+        };
         beacon.update(&reading(165, 0, 164), 0.015);
         assert!(beacon.is_near() && beacon.beams() == (true, false) && beacon.sides() == (false, true));
         beacon.update(&reading(0, 0, 0), 0.015);

@@ -1,15 +1,15 @@
 //! Docks on a low battery and resumes cleaning, on robots that can.
 
 use super::{
-    driven::Habit,
     pilot::{Move, Pilot},
+    reactive::Behaviour,
 };
 use crate::controller::{Setup, dock::Dock};
 use rand::RngExt;
 use robovac_core::{
     math,
     registry::{ParamKind, ParamSpec},
-    robot::Sensors,
+    robot::SensorReadings,
 };
 
 /// Way off the dock before it turns round, m.
@@ -38,11 +38,11 @@ pub(super) struct Home {
     low: f64,
     full: f64,
     dock: Dock,
-    phase: Phase,
+    phase: HomePhase,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Phase {
+enum HomePhase {
     /// The habit is at work.
     Away,
     Going,
@@ -58,68 +58,68 @@ impl Home {
         let is_able = setup.robot.sensors.infrared && battery.charge_ma > 0.0 && battery.has_gauge;
         // A robot that left before it wants to go home would never get away.
         let full = share(LEAVE_HOME.id).max(low + 0.02).min(1.0);
-        (is_able && low > 0.0).then(|| Self { low, full, dock: Dock::new(setup), phase: Phase::Away })
+        (is_able && low > 0.0).then(|| Self { low, full, dock: Dock::new(setup), phase: HomePhase::Away })
     }
 
     /// Watches a reading; returns whether the robot stands and is charged, and whether the habit is to begin anew.
-    pub(super) fn watch(&mut self, pilot: &mut Pilot, sensed: &Sensors, dt_s: f64) -> (bool, bool) {
+    pub(super) fn watch(&mut self, pilot: &mut Pilot, sensed: &SensorReadings, dt_s: f64) -> (bool, bool) {
         let share = sensed.battery.share();
-        if self.phase == Phase::Going {
+        if self.phase == HomePhase::Going {
             self.dock.watch(sensed, dt_s);
         }
         match self.phase {
-            Phase::Away if share < self.low && !pilot.is_busy() => {
-                self.phase = Phase::Going;
+            HomePhase::Away if share < self.low && !pilot.is_busy() => {
+                self.phase = HomePhase::Going;
                 self.dock.begin(pilot);
             }
-            Phase::Going if self.dock.is_done() => {
-                self.phase = Phase::Charging;
+            HomePhase::Going if self.dock.is_done() => {
+                self.phase = HomePhase::Charging;
                 pilot.go(&[]);
             }
-            Phase::Charging if !sensed.battery.on_dock => {
+            HomePhase::Charging if !sensed.battery.on_dock => {
                 // Pushed or carried off.
-                self.phase = Phase::Going;
+                self.phase = HomePhase::Going;
                 self.dock.begin(pilot);
             }
             // Charge is told in whole mAh.
-            Phase::Charging if share >= self.full - 0.001 => {
-                self.phase = Phase::Leaving;
+            HomePhase::Charging if share >= self.full - 0.001 => {
+                self.phase = HomePhase::Leaving;
                 let turn = math::PI * pilot.rng.random_range(0.7..1.3);
                 // What is behind a robot on its dock is where it came from.
                 pilot.assume_way_back(LEAVE);
                 pilot.go(&[Move::Back(LEAVE), Move::Turn(turn)]);
             }
-            Phase::Leaving if !pilot.is_busy() => {
-                self.phase = Phase::Away;
+            HomePhase::Leaving if !pilot.is_busy() => {
+                self.phase = HomePhase::Away;
                 return (false, true);
             }
             _ => {}
         }
-        (self.phase == Phase::Charging, false)
+        (self.phase == HomePhase::Charging, false)
     }
 
     /// What drives instead of the habit, if anything does.
     pub(super) fn driver(&mut self) -> Option<&mut Dock> {
-        (self.phase == Phase::Going).then_some(&mut self.dock)
+        (self.phase == HomePhase::Going).then_some(&mut self.dock)
     }
 
     /// What it is doing; `None` while the habit is at work.
     pub(super) fn activity(&self) -> Option<&'static str> {
         match self.phase {
-            Phase::Away => None,
-            Phase::Going => Some(self.dock.activity()),
-            Phase::Charging => Some("charging"),
-            Phase::Leaving => Some("leaving the dock"),
+            HomePhase::Away => None,
+            HomePhase::Going => Some(self.dock.activity()),
+            HomePhase::Charging => Some("charging"),
+            HomePhase::Leaving => Some("leaving the dock"),
         }
     }
 
     /// Starts over: the robot was moved.
     pub(super) fn begin(&mut self, pilot: &mut Pilot) {
         match self.phase {
-            Phase::Away => {}
-            Phase::Leaving => self.phase = Phase::Away,
-            Phase::Going | Phase::Charging => {
-                self.phase = Phase::Going;
+            HomePhase::Away => {}
+            HomePhase::Leaving => self.phase = HomePhase::Away,
+            HomePhase::Going | HomePhase::Charging => {
+                self.phase = HomePhase::Going;
                 self.dock.begin(pilot);
             }
         }

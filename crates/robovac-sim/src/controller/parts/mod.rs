@@ -1,24 +1,26 @@
 //! Building blocks shared by several behaviours.
 
+mod attempt_budget;
 mod barred;
 mod beacon;
 mod braking;
-mod driven;
-mod hit;
 mod home;
+mod obstruction;
 mod pilot;
+mod reactive;
 mod route;
 mod search;
 mod trail;
 mod travel;
 mod voids;
 
+pub(super) use attempt_budget::{AttemptBudget, THERE};
 pub(super) use barred::Barred;
 pub(super) use beacon::Beacon;
 pub(super) use braking::safe_speed;
-pub(super) use driven::{Driven, Habit};
-pub(super) use hit::{Hit, Kind, Side};
 pub(super) use home::{GO_HOME, LEAVE_HOME};
+pub(super) use obstruction::{Obstruction, ObstructionKind, ObstructionSide};
 pub(super) use pilot::{By, Move, Pilot};
+pub(super) use reactive::{Behaviour, Reactive};
 pub(super) use route::Route;
-pub(super) use search::{Search, Searched};
+pub(super) use search::{RelocaliseSearch, Searched};

@@ -3,9 +3,9 @@
 
 use super::{
     braking::{off_edge, safe_speed},
-    hit::{Hit, Kind, Side},
-    trail::Trail,
-    travel::Travel,
+    obstruction::{Obstruction, ObstructionKind, ObstructionSide},
+    trail::WheelTrail,
+    travel::EncoderTravel,
     voids::Voids,
 };
 use crate::controller::Setup;
@@ -13,7 +13,7 @@ use rand::RngExt;
 use robovac_core::{
     math,
     rng::{Rng, seeded},
-    robot::{Drive, RobotModel, Sensors},
+    robot::{Drive, RobotModel, SensorReadings},
 };
 use std::collections::VecDeque;
 
@@ -62,7 +62,7 @@ pub(in crate::controller) enum Move {
 
 /// Where a motion stands.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Phase {
+enum MotionPhase {
     /// Waits until the wheels stand still.
     Settle,
     /// Under way since the wheels had rolled this far (ahead, m; turned, rad), for so long, s.
@@ -84,17 +84,17 @@ pub(in crate::controller) struct Pilot {
     pub by: By,
     /// Way back from an edge, beside the braking distance, m.
     off_edge: f64,
-    travel: Travel,
-    trail: Trail,
+    travel: EncoderTravel,
+    trail: WheelTrail,
     voids: Voids,
     /// Whether it was told to go back along the trail.
     is_retreating: bool,
     /// How many turns of the motions under way were undone.
     undone: u32,
     moves: VecDeque<Move>,
-    phase: Phase,
+    phase: MotionPhase,
     /// What the motions answer, which need not be answered again.
-    answering: Option<Kind>,
+    answering: Option<ObstructionKind>,
     /// Whether the robot is on its way out of the beam of a virtual wall, and for how long it hasn't seen it, s.
     leaving_beam: bool,
     beam_unseen: f64,
@@ -114,13 +114,13 @@ impl Pilot {
             turn_speed: robot.turn_wheel_speed,
             by: By::Counts,
             off_edge: off_edge(&robot),
-            travel: Travel::new(&robot),
-            trail: Trail::default(),
+            travel: EncoderTravel::new(&robot),
+            trail: WheelTrail::default(),
             voids: Voids::new(&robot),
             is_retreating: false,
             undone: 0,
             moves: VecDeque::new(),
-            phase: Phase::Settle,
+            phase: MotionPhase::Settle,
             answering: None,
             leaving_beam: false,
             beam_unseen: 0.0,
@@ -131,7 +131,7 @@ impl Pilot {
     }
 
     /// Takes the next reading.
-    pub(super) fn sense(&mut self, sensed: &Sensors, dt_s: f64) {
+    pub(super) fn sense(&mut self, sensed: &SensorReadings, dt_s: f64) {
         let rolled = self.travel.update(sensed);
         self.voids.update(sensed, &self.robot.sensors.cliffs);
         // Whether the trail is to outlast what the wheels do: turns are undone where an edge comes too near.
@@ -147,49 +147,49 @@ impl Pilot {
         self.moves.clear();
         self.trail.clear();
         self.voids.clear();
-        self.phase = Phase::Settle;
+        self.phase = MotionPhase::Settle;
         self.answering = None;
         self.leaving_beam = false;
     }
 
     /// What is in the way, unless the robot isn't going ahead or is already answering it.
-    pub(super) fn hit(&mut self, sensed: &Sensors) -> Option<Hit> {
-        let is_rolling = self.phase == Phase::Settle && !self.travel.is_resting();
+    pub(super) fn obstruction(&mut self, sensed: &SensorReadings) -> Option<Obstruction> {
+        let is_rolling = self.phase == MotionPhase::Settle && !self.travel.is_resting();
         let goes_ahead = match (self.moves.front(), self.answering) {
-            (None, _) => self.phase == Phase::Settle,
+            (None, _) => self.phase == MotionPhase::Settle,
             (Some(Move::Ahead(_)), _) => true,
             (Some(_), None) => is_rolling,
             // Braking before a wall, it may slide along it to an edge.
-            (Some(_), Some(Kind::Bump | Kind::Beam)) => is_rolling && sensed.sees_cliff(),
-            (Some(_), Some(Kind::Cliff)) => false,
+            (Some(_), Some(ObstructionKind::Bump | ObstructionKind::Beam)) => is_rolling && sensed.sees_cliff(),
+            (Some(_), Some(ObstructionKind::Cliff)) => false,
         };
         if !goes_ahead {
             return None;
         }
-        let edge = self.voids.ahead().map(|side| Hit { kind: Kind::Cliff, side });
-        let hit = Hit::of(sensed, !self.leaving_beam).or(edge)?;
+        let edge = self.voids.ahead().map(|side| Obstruction { kind: ObstructionKind::Cliff, side });
+        let obstruction = Obstruction::of(sensed, !self.leaving_beam).or(edge)?;
         self.hit_at = self.travel.ahead();
-        Some(hit)
+        Some(obstruction)
     }
 
     /// Replaces what is under way by `moves`.
     pub(in crate::controller) fn go(&mut self, moves: &[Move]) {
         self.moves.clear();
         self.moves.extend(moves);
-        self.phase = Phase::Settle;
+        self.phase = MotionPhase::Settle;
         self.undone = 0;
         self.answering = None;
     }
 
     /// Answers a hit: back by at least `back` metres and farther if need be, then `moves`.
-    pub(in crate::controller) fn answer(&mut self, hit: Hit, back: f64, moves: &[Move]) {
+    pub(in crate::controller) fn answer(&mut self, obstruction: Obstruction, back: f64, moves: &[Move]) {
         self.go(moves);
-        self.answering = Some(hit.kind);
-        match hit.kind {
-            Kind::Bump if back <= 0.0 => {}
-            Kind::Bump => self.moves.push_front(Move::Back(back)),
-            Kind::Cliff => self.moves.push_front(Move::Back(back.max(self.off_edge))),
-            Kind::Beam => {
+        self.answering = Some(obstruction.kind);
+        match obstruction.kind {
+            ObstructionKind::Bump if back <= 0.0 => {}
+            ObstructionKind::Bump => self.moves.push_front(Move::Back(back)),
+            ObstructionKind::Cliff => self.moves.push_front(Move::Back(back.max(self.off_edge))),
+            ObstructionKind::Beam => {
                 self.leaving_beam = true;
                 self.moves.push_front(Move::BackOutOfBeam);
             }
@@ -200,13 +200,13 @@ impl Pilot {
     ///
     /// A robot that got nowhere since the last hit goes on turning the same way, or it would swing to and fro before an
     /// edge that it sees on both sides.
-    pub(in crate::controller) fn away_from(&mut self, hit: Hit) -> f64 {
+    pub(in crate::controller) fn away_from(&mut self, obstruction: Obstruction) -> f64 {
         let chance = if self.rng.random_bool(0.5) { 1.0 } else { -1.0 };
-        let way = match hit.side {
+        let way = match obstruction.side {
             _ if (self.travel.ahead() - self.last.0).abs() < NOWHERE => self.last.1,
-            Side::Left => -1.0,
-            Side::Right => 1.0,
-            Side::Front => chance,
+            ObstructionSide::Left => -1.0,
+            ObstructionSide::Right => 1.0,
+            ObstructionSide::Front => chance,
         };
         self.last.1 = way;
         way
@@ -261,28 +261,28 @@ impl Pilot {
     }
 
     /// Goes on with what is under way; `None` if nothing is.
-    pub(super) fn perform(&mut self, sensed: &Sensors, dt_s: f64) -> Option<Drive> {
+    pub(super) fn perform(&mut self, sensed: &SensorReadings, dt_s: f64) -> Option<Drive> {
         loop {
             let Some(&step) = self.moves.front() else {
-                if self.phase == Phase::Settle {
+                if self.phase == MotionPhase::Settle {
                     return None;
                 }
                 if !self.travel.is_resting() {
                     return Some(Drive::STOP);
                 }
-                self.phase = Phase::Settle;
+                self.phase = MotionPhase::Settle;
                 self.answering = None;
                 self.last.0 = self.travel.ahead();
                 return None;
             };
-            if self.phase == Phase::Settle {
+            if self.phase == MotionPhase::Settle {
                 if !self.travel.is_resting() {
                     return Some(Drive::STOP);
                 }
-                self.phase = Phase::Under { ahead: self.begin(step), turned: self.travel.turned(), clock: 0.0 };
+                self.phase = MotionPhase::Under { ahead: self.begin(step), turned: self.travel.turned(), clock: 0.0 };
             }
-            let Phase::Under { ahead, turned, clock } = self.phase else { return Some(Drive::STOP) };
-            self.phase = Phase::Under { ahead, turned, clock: clock + dt_s };
+            let MotionPhase::Under { ahead, turned, clock } = self.phase else { return Some(Drive::STOP) };
+            self.phase = MotionPhase::Under { ahead, turned, clock: clock + dt_s };
             let drive = match step {
                 Move::Back(distance) => self.back(distance - (ahead - self.travel.ahead()), distance, (clock, dt_s)),
                 Move::BackOutOfBeam => self.back_out(sensed),
@@ -303,7 +303,7 @@ impl Pilot {
                     for step in [Move::Turn(angle), Move::Back(OFF_TURN), Move::Undo(-turned)] {
                         self.moves.push_front(step);
                     }
-                    self.phase = Phase::Settle;
+                    self.phase = MotionPhase::Settle;
                     continue;
                 }
                 Move::Turn(angle) | Move::Undo(angle) => {
@@ -318,7 +318,7 @@ impl Pilot {
             }
             self.moves.pop_front();
             if !self.moves.is_empty() {
-                self.phase = Phase::Settle;
+                self.phase = MotionPhase::Settle;
             }
         }
     }
@@ -326,7 +326,7 @@ impl Pilot {
     /// Where a motion counts from, m ahead: for the way back from an edge, where it was first seen.
     fn begin(&self, step: Move) -> f64 {
         match step {
-            Move::Back(way) if self.answering == Some(Kind::Cliff) && way > OFF_TURN => self.hit_at,
+            Move::Back(way) if self.answering == Some(ObstructionKind::Cliff) && way > OFF_TURN => self.hit_at,
             _ => self.travel.ahead(),
         }
     }
@@ -354,7 +354,9 @@ impl Pilot {
         let known = self.trail.length();
         let speed = match self.by {
             // An edge is no matter of the clock: it wants to be left behind by the way that was driven towards it.
-            By::Time if self.answering != Some(Kind::Cliff) => self.pace(left, all, self.speed, (clock, dt_s))?,
+            By::Time if self.answering != Some(ObstructionKind::Cliff) => {
+                self.pace(left, all, self.speed, (clock, dt_s))?
+            }
             _ if left.min(known) < CLOSE_ENOUGH || clock > 3.0 + 4.0 * all / self.speed => return None,
             _ => (REVERSE * self.speed).min((2.0 * self.robot.acceleration * left).sqrt()),
         };
@@ -362,7 +364,7 @@ impl Pilot {
         Some(Drive::wheels(way[0] * speed, way[1] * speed))
     }
 
-    fn back_out(&mut self, sensed: &Sensors) -> Option<Drive> {
+    fn back_out(&mut self, sensed: &SensorReadings) -> Option<Drive> {
         let is_out = !sensed.virtual_wall && self.beam_unseen > OFF_BEAM / self.speed;
         let speed = REVERSE * self.speed;
         match self.trail.back() {

@@ -1,7 +1,7 @@
 //! Relocalisation of a kidnapped robot on its own map: it follows walls until only one pose is left
 //! ([`locate`](crate::mapping::locate)).
 
-use super::{Habit, Hit, Pilot};
+use super::{Behaviour, Obstruction, Pilot};
 use crate::{
     controller::{Setup, wall_follow::WallFollow},
     mapping::{
@@ -9,7 +9,7 @@ use crate::{
         locate::{Locator, LocatorSetup},
     },
 };
-use robovac_core::robot::{Drive, Sensors};
+use robovac_core::robot::{Drive, SensorReadings};
 
 /// How long it tries to relocalise, s (ours).
 const SEARCH_S: f64 = 900.0;
@@ -31,7 +31,7 @@ pub(in crate::controller) enum Searched {
 
 /// The search, and what drives the robot meanwhile.
 #[derive(Clone)]
-pub(in crate::controller) struct Search {
+pub(in crate::controller) struct RelocaliseSearch {
     walls: WallFollow,
     locator: Option<Box<Locator>>,
     /// How long it goes on looking, s.
@@ -40,7 +40,7 @@ pub(in crate::controller) struct Search {
     sure_s: f64,
 }
 
-impl Search {
+impl RelocaliseSearch {
     /// None yet.
     pub(in crate::controller) fn new(setup: &Setup<'_>) -> Self {
         Self { walls: WallFollow::usual(setup), locator: None, patience: 0.0, sure_s: 0.0 }
@@ -57,13 +57,13 @@ impl Search {
     }
 
     /// Takes the next reading, which `mapper` has had before; tells it where it is as soon as that is sure.
-    pub(in crate::controller) fn watch(&mut self, mapper: &mut Mapper, sensed: &Sensors, dt_s: f64) -> Searched {
+    pub(in crate::controller) fn watch(&mut self, mapper: &mut Mapper, sensed: &SensorReadings, dt_s: f64) -> Searched {
         self.patience -= dt_s;
         let Some(locator) = &mut self.locator else { return Searched::InVain };
         locator.update(sensed);
         self.sure_s = if locator.is_sure() { self.sure_s + dt_s } else { 0.0 };
         let is_sure = self.sure_s >= SURE_S;
-        if let Some((pose, spread)) = locator.pose().zip(locator.spread()).filter(|_| is_sure) {
+        if let Some((pose, spread)) = locator.pose().zip(locator.pose_covariance()).filter(|_| is_sure) {
             mapper.relocate(pose, &spread);
             self.locator = None;
             return Searched::Found;
@@ -72,13 +72,13 @@ impl Search {
     }
 
     /// Drives on.
-    pub(in crate::controller) fn roam(&mut self, pilot: &mut Pilot, sensed: &Sensors, dt_s: f64) -> Drive {
+    pub(in crate::controller) fn roam(&mut self, pilot: &mut Pilot, sensed: &SensorReadings, dt_s: f64) -> Drive {
         self.walls.roam(pilot, sensed, dt_s)
     }
 
     /// Something is in the way.
-    pub(in crate::controller) fn hit(&mut self, pilot: &mut Pilot, hit: Hit) {
-        self.walls.hit(pilot, hit);
+    pub(in crate::controller) fn on_obstruction(&mut self, pilot: &mut Pilot, obstruction: Obstruction) {
+        self.walls.on_obstruction(pilot, obstruction);
     }
 
     /// What looks for it.

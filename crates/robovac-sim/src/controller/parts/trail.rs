@@ -14,7 +14,7 @@ const TURN: f64 = 0.02;
 
 /// Marks of where the wheels were while the robot drove forward, as what they had rolled.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Trail {
+pub(super) struct WheelTrail {
     /// Where the wheels are now, m: what they rolled, less what they slipped against a wall.
     at: [f64; 2],
     marks: VecDeque<[f64; 2]>,
@@ -25,7 +25,7 @@ fn ahead(from: [f64; 2], to: [f64; 2]) -> f64 {
     0.5 * (to[0] - from[0] + to[1] - from[1])
 }
 
-impl Trail {
+impl WheelTrail {
     /// Forgets where it was: nothing behind the robot is known.
     pub(super) fn clear(&mut self) {
         self.marks.clear();
@@ -87,7 +87,7 @@ impl Trail {
 mod tests {
     use super::*;
 
-    fn drive(trail: &mut Trail, rolled: [f64; 2], steps: u32) {
+    fn drive(trail: &mut WheelTrail, rolled: [f64; 2], steps: u32) {
         for _ in 0..steps {
             trail.roll(rolled, false, false);
         }
@@ -95,7 +95,7 @@ mod tests {
 
     #[test]
     fn an_arc_is_gone_back_the_same_way_and_no_farther() {
-        let mut trail = Trail::default();
+        let mut trail = WheelTrail::default();
         drive(&mut trail, [0.002, 0.004], 50);
         assert!((trail.length() - 0.15).abs() < 0.004, "{}", trail.length());
         let mut rolled = [0.0; 2];
@@ -110,7 +110,7 @@ mod tests {
 
     #[test]
     fn nothing_is_known_behind_after_a_turn_on_the_spot() {
-        let mut trail = Trail::default();
+        let mut trail = WheelTrail::default();
         drive(&mut trail, [0.004, 0.004], 50);
         drive(&mut trail, [-0.004, 0.004], 50);
         assert!(trail.length() < 0.01 && trail.back().is_none());
@@ -118,7 +118,7 @@ mod tests {
 
     #[test]
     fn wheels_that_slip_against_a_wall_make_no_way_to_go_back() {
-        let mut trail = Trail::default();
+        let mut trail = WheelTrail::default();
         drive(&mut trail, [0.004, 0.004], 5);
         for _ in 0..20 {
             trail.roll([0.004, 0.004], true, false);

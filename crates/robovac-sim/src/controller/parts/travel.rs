@@ -1,13 +1,13 @@
 //! Distance travelled, by the encoders.
 
-use robovac_core::robot::{RobotModel, Sensors};
+use robovac_core::robot::{RobotModel, SensorReadings};
 
 /// Readings without a count after which the wheels are taken to stand still.
 const STILL: u32 = 3;
 
 /// Sums up the encoders' counts, which wrap.
 #[derive(Debug, Clone)]
-pub(in crate::controller) struct Travel {
+pub(in crate::controller) struct EncoderTravel {
     metres_per_count: f64,
     wheel_base: f64,
     last: Option<(u16, u16)>,
@@ -16,14 +16,14 @@ pub(in crate::controller) struct Travel {
     still: u32,
 }
 
-impl Travel {
+impl EncoderTravel {
     pub(super) fn new(robot: &RobotModel) -> Self {
         let metres_per_count = 1.0 / robot.counts_per_metre;
         Self { metres_per_count, wheel_base: robot.wheel_base, last: None, wheels: [0.0; 2], still: 0 }
     }
 
     /// Takes the next reading; returns what the wheels rolled since the last one, m.
-    pub(super) fn update(&mut self, sensed: &Sensors) -> [f64; 2] {
+    pub(super) fn update(&mut self, sensed: &SensorReadings) -> [f64; 2] {
         let counts = (sensed.left_counts, sensed.right_counts);
         let last = self.last.replace(counts).unwrap_or(counts);
         self.still = if counts == last { self.still + 1 } else { 0 };

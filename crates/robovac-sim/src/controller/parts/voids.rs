@@ -1,9 +1,9 @@
 //! Remembered cliffs, so that a turn on the spot puts no wheel over an edge.
 
-use super::hit::Side;
+use super::obstruction::ObstructionSide;
 use robovac_core::{
     geometry::{Point, Pose},
-    robot::{Odometry, OdometryModel, RobotModel, Sensors},
+    robot::{Odometry, OdometryModel, RobotModel, SensorReadings},
 };
 use std::collections::VecDeque;
 
@@ -29,7 +29,7 @@ impl Voids {
     }
 
     /// Takes the next reading of the cliff sensors at `sensors`.
-    pub(super) fn update(&mut self, sensed: &Sensors, sensors: &[Option<[f64; 2]>; 4]) {
+    pub(super) fn update(&mut self, sensed: &SensorReadings, sensors: &[Option<[f64; 2]>; 4]) {
         self.odometry.update(sensed);
         if !sensed.sees_cliff() || sensed.battery.on_dock {
             return;
@@ -55,13 +55,13 @@ impl Voids {
     /// On which side one of them lies that is within the wheels' circle and that driving ahead brings nearer.
     ///
     /// The inner wheel of an arc cuts corners which the sensors have passed.
-    pub(super) fn ahead(&self) -> Option<Side> {
+    pub(super) fn ahead(&self) -> Option<ObstructionSide> {
         let pose = self.odometry.pose();
         let ways = self.places.iter().map(|place| place - pose.position());
         let near = ways.filter(|way| way.norm_squared() < self.circle * self.circle);
         let direction = pose.direction();
         let ahead = near.filter(|way| direction.dot(way) > AHEAD).min_by(|a, b| a.norm().total_cmp(&b.norm()));
-        ahead.map(|way| if direction.perp(&way) > 0.0 { Side::Left } else { Side::Right })
+        ahead.map(|way| if direction.perp(&way) > 0.0 { ObstructionSide::Left } else { ObstructionSide::Right })
     }
 
     /// Whether one of them is within the circle on which the wheels turn.

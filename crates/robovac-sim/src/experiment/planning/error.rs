@@ -1,7 +1,7 @@
 //! Planning errors.
 
 use coverage_planners::{PathError, PlanError};
-use robovac_core::{coverage::FloorError, floorplan::MAX_RESOLUTION, grid::Cell};
+use robovac_core::{coverage::FloorError, floor_plan::MAX_RESOLUTION, grid::Cell};
 
 /// Planning errors.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

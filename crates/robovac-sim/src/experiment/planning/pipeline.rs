@@ -10,8 +10,8 @@ use coverage_planners::{
     metrics::{DriveMetrics, PlanNumbers, WalkMetrics},
 };
 use robovac_core::{
-    coverage::{FloorError, Lattice, ReachableFloor, fine_resolution},
-    floorplan::FloorPlan,
+    coverage::{FloorError, PlanningGrid, ReachableFloor, fine_resolution},
+    floor_plan::FloorPlan,
     geometry::{Point, Pose},
     registry::Params,
     robot::{OdometryModel, RobotModel},
@@ -20,11 +20,11 @@ use std::sync::Arc;
 
 /// A room laid out for one robot, one start and one cell size.
 #[derive(Debug, Clone)]
-pub struct Prepared {
+pub struct RoomSetup {
     /// What the robot can reach.
     pub floor: Arc<ReachableFloor>,
     /// The planning grid.
-    pub lattice: Arc<Lattice>,
+    pub planning_grid: Arc<PlanningGrid>,
     /// The planner's job on it.
     pub job: CoverageJob,
     /// What is in the room beside its walls.
@@ -50,7 +50,7 @@ pub struct PlanRequest {
 
 /// What a planner answers.
 #[derive(Debug, Clone)]
-pub struct Answer {
+pub struct PlanAnswer {
     /// The walk.
     pub path: CoveragePath,
     /// Time that planning took, s.
@@ -83,7 +83,7 @@ pub struct Planned {
     pub kept_at: Option<f64>,
 }
 
-impl Prepared {
+impl RoomSetup {
     /// Lays out `plan` for `robot` with planning cells of `cell_size` metres.
     pub fn new(plan: &FloorPlan, robot: &RobotModel, cell_size: f64, start: Option<Pose>) -> Result<Self, FloorError> {
         // Finer cells would have no fine cell's centre in them, and for a robot that fills one there could be billions.
@@ -96,14 +96,14 @@ impl Prepared {
 
     /// Lays planning cells of `cell_size` metres over the floor that `robot` can reach in `plan`.
     pub fn on(plan: &FloorPlan, floor: ReachableFloor, robot: &RobotModel, cell_size: f64) -> Self {
-        let lattice = Lattice::new(&floor, cell_size);
-        let job = CoverageJob::on_lattice(&lattice, &floor, robot);
+        let planning_grid = PlanningGrid::new(&floor, cell_size);
+        let job = CoverageJob::on_planning_grid(&planning_grid, &floor, robot);
         let world = Arc::new(World::new(plan));
-        Self { floor: Arc::new(floor), lattice: Arc::new(lattice), job, world, robot: robot.clone() }
+        Self { floor: Arc::new(floor), planning_grid: Arc::new(planning_grid), job, world, robot: robot.clone() }
     }
 }
 
-impl Prepared {
+impl RoomSetup {
     /// What a run on this floor is made of.
     pub fn setup(&self, conditions: Conditions, seed: u64) -> RunSetup {
         let Self { floor, world, robot, .. } = self;
@@ -146,7 +146,7 @@ impl PlanRequest {
     }
 
     /// Plans here and now. `clock` returns seconds since any moment, as the core has no clock of its own.
-    pub fn serve(&self, clock: impl Fn() -> f64, observer: Option<Observer<'_>>) -> Result<Answer, PlanError> {
+    pub fn serve(&self, clock: impl Fn() -> f64, observer: Option<Observer<'_>>) -> Result<PlanAnswer, PlanError> {
         let planner = self.planner.build(&self.params);
         let mut ctx = match observer {
             Some(observer) => PlanContext::observed(self.seed, observer),
@@ -160,16 +160,16 @@ impl PlanRequest {
         let began = clock();
         let path = planner.plan(&self.job, &mut ctx)?;
         let proof = ctx.proof;
-        Ok(Answer { path, seconds: (clock() - began).max(0.0), proof, trace })
+        Ok(PlanAnswer { path, seconds: (clock() - began).max(0.0), proof, trace })
     }
 }
 
 impl Planned {
     /// Checks a walk and works out its line and numbers.
-    pub fn new(prepared: &Prepared, answer: &Answer) -> Result<Self, PathError> {
-        let Answer { path, seconds, proof, .. } = answer;
+    pub fn new(prepared: &RoomSetup, answer: &PlanAnswer) -> Result<Self, PathError> {
+        let PlanAnswer { path, seconds, proof, .. } = answer;
         path.check(&prepared.job)?;
-        let line: Arc<[Point]> = prepared.lattice.polyline(&prepared.floor, &path.cells).into();
+        let line: Arc<[Point]> = prepared.planning_grid.polyline(&prepared.floor, &path.cells).into();
         Ok(Self {
             walk: WalkMetrics::of(&prepared.job, path),
             drive: DriveMetrics::of(&prepared.floor, &prepared.robot, &line),
@@ -188,7 +188,7 @@ impl Planned {
     }
 
     /// The robot at the start, about to drive the line by dead reckoning.
-    pub fn run(&self, prepared: &Prepared, conditions: Conditions, odometry: OdometryModel, seed: u64) -> Run {
+    pub fn run(&self, prepared: &RoomSetup, conditions: Conditions, odometry: OdometryModel, seed: u64) -> Run {
         prepared.run_along(&self.line, conditions, odometry, seed)
     }
 }

@@ -1,6 +1,6 @@
 //! Report of a plan for the command line.
 
-use super::{Placement, PlanningTask, Prepared, Solution};
+use super::{Placement, PlanSolution, PlanningTask, RoomSetup};
 use crate::experiment::Algorithm;
 use coverage_planners::{
     Bounds,
@@ -69,7 +69,7 @@ pub struct PlanReport {
 
 impl TaskReport {
     /// What is asked of `algorithm`, with the start as it turned out.
-    pub fn new(algorithm: Algorithm, params: &Params, seed: u64, placement: &Placement, prepared: &Prepared) -> Self {
+    pub fn new(algorithm: Algorithm, params: &Params, seed: u64, placement: &Placement, prepared: &RoomSetup) -> Self {
         Self {
             planner: algorithm.planner().map(|info| info.id),
             behaviour: algorithm.behaviour().map(|info| info.id),
@@ -77,8 +77,8 @@ impl TaskReport {
             seed,
             room: RoomReport {
                 name: placement.plan.name.clone(),
-                width: prepared.lattice.free.width(),
-                height: prepared.lattice.free.height(),
+                width: prepared.planning_grid.free.width(),
+                height: prepared.planning_grid.free.height(),
                 resolution_m: placement.cell_size,
             },
             robot: placement.robot.id,
@@ -90,7 +90,7 @@ impl TaskReport {
 
 impl PlanReport {
     /// The numbers of `solution`.
-    pub fn new(task: &PlanningTask, solution: Solution) -> Self {
+    pub fn new(task: &PlanningTask, solution: PlanSolution) -> Self {
         let bounds = Bounds::of(&solution.prepared.job);
         let numbers = solution.planned.numbers(Some(bounds));
         let PlanNumbers { walk, drive, planning_s, .. } = numbers;

@@ -1,10 +1,10 @@
 //! Planning tasks of the command line: the start in planning cells is kept or refused.
 
-use super::{PlanRequest, Planned, PlanningError, Prepared};
+use super::{PlanRequest, Planned, PlanningError, RoomSetup};
 use coverage_planners::{CoveragePath, Observer, PlannerInfo};
 use robovac_core::{
     coverage::{FloorError, ReachableFloor, fine_resolution},
-    floorplan::{FloorPlan, MAX_RESOLUTION},
+    floor_plan::{FloorPlan, MAX_RESOLUTION},
     geometry::{Point, Pose, normalize},
     grid::Cell,
     registry::Params,
@@ -44,9 +44,9 @@ pub struct PlanningTask {
 
 /// A walk with everything that it was planned on.
 #[derive(Debug, Clone)]
-pub struct Solution {
+pub struct PlanSolution {
     /// The room laid out for the robot.
-    pub prepared: Prepared,
+    pub prepared: RoomSetup,
     /// The walk.
     pub path: CoveragePath,
     /// Its line and numbers.
@@ -67,7 +67,11 @@ pub fn choose_robot(id: &str, plan: &FloorPlan, cell_size: Option<f64>) -> Optio
 
 impl PlanningTask {
     /// Plans a walk and measures it. `clock` returns seconds since any moment, as the core has no clock of its own.
-    pub fn solve(&self, clock: impl Fn() -> f64, observer: Option<Observer<'_>>) -> Result<Solution, PlanningError> {
+    pub fn solve(
+        &self,
+        clock: impl Fn() -> f64,
+        observer: Option<Observer<'_>>,
+    ) -> Result<PlanSolution, PlanningError> {
         let prepared = self.placement.prepare()?;
         let request = PlanRequest {
             id: 0,
@@ -79,7 +83,7 @@ impl PlanningTask {
         let answer = request.serve(clock, observer)?;
         let planned = Planned::new(&prepared, &answer)
             .map_err(|error| PlanningError::BadPath { planner: self.planner.id, error })?;
-        Ok(Solution { prepared, path: answer.path, planned })
+        Ok(PlanSolution { prepared, path: answer.path, planned })
     }
 }
 
@@ -87,8 +91,8 @@ impl Placement {
     /// The room laid out for the robot, with everything checked that was asked for.
     ///
     /// A start cell that was asked for is kept or refused, never moved.
-    pub fn prepare(&self) -> Result<Prepared, PlanningError> {
-        Ok(Prepared::on(&self.plan, self.floor()?, &self.robot, self.cell_size))
+    pub fn prepare(&self) -> Result<RoomSetup, PlanningError> {
+        Ok(RoomSetup::on(&self.plan, self.floor()?, &self.robot, self.cell_size))
     }
 
     /// The floor as reached from the start, with everything checked that was asked for.
@@ -163,7 +167,7 @@ mod tests {
     use super::*;
     use crate::experiment::planning::PlanReport;
     use coverage_planners::PlanError;
-    use robovac_core::floorplan::{SourceFile, load, room};
+    use robovac_core::floor_plan::{SourceFile, load, room};
     use std::cell::Cell as Shared;
 
     fn snake() -> &'static PlannerInfo {
@@ -207,7 +211,7 @@ mod tests {
 
     #[test]
     fn roomba_covers_most_of_every_room_on_its_own_lattice() {
-        for info in robovac_core::floorplan::ROOMS {
+        for info in robovac_core::floor_plan::ROOMS {
             let report = planned(&(info.build)(), "roomba600", None, None).unwrap();
             let coverage = report.drive.coverage;
             assert!(coverage > 0.85, "{}: {coverage}", info.id);
@@ -290,7 +294,7 @@ mod tests {
         let now = Shared::new(10.0);
         let clock = || now.replace(now.get() + 2.5);
         assert_eq!(task.solve(clock, None).unwrap().planned.planning_s, 2.5);
-        let mut stop = |_: coverage_planners::Report<'_>| std::ops::ControlFlow::Break(());
+        let mut stop = |_: coverage_planners::ProgressReport<'_>| std::ops::ControlFlow::Break(());
         assert_eq!(task.solve(|| 0.0, Some(&mut stop)).unwrap_err(), PlanningError::Plan(PlanError::Cancelled));
     }
 }

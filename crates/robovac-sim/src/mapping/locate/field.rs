@@ -116,7 +116,7 @@ impl DistanceField {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use robovac_core::floorplan::{FloorPlan, SourceFile, load};
+    use robovac_core::floor_plan::{FloorPlan, SourceFile, load};
 
     fn plan(picture: &str) -> FloorPlan {
         let file = SourceFile { name: "a.txt".to_owned(), bytes: picture.as_bytes().to_vec() };

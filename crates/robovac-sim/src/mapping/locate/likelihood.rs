@@ -4,7 +4,7 @@ use super::DistanceField;
 use robovac_core::{
     geometry::{Point, Pose, Vector},
     math,
-    robot::{RobotModel, Sensors, apparent_distance, distance_of_light},
+    robot::{RobotModel, SensorReadings, apparent_distance, distance_of_light},
 };
 
 /// Signals below this say that nothing is near: above what sensors read in the dark.
@@ -38,7 +38,7 @@ pub(super) struct Reading {
 
 impl Reading {
     /// What `robot` reads.
-    pub fn new(robot: &RobotModel, sensed: &Sensors) -> Self {
+    pub fn new(robot: &RobotModel, sensed: &SensorReadings) -> Self {
         let light = robot.sensors.light_bumper;
         let beams = light.map_or_else(Vec::new, |light| {
             let beam = |(angle, &signal): (f64, &u16)| {

@@ -1,13 +1,13 @@
 //! The particle filter on a known map.
 
 use super::{DistanceField, likelihood::Reading};
-use crate::mapping::{OccupancyMap, Spread};
+use crate::mapping::{OccupancyMap, PoseCovariance};
 use rand::RngExt;
 use robovac_core::{
     geometry::{Point, Pose, difference, normalize},
     math,
     rng::{Rng, normal, seeded},
-    robot::{Odometry, OdometryModel, RobotModel, Sensors},
+    robot::{Odometry, OdometryModel, RobotModel, SensorReadings},
 };
 use std::{collections::BTreeMap, sync::Arc};
 
@@ -86,7 +86,7 @@ struct Particle {
 #[derive(Debug, Clone, Copy)]
 struct Estimate {
     pose: Pose,
-    spread: Spread,
+    spread: PoseCovariance,
     /// Odometry at the moment of the estimate.
     odometry: Pose,
 }
@@ -124,7 +124,7 @@ impl Locator {
     }
 
     /// Takes the next reading.
-    pub fn update(&mut self, sensed: &Sensors) {
+    pub fn update(&mut self, sensed: &SensorReadings) {
         self.odometry.update(sensed);
         if sensed.wheel_dropped() {
             self.lifted |= sensed.wheel_drop_left && sensed.wheel_drop_right;
@@ -167,7 +167,7 @@ impl Locator {
     }
 
     /// How far the possible poses are spread; `None` while it knows nothing.
-    pub fn spread(&self) -> Option<Spread> {
+    pub fn pose_covariance(&self) -> Option<PoseCovariance> {
         self.estimate.map(|estimate| estimate.spread)
     }
 
@@ -312,7 +312,7 @@ impl Locator {
             mean(&|p| (p.y - my) * (p.y - my)),
         ];
         let turned = |p: Pose| difference(heading, p.heading);
-        let spread = Spread { position, heading: mean(&|p| turned(p) * turned(p)).sqrt() };
+        let spread = PoseCovariance { position, heading: mean(&|p| turned(p) * turned(p)).sqrt() };
         self.estimate = Some(Estimate { pose: Pose::new(mx, my, heading), spread, odometry: self.odometry.pose() });
     }
 

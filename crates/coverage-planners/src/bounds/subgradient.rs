@@ -1,0 +1,151 @@
+//! Improves the dual prices of strips by subgradient steps.
+//!
+//! Where two strips use an edge of theirs differently, its price goes up for the one that uses it more. How far is given by
+//! a level that the bound is hoped to reach (Polyak 1969, Minimization of unsmooth functionals): it's lowered whenever it
+//! hasn't been reached for some steps.
+
+use super::{
+    crossings::Crossings,
+    cut_vertices::CutVertices,
+    dual_prices::DualPrices,
+    graph::{Graph, NONE},
+    strips::{RoomStrips, WholeRoom},
+};
+
+/// Steps without success after which less is hoped for.
+const PATIENCE: usize = 10;
+/// How much of the last direction is kept (Camerini, Fratta & Maffioli 1975, On improving relaxation methods).
+const INERTIA: f64 = 0.7;
+/// Numbers that may be kept while a strip is solved, two bytes each.
+const MEMORY: usize = 30_000_000;
+/// Cells across the first strips. It isn't only that low ones take less time: strips of any height have their borders
+/// elsewhere, and the best bound of all counts.
+const FIRST_HEIGHT: usize = 4;
+/// What a step may take, so that callers can look up between two: about two seconds.
+const MOST_EFFORT: usize = 30_000_000;
+/// How much is hoped for at first, as a share of the bound.
+const HOPE: f64 = 0.002;
+/// What is hoped for grows by this where a quarter of it came true.
+const GROWTH: f64 = 1.5;
+/// When to give up, as a share of the bound.
+const DESPAIR: f64 = 1e-4;
+/// An ascent by one way to cut a room into strips.
+pub(super) struct Subgradient {
+    strips: RoomStrips,
+    upright: bool,
+    prices: DualPrices,
+    best: DualPrices,
+    /// In price units.
+    bound: i64,
+    hope: f64,
+    failures: usize,
+    /// Per cell's right and upper edge, how much more one side uses it, with what is left of earlier steps' directions.
+    direction: Vec<[f64; 2]>,
+    is_begun: bool,
+    /// Whether the strips agreed on all edges, which no price can make better.
+    agrees: bool,
+}
+
+impl Subgradient {
+    /// Begins with prices that fit and strips of a few rows or, if `upright`, columns.
+    pub fn first(graph: &Graph, prices: &DualPrices, upright: bool) -> Self {
+        Self::new(graph, prices, upright, FIRST_HEIGHT)
+    }
+
+    /// The same with strips of at most that height.
+    fn new(graph: &Graph, prices: &DualPrices, upright: bool, height: usize) -> Self {
+        Self {
+            strips: RoomStrips::new(graph, upright, height),
+            upright,
+            prices: prices.clone(),
+            best: prices.clone(),
+            bound: 0,
+            hope: 0.0,
+            failures: 0,
+            direction: vec![[0.0; 2]; graph.len()],
+            is_begun: false,
+            agrees: false,
+        }
+    }
+
+    /// Whether there is but one strip, or all agree, so that no prices and no strips can be better.
+    pub fn is_final(&self) -> bool {
+        self.strips.len() == 1 || self.agrees
+    }
+
+    /// The same with higher strips, as far as memory allows.
+    pub fn higher(&self, graph: &Graph) -> Option<Self> {
+        let heights = self.strips.height + 1..=graph.numbers.width().max(graph.numbers.height());
+        let higher = |height| Self::new(graph, &self.best, self.upright, height);
+        let mut higher = heights.map(higher).find(|higher| higher.strips.len() < self.strips.len())?;
+        if higher.strips.memory(self.prices.is_open()) > MEMORY || higher.effort(graph) > MOST_EFFORT {
+            return None;
+        }
+        higher.hope = self.bound as f64 * HOPE / 4.0;
+        Some(higher)
+    }
+
+    /// Cells that could be visited in the time of a step.
+    pub fn effort(&self, graph: &Graph) -> usize {
+        let states = 3_usize.saturating_pow(self.strips.height as u32);
+        let layers = if self.prices.is_open() { 3 } else { 1 };
+        graph.len().saturating_mul(10 + states.saturating_mul(layers) / 2)
+    }
+
+    /// In units of the objective.
+    pub fn bound(&self) -> u64 {
+        (self.bound.max(0) as u64).div_ceil(self.prices.unit as u64)
+    }
+
+    /// Takes a step; whether more may help.
+    pub fn step(&mut self, graph: &Graph, cuts: &CutVertices, crossings: &Crossings) -> bool {
+        let room = WholeRoom { graph, cuts, prices: &self.prices, crossings };
+        let Some(solution) = self.strips.solve(&room) else { return false };
+        if solution.bound > self.bound || !self.is_begun {
+            self.is_begun = true;
+            if self.hope == 0.0 {
+                self.hope = solution.bound as f64 * HOPE;
+            }
+            if (solution.bound - self.bound) as f64 > self.hope / 16.0 {
+                self.failures = 0;
+            }
+            if self.bound > 0 && (solution.bound - self.bound) as f64 > self.hope / 4.0 {
+                self.hope *= GROWTH;
+            }
+            self.bound = solution.bound;
+            self.best.clone_from(&self.prices);
+        }
+        self.failures += 1;
+        if self.failures > PATIENCE {
+            self.failures = 0;
+            self.hope /= 2.0;
+            self.prices.clone_from(&self.best);
+            self.direction.fill([0.0; 2]);
+        }
+        let mut length = 0.0;
+        for cell in 0..graph.len() {
+            for side in 0..2 {
+                let next = graph.neighbours[cell][side];
+                if next != NONE {
+                    let more = f64::from(solution.crossings[cell][side])
+                        - f64::from(solution.crossings[next as usize][side + 2]);
+                    let direction = &mut self.direction[cell][side];
+                    *direction = more + INERTIA * *direction;
+                    length += *direction * *direction;
+                }
+            }
+        }
+        self.agrees = length == 0.0;
+        if self.is_final() || self.hope <= self.bound as f64 * DESPAIR {
+            return false;
+        }
+        let pace = (self.bound as f64 + self.hope - solution.bound as f64) / length;
+        let before = self.prices.clone();
+        let direction = &self.direction;
+        let moved = |cell: usize| {
+            let [right, upper, ..] = before.sides[cell];
+            [f64::from(right) + pace * direction[cell][0], f64::from(upper) + pace * direction[cell][1]]
+        };
+        self.prices.take(graph, moved)
+    }
+}

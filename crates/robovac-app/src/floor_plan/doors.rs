@@ -1,0 +1,56 @@
+//! Rooms that extend through open doors, and their size if these were closed.
+
+use floor_drawing::{self, Drawing, DrawingRegion, Traced, Tracing};
+use robovac_core::geometry::Point;
+use serde::Serialize;
+
+/// Widths of openings that are taken for doors, m (ours): inner doors are 0.6 to 1 m wide, front doors up to 1.2 m.
+const DOORS: [f64; 2] = [0.6, 1.2];
+/// Openings are measured between the middles of cells, and walls stand on whole ones: so much wider they may be, cells.
+const CELLS: f64 = 1.0;
+/// Gaps can be chosen in so many steps a metre.
+const STEPS: f64 = 20.0;
+/// Share of the floor that has to lie behind doors for them to be worth a word.
+const BEHIND: f64 = 0.05;
+
+/// What closing doors would do.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Doors {
+    /// Openings that would be closed, and were not before.
+    pub count: usize,
+    /// Widest gap that would have to be closed, m.
+    pub gap: f64,
+    /// Free floor that the room would have, m².
+    pub floor_m2: f64,
+}
+
+impl Doors {
+    /// Looks for doors through which the room `now`, with `floor` m² free, reaches on; `None` also for a room that came to
+    /// nothing but would be one with closed doors. `how` is how it was traced, `free` tells free floor.
+    pub(super) fn of(
+        drawing: &Drawing,
+        how: &Tracing,
+        now: Option<(&Traced, f64)>,
+        free: impl Fn(&Traced) -> f64,
+    ) -> Option<Self> {
+        if !matches!(how.region, DrawingRegion::Room(_)) || how.gap >= DOORS[1] {
+            return None;
+        }
+        let with = |gap: f64| {
+            let traced = floor_drawing::trace(drawing, &Tracing { gap, ..how.clone() }).ok()?;
+            let floor = free(&traced);
+            let is_less = now.is_none_or(|(_, before)| floor < (1.0 - BEHIND) * before);
+            is_less.then_some((traced, floor))
+        };
+        let full = with(DOORS[1])?;
+        let width = |&[a, b]: &[Point; 2]| (b - a).norm() + CELLS * how.resolution;
+        let widest = full.0.gaps.iter().map(width).fold(how.gap, f64::max);
+        // The narrowest that does it: what is wider is left open.
+        let least = (widest.max(DOORS[0]) * STEPS - 1e-6).ceil() / STEPS;
+        let narrow = if least < DOORS[1] { with(least).map(|closed| (least, closed)) } else { None };
+        let (gap, (closed, floor_m2)) = narrow.unwrap_or((DOORS[1], full));
+        let is_new = |[a, b]: &&[Point; 2]| (*b - *a).norm() > how.gap;
+        let count = closed.gaps.iter().filter(is_new).count().max(1);
+        Some(Self { count, gap, floor_m2 })
+    }
+}

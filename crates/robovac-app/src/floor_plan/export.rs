@@ -1,0 +1,65 @@
+//! Export of the Floor plan tab as files.
+
+use super::{DrawingPart, DrawingSession, DrawingSource};
+use crate::{export::ExportFile, floor_plan::sweep_dxf};
+use coverage_planners::sweep::{Sweep, in_frame, planned_for, program, to_csv, to_ros_path};
+use floor_drawing::Traced;
+use robovac_core::{cspace::Outline, robot};
+use robovac_link::commands_text;
+use serde::{Deserialize, Serialize};
+
+/// A kind of file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Format {
+    /// The path on layers of its own, beside the drawing.
+    Dxf,
+    /// A human-readable program: turns and straight ways.
+    Program,
+    /// Bytes of the Open Interface with their times and meanings, as text. Always for the Roomba: no other robot here speaks it.
+    Commands,
+    /// Places with times.
+    Csv,
+    /// A path of ROS.
+    Poses,
+}
+
+impl DrawingSession {
+    /// The sweep as a file.
+    pub fn export(&self, format: Format) -> Result<ExportFile, String> {
+        let (Some(room), Some(sweep)) = (self.room(), self.planned()) else {
+            return Err("plan the sweep first".to_owned());
+        };
+        let chosen = self.settings().body.model().and_then(robot::model);
+        let roomba = robot::model("roomba600").ok_or("the robot model roomba600 is missing from this build")?;
+        let outline = self.outline()?;
+        // What has an outline of its own moves as a robot that there is: the round one turns; any other keeps its heading, as
+        // the path was planned.
+        let like = if matches!(outline, Outline::Circle { .. }) { Some(roomba) } else { robot::model("octagon") };
+        let model = chosen.or(like).unwrap_or(roomba);
+        let planned = chosen.map_or_else(|| outline.to_string(), planned_for);
+        // As the planner has it: the robot looks along x when it begins, or as the room's start says.
+        let start = room.plan.start.map_or(0.0, |start| start.heading);
+        let (path, heading) = in_frame(&sweep.path, start, room.plan.origin);
+        let (ending, kind, bytes) = match format {
+            Format::Dxf => ("dxf", "image/vnd.dxf", self.dxf(room, sweep)?),
+            Format::Program => ("txt", "text/plain", program(&path, heading, model, &planned).into_bytes()),
+            Format::Commands => ("oi.txt", "text/plain", commands_text(&path, heading, roomba, &planned).into_bytes()),
+            Format::Csv => ("csv", "text/csv", to_csv(&path, heading, model).into_bytes()),
+            Format::Poses => ("yaml", "text/yaml", to_ros_path(&path, heading, model).into_bytes()),
+        };
+        // Sweeps of all and of a part of it may lie side by side.
+        let part = match self.settings().part {
+            DrawingPart::Whole => "",
+            DrawingPart::Room { .. } => "-room",
+            DrawingPart::Rectangle { .. } | DrawingPart::Polygon { .. } => "-part",
+        };
+        Ok(ExportFile { name: format!("{}{part}-sweep.{ending}", self.source().name()), kind, bytes })
+    }
+
+    fn dxf(&self, room: &Traced, sweep: &Sweep) -> Result<Vec<u8>, String> {
+        let original =
+            if let DrawingSource::Drawing { original, .. } = self.source() { original.as_deref() } else { None };
+        sweep_dxf(sweep, room, original).map_err(|error| error.to_string())
+    }
+}

@@ -1,0 +1,32 @@
+//! The Floor plan tab: a drawing is viewed, scaled, traced and swept before it becomes the room.
+//!
+//! [`DrawingSession`] holds what files are and what was chosen for them; [`FloorPlanView`] is what the page shows of it. `web::FloorPlanSession`
+//! draws it, in a worker.
+
+mod body;
+mod coarse;
+mod colour;
+mod doors;
+mod export;
+mod hand;
+mod overlay;
+mod session;
+mod settings;
+mod sheet;
+mod source;
+mod unit;
+mod view;
+
+pub use body::{BodyChoice, BodyError};
+pub use coarse::coarse;
+pub use colour::seen_on;
+pub use doors::Doors;
+pub use export::Format;
+pub use hand::{DrawingHand, DrawingTool};
+pub use overlay::{overlays, sweep_dxf};
+pub use session::{DrawingSession, PLANNER, warm_up};
+pub use settings::{CELLS, DrawingPart, FloorPlanSettings};
+pub use sheet::Sheet;
+pub use source::DrawingSource;
+pub use unit::{UNITS, Unit, size_in_words};
+pub use view::{FloorPlanView, LayerView, SweepView, TracedRoomView, UnitView};

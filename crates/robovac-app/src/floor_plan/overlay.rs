@@ -1,0 +1,41 @@
+//! A sweep as lines on layers of a drawing.
+
+use coverage_planners::sweep::Sweep;
+use floor_drawing::{DrawingError, Overlay, Traced, outlines, to_dxf};
+use robovac_core::geometry::{Point, Vector};
+
+/// Half the size of the cross that marks a subgoal, as a share of the distance between scan lines.
+const CROSS: f64 = 0.25;
+
+/// A DXF of the sweep: on layers of its own beside all that is in `original`, the DXF that `room` was traced from, or else
+/// beside the room's outlines in metres, where its map has its origin.
+pub fn sweep_dxf(sweep: &Sweep, room: &Traced, original: Option<&[u8]>) -> Result<Vec<u8>, DrawingError> {
+    if original.is_some() {
+        return to_dxf(original, &overlays(sweep, room.corner, room.metre));
+    }
+    let mut layers = overlays(sweep, Vector::zeros(), 1.0);
+    for point in layers.iter_mut().flat_map(|layer| &mut layer.lines).flatten() {
+        *point = room.plan.origin.to_world(*point);
+    }
+    layers.extend(outlines(&room.plan));
+    to_dxf(None, &layers)
+}
+
+/// The sweep on three layers in drawing units: `SWEEP_SUBGOALS`, a cross a point (AutoCAD colour 1, red); `SWEEP_LINKS`, the
+/// straight links of Fig. 4, through obstacles or not (2, yellow); `SWEEP_PATH`, the path of Fig. 5 (5, blue). `corner` is
+/// where the room's lower left corner lies in the drawing, and `metre` how many metres a drawing unit has, as in [`Traced`].
+pub fn overlays(sweep: &Sweep, corner: Vector, metre: f64) -> Vec<Overlay> {
+    let place = |point: Point| Point::from(corner + point.coords / metre);
+    let arm = CROSS * sweep.scan_width;
+    let crosses = sweep.subgoals.iter().flat_map(|subgoal| {
+        [Vector::new(arm, arm), Vector::new(arm, -arm)]
+            .map(|arm| vec![place(subgoal.at - arm), place(subgoal.at + arm)])
+    });
+    let links = sweep.links.iter().map(|link| [link.from, link.to].map(|end| place(sweep.subgoals[end].at)).to_vec());
+    let layer = |name: &str, colour, lines| Overlay { layer: name.to_owned(), colour, lines };
+    vec![
+        layer("SWEEP_SUBGOALS", 1, crosses.collect()),
+        layer("SWEEP_LINKS", 2, links.collect()),
+        layer("SWEEP_PATH", 5, vec![sweep.path.iter().copied().map(place).collect()]),
+    ]
+}

@@ -1,0 +1,291 @@
+//! State of the Floor plan tab: loaded file, settings, and the resulting room.
+
+use super::{Doors, DrawingHand, DrawingPart, DrawingSource, FloorPlanSettings, Sheet};
+use crate::{Import, ImportError, ScenarioChoices};
+use coverage_planners::sweep::{Sweep, SweepError, SweepSetup, sweep};
+use floor_drawing::{self, Traced};
+use robovac_core::{
+    cspace::{ConfigurationSpace, Outline},
+    floor_plan::{FloorPlan, Object, Sketch, SourceFile},
+    geometry::{Point, Pose, Vector, contains},
+    grid::Cell,
+};
+use std::ops::ControlFlow;
+
+/// The planner that drives the sweep, as the registry calls it.
+pub const PLANNER: &str = "subgoal_sweep";
+
+/// A draft of a room.
+#[derive(Debug)]
+pub struct DrawingSession {
+    source: DrawingSource,
+    settings: FloorPlanSettings,
+    sheet: Sheet,
+    room: Option<Traced>,
+    /// Floor of the room that is free, m².
+    floor: f64,
+    doors: Option<Doors>,
+    fault: String,
+    version: u32,
+    space: Option<ConfigurationSpace>,
+    sweep: Option<Sweep>,
+    /// What the hand does.
+    pub hand: DrawingHand,
+}
+
+impl DrawingSession {
+    /// Reads files that belong together; nothing is lost if that fails.
+    pub fn open(files: &[SourceFile]) -> Result<Self, ImportError> {
+        let source = DrawingSource::read(files)?;
+        let settings = FloorPlanSettings::of(&source);
+        let sheet = Sheet::of(&source);
+        let mut board = Self {
+            source,
+            settings,
+            sheet,
+            room: None,
+            floor: 0.0,
+            doors: None,
+            fault: String::new(),
+            version: 0,
+            space: None,
+            sweep: None,
+            hand: DrawingHand::default(),
+        };
+        board.trace();
+        Ok(board)
+    }
+
+    /// What was brought.
+    pub fn source(&self) -> &DrawingSource {
+        &self.source
+    }
+
+    /// What was chosen.
+    pub fn settings(&self) -> &FloorPlanSettings {
+        &self.settings
+    }
+
+    /// Where the source is seen.
+    pub fn sheet(&self) -> &Sheet {
+        &self.sheet
+    }
+
+    /// The room, if there is one.
+    pub fn room(&self) -> Option<&Traced> {
+        self.room.as_ref()
+    }
+
+    /// Floor of the room that is free, m².
+    pub fn floor_m2(&self) -> f64 {
+        self.floor
+    }
+
+    /// Open doors through which a room that was marked reaches on.
+    pub fn doors(&self) -> Option<Doors> {
+        self.doors
+    }
+
+    /// Why there is no room, or what else is wrong; empty if nothing.
+    pub fn fault(&self) -> &str {
+        &self.fault
+    }
+
+    /// Changes whenever the room does.
+    pub fn version(&self) -> u32 {
+        self.version
+    }
+
+    /// The sweep, once it was planned for this room and robot.
+    pub fn planned(&self) -> Option<&Sweep> {
+        self.sweep.as_ref()
+    }
+
+    /// The obstacle map, once it was made for this room and robot.
+    pub fn space(&self) -> Option<&ConfigurationSpace> {
+        self.space.as_ref()
+    }
+
+    /// Chooses; does again what depends on it. Changes nothing if a map's cells can't be as wide as that.
+    pub fn set(&mut self, settings: FloorPlanSettings) -> Result<(), String> {
+        let settings = settings.checked(&self.source, &self.settings)?;
+        let before = std::mem::replace(&mut self.settings, settings);
+        let now = &self.settings;
+        if (before.shade, before.negate) != (now.shade, now.negate) {
+            let shading = now.shading();
+            if let Err(error) = self.source.shade(&shading) {
+                self.fault = error.to_string();
+                (self.room, self.doors, self.space, self.sweep) = (None, None, None, None);
+                self.version += 1;
+            } else {
+                self.trace();
+            }
+            return Ok(());
+        }
+        let room = |s: &FloorPlanSettings| (s.metre, s.roles.clone(), s.gap, s.resolution, s.part.clone());
+        if room(&before) != room(now) {
+            self.trace();
+            return Ok(());
+        }
+        let space = |s: &FloorPlanSettings| (s.body.clone(), s.cell, s.headings);
+        if space(&before) != space(now) {
+            (self.space, self.sweep) = (None, None);
+        } else if before.scan_width != now.scan_width {
+            self.sweep = None;
+        }
+        Ok(())
+    }
+
+    /// The part that is meant.
+    pub fn set_part(&mut self, part: DrawingPart) -> Result<(), String> {
+        self.set(FloorPlanSettings { part, ..self.settings.clone() })
+    }
+
+    /// The room anew.
+    fn trace(&mut self) {
+        (self.room, self.doors, self.space, self.sweep) = (None, None, None, None);
+        self.version += 1;
+        self.fault.clear();
+        let settings = &self.settings;
+        let Some(metre) = settings.metre else { return };
+        let traced = match &self.source {
+            DrawingSource::Drawing { drawing, .. } => floor_drawing::trace(drawing, &settings.tracing(metre)),
+            DrawingSource::Image { plan, .. } | DrawingSource::Map { plan, .. } => {
+                let plan = scaled(plan, metre);
+                Ok(Traced { plan, corner: Vector::zeros(), metre, gaps: Vec::new() })
+            }
+        };
+        match traced {
+            Ok(traced) => {
+                self.floor = free_floor(&traced.plan);
+                self.room = Some(traced);
+            }
+            Err(error) => self.fault = error.to_string(),
+        }
+        if let Some(drawing) = self.source.drawing() {
+            let now = self.room.as_ref().map(|room| (room, self.floor));
+            self.doors = Doors::of(drawing, &self.settings.tracing(metre), now, |traced| free_floor(&traced.plan));
+        }
+    }
+
+    /// The robot's outline, or what is wrong with it.
+    pub fn outline(&self) -> Result<Outline, String> {
+        self.settings.body.outline().map_err(|error| error.to_string())
+    }
+
+    /// Plans the sweep of the room; `observe` receives how far it is, 0 to 1, and says whether to go on.
+    pub fn sweep(&mut self, observe: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Result<(), String> {
+        let outline = self.outline()?;
+        let Some(room) = &self.room else { return Err(self.no_room()) };
+        let FloorPlanSettings { scan_width, cell, headings, .. } = self.settings;
+        let setup = SweepSetup { outline, scan_width, cell, headings, start: room.plan.start };
+        let planned = sweep(&room.plan, &setup, observe).map_err(|error: SweepError| error.to_string())?;
+        self.sweep = Some(planned);
+        Ok(())
+    }
+
+    /// Makes the obstacle map over all headings, if there is none yet.
+    pub fn make_space(&mut self) -> Result<&ConfigurationSpace, String> {
+        if self.space.is_none() {
+            let outline = self.outline()?;
+            let Some(room) = &self.room else { return Err(self.no_room()) };
+            let FloorPlanSettings { cell, headings, .. } = self.settings;
+            let space = ConfigurationSpace::new(&room.plan, &outline, cell, headings);
+            self.space = Some(space.map_err(|error| error.to_string())?);
+        }
+        self.space.as_ref().ok_or_else(String::new)
+    }
+
+    /// What Explore takes: the room, with what a scenario says beside it. `sweeps` chooses the planner of the sweep, and
+    /// the robot if it is one that ships.
+    pub fn import(&self, sweeps: bool) -> Result<Import, String> {
+        let Some(room) = &self.room else { return Err(self.no_room()) };
+        let choices = match &self.source {
+            DrawingSource::Map { choices, .. } => choices.clone(),
+            _ => None,
+        };
+        if !sweeps {
+            return Ok(Import { plan: room.plan.clone(), choices });
+        }
+        let choices = choices.unwrap_or_default();
+        let choices = ScenarioChoices {
+            planner: Some(PLANNER.to_owned()),
+            behaviour: None,
+            params: Vec::new(),
+            robot: self.settings.body.model().map(str::to_owned).or(choices.robot),
+            ..choices
+        };
+        Ok(Import { plan: room.plan.clone(), choices: Some(choices) })
+    }
+
+    /// Metres between the two points that were set, if the drawing's unit is known.
+    pub fn measured_m(&self) -> Option<f64> {
+        Some(self.hand.measured()? * self.settings.metre?)
+    }
+
+    /// Makes the distance of the two points that were set so many metres.
+    pub fn scale_to(&mut self, metres: f64) -> Result<(), String> {
+        let units = self.hand.measured().ok_or("set two points first, then enter the distance between them")?;
+        if !(metres > 0.0 && metres.is_finite()) {
+            return Err(format!("the distance can't be {metres} m; enter a length greater than 0"));
+        }
+        self.set(FloorPlanSettings { metre: Some(metres / units), ..self.settings.clone() })?;
+        self.hand.escape();
+        self.hand.escape();
+        Ok(())
+    }
+
+    fn no_room(&self) -> String {
+        match (self.settings.metre, self.fault.is_empty()) {
+            (None, _) => "choose the unit of the drawing first".to_owned(),
+            (_, false) => self.fault.clone(),
+            _ => "there is no room yet".to_owned(),
+        }
+    }
+}
+
+/// Goes through all stages of a sweep, collisions and strokes along edges included, in a room that takes no time.
+pub fn warm_up() {
+    let plan = Sketch::open(4.0, 4.0, 0.1).fill(&[[1.0, 2.1, 3.0, 2.75]]).disc(1.5, 1.0, 0.3).finish("", "");
+    let Ok(outline) = Outline::octagon(0.4) else { return };
+    let setup = SweepSetup { outline, scan_width: None, cell: 0.1, headings: 1, start: None };
+    let _ = sweep(&plan, &setup, &mut |_| ControlFlow::Continue(()));
+}
+
+/// Floor on which nothing stands, m²; by the centres of the cells.
+fn free_floor(plan: &FloorPlan) -> f64 {
+    let mut free = plan.occupancy.map(|cell| cell.is_free());
+    let mut take = |low: Point, high: Point, holds: &dyn Fn(Point) -> bool| {
+        let (low, high) = (plan.cell_at(low), plan.cell_at(high));
+        for y in low.y.max(0)..=high.y.min(free.height() as i32 - 1) {
+            for x in low.x.max(0)..=high.x.min(free.width() as i32 - 1) {
+                let cell = Cell::new(x, y);
+                free[cell] &= !holds(plan.centre(cell));
+            }
+        }
+    };
+    for object in &plan.objects {
+        match object {
+            Object::Furniture { outline } | Object::DropOff { outline } => {
+                let first = outline.first().copied().unwrap_or_else(Point::origin);
+                let (low, high) = outline.iter().fold((first, first), |(low, high), point| {
+                    (low.coords.inf(&point.coords).into(), high.coords.sup(&point.coords).into())
+                });
+                take(low, high, &|at| contains(outline, at));
+            }
+            Object::Leg { at, radius } => {
+                let reach = Vector::new(*radius, *radius);
+                take(at - reach, at + reach, &|place| (place - at).norm() <= *radius);
+            }
+            _ => {}
+        }
+    }
+    free.count() as f64 * plan.resolution * plan.resolution
+}
+
+/// A map whose cells are `metre` wide, with its start where it was in the picture.
+fn scaled(plan: &FloorPlan, metre: f64) -> FloorPlan {
+    let factor = metre / plan.resolution;
+    let start = plan.start.map(|start| Pose::new(start.x * factor, start.y * factor, start.heading));
+    FloorPlan { resolution: metre, start, ..plan.clone() }
+}

@@ -1,0 +1,148 @@
+//! All settings of the Floor plan tab, as one value shared with the page.
+
+use super::{BodyChoice, DrawingSource};
+use floor_drawing::{DrawingRegion, Role, Tracing};
+use robovac_core::{
+    floor_plan::{DEFAULT_IMAGE_RESOLUTION, MAX_RESOLUTION, MIN_RESOLUTION, Shading},
+    geometry::Point,
+};
+use serde::{Deserialize, Serialize};
+
+/// Sides of the cells that are offered for rooms that are traced, m.
+pub const CELLS: [f64; 7] = [0.01, 0.02, 0.025, 0.05, 0.1, 0.2, 0.5];
+/// Cells on a side that a room is given unasked, at most: a finer one takes long to trace and is seldom wanted.
+const MOST_UNASKED: f64 = 2000.0;
+/// Widest gap between walls that can be closed, m: that of a double door.
+const MOST_GAP: f64 = 1.5;
+/// Most headings of an obstacle map that are offered: one a degree.
+const MOST_HEADINGS: usize = 360;
+
+/// What was chosen.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct FloorPlanSettings {
+    /// Metres per unit of the drawing; `None` until somebody says so.
+    pub metre: Option<f64>,
+    /// What every layer is.
+    pub roles: Vec<Role>,
+    /// Widest gap between walls that is closed, m.
+    pub gap: f64,
+    /// Side of the room's cells, m.
+    pub resolution: f64,
+    /// The part that is meant.
+    pub part: DrawingPart,
+    /// Shades of an image that are wall: those darker than this, 0 (black) to 1 (white).
+    pub shade: f64,
+    /// Whether light shades are walls instead.
+    pub negate: bool,
+    /// The robot's outline.
+    pub body: BodyChoice,
+    /// Distance between scan lines, m; half the robot's width if `None`.
+    pub scan_width: Option<f64>,
+    /// Side of the obstacle map's cells, m.
+    pub cell: f64,
+    /// Headings of the obstacle map.
+    pub headings: usize,
+}
+
+/// The part of a drawing that is meant, in its unit.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum DrawingPart {
+    /// All of it.
+    Whole,
+    /// An upright rectangle, by two corners.
+    Rectangle {
+        /// Two opposite corners.
+        corners: [[f64; 2]; 2],
+    },
+    /// A polygon.
+    Polygon {
+        /// Its corners.
+        corners: Vec<[f64; 2]>,
+    },
+    /// The room that holds a point.
+    Room {
+        /// The point.
+        at: [f64; 2],
+    },
+}
+
+impl FloorPlanSettings {
+    /// What is assumed of files that were just opened.
+    pub fn of(source: &DrawingSource) -> Self {
+        let metre = source.metre();
+        let side = source.extent().1.max() * metre.unwrap_or_default();
+        let fits = CELLS.into_iter().find(|cell| *cell >= DEFAULT_IMAGE_RESOLUTION && side / cell <= MOST_UNASKED);
+        let shading = Shading::default();
+        Self {
+            metre,
+            roles: source
+                .drawing()
+                .map_or(Vec::new(), |drawing| drawing.layers.iter().map(|layer| layer.role).collect()),
+            gap: 0.1,
+            resolution: fits.unwrap_or(CELLS[CELLS.len() - 1]),
+            part: DrawingPart::Whole,
+            shade: 1.0 - shading.occupied_thresh,
+            negate: false,
+            body: BodyChoice::Octagon { width: 0.4 },
+            scan_width: None,
+            cell: 0.05,
+            headings: 36,
+        }
+    }
+
+    /// The same within what is possible; a unit that can't be is as it was `before`. Refuses cells of a map that are too
+    /// small or too large: no other width is as good as the one that was meant.
+    pub fn checked(mut self, source: &DrawingSource, before: &Self) -> Result<Self, String> {
+        let positive = |value: f64| (value > 0.0).then_some(value);
+        if !source.is_scalable() {
+            self.metre = source.metre();
+        } else if let (None, Some(metre)) = (source.drawing(), self.metre)
+            && !(MIN_RESOLUTION..=MAX_RESOLUTION).contains(&metre)
+        {
+            let [found, least, most] = [metre, MIN_RESOLUTION, MAX_RESOLUTION].map(|metres| 100.0 * metres);
+            return Err(format!("A cell can't be {found} cm wide. Choose {least} to {most} cm."));
+        }
+        self.metre = self.metre.and_then(positive).filter(|metre| metre.is_finite()).or(before.metre);
+        self.roles.resize(source.drawing().map_or(0, |drawing| drawing.layers.len()), Role::Ignored);
+        self.gap = self.gap.clamp(0.0, MOST_GAP);
+        self.shade = self.shade.clamp(0.0, 1.0);
+        self.resolution = self.resolution.clamp(0.005, 1.0);
+        self.cell = self.cell.clamp(0.01, 1.0);
+        self.headings = self.headings.clamp(1, MOST_HEADINGS);
+        self.scan_width = self.scan_width.and_then(positive);
+        Ok(self)
+    }
+
+    /// How a drawing becomes a room, with so many metres a unit.
+    pub fn tracing(&self, metre: f64) -> Tracing {
+        let Self { roles, gap, resolution, part, .. } = self;
+        Tracing { roles: roles.clone(), metre, gap: *gap, resolution: *resolution, region: part.region() }
+    }
+
+    /// How an image is read. What lies between wall and floor is unknown; where people set the shade themselves, nothing does.
+    pub fn shading(&self) -> Shading {
+        let default = Shading::default();
+        let occupied = if self.negate { self.shade } else { 1.0 - self.shade };
+        if occupied == default.occupied_thresh && !self.negate {
+            return default;
+        }
+        Shading { negate: self.negate, occupied_thresh: occupied, free_thresh: occupied, ..default }
+    }
+}
+
+impl DrawingPart {
+    /// The part as tracing takes it.
+    pub fn region(&self) -> DrawingRegion {
+        let point = |&[x, y]: &[f64; 2]| Point::new(x, y);
+        match self {
+            Self::Whole => DrawingRegion::Whole,
+            Self::Rectangle { corners: [a, b] } => DrawingRegion::Rectangle {
+                low: Point::new(a[0].min(b[0]), a[1].min(b[1])),
+                high: Point::new(a[0].max(b[0]), a[1].max(b[1])),
+            },
+            Self::Polygon { corners } => DrawingRegion::Polygon(corners.iter().map(point).collect()),
+            Self::Room { at } => DrawingRegion::Room(point(at)),
+        }
+    }
+}

@@ -1,0 +1,41 @@
+//! Sheet coordinates, in which files of any unit and origin are displayed alike.
+
+use super::DrawingSource;
+use robovac_core::geometry::{Point, Vector};
+
+/// Longer side of what is seen, on the sheet. The view's limits of zooming leave room for 250 times as much and a
+/// sixteenth: see [`crate::Viewport`].
+const SIDE: f64 = 100.0;
+
+/// Where a source lies on the sheet.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sheet {
+    /// Its lower left corner, in its unit.
+    low: Point,
+    /// Its size on the sheet.
+    pub size: Vector,
+    /// Sheet per unit.
+    pub scale: f64,
+}
+
+impl Sheet {
+    /// The sheet for a source.
+    pub fn of(source: &DrawingSource) -> Self {
+        let (low, size) = source.extent();
+        let side = size.max();
+        let scale = if side > 0.0 && side.is_finite() { SIDE / side } else { 1.0 };
+        // Something that is flat still needs a sheet that is not.
+        Self { low, size: (size * scale).sup(&Vector::new(1.0, 1.0)), scale }
+    }
+
+    /// A point of the source, on the sheet.
+    #[inline]
+    pub fn place(&self, point: Point) -> Point {
+        ((point - self.low) * self.scale).into()
+    }
+
+    /// A point of the sheet, in the source's unit.
+    pub fn unit(&self, point: Point) -> Point {
+        self.low + point.coords / self.scale
+    }
+}

@@ -1,0 +1,255 @@
+//! View model of the Floor plan tab, as one plain object.
+
+use super::{Doors, DrawingSession, DrawingSource, DrawingTool, FloorPlanSettings, UNITS, size_in_words};
+use coverage_planners::{stage::LineEndContact, sweep::Sweep};
+use floor_drawing::Role;
+use robovac_core::geometry::Point;
+use serde::Serialize;
+
+/// A draft as it is now.
+#[derive(Debug, Clone, Serialize)]
+pub struct FloorPlanView {
+    /// Its name.
+    pub name: String,
+    /// `drawing`, `image` or `map`.
+    pub kind: &'static str,
+    /// Whether a file says how long its unit is.
+    pub says_unit: bool,
+    /// Whether it can be scaled.
+    pub is_scalable: bool,
+    /// Size of all of it, in words, if that is known.
+    pub size: Option<String>,
+    /// The units that there are, with the size that it would have.
+    pub units: Vec<UnitView>,
+    /// Layers of a drawing.
+    pub layers: Vec<LayerView>,
+    /// Number of strokes of a drawing.
+    pub strokes: usize,
+    /// What isn't drawn.
+    pub left_out: Vec<String>,
+    /// What was chosen.
+    pub settings: FloorPlanSettings,
+    /// The room, if there is one.
+    pub room: Option<TracedRoomView>,
+    /// Open doors through which a room that was marked reaches on.
+    pub doors: Option<Doors>,
+    /// Why there is none; empty if there is, or if a question is open.
+    pub fault: String,
+    /// What clicks mean.
+    pub tool: DrawingTool,
+    /// Points that were set.
+    pub points: usize,
+    /// Whether two points are set whose distance is to be typed.
+    pub is_measured: bool,
+    /// That distance as it is now, m.
+    pub measured_m: Option<f64>,
+    /// Width of the robot, m; `None` if something is wrong with it.
+    pub body_width: Option<f64>,
+    /// Corners of its outline for a small picture, m; x ahead, y to the left. None of a circle.
+    pub body: Vec<[f64; 2]>,
+    /// What is wrong with the robot.
+    pub body_fault: String,
+    /// The sweep, once planned.
+    pub sweep: Option<SweepView>,
+}
+
+/// A unit that may be chosen.
+#[derive(Debug, Clone, Serialize)]
+pub struct UnitView {
+    /// Its name.
+    pub name: &'static str,
+    /// Metres per unit.
+    pub metre: f64,
+    /// The size that the drawing would have.
+    pub size: String,
+}
+
+/// A layer.
+#[derive(Debug, Clone, Serialize)]
+pub struct LayerView {
+    /// Its name.
+    pub name: String,
+    /// `#rrggbb`, as in the file.
+    pub colour: String,
+    /// Number of strokes.
+    pub strokes: usize,
+    /// What it is.
+    pub role: Role,
+}
+
+/// The room that comes of it.
+#[derive(Debug, Clone, Serialize)]
+pub struct TracedRoomView {
+    /// Width, m.
+    pub width_m: f64,
+    /// Height, m.
+    pub height_m: f64,
+    /// Columns and rows.
+    pub cells: [usize; 2],
+    /// Floor on which nothing stands, m².
+    pub floor_m2: f64,
+    /// Side of a cell, m.
+    pub resolution: f64,
+    /// Things that stand or lie in it.
+    pub objects: usize,
+    /// Gaps that were closed.
+    pub gaps: usize,
+}
+
+/// A sweep in figures.
+#[derive(Debug, Clone, Serialize)]
+pub struct SweepView {
+    /// Subgoals in all, then by contact: left and right wall, left and right obstacle.
+    pub subgoals: [usize; 5],
+    /// Links.
+    pub links: usize,
+    /// Links whose straight way collides.
+    pub collisions: usize,
+    /// Of these, those with a detour.
+    pub resolved: usize,
+    /// Length of the path, m.
+    pub length: f64,
+    /// Share of the reachable floor that is swept, 0 to 1.
+    pub coverage: f64,
+    /// Distance between scan lines, m.
+    pub scan_width: f64,
+}
+
+impl DrawingSession {
+    /// What there is to be seen.
+    pub fn view(&self) -> FloorPlanView {
+        let (source, settings) = (self.source(), self.settings());
+        let (_, size) = source.extent();
+        let drawing = source.drawing();
+        let outline = self.outline();
+        FloorPlanView {
+            name: source.name().to_owned(),
+            kind: match source {
+                DrawingSource::Drawing { .. } => "drawing",
+                DrawingSource::Image { .. } => "image",
+                DrawingSource::Map { .. } => "map",
+            },
+            says_unit: !matches!(source, DrawingSource::Image { .. }) && source.metre().is_some(),
+            is_scalable: source.is_scalable(),
+            size: settings.metre.map(|metre| size_in_words(size.x * metre, size.y * metre)),
+            units: UNITS
+                .iter()
+                .filter(|_| drawing.is_some())
+                .map(|unit| UnitView {
+                    name: unit.name,
+                    metre: unit.metre,
+                    size: size_in_words(size.x * unit.metre, size.y * unit.metre),
+                })
+                .collect(),
+            layers: drawing.map_or(Vec::new(), |drawing| {
+                let with_role = drawing.layers.iter().zip(&settings.roles);
+                with_role.map(|(layer, &role)| layer_view(layer, role)).collect()
+            }),
+            strokes: drawing.map_or(0, |drawing| drawing.strokes.len()),
+            left_out: drawing.map_or(Vec::new(), |drawing| drawing.left_out.clone()),
+            settings: settings.clone(),
+            room: self.room_view(),
+            doors: self.doors(),
+            fault: self.fault().to_owned(),
+            tool: self.hand.tool,
+            points: self.hand.points.len(),
+            is_measured: self.hand.measured().is_some(),
+            measured_m: self.measured_m(),
+            body_width: outline.as_ref().ok().map(robovac_core::cspace::Outline::width),
+            body: match &outline {
+                Ok(robovac_core::cspace::Outline::Polygon(corners)) => {
+                    corners.iter().map(|&Point { coords }| coords.into()).collect()
+                }
+                _ => Vec::new(),
+            },
+            body_fault: outline.err().unwrap_or_default(),
+            sweep: self.planned().map(sweep_view),
+        }
+    }
+
+    fn room_view(&self) -> Option<TracedRoomView> {
+        let room = self.room()?;
+        let (plan, cells) = (&room.plan, &room.plan.occupancy);
+        Some(TracedRoomView {
+            width_m: plan.width_m(),
+            height_m: plan.height_m(),
+            cells: [cells.width(), cells.height()],
+            floor_m2: self.floor_m2(),
+            resolution: plan.resolution,
+            objects: plan.objects.len(),
+            gaps: room.gaps.len(),
+        })
+    }
+
+    /// What is seen, in words, for those who don't see it.
+    pub fn description(&self) -> String {
+        let view = self.view();
+        let mut words = format!("Floor plan {}", view.name);
+        let mut say = |text: String| {
+            words.push_str(", ");
+            words.push_str(&text);
+        };
+        if view.kind == "drawing" {
+            let walls = view.layers.iter().filter(|layer| layer.role == Role::Wall).count();
+            say(format!("{} strokes on {} layers, {walls} of them walls", view.strokes, view.layers.len()));
+        }
+        match (&view.size, &view.room) {
+            (None, _) => say("unit not chosen yet".to_owned()),
+            (Some(size), None) => say(format!("{size} overall; no room could be traced: {}", view.fault)),
+            (Some(size), Some(room)) => {
+                say(format!(
+                    "{size} overall; the room is {} with {:.1} square metres of free floor",
+                    size_in_words(room.width_m, room.height_m),
+                    room.floor_m2
+                ));
+                if room.objects + room.gaps > 0 {
+                    say(format!("{} obstacles, {} closed gaps", room.objects, room.gaps));
+                }
+            }
+        }
+        if let Some(Doors { count, gap, floor_m2 }) = view.doors {
+            let openings = if count == 1 { "one opening".to_owned() } else { format!("{count} openings") };
+            say(format!(
+                "it extends through {openings} as wide as doors; closing gaps up to {gap:.2} metres leaves \
+                 {floor_m2:.1} square metres"
+            ));
+        }
+        if let Some(sweep) = &view.sweep {
+            say(format!(
+                "a sweep of {:.1} metres with {} subgoals, {} of {} collisions resolved",
+                sweep.length, sweep.subgoals[0], sweep.resolved, sweep.collisions
+            ));
+        }
+        words.push('.');
+        words
+    }
+}
+
+fn layer_view(layer: &floor_drawing::DrawingLayer, role: Role) -> LayerView {
+    let [red, green, blue] = layer.colour;
+    LayerView {
+        name: layer.name.clone(),
+        colour: format!("#{red:02x}{green:02x}{blue:02x}"),
+        strokes: layer.strokes,
+        role,
+    }
+}
+
+fn sweep_view(sweep: &Sweep) -> SweepView {
+    let count = |contact| sweep.subgoals.iter().filter(|subgoal| subgoal.contact == contact).count();
+    SweepView {
+        subgoals: [
+            sweep.subgoals.len(),
+            count(LineEndContact::LeftWall),
+            count(LineEndContact::RightWall),
+            count(LineEndContact::LeftObstacle),
+            count(LineEndContact::RightObstacle),
+        ],
+        links: sweep.links.len(),
+        collisions: sweep.collisions,
+        resolved: sweep.resolved,
+        length: sweep.length,
+        coverage: sweep.coverage,
+        scan_width: sweep.scan_width,
+    }
+}

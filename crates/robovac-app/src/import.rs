@@ -1,0 +1,180 @@
+//! Import of files: parsed in a worker, applied to the session.
+
+use floor_drawing::{DrawingError, drawing_kind};
+use robovac_core::floor_plan::{self, FloorPlan, MapError, Scenario, SourceFile};
+use robovac_sim::{
+    Noise,
+    experiment::{Algorithm, Settings, SettingsError},
+};
+use serde::{Deserialize, Serialize};
+
+/// What files turned out to be.
+#[derive(Debug, Clone)]
+pub struct Import {
+    /// The room.
+    pub plan: FloorPlan,
+    /// What else a scenario says; `None` for other maps.
+    pub choices: Option<ScenarioChoices>,
+}
+
+/// What a scenario says beside its room, as text that settings check. What it doesn't mention stays as it is.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct ScenarioChoices {
+    /// Id of the robot.
+    pub robot: Option<String>,
+    /// Side of the planning cells, m.
+    pub cell_size: Option<f64>,
+    /// Id of the planner.
+    pub planner: Option<String>,
+    /// Id of the behaviour.
+    pub behaviour: Option<String>,
+    /// Parameters of either, by name.
+    pub params: Vec<(String, String)>,
+    /// Seed of all random numbers.
+    pub seed: Option<String>,
+    /// How well the wheels hold.
+    pub slip: Option<String>,
+    /// How much each kind of sensor errs; those left out don't.
+    pub noise: Option<Vec<(String, String)>>,
+    /// Whether wheel speeds come in steps.
+    pub quantised: Option<bool>,
+    /// How the robot computes its pose.
+    pub odometry: Option<String>,
+}
+
+/// Why files can't be read.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum ImportError {
+    /// They are no map.
+    #[error(transparent)]
+    Map(#[from] MapError),
+    /// They are a drawing with a flaw.
+    #[error(transparent)]
+    Drawing(#[from] DrawingError),
+    /// A file is a drawing, of which a room has to be made first.
+    #[error(
+        "\"{name}\" is {kind}, from which a room must be traced first; open it in the Floor plan tab of the page or \
+         use \"robovac convert\" (save a DWG as DXF first)"
+    )]
+    IsADrawing {
+        /// The file.
+        name: String,
+        /// What it is, e.g. "a DXF drawing".
+        kind: &'static str,
+    },
+}
+
+/// A scenario asks for something that there isn't.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("the scenario can't be run: {path}: {reason}")]
+pub struct ScenarioError {
+    /// The value in its JSON, e.g. `params.rate`.
+    pub path: String,
+    /// What is wrong with it.
+    pub reason: String,
+}
+
+impl Import {
+    /// Reads files that belong together. May take seconds for a large map.
+    pub fn read(files: &[SourceFile]) -> Result<Self, ImportError> {
+        let plan = floor_plan::load(files).map_err(|error| {
+            let drawing = files.iter().find_map(|file| Some((file, drawing_kind(file)?)));
+            drawing.map_or(ImportError::Map(error), |(file, kind)| ImportError::IsADrawing {
+                name: floor_plan::base_name(&file.name).to_owned(),
+                kind,
+            })
+        })?;
+        let choices = match files {
+            [file] => Scenario::read(&file.name, &file.bytes).ok().map(|scenario| ScenarioChoices::of(&scenario)),
+            _ => None,
+        };
+        Ok(Self { plan, choices })
+    }
+
+    /// Reads a scenario file, and nothing else.
+    pub fn scenario(name: &str, bytes: &[u8]) -> Result<Self, MapError> {
+        let scenario = Scenario::read(name, bytes)?;
+        Ok(Self { plan: scenario.plan(name)?, choices: Some(ScenarioChoices::of(&scenario)) })
+    }
+}
+
+impl ScenarioChoices {
+    /// What `scenario` says.
+    pub fn of(scenario: &Scenario) -> Self {
+        let text = |value: &serde_json::Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
+        let Scenario { robot, cell_size, planner, behaviour, slip, noise, quantised, odometry, .. } = scenario.clone();
+        Self {
+            robot,
+            cell_size,
+            planner,
+            behaviour,
+            params: scenario.params.iter().map(|(id, value)| (id.clone(), text(value))).collect(),
+            seed: scenario.seed.map(|seed| seed.to_string()),
+            slip,
+            noise: noise.map(|levels| levels.into_iter().collect()),
+            quantised,
+            odometry,
+        }
+    }
+
+    /// `now`, with what the scenario says.
+    pub fn settings(&self, now: &Settings) -> Result<Settings, ScenarioError> {
+        let mut settings = now.clone();
+        if let Some(id) = &self.robot {
+            at("robot", settings.select_robot(id))?;
+        }
+        if let Some(metres) = self.cell_size {
+            at("cell_size", settings.set_cell_size(metres))?;
+        }
+        for (kind, id) in [("planner", &self.planner), ("behaviour", &self.behaviour)] {
+            if let Some(id) = id {
+                at(kind, Algorithm::find_kind(kind, id).and_then(|_| settings.select_fresh_algorithm(id)))?;
+            }
+        }
+        for (id, text) in &self.params {
+            at(&format!("params.{id}"), settings.set_param(id, text))?;
+        }
+        if let Some(seed) = &self.seed {
+            at("seed", settings.set_seed(seed.parse().ok(), seed))?;
+        }
+        if let Some(id) = &self.slip {
+            at("slip", settings.set_slip(id))?;
+        }
+        if let Some(levels) = &self.noise {
+            settings.conditions.noise = Noise::default();
+            for (sensor, level) in levels {
+                at(&format!("noise.{sensor}"), settings.set_noise(Some(sensor), level))?;
+            }
+        }
+        if let Some(on) = self.quantised {
+            settings.conditions.quantised = on;
+        }
+        if let Some(id) = &self.odometry {
+            at("odometry", settings.set_odometry(id))?;
+        }
+        Ok(settings)
+    }
+}
+
+fn at<T>(path: &str, result: Result<T, SettingsError>) -> Result<T, ScenarioError> {
+    result.map_err(|error| ScenarioError { path: path.to_owned(), reason: error.to_string() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn drawings_are_called_what_they_are() {
+        for (content, kind) in [
+            ("  0\nSECTION\n  2\nENTITIES\n", "a DXF"),
+            ("AC1032\0", "a DWG"),
+            ("\u{feff}<svg xmlns='http://www.w3.org/2000/svg'/>", "an SVG"),
+            ("{\"type\": \"FeatureCollection\", \"features\": []}", "a GeoJSON"),
+        ] {
+            let file = SourceFile { name: "plans/house".to_owned(), bytes: content.into() };
+            let message = Import::read(&[file]).unwrap_err().to_string();
+            assert!(message.starts_with(&format!("\"house\" is {kind} drawing, of which a room")), "{message}");
+        }
+    }
+}

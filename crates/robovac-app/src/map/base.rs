@@ -1,0 +1,95 @@
+//! The settings that the Map tab takes from the session.
+
+use super::{Known, MapSetup, RoomTruth, numbers::digest};
+use crate::explore::Session;
+use robovac_core::floor_plan::{FloorPlan, Scenario};
+use robovac_sim::{
+    Conditions, Run,
+    controller::Setup,
+    experiment::planning::RoomSetup,
+    mapping::{Mapper, MapperSetup, Tracking},
+};
+use std::sync::Arc;
+
+/// What is taken over from the session.
+pub(super) struct MapBase {
+    pub plan: Arc<FloorPlan>,
+    pub title: String,
+    pub prepared: Result<RoomSetup, String>,
+    pub conditions: Conditions,
+    pub seed: u64,
+    /// Tells room, start, robot, conditions and seed from others, also tomorrow.
+    pub place: String,
+    link: String,
+    plan_version: u64,
+}
+
+impl MapBase {
+    /// What the session has now.
+    pub fn of(session: &Session) -> Self {
+        let settings = session.settings();
+        Self {
+            plan: Arc::clone(session.plan()),
+            title: session.room_title(),
+            prepared: session.prepared().cloned().ok_or_else(|| session.view().message),
+            conditions: settings.conditions,
+            seed: settings.seed,
+            place: place_of(session),
+            link: session.link(),
+            plan_version: session.plan_version(),
+        }
+    }
+
+    /// Whether the session is as it was.
+    pub fn is_of(&self, session: &Session) -> bool {
+        self.plan_version == session.plan_version() && self.link == session.link()
+    }
+
+    /// The robot at the start, about to explore, and what is really there; `None` if it doesn't fit in, or isn't in the
+    /// registry.
+    pub fn run(&self, setup: &MapSetup, known: Option<&Known>) -> Option<(Run, RoomTruth)> {
+        let prepared = self.prepared.as_ref().ok()?;
+        let conditions = setup.conditions(self.conditions);
+        let robot = &prepared.robot;
+        let params = setup.driving_params();
+        let controller = setup.behaviour.build(&Setup { robot, params: &params, seed: self.seed })?;
+        let start = prepared.floor.start;
+        let mapper = |tracking| {
+            Mapper::new(MapperSetup {
+                robot: robot.clone(),
+                start,
+                tracking,
+                odometry: setup.odometry,
+                seed: self.seed,
+            })
+        };
+        let run = Run::new(&prepared.setup(conditions, self.seed), controller);
+        // A controller that makes a map of its own acts by that.
+        let run = match known {
+            Some(known) => run.with_mapper(mapper(setup.tracking).knowing(known.map().clone(), known.marks().clone())),
+            None if run.mapper().is_none() => run.with_mapper(mapper(setup.tracking)),
+            None => run,
+        };
+        let run = run.with_baseline(mapper(Tracking::Odometry)).with_reckoning(robot);
+        let run = match known {
+            Some(known) => run.with_locator(known.locator(robot, setup.odometry, self.seed)?),
+            None => run,
+        };
+        let resolution = run.mapper()?.map().resolution();
+        let truth = RoomTruth::new(&prepared.floor, robot.radius, resolution);
+        Some((run, truth))
+    }
+}
+
+/// Tells room, start, robot, conditions and seed of a session from others, also tomorrow.
+fn place_of(session: &Session) -> String {
+    let link = session.link();
+    let kept = link.split('&').filter(|pair| {
+        let key = pair.split('=').next().unwrap_or("");
+        ["room", "robot", "cell", "seed", "slip", "quantised", "start"].contains(&key) || key.starts_with("noise.")
+    });
+    let kept: Vec<&str> = kept.collect();
+    let is_own = session.room().is_none();
+    let walls = is_own.then(|| format!(" {:016x}", digest(&Scenario::of(session.plan()).to_json())));
+    format!("{}{}", kept.join(" "), walls.unwrap_or_default())
+}

@@ -1,0 +1,34 @@
+//! Map quality figures.
+
+use super::RoomTruth;
+use robovac_core::geometry::{Pose, difference};
+use robovac_sim::mapping::{MapQuality, OccupancyMap};
+
+/// How far a mapper is from the truth.
+#[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize)]
+pub struct MapErrorFigures {
+    /// Distance between the robot's true and estimated position, m; `None` while it has no idea.
+    pub position_m: Option<f64>,
+    /// Angle between its true and estimated heading, degrees, 0 to 180.
+    pub heading_deg: Option<f64>,
+    /// Share of the known cells that are right within one cell, 0 to 1; 1 while nothing is known.
+    pub right: f64,
+    /// Share of the floor that the body can cover which is known to be free, 0 to 1.
+    pub known: f64,
+    /// Share of the boundary that a bumper can find which is on the map, to within one cell, 0 to 1.
+    pub boundary: f64,
+}
+
+impl MapErrorFigures {
+    /// The figures of a robot whose estimated pose is `believed` on `map` while it is at `pose`.
+    pub fn of(map: &OccupancyMap, believed: Option<Pose>, pose: Pose, truth: &RoomTruth) -> Self {
+        let MapQuality { right, known, boundary, .. } = truth.quality(map);
+        Self {
+            position_m: believed.map(|believed| (believed.position() - pose.position()).norm()),
+            heading_deg: believed.map(|believed| difference(pose.heading, believed.heading).abs().to_degrees()),
+            right,
+            known,
+            boundary,
+        }
+    }
+}

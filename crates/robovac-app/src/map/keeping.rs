@@ -1,0 +1,64 @@
+//! Stores and restores the Map tab.
+
+use super::{Known, MapSession, StoreError, Stored, stage::Return};
+use robovac_sim::STEP_S;
+
+impl MapSession {
+    /// The survey as text, to be brought back by [`MapSession::resume`]; `None` while there is nothing worth it.
+    pub fn store(&self) -> Option<String> {
+        let stage = self.stage.as_ref().filter(|stage| stage.returning.is_none())?;
+        let run = stage.run();
+        let end = (stage.recording.end_s() / STEP_S).round() as u64;
+        let estimate = self.estimate().filter(|_| end > 0)?;
+        let stored = Stored {
+            recipe: self.recipe(),
+            title: self.base.as_ref().map_or(String::new(), |base| base.title.clone()),
+            end,
+            shown: run.steps(),
+            digest: run.digest(),
+            inputs: stage.recording.inputs().to_vec(),
+            pose: estimate.pose().or_else(|| run.estimate())?,
+            map: estimate.map.clone(),
+            marks: estimate.marks.clone(),
+            known: stage.known.as_ref().map(|known| (known.name().to_owned(), known.map().clone())),
+        };
+        Some(stored.to_text())
+    }
+
+    /// Goes back to where a survey was left that [`MapSession::store`] has stored: its map is there at once; the robot is driven
+    /// again, by the frames that follow, through all that it did. On an error everything stays as it was.
+    pub fn resume(&mut self, text: &str) -> Result<(), StoreError> {
+        let stored = Stored::from_text(text)?;
+        let robot = self.prepared().map(|prepared| &prepared.robot);
+        let known = match (&stored.known, robot) {
+            (Some((name, map)), Some(robot)) => {
+                let of_no_use = |_| StoreError::Damaged { what: "the robot can't localise on the given map" };
+                Some(Known::of(map.clone(), name.clone(), robot).map_err(of_no_use)?)
+            }
+            _ => None,
+        };
+        if stored.recipe != self.recipe_on(known.as_ref()) {
+            return Err(StoreError::Another { title: stored.title });
+        }
+        let Some(mut stage) = self.new_stage(known.clone()) else { return Ok(()) };
+        self.known = known;
+        stage.recording = stage.recording.with_inputs(stored.inputs.clone());
+        stage.returning = Some(Return::to(stored));
+        self.stage = Some(stage);
+        self.playing = false;
+        self.version += 1;
+        Ok(())
+    }
+
+    /// Whether the last way back to where a survey was left has led elsewhere, once: programs of other versions drive
+    /// otherwise. What was stored is still right in itself.
+    pub fn take_strayed(&mut self) -> bool {
+        std::mem::take(&mut self.has_strayed)
+    }
+
+    /// How far the way back to where a survey was left is done, 0 to 1; `None` if there is none.
+    pub fn returned(&self) -> Option<f64> {
+        let stage = self.stage.as_ref()?;
+        Some(stage.run().steps() as f64 / stage.returning.as_ref()?.end.max(1) as f64)
+    }
+}

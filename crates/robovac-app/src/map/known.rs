@@ -1,0 +1,194 @@
+//! A given map: the robot's own, or one from a file.
+
+use super::{MapSession, numbers::digest};
+use robovac_core::coverage::with_objects;
+use robovac_core::{
+    floor_plan::FloorPlan,
+    geometry::Pose,
+    grid::{Cell, Occupancy},
+    rng::seeded,
+    robot::{OdometryModel, RobotModel},
+};
+use robovac_sim::{
+    Input,
+    mapping::{
+        Marks, OccupancyMap,
+        locate::{Locator, LocatorSetup},
+    },
+};
+use std::{fmt::Write, sync::Arc};
+
+/// Stream of the places where a robot is put down that is to find itself.
+const STREAM: u64 = 14;
+/// Log odds of a cell that a file is sure of.
+const SURE: f64 = 5.0;
+/// Longest side of a map, m: no robot has a larger home.
+const MOST_M: f64 = 200.0;
+/// Lengths that aren't told apart, m.
+const TINY: f64 = 1e-6;
+
+/// Why a map can't be given to the robot.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum OpenError {
+    /// There is no robot that it could be given to.
+    #[error("the robot doesn't fit into this room, so it can't use a map; choose another room in Explore")]
+    NoRoom,
+    /// There is nothing on it to find oneself by.
+    #[error(
+        "the robot can't localise on this map: it has no walls, or no floor where the robot fits; choose another map"
+    )]
+    NothingOnIt,
+    /// It is larger than any home.
+    #[error("this map is {width:.0} m x {height:.0} m; the limit is {MOST_M} m a side: check its resolution")]
+    TooLarge {
+        /// Its width, m.
+        width: f64,
+        /// Its height, m.
+        height: f64,
+    },
+}
+
+/// A map that the robot knows and does not change.
+#[derive(Debug, Clone)]
+pub struct Known {
+    map: Arc<OccupancyMap>,
+    marks: Arc<Marks>,
+    name: String,
+    digest: u64,
+}
+
+/// Adds walls where the floor ends with the file: its outside counts as wall.
+fn wall_in(map: &mut OccupancyMap, [left, right, bottom, top]: [i32; 4]) {
+    let is_floor = |map: &OccupancyMap, x, y| {
+        (-1..=1).any(|dy| (-1..=1).any(|dx| map.occupancy(Cell::new(x + dx, y + dy)) == Occupancy::Free))
+    };
+    let sides = (left - 1..=right + 1).flat_map(|x| [(x, bottom - 1), (x, top + 1)]);
+    let ends = (bottom..=top).flat_map(|y| [(left - 1, y), (right + 1, y)]);
+    let walls: Vec<(i32, i32)> = sides.chain(ends).filter(|&(x, y)| is_floor(map, x, y)).collect();
+    for (x, y) in walls {
+        map.add(Cell::new(x, y), SURE);
+    }
+}
+
+impl Known {
+    /// The map that `plan` is, in cells of `resolution` metres, in the frame of a room whose lower-left corner lies at
+    /// `origin` in the frame of that file: as files say where their corner lies, a map that was exported comes back where it
+    /// was.
+    pub(super) fn new(plan: &FloorPlan, origin: Pose, resolution: f64, robot: &RobotModel) -> Result<Self, OpenError> {
+        let [width, height] = [plan.width_m(), plan.height_m()];
+        if width.max(height) > MOST_M {
+            return Err(OpenError::TooLarge { width, height });
+        }
+        let plan = with_objects(plan);
+        let shift = |far: f64| if far.is_finite() && far.abs() < MOST_M { far } else { 0.0 };
+        let (right, up) = (shift(plan.origin.x - origin.x), shift(plan.origin.y - origin.y));
+        // Cells that only touch don't count.
+        let cells =
+            |from: f64, to: f64, side: f64| ((from + TINY) / side).floor() as i32..=((to - TINY) / side).floor() as i32;
+        let mut map = OccupancyMap::new(resolution);
+        for y in cells(up, up + height, resolution) {
+            for x in cells(right, right + width, resolution) {
+                let low = [f64::from(x) * resolution - right, f64::from(y) * resolution - up];
+                let mut covered = cells(low[1], low[1] + resolution, plan.resolution).flat_map(|row| {
+                    let columns = cells(low[0], low[0] + resolution, plan.resolution);
+                    columns.map(move |column| (column, row))
+                });
+                let mut is_free = false;
+                let is_occupied = covered.any(|(column, row)| match plan.occupancy.get(Cell::new(column, row)) {
+                    Some(Occupancy::Occupied) => true,
+                    Some(Occupancy::Free) => {
+                        is_free = true;
+                        false
+                    }
+                    _ => false,
+                });
+                if is_occupied || is_free {
+                    map.add(Cell::new(x, y), if is_occupied { SURE } else { -SURE });
+                }
+            }
+        }
+        let (columns, rows) = (cells(right, right + width, resolution), cells(up, up + height, resolution));
+        wall_in(&mut map, [*columns.start(), *columns.end(), *rows.start(), *rows.end()]);
+        Self::of(map, plan.name.clone(), robot)
+    }
+
+    /// A map as it is, in the frame of the room.
+    pub(super) fn of(map: OccupancyMap, name: String, robot: &RobotModel) -> Result<Self, OpenError> {
+        let mut text = String::new();
+        for (cell, _) in map.iter() {
+            // Writing to a text doesn't fail.
+            let _ = write!(text, "{},{},{:?};", cell.x, cell.y, map.occupancy(cell));
+        }
+        let marks = Marks::new(map.resolution());
+        let known = Self { map: Arc::new(map), marks: Arc::new(marks), name, digest: digest(&text) };
+        let try_out = known.locator(robot, OdometryModel::Arc, 0);
+        if try_out.is_some() { Ok(known) } else { Err(OpenError::NothingOnIt) }
+    }
+
+    /// What looks for the robot on it; `None` if there is nothing to go by.
+    pub(super) fn locator(&self, robot: &RobotModel, odometry: OdometryModel, seed: u64) -> Option<Locator> {
+        Locator::new(&self.map, LocatorSetup { robot: robot.clone(), odometry, seed })
+    }
+
+    pub(super) fn map(&self) -> &OccupancyMap {
+        &self.map
+    }
+
+    pub(super) fn marks(&self) -> &Marks {
+        &self.marks
+    }
+
+    /// What it is called.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    pub(super) fn digest(&self) -> u64 {
+        self.digest
+    }
+}
+
+impl MapSession {
+    /// Gives the robot a map, and puts it down anywhere in the room: it has to find out where. On an error everything stays
+    /// as it was.
+    pub fn open(&mut self, plan: &FloorPlan) -> Result<(), OpenError> {
+        let (Some(base), Some(prepared), Some(truth)) = (&self.base, self.prepared(), self.truth()) else {
+            return Err(OpenError::NoRoom);
+        };
+        let known = Known::new(plan, base.plan.origin, truth.resolution(), &prepared.robot)?;
+        self.give(known);
+        Ok(())
+    }
+
+    /// The same with the map that it has made.
+    pub fn open_own(&mut self) -> Result<(), OpenError> {
+        let (Some(estimate), Some(prepared)) = (self.estimate(), self.prepared()) else {
+            return Err(OpenError::NoRoom);
+        };
+        let known = Known::of(estimate.map.clone(), "its own map".to_owned(), &prepared.robot)?;
+        self.give(known);
+        Ok(())
+    }
+
+    fn give(&mut self, known: Known) {
+        self.known = Some(known);
+        self.begin();
+    }
+
+    /// Kidnaps the robot: puts it down anywhere.
+    pub(super) fn lose(&mut self) {
+        let seed = self.base.as_ref().map_or(0, |base| base.seed);
+        if let Some(stage) = &mut self.stage {
+            let place = stage.run().floor().anywhere(&mut seeded(seed, STREAM)).unwrap_or(stage.run().pose());
+            stage.input(Input::Lift);
+            stage.input(Input::PutDown(place));
+        }
+    }
+
+    /// Takes the map away that it was given: it explores and maps again.
+    pub fn close_map(&mut self) {
+        if self.known.take().is_some() {
+            self.begin();
+        }
+    }
+}

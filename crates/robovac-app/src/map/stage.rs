@@ -1,0 +1,143 @@
+//! A mapping run that can be rewound.
+
+use super::{CurveSample, Known, MapErrorFigures, MapEstimate, RoomTruth, Stored, curve::Curve, store::StoredMap};
+use robovac_sim::{Input, Run, RunRecording, STEP_S};
+
+/// A run under way, and what is known of it.
+pub(super) struct MapStage {
+    pub recording: RunRecording,
+    pub truth: RoomTruth,
+    /// The map that the robot has been given.
+    pub known: Option<Known>,
+    pub curve: Curve,
+    /// Figures of the map, and of one by odometry alone, after so many steps.
+    pub figures: [MapErrorFigures; 2],
+    counted: Option<u64>,
+    /// What was stored, while the run is driven again up to there.
+    pub returning: Option<Return>,
+}
+
+/// The way back to where a survey was left.
+pub(super) struct Return {
+    pub still: StoredMap,
+    pub end: u64,
+    shown: u64,
+    digest: u64,
+    is_seeking: bool,
+}
+
+impl Return {
+    /// The way to where that was stored.
+    pub fn to(Stored { end, shown, digest, map, marks, pose, .. }: Stored) -> Self {
+        Self { still: StoredMap { map, marks, pose }, end, shown, digest, is_seeking: false }
+    }
+}
+
+impl MapStage {
+    /// A run that hasn't begun yet.
+    pub fn new(run: Run, truth: RoomTruth, known: Option<Known>) -> Self {
+        let mut stage = Self {
+            recording: RunRecording::new(run),
+            truth,
+            known,
+            curve: Curve::new(),
+            figures: [MapErrorFigures::default(); 2],
+            counted: None,
+            returning: None,
+        };
+        stage.sample();
+        stage
+    }
+
+    /// The run at the moment that is shown.
+    pub fn run(&self) -> &Run {
+        self.recording.run()
+    }
+
+    /// Lets a person do something now.
+    pub fn input(&mut self, input: Input) {
+        self.recording.input(input);
+        let run = self.recording.run();
+        self.curve.cut(run.steps(), run.time_s());
+        // Nothing was driven, and yet it may be elsewhere.
+        self.counted = None;
+    }
+
+    /// What was stored of a survey that is on its way back.
+    pub fn left(&self) -> Option<MapEstimate<'_>> {
+        self.returning.as_ref().map(|way| MapEstimate::left(&way.still))
+    }
+
+    /// The robot's estimates.
+    pub fn estimate(&self) -> Option<MapEstimate<'_>> {
+        let run = self.run();
+        if let (Some(known), Some(locator)) = (&self.known, run.locator()) {
+            return Some(MapEstimate::on(known, locator));
+        }
+        let mapper = run.mapper()?;
+        let locator = run.intent().and_then(|intent| intent.locator);
+        Some(locator.map_or(MapEstimate::of(mapper), |locator| MapEstimate::lost(mapper, locator)))
+    }
+
+    /// Up to `steps` steps, with a look at the figures now and then; returns how many were taken.
+    pub fn advance(&mut self, steps: u64, has_time: &mut dyn FnMut() -> bool) -> u64 {
+        let mut taken = 0;
+        while taken < steps && has_time() {
+            let now = self.run().steps();
+            let due = self.curve.due();
+            let piece = if due > now { due - now } else { u64::MAX };
+            let done = self.recording.advance(piece.min(steps - taken), has_time);
+            taken += done;
+            if self.run().steps() == due {
+                self.sample();
+            }
+            if done == 0 {
+                break;
+            }
+        }
+        taken
+    }
+
+    fn sample(&mut self) {
+        self.count();
+        let (steps, time_s) = (self.run().steps(), self.run().time_s());
+        let [MapErrorFigures { boundary, position_m, .. }, MapErrorFigures { position_m: odometry_m, .. }] =
+            self.figures;
+        self.curve.add(steps, CurveSample { time_s, boundary, position_m, odometry_m });
+    }
+
+    /// Works the figures out, unless they are those of this moment.
+    pub fn count(&mut self) {
+        let run = self.recording.run();
+        let now = (self.recording.version() << 40) + run.steps();
+        if self.counted == Some(now) {
+            return;
+        }
+        self.counted = Some(now);
+        let of = |map, believed| MapErrorFigures::of(map, believed, run.pose(), &self.truth);
+        let here = self.estimate().map(|estimate| of(estimate.map, estimate.pose()));
+        let odometry = run.baseline().map(|mapper| of(mapper.map(), Some(mapper.pose())));
+        self.figures = [here, odometry].map(Option::unwrap_or_default);
+    }
+
+    /// Drives on to where the survey was left. Once there, says whether everything is as it was then.
+    pub fn go_back(&mut self, has_time: &mut dyn FnMut() -> bool) -> Option<bool> {
+        let &Return { end, shown, digest, is_seeking, .. } = self.returning.as_ref()?;
+        if !is_seeking {
+            self.advance(end.saturating_sub(self.run().steps()), has_time);
+            if self.run().steps() < end && !self.recording.is_over() {
+                return None;
+            }
+            self.recording.seek(shown as f64 * STEP_S);
+            if let Some(way) = &mut self.returning {
+                way.is_seeking = true;
+            }
+        }
+        self.recording.seek_on(has_time);
+        if self.recording.is_seeking() {
+            return None;
+        }
+        self.returning = None;
+        Some(self.run().digest() == digest)
+    }
+}

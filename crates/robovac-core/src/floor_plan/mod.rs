@@ -1,0 +1,108 @@
+//! Floor plans: walls, objects and start, before a robot drives.
+//!
+//! [`ROOMS`] ship with the program, [`load`] takes files in, [`to_ascii`], [`to_ros_map`] and [`Scenario`] write them.
+
+mod ascii;
+mod check;
+mod error;
+mod layout;
+mod load;
+mod object;
+mod place;
+mod raster;
+mod rooms;
+mod ros_map;
+mod scenario;
+mod scenario_object;
+mod shape;
+mod sketch;
+mod yaml;
+
+pub use ascii::{DEFAULT_ASCII_RESOLUTION, to_ascii};
+pub use check::{BEAMS, MAX_CORNERS, MAX_OBJECTS, PlacementFault, PlacementRefusal, RADII};
+pub use error::{Flaw, MapError};
+pub use load::{SourceFile, base_name, image_of, is_image, load, load_image};
+pub use object::{Object, Who};
+pub use place::JsonPlace;
+pub use raster::{DEFAULT_IMAGE_RESOLUTION, OccupancyMode, Shading};
+pub use rooms::{ROOMS, RoomInfo, RoomKind, room};
+pub use ros_map::{MapImage, RosMap, RosMapError, to_ros_map};
+pub use scenario::{SCENARIO_FORMAT, SCENARIO_SCHEMA, SCENARIO_VERSION, Scenario, ScenarioPose};
+pub use shape::{crossing, encloses, has_area, middle};
+pub use sketch::{Rect, Sketch};
+
+pub mod generate;
+
+use crate::{
+    geometry::{Point, Pose},
+    grid::{Cell, Grid, Occupancy},
+};
+
+/// Largest number of columns or rows of a map that is taken in.
+pub const MAX_SIDE: usize = 4096;
+/// Finest resolution of a map that is taken in, metres per cell.
+pub const MIN_RESOLUTION: f64 = 0.001;
+/// Coarsest resolution of a map that is taken in, metres per cell.
+pub const MAX_RESOLUTION: f64 = 100.0;
+
+/// A room as an occupancy grid with its scale and start.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FloorPlan {
+    /// Short name, shown in menus.
+    pub name: String,
+    /// One sentence on what the room is good for; may be empty.
+    pub note: String,
+    /// Metres per cell, greater than 0.
+    pub resolution: f64,
+    /// State of every cell; the outside counts as wall.
+    pub occupancy: Grid<Occupancy>,
+    /// What stands, lies and moves in it.
+    pub objects: Vec<Object>,
+    /// Where the robot starts, if the plan says so; metres from the lower-left corner.
+    pub start: Option<Pose>,
+    /// Pose of the lower-left corner in the map frame of the file it came from (ROS `origin`); kept for export.
+    pub origin: Pose,
+}
+
+impl FloorPlan {
+    /// Width in metres.
+    pub fn width_m(&self) -> f64 {
+        self.occupancy.width() as f64 * self.resolution
+    }
+
+    /// Height in metres.
+    pub fn height_m(&self) -> f64 {
+        self.occupancy.height() as f64 * self.resolution
+    }
+
+    /// The cell that holds a point; may lie outside the grid.
+    pub fn cell_at(&self, point: Point) -> Cell {
+        Cell::at(point, self.resolution)
+    }
+
+    /// Centre of a cell in metres.
+    pub fn centre(&self, cell: Cell) -> Point {
+        cell.centre(self.resolution)
+    }
+
+    /// Cells that are not known to be free, as obstacles.
+    pub fn blocked(&self) -> Grid<bool> {
+        self.occupancy.map(|&o| !o.is_free())
+    }
+
+    /// The plan itself if there is floor in it; `file` is named in errors.
+    fn checked(self, file: &str) -> Result<Self, MapError> {
+        if !self.occupancy.values().iter().any(|o| o.is_free()) {
+            return Err(MapError::NoFreeCell { name: file.to_owned() });
+        }
+        Ok(self)
+    }
+}
+
+/// A file's name without its ending, for menus.
+pub fn stem(file: &str) -> String {
+    match file.rsplit_once('.') {
+        Some((stem, _)) if !stem.is_empty() => stem.to_owned(),
+        _ => file.to_owned(),
+    }
+}

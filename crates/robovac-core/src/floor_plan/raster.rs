@@ -1,0 +1,207 @@
+//! Images as maps: PNG and the Netpbm family (PGM above all), with the rules of the ROS map server.
+
+use super::{MAX_SIDE, MapError};
+use crate::grid::{Grid, Occupancy};
+use image::{ColorType, ImageDecoder, ImageError, ImageFormat, ImageReader, Limits};
+use std::io::{Cursor, ErrorKind};
+
+/// Metres per pixel of an image that comes without a YAML file.
+pub const DEFAULT_IMAGE_RESOLUTION: f64 = 0.05;
+
+/// Most bytes that a decoder may take: the largest map with four channels of 16 bits, twice.
+const MAX_DECODER_BYTES: u64 = (2 * 8 * MAX_SIDE * MAX_SIDE) as u64;
+
+/// How shades turn into cells. The default is what the ROS 1 map server assumes, and what map files usually say.
+///
+/// A pixel's shade is the mean of its colour channels, from 0 (black) to 1 (white). Its occupancy is `1 - shade`, or
+/// `shade` if `negate` is set.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Shading {
+    /// What becomes of occupancies between the two thresholds.
+    pub mode: OccupancyMode,
+    /// Whether light pixels are walls.
+    pub negate: bool,
+    /// Cells with a greater occupancy are walls, 0 to 1.
+    pub occupied_thresh: f64,
+    /// Cells with a smaller occupancy are floor, 0 to 1.
+    pub free_thresh: f64,
+}
+
+/// The modes of the ROS map server (`nav2_map_server`, `map_io.cpp`).
+///
+/// The map server publishes a value from 0 to 100 or -1 for unknown. Planning needs a yes or no: only what is surely
+/// free is driven on, and values in between count as unknown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum OccupancyMode {
+    /// Free, occupied, and unknown between the thresholds. Transparency is laid on white, as browsers show it. (The map
+    /// server takes it for one more colour channel here, which its own source calls a relic.)
+    #[default]
+    Trinary,
+    /// Values from 0 to 100 between the thresholds; pixels that aren't opaque are unknown.
+    Scale,
+    /// The shade from 0 to 255 is the value from 0 to 100 itself, anything above is unknown; `negate` has no effect.
+    /// The thresholds are applied to the value as a percentage.
+    Raw,
+}
+
+impl OccupancyMode {
+    /// Every mode with its name in YAML files.
+    pub const NAMES: [(&'static str, Self); 3] =
+        [("trinary", Self::Trinary), ("scale", Self::Scale), ("raw", Self::Raw)];
+
+    /// The mode with that name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::NAMES.iter().find(|(known, _)| *known == name).map(|&(_, mode)| mode)
+    }
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        Self::NAMES.iter().find(|(_, mode)| *mode == self).map_or("", |&(name, _)| name)
+    }
+}
+
+impl Default for Shading {
+    fn default() -> Self {
+        Self { mode: OccupancyMode::Trinary, negate: false, occupied_thresh: 0.65, free_thresh: 0.196 }
+    }
+}
+
+impl Shading {
+    /// The cell for a pixel with this shade and opacity, both 0 to 1.
+    fn cell(&self, shade: f64, alpha: f64) -> Occupancy {
+        let occupied = |shade: f64| if self.negate { shade } else { 1.0 - shade };
+        match self.mode {
+            OccupancyMode::Trinary => self.threshold(occupied(shade * alpha + 1.0 - alpha)),
+            OccupancyMode::Scale if alpha < 1.0 => Occupancy::Unknown,
+            OccupancyMode::Scale => self.threshold(occupied(shade)),
+            OccupancyMode::Raw => match (shade * 255.0).round() {
+                value if value <= 100.0 => self.threshold(value / 100.0),
+                _ => Occupancy::Unknown,
+            },
+        }
+    }
+
+    fn threshold(&self, occupied: f64) -> Occupancy {
+        if occupied > self.occupied_thresh {
+            Occupancy::Occupied
+        } else if occupied < self.free_thresh {
+            Occupancy::Free
+        } else {
+            Occupancy::Unknown
+        }
+    }
+}
+
+/// The format that the first bytes announce, if it is one of those that are read.
+pub(super) fn format_of(bytes: &[u8]) -> Option<ImageFormat> {
+    match bytes {
+        [0x89, b'P', b'N', b'G', ..] => Some(ImageFormat::Png),
+        [b'P', b'1'..=b'6'] => Some(ImageFormat::Pnm),
+        [b'P', b'1'..=b'6', next, ..] if next.is_ascii_whitespace() || *next == b'#' => Some(ImageFormat::Pnm),
+        _ => None,
+    }
+}
+
+/// Decodes the image in the file `name`. Its size is checked before any pixel is.
+pub(super) fn read(
+    name: &str,
+    bytes: &[u8],
+    format: ImageFormat,
+    shading: &Shading,
+) -> Result<Grid<Occupancy>, MapError> {
+    let broken = |error: ImageError| explain(name, error);
+    let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
+    let mut limits = Limits::no_limits();
+    limits.max_alloc = Some(MAX_DECODER_BYTES);
+    reader.limits(limits);
+    let decoder = reader.into_decoder().map_err(broken)?;
+    let (width, height) = (decoder.dimensions().0 as usize, decoder.dimensions().1 as usize);
+    if width.max(height) > MAX_SIDE {
+        return Err(MapError::TooLarge { name: name.to_owned(), width, height });
+    }
+    if width.min(height) == 0 {
+        return Err(MapError::BadImage { name: name.to_owned(), cause: format!("its size is {width} x {height}") });
+    }
+    let colour = decoder.color_type();
+    let mut bytes = vec![0; decoder.total_bytes() as usize];
+    decoder.read_image(&mut bytes).map_err(broken)?;
+    let row = width * usize::from(colour.bytes_per_pixel());
+    let cells = bytes.chunks(row).rev().flat_map(|row| cells(row, colour, shading)).collect();
+    Grid::from_rows(width, cells).ok_or_else(|| MapError::Truncated { name: name.to_owned(), part: "picture" })
+}
+
+/// Cells of one row of pixels, each made of 8 or 16 bits a channel.
+fn cells<'a>(row: &'a [u8], colour: ColorType, shading: &'a Shading) -> impl Iterator<Item = Occupancy> + 'a {
+    let channels = usize::from(colour.channel_count());
+    let size = usize::from(colour.bytes_per_pixel()) / channels;
+    let colours = channels - usize::from(colour.has_alpha());
+    row.chunks_exact(channels * size).map(move |pixel| {
+        let value = |channel: &[u8]| match *channel {
+            [byte] => f64::from(byte) / f64::from(u8::MAX),
+            [low, high] => f64::from(u16::from_ne_bytes([low, high])) / f64::from(u16::MAX),
+            // The decoders in use know no other depth.
+            _ => 1.0,
+        };
+        let sum: f64 = pixel[..colours * size].chunks_exact(size).map(value).sum();
+        let alpha = if colour.has_alpha() { value(&pixel[colours * size..]) } else { 1.0 };
+        shading.cell(sum / colours as f64, alpha)
+    })
+}
+
+/// What the decoder's error means to the owner of the file.
+fn explain(name: &str, error: ImageError) -> MapError {
+    let name = name.to_owned();
+    match error {
+        ImageError::IoError(io) if io.kind() == ErrorKind::UnexpectedEof => {
+            MapError::Truncated { name, part: "picture" }
+        }
+        ImageError::Limits(_) => MapError::BadImage { name, cause: "decoding it takes too much memory".to_owned() },
+        // The decoder of plain PGM has no kind of its own for this.
+        other if other.to_string().contains("Not enough data") => MapError::Truncated { name, part: "picture" },
+        other => MapError::BadImage { name, cause: other.to_string() },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn cell(mode: OccupancyMode, shade: u8, alpha: f64) -> Occupancy {
+        Shading { mode, ..Shading::default() }.cell(f64::from(shade) / 255.0, alpha)
+    }
+
+    #[test]
+    fn the_usual_grey_is_unknown() {
+        // (255 - 205) / 255 is just above 0.196: what gmapping and the map saver write for unexplored floor.
+        assert_eq!(cell(OccupancyMode::Trinary, 205, 1.0), Occupancy::Unknown);
+        assert_eq!(cell(OccupancyMode::Trinary, 206, 1.0), Occupancy::Free);
+        assert_eq!(cell(OccupancyMode::Trinary, 90, 1.0), Occupancy::Unknown);
+        assert_eq!(cell(OccupancyMode::Trinary, 89, 1.0), Occupancy::Occupied);
+    }
+
+    #[test]
+    fn transparency_is_paper_or_unknown_by_mode() {
+        assert_eq!(cell(OccupancyMode::Trinary, 0, 0.0), Occupancy::Free);
+        assert_eq!(cell(OccupancyMode::Trinary, 0, 0.9), Occupancy::Occupied);
+        assert_eq!(cell(OccupancyMode::Scale, 255, 0.9), Occupancy::Unknown);
+        assert_eq!(cell(OccupancyMode::Scale, 255, 1.0), Occupancy::Free);
+    }
+
+    #[test]
+    fn raw_values_are_percentages() {
+        let expected =
+            [(0, Occupancy::Free), (19, Occupancy::Free), (20, Occupancy::Unknown), (66, Occupancy::Occupied)];
+        for (value, occupancy) in expected {
+            assert_eq!(cell(OccupancyMode::Raw, value, 1.0), occupancy, "{value}");
+        }
+        assert_eq!(cell(OccupancyMode::Raw, 100, 1.0), Occupancy::Occupied);
+        assert_eq!(cell(OccupancyMode::Raw, 101, 1.0), Occupancy::Unknown);
+        assert_eq!(cell(OccupancyMode::Raw, 255, 1.0), Occupancy::Unknown);
+    }
+
+    #[test]
+    fn negate_swaps_black_and_white() {
+        let shading = Shading { negate: true, ..Shading::default() };
+        assert_eq!((shading.cell(0.0, 1.0), shading.cell(1.0, 1.0)), (Occupancy::Free, Occupancy::Occupied));
+    }
+}

@@ -1,0 +1,210 @@
+//! User requests to a robot, executed or refused.
+
+use super::{Calibrated, Calibrating, Connection, RecordedEvent, Request, RequestRefused, refuse};
+use robovac_core::registry::Params;
+use robovac_sim::controller::{self, Joystick as Stick, Setup};
+use roomba_oi::{Command, Lamps, Mode, Motors, ScheduleLamps, Weekdays};
+
+/// Longest row of bytes that is sent by hand.
+const MOST_RAW: usize = 256;
+
+impl Connection {
+    /// Does what the user asks for, or says why not.
+    pub fn request(&mut self, now: f64, request: Request) -> Result<(), RequestRefused> {
+        self.now = now;
+        if !matches!(request, Request::Drive { .. }) {
+            let json = serde_json::to_string(&request).unwrap_or_default();
+            self.recorder.note(now, RecordedEvent::Asked(json));
+        }
+        let done = self.serve(now, request);
+        self.listen();
+        done
+    }
+
+    fn serve(&mut self, now: f64, request: Request) -> Result<(), RequestRefused> {
+        let can = self.can();
+        let sorry = |allowed: bool, why: &str| if allowed { Ok(()) } else { refuse(why) };
+        let in_control = || sorry(can.drive, "Take control of the robot first.");
+        match request {
+            Request::Connect => {
+                sorry(can.connect, "There is no connection to a robot. Choose one first.")?;
+                self.end_ride("The connection was reopened.");
+                self.motors_on = false;
+                self.driver.open_again(now);
+                self.place(self.odometry.pose());
+            }
+            Request::Disconnect => {
+                self.end_ride("Disconnected.");
+                self.motors_on = false;
+                self.driver.leave(now);
+                // The next one may be another robot.
+                (self.known, self.calibrating, self.is_old) = (Calibrated::default(), None, false);
+                self.use_known();
+            }
+            Request::Arm { full } => {
+                sorry(can.arm, "No robot that can be controlled is connected.")?;
+                self.beaten_at = now;
+                self.driver.put_in(now, if full { Mode::Full } else { Mode::Safe });
+            }
+            Request::Disarm => {
+                sorry(can.disarm, "The robot isn't under control.")?;
+                self.end_ride("Control was released.");
+                self.motors_on = false;
+                self.driver.put_in(now, Mode::Passive);
+            }
+            Request::Stop => {
+                self.end_ride("Stopped by the user.");
+                self.motors_on = false;
+                self.driver.freeze(now);
+            }
+            Request::Drive { forward, left } => {
+                in_control()?;
+                self.nothing_asked()?;
+                self.steer(now, Stick { forward, left })?;
+            }
+            Request::Press { button } => {
+                sorry(can.press, "No robot is connected.")?;
+                self.end_ride("A button was pressed.");
+                self.motors_on = false;
+                self.driver.press(now, button.command());
+            }
+            Request::Raw { bytes } => {
+                sorry(can.press, "No robot is connected.")?;
+                if bytes.is_empty() || bytes.len() > MOST_RAW {
+                    return refuse(format!(
+                        "1 to {MOST_RAW} bytes can be sent at once, but there are {}.",
+                        bytes.len()
+                    ));
+                }
+                self.end_ride("Raw bytes were sent.");
+                self.beaten_at = now;
+                self.motors_on |= self.driver.send_raw(now, &bytes).map_err(|e| RequestRefused(e.to_string()))?;
+            }
+            Request::Song { .. }
+            | Request::Leds { .. }
+            | Request::Digits { .. }
+            | Request::ScheduleLeds { .. }
+            | Request::Motors { .. } => {
+                in_control()?;
+                self.actuate(now, &request)?;
+            }
+            Request::Calibrate { .. }
+            | Request::Answer { .. }
+            | Request::Skip
+            | Request::UseCalibration { .. }
+            | Request::Odometry { .. } => self.reckon(now, &request)?,
+            Request::Identify => {
+                sorry(can.press, "No robot is connected.")?;
+                self.end_ride("The robot was restarted.");
+                self.motors_on = false;
+                self.driver.restart(now);
+                self.place(self.odometry.pose());
+            }
+        }
+        Ok(())
+    }
+
+    /// What tells the robot where it is, and how well that is known.
+    fn reckon(&mut self, now: f64, request: &Request) -> Result<(), RequestRefused> {
+        match *request {
+            Request::Calibrate { what } => {
+                if !self.can().drive {
+                    return refuse("Take control of the robot first.");
+                }
+                self.nothing_asked()?;
+                let began =
+                    self.encoders().ok_or_else(|| RequestRefused("No encoder readings yet. Wait a moment.".into()))?;
+                let controller = what.controller(&self.known.apply(&self.model));
+                self.set_off(now, what.title(), Box::new(controller), self.odometry.pose(), false);
+                self.calibrating = Some(Calibrating::new(what, began));
+            }
+            Request::Answer { .. } | Request::UseCalibration { .. } if self.is_acting() => {
+                return refuse("Stop the robot first: the running program uses its calibration.");
+            }
+            Request::Odometry { .. } if self.is_acting() => {
+                return refuse("Stop the robot first: the running program uses its odometry.");
+            }
+            Request::Odometry { model } => {
+                self.odometry_model = model;
+                self.driver.tell_moved(now, model.is_by_packets());
+                self.place(self.odometry.pose());
+            }
+            Request::Answer { value } => {
+                let Some(calibrating) = self.calibrating.as_mut().filter(|c| c.is_asking()) else {
+                    return refuse("There is no question to answer.");
+                };
+                calibrating.answer(value, &mut self.known).map_err(RequestRefused)?;
+                self.use_known();
+            }
+            Request::Skip => {
+                let Some(calibrating) = self.calibrating.as_mut().filter(|c| c.is_asking()) else {
+                    return refuse("There is no question to answer.");
+                };
+                calibrating.fail("Skipped; nothing has changed.");
+            }
+            Request::UseCalibration { swapped, distance_factor, base_factor } => {
+                let known = Calibrated { swapped, distance_factor, base_factor };
+                if !known.is_sound() {
+                    return refuse("The stored calibration is out of range. Calibrate again.");
+                }
+                self.known = known;
+                self.use_known();
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
+    /// Sounds, lights and brushes.
+    fn actuate(&mut self, now: f64, request: &Request) -> Result<(), RequestRefused> {
+        match *request {
+            Request::Song { number, ref notes } => {
+                self.send(now, Command::Song { number, notes })?;
+                self.send(now, Command::Play { number })?;
+            }
+            Request::Leds { lamps, colour, intensity } => {
+                self.send(now, Command::Leds { lamps: Lamps::from_byte(lamps), colour, intensity })?;
+            }
+            Request::Digits { ref text } => {
+                let command = Command::digits(text).map_err(|e| RequestRefused(format!("{e}.")))?;
+                self.send(now, command)?;
+            }
+            Request::ScheduleLeds { weekdays, lamps } => {
+                let (weekdays, lamps) = (Weekdays::from_byte(weekdays), ScheduleLamps::from_byte(lamps));
+                self.send(now, Command::SchedulingLeds { weekdays, lamps })?;
+            }
+            Request::Motors { bits } => {
+                let motors = Motors::from_byte(bits);
+                self.send(now, Command::Motors(motors))?;
+                self.motors_on = motors.side_brush || motors.vacuum || motors.main_brush;
+                self.beaten_at = now;
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn send(&mut self, now: f64, command: Command<'_>) -> Result<(), RequestRefused> {
+        self.driver.send(now, command).map_err(|e| RequestRefused(format!("Invalid command: {e}.")))
+    }
+
+    /// A person moves the stick.
+    fn steer(&mut self, now: f64, stick: Stick) -> Result<(), RequestRefused> {
+        (self.stick_at, self.beaten_at) = (now, now);
+        if self.ride.as_ref().is_none_or(|ride| !ride.is_manual || ride.is_done) {
+            let manual = controller::find("manual")
+                .ok_or_else(|| RequestRefused("The manual mode is missing from this build.".into()))?;
+            let params = Params::defaults(manual.params);
+            let robot = self.known.apply(&self.model);
+            let controller = manual.build(&Setup { robot: &robot, params: &params, seed: 0 });
+            let controller =
+                controller.ok_or_else(|| RequestRefused("The manual mode is missing from this build.".into()))?;
+            let pose = self.odometry.pose();
+            self.set_off(now, manual.title, controller, pose, true);
+        }
+        if let Some(ride) = &mut self.ride {
+            ride.controller.command(stick);
+        }
+        Ok(())
+    }
+}

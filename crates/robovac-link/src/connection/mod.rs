@@ -1,0 +1,413 @@
+//! A connection to a robot: driver, controller, view model and recording.
+//!
+//! It has no clock and no line of its own. The caller passes the time in seconds and the received bytes,
+//! and sends what [`Connection::take_tx`] and [`Connection::take_line`] ask for, at once: the stop is among it.
+
+mod asked;
+mod calibration;
+mod drive_session;
+mod moves;
+mod reading;
+mod recording;
+mod replay;
+mod request;
+mod snapshot;
+mod traffic;
+mod view;
+
+pub use crate::driver::LineRequest;
+pub use recording::{LineRecording, RecordedEvent, RecordingError};
+pub use replay::Replay;
+pub use request::{Calibration, PressedButton, Request};
+pub use view::{
+    CalibrationView, ConnectionActions, ConnectionView, DiagnosisView, DriveSessionView, DropView, Notice, Statistics,
+    Traffic, TrafficKind,
+};
+
+use self::{
+    calibration::{Calibrated, Calibrating, UNCOUNTED},
+    drive_session::DriveSession,
+    recording::Recorder,
+    traffic::Console,
+};
+use crate::driver::{ConnectionPhase, Driver};
+use robovac_core::{
+    geometry::Pose,
+    robot::{self, Odometry, OdometryModel, RobotModel, RobotPort},
+};
+use robovac_sim::controller::Controller;
+use roomba_oi::{Mode, Readings};
+use thiserror::Error;
+
+/// A page that hasn't been heard of for so long, s, hangs or is hidden: whatever moves is stopped.
+const BEAT_S: f64 = 0.15;
+/// A stick that nobody moves or holds for so long, s, is let go.
+const STICK_S: f64 = 0.2;
+/// Nobody is at the controls who hasn't touched them for so long, s; time enough to roll back from an edge.
+const LEFT_ALONE_S: f64 = 1.5;
+/// Counts the wrong way round that aren't the end of an earlier turn: 30 degrees.
+const ODD_COUNTS: i32 = 138;
+/// Robots fall asleep after so long in Passive, s.
+const SLEEP_S: f64 = 300.0;
+/// Points of the trace that are kept until they are fetched: a minute.
+const MOST_TRACE: usize = 4 * 64 * 60;
+
+/// Why a request is refused. Its text is a sentence for users.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[error("{0}")]
+pub struct RequestRefused(pub String);
+
+fn refuse<T>(why: impl Into<String>) -> Result<T, RequestRefused> {
+    Err(RequestRefused(why.into()))
+}
+
+/// A connection to a robot.
+pub struct Connection {
+    driver: Driver,
+    model: RobotModel,
+    known: Calibrated,
+    ride: Option<DriveSession>,
+    calibrating: Option<Calibrating>,
+    odometry: Odometry,
+    odometry_model: OdometryModel,
+    distance_m: f64,
+    /// Time of the latest call, and of the page's last sign of life.
+    now: f64,
+    beaten_at: f64,
+    stick_at: f64,
+    /// Counts of encoder packets 43 and 44 while it turned on the spot to the left, and whether they were complained of.
+    turned: [i32; 2],
+    /// The latest of them: left, right.
+    counts: [u16; 2],
+    is_odd: bool,
+    /// Whether it was told that packet 20 is corrected.
+    is_old: bool,
+    /// Whether brushes or vacuum were switched on.
+    motors_on: bool,
+    /// Since when the robot is in its mode.
+    mode: Option<(Mode, f64)>,
+    notice: Option<Notice>,
+    notices: u32,
+    trace: Vec<f64>,
+    console: Console,
+    recorder: Recorder,
+}
+
+impl Default for Connection {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Connection {
+    /// Not connected.
+    pub fn new() -> Self {
+        let model = robot::model("roomba600").unwrap_or(robot::MODELS[0]).clone();
+        let odometry = Odometry::new(&model, OdometryModel::Arc, Pose::new(0.0, 0.0, 0.0));
+        Self {
+            driver: Driver::new(),
+            model,
+            known: Calibrated::default(),
+            ride: None,
+            calibrating: None,
+            odometry,
+            odometry_model: OdometryModel::Arc,
+            distance_m: 0.0,
+            now: 0.0,
+            beaten_at: 0.0,
+            stick_at: f64::NEG_INFINITY,
+            turned: [0; 2],
+            counts: [0; 2],
+            is_odd: false,
+            is_old: false,
+            motors_on: false,
+            mode: None,
+            notice: None,
+            notices: 0,
+            trace: Vec::new(),
+            console: Console::default(),
+            recorder: Recorder::default(),
+        }
+    }
+
+    // ---- the line
+
+    /// The transport is open at 115200 baud: finds out who is there.
+    pub fn opened(&mut self, now: f64) {
+        (self.now, self.beaten_at) = (now, now);
+        self.end_ride("The connection was reopened.");
+        self.motors_on = false;
+        self.recorder.note(now, RecordedEvent::Line("open".into()));
+        self.driver.open(now);
+        self.place(self.odometry.pose());
+    }
+
+    /// The transport is gone, and why, as a sentence; `for_good` if it won't come back by itself.
+    pub fn lost(&mut self, now: f64, why: &str, for_good: bool) {
+        self.now = now;
+        self.recorder.note(now, RecordedEvent::Line(format!("lost {why}")));
+        let is_loose = self.is_acting() || (self.driver.is_stalled() && self.driver.target() > Mode::Passive);
+        let warning = if is_loose { self.loose() } else { "" };
+        self.end_ride(why);
+        self.motors_on = false;
+        self.driver.closed(now, why);
+        if for_good {
+            self.driver.leave(now);
+        }
+        self.say("error", format!("{why} {warning}").trim_end().to_owned());
+    }
+
+    /// Takes bytes from the line.
+    pub fn feed(&mut self, now: f64, bytes: &[u8]) {
+        self.now = now;
+        self.recorder.note(now, RecordedEvent::Received(bytes.to_vec()));
+        let mut rest = bytes;
+        while !rest.is_empty() {
+            let taken = self.driver.feed(now, rest);
+            rest = rest.get(taken..).unwrap_or_default();
+            if let Some(dt_s) = self.driver.take_reading() {
+                self.reading(now, dt_s);
+            }
+        }
+        self.listen();
+    }
+
+    /// The page is alive.
+    pub fn beat(&mut self, now: f64) {
+        if now.is_finite() {
+            self.beaten_at = now;
+        }
+    }
+
+    /// Stops the robot and leaves it in Passive, as the page goes away or is hidden; `why` is for the user who comes back.
+    pub fn leave(&mut self, now: f64, why: &str) {
+        self.now = now;
+        let had_control = self.driver.target() > Mode::Passive;
+        self.end_ride(why);
+        self.motors_on = false;
+        if self.driver.phase() != ConnectionPhase::Closed {
+            // Twice: a page that is closed takes the line with it, and nothing can be repeated later.
+            self.driver.stop(now);
+            self.driver.put_in(now, Mode::Passive);
+        }
+        if had_control {
+            self.say("notice", format!("{why} Take control again to continue."));
+        }
+    }
+
+    /// Stops what drives: whoever has this link won't look at it for a while.
+    pub fn pause(&mut self, now: f64) {
+        self.now = now;
+        if self.is_acting() {
+            self.end_ride("The page was busy.");
+            self.motors_on = false;
+            self.driver.halt(now);
+        }
+    }
+
+    /// Lets time pass; call it at least every 20 ms.
+    pub fn tick(&mut self, now: f64) {
+        self.now = now;
+        self.driver.tick(now);
+        if self.is_acting() && now - self.beaten_at > BEAT_S {
+            self.leave(now, "The page stopped responding, so the robot was stopped.");
+        }
+        if self.is_acting() && self.driver.is_stalled() {
+            self.stalled();
+        }
+        if self.ride.as_ref().is_some_and(|ride| !ride.is_done) && !self.driver.is_armed() {
+            let dropped = self.driver.dropped().map(ToString::to_string);
+            self.end_ride(dropped.as_deref().unwrap_or("The robot is no longer under control."));
+            self.motors_on = false;
+        }
+        self.listen();
+    }
+
+    /// Bytes to be sent, now; empty if there are none.
+    pub fn take_tx(&mut self) -> Vec<u8> {
+        let bytes = self.driver.take_tx();
+        if !bytes.is_empty() {
+            self.recorder.note(self.now, RecordedEvent::Sent(bytes.clone()));
+        }
+        bytes
+    }
+
+    /// What is to be done with the line before the next bytes are sent.
+    pub fn take_line(&mut self) -> Option<LineRequest> {
+        let request = self.driver.take_line()?;
+        let words = match request {
+            LineRequest::Baud(baud) => format!("baud {baud}"),
+            LineRequest::Brc(is_low) => format!("brc {}", if is_low { "low" } else { "high" }),
+        };
+        self.recorder.note(self.now, RecordedEvent::Line(words));
+        Some(request)
+    }
+
+    /// The robot isn't heard while it is to move.
+    fn stalled(&mut self) {
+        let what = self.loose();
+        self.end_ride("No data from the robot, so a stop command was sent.");
+        self.motors_on = false;
+        self.driver.halt(self.now);
+        self.say(
+            "error",
+            format!("No data from the robot. A stop command was sent, but it may not have arrived. {what}"),
+        );
+    }
+
+    /// What to do about a robot that may be moving where nothing reaches it.
+    fn loose(&self) -> &'static str {
+        if self.driver.target() == Mode::Full {
+            "It may still be moving: in Full mode nothing stops it. Hold it and press its CLEAN button."
+        } else {
+            "It may still be moving: lift it up, which stops its wheels in Safe mode."
+        }
+    }
+
+    fn listen(&mut self) {
+        for (time_s, happening) in self.driver.take_happenings() {
+            self.console.take(time_s, &happening);
+        }
+    }
+
+    /// Whether anything moves or is switched on.
+    fn is_acting(&self) -> bool {
+        self.motors_on || self.driver.wheels().is_moving() || self.ride.as_ref().is_some_and(|ride| !ride.is_done)
+    }
+
+    // ---- what drives
+
+    /// Lets `controller` drive, which is called `title`; the robot is taken to stand at `start`.
+    pub fn ride(
+        &mut self,
+        now: f64,
+        title: &str,
+        controller: Box<dyn Controller>,
+        start: Pose,
+    ) -> Result<(), RequestRefused> {
+        self.now = now;
+        if !self.can().drive {
+            return refuse("Take control of the robot first.");
+        }
+        self.nothing_asked()?;
+        let json = serde_json::json!({ "do": "ride", "title": title, "start": [start.x, start.y, start.heading] });
+        self.recorder.note(now, RecordedEvent::Asked(json.to_string()));
+        self.set_off(now, title, controller, start, false);
+        Ok(())
+    }
+
+    /// Whoever drives on leaves the place that a calibration asks about.
+    fn nothing_asked(&self) -> Result<(), RequestRefused> {
+        match &self.calibrating {
+            Some(calibrating) if calibrating.is_asking() => {
+                refuse("A calibration waits for an answer: answer or skip it first, in Tools, Calibrate.")
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The robot with its true figures, as controllers had better know it.
+    pub fn calibrated(&self, model: &RobotModel) -> RobotModel {
+        self.known.apply(model)
+    }
+
+    /// What tells the robot where it is, and should tell what rides on it.
+    pub fn odometry(&self) -> OdometryModel {
+        self.odometry_model
+    }
+
+    fn set_off(&mut self, now: f64, title: &str, mut controller: Box<dyn Controller>, start: Pose, is_manual: bool) {
+        controller.start_at(start);
+        self.end_ride("Another action started.");
+        self.beaten_at = now;
+        self.place(start);
+        self.ride = Some(DriveSession {
+            title: title.to_owned(),
+            controller,
+            is_manual,
+            time_s: 0.0,
+            is_done: false,
+            ended: String::new(),
+        });
+    }
+
+    /// Takes the robot to stand at `pose`.
+    fn place(&mut self, pose: Pose) {
+        let mut odometry = Odometry::new(&self.known.apply(&self.model), self.odometry_model, pose);
+        if self.driver.readings().is_some() {
+            odometry.update(self.driver.port(self.now).sensors());
+        }
+        self.odometry = odometry;
+    }
+
+    /// Whether the line keeps its baud rate whatever is asked for, as a bridge does. To be said before it is opened.
+    pub fn fix_rate(&mut self, is_fixed: bool) {
+        self.driver.fix_rate(is_fixed);
+    }
+
+    /// Drops what is to be sent: there is no line that could take it.
+    pub fn discard(&mut self) {
+        let _ = self.driver.take_tx();
+        while self.driver.take_line().is_some() {}
+    }
+
+    fn use_known(&mut self) {
+        (self.turned, self.is_odd) = ([0; 2], false);
+        self.driver.swap_encoders(self.known.swapped);
+        self.place(self.odometry.pose());
+    }
+
+    fn encoders(&self) -> Option<[u16; 2]> {
+        self.driver.readings().map(|Readings { left_counts, right_counts, .. }| [*left_counts, *right_counts])
+    }
+
+    /// Whatever drives doesn't any more, and why.
+    fn end_ride(&mut self, why: &str) {
+        let Some(ride) = self.ride.as_mut().filter(|ride| !ride.is_done) else { return };
+        ride.is_done = true;
+        why.clone_into(&mut ride.ended);
+        self.driver.stop(self.now);
+        if let Some(calibrating) = self.calibrating.as_mut().filter(|c| c.is_moving()) {
+            calibrating.fail(&format!("Calibration aborted; nothing has changed. {why}"));
+        }
+    }
+
+    /// The controller has come to its end by itself.
+    fn ride_ended(&mut self) {
+        let encoders = self.encoders();
+        let activity = self.ride.as_ref().map_or("", |ride| ride.controller.activity());
+        if let Some(calibrating) = self.calibrating.as_mut().filter(|c| c.is_moving()) {
+            match encoders {
+                Some(_) if activity == moves::STUCK_WORDS => {
+                    calibrating.fail(&format!("{UNCOUNTED} Nothing has changed."));
+                }
+                Some(now) if !activity.starts_with("stopped") => calibrating.stopped(now),
+                _ => calibrating.fail("Calibration aborted: something was in the way. Nothing has changed."),
+            }
+        }
+    }
+
+    fn say(&mut self, kind: &'static str, text: String) {
+        self.notices += 1;
+        self.notice = Some(Notice { number: self.notices, kind, text });
+    }
+
+    // ---- what is shown and kept
+
+    /// What went over the line since this was last asked for, oldest first.
+    pub fn take_traffic(&mut self) -> Vec<Traffic> {
+        self.console.lines()
+    }
+
+    /// The robot's estimated trail since this was last asked for, a reading after the other, four numbers each:
+    /// x and y in m, heading in rad, and what it felt there, as the sum of 1 bumper left, 2 bumper right, 4 cliff left, 8
+    /// cliff front left, 16 cliff front right, 32 cliff right, 64 wheel drop, 128 virtual wall.
+    pub fn take_trace(&mut self) -> Vec<f64> {
+        std::mem::take(&mut self.trace)
+    }
+
+    /// Everything that went over the line so far, as a recording.
+    pub fn recording(&self) -> String {
+        self.recorder.text()
+    }
+}

@@ -1,0 +1,98 @@
+//! Handling of a new sensor reading.
+
+use super::{Calibrating, Connection, LEFT_ALONE_S, MOST_TRACE, ODD_COUNTS, STICK_S};
+use robovac_core::robot::{RobotPort, SensorReadings};
+use robovac_sim::controller::Joystick as Stick;
+use roomba_oi::motion::encoder_delta;
+
+impl Connection {
+    /// Takes the reading that has just arrived.
+    pub(super) fn reading(&mut self, now: f64, dt_s: f64) {
+        let sensed = self.driver.port(now).sensors().clone();
+        let before = self.odometry.pose();
+        self.odometry.update(&sensed);
+        let pose = self.odometry.pose();
+        self.distance_m += (pose.position() - before.position()).norm();
+        if self.trace.len() < MOST_TRACE {
+            self.trace.extend([pose.x, pose.y, pose.heading, f64::from(felt(&sensed))]);
+        }
+        let mode = self.driver.mode().unwrap_or_default();
+        if self.mode.is_none_or(|(known, _)| known != mode) {
+            self.mode = Some((mode, now));
+        }
+        self.mind_encoders(&sensed);
+        if self.driver.has_old_angle() && !std::mem::replace(&mut self.is_old, true) {
+            self.say(
+                "notice",
+                "Packet 20 reports a third of every angle, as in firmware up to 3.4.0. This is corrected, but coarse; \
+                 encoder counts are more accurate."
+                    .to_owned(),
+            );
+        }
+        let is_held = now - self.stick_at <= STICK_S;
+        let Some(ride) = self.ride.as_mut().filter(|ride| !ride.is_done) else { return };
+        if !self.driver.is_armed() {
+            return;
+        }
+        if ride.is_manual && !is_held {
+            ride.controller.command(Stick::default());
+        }
+        let is_left_alone = ride.is_manual && now - self.stick_at > LEFT_ALONE_S;
+        ride.time_s += dt_s;
+        ride.is_done = ride.controller.is_done();
+        let drive = ride.controller.step(&sensed, dt_s);
+        // Otherwise it might back off from an edge that somebody holds it over, an hour later.
+        ride.is_done |= is_left_alone && drive.is_stop();
+        let mut port = self.driver.port(now);
+        if ride.is_done || ride.controller.is_done() {
+            ride.is_done = true;
+            self.driver.stop(now);
+            self.ride_ended();
+        } else {
+            port.drive(drive);
+        }
+    }
+
+    /// Looks whether the encoders count as the wheels turn: a robot whose packets are swapped loses its way at once.
+    fn mind_encoders(&mut self, sensed: &SensorReadings) {
+        let (right, left) = self.driver.wheels().sent();
+        let counts = [sensed.left_counts, sensed.right_counts];
+        let last = std::mem::replace(&mut self.counts, counts);
+        if right.signum() * left.signum() >= 0
+            || self.is_odd
+            || self.calibrating.as_ref().is_some_and(Calibrating::is_moving)
+        {
+            self.turned = [0; 2];
+            return;
+        }
+        for (sum, (before, now)) in self.turned.iter_mut().zip(last.into_iter().zip(counts)) {
+            *sum += i32::from(encoder_delta(before, now)) * i32::from(right.signum());
+        }
+        // Turning to the left, the left wheel counts down and the right one up.
+        if self.turned[0] > ODD_COUNTS && self.turned[1] < -ODD_COUNTS {
+            self.is_odd = true;
+            self.say(
+                "notice",
+                "The encoders count opposite to the commanded turn: they may be swapped, so the position on the map is \
+                wrong. Calibrate with Nudge."
+                    .to_owned(),
+            );
+        }
+    }
+}
+
+/// What the robot feels, as bits.
+fn felt(sensed: &SensorReadings) -> u8 {
+    let [left, front_left, front_right, right] = sensed.cliff;
+    let all = [
+        sensed.bump_left,
+        sensed.bump_right,
+        left,
+        front_left,
+        front_right,
+        right,
+        sensed.wheel_dropped(),
+        sensed.virtual_wall,
+    ];
+    all.iter().enumerate().map(|(bit, &is_set)| u8::from(is_set) << bit).sum()
+}

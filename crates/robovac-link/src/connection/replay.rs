@@ -1,0 +1,114 @@
+//! Replay of a recording through the same driver.
+
+use super::{Connection, ConnectionView, LineRecording, RecordedEvent, Request, Traffic};
+use robovac_core::geometry::Pose;
+
+/// Time between two ticks, s, as in a worker.
+const TICK_S: f64 = 0.01;
+
+/// A recording that is played. What the robot sent is heard again; what was sent to it then is taken as sent, and what the
+/// driver would send now goes nowhere.
+pub struct Replay {
+    recording: LineRecording,
+    link: Connection,
+    next: usize,
+    time_s: f64,
+}
+
+impl Replay {
+    /// At its beginning.
+    pub fn new(recording: LineRecording) -> Self {
+        Self { recording, link: replaying(), next: 0, time_s: 0.0 }
+    }
+
+    /// How long it is, s.
+    pub fn duration_s(&self) -> f64 {
+        self.recording.entries.last().map_or(0.0, |(at, _)| *at)
+    }
+
+    /// The moment that is shown, s since its beginning.
+    pub fn time_s(&self) -> f64 {
+        self.time_s
+    }
+
+    /// Goes on to `time_s`; back means from the beginning.
+    pub fn advance(&mut self, time_s: f64) {
+        let goal = time_s.clamp(0.0, self.duration_s());
+        if goal < self.time_s {
+            (self.link, self.next, self.time_s) = (replaying(), 0, 0.0);
+        }
+        loop {
+            let entry = self.recording.entries.get(self.next).filter(|(at, _)| *at <= goal);
+            let at = entry.map_or(goal, |(at, _)| *at);
+            while self.time_s + TICK_S < at {
+                self.time_s += TICK_S;
+                self.link.replay_tick(self.time_s);
+            }
+            self.time_s = self.time_s.max(at);
+            let Some((at, entry)) = entry else { break };
+            match entry {
+                RecordedEvent::Received(bytes) => self.link.feed(*at, bytes),
+                RecordedEvent::Sent(bytes) => self.link.replay_sent(*at, bytes),
+                RecordedEvent::Line(words) if words == "open" => self.link.opened(*at),
+                RecordedEvent::Line(words) => {
+                    if let Some(why) = words.strip_prefix("lost ") {
+                        self.link.lost(*at, why, false);
+                    }
+                }
+                RecordedEvent::Asked(json) => self.link.replay_asked(*at, json),
+            }
+            self.next += 1;
+            self.link.replay_tick(self.time_s);
+        }
+    }
+
+    /// What is shown at this moment. Nothing can be asked for.
+    pub fn view(&mut self) -> ConnectionView {
+        ConnectionView { can: super::ConnectionActions::default(), ..self.link.view(self.time_s) }
+    }
+
+    /// See [`Connection::take_traffic`].
+    pub fn take_traffic(&mut self) -> Vec<Traffic> {
+        self.link.take_traffic()
+    }
+
+    /// See [`Connection::take_trace`].
+    pub fn take_trace(&mut self) -> Vec<f64> {
+        self.link.take_trace()
+    }
+}
+
+fn replaying() -> Connection {
+    let mut link = Connection::new();
+    link.driver.replay();
+    link
+}
+
+impl Connection {
+    fn replay_tick(&mut self, now: f64) {
+        self.beat(now);
+        self.tick(now);
+        self.discard();
+    }
+
+    fn replay_sent(&mut self, now: f64, bytes: &[u8]) {
+        self.driver.was_sent(now, bytes);
+        self.listen();
+    }
+
+    /// What changes how readings are understood is asked for again; all else shows in what was sent.
+    fn replay_asked(&mut self, now: f64, json: &str) {
+        #[derive(serde::Deserialize)]
+        struct RideStart {
+            start: [f64; 3],
+        }
+        if let Ok(RideStart { start: [x, y, heading] }) = serde_json::from_str(json) {
+            self.place(Pose::new(x, y, heading));
+        } else if let Ok(request @ (Request::UseCalibration { .. } | Request::Odometry { .. })) =
+            serde_json::from_str(json)
+        {
+            // One that was refused then is refused again.
+            let _ = self.request(now, request);
+        }
+    }
+}

@@ -1,0 +1,245 @@
+//! Distance and angle (packets 19 and 20), for odometry that uses them.
+//!
+//! A robot reports them in whole millimetres and degrees, truncated towards 0, and restarts at 0: the remainder is
+//! lost. In every frame, 15 ms apart, no turn below 67 degrees a second would ever be seen. So the stream does without
+//! them, and one frame in 16 (0.24 s, as in the simulator) is of another subscription that has them: the driver asks
+//! for that, and a frame later for the usual one again. Answers to a question would have no checksum.
+//!
+//! - If that request is lost, or the next one overtakes it before the robot sends a frame, the robot goes on summing up: nothing is
+//!   lost. If the switch back is lost, every frame reports and truncates, until it is requested again.
+//! - A lost or garbled frame loses its values, as the robot has restarted at 0. Encoder counts aren't lost.
+//! - A held-back frame is added to the next one if that confirms it or if only a signal jumped; otherwise it is lost.
+//! - The first one covers time before the request: it is ignored.
+//! - Firmware up to 3.4.0 shows a third of every angle. A robot that turns three times as far by its counts (43, 44) has it: what
+//!   was left out is reported at once, and whole angles from then on.
+
+use super::{ConnectionPhase, Driver, FRAME_S};
+use robovac_core::robot::{DistanceAngle, READINGS_PER_DISTANCE_ANGLE};
+use roomba_oi::{
+    Command, FRAMING, Packet, Readings, StreamFrame,
+    motion::{MM_PER_COUNT, WHEEL_BASE_MM, encoder_delta, true_angle},
+    slot_bytes,
+};
+
+/// Least time between the two requests, s: at least one frame is to come between them.
+const LEAST_S: f64 = 0.01;
+/// Time for a request to show, s; then it is repeated.
+const ECHO_S: f64 = 0.06;
+/// A stream that came to nothing so long after a request did so for another reason, s.
+const BLAME_S: f64 = 0.5;
+/// Turn by counts after which the angles are judged, and the least one that is looked at, degrees; and its longest time, s: over
+/// a longer one, something was lost.
+const JUDGED_DEG: f64 = 45.0;
+const SEEN_DEG: f64 = 6.0;
+const WHOLE_S: f64 = 0.28;
+/// What old firmware shows of them: 0.32, and less as it cuts.
+const OLD_SHARE: std::ops::Range<f64> = 0.15..0.5;
+
+/// What is streamed at some baud rate. No list has a 7, neither as its length nor as a packet: to a robot that missed what came
+/// before, that would be Reset.
+pub(super) struct Subscriptions {
+    /// As long as nobody goes by distance and angle.
+    pub usual: &'static [u8],
+    /// As long as somebody does, and when they are due.
+    pub without: &'static [u8],
+    pub with: &'static [u8],
+    /// Whether the requested wheel speeds are among it.
+    pub tells_speeds: bool,
+}
+
+/// Everything, or what fits into the slot.
+pub(super) fn subscriptions(baud: u32) -> Subscriptions {
+    const ALL: &[u8] = &[100];
+    // Group 1 holds bumps, wheel drops and cliffs.
+    const FEW: &[u8] = &[1, 21, 34, 35, 43, 44];
+    if slot_bytes(baud) >= FRAMING + 81 {
+        Subscriptions { usual: ALL, without: &[1, 17, 18, 3, 4, 35, 41, 42, 101], with: ALL, tells_speeds: true }
+    } else {
+        // The charger can wait.
+        Subscriptions { usual: FEW, without: FEW, with: &[1, 35, 43, 44, 19, 20], tells_speeds: false }
+    }
+}
+
+/// How far the asking is.
+#[expect(clippy::struct_excessive_bools)]
+#[derive(Debug, Default)]
+pub(super) struct DistanceAnglePoll {
+    pub is_wanted: bool,
+    /// It has been on this line, so that frames of either subscription may be on their way.
+    was_wanted: bool,
+    has_begun: bool,
+    /// When it was told last, when to ask next, when that was asked which isn't taken back yet, and when it was taken back
+    /// last, s.
+    told_at: Option<f64>,
+    due_at: f64,
+    asked_at: Option<f64>,
+    back_at: Option<f64>,
+    /// What a frame told that waits for the next, and whether it is told whatever that one says.
+    held: Option<(DistanceAngle, bool)>,
+    /// Whether it has just come.
+    is_news: bool,
+    /// Counts when it was told last; degrees by counts and by packet 20, either way.
+    counts: Option<[u16; 2]>,
+    turned: [f64; 2],
+    /// The angle so far, as it was shown, degrees.
+    shown: f64,
+    is_old: bool,
+}
+
+impl DistanceAnglePoll {
+    /// As it begins on a line that is opened anew.
+    pub fn anew(&self) -> Self {
+        Self { is_wanted: self.is_wanted, ..Self::default() }
+    }
+
+    /// A frame waits to be believed.
+    pub fn hold(&mut self, frame: StreamFrame<'_>, is_sure: bool) {
+        self.held = told(frame).filter(|_| self.is_wanted).map(|moved| (moved, is_sure));
+        self.is_news = self.held.is_some();
+    }
+
+    /// Whether a frame has just told something and waits.
+    pub fn take_news(&mut self) -> bool {
+        std::mem::take(&mut self.is_news)
+    }
+
+    /// A frame is believed, and with it the one that waited if it is `late`; what both told.
+    pub fn take(
+        &mut self,
+        frame: StreamFrame<'_>,
+        readings: &Readings,
+        now: f64,
+        is_late: bool,
+    ) -> Option<DistanceAngle> {
+        let held = self.held.take().filter(|&(_, is_sure)| is_late || is_sure).map(|(moved, _)| moved);
+        if !self.is_wanted {
+            return None;
+        }
+        let here = told(frame);
+        let is_whole = self.told_at.is_some_and(|at| now - at <= WHOLE_S);
+        if here.is_some() || held.is_some() {
+            self.told_at = Some(now);
+            self.due_at = now + (f64::from(READINGS_PER_DISTANCE_ANGLE) - 1.5) * FRAME_S;
+        }
+        let moved = match (held, here) {
+            (Some(held), Some(here)) => held.and(here),
+            (held, here) => held.or(here)?,
+        };
+        let was_old = self.is_old;
+        self.judge(moved, readings, is_whole);
+        if !std::mem::replace(&mut self.has_begun, true) {
+            return None;
+        }
+        let (shown, so_far) = (f64::from(moved.angle_deg), self.shown);
+        self.shown += shown;
+        let angle = match (was_old, self.is_old) {
+            (_, false) => shown,
+            (false, true) => true_angle(self.shown) - so_far,
+            (true, true) => true_angle(shown),
+        };
+        Some(DistanceAngle { angle_deg: angle.round() as i16, ..moved })
+    }
+
+    /// Holds the angles that are told against what the wheels counted.
+    fn judge(&mut self, moved: DistanceAngle, readings: &Readings, is_whole: bool) {
+        let counts = [readings.left_counts, readings.right_counts];
+        let Some(last) = self.counts.replace(counts) else { return };
+        let [left, right] = [0, 1].map(|wheel| f64::from(encoder_delta(last[wheel], counts[wheel])));
+        let by_counts = ((right - left) * MM_PER_COUNT / WHEEL_BASE_MM).to_degrees().abs();
+        if by_counts < SEEN_DEG || !is_whole {
+            return;
+        }
+        let [whole, shown] = &mut self.turned;
+        (*whole, *shown) = (*whole + by_counts, *shown + f64::from(moved.angle_deg).abs());
+        if *whole >= JUDGED_DEG {
+            self.is_old |= OLD_SHARE.contains(&(*shown / *whole));
+            self.turned = [0.0; 2];
+        }
+    }
+}
+
+/// What a frame says of both.
+fn told(frame: StreamFrame<'_>) -> Option<DistanceAngle> {
+    let value = |wanted| frame.values().find(|&(packet, _)| packet == wanted).map(|(_, raw)| raw.cast_signed());
+    Some(DistanceAngle { distance_mm: value(Packet::Distance)?, angle_deg: value(Packet::Angle)? })
+}
+
+impl Driver {
+    /// Whether somebody goes by distance and angle: then readings [tell](robovac_core::robot::SensorReadings::moved) of them now and then.
+    pub fn tell_moved(&mut self, now: f64, is_wanted: bool) {
+        if is_wanted == self.poll.is_wanted {
+            return;
+        }
+        let was_wanted = self.poll.was_wanted || is_wanted;
+        self.poll = DistanceAnglePoll { is_wanted, was_wanted, ..DistanceAnglePoll::default() };
+        self.sensors.moved = None;
+        if matches!(self.phase, ConnectionPhase::Connected | ConnectionPhase::Lost) {
+            self.subscribe(now);
+        }
+    }
+
+    /// Whether its packet 20 shows a third of every angle, and is corrected.
+    pub fn has_old_angle(&self) -> bool {
+        self.poll.is_old
+    }
+
+    /// What is streamed, but for the frames that tell.
+    pub(super) fn subscription(&self) -> &'static [u8] {
+        let Subscriptions { usual, without, .. } = subscriptions(self.baud);
+        if self.poll.is_wanted { without } else { usual }
+    }
+
+    pub(super) fn subscribe(&mut self, now: f64) {
+        let Subscriptions { usual, without, with, .. } = subscriptions(self.baud);
+        self.poll.was_wanted |= self.poll.is_wanted;
+        // They are packets that exist.
+        let _ =
+            if self.poll.was_wanted { self.parser.expect_either([without, with]) } else { self.parser.expect(usual) };
+        (self.poll.asked_at, self.poll.back_at) = (None, Some(now));
+        self.poll.due_at = self.poll.due_at.max(now + ECHO_S);
+        let _ = self.send(now, Command::Stream { packets: self.subscription() });
+    }
+
+    /// Asks for distance and angle when they are due, and takes that back; a frame has just arrived, or time has passed.
+    pub(super) fn mind_telling(&mut self, now: f64, has_frame: bool) {
+        let DistanceAnglePoll { is_wanted, told_at, asked_at, back_at, due_at, .. } = self.poll;
+        if !is_wanted || self.phase != ConnectionPhase::Connected || self.question.is_some() {
+            return;
+        }
+        let since_back = back_at.map_or(f64::INFINITY, |at| now - at);
+        if let Some(at) = asked_at {
+            if now - at >= if has_frame { LEAST_S } else { FRAME_S } {
+                self.subscribe(now);
+            }
+        } else if !has_frame {
+            // A list that lost a byte on its way gives frames that nobody expects.
+            let is_silent = self.link_stats.last().is_some_and(|last| now - last > ECHO_S);
+            if is_silent && (ECHO_S..BLAME_S).contains(&since_back) {
+                self.subscribe(now);
+            }
+        } else if since_back > ECHO_S {
+            if told_at == Some(now) {
+                self.subscribe(now);
+            } else if now >= due_at {
+                self.poll.asked_at = Some(now);
+                let packets = subscriptions(self.baud).with;
+                let _ = self.send(now, Command::Stream { packets });
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_list_resets_a_robot_that_missed_its_beginning() {
+        for baud in [19_200, 115_200] {
+            let Subscriptions { usual, without, with, .. } = subscriptions(baud);
+            for list in [usual, without, with] {
+                assert!(list.len() != 7 && !list.contains(&7), "{list:?}");
+            }
+        }
+    }
+}

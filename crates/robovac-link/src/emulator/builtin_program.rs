@@ -1,0 +1,72 @@
+//! Built-in programs: Clean, Spot, Max and Seek Dock, using the project's own behaviours.
+//!
+//! How a Roomba cleans is its maker's secret. Here Clean is the cleaning cycle for 45 minutes, and if it began on the dock,
+//! the robot goes home then; Spot is the growing spiral for 75 seconds; Max is the random walk until the battery is low;
+//! Dock is the return to the dock. The times are ours.
+
+use robovac_core::{
+    registry::Params,
+    robot::{Drive, RobotModel, SensorReadings},
+};
+use robovac_sim::controller::{self, Controller, Setup};
+
+/// One of them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Chore {
+    Clean,
+    Spot,
+    Max,
+    Dock,
+}
+
+/// An errand under way.
+pub(super) struct BuiltinProgram {
+    pub chore: Chore,
+    controller: Box<dyn Controller>,
+    /// Time left, s.
+    left: f64,
+    pub is_paused: bool,
+    /// Whether the robot goes home when it has cleaned.
+    pub goes_home: bool,
+}
+
+impl Clone for BuiltinProgram {
+    fn clone(&self) -> Self {
+        Self { controller: self.controller.boxed_clone(), ..*self }
+    }
+}
+
+impl BuiltinProgram {
+    /// Sets out; `None` can't happen as long as the behaviours are in the registry.
+    pub fn new(chore: Chore, robot: &RobotModel, seed: u64, on_dock: bool) -> Option<Self> {
+        let (id, left) = match chore {
+            Chore::Clean => ("cleaning_cycle", 45.0 * 60.0),
+            Chore::Spot => ("spiral_out", 75.0),
+            Chore::Max => ("random_walk", f64::INFINITY),
+            Chore::Dock => ("dock", f64::INFINITY),
+        };
+        let info = controller::find(id)?;
+        let params = Params::defaults(info.params);
+        let controller = info.build(&Setup { robot, params: &params, seed })?;
+        Some(Self { chore, controller, left, is_paused: false, goes_home: on_dock && chore == Chore::Clean })
+    }
+
+    /// Whether brushes and vacuum run.
+    pub fn cleans(&self) -> bool {
+        self.chore != Chore::Dock && !self.is_paused
+    }
+
+    /// How to drive until the next reading.
+    pub fn step(&mut self, sensed: &SensorReadings, dt_s: f64) -> Drive {
+        if self.is_paused {
+            return Drive::STOP;
+        }
+        self.left -= dt_s;
+        self.controller.step(sensed, dt_s)
+    }
+
+    /// Whether it has come to its end.
+    pub fn is_done(&self) -> bool {
+        self.left <= 0.0 || self.controller.is_done()
+    }
+}

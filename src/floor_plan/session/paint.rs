@@ -1,0 +1,279 @@
+//! Draws the Floor plan tab. The room and the drawing are slow to draw, so they are cached in one picture of the size
+//! of the canvas, which moves with the view.
+
+use super::{marks, sweeping};
+use floor_drawing::{Drawing, Role, Traced};
+use robovac_app::{
+    Palette, Viewport,
+    floor_plan::{DrawingSession, seen_on},
+};
+use robovac_core::{
+    geometry::{Point, Vector},
+    grid::{Grid, Occupancy},
+};
+use robovac_playground::{
+    canvas::layer::{OffscreenLayer, cell_picture},
+    wire::clock,
+};
+use wasm_bindgen::{JsCast, JsValue};
+use web_sys::{OffscreenCanvas, OffscreenCanvasRenderingContext2d, Path2d};
+
+/// Drawing that takes longer than this is not done while the view moves, ms.
+const QUICK_MS: f64 = 12.0;
+/// Pixels between the lines of the grid, at least.
+const GRID_FROM: f64 = 28.0;
+
+/// What of a draft is shown beside the room.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct ShownPlan {
+    /// Stage of the sweep, 1 to 3; 0 for none.
+    pub stage: u8,
+    /// How far the stage is shown, 0 to 1.
+    pub share: f64,
+    /// Heading of the obstacle map's slice.
+    pub slice: Option<usize>,
+}
+
+/// What the kept picture depends on, the view aside.
+#[derive(Debug, Clone, PartialEq)]
+struct PlanStill {
+    room: u32,
+    roles: Vec<Role>,
+    slice: Option<usize>,
+    dark: bool,
+}
+
+/// Draws onto one canvas.
+#[derive(Debug)]
+pub(super) struct FloorPlanPainter {
+    canvas: OffscreenCanvas,
+    context: OffscreenCanvasRenderingContext2d,
+    /// Lines of each layer of the drawing, on the sheet.
+    lines: Vec<Path2d>,
+    room: Option<((u32, bool), OffscreenLayer)>,
+    slice: Option<(OffscreenLayer, f64)>,
+    picture: OffscreenLayer,
+    drawn: Option<(PlanStill, Viewport)>,
+    /// How long the picture took to be drawn, ms.
+    took: f64,
+}
+
+impl FloorPlanPainter {
+    /// Draws onto `canvas` from now on.
+    pub fn new(canvas: OffscreenCanvas) -> Result<Self, JsValue> {
+        let context = canvas.get_context("2d")?.ok_or("no off-screen canvas; use a current browser")?.unchecked_into();
+        let picture = OffscreenLayer::new(1, 1)?;
+        Ok(Self { canvas, context, lines: Vec::new(), room: None, slice: None, picture, drawn: None, took: 0.0 })
+    }
+
+    /// Takes another draft.
+    pub fn take(&mut self, board: &DrawingSession) -> Result<(), JsValue> {
+        (self.room, self.slice, self.drawn) = (None, None, None);
+        self.lines.clear();
+        if let Some(drawing) = board.source().drawing() {
+            let place = |point: &Point| board.sheet().place(*point);
+            self.lines = paths(drawing, place)?;
+        }
+        Ok(())
+    }
+
+    /// Takes a slice of the obstacle map: cells that are FREE, and their side in metres.
+    pub fn take_slice(&mut self, free: &Grid<bool>, cell: f64) -> Result<(), JsValue> {
+        // Okabe and Ito's bluish green and vermilion, told apart by their lightness too.
+        let colour = |&is_free: &bool| if is_free { [0, 158, 115, 70] } else { [213, 94, 0, 150] };
+        self.slice = Some((cell_picture(free, colour)?, cell));
+        self.drawn = None;
+        Ok(())
+    }
+
+    /// Draws; see [`super::FloorPlanSession::draw`].
+    pub fn draw(
+        &mut self,
+        board: Option<&DrawingSession>,
+        viewport: &Viewport,
+        shown: ShownPlan,
+        dark: bool,
+        hurries: bool,
+    ) -> Result<bool, JsValue> {
+        let palette = Palette::of(dark);
+        let size = viewport.size * viewport.pixel_ratio;
+        let (width, height) = (size.x.round().max(1.0) as u32, size.y.round().max(1.0) as u32);
+        if (self.canvas.width(), self.canvas.height()) != (width, height) {
+            self.canvas.set_width(width);
+            self.canvas.set_height(height);
+            self.drawn = None;
+        }
+        let context = &self.context;
+        context.set_transform(1.0, 0.0, 0.0, 1.0, 0.0, 0.0)?;
+        context.set_fill_style_str(palette.outside);
+        context.fill_rect(0.0, 0.0, f64::from(width), f64::from(height));
+        let Some(board) = board else { return Ok(false) };
+
+        let still =
+            PlanStill { room: board.version(), roles: board.settings().roles.clone(), slice: shown.slice, dark };
+        let is_same = self.drawn.as_ref().is_some_and(|(drawn, _)| *drawn == still);
+        let is_moved = self.drawn.as_ref().is_some_and(|(_, view)| view != viewport);
+        let makes_do = is_same && is_moved && hurries && self.took > QUICK_MS;
+        if !makes_do && (!is_same || is_moved) {
+            let began = clock();
+            self.draw_picture(board, viewport, &still)?;
+            self.took = clock() - began;
+            self.drawn = Some((still, *viewport));
+        }
+        let from = self.drawn.as_ref().map_or(*viewport, |(_, view)| *view);
+        self.copy(&from, viewport)?;
+
+        let ratio = viewport.pixel_ratio;
+        self.context.set_transform(ratio, 0.0, 0.0, ratio, 0.0, 0.0)?;
+        if let Some(room) = board.room() {
+            let view = room_view(board, room, viewport);
+            marks::gaps(&self.context, &view, &room.gaps, dark)?;
+            if let (Some(sweep), true) = (board.planned(), shown.stage > 0) {
+                sweeping::draw(&self.context, &view, sweep, shown, dark)?;
+            }
+        }
+        marks::part(&self.context, board, viewport, palette)?;
+        marks::hand(&self.context, board, viewport, palette)?;
+        if let Some(metre) = board.settings().metre {
+            marks::scale_bar(&self.context, viewport, metre / board.sheet().scale, palette)?;
+        }
+        Ok(makes_do)
+    }
+
+    /// Shows the picture that was drawn for `from`, moved to where `to` has it.
+    fn copy(&self, from: &Viewport, to: &Viewport) -> Result<(), JsValue> {
+        let factor = to.scale / from.scale;
+        let shift = (to.origin - from.origin * factor) * to.pixel_ratio;
+        self.context.set_transform(factor, 0.0, 0.0, factor, shift.x, shift.y)?;
+        self.context.draw_image_with_offscreen_canvas(&self.picture.canvas, 0.0, 0.0)
+    }
+
+    /// The room, the grid and the drawing's lines.
+    fn draw_picture(&mut self, board: &DrawingSession, viewport: &Viewport, still: &PlanStill) -> Result<(), JsValue> {
+        let palette = Palette::of(still.dark);
+        let key = (still.room, still.dark);
+        if let Some(room) = board.room()
+            && self.room.as_ref().is_none_or(|(made, _)| *made != key)
+        {
+            self.room = Some((key, room_picture(room, palette)?));
+        }
+        self.picture.clear(self.canvas.width(), self.canvas.height());
+        let context = &self.picture.context;
+        let ratio = viewport.pixel_ratio;
+        context.set_transform(ratio, 0.0, 0.0, ratio, 0.0, 0.0)?;
+        if let Some(room) = board.room() {
+            let view = room_view(board, room, viewport);
+            if let Some((_, picture)) = &self.room {
+                stretch(context, &view, picture, room.plan.resolution)?;
+            }
+            if let Some(metre) = board.settings().metre {
+                grid(context, viewport, metre / board.sheet().scale, palette);
+            }
+            marks::objects(context, &view, &room.plan.objects, palette)?;
+            if let (Some((picture, cell)), true) = (&self.slice, still.slice.is_some()) {
+                stretch(context, &view, picture, *cell)?;
+            }
+        }
+        let Some(drawing) = board.source().drawing() else { return Ok(()) };
+        let scale = viewport.scale * ratio;
+        context.set_transform(scale, 0.0, 0.0, -scale, viewport.origin.x * ratio, viewport.origin.y * ratio)?;
+        context.set_line_join("bevel");
+        for ((layer, path), role) in drawing.layers.iter().zip(&self.lines).zip(&still.roles) {
+            let [red, green, blue] = seen_on(layer.colour, still.dark);
+            let (width, alpha) = match role {
+                Role::Wall => (1.75, 1.0),
+                Role::Obstacle => (1.25, 0.95),
+                Role::Ignored => (1.0, 0.3),
+            };
+            context.set_line_width(width / viewport.scale);
+            context.set_global_alpha(alpha);
+            context.set_stroke_style_str(&format!("rgb({red} {green} {blue})"));
+            context.stroke_with_path(path);
+        }
+        context.set_global_alpha(1.0);
+        Ok(())
+    }
+}
+
+/// The window onto the room, in metres from its lower left corner.
+fn room_view(board: &DrawingSession, room: &Traced, viewport: &Viewport) -> Viewport {
+    let sheet = board.sheet();
+    viewport.onto(sheet.place(Point::from(room.corner)), sheet.scale / room.metre)
+}
+
+/// The strokes of each layer as one path, so that each layer costs one call.
+fn paths(drawing: &Drawing, place: impl Fn(&Point) -> Point) -> Result<Vec<Path2d>, JsValue> {
+    let paths = drawing.layers.iter().map(|_| Path2d::new()).collect::<Result<Vec<_>, _>>()?;
+    for stroke in &drawing.strokes {
+        let Some(path) = paths.get(stroke.layer as usize) else { continue };
+        for (index, corner) in drawing.corners(stroke).iter().enumerate() {
+            let at = place(corner);
+            if index == 0 { path.move_to(at.x, at.y) } else { path.line_to(at.x, at.y) }
+        }
+        if stroke.is_closed {
+            path.close_path();
+        }
+    }
+    Ok(paths)
+}
+
+/// One pixel for each cell of the room.
+fn room_picture(room: &Traced, palette: &Palette) -> Result<OffscreenLayer, JsValue> {
+    let [free, occupied, unknown] = [palette.floor, palette.wall_line, palette.unknown].map(opaque);
+    cell_picture(&room.plan.occupancy, |cell| match cell {
+        Occupancy::Free => free,
+        Occupancy::Occupied => occupied,
+        Occupancy::Unknown => unknown,
+    })
+}
+
+/// Draws a picture of cells, each `cell` metres wide; one unit of the context is a CSS pixel.
+fn stretch(
+    context: &OffscreenCanvasRenderingContext2d,
+    view: &Viewport,
+    picture: &OffscreenLayer,
+    cell: f64,
+) -> Result<(), JsValue> {
+    let size = Vector::new(f64::from(picture.canvas.width()), f64::from(picture.canvas.height())) * cell;
+    let top_left = view.to_screen(Point::new(0.0, size.y));
+    // Crisp cells once they are larger than pixels.
+    context.set_image_smoothing_enabled(cell * view.scale < 2.0);
+    context.draw_image_with_offscreen_canvas_and_dw_and_dh(
+        &picture.canvas,
+        top_left.x,
+        top_left.y,
+        size.x * view.scale,
+        size.y * view.scale,
+    )
+}
+
+/// Lines of a round distance over all that is seen; `metre` is the length of a unit of the sheet, m.
+fn grid(context: &OffscreenCanvasRenderingContext2d, viewport: &Viewport, metre: f64, palette: &Palette) {
+    let per_metre = viewport.scale / metre;
+    let Some(step) = [0.1, 0.5, 1.0, 5.0, 10.0, 50.0, 100.0].into_iter().find(|m| m * per_metre >= GRID_FROM) else {
+        return;
+    };
+    let step = step * per_metre;
+    context.begin_path();
+    let mut x = viewport.origin.x.rem_euclid(step);
+    while x < viewport.size.x {
+        context.move_to(x.round() + 0.5, 0.0);
+        context.line_to(x.round() + 0.5, viewport.size.y);
+        x += step;
+    }
+    let mut y = viewport.origin.y.rem_euclid(step);
+    while y < viewport.size.y {
+        context.move_to(0.0, y.round() + 0.5);
+        context.line_to(viewport.size.x, y.round() + 0.5);
+        y += step;
+    }
+    context.set_line_width(1.0);
+    context.set_stroke_style_str(palette.grid);
+    context.stroke();
+}
+
+/// A colour of the palette in its notation `#rrggbb`.
+fn opaque(css: &str) -> [u8; 4] {
+    let byte = |from: usize| css.get(from..from + 2).and_then(|hex| u8::from_str_radix(hex, 16).ok()).unwrap_or(0);
+    [byte(1), byte(3), byte(5), 255]
+}

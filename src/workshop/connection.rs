@@ -1,0 +1,136 @@
+//! A connection to a robot, in a worker: bytes in, bytes out, and the view model for the page.
+
+use super::session_mirror::SessionMirror;
+use robovac_core::geometry::Point;
+use robovac_link::connection;
+use robovac_playground::wire::to_js;
+use robovac_sim::{controller::Setup, experiment::Algorithm};
+use wasm_bindgen::prelude::*;
+
+/// A connection to a robot. Times are in seconds of one clock, the worker's.
+#[wasm_bindgen]
+pub struct Connection {
+    link: connection::Connection,
+}
+
+#[wasm_bindgen]
+impl Connection {
+    /// Not connected.
+    #[wasm_bindgen(constructor)]
+    pub fn new() -> Self {
+        Self { link: connection::Connection::new() }
+    }
+
+    /// The transport is open at 115200 baud: finds out who is there.
+    pub fn opened(&mut self, now: f64) {
+        self.link.opened(now);
+    }
+
+    /// The transport is gone, and why, as a sentence for users; `for_good` if it won't come back by itself.
+    pub fn lost(&mut self, now: f64, why: &str, for_good: bool) {
+        self.link.lost(now, why, for_good);
+    }
+
+    /// Whether the line keeps its baud rate whatever is asked for, as a bridge does. To be said before it is opened.
+    pub fn fix_rate(&mut self, is_fixed: bool) {
+        self.link.fix_rate(is_fixed);
+    }
+
+    /// Drops what is to be sent: there is no line that could take it.
+    pub fn discard(&mut self) {
+        self.link.discard();
+    }
+
+    /// Takes bytes from the line.
+    pub fn feed(&mut self, now: f64, bytes: &[u8]) {
+        self.link.feed(now, bytes);
+    }
+
+    /// The page is alive.
+    pub fn beat(&mut self, now: f64) {
+        self.link.beat(now);
+    }
+
+    /// Stops the robot and leaves it in Passive, as the page goes away or is hidden; `why` is for the user who comes back.
+    pub fn leave(&mut self, now: f64, why: &str) {
+        self.link.leave(now, why);
+    }
+
+    /// Stops what drives before something that takes a while.
+    pub fn pause(&mut self, now: f64) {
+        self.link.pause(now);
+    }
+
+    /// Lets time pass; call it every 10 ms.
+    pub fn tick(&mut self, now: f64) {
+        self.link.tick(now);
+    }
+
+    /// Bytes to be sent, now; empty if there are none.
+    pub fn take_tx(&mut self) -> Vec<u8> {
+        self.link.take_tx()
+    }
+
+    /// What is to be done with the line before the next bytes are sent: `{ baud: 19200 }`, `{ brc: true }` or `null`.
+    pub fn take_line(&mut self) -> Result<JsValue, JsValue> {
+        to_js(&self.link.take_line())
+    }
+
+    /// Does what the user asks for, a `Request`; throws a sentence for users if it can't be done.
+    pub fn request(&mut self, now: f64, request: JsValue) -> Result<(), JsValue> {
+        let request = serde_wasm_bindgen::from_value(request).map_err(|e| e.to_string())?;
+        self.link.request(now, request).map_err(|e| e.to_string().into())
+    }
+
+    /// Lets the algorithm drive that is chosen in `guest`: a behaviour, or the planned line with these `corners`, x and y
+    /// in turn, m.
+    pub fn ride(&mut self, now: f64, guest: &SessionMirror, corners: &[f64]) -> Result<(), JsValue> {
+        let session = guest.session();
+        let prepared = session.prepared().ok_or("The robot doesn't fit into the room.")?;
+        let (settings, start) = (session.settings(), prepared.floor.start);
+        let (robot, odometry) = (self.link.calibrated(&prepared.robot), self.link.odometry());
+        let controller = match settings.algorithm {
+            Algorithm::Behaviour(behaviour) => {
+                let mut params = settings.params.clone();
+                // Only those that reckon for themselves have it.
+                let _ = params.set_text(behaviour.params, "odometry", odometry.id());
+                let setup = Setup { robot: &robot, params: &params, seed: settings.seed };
+                behaviour.build(&setup).ok_or("This behaviour doesn't exist.")?
+            }
+            Algorithm::Planner(_) => {
+                let line: Vec<Point> = corners.as_chunks().0.iter().map(|&[x, y]| Point::new(x, y)).collect();
+                // Nobody has drawn a real flat's stairs.
+                Box::new(prepared.follower(&robot, &line.into(), odometry).carefully())
+            }
+        };
+        let title = settings.algorithm.title();
+        self.link.ride(now, title, controller, start).map_err(|e| e.to_string().into())
+    }
+
+    /// What the page shows, a `ConnectionView`.
+    pub fn view(&mut self, now: f64) -> Result<JsValue, JsValue> {
+        to_js(&self.link.view(now))
+    }
+
+    /// What went over the line since this was last asked for, as `Traffic[]`.
+    pub fn take_traffic(&mut self) -> Result<JsValue, JsValue> {
+        to_js(&self.link.take_traffic())
+    }
+
+    /// The robot's estimated trail since this was last asked for: x and y in m, heading in rad and what it felt
+    /// there, in turn; see `app::connection::Connection::take_trace`.
+    pub fn take_trace(&mut self) -> Vec<f64> {
+        self.link.take_trace()
+    }
+
+    /// Everything that went over the line so far, as a recording.
+    pub fn recording(&self) -> String {
+        self.link.recording()
+    }
+}
+
+impl Default for Connection {
+    fn default() -> Self {
+        Self::new()
+    }
+}

@@ -1,0 +1,294 @@
+//! The Map tab: a mapping session, its canvas and pointer input.
+
+mod hand;
+mod ink;
+mod marks;
+mod paint;
+mod picture;
+
+use self::{hand::RobotHand, paint::MapPainter};
+use super::session_mirror::SessionMirror;
+use js_sys::{Array, Float64Array, Reflect, Uint8Array};
+use robovac_app::Import;
+use robovac_app::{Viewport, export::ExportFile, map};
+use robovac_core::floor_plan::{FloorPlan, MapImage, OccupancyMode, to_ros_map};
+use robovac_playground::wire::message;
+use robovac_playground::wire::{clock, entry::CatalogueEntry, map_file, to_js};
+use robovac_sim::{experiment::Algorithm, mapping::OccupancyMap};
+use wasm_bindgen::prelude::*;
+use web_sys::HtmlCanvasElement;
+
+/// Milliseconds of a frame that simulation may take; the rest of 16.7 ms is for drawing and the browser.
+const FRAME_BUDGET_MS: f64 = 8.0;
+/// The same on the way back to a survey that was left: nothing but its progress moves on the page.
+const RETURN_BUDGET_MS: f64 = 40.0;
+
+/// A robot that makes a map of the playground's room.
+#[wasm_bindgen]
+pub struct MapSession {
+    state: map::MapSession,
+    painter: MapPainter,
+    viewport: Viewport,
+    hand: RobotHand,
+    last_frame_ms: Option<f64>,
+    dark: bool,
+    /// Size of the room that the viewport was fitted to, m.
+    fitted: (f64, f64),
+}
+
+#[wasm_bindgen]
+impl MapSession {
+    /// Draws on that canvas.
+    #[wasm_bindgen(constructor)]
+    pub fn new(canvas: HtmlCanvasElement) -> Result<Self, JsValue> {
+        Ok(Self {
+            state: map::MapSession::new(),
+            painter: MapPainter::new(canvas)?,
+            viewport: Viewport::new(1.0, 1.0, 1.0, 1.0, 1.0),
+            hand: RobotHand::default(),
+            last_frame_ms: None,
+            dark: false,
+            fitted: (0.0, 0.0),
+        })
+    }
+
+    /// Behaviours that a survey can be made with, as the catalogue has them: see `AlgorithmEntry` in `www/types.d.ts`.
+    pub fn explorers() -> Result<JsValue, JsValue> {
+        let entries = map::explorers().map(|info| CatalogueEntry::new(Algorithm::Behaviour(info)));
+        to_js(&entries.collect::<Vec<_>>())
+    }
+
+    /// Takes room, robot, start, conditions and seed over from the playground's copy; cheap if they are the same.
+    pub fn take(&mut self, guest: &SessionMirror) {
+        self.state.take(guest.session());
+    }
+
+    // ---- choices; each throws a message and changes nothing if the choice isn't possible
+
+    /// Sets one choice by its name in links.
+    pub fn set(&mut self, key: &str, value: &str) -> Result<(), JsValue> {
+        self.state.set(key, value).map_err(message)
+    }
+
+    /// Shows a layer of the picture, or no longer.
+    pub fn show(&mut self, layer: &str, on: bool) -> Result<(), JsValue> {
+        self.state.show(layer, on).map_err(message)
+    }
+
+    /// The choices as the part of a link behind that of the playground.
+    pub fn link(&self) -> String {
+        self.state.setup().to_link()
+    }
+
+    /// Takes what `link` returned.
+    pub fn restore(&mut self, link: &str) -> Result<(), JsValue> {
+        self.state.restore(link).map_err(message)
+    }
+
+    /// Everything that determines the run: what is stored belongs to it.
+    pub fn recipe(&self) -> String {
+        self.state.recipe()
+    }
+
+    /// The same of a run on which the robot makes its map itself.
+    pub fn home(&self) -> String {
+        self.state.home()
+    }
+
+    // ---- time
+
+    /// Lets the time since the last call pass, and draws.
+    pub fn frame(&mut self, now_ms: f64) -> Result<(), JsValue> {
+        let elapsed_s = self.last_frame_ms.replace(now_ms).map_or(0.0, |last| (now_ms - last) / 1000.0);
+        let is_returning = self.state.returned().is_some();
+        let deadline = clock() + if is_returning { RETURN_BUDGET_MS } else { FRAME_BUDGET_MS };
+        self.state.frame(elapsed_s, &mut || clock() < deadline);
+        self.hand.keep(&self.state);
+        self.draw()
+    }
+
+    /// Time that passes while the place isn't shown isn't made up for.
+    pub fn rest(&mut self) {
+        self.last_frame_ms = None;
+    }
+
+    /// Lets time go on.
+    pub fn play(&mut self) {
+        self.state.play();
+    }
+
+    /// Stops time.
+    pub fn pause(&mut self) {
+        self.state.pause();
+    }
+
+    /// Goes on by five seconds.
+    pub fn step(&mut self) {
+        self.state.step();
+    }
+
+    /// Goes to another point of the time simulated so far, s.
+    pub fn seek(&mut self, time_s: f64) {
+        self.state.seek(time_s);
+    }
+
+    /// Lets the robot clean what is left by the map that it has.
+    pub fn clean(&mut self) {
+        self.state.clean();
+    }
+
+    /// Planners that what is left can be planned with: `[id, title]` each.
+    pub fn cleaners() -> Result<JsValue, JsValue> {
+        to_js(&map::cleaners().map(|info| [info.id, info.title]).collect::<Vec<_>>())
+    }
+
+    /// Forgets the map.
+    pub fn forget(&mut self) {
+        self.state.forget();
+    }
+
+    // ---- what is shown
+
+    /// Snapshot in numbers and words: see `MapView` in `www/survey/types.d.ts`.
+    pub fn view(&self) -> Result<JsValue, JsValue> {
+        let view = to_js(&self.state.view())?;
+        Reflect::set(&view, &"is_carried".into(), &self.hand.holds().into())?;
+        Ok(view)
+    }
+
+    /// One or two sentences that stand for the picture.
+    pub fn description(&self) -> String {
+        self.state.description()
+    }
+
+    /// The figures over time: seconds, share of the boundary mapped, pose error and that of odometry alone (m,
+    /// NaN while there is none), in turn.
+    pub fn curve(&self) -> Float64Array {
+        let metres = |error: Option<f64>| error.unwrap_or(f64::NAN);
+        let numbers = |s: &map::CurveSample| [s.time_s, s.boundary, metres(s.position_m), metres(s.odometry_m)];
+        let curve: Vec<f64> = self.state.samples().iter().flat_map(numbers).collect();
+        Float64Array::from(curve.as_slice())
+    }
+
+    // ---- what is kept
+
+    /// The survey as text; nothing while there is nothing worth it.
+    pub fn store(&self) -> Option<String> {
+        self.state.store()
+    }
+
+    /// Goes back to where a survey was left. Throws a sentence for users and changes nothing if that can't be.
+    pub fn resume(&mut self, text: &str) -> Result<(), JsValue> {
+        Ok(self.state.resume(text).map_err(|e| e.to_string())?)
+    }
+
+    /// Whether the last way back has led elsewhere, once: what was stored had better be kept.
+    pub fn take_strayed(&mut self) -> bool {
+        self.state.take_strayed()
+    }
+
+    // ---- use of the map
+
+    /// The map as a room for `Playground.take_map`. Throws a sentence for users if there is none.
+    pub fn room(&self) -> Result<JsValue, JsValue> {
+        map_file::import_to_js(Import { plan: self.mapped()?, choices: None })
+    }
+
+    /// The map as a ROS map: `{ name, bytes, kind }` of its image and its description, called `stem`.
+    pub fn ros_map(&self, stem: &str) -> Result<Array, JsValue> {
+        ros_map(&self.mapped()?, stem)
+    }
+
+    /// Gives the robot a map that a worker has read, and puts it down anywhere. Throws a sentence for users and changes
+    /// nothing if that can't be.
+    pub fn open(&mut self, map: &JsValue) -> Result<(), JsValue> {
+        let import = map_file::import_from_js(map)?;
+        Ok(self.state.open(&import.plan).map_err(|e| e.to_string())?)
+    }
+
+    /// The same with the map that it has made.
+    pub fn open_own(&mut self) -> Result<(), JsValue> {
+        Ok(self.state.open_own().map_err(|e| e.to_string())?)
+    }
+
+    /// Takes the map away that it was given.
+    pub fn close_map(&mut self) {
+        self.state.close_map();
+    }
+
+    // ---- the view
+
+    /// The canvas is `width` x `height` CSS pixels on a screen with `ratio` device pixels each.
+    pub fn resize(&mut self, width: f64, height: f64, ratio: f64) {
+        self.viewport.resize(width, height, ratio);
+    }
+
+    /// Moves what is seen by CSS pixels.
+    pub fn pan(&mut self, dx: f64, dy: f64) {
+        self.viewport.pan(dx, dy);
+    }
+
+    /// Enlarges `factor` times around (`x`, `y`), CSS pixels.
+    pub fn zoom(&mut self, x: f64, y: f64, factor: f64) {
+        self.viewport.zoom_at(x, y, factor);
+    }
+
+    /// Shows all of the room.
+    pub fn fit(&mut self) {
+        self.viewport.fit();
+    }
+
+    /// Dark or light colours.
+    pub fn set_dark(&mut self, dark: bool) {
+        self.dark = dark;
+    }
+}
+
+impl MapSession {
+    fn draw(&mut self) -> Result<(), JsValue> {
+        let Some(plan) = self.state.plan() else { return Ok(()) };
+        let size = (plan.width_m(), plan.height_m());
+        if size != self.fitted {
+            self.viewport.set_room(size.0, size.1);
+            self.fitted = size;
+        }
+        self.painter.draw(&self.state, &self.viewport, self.hand.pose(), self.dark)
+    }
+
+    fn mapped(&self) -> Result<FloorPlan, JsValue> {
+        let estimate = self.state.estimate().ok_or("there is no map: the robot doesn't fit into this room")?;
+        let title = self.state.plan().map_or("room", |plan| &plan.name);
+        plan_of(estimate.map, &format!("{title}, as mapped"))
+    }
+}
+
+/// The map in a text that `MapSession.store` returned, as `MapSession.ros_map` has it. For what can't go on: it may be by another
+/// program. Throws a sentence for users.
+#[wasm_bindgen]
+pub fn stored_ros_map(text: &str, stem: &str) -> Result<Array, JsValue> {
+    let stored = map::Stored::from_text(text).map_err(|e| e.to_string())?;
+    ros_map(&plan_of(&stored.map, &stored.title)?, stem)
+}
+
+fn plan_of(map: &OccupancyMap, name: &str) -> Result<FloorPlan, JsValue> {
+    let plan = map.to_plan(name).ok_or("the map is still empty; let the robot explore first")?;
+    if plan.occupancy.values().iter().any(|cell| cell.is_free()) {
+        Ok(plan)
+    } else {
+        Err("the map has no floor yet; let the robot explore first".into())
+    }
+}
+
+fn ros_map(plan: &FloorPlan, stem: &str) -> Result<Array, JsValue> {
+    let map = to_ros_map(plan, stem, MapImage::Pgm, OccupancyMode::Trinary, false).map_err(|e| e.to_string())?;
+    let yaml = ExportFile { name: format!("{stem}.yaml"), kind: "application/yaml", bytes: map.yaml.into_bytes() };
+    let image = ExportFile { name: map.image_name, kind: "image/x-portable-graymap", bytes: map.image };
+    let files = [image, yaml].into_iter().map(|file| {
+        let object = js_sys::Object::new();
+        Reflect::set(&object, &"name".into(), &file.name.into())?;
+        Reflect::set(&object, &"kind".into(), &file.kind.into())?;
+        Reflect::set(&object, &"bytes".into(), &Uint8Array::from(file.bytes.as_slice()))?;
+        Ok(JsValue::from(object))
+    });
+    files.collect::<Result<Array, JsValue>>()
+}

@@ -1,0 +1,160 @@
+//! Kidnapping by pointer: picks the robot up and puts it down elsewhere.
+
+use super::MapSession;
+use robovac_app::map::{self, MapAction, MapPhase};
+use robovac_core::{
+    geometry::{Point, Pose, Vector},
+    math,
+};
+use wasm_bindgen::prelude::*;
+
+/// How far a key carries the robot, m, and turns it, rad.
+const STRIDE: f64 = 0.1;
+const TURN: f64 = math::PI / 12.0;
+/// Distance from the robot's centre within which the pointer takes hold of it, CSS pixels, however small it is drawn.
+const LEAST_GRIP_PX: f64 = 16.0;
+/// Distance that the pointer has to go to pick a robot up, CSS pixels: a click alone does nothing.
+const LEAST_LIFT_PX: f64 = 4.0;
+
+/// What is held, and what the pointer is doing.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct RobotHand {
+    /// Where the robot is held, and where it stood.
+    carried: Option<(Pose, Pose)>,
+    gesture: Option<MapGesture>,
+}
+
+/// What the pointer is doing between down and up.
+#[derive(Debug, Clone, Copy)]
+enum MapGesture {
+    Pan {
+        x: f64,
+        y: f64,
+    },
+    /// Has hold of the robot, whose centre is `grip` from the pointer that went down at (`x`, `y`).
+    Grip {
+        x: f64,
+        y: f64,
+        grip: Vector,
+    },
+    /// Carries it.
+    Carry {
+        grip: Vector,
+    },
+}
+
+impl RobotHand {
+    /// Where the robot is held, if it is.
+    pub fn pose(&self) -> Option<Pose> {
+        self.carried.map(|(pose, _)| pose)
+    }
+
+    /// Whether it holds the robot.
+    pub fn holds(&self) -> bool {
+        self.carried.is_some()
+    }
+
+    /// Lets go if it is another run, or another moment of it, in which nobody holds the robot; takes it where somebody does.
+    pub fn keep(&mut self, survey: &map::MapSession) {
+        let is_held = survey.phase() == MapPhase::Held;
+        let pose = survey.run().map(robovac_sim::Run::pose).filter(|_| is_held);
+        self.carried = pose.map(|pose| self.carried.unwrap_or((pose, pose)));
+    }
+}
+
+#[wasm_bindgen]
+impl MapSession {
+    /// The pointer did something at (`x`, `y`), CSS pixels: `down`, `move`, `up` or `cancel`. It moves the view, or the robot
+    /// if it went down on that.
+    pub fn pointer(&mut self, what: &str, x: f64, y: f64) {
+        let at = self.viewport.to_world(x, y);
+        match (what, self.hand.gesture) {
+            ("down", _) => self.hand.gesture = Some(self.grip(at, x, y).unwrap_or(MapGesture::Pan { x, y })),
+            ("move", Some(MapGesture::Pan { x: from_x, y: from_y })) => {
+                self.viewport.pan(x - from_x, y - from_y);
+                self.hand.gesture = Some(MapGesture::Pan { x, y });
+            }
+            ("move", Some(MapGesture::Grip { x: from_x, y: from_y, grip }))
+                if (Point::new(x, y) - Point::new(from_x, from_y)).norm() >= LEAST_LIFT_PX =>
+            {
+                self.take_robot();
+                self.hand.gesture = self.hand.holds().then_some(MapGesture::Carry { grip });
+            }
+            ("move", Some(MapGesture::Carry { grip })) => self.carry_to(at + grip),
+            ("up", Some(MapGesture::Carry { .. })) => {
+                self.put_down();
+                self.hand.gesture = None;
+            }
+            ("cancel", Some(MapGesture::Carry { .. })) => {
+                self.put_back();
+                self.hand.gesture = None;
+            }
+            ("up" | "cancel", _) => self.hand.gesture = None,
+            _ => {}
+        }
+    }
+
+    /// Picks the robot up, or puts down the one that is held, where it is held.
+    pub fn pick_up(&mut self) {
+        if self.hand.holds() { self.put_down() } else { self.take_robot() }
+    }
+
+    /// Carries the robot that is held by a key: `left`, `right`, `up`, `down`, `turn_left`, `turn_right`; `apply` puts it
+    /// down, `back` puts it where it stood.
+    pub fn carry(&mut self, action: &str) {
+        let Some((pose, from)) = self.hand.carried else { return };
+        let (dx, dy, turn) = match action {
+            "left" => (-STRIDE, 0.0, 0.0),
+            "right" => (STRIDE, 0.0, 0.0),
+            "up" => (0.0, STRIDE, 0.0),
+            "down" => (0.0, -STRIDE, 0.0),
+            "turn_left" => (0.0, 0.0, TURN),
+            "turn_right" => (0.0, 0.0, -TURN),
+            "apply" => return self.put_down(),
+            "back" => return self.put_back(),
+            _ => return,
+        };
+        self.hand.carried = Some((Pose::new(pose.x, pose.y, pose.heading + turn), from));
+        self.carry_to(Point::new(pose.x + dx, pose.y + dy));
+    }
+}
+
+impl MapSession {
+    /// What the pointer takes hold of that went down there: the robot, if it may be picked up.
+    fn grip(&self, at: Point, x: f64, y: f64) -> Option<MapGesture> {
+        let centre = self.hand.pose().or(self.state.run().map(robovac_sim::Run::pose))?.position();
+        let radius = self.state.prepared()?.robot.radius.max(LEAST_GRIP_PX / self.viewport.scale);
+        let grip = centre - at;
+        if grip.norm() > radius {
+            return None;
+        }
+        if self.hand.holds() {
+            return Some(MapGesture::Carry { grip });
+        }
+        self.state.can(MapAction::Lift).then_some(MapGesture::Grip { x, y, grip })
+    }
+
+    fn take_robot(&mut self) {
+        self.state.lift();
+        self.hand.keep(&self.state);
+    }
+
+    fn put_down(&mut self) {
+        if let Some((pose, _)) = self.hand.carried.take() {
+            self.state.put_down(pose);
+        }
+    }
+
+    fn put_back(&mut self) {
+        if let Some((_, from)) = self.hand.carried.take() {
+            self.state.put_down(from);
+        }
+    }
+
+    /// Carries the robot that is held to a place within the room.
+    fn carry_to(&mut self, to: Point) {
+        let (Some((pose, from)), Some(plan)) = (self.hand.carried, self.state.plan()) else { return };
+        let (x, y) = (to.x.clamp(0.0, plan.width_m()), to.y.clamp(0.0, plan.height_m()));
+        self.hand.carried = Some((Pose::new(x, y, pose.heading), from));
+    }
+}

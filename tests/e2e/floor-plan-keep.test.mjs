@@ -1,0 +1,132 @@
+// The floor plan survives a reload; what another version of the page has kept is explained and not lost.
+import assert from "node:assert/strict";
+import fs from "node:fs";
+import { test } from "node:test";
+import { openApp } from "./app.mjs";
+import { anyFile } from "./maps.mjs";
+
+/** A room of 4 m x 3 m with a table, in metres. */
+function room(name) {
+  const box = (layer, x, y, w, h) => [[layer, x, y, x + w, y], [layer, x + w, y, x + w, y + h], [layer, x + w, y + h, x, y + h], [layer, x, y + h, x, y]];
+  const rows = ["0", "SECTION", "2", "HEADER", "9", "$INSUNITS", "70", "6", "0", "ENDSEC", "0", "SECTION", "2", "ENTITIES"];
+  for (const [layer, ...at] of [...box("WALLS", 0, 0, 4, 3), ...box("FURNITURE", 1, 1, 1, 1)]) rows.push("0", "LINE", "8", layer, ...["10", "20", "11", "21"].flatMap((code, i) => [code, at[i]]));
+  return anyFile(name, `${rows.join("\n")}\n0\nENDSEC\n0\nEOF\n`);
+}
+
+const at = (app, selector) => app.page.locator(selector);
+
+/** Waits until the board is at rest; what it says of the room then. */
+async function result(app) {
+  await app.frames(2);
+  await app.page.waitForFunction(() => document.getElementById("panel-floor-plan").ariaBusy !== "true");
+  return at(app, "#floor-plan-result").textContent();
+}
+
+/** Waits until all that was chosen is kept, and opens the page anew where it was. */
+async function reload(app) {
+  await app.page.waitForTimeout(600);
+  await app.page.reload();
+  await app.page.locator("#panel-floor-plan #floor-plan-empty").waitFor({ state: "attached" });
+}
+
+/** Changes what is kept under a key. */
+const edit = (app, key, change) =>
+  app.page.evaluate(
+    ([key, source]) =>
+      new Promise((resolve, reject) => {
+        const change = new Function(`return ${source}`)();
+        const request = indexedDB.open("robovac-drafts");
+        request.onsuccess = () => {
+          const board = request.result.transaction("board", "readwrite").objectStore("board");
+          const kept = board.get(key);
+          kept.onsuccess = () => board.put(change(kept.result), key);
+          board.transaction.oncomplete = () => {
+            request.result.close();
+            resolve(undefined);
+          };
+          board.transaction.onerror = () => reject(board.transaction.error);
+        };
+      }),
+    [key, change.toString()],
+  );
+
+async function openSample(t) {
+  const opened = await openApp(t);
+  await opened.app.bring(room("cellar.dxf"));
+  await at(opened.app, "#floor-plan-gap").fill("0.5");
+  await opened.page.getByLabel("What FURNITURE is").selectOption("ignored");
+  await opened.page.locator("[data-stage='3']").click();
+  await opened.page.locator("#floor-plan-numbers").waitFor();
+  await opened.page.locator("[data-stage='3'][aria-pressed=true]").waitFor();
+  return opened;
+}
+
+test("a floor plan comes back after a reload, with what was chosen and its sweep", async (t) => {
+  const { page, app } = await openSample(t);
+  const before = await result(app);
+  const length = await at(app, "#floor-plan-n-length").textContent();
+  await reload(app);
+  await app.poll(() => at(app, "#floor-plan-name").textContent(), (name) => name === "cellar");
+  assert.equal(await result(app), before);
+  assert.equal(await at(app, "#floor-plan-gap").inputValue(), "0.5");
+  assert.equal(await page.getByLabel("What FURNITURE is").inputValue(), "ignored");
+  await page.locator("[data-stage='3'][aria-pressed=true]").waitFor();
+  assert.equal(await at(app, "#floor-plan-n-length").textContent(), length);
+  assert.equal(await app.message(), "");
+  assert.ok(await at(app, "#floor-plan-aside").isHidden());
+  // What is brought at the start of a visit isn't overtaken by what was kept.
+  await page.locator("#tab-explore").click();
+  await app.linked("tab", (tab) => tab !== "floor-plan");
+  await page.reload();
+  await app.settled();
+  await app.bring(room("attic.dxf"));
+  assert.equal(await at(app, "#floor-plan-name").textContent(), "attic");
+  await app.frames(20);
+  assert.equal(await at(app, "#floor-plan-name").textContent(), "attic");
+  await reload(app);
+  await app.poll(() => at(app, "#floor-plan-name").textContent(), (name) => name === "attic");
+});
+
+test("choices of another version are explained and can be saved; the files come back", async (t) => {
+  const { page, app } = await openSample(t);
+  await reload(app);
+  await app.poll(() => at(app, "#floor-plan-name").textContent(), (name) => name === "cellar");
+  await page.waitForTimeout(600);
+  await edit(app, "choices", (kept) => ({ ...kept, settings: { ...kept.settings, gap: "a foot" } }));
+  await page.reload();
+  await app.poll(() => app.message(), (message) => /settings for cellar\.dxf were saved by another version.*a foot.*reset/.test(message));
+  assert.equal(await at(app, "#floor-plan-name").textContent(), "cellar");
+  assert.equal(await at(app, "#floor-plan-gap").inputValue(), "0.1");
+  const [download] = await Promise.all([page.waitForEvent("download"), at(app, "#floor-plan-aside-save").click()]);
+  assert.match(fs.readFileSync(await download.path(), "utf8"), /a foot/);
+  // Until it is discarded.
+  await reload(app);
+  await at(app, "#floor-plan-aside").waitFor();
+  await at(app, "#floor-plan-aside-discard").click();
+  await at(app, "#floor-plan-aside").waitFor({ state: "hidden" });
+  await reload(app);
+  await app.poll(() => at(app, "#floor-plan-name").textContent(), (name) => name === "cellar");
+  assert.ok(await at(app, "#floor-plan-aside").isHidden());
+});
+
+test("files of another version, or that can't be read, are kept aside", async (t) => {
+  const { page, app } = await openSample(t);
+  await page.waitForTimeout(600);
+  await edit(app, "files", (kept) => ({ ...kept, format: 99 }));
+  await page.reload();
+  await app.poll(() => app.message(), (message) => /saved by another version of this page, and this one can't read it/.test(message));
+  assert.ok(await at(app, "#floor-plan-empty").isVisible());
+  const [download] = await Promise.all([page.waitForEvent("download"), at(app, "#floor-plan-aside-save").click()]);
+  assert.equal(download.suggestedFilename(), "cellar.dxf");
+  await at(app, "#floor-plan-aside-discard").click();
+
+  await app.bring(room("cellar.dxf"));
+  await page.waitForTimeout(600);
+  await edit(app, "files", (kept) => ({ ...kept, files: [new File(["0\nSECTION\n2\nENTITIES\n0\nLINE\n"], "cellar.dxf")] }));
+  await page.reload();
+  await app.poll(() => app.message(), (message) => /floor plan cellar\.dxf can't be restored: .*cut off/.test(message));
+  await at(app, "#floor-plan-aside").waitFor();
+  // The board takes others all the same.
+  await app.bring(room("attic.dxf"));
+  assert.equal(await at(app, "#floor-plan-name").textContent(), "attic");
+});

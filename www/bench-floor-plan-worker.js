@@ -1,0 +1,39 @@
+// @ts-check
+// The tab Floor plan's share of the benchmark, in a fresh instance of its module: what it measures itself, then how long a
+// large drawing takes from its file to the picture.
+import init, { FloorPlanSession, bench_drawings, office_drawing } from "../floor_plan.js";
+
+const ENTITIES = 100_000;
+/** The picture's size, px: that of a laptop's screen. */
+const [WIDTH, HEIGHT] = [1280, 800];
+
+/** @param {import("./types").FromBench} message */
+const answer = (message) => self.postMessage(message);
+
+/** @returns {import("./types").BenchResult} */
+function draw() {
+  const files = [{ name: "office.dxf", bytes: office_drawing(ENTITIES) }];
+  const canvas = new OffscreenCanvas(WIDTH, HEIGHT);
+  const began = performance.now();
+  const session = new FloorPlanSession(canvas);
+  session.open(files);
+  session.resize(WIDTH, HEIGHT, 1);
+  session.draw(false);
+  // What was only noted down is drawn by now.
+  canvas.getContext("2d")?.getImageData(0, 0, 1, 1);
+  const ms = performance.now() - began;
+  session.free();
+  return { name: `read, trace and draw ${ENTITIES.toLocaleString("en")} entities`, ms, times_real_time: null, memory_mb: null };
+}
+
+self.addEventListener("message", async (/** @type {MessageEvent<{ module: WebAssembly.Module }>} */ event) => {
+  try {
+    await init({ module_or_path: event.data.module });
+    const results = bench_drawings((/** @type {import("./types").BenchResult} */ result) => answer({ type: "result", result }));
+    const drawn = draw();
+    answer({ type: "result", result: drawn });
+    answer({ type: "finished", results: [...results, drawn] });
+  } catch (error) {
+    answer({ type: "failed", message: error instanceof Error ? error.message : String(error) });
+  }
+});

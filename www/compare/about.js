@@ -1,0 +1,51 @@
+// @ts-check
+// About one algorithm: its path in this room, and its explainer.
+import { button, byId, setHidden, typed } from "../dom.js";
+import { explainer } from "../explainer.js";
+
+/** @param {import("./tab.js").Comparing} it @returns {(entrant: number) => void} */
+export function startAbout(it) {
+  const { app, comparison } = it;
+  const dialog = typed("about", HTMLDialogElement);
+  let shown = "";
+  dialog.addEventListener("click", (event) => {
+    if (event.target === dialog) dialog.close();
+  });
+  /** @param {(p: App["playground"]) => void} what @typedef {import("../main.js").App} App */
+  const explore = (what) => {
+    dialog.close();
+    if (app.act(what)) byId("tab-explore").click();
+  };
+  button("about-explore").addEventListener("click", () =>
+    explore((p) => {
+      p.select_algorithm(shown);
+      const params = it.view.entrants.find(({ id }) => id === shown)?.params ?? {};
+      for (const [id, value] of Object.entries(params)) p.set_param(id, String(value));
+    }),
+  );
+
+  return (entrant) => {
+    const planner = app.catalogue.planners[entrant];
+    if (!planner) return;
+    shown = planner.id;
+    byId("about-title").textContent = planner.title;
+    byId("about-text").replaceChildren(
+      ...explainer(planner, app.catalogue.rooms, (room) =>
+        explore((p) => {
+          p.select_room(room);
+          p.select_algorithm(planner.id);
+        }),
+      ),
+    );
+    dialog.showModal();
+    // A new canvas: what was drawn on the old one is kept by nobody.
+    const old = byId("about-path");
+    const canvas = /** @type {HTMLCanvasElement} */ (old.cloneNode());
+    old.replaceWith(canvas);
+    canvas.hidden = false;
+    canvas.setAttribute("aria-label", `Path of ${planner.title} in ${app.view.room.title}`);
+    const drawn = comparison.draw_path(entrant, canvas, canvas.clientWidth, canvas.clientHeight, devicePixelRatio);
+    setHidden(byId("about-none"), drawn);
+    canvas.hidden = !drawn;
+  };
+}

@@ -1,0 +1,89 @@
+// @ts-check
+// Bars for turns, revisits and length, as in figures 5.4 to 5.6 of Emu & Obaida 2020, and all numbers side by side.
+import { shown } from "./numbers.js";
+
+/**
+ * @typedef {import("../types").CompareTable} Table
+ * @typedef {import("../types").PlannerEntry} Planner
+ */
+
+/** Numbers that get bars. */
+const BARS = ["turns", "revisited_cells", "length", "duration", "above_bound"];
+/** Numbers of the chart with an axis for each. */
+const AXES = ["coverage", "length", "duration", "energy", "turns", "revisits", "overlap_area", "planning"];
+/** Height of a bar with its name, and width of all, in units of the drawing. */
+const [ROW, WIDTH] = [34, 330];
+
+/** @param {string} text */
+const safe = (text) => text.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
+
+/**
+ * Draws the charts of a table.
+ * @param {HTMLElement} into
+ * @param {Table} table
+ * @param {Planner[]} planners
+ * @param {(entrant: number) => void} choose
+ */
+export function drawCharts(into, table, planners, choose) {
+  const charts = BARS.map((id) => bars(table, planners, id)).concat(parallel(table, planners));
+  into.innerHTML = charts.map((svg) => `<figure>${svg}</figure>`).join("");
+  for (const mark of into.querySelectorAll("[data-entrant]")) mark.addEventListener("click", () => choose(Number(mark.getAttribute("data-entrant"))));
+}
+
+/** @param {Table} table @param {Planner[]} planners @param {string} id */
+function bars({ metrics, rows }, planners, id) {
+  const column = metrics.findIndex((metric) => metric.id === id);
+  const metric = metrics[column];
+  if (!metric) return "";
+  const known = rows.flatMap((row) => {
+    const spread = row.values[column];
+    return spread ? [{ row, spread }] : [];
+  });
+  known.sort((a, b) => a.spread.median - b.spread.median);
+  const most = Math.max(...known.map(({ spread }) => spread.max), 1e-9);
+  const x = (/** @type {number} */ value) => (value / most) * (WIDTH - 64);
+  const title = `${metric.label}${metric.unit && metric.unit !== "s" ? `, ${metric.unit}` : ""}`;
+  const height = 6 + ROW * known.length;
+  const items = known.map(({ row, spread }, i) => {
+    const y = 6 + ROW * i;
+    const name = safe(planners[row.entrant]?.title ?? "");
+    const range = spread.max > spread.min ? `<path class="range" d="M${x(spread.min)} ${y + 22}H${x(spread.max)}"/>` : "";
+    return `<g data-entrant="${row.entrant}"><title>${name}: ${shown(spread.median, metric)}</title><text x="0" y="${y + 11}" class="name">${name}</text><rect y="${y + 16}" width="${Math.max(x(spread.median), 1)}" height="12" rx="2" data-colour="${row.entrant % 8}" data-shape="${Math.floor(row.entrant / 8)}"/>${range}<text x="${x(spread.max) + 6}" y="${y + 26}" class="value">${shown(spread.median, metric)}</text></g>`;
+  });
+  return svg(title, height, items.join(""), `${title}: ${known.map(({ row, spread }) => `${planners[row.entrant]?.title} ${shown(spread.median, metric)}`).join(", ")}`);
+}
+
+/** One axis for each number, the best at the top, the worst at the bottom. @param {Table} table @param {Planner[]} planners */
+function parallel({ metrics, rows }, planners) {
+  const axes = AXES.map((id) => metrics.findIndex((metric) => metric.id === id)).filter((column) => column >= 0 && rows.some((row) => row.values[column]));
+  const [top, bottom] = [40, 250];
+  const x = (/** @type {number} */ i) => 30 + (i * (WIDTH - 60)) / Math.max(axes.length - 1, 1);
+  const ends = axes.map((column) => {
+    const values = rows.flatMap((row) => row.values[column]?.median ?? []);
+    const [low, high] = [Math.min(...values), Math.max(...values)];
+    return metrics[column]?.better === "lower" ? { best: low, worst: high } : { best: high, worst: low };
+  });
+  const marks = axes.map((column, i) => {
+    const metric = metrics[column];
+    const end = ends[i];
+    if (!metric || !end) return "";
+    return `<path class="grid-line" d="M${x(i)} ${top}V${bottom}"/><text class="name middle" x="${x(i)}" y="${i % 2 ? 26 : 14}">${safe(metric.label)}</text><text class="value middle" x="${x(i)}" y="${bottom + (i % 2 ? 26 : 14)}">${shown(end.worst, metric)}</text>`;
+  });
+  const lines = rows.map((row) => {
+    const points = axes.flatMap((column, i) => {
+      const [value, end] = [row.values[column]?.median, ends[i]];
+      if (value === undefined || !end) return [];
+      const metric = metrics[column];
+      const share = metric && shown(end.best, metric) === shown(end.worst, metric) ? 0 : (value - end.best) / (end.worst - end.best);
+      return [`${x(i).toFixed(1)} ${(top + share * (bottom - top)).toFixed(1)}`];
+    });
+    const name = safe(planners[row.entrant]?.title ?? "");
+    return points.length > 1 ? `<path class="profile" d="M${points.join("L")}" data-entrant="${row.entrant}" data-colour="${row.entrant % 8}" data-shape="${Math.floor(row.entrant / 8)}"><title>${name}</title></path>` : "";
+  });
+  return svg("Best at the top, worst at the bottom", 284, marks.join("") + lines.join(""), "Profiles of the algorithms over all numbers; the table has the same data.");
+}
+
+/** @param {string} title @param {number} height @param {string} inside @param {string} words */
+function svg(title, height, inside, words) {
+  return `<figcaption>${safe(title)}</figcaption><svg viewBox="0 0 ${WIDTH} ${height}" role="img" aria-label="${safe(words)}">${inside}</svg>`;
+}

@@ -1,0 +1,71 @@
+// @ts-check
+// Algorithms as they take part: a box to tick, a mark, parameters.
+import { changed, make } from "../dom.js";
+import { paramField } from "../params.js";
+
+/**
+ * @typedef {object} Doings What one can do with an entrant.
+ * @property {(takesPart: boolean) => void} choose
+ * @property {(param: string, text: string) => void} setParam
+ * @property {(() => void) | undefined} [about]
+ */
+
+/**
+ * The colour and shape of an algorithm, the same everywhere.
+ * @param {number} number Its place in the registry of its kind.
+ * @param {"planner" | "behaviour"} [kind]
+ */
+export function markOf(number, kind = "planner") {
+  return { colour: String(number % 8), shape: String(Math.floor(number / 8) + (kind === "behaviour" ? 2 : 0)) };
+}
+
+/** The mark of an algorithm. @param {number} number @param {"planner" | "behaviour"} [kind] */
+export function swatch(number, kind) {
+  const mark = make("i", { className: "swatch", "aria-hidden": "true" });
+  Object.assign(mark.dataset, markOf(number, kind));
+  return mark;
+}
+
+/**
+ * An item of a list of algorithms.
+ * @param {{ id: string, title: string, params: import("../types").ParamSpec[] }} algorithm
+ * @param {HTMLElement} mark
+ * @param {string} scope Makes ids different from those of other lists.
+ * @param {Doings} doings
+ */
+export function entrantItem({ id, title, params }, mark, scope, { choose, setParam, about }) {
+  const box = make("input", { type: "checkbox", id: `${scope}-${id}`, onchange: () => choose(box.checked) });
+  const name = make("label", { for: `${scope}-${id}` }, mark, title);
+  const item = make("li", { "data-id": id }, box, name, make("span", { className: "status" }));
+  if (about) {
+    const button = make("button", { type: "button", className: "quiet square small", "aria-label": `About ${title}`, onclick: about });
+    button.innerHTML = '<svg class="icon" aria-hidden="true"><use href="#i-info" /></svg>';
+    item.append(button);
+  }
+  if (params.length > 0) {
+    const fields = params.map((spec) => {
+      const { field, controls } = paramField(spec, (text) => setParam(spec.id, text), `${scope}-${id}`);
+      for (const control of controls) control.dataset.param = spec.id;
+      return field;
+    });
+    item.append(make("details", { className: "tuning" }, make("summary", {}, "Parameters"), make("div", { className: "params" }, ...fields)));
+  }
+  return item;
+}
+
+/**
+ * Shows in an item what is chosen.
+ * @param {Element | null | undefined} item
+ * @param {{ chosen: boolean, params: Record<string, string | number | boolean> }} entrant
+ */
+export function showChoice(item, { chosen, params }) {
+  const box = item?.querySelector("input");
+  if (!item || !box) return;
+  if (changed(item, "chosen", chosen)) box.checked = chosen;
+  if (!changed(item, "params", JSON.stringify(params))) return;
+  for (const control of item.querySelectorAll("[data-param]")) {
+    const value = params[/** @type {HTMLElement} */ (control).dataset.param ?? ""];
+    if (control instanceof HTMLInputElement && control.type === "checkbox") control.checked = value === true;
+    else Reflect.set(control, "value", String(value));
+  }
+}

@@ -1,0 +1,76 @@
+// @ts-check
+// What is compared as files: numbers as CSV and JSON, charts as SVG and PNG.
+import { byId } from "../dom.js";
+import { download, fileName } from "../files.js";
+import { complain } from "../messages.js";
+
+/** What the style sheet says of charts and a file must say itself. */
+const STYLES = ["fill", "fill-opacity", "stroke-linejoin", "stroke-linecap", "stroke", "stroke-width", "stroke-dasharray", "font-family", "font-size", "font-weight", "text-anchor", "opacity"];
+/** Pixels of a PNG for each unit of the drawing. */
+const SCALE = 2;
+const GAP = 24;
+
+/**
+ * @typedef {{ name: string, csv: () => string, json: () => string, charts: HTMLElement }} Exported
+ * @param {import("../main.js").App} app
+ * @param {() => Exported} shown What is exported of the view that is shown.
+ */
+export function startExports(app, shown) {
+  /** @param {string} ending */
+  const name = (ending) => `${shown().name}-${fileName(app.view.room.title)}.${ending}`;
+  const drawn = () => drawing(shown().charts);
+  /** @type {Record<string, () => void | Promise<void>>} */
+  const exports = {
+    csv: () => download(name("csv"), shown().csv(), "text/csv"),
+    json: () => download(name("json"), shown().json(), "application/json"),
+    svg: () => download(name("svg"), drawn().text, "image/svg+xml"),
+    png: async () => download(name("png"), await picture(drawn()), "image/png"),
+  };
+  byId("exports").addEventListener("click", (event) => {
+    const kind = event.target instanceof Element ? event.target.getAttribute("data-export") : null;
+    if (!kind) return;
+    app.act(() => void Promise.resolve(exports[kind]?.()).catch((error) => complain(`The ${kind.toUpperCase()} could not be created: ${error}`)));
+  });
+}
+
+/** All charts in one drawing, below each other. @param {HTMLElement} charts */
+function drawing(charts) {
+  let y = GAP;
+  let width = 0;
+  const parts = [...charts.querySelectorAll("figure")].map((figure) => {
+    const svg = figure.querySelector("svg");
+    if (!svg) return "";
+    const box = svg.viewBox.baseVal;
+    const copy = /** @type {SVGSVGElement} */ (svg.cloneNode(true));
+    const [from, to] = [[svg, ...svg.querySelectorAll("*")], [copy, ...copy.querySelectorAll("*")]];
+    from.forEach((node, i) => {
+      const style = getComputedStyle(node);
+      for (const property of STYLES) to[i]?.setAttribute(property, style.getPropertyValue(property));
+    });
+    const colour = getComputedStyle(figure).color;
+    const title = `<text x="${GAP}" y="${y + 12}" fill="${colour}" font-family="sans-serif" font-weight="600" font-size="14">${figure.querySelector("figcaption")?.innerHTML}</text>`;
+    // What follows the pointer is nobody's result.
+    for (const live of copy.querySelectorAll("[data-live]")) live.remove();
+    const part = `${title}<g transform="translate(${GAP} ${y + 20})">${copy.innerHTML}</g>`;
+    y += box.height + 20 + GAP;
+    width = Math.max(width, box.width + 2 * GAP);
+    return part;
+  });
+  if (width === 0) throw new Error("there are no charts yet");
+  const ground = getComputedStyle(charts.closest(".ground") ?? charts).backgroundColor;
+  const text = `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${y}" viewBox="0 0 ${width} ${y}"><rect width="100%" height="100%" fill="${ground}"/>${parts.join("")}</svg>`;
+  return { text, width, height: y };
+}
+
+/** @param {{ text: string, width: number, height: number }} drawing @returns {Promise<Blob>} */
+async function picture({ text, width, height }) {
+  const image = new Image();
+  image.src = `data:image/svg+xml,${encodeURIComponent(text)}`;
+  await image.decode();
+  const canvas = new OffscreenCanvas(width * SCALE, height * SCALE);
+  const context = canvas.getContext("2d");
+  if (!context) throw new Error("this browser can't draw");
+  context.scale(SCALE, SCALE);
+  context.drawImage(image, 0, 0, width, height);
+  return canvas.convertToBlob({ type: "image/png" });
+}

@@ -1,0 +1,126 @@
+// @ts-check
+// The table of all numbers, sortable, the best of every column marked; the charts below it.
+import { drawCharts } from "./charts.js";
+import { byId, changed, fill, make, select, setText } from "../dom.js";
+import { swatch } from "./entrants.js";
+import { clock, count } from "../format.js";
+import { cueScroll } from "./scroll-cue.js";
+
+/**
+ * @typedef {import("../types").CompareTable} Table
+ * @typedef {Table["rows"][number]} Row
+ * @typedef {Table["metrics"][number]} Metric
+ */
+
+/** @param {import("./tab.js").Comparing} it @returns {(view: import("../types").CompareView) => void} */
+export function startNumbers(it) {
+  const { comparison, app } = it;
+  /** Column that rows are sorted by, and whether upside down. @type {{ column: number, down: boolean } | undefined} */
+  let order;
+  /** @type {Table | undefined} */
+  let table;
+  const head = byId("compared").querySelector("thead");
+  const body = byId("compared").querySelector("tbody");
+  if (!head || !body) throw new Error("the page has no table");
+  for (const node of byId("panel-compare").querySelectorAll(".table-scroll")) cueScroll(/** @type {HTMLElement} */ (node));
+
+  /** @param {number} column */
+  const sortBy = (column) => {
+    order = order?.column === column ? (order.down ? undefined : { column, down: true }) : { column, down: false };
+    show();
+  };
+
+  const show = () => {
+    if (!table) return;
+    const { metrics, rows } = table;
+    const focused = document.activeElement?.closest("#compared [data-key]")?.getAttribute("data-key");
+    head.replaceChildren(make("tr", {}, make("th", { scope: "col" }, "Algorithm"), ...metrics.map((metric, column) => heading(metric, column, order, sortBy))));
+    body.replaceChildren(...sorted(rows, metrics, order).map((row) => line(it, row, metrics, rows, select("table-room").value === "all" ? it.view.rooms.length : 1)));
+    drawCharts(byId("charts"), table, app.catalogue.planners, it.about);
+    // Whoever works with the keyboard stays where they were.
+    const same = focused && byId("compared").querySelector(`[data-key="${focused}"]`);
+    if (same instanceof HTMLElement) same.focus({ preventScroll: true });
+  };
+
+  return (view) => {
+    const menu = select("table-room");
+    if (changed(menu, "rooms", view.rooms.join("\n"))) {
+      const all = view.rooms.length > 1 ? [/** @type {[string, string]} */ (["all", `all ${view.rooms.length} rooms together`])] : [];
+      fill(menu, [...all, ...view.rooms.map((name, index) => /** @type {[string, string]} */ ([String(index), name]))]);
+    }
+    if (!changed(body, "table", `${view.version} ${menu.value}`)) return;
+    const room = menu.value === "all" ? undefined : Number(menu.value);
+    table = comparison.table(room);
+    setText(byId("table-note"), `${note(view, room === undefined)} ${table ? proven(table) : ""}`.trim());
+    show();
+  };
+}
+
+/** @param {import("../types").CompareView} view @param {boolean} together */
+function note({ seeds, entrants }, together) {
+  const chance = seeds > 1 && entrants.some(({ chosen }) => chosen) ? ` Randomised algorithms: median of ${seeds} seeds, range below it.` : "";
+  return `${together ? "Sums over the rooms; percentages are means." : ""}${chance} As planned, without wheel slip; in the race, tracking the path and correcting at corners takes some percent longer. Click a row to see its path.`.trim();
+}
+
+/** @param {Table} table */
+function proven({ bounds }) {
+  if (!bounds) return "";
+  return `Proven: no walk over these cells has fewer than ${count(bounds.steps)} steps or ${count(bounds.turns)} quarter turns, or steps + 2 × turns below ${count(bounds.cost)}.`;
+}
+
+/** @param {Metric} metric @param {number} column @param {{ column: number, down: boolean } | undefined} order @param {(column: number) => void} sortBy */
+function heading(metric, column, order, sortBy) {
+  const cell = make("th", { scope: "col", "data-tip": `${metric.definition} ${metric.better === "lower" ? "Lower" : "Higher"} is better.` });
+  const unit = metric.unit ? make("span", { className: "unit" }, metric.unit === "s" && metric.decimals === 0 ? "min" : metric.unit) : "";
+  cell.append(make("button", { type: "button", className: "term", "data-key": metric.id, onclick: () => sortBy(column) }, metric.label), unit);
+  cell.setAttribute("aria-sort", order?.column !== column ? "none" : order.down === (metric.better === "lower") ? "descending" : "ascending");
+  return cell;
+}
+
+/** Best first, or last. @param {Row[]} rows @param {Metric[]} metrics @param {{ column: number, down: boolean } | undefined} order */
+function sorted(rows, metrics, order) {
+  if (!order) return rows;
+  const { column, down } = order;
+  const sign = (metrics[column]?.better === "lower") === down ? -1 : 1;
+  const value = (/** @type {Row} */ row) => row.values[column]?.median ?? sign * Infinity;
+  return [...rows].sort((a, b) => sign * (value(a) - value(b)));
+}
+
+/** @param {import("./tab.js").Comparing} it @param {Row} row @param {Metric[]} metrics @param {Row[]} rows @param {number} rooms */
+function line({ app, about }, row, metrics, rows, rooms) {
+  const planner = app.catalogue.planners[row.entrant];
+  const open = make("button", { type: "button", className: "link", "data-key": String(row.entrant), onclick: () => about(row.entrant) }, planner?.title ?? "");
+  const name = make("th", { scope: "row" }, swatch(row.entrant), open);
+  if (row.missing > 0 && rooms > 1) name.append(make("span", { className: "status" }, `${rooms - row.missing} of ${rooms} rooms`));
+  if (row.failure) name.append(make("span", { className: "failure", "data-tip": row.failure, tabIndex: 0 }, "failed"));
+  const cells = metrics.map((metric, column) => {
+    const spread = row.values[column];
+    if (!spread) return make("td", {}, "–");
+    const cell = make("td", { className: row.best[column] ? "best" : "", "data-tip": difference(row, column, metric, rows, app.catalogue.planners) });
+    cell.append(shown(spread.median, metric));
+    const [min, max] = [shown(spread.min, metric), shown(spread.max, metric)];
+    if (min !== max) cell.append(make("small", {}, `${min}–${max}`));
+    return cell;
+  });
+  const result = make("tr", { onclick: (/** @type {Event} */ event) => event.target instanceof HTMLButtonElement || about(row.entrant) }, name, ...cells);
+  return result;
+}
+
+/** How a value differs from the best of its column. @param {Row} row @param {number} column @param {Metric} metric @param {Row[]} rows @param {import("../types").PlannerEntry[]} planners */
+function difference(row, column, metric, rows, planners) {
+  const best = rows.filter((other) => other.best[column]);
+  const value = row.values[column]?.median ?? 0;
+  const least = best[0]?.values[column]?.median;
+  if (least === undefined) return metric.definition;
+  if (row.best[column]) return `${metric.label}: the best here${best.length > 1 ? `, with ${best.length - 1} more` : ""}. ${metric.definition}`;
+  const names = best.map((other) => planners[other.entrant]?.title).join(", ");
+  const more = value > least ? "more" : "less";
+  const by = metric.unit === "%" || least === 0 ? `${shown(Math.abs(value - least), metric)} ${metric.unit === "%" ? "points" : ""}` : `${Math.abs((100 * (value - least)) / least).toFixed(0)} %`;
+  return `${metric.label}: ${by.trim()} ${more} than the best (${shown(least, metric)}, ${names}). ${metric.definition}`;
+}
+
+/** A value as it stands in the table. @param {number} value @param {Metric} metric */
+export function shown(value, metric) {
+  if (metric.unit === "s" && metric.decimals === 0) return clock(Math.round(value));
+  return value.toLocaleString("en", { minimumFractionDigits: metric.decimals, maximumFractionDigits: metric.decimals });
+}

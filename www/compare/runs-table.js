@@ -1,0 +1,74 @@
+// @ts-check
+// The table of many runs: times to 90 and 99 %, what is clean at the end, and what happened on the way.
+import { byId, make } from "../dom.js";
+import { clock, count, metres, percent } from "../format.js";
+
+/**
+ * @typedef {import("../types").RunsSummary} Summary
+ * @typedef {{ title: string, explores: boolean, mark: HTMLElement, summary: Summary | null, failure: string }} Row
+ */
+
+/** Columns: name, unit, what it is. */
+const COLUMNS = /** @type {const} */ ([
+  ["90 % clean", "min", "Time until 90 % of the reachable floor was swept: the median, and below it the 10 % and 90 % quantiles. Lower is better."],
+  ["reached", "of runs", "Share of the runs that swept 90 % in time."],
+  ["99 % clean", "min", "Time until 99 % of the reachable floor was swept. Lower is better."],
+  ["reached", "of runs", "Share of the runs that swept 99 % in time."],
+  ["Coverage", "% at the end", "Swept share of the reachable floor at the end: the median, and the 10 % to 90 % quantiles. Higher is better."],
+  ["Distance", "m", "Median distance driven."],
+  ["Bumps", "", "Median number of bumps."],
+  ["Falls", "in all runs", "Falls down a drop-off, in all runs together."],
+  ["Dirt left", "% at the end", "Share of the dirt left at the end. Lower is better."],
+]);
+
+/** The same where those that explore take part, who sweep nothing but meet walls and furniture. */
+const EXPLORING = /** @type {const} */ ([
+  ["90 % found", "min", "Time until bumper or light bumper had found 90 % of the reachable walls and furniture; for cleaning algorithms, until 90 % of the floor was swept. Lower is better."],
+  ["reached", "of runs", "Share of the runs that reached 90 % in time."],
+  ["99 % found", "min", "Time until 99 % was found, or swept. Lower is better."],
+  ["reached", "of runs", "Share of the runs that reached 99 % in time."],
+  ["Found", "% at the end", "Share of the reachable walls and furniture found at the end; for cleaning algorithms, share of the floor swept. Higher is better."],
+]);
+
+/** @param {Row[]} rows @param {number} minutes @param {(which: number | undefined) => void} stress */
+export function showTable(rows, minutes, stress) {
+  const table = byId("runs-table");
+  const known = rows.flatMap(({ summary }) => summary ?? []);
+  const exploring = rows.some(({ explores }) => explores);
+  const comparable = known.length > 1 && rows.every(({ explores }) => explores === exploring);
+  const all = exploring ? [...EXPLORING, ...COLUMNS.slice(EXPLORING.length)] : COLUMNS;
+  const columns = all.slice(0, known.some(({ dirt_left }) => dirt_left) ? undefined : -1);
+  const heads = columns.map(([label, unit, definition]) =>
+    make("th", { scope: "col", "data-tip": definition }, make("span", { className: "term", tabIndex: 0 }, label), make("span", { className: "unit" }, unit)),
+  );
+  table.querySelector("thead")?.replaceChildren(make("tr", {}, make("th", { scope: "col" }, "Algorithm"), ...heads));
+  const best = {
+    times: [0, 1].map((goal) => Math.min(...known.map((summary) => summary.time_to[goal]?.median_s ?? Infinity))),
+    coverage: Math.max(...known.map((summary) => summary.coverage.median)),
+  };
+  const lines = rows.map((row, index) => {
+    const cells = row.summary ? cellsOf(row.summary, minutes, comparable ? best : undefined) : columns.map(() => make("td", {}, "–"));
+    const name = make("th", { scope: "row" }, row.mark, row.title);
+    if (row.failure) name.append(make("span", { className: "failure", "data-tip": row.failure, tabIndex: 0 }, "failed"));
+    else if (row.summary) name.append(make("small", {}, `${count(row.summary.runs)} ${row.summary.runs === 1 ? "run" : "runs"}`));
+    return make("tr", { onpointerenter: () => stress(index), onpointerleave: () => stress(undefined) }, name, ...cells);
+  });
+  table.querySelector("tbody")?.replaceChildren(...lines);
+}
+
+/** @param {Summary} summary @param {number} minutes @param {{ times: number[], coverage: number } | undefined} best */
+function cellsOf({ runs, time_to, coverage, distance_m, bumps, falls, dirt_left }, minutes, best) {
+  const times = time_to.flatMap(({ percent: goal, reached, low_s, median_s, high_s }, i) => {
+    const late = `> ${clock(60 * minutes)}`;
+    const time = make("td", { className: best && median_s !== null && median_s === best.times[i] ? "best" : "" }, median_s === null ? late : clock(median_s));
+    if (median_s === null) time.dataset.tip = `Fewer than half of the runs reached ${goal} % within ${minutes} minutes, so there is no median.`;
+    if (low_s !== null) time.append(make("small", {}, `${clock(low_s)}–${high_s === null ? late : clock(high_s)}`));
+    return [time, make("td", {}, `${percent(reached / runs, 0)} %`, make("small", {}, `${reached} of ${runs}`))];
+  });
+  const end = make("td", { className: best && coverage.median === best.coverage ? "best" : "" }, percent(coverage.median), make("small", {}, `${percent(coverage.low)}–${percent(coverage.high)}`));
+  const [way, hits] = [make("td", {}, metres(distance_m.median)), make("td", {}, count(bumps.median))];
+  hits.append(make("small", {}, `${count(bumps.low)}–${count(bumps.high)}`));
+  way.append(make("small", {}, `${metres(distance_m.low)}–${metres(distance_m.high)}`));
+  const dirt = dirt_left ? make("td", {}, percent(dirt_left.median), make("small", {}, `${percent(dirt_left.low)}–${percent(dirt_left.high)}`)) : "";
+  return [...times, end, way, hits, make("td", { className: falls > 0 ? "fell" : "" }, count(falls)), ...(dirt ? [dirt] : [])];
+}

@@ -1,0 +1,142 @@
+// @ts-check
+// What goes over the line, decoded and as bytes; and bytes of one's own.
+import { button, byId, fill, input, make, select, setAttribute, setEnabled, setText } from "../dom.js";
+import { count } from "../format.js";
+import { download } from "../files.js";
+import { ask } from "./dialogs.js";
+import { danger, parse } from "./raw.js";
+
+/** @typedef {import("./types").Traffic} Traffic */
+
+/** Lines that are shown, and kept for the log. */
+const [SHOWN, KEPT] = [300, 20_000];
+/** @type {[kind: string, name: string][]} */
+const KINDS = [["", "Everything"], ["talk", "All but readings"], ["sent", "Commands"], ["frame", "Readings"], ["refused", "Rejected readings"], ["text", "Robot's own text"], ["bytes", "Other bytes"], ["line", "Connection"]];
+/** How a line of each kind begins, for those who don't see its colour. */
+const SIGNS = { sent: "→", frame: "←", refused: "✗", text: "“", bytes: "·", line: "–" };
+
+/** @param {import("./tab.js").ConnectionTab} it */
+export function startConsole(it) {
+  const list = byId("console-lines");
+  const kinds = select("console-kind");
+  const find = input("console-find");
+  fill(kinds, KINDS);
+  /** @type {Traffic[]} */
+  let log = [];
+  /** What came while paused. */
+  let isPaused = false;
+  let isStale = true;
+  /** Shown last, if a reading that repeats goes on in it. @type {{ traffic: Traffic, node: HTMLElement } | undefined} */
+  let last;
+
+  const isWanted = (/** @type {Traffic} */ { kind, text, hex }) => {
+    const isKind = kinds.value === "" || kinds.value === kind || (kinds.value === "talk" && kind !== "frame");
+    const wanted = find.value.trim().toLowerCase();
+    return isKind && (wanted === "" || text.toLowerCase().includes(wanted) || hex.toLowerCase().includes(wanted));
+  };
+  const line = (/** @type {Traffic} */ traffic) => {
+    const node = make("li", { className: `line-${traffic.kind}` }, make("time", {}), make("i", {}, SIGNS[traffic.kind]), make("span", {}), make("code", {}));
+    write(node, traffic);
+    return node;
+  };
+  const write = (/** @type {HTMLElement} */ node, /** @type {Traffic} */ { time_s, text, hex, times }) => {
+    const [time, , words, bytes] = node.children;
+    if (time) setText(time, time_s.toFixed(2));
+    if (words) setText(words, times > 1 ? `${text} (${count(times)} times)` : text);
+    if (bytes) setText(bytes, hex);
+  };
+  const isAtEnd = () => list.scrollHeight - list.scrollTop - list.clientHeight < 24;
+  const show = () => {
+    const wanted = log.filter(isWanted).slice(-SHOWN);
+    list.replaceChildren(...wanted.map(line));
+    list.scrollTop = list.scrollHeight;
+    last = undefined;
+    isStale = false;
+  };
+  for (const node of [kinds, find]) node.addEventListener("input", () => (isStale = true));
+  button("console-pause").addEventListener("click", () => {
+    isPaused = !isPaused;
+    setAttribute(button("console-pause"), "aria-pressed", String(isPaused));
+    setText(button("console-pause"), isPaused ? "Resume" : "Pause");
+    isStale ||= !isPaused;
+  });
+  button("console-clear").addEventListener("click", () => {
+    log = [];
+    isStale = true;
+  });
+  button("console-save").addEventListener("click", () => {
+    const lines = log.map(({ time_s, kind, hex, text, times }) => `${time_s.toFixed(3)}\t${kind}\t${hex}\t${text}${times > 1 ? `\t${times} times` : ""}`);
+    download("robot-console.txt", `${lines.join("\n")}\n`, "text/plain");
+  });
+  startRaw(it);
+
+  /** Lines that aren't shown yet. @type {Traffic[]} */
+  let fresh = [];
+  return {
+    /** @param {Traffic[]} traffic */
+    take(traffic) {
+      for (const one of traffic) {
+        const before = log.at(-1);
+        // Readings follow each other 64 times a second.
+        if (one.kind === "frame" && before?.kind === "frame") {
+          Object.assign(before, { ...one, times: before.times + one.times });
+          if (last?.traffic !== before && fresh.at(-1) !== before && !isPaused) isStale ||= isWanted(before);
+        } else {
+          log.push({ ...one });
+          fresh.push(/** @type {Traffic} */ (log.at(-1)));
+        }
+      }
+      if (log.length > KEPT) log = log.slice(-KEPT / 2);
+      if (fresh.length > SHOWN) fresh = fresh.slice(-SHOWN);
+    },
+    update() {
+      if (!list.checkVisibility({ visibilityProperty: true }) || isPaused) return;
+      if (isStale) {
+        fresh = [];
+        show();
+        return;
+      }
+      if (last) write(last.node, last.traffic);
+      const wanted = fresh.filter(isWanted);
+      fresh = [];
+      if (wanted.length === 0) return;
+      const follows = isAtEnd();
+      for (const traffic of wanted) {
+        const node = line(traffic);
+        list.append(node);
+        last = { traffic, node };
+      }
+      while (list.children.length > SHOWN) list.firstElementChild?.remove();
+      if (follows) list.scrollTop = list.scrollHeight;
+    },
+  };
+}
+
+/** @param {import("./tab.js").ConnectionTab} it */
+function startRaw(it) {
+  const [field, send, told] = [input("console-bytes"), button("console-send"), byId("console-parsed")];
+  const read = () => {
+    const { bytes, fault } = parse(field.value);
+    const { names, refused } = danger(bytes);
+    const hex = bytes.map((byte) => byte.toString(16).padStart(2, "0")).join(" ");
+    const isWrong = fault !== "" || refused !== "";
+    setAttribute(field, "aria-invalid", String(isWrong));
+    told.classList.toggle("fault", isWrong);
+    setText(told, fault || (bytes.length === 0 ? "Bytes go to the robot unchanged and may move it." : `${bytes.length} bytes: ${hex}.${names.length > 0 ? ` May move it: ${names.join(", ")}.` : ""}${refused && ` ${refused}`}`));
+    return { bytes: isWrong ? [] : bytes, names };
+  };
+  field.addEventListener("input", read);
+  byId("console-form").addEventListener("submit", async (event) => {
+    event.preventDefault();
+    const { bytes, names } = read();
+    if (bytes.length === 0) return;
+    const agreed = names.length === 0 || (await ask({
+      title: "This may move the robot",
+      points: [`It contains ${names.join(", ")}.`, "Obstacles are not checked: it continues until you press Stop, or leave or hide this page.", "Make sure that there is room around the robot."],
+      yes: "Send it",
+      isWarning: true,
+    }));
+    if (agreed && (await it.request({ do: "raw", bytes }))) field.select();
+  });
+  it.onview.push(({ can }) => setEnabled(send, can.press));
+}

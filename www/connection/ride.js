@@ -1,0 +1,137 @@
+// @ts-check
+// Algorithms that drive the robot: chosen here or in Explore, planned first where there is something to plan.
+import { button, byId, fill, make, select, setAttribute, setEnabled, setHidden, setText } from "../dom.js";
+import { ODOMETRIES, ODOMETRY_TIP } from "../odometry.js";
+import { Planning } from "../planning.js";
+import { choose } from "./dialogs.js";
+import { isMoving, isReplay } from "./view.js";
+
+/** @typedef {import("./tab.js").ConnectionTab} ConnectionTab */
+
+/** How far from the start a virtual robot may stand, m and rad, without being asked to be put there. */
+const NEAR = [0.05, 0.1];
+
+/** How far it may stand from there when it sets off, without a question. */
+const CLOSE = [0.15, 0.35];
+
+/** @param {ConnectionTab} it */
+export function startRide(it) {
+  const { room } = it;
+  const choice = select("connection-algorithm");
+  const group = (/** @type {string} */ label, /** @type {string} */ kind) =>
+    make("optgroup", { label }, ...room.all.filter((entry) => entry.kind === kind).map(({ id, title }) => make("option", { value: id }, title)));
+  choice.replaceChildren(group("Behaviours: for any room", "behaviour"), group("Planned paths: for a known room", "planner"));
+  choice.addEventListener("change", () => {
+    cancel();
+    room.choose(choice.value);
+    it.live.map.set_planned(room.mirror.corners());
+  });
+
+  const odometry = select("connection-odometry");
+  fill(odometry, ODOMETRIES);
+  setAttribute(byId("connection-odometry-field"), "data-tip", `${ODOMETRY_TIP} Calibration applies to counts; the packets use the robot's own figures.`);
+  odometry.addEventListener("change", async () => {
+    if (!(await it.request({ do: "odometry", model: odometry.value }))) odometry.value = it.view.odometry;
+  });
+
+  /** Who waits for a plan. @type {((worked: boolean) => void) | undefined} */
+  let waiting;
+  const answer = (/** @type {boolean} */ worked) => {
+    waiting?.(worked);
+    waiting = undefined;
+    setText(byId("connection-planning"), "");
+  };
+  const planning = new Planning({
+    progress: (_, done) => setText(byId("connection-planning"), `Planning… ${Math.round(100 * done)} %`),
+    finished: (id, cells, seconds) => {
+      answer(it.app.act(() => room.mirror.plan_finished(id, cells, seconds)));
+      it.live.map.set_planned(room.mirror.corners());
+    },
+    failed: (_, message) => {
+      it.complain(`The planner failed: ${message}.`);
+      answer(false);
+    },
+  });
+  const cancel = () => {
+    planning.cancel();
+    answer(false);
+  };
+
+  /** Corners of the line to drive; `undefined` if there is none. @returns {Promise<Float64Array | undefined>} */
+  const corners = async () => {
+    if (room.algorithm?.kind === "behaviour") return new Float64Array();
+    const request = room.mirror.take_plan_request();
+    if (request) {
+      setText(byId("connection-planning"), "Planning…");
+      planning.start(request);
+      if (!(await new Promise((resolve) => (waiting = resolve)))) return undefined;
+    }
+    const line = room.mirror.corners();
+    if (line.length > 0) return line;
+    it.complain("There is no path for this room yet. Choose another algorithm, or change the room in Explore.");
+    return undefined;
+  };
+
+  button("connection-go").addEventListener("click", async () => {
+    if (!it.view.can.drive || isMoving(it.view) || isAsking(it.view) || waiting) return;
+    if (room.algorithm?.kind === "planner" && !it.live.isKnown()) {
+      it.complain("A planned path needs a known room: choose Explore's room as the map, or a behaviour.");
+      return;
+    }
+    if (it.live.isKnown() && isElsewhere(it.view, CLOSE)) {
+      const answer = await choose({
+        title: "It isn't at the start",
+        points: ["In a known room, the robot is assumed to start on the dashed circle, facing along its arrow. This one is elsewhere, so its position estimate would be wrong."],
+        yes: "Put it at the start",
+        other: "Start anyway",
+      });
+      if (answer === "no") return;
+      if (answer === "yes") putAtStart();
+    }
+    const line = await corners();
+    // Who has stopped or lost control meanwhile doesn't want it to set off.
+    if (!line || !it.view.can.drive || isMoving(it.view)) return;
+    it.connection.follow(room.followed());
+    it.live.map.set_planned(line);
+    if (await it.connection.ride(line)) it.live.rideFrom();
+  });
+  button("connection-end").addEventListener("click", () => {
+    cancel();
+    void it.request({ do: "stop" });
+  });
+  const putAtStart = () => {
+    const [x, y, heading] = room.mirror.start();
+    if (x !== undefined && y !== undefined && heading !== undefined) it.connection.virtual({ do: "put_down", x, y, heading });
+  };
+  button("connection-to-start").addEventListener("click", putAtStart);
+
+  /** Whether the virtual robot stands elsewhere. @param {import("./types").ConnectionView} view @param {number[]} near m and rad */
+  const isElsewhere = ({ virtual }, near) => {
+    const [x, y, heading] = room.mirror.start();
+    if (!virtual || x === undefined || y === undefined || heading === undefined) return false;
+    const turn = Math.abs(Math.atan2(Math.sin(virtual.pose[2] - heading), Math.cos(virtual.pose[2] - heading)));
+    return Math.hypot(virtual.pose[0] - x, virtual.pose[1] - y) > (near[0] ?? 0) || turn > (near[1] ?? 0);
+  };
+
+  /** Whether a calibration waits for an answer. @param {import("./types").ConnectionView} view */
+  const isAsking = ({ calibration }) => calibration.step === "asking";
+
+  return {
+    cancel,
+    /** @param {import("./types").ConnectionView} view */
+    update(view) {
+      if (document.activeElement !== choice) choice.value = room.algorithm?.id ?? "";
+      const goes = isMoving(view);
+      const elsewhere = !goes && it.live.isKnown() && isElsewhere(view, NEAR);
+      setHidden(button("connection-to-start"), !elsewhere);
+      const where = it.live.isKnown() ? "It is assumed to start on the dashed circle, facing along its arrow." : "It starts from where it stands.";
+      const question = isAsking(view) ? "Calibration waits for your answer: answer or skip it in Tools, Calibrate." : where;
+      setText(byId("connection-ride-note"), view.can.drive ? question : "Take control first.");
+      setEnabled(button("connection-go"), view.can.drive && !goes && !isAsking(view));
+      setEnabled(button("connection-end"), goes || waiting !== undefined);
+      setEnabled(choice, !goes);
+      if (document.activeElement !== odometry) odometry.value = view.odometry;
+      setEnabled(odometry, !goes && !isReplay(view));
+    },
+  };
+}

@@ -1,0 +1,156 @@
+// @ts-check
+// A line over a serial port (Web Serial, in this worker), which comes back when its adapter is plugged in again.
+import { takeLock } from "./lock.js";
+import { failure, findPort, portId, portName } from "./ports.js";
+import { OpenPort } from "./serial-port.js";
+
+/** How often a lost port is looked for if the browser doesn't tell, ms. */
+const LOOK_MS = 1000;
+
+/** @typedef {import("./types").Transport} Transport */
+
+/** @implements {Transport} */
+export class SerialLine {
+  /** @type {import("./types").TransportView} */
+  view;
+
+  #address;
+  #events;
+  #id;
+  /** @type {OpenPort | undefined} */
+  #line;
+  /** @type {SerialPort | undefined} */
+  #port;
+  #isClosed = false;
+  #unlock = () => {};
+  /** Ports that were there besides: when ours comes back, it is none of them. @type {SerialPort[]} */
+  #others = [];
+  #wake = () => {};
+
+  /** @param {import("./types").PortAddress} address @param {import("./types").TransportEvents} events */
+  constructor(address, events) {
+    this.#address = address;
+    this.#events = events;
+    this.#id = address.ids[address.index];
+    this.view = {
+      kind: "serial",
+      state: "closed",
+      name: portName(this.#id),
+      text: "",
+      baud: 115200,
+      can_baud: true,
+      brc: "none",
+      errors: { break: 0, framing: 0, parity: 0, overrun: 0 },
+      returns: 0,
+    };
+  }
+
+  async open() {
+    this.view.state = "opening";
+    try {
+      const { ids, index } = this.#address;
+      const place = ids.slice(0, index).filter((id) => id === this.#id).length;
+      const unlock = await takeLock(`serial port ${this.#id} ${place}`);
+      if (!unlock) throw failure("busy", "Another tab of this page is connected to that robot.", "Disconnect there, or close that tab.");
+      this.#unlock = unlock;
+      this.#port = await findPort(this.#address);
+      this.#others = (await navigator.serial.getPorts()).filter((port) => port !== this.#port);
+      await this.#openPort(this.#port);
+    } catch (error) {
+      await this.close();
+      throw error;
+    }
+  }
+
+  /** @param {Uint8Array} bytes */
+  write(bytes) {
+    this.#line?.write(bytes);
+  }
+
+  /** Serial ports can't change their rate while they are open. @param {number} baud */
+  async setBaud(baud) {
+    this.view.baud = baud;
+    const line = this.#line;
+    if (!line || !this.#port) return;
+    this.#line = undefined;
+    await line.close();
+    try {
+      if (!this.#isClosed) await this.#openPort(this.#port);
+    } catch (error) {
+      this.#lose(/** @type {import("./types").Failure} */ (error).what);
+    }
+  }
+
+  /** @param {boolean} isLow */
+  async setBrc(isLow) {
+    if (await this.#line?.setBrc(isLow)) this.view.brc = isLow ? "low" : "high";
+  }
+
+  async close() {
+    this.#isClosed = true;
+    this.#wake();
+    this.view.state = "closed";
+    const line = this.#line;
+    this.#line = undefined;
+    await line?.close();
+    this.#unlock();
+  }
+
+  /** @param {SerialPort} port */
+  async #openPort(port) {
+    const line = new OpenPort(port, {
+      onbytes: this.#events.onbytes,
+      onerror: (kind) => (this.view.errors[kind] += 1),
+      onlost: (why) => this.#line === line && this.#lose(why),
+    });
+    await line.open(this.view.baud);
+    if (this.#isClosed) {
+      await line.close();
+      throw failure("failed", "The connection was closed before it was established.", "");
+    }
+    this.#line = line;
+    this.#port = port;
+    this.view.brc = line.hasSignals ? "high" : "none";
+    this.view.state = "open";
+    this.view.text = "";
+  }
+
+  /** @param {string} why */
+  #lose(why) {
+    if (this.#isClosed) return;
+    this.#line = undefined;
+    this.view.state = "lost";
+    this.view.text = `${why} Plug it in again. If it isn't found, connect again: browsers forget adapters without a serial number.`;
+    this.#events.onlost(why, false);
+    void this.#comeBack();
+  }
+
+  /** Opens the port anew as soon as it is there, which is another object by then; nobody is asked, since nothing moves by that. */
+  async #comeBack() {
+    const connected = () => this.#wake();
+    navigator.serial.addEventListener("connect", connected);
+    try {
+      while (!this.#isClosed && this.view.state === "lost") {
+        await new Promise((/** @type {(value: void) => void} */ resolve) => {
+          this.#wake = () => resolve();
+          setTimeout(resolve, LOOK_MS);
+        });
+        const ports = await navigator.serial.getPorts();
+        const port = ports.find((port) => portId(port) === this.#id && !this.#others.includes(port));
+        if (!port || this.#isClosed) continue;
+        // Whoever has lost the robot may meet it at any rate; it is found out about from the beginning.
+        this.view.baud = 115200;
+        try {
+          await this.#openPort(port);
+        } catch {
+          // Right after it was plugged in, the system may not be done with it.
+          continue;
+        }
+        this.view.returns += 1;
+        this.#events.onopened();
+      }
+    } finally {
+      navigator.serial.removeEventListener("connect", connected);
+    }
+  }
+}

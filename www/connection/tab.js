@@ -1,0 +1,177 @@
+// @ts-check
+// The tab Robot: a connection to a robot, and all that shows it and acts on it.
+import { button, byId, setAttribute } from "../dom.js";
+import { complain, forgive } from "../messages.js";
+import { currentTab } from "../tabs.js";
+import { startSheets } from "../sheets.js";
+import { startCalibrate } from "./calibrate.js";
+import { ConnectionClient } from "./client.js";
+import { startConnect } from "./connect.js";
+import { startConsole } from "./console.js";
+import { startControl } from "./control.js";
+import { startDrive } from "./drive.js";
+import { startLights } from "./lights.js";
+import { startLine } from "./line.js";
+import { startMap } from "./live-map.js";
+import { startReplay } from "./replay.js";
+import { startRide } from "./ride.js";
+import { startRoom } from "./room.js";
+import { startSensors } from "./sensors.js";
+import { startSongs } from "./songs.js";
+import { CLOSED, isMoving, isOpen, isReplay, watchWheels } from "./view.js";
+import { startVirtual } from "./hand.js";
+
+/**
+ * @typedef {import("./types").ConnectionView} ConnectionView
+ * @typedef {object} ConnectionTab What the modules of this tab share.
+ * @property {import("../main.js").App} app
+ * @property {ConnectionClient} connection
+ * @property {ConnectionView} view The latest view.
+ * @property {boolean} movesAlone Whether it moves without this page.
+ * @property {string} personality Of the virtual robot that was opened last; "" if that was none.
+ * @property {((view: ConnectionView) => void)[]} onview What is to be told of every view.
+ * @property {ReturnType<typeof startRoom>} room
+ * @property {ReturnType<typeof startMap>} live
+ * @property {ReturnType<typeof startVirtual>} hand
+ * @property {(text: string) => void} complain
+ * @property {(request: import("./types").Request) => Promise<boolean>} request Says whether it was done.
+ * @property {(target: import("./types").Target) => Promise<boolean>} open
+ * @property {() => Promise<void>} close
+ * @property {() => void} halt What would go on driving is let go.
+ */
+
+/** When a view has come for sure that tells of what was refused, ms. */
+const SOON_MS = 150;
+
+/**
+ * @param {import("../main.js").App} app
+ * @param {WebAssembly.Module} module
+ * @param {(what: () => void) => boolean} guard
+ */
+export function startConnection(app, module, guard) {
+  const connection = new ConnectionClient(module);
+  const room = startRoom(app);
+  room.take();
+  // The rest of it follows below: its parts need each other.
+  const it = /** @type {ConnectionTab} */ (/** @type {unknown} */ ({ app, connection, view: CLOSED, movesAlone: false, personality: "", onview: [], room, complain }));
+  /** Requests that aren't answered yet, oldest first; why one is refused is told before its answer. @type {string[]} */
+  const asked = [];
+  /** Number of the notice that is over. */
+  let over = -1;
+  const settle = () => {
+    forgive();
+    over = it.view.notice?.number ?? -1;
+  };
+  it.request = async (request) => {
+    asked.push(request.do);
+    const worked = await connection.request(request);
+    asked.shift();
+    if (worked && (request.do === "arm" || request.do === "connect")) settle();
+    else if (worked && request.do !== "drive") forgive();
+    return worked;
+  };
+  it.open = async (target) => {
+    room.take();
+    connection.follow(room.followed());
+    settle();
+    it.personality = target.kind === "virtual" ? target.personality : "";
+    return connection.open(target);
+  };
+  it.hand = startVirtual(it);
+  it.live = startMap(it);
+  const drive = startDrive(it);
+  const ride = startRide(it);
+  it.halt = () => {
+    drive.stop();
+    ride.cancel();
+  };
+  it.close = async () => {
+    it.halt();
+    if (replay.end()) return;
+    await connection.close();
+  };
+  const traffic = startConsole(it);
+  const updates = [startConnect, startControl, startSensors, startLine, startSongs, startLights, startCalibrate].map((begin) => begin(it));
+  startDrawer();
+  startSheets(byId("panel-connection"), byId("connection-floor"));
+
+  let isFresh = true;
+  const wheels = watchWheels();
+  const show = (/** @type {ConnectionView} */ view) => {
+    // Taken by whatever way, what was said before is over.
+    if (view.mode !== it.view.mode && view.mode !== "Passive" && it.view.mode === "Passive" && view.notice?.number === it.view.notice?.number) over = view.notice?.number ?? -1;
+    it.view = view;
+    it.movesAlone = wheels(view);
+    isFresh = true;
+    // Before the way that leads from there.
+    guard(() => it.live.update(view));
+  };
+  const follow = (/** @type {Float64Array} */ trace) => guard(() => it.live.follow(trace));
+  const replay = startReplay(it, { show, follow, traffic: traffic.take, wipe: () => it.live.begin(it.view), settle });
+  connection.onview = show;
+  connection.ontrace = follow;
+  connection.ontraffic = traffic.take;
+  connection.onfailed = ({ kind, what, remedy }) => {
+    const tell = () => complain(remedy ? `${what} ${remedy}` : what);
+    if (kind !== "refused" || asked[0] !== "drive") return tell();
+    // Control was lost while a key was held: the next view says why, better than this would.
+    setTimeout(() => it.view.can.drive && tell(), SOON_MS);
+  };
+
+  show(CLOSED);
+  let wasHere = false;
+  // Elsewhere nothing stops it: it doesn't drive on.
+  new MutationObserver(() => {
+    if (currentTab() === "connection") return;
+    wasHere = false;
+    const moves = isMoving(it.view) || it.movesAlone;
+    it.halt();
+    if (moves && !isReplay(it.view)) connection.leave("You left the Robot tab.");
+  }).observe(byId("panel-connection"), { attributes: true, attributeFilter: ["hidden"] });
+
+  return {
+    /** Once a frame while the tab is shown. @param {number} now */
+    frame(now) {
+      guard(() => replay.frame(now));
+      if (!wasHere) {
+        wasHere = true;
+        // The robot that is connected is in the room that it was in.
+        if (!isOpen(it.view) && room.take()) it.live.begin(it.view);
+      }
+      it.live.draw();
+      traffic.update();
+      if (isFresh) {
+        isFresh = false;
+        for (const update of [...updates, ...it.onview, drive.update, ride.update, it.hand.update]) update(it.view);
+      }
+      const { notice, drop } = it.view;
+      // What is said above the map need not be said twice.
+      const isNews = notice !== null && notice.number !== over && !(drop && notice.text.includes(drop.text));
+      return { message: isNews ? notice.text : "", message_kind: isNews ? notice.kind : "" };
+    },
+    /** @param {string} key */
+    key: (key) => it.live.key(key),
+    link: () => "tab=connection",
+    restore() {},
+    /** @param {boolean} dark */
+    setDark: (dark) => void guard(() => it.live.map.set_dark(dark)),
+  };
+}
+
+/** The tools, below the map. */
+function startDrawer() {
+  const [drawer, opener] = [byId("connection-drawer"), button("connection-tools-open")];
+  opener.addEventListener("click", () => {
+    const on = drawer.classList.toggle("shown");
+    setAttribute(opener, "aria-expanded", String(on));
+  });
+  const tabs = [...byId("connection-tabs").querySelectorAll("button")];
+  for (const tab of tabs) {
+    tab.addEventListener("click", () => {
+      for (const other of tabs) {
+        other.setAttribute("aria-pressed", String(other === tab));
+        byId(`connection-${other.dataset.panel}`).hidden = other !== tab;
+      }
+    });
+  }
+}

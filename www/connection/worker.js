@@ -1,0 +1,222 @@
+// @ts-check
+// A connection to a robot, away from the page, which may be busy, hidden or hung: bytes, time, and the safety stop.
+import init, { Connection, SessionMirror } from "../../workshop.js";
+import { lineTo } from "./lines.js";
+import { failure } from "./ports.js";
+import { STOP, startBeats } from "./safety.js";
+import { VirtualLine } from "./virtual.js";
+
+/** How often time passes for the connection, ms, and how many such steps there are from view to view. */
+const TICK_MS = 10;
+const VIEW_TICKS = 5;
+
+/** @type {Connection} */
+let connection;
+/** @type {SessionMirror} */
+let mirror;
+/** @type {ReturnType<typeof lineTo> | undefined} */
+let line;
+/** The line is about to go on at another baud rate. */
+let isChanging = false;
+/** Something went wrong that should not; nothing is sent any more. */
+let isBroken = false;
+let ticks = 0;
+/** Openings and closings, one after the other. */
+let doing = Promise.resolve();
+
+const now = () => performance.now() / 1000;
+const beatenAt = startBeats();
+
+/** @param {import("./types").FromConnection} message @param {Transferable[]} [transfer] */
+const tell = (message, transfer = []) => self.postMessage(message, { transfer });
+
+/** Does something with the connection, then what it asks for. Whatever goes wrong in it stops the robot. @param {() => void} what */
+function safely(what) {
+  if (isBroken) return;
+  try {
+    what();
+    pump();
+  } catch (error) {
+    broke(error);
+  }
+}
+
+/** Sends what the connection has to say, at once. */
+function pump() {
+  // What can't be sent now must not be sent later: the robot behind a line that comes back may be another one.
+  if (line?.view.state !== "open") return connection.discard();
+  while (!isChanging) {
+    const wanted = connection.take_line();
+    const bytes = wanted ? undefined : connection.take_tx();
+    if (!wanted && !bytes?.length) return;
+    if (bytes) line.write(bytes);
+    else if ("brc" in wanted) line.setBrc(wanted.brc).catch(broke);
+    else changeBaud(wanted.baud);
+  }
+}
+
+/** @param {number} baud */
+function changeBaud(baud) {
+  isChanging = true;
+  const changed = () => {
+    isChanging = false;
+    safely(() => {});
+  };
+  line?.setBaud(baud).then(changed, broke);
+}
+
+/** Stops the robot without the connection, and ends the connection. @param {unknown} error */
+function broke(error) {
+  if (isBroken) return;
+  isBroken = true;
+  line?.write(STOP);
+  console.error(error);
+  const said = error instanceof Error ? error.message : String(error);
+  tell({ type: "failed", failure: failure("broken", `An error in this program ended the connection (${said}). A stop command was sent.`, "Check that it stops, then connect again.") });
+  void line?.close();
+}
+
+self.addEventListener("error", (event) => {
+  // Told to the page here, and not once more by the browser.
+  event.preventDefault();
+  broke(event.error ?? event.message);
+});
+self.addEventListener("unhandledrejection", (event) => broke(event.reason));
+
+/** By how much the time of day is ahead of the worker's own, which stands still while the computer sleeps, ms. */
+let ahead = Date.now() - performance.now();
+
+/** A computer that slept didn't mind the robot, and none of its times has run out. */
+function mindSleep() {
+  const slept = Date.now() - performance.now() - ahead;
+  ahead += slept;
+  if (slept > 1000) connection.leave(now(), "The computer slept.");
+}
+
+setInterval(() => {
+  if (!line) return;
+  safely(() => {
+    mindSleep();
+    if (line instanceof VirtualLine) line.tick(now());
+    connection.tick(now());
+  });
+  if (++ticks % VIEW_TICKS === 0) show();
+}, TICK_MS);
+
+function show() {
+  if (isBroken || !line) return;
+  try {
+    const virtual = line instanceof VirtualLine ? line.look() : null;
+    tell({ type: "view", view: { ...connection.view(now()), transport: line.view, virtual } });
+    const traffic = connection.take_traffic();
+    if (traffic.length) tell({ type: "traffic", traffic });
+    const trace = connection.take_trace();
+    if (trace.length) tell({ type: "trace", trace }, [trace.buffer]);
+  } catch (error) {
+    broke(error);
+  }
+}
+
+/** @param {import("./types").WorkerTarget} target */
+async function open(target) {
+  await close();
+  if (isBroken) throw failure("broken", "An error in this program has ended its connections.", "Reload the page.");
+  /** @type {import("./types").TransportEvents} */
+  const events = {
+    onbytes: (bytes) => safely(() => connection.feed(now(), bytes)),
+    onopened: () => safely(() => connection.opened(now())),
+    onlost: (why, forGood) => safely(() => connection.lost(now(), why, forGood)),
+  };
+  line = lineTo(target, mirror, events);
+  connection.fix_rate(target.kind === "socket");
+  try {
+    await line.open();
+  } catch (error) {
+    show();
+    line = undefined;
+    throw error;
+  }
+  safely(() => connection.opened(now()));
+}
+
+async function close() {
+  if (!line) return;
+  safely(() => connection.request(now(), { do: "disconnect" }));
+  const closing = line;
+  await closing.close();
+  show();
+  line = undefined;
+  if (closing instanceof VirtualLine) closing.free();
+}
+
+/** @param {Extract<import("./types").ToConnection, { id: number }>} message @returns {Promise<boolean | string>} */
+async function answer(message) {
+  if (message.type === "recording") {
+    // An hour of it takes its time, in which nobody minds the wheels.
+    safely(() => connection.pause(now()));
+    return connection.recording();
+  }
+  if (isBroken) return false;
+  if (message.type === "request" && message.request.do !== "disconnect") {
+    attempt(() => connection.request(now(), message.request));
+  } else if (message.type === "ride") {
+    attempt(() => connection.ride(now(), mirror, message.corners));
+  } else if (message.type === "follow") {
+    const { link: session, version, scenario } = message.followed;
+    if (mirror.is_behind(session, version)) {
+      // Laying out a room takes its time, in which nobody minds the wheels. Nor is that the page's silence.
+      safely(() => connection.pause(now()));
+      attempt(() => mirror.follow(session, version, scenario));
+      safely(() => connection.beat(now()));
+    }
+  } else {
+    // A line that isn't open yet need not be waited for.
+    if (message.type !== "open" && line?.view.state === "opening") void line.close();
+    const next = doing.then(() => (message.type === "open" ? open(message.target) : close()));
+    doing = next.catch(() => {});
+    await next;
+  }
+  return !isBroken;
+}
+
+/** Passes on why it isn't done; that is no error of the program. @param {() => void} what */
+function attempt(what) {
+  /** @type {unknown} */
+  let refused;
+  safely(() => {
+    try {
+      what();
+    } catch (error) {
+      // A sentence is a refusal; anything else went wrong.
+      if (typeof error !== "string") throw error;
+      refused = failure("refused", error, "");
+    }
+  });
+  if (refused) throw refused;
+}
+
+let markReady = () => {};
+/** @type {Promise<void>} */
+const ready = new Promise((resolve) => (markReady = resolve));
+
+self.addEventListener("message", async (/** @type {MessageEvent<import("./types").ToConnection>} */ { data: message }) => {
+  if (message.type === "init") {
+    await init({ module_or_path: message.module });
+    [connection, mirror] = [new Connection(), new SessionMirror()];
+    return markReady();
+  }
+  await ready;
+  if (message.type === "beat") connection.beat(beatenAt(now(), message.at));
+  else if (message.type === "leave") safely(() => connection.leave(now(), message.why));
+  else if (message.type === "virtual") safely(() => line instanceof VirtualLine && line.touch(message.touch));
+  else {
+    let value = /** @type {boolean | string} */ (false);
+    try {
+      value = await answer(message);
+    } catch (error) {
+      if (error && typeof error === "object" && "kind" in error) tell({ type: "failed", failure: /** @type {import("./types").Failure} */ (error) });
+      else broke(error);
+    }
+    tell({ type: "answer", id: message.id, value });
+  }
+});

@@ -1,0 +1,78 @@
+// @ts-check
+// Parts of the page that the opening scene doesn't need: they come when they are needed, or once somebody is there.
+import { byId, typed } from "../dom.js";
+import { updateFolds } from "./view.js";
+
+/**
+ * @typedef {import("../types").View} View
+ * @typedef {(view: View) => void} Update
+ * @typedef {{ begin: (view: View) => Promise<void>, update: Update }} Later
+ */
+
+/** Milliseconds until what could not be loaded is tried again, or isn't waited for any more. */
+const PAUSE = 3000;
+
+/** Somebody points or presses a key: what they may want next should be there by then. */
+const visit = new Promise((/** @type {(event: unknown) => void} */ come) => {
+  for (const sign of ["pointermove", "pointerdown", "keydown"]) addEventListener(sign, come, { once: true, capture: true, passive: true });
+});
+
+/** Begins with what is needed at once. @param {import("../main.js").App} app @returns {Promise<Update>} what is to be called in every frame */
+export async function startLater(app) {
+  const { behaviours } = app.catalogue;
+  const parts = [
+    later(
+      () => typed("senses-fold", HTMLDetailsElement).open,
+      () => import("./senses.js").then(({ startSenses }) => startSenses(app)),
+    ),
+    later(
+      ({ algorithm }) => behaviours.some(({ id, manual }) => manual && id === algorithm),
+      () => import("./manual.js").then(({ startManual }) => startManual(app)),
+    ),
+    later(
+      ({ tool, selected }) => tool === "place" || selected >= 0,
+      () => import("./placing.js").then(({ startPlacing }) => startPlacing(app)),
+    ),
+    later(
+      ({ search }) => search.film !== null || search.text !== "",
+      () => import("./film.js").then(({ startFilm }) => startFilm(app)),
+    ),
+  ];
+  void visit.then(() => import("../help.js").then(({ fillHelp }) => fillHelp(byId("help-text"))).catch(console.warn));
+  const view = app.playground.view();
+  updateFolds(view);
+  // What hangs on its way doesn't keep the page from beginning.
+  const patience = new Promise((end) => setTimeout(end, PAUSE));
+  await Promise.race([Promise.all(parts.map((part) => part.begin(view))), patience]);
+  return (now) => parts.forEach((part) => part.update(now));
+}
+
+/**
+ * A part that is loaded later; `load` gives what is to be called in every frame from then on.
+ * @param {(view: View) => boolean} isNeeded
+ * @param {() => Promise<Update>} load
+ * @returns {Later}
+ */
+function later(isNeeded, load) {
+  /** @type {Update | undefined} */
+  let ready;
+  /** @type {Promise<void> | undefined} */
+  let coming;
+  const fetch = () =>
+    (coming ??= load().then(
+      (update) => void (ready = update),
+      (error) => {
+        console.warn(error);
+        setTimeout(() => (coming = undefined), PAUSE);
+      },
+    ));
+  void visit.then(fetch);
+  return {
+    /** Waits for the part if it is needed from the beginning. */
+    begin: async (view) => void (isNeeded(view) && (await fetch())),
+    update: (view) => {
+      if (ready) ready(view);
+      else if (isNeeded(view)) void fetch();
+    },
+  };
+}

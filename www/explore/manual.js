@@ -1,0 +1,59 @@
+// @ts-check
+// Driving the simulated robot by hand.
+import { button, byId, changed, setHidden, setText } from "../dom.js";
+import { STILL, joystick, rounded } from "../joystick.js";
+import { style } from "../parts.js";
+
+/** @typedef {import("../main.js").App} App */
+
+/** @param {App} app @returns {Promise<(view: import("../types").View) => void>} */
+export async function startManual(app) {
+  await style(new URL("../manual.css", import.meta.url).href);
+  const [floor, pad, knob] = [byId("floor"), byId("pad"), button("knob")];
+  let sent = STILL;
+
+  const isManual = () => app.catalogue.behaviours.find(({ id }) => id === app.view.algorithm)?.manual ?? false;
+
+  /** @param {import("../joystick.js").Command} command */
+  const send = (command) => {
+    const next = rounded(command);
+    if (next.forward === sent.forward && next.left === sent.left) return;
+    sent = next;
+    app.act((p) => p.command(next.forward, next.left));
+  };
+  const end = () => send(STILL);
+  const stick = joystick({
+    pad,
+    knob,
+    told: byId("blocked"),
+    targets: [floor, knob],
+    takes: ({ currentTarget }) => isManual() && !app.view.is_carried && (currentTarget !== floor || app.view.tool === "view"),
+    // Whoever takes the controls wants to drive.
+    begin: () => {
+      if (app.view.can.play && app.view.state !== "failed") app.act((p) => p.play());
+    },
+    end,
+  });
+  const stop = () => {
+    stick.release();
+    end();
+  };
+
+  return (view) => {
+    // Other tools need the keys, and the room on a small screen.
+    const manual = isManual() && view.tool === "view";
+    if (changed(byId("manual"), "on", manual)) {
+      setHidden(byId("manual"), !manual);
+      stop();
+    }
+    if (!manual) return;
+    const { command, hasGamepad } = stick.read();
+    stick.showBlocked(view.blocked, sent);
+    const turned = changed(pad, "state", view.state);
+    if (view.state === "playing") {
+      send(command);
+      stick.show(command);
+    } else if (turned) stop();
+    setText(byId("manual-note"), `${hasGamepad ? "Gamepad connected." : "Drag, or arrow keys or WASD on the floor."}${view.speed === 1 ? " Time runs at 1×." : ""}`);
+  };
+}

@@ -1,0 +1,168 @@
+// @ts-check
+// The forms: what cleans which room, made from the catalogue.
+import { button, byId, changed, fill, input, make, select, setHidden, setText, typed } from "../dom.js";
+import { explainer } from "../explainer.js";
+import { paramField } from "../params.js";
+
+/**
+ * @typedef {import("../types").View} View
+ * @typedef {import("../types").AlgorithmEntry} AlgorithmEntry
+ * @typedef {import("../main.js").App} App
+ * @typedef {(control: HTMLElement, value: string) => void} Show
+ */
+
+/** Parameters beyond these fold away. */
+const FEW = 2;
+
+/** @param {App} app @returns {(view: View) => void} */
+export function startPanel(app) {
+  const { catalogue, act } = app;
+  const { rooms, planners, behaviours, robots, sensors, cell_sizes_m } = catalogue;
+  const algorithms = [...planners, ...behaviours];
+  fill(select("room"), rooms.map(({ id, title }) => [id, title]));
+  select("algorithm").replaceChildren(group("Path planners", planners), group("Reactive behaviours", behaviours));
+  fill(select("robot"), robots.map(({ id, title }) => [id, title]));
+  fill(select("cell-size"), cell_sizes_m.map((size) => [String(size), `${+(size * 100).toFixed(2)} cm`]));
+
+  /** @param {(p: App["playground"]) => void} what */
+  const change = (what) => {
+    // A refused value goes back to what holds.
+    if (!act(what)) shown.clear();
+  };
+  /** @type {Map<HTMLElement, string>} */
+  const shown = new Map();
+
+  /** @param {string} id @param {(p: App["playground"], value: string) => void} set */
+  const bind = (id, set) => {
+    const control = byId(id);
+    control.addEventListener("change", () => change((p) => set(p, Reflect.get(control, "value"))));
+  };
+  bind("room", (p, id) => p.select_room(id));
+  bind("algorithm", (p, id) => p.select_algorithm(id));
+  bind("robot", (p, id) => p.select_robot(id));
+  bind("cell-size", (p, metres) => p.set_cell_size(Number(metres)));
+  bind("slip", (p, id) => p.set_slip(id));
+  bind("noise", (p, level) => p.set_noise("all", level));
+  input("quantised").addEventListener("change", () => change((p) => p.set_quantised(input("quantised").checked)));
+  const noises = sensors.map((sensor) => noiseMenu(sensor, (level) => change((p) => p.set_noise(sensor, level))));
+  byId("noises").replaceChildren(...noises.map(({ field }) => field));
+  bind("odometry", (p, id) => p.set_odometry(id));
+  bind("seed", (p, text) => p.set_seed(seed(text)));
+  input("show-search").addEventListener("change", () => act((p) => p.show_search(input("show-search").checked)));
+  button("reseed").addEventListener("click", () => change((p) => p.set_seed(Math.floor(Math.random() * 1e6))));
+  typed("setup-fields", HTMLFieldSetElement).disabled = false;
+
+  /** Shows a value where it differs from what was last shown: not while it is being edited. @type {Show} */
+  const show = (control, value) => {
+    if (shown.get(control) === value) return;
+    shown.set(control, value);
+    if (control instanceof HTMLInputElement && control.type === "checkbox") control.checked = value === "true";
+    else Reflect.set(control, "value", value);
+  };
+
+  /** @type {Map<string, HTMLElement[]>} */
+  let paramControls = new Map();
+
+  /** @param {AlgorithmEntry} algorithm */
+  const buildParams = (algorithm) => {
+    paramControls = new Map();
+    const fields = algorithm.params.map((spec) => {
+      const { field, controls } = paramField(spec, (text) => change((p) => p.set_param(spec.id, text)));
+      paramControls.set(spec.id, controls);
+      return field;
+    });
+    byId("params").replaceChildren(...fields.slice(0, FEW));
+    byId("params-more").replaceChildren(...fields.slice(FEW));
+  };
+
+  return (view) => {
+    const { room } = view;
+    showRoom(room, rooms);
+    show(select("room"), room.id);
+    show(select("algorithm"), view.algorithm);
+    show(select("robot"), view.robot);
+    show(select("cell-size"), String(view.cell_size_m));
+    showRealism(view, show);
+    noises.forEach(({ menu }, index) => show(menu, view.noise[index] ?? "off"));
+    show(select("odometry"), view.odometry);
+    show(input("seed"), String(view.seed));
+    const { offered, on, refusal } = view.search;
+    show(input("show-search"), String(on));
+    setHidden(byId("search-field"), !offered);
+    setHidden(byId("search-refusal"), !refusal);
+    setText(byId("search-refusal"), refusal);
+    input("show-search").disabled = refusal !== "";
+    setText(byId("robot-note"), robots.find(({ id }) => id === view.robot)?.summary ?? "");
+    warnOfCells(view, robots);
+    const algorithm = algorithms.find(({ id }) => id === view.algorithm);
+    if (algorithm && changed(byId("params"), "algorithm", algorithm.id)) {
+      buildParams(algorithm);
+      setText(byId("algorithm-kind"), algorithm.manual ? "you drive" : algorithm.kind === "planner" ? "path planner" : "reactive behaviour");
+      setText(byId("algorithm-note"), algorithm.summary);
+      setText(byId("explainer-title"), algorithm.title);
+      byId("explainer-text").replaceChildren(...explainer(algorithm, rooms, (room) => change((p) => p.select_room(room))));
+    }
+    for (const [id, controls] of paramControls) {
+      const value = view.params[id];
+      if (value !== undefined) for (const control of controls) show(control, String(value));
+    }
+  };
+}
+
+/** @param {string} label @param {AlgorithmEntry[]} entries */
+function group(label, entries) {
+  return make("optgroup", { label }, ...entries.map(({ id, title }) => make("option", { value: id }, title)));
+}
+
+/** The field for the noise of one kind of sensor. @param {string} sensor @param {(level: string) => void} tell */
+function noiseMenu(sensor, tell) {
+  const menu = make("select", { onchange: () => tell(menu.value) });
+  fill(menu, ["off", "typical", "harsh"].map((level) => [level, level]));
+  const name = NOISY[sensor] ?? sensor;
+  return { menu, field: make("label", { className: "field inline" }, make("span", { className: "label" }, name), menu) };
+}
+
+/** @type {Record<string, string>} */
+const NOISY = { bumper: "Bumper", cliff: "Cliff sensors", light: "Light bumper", infrared: "Infrared", dirt: "Dirt", laser: "Laser", battery: "Battery gauge" };
+
+/** @param {View} view @param {Show} show */
+function showRealism({ slip, noise, quantised }, show) {
+  const level = noise.every((one) => one === noise[0]) ? (noise[0] ?? "off") : "mixed";
+  show(select("slip"), slip);
+  show(select("noise"), level);
+  show(input("quantised"), String(quantised));
+  const on = [slip !== "none" && "slip", level !== "off" && "noise", quantised && "quantised"].filter(Boolean);
+  setText(byId("realism-note"), on.join(", ") || "ideal");
+}
+
+/** Cells wider than the tool leave strips between lanes unswept. @param {View} view @param {import("../types").RobotEntry[]} robots */
+function warnOfCells(view, robots) {
+  // The textbook's robot is as wide as its cell.
+  const tool = view.robot === "cell" ? Infinity : (robots.find(({ id }) => id === view.robot)?.tool_width_m ?? Infinity);
+  const wide = view.cell_size_m > tool + 1e-9;
+  setHidden(byId("cell-note"), !wide);
+  if (wide) setText(byId("cell-note"), `Wider than the tool (${+(tool * 100).toFixed(1)} cm): strips between the lanes stay dirty.`);
+}
+
+/** @param {string} text */
+function seed(text) {
+  const value = Number(text);
+  if (text.trim() === "" || !Number.isInteger(value) || value < 0 || value > 0xffffffff) {
+    throw `The seed can't be "${text}"; it is a whole number from 0 to 4294967295.`;
+  }
+  return value;
+}
+
+/** @param {View["room"]} room @param {{ id: string }[]} shipped */
+function showRoom(room, shipped) {
+  const menu = select("room");
+  const own = menu.querySelector("option[data-own]");
+  const isOwn = !shipped.some(({ id }) => id === room.id);
+  if (isOwn && own?.textContent !== room.title) {
+    own?.remove();
+    menu.prepend(make("option", { value: room.id, "data-own": "" }, room.title || "Your room"));
+    menu.value = room.id;
+  } else if (!isOwn) own?.remove();
+  const size = `${room.width_m.toFixed(1)} × ${room.height_m.toFixed(1)} m, ${room.reachable_m2.toFixed(1)} m² reachable${room.left_out_m2 >= 0.05 ? `, ${room.left_out_m2.toFixed(1)} m² not (hatched)` : ""}.`;
+  setText(byId("room-note"), room.note ? `${room.note.replace(/\.?$/, ".")} ${size}` : size);
+}

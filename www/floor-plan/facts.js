@@ -1,0 +1,58 @@
+// @ts-check
+// What is known of the file and the room that comes of it.
+import { button, byId, setAttribute, setHidden, setText } from "../dom.js";
+
+/** @typedef {import("./types").FloorPlanView} FloorPlanView */
+
+/** @param {import("./tab.js").FloorPlanTab} it @returns {(view: FloorPlanView | undefined) => void} */
+export function startFacts(it) {
+  button("floor-plan-doors-close").addEventListener("click", async () => {
+    const doors = it.view?.doors;
+    if (doors) await it.set({ gap: doors.gap });
+    byId("floor-plan-floor").focus();
+  });
+  return show;
+}
+
+/** @param {FloorPlanView | undefined} view */
+function show(view) {
+  setAttribute(byId("panel-floor-plan"), "data-kind", view?.kind ?? "");
+  setHidden(byId("floor-plan-empty"), view !== undefined);
+  setHidden(byId("floor-plan-settings"), view === undefined);
+  setHidden(byId("floor-plan-none"), view !== undefined);
+  setText(byId("floor-plan-name"), view?.name ?? "No floor plan yet");
+  setText(byId("floor-plan-facts"), view ? facts(view) : "");
+  setAttribute(byId("floor-plan-floor"), "aria-label", view?.words ?? "Floor plan: empty");
+  setText(byId("floor-plan-said"), view?.words ?? "");
+  setText(byId("floor-plan-fault"), view?.fault ?? "");
+  setText(byId("floor-plan-title"), view?.name ?? "No floor plan yet");
+  setText(byId("floor-plan-result"), view ? result(view) : "Choose or drop a file to see it here with its size.");
+  button("floor-plan-use").disabled = !view?.room;
+  showDoors(view);
+}
+
+/** Doors that the room reaches through. @param {FloorPlanView | undefined} view */
+function showDoors(view) {
+  const doors = view?.doors;
+  setHidden(byId("floor-plan-doors"), !doors);
+  if (doors) {
+    const { count, gap, floor_m2 } = doors;
+    const opening = count === 1 ? "an opening" : `${count} openings`;
+    setText(byId("floor-plan-doors-text"), `${view?.room ? "This room continues" : "This floor continues outside"} through ${opening} as wide as a door. With ${count === 1 ? "it" : "them"} closed it has ${floor_m2.toFixed(1)} m² of floor.`);
+    setText(button("floor-plan-doors-close"), `Close gaps up to ${gap.toFixed(2)} m`);
+  }
+}
+
+/** @param {FloorPlanView} view */
+function facts({ kind, size, strokes, layers, room, left_out }) {
+  const what = kind === "drawing" ? `${strokes.toLocaleString("en")} strokes on ${layers.length} layers` : room ? `${room.cells[0]} × ${room.cells[1]} cells of ${(100 * room.resolution).toLocaleString("en", { maximumFractionDigits: 2 })} cm` : "";
+  return [size && `${kind === "drawing" ? "whole drawing" : "whole map"}: ${size}`, what, left_out.length && `not drawn: ${left_out.join(", ")}`].filter(Boolean).join(" · ");
+}
+
+/** @param {FloorPlanView} view */
+function result({ room, settings, fault }) {
+  if (!room) return settings.metre === null ? "Choose the drawing's unit first." : fault || "No room yet.";
+  const { width_m, height_m, floor_m2, cells, objects, gaps } = room;
+  const more = [objects && `${objects} obstacles`, gaps && `${gaps} ${gaps === 1 ? "gap" : "gaps"} closed`].filter(Boolean);
+  return [`Room ${width_m.toFixed(1)} × ${height_m.toFixed(1)} m, walls included`, `${floor_m2.toFixed(1)} m² of floor`, `${cells[0]} × ${cells[1]} cells`, ...more].join(" · ");
+}

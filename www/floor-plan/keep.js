@@ -1,0 +1,175 @@
+// @ts-check
+// Keeps the floor plan in this browser: files on the board and what was chosen for them come back after a reload. What can't is
+// explained and kept aside until somebody says that it may go.
+import { button, byId, setHidden, setText } from "../dom.js";
+import { download } from "../files.js";
+import { complain, toast } from "../messages.js";
+
+/**
+ * @typedef {import("./tab.js").FloorPlanTab} FloorPlanTab
+ * @typedef {{ format: number, files: File[] }} KeptFiles
+ * @typedef {{ format: number, settings: import("./types").Settings, sweeps: boolean, stage: number }} KeptChoices
+ * @typedef {{ why: string, files: unknown, choices: unknown }} Aside What can't come back, as far as it can't.
+ */
+
+const DATABASE = "robovac-drafts";
+/** Has "files" and "choices" of one floor plan. */
+const BOARD = "board";
+const ASIDE = "aside";
+/** Of what is written here; changes when what is written before can't be read any more. */
+const FORMAT = 1;
+/** From a choice until it is kept, ms. */
+const REST_MS = 300;
+
+/** @param {FloorPlanTab} it */
+export function startKeeping(it) {
+  const { client } = it;
+  /** @type {Promise<IDBDatabase> | undefined} */
+  let opened;
+  const store = async (/** @type {string} */ name) => (await (opened ??= openDatabase())).transaction(name, "readwrite").objectStore(name);
+  /** Whether what was kept has been looked for: before, nothing is written over it. */
+  let isKnown = false;
+  /** What is kept: the files, and the choices as text. @type {File[]} */
+  let files = [];
+  let choices = "";
+  /** What is being brought back. @type {{ files: KeptFiles, choices: unknown } | undefined} */
+  let coming;
+  let warned = false;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let rest;
+
+  /** @param {unknown} error */
+  const warn = (error) => {
+    if (warned) return;
+    warned = true;
+    console.warn(error);
+    toast(error instanceof DOMException && error.name === "QuotaExceededError" ? "This browser has no storage left for this floor plan: it won't survive a reload." : "This browser doesn't keep floor plans (a private window?): this one won't survive a reload.");
+  };
+
+  const save = async () => {
+    const { view } = it;
+    if (!isKnown || !view) return;
+    const now = JSON.stringify(choicesOf(view));
+    if (client.files === files && now === choices) return;
+    const isNew = client.files !== files;
+    [files, choices] = [client.files, now];
+    try {
+      const board = await store(BOARD);
+      const written = [done(board.put(choicesOf(view), "choices"))];
+      if (isNew) written.push(done(board.put({ format: FORMAT, files }, "files")));
+      await Promise.all(written);
+    } catch (error) {
+      warn(error);
+    }
+  };
+
+  /** @param {Aside} aside */
+  const putAside = async (aside) => {
+    complain(aside.why);
+    try {
+      await done((await store(ASIDE)).add(aside));
+      await showAside();
+    } catch (error) {
+      warn(error);
+    }
+  };
+
+  /** Shows the last that was put aside, if there is any, until it is discarded. */
+  const showAside = async () => {
+    const [key] = /** @type {IDBValidKey[]} */ (await done((await store(ASIDE)).getAllKeys())).slice(-1);
+    setHidden(byId("floor-plan-aside"), key === undefined);
+    if (key === undefined) return;
+    const aside = /** @type {Aside} */ (await done((await store(ASIDE)).get(key)));
+    setText(byId("floor-plan-aside-why"), aside.why);
+    button("floor-plan-aside-save").onclick = () => {
+      const kept = filesOf(aside.files);
+      for (const file of kept ?? []) download(file.name, file, file.type);
+      const rest = { ...(aside.files && !kept ? { files: aside.files } : {}), ...(aside.choices ? { choices: aside.choices } : {}) };
+      if (Object.keys(rest).length > 0) download("kept-floor-plan.json", JSON.stringify(rest, null, 1), "application/json");
+    };
+    button("floor-plan-aside-discard").onclick = async () => {
+      await store(ASIDE).then((aside) => done(aside.delete(key))).catch(warn);
+      void showAside().catch(warn);
+    };
+  };
+
+  /** Brings back what was kept, unless something else was taken meanwhile. @param {() => boolean} isFree */
+  const bring = async (isFree) => {
+    try {
+      const board = await store(BOARD);
+      const [kept, chosen] = await Promise.all(["files", "choices"].map((key) => done(board.get(key))));
+      if (kept && isFree()) await layOut(kept, chosen);
+      await showAside();
+    } catch (error) {
+      warn(error);
+    }
+    isKnown = true;
+    void save();
+  };
+
+  /** @param {any} kept @param {any} chosen */
+  const layOut = async (kept, chosen) => {
+    const list = kept.format === FORMAT ? filesOf(kept.files) : undefined;
+    if (!list?.length) return putAside({ why: "The floor plan was saved by another version of this page, and this one can't read it.", files: kept.files ?? kept, choices: chosen });
+    const names = list.map(({ name }) => name).join(" and ");
+    coming = { files: kept, choices: chosen };
+    const fits = chosen?.format === FORMAT;
+    if (fits) [files, choices] = [list, JSON.stringify(chosen)];
+    /** @type {string | undefined} */
+    let why;
+    const settings = fits ? chosen.settings : {};
+    await it.ask({ type: "restore", files: list, settings }, "Restoring the floor plan", (message) => (why = message));
+    // It broke the board, and is aside by now.
+    if (!coming) return;
+    coming = undefined;
+    if (why !== undefined && !it.view) return putAside({ why: `The floor plan ${names} can't be restored: ${why}`, files: list, choices: chosen });
+    if (why !== undefined || (chosen && !fits)) await putAside({ why: `The settings for ${names} were saved by another version of this page and don't fit this one${why === undefined ? "" : ` (${why})`}. They were reset, as for a new file.`, files: undefined, choices: chosen });
+    else if (fits && chosen.sweeps && it.view?.room) {
+      await it.ask({ type: "sweep" }, "Planning the sweep");
+      if (chosen.stage > 0) client.say({ type: "stages", stages: [chosen.stage], moves: false });
+    }
+  };
+
+  addEventListener("pagehide", () => void save());
+  return {
+    bring,
+    /** What is shown has changed. */
+    saw() {
+      clearTimeout(rest);
+      rest = setTimeout(() => void save(), REST_MS);
+    },
+    /** The board broke; whether that was by what was being brought back, which is told. @param {string} message */
+    broke(message) {
+      if (!coming) return false;
+      const { files: kept, choices: chosen } = coming;
+      coming = undefined;
+      void putAside({ why: `The saved floor plan caused an error (${message}), so it wasn't restored.`, files: kept.files, choices: chosen });
+      return true;
+    },
+  };
+}
+
+/** @param {import("./types").FloorPlanView} view @returns {KeptChoices} */
+const choicesOf = ({ settings, sweep, stage }) => ({ format: FORMAT, settings, sweeps: sweep !== null, stage });
+
+/** The files, if it is files. @param {unknown} what @returns {File[] | undefined} */
+const filesOf = (what) => (Array.isArray(what) && what.every((file) => file instanceof File) ? what : undefined);
+
+/** @returns {Promise<IDBDatabase>} */
+function openDatabase() {
+  const request = indexedDB.open(DATABASE, 1);
+  request.onupgradeneeded = () => {
+    request.result.createObjectStore(BOARD);
+    request.result.createObjectStore(ASIDE, { autoIncrement: true });
+  };
+  return done(request);
+}
+
+/** What a request comes to. @template T @param {IDBRequest<T>} request @returns {Promise<T>} */
+function done(request) {
+  return new Promise((resolve, reject) => {
+    request.onsuccess = () => resolve(request.result);
+    request.onerror = () => reject(request.error ?? new Error("the browser's storage doesn't respond"));
+    if (request instanceof IDBOpenDBRequest) request.onblocked = () => reject(new Error("the storage is in use by another tab"));
+  });
+}

@@ -1,0 +1,155 @@
+// @ts-check
+// The tab Map: a robot explores a room that it has never seen, and its map is drawn next to the truth.
+import { MapSession, SessionMirror } from "../../workshop.js";
+import { byId, changed, setAttribute, setHidden, setText, typed } from "../dom.js";
+import { complain, textOf } from "../messages.js";
+import { startMirror } from "../session-mirror.js";
+import { startSheets } from "../sheets.js";
+import { startCanvas } from "./canvas.js";
+import { startKeeping } from "./keep.js";
+import { startNumbers } from "./numbers.js";
+import { startPlaybar } from "./playbar.js";
+import { startSetup } from "./setup.js";
+import { startUses } from "./uses.js";
+
+/**
+ * @typedef {import("./types").MapView} MapView
+ * @typedef {object} MapTab What the modules of this tab share.
+ * @property {import("../main.js").App} app
+ * @property {MapSession} session
+ * @property {MapView} view The latest view.
+ * @property {import("../types").AlgorithmEntry[]} explorers
+ * @property {[string, string][]} cleaners Planners of what is left.
+ * @property {(what: (session: MapSession) => void) => boolean} act Does something that may fail; says whether it worked.
+ * @property {(key: string, value: string) => boolean} set Chooses.
+ * @property {(layer: string) => void} toggle Shows a layer, or no longer.
+ */
+
+/** Name of what is stored of choices. */
+const CHOICES = "map-choices";
+/** Milliseconds between descriptions in words. */
+const TOLD_EVERY = 4000;
+
+/** @param {import("../main.js").App} app */
+export function startMap(app) {
+  const canvas = typed("map-floor", HTMLCanvasElement);
+  const session = new MapSession(canvas);
+  const mirror = startMirror(app, new SessionMirror());
+  session.take(mirror());
+  recall(session);
+  /** @type {MapTab} */
+  const it = {
+    app,
+    session,
+    view: session.view(),
+    explorers: MapSession.explorers(),
+    cleaners: MapSession.cleaners(),
+    act: (what) => app.act(() => what(session)),
+    set: (key, value) => {
+      // Another choice begins another run; what was reached stays with the choices that led there.
+      keeping.save();
+      return it.act((s) => s.set(key, value));
+    },
+    toggle: (layer) => void it.act((s) => s.show(layer, !it.view.layers.includes(layer))),
+  };
+  const keeping = startKeeping(it);
+  const picture = startCanvas(it, canvas);
+  const updates = [startSetup, startPlaybar, startNumbers].map((begin) => begin(it));
+  const uses = startUses(it, keeping);
+  startSheets(byId("panel-map"), canvas);
+  let told = 0;
+  let last = 0;
+
+  return {
+    /** Once a frame while the tab is shown. @param {number} now */
+    frame(now) {
+      if (now - last > 500) session.rest();
+      last = now;
+      session.take(mirror());
+      keeping.tend();
+      picture.resized();
+      session.frame(now);
+      const view = (it.view = session.view());
+      for (const update of updates) update(view);
+      uses.update(view);
+      picture.update(view);
+      show(view);
+      if (changed(canvas, "phase", view.phase) || now - told > TOLD_EVERY) {
+        told = now;
+        const words = session.description();
+        setAttribute(canvas, "aria-label", words);
+        // A live region: while it drives, not more often than someone listens.
+        if (view.phase !== "playing" || changed(canvas, "minute", Math.floor(view.time_s / 300))) setText(byId("map-said"), words);
+      }
+      return { message: view.complaint, message_kind: view.complaint ? "error" : "" };
+    },
+    /** @param {string} key */
+    key: (key) => picture.key(key),
+    link() {
+      const link = session.link();
+      remember(link);
+      return `tab=map&${link}`;
+    },
+    /** @param {string} link */
+    restore(link) {
+      keeping.save();
+      try {
+        session.restore(link);
+      } catch (error) {
+        complain(textOf(error));
+      }
+    },
+    /** @param {boolean} dark */
+    setDark: (dark) => session.set_dark(dark),
+  };
+}
+
+/** Takes the choices that were made last in this browser: with them comes what was mapped. @param {MapSession} session */
+function recall(session) {
+  try {
+    session.restore(localStorage.getItem(CHOICES) ?? "");
+  } catch {
+    // There is no storage, or they were made by another version.
+  }
+}
+
+/** @param {string} link */
+function remember(link) {
+  try {
+    localStorage.setItem(CHOICES, link);
+  } catch {
+    // Without storage they last as long as the page.
+  }
+}
+
+/** What is neither number nor choice. @param {MapView} view */
+function show(view) {
+  const root = byId("panel-map");
+  setAttribute(root, "data-phase", view.phase);
+  setAttribute(root, "data-cleaning", String(view.is_cleaning));
+  const goals = view.layers.includes("goals") ? [view.frontiers > 0 && "frontiers", view.has_route && "route"] : [];
+  setAttribute(root, "data-goals", goals.filter(Boolean).join(" "));
+  setHidden(byId("map-hint"), view.phase !== "ready");
+  setHidden(byId("map-return"), view.returned === null);
+  if (view.returned !== null) {
+    const done = Math.floor(100 * view.returned);
+    setText(byId("map-returned"), `${done} %`);
+    if (changed(byId("map-return"), "done", done)) typed("map-return-bar", HTMLProgressElement).value = done;
+  }
+  setText(byId("map-room"), view.title);
+  // A robot that has come to its end would look as if it hung; one that is lost has explored less, and says so itself.
+  const isDone = view.phase === "finished" && view.is_sure !== false;
+  const next = view.can.clean ? " Next: clean with this map." : "";
+  const activity = isDone && !view.is_cleaning ? `Done: nothing left to explore.${next}` : view.activity;
+  setText(byId("map-activity"), activity ? `${activity.charAt(0).toUpperCase()}${activity.slice(1)}` : "");
+  setHidden(byId("map-activity"), !activity || !["playing", "paused", "finished"].includes(view.phase));
+  setHidden(byId("map-held"), !view.is_carried);
+  setHidden(byId("map-hint-new"), view.known !== null);
+  setHidden(byId("map-hint-lost"), view.known === null);
+  setHidden(byId("map-known"), view.known === null);
+  setText(byId("map-known-name"), view.known ?? "");
+  const sure = view.is_sure === null ? "" : view.is_sure ? "Relocalised" : view.figures?.position_m === null ? "Lost" : "Relocalising";
+  setHidden(byId("map-sure"), !sure || view.phase === "ready");
+  setText(byId("map-sure"), sure);
+  setAttribute(byId("map-sure"), "data-sure", String(view.is_sure));
+}

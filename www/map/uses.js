@@ -1,0 +1,107 @@
+// @ts-check
+// What can be done with the map: it becomes the room of Explore, or files for other programs; or it is forgotten.
+import { button, byId, changed, fill, input, select, setEnabled, setHidden, setText } from "../dom.js";
+import { download, fileName } from "../files.js";
+import { clock, percent } from "../format.js";
+import { complain, textOf, toast } from "../messages.js";
+
+/**
+ * @param {import("./tab.js").MapTab} it
+ * @param {ReturnType<typeof import("./keep.js").startKeeping>} keeping
+ */
+export function startUses(it, keeping) {
+  const { app, session } = it;
+  button("map-room-use").addEventListener("click", () => {
+    keeping.save();
+    // The map is made before anything of Explore is touched.
+    if (!app.act((p) => p.take_map(session.room()))) return;
+    toast("The map is now the room in Explore");
+    byId("tab-explore").click();
+  });
+  button("map-export").addEventListener("click", () => {
+    /** @type {{ name: string, bytes: Uint8Array<ArrayBuffer>, kind: string }[]} */
+    let files = [];
+    if (!app.act(() => (files = session.ros_map(`${fileName(it.view.title)}-mapped`)))) return;
+    for (const { name, bytes, kind } of files) download(name, bytes, kind);
+    toast("Saved as a ROS map: image and YAML file");
+  });
+  button("map-forget").addEventListener("click", () => {
+    if (!it.act((s) => s.forget())) return;
+    keeping.forget();
+  });
+  button("map-clean").addEventListener("click", () => it.act((s) => s.clean()));
+  fill(select("map-planner"), it.cleaners);
+  select("map-planner").addEventListener("change", () => {
+    it.set("clean", select("map-planner").value);
+    changed(select("map-planner"), "value", undefined);
+  });
+  /** The run that another one is to follow, in words; "" if it hasn't begun. */
+  const ran = () => (it.view.end_s > 0 ? `The run so far (${clock(it.view.end_s)} min${it.view.known === null ? `, ${percent(it.view.figures?.boundary ?? 0, 0)} % mapped` : ""}) is kept.` : "");
+  /** Says that clock and figures are those of another run. @param {string} before @param {string} why */
+  const began = (before, why) => {
+    setText(byId("map-began-text"), `${why} Clock and figures restart. ${before}`);
+    setHidden(byId("map-began"), false);
+  };
+  const files = input("map-files");
+  button("map-open").addEventListener("click", () => files.click());
+  files.addEventListener("change", async () => {
+    const chosen = [...(files.files ?? [])];
+    // So that the same file can be chosen again.
+    files.value = "";
+    await open(chosen);
+  });
+  /** Gives the robot a map; what can't be read is told, and the current one stays. @param {File[]} chosen */
+  const open = async (chosen) => {
+    if (chosen.length === 0) return;
+    try {
+      const { readMap } = await import("../workers.js");
+      const map = await readMap(await Promise.all(chosen.map(async (file) => ({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) }))));
+      // The run may have gone on meanwhile.
+      keeping.save();
+      const before = ran();
+      if (it.act((s) => s.open(map))) {
+        keeping.leave();
+        began(before, `The robot has the map ${chosen.map(({ name }) => name).join(" and ")}, but doesn't know where it is.`);
+      }
+    } catch (error) {
+      complain(error instanceof Error ? `The map could not be read (${error.message}). Check the connection, then try again.` : textOf(error));
+    }
+    // Tests wait for this.
+    byId("panel-map").dataset.opened = String(Number(byId("panel-map").dataset.opened ?? 0) + 1);
+  };
+  button("map-lose").addEventListener("click", () => {
+    keeping.save();
+    const before = ran();
+    if (!it.act((s) => s.open_own())) return;
+    began(before, "The robot was kidnapped. It keeps its map, but doesn't know where it is.");
+    it.act((s) => s.play());
+  });
+  const back = () => {
+    keeping.save();
+    keeping.leave();
+    it.act((s) => s.close_map());
+  };
+  button("map-close").addEventListener("click", back);
+  button("map-began-undo").addEventListener("click", () => {
+    back();
+    button("map-play").focus();
+  });
+  button("map-began-close").addEventListener("click", () => {
+    setHidden(byId("map-began"), true);
+    byId("map-floor").focus();
+  });
+  return {
+    /** @param {import("./types").MapView} view */
+    update({ can, planner, known, is_cleaning: isCleaning }) {
+      if (known === null) setHidden(byId("map-began"), true);
+      setEnabled(button("map-clean"), can.clean);
+      setText(button("map-clean"), isCleaning ? "Replan the rest" : "Clean with this map");
+      if (changed(select("map-planner"), "value", planner)) select("map-planner").value = planner;
+      setEnabled(button("map-room-use"), can.use_map);
+      setEnabled(button("map-export"), can.use_map);
+      setEnabled(button("map-forget"), can.forget);
+      setEnabled(button("map-open"), can.open);
+      setEnabled(button("map-lose"), can.open && can.use_map);
+    },
+  };
+}

@@ -1,0 +1,41 @@
+// @ts-check
+// The tabs of the page: one of them is shown, and its name is in the address.
+import { byId } from "./dom.js";
+
+/** @typedef {"explore" | "compare" | "map" | "floor-plan" | "connection"} Tab */
+
+/** @type {Tab[]} */
+const TABS = ["explore", "compare", "map", "floor-plan", "connection"];
+/** Names in older links. @type {Record<string, Tab>} */
+const OLD = { draft: "floor-plan", robot: "connection" };
+
+/** @type {Tab} */
+let current = "explore";
+
+export const currentTab = () => current;
+
+/** @param {Tab} next */
+export function go(next) {
+  current = next;
+  for (const name of TABS) {
+    byId(`panel-${name}`).hidden = name !== next;
+    const tab = byId(`tab-${name}`);
+    if (name === next) tab.setAttribute("aria-current", "page");
+    else tab.removeAttribute("aria-current");
+  }
+  document.body.dataset.tab = next;
+  // Messages show in every tab.
+  byId(`panel-${next}`).querySelector(".notices")?.prepend(byId("message"));
+}
+
+/** The tab that a link leads to; older links name it `place`. @param {string} link @returns {Tab} */
+export function tabOf(link) {
+  const pairs = new URLSearchParams(link);
+  const name = pairs.get("tab") ?? pairs.get("place") ?? "";
+  return TABS.find((known) => known === name) ?? OLD[name] ?? "explore";
+}
+
+/** @param {(next: Tab) => void} enter Opens a tab, once all that it needs is loaded. */
+export function startTabs(enter) {
+  for (const name of TABS) byId(`tab-${name}`).addEventListener("click", () => enter(name));
+}
