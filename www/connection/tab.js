@@ -96,7 +96,7 @@ export function startConnection(app, module, guard) {
   startSheets(byId("panel-connection"), byId("connection-floor"));
 
   let isFresh = true;
-  /** The way that leads to where the next view shows the robot. */
+  /** The way that leads to where the next view shows the robot. @type {Float64Array} */
   let way = new Float64Array();
   const show = (/** @type {ConnectionView} */ view) => {
     // Taken by whatever way, what was said before is over.

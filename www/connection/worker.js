@@ -107,7 +107,6 @@ function show() {
   if (isBroken || !line) return;
   try {
     const virtual = line instanceof VirtualLine ? line.look() : null;
-    // The way leads to where the view shows the robot.
     const trace = connection.take_trace();
     if (trace.length) tell({ type: "trace", trace }, [trace.buffer]);
     tell({ type: "view", view: { ...connection.view(now(), line.view), virtual } });
