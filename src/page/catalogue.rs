@@ -1,6 +1,5 @@
 //! Catalogue of algorithms, rooms and robots, for menus and forms.
 
-use robovac_app::READINGS;
 use robovac_core::{
     floor_plan::ROOMS,
     robot::{Body, MODELS, RobotModel, WheelLayout},
@@ -20,8 +19,6 @@ pub(super) struct Catalogue {
     behaviours: Vec<CatalogueEntry>,
     robots: Vec<Robot>,
     sensors: [&'static str; SensorKind::ALL.len()],
-    /// Names of the numbers in `Playground::readings`.
-    readings: &'static [&'static str],
     cell_sizes_m: [f64; CELL_SIZES.len()],
     speeds: [f64; SPEEDS.len()],
 }
@@ -69,7 +66,6 @@ impl Catalogue {
             behaviours: Algorithm::all().filter(|a| a.behaviour().is_some()).map(CatalogueEntry::new).collect(),
             robots: MODELS.iter().copied().map(Robot::new).collect(),
             sensors: SensorKind::ALL.map(|(_, name)| name),
-            readings: &READINGS,
             cell_sizes_m: CELL_SIZES,
             speeds: SPEEDS,
         }

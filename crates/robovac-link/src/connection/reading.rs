@@ -21,6 +21,7 @@ impl Connection {
             self.mode = Some((mode, now));
         }
         self.mind_encoders(&sensed);
+        self.wheel_watch.take(now, self.counts, self.is_moving());
         if self.driver.has_old_angle() && !std::mem::replace(&mut self.is_old, true) {
             self.say(
                 "notice",
