@@ -1,7 +1,7 @@
 //! A whole run: one robot, one controller, one floor.
 
 use super::{Event, Input, Life, Noise, RunObserver, STEP_S, SimRobot, SlipLevel, What, World, event::Signs};
-use crate::controller::{Controller, interlock::Blocked};
+use crate::controller::{Controller, drive_on, interlock::Blocked};
 use robovac_core::{
     coverage::{CoverageTracker, ReachableFloor},
     geometry::{Point, Pose, difference},
@@ -134,14 +134,11 @@ impl Run {
             return;
         }
         let (before, had_fallen) = (self.robot.pose(), self.robot.has_fallen());
-        let sensed = self.robot.sensors();
-        let signs = Signs::of(sensed);
+        let (signs, was_empty) = (Signs::of(self.robot.sensors()), self.robot.is_empty());
         let activity = self.controller.activity();
-        let drive = self.controller.step(sensed, STEP_S);
+        drive_on(&mut self.robot, &mut *self.controller, STEP_S, |_, _| false);
         let Self { life, robot, world, floor, .. } = self;
         life.step(world, |centre, radius| robot.is_near_disc(centre, radius, 0.0));
-        let was_empty = robot.is_empty();
-        robot.drive(drive);
         robot.step(&floor.walls, world, life);
         let pose = robot.pose();
         self.steps += 1;

@@ -9,6 +9,7 @@ mod by_map;
 mod cleaning_cycle;
 mod command;
 mod dock;
+mod drive_on;
 mod explore;
 mod follow_path;
 mod info;
@@ -24,6 +25,7 @@ mod wall_follow;
 
 pub use by_map::clean_by_map;
 pub use command::Joystick;
+pub use drive_on::drive_on;
 pub use follow_path::FollowPath;
 pub use info::{BehaviourClaims, BehaviourInfo, Setup};
 pub use intent::Intent;
