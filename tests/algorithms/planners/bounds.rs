@@ -210,8 +210,8 @@ fn walks_of_planners_are_above() {
 fn best_known_walks_are_above() {
     let known = [
         ("own: empty", 259),
-        ("own: clutter", 1),
-        ("own: hall", 2),
+        ("own: clutter", 258),
+        ("own: hall", 647),
         ("a_", 475),
         ("b_", 81),
         ("c_", 1565),
@@ -234,11 +234,11 @@ fn best_known_walks_are_above() {
 /// What the relaxation reaches in a small part of the time that it may take.
 #[test]
 fn relaxations_of_measured_rooms_get_near_the_best_known_walks() {
-    // Proven optimal but for the halls: 98.5 % of the best bound known.
+    // Proven optimal but for the clutter and the halls; on `c_` 98.5 % of the best bound known.
     let known = [
         ("own: empty", [259, 259]),
-        ("own: clutter", [1, 1]),
-        ("own: hall", [1, 2]),
+        ("own: clutter", [254, 258]),
+        ("own: hall", [619, 647]),
         ("a_", [475, 475]),
         ("b_", [81, 81]),
         ("c_", [1533, 1565]),

@@ -21,9 +21,9 @@ const PLANNERS: [&str; 7] = [
 
 /// What each of them may cost in a room.
 const COSTS: &[(&str, [usize; 7])] = &[
-    ("own: empty", [0; 7]),
-    ("own: clutter", [0; 7]),
-    ("own: hall", [0; 7]),
+    ("own: empty", [299, 287, 259, 259, 259, 259, 259]),
+    ("own: clutter", [306, 325, 299, 321, 294, 313, 278]),
+    ("own: hall", [769, 751, 669, 687, 667, 687, 649]),
     // The last is one less than the best complete peer, 1632, 9381 and 17180; the optimum on the first two.
     ("a_", [516, 516, 480, 475, 476, 475, 475]),
     ("b_", [124, 128, 108, 97, 81, 81, 81]),
@@ -52,8 +52,8 @@ fn walks_cost_no_more_than_those_of_the_same_planner_elsewhere() {
 fn near_optimal_is_near_the_optimum_and_proves_it_where_rooms_are_small() {
     let asked = [
         ("own: empty", (259, true)),
-        ("own: clutter", (1, true)),
-        ("own: hall", (1, false)),
+        ("own: clutter", (258, false)),
+        ("own: hall", (647, false)),
         ("a_", (475, true)),
         ("b_", (81, true)),
         ("c_", (1574, false)),

@@ -211,7 +211,7 @@ pub fn measured_grids() -> Vec<Scenario> {
     let own = [
         ("own: empty", Grid::filled(18, 12, true)),
         ("own: clutter", random_clutter(14, 10, 0.15, 7)),
-        ("own: hall", random_hall(40, 30, 3)),
+        ("own: hall", random_hall(30, 20, 3)),
     ];
     let own = own.map(|(name, free)| Scenario::once(name, free, Cell::new(0, 0)));
     own.into_iter().chain(shared_grids()).collect()
