@@ -35,7 +35,7 @@ fn office() -> FloorPlan {
 }
 
 fn setup(outline: Outline, cell: f64) -> SweepSetup {
-    SweepSetup { outline, scan_width: None, cell, headings: 1, start: None }
+    SweepSetup { outline, scan_width: None, cell, start: None }
 }
 
 fn sweeps(criterion: &mut Criterion) {

@@ -8,7 +8,8 @@ use js_sys::{Array, Function, Reflect, Uint8Array};
 use paint::{FloorPlanPainter, ShownPlan};
 use robovac_app::{
     Viewport,
-    floor_plan::{DrawingPart, DrawingSession, DrawingTool, FloorPlanSettings, Format, coarse},
+    export::PathFormat,
+    floor_plan::{DrawingPart, DrawingSession, DrawingTool, FloorPlanSettings, coarse},
 };
 use robovac_core::geometry::{Point, Vector};
 use robovac_playground::wire::{clock, map_file, to_js};
@@ -160,7 +161,7 @@ impl FloorPlanSession {
 
     /// The sweep as a file: `{ name, media, bytes }`.
     pub fn export(&self, format: &str) -> Result<JsValue, JsValue> {
-        let format: Format = serde_wasm_bindgen::from_value(format.into()).map_err(|e| e.to_string())?;
+        let format: PathFormat = serde_wasm_bindgen::from_value(format.into()).map_err(|e| e.to_string())?;
         let file = self.board.as_ref().ok_or("there is no floor plan yet")?.export(format)?;
         let object = js_sys::Object::new();
         Reflect::set(&object, &"name".into(), &file.name.into())?;

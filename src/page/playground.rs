@@ -570,11 +570,6 @@ impl Playground {
         self.session.report_error(message);
     }
 
-    /// Takes the message away.
-    pub fn dismiss(&mut self) {
-        self.session.dismiss();
-    }
-
     // ---- the picture
 
     /// The canvas is `width` x `height` CSS pixels on a screen with `ratio` device pixels each.

@@ -1,8 +1,9 @@
 //! The drawing board: what comes of files, choices and the hand, without a browser.
 
 use floor_drawing::Role;
-use robovac_app::floor_plan::{
-    BodyChoice, DrawingPart, DrawingSession, DrawingSource, DrawingTool, FloorPlanSettings, Format, coarse,
+use robovac_app::{
+    export::PathFormat,
+    floor_plan::{BodyChoice, DrawingPart, DrawingSession, DrawingSource, DrawingTool, FloorPlanSettings, coarse},
 };
 use robovac_core::{
     floor_plan::SourceFile,
@@ -261,20 +262,20 @@ fn what_can_not_be_swept_says_why_and_leaves_the_room() {
 #[test]
 fn a_sweep_leaves_in_every_format() {
     let mut board = furnished(Some(6));
-    assert!(board.export(Format::Csv).unwrap_err().contains("plan the sweep"));
+    assert!(board.export(PathFormat::Csv).unwrap_err().contains("plan the sweep"));
     plan(&mut board).unwrap();
     let text = |format| String::from_utf8(board.export(format).unwrap().bytes).unwrap();
-    let drawing = text(Format::Dxf);
+    let drawing = text(PathFormat::Dxf);
     for layer in ["WALLS", "TABLES", "SWEEP_PATH", "SWEEP_SUBGOALS", "SWEEP_LINKS"] {
         assert!(drawing.contains(layer), "{layer}");
     }
     // It can be opened again, with the path at its place.
     let again = DrawingSession::open(&[file("again.dxf", drawing)]).unwrap();
     assert_eq!(again.view().size.as_deref(), Some("4.0 × 3.0 m"));
-    assert!(text(Format::Program).contains("MOVE"));
-    assert!(text(Format::Csv).starts_with("x_m,"));
-    assert!(text(Format::Poses).contains("poses"));
-    assert!(text(Format::Commands).lines().count() > 10);
+    assert!(text(PathFormat::Program).contains("MOVE"));
+    assert!(text(PathFormat::Csv).starts_with("x_m,"));
+    assert!(text(PathFormat::Poses).contains("poses"));
+    assert!(text(PathFormat::Commands).lines().count() > 10);
 }
 
 #[test]
@@ -287,23 +288,23 @@ fn files_of_a_sweep_agree_on_where_it_begins() {
     assert!((at - board.planned().unwrap().path[0]).norm() > 0.5, "the drawing's frame is another: {origin}");
     let text = |format| String::from_utf8(board.export(format).unwrap().bytes).unwrap();
     let start = format!("start     x {:.3} m, y {:.3} m, heading 0.0 deg", at.x, at.y);
-    for format in [Format::Program, Format::Commands] {
+    for format in [PathFormat::Program, PathFormat::Commands] {
         assert!(text(format).contains(&start), "{start}: {}", text(format));
     }
     let row = format!("\n{:.4},{:.4},0.000000,0.0000,0.000\n", at.x, at.y);
-    assert!(text(Format::Csv).contains(&row), "{row}: {}", text(Format::Csv));
+    assert!(text(PathFormat::Csv).contains(&row), "{row}: {}", text(PathFormat::Csv));
     let position = format!("position: {{x: {:.4}, y: {:.4}, z: 0.0}}", at.x, at.y);
-    assert!(text(Format::Poses).contains(&position), "{position}");
+    assert!(text(PathFormat::Poses).contains(&position), "{position}");
 }
 
 #[test]
 fn sweeps_of_a_room_and_of_the_whole_drawing_have_names_of_their_own() {
     let mut board = furnished(Some(6));
     plan(&mut board).unwrap();
-    let whole = board.export(Format::Csv).unwrap().name;
+    let whole = board.export(PathFormat::Csv).unwrap().name;
     change(&mut board, |settings| settings.part = DrawingPart::Rectangle { corners: [[1.0, 0.5], [4.0, 3.0]] });
     plan(&mut board).unwrap();
-    let part = board.export(Format::Csv).unwrap().name;
+    let part = board.export(PathFormat::Csv).unwrap().name;
     assert!(whole.ends_with("-sweep.csv") && part.ends_with("-part-sweep.csv") && whole != part, "{whole} {part}");
 }
 
@@ -313,7 +314,7 @@ fn files_of_a_sweep_name_the_robot_that_it_was_planned_for() {
     let mut heads = |body: BodyChoice| {
         change(&mut board, |settings| settings.body = body);
         plan(&mut board).unwrap();
-        [Format::Program, Format::Commands].map(|format| {
+        [PathFormat::Program, PathFormat::Commands].map(|format| {
             let text = String::from_utf8(board.export(format).unwrap().bytes).unwrap();
             let is_comment = |line: &&str| line.starts_with([';', '#']);
             text.lines().take_while(is_comment).collect::<Vec<_>>().join("\n")
@@ -368,7 +369,7 @@ fn a_map_that_is_swept_leaves_as_a_drawing_with_its_walls() {
     let inside = "#..................#\n".repeat(18);
     let mut board = open(file("map.txt", format!("; resolution 0.1\n{head}\n{inside}{head}\n")));
     plan(&mut board).unwrap();
-    let drawing = board.export(Format::Dxf).unwrap();
+    let drawing = board.export(PathFormat::Dxf).unwrap();
     let again = DrawingSession::open(&[SourceFile { name: drawing.name, bytes: drawing.bytes }]).unwrap();
     let layers: Vec<String> = again.view().layers.into_iter().map(|layer| layer.name).collect();
     assert_eq!(again.view().size.as_deref(), Some("1.8 × 1.8 m"), "the floor within its walls, in metres");
@@ -425,7 +426,7 @@ fn what_was_drawn_here_is_no_wall_when_it_is_opened_again() {
     let mut board = furnished(Some(6));
     plan(&mut board).unwrap();
     let floor = |board: &DrawingSession| board.view().room.map(|room| room.floor_m2);
-    let drawing = board.export(Format::Dxf).unwrap();
+    let drawing = board.export(PathFormat::Dxf).unwrap();
     let again = DrawingSession::open(&[SourceFile { name: drawing.name, bytes: drawing.bytes }]).unwrap();
     assert!(floor(&board).is_some());
     assert_eq!(floor(&again), floor(&board));

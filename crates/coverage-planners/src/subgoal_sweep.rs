@@ -118,11 +118,9 @@ impl Planner for SubgoalSweep {
         let mut detours = Detours::new(free);
         let mut progress = CoverageProgress::new(job);
         let mut tally = LinkTally::default();
-        let mut from = Err(job.start);
-        while let Some((to, found)) = scan.next(free, from) {
+        scan.link_all(free, Err(job.start), |_, to, found| {
             progress.report(ctx)?;
-            scan.track(to);
-            let (step, at, goal) = (progress.steps(), progress.at, points[to].cell);
+            let (step, at, goal) = (progress.steps(), progress.at, points[to].at);
             if is_straight_free(free, at, goal) {
                 follow(&mut progress, job, &[goal]);
                 ctx.trace(|| link(step, at, (&points, to), found, None, &tally));
@@ -134,8 +132,8 @@ impl Planner for SubgoalSweep {
                 follow(&mut progress, job, way.get(1..).unwrap_or_default());
                 ctx.trace(|| link(step, at, (&points, to), found, Some(progress.steps() - step), &tally));
             }
-            from = Ok(to);
-        }
+            Ok::<(), PlanError>(())
+        })?;
         finish(&mut progress, ctx)?;
         Ok(progress.into_path())
     }
@@ -194,7 +192,7 @@ fn contacts(points: &[Subgoal], job: &CoverageJob) -> TraceStep {
         rule: "Subgoal points".into(),
         at: job.start,
         towards: job.heading,
-        marks: points.iter().zip(1..).map(|(point, number)| (point.cell, number)).collect(),
+        marks: points.iter().zip(1..).map(|(point, number)| (point.at, number)).collect(),
         sides: None,
         note: format!(
             "{} contacts: {left} LEFT_WALL, {right} RIGHT_WALL, {left_solid} LEFT_OBSTACLE, {right_solid} RIGHT_OBSTACLE",
@@ -216,7 +214,7 @@ fn link(
     tally: &LinkTally,
 ) -> TraceStep {
     let near = points.iter().zip(1..).filter(|(point, _)| point.line.abs_diff(points[to].line) <= SHOWN_LINES);
-    let marks = near.map(|(point, number)| (point.cell, number)).collect();
+    let marks = near.map(|(point, number)| (point.at, number)).collect();
     let number = to + 1;
     let to = &points[to];
     let rule = match (found, detour) {
@@ -225,7 +223,7 @@ fn link(
         (FoundBy::Beside, None) => "Across beside",
         (FoundBy::Nearest, None) => "Nearest point",
     };
-    let (dx, dy) = (to.cell.x - at.x, to.cell.y - at.y);
+    let (dx, dy) = (to.at.x - at.x, to.at.y - at.y);
     let towards = match (dx.abs() >= dy.abs(), dx > 0, dy > 0) {
         (true, true, _) => Direction::Right,
         (true, false, _) => Direction::Left,

@@ -3,16 +3,15 @@
 use super::{drawing::DrawingOptions, failure::Failure, output, source::RoomSource};
 use coverage_planners::{
     stage::LineEndContact,
-    sweep::{Sweep, SweepError, SweepSetup, in_frame, planned_for, program, sweep, to_csv, to_ros_path},
+    sweep::{Sweep, SweepError, SweepSetup, in_frame, planned_for, sweep},
 };
 use floor_drawing::{Traced, is_drawing, is_dxf};
-use robovac_app::floor_plan::sweep_dxf;
+use robovac_app::{export::PathFormat, floor_plan::sweep_dxf};
 use robovac_core::{
     cspace::{CspaceError, Outline},
     geometry::{Point, Vector},
     robot::{RobotModel, model},
 };
-use robovac_link::commands_text;
 use serde::Serialize;
 use std::{fs, ops::ControlFlow, path::PathBuf, time::Instant};
 
@@ -86,23 +85,15 @@ struct StageLink {
     way: Vec<[f64; 2]>,
 }
 
-/// What a file holds.
-#[derive(Clone, Copy)]
-enum Format {
-    Csv,
-    Yaml,
-    Bytes,
-    Program,
-    Json,
-    Dxf,
-}
+/// What a file holds: a path, or all stages as JSON.
+type SweepFormat = Option<PathFormat>;
 
 /// Plans, writes the files, and returns the numbers that are to be printed.
 pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let unknown = || Failure::unknown("robot", &arguments.robot, "robots");
     let robot = model(&arguments.robot).ok_or_else(unknown)?;
     // What can't be written is told before anything is planned.
-    let formats: Vec<Format> = arguments.out.iter().map(|out| format_of(out)).collect::<Result<_, _>>()?;
+    let formats: Vec<SweepFormat> = arguments.out.iter().map(|out| format_of(out)).collect::<Result<_, _>>()?;
     let outline = arguments.outline.as_deref().map_or_else(|| Ok(Outline::of(robot)), parse_outline)?;
     let file = arguments.source.file()?.filter(is_drawing);
     let room = match &file {
@@ -117,7 +108,6 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
         outline,
         scan_width: arguments.scan_width,
         cell: arguments.cell.unwrap_or(0.25 * width),
-        headings: 1,
         start: plan.start,
     };
     let begin = Instant::now();
@@ -146,43 +136,29 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     Ok(output::json(&report))
 }
 
-fn format_of(out: &std::path::Path) -> Result<Format, Failure> {
+fn format_of(out: &std::path::Path) -> Result<SweepFormat, Failure> {
     let name = out.file_name().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
-    // The longer ending first.
-    let endings = [
-        (".oi.txt", Format::Bytes),
-        (".csv", Format::Csv),
-        (".yaml", Format::Yaml),
-        (".txt", Format::Program),
-        (".json", Format::Json),
-        (".dxf", Format::Dxf),
-    ];
-    endings.into_iter().find(|(ending, _)| name.ends_with(ending)).map(|(_, format)| format).ok_or_else(|| {
+    let paths = PathFormat::ALL.map(|format| (format.file_type().0, Some(format)));
+    let mut all = paths.into_iter().chain([("json", None)]);
+    all.find(|(ending, _)| name.ends_with(&format!(".{ending}"))).map(|(_, format)| format).ok_or_else(|| {
         let endings = ".csv, .yaml, .oi.txt, .txt, .json or .dxf";
         Failure::usage(format!("--out {}: unknown file extension; use {endings}", out.display()))
     })
 }
 
 fn written(
-    format: Format,
+    format: SweepFormat,
     found: &Sweep,
     report: &SweepReport<'_>,
     (room, original): (&Traced, Option<&[u8]>),
     (robot, heading, planned): (&RobotModel, f64, &str),
 ) -> Result<Vec<u8>, Failure> {
+    let Some(format) = format else { return Ok(output::json(&stages(found, report)).into_bytes()) };
     let (path, heading) = in_frame(&found.path, heading, room.plan.origin);
-    let text = match format {
-        Format::Dxf => return Ok(sweep_dxf(found, room, original)?),
-        Format::Csv => to_csv(&path, heading, robot),
-        Format::Yaml => to_ros_path(&path, heading, robot),
-        Format::Program => program(&path, heading, robot, planned),
-        Format::Bytes => {
-            let roomba = model("roomba600").ok_or_else(|| Failure::unknown("robot", "roomba600", "robots"))?;
-            commands_text(&path, heading, roomba, planned)
-        }
-        Format::Json => output::json(&stages(found, report)),
-    };
-    Ok(text.into_bytes())
+    match format.text((&path, heading), robot, planned) {
+        Some(text) => Ok(text.into_bytes()),
+        None => Ok(sweep_dxf(found, room, original)?),
+    }
 }
 
 fn stages<'a>(found: &Sweep, report: &'a SweepReport<'a>) -> Stages<'a> {

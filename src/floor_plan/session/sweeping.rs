@@ -90,7 +90,7 @@ pub(super) fn draw(
 }
 
 /// Triangles that point to the side that touches something; `size` is negative for the left.
-fn triangles<'a>(context: &Context, view: &Viewport, subgoals: impl Iterator<Item = &'a Subgoal>, size: f64) {
+fn triangles<'a>(context: &Context, view: &Viewport, subgoals: impl Iterator<Item = &'a Subgoal<Point>>, size: f64) {
     context.begin_path();
     for subgoal in subgoals {
         let at = view.to_screen(subgoal.at);

@@ -66,7 +66,7 @@ impl<'a> SubgoalScan<'a> {
         let mut sorted: Vec<u32> = (0..subgoals.len() as u32).collect();
         let key = |&number: &u32| {
             let s = &subgoals[number as usize];
-            (s.line, s.cell.x, !s.contact.is_left())
+            (s.line, s.at.x, !s.contact.is_left())
         };
         sorted.sort_unstable_by_key(key);
         let mut places = vec![0; sorted.len()];
@@ -76,7 +76,7 @@ impl<'a> SubgoalScan<'a> {
             let subgoal = &subgoals[number as usize];
             // A line without points gets a row that keeps their order, and is done from the start.
             while rows.len() <= subgoal.line as usize {
-                rows.push(subgoal.cell.y);
+                rows.push(subgoal.at.y);
                 starts.push(place);
             }
         }
@@ -89,7 +89,7 @@ impl<'a> SubgoalScan<'a> {
 
     /// The point to go to from `from` or, at the start, from a cell; `None` once all are tracked.
     pub fn next(&mut self, free: &Grid<bool>, from: Result<usize, Cell>) -> Option<(usize, FoundBy)> {
-        let at = from.map_or_else(|cell| cell, |number| self.subgoals[number].cell);
+        let at = from.map_or_else(|cell| cell, |number| self.subgoals[number].at);
         if let Ok(number) = from {
             if let Some(across) = self.across(number) {
                 return Some((across, FoundBy::Across));
@@ -101,6 +101,22 @@ impl<'a> SubgoalScan<'a> {
             }
         }
         self.nearest(at).map(|number| (number, FoundBy::Nearest))
+    }
+
+    /// Links all points that are left: `go` is told from where, as [`SubgoalScan::next`] takes it, to which point, and by
+    /// which step that was found. Returns the last one.
+    pub fn link_all<E>(
+        &mut self,
+        free: &Grid<bool>,
+        mut from: Result<usize, Cell>,
+        mut go: impl FnMut(Result<usize, Cell>, usize, FoundBy) -> Result<(), E>,
+    ) -> Result<Option<usize>, E> {
+        while let Some((to, found)) = self.next(free, from) {
+            self.track(to);
+            go(from, to, found)?;
+            from = Ok(to);
+        }
+        Ok(from.ok())
     }
 
     /// Sets a point's tracked flag.
@@ -125,7 +141,7 @@ impl<'a> SubgoalScan<'a> {
 
     /// Steps 3 to 5: the nearest point of the other side on the line above, or else below, with a clear way.
     fn beside(&mut self, free: &Grid<bool>, number: usize) -> Option<usize> {
-        let Subgoal { cell, contact, line, .. } = self.subgoals[number];
+        let Subgoal { at: cell, contact, line, .. } = self.subgoals[number];
         let lines = [line.checked_sub(1), Some(line + 1).filter(|&next| (next as usize) < self.rows.len())];
         lines.into_iter().flatten().find_map(|line| {
             let (begin, end) = (self.starts[line as usize] as usize, self.starts[line as usize + 1] as usize);
@@ -133,8 +149,8 @@ impl<'a> SubgoalScan<'a> {
             let across = points.filter(|&(number, place)| {
                 self.left.has(place) && self.subgoals[number].contact.is_left() != contact.is_left()
             });
-            let nearest = across.min_by_key(|&(number, _)| self.subgoals[number].cell.x.abs_diff(cell.x))?.0;
-            is_straight_free(free, cell, self.subgoals[nearest].cell).then_some(nearest)
+            let nearest = across.min_by_key(|&(number, _)| self.subgoals[number].at.x.abs_diff(cell.x))?.0;
+            is_straight_free(free, cell, self.subgoals[nearest].at).then_some(nearest)
         })
     }
 
@@ -155,8 +171,8 @@ impl<'a> SubgoalScan<'a> {
                 break;
             }
             let (begin, end) = (self.starts[line] as usize, self.starts[line + 1] as usize);
-            let cell_of = |place: usize| self.subgoals[self.sorted[place] as usize].cell;
-            let split = begin + self.sorted[begin..end].partition_point(|&n| self.subgoals[n as usize].cell.x < at.x);
+            let cell_of = |place: usize| self.subgoals[self.sorted[place] as usize].at;
+            let split = begin + self.sorted[begin..end].partition_point(|&n| self.subgoals[n as usize].at.x < at.x);
             let before = split.checked_sub(1).and_then(|place| self.left.at_or_before(place)).filter(|&p| p >= begin);
             let after = self.left.at_or_after(split).filter(|&place| place < end);
             for place in [before, after].into_iter().flatten() {
@@ -230,10 +246,11 @@ mod tests {
         let mut scan = SubgoalScan::new(&found, beside);
         scan.track(0);
         let mut links = vec![(0, FoundBy::Nearest)];
-        while let Some((next, by)) = scan.next(&free, Ok(links[links.len() - 1].0)) {
-            scan.track(next);
+        let link = |_, next, by| {
             links.push((next, by));
-        }
+            Ok::<(), ()>(())
+        };
+        scan.link_all(&free, Ok(0), link).unwrap().unwrap();
         (found, links)
     }
 
@@ -249,7 +266,7 @@ mod tests {
     fn lines_are_swept_to_and_fro() {
         use FoundBy::{Across, Nearest};
         let (points, links) = order("....\n....\n....", Beside::Never);
-        let cells: Vec<_> = links.iter().map(|&(n, _)| (points[n].cell.x, points[n].cell.y)).collect();
+        let cells: Vec<_> = links.iter().map(|&(n, _)| (points[n].at.x, points[n].at.y)).collect();
         assert_eq!(cells, [(0, 2), (3, 2), (3, 1), (0, 1), (0, 0), (3, 0)]);
         assert_eq!(points[0].contact, LineEndContact::LeftWall);
         assert!(links.iter().map(|l| l.1).eq([Nearest, Across, Nearest, Across, Nearest, Across]));
@@ -259,7 +276,7 @@ mod tests {
     #[test]
     fn printed_steps_cross_the_room_slantwise() {
         let (points, links) = order("....\n....\n....", Beside::First);
-        let cells: Vec<_> = links.iter().map(|&(n, _)| (points[n].cell.x, points[n].cell.y)).collect();
+        let cells: Vec<_> = links.iter().map(|&(n, _)| (points[n].at.x, points[n].at.y)).collect();
         assert_eq!(cells, [(0, 2), (3, 2), (0, 1), (3, 1), (0, 0), (3, 0)]);
         assert_eq!(links[2].1, FoundBy::Beside);
     }
@@ -289,7 +306,7 @@ mod tests {
             let mut is_left = vec![true; found.len()];
             for _ in 0..found.len() {
                 let at = Cell::new(rng.random_range(-3..43), rng.random_range(-3..28));
-                let square = |s: &Subgoal| (s.cell.x - at.x).pow(2) + (s.cell.y - at.y).pow(2);
+                let square = |s: &Subgoal| (s.at.x - at.x).pow(2) + (s.at.y - at.y).pow(2);
                 let (got, _) = scan.next(&free, Err(at)).unwrap();
                 let left = found.iter().zip(&is_left).filter(|(_, left)| **left);
                 assert_eq!(left.map(|(s, _)| square(s)).min(), Some(square(&found[got])));

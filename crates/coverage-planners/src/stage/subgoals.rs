@@ -54,11 +54,12 @@ impl LineEndContact {
     }
 }
 
-/// A subgoal point on the grid: the paper's `SubgoalPoints`, whose `tracked_flag` is kept by [`super::SubgoalScan`].
+/// A subgoal point, in a cell or (as a [`Point`](robovac_core::geometry::Point), m) at the very place where the body touches:
+/// the paper's `SubgoalPoints`, whose `tracked_flag` is kept by [`super::SubgoalScan`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Subgoal {
+pub struct Subgoal<P = Cell> {
     /// `posion`: where the robot is.
-    pub cell: Cell,
+    pub at: P,
     /// `status`: what it touches.
     pub contact: LineEndContact,
     /// The scan line, counted from the top.
@@ -99,7 +100,7 @@ pub fn subgoals(free: &Grid<bool>, rows: &[i32], obstacles: &ObstacleRuns) -> Ve
             let (left, right) =
                 (obstacles.number(Cell::new(first as i32 - 1, y)), obstacles.number(Cell::new(end as i32, y)));
             let subgoal = |x: usize, wall: LineEndContact, solid: LineEndContact, obstacle: Option<u32>| Subgoal {
-                cell: Cell::new(x as i32, y),
+                at: Cell::new(x as i32, y),
                 contact: if obstacle.is_some() { solid } else { wall },
                 line,
                 obstacle,
@@ -137,7 +138,7 @@ mod tests {
             ........",
             1.0,
         );
-        let got: Vec<_> = found.iter().map(|s| (s.cell.x, s.cell.y, s.contact, s.obstacle)).collect();
+        let got: Vec<_> = found.iter().map(|s| (s.at.x, s.at.y, s.contact, s.obstacle)).collect();
         assert_eq!(
             got,
             [
@@ -174,6 +175,6 @@ mod tests {
     fn run_of_one_cell_is_touched_on_both_sides() {
         let found = scanned("#.#", 1.0);
         assert_eq!(found.len(), 2);
-        assert!(found[0].cell == found[1].cell && found[0].contact.is_left() && !found[1].contact.is_left());
+        assert!(found[0].at == found[1].at && found[0].contact.is_left() && !found[1].contact.is_left());
     }
 }

@@ -14,9 +14,9 @@ mod program;
 mod stages;
 mod track;
 
-pub use crate::stage::LineEndContact;
+pub use crate::stage::{LineEndContact, Subgoal};
 pub use error::SweepError;
 pub use pipeline::{SCAN_WIDTHS, sweep};
 pub use program::{planned_for, program};
-pub use stages::{Subgoal, SubgoalLink, Sweep, SweepSetup};
+pub use stages::{SubgoalLink, Sweep, SweepSetup};
 pub use track::{FRAME, in_frame, start_text, to_csv, to_ros_path};

@@ -1,12 +1,12 @@
 //! The stages in order.
 
 use super::{
-    Subgoal, SubgoalLink, Sweep, SweepError, SweepSetup,
+    SubgoalLink, Sweep, SweepError, SweepSetup,
     cover::Cover,
     finish::finish,
     linker::{CornerLine, WayLinker},
 };
-use crate::stage::{self, Beside, Detours, SubgoalScan, scan_rows, subgoals};
+use crate::stage::{Beside, Detours, Subgoal, SubgoalScan, scan_rows, subgoals};
 use robovac_core::{
     cspace::{ConfigurationSpace, Motion, ObstacleRuns},
     floor_plan::{FloorPlan, MAX_RESOLUTION, MIN_RESOLUTION},
@@ -17,8 +17,6 @@ use std::ops::{ControlFlow, RangeInclusive};
 
 /// Distances between scan lines that can be asked for, m.
 pub const SCAN_WIDTHS: RangeInclusive<f64> = 0.001..=100.0;
-/// Most headings of an obstacle map: one a degree.
-const MAX_HEADINGS: usize = 360;
 /// Links between two reports.
 const REPORT_EVERY: usize = 256;
 
@@ -64,36 +62,35 @@ pub fn sweep(
     }
     report(DONE[1])?;
     let mut linker = WayLinker { free: &reached, motion: &motion, detours: Detours::new(&reached), cell: setup.cell };
-    let stop = |number: usize| (points[number].cell, places[number]);
+    let stop = |number: usize| (points[number].at, places[number]);
     let mut scan = SubgoalScan::new(&points, Beside::Never);
     let start = setup.start.map(|pose| start_place(pose, begin, &motion, setup.cell));
-    let first = match start {
-        None => 0,
-        Some(_) => scan.next(&reached, Err(begin)).map_or(0, |(first, _)| first),
-    };
-    scan.track(first);
     let mut path = CornerLine::default();
-    if let Some(start) = start {
-        path.extend(&linker.way((begin, start), stop(first)).0);
-    }
-    path.extend(&[places[first]]);
     let mut links: Vec<SubgoalLink> = Vec::with_capacity(points.len());
-    let mut from = first;
-    while let Some((to, _)) = scan.next(&reached, Ok(from)) {
+    let first = start.map_or(Ok(0), |_| Err(begin));
+    if first.is_ok() {
+        scan.track(0);
+        path.extend(&[places[0]]);
+    }
+    let last = scan.link_all(&reached, first, |from, to, _| {
+        let Ok(from) = from else {
+            path.extend(&linker.way((begin, start.unwrap_or(places[to])), stop(to)).0);
+            path.extend(&[places[to]]);
+            return Ok(());
+        };
         if links.len().is_multiple_of(REPORT_EVERY) {
             report(DONE[1] + (DONE[2] - DONE[1]) * links.len() as f64 / points.len() as f64)?;
         }
-        scan.track(to);
         let (way, collides) = linker.way(stop(from), stop(to));
         path.extend(&way);
         links.push(SubgoalLink { from, to, collides, way });
-        from = to;
-    }
+        Ok::<(), SweepError>(())
+    })?;
     report(DONE[2])?;
     let mut cover = Cover::new(outline, &reached, setup.cell, &path.corners);
     let linked_share = cover.share();
     let mut told = |share: f64| report(DONE[2] + (DONE[3] - DONE[2]) * share);
-    let finish = finish(&mut linker, &mut cover, &rows, stop(from), &mut told)?;
+    let finish = finish(&mut linker, &mut cover, &rows, stop(last.unwrap_or(0)), &mut told)?;
     for way in &finish {
         path.extend(way);
     }
@@ -101,8 +98,8 @@ pub fn sweep(
     let resolved = links.iter().filter(|link| link.collides && !link.way.is_empty()).count();
     let length = path.corners.windows(2).map(|piece| (piece[1] - piece[0]).norm()).sum();
     let points = points.iter().zip(&places);
-    let points = points.map(|(p, &at)| Subgoal { at, contact: p.contact, line: p.line, obstacle: p.obstacle });
-    let subgoals = points.collect();
+    let placed = |(&Subgoal { contact, line, obstacle, .. }, &at)| Subgoal { at, contact, line, obstacle };
+    let subgoals = points.map(placed).collect();
     report(1.0)?;
     Ok(Sweep {
         free,
@@ -131,9 +128,6 @@ fn check(setup: &SweepSetup, scan_width: f64) -> Result<(), SweepError> {
     if setup.scan_width.is_some() && !SCAN_WIDTHS.contains(&scan_width) {
         let expected = format!("{} to {} m", SCAN_WIDTHS.start(), SCAN_WIDTHS.end());
         return refuse("the distance between scan lines", scan_width, expected);
-    }
-    if !(1..=MAX_HEADINGS).contains(&setup.headings) {
-        return refuse("the number of headings", setup.headings as f64, format!("1 to {MAX_HEADINGS}"));
     }
     if let Some(pose) = setup.start {
         for value in [pose.x, pose.y] {
@@ -164,10 +158,10 @@ fn start_place(start: Pose, begin: Cell, motion: &Motion, cell: f64) -> Point {
 }
 
 /// Where the body's origin is when it touches: less than a cell beyond the centre of the last FREE cell of the run.
-fn places(points: &[stage::Subgoal], motion: &Motion, cell: f64) -> Vec<Point> {
+fn places(points: &[Subgoal], motion: &Motion, cell: f64) -> Vec<Point> {
     let mut blocked = (None, Vec::new());
-    let place = |point: &stage::Subgoal| {
-        let centre = point.cell.centre(cell);
+    let place = |point: &Subgoal| {
+        let centre = point.at.centre(cell);
         if blocked.0 != Some(point.line) {
             blocked = (Some(point.line), motion.blocked(centre.y));
         }

@@ -1,24 +1,11 @@
 //! Input and results of the stages.
 
-use crate::stage::LineEndContact;
+use crate::stage::Subgoal;
 use robovac_core::{
     cspace::Outline,
     geometry::{Point, Pose},
     grid::Grid,
 };
-
-/// A subgoal point.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Subgoal {
-    /// Where the body's origin is, m in the room: the very place at which it touches, not a cell's centre.
-    pub at: Point,
-    /// What it touches.
-    pub contact: LineEndContact,
-    /// The scan line, counted from the top.
-    pub line: u32,
-    /// The obstacle that it touches, counted from 1; `None` for a wall.
-    pub obstacle: Option<u32>,
-}
 
 /// A step from one subgoal to the next.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,8 +29,6 @@ pub struct SweepSetup {
     pub scan_width: Option<f64>,
     /// Side of the obstacle map's cells, m.
     pub cell: f64,
-    /// Headings of the obstacle map; the sweep itself keeps heading 0.
-    pub headings: usize,
     /// Where the robot is; the first subgoal if `None`.
     pub start: Option<Pose>,
 }
@@ -57,8 +42,8 @@ pub struct Sweep {
     pub cell: f64,
     /// Distance between scan lines, m; lines lie in the rows of cells nearest below, so it holds on average.
     pub scan_width: f64,
-    /// Stage 1: subgoal points in the order of the scan (Fig. 3).
-    pub subgoals: Vec<Subgoal>,
+    /// Stage 1: subgoal points in the order of the scan (Fig. 3), each at the very place at which the body touches, m.
+    pub subgoals: Vec<Subgoal<Point>>,
     /// Stages 2 and 3: links in the order in which they are driven (Figs 4 and 5).
     pub links: Vec<SubgoalLink>,
     /// Links whose straight way collides.

@@ -1,17 +1,19 @@
 //! Rooms and paths as files for other programs.
 
+mod path_format;
 mod svg;
 
+pub use path_format::PathFormat;
 pub use svg::to_svg;
 
-use coverage_planners::sweep::{in_frame, planned_for, program, to_csv, to_ros_path};
+use self::path_format::ROOMBA;
+use coverage_planners::sweep::{in_frame, planned_for};
 use floor_drawing::DrawingError;
 use robovac_core::{
     floor_plan::{FloorPlan, MapImage, OccupancyMode, RosMapError, Scenario, to_ascii, to_ros_map},
     geometry::Point,
-    robot::{RobotModel, model},
+    robot::RobotModel,
 };
-use robovac_link::commands_text;
 use robovac_sim::experiment::planning::choose_robot;
 
 /// A file to be saved.
@@ -103,9 +105,6 @@ pub const FORMATS: &[Format] = &[
     },
 ];
 
-/// The robot that bytes are made for: only its drive speaks the Open Interface.
-const ROOMBA: &str = "roomba600";
-
 /// What can be in files: a room with all that is chosen for it, and perhaps a path.
 #[derive(Debug, Clone)]
 pub struct Exported<'a> {
@@ -172,19 +171,16 @@ impl Exported<'_> {
         let robot = self.robot()?;
         let start = self.plan.start.map_or(0.0, |start| start.heading);
         let (path, heading) = in_frame(self.path, start, self.plan.origin);
-        match format {
-            "path_csv" => Ok(self.one("csv", "text/csv", to_csv(&path, heading, &robot))),
-            "path_ros" => Ok(self.one("path.yaml", "application/yaml", to_ros_path(&path, heading, &robot))),
-            "program" => {
-                let text = program(&path, heading, &robot, &planned_for(&robot));
-                Ok(self.one("program.txt", "text/plain", text))
-            }
-            "roomba" => {
-                let roomba = model(ROOMBA).ok_or(ExportError::NoRobot)?;
-                Ok(self.one("oi.txt", "text/plain", commands_text(&path, heading, roomba, &planned_for(&robot))))
-            }
-            other => Err(ExportError::Unknown(other.to_owned())),
-        }
+        let (name, format) = match format {
+            "path_csv" => ("", PathFormat::Csv),
+            "path_ros" => ("path.", PathFormat::Poses),
+            "program" => ("program.", PathFormat::Program),
+            "roomba" => ("", PathFormat::Commands),
+            other => return Err(ExportError::Unknown(other.to_owned())),
+        };
+        let text = format.text((&path, heading), &robot, &planned_for(&robot)).ok_or(ExportError::NoRobot)?;
+        let (ending, kind) = format.file_type();
+        Ok(self.one(&format!("{name}{ending}"), kind, text))
     }
 
     /// The robot of the scenario, or the Roomba if it names none.

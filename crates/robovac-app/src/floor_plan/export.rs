@@ -1,32 +1,17 @@
 //! Export of the Floor plan tab as files.
 
 use super::{DrawingPart, DrawingSession, DrawingSource};
-use crate::{export::ExportFile, floor_plan::sweep_dxf};
-use coverage_planners::sweep::{Sweep, in_frame, planned_for, program, to_csv, to_ros_path};
+use crate::{
+    export::{ExportFile, PathFormat},
+    floor_plan::sweep_dxf,
+};
+use coverage_planners::sweep::{Sweep, in_frame, planned_for};
 use floor_drawing::Traced;
 use robovac_core::{cspace::Outline, robot};
-use robovac_link::commands_text;
-use serde::{Deserialize, Serialize};
-
-/// A kind of file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Format {
-    /// The path on layers of its own, beside the drawing.
-    Dxf,
-    /// A human-readable program: turns and straight ways.
-    Program,
-    /// Bytes of the Open Interface with their times and meanings, as text. Always for the Roomba: no other robot here speaks it.
-    Commands,
-    /// Places with times.
-    Csv,
-    /// A path of ROS.
-    Poses,
-}
 
 impl DrawingSession {
     /// The sweep as a file.
-    pub fn export(&self, format: Format) -> Result<ExportFile, String> {
+    pub fn export(&self, format: PathFormat) -> Result<ExportFile, String> {
         let (Some(room), Some(sweep)) = (self.room(), self.planned()) else {
             return Err("plan the sweep first".to_owned());
         };
@@ -41,13 +26,11 @@ impl DrawingSession {
         // As the planner has it: the robot looks along x when it begins, or as the room's start says.
         let start = room.plan.start.map_or(0.0, |start| start.heading);
         let (path, heading) = in_frame(&sweep.path, start, room.plan.origin);
-        let (ending, kind, bytes) = match format {
-            Format::Dxf => ("dxf", "image/vnd.dxf", self.dxf(room, sweep)?),
-            Format::Program => ("txt", "text/plain", program(&path, heading, model, &planned).into_bytes()),
-            Format::Commands => ("oi.txt", "text/plain", commands_text(&path, heading, roomba, &planned).into_bytes()),
-            Format::Csv => ("csv", "text/csv", to_csv(&path, heading, model).into_bytes()),
-            Format::Poses => ("yaml", "text/yaml", to_ros_path(&path, heading, model).into_bytes()),
+        let bytes = match format.text((&path, heading), model, &planned) {
+            Some(text) => text.into_bytes(),
+            None => self.dxf(room, sweep)?,
         };
+        let (ending, kind) = format.file_type();
         // Sweeps of all and of a part of it may lie side by side.
         let part = match self.settings().part {
             DrawingPart::Whole => "",

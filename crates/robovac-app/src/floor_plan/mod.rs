@@ -21,7 +21,6 @@ pub use body::{BodyChoice, BodyError};
 pub use coarse::coarse;
 pub use colour::seen_on;
 pub use doors::Doors;
-pub use export::Format;
 pub use hand::{DrawingHand, DrawingTool};
 pub use overlay::{overlays, sweep_dxf};
 pub use session::{DrawingSession, PLANNER, warm_up};

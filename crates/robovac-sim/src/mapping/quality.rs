@@ -153,11 +153,6 @@ impl MapTruth {
         self.resolution
     }
 
-    /// Reachable floor, m².
-    pub fn floor_area(&self) -> f64 {
-        self.floor_cells as f64 * self.resolution * self.resolution
-    }
-
     /// Cells of the reachable boundary, as cells of the map.
     pub fn boundary(&self) -> impl Iterator<Item = Cell> {
         self.boundary.iter().map(|cell| Cell::new(cell.x - self.margin, cell.y - self.margin))

@@ -521,11 +521,6 @@ impl Session {
         self.say("error", sentence(text));
     }
 
-    /// Takes the message away.
-    pub fn dismiss(&mut self) {
-        self.message = None;
-    }
-
     fn say(&mut self, kind: &'static str, text: String) {
         self.message = Some(Message { kind, text });
     }

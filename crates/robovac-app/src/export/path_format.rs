@@ -1,0 +1,56 @@
+//! Files of a path.
+
+use coverage_planners::sweep::{program, to_csv, to_ros_path};
+use robovac_core::{
+    geometry::Point,
+    robot::{RobotModel, model},
+};
+use robovac_link::commands_text;
+use serde::{Deserialize, Serialize};
+
+/// The robot that bytes are made for: only its drive speaks the Open Interface.
+pub(super) const ROOMBA: &str = "roomba600";
+
+/// A kind of file that a path can be saved as.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum PathFormat {
+    /// Bytes of the Open Interface with their times and meanings, as text. Always for the Roomba: no other robot here speaks it.
+    Commands,
+    /// A human-readable program: turns and straight ways.
+    Program,
+    /// Places with times.
+    Csv,
+    /// A path of ROS.
+    Poses,
+    /// The path on layers of its own, beside the drawing.
+    Dxf,
+}
+
+impl PathFormat {
+    /// All; those whose ending is part of another's come after it.
+    pub const ALL: [Self; 5] = [Self::Commands, Self::Program, Self::Csv, Self::Poses, Self::Dxf];
+
+    /// The ending of its files, and their media type.
+    pub fn file_type(self) -> (&'static str, &'static str) {
+        match self {
+            Self::Commands => ("oi.txt", "text/plain"),
+            Self::Program => ("txt", "text/plain"),
+            Self::Csv => ("csv", "text/csv"),
+            Self::Poses => ("yaml", "application/yaml"),
+            Self::Dxf => ("dxf", "image/vnd.dxf"),
+        }
+    }
+
+    /// The file of a path (corners, m, and the heading at its start) for `robot`, which `planned` describes; `None` for a
+    /// drawing, which needs more than a path.
+    pub fn text(self, (path, heading): (&[Point], f64), robot: &RobotModel, planned: &str) -> Option<String> {
+        Some(match self {
+            Self::Commands => commands_text(path, heading, model(ROOMBA)?, planned),
+            Self::Program => program(path, heading, robot, planned),
+            Self::Csv => to_csv(path, heading, robot),
+            Self::Poses => to_ros_path(path, heading, robot),
+            Self::Dxf => return None,
+        })
+    }
+}
