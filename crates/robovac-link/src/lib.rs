@@ -35,6 +35,7 @@
 //! - [`sensors`]: sensor readings as the simulator has them and as the Open Interface has them
 
 pub mod connection;
+pub mod dashboard;
 pub mod driver;
 pub mod emulator;
 mod path_commands;
