@@ -5,14 +5,10 @@
 //! move unless `--drive` is given: then it drives 10 cm ahead in Safe mode. Clear the way, stay beside the robot, and let the
 //! program end: a real robot drives on if its program is killed.
 
-use robovac_core::{
-    floor_plan::room,
-    robot::{Drive, model},
-};
-use robovac_link::{
-    driver::Driver,
-    emulator::{Emulator, personality},
-};
+use robovac_core::floor_plan::room;
+use robovac_core::robot::{Drive, model};
+use robovac_link::driver::Driver;
+use robovac_link::emulator::{Emulator, personality};
 use robovac_sim::{Conditions, experiment::RoomSetup};
 use roomba_oi::{Mode, Readings, motion::encoder_delta};
 use std::{env, error::Error, io, time::Duration, time::Instant};
@@ -22,13 +18,16 @@ type Exchange<'a> = &'a mut dyn FnMut(&[u8], &mut Vec<u8>) -> io::Result<f64>;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let (flags, ports): (Vec<_>, Vec<_>) = env::args().skip(1).partition(|word| word == "--drive");
+    let may_drive = !flags.is_empty();
     let Some(port) = ports.first() else {
-        print!("{}", talk_to_virtual(!flags.is_empty())?);
+        print!("{}", talk_to_virtual(may_drive)?);
         return Ok(());
     };
     let mut port = serialport::new(port, 115_200).timeout(Duration::from_millis(10)).open()?;
+    // Opening may have pulled the wake-up wire low.
+    let _ = port.write_request_to_send(false);
     let (began, mut buffer) = (Instant::now(), [0; 4096]);
-    let said = talk(!flags.is_empty(), &mut |sent, received| {
+    let said = talk(may_drive, &mut |sent, received| {
         port.write_all(sent)?;
         match port.read(&mut buffer) {
             Ok(count) => received.extend(&buffer[..count]),
@@ -84,7 +83,7 @@ impl Link<'_> {
             // The driver stops a robot whose speeds aren't renewed.
             self.until(|driver, now| {
                 driver.drive(now, Drive::wheels(0.1, 0.1));
-                now > end
+                now > end || driver.readings().is_some_and(|now| now.bumps.bump_left || now.bumps.bump_right)
             })?;
             self.driver.stop(self.now);
             let after = self.until(|_, now| now > end + 0.5)?;
@@ -101,7 +100,8 @@ impl Link<'_> {
         while !is_done(&mut self.driver, self.now) {
             if self.now > began + 10.0 {
                 let finding = self.driver.diagnosis().finding;
-                return Err(format!("{} {}", finding.text(), finding.remedy()).into());
+                let remedy = self.driver.dropped().map_or(finding.remedy(), |lost| lost.remedy());
+                return Err(format!("{} {remedy}", finding.text()).into());
             }
             self.driver.tick(self.now);
             // The baud rate is fixed, and the BRC wire is left alone: press CLEAN to wake the robot.
