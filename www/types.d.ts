@@ -77,7 +77,7 @@ export type Catalogue = {
   behaviours: AlgorithmEntry[];
   robots: RobotEntry[];
   /** Kinds of sensors whose noise can be chosen. */
-  sensors: string[];
+  sensors: [id: string, label: string][];
   /** Names of the numbers in `readings()`. */
   readings: string[];
   cell_sizes_m: number[];

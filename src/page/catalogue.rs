@@ -19,7 +19,8 @@ pub(super) struct Catalogue {
     planners: Vec<CatalogueEntry>,
     behaviours: Vec<CatalogueEntry>,
     robots: Vec<Robot>,
-    sensors: [&'static str; SensorKind::ALL.len()],
+    /// Ids and labels.
+    sensors: [(&'static str, &'static str); SensorKind::ALL.len()],
     /// Names of the numbers in `Playground::readings`.
     readings: &'static [&'static str],
     cell_sizes_m: [f64; CELL_SIZES.len()],
@@ -68,7 +69,7 @@ impl Catalogue {
             planners: Algorithm::all().filter(|a| a.planner().is_some()).map(CatalogueEntry::new).collect(),
             behaviours: Algorithm::all().filter(|a| a.behaviour().is_some()).map(CatalogueEntry::new).collect(),
             robots: MODELS.iter().copied().map(Robot::new).collect(),
-            sensors: SensorKind::ALL.map(|(_, name)| name),
+            sensors: SensorKind::ALL.map(|(kind, name)| (name, kind.label())),
             readings: &READINGS,
             cell_sizes_m: CELL_SIZES,
             speeds: SPEEDS,
