@@ -1,6 +1,7 @@
 //! An algorithm as shown in menus, forms and panels.
 
 use crate::wire::param::{Param, params};
+use robovac_app::Mark;
 use robovac_core::registry;
 use robovac_sim::experiment::Algorithm;
 use serde::Serialize;
@@ -16,6 +17,7 @@ pub struct CatalogueEntry {
     link: &'static str,
     /// `planner` or `behaviour`.
     kind: &'static str,
+    mark: Mark,
     complete: bool,
     deterministic: bool,
     fast: bool,
@@ -53,6 +55,7 @@ impl CatalogueEntry {
             source,
             link,
             kind: algorithm.kind(),
+            mark: Mark::of(algorithm),
             complete: plans.is_some_and(|c| c.complete),
             deterministic: plans.is_some_and(|c| c.deterministic),
             fast: plans.is_some_and(|c| c.fast),

@@ -7,6 +7,7 @@ pub mod export;
 pub mod floor_plan;
 mod import;
 pub mod map;
+mod mark;
 mod pack;
 mod palette;
 mod readings;
@@ -14,6 +15,7 @@ mod scene;
 mod viewport;
 
 pub use import::{Import, ImportError, ScenarioChoices, ScenarioError};
+pub use mark::Mark;
 pub use pack::{pack, unpack};
 pub use palette::Palette;
 pub use readings::{READINGS, readings};
