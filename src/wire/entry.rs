@@ -1,6 +1,7 @@
 //! An algorithm as shown in menus, forms and panels.
 
 use crate::wire::param::{Param, params};
+use coverage_planners::PlannerInfo;
 use robovac_app::Mark;
 use robovac_core::registry;
 use robovac_sim::experiment::Algorithm;
@@ -59,7 +60,7 @@ impl CatalogueEntry {
             complete: plans.is_some_and(|c| c.complete),
             deterministic: plans.is_some_and(|c| c.deterministic),
             fast: plans.is_some_and(|c| c.fast),
-            anytime: plans.is_some_and(|c| c.anytime),
+            anytime: algorithm.planner().is_some_and(PlannerInfo::is_anytime),
             ends: reacts.is_some_and(|c| c.ends),
             cleans: reacts.is_some_and(|c| c.cleans),
             manual: reacts.is_some_and(|c| c.manual),

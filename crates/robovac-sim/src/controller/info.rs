@@ -26,6 +26,14 @@ pub struct BehaviourInfo {
     pub params: &'static [ParamSpec],
 }
 
+impl BehaviourInfo {
+    /// Panics if the texts aren't as they must be; for `const _: () = INFO.check();`, as the registry does.
+    pub const fn check(&self) {
+        self.explainer.check(self.summary);
+        assert!(!self.source.is_empty(), "`source` is empty");
+    }
+}
+
 /// Properties of a behaviour that the contract test checks.
 #[expect(clippy::struct_excessive_bools)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -34,6 +42,8 @@ pub struct BehaviourClaims {
     pub ends: bool,
     /// Cleans: covers more and more floor. Others serve another purpose, such as going home.
     pub cleans: bool,
+    /// Cleans along walls and furniture only.
+    pub walls_only: bool,
     /// Is driven by a person.
     pub manual: bool,
     /// Explores: is there to see walls and furniture, for a map. What it cleans on the way doesn't count.

@@ -88,11 +88,11 @@ pub type BuildBehaviour = fn(&Setup<'_>) -> Box<dyn Controller>;
 
 /// Two lists of the same behaviours: what they say of themselves, and how they are made.
 macro_rules! registry {
-    ($($(#[$when:meta])* $($behaviour:ident)::+),* $(,)?) => {
+    ($($($behaviour:ident)::+),* $(,)?) => {
         /// All behaviours, in the order of the menus.
-        pub const BEHAVIOURS: &[&BehaviourInfo] = &[$($(#[$when])* &$($behaviour::)+INFO),*];
-        const BUILDERS: &[(&str, BuildBehaviour)] =
-            &[$($(#[$when])* ($($behaviour::)+INFO.id, $($behaviour::)+BUILD)),*];
+        pub const BEHAVIOURS: &[&BehaviourInfo] = &[$(&$($behaviour::)+INFO),*];
+        const BUILDERS: &[(&str, BuildBehaviour)] = &[$(($($behaviour::)+INFO.id, $($behaviour::)+BUILD)),*];
+        $(const _: () = $($behaviour::)+INFO.check();)*
     };
 }
 
