@@ -3,6 +3,7 @@
 use robovac_core::{
     coverage::ReachableFloor,
     floor_plan::{FloorPlan, MAX_SIDE, ROOMS, RoomKind, room},
+    grid::Cell,
     robot::{RobotModel, cell_robot, model},
 };
 use std::collections::HashSet;
@@ -52,6 +53,8 @@ fn cell_robot_reaches_every_free_cell_of_every_room() {
     }
 }
 
+const STRIP: f64 = 0.12;
+
 #[test]
 fn roomba_fits_and_reaches_most_of_every_room() {
     let roomba = model("roomba600").unwrap();
@@ -60,12 +63,17 @@ fn roomba_fits_and_reaches_most_of_every_room() {
         let plan = (info.build)();
         let start = plan.start.unwrap();
         let floor = ReachableFloor::new(&plan, roomba, None).unwrap();
-        // It keeps 9 cm of floor along every wall unswept; that is much of a room of 1.6 m or of a maze.
-        let least = if matches!(info.id, "thesis8" | "maze" | "loops") { 0.5 } else { 0.7 };
+        // Much of a narrow room is strip along a wall.
         let share = reachable_share(&plan, roomba);
-        println!("{} {:.1} % of {:.1} m2", info.id, 100.0 * share, floor.area() / share);
+        let free = |cell: Cell| plan.occupancy.get(cell).is_some_and(|o| o.is_free());
+        let cells = plan.occupancy.iter().filter(|&(cell, _)| free(cell));
+        let (area, edges) = cells.fold((0, 0), |(area, edges), (cell, _)| {
+            (area + 1, edges + cell.neighbours().into_iter().filter(|&next| !free(next)).count())
+        });
+        let wall_m = edges as f64 / (f64::from(area) * plan.resolution);
+        println!("{} {:.1} % of {:.1} m2, {:.2} m of wall for 1 m2, {:.3} m unswept", info.id, 100.0 * share, floor.area() / share, wall_m, (1.0-share)/wall_m);
         // What stands in a room isn't in its cells, so they tell nothing of how much can be reached.
-        if share <= least && plan.objects.is_empty() {
+        if share <= 1.0 - STRIP * wall_m && plan.objects.is_empty() {
             tight.push(info.id);
         }
         if plan.resolution < 0.2 {
