@@ -70,7 +70,7 @@ impl Catalogue {
             behaviours: Algorithm::all().filter(|a| a.behaviour().is_some()).map(CatalogueEntry::new).collect(),
             robots: MODELS.iter().copied().map(Robot::new).collect(),
             sensors: SensorKind::ALL.map(|(kind, name)| (name, kind.label())),
-            readings: &READINGS,
+            readings: READINGS,
             cell_sizes_m: CELL_SIZES,
             speeds: SPEEDS,
         }

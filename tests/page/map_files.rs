@@ -71,7 +71,14 @@ fn roomba_fits_and_reaches_most_of_every_room() {
             (area + 1, edges + cell.neighbours().into_iter().filter(|&next| !free(next)).count())
         });
         let wall_m = edges as f64 / (f64::from(area) * plan.resolution);
-        println!("{} {:.1} % of {:.1} m2, {:.2} m of wall for 1 m2, {:.3} m unswept", info.id, 100.0 * share, floor.area() / share, wall_m, (1.0-share)/wall_m);
+        println!(
+            "{} {:.1} % of {:.1} m2, {:.2} m of wall for 1 m2, {:.3} m unswept",
+            info.id,
+            100.0 * share,
+            floor.area() / share,
+            wall_m,
+            (1.0 - share) / wall_m
+        );
         // What stands in a room isn't in its cells, so they tell nothing of how much can be reached.
         if share <= 1.0 - STRIP * wall_m && plan.objects.is_empty() {
             tight.push(info.id);

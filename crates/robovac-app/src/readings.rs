@@ -3,7 +3,7 @@
 use robovac_core::robot::SensorReadings;
 
 /// What the numbers of [`readings`] are, in their order; `cliff` stands for the left one of four, and so on.
-pub const READINGS: [&str; 45] = [
+pub const READINGS: &[&str] = &[
     "bump_left",
     "bump_right",
     "drop_left",
