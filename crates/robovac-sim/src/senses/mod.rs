@@ -122,7 +122,7 @@ impl Senses {
 
     /// Takes a new reading.
     pub fn read(&mut self, around: Around<'_>, carrier: &Carrier) {
-        let Self { model, noise, source, switches, edges, light, laser, dirt, motors, cells, moved, sensors } = self;
+        let Self { model, noise, source, switches, edges, light, laser, dirt, motors, cells, sensors, .. } = self;
         let draw = source.as_mut().map(NoiseSource::draw);
         let noise = Noisy { levels: *noise, draw };
         let frame = BodyFrame::new(carrier.pose);
@@ -132,7 +132,7 @@ impl Senses {
             (counts as i64 - i64::from(counts as i64 as f64 > counts)) as u16
         };
         [sensors.left_counts, sensors.right_counts, sensors.lateral_counts] = carrier.rolled.map(counts);
-        sensors.moved = moved.take(sensors);
+        sensors.moved = self.moved.take(sensors);
         (sensors.bump_left, sensors.bump_right) = switches.pressed(model, carrier, &noise);
         if model.sensors.wheel_drops {
             [sensors.wheel_drop_left, sensors.wheel_drop_right] = carrier.dropped.map(|d| d || carrier.is_lifted);
