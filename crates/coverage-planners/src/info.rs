@@ -78,8 +78,11 @@ impl PlannerInfo {
         if let Search::Anytime { turn, .. } = self.claims.search { Some(params.number(turn)) } else { None }
     }
 
-    /// Panics if the texts or the parameters of the search aren't as they must be; for `const _: () = INFO.check();`, which
-    /// makes that an error of the compiler. The registry does so.
+    /// Checks the texts and the parameters of the search.
+    ///
+    /// # Panics
+    ///
+    /// If they aren't as they must be. The registry has `const _: () = INFO.check();`, so that it is an error of the compiler.
     pub const fn check(&self) {
         self.explainer.check(self.summary);
         let is_there = match self.claims.search {

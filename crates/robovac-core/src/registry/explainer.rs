@@ -19,7 +19,11 @@ pub struct Explainer {
 }
 
 impl Explainer {
-    /// Panics unless all is said, and `summary` in one sentence; for constants, where that is an error of the compiler.
+    /// Checks that all is said, and `summary` in one sentence.
+    ///
+    /// # Panics
+    ///
+    /// If it isn't. It is for constants, where that is an error of the compiler.
     pub const fn check(&self, summary: &str) {
         assert!(sentences(summary) == 1, "`summary` must be one sentence");
         assert!(sentences(self.idea) == 3, "`idea` must be three sentences; write \"about\" rather than \"approx.\"");

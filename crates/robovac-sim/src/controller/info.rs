@@ -27,7 +27,11 @@ pub struct BehaviourInfo {
 }
 
 impl BehaviourInfo {
-    /// Panics if the texts aren't as they must be; for `const _: () = INFO.check();`, as the registry does.
+    /// Checks the texts.
+    ///
+    /// # Panics
+    ///
+    /// If they aren't as they must be. The registry has `const _: () = INFO.check();`, so that it is an error of the compiler.
     pub const fn check(&self) {
         self.explainer.check(self.summary);
         assert!(!self.source.is_empty(), "`source` is empty");
