@@ -50,7 +50,7 @@ function cancels({ view }, { target, ctrlKey, metaKey, altKey }) {
 
 /** Ctrl or Cmd and a key. @param {App} app @param {KeyboardEvent} event */
 function withControl({ act, view }, event) {
-  if (["map", "floor-plan", "connection"].includes(currentTab())) return false;
+  if (!["explore", "compare"].includes(currentTab())) return false;
   const key = event.key.toLowerCase();
   if (key === "y" || (key === "z" && event.shiftKey)) return view.can.redo && act((p) => p.redo());
   return key === "z" && view.can.undo && act((p) => p.undo());

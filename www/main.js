@@ -112,9 +112,10 @@ async function start() {
   /**
    * A tab that is loaded when it is first opened. Its `frame` may return a message to show.
    * @typedef {{ frame(now: number): { message: string, message_kind: string } | void, key(key: string): boolean, link(): string, restore(link: string): void, setDark(dark: boolean): void, take?(files: File[]): void }} Other
-   * @type {Record<string, () => Promise<Other>>}
+   * @type {Record<import("./tabs.js").Tab, (() => Promise<Other>) | undefined>}
    */
   const doors = {
+    explore: undefined,
     compare: () => import("./compare/enter.js").then(({ enterCompare }) => enterCompare(app, guard)),
     map: () => import("./map/enter.js").then(({ enterMap }) => enterMap(app)),
     "floor-plan": () => import("./floor-plan/enter.js").then(({ enterFloorPlan }) => enterFloorPlan(app)),

@@ -76,7 +76,7 @@ function buildLanes({ app, comparison, about }, race) {
   const panes = (race?.lanes ?? []).map(({ entrant }) => {
     const planner = app.catalogue.planners[entrant];
     const name = make("button", { type: "button", className: "link", onclick: () => about(entrant) }, planner?.title ?? "");
-    return make("figure", {}, make("figcaption", {}, swatch(entrant), name, make("output", { "data-tip": DRIVEN })), make("canvas", { role: "img" }));
+    return make("figure", {}, make("figcaption", {}, swatch(planner?.mark), name, make("output", { "data-tip": DRIVEN })), make("canvas", { role: "img" }));
   });
   byId("lanes").replaceChildren(...panes);
   byId("lanes").dataset.count = String(panes.length);
@@ -124,13 +124,14 @@ function updateBar(race, running, held) {
 }
 
 /** Coverage over time of every robot. @param {Comparing} it @param {RaceView} race */
-function drawCurves({ comparison }, race) {
+function drawCurves({ app, comparison }, race) {
   const range = Math.max(race.planned_s, race.end_s, 1);
   const lines = race.lanes.map(({ entrant }, index) => {
     const curve = comparison.coverage_curve(index);
     let path = "M0 99.5";
     for (let i = 0; i + 1 < curve.length; i += 2) path += `L${((1000 * (curve[i] ?? 0)) / range).toFixed(1)} ${(99.5 - 99 * (curve[i + 1] ?? 0)).toFixed(1)}`;
-    return `<path d="${path}" data-colour="${entrant % 8}" data-shape="${Math.floor(entrant / 8)}"/>`;
+    const mark = app.catalogue.planners[entrant]?.mark;
+    return `<path d="${path}" data-colour="${mark?.colour}" data-shape="${mark?.shape}"/>`;
   });
   byId("race-curves").innerHTML = `<path class="grid-line" d="M0 .5H1000M0 50H1000M0 99.5H1000"/>${lines.join("")}`;
 }

@@ -23,12 +23,14 @@ pub mod export;
 pub mod floor_plan;
 mod import;
 pub mod map;
+mod mark;
 mod pack;
 mod palette;
 mod scene;
 mod viewport;
 
 pub use import::{Import, ImportError, ScenarioChoices, ScenarioError};
+pub use mark::Mark;
 pub use pack::{pack, unpack};
 pub use palette::Palette;
 pub use scene::{FilmScene, RobotView, Scene, SearchScene, Sensed};

@@ -120,8 +120,7 @@ impl Session {
 
     /// What a quarter turn counts as for a planner that proves its plans, in steps, and whether that is the robot's time.
     fn turn_weight(&self) -> Option<(f64, bool)> {
-        let planner = self.settings.algorithm.planner().filter(|planner| planner.claims.anytime);
-        let turn = planner.map(|_| self.settings.params.number("turn"))?;
+        let turn = self.settings.algorithm.planner()?.turn_weight(&self.settings.params)?;
         if turn > 0.0 {
             return Some((turn, false));
         }
