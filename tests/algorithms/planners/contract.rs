@@ -176,6 +176,7 @@ fn cancelling_is_honoured_at_the_first_checkpoint() {
     }
 }
 
+// slow: every planner with full effort, twice, in a hall
 #[test]
 fn reports_show_progress_and_walks_that_can_be_driven() {
     for info in PLANNERS {
