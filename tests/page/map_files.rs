@@ -52,6 +52,7 @@ fn cell_robot_reaches_every_free_cell_of_every_room() {
     }
 }
 
+// slow: the contract of the rooms that ship
 #[test]
 fn roomba_fits_and_reaches_most_of_every_room() {
     let roomba = model("roomba600").unwrap();
