@@ -277,6 +277,7 @@ fn drive_everywhere(rooms: u64) {
     assert!(bumps as usize > driven, "only {bumps} bumps in {driven} runs: nothing was put to the test");
 }
 
+// slow: overlaps are rare; more rooms are the soak's
 #[test]
 fn no_body_ever_overlaps_an_obstacle() {
     drive_everywhere(300);

@@ -76,6 +76,7 @@ fn seed_determines_walks(most: usize, full_effort: usize) {
     }
 }
 
+// slow: every planner three times in every room but the large ones
 #[test]
 fn seed_determines_the_walk() {
     seed_determines_walks(600, 40);
