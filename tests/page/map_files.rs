@@ -56,6 +56,7 @@ fn cell_robot_reaches_every_free_cell_of_every_room() {
 /// Width of the floor along walls that a Roomba may leave unswept, m.
 const STRIP: f64 = 0.12;
 
+// slow: the contract of the rooms that ship
 #[test]
 fn roomba_fits_and_reaches_most_of_every_room() {
     let roomba = model("roomba600").unwrap();

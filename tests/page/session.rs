@@ -42,6 +42,7 @@ fn opens_with_a_robot_that_cleans_the_flat() {
     assert!(view.can.pause && !view.can.play && view.can.seek);
 }
 
+// slow: the contract of the rooms that ship: each is planned and driven to its end
 #[test]
 fn every_room_is_cleaned_to_the_end() {
     for room in ROOMS {
@@ -340,6 +341,7 @@ fn watched(session: &mut Session) -> Vec<String> {
     told
 }
 
+// slow: a search that runs to its proof
 #[test]
 fn search_of_a_small_room_is_a_film() {
     let mut session = Session::new();
@@ -420,6 +422,7 @@ fn film_that_is_held_goes_on_by_hand() {
     assert_eq!(at(&session), 0, "once it's over, it begins again");
 }
 
+// slow: a search has to be under way before it is kept
 #[test]
 fn plan_that_is_kept_early_has_a_film_and_says_so() {
     let mut session = Session::new();

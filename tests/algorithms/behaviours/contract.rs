@@ -23,6 +23,7 @@ fn is_outside_walls(robot: &RobotModel, run: &Run) -> bool {
     run.floor().walls.has_room(run.pose().position(), inner - 0.001)
 }
 
+// slow: the contract, every behaviour with every robot in every room
 #[test]
 fn nobody_enters_a_wall_and_everybody_says_what_it_does() {
     for room in ROOMS {
@@ -84,6 +85,7 @@ fn a_copy_of_a_run_goes_on_the_same_way() {
     }
 }
 
+// slow: a run for each value of each parameter
 #[test]
 fn every_value_at_the_end_of_its_range_works() {
     let plan = (room("clutter").expect("it ships").build)();
@@ -108,6 +110,7 @@ fn every_value_at_the_end_of_its_range_works() {
     }
 }
 
+// slow: a quarter of an hour of every behaviour with every robot
 #[test]
 fn those_that_clean_clean_an_open_room() {
     let plan = Sketch::open(3.5, 3.0, 0.05).start(1.0, 1.0, 20.0).finish("open", "");
