@@ -5,6 +5,7 @@ pub mod compare;
 pub mod explore;
 pub mod export;
 pub mod floor_plan;
+mod frame_pacer;
 mod import;
 pub mod map;
 mod pack;
