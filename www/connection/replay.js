@@ -7,7 +7,6 @@ import { textOf } from "../messages.js";
 import { atMostEvery } from "../shared/frame-pacer.js";
 import { startRange } from "../shared/range.js";
 import { fillSpeeds } from "../shared/time-line.js";
-import { CLOSED } from "./view.js";
 
 /** Milliseconds between views. */
 const PAUSE = 50;
@@ -24,13 +23,13 @@ const SPEEDS = [1, 4, 16];
  * @param {(traffic: import("./types").Traffic[]) => void} to.traffic
  * @param {() => void} to.wipe The way so far is to be forgotten.
  * @param {() => void} to.settle What was said before is over.
+ * @param {() => void} to.closed Nothing is shown any more.
  */
 export function startReplay(it, to) {
   const [file, play, speed] = [input("replay-file"), button("replay-play"), select("replay-speed")];
   fillSpeeds(speed, SPEEDS);
   /** @type {Replay | undefined} */
   let replay;
-  let name = "";
   let isPlaying = false;
   let last = 0;
   const isDue = atMostEvery(PAUSE);
@@ -42,9 +41,9 @@ export function startReplay(it, to) {
     if (!chosen) return;
     try {
       if (chosen.size > MOST) throw `"${chosen.name}" is too large for a recording.`;
-      const read = new Replay(await chosen.text());
+      const read = new Replay(chosen.name, await chosen.text());
       end();
-      [replay, name, isPlaying] = [read, chosen.name, true];
+      [replay, isPlaying] = [read, true];
       to.settle();
       setHidden(byId("replay"), false);
       last = performance.now();
@@ -69,11 +68,9 @@ export function startReplay(it, to) {
   const showRange = startRange("replay-at", go);
   const look = () => {
     if (!replay) return;
-    const view = /** @type {import("./types").ConnectionState} */ (replay.view());
-    // What could be done then can't be done now.
-    to.show({ ...CLOSED, ...view, can: { ...CLOSED.can, disconnect: true }, drop: null, notice: null, transport: { ...CLOSED.transport, state: "open", name: `Recording ${name}` } });
-    to.traffic(/** @type {import("./types").Traffic[]} */ (replay.take_traffic()));
     to.follow(replay.take_trace());
+    to.show({ .../** @type {import("./types").ConnectionState} */ (replay.view()), virtual: null });
+    to.traffic(/** @type {import("./types").Traffic[]} */ (replay.take_traffic()));
     const [now, all] = [replay.time_s(), replay.duration_s()];
     showRange(all, now);
     setText(byId("replay-time"), `${clock(now)} of ${clock(all)}`);
@@ -84,7 +81,7 @@ export function startReplay(it, to) {
     replay.free();
     replay = undefined;
     setHidden(byId("replay"), true);
-    to.show(CLOSED);
+    to.closed();
     return true;
   };
 
