@@ -185,10 +185,10 @@ async function start() {
   }
 
   startTabs((next) => void enter(next));
-  const resized = startStage(app);
-  const updates = [startPanel, startPlaybar, startLayers, startObjects].map((begin) => begin(app));
+  const [stage, playbar] = [startStage(app), startPlaybar(app)];
+  const updates = [startPanel(app), playbar.update, startLayers(app), startObjects(app)];
   startFiles(app);
-  startKeys(app);
+  startKeys(app, [stage, playbar]);
   const updateLater = await startLater(app);
 
   let isFirst = true;
@@ -200,7 +200,7 @@ async function start() {
       const request = playground.take_plan_request();
       if (request) planning.start(request);
       if (currentTab() === "explore") {
-        resized();
+        stage.resized();
         playground.frame(now);
       }
       const view = (app.view = playground.view());

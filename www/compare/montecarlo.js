@@ -6,6 +6,7 @@ import { button, byId, changed, fill, select, setAttribute, setHidden, setText, 
 import { entrantItem, showChoice, swatch } from "./entrants.js";
 import { count } from "../format.js";
 import { Pool } from "./pool.js";
+import { atMostEvery } from "../shared/frame-pacer.js";
 import { showTable } from "./runs-table.js";
 
 /**
@@ -46,7 +47,7 @@ export function startRuns(app, module, guard, mirror) {
   let view = study.view();
   /** When the runs began, and how many there were by then. */
   let began = { at: 0, done: 0 };
-  let drawn = 0;
+  const isDue = atMostEvery(REDRAW);
 
   const run = () =>
     act((s) => {
@@ -109,11 +110,7 @@ export function startRuns(app, module, guard, mirror) {
       view = study.view();
       updateChoices(view, offer, items);
       updateProgress(view, began);
-      const now = performance.now();
-      if ((now - drawn > REDRAW || !view.running) && changed(byId("runs-view"), "version", view.version)) {
-        drawn = now;
-        results();
-      }
+      if (isDue(() => changed(byId("runs-view"), "version", view.version), !view.running)) results();
     },
     restore: (/** @type {string} */ link) => study.restore(link),
     link: () => study.link(),

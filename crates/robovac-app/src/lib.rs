@@ -21,6 +21,7 @@ pub mod connection;
 pub mod explore;
 pub mod export;
 pub mod floor_plan;
+mod frame_pacer;
 mod import;
 pub mod map;
 mod mark;

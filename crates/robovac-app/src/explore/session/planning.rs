@@ -184,7 +184,7 @@ impl Session {
         self.film = None;
         self.recording = None;
         self.planning = None;
-        self.due = 0.0;
+        self.pacer.restart();
         self.is_opening = self.is_opening
             && self.editor.room() == Some(floor_plan::ROOMS[0].id)
             && self.editor.start().is_none()

@@ -88,7 +88,7 @@ impl Session {
             shows: self.settings.shows,
             odometry: self.settings.odometry.id(),
             speed: self.settings.speed,
-            speed_factor: self.speed_factor,
+            speed_factor: self.pacer.speed_factor(),
             time_s: run.map_or(0.0, Run::time_s),
             run_end_s: self.recording.as_ref().map_or(0.0, RunRecording::end_s),
             coverage: run.map_or(0.0, Run::coverage),
