@@ -337,6 +337,15 @@ impl Playground {
         self.session.plan_version() as f64
     }
 
+    /// Room and settings for `SessionMirror.follow`; who has a room of one's own in its `known` version isn't given it again.
+    pub fn snapshot(&self, known: Option<f64>) -> Result<JsValue, JsValue> {
+        let mut snapshot = self.session.snapshot();
+        if snapshot.room.is_none() && known != Some(snapshot.room_version as f64) {
+            snapshot.own = Some(self.session.own_room());
+        }
+        to_js(&snapshot)
+    }
+
     // ---- time
 
     /// Lets time go on.

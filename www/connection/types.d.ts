@@ -199,7 +199,7 @@ export type Support = {
 };
 
 /** The playground's room and settings, as `SessionMirror.follow` takes them. */
-export type Followed = { link: string; version: number; scenario: string };
+export type Followed = { snapshot: SessionSnapshot; algorithm?: string };
 
 /** A granted port as the worker finds it again: the granted ones' ids in their order, and which of them it is. */
 export type PortAddress = { ids: string[]; index: number };
@@ -215,7 +215,7 @@ export type ToConnection =
   /** `at` is the page's time, s. */
   | { type: "beat"; at: number }
   | { type: "leave"; why: string }
-  | { type: "follow"; id: number; followed: Followed }
+  | { type: "follow"; id: number } & Followed
   | { type: "open"; id: number; target: WorkerTarget }
   | { type: "close"; id: number }
   | { type: "request"; id: number; request: Request }

@@ -162,11 +162,11 @@ async function answer(message) {
   } else if (message.type === "ride") {
     attempt(() => connection.ride(now(), mirror, message.corners));
   } else if (message.type === "follow") {
-    const { link: session, version, scenario } = message.followed;
-    if (mirror.is_behind(session, version)) {
+    const { snapshot, algorithm } = message;
+    if (mirror.is_behind(snapshot, algorithm)) {
       // Laying out a room takes its time, in which nobody minds the wheels. Nor is that the page's silence.
       safely(() => connection.pause(now()));
-      attempt(() => mirror.follow(session, version, scenario));
+      attempt(() => mirror.follow(snapshot, algorithm));
       safely(() => connection.beat(now()));
     }
   } else {

@@ -8,6 +8,7 @@ mod objects;
 pub mod opening;
 mod search;
 mod session;
+mod session_snapshot;
 mod state;
 mod view;
 
@@ -18,5 +19,6 @@ pub use object_tool::ObjectTool;
 pub use objects::{PlaceableKind, handles, in_words};
 pub use search::PlanSearch;
 pub use session::{LoadError, Session};
+pub use session_snapshot::{FollowError, SessionSnapshot};
 pub use state::{Action, SessionState};
 pub use view::SessionView;
