@@ -18,7 +18,7 @@ const PAUSE = 60;
 const MOST_DIRT = 255;
 const MOTORS = [["over_left_wheel", "left wheel"], ["over_right_wheel", "right wheel"], ["over_main_brush", "main brush"], ["over_side_brush", "side brush"]];
 
-/** @param {import("./main.js").App} app @returns {(view: import("./types").View) => void} */
+/** @param {import("./main.js").App} app @returns {(view: import("./types").PageView) => void} */
 export function startDashboard(app) {
   const { readings, robots } = app.catalogue;
   const index = new Map(readings.map((name, place) => [name, place]));
@@ -59,7 +59,7 @@ export function instruments(robot) {
   return [flags(robot), ...(robot.cliffs.some(Boolean) ? [cliffs(robot)] : []), ...(robot.gauge ? [battery()] : []), ...(robot.infrared ? [infrared()] : []), wheels(robot), dirt()];
 }
 
-/** @param {import("./types").View} view */
+/** @param {import("./types").PageView} view */
 function doing({ activity, is_lifted, state, kind }) {
   if (is_lifted) return "In your hand";
   const text = activity || (kind === "planner" ? "following its plan" : "");

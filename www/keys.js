@@ -7,7 +7,7 @@ import { currentTab } from "./tabs.js";
 
 /** @typedef {import("./main.js").App} App */
 
-/** @type {Record<string, import("./types").Tool>} */
+/** @type {Record<string, import("./types").FloorTool>} */
 const TOOLS = { v: "view", w: "wall", e: "erase", s: "start" };
 
 /** @param {App} app */

@@ -72,12 +72,17 @@ impl Connection {
     }
 
     /// What is to be done with the line before the next bytes are sent: `{ baud: 19200 }`, `{ brc: true }` or `null`.
+    #[wasm_bindgen(unchecked_return_type = "rust.LineRequest | null")]
     pub fn take_line(&mut self) -> Result<JsValue, JsValue> {
         to_js(&self.link.take_line())
     }
 
     /// Does what the user asks for, a `Request`; throws a sentence for users if it can't be done.
-    pub fn request(&mut self, now: f64, request: JsValue) -> Result<(), JsValue> {
+    pub fn request(
+        &mut self,
+        now: f64,
+        #[wasm_bindgen(unchecked_param_type = "rust.Request")] request: JsValue,
+    ) -> Result<(), JsValue> {
         let request = serde_wasm_bindgen::from_value(request).map_err(|e| e.to_string())?;
         self.link.request(now, request).map_err(|e| e.to_string().into())
     }
@@ -108,11 +113,13 @@ impl Connection {
     }
 
     /// What the page shows, a `ConnectionView`.
+    #[wasm_bindgen(unchecked_return_type = "rust.ConnectionView")]
     pub fn view(&mut self, now: f64) -> Result<JsValue, JsValue> {
         to_js(&self.link.view(now))
     }
 
     /// What went over the line since this was last asked for, as `Traffic[]`.
+    #[wasm_bindgen(unchecked_return_type = "rust.Traffic[]")]
     pub fn take_traffic(&mut self) -> Result<JsValue, JsValue> {
         to_js(&self.link.take_traffic())
     }

@@ -29,14 +29,20 @@ impl SessionMirror {
     }
 
     /// Whether there is something to follow in `snapshot`.
-    pub fn is_behind(&self, snapshot: JsValue, algorithm: Option<String>) -> Result<bool, JsValue> {
+    pub fn is_behind(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "rust.SessionSnapshot")] snapshot: JsValue,
+        algorithm: Option<String>) -> Result<bool, JsValue> {
         let snapshot = read(snapshot, algorithm)?;
         Ok(self.followed.as_ref() != Some(&SessionSnapshot { own: None, ..snapshot }))
     }
 
     /// Becomes a copy of the playground by its `snapshot`; cheap if nothing has changed. For a robot that is connected, driven
     /// by `algorithm`, if there is one.
-    pub fn follow(&mut self, snapshot: JsValue, algorithm: Option<String>) -> Result<(), JsValue> {
+    pub fn follow(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "rust.SessionSnapshot")] snapshot: JsValue,
+        algorithm: Option<String>) -> Result<(), JsValue> {
         let mut snapshot = read(snapshot, algorithm)?;
         let own = snapshot.own.take();
         if self.followed.as_ref() == Some(&snapshot) {
@@ -63,6 +69,7 @@ fn read(snapshot: JsValue, algorithm: Option<String>) -> Result<SessionSnapshot,
 impl SessionMirror {
     /// What the algorithm that is chosen has to plan, once; pass it to `plan` in a worker. Nothing for a behaviour, and for
     /// what is planned already.
+    #[wasm_bindgen(unchecked_return_type = "{ id: number } | undefined")]
     pub fn take_plan_request(&mut self) -> Result<JsValue, JsValue> {
         let request = self.session.take_plan_request();
         request.map_or(Ok(JsValue::UNDEFINED), |request| request::request_to_js(&request))

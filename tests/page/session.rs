@@ -1,7 +1,7 @@
 //! A user's session from opening to undo, without a browser.
 
 use coverage_planners::{CoveragePath, ProgressReport, Proof};
-use robovac_app::explore::{Brush, Session, SessionState, diary};
+use robovac_app::explore::{Brush, Session, SessionSnapshot, SessionState, diary};
 use robovac_core::{
     floor_plan::{Object, ROOMS, SourceFile},
     geometry::{Point, Pose},
@@ -362,7 +362,7 @@ fn best_walk_so_far_is_kept() {
     session.keep_plan(1.5);
     let plan = session.view().plan.unwrap();
     assert_eq!((session.state(), plan.planning_s), (SessionState::Playing, Some(1.5)));
-    let walk = plan.walk.unwrap();
+    let walk = plan.walk;
     assert_eq!(walk.visited_cells, walk.reachable_cells);
     assert!(plan.gap.is_some_and(|gap| gap > 0.0 && Some(&gap) == gaps.last()), "{gaps:?}");
 }

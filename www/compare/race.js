@@ -6,7 +6,7 @@ import { clock, metres, percent } from "../format.js";
 
 /**
  * @typedef {import("./tab.js").Comparing} Comparing
- * @typedef {import("../types").CompareView} CompareView
+ * @typedef {import("../types").ComparisonView} CompareView
  * @typedef {import("../types").RaceView} RaceView
  */
 

@@ -5,7 +5,7 @@ import { draw } from "../portrait.js";
 import { keep, kept } from "./dialogs.js";
 import { isReplay } from "./view.js";
 
-/** @typedef {import("./types").CalibrationKind} Kind */
+/** @typedef {import("./types").Calibration} Kind */
 
 /** @type {{ what: Kind, title: string, text: string, room: string, path: string }[]} */
 const STEPS = [

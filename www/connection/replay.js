@@ -67,10 +67,10 @@ export function startReplay(it, to) {
   };
   const look = () => {
     if (!replay) return;
-    const view = /** @type {import("./types").ConnectionState} */ (replay.view());
+    const view = replay.view();
     // What could be done then can't be done now.
     to.show({ ...CLOSED, ...view, can: { ...CLOSED.can, disconnect: true }, drop: null, notice: null, transport: { ...CLOSED.transport, state: "open", name: `Recording ${name}` } });
-    to.traffic(/** @type {import("./types").Traffic[]} */ (replay.take_traffic()));
+    to.traffic(replay.take_traffic());
     to.follow(replay.take_trace());
     const [now, all] = [replay.time_s(), replay.duration_s()];
     if (document.activeElement !== at || isPlaying) at.value = String(now);

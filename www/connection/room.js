@@ -8,15 +8,14 @@ import { SessionMirror } from "../../workshop.js";
  */
 export function startRoom({ playground, catalogue }) {
   const mirror = new SessionMirror();
-  /** @type {import("../generated").SessionSnapshot | undefined} */
-  let taken;
+  let taken = playground.snapshot();
   /** What Explore had chosen. @type {string | null | undefined} */
   let chosenThere;
   let algorithm = "";
   const all = [...catalogue.behaviours.filter(({ manual }) => !manual), ...catalogue.planners];
 
   /** Says which room it is, and where the robot starts in it. */
-  const version = () => JSON.stringify([taken?.room_version, taken?.room, taken?.start]);
+  const version = () => JSON.stringify([taken.room_version, taken.room, taken.start]);
   const follow = () => mirror.follow(taken, algorithm);
 
   return {

@@ -4,7 +4,7 @@ import { button, byId, changed, fill, make, select, setAttribute, setEnabled, se
 import { clock, percent } from "../format.js";
 
 /**
- * @typedef {import("../types").View} View
+ * @typedef {import("../types").PageView} View
  * @typedef {import("../main.js").App} App
  */
 

@@ -5,8 +5,8 @@ import { clock, count, metres, pace, percent, smallLength, took } from "../forma
 import { updateMessage } from "../messages.js";
 
 /**
- * @typedef {import("../types").View} View
- * @typedef {import("../types").PlanNumbers} Plan
+ * @typedef {import("../types").PageView} View
+ * @typedef {import("../types").PlanView} Plan
  * @typedef {{ label: string, tip: string | ((v: View) => string), plan?: (p: Plan) => string, run?: (v: View) => string, when?: (v: View) => boolean }} Metric
  */
 

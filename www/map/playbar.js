@@ -30,7 +30,7 @@ export function startPlaybar(it) {
   /** Upper end of the scale of errors, m. */
   let top = 0.1;
 
-  /** @param {import("./types").MapView} view */
+  /** @param {import("../types").MapView} view */
   return (view) => {
     const { can } = view;
     setEnabled(button("map-play"), can.play || can.pause);
@@ -75,14 +75,14 @@ export function startPlaybar(it) {
   };
 }
 
-/** Length of the time line, s: it grows by a third when it is full. @param {import("./types").MapView} view */
+/** Length of the time line, s: it grows by a third when it is full. @param {import("../types").MapView} view */
 export function rangeOf(view) {
   let range = SHORTEST;
   while (view.end_s > range) range = Math.ceil((range * 4) / 180) * 60;
   return range;
 }
 
-/** How far off it is, in words. @param {import("./types").MapView} view */
+/** How far off it is, in words. @param {import("../types").MapView} view */
 function off({ figures }) {
   const error = figures?.position_m;
   return error === null || error === undefined ? "lost" : `off by ${error < 1 ? `${(100 * error).toFixed(0)} cm` : `${error.toFixed(2)} m`}`;

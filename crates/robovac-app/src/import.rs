@@ -22,6 +22,7 @@ pub struct Import {
 
 /// What a scenario says beside its room, as text that settings check. What it doesn't mention stays as it is.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(default)]
 pub struct ScenarioChoices {
     /// Id of the robot.

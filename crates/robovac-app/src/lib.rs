@@ -2,6 +2,7 @@
 
 pub mod bench;
 pub mod compare;
+mod entry;
 pub mod explore;
 pub mod export;
 pub mod floor_plan;
@@ -9,13 +10,18 @@ mod import;
 pub mod map;
 mod pack;
 mod palette;
+mod param;
 mod readings;
 mod scene;
+#[cfg(feature = "types")]
+pub mod types;
 mod viewport;
 
+pub use entry::CatalogueEntry;
 pub use import::{Import, ImportError, ScenarioChoices, ScenarioError};
 pub use pack::{pack, unpack};
 pub use palette::Palette;
+pub use param::{Param, params};
 pub use readings::{READINGS, readings};
 pub use scene::{FilmScene, RobotView, Scene, SearchScene, Sensed};
 pub use viewport::Viewport;

@@ -1,5 +1,6 @@
 //! The Explore tab: one room, one algorithm.
 
+mod catalogue;
 mod diary;
 mod editor;
 mod film;
@@ -12,6 +13,7 @@ mod session_snapshot;
 mod state;
 mod view;
 
+pub use catalogue::Catalogue;
 pub use diary::{DiaryEntry, diary, diary_version};
 pub use editor::{Brush, Editor};
 pub use film::{FilmInk, Picture, Showing};
@@ -21,4 +23,4 @@ pub use search::PlanSearch;
 pub use session::{LoadError, Session};
 pub use session_snapshot::{FollowError, SessionSnapshot};
 pub use state::{Action, SessionState};
-pub use view::SessionView;
+pub use view::{FloorTool, PageView, SessionView};

@@ -14,6 +14,7 @@ const CONNECTED: &str = "roomba600";
 
 /// Everything that determines a session's plan and runs. Two that are equal stand for the same session.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(default)]
 pub struct SessionSnapshot {
     /// Id of the room if it ships and hasn't been changed.
@@ -21,6 +22,7 @@ pub struct SessionSnapshot {
     /// Changes with every change of the room.
     pub room_version: u64,
     /// A room of one's own, for those who don't have this version of it.
+    #[cfg_attr(feature = "types", ts(type = "object | null"))]
     pub own: Option<Scenario>,
     /// Start chosen by the user: x, y in m, heading in rad.
     pub start: Option<[f64; 3]>,

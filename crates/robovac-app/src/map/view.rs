@@ -6,6 +6,7 @@ use serde::Serialize;
 
 /// Snapshot of a survey. SI units; shares from 0 to 1.
 #[derive(Debug, Clone, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct MapView {
     /// What the survey is doing.
     pub phase: MapPhase,
@@ -79,6 +80,7 @@ pub struct MapView {
 /// What the user may do now.
 #[expect(clippy::struct_excessive_bools)]
 #[derive(Debug, Clone, Copy, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct MapActions {
     /// Let time go on.
     pub play: bool,
