@@ -8,7 +8,7 @@ use js_sys::{Array, Function, Reflect, Uint8Array};
 use paint::{FloorPlanPainter, ShownPlan};
 use robovac_app::{
     Viewport,
-    floor_plan::{DrawingPart, DrawingSession, DrawingTool, FloorPlanView, FloorPlanSettings, Format, coarse},
+    floor_plan::{DrawingPart, DrawingSession, DrawingTool, FloorPlanSettings, FloorPlanView, Format, coarse},
 };
 use robovac_core::geometry::{Point, Vector};
 use robovac_playground::wire::{clock, map_file, to_js};

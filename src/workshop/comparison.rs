@@ -1,8 +1,6 @@
 //! The Compare tab: settings, trials, and the race on up to nine canvases.
 
-use super::{
-    session_mirror::SessionMirror,
-};
+use super::session_mirror::SessionMirror;
 use coverage_planners::metrics::PlanNumbers;
 use js_sys::Float64Array;
 use robovac_app::{

@@ -112,10 +112,21 @@ impl Connection {
         self.link.ride(now, title, controller, start).map_err(|e| e.to_string().into())
     }
 
-    /// What the page shows, a `ConnectionView`.
+    /// What the page shows; `transport` is how the line is.
     #[wasm_bindgen(unchecked_return_type = "rust.ConnectionView")]
-    pub fn view(&mut self, now: f64) -> Result<JsValue, JsValue> {
+    pub fn view(
+        &mut self,
+        now: f64,
+        #[wasm_bindgen(unchecked_param_type = "rust.TransportView")] transport: JsValue,
+    ) -> Result<JsValue, JsValue> {
+        self.link.set_transport(serde_wasm_bindgen::from_value(transport)?);
         to_js(&self.link.view(now))
+    }
+
+    /// What the page shows while there is no connection.
+    #[wasm_bindgen(unchecked_return_type = "rust.ConnectionView")]
+    pub fn closed() -> Result<JsValue, JsValue> {
+        to_js(&connection::Connection::new().view(0.0))
     }
 
     /// What went over the line since this was last asked for, as `Traffic[]`.

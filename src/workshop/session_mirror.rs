@@ -1,7 +1,11 @@
 //! Mirror of the playground's session in another module.
 
 use coverage_planners::CoveragePath;
-use robovac_app::explore::{Session, SessionSnapshot};
+use robovac_app::{
+    connection::StartPlace,
+    explore::{Session, SessionSnapshot},
+};
+use robovac_core::geometry::Pose;
 use robovac_playground::wire::{message, request, walk};
 use robovac_sim::experiment::planning::PlanAnswer;
 use wasm_bindgen::prelude::*;
@@ -32,7 +36,8 @@ impl SessionMirror {
     pub fn is_behind(
         &self,
         #[wasm_bindgen(unchecked_param_type = "rust.SessionSnapshot")] snapshot: JsValue,
-        algorithm: Option<String>) -> Result<bool, JsValue> {
+        algorithm: Option<String>,
+    ) -> Result<bool, JsValue> {
         let snapshot = read(snapshot, algorithm)?;
         Ok(self.followed.as_ref() != Some(&SessionSnapshot { own: None, ..snapshot }))
     }
@@ -42,7 +47,8 @@ impl SessionMirror {
     pub fn follow(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "rust.SessionSnapshot")] snapshot: JsValue,
-        algorithm: Option<String>) -> Result<(), JsValue> {
+        algorithm: Option<String>,
+    ) -> Result<(), JsValue> {
         let mut snapshot = read(snapshot, algorithm)?;
         let own = snapshot.own.take();
         if self.followed.as_ref() == Some(&snapshot) {
@@ -93,6 +99,12 @@ impl SessionMirror {
             let start = prepared.floor.start;
             vec![start.x, start.y, start.heading]
         })
+    }
+
+    /// Where a robot at x, y, heading is, seen from there: `at`, `near` enough to set off, or `elsewhere`.
+    pub fn start_place(&self, x: f64, y: f64, heading: f64) -> String {
+        let place = self.session.prepared().map(|room| StartPlace::of(Pose::new(x, y, heading), room.floor.start));
+        place.map_or("at", StartPlace::id).to_owned()
     }
 
     /// What is wrong with the room for this robot, as a sentence for users; empty if nothing.

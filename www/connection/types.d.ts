@@ -1,5 +1,5 @@
 // Messages between the page, its worker and lines to robots. What comes from Rust is in ../types.d.ts.
-import type { ConnectionView as View, Request, SessionSnapshot, Traffic, VirtualView } from "../types";
+import type { ConnectionView as View, Request, SessionSnapshot, Traffic, TransportView, VirtualView } from "../types";
 export * from "../types";
 
 /** What a hand does to the virtual robot. */
@@ -18,31 +18,8 @@ export type Target =
   | { kind: "serial"; port?: SerialPort }
   | { kind: "socket"; url: string };
 
-/** The line below the robot's bytes. */
-export type TransportView = {
-  kind: "" | "virtual" | "serial" | "socket";
-  /**
-   * `lost`: it went away and is waited for, `text` says what for. A line that came back is `open` again; the robot behind it
-   * is found out about anew and gets no command to move before the user takes control again.
-   */
-  state: "closed" | "opening" | "open" | "lost";
-  /** Of the adapter, bridge or personality. */
-  name: string;
-  /** A sentence on the state; "" if there is nothing to tell. */
-  text: string;
-  baud: number;
-  /** Whether the baud rate can be changed from here. */
-  can_baud: boolean;
-  /** The BRC wire at the adapter's RTS: pulled low, let go, or no such thing (as far as the adapter knows). */
-  brc: "low" | "high" | "none";
-  /** What the adapter reported and recovered from. */
-  errors: { break: number; framing: number; parity: number; overrun: number };
-  /** How often it has come back by itself. */
-  returns: number;
-};
-
 /** What `onview` gets. */
-export type ConnectionView = View & { transport: TransportView; virtual: VirtualView | null };
+export type ConnectionView = View & { virtual: VirtualView | null };
 
 /**
  * What went wrong, for users: `what` is a sentence, `remedy` one on what to do or "".

@@ -7,7 +7,7 @@ use robovac_core::{
 };
 use robovac_sim::{
     Noise, NoiseLevel, SensorKind,
-    experiment::{Algorithm, Settings, SettingsError},
+    experiment::{Settings, SettingsError},
 };
 use serde::{Deserialize, Serialize};
 
@@ -159,7 +159,7 @@ impl ScenarioChoices {
         }
         for (kind, id) in [("planner", &self.planner), ("behaviour", &self.behaviour)] {
             if let Some(id) = id {
-                at(kind, Algorithm::find_kind(kind, id).and_then(|_| settings.select_fresh_algorithm(id)))?;
+                at(kind, settings.select_fresh_of_kind(kind, id))?;
             }
         }
         for (id, text) in &self.params {

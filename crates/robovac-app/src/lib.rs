@@ -2,6 +2,7 @@
 
 pub mod bench;
 pub mod compare;
+pub mod connection;
 mod entry;
 pub mod explore;
 pub mod export;
@@ -11,7 +12,6 @@ pub mod map;
 mod pack;
 mod palette;
 mod param;
-mod readings;
 mod scene;
 #[cfg(feature = "types")]
 pub mod types;
@@ -22,6 +22,5 @@ pub use import::{Import, ImportError, ScenarioChoices, ScenarioError};
 pub use pack::{pack, unpack};
 pub use palette::Palette;
 pub use param::{Param, params};
-pub use readings::{READINGS, readings};
 pub use scene::{FilmScene, RobotView, Scene, SearchScene, Sensed};
 pub use viewport::Viewport;

@@ -6,7 +6,7 @@ use robovac_core::{
     floor_plan::{MapError, Scenario},
     geometry::Pose,
 };
-use robovac_sim::experiment::{Algorithm, Settings, SettingsError};
+use robovac_sim::experiment::{Algorithm, SettingsError};
 use serde::{Deserialize, Serialize};
 
 /// The robots that can be connected are of this kind.
@@ -55,7 +55,7 @@ impl SessionSnapshot {
         if choices.algorithm() != Some(algorithm) {
             choices.params.clear();
             let id = Some(algorithm.to_owned());
-            (choices.planner, choices.behaviour) = match Algorithm::find(algorithm)? {
+            (choices.planner, choices.behaviour) = match Algorithm::find("algorithm", algorithm, Algorithm::all())? {
                 Algorithm::Planner(_) => (id, None),
                 Algorithm::Behaviour(_) => (None, id),
             };
@@ -79,7 +79,7 @@ impl Session {
 
     /// Becomes what `snapshot` was made of. On an error everything stays as it was.
     pub fn follow(&mut self, snapshot: &SessionSnapshot) -> Result<(), FollowError> {
-        let settings = snapshot.choices.settings(&Settings::new())?;
+        let settings = snapshot.choices.settings(&self.settings().defaults())?;
         let start = snapshot.start.map(|[x, y, heading]| Pose::new(x, y, heading));
         let room = match (&snapshot.room, &snapshot.own) {
             (Some(id), _) => {

@@ -29,4 +29,4 @@ pub use settings::{CELLS, DrawingPart, FloorPlanSettings};
 pub use sheet::Sheet;
 pub use source::DrawingSource;
 pub use unit::{UNITS, Unit, size_in_words};
-pub use view::{FloorPlanView, DrawingView, LayerView, SweepView, TracedRoomView, UnitView};
+pub use view::{DrawingView, FloorPlanView, LayerView, SweepView, TracedRoomView, UnitView};
