@@ -84,10 +84,7 @@ impl FloorPlanSession {
     }
 
     /// Chooses all of what `view` has as settings.
-    pub fn set(
-        &mut self,
-        #[wasm_bindgen(unchecked_param_type = "rust.FloorPlanSettings")] settings: JsValue,
-    ) -> Result<(), JsValue> {
+    pub fn set(&mut self, settings: JsValue) -> Result<(), JsValue> {
         let settings: FloorPlanSettings = serde_wasm_bindgen::from_value(settings).map_err(|e| e.to_string())?;
         self.change(|board| board.set(settings))
     }

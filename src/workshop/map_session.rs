@@ -9,7 +9,7 @@ mod picture;
 use self::{hand::RobotHand, paint::MapPainter};
 use super::session_mirror::SessionMirror;
 use js_sys::{Array, Float64Array, Reflect, Uint8Array};
-use robovac_app::{CatalogueEntry, Import, Viewport, export::ExportFile, map};
+use robovac_app::{CatalogueEntry, Import, Viewport, export::ExportFile, map::{self, MapView}};
 use robovac_core::floor_plan::{FloorPlan, MapImage, OccupancyMode, to_ros_map};
 use robovac_playground::wire::message;
 use robovac_playground::wire::{clock, map_file, to_js};
@@ -152,9 +152,7 @@ impl MapSession {
     /// Snapshot in numbers and words.
     #[wasm_bindgen(unchecked_return_type = "rust.MapView")]
     pub fn view(&self) -> Result<JsValue, JsValue> {
-        let view = to_js(&self.state.view())?;
-        Reflect::set(&view, &"is_carried".into(), &self.hand.holds().into())?;
-        Ok(view)
+        to_js(&MapView { is_carried: self.hand.holds(), ..self.state.view() })
     }
 
     /// One or two sentences that stand for the picture.

@@ -47,10 +47,11 @@ function pump() {
   if (line?.view.state !== "open") return connection.discard();
   while (!isChanging) {
     const wanted = connection.take_line();
-    const bytes = wanted ? undefined : connection.take_tx();
-    if (!wanted && !bytes?.length) return;
-    if (bytes) line.write(bytes);
-    else if ("brc" in wanted) line.setBrc(wanted.brc).catch(broke);
+    if (!wanted) {
+      const bytes = connection.take_tx();
+      if (!bytes.length) return;
+      line.write(bytes);
+    } else if ("brc" in wanted) line.setBrc(wanted.brc).catch(broke);
     else changeBaud(wanted.baud);
   }
 }

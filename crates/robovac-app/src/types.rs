@@ -63,5 +63,7 @@ pub fn declarations() -> String {
     all.visit::<Traffic>();
     all.visit::<VirtualView>();
     let texts: Vec<String> = all.texts.into_values().collect();
-    format!("{HEAD}\n{}", texts.join("\n"))
+    // One line for a comment of one.
+    let text = texts.join("\n").replace("/**\n * ", "/** ").replace("\n */\n", " */\n").replace(" \n", "\n");
+    format!("{HEAD}\n{text}")
 }

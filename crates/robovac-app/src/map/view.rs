@@ -75,6 +75,8 @@ pub struct MapView {
     pub samples: usize,
     /// Changes whenever another run, or another moment of it, is shown.
     pub version: f64,
+    /// Whether a hand holds the robot on the picture, which the session doesn't know.
+    pub is_carried: bool,
 }
 
 /// What the user may do now.
@@ -174,6 +176,7 @@ impl MapSession {
             dirt_m2: area(Mark::Dirty),
             samples: self.samples().len(),
             version: self.version() as f64,
+            is_carried: false,
         }
     }
 }
