@@ -9,7 +9,11 @@ mod picture;
 use self::{hand::RobotHand, paint::MapPainter};
 use super::session_mirror::SessionMirror;
 use js_sys::{Array, Float64Array, Reflect, Uint8Array};
-use robovac_app::{CatalogueEntry, Import, Viewport, export::ExportFile, map::{self, MapView}};
+use robovac_app::{
+    CatalogueEntry, Import, Viewport,
+    export::ExportFile,
+    map::{self, MapView},
+};
 use robovac_core::floor_plan::{FloorPlan, MapImage, OccupancyMode, to_ros_map};
 use robovac_playground::wire::message;
 use robovac_playground::wire::{clock, map_file, to_js};
