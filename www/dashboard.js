@@ -17,7 +17,7 @@ const PAUSE = 60;
 /** Largest value of the dirt sensor. */
 const MOST_DIRT = 255;
 
-/** @param {import("./main.js").App} app @returns {(view: import("./types").View) => void} */
+/** @param {import("./main.js").App} app @returns {(view: import("./types").PageView) => void} */
 export function startDashboard(app) {
   const { robots } = app.catalogue;
   const board = byId("dashboard");
@@ -54,7 +54,7 @@ export function instruments(robot) {
   return [flags(robot), ...(robot.cliffs.some(Boolean) ? [cliffs(robot)] : []), ...(robot.gauge ? [battery()] : []), ...(robot.infrared ? [infrared()] : []), wheels(robot), dirt()];
 }
 
-/** @param {import("./types").View} view */
+/** @param {import("./types").PageView} view */
 function doing({ activity, is_lifted, state, kind }) {
   if (is_lifted) return "In your hand";
   const text = activity || (kind === "planner" ? "following its plan" : "");

@@ -10,7 +10,7 @@ import { currentTab } from "./tabs.js";
  * @typedef {{ key(key: string): boolean }} Part What says whether it used a key.
  */
 
-/** @type {Record<string, import("./types").Tool>} */
+/** @type {Record<string, import("./types").FloorTool>} */
 const TOOLS = { v: "view", w: "wall", e: "erase", s: "start" };
 
 /** @param {App} app @param {Part[]} parts */

@@ -21,7 +21,7 @@ import { updateView } from "./explore/view.js";
 import { compile, missing } from "./wasm.js";
 
 /**
- * @typedef {import("./types").View} View
+ * @typedef {import("./types").PageView} View
  * @typedef {object} App What the modules of the page share.
  * @property {Playground} playground
  * @property {import("./types").Catalogue} catalogue
@@ -75,7 +75,7 @@ async function start() {
       return worked;
     },
     takeFiles: async (files) => {
-      /** @type {import("./types").ReadMap} */
+      /** @type {import("./worker-types").ReadMap} */
       let map;
       try {
         const { readMap } = await import("./workers.js");

@@ -3,8 +3,8 @@
 import { shown } from "./numbers.js";
 
 /**
- * @typedef {import("../types").CompareTable} Table
- * @typedef {import("../types").PlannerEntry} Planner
+ * @typedef {import("../types").TableView} Table
+ * @typedef {import("../types").CatalogueEntry} Planner
  */
 
 /** Numbers that get bars. */

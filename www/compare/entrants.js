@@ -19,7 +19,7 @@ export function swatch(mark) {
 
 /**
  * An item of a list of algorithms.
- * @param {{ id: string, title: string, params: import("../types").ParamSpec[] }} algorithm
+ * @param {{ id: string, title: string, params: import("../types").Param[] }} algorithm
  * @param {HTMLElement} mark
  * @param {string} scope Makes ids different from those of other lists.
  * @param {Doings} doings

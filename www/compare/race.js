@@ -10,7 +10,7 @@ import { startTransport, through } from "../shared/time-line.js";
 
 /**
  * @typedef {import("./tab.js").Comparing} Comparing
- * @typedef {import("../types").CompareView} CompareView
+ * @typedef {import("../types").ComparisonView} CompareView
  * @typedef {import("../types").RaceView} RaceView
  */
 

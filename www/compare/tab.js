@@ -13,7 +13,7 @@ import { startRace } from "./race.js";
 import { startRuns } from "./montecarlo.js";
 
 /**
- * @typedef {import("../types").CompareView} CompareView
+ * @typedef {import("../types").ComparisonView} CompareView
  * @typedef {import("../main.js").App} App
  * @typedef {object} Comparing What the modules of this tab share.
  * @property {App} app

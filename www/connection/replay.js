@@ -69,8 +69,8 @@ export function startReplay(it, to) {
   const look = () => {
     if (!replay) return;
     to.follow(replay.take_trace());
-    to.show({ .../** @type {import("./types").ConnectionState} */ (replay.view()), virtual: null });
-    to.traffic(/** @type {import("./types").Traffic[]} */ (replay.take_traffic()));
+    to.show({ ...replay.view(), virtual: null });
+    to.traffic(replay.take_traffic());
     const [now, all] = [replay.time_s(), replay.duration_s()];
     showRange(all, now);
     setText(byId("replay-time"), `${clock(now)} of ${clock(all)}`);

@@ -14,7 +14,7 @@ const MOST = 100;
 /** Milliseconds between changes of the list: nobody reads faster. */
 const PAUSE = 250;
 
-/** @param {import("../main.js").App} app @returns {(view: import("../types").View) => void} */
+/** @param {import("../main.js").App} app @returns {(view: import("../types").PageView) => void} */
 export function startEvents(app) {
   const list = byId("events");
   /** @type {Line[]} */
@@ -63,7 +63,7 @@ function read(flat) {
   return entries;
 }
 
-/** What is known from before of the time ahead, when time was wound back, and what there is. @param {Entry[]} known @param {Entry[]} entries @param {import("../types").View} view */
+/** What is known from before of the time ahead, when time was wound back, and what there is. @param {Entry[]} known @param {Entry[]} entries @param {import("../types").PageView} view */
 function merged(known, entries, view) {
   const ahead = known.filter(({ time }) => time > view.time_s + 0.001 && time <= view.run_end_s);
   const latest = entries[0]?.time ?? -1;

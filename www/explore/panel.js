@@ -5,8 +5,8 @@ import { explainer } from "../explainer.js";
 import { paramField } from "../params.js";
 
 /**
- * @typedef {import("../types").View} View
- * @typedef {import("../types").AlgorithmEntry} AlgorithmEntry
+ * @typedef {import("../types").PageView} View
+ * @typedef {import("../types").CatalogueEntry} AlgorithmEntry
  * @typedef {import("../main.js").App} App
  * @typedef {(control: HTMLElement, value: string) => void} Show
  */

@@ -6,7 +6,7 @@ import { atMostEvery } from "../shared/frame-pacer.js";
 import { startTimeLine, startTransport, through } from "../shared/time-line.js";
 
 /**
- * @typedef {import("../types").View} View
+ * @typedef {import("../types").PageView} View
  * @typedef {import("../main.js").App} App
  */
 

@@ -59,7 +59,7 @@ function startPointers(app, canvas, picture) {
 /** @param {App} app */
 function startToolbar(app) {
   for (const node of byId("tools").querySelectorAll("button[data-tool]")) {
-    const tool = /** @type {import("../types").Tool} */ (node.getAttribute("data-tool"));
+    const tool = /** @type {import("../types").FloorTool} */ (node.getAttribute("data-tool"));
     node.addEventListener("click", () => {
       if (tool === "view" || app.view.can.edit) app.act((p) => p.set_tool(tool));
     });

@@ -6,8 +6,8 @@ import { updateMessage } from "../messages.js";
 import { atMostEvery } from "../shared/frame-pacer.js";
 
 /**
- * @typedef {import("../types").View} View
- * @typedef {import("../types").PlanNumbers} Plan
+ * @typedef {import("../types").PageView} View
+ * @typedef {import("../types").PlanView} Plan
  * @typedef {{ label: string, tip: string | ((v: View) => string), plan?: (p: Plan) => string, run?: (v: View) => string, when?: (v: View) => boolean }} Metric
  */
 

@@ -44,7 +44,7 @@ export function startCanvas(it, canvas) {
   };
   return {
     resized: () => fitSize(canvas, session),
-    /** @param {import("./types").MapView} view */
+    /** @param {import("../types").MapView} view */
     update(view) {
       setEnabled(button("map-lift"), view.can.lift || view.can.put_down);
       setText(byId("map-lift-name"), view.is_carried ? "Put down" : "Lift robot");
@@ -81,7 +81,7 @@ function startLayers(it) {
   for (const node of quick) node.addEventListener("click", () => it.toggle(node.getAttribute("data-layer") ?? ""));
   return {
     open,
-    /** @param {import("./types").MapView} view */
+    /** @param {import("../types").MapView} view */
     update({ layers }) {
       if (!changed(list, "layers", layers.join())) return;
       for (const box of boxes) box.checked = layers.includes(box.dataset.layer ?? "");

@@ -31,7 +31,7 @@ export function startPlaybar(it) {
   /** Upper end of the scale of errors, m. */
   let top = 0.1;
 
-  const update = (/** @type {import("./types").MapView} */ view) => {
+  const update = (/** @type {import("../types").MapView} */ view) => {
     const { can } = view;
     const running = isMoving();
     transport.update({ ...can, play: can.play || can.pause, reset: can.seek }, running, view.speed);
@@ -57,14 +57,14 @@ export function startPlaybar(it) {
   return { update, key: transport.key };
 }
 
-/** Length of the time line, s: it grows by a third when it is full. @param {import("./types").MapView} view */
+/** Length of the time line, s: it grows by a third when it is full. @param {import("../types").MapView} view */
 export function rangeOf(view) {
   let range = SHORTEST;
   while (view.end_s > range) range = Math.ceil((range * 4) / 180) * 60;
   return range;
 }
 
-/** How far off it is, in words. @param {import("./types").MapView} view */
+/** How far off it is, in words. @param {import("../types").MapView} view */
 function off({ figures }) {
   const error = figures?.position_m;
   return error === null || error === undefined ? "lost" : `off by ${error < 1 ? `${(100 * error).toFixed(0)} cm` : `${error.toFixed(2)} m`}`;

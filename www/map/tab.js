@@ -14,12 +14,12 @@ import { startSetup } from "./setup.js";
 import { startUses } from "./uses.js";
 
 /**
- * @typedef {import("./types").MapView} MapView
+ * @typedef {import("../types").MapView} MapView
  * @typedef {object} MapTab What the modules of this tab share.
  * @property {import("../main.js").App} app
  * @property {MapSession} session
  * @property {MapView} view The latest view.
- * @property {import("../types").AlgorithmEntry[]} explorers
+ * @property {import("../types").CatalogueEntry[]} explorers
  * @property {[string, string][]} cleaners Planners of what is left.
  * @property {(what: (session: MapSession) => void) => boolean} act Does something that may fail; says whether it worked.
  * @property {(key: string, value: string) => boolean} set Chooses.

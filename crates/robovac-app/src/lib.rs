@@ -18,6 +18,7 @@
 pub mod bench;
 pub mod compare;
 pub mod connection;
+mod entry;
 pub mod explore;
 pub mod export;
 pub mod floor_plan;
@@ -27,12 +28,17 @@ pub mod map;
 mod mark;
 mod pack;
 mod palette;
+mod param;
 mod scene;
+#[cfg(feature = "types")]
+pub mod types;
 mod viewport;
 
+pub use entry::CatalogueEntry;
 pub use import::{Import, ImportError, ScenarioChoices, ScenarioError};
 pub use mark::Mark;
 pub use pack::{pack, unpack};
 pub use palette::Palette;
+pub use param::{Param, params};
 pub use scene::{FilmScene, RobotView, Scene, SearchScene, Sensed};
 pub use viewport::Viewport;

@@ -17,6 +17,7 @@ const _: () = assert!(
 
 /// A mark that no other algorithm has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Mark {
     colour: usize,
     shape: u8,

@@ -8,7 +8,10 @@ use crate::{
         view::{PlanView, RoomView, SessionActions},
     },
 };
-use coverage_planners::Proof;
+use coverage_planners::{
+    Proof,
+    metrics::{DriveMetrics, WalkMetrics},
+};
 use robovac_sim::experiment::Shows;
 use robovac_sim::{Run, RunRecording, SensorKind, SlipLevel, What};
 
@@ -134,8 +137,8 @@ impl Session {
             return Some(PlanView {
                 running: true,
                 progress: planning.progress,
-                walk: None,
-                drive: None,
+                walk: WalkMetrics::default(),
+                drive: DriveMetrics::default(),
                 planning_s: None,
                 gap: planning.proof.map(Proof::gap),
                 above_bound: None,
@@ -147,8 +150,8 @@ impl Session {
         self.planned.as_ref().map(|planned| PlanView {
             running: false,
             progress: 1.0,
-            walk: Some(planned.walk),
-            drive: Some(planned.drive),
+            walk: planned.walk,
+            drive: planned.drive,
             planning_s: (!self.is_opening).then_some(planned.planning_s),
             gap: planned.proof.map(Proof::gap),
             above_bound: planned.compared.map(Proof::gap),

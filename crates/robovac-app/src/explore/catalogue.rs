@@ -1,11 +1,11 @@
 //! Catalogue of algorithms, rooms and robots, for menus and forms.
 
+use crate::CatalogueEntry;
 use coverage_planners::PLANNERS;
 use robovac_core::{
     floor_plan::ROOMS,
     robot::{Body, MODELS, RobotModel, WheelLayout},
 };
-use robovac_playground::wire::entry::CatalogueEntry;
 use robovac_sim::{
     SensorKind,
     controller::MAPLESS,
@@ -15,11 +15,12 @@ use serde::Serialize;
 
 /// Rooms, planners, behaviours, robots, kinds of sensors whose noise can be chosen, cell sizes and speeds.
 #[derive(Serialize)]
-pub(super) struct Catalogue {
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+pub struct Catalogue {
     rooms: Vec<RoomEntry>,
     planners: Vec<CatalogueEntry>,
     behaviours: Vec<CatalogueEntry>,
-    robots: Vec<Robot>,
+    robots: Vec<RobotEntry>,
     /// Ids and labels.
     sensors: [(&'static str, &'static str); SensorKind::ALL.len()],
     cell_sizes_m: [f64; CELL_SIZES.len()],
@@ -27,6 +28,7 @@ pub(super) struct Catalogue {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 struct RoomEntry {
     id: &'static str,
     title: &'static str,
@@ -34,8 +36,9 @@ struct RoomEntry {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[expect(clippy::struct_excessive_bools)]
-struct Robot {
+struct RobotEntry {
     id: &'static str,
     title: &'static str,
     summary: &'static str,
@@ -62,12 +65,13 @@ struct Robot {
 }
 
 impl Catalogue {
-    pub fn new() -> Self {
+    /// All that there is.
+    pub fn all() -> Self {
         Self {
             rooms: ROOMS.iter().map(|r| RoomEntry { id: r.id, title: r.title, note: r.note }).collect(),
             planners: PLANNERS.iter().map(|info| CatalogueEntry::new(Algorithm::Planner(info))).collect(),
             behaviours: MAPLESS.infos().map(|info| CatalogueEntry::new(Algorithm::Behaviour(info))).collect(),
-            robots: MODELS.iter().copied().map(Robot::new).collect(),
+            robots: MODELS.iter().copied().map(RobotEntry::new).collect(),
             sensors: SensorKind::ALL.map(|(kind, name)| (name, kind.label())),
             cell_sizes_m: CELL_SIZES,
             speeds: SPEEDS,
@@ -75,7 +79,7 @@ impl Catalogue {
     }
 }
 
-impl Robot {
+impl RobotEntry {
     fn new(model: &RobotModel) -> Self {
         let unit = 1.0 / model.radius;
         let scaled = |[x, y]: [f64; 2]| [unit * x, unit * y];

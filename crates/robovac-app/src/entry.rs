@@ -1,14 +1,17 @@
 //! An algorithm as shown in menus, forms and panels.
 
-use crate::wire::param::{Param, params};
+use crate::{
+    Mark,
+    param::{Param, params},
+};
 use coverage_planners::PlannerInfo;
-use robovac_app::Mark;
 use robovac_core::registry;
 use robovac_sim::experiment::Algorithm;
 use serde::Serialize;
 
 /// A planner or behaviour. What only the other kind claims is false.
 #[derive(Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[expect(clippy::struct_excessive_bools)]
 pub struct CatalogueEntry {
     id: &'static str,
@@ -17,6 +20,7 @@ pub struct CatalogueEntry {
     source: &'static str,
     link: &'static str,
     /// `planner` or `behaviour`.
+    #[cfg_attr(feature = "types", ts(type = "\"planner\" | \"behaviour\""))]
     kind: &'static str,
     mark: Mark,
     complete: bool,
@@ -35,6 +39,7 @@ pub struct CatalogueEntry {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 struct ExampleEntry {
     room: &'static str,
     why: &'static str,
