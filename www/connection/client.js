@@ -36,7 +36,7 @@ export class ConnectionClient {
   #view;
   #movesUntil = 0;
 
-  /** @param {WebAssembly.Module} module robot_bg.wasm, compiled */
+  /** @param {WebAssembly.Module} module workshop_bg.wasm, compiled */
   constructor(module) {
     this.#module = module;
     this.#worker = this.#start();
