@@ -4,6 +4,7 @@ import { byId, changed, make, setAttribute, setText } from "./dom.js";
 import { count } from "./format.js";
 import { cliffSensors, portrait } from "./portrait.js";
 import { scanPlot } from "./scan.js";
+import { atMostEvery } from "./shared/frame-pacer.js";
 
 /**
  * @typedef {import("./types").SensorsView} Reading
@@ -24,7 +25,7 @@ export function startDashboard(app) {
   let parts = [];
   /** @type {((scan: Float32Array) => void) | undefined} */
   let showScan;
-  let looked = 0;
+  const isDue = atMostEvery(PAUSE);
 
   /** @param {Robot} robot */
   const build = (robot) => {
@@ -38,9 +39,7 @@ export function startDashboard(app) {
 
   return (view) => {
     setText(byId("activity"), doing(view));
-    const now = performance.now();
-    if (now - looked < PAUSE || !board.checkVisibility({ visibilityProperty: true })) return;
-    looked = now;
+    if (!isDue(() => board.checkVisibility({ visibilityProperty: true }))) return;
     const robot = robots.find(({ id }) => id === view.robot);
     if (robot && changed(board, "robot", robot.id)) build(robot);
     const reading = app.playground.readings();

@@ -13,6 +13,9 @@ export type ParamSpec = {
   default: string | number | boolean;
 };
 
+/** Colour and shape of an algorithm, by their numbers in www/compare/compare.css. */
+export type Mark = { colour: number; shape: number };
+
 /** A planner or a behaviour. What only the other kind claims is false. */
 export type AlgorithmEntry = {
   id: string;
@@ -21,6 +24,7 @@ export type AlgorithmEntry = {
   source: string;
   link: string;
   kind: "planner" | "behaviour";
+  mark: Mark;
   complete: boolean;
   deterministic: boolean;
   /** Plans a million cells in about a second. */
@@ -77,7 +81,7 @@ export type Catalogue = {
   behaviours: AlgorithmEntry[];
   robots: RobotEntry[];
   /** Kinds of sensors whose noise can be chosen. */
-  sensors: string[];
+  sensors: [id: string, label: string][];
   cell_sizes_m: number[];
   /** Times real time; 0 stands for as fast as it goes. */
   speeds: number[];
@@ -305,7 +309,7 @@ export type CompareTable = {
 
 /** What there is to run many times (src/web/montecarlo.rs). */
 export type RunsOffer = {
-  entrants: { id: string; title: string; summary: string; kind: "planner" | "behaviour"; explores: boolean; number: number; params: ParamSpec[] }[];
+  entrants: { id: string; title: string; summary: string; kind: "planner" | "behaviour"; explores: boolean; mark: Mark; params: ParamSpec[] }[];
   seeds: number[];
   minutes: number[];
 };

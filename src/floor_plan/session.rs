@@ -280,11 +280,6 @@ impl FloorPlanSession {
         self.viewport.zoom_at(x, y, factor);
     }
 
-    /// Enlarges `factor` times around the middle.
-    pub fn zoom_middle(&mut self, factor: f64) {
-        self.viewport.zoom_at(0.5 * self.viewport.size.x, 0.5 * self.viewport.size.y, factor);
-    }
-
     /// Shows all of it.
     pub fn fit(&mut self) {
         self.viewport.fit();

@@ -20,7 +20,8 @@ pub(super) struct Catalogue {
     planners: Vec<CatalogueEntry>,
     behaviours: Vec<CatalogueEntry>,
     robots: Vec<Robot>,
-    sensors: [&'static str; SensorKind::ALL.len()],
+    /// Ids and labels.
+    sensors: [(&'static str, &'static str); SensorKind::ALL.len()],
     cell_sizes_m: [f64; CELL_SIZES.len()],
     speeds: [f64; SPEEDS.len()],
 }
@@ -67,7 +68,7 @@ impl Catalogue {
             planners: PLANNERS.iter().map(|info| CatalogueEntry::new(Algorithm::Planner(info))).collect(),
             behaviours: MAPLESS.infos().map(|info| CatalogueEntry::new(Algorithm::Behaviour(info))).collect(),
             robots: MODELS.iter().copied().map(Robot::new).collect(),
-            sensors: SensorKind::ALL.map(|(_, name)| name),
+            sensors: SensorKind::ALL.map(|(kind, name)| (name, kind.label())),
             cell_sizes_m: CELL_SIZES,
             speeds: SPEEDS,
         }

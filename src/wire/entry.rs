@@ -1,6 +1,8 @@
 //! An algorithm as shown in menus, forms and panels.
 
 use crate::wire::param::{Param, params};
+use coverage_planners::PlannerInfo;
+use robovac_app::Mark;
 use robovac_core::registry;
 use robovac_sim::experiment::Algorithm;
 use serde::Serialize;
@@ -16,6 +18,7 @@ pub struct CatalogueEntry {
     link: &'static str,
     /// `planner` or `behaviour`.
     kind: &'static str,
+    mark: Mark,
     complete: bool,
     deterministic: bool,
     fast: bool,
@@ -53,10 +56,11 @@ impl CatalogueEntry {
             source,
             link,
             kind: algorithm.kind(),
+            mark: Mark::of(algorithm),
             complete: plans.is_some_and(|c| c.complete),
             deterministic: plans.is_some_and(|c| c.deterministic),
             fast: plans.is_some_and(|c| c.fast),
-            anytime: plans.is_some_and(|c| c.anytime),
+            anytime: algorithm.planner().is_some_and(PlannerInfo::is_anytime),
             ends: reacts.is_some_and(|c| c.ends),
             cleans: reacts.is_some_and(|c| c.cleans),
             manual: reacts.is_some_and(|c| c.manual),

@@ -1,19 +1,18 @@
 //! Monte Carlo studies on the page: settings, work for workers, curves and numbers.
 
 use super::session_mirror::SessionMirror;
-use coverage_planners::PLANNERS;
 use js_sys::Float64Array;
-use robovac_app::compare::{MINUTES, SEEDS, Study};
+use robovac_app::{
+    Mark,
+    compare::{MINUTES, SEEDS, Study},
+};
 use robovac_core::registry::Params;
 use robovac_playground::wire::message;
 use robovac_playground::wire::{
     param::{Param, params},
     to_js,
 };
-use robovac_sim::{
-    controller::BEHAVIOURS,
-    montecarlo::{Band, RunOutcome, StudyHeader, Summary, to_csv, to_json},
-};
+use robovac_sim::montecarlo::{Band, RunOutcome, StudyHeader, Summary, to_csv, to_json};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -41,8 +40,7 @@ struct EntrantOffer {
     kind: &'static str,
     /// Whether it is measured by the boundary that it has met, and not by clean floor.
     explores: bool,
-    /// Its place in the registry of its kind.
-    number: usize,
+    mark: Mark,
     params: Vec<Param>,
 }
 
@@ -89,10 +87,6 @@ impl MonteCarlo {
     pub fn offer(&self) -> Result<JsValue, JsValue> {
         let entrants = self.state.entrants().iter().map(|entrant| {
             let algorithm = entrant.algorithm;
-            let number = algorithm.planner().map_or_else(
-                || BEHAVIOURS.iter().position(|info| info.id == algorithm.id()),
-                |planner| PLANNERS.iter().position(|info| info.id == planner.id),
-            );
             EntrantOffer {
                 id: algorithm.id(),
                 title: algorithm.title(),
@@ -101,7 +95,7 @@ impl MonteCarlo {
                     .map_or_else(|| algorithm.behaviour().map_or("", |info| info.summary), |info| info.summary),
                 kind: algorithm.kind(),
                 explores: entrant.explores(),
-                number: number.unwrap_or(0),
+                mark: Mark::of(algorithm),
                 params: params(algorithm.params()),
             }
         });

@@ -3,9 +3,10 @@
 import { MonteCarlo } from "../../workshop.js";
 import { startChart } from "./coverage-chart.js";
 import { button, byId, changed, fill, select, setAttribute, setHidden, setText, typed } from "../dom.js";
-import { entrantItem, markOf, showChoice, swatch } from "./entrants.js";
+import { entrantItem, showChoice, swatch } from "./entrants.js";
 import { count } from "../format.js";
 import { Pool } from "./pool.js";
+import { atMostEvery } from "../shared/frame-pacer.js";
 import { showTable } from "./runs-table.js";
 
 /**
@@ -46,7 +47,7 @@ export function startRuns(app, module, guard, mirror) {
   let view = study.view();
   /** When the runs began, and how many there were by then. */
   let began = { at: 0, done: 0 };
-  let drawn = 0;
+  const isDue = atMostEvery(REDRAW);
 
   const run = () =>
     act((s) => {
@@ -63,7 +64,7 @@ export function startRuns(app, module, guard, mirror) {
   select("runs-seeds").addEventListener("change", () => act((s) => s.set_seeds(Number(select("runs-seeds").value))));
   select("runs-minutes").addEventListener("change", () => act((s) => s.set_minutes(Number(select("runs-minutes").value))));
   const items = offer.entrants.map((entrant, index) =>
-    entrantItem(entrant, swatch(entrant.number, entrant.kind), `run-${entrant.kind}`, {
+    entrantItem(entrant, swatch(entrant.mark), `run-${entrant.kind}`, {
       choose: (takesPart) => act((s) => s.choose(index, takesPart)),
       setParam: (param, text) => act((s) => s.set_param(index, param, text)),
     }),
@@ -82,11 +83,11 @@ export function startRuns(app, module, guard, mirror) {
     const rows = shown.map(({ entrant, index }) => ({
       title: entrant.title,
       explores: entrant.explores,
-      mark: swatch(entrant.number, entrant.kind),
+      mark: swatch(entrant.mark),
       summary: study.summary(index),
       failure: view.entrants[index]?.failure ?? "",
       index,
-      ...markOf(entrant.number, entrant.kind),
+      ...entrant.mark,
     }));
     const known = rows.filter(({ summary }) => summary);
     const any = rows.some(({ summary, failure }) => summary || failure);
@@ -109,11 +110,7 @@ export function startRuns(app, module, guard, mirror) {
       view = study.view();
       updateChoices(view, offer, items);
       updateProgress(view, began);
-      const now = performance.now();
-      if ((now - drawn > REDRAW || !view.running) && changed(byId("runs-view"), "version", view.version)) {
-        drawn = now;
-        results();
-      }
+      if (isDue(() => changed(byId("runs-view"), "version", view.version), !view.running)) results();
     },
     restore: (/** @type {string} */ link) => study.restore(link),
     link: () => study.link(),

@@ -90,7 +90,7 @@ function sorted(rows, metrics, order) {
 function line({ app, about }, row, metrics, rows, rooms) {
   const planner = app.catalogue.planners[row.entrant];
   const open = make("button", { type: "button", className: "link", "data-key": String(row.entrant), onclick: () => about(row.entrant) }, planner?.title ?? "");
-  const name = make("th", { scope: "row" }, swatch(row.entrant), open);
+  const name = make("th", { scope: "row" }, swatch(planner?.mark), open);
   if (row.missing > 0 && rooms > 1) name.append(make("span", { className: "status" }, `${rooms - row.missing} of ${rooms} rooms`));
   if (row.failure) name.append(make("span", { className: "failure", "data-tip": row.failure, tabIndex: 0 }, "failed"));
   const cells = metrics.map((metric, column) => {

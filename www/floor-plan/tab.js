@@ -113,10 +113,10 @@ export function startFloorPlan(app, module) {
   };
 
   const updates = [startFacts, startScale, startLayers, startWalls, startBody, startSweep].map((begin) => begin(it));
-  const sized = startCanvas(it);
+  const picture = startCanvas(it);
   const keeping = startKeeping(it);
   client.onstart = (canvas) => {
-    sized(canvas);
+    picture.onStage(canvas);
     client.say({ type: "dark", dark: isDark });
   };
   client.onview = (view) => {
@@ -151,14 +151,7 @@ export function startFloorPlan(app, module) {
     frame() {
       return { message: "", message_kind: "" };
     },
-    /** @param {string} key */
-    key(key) {
-      if (key === "0") client.say({ type: "fit" });
-      else if (key === "+" || key === "=") client.say({ type: "middle", factor: 1.25 });
-      else if (key === "-") client.say({ type: "middle", factor: 0.8 });
-      else return false;
-      return true;
-    },
+    key: picture.key,
     link: () => "tab=floor-plan",
     restore() {},
     /** @param {boolean} dark */

@@ -59,7 +59,7 @@ pub mod sweep;
 pub use bounds::{Bounds, Relaxation, TURN_STEPS};
 pub use context::{Observer, PlanContext, PlanError, ProgressReport, StepTracer};
 pub use film::{Film, FilmFrame, MOST_FILMED_CELLS};
-pub use info::{PlannerClaims, PlannerInfo, SLOW_CELLS};
+pub use info::{PlannerClaims, PlannerInfo, SLOW_CELLS, Search};
 pub use job::CoverageJob;
 pub use objective::{Finish, Objective, Proof};
 pub use path::{CoveragePath, PathError};
@@ -88,6 +88,7 @@ macro_rules! registry {
         /// All planners, in the order of the menus.
         pub const PLANNERS: &[&PlannerInfo] = &[$(&$planner::INFO),*];
         const BUILDERS: &[(&str, BuildPlanner)] = &[$(($planner::INFO.id, $planner::BUILD)),*];
+        $(const _: () = $planner::INFO.check();)*
     };
 }
 

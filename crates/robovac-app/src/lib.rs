@@ -21,14 +21,17 @@ pub mod connection;
 pub mod explore;
 pub mod export;
 pub mod floor_plan;
+mod frame_pacer;
 mod import;
 pub mod map;
+mod mark;
 mod pack;
 mod palette;
 mod scene;
 mod viewport;
 
 pub use import::{Import, ImportError, ScenarioChoices, ScenarioError};
+pub use mark::Mark;
 pub use pack::{pack, unpack};
 pub use palette::Palette;
 pub use scene::{FilmScene, RobotView, Scene, SearchScene, Sensed};

@@ -150,7 +150,7 @@ impl MapSession {
             senses: conditions.noise.to_string(),
             layers: setup.layers.names(),
             speed: setup.speed,
-            speed_factor: self.speed_factor,
+            speed_factor: self.pacer.speed_factor(),
             time_s: run.map_or(0.0, Run::time_s),
             end_s: self.stage.as_ref().map_or(0.0, |stage| stage.recording.end_s()),
             returned: self.returned(),

@@ -6,6 +6,7 @@ mod search;
 mod snapshot;
 
 use crate::explore::{Action, Brush, Editor, PlanSearch, SessionState, Showing};
+use crate::frame_pacer::{FramePacer, LONGEST_FRAME};
 use crate::{Import, ImportError, ScenarioError};
 use coverage_planners::{Film, Proof};
 use robovac_core::{
@@ -22,9 +23,6 @@ use robovac_sim::{
     },
 };
 use std::sync::Arc;
-
-/// Longest time between two frames that is made up for, s: after a pause of the browser the robot doesn't leap.
-const LONGEST_FRAME: f64 = 0.1;
 
 /// What is told of a robot that was put down elsewhere and can't feel that.
 const CARRIED: &str = "The robot follows its plan by odometry and can't detect that it was kidnapped.";
@@ -47,9 +45,7 @@ pub struct Session {
     planned: Option<Planned>,
     recording: Option<RunRecording>,
     playing: bool,
-    /// Simulation steps that are due but not done.
-    due: f64,
-    speed_factor: f64,
+    pacer: FramePacer,
     requests: u32,
     /// Whether nothing but the opening scene has been asked for so far: its plan is there already.
     is_opening: bool,
@@ -115,8 +111,7 @@ impl Session {
             planned: None,
             recording: None,
             playing: true,
-            due: 0.0,
-            speed_factor: 0.0,
+            pacer: FramePacer::default(),
             requests: 0,
             is_opening: true,
             previews: 0,
@@ -215,24 +210,12 @@ impl Session {
         match state {
             SessionState::Seeking => recording.seek_on(has_time),
             SessionState::Playing => {
-                let elapsed = elapsed_s.clamp(0.0, LONGEST_FRAME);
-                let unlimited = self.settings.speed == 0.0;
-                self.due += elapsed * self.settings.speed / STEP_S;
-                let wanted = if unlimited { u64::MAX } else { self.due as u64 };
-                let taken = recording.advance(wanted, has_time);
-                // What couldn't be done in time isn't made up for: the achieved speed says so instead.
-                self.due = if taken == wanted { self.due.fract() } else { 0.0 };
-                if elapsed > 0.0 {
-                    let factor = taken as f64 * STEP_S / elapsed;
-                    // The first frame counts in full: smoothing from zero would look like a slow start.
-                    let weight = if self.speed_factor > 0.0 { 0.1 } else { 1.0 };
-                    self.speed_factor += weight * (factor - self.speed_factor);
-                }
+                self.pacer.frame(elapsed_s, self.settings.speed, |steps| recording.advance(steps, has_time));
                 if recording.run().is_finished() {
                     self.playing = false;
                 }
             }
-            _ => self.speed_factor = 0.0,
+            _ => self.pacer.rest(),
         }
     }
 
@@ -366,7 +349,7 @@ impl Session {
     /// Sets the speed, times real time; 0 for as fast as it goes.
     pub fn set_speed(&mut self, times: f64) {
         self.settings.speed = if times.is_finite() { times.max(0.0) } else { 0.0 };
-        self.due = 0.0;
+        self.pacer.restart();
     }
 
     /// Takes a map or scenario from files that belong together. On an error everything stays as it was.

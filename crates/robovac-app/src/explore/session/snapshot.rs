@@ -88,7 +88,7 @@ impl Session {
             shows: self.settings.shows,
             odometry: self.settings.odometry.id(),
             speed: self.settings.speed,
-            speed_factor: self.speed_factor,
+            speed_factor: self.pacer.speed_factor(),
             time_s: run.map_or(0.0, Run::time_s),
             run_end_s: self.recording.as_ref().map_or(0.0, RunRecording::end_s),
             coverage: run.map_or(0.0, Run::coverage),
@@ -120,8 +120,7 @@ impl Session {
 
     /// What a quarter turn counts as for a planner that proves its plans, in steps, and whether that is the robot's time.
     fn turn_weight(&self) -> Option<(f64, bool)> {
-        let planner = self.settings.algorithm.planner().filter(|planner| planner.claims.anytime);
-        let turn = planner.map(|_| self.settings.params.number("turn"))?;
+        let turn = self.settings.algorithm.planner()?.turn_weight(&self.settings.params)?;
         if turn > 0.0 {
             return Some((turn, false));
         }
