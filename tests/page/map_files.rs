@@ -489,7 +489,8 @@ mod formats {
             let (room, x, y) = (x.saturating_sub(10) / 82, x.saturating_sub(10) % 82, y.saturating_sub(10));
             let is_door = doors.get(room as usize).is_some_and(|door| (*door..door + 18).contains(&x));
             let is_corridor = (92..140).contains(&y) && (1..rooms).contains(&room);
-            let is_wall = x < 2 && !is_corridor || y < 2 || y >= 180 || matches!(y, 90 | 91 | 140 | 141) && !is_door;
+            let is_wall =
+                x < 2 && !is_corridor || !(2..180).contains(&y) || matches!(y, 90 | 91 | 140 | 141) && !is_door;
             let is_cupboard = (8..20).contains(&y) && (10..40).contains(&x);
             Luma([match (is_outside, is_wall || is_cupboard) {
                 (true, _) => 205,

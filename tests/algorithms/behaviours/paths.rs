@@ -1,7 +1,6 @@
 //! Whoever follows a planned path minds edges, too: with wheels that slip, it isn't where it believes to be.
 
 use super::{stairs::rooms, support::conditions};
-use coverage_planners;
 use robovac_core::{
     registry::Params,
     robot::{MODELS, OdometryModel},

@@ -27,7 +27,8 @@ fn suits(info: &PlannerInfo, scenario: &Scenario, job: &CoverageJob) -> bool {
 
 /// Plans with every planner in every room, from every `step`th start and heading.
 fn walks_hold(step: usize) {
-    for scenario in scenarios() {
+    // A million cells, as one of the shared grids has, are the soak's.
+    for scenario in scenarios().into_iter().filter(|s| step == 1 || s.free.len() < 100_000) {
         let jobs = || scenario.jobs().step_by(step).enumerate();
         for (info, (number, job)) in PLANNERS.iter().flat_map(|info| jobs().map(move |job| (info, job))) {
             if !suits(info, &scenario, &job) {
