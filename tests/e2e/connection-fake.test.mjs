@@ -117,13 +117,13 @@ test("an error in the program stops the robot and says so", { skip }, async (t) 
   const robot = await Robot.start(t);
   const bus = await startBus(t, [robot]);
   const sabotage = `const view = Connection.prototype.view;
-    Connection.prototype.view = function (now) {
-      const seen = view.call(this, now);
+    Connection.prototype.view = function (...now) {
+      const seen = view.apply(this, now);
       if (seen.distance_m > 0.05) throw new Error("sabotage");
       return seen;
     };`;
-  const program = fs.readFileSync(path.join(DIST, "robot.js"), "utf8");
-  const extra = { ...fakeFiles({ bus: bus.url, ports: [FTDI], chooses: 0 }), "/robot.js": `${program}\n${sabotage}` };
+  const program = fs.readFileSync(path.join(DIST, "workshop.js"), "utf8");
+  const extra = { ...fakeFiles({ bus: bus.url, ports: [FTDI], chooses: 0 }), "/workshop.js": `${program}\n${sabotage}` };
   const { desk } = await openDesk(t, { extra, allow: [/sabotage/] });
   await desk.connect();
   await desk.arm();
