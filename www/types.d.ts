@@ -102,12 +102,14 @@ title: string,
 note: string, };
 
 /** Rooms, planners, behaviours, robots, kinds of sensors whose noise can be chosen, cell sizes and speeds. */
-export type Catalogue = { rooms: Array<RoomEntry>, planners: Array<CatalogueEntry>, behaviours: Array<CatalogueEntry>, robots: Array<RobotEntry>, sensors: [string, string, string, string, string, string, string], cell_sizes_m: [number, number, number, number, number, number, number, number], speeds: [number, number, number, number, number, number, number], };
+export type Catalogue = { rooms: Array<RoomEntry>, planners: Array<CatalogueEntry>, behaviours: Array<CatalogueEntry>, robots: Array<RobotEntry>, 
+/** Ids and labels. */
+sensors: [[string, string], [string, string], [string, string], [string, string], [string, string], [string, string], [string, string]], cell_sizes_m: [number, number, number, number, number, number, number, number], speeds: [number, number, number, number, number, number, number], };
 
 /** A planner or behaviour. What only the other kind claims is false. */
 export type CatalogueEntry = { id: string, title: string, summary: string, source: string, link: string,
 /** `planner` or `behaviour`. */
-kind: "planner" | "behaviour", complete: boolean, deterministic: boolean, fast: boolean, anytime: boolean, ends: boolean, cleans: boolean, manual: boolean, idea: string, complexity: string, use_when: string, shines: ExampleEntry, fails: ExampleEntry, params: Array<Param>, };
+kind: "planner" | "behaviour", mark: Mark, complete: boolean, deterministic: boolean, fast: boolean, anytime: boolean, ends: boolean, cleans: boolean, manual: boolean, idea: string, complexity: string, use_when: string, shines: ExampleEntry, fails: ExampleEntry, params: Array<Param>, };
 
 /** Snapshot for every frame. */
 export type ComparisonView = { version: number, set: string, sets: Array<[string, string]>, seeds: number, rooms: Array<string>,
@@ -487,6 +489,9 @@ samples: number,
 version: number,
 /** Whether a hand holds the robot on the picture, which the session doesn't know. */
 is_carried: boolean, };
+
+/** A mark that no other algorithm has. */
+export type Mark = { colour: number, shape: number, };
 
 /** A number over several seeds. */
 export type MedianAndRange = {
@@ -945,9 +950,7 @@ export type StudyEntrant = { id: string, title: string, summary: string,
 /** `planner` or `behaviour`. */
 kind: "planner" | "behaviour",
 /** Whether it is measured by the boundary that it has met, and not by clean floor. */
-explores: boolean,
-/** Its place in the registry of its kind. */
-number: number, params: Array<Param>, };
+explores: boolean, mark: Mark, params: Array<Param>, };
 
 export type StudyEntrantView = { chosen: boolean, params: Params,
 /** Runs made of those that are wanted. */
