@@ -102,7 +102,7 @@ title: string,
 note: string, };
 
 /** Rooms, planners, behaviours, robots, kinds of sensors whose noise can be chosen, cell sizes and speeds. */
-export type Catalogue = { rooms: Array<RoomEntry>, planners: Array<CatalogueEntry>, behaviours: Array<CatalogueEntry>, robots: Array<RobotEntry>, 
+export type Catalogue = { rooms: Array<RoomEntry>, planners: Array<CatalogueEntry>, behaviours: Array<CatalogueEntry>, robots: Array<RobotEntry>,
 /** Ids and labels. */
 sensors: [[string, string], [string, string], [string, string], [string, string], [string, string], [string, string], [string, string]], cell_sizes_m: [number, number, number, number, number, number, number, number], speeds: [number, number, number, number, number, number, number], };
 
