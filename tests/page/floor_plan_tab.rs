@@ -155,7 +155,7 @@ fn cells_that_no_map_has_are_refused_and_the_width_stays() {
         assert_eq!(board.room().unwrap().plan.resolution, metre);
     }
     let mut drawing = furnished(None);
-    assert!(drawing.description().contains("unit not chosen yet"));
+    assert!(drawing.view().words.contains("unit not chosen yet"));
     change(&mut drawing, |settings| settings.metre = Some(0.000_001));
     change(&mut drawing, |settings| settings.metre = Some(-1.0));
     assert_eq!(drawing.settings().metre, Some(0.000_001), "the unit of a drawing is no cell");
@@ -354,7 +354,7 @@ fn a_room_that_reaches_on_through_doors_says_so_and_how_to_close_them() {
     let (both, doors) = (board.floor_m2(), board.doors().expect("there is a door"));
     assert!(both > 17.0 && doors.count == 1, "{both} {doors:?}");
     assert!((0.75..=1.0).contains(&doors.gap) && (8.0..9.5).contains(&doors.floor_m2), "{doors:?}");
-    assert!(board.description().contains("one opening as wide as doors"), "{}", board.description());
+    assert!(board.view().words.contains("one opening as wide as doors"), "{}", board.view().words);
     change(&mut board, |settings| settings.gap = doors.gap);
     assert_eq!((board.floor_m2(), board.doors()), (doors.floor_m2, None));
     // A room without a door reaches nowhere.

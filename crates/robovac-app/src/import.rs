@@ -205,7 +205,7 @@ mod tests {
         ] {
             let file = SourceFile { name: "plans/house".to_owned(), bytes: content.into() };
             let message = Import::read(&[file]).unwrap_err().to_string();
-            assert!(message.starts_with(&format!("\"house\" is {kind} drawing, of which a room")), "{message}");
+            assert!(message.starts_with(&format!("\"house\" is {kind} drawing, from which a room")), "{message}");
         }
     }
 }

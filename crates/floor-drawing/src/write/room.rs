@@ -18,7 +18,7 @@ use robovac_core::{
 /// let walls = &outlines(&room)[0];
 /// assert_eq!((walls.layer.as_str(), walls.lines.len()), ("WALLS", 1));
 /// assert_eq!(walls.lines[0].len(), 5, "four corners and the first once more");
-/// # Ok::<(), robovac_core::floorplan::MapError>(())
+/// # Ok::<(), robovac_core::floor_plan::MapError>(())
 /// ```
 pub fn outlines(plan: &FloorPlan) -> Vec<Overlay> {
     let place = |line: Vec<Point>| line.into_iter().map(|point| plan.origin.to_world(point)).collect();

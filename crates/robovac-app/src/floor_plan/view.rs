@@ -145,7 +145,7 @@ impl DrawingSession {
         let (_, size) = source.extent();
         let drawing = source.drawing();
         let outline = self.outline();
-        DrawingView {
+        let mut view = DrawingView {
             name: source.name().to_owned(),
             kind: match source {
                 DrawingSource::Drawing { .. } => "drawing",
@@ -187,8 +187,10 @@ impl DrawingSession {
             },
             body_fault: outline.err().unwrap_or_default(),
             sweep: self.planned().map(sweep_view),
-            words: self.description(),
-        }
+            words: String::new(),
+        };
+        view.words = self.description(&view);
+        view
     }
 
     fn room_view(&self) -> Option<TracedRoomView> {
@@ -206,8 +208,7 @@ impl DrawingSession {
     }
 
     /// What is seen, in words, for those who don't see it.
-    pub fn description(&self) -> String {
-        let view = self.view();
+    fn description(&self, view: &DrawingView) -> String {
         let mut words = format!("Floor plan {}", view.name);
         let mut say = |text: String| {
             words.push_str(", ");

@@ -226,7 +226,7 @@ fn hands_chargers_and_cables_obey_orders() {
     terminal.send(&[142, 35]);
     assert_eq!(terminal.hear(1), [1]);
     program.order("dance");
-    assert!(program.line().contains("no order \"dance\""));
+    assert!(program.line().contains("no command \"dance\""));
     program.quit();
 }
 
