@@ -6,10 +6,25 @@ import { openPage } from "./harness.mjs";
 const SETTLED = ["ready", "playing", "paused", "finished", "failed"];
 
 /** How long a condition is waited for. */
-const PATIENCE_MS = 15_000;
+const PATIENCE_MS = 30_000;
 
 /** "1:02" as seconds. */
 export const seconds = (text) => text.split(":").reduce((sum, part) => 60 * sum + Number(part), 0);
+
+/** The `count` downloads that doing something brings. */
+export async function taken(page, count, what) {
+  const downloads = [];
+  const all = new Promise((resolve) => {
+    const take = (download) => {
+      if (downloads.push(download) < count) return;
+      page.off("download", take);
+      resolve(downloads);
+    };
+    page.on("download", take);
+  });
+  await what();
+  return all;
+}
 
 /** Opens the page for the test `t` and waits for its first picture. Options are those of `openPage`. */
 export async function openApp(t, options = {}) {
@@ -66,18 +81,30 @@ export class App {
     return texts.then(([coverage, time, distance]) => ({ coverage: Number(coverage), time: seconds(time), distance: Number(distance.replace(/,/g, "")) }));
   }
 
+  /** Reads until two readings, so many frames apart, are the same: for what comes to rest without a sign. */
+  async still(read, frames = 20) {
+    let last;
+    return this.poll(async () => {
+      await this.frames(frames);
+      const now = JSON.stringify(await read());
+      const isSame = now === last;
+      last = now;
+      return isSame;
+    }, Boolean, `${read} to stand still`);
+  }
+
   /** Waits until `holds(numbers, than)`; returns them. */
   async numbersThat(holds, than) {
     return this.poll(() => this.numbers(), (numbers) => holds(numbers, than));
   }
 
-  /** Reads until what is read fits. */
-  async poll(read, fits) {
+  /** Reads until what is read fits; `what` says in words what was waited for. */
+  async poll(read, fits, what = fits) {
     const patience = performance.now() + PATIENCE_MS;
     for (;;) {
       const value = await read();
       if (fits(value)) return value;
-      assert.ok(performance.now() < patience, `waited in vain for ${fits}: ${JSON.stringify(value)}`);
+      assert.ok(performance.now() < patience, `waited in vain for ${what}: ${JSON.stringify(value)}`);
       await this.frames(2);
     }
   }
@@ -105,6 +132,11 @@ export class App {
     await this.frames(1);
     const bar = this.page.locator("#message");
     return (await bar.isVisible()) ? bar.locator("p").innerText() : "";
+  }
+
+  /** Waits for a message over the floor that fits the pattern; returns it. */
+  says(pattern) {
+    return this.poll(() => this.message(), (text) => pattern.test(text), pattern);
   }
 
   /** The session as the address has it. */
@@ -141,7 +173,7 @@ export class App {
 
   async tool(name) {
     await this.page.locator(`#tools [data-tool=${name}]`).click();
-    await this.frames(1);
+    await this.page.locator(`#tools [data-tool=${name}][aria-pressed=true]`).waitFor();
   }
 
   /** Where the canvas is on the page, and the point at these shares of its width and height. */
@@ -172,18 +204,7 @@ export class App {
     await this.page.locator("#save").click();
     await this.page.locator(`#save-as input[value=${kind}]`).check();
     await choose();
-    const downloads = [];
-    const done = new Promise((resolve) => {
-      const take = (download) => {
-        if (downloads.push(download) < count) return;
-        this.page.off("download", take);
-        resolve();
-      };
-      this.page.on("download", take);
-    });
-    await this.page.locator("#save-now").click();
-    await done;
-    return downloads;
+    return taken(this.page, count, () => this.page.locator("#save-now").click());
   }
 
   /** Brings files of maps.mjs by the file picker, and makes them the room. */
@@ -200,7 +221,7 @@ export class App {
   /** Drops files of maps.mjs as if they were dragged over the page; says whether they could be read. */
   async bring(...files) {
     const encoded = files.map(({ name, bytes }) => ({ name, text: bytes.toString("base64") }));
-    const before = await this.#taken();
+    const before = await this.taken();
     await this.page.evaluate((list) => {
       const dataTransfer = new DataTransfer();
       for (const { name, text } of list) {
@@ -214,19 +235,19 @@ export class App {
       if (!shown) throw new Error("the page does not say that files can be dropped");
     }, encoded);
     assert.ok(await this.page.locator("#drop").isHidden(), "the page says that something can be dropped");
-    return (await this.poll(() => this.#taken(), (taken) => taken !== before)).endsWith("open");
+    return (await this.poll(() => this.taken(), (taken) => taken !== before)).endsWith("open");
   }
 
   /** How often files were brought to the tab Floor plan, and what came of the last. */
-  #taken() {
+  taken() {
     return this.page.evaluate(() => document.getElementById("panel-floor-plan").dataset.taken ?? "");
   }
 
   /** Does something that brings files. They are looked at first; if they could be read they are made the room. */
   async #use(what) {
-    const before = await this.#taken();
+    const before = await this.taken();
     await what();
-    const taken = await this.poll(() => this.#taken(), (now) => now !== before);
+    const taken = await this.poll(() => this.taken(), (now) => now !== before);
     if (taken.endsWith("open")) await this.answered(() => this.page.locator("#floor-plan-use").click());
     else await this.settled();
   }

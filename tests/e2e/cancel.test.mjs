@@ -26,7 +26,7 @@ test("long planning is shown and cancelled at once", async (t) => {
   t.diagnostic(`cancelling took ${taken.toFixed(0)} ms`);
   assert.ok(taken < 100, `cancelling took ${taken} ms`);
   assert.equal(await app.state(), "failed");
-  assert.match(await app.message(), /cancelled/);
+  await app.says(/cancelled/);
   assert.ok(await page.locator("#planning").isHidden());
 
   // Whoever cancels wanted it to stop, so the next room waits for them.
@@ -47,7 +47,7 @@ test("escape cancels planning once nothing else is open", async (t) => {
   assert.equal(await app.state(), "planning");
   await page.keyboard.press("Escape");
   await app.until("failed");
-  assert.match(await app.message(), /cancelled/);
+  await app.says(/cancelled/);
 });
 
 test("a map of a million cells is planned and driven", async (t) => {

@@ -10,7 +10,7 @@ const SMALL = 2500;
 
 test("every algorithm and every room can be chosen, and the robot sets off", async (t) => {
   const { page, app } = await openApp(t);
-  const [rooms, planners, behaviours] = [await values(page, "room"), await values(page, "algorithm optgroup[label^=Plans]"), await values(page, "algorithm optgroup[label^=Reacts]")];
+  const [rooms, planners, behaviours] = [await values(page, "room"), await values(page, "algorithm optgroup[label^=Path]"), await values(page, "algorithm optgroup[label^=Reactive]")];
   assert.ok(rooms.length >= 10 && planners.length >= 2 && behaviours.length >= 1);
   await app.choose("speed", "256");
   /** By room, once a fast algorithm has been there. */
@@ -61,7 +61,7 @@ test("every robot, cell size and slip can be chosen", async (t) => {
   assert.equal(await app.linked("seed"), "7");
   await page.locator("#seed").fill("-1");
   await page.keyboard.press("Tab");
-  assert.match(await app.message(), /seed.*-1/);
+  await app.says(/seed.*-1/);
   assert.equal(await page.locator("#seed").inputValue(), "7", "what holds is shown again");
 });
 

@@ -318,7 +318,7 @@ test("an algorithm that uses chance has a range over its seeds, one that doesn't
 test("a link with an algorithm that isn't there says which there are", async (t) => {
   const { page, app } = await openCompare(t, { link: "vs=snail,snake" });
   await page.locator("#message").waitFor();
-  assert.match(await app.message(), /^There is no planner "snail"; there are: .*snake/);
+  await app.says(/^There is no planner "snail"; there are: .*snake/);
   const head = await page.locator(".arena-head").boundingBox();
   assert.ok((await page.locator("#message").boundingBox()).y >= head.y + head.height, "it covers no button");
   await page.getByRole("button", { name: "Dismiss" }).click();
@@ -406,7 +406,7 @@ test("a robot that doesn't fit is said to be too wide", async (t) => {
   // Rows of pillars that no vacuum gets between.
   const { textMap, pillars } = await import("./maps.mjs");
   await app.pick(textMap("pillars.txt", pillars(40, { every: 4, pillar: 2 }), { resolution: 0.1 }));
-  assert.match(await app.message(), /fits nowhere|doesn't fit/);
+  await app.says(/fits nowhere|doesn't fit/);
   await page.locator("#tab-compare").click();
   await page.locator("#panel-compare").waitFor();
   await page.waitForFunction(() => document.getElementById("trying").textContent.includes("4 failed"), undefined, { timeout: 60_000 });
@@ -449,7 +449,7 @@ for (const scheme of ["light", "dark"]) {
     await app.poll(cue, ([more, fades]) => more === "true" && fades);
     await scroller.evaluate((node) => node.scrollTo(node.scrollWidth, 0));
     await app.poll(cue, ([more, fades]) => more === "false" && !fades);
-    assert.match(await app.text("#table-note"), /in the race .* takes some percent longer/);
+    assert.match(await app.text("#table-note"), /in the race, .* takes some percent longer/);
     await screenshot(`phone-numbers-${scheme}`);
   });
 }

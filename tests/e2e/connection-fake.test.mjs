@@ -122,8 +122,8 @@ test("an error in the program stops the robot and says so", { skip }, async (t) 
       if (seen.distance_m > 0.05) throw new Error("sabotage");
       return seen;
     };`;
-  const program = fs.readFileSync(path.join(DIST, "robot.js"), "utf8");
-  const extra = { ...fakeFiles({ bus: bus.url, ports: [FTDI], chooses: 0 }), "/robot.js": `${program}\n${sabotage}` };
+  const program = fs.readFileSync(path.join(DIST, "workshop.js"), "utf8");
+  const extra = { ...fakeFiles({ bus: bus.url, ports: [FTDI], chooses: 0 }), "/workshop.js": `${program}\n${sabotage}` };
   const { desk } = await openDesk(t, { extra, allow: [/sabotage/] });
   await desk.connect();
   await desk.arm();

@@ -1,4 +1,4 @@
-// What it looks like on a phone and on a laptop, light and dark. The pictures are in target/e2e/.
+// What it looks like on a phone and on a laptop, light and dark. With PICTURES=1 there are pictures.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { openApp } from "./app.mjs";

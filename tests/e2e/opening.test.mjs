@@ -40,8 +40,7 @@ test("a definition stays while its term is clicked, and says what is counted", a
   const { page, app } = await openApp(t, { address: "#room=thesis8&planner=near_optimal" });
   const own = page.getByRole("button", { name: "Optimality gap" });
   await own.click();
-  await app.frames(3);
-  assert.match(await app.text("#tip"), /a plan costs its steps \+ [\d.]+ × its quarter turns \(the time that this robot takes/);
+  await app.poll(() => page.locator("#tip").textContent(), (text) => /a plan costs its steps \+ [\d.]+ × its quarter turns \(the time that this robot takes/.test(text));
   // One that proves nothing has no gap of its own: its definition goes with it.
   await page.mouse.move(5, 5);
   await page.keyboard.press("Tab");
@@ -54,7 +53,7 @@ test("a definition stays while its term is clicked, and says what is counted", a
   await page.mouse.move(5, 5);
   await term.hover();
   await term.click();
-  assert.match(await app.text("#tip"), /as in Compare\. A plan costs its steps \+ 2 × its quarter turns\./);
+  await app.poll(() => page.locator("#tip").textContent(), (text) => /as in Compare\. A plan costs its steps \+ 2 × its quarter turns\./.test(text));
   await page.keyboard.press("Escape");
   assert.ok(await page.locator("#tip").isHidden());
 });

@@ -1,4 +1,5 @@
 // Runs tests/e2e/*.test.mjs, or those whose file name contains one of the arguments: node tests/e2e/run.mjs [word...]
+// SLOWEST=20 lists the 20 tests that took longest, PICTURES=1 has all pictures taken that tests offer, in target/e2e.
 import fs from "node:fs";
 import path from "node:path";
 import { run } from "node:test";
@@ -20,25 +21,30 @@ if (!fs.existsSync(path.join(here, "../../dist/index.html"))) fail("dist/ is mis
 if (files.length === 0) fail(`no test file matches: ${words.join(" ") || "tests/e2e/*.test.mjs"}`);
 
 /** Where a robot's stop is due soon, its page has the machine for itself. */
-const isAlone = (file) => /^connection/.test(path.basename(file));
+const isAlone = (file) => /^connection(-fake|-serial|-stop|-virtual)?\.test/.test(path.basename(file));
 const timeout = 300_000 * Math.max(1, Number(process.env.LINK_ROUNDS ?? 0) / 10);
-let ran = 0;
+/** How long every test took that has run, in ms, and what it is called. */
+const took = [];
+
+function note({ name, file, details, skip }) {
+  if (details.type !== "suite" && skip === undefined) took.push([details.duration_ms, `${path.basename(file ?? "", ".test.mjs")}: ${name}`]);
+}
 
 /** @param {string[]} files @param {number} concurrency How many files run at a time, each with a browser of its own. */
 async function runAll(files, concurrency) {
   if (files.length === 0) return;
   const report = run({ files, concurrency, timeout })
-    .on("test:pass", ({ details, skip }) => {
-      if (details.type !== "suite" && skip === undefined) ran += 1;
-    })
-    .on("test:fail", () => {
-      ran += 1;
+    .on("test:pass", note)
+    .on("test:fail", (test) => {
+      note(test);
       process.exitCode = 1;
     })
     .compose(new Spec());
   for await (const text of report) process.stdout.write(text);
 }
 
-await runAll(files.filter((file) => !isAlone(file)), 2);
+await runAll(files.filter((file) => !isAlone(file)), 3);
 await runAll(files.filter(isAlone), 1);
-if (ran === 0) fail("no end-to-end test ran");
+if (took.length === 0) fail("no end-to-end test ran");
+const slowest = took.sort(([a], [b]) => b - a).slice(0, Number(process.env.SLOWEST ?? 0));
+for (const [ms, what] of slowest) console.log(`${(ms / 1000).toFixed(1).padStart(6)} s  ${what}`);
