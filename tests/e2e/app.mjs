@@ -254,17 +254,20 @@ export class App {
 
   /** Does something with files, and waits until the page confirms or complains, and what it started is settled. */
   async answered(what) {
+    // Observed rather than looked for: what confirms goes away by itself.
     await this.page.evaluate(() => {
-      document.getElementById("toast").hidden = true;
-      document.getElementById("message-text").dataset.before = document.getElementById("message").hidden ? "" : document.getElementById("message-text").textContent;
+      const [toast, message, text] = ["toast", "message", "message-text"].map((id) => document.getElementById(id));
+      const before = message.hidden ? "" : text.textContent;
+      toast.hidden = true;
+      window.isAnswered = false;
+      const observer = new MutationObserver(() => {
+        window.isAnswered = (!message.hidden && text.textContent !== before) || (!toast.hidden && toast.ariaBusy !== "true");
+        if (window.isAnswered) observer.disconnect();
+      });
+      for (const node of [toast, message]) observer.observe(node, { attributes: true, childList: true, characterData: true, subtree: true });
     });
     await what();
-    await this.page.waitForFunction(() => {
-      const text = document.getElementById("message-text");
-      const complained = !document.getElementById("message").hidden && text.textContent !== text.dataset.before;
-      const toast = document.getElementById("toast");
-      return complained || (!toast.hidden && toast.ariaBusy !== "true");
-    });
+    await this.page.waitForFunction(() => window.isAnswered);
     await this.settled();
   }
 }

@@ -162,10 +162,11 @@ test("fits a phone, where the stop is over everything", async (t) => {
 });
 
 test("fits a laptop without scrolling, in light and dark", async (t) => {
+  const { page, robot, screenshot } = await openRobot(t, LAPTOP);
+  await robot.connect();
+  await page.locator("#connection-tools-open").click();
   for (const colorScheme of ["light", "dark"]) {
-    const { page, robot, screenshot } = await openRobot(t, { ...LAPTOP, colorScheme });
-    await robot.connect();
-    await page.locator("#connection-tools-open").click();
+    await page.emulateMedia({ colorScheme });
     assert.deepEqual(await overflow(page), [0, 0]);
     await screenshot(`laptop-robot-${colorScheme}`);
   }

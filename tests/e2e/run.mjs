@@ -20,8 +20,8 @@ function fail(message) {
 if (!fs.existsSync(path.join(here, "../../dist/index.html"))) fail("dist/ is missing: run ./dev build first");
 if (files.length === 0) fail(`no test file matches: ${words.join(" ") || "tests/e2e/*.test.mjs"}`);
 
-/** Where a robot's stop is due soon, its page has the machine for itself. */
-const isAlone = (file) => /^connection(-fake|-serial|-stop|-virtual)?\.test/.test(path.basename(file));
+/** Where a robot's stop is due soon, the machine has nothing heavy to do besides. */
+const isUrgent = (file) => /^connection(-fake|-serial|-stop)?\.test/.test(path.basename(file));
 const timeout = 300_000 * Math.max(1, Number(process.env.LINK_ROUNDS ?? 0) / 10);
 /** How long every test took that has run, in ms, and what it is called. */
 const took = [];
@@ -43,8 +43,8 @@ async function runAll(files, concurrency) {
   for await (const text of report) process.stdout.write(text);
 }
 
-await runAll(files.filter((file) => !isAlone(file)), 3);
-await runAll(files.filter(isAlone), 1);
+await runAll(files.filter((file) => !isUrgent(file)), 3);
+await runAll(files.filter(isUrgent), 2);
 if (took.length === 0) fail("no end-to-end test ran");
 const slowest = took.sort(([a], [b]) => b - a).slice(0, Number(process.env.SLOWEST ?? 0));
 for (const [ms, what] of slowest) console.log(`${(ms / 1000).toFixed(1).padStart(6)} s  ${what}`);
