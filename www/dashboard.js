@@ -2,12 +2,11 @@
 // What the robot's sensors report, as they report it; only what the robot has.
 import { byId, changed, make, setAttribute, setText } from "./dom.js";
 import { count } from "./format.js";
-import { decode } from "./infrared.js";
 import { cliffSensors, portrait } from "./portrait.js";
 import { scanPlot } from "./scan.js";
 
 /**
- * @typedef {import("./portrait.js").Reading} Reading
+ * @typedef {import("./types").SensorsView} Reading
  * @typedef {import("./types").RobotEntry} Robot
  * @typedef {{ node: HTMLElement, show: (of: Reading) => void }} Part
  */
@@ -16,12 +15,10 @@ import { scanPlot } from "./scan.js";
 const PAUSE = 60;
 /** Largest value of the dirt sensor. */
 const MOST_DIRT = 255;
-const MOTORS = [["over_left_wheel", "left wheel"], ["over_right_wheel", "right wheel"], ["over_main_brush", "main brush"], ["over_side_brush", "side brush"]];
 
 /** @param {import("./main.js").App} app @returns {(view: import("./types").View) => void} */
 export function startDashboard(app) {
-  const { readings, robots } = app.catalogue;
-  const index = new Map(readings.map((name, place) => [name, place]));
+  const { robots } = app.catalogue;
   const board = byId("dashboard");
   /** @type {((of: Reading) => void)[]} */
   let parts = [];
@@ -46,10 +43,9 @@ export function startDashboard(app) {
     looked = now;
     const robot = robots.find(({ id }) => id === view.robot);
     if (robot && changed(board, "robot", robot.id)) build(robot);
-    const row = app.playground.readings();
-    if (row.length === 0) return;
-    const of = (/** @type {string} */ name) => row[index.get(name) ?? -1] ?? 0;
-    for (const show of parts) show(of);
+    const reading = app.playground.readings();
+    if (!reading) return;
+    for (const show of parts) show(reading);
     showScan?.(app.playground.scan());
   };
 }
@@ -73,10 +69,10 @@ export const row = (name, tip, ...values) => make("div", { className: "reading",
 function flags(robot) {
   /** @type {[name: string, tip: string, is: (of: Reading) => boolean][]} */
   const all = [];
-  if (robot.light.length > 0) all.push(["Wall", "The wall sensor on the right detects something close.", (of) => of("wall") > 0]);
-  if (robot.infrared) all.push(["Virtual wall", "The beam of a virtual wall is detected.", (of) => of("virtual_wall") > 0]);
-  if (robot.wheel_drops) all.push(["Wheel drop", "A wheel has dropped: the robot was lifted, or stands over an edge.", (of) => of("drop_left") + of("drop_right") > 0]);
-  all.push(["Moving", "The castor turns: the robot is actually moving (stasis sensor).", (of) => of("stasis") > 0]);
+  if (robot.light.length > 0) all.push(["Wall", "The wall sensor on the right detects something close.", (of) => of.wall]);
+  if (robot.infrared) all.push(["Virtual wall", "The beam of a virtual wall is detected.", (of) => of.virtual_wall]);
+  if (robot.wheel_drops) all.push(["Wheel drop", "A wheel has dropped: the robot was lifted, or stands over an edge.", (of) => of.wheel_drops.includes(true)]);
+  all.push(["Moving", "The castor turns: the robot is actually moving (stasis sensor).", (of) => of.is_moving]);
   const lamps = all.map(([name, tip, is]) => ({ is, lamp: make("li", { "data-tip": tip }, make("button", { type: "button", className: "term" }, name)), state: make("span", { className: "hidden-text" }) }));
   for (const { lamp, state } of lamps) lamp.append(state);
   const motors = make("li", { className: "overload", hidden: true, "data-tip": "A motor draws too much current: it is probably blocked." });
@@ -87,10 +83,10 @@ function flags(robot) {
         setAttribute(lamp, "class", is(of) ? (lamp.textContent?.startsWith("Moving") ? "good" : "on") : "");
         setText(state, is(of) ? ": yes" : ": no");
       }
-      const over = MOTORS.filter(([name]) => of(name ?? "") > 0).map(([, title]) => title);
-      if (changed(motors, "over", over.join())) {
-        motors.hidden = over.length === 0;
-        motors.textContent = `Overload: ${over.join(", ")}`;
+      const over = of.overloads.join(", ");
+      if (changed(motors, "over", over)) {
+        motors.hidden = over === "";
+        motors.textContent = `Overload: ${over}`;
       }
     },
   };
@@ -109,7 +105,7 @@ function cliffs(robot) {
   const sensors = cliffSensors(robot);
   return {
     node: row("Cliff signals", "Light that the floor reflects to the cliff sensors, left to right, 0 to 4095. Over an edge there is none.", text),
-    show: (of) => setText(text, sensors.map((index) => of(`cliff_signal_${index}`)).join(" · ")),
+    show: (of) => setText(text, sensors.map((index) => of.cliff_signals[index]).join(" · ")),
   };
 }
 
@@ -120,32 +116,30 @@ function battery() {
   const shown = row("Battery", "Charge and current as the battery gauge reports them; a negative current discharges.", node, text);
   return {
     node: shown,
-    show: (of) => {
-      set(Math.round(of("battery_share") * 200) / 200);
-      const current = `${of("current_ma") < 0 ? "−" : ""}${count(Math.abs(of("current_ma")))} mA`;
-      setText(text, of("capacity_mah") > 0 ? `${Math.round(100 * of("battery_share"))} %, ${of("on_dock") ? "on the dock, " : ""}${current}` : "not read yet");
-      setAttribute(shown, "class", of("on_dock") ? "reading charging" : of("battery_share") < 0.15 ? "reading low" : "reading");
+    show: ({ battery: { share, current_ma: current, on_dock, is_known, is_low } }) => {
+      set(Math.round(share * 200) / 200);
+      setText(text, is_known ? `${Math.round(100 * share)} %, ${on_dock ? "on the dock, " : ""}${current < 0 ? "−" : ""}${count(Math.abs(current))} mA` : "not read yet");
+      setAttribute(shown, "class", on_dock ? "reading charging" : is_low ? "reading low" : "reading");
     },
   };
 }
 
 /** @returns {Part} */
 function infrared() {
-  const receivers = [["left", "Left"], ["omni", "Top"], ["right", "Right"]].map(([id, title]) => {
+  const receivers = ["Left", "Top", "Right"].map((title) => {
     const text = make("b", {}, "–");
     const beams = ["green", "field", "red"].map((name) => make("i", { className: name }));
-    const cell = make("span", { className: "receiver" }, make("small", {}, title ?? ""), make("span", { className: "beams", "aria-hidden": "true" }, ...beams), text);
-    return { id, text, cell };
+    const cell = make("span", { className: "receiver" }, make("small", {}, title), make("span", { className: "beams", "aria-hidden": "true" }, ...beams), text);
+    return { text, cell };
   });
   return {
     node: row("Infrared", "Beams that the receivers detect: the dock's green and red buoys and its force field, or a virtual wall.", make("span", { className: "receivers" }, ...receivers.map(({ cell }) => cell))),
     show: (of) => {
-      for (const { id, text, cell } of receivers) {
-        const beams = decode(of(`infrared_${id}`));
+      of.infrared.forEach((beams, index) => {
+        const { text, cell } = /** @type {typeof receivers[0]} */ (receivers[index]);
         setText(text, beams.text);
-        const lit = ["green", "field", "red", "wall"].filter((name) => beams[/** @type {"green"} */ (name)]);
-        setAttribute(cell, "class", ["receiver", ...lit].join(" "));
-      }
+        setAttribute(cell, "class", ["receiver", ...beams.lit].join(" "));
+      });
     },
   };
 }
@@ -155,7 +149,7 @@ function wheels(robot) {
   const text = make("span", { className: "value" });
   return {
     node: row("Wheel counts", "Encoders of the left and right wheel. They wrap at 65,536.", text),
-    show: (of) => setText(text, `${count(of("left_counts"))} · ${count(of("right_counts"))}${robot.lateral ? ` · ${count(of("lateral_counts"))}` : ""}`),
+    show: ({ counts }) => setText(text, counts.slice(0, robot.lateral ? 3 : 2).map(count).join(" · ")),
   };
 }
 
@@ -166,8 +160,8 @@ function dirt() {
   return {
     node: row("Dirt", "Dirt being picked up, 0 to 255.", node, text),
     show: (of) => {
-      set(of("dirt") / MOST_DIRT);
-      setText(text, String(of("dirt")));
+      set(of.dirt / MOST_DIRT);
+      setText(text, String(of.dirt));
     },
   };
 }

@@ -4,7 +4,7 @@ import { setAttribute, setText } from "./dom.js";
 
 /**
  * @typedef {import("./types").RobotEntry} Robot
- * @typedef {(name: string) => number} Reading What a sensor reads, by its name in the catalogue.
+ * @typedef {import("./types").SensorsView} Reading
  * @typedef {{ svg: SVGSVGElement, show: (of: Reading) => void }} Portrait
  */
 
@@ -70,13 +70,13 @@ export function cliffSensors({ cliffs }) {
 function body(svg, robot, parts) {
   outline(svg, robot).setAttribute("class", "body");
   const half = Math.max(9, robot.wheel_radius * RADIUS);
-  for (const [side, counts, drop] of /** @type {[number, string, string][]} */ ([[1, "left_counts", "drop_left"], [-1, "right_counts", "drop_right"]])) {
+  for (const [side, index] of /** @type {[number, 0 | 1][]} */ ([[1, 0], [-1, 1]])) {
     const [x] = at(0, (side * robot.wheel_base) / 2);
     const wheel = draw("line", { x1: round(x), x2: round(x), y1: -half, y2: half, class: "wheel" }, svg);
     const tread = draw("line", { x1: round(x), x2: round(x), y1: -half, y2: half, class: "tread" }, svg);
     parts.push((of) => {
-      setAttribute(tread, "stroke-dashoffset", String(round(((of(counts) % TREAD) / TREAD) * 4)));
-      setAttribute(wheel, "class", of(drop) ? "wheel on" : "wheel");
+      setAttribute(tread, "stroke-dashoffset", String(round(((of.counts[index] % TREAD) / TREAD) * 4)));
+      setAttribute(wheel, "class", of.wheel_drops[index] ? "wheel on" : "wheel");
     });
   }
   draw("path", { d: "M0 -34 L9 -18 H-9 Z", class: "heading" }, svg);
@@ -90,14 +90,14 @@ function outline(svg, robot) {
 
 /** A rim around the front that the body hides the inner half of. @param {SVGElement} svg @param {Robot} robot @param {((of: Reading) => void)[]} parts @param {string} id */
 function bumper(svg, robot, parts, id) {
-  for (const [side, name] of /** @type {[number, string][]} */ ([[1, "bump_left"], [-1, "bump_right"]])) {
-    const clip = draw("clipPath", { id: `${id}-${name}` }, svg);
+  for (const [side, index] of /** @type {[number, 0 | 1][]} */ ([[1, 0], [-1, 1]])) {
+    const clip = draw("clipPath", { id: `${id}-bumper-${index}` }, svg);
     // Far outside the body, so that the straight sides of the wedge hold it.
     const corners = [0.03, 0.25, 0.5, 0.75, 1].map((share) => polar(4 * RADIUS, side * Math.max(0.03, share * robot.bumper)));
     draw("polygon", { points: `0,0 ${corners.map((corner) => corner.map(round).join()).join(" ")}` }, clip);
     const rim = outline(svg, robot);
-    rim.setAttribute("clip-path", `url(#${id}-${name})`);
-    parts.push((of) => setAttribute(rim, "class", of(name) ? "bumper on" : "bumper"));
+    rim.setAttribute("clip-path", `url(#${id}-bumper-${index})`);
+    parts.push((of) => setAttribute(rim, "class", of.bumper[index] ? "bumper on" : "bumper"));
   }
 }
 
@@ -109,10 +109,10 @@ function bar(svg, angle, index, parts) {
   const level = draw("line", { ...ends, "stroke-dasharray": "100 300" }, svg);
   const number = draw("text", { x: round(end[0]), y: round(end[1] + 3), class: "number" }, svg);
   parts.push((of) => {
-    const signal = of(`light_signal_${index}`);
+    const signal = of.light_signals[index] ?? 0;
     // The signal falls steeply with distance: its root is easier to read.
     setAttribute(level, "stroke-dashoffset", String(round(100 * (1 - Math.sqrt(Math.min(1, signal / FULL))))));
-    setAttribute(level, "class", of(`light_${index}`) ? "level near" : signal > 0 ? "level" : "level none");
+    setAttribute(level, "class", of.light[index] ? "level near" : signal > 0 ? "level" : "level none");
     setText(number, String(signal));
   });
 }
@@ -121,19 +121,16 @@ function bar(svg, angle, index, parts) {
 function cliff(svg, [x, y], index, parts) {
   const [cx, cy] = at(x, y).map(round);
   const dot = draw("circle", { cx: cx ?? 0, cy: cy ?? 0, r: 4.5 }, svg);
-  parts.push((of) => setAttribute(dot, "class", of(`cliff_${index}`) ? "cliff on" : "cliff"));
+  parts.push((of) => setAttribute(dot, "class", of.cliffs[index] ? "cliff on" : "cliff"));
 }
 
 /** What the drawing shows, for those who can't see it. @param {Robot} robot @param {Reading} of */
 function words(robot, of) {
-  const list = (/** @type {(string | false)[]} */ ...names) => names.filter(Boolean).join(" and ") || "nowhere";
+  const list = (/** @type {boolean[]} */ flags, names = ["left", "right"]) => names.filter((_, index) => flags[index]).join(" and ") || "nowhere";
   const said = [];
-  if (robot.bumper > 0) said.push(`Bumper pressed: ${list(of("bump_left") > 0 && "left", of("bump_right") > 0 && "right")}.`);
-  if (robot.cliffs.some(Boolean)) {
-    const names = ["left", "front left", "front right", "right"];
-    said.push(`Cliff: ${list(...names.map((name, index) => of(`cliff_${index}`) > 0 && name))}.`);
-  }
-  if (robot.light.length > 0) said.push(`Light bumper from left to right: ${robot.light.map((_, index) => of(`light_signal_${index}`)).join(", ")}.`);
-  if (robot.wheel_drops) said.push(`Wheels dropped: ${list(of("drop_left") > 0 && "left", of("drop_right") > 0 && "right")}.`);
+  if (robot.bumper > 0) said.push(`Bumper pressed: ${list(of.bumper)}.`);
+  if (robot.cliffs.some(Boolean)) said.push(`Cliff: ${list(of.cliffs, ["left", "front left", "front right", "right"])}.`);
+  if (robot.light.length > 0) said.push(`Light bumper from left to right: ${of.light_signals.join(", ")}.`);
+  if (robot.wheel_drops) said.push(`Wheels dropped: ${list(of.wheel_drops)}.`);
   return said.join(" ");
 }

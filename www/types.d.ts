@@ -78,11 +78,28 @@ export type Catalogue = {
   robots: RobotEntry[];
   /** Kinds of sensors whose noise can be chosen. */
   sensors: string[];
-  /** Names of the numbers in `readings()`. */
-  readings: string[];
   cell_sizes_m: number[];
   /** Times real time; 0 stands for as fast as it goes. */
   speeds: number[];
+};
+
+/** What a robot's sensors report; see `robovac_link::dashboard`. */
+export type SensorsView = {
+  bumper: [left: boolean, right: boolean];
+  wheel_drops: [left: boolean, right: boolean];
+  is_lifted: boolean;
+  cliffs: boolean[];
+  cliff_signals: number[];
+  wall: boolean;
+  virtual_wall: boolean;
+  is_moving: boolean;
+  overloads: string[];
+  light: boolean[];
+  light_signals: number[];
+  infrared: { lit: string[]; text: string }[];
+  battery: { share: number; current_ma: number; on_dock: boolean; is_known: boolean; is_low: boolean };
+  counts: [left: number, right: number, lateral: number];
+  dirt: number;
 };
 
 export type PlanNumbers = {

@@ -1,6 +1,6 @@
 //! Catalogue of algorithms, rooms and robots, for menus and forms.
 
-use robovac_app::READINGS;
+use coverage_planners::PLANNERS;
 use robovac_core::{
     floor_plan::ROOMS,
     robot::{Body, MODELS, RobotModel, WheelLayout},
@@ -8,6 +8,7 @@ use robovac_core::{
 use robovac_playground::wire::entry::CatalogueEntry;
 use robovac_sim::{
     SensorKind,
+    controller::MAPLESS,
     experiment::{Algorithm, CELL_SIZES, SPEEDS},
 };
 use serde::Serialize;
@@ -20,8 +21,6 @@ pub(super) struct Catalogue {
     behaviours: Vec<CatalogueEntry>,
     robots: Vec<Robot>,
     sensors: [&'static str; SensorKind::ALL.len()],
-    /// Names of the numbers in `Playground::readings`.
-    readings: &'static [&'static str],
     cell_sizes_m: [f64; CELL_SIZES.len()],
     speeds: [f64; SPEEDS.len()],
 }
@@ -65,11 +64,10 @@ impl Catalogue {
     pub fn new() -> Self {
         Self {
             rooms: ROOMS.iter().map(|r| RoomEntry { id: r.id, title: r.title, note: r.note }).collect(),
-            planners: Algorithm::all().filter(|a| a.planner().is_some()).map(CatalogueEntry::new).collect(),
-            behaviours: Algorithm::all().filter(|a| a.behaviour().is_some()).map(CatalogueEntry::new).collect(),
+            planners: PLANNERS.iter().map(|info| CatalogueEntry::new(Algorithm::Planner(info))).collect(),
+            behaviours: MAPLESS.infos().map(|info| CatalogueEntry::new(Algorithm::Behaviour(info))).collect(),
             robots: MODELS.iter().copied().map(Robot::new).collect(),
             sensors: SensorKind::ALL.map(|(_, name)| name),
-            readings: &READINGS,
             cell_sizes_m: CELL_SIZES,
             speeds: SPEEDS,
         }

@@ -19,7 +19,10 @@ use robovac_playground::{
     canvas::Canvas,
     wire::{clock, frames::frames_from_js, map_file, proof::proof_from_js, request, to_js, walk},
 };
-use robovac_sim::experiment::{SettingsError, planning::PlanAnswer};
+use robovac_sim::{
+    controller,
+    experiment::{SettingsError, planning::PlanAnswer},
+};
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
@@ -99,7 +102,7 @@ impl Playground {
     #[wasm_bindgen(constructor)]
     pub fn new(canvas: HtmlCanvasElement) -> Result<Self, JsValue> {
         Ok(Self {
-            session: Session::new(),
+            session: Session::with(controller::MAPLESS),
             furnisher: ObjectTool::new(),
             is_opening: true,
             canvas: Canvas::new(canvas)?,

@@ -107,9 +107,15 @@ impl Connection {
         self.link.ride(now, title, controller, start).map_err(|e| e.to_string().into())
     }
 
-    /// What the page shows, a `ConnectionView`.
-    pub fn view(&mut self, now: f64) -> Result<JsValue, JsValue> {
+    /// What the page shows, a `ConnectionView`; `transport` is the line's `TransportView`.
+    pub fn view(&mut self, now: f64, transport: JsValue) -> Result<JsValue, JsValue> {
+        self.link.set_transport(serde_wasm_bindgen::from_value(transport)?);
         to_js(&self.link.view(now))
+    }
+
+    /// What the page shows while there is no connection.
+    pub fn closed() -> Result<JsValue, JsValue> {
+        to_js(&connection::Connection::new().view(0.0))
     }
 
     /// What went over the line since this was last asked for, as `Traffic[]`.

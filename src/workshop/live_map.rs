@@ -5,12 +5,13 @@ mod paper;
 
 use self::{marks::FeltMark, paper::Paper};
 use super::session_mirror::SessionMirror;
-use robovac_app::{Palette, RobotView, Scene, Viewport};
+use robovac_app::{Palette, RobotView, Scene, Viewport, connection::LiveMapWords};
 use robovac_core::{
     coverage::CoverageTracker,
     geometry::{Point, Pose},
     robot::RobotModel,
 };
+use robovac_link::connection::SETS_OFF;
 use robovac_playground::canvas::Canvas;
 use robovac_sim::experiment::Shows;
 use wasm_bindgen::prelude::*;
@@ -38,6 +39,8 @@ pub struct LiveMap {
     /// Takes believed poses into the room: a turn, then a shift.
     anchor: Pose,
     pose: Option<Pose>,
+    /// The pose that the robot believes in.
+    estimate: Option<Pose>,
     /// Where the robot really is, which only virtual ones tell.
     truth: Option<Pose>,
     bumps: [bool; 2],
@@ -74,6 +77,7 @@ impl LiveMap {
             tracker: None,
             anchor: Pose::new(0.0, 0.0, 0.0),
             pose: None,
+            estimate: None,
             truth: None,
             bumps: [false; 2],
             trail: Vec::new(),
@@ -110,31 +114,27 @@ impl LiveMap {
         self.has_changed = true;
     }
 
-    /// Where a robot starts in the room: x, y in m and heading in rad; nothing if it doesn't fit in.
-    pub fn start(&self) -> Vec<f64> {
-        self.paper.start().map_or(Vec::new(), |start| vec![start.x, start.y, start.heading])
-    }
-
-    /// From now on, a robot whose estimated pose is x, y, heading is at `to_x`, `to_y`, `to_heading` in the room.
-    pub fn anchor(&mut self, x: f64, y: f64, heading: f64, to_x: f64, to_y: f64, to_heading: f64) {
-        let turn = to_heading - heading;
-        let moved = Pose::new(0.0, 0.0, turn).to_world(Point::new(x, y));
-        self.anchor = Pose::new(to_x - moved.x, to_y - moved.y, turn);
-        self.lift();
-    }
-
-    /// From now on, a robot whose estimated pose is x, y, heading is where it is drawn now: it hasn't moved, but was told to
-    /// believe something else.
-    pub fn stay(&mut self, x: f64, y: f64, heading: f64) {
-        if let Some(here) = self.pose {
-            self.anchor(x, y, heading, here.x, here.y, here.heading);
-        }
+    /// A robot whose estimated pose is x, y, heading is at the start, or in a known room where it really is, as far as that
+    /// is known: `truth` is x, y and heading, too, or empty.
+    pub fn place(&mut self, x: f64, y: f64, heading: f64, truth: &[f64]) {
+        let really = match *truth {
+            [x, y, heading] if self.paper.is_known => Some(Pose::new(x, y, heading)),
+            _ => None,
+        };
+        self.anchor(Pose::new(x, y, heading), really.or_else(|| self.paper.start()));
     }
 
     /// Where it has been, as `app::connection::Connection::take_trace` tells it.
     pub fn follow(&mut self, trace: &[f64]) {
         for &[x, y, heading, felt] in trace.as_chunks().0 {
             if ![x, y, heading].into_iter().all(f64::is_finite) {
+                continue;
+            }
+            if felt == f64::from(SETS_OFF) {
+                // In a known room at its start; on blank paper it stays where it is drawn.
+                let here = if self.paper.is_known { self.paper.start() } else { self.pose };
+                self.anchor(Pose::new(x, y, heading), here);
+                self.wipe();
                 continue;
             }
             let place = self.placed(x, y, heading);
@@ -150,6 +150,7 @@ impl LiveMap {
     /// Its estimated pose now, whether it is in somebody's hand, and whether each half of its bumper is pressed.
     pub fn show_robot(&mut self, x: f64, y: f64, heading: f64, is_lifted: bool, left: bool, right: bool) {
         let pose = self.placed(x, y, heading);
+        self.estimate = Some(Pose::new(x, y, heading));
         self.has_changed |= self.pose != Some(pose) || self.bumps != [left, right] || self.is_lifted != is_lifted;
         (self.pose, self.bumps, self.is_lifted) = (Some(pose), [left, right], is_lifted);
     }
@@ -163,7 +164,7 @@ impl LiveMap {
 
     /// There is no robot.
     pub fn hide_robot(&mut self) {
-        (self.pose, self.truth) = (None, None);
+        (self.pose, self.estimate, self.truth) = (None, None, None);
         self.has_changed = true;
     }
 
@@ -186,10 +187,12 @@ impl LiveMap {
         tracker.coverage(floor) * floor.area()
     }
 
-    /// How often it bumped, and how often it saw a cliff.
-    pub fn felt(&self) -> Vec<u32> {
+    /// The map in words: the room's name, the robot's mode, and who drives it, if anybody.
+    pub fn words(&self, room: &str, mode: &str, driver: &str) -> String {
         let cliffs = self.marks.iter().filter(|mark| mark.is_cliff).count();
-        vec![(self.marks.len() - cliffs) as u32, cliffs as u32]
+        let (estimate, coverage, swept_m2) = (self.estimate, self.coverage(), self.swept_m2());
+        let bumps = self.marks.len() - cliffs;
+        LiveMapWords { room, mode, driver, estimate, coverage, swept_m2, bumps, cliffs }.to_string()
     }
 
     // ---- the picture
@@ -284,6 +287,15 @@ impl LiveMap {
 }
 
 impl LiveMap {
+    /// From now on, a robot whose estimated pose is `from` is at `to` in the room.
+    fn anchor(&mut self, from: Pose, to: Option<Pose>) {
+        let Some(to) = to else { return };
+        let turn = to.heading - from.heading;
+        let moved = Pose::new(0.0, 0.0, turn).to_world(from.position());
+        self.anchor = Pose::new(to.x - moved.x, to.y - moved.y, turn);
+        self.lift();
+    }
+
     /// A believed pose, in the room.
     fn placed(&self, x: f64, y: f64, heading: f64) -> Pose {
         let place = self.anchor.to_world(Point::new(x, y));

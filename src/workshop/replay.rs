@@ -8,15 +8,16 @@ use wasm_bindgen::prelude::*;
 #[wasm_bindgen]
 pub struct Replay {
     player: Player,
+    name: String,
 }
 
 #[wasm_bindgen]
 impl Replay {
-    /// Reads a recording; throws a sentence for users that names the line if it isn't one.
+    /// Reads a recording from the file of that name; throws a sentence for users that names the line if it isn't one.
     #[wasm_bindgen(constructor)]
-    pub fn new(text: &str) -> Result<Self, JsValue> {
+    pub fn new(name: String, text: &str) -> Result<Self, JsValue> {
         let recording = LineRecording::parse(text).map_err(|e| e.to_string())?;
-        Ok(Self { player: Player::new(recording) })
+        Ok(Self { player: Player::new(recording), name })
     }
 
     /// How long it is, s.
@@ -36,7 +37,7 @@ impl Replay {
 
     /// What is shown, a `ConnectionView`; nothing can be asked for.
     pub fn view(&mut self) -> Result<JsValue, JsValue> {
-        to_js(&self.player.view())
+        to_js(&self.player.view().of_recording(&self.name))
     }
 
     /// What went over the line since this was last asked for, as `Traffic[]`.

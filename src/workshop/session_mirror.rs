@@ -1,8 +1,8 @@
 //! Mirror of the playground's session in another module.
 
 use coverage_planners::CoveragePath;
-use robovac_app::Import;
-use robovac_app::explore::Session;
+use robovac_app::{Import, connection::StartPlace, explore::Session};
+use robovac_core::geometry::Pose;
 use robovac_playground::wire::message;
 use robovac_playground::wire::{request, walk};
 use robovac_sim::experiment::planning::PlanAnswer;
@@ -71,6 +71,12 @@ impl SessionMirror {
             let start = prepared.floor.start;
             vec![start.x, start.y, start.heading]
         })
+    }
+
+    /// Where a robot at x, y, heading is, seen from there: `at`, `near` enough to set off, or `elsewhere`.
+    pub fn start_place(&self, x: f64, y: f64, heading: f64) -> String {
+        let place = self.session.prepared().map(|room| StartPlace::of(Pose::new(x, y, heading), room.floor.start));
+        place.map_or("at", StartPlace::id).to_owned()
     }
 
     /// What is wrong with the room for this robot, as a sentence for users; empty if nothing.

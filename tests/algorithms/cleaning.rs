@@ -13,7 +13,7 @@ use robovac_core::{
 use robovac_sim::{
     Conditions, Input, Noise, NoiseLevel, Run, STEP_S, SlipLevel,
     controller::{self, clean_by_map},
-    mapping::{Mapper, MapperSetup, Mark, Tracking},
+    mapping::{MapObserver, Mapper, MapperSetup, Mark, Tracking},
 };
 
 /// A survey of the room of a link.
@@ -251,7 +251,7 @@ fn who_began_on_a_dock_goes_back_to_it() {
     let info = controller::find("bounce").expect("it exists");
     let params = Params::defaults(info.params);
     let run = prepared.run_behaviour(info, &params, conditions, 3).expect("it exists");
-    let mut run = run.with_mapper(mapper);
+    let mut run = run.observed(Box::new(MapObserver::default().with_mapper(mapper)));
     while run.time_s() < 400.0 {
         run.step();
     }

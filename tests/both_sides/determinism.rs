@@ -16,7 +16,7 @@ use robovac_sim::{
     Conditions, Noise, NoiseLevel, Run, RunSetup, SlipLevel, World,
     controller::{self, Setup},
     experiment::planning::RoomSetup,
-    mapping::{Mapper, MapperSetup, Tracking},
+    mapping::{MapObserver, Mapper, MapperSetup, Tracking},
 };
 use std::sync::Arc;
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -149,7 +149,7 @@ fn map_of_a_bedroom() {
     let noise = Noise::all(NoiseLevel::Typical);
     let conditions = Conditions { slip: SlipLevel::Typical, noise, ..Conditions::default() };
     let setup = RunSetup { floor, world: Arc::new(World::new(&plan)), robot, conditions, seed: 5 };
-    let mut run = Run::new(&setup, behaviour).with_mapper(mapper);
+    let mut run = Run::new(&setup, behaviour).observed(Box::new(MapObserver::default().with_mapper(mapper)));
     while run.time_s() < 300.0 {
         run.step();
     }

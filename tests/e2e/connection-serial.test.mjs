@@ -12,7 +12,7 @@ test("connects, streams, drives and says goodbye", { skip }, async (t) => {
   const view = await desk.connect();
   assert.equal(view.transport.state, "open");
   assert.match(view.transport.name, /FTDI adapter \(0403:6001\)/);
-  assert.equal(view.packets.length, 52);
+  assert.ok(view.readings.voltage_v > 10);
   assert.equal(view.mode, "Passive");
   // Nobody has asked for more than to connect.
   assert.deepEqual(robot.heard().filter(moves), []);

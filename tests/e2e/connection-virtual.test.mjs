@@ -41,7 +41,7 @@ test("every personality is told apart", async (t) => {
     const late = Date.now() + 20_000;
     while (!(((await found()).view && fits((await found()).view)) || Date.now() > late)) await desk.tab.waitForTimeout(50);
     const { view, failures } = await found();
-    assert.ok(view && fits(view), `${id}: ${JSON.stringify({ ...view, packets: [] })} ${JSON.stringify(failures)}`);
+    assert.ok(view && fits(view), `${id}: ${JSON.stringify({ ...view, readings: null })} ${JSON.stringify(failures)}`);
     assert.deepEqual(failures, []);
   }
 
@@ -50,7 +50,7 @@ test("every personality is told apart", async (t) => {
   const seen = async (id, fits) => {
     await desk.tab.waitForFunction(`(${fits})(window.all.${id}.view)`, null, { polling: 50 }).catch(async () => {
       const view = await desk.tab.evaluate((name) => window.all[name].view, id);
-      assert.fail(`${id}: waited in vain for ${fits}: ${JSON.stringify({ ...view, packets: [] })}`);
+      assert.fail(`${id}: waited in vain for ${fits}: ${JSON.stringify({ ...view, readings: null })}`);
     });
     return desk.tab.evaluate((name) => window.all[name].view, id);
   };

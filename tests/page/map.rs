@@ -330,22 +330,26 @@ fn every_explorer_can_be_chosen_and_links_bring_choices_back() {
 
 #[test]
 fn a_room_that_the_robot_does_not_fit_into_says_so() {
-    let mut session = Session::new();
-    session.restore("room=room12ft&robot=roomba600").expect("a link of ours");
-    session.restore("start=-3,-3,0").expect("a link of ours");
-    let mut survey = MapSession::new();
-    survey.take(&session);
-    if session.prepared().is_none() {
+    let mut narrow = Session::new();
+    narrow.restore("robot=roomba600").expect("a link of ours");
+    let corridor = SourceFile { name: "corridor.txt".into(), bytes: b"; resolution 0.1\n......\n......\n".to_vec() };
+    narrow.load(&[corridor]).expect("it is a map");
+    let mut outside = Session::new();
+    outside.restore("room=room12ft&robot=roomba600&start=-3,-3,0").expect("a link of ours");
+    for session in [narrow, outside] {
+        assert!(session.prepared().is_none());
+        let mut survey = MapSession::new();
+        survey.take(&session);
         assert_eq!(survey.phase(), MapPhase::Failed);
         assert!(!survey.complaint().is_empty());
+        // Nothing of it may panic.
+        survey.play();
+        survey.step();
+        survey.lift();
+        survey.seek(3.0);
+        survey.frame(0.1, &mut || true);
+        assert!(!survey.description().is_empty());
     }
-    // Nothing of it may panic.
-    survey.play();
-    survey.step();
-    survey.lift();
-    survey.seek(3.0);
-    survey.frame(0.1, &mut || true);
-    assert!(!survey.description().is_empty());
 }
 
 #[test]

@@ -105,6 +105,7 @@ mod formats {
     use image::codecs::pnm::{PnmEncoder, PnmSubtype, SampleEncoding};
     use image::{DynamicImage, GrayImage, ImageFormat, Luma, Rgba, RgbaImage};
     use proptest::prelude::*;
+    use rand::RngExt;
     use robovac_core::{
         floor_plan::{
             DEFAULT_ASCII_RESOLUTION, DEFAULT_IMAGE_RESOLUTION, FloorPlan, MapError, Scenario, SourceFile, image_of,
@@ -112,6 +113,8 @@ mod formats {
         },
         geometry::Pose,
         grid::{Cell, Grid, Occupancy, picture},
+        rng::seeded,
+        robot::model,
     };
     use std::io::Cursor;
 
@@ -465,17 +468,46 @@ mod formats {
         })
     }
 
+    /// A floor as a scanner would see it: rooms of 4 m along a corridor, each with a door and a cupboard, in walls of 0.1 m,
+    /// with noise; grey around.
+    fn building(seed: u64) -> GrayImage {
+        let mut rng = seeded(seed, 0);
+        let rooms = rng.random_range(2..6_u32);
+        let doors: Vec<u32> = (0..rooms).map(|_| rng.random_range(4..60)).collect();
+        GrayImage::from_fn(82 * rooms + 22, 202, |x, y| {
+            let is_outside = x < 10 || y < 10 || x >= 82 * rooms + 12 || y >= 192;
+            let (room, x, y) = (x.saturating_sub(10) / 82, x.saturating_sub(10) % 82, y.saturating_sub(10));
+            let is_door = doors.get(room as usize).is_some_and(|door| (*door..door + 18).contains(&x));
+            let is_corridor = (92..140).contains(&y) && (1..rooms).contains(&room);
+            let is_wall = x < 2 && !is_corridor || y < 2 || y >= 180 || matches!(y, 90 | 91 | 140 | 141) && !is_door;
+            let is_cupboard = (8..20).contains(&y) && (10..40).contains(&x);
+            Luma([match (is_outside, is_wall || is_cupboard) {
+                (true, _) => 205,
+                (_, true) => rng.random_range(0..60),
+                _ => rng.random_range(225..=255),
+            }])
+        })
+    }
+
     #[test]
-    fn plans_of_real_buildings_load_if_they_are_there() {
+    fn plans_of_buildings_load() {
+        let own = (1..=3).map(|seed| (format!("own {seed}.png"), encoded(building(seed), ImageFormat::Png)));
+        // Scans of real ones, where they are at hand beside the repository.
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../shared/maps/floorplans");
-        let Ok(entries) = std::fs::read_dir(folder) else { return };
-        for path in entries.map(|entry| entry.unwrap().path()) {
-            let plan = load_one(&path.to_string_lossy(), std::fs::read(&path).unwrap()).unwrap();
+        let scans = std::fs::read_dir(folder).into_iter().flatten().map(|entry| entry.unwrap().path());
+        let scans = scans.map(|path| (path.to_string_lossy().into_owned(), std::fs::read(&path).unwrap()));
+        for (name, bytes) in own.chain(scans) {
+            let plan = load_one(&name, bytes).unwrap();
             let count = |wanted| plan.occupancy.values().iter().filter(|&&o| o == wanted).count() as f64;
             let total = plan.occupancy.len() as f64;
             let (free, occupied) = (count(Occupancy::Free) / total, count(Occupancy::Occupied) / total);
             println!("{}: {:.0} % free, {:.0} % occupied", plan.name, 100.0 * free, 100.0 * occupied);
             assert!(free > 0.15 && occupied > 0.005, "{}: {free} free, {occupied} occupied", plan.name);
+            if name.starts_with("own") {
+                // All rooms and the corridor are one floor.
+                let share = super::reachable_share(&plan, model("roomba600").unwrap());
+                assert!(share > 0.8 && count(Occupancy::Unknown) > 0.0, "{name}: {share}");
+            }
         }
     }
 

@@ -3,3 +3,4 @@
 mod connection;
 mod emulator;
 mod oi;
+mod vectors;

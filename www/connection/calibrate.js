@@ -3,7 +3,6 @@
 import { byId, changed, make, setAttribute, setEnabled, setHidden, setText } from "../dom.js";
 import { draw } from "../portrait.js";
 import { keep, kept } from "./dialogs.js";
-import { isReplay } from "./view.js";
 
 /** @typedef {import("./types").CalibrationKind} Kind */
 
@@ -59,7 +58,7 @@ export function startCalibrate(it) {
 
   return (view) => {
     const { calibration, can, phase } = view;
-    if (phase === "connected" && !isReplay(view) && restored !== keyOf(view)) {
+    if (phase === "connected" && !view.is_recording && restored !== keyOf(view)) {
       restored = keyOf(view);
       void it.request({ do: "use_calibration", ...(remembered(restored) ?? NOTHING) });
     }
@@ -69,7 +68,7 @@ export function startCalibrate(it) {
       setEnabled(start, can.drive && !goes);
       setAttribute(item, "class", calibration.what === item.getAttribute("data-what") ? `now ${calibration.step}` : "");
     }
-    setText(told, calibration.text || (isReplay(view) ? "This is a recording: nothing can be driven." : can.drive ? "Four short drives make odometry more accurate. Each can be skipped." : "Take control first: the robot has to move for this."));
+    setText(told, calibration.text || (view.is_recording ? "This is a recording: nothing can be driven." : can.drive ? "Four short drives make odometry more accurate. Each can be skipped." : "Take control first: the robot has to move for this."));
     setHidden(number, calibration.step !== "asking" || (calibration.asks !== "deg" && calibration.asks !== "m"));
     setHidden(choice, calibration.step !== "asking" || calibration.asks !== "yes");
     const { what, step, asks, suggestion, swapped, distance_factor, base_factor } = calibration;
@@ -78,7 +77,7 @@ export function startCalibrate(it) {
       setText(unit, asks === "deg" ? "degrees" : "metres");
       if (asks !== "yes") answer.select();
     }
-    if (step === "done" && !isReplay(view) && changed(told, "kept", `${swapped} ${distance_factor} ${base_factor}`)) keep(keyOf(view), JSON.stringify({ swapped, distance_factor, base_factor }));
+    if (step === "done" && !view.is_recording && changed(told, "kept", `${swapped} ${distance_factor} ${base_factor}`)) keep(keyOf(view), JSON.stringify({ swapped, distance_factor, base_factor }));
     setText(inUse, `In use: wheel counters ${swapped ? "swapped" : "as specified"}, ${distance_factor.toFixed(4)} m driven per metre counted, wheels ${(235 * base_factor).toFixed(1)} mm apart.`);
   };
 }

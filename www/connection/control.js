@@ -3,18 +3,9 @@
 import { button, byId, changed, setAttribute, setEnabled, setHidden, setText } from "../dom.js";
 import { currentTab } from "../tabs.js";
 import { ask } from "./dialogs.js";
-import { doing, isMoving, isOpen, isReplay } from "./view.js";
 
 /** @typedef {import("./tab.js").ConnectionTab} ConnectionTab */
 /** @typedef {import("./types").ConnectionView} ConnectionView */
-
-/** Time awake from which the battery is worth a word, s; 0.1 Ah or so by then (our own choice). */
-const LONG_AWAKE_S = 120;
-/** Until it sleeps, from when that is worth a word, s. */
-const SOON_ASLEEP_S = 240;
-
-/** @param {number} seconds */
-const clock = (seconds) => `${Math.floor(seconds / 60)}:${String(Math.floor(seconds % 60)).padStart(2, "0")}`;
 
 /** @param {ConnectionTab} it @returns {(view: ConnectionView) => void} */
 export function startControl(it) {
@@ -42,10 +33,10 @@ export function startControl(it) {
   });
 
   return (view) => {
-    const open = isOpen(view) && !isReplay(view);
+    const open = view.is_open && !view.is_recording;
     const isThere = view.phase === "connected" && open;
     setHidden(button("connection-stop"), !open);
-    button("connection-stop").classList.toggle("moving", isMoving(view) || it.movesAlone);
+    button("connection-stop").classList.toggle("moving", view.is_moving || view.moves_alone);
     for (const id of ["connection-control", "connection-ride"]) setHidden(byId(id), !isThere);
     for (const row of byId("connection-modes").children) {
       const isIn = row.getAttribute("data-mode") === view.mode;
@@ -58,29 +49,21 @@ export function startControl(it) {
     setAttribute(button("connection-full"), "data-tip", fullTip(view));
     setHidden(button("connection-bar-arm"), !isThere || !view.can.arm || view.drop !== null);
     setEnabled(button("connection-disarm"), view.can.disarm);
-    setText(byId("connection-clock"), clocks(view));
+    setText(byId("connection-clock"), view.clock);
     setHidden(byId("connection-drop"), !isThere || view.drop === null);
     setText(byId("connection-drop-text"), view.drop?.text ?? "");
     setText(byId("connection-drop-remedy"), view.drop?.remedy ?? "");
     setHidden(button("connection-rearm"), !view.drop?.can_rearm);
-    const [what, more] = doing(view, it.movesAlone);
-    setText(byId("connection-doing"), what);
-    setText(byId("connection-doing-note"), more);
-    if (changed(byId("connection-said"), "said", what)) setText(byId("connection-said"), `${what}. ${more}`);
+    const { title, note } = view.doing;
+    setText(byId("connection-doing"), title);
+    setText(byId("connection-doing-note"), note);
+    if (changed(byId("connection-said"), "said", title)) setText(byId("connection-said"), `${title}. ${note}`);
   };
 }
 
 /** @param {ConnectionView} view */
 const fullTip = ({ can, mode }) =>
   can.arm ? "The page drives, and the robot never stops by itself. You have to confirm." : mode === "Full" ? "Already active." : mode === "Safe" ? "Not from Safe: release control first." : "No robot is connected.";
-
-/** @param {ConnectionView} view */
-function clocks({ mode, sleeps_in_s: sleeps, awake_s: awake }) {
-  if (sleeps !== null) return sleeps < SOON_ASLEEP_S ? `Falls asleep in ${clock(sleeps)}; then only its Clean button wakes it.` : "";
-  if (awake === null || (mode !== "Safe" && mode !== "Full")) return "";
-  const drain = awake > LONG_AWAKE_S ? " It doesn't sleep or charge meanwhile: release control when you are done." : "";
-  return `In control for ${clock(awake)}.${drain}`;
-}
 
 /**
  * Space and Escape stop the robot, wherever the focus is. Buttons are pressed by Enter here: whoever stops twice must not
@@ -90,7 +73,7 @@ function clocks({ mode, sleeps_in_s: sleeps, awake_s: awake }) {
 function startStopKeys(it, stop) {
   /** @param {KeyboardEvent} event */
   const isStop = (event) => {
-    if (currentTab() !== "connection" || !isOpen(it.view) || isReplay(it.view) || (event.key !== " " && event.key !== "Escape")) return false;
+    if (currentTab() !== "connection" || !it.view.is_open || it.view.is_recording || (event.key !== " " && event.key !== "Escape")) return false;
     const target = event.target instanceof Element ? event.target : document.body;
     const writes = target.matches("textarea, input:not([type=checkbox], [type=range], [type=radio], [type=file])");
     return event.key === "Escape" || !writes;

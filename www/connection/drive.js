@@ -3,7 +3,6 @@
 import { button, byId, setHidden, setText } from "../dom.js";
 import { STILL, joystick, rounded } from "../joystick.js";
 import { currentTab } from "../tabs.js";
-import { goesOn } from "./view.js";
 
 /** @typedef {import("./tab.js").ConnectionTab} ConnectionTab */
 
@@ -16,10 +15,7 @@ const OWN_KEYS = "input:not([type=checkbox], [type=button], [type=file]), textar
 /** @param {ConnectionTab} it */
 export function startDrive(it) {
   const [floor, knob] = [byId("connection-floor"), button("connection-knob")];
-  const mayDrive = () => {
-    const { can, ride } = it.view;
-    return currentTab() === "connection" && can.drive && (!goesOn(ride) || ride?.manual === true);
-  };
+  const mayDrive = () => currentTab() === "connection" && it.view.can.steer;
   let isDriving = false;
   /** Whether all was still since one could drive, or something was touched: nobody shall drive off by taking control. */
   let wasStill = false;
@@ -76,10 +72,9 @@ export function startDrive(it) {
   return {
     stop,
     /** @param {import("./types").ConnectionView} view */
-    update({ ride, can }) {
-      const on = can.drive && (!goesOn(ride) || ride?.manual === true);
-      setHidden(byId("connection-manual"), !on);
-      if (!on) return;
+    update({ can }) {
+      setHidden(byId("connection-manual"), !can.steer);
+      if (!can.steer) return;
       const { hasGamepad } = stick.read();
       setText(byId("connection-manual-note"), hasGamepad ? "Gamepad connected." : "Drag, or arrow keys or WASD.");
     },

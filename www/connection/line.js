@@ -5,7 +5,6 @@ import { row } from "../dashboard.js";
 import { count } from "../format.js";
 import { ask } from "./dialogs.js";
 import { download } from "../files.js";
-import { isOpen, isReplay } from "./view.js";
 
 /** @typedef {import("./types").ConnectionView} ConnectionView */
 
@@ -42,9 +41,8 @@ export function startLine(it) {
   });
 
   return (view) => {
-    const open = isOpen(view);
-    for (const { value, text } of rows) setText(value, open ? text(view) : "–");
-    setHidden(byId("connection-record"), isReplay(view) || (!open && view.statistics.bytes[0] === 0));
+    for (const { value, text } of rows) setText(value, view.is_open ? text(view) : "–");
+    setHidden(byId("connection-record"), view.is_recording || (!view.is_open && view.statistics.bytes[0] === 0));
     setText(byId("connection-firmware"), view.firmware ? `Firmware: ${view.firmware}` : "");
   };
 }

@@ -2,7 +2,6 @@
 // The live map: its canvas, pointers and keys, and what is told of it in words.
 import { LiveMap } from "../../workshop.js";
 import { byId, changed, fill, select, setAttribute, setHidden, setText, typed } from "../dom.js";
-import { goesOn, isOpen } from "./view.js";
 
 /** @typedef {import("./tab.js").ConnectionTab} ConnectionTab */
 /** @typedef {import("./types").ConnectionView} ConnectionView */
@@ -18,8 +17,6 @@ export function startMap(it) {
   const choice = select("connection-room");
   const map = new LiveMap(canvas, it.room.mirror, true);
   let wasThere = false;
-  /** Where a ride begins that isn't told of yet, and the pose estimated before. @type {[to: number[], from: number[]] | undefined} */
-  let awaited;
   let told = 0;
   let size = "";
 
@@ -35,19 +32,13 @@ export function startMap(it) {
   /** Begins anew where the robot stands now. @param {ConnectionView} view */
   const begin = (view) => {
     offer();
-    awaited = undefined;
     const room = `${choice.value} ${it.room.version()}`;
     if (room === drawn) {
       map.wipe();
       map.set_planned([]);
     } else map.begin(it.room.mirror, isKnown());
     drawn = room;
-    place(view);
-  };
-  /** Where its estimate begins: where it stands, as far as that is known. @param {ConnectionView} view */
-  const place = ({ pose, virtual }) => {
-    const [x, y, heading] = (isKnown() && virtual?.pose) || map.start();
-    if (heading !== undefined) map.anchor(...pose, x ?? 0, y ?? 0, heading);
+    map.place(...view.pose, Float64Array.from(view.virtual?.pose ?? []));
   };
   choice.addEventListener("change", () => begin(it.view));
   startHands(it, canvas, map);
@@ -57,37 +48,14 @@ export function startMap(it) {
     map,
     begin,
     isKnown,
-    /** A ride has begun: from now on its estimate is the room's start. On blank paper it stays where it is drawn. */
-    rideFrom() {
-      const [fromX, fromY, from] = it.room.mirror.start();
-      const [x, y, heading] = map.start();
-      awaited = undefined;
-      if (fromX !== undefined && fromY !== undefined && from !== undefined) {
-        awaited = [[fromX, fromY], [...it.view.pose]];
-        if (!isKnown()) map.stay(fromX, fromY, from);
-        else if (heading !== undefined) map.anchor(fromX, fromY, from, x ?? 0, y ?? 0, heading);
-      }
-      map.wipe();
-    },
-    /** @param {Float64Array} trace Four numbers a reading. */
-    follow(trace) {
-      let from = 0;
-      if (awaited) {
-        const [start, before] = awaited;
-        const far = (/** @type {number[]} */ of) => Math.hypot((trace[from] ?? 0) - (of[0] ?? 0), (trace[from + 1] ?? 0) - (of[1] ?? 0));
-        // What comes before the ride is another way.
-        while (from < trace.length && far(before) < far(start)) from += 4;
-        if (from < trace.length) awaited = undefined;
-      }
-      map.follow(trace.subarray(from));
-    },
-    /** @param {ConnectionView} view */
-    update(view) {
+    /** @param {ConnectionView} view @param {Float64Array} way That leads there, four numbers a reading. */
+    update(view, way) {
       const isThere = view.phase === "connected";
       if (isThere && !wasThere) begin(view);
-      wasThere = isThere || (wasThere && isOpen(view));
-      const bumps = view.packets[0] ?? 0;
-      if (wasThere) map.show_robot(...view.pose, (bumps & 12) === 12, (bumps & 2) !== 0, (bumps & 1) !== 0);
+      wasThere = isThere || (wasThere && view.is_open);
+      map.follow(way);
+      const { is_lifted: isLifted, bumper } = view.readings?.sensors ?? { is_lifted: false, bumper: [false, false] };
+      if (wasThere) map.show_robot(...view.pose, isLifted, bumper[0] === true, bumper[1] === true);
       else if (changed(canvas, "there", false)) map.hide_robot();
       if (wasThere) changed(canvas, "there", true);
       const truth = wasThere && isKnown() ? view.virtual?.pose : undefined;
@@ -98,7 +66,8 @@ export function startMap(it) {
       const now = performance.now();
       if (now - told > TOLD_EVERY) {
         told = now;
-        setAttribute(canvas, "aria-label", words(map, view, wasThere, isKnown() ? it.app.view.room.title : "an unknown room"));
+        const { ride, mode } = view;
+        setAttribute(canvas, "aria-label", map.words(isKnown() ? it.app.view.room.title : "an unknown room", mode, !ride || ride.done ? "" : ride.manual ? "you" : ride.title));
       }
     },
     draw() {
@@ -135,17 +104,6 @@ function showNumbers(map, view, isThere) {
 function lasted(seconds) {
   const [h, m, s] = [Math.floor(seconds / 3600), Math.floor(seconds / 60) % 60, seconds % 60];
   return h > 0 ? `${h} h ${m} min` : m > 0 ? `${m} min ${s} s` : `${s} s`;
-}
-
-/** The picture in words. @param {LiveMap} map @param {ConnectionView} view @param {boolean} isThere @param {string} room */
-function words(map, { pose, mode, ride }, isThere, room) {
-  if (!isThere) return `Live map of ${room}: no robot yet`;
-  const share = map.coverage();
-  const [bumps, cliffs] = map.felt();
-  const [x, y, heading] = pose;
-  const degrees = Math.round((heading * 180) / Math.PI);
-  const swept = share === undefined ? `${map.swept_m2().toFixed(1)} square metres` : `${(100 * share).toFixed(0)} % of the reachable floor`;
-  return `Live map of ${room}: the robot is estimated to be at ${x.toFixed(2)} m, ${y.toFixed(2)} m, heading ${degrees} degrees, in mode ${mode || "unknown"}${ride && goesOn(ride) ? `, driven by ${ride.manual ? "you" : ride.title}` : ""}. It has swept ${swept}, bumped ${bumps} times and seen ${cliffs} cliffs.`;
 }
 
 /** Wheel, pinch, drag and keys. @param {ConnectionTab} it @param {HTMLCanvasElement} canvas @param {LiveMap} map */

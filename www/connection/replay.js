@@ -4,7 +4,6 @@ import { Replay } from "../../workshop.js";
 import { button, byId, changed, fill, input, select, setHidden, setText } from "../dom.js";
 import { clock } from "../format.js";
 import { textOf } from "../messages.js";
-import { CLOSED } from "./view.js";
 
 /** Milliseconds between views. */
 const PAUSE = 50;
@@ -21,13 +20,13 @@ const SPEEDS = [["1", "1×"], ["4", "4×"], ["16", "16×"]];
  * @param {(traffic: import("./types").Traffic[]) => void} to.traffic
  * @param {() => void} to.wipe The way so far is to be forgotten.
  * @param {() => void} to.settle What was said before is over.
+ * @param {() => void} to.closed Nothing is shown any more.
  */
 export function startReplay(it, to) {
   const [file, at, play, speed] = [input("replay-file"), input("replay-at"), button("replay-play"), select("replay-speed")];
   fill(speed, SPEEDS);
   /** @type {Replay | undefined} */
   let replay;
-  let name = "";
   let isPlaying = false;
   let last = 0;
   let shown = 0;
@@ -39,9 +38,9 @@ export function startReplay(it, to) {
     if (!chosen) return;
     try {
       if (chosen.size > MOST) throw `"${chosen.name}" is too large for a recording.`;
-      const read = new Replay(await chosen.text());
+      const read = new Replay(chosen.name, await chosen.text());
       end();
-      [replay, name, isPlaying] = [read, chosen.name, true];
+      [replay, isPlaying] = [read, true];
       to.settle();
       at.max = String(read.duration_s());
       setHidden(byId("replay"), false);
@@ -67,11 +66,9 @@ export function startReplay(it, to) {
   };
   const look = () => {
     if (!replay) return;
-    const view = /** @type {import("./types").ConnectionState} */ (replay.view());
-    // What could be done then can't be done now.
-    to.show({ ...CLOSED, ...view, can: { ...CLOSED.can, disconnect: true }, drop: null, notice: null, transport: { ...CLOSED.transport, state: "open", name: `Recording ${name}` } });
-    to.traffic(/** @type {import("./types").Traffic[]} */ (replay.take_traffic()));
     to.follow(replay.take_trace());
+    to.show({ .../** @type {import("./types").ConnectionState} */ (replay.view()), virtual: null });
+    to.traffic(/** @type {import("./types").Traffic[]} */ (replay.take_traffic()));
     const [now, all] = [replay.time_s(), replay.duration_s()];
     if (document.activeElement !== at || isPlaying) at.value = String(now);
     setText(byId("replay-time"), `${clock(now)} of ${clock(all)}`);
@@ -82,7 +79,7 @@ export function startReplay(it, to) {
     replay.free();
     replay = undefined;
     setHidden(byId("replay"), true);
-    to.show(CLOSED);
+    to.closed();
     return true;
   };
 

@@ -4,15 +4,8 @@ import { button, byId, fill, make, select, setAttribute, setEnabled, setHidden, 
 import { ODOMETRIES, ODOMETRY_TIP } from "../odometry.js";
 import { Planning } from "../planning.js";
 import { choose } from "./dialogs.js";
-import { isMoving, isReplay } from "./view.js";
 
 /** @typedef {import("./tab.js").ConnectionTab} ConnectionTab */
-
-/** How far from the start a virtual robot may stand, m and rad, without being asked to be put there. */
-const NEAR = [0.05, 0.1];
-
-/** How far it may stand from there when it sets off, without a question. */
-const CLOSE = [0.15, 0.35];
 
 /** @param {ConnectionTab} it */
 export function startRide(it) {
@@ -73,12 +66,12 @@ export function startRide(it) {
   };
 
   button("connection-go").addEventListener("click", async () => {
-    if (!it.view.can.drive || isMoving(it.view) || isAsking(it.view) || waiting) return;
+    if (!it.view.can.ride || waiting) return;
     if (room.algorithm?.kind === "planner" && !it.live.isKnown()) {
       it.complain("A planned path needs a known room: choose Explore's room as the map, or a behaviour.");
       return;
     }
-    if (it.live.isKnown() && isElsewhere(it.view, CLOSE)) {
+    if (it.live.isKnown() && placeOf(it.view) === "elsewhere") {
       const answer = await choose({
         title: "It isn't at the start",
         points: ["In a known room, the robot is assumed to start on the dashed circle, facing along its arrow. This one is elsewhere, so its position estimate would be wrong."],
@@ -90,10 +83,10 @@ export function startRide(it) {
     }
     const line = await corners();
     // Who has stopped or lost control meanwhile doesn't want it to set off.
-    if (!line || !it.view.can.drive || isMoving(it.view)) return;
+    if (!line || !it.view.can.ride) return;
     it.connection.follow(room.followed());
     it.live.map.set_planned(line);
-    if (await it.connection.ride(line)) it.live.rideFrom();
+    await it.connection.ride(line);
   });
   button("connection-end").addEventListener("click", () => {
     cancel();
@@ -105,33 +98,24 @@ export function startRide(it) {
   };
   button("connection-to-start").addEventListener("click", putAtStart);
 
-  /** Whether the virtual robot stands elsewhere. @param {import("./types").ConnectionView} view @param {number[]} near m and rad */
-  const isElsewhere = ({ virtual }, near) => {
-    const [x, y, heading] = room.mirror.start();
-    if (!virtual || x === undefined || y === undefined || heading === undefined) return false;
-    const turn = Math.abs(Math.atan2(Math.sin(virtual.pose[2] - heading), Math.cos(virtual.pose[2] - heading)));
-    return Math.hypot(virtual.pose[0] - x, virtual.pose[1] - y) > (near[0] ?? 0) || turn > (near[1] ?? 0);
-  };
-
-  /** Whether a calibration waits for an answer. @param {import("./types").ConnectionView} view */
-  const isAsking = ({ calibration }) => calibration.step === "asking";
+  /** Where the virtual robot stands, seen from the start. @param {import("./types").ConnectionView} view */
+  const placeOf = ({ virtual }) => (virtual ? room.mirror.start_place(...virtual.pose) : "at");
 
   return {
     cancel,
     /** @param {import("./types").ConnectionView} view */
     update(view) {
       if (document.activeElement !== choice) choice.value = room.algorithm?.id ?? "";
-      const goes = isMoving(view);
-      const elsewhere = !goes && it.live.isKnown() && isElsewhere(view, NEAR);
-      setHidden(button("connection-to-start"), !elsewhere);
+      const { can, is_moving: goes } = view;
+      setHidden(button("connection-to-start"), goes || !it.live.isKnown() || placeOf(view) === "at");
       const where = it.live.isKnown() ? "It is assumed to start on the dashed circle, facing along its arrow." : "It starts from where it stands.";
-      const question = isAsking(view) ? "Calibration waits for your answer: answer or skip it in Tools, Calibrate." : where;
-      setText(byId("connection-ride-note"), view.can.drive ? question : "Take control first.");
-      setEnabled(button("connection-go"), view.can.drive && !goes && !isAsking(view));
+      const question = view.calibration.step === "asking" ? "Calibration waits for your answer: answer or skip it in Tools, Calibrate." : where;
+      setText(byId("connection-ride-note"), can.drive ? question : "Take control first.");
+      setEnabled(button("connection-go"), can.ride);
       setEnabled(button("connection-end"), goes || waiting !== undefined);
       setEnabled(choice, !goes);
       if (document.activeElement !== odometry) odometry.value = view.odometry;
-      setEnabled(odometry, !goes && !isReplay(view));
+      setEnabled(odometry, !goes && !view.is_recording);
     },
   };
 }

@@ -1,5 +1,6 @@
 // @ts-check
 // The tab Robot: a connection to a robot, and all that shows it and acts on it.
+import { Connection } from "../../workshop.js";
 import { button, byId, setAttribute } from "../dom.js";
 import { complain, forgive } from "../messages.js";
 import { currentTab } from "../tabs.js";
@@ -18,7 +19,6 @@ import { startRide } from "./ride.js";
 import { startRoom } from "./room.js";
 import { startSensors } from "./sensors.js";
 import { startSongs } from "./songs.js";
-import { CLOSED, isMoving, isOpen, isReplay, watchWheels } from "./view.js";
 import { startVirtual } from "./hand.js";
 
 /**
@@ -27,7 +27,6 @@ import { startVirtual } from "./hand.js";
  * @property {import("../main.js").App} app
  * @property {ConnectionClient} connection
  * @property {ConnectionView} view The latest view.
- * @property {boolean} movesAlone Whether it moves without this page.
  * @property {string} personality Of the virtual robot that was opened last; "" if that was none.
  * @property {((view: ConnectionView) => void)[]} onview What is to be told of every view.
  * @property {ReturnType<typeof startRoom>} room
@@ -52,8 +51,9 @@ export function startConnection(app, module, guard) {
   const connection = new ConnectionClient(module);
   const room = startRoom(app);
   room.take();
+  const closed = /** @type {ConnectionView} */ ({ ...Connection.closed(), virtual: null });
   // The rest of it follows below: its parts need each other.
-  const it = /** @type {ConnectionTab} */ (/** @type {unknown} */ ({ app, connection, view: CLOSED, movesAlone: false, personality: "", onview: [], room, complain }));
+  const it = /** @type {ConnectionTab} */ (/** @type {unknown} */ ({ app, connection, view: closed, personality: "", onview: [], room, complain }));
   /** Requests that aren't answered yet, oldest first; why one is refused is told before its answer. @type {string[]} */
   const asked = [];
   /** Number of the notice that is over. */
@@ -96,18 +96,18 @@ export function startConnection(app, module, guard) {
   startSheets(byId("panel-connection"), byId("connection-floor"));
 
   let isFresh = true;
-  const wheels = watchWheels();
+  /** The way that leads to where the next view shows the robot. @type {Float64Array} */
+  let way = new Float64Array();
   const show = (/** @type {ConnectionView} */ view) => {
     // Taken by whatever way, what was said before is over.
     if (view.mode !== it.view.mode && view.mode !== "Passive" && it.view.mode === "Passive" && view.notice?.number === it.view.notice?.number) over = view.notice?.number ?? -1;
     it.view = view;
-    it.movesAlone = wheels(view);
     isFresh = true;
-    // Before the way that leads from there.
-    guard(() => it.live.update(view));
+    guard(() => it.live.update(view, way));
+    way = new Float64Array();
   };
-  const follow = (/** @type {Float64Array} */ trace) => guard(() => it.live.follow(trace));
-  const replay = startReplay(it, { show, follow, traffic: traffic.take, wipe: () => it.live.begin(it.view), settle });
+  const follow = (/** @type {Float64Array} */ trace) => void (way = trace);
+  const replay = startReplay(it, { show, follow, traffic: traffic.take, wipe: () => it.live.begin(it.view), settle, closed: () => show(closed) });
   connection.onview = show;
   connection.ontrace = follow;
   connection.ontraffic = traffic.take;
@@ -118,15 +118,15 @@ export function startConnection(app, module, guard) {
     setTimeout(() => it.view.can.drive && tell(), SOON_MS);
   };
 
-  show(CLOSED);
+  show(closed);
   let wasHere = false;
   // Elsewhere nothing stops it: it doesn't drive on.
   new MutationObserver(() => {
     if (currentTab() === "connection") return;
     wasHere = false;
-    const moves = isMoving(it.view) || it.movesAlone;
+    const { is_moving: moves, moves_alone: movesAlone, is_recording: isRecording } = it.view;
     it.halt();
-    if (moves && !isReplay(it.view)) connection.leave("You left the Robot tab.");
+    if ((moves || movesAlone) && !isRecording) connection.leave("You left the Robot tab.");
   }).observe(byId("panel-connection"), { attributes: true, attributeFilter: ["hidden"] });
 
   return {
@@ -136,7 +136,7 @@ export function startConnection(app, module, guard) {
       if (!wasHere) {
         wasHere = true;
         // The robot that is connected is in the room that it was in.
-        if (!isOpen(it.view) && room.take()) it.live.begin(it.view);
+        if (!it.view.is_open && room.take()) it.live.begin(it.view);
       }
       it.live.draw();
       traffic.update();

@@ -33,12 +33,14 @@ export type ConnectionState = {
     text: string;
     remedy: string;
     log: string[];
+    is_shown: boolean;
+    picture: string;
+    caption: Caption;
   };
   mode: "" | "Off" | "Passive" | "Safe" | "Full";
   mode_offset: boolean;
   ride: RideView | null;
-  /** Packets 7 to 58 as they are on the line, as unsigned numbers; empty before the first. */
-  packets: number[];
+  readings: RoombaView | null;
   /** x, y in m, heading in rad. */
   pose: [x: number, y: number, heading: number];
   /** Id of the odometry model that this is by. */
@@ -46,14 +48,40 @@ export type ConnectionState = {
   distance_m: number;
   /** Left and right, m/s. */
   wheels: [left: number, right: number];
+  is_moving: boolean;
+  moves_alone: boolean;
+  doing: Caption;
+  transport: TransportView;
+  line: Caption;
+  is_open: boolean;
+  is_recording: boolean;
   statistics: Statistics;
   sleeps_in_s: number | null;
   awake_s: number | null;
+  clock: string;
   drop: { from: string; text: string; remedy: string; can_rearm: boolean } | null;
   calibration: CalibrationView;
   firmware: string | null;
   notice: { number: number; kind: "notice" | "error"; text: string } | null;
-  can: Record<"connect" | "disconnect" | "arm" | "disarm" | "drive" | "press", boolean>;
+  can: Record<"connect" | "disconnect" | "arm" | "disarm" | "drive" | "steer" | "ride" | "press", boolean>;
+};
+
+export type Caption = { title: string; note: string };
+
+/** What a Roomba reports over its Open Interface; see `robovac_link::dashboard`. */
+export type RoombaView = {
+  sensors: import("../types").SensorsView;
+  wall_signal: number;
+  voltage_v: number;
+  charge_mah: number;
+  capacity_mah: number;
+  temperature_c: number;
+  charging: string;
+  motors_ma: number[];
+  requested_mm_s: number[];
+  buttons: string[];
+  song: number;
+  song_plays: boolean;
 };
 
 export type RideView = {
@@ -168,7 +196,7 @@ export type TransportView = {
 };
 
 /** What `onview` gets. */
-export type ConnectionView = ConnectionState & { transport: TransportView; virtual: VirtualView | null };
+export type ConnectionView = ConnectionState & { virtual: VirtualView | null };
 
 /**
  * What went wrong, for users: `what` is a sentence, `remedy` one on what to do or "".

@@ -107,11 +107,11 @@ function show() {
   if (isBroken || !line) return;
   try {
     const virtual = line instanceof VirtualLine ? line.look() : null;
-    tell({ type: "view", view: { ...connection.view(now()), transport: line.view, virtual } });
-    const traffic = connection.take_traffic();
-    if (traffic.length) tell({ type: "traffic", traffic });
     const trace = connection.take_trace();
     if (trace.length) tell({ type: "trace", trace }, [trace.buffer]);
+    tell({ type: "view", view: { ...connection.view(now(), line.view), virtual } });
+    const traffic = connection.take_traffic();
+    if (traffic.length) tell({ type: "traffic", traffic });
   } catch (error) {
     broke(error);
   }

@@ -4,7 +4,7 @@ use floor_drawing::{DrawingError, drawing_kind};
 use robovac_core::floor_plan::{self, FloorPlan, MapError, Scenario, SourceFile};
 use robovac_sim::{
     Noise,
-    experiment::{Algorithm, Settings, SettingsError},
+    experiment::{Settings, SettingsError},
 };
 use serde::{Deserialize, Serialize};
 
@@ -128,7 +128,7 @@ impl ScenarioChoices {
         }
         for (kind, id) in [("planner", &self.planner), ("behaviour", &self.behaviour)] {
             if let Some(id) = id {
-                at(kind, Algorithm::find_kind(kind, id).and_then(|_| settings.select_fresh_algorithm(id)))?;
+                at(kind, settings.select_fresh_of_kind(kind, id))?;
             }
         }
         for (id, text) in &self.params {

@@ -2,6 +2,7 @@
 
 pub mod bench;
 pub mod compare;
+pub mod connection;
 pub mod explore;
 pub mod export;
 pub mod floor_plan;
@@ -9,13 +10,11 @@ mod import;
 pub mod map;
 mod pack;
 mod palette;
-mod readings;
 mod scene;
 mod viewport;
 
 pub use import::{Import, ImportError, ScenarioChoices, ScenarioError};
 pub use pack::{pack, unpack};
 pub use palette::Palette;
-pub use readings::{READINGS, readings};
 pub use scene::{FilmScene, RobotView, Scene, SearchScene, Sensed};
 pub use viewport::Viewport;

@@ -11,7 +11,7 @@ use coverage_planners;
 use robovac_core::rng::seeded;
 use robovac_sim::{
     Input, Run, STEP_S, controller,
-    mapping::{Mapper, MapperSetup, Tracking},
+    mapping::{MapObserver, Mapper, MapperSetup, Tracking},
     montecarlo::quantile,
 };
 use serde::Serialize;
@@ -92,13 +92,13 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     for seed in first..first.saturating_add(arguments.seeds) {
         let run = prepared.run_behaviour(info, &params, conditions, seed);
         let run = run.ok_or_else(|| Failure::unknown("behaviour", id, "behaviours"))?;
-        let run = if run.mapper().is_some() {
-            run
-        } else {
+        let mut observer = MapObserver::default();
+        if run.mapper().is_none() {
             let robot = prepared.robot.clone();
-            let (tracking, odometry) = (arguments.tracking, arguments.conditions.odometry);
-            run.with_mapper(Mapper::new(MapperSetup { robot, start: prepared.floor.start, tracking, odometry, seed }))
-        };
+            let (tracking, odometry, start) = (arguments.tracking, arguments.conditions.odometry, prepared.floor.start);
+            observer = observer.with_mapper(Mapper::new(MapperSetup { robot, start, tracking, odometry, seed }));
+        }
+        let run = run.observed(Box::new(observer));
         outcomes.push(clean(run, arguments, planner.id, seed));
     }
     Ok(if arguments.json { output::json(&outcomes) } else { to_text(&outcomes) })

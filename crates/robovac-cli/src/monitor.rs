@@ -113,24 +113,20 @@ fn send(port: &mut dyn SerialPort, link: &mut Connection) -> std::io::Result<()>
 }
 
 fn summary(now: f64, view: &ConnectionView) -> String {
-    // Places of packets from 7 on.
-    let packet = |id: usize| view.packets.get(id - 7).copied().unwrap_or_default();
-    let signed = |id: usize| packet(id).cast_signed();
-    let statistics = &view.statistics;
+    let readings = view.readings.clone().unwrap_or_default();
+    let (sensors, statistics) = (&readings.sensors, &view.statistics);
+    let flags = |flags: &[bool]| flags.iter().map(|&flag| if flag { '1' } else { '0' }).collect::<String>();
+    let [left, right, _] = sensors.counts;
     format!(
-        "{now:7.3}  {:7}  battery {:5.2} V {:5} mA {}/{} mAh  encoders {} {}  bumps {:04b}  cliffs {}{}{}{}  {:.0} frames/s, {} bad",
+        "{now:7.3}  {:7}  battery {:5.2} V {:5} mA {}/{} mAh  encoders {left} {right}  bumps {}{}  cliffs {}  {:.0} frames/s, {} bad",
         view.mode,
-        f64::from(packet(22)) / 1000.0,
-        signed(23),
-        packet(25),
-        packet(26),
-        packet(43),
-        packet(44),
-        packet(7),
-        packet(9),
-        packet(10),
-        packet(11),
-        packet(12),
+        readings.voltage_v,
+        sensors.battery.current_ma,
+        readings.charge_mah,
+        readings.capacity_mah,
+        flags(&sensors.wheel_drops),
+        flags(&sensors.bumper),
+        flags(&sensors.cliffs),
         statistics.rate_hz,
         statistics.bad_checksums + statistics.implausible,
     )

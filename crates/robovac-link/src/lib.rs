@@ -1,6 +1,7 @@
 //! Both ends of a Roomba's serial line: driver, emulator, connection and recordings.
 
 pub mod connection;
+pub mod dashboard;
 pub mod driver;
 pub mod emulator;
 mod path_commands;

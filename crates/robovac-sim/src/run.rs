@@ -1,17 +1,13 @@
 //! A whole run: one robot, one controller, one floor.
 
-use super::{Event, Input, Life, Noise, STEP_S, SimRobot, SlipLevel, What, World, event::Signs};
-use crate::controller;
-use crate::{
-    controller::{Controller, Intent, interlock::Blocked},
-    mapping::{Mapper, locate::Locator},
-};
+use super::{Event, Input, Life, Noise, RunObserver, STEP_S, SimRobot, SlipLevel, What, World, event::Signs};
+use crate::controller::{Controller, drive_on, interlock::Blocked};
 use robovac_core::{
     coverage::{CoverageTracker, ReachableFloor},
     geometry::{Point, Pose, difference},
     robot::{Odometry, OdometryModel, RobotModel, RobotPort, SensorReadings},
 };
-use std::{collections::VecDeque, sync::Arc};
+use std::{any::Any, collections::VecDeque, sync::Arc};
 
 /// Most points of the trail that are kept, and their distance, m.
 const TRAIL: (usize, f64) = (600, 0.04);
@@ -77,14 +73,7 @@ pub struct Run {
     trail: RecentTrail,
     /// The robot's estimated pose if its controller doesn't keep track, and where it believes to have been.
     odometry: Option<Odometry>,
-    /// What makes a map, whoever drives.
-    mapper: Option<Box<Mapper>>,
-    /// What maps beside it for comparison.
-    baseline: Option<Box<Mapper>>,
-    /// What looks for it on a map that it knows.
-    locator: Option<Box<Locator>>,
-    /// What the ways of dead reckoning would say, for comparison.
-    reckoned: Vec<Odometry>,
+    observer: Option<Box<dyn RunObserver>>,
     believed: RecentTrail,
     events: VecDeque<Event>,
 }
@@ -117,65 +106,26 @@ impl Run {
             believed: trail.clone(),
             trail,
             odometry,
-            mapper: None,
-            baseline: None,
-            locator: None,
-            reckoned: Vec::new(),
+            observer: None,
             events: VecDeque::new(),
         }
     }
 
-    /// Lets the robot make a map, whoever drives it. A controller that makes one of its own keeps to that.
-    pub fn with_mapper(mut self, mapper: Mapper) -> Self {
-        self.mapper = Some(Box::new(mapper));
+    /// Lets something go along and see what the robot senses.
+    pub fn observed(mut self, observer: Box<dyn RunObserver>) -> Self {
+        self.observer = Some(observer);
         self
     }
 
-    /// Lets a second mapper see the same, for comparison: nobody acts on what it believes.
-    pub fn with_baseline(mut self, mapper: Mapper) -> Self {
-        self.baseline = Some(Box::new(mapper));
-        self
+    /// What goes along, if it is of that type.
+    pub fn observer<O: RunObserver>(&self) -> Option<&O> {
+        let observer: &dyn Any = self.observer.as_deref()?;
+        observer.downcast_ref()
     }
 
-    /// Lets something look for the robot on a map that it knows.
-    pub fn with_locator(mut self, locator: Locator) -> Self {
-        self.locator = Some(Box::new(locator));
-        self
-    }
-
-    /// Lets dead reckoning of all ways go along, for comparison.
-    pub fn with_reckoning(mut self, robot: &RobotModel) -> Self {
-        let start = self.floor.start;
-        self.reckoned = OdometryModel::ALL.map(|(model, _)| Odometry::new(robot, model, start)).into();
-        self
-    }
-
-    /// How far off the ways of dead reckoning are, in the order of [`OdometryModel::ALL`]: m and rad; empty unless they go along.
-    pub fn drifts(&self) -> Vec<[f64; 2]> {
-        let truth = self.pose();
-        let off =
-            |pose: Pose| [(pose.position() - truth.position()).norm(), difference(truth.heading, pose.heading).abs()];
-        self.reckoned.iter().map(|odometry| off(odometry.pose())).collect()
-    }
-
-    /// What looks for the robot on a map that it knows.
-    pub fn locator(&self) -> Option<&Locator> {
-        self.locator.as_deref()
-    }
-
-    /// The second mapper's estimates.
-    pub fn baseline(&self) -> Option<&Mapper> {
-        self.baseline.as_deref()
-    }
-
-    /// The map that the robot makes, and its place on it.
-    pub fn mapper(&self) -> Option<&Mapper> {
-        self.controller.mapper().or(self.mapper.as_deref())
-    }
-
-    /// What its controller is going for on its map.
-    pub fn intent(&self) -> Option<Intent<'_>> {
-        self.controller.intent()
+    /// What drives the robot.
+    pub fn controller(&self) -> &dyn Controller {
+        &*self.controller
     }
 
     /// Advances by [`STEP_S`]; does nothing once the run is finished.
@@ -184,14 +134,11 @@ impl Run {
             return;
         }
         let (before, had_fallen) = (self.robot.pose(), self.robot.has_fallen());
-        let sensed = self.robot.sensors();
-        let signs = Signs::of(sensed);
+        let (signs, was_empty) = (Signs::of(self.robot.sensors()), self.robot.is_empty());
         let activity = self.controller.activity();
-        let drive = self.controller.step(sensed, STEP_S);
+        drive_on(&mut self.robot, &mut *self.controller, STEP_S, |_, _| false);
         let Self { life, robot, world, floor, .. } = self;
         life.step(world, |centre, radius| robot.is_near_disc(centre, radius, 0.0));
-        let was_empty = robot.is_empty();
-        robot.drive(drive);
         robot.step(&floor.walls, world, life);
         let pose = robot.pose();
         self.steps += 1;
@@ -231,15 +178,9 @@ impl Run {
                 self.note(What::PutDown);
             }
             Input::Clean(planner) => {
-                // What it was given to know counts, whatever the behaviour has mapped since.
-                let mapper = self.mapper.take().map(|mapper| *mapper).or_else(|| self.controller.mapper().cloned());
-                if let Some(mut mapper) = mapper {
-                    if let Some(locator) = self.locator.take().filter(|locator| locator.is_sure())
-                        && let Some((pose, spread)) = locator.pose().zip(locator.pose_covariance())
-                    {
-                        mapper.relocate(pose, &spread);
-                    }
-                    self.controller = controller::clean_by_map(mapper, planner);
+                let Self { observer, controller, .. } = self;
+                if let Some(next) = observer.as_mut().and_then(|observer| observer.cleaner(planner, &**controller)) {
+                    self.controller = next;
                     self.odometry = None;
                 }
             }
@@ -312,14 +253,8 @@ impl Run {
         if let Some(odometry) = &mut self.odometry {
             odometry.update(self.robot.sensors());
         }
-        for mapper in [&mut self.mapper, &mut self.baseline].into_iter().flatten() {
-            mapper.update(self.robot.sensors());
-        }
-        for odometry in &mut self.reckoned {
-            odometry.update(self.robot.sensors());
-        }
-        if let Some(locator) = &mut self.locator {
-            locator.update(self.robot.sensors());
+        if let Some(observer) = &mut self.observer {
+            observer.observe(self.robot.sensors());
         }
         if let Some(estimate) = self.estimate() {
             self.believed.extend(estimate.position());
@@ -360,12 +295,10 @@ impl Run {
         self.controller.blocked()
     }
 
-    /// Its estimated pose: by its controller, or by counting wheel turns if the controller doesn't care.
+    /// Its estimated pose: by what goes along, by its controller, or by counting wheel turns if neither cares.
     pub fn estimate(&self) -> Option<Pose> {
-        if let Some(mapper) = self.mapper() {
-            return Some(mapper.pose());
-        }
-        self.controller.estimate().or(self.odometry.as_ref().map(Odometry::pose))
+        let observed = self.observer.as_ref().and_then(|observer| observer.estimate(&*self.controller));
+        observed.or_else(|| self.controller.estimate()).or(self.odometry.as_ref().map(Odometry::pose))
     }
 
     /// Index of the corner of its line that the controller drives to, if it follows one.
@@ -431,8 +364,7 @@ impl Run {
     /// Roughly the memory that a clone takes, bytes.
     pub fn bytes(&self) -> usize {
         let own = self.tracker.bytes() + self.life.bytes() + 2 * TRAIL.0 * size_of::<Point>();
-        let own = own + [self.mapper(), self.baseline()].into_iter().flatten().map(Mapper::bytes).sum::<usize>();
-        own
+        own + self.controller.bytes() + self.observer.as_ref().map_or(0, |observer| observer.bytes())
     }
 
     /// A number that two runs share only if they are in the same state, to the last bit (FNV-1a).
@@ -473,10 +405,7 @@ impl Clone for Run {
             tracker: self.tracker.clone(),
             trail: self.trail.clone(),
             odometry: self.odometry.clone(),
-            mapper: self.mapper.clone(),
-            baseline: self.baseline.clone(),
-            locator: self.locator.clone(),
-            reckoned: self.reckoned.clone(),
+            observer: self.observer.as_ref().map(|observer| observer.boxed_clone()),
             believed: self.believed.clone(),
             events: self.events.clone(),
             ..*self

@@ -4,6 +4,7 @@ use super::{
     bits::{BumpsAndDrops, Buttons, ChargingSources, LightBumper, Overcurrents, Stasis},
     packet::{Packet, PacketId, PacketSet},
 };
+use core::fmt;
 
 /// Infrared characters that are received; 0 for none.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -66,6 +67,21 @@ impl ChargingState {
     /// Whether current flows into the battery.
     pub const fn is_charging(self) -> bool {
         matches!(self, Self::Reconditioning | Self::Full | Self::Trickle)
+    }
+}
+
+/// In words.
+impl fmt::Display for ChargingState {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::None => "not charging",
+            Self::Reconditioning => "reconditioning",
+            Self::Full => "full charging",
+            Self::Trickle => "trickle charging",
+            Self::Waiting => "waiting",
+            Self::Fault => "charging fault",
+            Self::Other(byte) => return write!(f, "{byte}"),
+        })
     }
 }
 

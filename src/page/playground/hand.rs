@@ -1,15 +1,14 @@
 //! Manual input: joystick, picking up and putting down, and the readings meanwhile.
 
 use super::Playground;
-use js_sys::{Array, Float32Array, Float64Array};
-use robovac_app::{
-    explore::{Action, DiaryEntry, diary},
-    readings,
-};
+use js_sys::{Array, Float32Array};
+use robovac_app::explore::{Action, DiaryEntry, diary};
 use robovac_core::{
     geometry::{Point, Pose, Vector},
     math,
 };
+use robovac_link::dashboard::SensorsView;
+use robovac_playground::wire::to_js;
 use robovac_sim::controller::Joystick;
 use wasm_bindgen::prelude::*;
 
@@ -60,10 +59,9 @@ impl Playground {
         self.carried = Some(Carried { pose: self.above_floor(to), from });
     }
 
-    /// The latest sensor reading, in the order of the catalogue's `readings`; empty without a robot.
-    pub fn readings(&self) -> Float64Array {
-        let row = self.session.recording().map(|recording| readings(recording.run().sensors()));
-        Float64Array::from(row.as_ref().map_or(&[][..], |row| row))
+    /// The latest sensor reading, a `SensorsView`; `null` without a robot.
+    pub fn readings(&self) -> Result<JsValue, JsValue> {
+        to_js(&self.session.recording().map(|recording| SensorsView::new(recording.run().sensors())))
     }
 
     /// The latest scan of the laser: ranges, m, infinite where there is nothing; empty without one.

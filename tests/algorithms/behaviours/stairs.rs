@@ -105,7 +105,7 @@ fn nobody_falls_down_the_stairs() {
 }
 
 #[test]
-#[ignore = "takes minutes"]
+#[ignore = "soak: many seeds"]
 fn nobody_falls_down_the_stairs_with_many_seeds() {
     let number = |name: &str, default: u64| std::env::var(name).ok().and_then(|n| n.parse().ok()).unwrap_or(default);
     let seeds = number("SEEDS", 50);

@@ -12,10 +12,6 @@ use robovac_core::{
 };
 use std::ops::ControlFlow;
 
-fn plan(info: &PlannerInfo, job: &CoverageJob, seed: u64) -> CoveragePath {
-    build(info, job.cells()).plan(job, &mut PlanContext::new(seed)).expect("nobody cancels")
-}
-
 fn describe(info: &PlannerInfo, scenario: &Scenario, job: &CoverageJob) -> String {
     format!("{} in {} from {} facing {:?}", info.id, scenario.name, job.start, job.heading)
 }
@@ -30,10 +26,10 @@ fn suits(info: &PlannerInfo, scenario: &Scenario, job: &CoverageJob) -> bool {
         || scenario.free.len() == SLOW_CELLS && scenario.name.contains("hall")
 }
 
-#[test]
-fn walks_can_be_driven_and_cover_what_they_claim() {
+/// Plans with every planner in every room, from every `step`th start and heading.
+fn walks_hold(step: usize) {
     for scenario in scenarios() {
-        let jobs = || scenario.jobs().enumerate();
+        let jobs = || scenario.jobs().step_by(step).enumerate();
         for (info, (number, job)) in PLANNERS.iter().flat_map(|info| jobs().map(move |job| (info, job))) {
             if !suits(info, &scenario, &job) {
                 continue;
@@ -51,12 +47,27 @@ fn walks_can_be_driven_and_cover_what_they_claim() {
     }
 }
 
+// slow: the contract, every planner in every room
 #[test]
-fn seed_determines_the_walk() {
+fn walks_can_be_driven_and_cover_what_they_claim() {
+    // From every start, with some of the headings.
+    walks_hold(3);
+}
+
+#[test]
+#[ignore = "soak: every start with every heading"]
+fn walks_from_everywhere_can_be_driven_and_cover_what_they_claim() {
+    walks_hold(1);
+}
+
+/// With full effort in rooms of up to so many cells.
+fn seed_determines_walks(full_effort: usize) {
     for scenario in scenarios().iter().filter(|s| s.free.len() < 2_000) {
         for (info, job) in PLANNERS.iter().filter_map(|info| Some((info, scenario.jobs().next()?))) {
             let what = describe(info, scenario, &job);
-            let walks = [1, 1, 2].map(|seed| plan(info, &job, seed));
+            let size = if job.cells() <= full_effort { 0 } else { usize::MAX };
+            let plan = |seed| build(info, size).plan(&job, &mut PlanContext::new(seed)).expect("nobody cancels");
+            let walks = [1, 1, 2].map(plan);
             assert_eq!(walks[0], walks[1], "{what}");
             if info.claims.deterministic {
                 assert_eq!(walks[0], walks[2], "{what}");
@@ -66,7 +77,18 @@ fn seed_determines_the_walk() {
 }
 
 #[test]
-fn every_choice_of_every_parameter_works() {
+fn seed_determines_the_walk() {
+    seed_determines_walks(40);
+}
+
+#[test]
+#[ignore = "soak: full effort in larger rooms"]
+fn seed_determines_the_walk_of_full_effort() {
+    seed_determines_walks(LARGE);
+}
+
+/// In rooms whose whole grids have fewer than so many cells.
+fn every_choice_holds(most: usize) {
     let rooms = scenarios();
     for info in PLANNERS {
         for spec in info.params {
@@ -77,7 +99,7 @@ fn every_choice_of_every_parameter_works() {
             };
             for value in values {
                 let params = Params::checked(info.params, [(spec.id, value.clone())]).expect("the value is in range");
-                for scenario in rooms.iter().filter(|s| s.free.len() < LARGE) {
+                for scenario in rooms.iter().filter(|s| s.free.len() < most) {
                     let Some(job) = scenario.jobs().next() else { continue };
                     let path = info.build(&params).plan(&job, &mut PlanContext::new(1)).expect("nobody cancels");
                     let what = format!("{} with {} = {value}", describe(info, scenario, &job), spec.id);
@@ -88,6 +110,17 @@ fn every_choice_of_every_parameter_works() {
             }
         }
     }
+}
+
+#[test]
+fn every_choice_of_every_parameter_works() {
+    every_choice_holds(56);
+}
+
+#[test]
+#[ignore = "soak: full effort in larger rooms"]
+fn every_choice_of_every_parameter_works_in_larger_rooms() {
+    every_choice_holds(LARGE);
 }
 
 /// Rooms of a cell or a line of them, and start in a corner that diagonal neighbours don't lead out of.

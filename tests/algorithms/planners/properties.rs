@@ -19,11 +19,10 @@ fn job() -> impl Strategy<Value = CoverageJob> {
     })
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig { cases: 200, failure_persistence: None, ..ProptestConfig::default() })]
-
-    #[test]
-    fn walks_can_be_driven_and_cover_all(job in job(), turn_s in 0.0..10.0_f64) {
+/// Plans with all planners in so many rooms.
+fn walks_hold(cases: u32) {
+    let config = ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() };
+    proptest!(config, |(job in job(), turn_s in 0.0..10.0_f64)| {
         let job = CoverageJob { turn_s, ..job };
         for info in PLANNERS {
             let path = build(info, job.cells()).plan(&job, &mut PlanContext::new(0)).expect("nobody cancels");
@@ -31,5 +30,16 @@ proptest! {
             let metrics = WalkMetrics::of(&job, &path);
             prop_assert!(!info.claims.complete || metrics.visited_cells == metrics.reachable_cells, "{}", info.id);
         }
-    }
+    });
+}
+
+#[test]
+fn walks_can_be_driven_and_cover_all() {
+    walks_hold(40);
+}
+
+#[test]
+#[ignore = "soak: many rooms"]
+fn walks_in_many_rooms_can_be_driven_and_cover_all() {
+    walks_hold(1000);
 }

@@ -206,43 +206,73 @@ fn shipped_rooms() -> Vec<Scenario> {
         .collect()
 }
 
-/// Rooms of closed tours shared on the machine where this was developed, if they're there, and what the best tour known
-/// costs: a step each, and 50 a quarter turn.
-pub fn shared_tours() -> Vec<(CoverageJob, usize)> {
-    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/maps/turncost");
-    let mut files: Vec<PathBuf> =
-        fs::read_dir(folder).into_iter().flatten().filter_map(|entry| Some(entry.ok()?.path())).collect();
-    files.sort();
-    files
-        .iter()
-        .map(|file| {
-            let text = fs::read_to_string(file).expect("the room can be read");
-            let (_, known) = text.split_once("best_ip ").expect("the header tells the best tour");
-            let known: f64 = known.split_whitespace().next().and_then(|known| known.parse().ok()).expect("a number");
-            let rows: Vec<&str> = text.lines().filter(|line| !line.starts_with(';')).collect();
-            let free = from_picture(&rows.join("\n"), |c| c != '#').expect("the room is a rectangle");
+/// Rooms that walks are measured in: our own, and those of [`shared_grids`].
+pub fn measured_grids() -> Vec<Scenario> {
+    let own = [
+        ("own: empty", Grid::filled(18, 12, true)),
+        ("own: clutter", random_clutter(14, 10, 0.15, 7)),
+        ("own: hall", random_hall(30, 20, 3)),
+    ];
+    let own = own.map(|(name, free)| Scenario::once(name, free, Cell::new(0, 0)));
+    own.into_iter().chain(shared_grids()).collect()
+}
+
+/// The measured rooms that a table has figures of, by the beginnings of their names; our own are among them.
+pub fn measured<T: Copy>(table: &[(&str, T)]) -> Vec<(Scenario, T)> {
+    let figures = |scenario: &Scenario| table.iter().find(|(start, _)| scenario.name.starts_with(start));
+    let found: Vec<(Scenario, T)> =
+        measured_grids().into_iter().filter_map(|scenario| figures(&scenario).map(|&(_, t)| (scenario, t))).collect();
+    assert!(found.iter().filter(|(scenario, _)| scenario.name.starts_with("own")).count() == 3);
+    found
+}
+
+/// Rooms of closed tours, and what the best one known costs: a step each, and 50 a quarter turn. Of our own, then those
+/// shared on the machine where this was developed, if they're there.
+pub fn measured_tours() -> Vec<(CoverageJob, usize)> {
+    let own = [
+        // To and fro over seven columns, and back along the eighth: 96 steps, and two turns a row.
+        (Grid::filled(12, 8, true), 96 + 16 * 50),
+        // Round once.
+        (drawn(&format!("{0}\n{1}{0}", ".".repeat(10), ".########.\n".repeat(5))), 30 + 4 * 50),
+        // There and back again.
+        (Grid::filled(1, 9, true), 16 + 4 * 50),
+    ];
+    let shared = files("turncost").into_iter().map(|(_, text)| {
+        let (_, known) = text.split_once("best_ip ").expect("the header tells the best tour");
+        let known: f64 = known.split_whitespace().next().and_then(|known| known.parse().ok()).expect("a number");
+        (picture_of(&text).map(|&c| c != '#'), known as usize)
+    });
+    own.into_iter()
+        .chain(shared)
+        .map(|(free, known)| {
             let start = free.iter().find(|&(_, &free)| free).expect("something is free").0;
-            (CoverageJob::new(&free, start, Direction::Right).expect("the start is free"), known as usize)
+            (CoverageJob::new(&free, start, Direction::Right).expect("the start is free"), known)
         })
         .collect()
 }
 
 /// Grids that other planners have been measured on; none where the folder doesn't exist.
 pub fn shared_grids() -> Vec<Scenario> {
-    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/maps/grids");
+    let scenario = |(name, text): (String, String)| {
+        let glyphs = picture_of(&text);
+        let (start, _) = glyphs.iter().find(|&(_, &c)| c == 'S').expect("the grid has a start");
+        Scenario::once(name, glyphs.map(|&c| c != '#'), start)
+    };
+    files("grids").into_iter().map(scenario).collect()
+}
+
+/// Names and texts of the files in a folder of maps beside the repository; none in a public clone.
+fn files(folder: &str) -> Vec<(String, String)> {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/maps").join(folder);
     let mut files: Vec<PathBuf> =
         fs::read_dir(folder).into_iter().flatten().filter_map(|entry| Some(entry.ok()?.path())).collect();
     files.sort();
-    files
-        .iter()
-        .map(|file| {
-            let text = fs::read_to_string(file).expect("the grid can be read");
-            let rows: Vec<&str> = text.lines().filter(|line| !line.starts_with(';')).collect();
-            let picture = rows.join("\n");
-            let glyphs = from_picture(&picture, |c| c).expect("the grid is a rectangle");
-            let (start, _) = glyphs.iter().find(|&(_, &c)| c == 'S').expect("the grid has a start");
-            let name = file.file_stem().unwrap_or_default().to_string_lossy();
-            Scenario::once(name, glyphs.map(|&c| c != '#'), start)
-        })
-        .collect()
+    let name = |file: &PathBuf| file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    files.iter().map(|file| (name(file), fs::read_to_string(file).expect("it can be read"))).collect()
+}
+
+/// The rows of a grid file without its header.
+fn picture_of(text: &str) -> Grid<char> {
+    let rows: Vec<&str> = text.lines().filter(|line| !line.starts_with(';')).collect();
+    from_picture(&rows.join("\n"), |c| c).expect("the grid is a rectangle")
 }

@@ -151,7 +151,7 @@ export class FloorPlanTab {
       const found = await this.tab.waitForFunction((text) => window.seen.view && eval(text)(window.seen.view) && window.seen.view, source, { polling: 20 });
       return await found.jsonValue();
     } catch (error) {
-      throw new Error(`waited in vain for ${fits}: ${JSON.stringify({ ...(await this.view()), packets: [] })}`, { cause: error });
+      throw new Error(`waited in vain for ${fits}: ${JSON.stringify({ ...(await this.view()), readings: null })}`, { cause: error });
     }
   }
 

@@ -7,4 +7,5 @@ mod odometry;
 mod recording;
 mod rides;
 mod safety;
+mod view;
 mod wire;

@@ -39,7 +39,7 @@ fn a_replay_shows_what_the_session_showed() {
     let mut replay = Replay::new(LineRecording::parse(&text).unwrap());
     replay.advance(replay.duration_s());
     let now = replay.view();
-    assert_eq!((now.phase, now.mode, &now.packets), (then.phase, then.mode, &then.packets));
+    assert_eq!((now.phase, now.mode, &now.readings), (then.phase, then.mode, &then.readings));
     assert_eq!(now.drop.as_ref().unwrap().text, drop.text);
     assert_eq!(now.statistics.implausible, then.statistics.implausible);
     let moved = |view: &robovac_link::connection::ConnectionView| view.distance_m;
@@ -49,6 +49,6 @@ fn a_replay_shows_what_the_session_showed() {
     replay.advance(0.5);
     assert!(replay.view().distance_m < 0.01);
     replay.advance(f64::INFINITY);
-    assert_eq!(replay.view().packets, then.packets);
+    assert_eq!(replay.view().readings, then.readings);
     assert!(!replay.view().can.arm && !replay.view().can.drive);
 }

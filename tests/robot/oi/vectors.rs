@@ -1,34 +1,13 @@
-//! All test vectors of the project's fact sheet, where it is at hand beside the repository. The other files of this test
-//! have a selection of their own.
+//! All vectors in the codec.
 
 use super::stream::hear;
+use crate::vectors::{bytes, mode, sheets, vectors};
 use roomba_oi::{
     BAUD_RATES, Command, CommandDecoder, GROUPS, Hazard, MAX_WRITTEN, Mode, Opcode, Packet, PacketId, Readings,
     motion::{self, WheelSpeeds},
 };
 use serde_json::{Value, json};
-
-fn vectors(section: &str) -> Vec<Value> {
-    match read() {
-        Some(all) => all[section].as_array().expect(section).clone(),
-        None => Vec::new(),
-    }
-}
-
-/// The whole file; `None` where there is none.
-fn read() -> Option<Value> {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../shared/oi/vectors.json");
-    let text = std::fs::read_to_string(path).ok()?;
-    Some(serde_json::from_str(&text).expect("vectors.json"))
-}
-
-fn bytes(vector: &Value) -> Vec<u8> {
-    vector["bytes"].as_array().unwrap().iter().map(|byte| byte.as_u64().unwrap().try_into().unwrap()).collect()
-}
-
-fn mode(name: &Value) -> Mode {
-    Mode::ALL.into_iter().find(|mode| mode.to_string().to_lowercase() == name.as_str().unwrap()).unwrap()
-}
+use std::collections::HashSet;
 
 fn opcode(number: &Value) -> Opcode {
     Opcode::from_byte(number.as_u64().unwrap() as u8).unwrap()
@@ -116,7 +95,10 @@ fn decoded(packet: Packet, readings: &Readings) -> Value {
 
 #[test]
 fn commands() {
-    for vector in vectors("commands") {
+    let all = vectors("/commands", Opcode::ALL.len());
+    let seen: HashSet<u64> = all.iter().filter_map(|vector| vector["opcode"].as_u64()).collect();
+    assert!(Opcode::ALL.iter().all(|&opcode| seen.contains(&(opcode as u64))), "{seen:?}");
+    for vector in all {
         let (id, bytes) = (&vector["id"], bytes(&vector));
         let mut decoder = CommandDecoder::default();
         let (last, before) = bytes.split_last().unwrap();
@@ -138,7 +120,10 @@ fn commands() {
 
 #[test]
 fn packets() {
-    for vector in vectors("packets") {
+    let all = vectors("/packets", Packet::ALL.len() + GROUPS.len());
+    let seen: HashSet<u64> = all.iter().filter_map(|vector| vector["packet"].as_u64()).collect();
+    assert!((0..=255).all(|id| PacketId::from_byte(id).is_some() == seen.contains(&id.into())), "{seen:?}");
+    for vector in all {
         let (id, bytes, wanted) = (&vector["id"], bytes(&vector), vector["decoded"].as_object().unwrap());
         let mut readings = Readings::default();
         let Some(number) = vector["packet"].as_u64() else {
@@ -179,28 +164,32 @@ fn packets() {
     }
 }
 
+/// Sizes and signs as in the specification's table of sensor packets.
 #[test]
 fn packet_table_and_groups() {
-    let table = vectors("packet_table");
-    for (vector, packet) in table.iter().zip(Packet::ALL) {
-        let row = json!({
-            "id": packet as u8, "name": packet.name(),
-            "bytes": packet.format().size(), "signed": packet.format().is_signed(),
-        });
-        assert_eq!(*vector, row);
+    for packet in Packet::ALL {
+        let id = packet as u8;
+        let size = if matches!(id, 19 | 20 | 22 | 23 | 25..=31 | 33 | 39..=44 | 46..=51 | 54..=57) { 2 } else { 1 };
+        let is_signed = matches!(id, 19 | 20 | 23 | 24 | 39..=44 | 54..=57);
+        assert_eq!((packet.format().size(), packet.format().is_signed()), (size, is_signed), "{packet}");
     }
-    let Some(all) = read() else { return };
-    assert_eq!(table.len(), Packet::ALL.len());
-    let groups = all["groups"].as_object().unwrap();
-    assert_eq!(groups.len(), GROUPS.len());
-    for (id, first, last) in GROUPS {
-        assert_eq!(groups[&id.to_string()], json!([first as u8, last as u8, PacketId::size_of(id)]));
+    for sheet in sheets() {
+        let groups = sheet["groups"].as_object().unwrap();
+        assert_eq!(groups.len(), GROUPS.len());
+        for (id, first, last) in GROUPS {
+            assert_eq!(groups[&id.to_string()], json!([first as u8, last as u8, PacketId::size_of(id)]));
+        }
+        let Some(table) = sheet["packet_table"].as_array() else { continue };
+        assert_eq!(table.len(), Packet::ALL.len());
+        for (row, packet) in table.iter().zip(Packet::ALL) {
+            assert_eq!((&row["id"], &row["name"]), (&json!(packet as u8), &json!(packet.name())));
+        }
     }
 }
 
 #[test]
 fn streams() {
-    for vector in vectors("streams") {
+    for vector in vectors("/streams", 8) {
         let (id, bytes) = (&vector["id"], bytes(&vector));
         let heard = hear(bytes.chunks(1));
         assert_eq!(!heard.frames.is_empty(), vector["valid"].as_bool().unwrap(), "{id}");
@@ -216,7 +205,7 @@ fn streams() {
 
 #[test]
 fn odometry() {
-    for vector in vectors("odometry") {
+    for vector in vectors("/odometry", 3) {
         let number = |key: &str| vector[key].as_f64().unwrap();
         let got = if vector["id"] == "metre" || vector["id"] == "spin_360_per_wheel" {
             number("mm") / motion::MM_PER_COUNT - number("counts")
@@ -225,7 +214,7 @@ fn odometry() {
         };
         assert!(got.abs() <= number("tol"), "{}: off by {got}", vector["id"]);
     }
-    for vector in vectors("encoder_wrap") {
+    for vector in vectors("/encoder_wrap", 7) {
         let counts = |key: &str| vector[key].as_i64().unwrap() as u16;
         assert_eq!(vector["delta"], motion::encoder_delta(counts("prev"), counts("now")), "{vector}");
     }
@@ -233,7 +222,7 @@ fn odometry() {
 
 #[test]
 fn drive_kinematics() {
-    for vector in vectors("drive_kinematics") {
+    for vector in vectors("/drive_kinematics", 8) {
         let bytes = bytes(&vector);
         let speeds = match Command::parse(&bytes).unwrap() {
             Command::Drive { velocity, radius } => WheelSpeeds::of_drive(velocity, radius),
@@ -247,9 +236,8 @@ fn drive_kinematics() {
 
 #[test]
 fn angle_error() {
-    let Some(all) = read() else { return };
-    assert_eq!(all["angle_bug"]["factor"], motion::ANGLE_ERROR);
-    for example in all["angle_bug"]["examples"].as_array().unwrap() {
+    assert!(sheets().iter().all(|sheet| sheet["angle_bug"]["factor"] == motion::ANGLE_ERROR));
+    for example in vectors("/angle_bug/examples", 2) {
         let (angle, reported) = (example["true_deg"].as_f64().unwrap(), example["reported_approx"].as_f64().unwrap());
         assert!((motion::faulty_angle(angle) - reported).abs() < 0.005);
         assert!((motion::true_angle(reported) - angle).abs() < 0.02);
@@ -258,12 +246,11 @@ fn angle_error() {
 
 #[test]
 fn modes() {
-    let Some(all) = read() else { return };
-    for vector in all["modes"]["commands"].as_array().unwrap() {
+    for vector in vectors("/modes/commands", 44) {
         let (from, opcode) = (mode(&vector["from"]), opcode(&vector["cmd"]));
         assert_eq!(from.after_command(opcode).unwrap_or(from), mode(&vector["to"]), "{vector}");
     }
-    for vector in all["modes"]["safety"].as_array().unwrap() {
+    for vector in vectors("/modes/safety", 8) {
         let event = vector["event"].as_str().unwrap();
         let hazard = match event {
             "cliff while moving forward" | "cliff" => {

@@ -7,7 +7,7 @@ use robovac_sim::{
     Conditions, Run,
     controller::Setup,
     experiment::planning::RoomSetup,
-    mapping::{Mapper, MapperSetup, Tracking},
+    mapping::{MapObserver, Mapper, MapperSetup, Tracking},
 };
 use std::sync::Arc;
 
@@ -63,18 +63,17 @@ impl MapBase {
                 seed: self.seed,
             })
         };
-        let run = Run::new(&prepared.setup(conditions, self.seed), controller);
-        // A controller that makes a map of its own acts by that.
-        let run = match known {
-            Some(known) => run.with_mapper(mapper(setup.tracking).knowing(known.map().clone(), known.marks().clone())),
-            None if run.mapper().is_none() => run.with_mapper(mapper(setup.tracking)),
-            None => run,
+        let observer = MapObserver::default().with_baseline(mapper(Tracking::Odometry)).with_reckoning(robot, start);
+        let observer = match known {
+            Some(known) => {
+                let mapper = mapper(setup.tracking).knowing(known.map().clone(), known.marks().clone());
+                observer.with_mapper(mapper).with_locator(known.locator(robot, setup.odometry, self.seed)?)
+            }
+            // A controller that makes a map of its own acts by that.
+            None if controller.mapper().is_none() => observer.with_mapper(mapper(setup.tracking)),
+            None => observer,
         };
-        let run = run.with_baseline(mapper(Tracking::Odometry)).with_reckoning(robot);
-        let run = match known {
-            Some(known) => run.with_locator(known.locator(robot, setup.odometry, self.seed)?),
-            None => run,
-        };
+        let run = Run::new(&prepared.setup(conditions, self.seed), controller).observed(Box::new(observer));
         let resolution = run.mapper()?.map().resolution();
         let truth = RoomTruth::new(&prepared.floor, robot.radius, resolution);
         Some((run, truth))

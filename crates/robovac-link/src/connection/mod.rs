@@ -5,6 +5,7 @@
 
 mod asked;
 mod calibration;
+mod captions;
 mod drive_session;
 mod moves;
 mod reading;
@@ -13,12 +14,16 @@ mod replay;
 mod request;
 mod snapshot;
 mod traffic;
+mod transport;
 mod view;
+mod wheel_watch;
 
 pub use crate::driver::LineRequest;
+pub use captions::Caption;
 pub use recording::{LineRecording, RecordedEvent, RecordingError};
 pub use replay::Replay;
 pub use request::{Calibration, PressedButton, Request};
+pub use transport::{BrcWire, TransportErrors, TransportKind, TransportState, TransportView};
 pub use view::{
     CalibrationView, ConnectionActions, ConnectionView, DiagnosisView, DriveSessionView, DropView, Notice, Statistics,
     Traffic, TrafficKind,
@@ -29,6 +34,7 @@ use self::{
     drive_session::DriveSession,
     recording::Recorder,
     traffic::Console,
+    wheel_watch::WheelWatch,
 };
 use crate::driver::{ConnectionPhase, Driver};
 use robovac_core::{
@@ -51,6 +57,10 @@ const ODD_COUNTS: i32 = 138;
 const SLEEP_S: f64 = 300.0;
 /// Points of the trace that are kept until they are fetched: a minute.
 const MOST_TRACE: usize = 4 * 64 * 60;
+
+/// Marks a point of the trace as the pose that the robot is taken to have as a program sets off: what came before it is
+/// another way.
+pub const SETS_OFF: u16 = 256;
 
 /// Why a request is refused. Its text is a sentence for users.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -80,6 +90,8 @@ pub struct Connection {
     /// The latest of them: left, right.
     counts: [u16; 2],
     is_odd: bool,
+    wheel_watch: WheelWatch,
+    transport: TransportView,
     /// Whether it was told that packet 20 is corrected.
     is_old: bool,
     /// Whether brushes or vacuum were switched on.
@@ -119,6 +131,8 @@ impl Connection {
             turned: [0; 2],
             counts: [0; 2],
             is_odd: false,
+            wheel_watch: WheelWatch::default(),
+            transport: TransportView::default(),
             is_old: false,
             motors_on: false,
             mode: None,
@@ -209,6 +223,9 @@ impl Connection {
     pub fn tick(&mut self, now: f64) {
         self.now = now;
         self.driver.tick(now);
+        if self.driver.phase() != ConnectionPhase::Connected {
+            self.wheel_watch.forget();
+        }
         if self.is_acting() && now - self.beaten_at > BEAT_S {
             self.leave(now, "The page stopped responding, so the robot was stopped.");
         }
@@ -270,6 +287,11 @@ impl Connection {
         }
     }
 
+    /// Whether the robot drives at this program's word, or is about to.
+    fn is_moving(&self) -> bool {
+        self.driver.wheels().sent() != (0, 0) || self.ride.as_ref().is_some_and(|ride| !ride.is_done)
+    }
+
     /// Whether anything moves or is switched on.
     fn is_acting(&self) -> bool {
         self.motors_on || self.driver.wheels().is_moving() || self.ride.as_ref().is_some_and(|ride| !ride.is_done)
@@ -293,6 +315,7 @@ impl Connection {
         let json = serde_json::json!({ "do": "ride", "title": title, "start": [start.x, start.y, start.heading] });
         self.recorder.note(now, RecordedEvent::Asked(json.to_string()));
         self.set_off(now, title, controller, start, false);
+        self.mark(start);
         Ok(())
     }
 
@@ -338,6 +361,16 @@ impl Connection {
             odometry.update(self.driver.port(self.now).sensors());
         }
         self.odometry = odometry;
+    }
+
+    /// A program sets off at `pose`.
+    fn mark(&mut self, pose: Pose) {
+        self.trace.extend([pose.x, pose.y, pose.heading, f64::from(SETS_OFF)]);
+    }
+
+    /// What became of the line, for the view.
+    pub fn set_transport(&mut self, transport: TransportView) {
+        self.transport = transport;
     }
 
     /// Whether the line keeps its baud rate whatever is asked for, as a bridge does. To be said before it is opened.
@@ -401,7 +434,7 @@ impl Connection {
 
     /// The robot's estimated trail since this was last asked for, a reading after the other, four numbers each:
     /// x and y in m, heading in rad, and what it felt there, as the sum of 1 bumper left, 2 bumper right, 4 cliff left, 8
-    /// cliff front left, 16 cliff front right, 32 cliff right, 64 wheel drop, 128 virtual wall.
+    /// cliff front left, 16 cliff front right, 32 cliff right, 64 wheel drop, 128 virtual wall; or [`SETS_OFF`].
     pub fn take_trace(&mut self) -> Vec<f64> {
         std::mem::take(&mut self.trace)
     }

@@ -2,7 +2,7 @@
 
 use super::{Calibrating, Connection, LEFT_ALONE_S, MOST_TRACE, ODD_COUNTS, STICK_S};
 use robovac_core::robot::{RobotPort, SensorReadings};
-use robovac_sim::controller::Joystick as Stick;
+use robovac_sim::controller::{Joystick as Stick, drive_on};
 use roomba_oi::motion::encoder_delta;
 
 impl Connection {
@@ -21,6 +21,7 @@ impl Connection {
             self.mode = Some((mode, now));
         }
         self.mind_encoders(&sensed);
+        self.wheel_watch.take(now, self.counts, self.is_moving());
         if self.driver.has_old_angle() && !std::mem::replace(&mut self.is_old, true) {
             self.say(
                 "notice",
@@ -39,17 +40,14 @@ impl Connection {
         }
         let is_left_alone = ride.is_manual && now - self.stick_at > LEFT_ALONE_S;
         ride.time_s += dt_s;
-        ride.is_done = ride.controller.is_done();
-        let drive = ride.controller.step(&sensed, dt_s);
-        // Otherwise it might back off from an edge that somebody holds it over, an hour later.
-        ride.is_done |= is_left_alone && drive.is_stop();
-        let mut port = self.driver.port(now);
-        if ride.is_done || ride.controller.is_done() {
-            ride.is_done = true;
+        let was_done = ride.controller.is_done();
+        ride.is_done = !drive_on(&mut self.driver.port(now), &mut *ride.controller, dt_s, |controller, drive| {
+            // Otherwise it might back off from an edge that somebody holds it over, an hour later.
+            was_done || controller.is_done() || (is_left_alone && drive.is_stop())
+        });
+        if ride.is_done {
             self.driver.stop(now);
             self.ride_ended();
-        } else {
-            port.drive(drive);
         }
     }
 

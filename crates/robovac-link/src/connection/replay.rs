@@ -104,6 +104,7 @@ impl Connection {
         }
         if let Ok(RideStart { start: [x, y, heading] }) = serde_json::from_str(json) {
             self.place(Pose::new(x, y, heading));
+            self.mark(Pose::new(x, y, heading));
         } else if let Ok(request @ (Request::UseCalibration { .. } | Request::Odometry { .. })) =
             serde_json::from_str(json)
         {

@@ -4,8 +4,11 @@ use super::{
     Calibrating, Connection, ConnectionActions, ConnectionView, DiagnosisView, DriveSessionView, DropView, SLEEP_S,
     Statistics,
 };
-use crate::driver::{ConnectionPhase, Step};
-use roomba_oi::{Mode, Packet};
+use crate::{
+    dashboard::RoombaView,
+    driver::{ConnectionPhase, Step},
+};
+use roomba_oi::Mode;
 
 impl Connection {
     /// What the page shows.
@@ -21,7 +24,9 @@ impl Connection {
                 .filter(|&(mode, _)| wanted(mode) && driver.phase() == ConnectionPhase::Connected)
                 .map(|(_, at)| now - at)
         };
-        ConnectionView {
+        let is_present = matches!(driver.phase(), ConnectionPhase::Connected | ConnectionPhase::Lost);
+        let is_moving = self.is_moving();
+        let view = ConnectionView {
             phase: match driver.phase() {
                 ConnectionPhase::Closed => "closed",
                 ConnectionPhase::Diagnosing => "diagnosing",
@@ -30,10 +35,7 @@ impl Connection {
                 ConnectionPhase::Lost => "lost",
             },
             diagnosis: self.diagnosis(),
-            mode: match driver
-                .mode()
-                .filter(|_| matches!(driver.phase(), ConnectionPhase::Connected | ConnectionPhase::Lost))
-            {
+            mode: match driver.mode().filter(|_| is_present) {
                 None => "",
                 Some(Mode::Off) => "Off",
                 Some(Mode::Passive) => "Passive",
@@ -42,11 +44,14 @@ impl Connection {
             },
             mode_offset: driver.mode_offset() > 0,
             ride: self.ride_view(),
-            packets: readings.map_or_else(Vec::new, |r| Packet::ALL.iter().map(|&packet| r.raw(packet)).collect()),
+            readings: readings.filter(|_| is_present).map(RoombaView::new),
             pose: [pose.x, pose.y, pose.heading],
             odometry: self.odometry_model.id(),
             distance_m: self.distance_m,
             wheels: [metres(left), metres(right)],
+            is_moving,
+            moves_alone: !is_moving && self.wheel_watch.moves_alone(now),
+            transport: self.transport.clone(),
             statistics: self.statistics(now),
             sleeps_in_s: since(|m| m == Mode::Passive).filter(|_| !on_charger).map(|s| (SLEEP_S - s).max(0.0)),
             awake_s: since(|m| m > Mode::Passive),
@@ -60,7 +65,9 @@ impl Connection {
             firmware: driver.firmware().map(ToOwned::to_owned),
             notice: self.notice.clone(),
             can: self.can(),
-        }
+            ..ConnectionView::default()
+        };
+        view.captioned()
     }
 
     fn diagnosis(&self) -> DiagnosisView {
@@ -81,6 +88,7 @@ impl Connection {
             text: diagnosis.finding.text().to_owned(),
             remedy: diagnosis.finding.remedy().to_owned(),
             log: diagnosis.log.clone(),
+            ..DiagnosisView::default()
         }
     }
 
@@ -123,12 +131,16 @@ impl Connection {
     pub(super) fn can(&self) -> ConnectionActions {
         let phase = self.driver.phase();
         let is_connected = phase == ConnectionPhase::Connected;
+        let drive = self.driver.is_armed() && !self.driver.is_stalled();
+        let is_asking = self.calibrating.as_ref().is_some_and(Calibrating::is_asking);
         ConnectionActions {
             connect: matches!(phase, ConnectionPhase::Waiting | ConnectionPhase::Diagnosing),
             disconnect: phase != ConnectionPhase::Closed,
             arm: is_connected && !self.driver.is_armed(),
             disarm: is_connected && self.driver.target() > Mode::Passive,
-            drive: self.driver.is_armed() && !self.driver.is_stalled(),
+            drive,
+            steer: drive && self.ride.as_ref().is_none_or(|ride| ride.is_done || ride.is_manual),
+            ride: drive && !self.is_moving() && !is_asking,
             press: is_connected,
         }
     }

@@ -1,9 +1,12 @@
 //! View model of the Robot tab.
 
+use super::{Caption, TransportView};
+use crate::dashboard::RoombaView;
 use serde::Serialize;
 
 /// Snapshot of a connection, for 20 looks a second.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[expect(clippy::struct_excessive_bools)]
 pub struct ConnectionView {
     /// `closed`, `diagnosing`, `waiting` (nobody answers, and it goes on trying), `connected` or `lost` (the line is open, but
     /// nothing comes any more).
@@ -16,8 +19,8 @@ pub struct ConnectionView {
     pub mode_offset: bool,
     /// What drives.
     pub ride: Option<DriveSessionView>,
-    /// Latest values of the 52 packets from 7 to 58, as they are on the line; empty before the first.
-    pub packets: Vec<u16>,
+    /// What the robot's sensors report; none before the first reading, and when nobody is connected.
+    pub readings: Option<RoombaView>,
     /// The robot's estimated pose: x, y in m, heading in rad.
     pub pose: [f64; 3],
     /// Id of the odometry model that this is by.
@@ -26,12 +29,28 @@ pub struct ConnectionView {
     pub distance_m: f64,
     /// Requested wheel speeds that were sent last, left and right, m/s.
     pub wheels: [f64; 2],
+    /// Whether the robot drives at this program's word, or is about to.
+    pub is_moving: bool,
+    /// Whether it moves otherwise: by its own program, by bytes that were sent, or pushed by somebody.
+    pub moves_alone: bool,
+    /// What it is doing.
+    pub doing: Caption,
+    /// The line below its bytes.
+    pub transport: TransportView,
+    /// Its name and state.
+    pub line: Caption,
+    /// Whether a line is open, or waited for.
+    pub is_open: bool,
+    /// Whether a recording is shown, which has no line.
+    pub is_recording: bool,
     /// How the line is.
     pub statistics: Statistics,
     /// Until the robot falls asleep, s; none unless it is Passive and off the dock.
     pub sleeps_in_s: Option<f64>,
     /// How long it has been in Safe or Full, where it doesn't charge, s.
     pub awake_s: Option<f64>,
+    /// A sentence on these, when they matter; empty otherwise.
+    pub clock: String,
     /// Why it isn't in Safe or Full any more.
     pub drop: Option<DropView>,
     /// The calibration that is going on, or its result.
@@ -57,6 +76,12 @@ pub struct DiagnosisView {
     pub remedy: String,
     /// What was tried so far, and what came of it, in order.
     pub log: Vec<String>,
+    /// Whether it is shown: nobody is connected.
+    pub is_shown: bool,
+    /// Picture of it: `listening`, `asleep`, `awake`, `dock`, `boot`, `speed` or `unplugged`.
+    pub picture: &'static str,
+    /// What is being tried or was found, and what to do about it.
+    pub caption: Caption,
 }
 
 /// What drives the robot.
@@ -172,6 +197,10 @@ pub struct ConnectionActions {
     pub disarm: bool,
     /// Drive, ride, calibrate, play, switch motors and lights.
     pub drive: bool,
+    /// Drive by hand: no program drives.
+    pub steer: bool,
+    /// Start a program.
+    pub ride: bool,
     /// Press buttons, send raw bytes.
     pub press: bool,
 }

@@ -6,9 +6,12 @@
 
 use robovac_core::{
     registry::Params,
-    robot::{Drive, RobotModel, SensorReadings},
+    robot::{Drive, RobotModel, RobotPort},
 };
-use robovac_sim::controller::{self, Controller, Setup};
+use robovac_sim::{
+    SimRobot,
+    controller::{self, Controller, Setup},
+};
 
 /// One of them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -56,13 +59,13 @@ impl BuiltinProgram {
         self.chore != Chore::Dock && !self.is_paused
     }
 
-    /// How to drive until the next reading.
-    pub fn step(&mut self, sensed: &SensorReadings, dt_s: f64) -> Drive {
+    /// Drives until the next reading.
+    pub fn drive_on(&mut self, robot: &mut SimRobot, dt_s: f64) {
         if self.is_paused {
-            return Drive::STOP;
+            return robot.drive(Drive::STOP);
         }
         self.left -= dt_s;
-        self.controller.step(sensed, dt_s)
+        controller::drive_on(robot, &mut *self.controller, dt_s, |_, _| false);
     }
 
     /// Whether it has come to its end.

@@ -159,8 +159,7 @@ impl Machine {
                 self.robot.put_down(self.floor.place_for(pose, is_free));
             }
             // What drives it is at the other end of the line.
-            Input::Command(_) => {}
-            Input::Clean(_) => {}
+            Input::Command(_) | Input::Clean(_) => {}
         }
     }
 
@@ -169,10 +168,7 @@ impl Machine {
         let (is_awake, asked) = (self.is_awake(), self.asked_speeds());
         match &mut self.builtin_program {
             _ if is_awake && self.mode >= Mode::Safe => self.robot.drive(to_drive(asked)),
-            Some(builtin_program) if is_awake => {
-                let drive = builtin_program.step(self.robot.sensors(), STEP_S);
-                self.robot.drive(drive);
-            }
+            Some(builtin_program) if is_awake => builtin_program.drive_on(&mut self.robot, STEP_S),
             // Nothing drives it any more. A command to stand still, above, is a speed like any other.
             _ => self.robot.brake(),
         }

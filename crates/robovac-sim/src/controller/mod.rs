@@ -9,6 +9,7 @@ mod by_map;
 mod cleaning_cycle;
 mod command;
 mod dock;
+mod drive_on;
 mod explore;
 mod follow_path;
 mod info;
@@ -24,11 +25,13 @@ mod wall_follow;
 
 pub use by_map::clean_by_map;
 pub use command::Joystick;
+pub use drive_on::drive_on;
 pub use follow_path::FollowPath;
 pub use info::{BehaviourClaims, BehaviourInfo, Setup};
 pub use intent::Intent;
 pub use timing::Timing;
 
+use crate::mapping::Mapper;
 use robovac_core::{
     geometry::Pose,
     robot::{Drive, SensorReadings},
@@ -44,7 +47,7 @@ pub trait Controller {
 
     /// The controller's pose estimate, if it has one.
     fn estimate(&self) -> Option<Pose> {
-        None
+        self.mapper().map(Mapper::pose)
     }
 
     /// Index of the corner that it drives to, if it follows a line; the number of corners once it has come to the end.
@@ -66,7 +69,7 @@ pub trait Controller {
     }
 
     /// The map that it makes and its place on it, if it makes one.
-    fn mapper(&self) -> Option<&crate::mapping::Mapper> {
+    fn mapper(&self) -> Option<&Mapper> {
         None
     }
 
@@ -79,6 +82,11 @@ pub trait Controller {
     /// A map that nobody tells of begins at the origin, heading along x.
     fn start_at(&mut self, _: Pose) {}
 
+    /// Roughly the memory that its map takes, bytes.
+    fn bytes(&self) -> usize {
+        self.mapper().map_or(0, Mapper::bytes)
+    }
+
     /// A copy in the same state, so that a run can be recorded and gone back to.
     fn boxed_clone(&self) -> Box<dyn Controller>;
 }
@@ -86,43 +94,73 @@ pub trait Controller {
 /// Makes a behaviour.
 pub type BuildBehaviour = fn(&Setup<'_>) -> Box<dyn Controller>;
 
-/// Two lists of the same behaviours: what they say of themselves, and how they are made.
+/// Behaviours to choose from, and how they are made. A program that knows only some of them is smaller: what isn't listed
+/// isn't linked.
+#[derive(Debug, Clone, Copy)]
+pub struct Behaviours(&'static [(&'static BehaviourInfo, BuildBehaviour)]);
+
+impl Behaviours {
+    /// What they say of themselves, in the order of the menus.
+    pub fn infos(self) -> impl Iterator<Item = &'static BehaviourInfo> + Clone {
+        self.0.iter().map(|(info, _)| *info)
+    }
+
+    /// The behaviour with that id.
+    pub fn find(self, id: &str) -> Option<&'static BehaviourInfo> {
+        self.infos().find(|info| info.id == id)
+    }
+
+    /// Makes the behaviour with that id.
+    pub fn build(self, id: &str, setup: &Setup<'_>) -> Option<Box<dyn Controller>> {
+        self.0.iter().find(|(info, _)| info.id == id).map(|(_, build)| build(setup))
+    }
+}
+
+/// Lists of the same behaviours: all, those that need no map, and what they say of themselves.
 macro_rules! registry {
-    ($($(#[$when:meta])* $($behaviour:ident)::+),* $(,)?) => {
+    (mapless { $($plain:ident),* $(,)? } exploring { $($($explorer:ident)::+),* $(,)? }) => {
+        /// Behaviours that need no map: they clean, dock or are driven by a person.
+        pub const MAPLESS: Behaviours = Behaviours(&[$((&$plain::INFO, $plain::BUILD)),*]);
         /// All behaviours, in the order of the menus.
-        pub const BEHAVIOURS: &[&BehaviourInfo] = &[$($(#[$when])* &$($behaviour::)+INFO),*];
-        const BUILDERS: &[(&str, BuildBehaviour)] =
-            &[$($(#[$when])* ($($behaviour::)+INFO.id, $($behaviour::)+BUILD)),*];
+        pub const ALL: Behaviours = Behaviours(
+            &[$((&$plain::INFO, $plain::BUILD),)* $((&$($explorer::)+INFO, $($explorer::)+BUILD)),*]
+        );
+        /// What all behaviours say of themselves.
+        pub const BEHAVIOURS: &[&BehaviourInfo] = &[$(&$plain::INFO,)* $(&$($explorer::)+INFO),*];
     };
 }
 
 // One line a behaviour.
 registry! {
-    random_walk,
-    spiral,
-    s_path,
-    wall_follow,
-    cleaning_cycle,
-    bounce,
-    dock,
-    manual,
-    explore::forward_rotate,
-    explore::left_right,
-    explore::look_ahead,
-    explore::look_around,
-    explore::until_obstacle,
-    explore::edge,
-    explore::frontier,
+    mapless {
+        random_walk,
+        spiral,
+        s_path,
+        wall_follow,
+        cleaning_cycle,
+        bounce,
+        dock,
+        manual,
+    }
+    exploring {
+        explore::forward_rotate,
+        explore::left_right,
+        explore::look_ahead,
+        explore::look_around,
+        explore::until_obstacle,
+        explore::edge,
+        explore::frontier,
+    }
 }
 
 impl BehaviourInfo {
     /// Makes the behaviour; `None` for one that isn't in the registry.
     pub fn build(&self, setup: &Setup<'_>) -> Option<Box<dyn Controller>> {
-        BUILDERS.iter().find(|(id, _)| *id == self.id).map(|(_, build)| build(setup))
+        ALL.build(self.id, setup)
     }
 }
 
 /// The behaviour with that id.
 pub fn find(id: &str) -> Option<&'static BehaviourInfo> {
-    BEHAVIOURS.iter().copied().find(|b| b.id == id)
+    ALL.find(id)
 }

@@ -1,8 +1,8 @@
 //! An algorithm: a planner whose path is followed, or a reactive behaviour.
 
 use super::SettingsError;
-use crate::controller::{self, BEHAVIOURS, BehaviourInfo};
-use coverage_planners::{self, PLANNERS, PlannerInfo};
+use crate::controller::{self, BehaviourInfo, Behaviours};
+use coverage_planners::{PLANNERS, PlannerInfo};
 use robovac_core::registry::{Explainer, ParamSpec};
 
 /// An entry of one of the two registries.
@@ -16,29 +16,32 @@ pub enum Algorithm {
 
 impl Algorithm {
     /// All algorithms: planners, then behaviours, in the order of the menus.
-    pub fn all() -> impl Iterator<Item = Self> {
-        let planners = PLANNERS.iter().map(|&info| Self::Planner(info));
-        planners.chain(BEHAVIOURS.iter().map(|&info| Self::Behaviour(info)))
+    pub fn all() -> impl Iterator<Item = Self> + Clone {
+        Self::with(controller::ALL)
     }
 
-    /// The algorithm with that id.
-    pub fn find(id: &str) -> Result<Self, SettingsError> {
-        let planner = coverage_planners::find(id).map(Self::Planner);
-        planner.or_else(|| controller::find(id).map(Self::Behaviour)).ok_or_else(|| SettingsError::Unknown {
-            kind: "algorithm",
+    /// All planners, then those behaviours.
+    pub fn with(behaviours: Behaviours) -> impl Iterator<Item = Self> + Clone {
+        let planners = PLANNERS.iter().map(|&info| Self::Planner(info));
+        planners.chain(behaviours.infos().map(Self::Behaviour))
+    }
+
+    /// The one of `these` with that id; they are of that `kind`.
+    pub fn find(
+        kind: &'static str,
+        id: &str,
+        these: impl Iterator<Item = Self> + Clone,
+    ) -> Result<Self, SettingsError> {
+        these.clone().find(|algorithm| algorithm.id() == id).ok_or_else(|| SettingsError::Unknown {
+            kind,
             id: id.to_owned(),
-            known: Self::all().map(Self::id).collect::<Vec<_>>().join(", "),
+            known: these.map(Self::id).collect::<Vec<_>>().join(", "),
         })
     }
 
     /// The `planner` or the `behaviour` with that id.
     pub fn find_kind(kind: &'static str, id: &str) -> Result<Self, SettingsError> {
-        let all = || Self::all().filter(|algorithm| algorithm.kind() == kind);
-        all().find(|algorithm| algorithm.id() == id).ok_or_else(|| SettingsError::Unknown {
-            kind,
-            id: id.to_owned(),
-            known: all().map(Self::id).collect::<Vec<_>>().join(", "),
-        })
+        Self::find(kind, id, Self::all().filter(|algorithm| algorithm.kind() == kind))
     }
 
     /// The planner, if it is one.
@@ -115,6 +118,6 @@ mod tests {
             assert!(!all[..index].contains(algorithm), "{} twice", algorithm.id());
             assert_eq!(Algorithm::find_kind(algorithm.kind(), algorithm.id()).unwrap(), *algorithm);
         }
-        assert!(Algorithm::find("snail").unwrap_err().to_string().contains("bounce"));
+        assert!(Algorithm::find("algorithm", "snail", Algorithm::all()).unwrap_err().to_string().contains("bounce"));
     }
 }

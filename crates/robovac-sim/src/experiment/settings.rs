@@ -2,6 +2,7 @@
 
 use super::Algorithm;
 use super::Shows;
+use crate::controller::{self, Behaviours};
 use crate::{Conditions, Noise, NoiseLevel, SensorKind, SlipLevel};
 use robovac_core::{
     geometry::Pose,
@@ -25,6 +26,8 @@ const MAX_SEED: u64 = u32::MAX as u64;
 /// Everything that determines a run, but for the room.
 #[derive(Debug, Clone)]
 pub struct Settings {
+    /// Behaviours that can be chosen, beside all planners.
+    behaviours: Behaviours,
     /// What cleans.
     pub algorithm: Algorithm,
     /// Its parameters.
@@ -82,8 +85,14 @@ pub enum SettingsError {
 impl Settings {
     /// What the page opens with.
     pub fn new() -> Self {
+        Self::with(controller::ALL)
+    }
+
+    /// The same with only these behaviours to choose from.
+    pub fn with(behaviours: Behaviours) -> Self {
         let algorithm = Algorithm::Planner(coverage_planners::PLANNERS[0]);
         Self {
+            behaviours,
             algorithm,
             params: Params::defaults(algorithm.params()),
             left: BTreeMap::new(),
@@ -99,9 +108,19 @@ impl Settings {
         }
     }
 
+    /// What it began with.
+    pub fn defaults(&self) -> Self {
+        Self::with(self.behaviours)
+    }
+
+    /// Behaviours that can be chosen.
+    pub fn behaviours(&self) -> Behaviours {
+        self.behaviours
+    }
+
     /// Chooses a planner or behaviour, with the parameters that it had when it was left.
     pub fn select_algorithm(&mut self, id: &str) -> Result<(), SettingsError> {
-        let chosen = Algorithm::find(id)?;
+        let chosen = Algorithm::find("algorithm", id, Algorithm::with(self.behaviours))?;
         self.left.insert(self.algorithm.id(), self.params.clone());
         self.params = self.left.remove(chosen.id()).unwrap_or_else(|| Params::defaults(chosen.params()));
         match (self.is_manual(), is_manual(chosen)) {
@@ -123,6 +142,12 @@ impl Settings {
         self.select_algorithm(id)?;
         self.params = Params::defaults(self.algorithm.params());
         Ok(())
+    }
+
+    /// The same of a `planner` or a `behaviour`.
+    pub fn select_fresh_of_kind(&mut self, kind: &'static str, id: &str) -> Result<(), SettingsError> {
+        Algorithm::find(kind, id, Algorithm::with(self.behaviours).filter(|algorithm| algorithm.kind() == kind))?;
+        self.select_fresh_algorithm(id)
     }
 
     /// Chooses a robot, with the cell size that fits it.
@@ -219,7 +244,7 @@ impl Settings {
 
     /// The settings as `key=value` pairs for a link; what is as it was at first is left out.
     pub fn to_link(&self) -> Vec<(String, String)> {
-        let default = Self::new();
+        let default = self.defaults();
         let mut pairs = Vec::new();
         let mut push = |key: &str, value: String| pairs.push((key.to_owned(), value));
         push(self.algorithm.kind(), self.algorithm.id().to_owned());

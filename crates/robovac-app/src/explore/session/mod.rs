@@ -15,7 +15,7 @@ use robovac_core::{
 };
 use robovac_sim::{
     Input, NoiseLevel, RunRecording, STEP_S, SensorKind,
-    controller::Joystick,
+    controller::{self, Behaviours, Joystick},
     experiment::{
         Settings, SettingsError,
         planning::{PlanRequest, Planned, RoomSetup},
@@ -101,9 +101,14 @@ struct Message {
 impl Session {
     /// The opening scene: the furnished flat, about to be cleaned.
     pub fn new() -> Self {
+        Self::with(controller::ALL)
+    }
+
+    /// The same with only these behaviours to choose from.
+    pub fn with(behaviours: Behaviours) -> Self {
         let room = &floor_plan::ROOMS[0];
         let mut session = Self {
-            settings: Settings::new(),
+            settings: Settings::with(behaviours),
             editor: Editor::new((room.build)(), Some(room.id)),
             prepared: None,
             planning: None,

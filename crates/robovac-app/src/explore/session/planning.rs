@@ -188,7 +188,7 @@ impl Session {
         self.is_opening = self.is_opening
             && self.editor.room() == Some(floor_plan::ROOMS[0].id)
             && self.editor.start().is_none()
-            && self.settings.plans_like(&Settings::new());
+            && self.settings.plans_like(&self.settings.defaults());
         let robot = self.settings.robot_model();
         match RoomSetup::new(self.editor.plan(), &robot, self.settings.cell_size, self.editor.start()) {
             Ok(prepared) => {
@@ -212,7 +212,8 @@ impl Session {
                     }
                     // Nothing to wait for: it knows nothing of the room.
                     Algorithm::Behaviour(behaviour) => {
-                        let run = prepared.run_behaviour(behaviour, params, conditions, seed);
+                        let behaviours = self.settings.behaviours();
+                        let run = prepared.run_one_of(behaviours, behaviour, params, conditions, seed);
                         self.recording = run.map(RunRecording::new);
                     }
                 }

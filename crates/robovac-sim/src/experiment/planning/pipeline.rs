@@ -2,7 +2,7 @@
 
 use crate::{
     Conditions, Run, RunSetup, World,
-    controller::{BehaviourInfo, FollowPath, Setup},
+    controller::{self, BehaviourInfo, Behaviours, FollowPath, Setup},
 };
 use coverage_planners::{
     Bounds, CoverageJob, CoveragePath, Film, MOST_FILMED_CELLS, Observer, PathError, PlanContext, PlanError,
@@ -132,7 +132,19 @@ impl RoomSetup {
         conditions: Conditions,
         seed: u64,
     ) -> Option<Run> {
-        let controller = behaviour.build(&Setup { robot: &self.robot, params, seed })?;
+        self.run_one_of(controller::ALL, behaviour, params, conditions, seed)
+    }
+
+    /// The same for one that must be among `behaviours`.
+    pub fn run_one_of(
+        &self,
+        behaviours: Behaviours,
+        behaviour: &BehaviourInfo,
+        params: &Params,
+        conditions: Conditions,
+        seed: u64,
+    ) -> Option<Run> {
+        let controller = behaviours.build(behaviour.id, &Setup { robot: &self.robot, params, seed })?;
         Some(Run::new(&self.setup(conditions, seed), controller))
     }
 }

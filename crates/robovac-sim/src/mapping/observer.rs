@@ -1,0 +1,111 @@
+//! Maps that are made during a run.
+
+use super::{Mapper, locate::Locator};
+use crate::{
+    Run, RunObserver,
+    controller::{Controller, Intent, clean_by_map},
+};
+use robovac_core::{
+    geometry::{Pose, difference},
+    robot::{Odometry, OdometryModel, RobotModel, SensorReadings},
+};
+
+/// Makes maps and estimates poses while a robot drives, whoever drives it, and lets it clean by what it has mapped.
+#[derive(Clone, Default)]
+pub struct MapObserver {
+    mapper: Option<Box<Mapper>>,
+    baseline: Option<Box<Mapper>>,
+    locator: Option<Box<Locator>>,
+    reckoned: Vec<Odometry>,
+}
+
+impl MapObserver {
+    /// Lets the robot make a map. A controller that makes one of its own keeps to that.
+    pub fn with_mapper(self, mapper: Mapper) -> Self {
+        Self { mapper: Some(Box::new(mapper)), ..self }
+    }
+
+    /// Lets a second mapper see the same, for comparison: nobody acts on what it believes.
+    pub fn with_baseline(self, mapper: Mapper) -> Self {
+        Self { baseline: Some(Box::new(mapper)), ..self }
+    }
+
+    /// Lets something look for the robot on a map that it knows.
+    pub fn with_locator(self, locator: Locator) -> Self {
+        Self { locator: Some(Box::new(locator)), ..self }
+    }
+
+    /// Lets dead reckoning of all ways go along from `start`, for comparison.
+    pub fn with_reckoning(self, robot: &RobotModel, start: Pose) -> Self {
+        Self { reckoned: OdometryModel::ALL.map(|(model, _)| Odometry::new(robot, model, start)).into(), ..self }
+    }
+}
+
+impl RunObserver for MapObserver {
+    fn observe(&mut self, sensed: &SensorReadings) {
+        for mapper in [&mut self.mapper, &mut self.baseline].into_iter().flatten() {
+            mapper.update(sensed);
+        }
+        for odometry in &mut self.reckoned {
+            odometry.update(sensed);
+        }
+        if let Some(locator) = &mut self.locator {
+            locator.update(sensed);
+        }
+    }
+
+    fn estimate(&self, driver: &dyn Controller) -> Option<Pose> {
+        driver.mapper().or(self.mapper.as_deref()).map(Mapper::pose)
+    }
+
+    fn cleaner(&mut self, planner: &'static str, driver: &dyn Controller) -> Option<Box<dyn Controller>> {
+        // What it was given to know counts, whatever the behaviour has mapped since.
+        let mut mapper = self.mapper.take().map(|mapper| *mapper).or_else(|| driver.mapper().cloned())?;
+        if let Some(locator) = self.locator.take().filter(|locator| locator.is_sure())
+            && let Some((pose, spread)) = locator.pose().zip(locator.pose_covariance())
+        {
+            mapper.relocate(pose, &spread);
+        }
+        Some(clean_by_map(mapper, planner))
+    }
+
+    fn bytes(&self) -> usize {
+        [&self.mapper, &self.baseline].into_iter().flatten().map(|mapper| mapper.bytes()).sum()
+    }
+
+    fn boxed_clone(&self) -> Box<dyn RunObserver> {
+        Box::new(self.clone())
+    }
+}
+
+/// What is known of a run by a [`MapObserver`] that goes along, and by a controller that drives by a map of its own.
+impl Run {
+    /// The map that the robot makes, and its place on it.
+    pub fn mapper(&self) -> Option<&Mapper> {
+        self.controller().mapper().or_else(|| self.observer::<MapObserver>()?.mapper.as_deref())
+    }
+
+    /// The second mapper's estimates.
+    pub fn baseline(&self) -> Option<&Mapper> {
+        self.observer::<MapObserver>()?.baseline.as_deref()
+    }
+
+    /// What looks for the robot on a map that it knows.
+    pub fn locator(&self) -> Option<&Locator> {
+        self.observer::<MapObserver>()?.locator.as_deref()
+    }
+
+    /// How far off the ways of dead reckoning are, in the order of [`OdometryModel::ALL`]: m and rad; empty unless they go along.
+    pub fn drifts(&self) -> Vec<[f64; 2]> {
+        let truth = self.pose();
+        let off =
+            |pose: Pose| [(pose.position() - truth.position()).norm(), difference(truth.heading, pose.heading).abs()];
+        let reckoned = self.observer::<MapObserver>().map_or(&[][..], |observer| &observer.reckoned);
+        reckoned.iter().map(|odometry| off(odometry.pose())).collect()
+    }
+
+    /// What its controller is going for on its map.
+    pub fn intent(&self) -> Option<Intent<'_>> {
+        self.controller().intent()
+    }
+}
