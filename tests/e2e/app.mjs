@@ -224,7 +224,7 @@ export class App {
   /** Drops files of maps.mjs as if they were dragged over the page; says whether they could be read. */
   async bring(...files) {
     const encoded = files.map(({ name, bytes }) => ({ name, text: bytes.toString("base64") }));
-    const before = await this.taken();
+    const before = await this.#taken();
     await this.page.evaluate((list) => {
       const dataTransfer = new DataTransfer();
       for (const { name, text } of list) {
@@ -238,19 +238,19 @@ export class App {
       if (!shown) throw new Error("the page does not say that files can be dropped");
     }, encoded);
     assert.ok(await this.page.locator("#drop").isHidden(), "the page says that something can be dropped");
-    return (await this.poll(() => this.taken(), (taken) => taken !== before)).endsWith("open");
+    return (await this.poll(() => this.#taken(), (taken) => taken !== before)).endsWith("open");
   }
 
   /** How often files were brought to the tab Floor plan, and what came of the last. */
-  taken() {
+  #taken() {
     return this.page.evaluate(() => document.getElementById("panel-floor-plan").dataset.taken ?? "");
   }
 
   /** Does something that brings files. They are looked at first; if they could be read they are made the room. */
   async #use(what) {
-    const before = await this.taken();
+    const before = await this.#taken();
     await what();
-    const taken = await this.poll(() => this.taken(), (now) => now !== before);
+    const taken = await this.poll(() => this.#taken(), (now) => now !== before);
     if (taken.endsWith("open")) await this.answered(() => this.page.locator("#floor-plan-use").click());
     else await this.settled();
   }
