@@ -7,7 +7,7 @@ const ENTITIES = 100_000;
 /** The picture's size, px: that of a laptop's screen. */
 const [WIDTH, HEIGHT] = [1280, 800];
 
-/** @param {import("./types").FromBench} message */
+/** @param {import("./worker-types").FromBench} message */
 const answer = (message) => self.postMessage(message);
 
 /** @returns {import("./types").BenchResult} */

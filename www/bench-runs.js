@@ -1,7 +1,7 @@
 // @ts-check
 // Many runs on all cores, as in Compare: a hundred times half an hour of the cleaning cycle in the furnished flat.
 
-/** @typedef {import("./types").FromRuns} FromRuns */
+/** @typedef {import("./worker-types").FromRuns} FromRuns */
 
 /** Or as many as the address says: bench.html?runs=4. */
 const SEEDS = Number(new URLSearchParams(location.search).get("runs")) || 100;

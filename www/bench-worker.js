@@ -2,7 +2,7 @@
 // Measures away from the page, which shows the results as they come.
 import init, { bench } from "../workshop.js";
 
-/** @param {import("./types").FromBench} message */
+/** @param {import("./worker-types").FromBench} message */
 const answer = (message) => self.postMessage(message);
 
 self.addEventListener("message", async (/** @type {MessageEvent<{ module: WebAssembly.Module }>} */ event) => {

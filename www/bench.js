@@ -7,7 +7,7 @@ import { compile, missing } from "./wasm.js";
 
 /**
  * @typedef {import("./types").BenchResult} BenchResult
- * @typedef {import("./types").FromBench} FromBench
+ * @typedef {import("./worker-types").FromBench} FromBench
  */
 
 /** Milliseconds between two looks at whether the page still answers. */

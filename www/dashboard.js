@@ -4,6 +4,7 @@ import { byId, changed, make, setAttribute, setText } from "./dom.js";
 import { count } from "./format.js";
 import { cliffSensors, portrait } from "./portrait.js";
 import { scanPlot } from "./scan.js";
+import { atMostEvery } from "./shared/frame-pacer.js";
 
 /**
  * @typedef {import("./types").SensorsView} Reading
@@ -16,7 +17,7 @@ const PAUSE = 60;
 /** Largest value of the dirt sensor. */
 const MOST_DIRT = 255;
 
-/** @param {import("./main.js").App} app @returns {(view: import("./types").View) => void} */
+/** @param {import("./main.js").App} app @returns {(view: import("./types").PageView) => void} */
 export function startDashboard(app) {
   const { robots } = app.catalogue;
   const board = byId("dashboard");
@@ -24,7 +25,7 @@ export function startDashboard(app) {
   let parts = [];
   /** @type {((scan: Float32Array) => void) | undefined} */
   let showScan;
-  let looked = 0;
+  const isDue = atMostEvery(PAUSE);
 
   /** @param {Robot} robot */
   const build = (robot) => {
@@ -38,9 +39,7 @@ export function startDashboard(app) {
 
   return (view) => {
     setText(byId("activity"), doing(view));
-    const now = performance.now();
-    if (now - looked < PAUSE || !board.checkVisibility({ visibilityProperty: true })) return;
-    looked = now;
+    if (!isDue(() => board.checkVisibility({ visibilityProperty: true }))) return;
     const robot = robots.find(({ id }) => id === view.robot);
     if (robot && changed(board, "robot", robot.id)) build(robot);
     const reading = app.playground.readings();
@@ -55,7 +54,7 @@ export function instruments(robot) {
   return [flags(robot), ...(robot.cliffs.some(Boolean) ? [cliffs(robot)] : []), ...(robot.gauge ? [battery()] : []), ...(robot.infrared ? [infrared()] : []), wheels(robot), dirt()];
 }
 
-/** @param {import("./types").View} view */
+/** @param {import("./types").PageView} view */
 function doing({ activity, is_lifted, state, kind }) {
   if (is_lifted) return "In your hand";
   const text = activity || (kind === "planner" ? "following its plan" : "");

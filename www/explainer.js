@@ -2,7 +2,7 @@
 // What is said of an algorithm: idea, claims, colours, cost, when to use it, the paper.
 import { make } from "./dom.js";
 
-/** @typedef {import("./types").AlgorithmEntry} AlgorithmEntry */
+/** @typedef {import("./types").CatalogueEntry} AlgorithmEntry */
 /** @typedef {[claim: keyof AlgorithmEntry, yes: string, no: string, tipYes: string, tipNo: string]} Claim */
 
 /** @type {Claim[]} */

@@ -104,7 +104,7 @@ export function joystick({ pad, knob, told, targets, takes, begin, end }) {
       const keys = [...held].reduce((sum, code) => ({ forward: sum.forward + (KEYS[code]?.[0] ?? 0), left: sum.left + (KEYS[code]?.[1] ?? 0) }), STILL);
       return { command: limited(stick, keys, gamepad ?? STILL), hasGamepad: gamepad !== undefined };
     },
-    /** @param {import("./types").View["blocked"]} blocked @param {Command} command */
+    /** @param {import("./types").PageView["blocked"]} blocked @param {Command} command */
     showBlocked: (blocked, command) => showBlocked(pad, told, blocked, command),
   };
 }
@@ -117,7 +117,7 @@ const WAYS = ["forward", "left", "right", "backward"];
 
 /**
  * Which directions are open, which are asked for, and why those that aren't open are not.
- * @param {HTMLElement} pad @param {Element} told @param {import("./types").View["blocked"]} blocked @param {Command} command
+ * @param {HTMLElement} pad @param {Element} told @param {import("./types").PageView["blocked"]} blocked @param {Command} command
  */
 function showBlocked(pad, told, blocked, { forward, left }) {
   const asked = { forward: forward > 0, backward: forward < 0, left: left > 0, right: left < 0 };

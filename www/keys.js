@@ -5,13 +5,16 @@ import { button, byId, input, typed } from "./dom.js";
 import { objectKey } from "./explore/objects.js";
 import { currentTab } from "./tabs.js";
 
-/** @typedef {import("./main.js").App} App */
+/**
+ * @typedef {import("./main.js").App} App
+ * @typedef {{ key(key: string): boolean }} Part What says whether it used a key.
+ */
 
-/** @type {Record<string, import("./types").Tool>} */
+/** @type {Record<string, import("./types").FloorTool>} */
 const TOOLS = { v: "view", w: "wall", e: "erase", s: "start" };
 
-/** @param {App} app */
-export function startKeys(app) {
+/** @param {App} app @param {Part[]} parts */
+export function startKeys(app, parts) {
   const dialog = typed("help", HTMLDialogElement);
   button("help-open").addEventListener("click", () => openHelp(dialog));
   // A click beside the dialog closes it.
@@ -36,7 +39,7 @@ export function startKeys(app) {
     if (document.querySelector("dialog[open]") || event.defaultPrevented || event.altKey) return;
     const target = event.target instanceof Element ? event.target : document.body;
     if (target.matches("select, textarea, input:not([type=checkbox], [type=range])")) return;
-    const used = event.ctrlKey || event.metaKey ? withControl(app, event) : singleKeys.checked && single(app, event, target, dialog);
+    const used = event.ctrlKey || event.metaKey ? withControl(app, event) : singleKeys.checked && single(app, event, target, dialog, parts);
     if (used) event.preventDefault();
   });
 }
@@ -50,14 +53,14 @@ function cancels({ view }, { target, ctrlKey, metaKey, altKey }) {
 
 /** Ctrl or Cmd and a key. @param {App} app @param {KeyboardEvent} event */
 function withControl({ act, view }, event) {
-  if (["map", "floor-plan", "connection"].includes(currentTab())) return false;
+  if (!["explore", "compare"].includes(currentTab())) return false;
   const key = event.key.toLowerCase();
   if (key === "y" || (key === "z" && event.shiftKey)) return view.can.redo && act((p) => p.redo());
   return key === "z" && view.can.undo && act((p) => p.undo());
 }
 
-/** @param {App} app @param {KeyboardEvent} event @param {Element} target @param {HTMLDialogElement} dialog */
-function single(app, event, target, dialog) {
+/** @param {App} app @param {KeyboardEvent} event @param {Element} target @param {HTMLDialogElement} dialog @param {Part[]} parts */
+function single(app, event, target, dialog, parts) {
   const { act, view } = app;
   const key = event.key.toLowerCase();
   // Space presses the button that has the focus.
@@ -70,27 +73,13 @@ function single(app, event, target, dialog) {
   const tool = TOOLS[key];
   if (tool) return (tool === "view" || view.can.edit) && act((p) => p.set_tool(tool));
   switch (key) {
-    case " ":
-      if (view.can.pause) return act((p) => p.pause());
-      return view.can.play && act((p) => p.play());
     case "p":
       return pickUp(app);
     case "l":
       button("layers-open").click();
       return true;
-    case ".":
-      return view.can.step && act((p) => p.step());
-    case "r":
-      return view.can.reset && act((p) => p.reset());
-    case "+":
-    case "=":
-      return act((p) => zoomCentre(p, 1.25));
-    case "-":
-      return act((p) => zoomCentre(p, 0.8));
-    case "0":
-      return act((p) => p.fit());
     default:
-      return objectKey(app, key);
+      return parts.some((part) => part.key(key)) || objectKey(app, key);
   }
 }
 
@@ -100,12 +89,6 @@ function openHelp(dialog) {
   import("./help.js")
     .then(({ fillHelp }) => fillHelp(byId("help-text")))
     .catch(() => (byId("help-text").textContent = "The help could not be loaded. Check the connection, then open it again."));
-}
-
-/** @param {App["playground"]} playground @param {number} factor */
-export function zoomCentre(playground, factor) {
-  const canvas = typed("floor", HTMLCanvasElement);
-  playground.zoom(canvas.clientWidth / 2, canvas.clientHeight / 2, factor);
 }
 
 function remembered() {

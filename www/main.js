@@ -21,7 +21,7 @@ import { updateView } from "./explore/view.js";
 import { compile, missing } from "./wasm.js";
 
 /**
- * @typedef {import("./types").View} View
+ * @typedef {import("./types").PageView} View
  * @typedef {object} App What the modules of the page share.
  * @property {Playground} playground
  * @property {import("./types").Catalogue} catalogue
@@ -75,7 +75,7 @@ async function start() {
       return worked;
     },
     takeFiles: async (files) => {
-      /** @type {import("./types").ReadMap} */
+      /** @type {import("./worker-types").ReadMap} */
       let map;
       try {
         const { readMap } = await import("./workers.js");
@@ -112,9 +112,10 @@ async function start() {
   /**
    * A tab that is loaded when it is first opened. Its `frame` may return a message to show.
    * @typedef {{ frame(now: number): { message: string, message_kind: string } | void, key(key: string): boolean, link(): string, restore(link: string): void, setDark(dark: boolean): void, take?(files: File[]): void }} Other
-   * @type {Record<string, () => Promise<Other>>}
+   * @type {Record<import("./tabs.js").Tab, (() => Promise<Other>) | undefined>}
    */
   const doors = {
+    explore: undefined,
     compare: () => import("./compare/enter.js").then(({ enterCompare }) => enterCompare(app, guard)),
     map: () => import("./map/enter.js").then(({ enterMap }) => enterMap(app)),
     "floor-plan": () => import("./floor-plan/enter.js").then(({ enterFloorPlan }) => enterFloorPlan(app)),
@@ -184,10 +185,10 @@ async function start() {
   }
 
   startTabs((next) => void enter(next));
-  const resized = startStage(app);
-  const updates = [startPanel, startPlaybar, startLayers, startObjects].map((begin) => begin(app));
+  const [stage, playbar] = [startStage(app), startPlaybar(app)];
+  const updates = [startPanel(app), playbar.update, startLayers(app), startObjects(app)];
   startFiles(app);
-  startKeys(app);
+  startKeys(app, [stage, playbar]);
   const updateLater = await startLater(app);
 
   let isFirst = true;
@@ -199,7 +200,7 @@ async function start() {
       const request = playground.take_plan_request();
       if (request) planning.start(request);
       if (currentTab() === "explore") {
-        resized();
+        stage.resized();
         playground.frame(now);
       }
       const view = (app.view = playground.view());

@@ -2,7 +2,7 @@
 // Forms for parameters, made from their descriptions.
 import { fill, make } from "./dom.js";
 
-/** @typedef {import("./types").ParamSpec} ParamSpec */
+/** @typedef {import("./types").Param} ParamSpec */
 
 /**
  * The field of one parameter, which tells its value as text, and the controls that show it.

@@ -2,8 +2,8 @@
 // The page's end of the planning worker.
 
 /**
- * @typedef {import("./types").FromWorker} FromWorker
- * @typedef {import("./types").Proof | undefined} Proof
+ * @typedef {import("./worker-types").FromWorker} FromWorker
+ * @typedef {import("./worker-types").Proof | undefined} Proof
  * @typedef {object} Listeners
  * @property {(id: number, done: number, cells: Uint32Array, proof: Proof, film: unknown[]) => void} progress
  * @property {(id: number, cells: Uint32Array, seconds: number, trace: unknown, proof: Proof) => void} finished
@@ -18,7 +18,7 @@ export class Planning {
   #worker;
   /** Number of the request being worked on. @type {number | undefined} */
   #busy;
-  /** What is or was planned last. @type {import("./types").PlanRequest | undefined} */
+  /** What is or was planned last. @type {import("./worker-types").PlanRequest | undefined} */
   #request;
   /** Its best walk so far. @type {Uint32Array} */
   #best = new Uint32Array();
@@ -32,7 +32,7 @@ export class Planning {
     this.#listeners = listeners;
   }
 
-  /** Starts planning; what was being planned is dropped. @param {import("./types").PlanRequest} request */
+  /** Starts planning; what was being planned is dropped. @param {import("./worker-types").PlanRequest} request */
   start(request) {
     this.cancel();
     this.#busy = request.id;

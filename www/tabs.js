@@ -2,10 +2,8 @@
 // The tabs of the page: one of them is shown, and its name is in the address.
 import { byId } from "./dom.js";
 
-/** @typedef {"explore" | "compare" | "map" | "floor-plan" | "connection"} Tab */
-
-/** @type {Tab[]} */
-const TABS = ["explore", "compare", "map", "floor-plan", "connection"];
+const TABS = /** @type {const} */ (["explore", "compare", "map", "floor-plan", "connection"]);
+/** @typedef {typeof TABS[number]} Tab */
 /** Names in older links. @type {Record<string, Tab>} */
 const OLD = { draft: "floor-plan", robot: "connection" };
 

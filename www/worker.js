@@ -2,7 +2,7 @@
 // Plans and reads maps away from the page, which stays responsive; to cancel, the page ends this worker.
 import init, { Runner, Trials, plan, prove, read_map } from "../workshop.js";
 
-/** @typedef {import("./types").FromWorker | import("./types").FromTrial | import("./types").FromRuns | import("./types").FromReader} Answer */
+/** @typedef {import("./worker-types").FromWorker | import("./worker-types").FromTrial | import("./worker-types").FromRuns | import("./worker-types").FromReader} Answer */
 
 let markReady = () => {};
 /** @type {Promise<void>} */
@@ -17,7 +17,7 @@ function answer(message, transfer = []) {
   self.postMessage(message, { transfer: /** @type {Transferable[]} */ (transfer) });
 }
 
-self.addEventListener("message", async (/** @type {MessageEvent<import("./types").ToWorker>} */ event) => {
+self.addEventListener("message", async (/** @type {MessageEvent<import("./worker-types").ToWorker>} */ event) => {
   const message = event.data;
   if (message.type === "init") {
     await init({ module_or_path: message.module });
@@ -26,7 +26,7 @@ self.addEventListener("message", async (/** @type {MessageEvent<import("./types"
   }
   await ready;
   const { id } = message.request;
-  /** @param {number} done @param {Uint32Array} cells @param {import("./types").Proof | undefined} proof @param {unknown[] | undefined} film */
+  /** @param {number} done @param {Uint32Array} cells @param {import("./worker-types").Proof | undefined} proof @param {unknown[] | undefined} film */
   const report = (done, cells, proof, film) => answer({ type: "progress", id, done, cells, proof, film }, [cells.buffer]);
   try {
     if (message.type === "plan") {

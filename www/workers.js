@@ -35,13 +35,13 @@ export async function hire() {
  * Reads a map from files that belong together, in a worker of its own: a large one takes its time. Their bytes are handed
  * over. Throws messages for users.
  * @param {{ name: string, bytes: Uint8Array }[]} files
- * @returns {Promise<import("./types").ReadMap>}
+ * @returns {Promise<import("./worker-types").ReadMap>}
  */
 export async function readMap(files) {
   const worker = await hire();
   try {
     return await new Promise((resolve, reject) => {
-      worker.addEventListener("message", (/** @type {MessageEvent<import("./types").FromReader>} */ { data }) => {
+      worker.addEventListener("message", (/** @type {MessageEvent<import("./worker-types").FromReader>} */ { data }) => {
         if (data.type === "read") resolve(data.map);
         else reject(data.message);
       });

@@ -7,7 +7,7 @@ use wasm_bindgen::prelude::*;
 
 /// Runs the cases about drawings, calls `on_result` with each result as it comes, and returns them all. Blocks: call it in a
 /// worker.
-#[wasm_bindgen]
+#[wasm_bindgen(unchecked_return_type = "rust.BenchResult[]")]
 pub fn bench_drawings(on_result: &Function) -> Result<JsValue, JsValue> {
     run(&[bench::floor_plan], on_result)
 }

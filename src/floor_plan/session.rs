@@ -8,7 +8,7 @@ use js_sys::{Array, Function, Reflect, Uint8Array};
 use paint::{FloorPlanPainter, ShownPlan};
 use robovac_app::{
     Viewport,
-    floor_plan::{DrawingPart, DrawingSession, DrawingTool, FloorPlanSettings, Format, coarse},
+    floor_plan::{DrawingPart, DrawingSession, DrawingTool, FloorPlanSettings, FloorPlanView, Format, coarse},
 };
 use robovac_core::geometry::{Point, Vector};
 use robovac_playground::wire::{clock, map_file, to_js};
@@ -72,14 +72,15 @@ impl FloorPlanSession {
     }
 
     /// What there is to be seen, as a plain object; nothing while the board is empty.
+    #[wasm_bindgen(unchecked_return_type = "rust.FloorPlanView | undefined")]
     pub fn view(&self) -> Result<JsValue, JsValue> {
         let Some(board) = &self.board else { return Ok(JsValue::UNDEFINED) };
-        let object = to_js(&board.view())?;
-        Reflect::set(&object, &"seconds".into(), &self.seconds.into())?;
-        Reflect::set(&object, &"stage".into(), &self.shown.stage.into())?;
-        Reflect::set(&object, &"slice".into(), &self.shown.slice.map_or(-1.0, |heading| heading as f64).into())?;
-        Reflect::set(&object, &"words".into(), &board.description().into())?;
-        Ok(object)
+        to_js(&FloorPlanView {
+            plan: board.view(),
+            seconds: self.seconds,
+            stage: self.shown.stage,
+            slice: self.shown.slice.map_or(-1, |heading| heading as i32),
+        })
     }
 
     /// Chooses all of what `view` has as settings.
@@ -278,11 +279,6 @@ impl FloorPlanSession {
     /// Enlarges `factor` times around (`x`, `y`), CSS pixels.
     pub fn zoom(&mut self, x: f64, y: f64, factor: f64) {
         self.viewport.zoom_at(x, y, factor);
-    }
-
-    /// Enlarges `factor` times around the middle.
-    pub fn zoom_middle(&mut self, factor: f64) {
-        self.viewport.zoom_at(0.5 * self.viewport.size.x, 0.5 * self.viewport.size.y, factor);
     }
 
     /// Shows all of it.

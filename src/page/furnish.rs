@@ -1,7 +1,6 @@
 //! Object editing on the page.
 
 use super::Playground;
-use js_sys::{Array, Reflect};
 use robovac_app::explore::PlaceableKind;
 use robovac_core::geometry::Point;
 use wasm_bindgen::prelude::*;
@@ -39,16 +38,6 @@ impl Playground {
 }
 
 impl Playground {
-    /// Writes into the view what objects there are, by name, which one is selected (-1 for none) and what would be placed.
-    pub(super) fn add_objects_to(&self, view: &JsValue) -> Result<(), JsValue> {
-        let names: Array = self.session.plan().objects.iter().map(|object| JsValue::from(object.name())).collect();
-        let selected = self.furnisher.selected(&self.session).map_or(-1.0, |index| index as f64);
-        Reflect::set(view, &"objects".into(), &names)?;
-        Reflect::set(view, &"selected".into(), &selected.into())?;
-        Reflect::set(view, &"placing".into(), &self.furnisher.kind.id().into())?;
-        Ok(())
-    }
-
     /// Takes hold of what is selected, or one of its handles.
     pub(super) fn takes_selected(&mut self, at: Point) -> bool {
         let selected = self.furnisher.selected(&self.session);

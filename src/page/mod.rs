@@ -1,6 +1,5 @@
 //! The module `page`, loaded first: the Explore tab, without the planners' code.
 
-mod catalogue;
 mod furnish;
 mod playground;
 

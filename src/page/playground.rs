@@ -3,14 +3,14 @@
 mod hand;
 
 use self::hand::Carried;
-use super::catalogue::Catalogue;
 use coverage_planners::{CoveragePath, ProgressReport, TraceStep};
-use js_sys::{Array, Float64Array, Reflect};
+use js_sys::{Array, Float64Array};
 use robovac_app::{
     RobotView, Scene, Viewport,
-    explore::{Brush, ObjectTool, Session},
+    explore::{Brush, Catalogue, FloorTool, ObjectTool, PageView, Session},
 };
 use robovac_core::{
+    floor_plan::Object,
     geometry::{Point, Pose, Vector},
     grid::Cell,
 };
@@ -35,16 +35,6 @@ const OPENING_S: f64 = 600.0;
 const LEAST_GRIP_PX: f64 = 16.0;
 /// Distance that the pointer has to go to pick a robot up, CSS pixels: a click alone does nothing.
 const LEAST_LIFT_PX: f64 = 4.0;
-
-/// What the pointer does on the floor.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum FloorTool {
-    View,
-    Wall,
-    Erase,
-    Start,
-    Place,
-}
 
 /// What the pointer is doing between down and up.
 #[derive(Clone, Copy, PartialEq)]
@@ -118,29 +108,27 @@ impl Playground {
         })
     }
 
-    /// What there is to choose from: see `Catalogue` in `www/types.d.ts`.
+    /// What there is to choose from: see [`Catalogue`].
+    #[wasm_bindgen(unchecked_return_type = "rust.Catalogue")]
     pub fn catalogue() -> Result<JsValue, JsValue> {
-        to_js(&Catalogue::new())
+        to_js(&Catalogue::all())
     }
 
     /// Snapshot of the session in numbers and words.
+    #[wasm_bindgen(unchecked_return_type = "rust.PageView")]
     pub fn view(&self) -> Result<JsValue, JsValue> {
-        let view = to_js(&self.session.view())?;
-        let tool = match self.tool {
-            FloorTool::View => "view",
-            FloorTool::Wall => "wall",
-            FloorTool::Erase => "erase",
-            FloorTool::Start => "start",
-            FloorTool::Place => "place",
-        };
-        Reflect::set(&view, &"tool".into(), &tool.into())?;
-        self.add_objects_to(&view)?;
-        Reflect::set(&view, &"is_carried".into(), &self.carried.is_some().into())?;
         // What is told of it must not hide it.
-        let is_high =
+        let is_held_high =
             self.carried.is_some_and(|it| self.viewport.to_screen(it.pose.position()).y < 0.5 * self.viewport.size.y);
-        Reflect::set(&view, &"is_held_high".into(), &is_high.into())?;
-        Ok(view)
+        to_js(&PageView {
+            session: self.session.view(),
+            tool: self.tool,
+            objects: self.session.plan().objects.iter().map(Object::name).collect(),
+            selected: self.furnisher.selected(&self.session).map_or(-1, |index| index as i32),
+            placing: self.furnisher.kind.id(),
+            is_carried: self.carried.is_some(),
+            is_held_high,
+        })
     }
 
     /// One or two sentences that stand for the picture.
@@ -161,6 +149,7 @@ impl Playground {
     // ---- planning
 
     /// The planning request that has to be served, once; pass it to `plan` in a worker. To be asked for in every frame.
+    #[wasm_bindgen(unchecked_return_type = "{ id: number } | undefined")]
     pub fn take_plan_request(&mut self) -> Result<JsValue, JsValue> {
         let request = self.session.take_plan_request();
         // Whoever has chosen something else meanwhile wants to see that from its start.
@@ -338,6 +327,16 @@ impl Playground {
     /// Changes whenever the room does.
     pub fn room_version(&self) -> f64 {
         self.session.plan_version() as f64
+    }
+
+    /// Room and settings for `SessionMirror.follow`; who has a room of one's own in its `known` version isn't given it again.
+    #[wasm_bindgen(unchecked_return_type = "rust.SessionSnapshot")]
+    pub fn snapshot(&self, known: Option<f64>) -> Result<JsValue, JsValue> {
+        let mut snapshot = self.session.snapshot();
+        if snapshot.room.is_none() && known != Some(snapshot.room_version as f64) {
+            snapshot.own = Some(self.session.own_room());
+        }
+        to_js(&snapshot)
     }
 
     // ---- time

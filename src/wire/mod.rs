@@ -1,16 +1,18 @@
 //! Values passed between the page and its workers, and between Rust and JavaScript: plain objects and arrays.
 
 pub mod benchmark;
-pub mod entry;
 pub mod frames;
 pub mod map_file;
-pub mod param;
 pub mod proof;
 pub mod request;
 pub mod walk;
 
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
+
+/// Where the types are declared that methods name: written by the test `types` of `tests/page`.
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = "import type * as rust from \"./www/types\";";
 
 #[wasm_bindgen]
 extern "C" {

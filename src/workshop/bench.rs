@@ -7,7 +7,7 @@ use wasm_bindgen::prelude::*;
 
 /// Runs all cases of the workshop, calls `on_result` with each as it comes, and returns them all. Blocks: call it in a
 /// worker.
-#[wasm_bindgen]
+#[wasm_bindgen(unchecked_return_type = "rust.BenchResult[]")]
 pub fn bench(on_result: &Function) -> Result<JsValue, JsValue> {
     run(&[bench::planning, bench::mapping, bench::streaming], on_result)
 }

@@ -1,14 +1,11 @@
 //! The Compare tab: settings, trials, and the race on up to nine canvases.
 
-use super::{
-    comparison_view::{ComparisonView, TableView},
-    session_mirror::SessionMirror,
-};
+use super::session_mirror::SessionMirror;
 use coverage_planners::metrics::PlanNumbers;
 use js_sys::Float64Array;
 use robovac_app::{
     Scene, Viewport,
-    compare::{self, MOST_LANES, RoomChoice},
+    compare::{self, ComparisonView, MOST_LANES, RoomChoice, TableView},
 };
 use robovac_playground::wire::message;
 use robovac_playground::{
@@ -101,6 +98,7 @@ impl Comparison {
     // ---- trials
 
     /// A trial that has to be made, if any; pass it to `Trials.run` in a worker.
+    #[wasm_bindgen(unchecked_return_type = "{ id: number } | undefined")]
     pub fn take_trial(&mut self) -> Result<JsValue, JsValue> {
         self.state.take_trial().map_or(Ok(JsValue::UNDEFINED), |request| to_js(&request))
     }
@@ -140,11 +138,13 @@ impl Comparison {
     // ---- what came out
 
     /// Snapshot for every frame: choices, progress, race.
+    #[wasm_bindgen(unchecked_return_type = "rust.ComparisonView")]
     pub fn view(&self) -> Result<JsValue, JsValue> {
         to_js(&ComparisonView::new(&self.state))
     }
 
     /// The numbers of a room by its place in the view's list, or of all rooms together; changes with the view's `version`.
+    #[wasm_bindgen(unchecked_return_type = "rust.TableView")]
     pub fn table(&self, room: Option<usize>) -> Result<JsValue, JsValue> {
         let room: Option<RoomChoice> = room.and_then(|index| self.state.rooms().get(index).copied());
         to_js(&TableView::new(&self.state.table(room), room.and_then(|room| self.state.bounds(room))))

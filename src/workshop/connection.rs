@@ -72,12 +72,17 @@ impl Connection {
     }
 
     /// What is to be done with the line before the next bytes are sent: `{ baud: 19200 }`, `{ brc: true }` or `null`.
+    #[wasm_bindgen(unchecked_return_type = "rust.LineRequest | null")]
     pub fn take_line(&mut self) -> Result<JsValue, JsValue> {
         to_js(&self.link.take_line())
     }
 
     /// Does what the user asks for, a `Request`; throws a sentence for users if it can't be done.
-    pub fn request(&mut self, now: f64, request: JsValue) -> Result<(), JsValue> {
+    pub fn request(
+        &mut self,
+        now: f64,
+        #[wasm_bindgen(unchecked_param_type = "rust.Request")] request: JsValue,
+    ) -> Result<(), JsValue> {
         let request = serde_wasm_bindgen::from_value(request).map_err(|e| e.to_string())?;
         self.link.request(now, request).map_err(|e| e.to_string().into())
     }
@@ -107,18 +112,25 @@ impl Connection {
         self.link.ride(now, title, controller, start).map_err(|e| e.to_string().into())
     }
 
-    /// What the page shows, a `ConnectionView`; `transport` is the line's `TransportView`.
-    pub fn view(&mut self, now: f64, transport: JsValue) -> Result<JsValue, JsValue> {
+    /// What the page shows; `transport` is how the line is.
+    #[wasm_bindgen(unchecked_return_type = "rust.ConnectionView")]
+    pub fn view(
+        &mut self,
+        now: f64,
+        #[wasm_bindgen(unchecked_param_type = "rust.TransportView")] transport: JsValue,
+    ) -> Result<JsValue, JsValue> {
         self.link.set_transport(serde_wasm_bindgen::from_value(transport)?);
         to_js(&self.link.view(now))
     }
 
     /// What the page shows while there is no connection.
+    #[wasm_bindgen(unchecked_return_type = "rust.ConnectionView")]
     pub fn closed() -> Result<JsValue, JsValue> {
         to_js(&connection::Connection::new().view(0.0))
     }
 
     /// What went over the line since this was last asked for, as `Traffic[]`.
+    #[wasm_bindgen(unchecked_return_type = "rust.Traffic[]")]
     pub fn take_traffic(&mut self) -> Result<JsValue, JsValue> {
         to_js(&self.link.take_traffic())
     }

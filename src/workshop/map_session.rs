@@ -9,11 +9,14 @@ mod picture;
 use self::{hand::RobotHand, paint::MapPainter};
 use super::session_mirror::SessionMirror;
 use js_sys::{Array, Float64Array, Reflect, Uint8Array};
-use robovac_app::Import;
-use robovac_app::{Viewport, export::ExportFile, map};
+use robovac_app::{
+    CatalogueEntry, Import, Viewport,
+    export::ExportFile,
+    map::{self, MapView},
+};
 use robovac_core::floor_plan::{FloorPlan, MapImage, OccupancyMode, to_ros_map};
 use robovac_playground::wire::message;
-use robovac_playground::wire::{clock, entry::CatalogueEntry, map_file, to_js};
+use robovac_playground::wire::{clock, map_file, to_js};
 use robovac_sim::{experiment::Algorithm, mapping::OccupancyMap};
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
@@ -52,7 +55,8 @@ impl MapSession {
         })
     }
 
-    /// Behaviours that a survey can be made with, as the catalogue has them: see `AlgorithmEntry` in `www/types.d.ts`.
+    /// Behaviours that a survey can be made with, as the catalogue has them.
+    #[wasm_bindgen(unchecked_return_type = "rust.CatalogueEntry[]")]
     pub fn explorers() -> Result<JsValue, JsValue> {
         let entries = map::explorers().map(|info| CatalogueEntry::new(Algorithm::Behaviour(info)));
         to_js(&entries.collect::<Vec<_>>())
@@ -149,11 +153,10 @@ impl MapSession {
 
     // ---- what is shown
 
-    /// Snapshot in numbers and words: see `MapView` in `www/survey/types.d.ts`.
+    /// Snapshot in numbers and words.
+    #[wasm_bindgen(unchecked_return_type = "rust.MapView")]
     pub fn view(&self) -> Result<JsValue, JsValue> {
-        let view = to_js(&self.state.view())?;
-        Reflect::set(&view, &"is_carried".into(), &self.hand.holds().into())?;
-        Ok(view)
+        to_js(&MapView { is_carried: self.hand.holds(), ..self.state.view() })
     }
 
     /// One or two sentences that stand for the picture.

@@ -2,7 +2,6 @@
 
 mod bench;
 mod comparison;
-mod comparison_view;
 mod connection;
 mod live_map;
 mod map_session;

@@ -1,20 +1,10 @@
 //! Monte Carlo studies on the page: settings, work for workers, curves and numbers.
 
 use super::session_mirror::SessionMirror;
-use coverage_planners::PLANNERS;
 use js_sys::Float64Array;
-use robovac_app::compare::{MINUTES, SEEDS, Study};
-use robovac_core::registry::Params;
-use robovac_playground::wire::message;
-use robovac_playground::wire::{
-    param::{Param, params},
-    to_js,
-};
-use robovac_sim::{
-    controller::BEHAVIOURS,
-    montecarlo::{Band, RunOutcome, StudyHeader, Summary, to_csv, to_json},
-};
-use serde::Serialize;
+use robovac_app::compare::{Study, StudyOffer, StudyPlace, StudyView};
+use robovac_playground::wire::{message, to_js};
+use robovac_sim::montecarlo::{Band, RunOutcome, Summary, to_csv, to_json};
 use wasm_bindgen::prelude::*;
 
 /// Algorithms run many times in the playground's room.
@@ -22,59 +12,6 @@ use wasm_bindgen::prelude::*;
 #[derive(Default)]
 pub struct MonteCarlo {
     state: Study,
-}
-
-/// What there is to choose from.
-#[derive(Serialize)]
-struct Offer {
-    entrants: Vec<EntrantOffer>,
-    seeds: [u32; SEEDS.len()],
-    minutes: [u32; MINUTES.len()],
-}
-
-#[derive(Serialize)]
-struct EntrantOffer {
-    id: &'static str,
-    title: &'static str,
-    summary: &'static str,
-    /// `planner` or `behaviour`.
-    kind: &'static str,
-    /// Whether it is measured by the boundary that it has met, and not by clean floor.
-    explores: bool,
-    /// Its place in the registry of its kind.
-    number: usize,
-    params: Vec<Param>,
-}
-
-/// Snapshot for every frame.
-#[derive(Serialize)]
-struct StudyView<'a> {
-    version: u32,
-    running: bool,
-    done: usize,
-    total: usize,
-    seeds: u32,
-    minutes: u32,
-    entrants: Vec<StudyEntrantView<'a>>,
-}
-
-#[derive(Serialize)]
-struct StudyEntrantView<'a> {
-    chosen: bool,
-    params: &'a Params,
-    /// Runs made of those that are wanted.
-    runs: usize,
-    failure: &'a str,
-}
-
-/// Where and how all runs are made, in words.
-#[derive(Serialize)]
-struct StudyPlace<'a> {
-    room: &'a str,
-    robot: &'a str,
-    slip: &'static str,
-    noise: String,
-    quantised: bool,
 }
 
 #[wasm_bindgen]
@@ -86,26 +23,9 @@ impl MonteCarlo {
     }
 
     /// All that can take part, in the order of the view's list, and the numbers that are offered.
+    #[wasm_bindgen(unchecked_return_type = "rust.StudyOffer")]
     pub fn offer(&self) -> Result<JsValue, JsValue> {
-        let entrants = self.state.entrants().iter().map(|entrant| {
-            let algorithm = entrant.algorithm;
-            let number = algorithm.planner().map_or_else(
-                || BEHAVIOURS.iter().position(|info| info.id == algorithm.id()),
-                |planner| PLANNERS.iter().position(|info| info.id == planner.id),
-            );
-            EntrantOffer {
-                id: algorithm.id(),
-                title: algorithm.title(),
-                summary: algorithm
-                    .planner()
-                    .map_or_else(|| algorithm.behaviour().map_or("", |info| info.summary), |info| info.summary),
-                kind: algorithm.kind(),
-                explores: entrant.explores(),
-                number: number.unwrap_or(0),
-                params: params(algorithm.params()),
-            }
-        });
-        to_js(&Offer { entrants: entrants.collect(), seeds: SEEDS, minutes: MINUTES })
+        to_js(&StudyOffer::new(&self.state))
     }
 
     /// Takes room, robot, start, conditions and seed over from the playground's copy; cheap if they are the
@@ -159,6 +79,7 @@ impl MonteCarlo {
     }
 
     /// Runs that have to be made, if any; pass them to `Runner.run` in a worker.
+    #[wasm_bindgen(unchecked_return_type = "{ id: number } | undefined")]
     pub fn take_batch(&mut self) -> Result<JsValue, JsValue> {
         self.state.take_batch().map_or(Ok(JsValue::UNDEFINED), |request| to_js(&request))
     }
@@ -181,36 +102,19 @@ impl MonteCarlo {
     // ---- what came out
 
     /// Snapshot for every frame: choices and progress.
+    #[wasm_bindgen(unchecked_return_type = "rust.StudyView")]
     pub fn view(&self) -> Result<JsValue, JsValue> {
-        let state = &self.state;
-        let (done, total) = state.count();
-        let entrants = state.entrants().iter().enumerate().map(|(index, entrant)| StudyEntrantView {
-            chosen: state.is_chosen(index),
-            params: &entrant.params,
-            runs: state.runs(index).len(),
-            failure: state.failure(index).unwrap_or(""),
-        });
-        to_js(&StudyView {
-            version: state.version(),
-            running: state.is_running(),
-            done,
-            total,
-            seeds: state.seeds(),
-            minutes: state.minutes(),
-            entrants: entrants.collect(),
-        })
+        to_js(&StudyView::new(&self.state))
     }
 
     /// Where and how all runs are made; changes with the view's `version`.
+    #[wasm_bindgen(unchecked_return_type = "rust.StudyPlace | null")]
     pub fn place(&self) -> Result<JsValue, JsValue> {
-        let Some((StudyHeader { room, robot, conditions, .. }, _)) = self.state.export() else {
-            return Ok(JsValue::NULL);
-        };
-        let (slip, noise) = (conditions.slip.id(), conditions.noise.to_string());
-        to_js(&StudyPlace { room, robot, slip, noise, quantised: conditions.quantised })
+        to_js(&StudyPlace::new(&self.state))
     }
 
     /// An algorithm's runs summed up, by its number in the view's list; null if there are none.
+    #[wasm_bindgen(unchecked_return_type = "rust.Summary | null")]
     pub fn summary(&self, entrant: usize) -> Result<JsValue, JsValue> {
         let known = entrant < self.state.entrants().len();
         to_js(&known.then(|| self.state.summary(entrant)).flatten() as &Option<Summary>)

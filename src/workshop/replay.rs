@@ -36,11 +36,13 @@ impl Replay {
     }
 
     /// What is shown, a `ConnectionView`; nothing can be asked for.
+    #[wasm_bindgen(unchecked_return_type = "rust.ConnectionView")]
     pub fn view(&mut self) -> Result<JsValue, JsValue> {
         to_js(&self.player.view().of_recording(&self.name))
     }
 
     /// What went over the line since this was last asked for, as `Traffic[]`.
+    #[wasm_bindgen(unchecked_return_type = "rust.Traffic[]")]
     pub fn take_traffic(&mut self) -> Result<JsValue, JsValue> {
         to_js(&self.player.take_traffic())
     }

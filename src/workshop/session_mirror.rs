@@ -1,20 +1,22 @@
 //! Mirror of the playground's session in another module.
 
 use coverage_planners::CoveragePath;
-use robovac_app::{Import, connection::StartPlace, explore::Session};
+use robovac_app::{
+    connection::StartPlace,
+    explore::{Session, SessionSnapshot},
+};
 use robovac_core::geometry::Pose;
-use robovac_playground::wire::message;
-use robovac_playground::wire::{request, walk};
+use robovac_playground::wire::{message, request, walk};
 use robovac_sim::experiment::planning::PlanAnswer;
 use wasm_bindgen::prelude::*;
 
-/// A copy of the playground's room and settings, kept up to date by links and scenario files.
+/// A copy of the playground's room and settings.
 #[wasm_bindgen]
+#[derive(Default)]
 pub struct SessionMirror {
     session: Session,
-    /// What it has followed: the link, and the room's version.
-    link: String,
-    room_version: f64,
+    /// What it has followed.
+    followed: Option<SessionSnapshot>,
 }
 
 #[wasm_bindgen]
@@ -22,25 +24,50 @@ impl SessionMirror {
     /// A copy that hasn't followed anything yet.
     #[wasm_bindgen(constructor)]
     pub fn new() -> Self {
-        Self { session: Session::new(), link: String::new(), room_version: -1.0 }
+        Self::default()
     }
 
-    /// Whether the playground with that `link` and `room_version` isn't what this is a copy of.
-    pub fn is_behind(&self, link: &str, room_version: f64) -> bool {
-        self.link != link || self.room_version != room_version
+    /// Version of the room that it has, for `Playground.snapshot`; nothing at first.
+    pub fn room_version(&self) -> Option<f64> {
+        self.followed.as_ref().map(|followed| followed.room_version as f64)
     }
 
-    /// Becomes a copy of the playground with that `link` and `room_version`. A room that links don't hold comes as a
-    /// `scenario`; for others it's empty.
-    pub fn follow(&mut self, link: &str, room_version: f64, scenario: &str) -> Result<(), JsValue> {
-        if !scenario.is_empty() && self.room_version != room_version {
-            let import = Import::scenario("the room", scenario.as_bytes()).map_err(|e| e.to_string())?;
-            self.session.take_import(import).map_err(|e| e.to_string())?;
+    /// Whether there is something to follow in `snapshot`.
+    pub fn is_behind(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "rust.SessionSnapshot")] snapshot: JsValue,
+        algorithm: Option<String>,
+    ) -> Result<bool, JsValue> {
+        let snapshot = read(snapshot, algorithm)?;
+        Ok(self.followed.as_ref() != Some(&SessionSnapshot { own: None, ..snapshot }))
+    }
+
+    /// Becomes a copy of the playground by its `snapshot`; cheap if nothing has changed. For a robot that is connected, driven
+    /// by `algorithm`, if there is one.
+    pub fn follow(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "rust.SessionSnapshot")] snapshot: JsValue,
+        algorithm: Option<String>,
+    ) -> Result<(), JsValue> {
+        let mut snapshot = read(snapshot, algorithm)?;
+        let own = snapshot.own.take();
+        if self.followed.as_ref() == Some(&snapshot) {
+            return Ok(());
         }
-        self.session.restore(link).map_err(message)?;
+        // A room of one's own that is here already may have been sent again.
+        snapshot.own = own.filter(|_| self.followed.as_ref().map(|f| f.room_version) != Some(snapshot.room_version));
+        self.session.follow(&snapshot).map_err(message)?;
         self.session.forget_changes();
-        (self.link, self.room_version) = (link.to_owned(), room_version);
+        self.followed = Some(SessionSnapshot { own: None, ..snapshot });
         Ok(())
+    }
+}
+
+fn read(snapshot: JsValue, algorithm: Option<String>) -> Result<SessionSnapshot, JsValue> {
+    let snapshot: SessionSnapshot = serde_wasm_bindgen::from_value(snapshot).map_err(message)?;
+    match algorithm {
+        Some(id) => snapshot.for_connection(&id).map_err(message),
+        None => Ok(snapshot),
     }
 }
 
@@ -48,6 +75,7 @@ impl SessionMirror {
 impl SessionMirror {
     /// What the algorithm that is chosen has to plan, once; pass it to `plan` in a worker. Nothing for a behaviour, and for
     /// what is planned already.
+    #[wasm_bindgen(unchecked_return_type = "{ id: number } | undefined")]
     pub fn take_plan_request(&mut self) -> Result<JsValue, JsValue> {
         let request = self.session.take_plan_request();
         request.map_or(Ok(JsValue::UNDEFINED), |request| request::request_to_js(&request))
@@ -89,11 +117,5 @@ impl SessionMirror {
     /// The copy.
     pub(super) fn session(&self) -> &Session {
         &self.session
-    }
-}
-
-impl Default for SessionMirror {
-    fn default() -> Self {
-        Self::new()
     }
 }

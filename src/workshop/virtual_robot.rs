@@ -2,43 +2,16 @@
 
 use super::session_mirror::SessionMirror;
 use robovac_core::geometry::Pose;
-use robovac_link::emulator::{Display, Emulator, PERSONALITIES, personality};
+use robovac_link::emulator::{Emulator, PersonalityView, personality};
 use robovac_playground::wire::to_js;
 use robovac_sim::Input;
 use roomba_oi::Buttons;
-use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 /// A robot that isn't there. Its time is what [`Self::advance`] is told.
 #[wasm_bindgen]
 pub struct VirtualRobot {
     emulator: Emulator,
-}
-
-#[derive(Serialize)]
-struct PersonalityView {
-    id: &'static str,
-    title: &'static str,
-    summary: &'static str,
-}
-
-/// What is seen and heard of it.
-#[derive(Serialize)]
-struct VirtualView {
-    /// x, y in m, heading in rad.
-    pose: [f64; 3],
-    mode: String,
-    awake: bool,
-    lifted: bool,
-    fallen: bool,
-    lamps: u8,
-    clean_light: [u8; 2],
-    digits: String,
-    weekdays: u8,
-    schedule: u8,
-    motors: u8,
-    /// Tunes that began to sound: notes of MIDI number and 1/64 s.
-    tunes: Vec<Vec<[u8; 2]>>,
 }
 
 #[wasm_bindgen]
@@ -55,9 +28,9 @@ impl VirtualRobot {
     }
 
     /// All personalities: `{ id, title, summary }[]`.
+    #[wasm_bindgen(unchecked_return_type = "rust.PersonalityView[]")]
     pub fn personalities() -> Result<JsValue, JsValue> {
-        let views = PERSONALITIES.iter().map(|p| PersonalityView { id: p.id, title: p.title, summary: p.summary });
-        to_js(&views.collect::<Vec<_>>())
+        to_js(&PersonalityView::all())
     }
 
     /// Takes bytes from a host that sends at `baud`.
@@ -103,22 +76,8 @@ impl VirtualRobot {
     }
 
     /// What is seen and heard of it.
+    #[wasm_bindgen(unchecked_return_type = "rust.VirtualView")]
     pub fn view(&mut self) -> Result<JsValue, JsValue> {
-        let Display { lamps, clean_light, digits, weekdays, schedule, motors, tunes } = self.emulator.take_display();
-        let pose = self.emulator.pose();
-        to_js(&VirtualView {
-            pose: [pose.x, pose.y, pose.heading],
-            mode: self.emulator.mode().to_string(),
-            awake: self.emulator.is_awake(),
-            lifted: self.emulator.robot().is_lifted(),
-            fallen: self.emulator.robot().has_fallen(),
-            lamps: lamps.byte(),
-            clean_light,
-            digits: digits.map(char::from).iter().collect(),
-            weekdays: weekdays.byte(),
-            schedule: schedule.byte(),
-            motors: motors.byte(),
-            tunes,
-        })
+        to_js(&self.emulator.view())
     }
 }

@@ -141,6 +141,7 @@ fn a_run_that_was_over_and_goes_on_does_so_again() {
     assert_eq!(run(&back).digest(), digest);
 }
 
+// slow: relocalising takes minutes of driving
 #[test]
 fn a_robot_that_is_carried_off_finds_itself_and_goes_on_cleaning() {
     let mut survey = mapped(700.0);
@@ -213,6 +214,7 @@ fn planners_of_what_is_left_are_offered_and_links_bring_them_back() {
     assert!(refused.contains("boustrophedon"), "{refused}");
 }
 
+// slow: the search for its place is made twice
 #[test]
 fn a_search_on_a_map_that_was_given_survives_a_reload() {
     let mut survey = survey("room=kitchen&robot=roomba600&seed=1");

@@ -223,6 +223,7 @@ fn square_error(slip: SlipLevel, seed: u64) -> f64 {
     (run.pose().position() - Point::new(3.0, 3.0)).norm()
 }
 
+// slow: a mean of sixteen runs; fewer scatter beyond the limits
 #[test]
 fn slip_costs_on_the_square_of_four_metres_what_its_levels_say() {
     let mean = |slip| (0..16).map(|seed| square_error(slip, seed)).sum::<f64>() / 16.0;

@@ -2,7 +2,8 @@
 #![cfg(target_arch = "wasm32")]
 
 use js_sys::{Function, Reflect, Uint32Array};
-use robovac_playground::{LiveMap, SessionMirror, plan};
+use robovac_app::explore::Session;
+use robovac_playground::{LiveMap, SessionMirror, plan, wire::to_js};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 use web_sys::HtmlCanvasElement;
@@ -14,7 +15,9 @@ const TOOL_WIDTH: f64 = 0.17;
 
 fn guest(link: &str) -> SessionMirror {
     let mut guest = SessionMirror::new();
-    guest.follow(link, 1.0, "").unwrap();
+    let mut session = Session::new();
+    session.restore(link).unwrap();
+    guest.follow(to_js(&session.snapshot()).unwrap(), None).unwrap();
     guest
 }
 

@@ -32,7 +32,7 @@ test("every personality is told apart", async (t) => {
       const seen = (window.all[id] = { connection, view: null, failures: [] });
       connection.onview = (view) => (seen.view = view);
       connection.onfailed = (failure) => seen.failures.push(failure);
-      await connection.follow({ link: "room=empty", version: 1, scenario: "" });
+      await connection.follow({ snapshot: { room: "empty" } });
       await connection.open({ kind: "virtual", personality: id });
     }
   }, Object.keys(FOUND));
@@ -67,7 +67,7 @@ test("every personality is told apart", async (t) => {
 test("a behaviour rides the virtual robot, and lifting it ends that", async (t) => {
   const { desk } = await openDesk(t);
   const open = await desk.tab.evaluate(async () => {
-    await window.connection.follow({ link: "room=empty&behaviour=bounce", version: 1, scenario: "" });
+    await window.connection.follow({ snapshot: { room: "empty", choices: { behaviour: "bounce" } } });
     return window.connection.open({ kind: "virtual", personality: "model" });
   });
   assert.ok(open, JSON.stringify(await desk.failures()));

@@ -29,6 +29,7 @@ fn outline(object: &Object) -> &[Point] {
     outline
 }
 
+// slow: every kind of object at many places
 #[test]
 fn every_kind_can_be_clicked_and_drawn_anywhere_on_free_floor() {
     let (mut session, mut hand, mut again) = (empty_room(), ObjectTool::new(), Session::new());

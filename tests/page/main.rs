@@ -11,3 +11,4 @@ mod montecarlo;
 mod opening;
 mod scenario;
 mod session;
+mod types;

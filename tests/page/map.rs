@@ -278,6 +278,7 @@ fn a_kidnapped_robot_does_not_know() {
     assert_eq!((survey.phase(), known(&survey)), (MapPhase::Ready, 0));
 }
 
+// slow: relocalising takes minutes of driving
 #[test]
 fn an_explorer_that_is_carried_off_finds_itself_and_goes_on_exploring() {
     let mut survey = survey("room=bedroom&robot=roomba600&seed=3");
@@ -392,6 +393,7 @@ fn a_map_comes_back_from_a_file_where_it_was() {
     }
 }
 
+// slow: relocalising takes minutes of driving
 #[test]
 fn a_robot_that_is_given_a_map_starts_lost_and_finds_itself() {
     let mut survey = survey("room=kitchen&robot=roomba600&seed=1");

@@ -1,7 +1,7 @@
 //! A user's session from opening to undo, without a browser.
 
 use coverage_planners::{CoveragePath, ProgressReport, Proof};
-use robovac_app::explore::{Brush, Session, SessionState, diary};
+use robovac_app::explore::{Brush, Session, SessionSnapshot, SessionState, diary};
 use robovac_core::{
     floor_plan::{Object, ROOMS, SourceFile},
     geometry::{Point, Pose},
@@ -42,6 +42,7 @@ fn opens_with_a_robot_that_cleans_the_flat() {
     assert!(view.can.pause && !view.can.play && view.can.seek);
 }
 
+// slow: the contract of the rooms that ship: each is planned and driven to its end
 #[test]
 fn every_room_is_cleaned_to_the_end() {
     for room in ROOMS {
@@ -230,6 +231,47 @@ fn room_of_ones_own_survives_by_scenario_and_link() {
 }
 
 #[test]
+fn snapshot_is_followed_by_other_tabs() {
+    let mut session = opened();
+    session.select_room("empty").unwrap();
+    session.begin_stroke(Brush::Wall, Point::new(2.0, 1.5));
+    session.go_on_stroke(Point::new(3.0, 2.5));
+    session.end_stroke();
+    session.configure(|s| s.set_seed(Some(7), "7")).unwrap();
+    session.configure(|s| s.select_algorithm("bounce")).unwrap();
+    let mut other = opened();
+    other.follow(&SessionSnapshot { own: Some(session.own_room()), ..session.snapshot() }).unwrap();
+    assert_eq!((other.link(), &other.plan().occupancy), (session.link(), &session.plan().occupancy));
+
+    // The room is there already; what is as at first again isn't left as it was.
+    session.configure(|s| s.set_seed(Some(1), "1")).unwrap();
+    session.move_start(Pose::new(1.0, 1.0, 0.0));
+    other.follow(&session.snapshot()).unwrap();
+    assert_eq!((other.link(), &other.plan().occupancy), (session.link(), &session.plan().occupancy));
+
+    let unknown = SessionSnapshot { room: Some("nowhere".to_owned()), ..session.snapshot() };
+    assert!(other.follow(&unknown).unwrap_err().to_string().starts_with("there is no room \"nowhere\""));
+    assert_eq!(other.link(), session.link());
+}
+
+#[test]
+fn connected_robot_has_the_room_and_the_conditions_but_not_the_body() {
+    let mut session = opened();
+    session.configure(|s| s.select_robot("dvr1")).unwrap();
+    session.configure(|s| s.set_seed(Some(7), "7")).unwrap();
+    let snapshot = session.snapshot();
+    let mut guest = opened();
+    guest.follow(&snapshot.clone().for_connection("bounce").unwrap()).unwrap();
+    let settings = guest.settings();
+    assert_eq!((settings.robot, settings.cell_size, settings.seed), ("roomba600", 0.12, 7));
+    assert_eq!(settings.algorithm.id(), "bounce");
+    // What Explore has chosen keeps its parameters.
+    let here = snapshot.choices.algorithm().unwrap().to_owned();
+    assert_eq!(snapshot.clone().for_connection(&here).unwrap().choices.params, snapshot.choices.params);
+    assert!(snapshot.for_connection("levitate").is_err());
+}
+
+#[test]
 fn scenario_with_a_seed_that_no_link_can_hold_is_refused() {
     let mut session = opened();
     let before = session.link();
@@ -321,7 +363,7 @@ fn best_walk_so_far_is_kept() {
     session.keep_plan(1.5);
     let plan = session.view().plan.unwrap();
     assert_eq!((session.state(), plan.planning_s), (SessionState::Playing, Some(1.5)));
-    let walk = plan.walk.unwrap();
+    let walk = plan.walk;
     assert_eq!(walk.visited_cells, walk.reachable_cells);
     assert!(plan.gap.is_some_and(|gap| gap > 0.0 && Some(&gap) == gaps.last()), "{gaps:?}");
 }
@@ -340,6 +382,7 @@ fn watched(session: &mut Session) -> Vec<String> {
     told
 }
 
+// slow: a search that runs to its proof
 #[test]
 fn search_of_a_small_room_is_a_film() {
     let mut session = Session::new();
@@ -420,6 +463,7 @@ fn film_that_is_held_goes_on_by_hand() {
     assert_eq!(at(&session), 0, "once it's over, it begins again");
 }
 
+// slow: a search has to be under way before it is kept
 #[test]
 fn plan_that_is_kept_early_has_a_film_and_says_so() {
     let mut session = Session::new();

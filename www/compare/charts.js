@@ -3,8 +3,8 @@
 import { shown } from "./numbers.js";
 
 /**
- * @typedef {import("../types").CompareTable} Table
- * @typedef {import("../types").PlannerEntry} Planner
+ * @typedef {import("../types").TableView} Table
+ * @typedef {import("../types").CatalogueEntry} Planner
  */
 
 /** Numbers that get bars. */
@@ -46,9 +46,9 @@ function bars({ metrics, rows }, planners, id) {
   const height = 6 + ROW * known.length;
   const items = known.map(({ row, spread }, i) => {
     const y = 6 + ROW * i;
-    const name = safe(planners[row.entrant]?.title ?? "");
+    const { title: name, mark } = drawn(planners[row.entrant]);
     const range = spread.max > spread.min ? `<path class="range" d="M${x(spread.min)} ${y + 22}H${x(spread.max)}"/>` : "";
-    return `<g data-entrant="${row.entrant}"><title>${name}: ${shown(spread.median, metric)}</title><text x="0" y="${y + 11}" class="name">${name}</text><rect y="${y + 16}" width="${Math.max(x(spread.median), 1)}" height="12" rx="2" data-colour="${row.entrant % 8}" data-shape="${Math.floor(row.entrant / 8)}"/>${range}<text x="${x(spread.max) + 6}" y="${y + 26}" class="value">${shown(spread.median, metric)}</text></g>`;
+    return `<g data-entrant="${row.entrant}"><title>${name}: ${shown(spread.median, metric)}</title><text x="0" y="${y + 11}" class="name">${name}</text><rect y="${y + 16}" width="${Math.max(x(spread.median), 1)}" height="12" rx="2" ${mark}/>${range}<text x="${x(spread.max) + 6}" y="${y + 26}" class="value">${shown(spread.median, metric)}</text></g>`;
   });
   return svg(title, height, items.join(""), `${title}: ${known.map(({ row, spread }) => `${planners[row.entrant]?.title} ${shown(spread.median, metric)}`).join(", ")}`);
 }
@@ -77,10 +77,15 @@ function parallel({ metrics, rows }, planners) {
       const share = metric && shown(end.best, metric) === shown(end.worst, metric) ? 0 : (value - end.best) / (end.worst - end.best);
       return [`${x(i).toFixed(1)} ${(top + share * (bottom - top)).toFixed(1)}`];
     });
-    const name = safe(planners[row.entrant]?.title ?? "");
-    return points.length > 1 ? `<path class="profile" d="M${points.join("L")}" data-entrant="${row.entrant}" data-colour="${row.entrant % 8}" data-shape="${Math.floor(row.entrant / 8)}"><title>${name}</title></path>` : "";
+    const { title: name, mark } = drawn(planners[row.entrant]);
+    return points.length > 1 ? `<path class="profile" d="M${points.join("L")}" data-entrant="${row.entrant}" ${mark}><title>${name}</title></path>` : "";
   });
   return svg("Best at the top, worst at the bottom", 284, marks.join("") + lines.join(""), "Profiles of the algorithms over all numbers; the table has the same data.");
+}
+
+/** A planner's name and mark, as SVG. @param {Planner} [planner] */
+function drawn(planner) {
+  return { title: safe(planner?.title ?? ""), mark: `data-colour="${planner?.mark.colour}" data-shape="${planner?.mark.shape}"` };
 }
 
 /** @param {string} title @param {number} height @param {string} inside @param {string} words */

@@ -6,8 +6,8 @@ import { clock, percent } from "../format.js";
 /**
  * @typedef {object} Series
  * @property {string} title
- * @property {string} colour
- * @property {string} shape
+ * @property {number} colour
+ * @property {number} shape
  * @property {Float64Array} low Coverage, 0 to 1, at equal distances in time from the start to the end.
  * @property {Float64Array} median
  * @property {Float64Array} high
@@ -22,6 +22,7 @@ const [LINE, LETTER, LEAD] = [17, 6.4, 34];
 const NAMED = 640;
 /** Marks along each line. */
 const MARKS = 6;
+const DIAMOND = "m0 -5.5l5.5 5.5l-5.5 5.5l-5.5 -5.5z";
 /** Samples that a page key moves by. */
 const PAGE = 20;
 
@@ -163,11 +164,11 @@ function curveOf({ title, colour, shape, median }, index, count, box) {
   return `<g data-series="${index}" data-colour="${colour}" data-shape="${shape}"><title>${safe(title)}</title><path class="curve" d="M${pointsOf(median, box).join("L")}"/>${marks.join("")}</g>`;
 }
 
-/** A disc, a square, a diamond or a hollow diamond, as swatches are. @param {number} x @param {number} y @param {string} shape */
+/** A disc, square, diamond or triangle, as swatches are. @param {number} x @param {number} y @param {number} shape */
 function markAt(x, y, shape) {
   const [cx, cy] = [x.toFixed(1), y.toFixed(1)];
-  const outline = { 1: `M${cx} ${cy}m-4 -4h8v8h-8z`, 2: `M${cx} ${cy}m0 -5.5l5.5 5.5l-5.5 5.5l-5.5 -5.5z`, 3: `M${cx} ${cy}m0 -5.5l5.5 5.5l-5.5 5.5l-5.5 -5.5z` }[shape];
-  return outline ? `<path class="mark" d="${outline}"/>` : `<circle class="mark" cx="${cx}" cy="${cy}" r="4"/>`;
+  const outline = ["", "m-4 -4h8v8h-8z", DIAMOND, DIAMOND, "m0 -5l5 9h-10z", "m0 5l5 -9h-10z"][shape];
+  return outline ? `<path class="mark" d="M${cx} ${cy}${outline}"/>` : `<circle class="mark" cx="${cx}" cy="${cy}" r="4"/>`;
 }
 
 /** Names at the ends of the lines, moved apart where they would lie on each other. @param {Series[]} series @param {Box} box */

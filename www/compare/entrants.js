@@ -10,25 +10,16 @@ import { paramField } from "../params.js";
  * @property {(() => void) | undefined} [about]
  */
 
-/**
- * The colour and shape of an algorithm, the same everywhere.
- * @param {number} number Its place in the registry of its kind.
- * @param {"planner" | "behaviour"} [kind]
- */
-export function markOf(number, kind = "planner") {
-  return { colour: String(number % 8), shape: String(Math.floor(number / 8) + (kind === "behaviour" ? 2 : 0)) };
-}
-
-/** The mark of an algorithm. @param {number} number @param {"planner" | "behaviour"} [kind] */
-export function swatch(number, kind) {
-  const mark = make("i", { className: "swatch", "aria-hidden": "true" });
-  Object.assign(mark.dataset, markOf(number, kind));
-  return mark;
+/** The mark of an algorithm. @param {import("../types").Mark} [mark] */
+export function swatch(mark) {
+  const node = make("i", { className: "swatch", "aria-hidden": "true" });
+  Object.assign(node.dataset, mark);
+  return node;
 }
 
 /**
  * An item of a list of algorithms.
- * @param {{ id: string, title: string, params: import("../types").ParamSpec[] }} algorithm
+ * @param {{ id: string, title: string, params: import("../types").Param[] }} algorithm
  * @param {HTMLElement} mark
  * @param {string} scope Makes ids different from those of other lists.
  * @param {Doings} doings

@@ -3,14 +3,15 @@
 import { MonteCarlo } from "../../workshop.js";
 import { startChart } from "./coverage-chart.js";
 import { button, byId, changed, fill, select, setAttribute, setHidden, setText, typed } from "../dom.js";
-import { entrantItem, markOf, showChoice, swatch } from "./entrants.js";
+import { entrantItem, showChoice, swatch } from "./entrants.js";
 import { count } from "../format.js";
 import { Pool } from "./pool.js";
+import { atMostEvery } from "../shared/frame-pacer.js";
 import { showTable } from "./runs-table.js";
 
 /**
- * @typedef {import("../types").RunsView} View
- * @typedef {import("../types").RunsOffer} Offer
+ * @typedef {import("../types").StudyView} View
+ * @typedef {import("../types").StudyOffer} Offer
  */
 
 /** Milliseconds between redraws while results come. */
@@ -46,7 +47,7 @@ export function startRuns(app, module, guard, mirror) {
   let view = study.view();
   /** When the runs began, and how many there were by then. */
   let began = { at: 0, done: 0 };
-  let drawn = 0;
+  const isDue = atMostEvery(REDRAW);
 
   const run = () =>
     act((s) => {
@@ -63,7 +64,7 @@ export function startRuns(app, module, guard, mirror) {
   select("runs-seeds").addEventListener("change", () => act((s) => s.set_seeds(Number(select("runs-seeds").value))));
   select("runs-minutes").addEventListener("change", () => act((s) => s.set_minutes(Number(select("runs-minutes").value))));
   const items = offer.entrants.map((entrant, index) =>
-    entrantItem(entrant, swatch(entrant.number, entrant.kind), `run-${entrant.kind}`, {
+    entrantItem(entrant, swatch(entrant.mark), `run-${entrant.kind}`, {
       choose: (takesPart) => act((s) => s.choose(index, takesPart)),
       setParam: (param, text) => act((s) => s.set_param(index, param, text)),
     }),
@@ -82,18 +83,18 @@ export function startRuns(app, module, guard, mirror) {
     const rows = shown.map(({ entrant, index }) => ({
       title: entrant.title,
       explores: entrant.explores,
-      mark: swatch(entrant.number, entrant.kind),
+      mark: swatch(entrant.mark),
       summary: study.summary(index),
       failure: view.entrants[index]?.failure ?? "",
       index,
-      ...markOf(entrant.number, entrant.kind),
+      ...entrant.mark,
     }));
     const known = rows.filter(({ summary }) => summary);
     const any = rows.some(({ summary, failure }) => summary || failure);
     setHidden(byId("runs-empty"), any);
     for (const id of ["runs-scroll", "runs-note"]) setHidden(byId(id), !any);
     setHidden(byId("runs-chart"), known.length === 0);
-    /** @type {import("../types").RunsPlace | null} */
+    /** @type {import("../types").StudyPlace | null} */
     const place = study.place();
     setText(byId("runs-title"), place ? titleOf(app, place, view, rows) : "");
     setText(byId("runs-note"), "Lines and large numbers are medians; bands and small numbers span the 10 % to 90 % quantiles.");
@@ -109,11 +110,7 @@ export function startRuns(app, module, guard, mirror) {
       view = study.view();
       updateChoices(view, offer, items);
       updateProgress(view, began);
-      const now = performance.now();
-      if ((now - drawn > REDRAW || !view.running) && changed(byId("runs-view"), "version", view.version)) {
-        drawn = now;
-        results();
-      }
+      if (isDue(() => changed(byId("runs-view"), "version", view.version), !view.running)) results();
     },
     restore: (/** @type {string} */ link) => study.restore(link),
     link: () => study.link(),
@@ -140,7 +137,7 @@ function bandsOf(flat) {
   return { low: flat.subarray(0, third), median: flat.subarray(third, 2 * third), high: flat.subarray(2 * third) };
 }
 
-/** @param {import("../main.js").App} app @param {import("../types").RunsPlace} place @param {View} view @param {{ explores: boolean }[]} rows */
+/** @param {import("../main.js").App} app @param {import("../types").StudyPlace} place @param {View} view @param {{ explores: boolean }[]} rows */
 function titleOf({ catalogue }, { room, robot, slip, noise, quantised }, { minutes }, rows) {
   const all = rows.every(({ explores }) => explores);
   const what = all ? "Boundary found" : rows.some(({ explores }) => explores) ? "Coverage (boundary found, for explorers)" : "Coverage";

@@ -7,12 +7,12 @@ import { clock, count } from "../format.js";
 import { cueScroll } from "./scroll-cue.js";
 
 /**
- * @typedef {import("../types").CompareTable} Table
+ * @typedef {import("../types").TableView} Table
  * @typedef {Table["rows"][number]} Row
  * @typedef {Table["metrics"][number]} Metric
  */
 
-/** @param {import("./tab.js").Comparing} it @returns {(view: import("../types").CompareView) => void} */
+/** @param {import("./tab.js").Comparing} it @returns {(view: import("../types").ComparisonView) => void} */
 export function startNumbers(it) {
   const { comparison, app } = it;
   /** Column that rows are sorted by, and whether upside down. @type {{ column: number, down: boolean } | undefined} */
@@ -56,7 +56,7 @@ export function startNumbers(it) {
   };
 }
 
-/** @param {import("../types").CompareView} view @param {boolean} together */
+/** @param {import("../types").ComparisonView} view @param {boolean} together */
 function note({ seeds, entrants }, together) {
   const chance = seeds > 1 && entrants.some(({ chosen }) => chosen) ? ` Randomised algorithms: median of ${seeds} seeds, range below it.` : "";
   return `${together ? "Sums over the rooms; percentages are means." : ""}${chance} As planned, without wheel slip; in the race, tracking the path and correcting at corners takes some percent longer. Click a row to see its path.`.trim();
@@ -90,7 +90,7 @@ function sorted(rows, metrics, order) {
 function line({ app, about }, row, metrics, rows, rooms) {
   const planner = app.catalogue.planners[row.entrant];
   const open = make("button", { type: "button", className: "link", "data-key": String(row.entrant), onclick: () => about(row.entrant) }, planner?.title ?? "");
-  const name = make("th", { scope: "row" }, swatch(row.entrant), open);
+  const name = make("th", { scope: "row" }, swatch(planner?.mark), open);
   if (row.missing > 0 && rooms > 1) name.append(make("span", { className: "status" }, `${rooms - row.missing} of ${rooms} rooms`));
   if (row.failure) name.append(make("span", { className: "failure", "data-tip": row.failure, tabIndex: 0 }, "failed"));
   const cells = metrics.map((metric, column) => {
@@ -106,7 +106,7 @@ function line({ app, about }, row, metrics, rows, rooms) {
   return result;
 }
 
-/** How a value differs from the best of its column. @param {Row} row @param {number} column @param {Metric} metric @param {Row[]} rows @param {import("../types").PlannerEntry[]} planners */
+/** How a value differs from the best of its column. @param {Row} row @param {number} column @param {Metric} metric @param {Row[]} rows @param {import("../types").CatalogueEntry[]} planners */
 function difference(row, column, metric, rows, planners) {
   const best = rows.filter((other) => other.best[column]);
   const value = row.values[column]?.median ?? 0;

@@ -8,7 +8,7 @@
  * @property {number} most Most workers: each holds a room and a planner's memory.
  * @property {() => { id: number } | undefined} take
  * @property {(id: number) => boolean} isWanted
- * @property {(answer: import("../types").FromTrial | import("../types").FromRuns) => void} answered
+ * @property {(answer: import("../worker-types").FromTrial | import("../worker-types").FromRuns) => void} answered
  * @property {(id: number, message: string) => void} failed
  */
 
@@ -72,7 +72,7 @@ export class Pool {
   /** @param {Hand} hand */
   #listen(hand) {
     const { worker } = hand;
-    worker.addEventListener("message", (/** @type {MessageEvent<import("../types").FromTrial | import("../types").FromRuns>} */ { data }) => {
+    worker.addEventListener("message", (/** @type {MessageEvent<import("../worker-types").FromTrial | import("../worker-types").FromRuns>} */ { data }) => {
       if (worker !== hand.worker || data.id !== hand.busy) return;
       if (data.type !== "progress") hand.busy = undefined;
       this.#guard(() => {

@@ -1,12 +1,16 @@
 // @ts-check
 // The race: a canvas for every robot, one clock for all.
-import { button, byId, changed, fill, make, select, setAttribute, setEnabled, setHidden, setText, typed } from "../dom.js";
+import { byId, changed, make, setAttribute, setHidden, setText } from "../dom.js";
 import { swatch } from "./entrants.js";
 import { clock, metres, percent } from "../format.js";
+import { atMostEvery } from "../shared/frame-pacer.js";
+import { fitSize } from "../shared/pan-zoom.js";
+import { startRange } from "../shared/range.js";
+import { startTransport, through } from "../shared/time-line.js";
 
 /**
  * @typedef {import("./tab.js").Comparing} Comparing
- * @typedef {import("../types").CompareView} CompareView
+ * @typedef {import("../types").ComparisonView} CompareView
  * @typedef {import("../types").RaceView} RaceView
  */
 
@@ -19,48 +23,35 @@ const DRIVEN = "Rank, coverage, and time when it is done. In the race the robot 
 /** @param {Comparing} it */
 export function startRace(it) {
   const { app, act } = it;
-  fill(select("race-speed"), app.catalogue.speeds.map((x) => [String(x), x === 0 ? "max" : `${x}×`]));
-  select("race-speed").addEventListener("change", () => act((c) => c.set_speed(Number(select("race-speed").value))));
   const isRunning = () => isMoving(it.view.race);
-  const toggle = () => act((c) => (isRunning() ? c.pause() : c.play()));
-  button("race-play").addEventListener("click", toggle);
-  button("race-step").addEventListener("click", () => act((c) => c.step()));
-  button("race-reset").addEventListener("click", () => act((c) => c.seek(0)));
-  const scrub = typed("race-scrub", HTMLInputElement);
-  let held = false;
-  scrub.addEventListener("pointerdown", () => (held = true));
-  for (const end of ["pointerup", "pointercancel", "blur"]) scrub.addEventListener(end, () => (held = false));
-  scrub.addEventListener("input", () => act((c) => c.seek(Number(scrub.value))));
-  /** @type {Record<string, () => boolean>} */
-  const keys = { " ": toggle, ".": () => act((c) => c.step()), r: () => act((c) => c.seek(0)) };
+  const transport = startTransport("race-", app.catalogue.speeds, {
+    toggle: () => act((c) => (isRunning() ? c.pause() : c.play())),
+    step: () => act((c) => c.step()),
+    reset: () => act((c) => c.seek(0)),
+    speed: (text) => act((c) => c.set_speed(Number(text))),
+  });
+  const showRange = startRange("race-scrub", (seconds) => act((c) => c.seek(seconds)));
+  const isDue = atMostEvery(REDRAW);
 
-  let size = "";
-  let drawn = 0;
   /** @param {CompareView} view */
   const update = (view) => {
     const { race } = view;
     setHidden(byId("race-hint"), Boolean(race && race.lanes.length > 0));
     setText(byId("race-hint"), hint(it));
     const who = race ? race.lanes.map(({ entrant }) => entrant).join(" ") : "";
-    if (changed(byId("lanes"), "who", who)) {
-      buildLanes(it, race);
-      size = "";
-    }
+    if (changed(byId("lanes"), "who", who)) buildLanes(it, race);
     if (race) updateLanes(it, race);
     const pane = byId("lanes").querySelector("canvas");
-    const now = pane ? `${pane.clientWidth} ${pane.clientHeight} ${devicePixelRatio}` : "";
-    if (pane && now !== size && pane.clientWidth > 0) {
-      size = now;
-      it.comparison.resize(pane.clientWidth, pane.clientHeight, devicePixelRatio);
-    }
-    updateBar(race, isRunning(), held);
-    const at = performance.now();
-    if (race && at - drawn > REDRAW && changed(byId("race-curves"), "extent", `${who} ${race.end_s} ${race.planned_s}`)) {
-      drawn = at;
-      drawCurves(it, race);
-    }
+    if (pane) fitSize(pane, it.comparison);
+    const can = Boolean(race);
+    transport.update({ play: can, step: can, reset: can }, isRunning(), race?.speed, "Start the race");
+    if (!race) return;
+    setText(byId("race-time"), clock(race.time_s));
+    showRange(rangeOf(race), race.state === "seeking" ? undefined : race.time_s);
+    if (!isRunning()) setAttribute(byId("race-scrub"), "aria-valuetext", clock(race.time_s));
+    if (isDue(() => changed(byId("race-curves"), "extent", `${who} ${race.end_s} ${race.planned_s}`))) drawCurves(it, race);
   };
-  return { update, key: (/** @type {string} */ key) => keys[key]?.() ?? false };
+  return { update, key: transport.key };
 }
 
 /** @param {Comparing} it */
@@ -76,7 +67,7 @@ function buildLanes({ app, comparison, about }, race) {
   const panes = (race?.lanes ?? []).map(({ entrant }) => {
     const planner = app.catalogue.planners[entrant];
     const name = make("button", { type: "button", className: "link", onclick: () => about(entrant) }, planner?.title ?? "");
-    return make("figure", {}, make("figcaption", {}, swatch(entrant), name, make("output", { "data-tip": DRIVEN })), make("canvas", { role: "img" }));
+    return make("figure", {}, make("figcaption", {}, swatch(planner?.mark), name, make("output", { "data-tip": DRIVEN })), make("canvas", { role: "img" }));
   });
   byId("lanes").replaceChildren(...panes);
   byId("lanes").dataset.count = String(panes.length);
@@ -104,33 +95,17 @@ function updateLanes({ app }, race) {
 /** @param {RaceView | null} race */
 const isMoving = (race) => ["playing", "seeking"].includes(race?.state ?? "");
 
-/** @param {RaceView | null} race @param {boolean} running @param {boolean} held Whether the time line is being dragged. */
-function updateBar(race, running, held) {
-  for (const id of ["race-play", "race-step", "race-reset"]) setEnabled(button(id), Boolean(race));
-  if (changed(button("race-play"), "running", running)) {
-    const name = running ? "Pause" : "Start the race";
-    button("race-play").setAttribute("aria-label", name);
-    button("race-play").title = `${name} (space)`;
-    byId("race-play-icon").setAttribute("href", running ? "#i-pause" : "#i-play");
-  }
-  if (!race) return;
-  if (changed(select("race-speed"), "speed", race.speed)) select("race-speed").value = String(race.speed);
-  setText(byId("race-time"), clock(race.time_s));
-  const scrub = typed("race-scrub", HTMLInputElement);
-  const range = Math.max(race.planned_s, race.end_s, 1);
-  if (changed(scrub, "max", range)) scrub.max = String(range);
-  if (!held && race.state !== "seeking") scrub.value = String(race.time_s);
-  if (!running) setAttribute(scrub, "aria-valuetext", clock(race.time_s));
-}
+/** What the time line spans, s. @param {RaceView} race */
+const rangeOf = (race) => Math.max(race.planned_s, race.end_s, 1);
 
 /** Coverage over time of every robot. @param {Comparing} it @param {RaceView} race */
-function drawCurves({ comparison }, race) {
-  const range = Math.max(race.planned_s, race.end_s, 1);
+function drawCurves({ app, comparison }, race) {
+  const range = rangeOf(race);
   const lines = race.lanes.map(({ entrant }, index) => {
     const curve = comparison.coverage_curve(index);
-    let path = "M0 99.5";
-    for (let i = 0; i + 1 < curve.length; i += 2) path += `L${((1000 * (curve[i] ?? 0)) / range).toFixed(1)} ${(99.5 - 99 * (curve[i + 1] ?? 0)).toFixed(1)}`;
-    return `<path d="${path}" data-colour="${entrant % 8}" data-shape="${Math.floor(entrant / 8)}"/>`;
+    const points = Array.from({ length: curve.length / 2 }, (_, i) => /** @type {[number, number]} */ ([(1000 * (curve[2 * i] ?? 0)) / range, 99.5 - 99 * (curve[2 * i + 1] ?? 0)]));
+    const mark = app.catalogue.planners[entrant]?.mark;
+    return `<path d="${through([[0, 99.5], ...points])}" data-colour="${mark?.colour}" data-shape="${mark?.shape}"/>`;
   });
   byId("race-curves").innerHTML = `<path class="grid-line" d="M0 .5H1000M0 50H1000M0 99.5H1000"/>${lines.join("")}`;
 }

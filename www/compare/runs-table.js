@@ -4,7 +4,7 @@ import { byId, make } from "../dom.js";
 import { clock, count, metres, percent } from "../format.js";
 
 /**
- * @typedef {import("../types").RunsSummary} Summary
+ * @typedef {import("../types").Summary} Summary
  * @typedef {{ title: string, explores: boolean, mark: HTMLElement, summary: Summary | null, failure: string }} Row
  */
 

@@ -13,7 +13,7 @@ import { startRace } from "./race.js";
 import { startRuns } from "./montecarlo.js";
 
 /**
- * @typedef {import("../types").CompareView} CompareView
+ * @typedef {import("../types").ComparisonView} CompareView
  * @typedef {import("../main.js").App} App
  * @typedef {object} Comparing What the modules of this tab share.
  * @property {App} app
@@ -139,7 +139,7 @@ function startSetup(it) {
   fold();
   small.addEventListener("change", fold);
   const items = planners.map((planner, index) =>
-    entrantItem(planner, swatch(index), "in", {
+    entrantItem(planner, swatch(planner.mark), "in", {
       choose: (takesPart) => act((c) => c.choose(planner.id, takesPart)),
       setParam: (param, text) => act((c) => c.set_param(planner.id, param, text)),
       about: () => it.about(index),

@@ -4,7 +4,7 @@ import { byId, changed, make, setAttribute, setEnabled, setHidden, setText } fro
 import { draw } from "../portrait.js";
 import { keep, kept } from "./dialogs.js";
 
-/** @typedef {import("./types").CalibrationKind} Kind */
+/** @typedef {import("./types").Calibration} Kind */
 
 /** @type {{ what: Kind, title: string, text: string, room: string, path: string }[]} */
 const STEPS = [

@@ -95,9 +95,9 @@ export class ConnectionClient {
 
   /** Brings the worker's copy of room and settings up to date; to be done before a virtual robot and before a ride.
    * @param {import("./types").Followed} followed @returns {Promise<boolean>} */
-  async follow(followed) {
+  async follow({ snapshot, algorithm }) {
     this.#revive();
-    return (await this.#ask({ type: "follow", id: 0, followed })) === true;
+    return (await this.#ask({ type: "follow", id: 0, snapshot, algorithm })) === true;
   }
 
   /** Says whether it was done. @param {import("./types").Request} request @returns {Promise<boolean>} */

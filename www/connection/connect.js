@@ -13,7 +13,7 @@ const URL_KEPT = "connection-bridge";
 /** @param {ConnectionTab} it @returns {(view: ConnectionView) => void} */
 export function startConnect(it) {
   const can = support();
-  const personalities = /** @type {import("./types").Personality[]} */ (VirtualRobot.personalities());
+  const personalities = VirtualRobot.personalities();
   const choice = select("connection-personality");
   fill(choice, personalities.map(({ id, title }) => [id, title]));
   const describe = () => setText(byId("connection-personality-note"), personalities.find(({ id }) => id === choice.value)?.summary ?? "");

@@ -1,16 +1,19 @@
 // @ts-check
 // A recorded session once more: shown as it was, with nothing to be driven.
 import { Replay } from "../../workshop.js";
-import { button, byId, changed, fill, input, select, setHidden, setText } from "../dom.js";
+import { button, byId, changed, input, select, setHidden, setText } from "../dom.js";
 import { clock } from "../format.js";
 import { textOf } from "../messages.js";
+import { atMostEvery } from "../shared/frame-pacer.js";
+import { startRange } from "../shared/range.js";
+import { fillSpeeds } from "../shared/time-line.js";
 
 /** Milliseconds between views. */
 const PAUSE = 50;
 /** Largest file that is read, bytes: some hours. */
 const MOST = 200e6;
-/** @type {[string, string][]} */
-const SPEEDS = [["1", "1×"], ["4", "4×"], ["16", "16×"]];
+/** Times real time. */
+const SPEEDS = [1, 4, 16];
 
 /**
  * @param {import("./tab.js").ConnectionTab} it
@@ -23,13 +26,13 @@ const SPEEDS = [["1", "1×"], ["4", "4×"], ["16", "16×"]];
  * @param {() => void} to.closed Nothing is shown any more.
  */
 export function startReplay(it, to) {
-  const [file, at, play, speed] = [input("replay-file"), input("replay-at"), button("replay-play"), select("replay-speed")];
-  fill(speed, SPEEDS);
+  const [file, play, speed] = [input("replay-file"), button("replay-play"), select("replay-speed")];
+  fillSpeeds(speed, SPEEDS);
   /** @type {Replay | undefined} */
   let replay;
   let isPlaying = false;
   let last = 0;
-  let shown = 0;
+  const isDue = atMostEvery(PAUSE);
 
   button("replay-open").addEventListener("click", () => file.click());
   file.addEventListener("change", async () => {
@@ -42,7 +45,6 @@ export function startReplay(it, to) {
       end();
       [replay, isPlaying] = [read, true];
       to.settle();
-      at.max = String(read.duration_s());
       setHidden(byId("replay"), false);
       last = performance.now();
       look();
@@ -55,7 +57,6 @@ export function startReplay(it, to) {
     isPlaying = !isPlaying;
     if (isPlaying && replay && replay.time_s() >= replay.duration_s()) go(0);
   });
-  at.addEventListener("input", () => go(at.valueAsNumber));
 
   /** @param {number} time */
   const go = (time) => {
@@ -64,13 +65,14 @@ export function startReplay(it, to) {
     replay.advance(time);
     look();
   };
+  const showRange = startRange("replay-at", go);
   const look = () => {
     if (!replay) return;
     to.follow(replay.take_trace());
-    to.show({ .../** @type {import("./types").ConnectionState} */ (replay.view()), virtual: null });
-    to.traffic(/** @type {import("./types").Traffic[]} */ (replay.take_traffic()));
+    to.show({ ...replay.view(), virtual: null });
+    to.traffic(replay.take_traffic());
     const [now, all] = [replay.time_s(), replay.duration_s()];
-    if (document.activeElement !== at || isPlaying) at.value = String(now);
+    showRange(all, now);
     setText(byId("replay-time"), `${clock(now)} of ${clock(all)}`);
   };
   /** Says whether there was one. */
@@ -95,9 +97,8 @@ export function startReplay(it, to) {
         if (replay.time_s() >= replay.duration_s()) isPlaying = false;
       }
       setText(play, isPlaying ? "Pause" : "Play");
-      if (!changed(play, "playing", isPlaying) && (!isPlaying || now - shown < PAUSE)) return;
-      shown = now;
-      look();
+      const isOther = changed(play, "playing", isPlaying);
+      if (isDue(() => isOther || isPlaying, isOther)) look();
     },
   };
 }

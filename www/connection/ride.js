@@ -24,7 +24,7 @@ export function startRide(it) {
   fill(odometry, ODOMETRIES);
   setAttribute(byId("connection-odometry-field"), "data-tip", `${ODOMETRY_TIP} Calibration applies to counts; the packets use the robot's own figures.`);
   odometry.addEventListener("change", async () => {
-    if (!(await it.request({ do: "odometry", model: odometry.value }))) odometry.value = it.view.odometry;
+    if (!(await it.request({ do: "odometry", model: /** @type {import("../types").OdometryModel} */ (odometry.value) }))) odometry.value = it.view.odometry;
   });
 
   /** Who waits for a plan. @type {((worked: boolean) => void) | undefined} */

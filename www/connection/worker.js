@@ -47,10 +47,11 @@ function pump() {
   if (line?.view.state !== "open") return connection.discard();
   while (!isChanging) {
     const wanted = connection.take_line();
-    const bytes = wanted ? undefined : connection.take_tx();
-    if (!wanted && !bytes?.length) return;
-    if (bytes) line.write(bytes);
-    else if ("brc" in wanted) line.setBrc(wanted.brc).catch(broke);
+    if (!wanted) {
+      const bytes = connection.take_tx();
+      if (!bytes.length) return;
+      line.write(bytes);
+    } else if ("brc" in wanted) line.setBrc(wanted.brc).catch(broke);
     else changeBaud(wanted.baud);
   }
 }
@@ -162,11 +163,11 @@ async function answer(message) {
   } else if (message.type === "ride") {
     attempt(() => connection.ride(now(), mirror, message.corners));
   } else if (message.type === "follow") {
-    const { link: session, version, scenario } = message.followed;
-    if (mirror.is_behind(session, version)) {
+    const { snapshot, algorithm } = message;
+    if (mirror.is_behind(snapshot, algorithm)) {
       // Laying out a room takes its time, in which nobody minds the wheels. Nor is that the page's silence.
       safely(() => connection.pause(now()));
-      attempt(() => mirror.follow(session, version, scenario));
+      attempt(() => mirror.follow(snapshot, algorithm));
       safely(() => connection.beat(now()));
     }
   } else {

@@ -2,6 +2,7 @@
 // The list of events: what happened to the robot, latest first; each leads back to its time.
 import { byId, changed, make, setHidden, setText } from "../dom.js";
 import { clock } from "../format.js";
+import { atMostEvery } from "../shared/frame-pacer.js";
 
 /**
  * @typedef {{ time: number, text: string, felt: boolean }} Entry
@@ -13,14 +14,14 @@ const MOST = 100;
 /** Milliseconds between changes of the list: nobody reads faster. */
 const PAUSE = 250;
 
-/** @param {import("../main.js").App} app @returns {(view: import("../types").View) => void} */
+/** @param {import("../main.js").App} app @returns {(view: import("../types").PageView) => void} */
 export function startEvents(app) {
   const list = byId("events");
   /** @type {Line[]} */
   const lines = [];
   /** @type {Entry[]} */
   let entries = [];
-  let written = 0;
+  const isDue = atMostEvery(PAUSE);
 
   const add = () => {
     const [time, text] = [make("span", { className: "when" }), make("span", { className: "what" })];
@@ -36,12 +37,10 @@ export function startEvents(app) {
   };
 
   return (view) => {
-    const now = performance.now();
     // Whoever points at a line wants to hit it.
     const held = view.state === "playing" && list.matches(":hover, :focus-within");
     const key = `${view.diary} ${view.run_end_s < (entries[0]?.time ?? 0)} ${view.state === "playing" || view.time_s}`;
-    if (held || now - written < PAUSE || !list.checkVisibility() || !changed(list, "entries", key)) return;
-    written = now;
+    if (held || !isDue(() => list.checkVisibility() && changed(list, "entries", key))) return;
     entries = merged(entries, read(app.playground.diary()), view);
     while (lines.length < entries.length) add();
     lines.forEach(({ item, time, text }, index) => {
@@ -64,7 +63,7 @@ function read(flat) {
   return entries;
 }
 
-/** What is known from before of the time ahead, when time was wound back, and what there is. @param {Entry[]} known @param {Entry[]} entries @param {import("../types").View} view */
+/** What is known from before of the time ahead, when time was wound back, and what there is. @param {Entry[]} known @param {Entry[]} entries @param {import("../types").PageView} view */
 function merged(known, entries, view) {
   const ahead = known.filter(({ time }) => time > view.time_s + 0.001 && time <= view.run_end_s);
   const latest = entries[0]?.time ?? -1;

@@ -14,7 +14,7 @@ const KEYS = [
   ["new", "New", "The new connections between the parts.", 1],
 ];
 
-/** @param {import("../main.js").App} app @returns {Promise<(view: import("../types").View) => void>} */
+/** @param {import("../main.js").App} app @returns {Promise<(view: import("../types").PageView) => void>} */
 export async function startFilm(app) {
   await style(new URL("./film.css", import.meta.url).href);
   button("film-back").addEventListener("click", () => app.act((p) => p.turn_film(false)));

@@ -4,7 +4,7 @@ import { byId, typed } from "../dom.js";
 import { updateFolds } from "./view.js";
 
 /**
- * @typedef {import("../types").View} View
+ * @typedef {import("../types").PageView} View
  * @typedef {(view: View) => void} Update
  * @typedef {{ begin: (view: View) => Promise<void>, update: Update }} Later
  */

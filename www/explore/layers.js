@@ -2,7 +2,7 @@
 // The menu of what is shown on the floor.
 import { button, byId } from "../dom.js";
 
-/** @param {import("../main.js").App} app @returns {(view: import("../types").View) => void} */
+/** @param {import("../main.js").App} app @returns {(view: import("../types").PageView) => void} */
 export function startLayers(app) {
   const menu = byId("layers");
   const opener = button("layers-open");

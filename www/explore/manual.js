@@ -6,7 +6,7 @@ import { style } from "../parts.js";
 
 /** @typedef {import("../main.js").App} App */
 
-/** @param {App} app @returns {Promise<(view: import("../types").View) => void>} */
+/** @param {App} app @returns {Promise<(view: import("../types").PageView) => void>} */
 export async function startManual(app) {
   await style(new URL("../manual.css", import.meta.url).href);
   const [floor, pad, knob] = [byId("floor"), byId("pad"), button("knob")];

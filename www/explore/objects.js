@@ -4,7 +4,7 @@ import { byId, setHidden } from "../dom.js";
 
 /**
  * @typedef {import("../main.js").App} App
- * @typedef {import("../types").View} View
+ * @typedef {import("../types").PageView} View
  */
 
 /** What keys do with the selected object. @type {Record<string, string>} */

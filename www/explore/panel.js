@@ -5,8 +5,8 @@ import { explainer } from "../explainer.js";
 import { paramField } from "../params.js";
 
 /**
- * @typedef {import("../types").View} View
- * @typedef {import("../types").AlgorithmEntry} AlgorithmEntry
+ * @typedef {import("../types").PageView} View
+ * @typedef {import("../types").CatalogueEntry} AlgorithmEntry
  * @typedef {import("../main.js").App} App
  * @typedef {(control: HTMLElement, value: string) => void} Show
  */
@@ -44,7 +44,7 @@ export function startPanel(app) {
   bind("slip", (p, id) => p.set_slip(id));
   bind("noise", (p, level) => p.set_noise("all", level));
   input("quantised").addEventListener("change", () => change((p) => p.set_quantised(input("quantised").checked)));
-  const noises = sensors.map((sensor) => noiseMenu(sensor, (level) => change((p) => p.set_noise(sensor, level))));
+  const noises = sensors.map(([sensor, title]) => noiseMenu(title, (level) => change((p) => p.set_noise(sensor, level))));
   byId("noises").replaceChildren(...noises.map(({ field }) => field));
   bind("odometry", (p, id) => p.set_odometry(id));
   bind("seed", (p, text) => p.set_seed(seed(text)));
@@ -114,16 +114,12 @@ function group(label, entries) {
   return make("optgroup", { label }, ...entries.map(({ id, title }) => make("option", { value: id }, title)));
 }
 
-/** The field for the noise of one kind of sensor. @param {string} sensor @param {(level: string) => void} tell */
-function noiseMenu(sensor, tell) {
+/** The field for the noise of one kind of sensor. @param {string} title @param {(level: string) => void} tell */
+function noiseMenu(title, tell) {
   const menu = make("select", { onchange: () => tell(menu.value) });
   fill(menu, ["off", "typical", "harsh"].map((level) => [level, level]));
-  const name = NOISY[sensor] ?? sensor;
-  return { menu, field: make("label", { className: "field inline" }, make("span", { className: "label" }, name), menu) };
+  return { menu, field: make("label", { className: "field inline" }, make("span", { className: "label" }, title), menu) };
 }
-
-/** @type {Record<string, string>} */
-const NOISY = { bumper: "Bumper", cliff: "Cliff sensors", light: "Light bumper", infrared: "Infrared", dirt: "Dirt", laser: "Laser", battery: "Battery gauge" };
 
 /** @param {View} view @param {Show} show */
 function showRealism({ slip, noise, quantised }, show) {

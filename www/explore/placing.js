@@ -3,7 +3,7 @@
 import { byId, changed, fill, select, setAttribute, setEnabled, setHidden, setText } from "../dom.js";
 import { style, text } from "../parts.js";
 
-/** @param {import("../main.js").App} app @returns {Promise<(view: import("../types").View) => void>} */
+/** @param {import("../main.js").App} app @returns {Promise<(view: import("../types").PageView) => void>} */
 export async function startPlacing(app) {
   const [fragment] = await Promise.all([text(new URL("./placing.html", import.meta.url)), style(new URL("./placing.css", import.meta.url).href)]);
   byId("placing").innerHTML = fragment;

@@ -1,10 +1,12 @@
 // @ts-check
 // Play, step, speed, and the time line whose scrubber is the curve of coverage over time.
-import { button, byId, changed, fill, make, select, setAttribute, setEnabled, setText } from "../dom.js";
+import { byId, changed, setAttribute, setText } from "../dom.js";
 import { clock, percent } from "../format.js";
+import { atMostEvery } from "../shared/frame-pacer.js";
+import { startTimeLine, startTransport, through } from "../shared/time-line.js";
 
 /**
- * @typedef {import("../types").View} View
+ * @typedef {import("../types").PageView} View
  * @typedef {import("../main.js").App} App
  */
 
@@ -15,55 +17,34 @@ const MOST_POINTS = 400;
 /** Milliseconds between redraws of the curve while it grows. */
 const REDRAW = 200;
 
-/** @param {App} app @returns {(view: View) => void} */
+/** @param {App} app @returns {{ update(view: View): void, key(key: string): boolean }} */
 export function startPlaybar(app) {
   const { act, catalogue } = app;
-  fill(select("speed"), catalogue.speeds.map((x) => [String(x), x === 0 ? "max" : `${x}×`]));
-  select("speed").disabled = false;
-  select("speed").addEventListener("change", () => act((p) => p.set_speed(Number(select("speed").value))));
-
-  button("play").addEventListener("click", () => {
-    const { can } = app.view;
-    if (can.pause) act((p) => p.pause());
-    else if (can.play) act((p) => p.play());
+  const transport = startTransport("", catalogue.speeds, {
+    toggle: () => act((p) => (app.view.can.pause ? p.pause() : p.play())),
+    step: () => act((p) => p.step()),
+    reset: () => act((p) => p.reset()),
+    speed: (text) => act((p) => p.set_speed(Number(text))),
   });
-  button("step").addEventListener("click", () => app.view.can.step && act((p) => p.step()));
-  button("reset").addEventListener("click", () => app.view.can.reset && act((p) => p.reset()));
-  startScrubber(app);
+  const look = () => ({ at: app.view.time_s, end: app.view.run_end_s, range: rangeOf(app.view), canSeek: app.view.can.seek });
+  const showTime = startTimeLine("", look, (seconds) => act((p) => p.seek(seconds)));
+  const isDue = atMostEvery(REDRAW);
 
-  let drawn = 0;
-  return (view) => {
-    const { can } = view;
-    setEnabled(button("play"), can.play || can.pause);
-    setEnabled(button("step"), can.step);
-    setEnabled(button("reset"), can.reset);
-    if (changed(button("play"), "pausing", can.pause)) {
-      const name = can.pause ? "Pause" : "Play";
-      button("play").setAttribute("aria-label", name);
-      button("play").title = `${name} (space)`;
-      byId("play-icon").setAttribute("href", can.pause ? "#i-pause" : "#i-play");
-    }
-    if (changed(select("speed"), "speed", view.speed)) select("speed").value = String(view.speed);
-
-    const range = rangeOf(view);
-    const now = performance.now();
-    const extent = `${view.run_end_s} ${range} ${view.plan?.coverage} ${view.algorithm}`;
-    if (now - drawn > REDRAW && changed(byId("curve-line"), "extent", extent)) {
-      drawn = now;
-      drawCurve(app.playground.coverage_curve(), range, view);
-      if (view.kind === "behaviour") setText(byId("timeline-plan"), openEnd(app));
-      drawTicks(range);
-    }
-    const scrubber = byId("scrubber");
-    scrubber.style.setProperty("--at", String(view.time_s / range));
-    byId("playhead").style.setProperty("--coverage", String(view.coverage));
-    setAttribute(scrubber, "aria-valuemax", String(Math.floor(view.run_end_s)));
-    // Read aloud at every change, so only while it stands still or is moved by hand.
-    if (view.state !== "playing" || document.activeElement !== scrubber) {
-      setAttribute(scrubber, "aria-valuenow", String(Math.floor(view.time_s)));
-      setAttribute(scrubber, "aria-valuetext", `${clock(view.time_s)}, ${percent(view.coverage)} % covered`);
-    }
-    setAttribute(scrubber, "aria-disabled", String(!can.seek));
+  return {
+    update(view) {
+      const { can } = view;
+      transport.update({ ...can, play: can.play || can.pause }, can.pause, view.speed);
+      const range = rangeOf(view);
+      const extent = `${view.run_end_s} ${range} ${view.plan?.coverage} ${view.algorithm}`;
+      if (isDue(() => changed(byId("curve-line"), "extent", extent))) {
+        drawCurve(app.playground.coverage_curve(), range, view);
+        if (view.kind === "behaviour") setText(byId("timeline-plan"), openEnd(app));
+      }
+      byId("playhead").style.setProperty("--coverage", String(view.coverage));
+      // Read aloud at every change, so only while it stands still or is moved by hand.
+      showTime(view.state === "playing" && document.activeElement === byId("scrubber"), `${clock(view.time_s)}, ${percent(view.coverage)} % covered`);
+    },
+    key: transport.key,
   };
 }
 
@@ -79,13 +60,13 @@ const openRange = (end) => SPANS.find((span) => end <= 0.95 * span) ?? Math.ceil
 /** @param {Float64Array} curve @param {number} range @param {View} view */
 function drawCurve(curve, range, view) {
   const stride = 2 * Math.max(1, Math.ceil(curve.length / 2 / MOST_POINTS));
-  const x = (/** @type {number} */ t) => ((t / range) * WIDTH).toFixed(1);
-  const y = (/** @type {number} */ share) => (100 - 99 * share).toFixed(2);
-  let line = `M0 ${y(0)}`;
-  for (let i = 0; i + 1 < curve.length; i += stride) line += `L${x(curve[i] ?? 0)} ${y(curve[i + 1] ?? 0)}`;
-  const end = curve.length >= 2 ? (curve[curve.length - 2] ?? 0) : 0;
-  const reached = curve.length >= 2 ? (curve[curve.length - 1] ?? 0) : 0;
-  line += `L${x(end)} ${y(reached)}`;
+  const x = (/** @type {number} */ t) => (t / range) * WIDTH;
+  const y = (/** @type {number} */ share) => 100 - 99 * share;
+  /** @type {[x: number, y: number][]} */
+  const points = [[0, 100]];
+  for (let i = 0; i + 1 < curve.length; i += stride) points.push([x(curve[i] ?? 0), y(curve[i + 1] ?? 0)]);
+  const [end, reached] = [curve.at(-2) ?? 0, curve.at(-1) ?? 0];
+  const line = through([...points, [x(end), y(reached)]]);
   setAttribute(byId("curve-line"), "d", line);
   setAttribute(byId("curve-area"), "d", `${line}V100H0Z`);
   const { plan } = view;
@@ -100,59 +81,4 @@ function openEnd({ catalogue, view }) {
   const entry = catalogue.behaviours.find(({ id }) => id === view.algorithm);
   if (entry?.manual) return "no plan: you drive";
   return entry?.ends ? "no plan: stops by itself" : "no plan: runs until you pause";
-}
-
-/** @param {number} range */
-function drawTicks(range) {
-  if (!changed(byId("ticks"), "range", range)) return;
-  const steps = [1, 2, 5, 10, 20, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 18000, 36000, 86400];
-  const step = steps.find((s) => range / s <= 6) ?? range;
-  const ticks = [];
-  for (let t = 0; t < range * 0.97; t += step) {
-    const tick = make("span", {}, clock(t));
-    tick.style.setProperty("--at", String(t / range));
-    ticks.push(tick);
-  }
-  byId("ticks").replaceChildren(...ticks);
-}
-
-/** @param {App} app */
-function startScrubber(app) {
-  const scrubber = byId("scrubber");
-  /** @param {number} seconds */
-  const seek = (seconds) => {
-    if (app.view.can.seek) app.act((p) => p.seek(Math.max(0, Math.min(seconds, app.view.run_end_s))));
-  };
-  /** @param {PointerEvent} event */
-  const seekTo = (event) => {
-    const box = scrubber.getBoundingClientRect();
-    seek(((event.clientX - box.left) / box.width) * rangeOf(app.view));
-  };
-  scrubber.addEventListener("pointerdown", (event) => {
-    if (event.button !== 0) return;
-    scrubber.setPointerCapture(event.pointerId);
-    seekTo(event);
-  });
-  scrubber.addEventListener("pointermove", (event) => {
-    if (scrubber.hasPointerCapture(event.pointerId)) seekTo(event);
-  });
-  scrubber.addEventListener("keydown", (event) => {
-    const { time_s, run_end_s } = app.view;
-    const small = Math.max(1, rangeOf(app.view) / 200);
-    /** @type {Record<string, number>} */
-    const targets = {
-      ArrowLeft: time_s - small,
-      ArrowDown: time_s - small,
-      ArrowRight: time_s + small,
-      ArrowUp: time_s + small,
-      PageDown: time_s - 10 * small,
-      PageUp: time_s + 10 * small,
-      Home: 0,
-      End: run_end_s,
-    };
-    const target = targets[event.key];
-    if (target === undefined || event.ctrlKey || event.metaKey || event.altKey) return;
-    event.preventDefault();
-    seek(target);
-  });
 }

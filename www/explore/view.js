@@ -3,10 +3,11 @@
 import { button, byId, changed, make, setAttribute, setEnabled, setHidden, setText, typed } from "../dom.js";
 import { clock, count, metres, pace, percent, smallLength, took } from "../format.js";
 import { updateMessage } from "../messages.js";
+import { atMostEvery } from "../shared/frame-pacer.js";
 
 /**
- * @typedef {import("../types").View} View
- * @typedef {import("../types").PlanNumbers} Plan
+ * @typedef {import("../types").PageView} View
+ * @typedef {import("../types").PlanView} Plan
  * @typedef {{ label: string, tip: string | ((v: View) => string), plan?: (p: Plan) => string, run?: (v: View) => string, when?: (v: View) => boolean }} Metric
  */
 
@@ -64,8 +65,8 @@ byId("metrics-plan").append(...PLAN_METRICS.map((metric) => row(metric, true)));
 /** Where fingers point there is hardly a keyboard. */
 const HAS_KEYS = !matchMedia("(hover: none)").matches;
 
-/** When the picture was last put into words. */
-let narrated = -Infinity;
+/** Whether it is time to put the picture into words. */
+const mayNarrate = atMostEvery(4000);
 
 /** @param {import("../main.js").App} app */
 export function updateView({ view, playground }) {
@@ -91,12 +92,10 @@ export function updateView({ view, playground }) {
   updatePlanning(view);
   updateTools(view);
 
-  const now = performance.now();
   // While time stands still the search changes only by a step or a scrub, which should be told at once.
   const decision = ["playing", "planning", "seeking"].includes(view.state) ? "" : view.search.text;
   const news = [changed(byId("floor"), "state", view.state), changed(byId("floor"), "decision", decision)];
-  if (news.includes(true) || now - narrated > 4000) {
-    narrated = now;
+  if (mayNarrate(undefined, news.includes(true))) {
     const text = playground.description();
     setAttribute(byId("floor"), "aria-label", text);
     // Read aloud only when something comes to an end, not all the time.

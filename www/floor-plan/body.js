@@ -3,7 +3,7 @@
 import { byId, input, make, select, setAttribute, setHidden, setText } from "../dom.js";
 import { onNumber, plain, showValue } from "./fields.js";
 
-/** @typedef {import("./types").Body} Body */
+/** @typedef {import("./types").BodyChoice} Body */
 
 /** Figures of each kind of outline, m. @type {Record<string, [key: string, label: string][]>} */
 const FIGURES = { circle: [["radius", "Radius"]], rectangle: [["length", "Length"], ["width", "Width"]], octagon: [["width", "Width"]] };

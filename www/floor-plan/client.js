@@ -24,7 +24,7 @@ export class FloorPlanClient {
   onbroken = () => {};
   /** What was on the board is to be asked for again. @type {(request: Request) => void} */
   onrestore = () => {};
-  /** What the board last had. @type {{ files: File[], settings: import("./types").Settings } | undefined} */
+  /** What the board last had. @type {{ files: File[], settings: import("./types").FloorPlanSettings } | undefined} */
   #good;
   /** Breaks since the board last did what somebody asked of it. */
   #breaks = 0;

@@ -8,7 +8,7 @@ import { complain, toast } from "../messages.js";
 /**
  * @typedef {import("./tab.js").FloorPlanTab} FloorPlanTab
  * @typedef {{ format: number, files: File[] }} KeptFiles
- * @typedef {{ format: number, settings: import("./types").Settings, sweeps: boolean, stage: number }} KeptChoices
+ * @typedef {{ format: number, settings: import("./types").FloorPlanSettings, sweeps: boolean, stage: number }} KeptChoices
  * @typedef {{ why: string, files: unknown, choices: unknown }} Aside What can't come back, as far as it can't.
  */
 

@@ -21,8 +21,8 @@ import { startWalls } from "./walls.js";
  * @property {FloorPlanClient} client
  * @property {FloorPlanView | undefined} view The latest view; none while the board is empty.
  * @property {(request: import("./types").Request, doing: string, refused?: (why: string) => void) => Promise<{ result: unknown } | undefined>} ask Nothing if it was refused, which is told, or cancelled.
- * @property {() => import("./types").Settings | undefined} wanted What is chosen, with what is still on its way to the board.
- * @property {(change: Partial<import("./types").Settings>) => Promise<unknown>} set Chooses.
+ * @property {() => import("./types").FloorPlanSettings | undefined} wanted What is chosen, with what is still on its way to the board.
+ * @property {(change: Partial<import("./types").FloorPlanSettings>) => Promise<unknown>} set Chooses.
  * @property {(sweeps: boolean) => Promise<void>} use Makes the floor plan the room of Explore.
  * @property {(withFocus: boolean) => void} toCanvas Closes the sheet over the canvas; may go there by keyboard too.
  */
@@ -53,7 +53,7 @@ export function startFloorPlan(app, module) {
     }, PATIENCE_MS);
   };
 
-  /** What was chosen and isn't answered. @type {Partial<import("./types").Settings>} */
+  /** What was chosen and isn't answered. @type {Partial<import("./types").FloorPlanSettings>} */
   let chosen = {};
   /** Files that are being opened: what is chosen meanwhile was meant for those before. */
   let opening = 0;
@@ -113,10 +113,10 @@ export function startFloorPlan(app, module) {
   };
 
   const updates = [startFacts, startScale, startLayers, startWalls, startBody, startSweep].map((begin) => begin(it));
-  const sized = startCanvas(it);
+  const picture = startCanvas(it);
   const keeping = startKeeping(it);
   client.onstart = (canvas) => {
-    sized(canvas);
+    picture.onStage(canvas);
     client.say({ type: "dark", dark: isDark });
   };
   client.onview = (view) => {
@@ -151,14 +151,7 @@ export function startFloorPlan(app, module) {
     frame() {
       return { message: "", message_kind: "" };
     },
-    /** @param {string} key */
-    key(key) {
-      if (key === "0") client.say({ type: "fit" });
-      else if (key === "+" || key === "=") client.say({ type: "middle", factor: 1.25 });
-      else if (key === "-") client.say({ type: "middle", factor: 0.8 });
-      else return false;
-      return true;
-    },
+    key: picture.key,
     link: () => "tab=floor-plan",
     restore() {},
     /** @param {boolean} dark */

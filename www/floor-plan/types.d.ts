@@ -1,87 +1,13 @@
-// Shapes of what crosses between the page, the worker of the tab Floor plan and Rust (src/app/draft writes and reads them).
-
-export type Role = "wall" | "obstacle" | "ignored";
-export type Tool = "view" | "scale" | "rectangle" | "polygon" | "room";
-
-export type Body =
-  | { kind: "model"; id: string }
-  | { kind: "circle"; radius: number }
-  | { kind: "rectangle"; length: number; width: number }
-  | { kind: "octagon"; width: number }
-  | { kind: "polygon"; corners: string };
-
-/** The part of a drawing that is meant, in its unit. */
-export type Part =
-  | { kind: "whole" }
-  | { kind: "rectangle"; corners: [[number, number], [number, number]] }
-  | { kind: "polygon"; corners: [number, number][] }
-  | { kind: "room"; at: [number, number] };
-
-export type Settings = {
-  /** Metres per unit of the drawing, or per cell of a map. */
-  metre: number | null;
-  roles: Role[];
-  gap: number;
-  resolution: number;
-  part: Part;
-  shade: number;
-  negate: boolean;
-  body: Body;
-  scan_width: number | null;
-  cell: number;
-  headings: number;
-};
-
-/** Lengths in m, areas in m². */
-export type FloorPlanView = {
-  name: string;
-  kind: "drawing" | "image" | "map";
-  says_unit: boolean;
-  is_scalable: boolean;
-  size: string | null;
-  units: { name: string; metre: number; size: string }[];
-  layers: { name: string; colour: string; strokes: number; role: Role }[];
-  strokes: number;
-  left_out: string[];
-  settings: Settings;
-  room: { width_m: number; height_m: number; cells: [number, number]; floor_m2: number; resolution: number; objects: number; gaps: number } | null;
-  /** Open doors through which a room that was marked reaches on; what closing gaps up to `gap` would leave. */
-  doors: { count: number; gap: number; floor_m2: number } | null;
-  fault: string;
-  tool: Tool;
-  points: number;
-  is_measured: boolean;
-  measured_m: number | null;
-  body_width: number | null;
-  body: [number, number][];
-  body_fault: string;
-  sweep: SweepView | null;
-  /** How long the sweep took to be planned. */
-  seconds: number;
-  /** Stage of the sweep that is shown, 0 for none. */
-  stage: number;
-  /** Heading of the slice that is shown, -1 for none. */
-  slice: number;
-  words: string;
-};
-
-export type SweepView = {
-  /** All of them; left and right wall; left and right obstacle. */
-  subgoals: [number, number, number, number, number];
-  links: number;
-  collisions: number;
-  resolved: number;
-  length: number;
-  coverage: number;
-  scan_width: number;
-};
+// Messages between the page and the worker of the tab Floor plan. What comes from Rust is in ../types.d.ts.
+import type { DrawingTool, FloorPlanSettings, FloorPlanView } from "../types";
+export * from "../types";
 
 /** What the page wants to be answered. */
 export type Request =
   | { type: "open"; files: File[] }
   /** The floor plan may have been kept by another version, with other settings. */
-  | { type: "restore"; files: File[]; settings: Partial<Settings> }
-  | { type: "set"; settings: Partial<Settings> }
+  | { type: "restore"; files: File[]; settings: Partial<FloorPlanSettings> }
+  | { type: "set"; settings: Partial<FloorPlanSettings> }
   | { type: "scale"; metres: number }
   | { type: "sweep" }
   | { type: "slice"; heading: number }
@@ -90,7 +16,7 @@ export type Request =
 
 /** What the page just says. */
 export type Said =
-  | { type: "tool"; tool: Tool }
+  | { type: "tool"; tool: DrawingTool }
   | { type: "stages"; stages: number[]; moves: boolean }
   | { type: "pointer"; kind: string; x: number; y: number }
   | { type: "key"; action: string; fine: boolean }

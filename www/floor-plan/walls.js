@@ -29,7 +29,7 @@ export function startWalls(it) {
         it.client.say({ type: "tool", tool: "view" });
         return void it.set({ part: { kind: "whole" } });
       }
-      it.client.say({ type: "tool", tool: /** @type {import("./types").Tool} */ (part) });
+      it.client.say({ type: "tool", tool: /** @type {import("./types").DrawingTool} */ (part) });
       it.toCanvas(true);
     });
   }

@@ -1,15 +1,12 @@
 // @ts-check
 // The drawing board, away from the page: reads, traces, plans and draws. To cancel, the page ends this worker.
 import init, { FloorPlanSession } from "../../floor_plan.js";
+import { PANS } from "../shared/pan-zoom.js";
 
 /** How long a stage of the sweep takes to be shown, ms. */
 const STAGE_MS = 1600;
 /** From when on the view stands still, ms. */
 const REST_MS = 120;
-/** How far an arrow key moves the view, CSS pixels. */
-const KEY_PAN = 60;
-/** @type {Record<string, [number, number]>} */
-const PANS = { left: [KEY_PAN, 0], right: [-KEY_PAN, 0], up: [0, KEY_PAN], down: [0, -KEY_PAN] };
 
 /** @type {FloorPlanSession} */
 let session;
@@ -108,7 +105,7 @@ async function answer(request) {
 
 /** Does what the page says; whether more than the picture may have changed. @param {import("./types").Said} said */
 function hear(said) {
-  if (["pan", "zoom", "middle", "pointer", "key"].includes(said.type)) moved = performance.now();
+  if (["pan", "zoom", "pointer", "key"].includes(said.type)) moved = performance.now();
   switch (said.type) {
     case "tool":
       session.set_tool(said.tool);
@@ -129,8 +126,6 @@ function hear(said) {
       return void session.pan(said.dx, said.dy);
     case "zoom":
       return void session.zoom(said.x, said.y, said.factor);
-    case "middle":
-      return void session.zoom_middle(said.factor);
     case "fit":
       return void session.fit();
     case "resize":

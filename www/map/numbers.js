@@ -4,8 +4,8 @@ import { byId, make, setText } from "../dom.js";
 import { clock, percent } from "../format.js";
 
 /**
- * @typedef {import("./types").Figures} Figures
- * @typedef {import("./types").MapView} MapView
+ * @typedef {import("../types").MapErrorFigures} Figures
+ * @typedef {import("../types").MapView} MapView
  * @typedef {{ label: string, tip: string, of: (figures: Figures) => string }} Row
  */
 

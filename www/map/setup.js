@@ -35,7 +35,7 @@ export function startSetup(it) {
 
   /** @type {Map<string, HTMLElement[]>} */
   let controls = new Map();
-  /** @param {import("../types").AlgorithmEntry} entry */
+  /** @param {import("../types").CatalogueEntry} entry */
   const build = (entry) => {
     controls = new Map();
     // How it keeps track is chosen for all of them, below.
@@ -50,7 +50,7 @@ export function startSetup(it) {
     byId("map-explainer-text").replaceChildren(...explainer(entry, it.app.catalogue.rooms, (room) => void it.app.act((p) => p.select_room(room))).filter(isAboutIt));
   };
 
-  /** @param {import("./types").MapView} view */
+  /** @param {import("../types").MapView} view */
   return (view) => {
     for (const [id, , name] of MENUS) {
       const node = select(id);

@@ -4,6 +4,7 @@ import { MapSession, SessionMirror } from "../../workshop.js";
 import { byId, changed, setAttribute, setHidden, setText, typed } from "../dom.js";
 import { complain, textOf } from "../messages.js";
 import { startMirror } from "../session-mirror.js";
+import { atMostEvery } from "../shared/frame-pacer.js";
 import { startSheets } from "../sheets.js";
 import { startCanvas } from "./canvas.js";
 import { startKeeping } from "./keep.js";
@@ -13,12 +14,12 @@ import { startSetup } from "./setup.js";
 import { startUses } from "./uses.js";
 
 /**
- * @typedef {import("./types").MapView} MapView
+ * @typedef {import("../types").MapView} MapView
  * @typedef {object} MapTab What the modules of this tab share.
  * @property {import("../main.js").App} app
  * @property {MapSession} session
  * @property {MapView} view The latest view.
- * @property {import("../types").AlgorithmEntry[]} explorers
+ * @property {import("../types").CatalogueEntry[]} explorers
  * @property {[string, string][]} cleaners Planners of what is left.
  * @property {(what: (session: MapSession) => void) => boolean} act Does something that may fail; says whether it worked.
  * @property {(key: string, value: string) => boolean} set Chooses.
@@ -28,7 +29,7 @@ import { startUses } from "./uses.js";
 /** Name of what is stored of choices. */
 const CHOICES = "map-choices";
 /** Milliseconds between descriptions in words. */
-const TOLD_EVERY = 4000;
+const PAUSE = 4000;
 
 /** @param {import("../main.js").App} app */
 export function startMap(app) {
@@ -54,10 +55,11 @@ export function startMap(app) {
   };
   const keeping = startKeeping(it);
   const picture = startCanvas(it, canvas);
-  const updates = [startSetup, startPlaybar, startNumbers].map((begin) => begin(it));
+  const playbar = startPlaybar(it);
+  const updates = [startSetup(it), playbar.update, startNumbers(it)];
   const uses = startUses(it, keeping);
   startSheets(byId("panel-map"), canvas);
-  let told = 0;
+  const isDue = atMostEvery(PAUSE);
   let last = 0;
 
   return {
@@ -74,8 +76,7 @@ export function startMap(app) {
       uses.update(view);
       picture.update(view);
       show(view);
-      if (changed(canvas, "phase", view.phase) || now - told > TOLD_EVERY) {
-        told = now;
+      if (isDue(undefined, changed(canvas, "phase", view.phase))) {
         const words = session.description();
         setAttribute(canvas, "aria-label", words);
         // A live region: while it drives, not more often than someone listens.
@@ -84,7 +85,7 @@ export function startMap(app) {
       return { message: view.complaint, message_kind: view.complaint ? "error" : "" };
     },
     /** @param {string} key */
-    key: (key) => picture.key(key),
+    key: (key) => picture.key(key) || playbar.key(key),
     link() {
       const link = session.link();
       remember(link);

@@ -91,7 +91,7 @@ export function startUses(it, keeping) {
     byId("map-floor").focus();
   });
   return {
-    /** @param {import("./types").MapView} view */
+    /** @param {import("../types").MapView} view */
     update({ can, planner, known, is_cleaning: isCleaning }) {
       if (known === null) setHidden(byId("map-began"), true);
       setEnabled(button("map-clean"), can.clean);

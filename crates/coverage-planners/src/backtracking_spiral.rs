@@ -37,7 +37,7 @@
 //! ```
 
 use super::{
-    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo,
+    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo, Search,
     stage::{BestOf, FloorLeft, MAX_CELLS_FOR_ALL, WalkRule},
 };
 use robovac_core::{
@@ -67,7 +67,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
             why: "A slanted wall is a staircase of cells, and every winding turns at each step.",
         },
     },
-    claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: false, search: Search::None },
     params: &[ParamSpec {
         id: "side",
         label: "Reference side",

@@ -22,7 +22,7 @@
 //! ```
 
 use super::{
-    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo,
+    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo, Search,
     stage::{
         BlockSweep, Costs, Links, MAX_CELLS_FOR_ALL, MownBlock, SWEEPS, Transit, Visit, between, decompose, drive,
         improve, lanes_lie_down, nearest_first, shortcut, swap_axes, swap_walk,
@@ -56,7 +56,13 @@ pub const INFO: PlannerInfo = PlannerInfo {
             why: "All lanes have one direction, so half of the arms are swept across, in short lanes with many turns.",
         },
     },
-    claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
+    claims: PlannerClaims {
+        complete: true,
+        deterministic: true,
+        fast: true,
+        traces: false,
+        search: Search::Limited { effort: "effort" },
+    },
     params: &[
         ParamSpec {
             id: "lanes",

@@ -26,7 +26,7 @@
 //! ```
 
 use super::{
-    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo,
+    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo, Search,
     stage::{Borders, Tours, lanes_of, strips, strokes},
 };
 use robovac_core::registry::{Example, Explainer, ParamKind, ParamSpec};
@@ -53,7 +53,13 @@ pub const INFO: PlannerInfo = PlannerInfo {
             why: "Rings along the walls pass both corners without a break and cost slightly less.",
         },
     },
-    claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
+    claims: PlannerClaims {
+        complete: true,
+        deterministic: true,
+        fast: true,
+        traces: false,
+        search: Search::Limited { effort: "effort" },
+    },
     params: &[
         ParamSpec {
             id: "effort",

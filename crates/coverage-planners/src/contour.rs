@@ -31,7 +31,7 @@
 //! ```
 
 use super::{
-    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo,
+    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo, Search,
     stage::{Costs, Flood, Transit, TransitEnd, shortcut},
 };
 use robovac_core::{
@@ -62,7 +62,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
             why: "A slanted wall is a staircase of cells, and every ring repeats all of its steps.",
         },
     },
-    claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: false, search: Search::None },
     params: &[ParamSpec {
         id: "order",
         label: "Order",

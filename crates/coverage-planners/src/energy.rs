@@ -40,7 +40,7 @@
 //! ```
 
 use super::{
-    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo,
+    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo, Search,
     stage::{Costs, MAX_CELLS_FOR_ALL, NearestGoalBfs, Transit, shortcut},
 };
 use robovac_core::{
@@ -67,7 +67,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         shines: Example { room: "lshape", why: "One long meander round the corner, close to the best plan." },
         fails: Example { room: "maze", why: "It can't see dead ends and drives back for cells it left." },
     },
-    claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: false, search: Search::None },
     params: &[
         weight("rotation", "Turning", "Energy of a quarter turn; a step costs 1.", 1.0),
         weight("visited", "Clean floor", "Energy bonus for each clean cell among the eight neighbours.", 0.5),

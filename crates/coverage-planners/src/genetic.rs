@@ -36,7 +36,7 @@
 //! ```
 
 use super::{
-    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo,
+    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo, Search,
     stage::{Costs, NearestGoalBfs},
 };
 use rand::RngExt;
@@ -64,7 +64,13 @@ pub const INFO: PlannerInfo = PlannerInfo {
         shines: Example { room: "thesis8", why: "Small enough to find a nearly optimal walk." },
         fails: Example { room: "spiral", why: "Random mutations seldom straighten a whole lane." },
     },
-    claims: PlannerClaims { complete: true, deterministic: false, fast: false, traces: false, anytime: false },
+    claims: PlannerClaims {
+        complete: true,
+        deterministic: false,
+        fast: false,
+        traces: false,
+        search: Search::Limited { effort: "generations" },
+    },
     params: &[
         number("generations", "Generations", "Number of generations.", 0.0, 2000.0, 1.0, 400.0),
         number("population", "Population", "Number of walks per generation.", 4.0, 100.0, 1.0, 30.0),

@@ -29,7 +29,7 @@
 //! ```
 
 use super::{
-    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo,
+    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo, Search,
     stage::{Borders, MoveKinds, MownBlock, NearestGoalBfs, Schedule, Tours, anneal, between, strips, swap_grid},
 };
 use robovac_core::{
@@ -60,7 +60,13 @@ pub const INFO: PlannerInfo = PlannerInfo {
         },
         fails: Example { room: "lshape", why: "Rings along the walls need no search and are slightly better." },
     },
-    claims: PlannerClaims { complete: true, deterministic: true, fast: false, traces: false, anytime: false },
+    claims: PlannerClaims {
+        complete: true,
+        deterministic: true,
+        fast: false,
+        traces: false,
+        search: Search::Limited { effort: "effort" },
+    },
     params: &[
         ParamSpec {
             id: "effort",

@@ -1,6 +1,6 @@
 //! Metadata of a planner.
 
-use robovac_core::registry::{Explainer, ParamSpec};
+use robovac_core::registry::{Explainer, ParamKind, ParamSpec, Params, is_same};
 
 /// What menus, forms and tests know of a planner. How it is made is not in here: see [`super::BuildPlanner`].
 #[derive(Debug)]
@@ -35,8 +35,75 @@ pub struct PlannerClaims {
     pub fast: bool,
     /// Explains every step by [`PlanContext::trace`](super::PlanContext::trace).
     pub traces: bool,
-    /// Every walk that it reports is complete, and it may be stopped at any time.
-    pub anytime: bool,
+    /// Whether it looks for a better walk than its first one.
+    pub search: Search,
+}
+
+/// How long a planner looks for a better walk. Parameters are named by their ids, which must be numbers in
+/// [`PlannerInfo::params`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Search {
+    /// Not at all.
+    None,
+    /// As long as a parameter says.
+    Limited {
+        /// The parameter; tests set it to its minimum in large rooms.
+        effort: &'static str,
+    },
+    /// The same, but every walk that it reports is complete: it may be stopped at any time.
+    Anytime {
+        /// As in [`Search::Limited`].
+        effort: &'static str,
+        /// The parameter for what a quarter turn costs, in steps; 0 for the robot's time.
+        turn: &'static str,
+    },
+}
+
+impl PlannerInfo {
+    /// Whether its search may be stopped at any time.
+    pub fn is_anytime(&self) -> bool {
+        matches!(self.claims.search, Search::Anytime { .. })
+    }
+
+    /// The parameter that says how long it searches.
+    pub fn effort(&self) -> Option<&'static ParamSpec> {
+        match self.claims.search {
+            Search::None => None,
+            Search::Limited { effort } | Search::Anytime { effort, .. } => self.params.iter().find(|p| p.id == effort),
+        }
+    }
+
+    /// What an anytime planner takes a quarter turn to cost, in steps; 0 for the robot's time.
+    pub fn turn_weight(&self, params: &Params) -> Option<f64> {
+        if let Search::Anytime { turn, .. } = self.claims.search { Some(params.number(turn)) } else { None }
+    }
+
+    /// Checks the texts and the parameters of the search.
+    ///
+    /// # Panics
+    ///
+    /// If they aren't as they must be. The registry has `const _: () = INFO.check();`, so that it is an error of the compiler.
+    pub const fn check(&self) {
+        self.explainer.check(self.summary);
+        let is_there = match self.claims.search {
+            Search::None => true,
+            Search::Limited { effort } => self.has_number(effort),
+            Search::Anytime { effort, turn } => self.has_number(effort) && self.has_number(turn),
+        };
+        assert!(is_there, "`claims.search` names a parameter that isn't a number in `params`");
+    }
+
+    const fn has_number(&self, id: &str) -> bool {
+        let mut index = 0;
+        while index < self.params.len() {
+            let ParamSpec { id: other, kind, .. } = &self.params[index];
+            if is_same(other, id) && matches!(kind, ParamKind::Number { .. }) {
+                return true;
+            }
+            index += 1;
+        }
+        false
+    }
 }
 
 /// Free cells up to which planners that don't claim to be fast stay usable.

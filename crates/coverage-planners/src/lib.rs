@@ -1,9 +1,31 @@
-//! Coverage planners: one file each, all in one registry.
+//! Coverage path planners on grids, lower bounds on the cost of any walk, and the metrics to compare them by.
 //!
-//! A planner gets a [`CoverageJob`], a grid of free cells that are all connected with the start, and returns a
-//! [`CoveragePath`] that visits them. To add one, write its file with the constants `INFO` (a
-//! [`PlannerInfo`]) and `BUILD` (a [`BuildPlanner`]) and list it in the registry below; menus, parameter forms, command line,
-//! contract tests and benchmarks iterate [`PLANNERS`].
+//! For anyone with a grid to be covered by a robot, and for anyone who invents a planner: there are others to compare it
+//! with. A planner gets a [`CoverageJob`], a grid of free cells that are all connected with the start, and returns a
+//! [`CoveragePath`] that visits them.
+//!
+//! ```
+//! use coverage_planners::{Bounds, CoverageJob, Params, PlanContext, find, metrics::WalkMetrics};
+//! use robovac_core::grid::{Cell, Direction, from_picture};
+//!
+//! let free = from_picture(".....\n..#..\n.....", |glyph| glyph == '.').unwrap();
+//! let job = CoverageJob::new(&free, Cell::new(0, 0), Direction::Right).unwrap();
+//!
+//! let planner = find("boustrophedon").unwrap();
+//! let path = planner.build(&Params::defaults(planner.params)).plan(&job, &mut PlanContext::new(1)).unwrap();
+//! let walk = WalkMetrics::of(&job, &path);
+//! assert_eq!(walk.visited_cells, 14);
+//! assert!(Bounds::of(&job).cost <= walk.cost());
+//! println!("{}", path.arrows(&job));
+//! ```
+//!
+//! - [`PLANNERS`]: the registry, and [`find`] by id
+//! - [`metrics`]: steps, turns, revisits, driven metres and seconds; [`Bounds`]: what no walk can beat
+//! - [`stage`]: parts to build planners from; [`sweep`]: a planner in metres, for a body of any outline
+//!
+//! A planner outside this crate implements [`Planner`]; the example `own_planner` has one. To add one to the registry, write
+//! its file with the constants `INFO` (a [`PlannerInfo`]) and `BUILD` (a [`BuildPlanner`]) and list it below; menus,
+//! parameter forms, command line, contract tests and benchmarks iterate [`PLANNERS`].
 
 mod backtracking_spiral;
 mod bounds;
@@ -37,7 +59,7 @@ pub mod sweep;
 pub use bounds::{Bounds, Relaxation, TURN_STEPS};
 pub use context::{Observer, PlanContext, PlanError, ProgressReport, StepTracer};
 pub use film::{Film, FilmFrame, MOST_FILMED_CELLS};
-pub use info::{PlannerClaims, PlannerInfo, SLOW_CELLS};
+pub use info::{PlannerClaims, PlannerInfo, SLOW_CELLS, Search};
 pub use job::CoverageJob;
 pub use objective::{Finish, Objective, Proof};
 pub use path::{CoveragePath, PathError};
@@ -66,6 +88,7 @@ macro_rules! registry {
         /// All planners, in the order of the menus.
         pub const PLANNERS: &[&PlannerInfo] = &[$(&$planner::INFO),*];
         const BUILDERS: &[(&str, BuildPlanner)] = &[$(($planner::INFO.id, $planner::BUILD)),*];
+        $(const _: () = $planner::INFO.check();)*
     };
 }
 

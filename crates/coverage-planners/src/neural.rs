@@ -36,7 +36,7 @@
 //! ```
 
 use super::{
-    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo,
+    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo, Search,
     stage::{Costs, NearestGoalBfs},
 };
 use robovac_core::{
@@ -65,7 +65,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         },
         fails: Example { room: "maze", why: "Uncleaned floor on many sides pulls the robot back and forth." },
     },
-    claims: PlannerClaims { complete: true, deterministic: true, fast: false, traces: false, anytime: false },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: false, traces: false, search: Search::None },
     params: &[
         ParamSpec {
             id: "straight",

@@ -31,7 +31,7 @@
 //! ```
 
 use super::{
-    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo,
+    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo, Search,
     stage::{CoverageProgress, lanes_lie_down},
 };
 use robovac_core::registry::{Example, Explainer, ParamKind, ParamSpec};
@@ -54,7 +54,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         shines: Example { room: "lshape", why: "Few obstacles: parallel lanes, and one return for the other arm." },
         fails: Example { room: "maze", why: "Every dead end of the maze is a dead end of the walk, too." },
     },
-    claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: false, search: Search::None },
     params: &[ParamSpec {
         id: "lanes",
         label: "Lanes",

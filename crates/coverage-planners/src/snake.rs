@@ -47,8 +47,8 @@
 //! ```
 
 use super::{
-    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo, TraceStep,
-    stage::NearestGoalBfs,
+    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo, Search,
+    TraceStep, stage::NearestGoalBfs,
 };
 use robovac_core::{
     grid::{Cell, Direction, Grid},
@@ -72,7 +72,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         shines: Example { room: "empty", why: "No obstacles: a lawn mower's U-turns from wall to wall." },
         fails: Example { room: "maze", why: "Branches that it passes stay uncleaned, so it keeps coming back." },
     },
-    claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: true, anytime: false },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: true, search: Search::None },
     params: &[ParamSpec {
         id: "patience",
         label: "Patience",

@@ -32,7 +32,7 @@
 //! ```
 
 use super::{
-    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo,
+    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo, Search,
     stage::{CoverageProgress, Flood},
 };
 use robovac_core::{
@@ -64,7 +64,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
             why: "Spirals are square here: slanted walls stop them early and leave scraps to return to.",
         },
     },
-    claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: false, search: Search::None },
     params: &[
         ParamSpec {
             id: "room",

@@ -31,7 +31,7 @@
 //! ```
 
 use super::{
-    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo,
+    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo, Search,
     stage::{Added, BestOf, MAX_CELLS_FOR_ALL, MegaCells},
 };
 use robovac_core::{
@@ -63,7 +63,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
             why: "Where 2 x 2 squares don't fit the corridor, it drives there and back, again and again.",
         },
     },
-    claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: false, search: Search::None },
     params: &[ParamSpec {
         id: "tree",
         label: "Tree",

@@ -35,7 +35,8 @@
 //! ```
 
 use super::{
-    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo, TraceStep,
+    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo, Search,
+    TraceStep,
     stage::{
         Beside, CoverageProgress, Detours, FoundBy, LineEndContact, Subgoal, SubgoalScan, is_straight_free, scan_rows,
         steps_along, subgoals,
@@ -67,7 +68,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         shines: Example { room: "empty", why: "No obstacles: line after line, without revisits." },
         fails: Example { room: "maze", why: "The nearest point is often behind a wall, at the end of a long detour." },
     },
-    claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: true, anytime: false },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: true, search: Search::None },
     params: &[
         ParamSpec {
             id: "scan_lines",

@@ -33,7 +33,7 @@
 //! ```
 
 use super::{
-    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo,
+    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo, Search,
     stage::{GOAL, STEP, WaveGoal, cover},
 };
 use robovac_core::registry::{Example, Explainer};
@@ -62,7 +62,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
             why: "Straight wavefronts meet slanted walls, and each leaves a corner uncleaned.",
         },
     },
-    claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: false, search: Search::None },
     params: &[GOAL],
 };
 

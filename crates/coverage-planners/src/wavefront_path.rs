@@ -29,7 +29,7 @@
 //! ```
 
 use super::{
-    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo,
+    BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo, Search,
     stage::{GOAL, STEP, WaveGoal, cover, obstacle_transform},
 };
 use robovac_core::registry::{Example, Explainer, ParamKind, ParamSpec};
@@ -59,7 +59,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
             why: "Slanted walls are staircases of cells, and following them it turns at every step.",
         },
     },
-    claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: false, anytime: false },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: false, search: Search::None },
     params: &[
         ParamSpec {
             id: "alpha",

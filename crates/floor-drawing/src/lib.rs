@@ -1,4 +1,20 @@
-//! Line drawings of floors: CAD drawings (DXF) and other vector files in, and the rooms that are traced from them.
+//! Line drawings of floors: reads DXF, SVG and GeoJSON, traces rooms from them, and draws paths beside them.
+//!
+//! For programs that get a floor plan as it was drawn and need a grid of free and occupied cells.
+//!
+//! ```
+//! use floor_drawing::{DrawingRegion, Role, Tracing, read, trace};
+//! use robovac_core::floor_plan::SourceFile;
+//!
+//! let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="320" height="220">
+//!     <path d="M10 10 H310 V210 H10 Z" fill="none" stroke="black"/></svg>"#;
+//! let drawing = read(&SourceFile { name: "room.svg".into(), bytes: svg.into() }).unwrap();
+//! // One unit is a centimetre, and all lines are walls.
+//! let roles = vec![Role::Wall; drawing.layers.len()];
+//! let tracing = Tracing { roles, metre: 0.01, gap: 0.1, resolution: 0.05, region: DrawingRegion::Whole };
+//! let traced = trace(&drawing, &tracing).unwrap();
+//! assert!(traced.plan.width_m() >= 3.0 && traced.plan.height_m() >= 2.0);
+//! ```
 //!
 //! A [`Drawing`] is what a file shows, flattened to straight strokes on layers, in the file's own units. [`trace`] makes a
 //! [`FloorPlan`](robovac_core::floor_plan::FloorPlan) of it once the user has chosen the roles of its layers, its unit and

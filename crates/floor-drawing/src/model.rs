@@ -49,6 +49,7 @@ pub struct DrawingLayer {
 
 /// What a layer is to a robot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum Role {
     /// Walls: every stroke stops the robot, an outline encloses floor.

@@ -1,9 +1,12 @@
 //! Import of files: parsed in a worker, applied to the session.
 
 use floor_drawing::{DrawingError, drawing_kind};
-use robovac_core::floor_plan::{self, FloorPlan, MapError, Scenario, SourceFile};
+use robovac_core::{
+    floor_plan::{self, FloorPlan, MapError, Scenario, SourceFile},
+    registry::Params,
+};
 use robovac_sim::{
-    Noise,
+    Noise, NoiseLevel, SensorKind,
     experiment::{Settings, SettingsError},
 };
 use serde::{Deserialize, Serialize};
@@ -19,6 +22,8 @@ pub struct Import {
 
 /// What a scenario says beside its room, as text that settings check. What it doesn't mention stays as it is.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+#[serde(default)]
 pub struct ScenarioChoices {
     /// Id of the robot.
     pub robot: Option<String>,
@@ -115,6 +120,32 @@ impl ScenarioChoices {
             quantised,
             odometry,
         }
+    }
+
+    /// All of `settings` that a scenario can say.
+    pub fn of_settings(settings: &Settings) -> Self {
+        let Settings { algorithm, ref params, conditions, .. } = *settings;
+        let defaults = Params::defaults(algorithm.params());
+        let changed = params.iter().filter(|&(id, value)| defaults.get(id) != Some(value));
+        let noisy = SensorKind::ALL.into_iter().map(|(kind, name)| (name, conditions.noise.of(kind)));
+        let noisy = noisy.filter(|&(_, level)| level != NoiseLevel::Off);
+        Self {
+            robot: Some(settings.robot.to_owned()),
+            cell_size: Some(settings.cell_size),
+            planner: algorithm.planner().map(|info| info.id.to_owned()),
+            behaviour: algorithm.behaviour().map(|info| info.id.to_owned()),
+            params: changed.map(|(id, value)| (id.to_owned(), value.to_string())).collect(),
+            seed: Some(settings.seed.to_string()),
+            slip: Some(conditions.slip.id().to_owned()),
+            noise: Some(noisy.map(|(name, level)| (name.to_owned(), level.id().to_owned())).collect()),
+            quantised: Some(conditions.quantised),
+            odometry: Some(settings.odometry.id().to_owned()),
+        }
+    }
+
+    /// Id of the planner or behaviour.
+    pub fn algorithm(&self) -> Option<&str> {
+        self.planner.as_deref().or(self.behaviour.as_deref())
     }
 
     /// `now`, with what the scenario says.

@@ -1,20 +1,44 @@
-//! View models of the Robovac Playground, one folder a tab: pure, so that all of it is tested natively.
+//! View models of the Robovac Playground, one folder a tab: what each shows, and what its controls may do.
+//!
+//! For the page, whose boundary to JavaScript only passes on what is decided here. All of it is pure, so that it is tested
+//! natively.
+//!
+//! ```
+//! use robovac_app::Viewport;
+//!
+//! // A room of 6 m x 4 m on a canvas of 800 x 600 pixels: its middle is in the middle.
+//! let view = Viewport::new(6.0, 4.0, 800.0, 600.0, 1.0);
+//! let middle = view.to_world(400.0, 300.0);
+//! assert!((middle.x - 3.0).abs() < 0.5 && (middle.y - 2.0).abs() < 0.5);
+//! ```
+//!
+//! - [`explore`], [`compare`], [`map`], [`floor_plan`]: the tabs
+//! - [`export`]: files to download; [`bench`]: the benchmark of the command line and the page
 
 pub mod bench;
 pub mod compare;
 pub mod connection;
+mod entry;
 pub mod explore;
 pub mod export;
 pub mod floor_plan;
+mod frame_pacer;
 mod import;
 pub mod map;
+mod mark;
 mod pack;
 mod palette;
+mod param;
 mod scene;
+#[cfg(feature = "types")]
+pub mod types;
 mod viewport;
 
+pub use entry::CatalogueEntry;
 pub use import::{Import, ImportError, ScenarioChoices, ScenarioError};
+pub use mark::Mark;
 pub use pack::{pack, unpack};
 pub use palette::Palette;
+pub use param::{Param, params};
 pub use scene::{FilmScene, RobotView, Scene, SearchScene, Sensed};
 pub use viewport::Viewport;

@@ -1,12 +1,13 @@
-//! Foundations for floor-cleaning robots and coverage algorithms.
+//! Foundations for floor-cleaning robots and coverage algorithms: rooms, robots, grids, and what a robot can reach.
 //!
+//! For programs that plan, simulate or measure the cleaning of floors; `coverage-planners` and the simulator build on it.
 //! Imports only point downwards in this list:
 //!
 //! - [`math`], [`rng`]: elementary functions and random numbers that agree bit for bit natively and in wasm
 //! - [`geometry`]: points, angles, poses
 //! - [`grid`]: rectangular grids, occupancy, clearance, reachability, `#.` pictures
 //! - [`registry`]: shared by planners and behaviours: parameters, explanations
-//! - [`floor_plan`]: built-in rooms, map files, scenarios
+//! - [`floor_plan`]: built-in rooms; with the feature `files`, map files and scenarios
 //! - [`robot`]: models, sensor readings, odometry
 //! - [`coverage`]: which floor a robot can reach and what it has swept; the planning grid
 //! - [`cspace`]: where a body of any outline fits: the configuration space over x, y and heading
@@ -14,11 +15,13 @@
 //! Everything is pure: no clock, no input or output, no global state, no panic on bad input.
 //!
 //! ```
-//! use robovac_core::{floor_plan::room, robot::model};
+//! use robovac_core::{coverage::ReachableFloor, floor_plan::Sketch, robot::model};
 //!
-//! let plan = room("thesis8").unwrap().build();
-//! let robot = model("roomba600").unwrap();
-//! println!("{:.1} m by {:.1} m, for a {:.0} cm robot", plan.width_m(), plan.height_m(), 200.0 * robot.body_radius());
+//! // A room of 3 m x 2 m with a table of 1 m x 1 m in a corner; the robot starts at (0.5, 0.5), looking right.
+//! let plan = Sketch::open(3.0, 2.0, 0.05).fill(&[[2.0, 1.0, 3.0, 2.0]]).start(0.5, 0.5, 0.0).finish("Study", "");
+//! let roomba = model("roomba600").unwrap();
+//! let floor = ReachableFloor::new(&plan, roomba, None).unwrap();
+//! assert!(floor.area() > 3.0);
 //! ```
 
 pub mod coverage;

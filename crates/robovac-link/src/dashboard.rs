@@ -10,6 +10,7 @@ const LOW_CHARGE: f64 = 0.15;
 
 /// What the sensors of any robot report. What a robot doesn't have stays at its default.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[expect(clippy::struct_excessive_bools)]
 pub struct SensorsView {
     /// Bumper pressed: left and right half.
@@ -46,6 +47,7 @@ pub struct SensorsView {
 
 /// What an infrared receiver detects.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct BeamsView {
     /// Beams: `green`, `field` and `red` of a dock, `wall` of a virtual wall.
     pub lit: Vec<&'static str>,
@@ -55,6 +57,7 @@ pub struct BeamsView {
 
 /// What the battery gauge reports.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct BatteryView {
     /// Share of the capacity that is left, 0 to 1.
     pub share: f64,
@@ -70,6 +73,7 @@ pub struct BatteryView {
 
 /// What a Roomba reports over its Open Interface.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct RoombaView {
     /// What other robots report, too.
     pub sensors: SensorsView,

@@ -1,8 +1,31 @@
-//! The simulated robot: motion, contact, sensors, and a whole run.
+//! A simulated robot vacuum: motion, contact, sensors and their errors, behaviours, maps, and experiments with all of them.
+//!
+//! For anyone who wants to know how well a plan or a behaviour cleans before a robot does it, over many seeded runs.
+//!
+//! ```
+//! use robovac_core::{floor_plan::room, registry::Params, robot::model};
+//! use robovac_sim::{Conditions, controller, experiment::RoomSetup};
+//!
+//! let plan = (room("bedroom").unwrap().build)();
+//! let robot = model("roomba600").unwrap();
+//! let setup = RoomSetup::new(&plan, robot, robot.default_cell, None).unwrap();
+//! let behaviour = controller::find("random_walk").unwrap();
+//! let params = Params::defaults(behaviour.params);
+//! let mut run = setup.run_behaviour(behaviour, &params, Conditions::default(), 1).unwrap();
+//! while run.time_s() < 30.0 {
+//!     run.step();
+//! }
+//! assert!(run.distance_m() > 1.0 && run.coverage() > 0.0);
+//! ```
+//!
+//! - [`Run`]: one robot, one controller, one room; [`World`], [`Conditions`]: what is in the room, and how true the robot is
+//! - [`controller`]: behaviours and followers of plans
+//! - [`mapping`]: mapping and localisation from bumps and odometry
+//! - [`experiment`], [`montecarlo`]: from room and robot to a run, and many runs with their statistics
 //!
 //! Time advances in fixed steps of [`STEP_S`], whatever the speed of the display, so that a run is the same on every
-//! machine and a robot never moves farther at once than a few millimetres; contact looks even closer where that is needed, so
-//! that nothing tunnels through a wall or a thin leg.
+//! machine and a robot never moves farther at once than a few millimetres. Contact looks even closer where needed, so that
+//! nothing tunnels through a wall or a thin leg.
 
 mod contact;
 mod dirt;

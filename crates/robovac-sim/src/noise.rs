@@ -8,46 +8,69 @@ use robovac_core::{
     rng::{Rng, seeded},
 };
 use serde::{Deserialize, Serialize};
+use std::{fmt, ops::Range, sync::Arc};
 
+/// Random bytes that are drawn in each step.
+const BYTES: usize = 16;
 /// Stream of the sensors' random numbers.
 const STREAM: u64 = 4;
 /// Steps in which the normal distribution is summed up, per unit.
 const FINE: i32 = 128;
 /// Where that begins and ends.
 const WIDE: i32 = 4;
-use std::{fmt, sync::Arc};
 
-/// How much a sensor errs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum NoiseLevel {
-    /// Not at all.
-    #[default]
-    Off,
-    /// As good sensors in a clean room do.
-    Typical,
-    /// Worn, dirty or dazzled.
-    Harsh,
+/// An enum whose list of all values can't miss one.
+macro_rules! named {
+    ($(#[$about:meta])* pub enum $name:ident { $($(#[$meta:meta])* $value:ident = $id:literal,)* }) => {
+        $(#[$about])*
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+        #[serde(rename_all = "lowercase")]
+        pub enum $name { $($(#[$meta])* $value,)* }
+
+        impl $name {
+            /// All of them, with their names in links and on the command line.
+            pub const ALL: [(Self, &'static str); [$($id),*].len()] = [$((Self::$value, $id)),*];
+
+            /// The one of that name.
+            pub fn parse(name: &str) -> Option<Self> {
+                Self::ALL.into_iter().find(|(_, n)| *n == name).map(|(value, _)| value)
+            }
+        }
+    };
 }
 
-/// Sensors whose noise can be chosen one by one.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum SensorKind {
-    /// Bumper switches.
-    Bumper,
-    /// Cliff sensors.
-    Cliff,
-    /// Light bumper and wall sensor.
-    Light,
-    /// Infrared receivers for docks and virtual walls.
-    Infrared,
-    /// Dirt sensor.
-    Dirt,
-    /// Laser scanner.
-    Laser,
-    /// Battery gauge.
-    Battery,
+named! {
+    /// How much a sensor errs.
+    #[derive(Default)]
+    pub enum NoiseLevel {
+        /// Not at all.
+        #[default]
+        Off = "off",
+        /// As good sensors in a clean room do.
+        Typical = "typical",
+        /// Worn, dirty or dazzled.
+        Harsh = "harsh",
+    }
+}
+
+named! {
+    /// Sensors whose noise can be chosen one by one.
+    pub enum SensorKind {
+        /// Bumper switches.
+        Bumper = "bumper",
+        /// Cliff sensors.
+        Cliff = "cliff",
+        /// Light bumper and wall sensor.
+        Light = "light",
+        /// Infrared receivers for docks and virtual walls.
+        Infrared = "infrared",
+        /// Dirt sensor.
+        Dirt = "dirt",
+        /// Laser scanner.
+        Laser = "laser",
+        /// Battery gauge.
+        Battery = "battery",
+    }
 }
 
 /// Noise of every kind of sensor.
@@ -55,14 +78,6 @@ pub enum SensorKind {
 pub struct Noise([NoiseLevel; SensorKind::ALL.len()]);
 
 impl NoiseLevel {
-    /// All levels, with their names in links and on the command line.
-    pub const ALL: [(Self, &'static str); 3] = [(Self::Off, "off"), (Self::Typical, "typical"), (Self::Harsh, "harsh")];
-
-    /// The level of that name.
-    pub fn parse(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|(_, n)| *n == name).map(|(level, _)| level)
-    }
-
     /// Name in links and on the command line.
     pub fn id(self) -> &'static str {
         Self::ALL[self as usize].1
@@ -70,22 +85,49 @@ impl NoiseLevel {
 }
 
 impl SensorKind {
-    /// All kinds, with their names in links and on the command line.
-    pub const ALL: [(Self, &'static str); 7] = [
-        (Self::Bumper, "bumper"),
-        (Self::Cliff, "cliff"),
-        (Self::Light, "light"),
-        (Self::Infrared, "infrared"),
-        (Self::Dirt, "dirt"),
-        (Self::Laser, "laser"),
-        (Self::Battery, "battery"),
-    ];
+    /// Name in forms.
+    pub const fn label(self) -> &'static str {
+        match self {
+            Self::Bumper => "Bumper",
+            Self::Cliff => "Cliff sensors",
+            Self::Light => "Light bumper",
+            Self::Infrared => "Infrared",
+            Self::Dirt => "Dirt",
+            Self::Laser => "Laser",
+            Self::Battery => "Battery gauge",
+        }
+    }
 
-    /// The kind of that name.
-    pub fn parse(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|(_, n)| *n == name).map(|(kind, _)| kind)
+    /// Its random bytes of a step, of the [`BYTES`] that are drawn. All are taken: a new kind has none (`0..0`) and a
+    /// random stream of its own, as the laser scanner has.
+    pub(super) const fn bytes(self) -> Range<usize> {
+        match self {
+            Self::Cliff => 0..4,
+            Self::Light => 4..10,
+            Self::Bumper => 10..12,
+            Self::Infrared => 12..14,
+            Self::Dirt => 14..15,
+            Self::Battery => 15..BYTES,
+            Self::Laser => 0..0,
+        }
     }
 }
+
+/// No two kinds share a random byte, and none takes one that isn't drawn.
+const _: () = {
+    let (mut taken, mut kind) = ([false; BYTES], 0);
+    while kind < SensorKind::ALL.len() {
+        let Range { start, end } = SensorKind::ALL[kind].0.bytes();
+        assert!(end <= BYTES, "a kind of sensor takes more random bytes than are drawn: see SensorKind::bytes");
+        let mut byte = start;
+        while byte < end {
+            assert!(!taken[byte], "two kinds of sensors share a random byte: see SensorKind::bytes");
+            taken[byte] = true;
+            byte += 1;
+        }
+        kind += 1;
+    }
+};
 
 /// The level that all have, or those that aren't off, kind by kind: `typical`, `cliff=harsh light=typical`.
 impl fmt::Display for Noise {
@@ -148,24 +190,27 @@ impl NoiseSource {
     }
 }
 
-/// Sixteen random bytes.
+/// The random bytes of a step.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct NoiseDraw<'a> {
-    bytes: [[u8; 8]; 2],
+    bytes: [[u8; 8]; BYTES / 8],
     normals: &'a Normals,
 }
 
 impl NoiseDraw<'_> {
-    /// Byte `index`, 0 to 15.
+    /// Byte `index` of those that belong to `kind`.
     #[inline]
-    pub fn byte(&self, index: usize) -> u8 {
-        self.bytes[index / 8 % 2][index % 8]
+    pub fn byte(&self, kind: SensorKind, index: usize) -> u8 {
+        let Range { start, end } = kind.bytes();
+        debug_assert!(index < end - start, "{kind:?} has no random byte {index}");
+        let byte = start + index;
+        self.bytes[byte / 8][byte % 8]
     }
 
-    /// Byte `index` as a normal deviate.
+    /// That byte as a normal deviate.
     #[inline]
-    pub fn normal(&self, index: usize) -> f64 {
-        self.normals.of(self.byte(index))
+    pub fn normal(&self, kind: SensorKind, index: usize) -> f64 {
+        self.normals.of(self.byte(kind, index))
     }
 }
 

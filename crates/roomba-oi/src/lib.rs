@@ -1,8 +1,51 @@
 //! The Open Interface of the Roomba 500 and 600 and of the Create 2: commands, sensor packets, streams.
 //!
-//! Protocol only, bytes in and bytes out, for both ends of a line. Nothing allocates per byte, and nothing
-//! panics on bad input. For the robot's side: [`CommandDecoder`], [`Mode`], [`Readings::write`], [`write_frame`]. From the
-//! host's: [`Command`], [`StreamParser`], [`Answer`], [`Readings::read`].
+//! For programs that drive such a robot over its serial port, on a computer or a microcontroller, and for emulators of one.
+//! Bytes in, bytes out: `no_std`, no allocation, no panic on bad input.
+//!
+//! - Host: [`Command`] makes bytes, [`StreamParser`] finds sensor frames, [`Answer`] reads the reply to a query, all into
+//!   [`Readings`].
+//! - Robot: [`CommandDecoder`] reads commands, [`Mode`] says what they change, [`Readings::write`] and [`write_frame`] answer.
+//!
+//! ```
+//! use roomba_oi::{Command, Packet, PacketId, Readings, StreamEvent, StreamParser, write_frame};
+//!
+//! let mut buffer = [0; 8];
+//! assert_eq!(Command::DriveDirect { right: 100, left: 100 }.encode(&mut buffer), Ok(&[145, 0, 100, 0, 100][..]));
+//!
+//! // A frame as a robot streams it, here written by ourselves: voltage (22) and left encoder (43).
+//! let packets = [Packet::Voltage, Packet::LeftEncoder].map(PacketId::from);
+//! let sent = Readings { voltage_mv: 16_200, left_counts: 451, ..Readings::default() };
+//! let mut line = [0; 16];
+//! let bytes = write_frame(&packets, &sent, &mut line).unwrap();
+//!
+//! // Bytes may arrive in any pieces, with noise between frames.
+//! let (mut parser, mut readings) = (StreamParser::default(), Readings::default());
+//! for piece in [&[7, 255], bytes].concat().chunks(3) {
+//!     parser.feed(piece, &mut |event| {
+//!         if let StreamEvent::Frame(frame) = event {
+//!             frame.apply(&mut readings);
+//!         }
+//!     });
+//! }
+//! assert_eq!((readings.voltage_mv, readings.left_counts), (16_200, 451));
+//! ```
+//!
+//! On a microcontroller, with any serial port of `embedded-io` (an ESP32's UART, for instance):
+//!
+//! ```ignore
+//! for command in [Command::Start, Command::Safe, Command::Stream { packets: &[7, 43, 44] }] {
+//!     uart.write_all(command.encode(&mut buffer)?)?;
+//! }
+//! loop {
+//!     let count = uart.read(&mut received)?;
+//!     parser.feed(&received[..count], &mut |event| if let StreamEvent::Frame(frame) = event { frame.apply(&mut readings); });
+//!     let speed = if readings.bumps.bump_left || readings.bumps.bump_right { 0 } else { 100 };
+//!     uart.write_all(Command::DriveDirect { right: speed, left: speed }.encode(&mut buffer)?)?;
+//! }
+//! ```
+//!
+//! # Where the specification is unclear
 //!
 //! The source is iRobot's Create 2 Open Interface Specification in its edition of August 2016 ("2016" below). Where it
 //! contradicts itself, older editions or measured robots, this is what was chosen:

@@ -60,6 +60,7 @@ impl Playground {
     }
 
     /// The latest sensor reading, a `SensorsView`; `null` without a robot.
+    #[wasm_bindgen(unchecked_return_type = "rust.SensorsView | null")]
     pub fn readings(&self) -> Result<JsValue, JsValue> {
         to_js(&self.session.recording().map(|recording| SensorsView::new(recording.run().sensors())))
     }

@@ -119,6 +119,7 @@ fn frontier(id: &str, given: &[(&str, &str)], seed: u64) -> Explored {
     Explored::new(&plan, "explore_frontier", given, NoiseLevel::Typical, seed)
 }
 
+// slow: half an hour of mapping; no less meets all of these rooms
 #[test]
 fn the_frontier_explorer_meets_what_there_is_to_be_met() {
     for (id, minutes) in [("tshape", 6.0), ("kitchen", 8.0), ("maze", 11.0)] {

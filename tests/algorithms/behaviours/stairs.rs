@@ -96,6 +96,7 @@ fn falls(seeds: std::ops::Range<u64>, minutes: f64) -> (u32, Vec<String>, Vec<St
     (runs, fallen, wheels)
 }
 
+// slow: the contract of drop-offs, every behaviour with every robot; more seeds are the soak's
 #[test]
 fn nobody_falls_down_the_stairs() {
     let (runs, fallen, wheels) = falls(0..2, 2.0);

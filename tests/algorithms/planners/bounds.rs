@@ -140,6 +140,7 @@ const OBJECTIVES: [Objective; 7] = [
     Objective { step: 7, turn: 30, finish: Finish::Anywhere, counts_first_turn: true },
 ];
 
+// slow: the best walk is found by trying them all
 #[test]
 fn no_relaxation_of_a_small_room_is_above_its_best_walk() {
     let (mut rng, mut met, mut count) = (seeded(7, 0), 0, 0);
@@ -192,6 +193,7 @@ fn rooms_of_known_best_walks() {
     assert_eq!(bounds("#.#\n...\n#.#", (1, 1)).0, 7);
 }
 
+// slow: the contract of bounds, in every room
 #[test]
 fn walks_of_planners_are_above() {
     let planner = find("boustrophedon").unwrap();

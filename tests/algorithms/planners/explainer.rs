@@ -20,6 +20,7 @@ fn cost(info: &PlannerInfo, job: &CoverageJob) -> f64 {
 
 /// Costs are taken relative to the best of the planners that are fast and the planner itself: those that search for
 /// seconds are nearly always a little better, but would take this test minutes.
+// slow: full effort, which is what the claims are about
 #[test]
 fn planners_shine_and_fail_where_they_say() {
     // Several planners name the same rooms.

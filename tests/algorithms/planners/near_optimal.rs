@@ -75,6 +75,7 @@ fn proven(jobs: impl Iterator<Item = CoverageJob>, seed: u64) -> [usize; 2] {
     [count, proven]
 }
 
+// slow: each proof is checked against all walks that there are
 #[test]
 fn what_is_proven_of_small_rooms_is_true() {
     let mut rng = seeded(9, 0);

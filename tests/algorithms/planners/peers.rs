@@ -32,6 +32,7 @@ const COSTS: &[(&str, [usize; 7])] = &[
     ("e_", [25612, 23566, 18560, 22689, 28217, 18011, 17179]),
 ];
 
+// slow: up to a million cells where the shared grids are there
 #[test]
 fn walks_cost_no_more_than_those_of_the_same_planner_elsewhere() {
     for (scenario, most) in measured(COSTS) {
@@ -48,6 +49,7 @@ fn walks_cost_no_more_than_those_of_the_same_planner_elsewhere() {
 }
 
 /// The optimum, proven, in small rooms, and in the third at most 1.2 % above the bound of `../shared/maps/peers.md`, 1556.
+// slow: a proof is a search to its end
 #[test]
 fn near_optimal_is_near_the_optimum_and_proves_it_where_rooms_are_small() {
     let asked = [

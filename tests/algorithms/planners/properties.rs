@@ -33,6 +33,7 @@ fn walks_hold(cases: u32) {
     });
 }
 
+// slow: all planners, in as many rooms as find most mistakes
 #[test]
 fn walks_can_be_driven_and_cover_all() {
     walks_hold(40);

@@ -7,14 +7,12 @@ use robovac_core::{
         generate::{random_clutter, random_hall},
     },
     grid::{Cell, Direction, Grid, from_picture},
-    registry::{ParamKind, ParamValue, Params},
+    registry::{ParamKind, ParamSpec, ParamValue, Params},
     robot::model,
 };
 use robovac_sim::experiment::planning::RoomSetup;
 use std::{fs, path::PathBuf};
 
-/// Parameters that say how long to look for something better.
-const EFFORTS: [&str; 2] = ["effort", "generations"];
 /// Free cells from which on tests don't look for something better: what holds at the least effort and with full effort in
 /// small rooms is worth more than the minutes.
 pub const LARGE: usize = 120;
@@ -22,10 +20,8 @@ pub const LARGE: usize = 120;
 /// The planner with its default parameters, with the least effort for a large room.
 pub fn build(info: &PlannerInfo, cells: usize) -> Box<dyn Planner> {
     let mut params = Params::defaults(info.params);
-    for spec in info.params.iter().filter(|spec| cells > LARGE && EFFORTS.contains(&spec.id)) {
-        if let ParamKind::Number { min, .. } = spec.kind {
-            params.set(info.params, spec.id, ParamValue::Number(min)).expect("the least is in range");
-        }
+    if let Some(&ParamSpec { id, kind: ParamKind::Number { min, .. }, .. }) = info.effort().filter(|_| cells > LARGE) {
+        params.set(info.params, id, ParamValue::Number(min)).expect("the least is in range");
     }
     info.build(&params)
 }

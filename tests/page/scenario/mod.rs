@@ -574,6 +574,7 @@ proptest! {
     // Each opens a session.
     #![proptest_config(ProptestConfig::with_cases(60))]
 
+    // slow: each number of a file is replaced by each that is wild
     #[test]
     fn wild_numbers_are_refused_or_survived(which in 0..60_usize, number in prop_oneof![
         -10.0..10.0_f64, Just(0.0), Just(-0.0), Just(f64::MAX), Just(f64::MIN_POSITIVE), Just(1e9), Just(-1e300)

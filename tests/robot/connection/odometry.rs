@@ -75,6 +75,7 @@ fn distance(frame: &[u8]) -> Option<i32> {
     frame.values().find(|&(packet, _)| packet == Packet::Distance).map(|(packet, raw)| packet.value(raw))
 }
 
+// slow: drift shows in minutes
 #[test]
 fn both_odometries_hold_to_the_truth() {
     // Counts wrap in one of them, one talks at 19200 baud; one shows a third of every angle until that has been seen.

@@ -63,6 +63,7 @@ fn every_behaviour_rides_as_far_as_in_the_simulator() {
     }
 }
 
+// slow: a whole flat, byte by byte
 #[test]
 fn a_planned_path_cleans_the_flat_over_the_line() {
     let plan = flat();

@@ -102,7 +102,11 @@ fn a_connection_says_what_it_is_doing() {
     assert_eq!(view.doing.title, "You drive");
     assert!(view.is_moving && !view.moves_alone && view.can.steer && !view.can.ride);
     wire.link.lost(wire.now, "The cable was pulled.", false);
-    assert!(wire.view().doing.title != "You drive" && wire.view().readings.is_none());
+    let view = wire.view();
+    assert_eq!((view.doing.title.as_str(), view.diagnosis.picture), ("Connection lost", "unplugged"));
+    assert!(view.readings.is_some() && view.diagnosis.is_shown, "what was heard last");
+    wire.ask(Request::Disconnect);
+    assert!(wire.view().readings.is_none() && !wire.view().is_open);
     let recording = recorded.of_recording("a.txt");
     assert_eq!((recording.line.title.as_str(), recording.doing.title.as_str()), ("Recording a.txt", "Recording"));
     assert!(recording.can.disconnect && !recording.can.arm);

@@ -4,6 +4,7 @@ use super::support::Lab;
 use crate::vectors::{bytes, mode, vectors};
 use roomba_oi::{Mode, Opcode};
 
+// slow: a robot of its own for each command in each mode
 #[test]
 fn commands_are_taken_where_they_are_allowed() {
     for vector in vectors("/commands", Opcode::ALL.len()) {

@@ -52,6 +52,7 @@ pub const TURN_STEPS: usize = 2;
 ///
 /// A walk that reaches a bound is best possible in that number; often none does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Bounds {
     /// Fewest steps.
     pub steps: usize,

@@ -12,7 +12,8 @@ use serde::{Deserialize, Serialize};
 const JOULES: f64 = 3600.0;
 
 /// Numbers of the line that a robot drives to follow a walk, driven in thought, without noise.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct DriveMetrics {
     /// Length, m.
     pub length_m: f64,

@@ -19,6 +19,7 @@ pub struct PlanNumbers {
 
 /// Which values of a number are wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(rename_all = "lowercase")]
 pub enum Better {
     /// The lower the better.
@@ -29,6 +30,7 @@ pub enum Better {
 
 /// A column of a table of plans.
 #[derive(Debug, Clone, Copy, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct MetricInfo {
     /// Name in files and on the command line.
     pub id: &'static str,

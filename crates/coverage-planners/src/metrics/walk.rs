@@ -4,7 +4,8 @@ use crate::{CoverageJob, CoveragePath, bounds::TURN_STEPS};
 use serde::{Deserialize, Serialize};
 
 /// Metrics of a walk on the planning grid. All are exact counts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct WalkMetrics {
     /// Cells that can be reached from the start, the start included.
     pub reachable_cells: usize,

@@ -43,7 +43,7 @@ mod ways;
 
 use super::{
     BuildPlanner, CoverageJob, CoveragePath, Finish, Objective, PlanContext, PlanError, Planner, PlannerClaims,
-    PlannerInfo, ProgressReport, Proof, backtracking_spiral, boustrophedon, boustrophedon_cells,
+    PlannerInfo, ProgressReport, Proof, Search, backtracking_spiral, boustrophedon, boustrophedon_cells,
     stage::{Costs, MAX_CELLS_FOR_ALL, between},
 };
 use local_search::LocalSearch;
@@ -73,7 +73,13 @@ pub const INFO: PlannerInfo = PlannerInfo {
         shines: Example { room: "maze", why: "Forks and dead ends: windows find walks that lanes and rings can't." },
         fails: Example { room: "lshape", why: "Simple lanes are nearly as good and take no time." },
     },
-    claims: PlannerClaims { complete: true, deterministic: false, fast: false, traces: false, anytime: true },
+    claims: PlannerClaims {
+        complete: true,
+        deterministic: false,
+        fast: false,
+        traces: false,
+        search: Search::Anytime { effort: "effort", turn: "turn" },
+    },
     params: &[
         ParamSpec {
             id: "effort",

@@ -25,6 +25,7 @@ const MOST_REPEATS: u32 = 1024;
 
 /// One case's result.
 #[derive(Debug, Clone, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct BenchResult {
     /// What was measured.
     pub name: String,

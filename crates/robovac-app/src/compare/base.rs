@@ -1,7 +1,7 @@
 //! The settings that comparisons take from the session.
 
 use super::{RaceSetup, RoomChoice};
-use crate::explore::Session;
+use crate::explore::{Session, SessionSnapshot};
 use robovac_core::{floor_plan::FloorPlan, geometry::Pose};
 use robovac_sim::experiment::planning::RoomSetup;
 use std::sync::Arc;
@@ -18,9 +18,8 @@ pub(super) struct ComparisonBase {
     pub cell_size: f64,
     pub seed: u64,
     pub setup: RaceSetup,
-    /// Tells with `plan_version` whether the session has changed since.
-    link: String,
-    plan_version: u64,
+    /// The session as it was.
+    snapshot: SessionSnapshot,
 }
 
 /// Simulated time per time that a race begins with: a flat takes most of an hour to clean.
@@ -48,14 +47,13 @@ impl ComparisonBase {
                 seed: settings.seed,
                 speed: speed.unwrap_or(SPEED),
             },
-            link: session.link(),
-            plan_version: session.plan_version(),
+            snapshot: session.snapshot(),
         }
     }
 
     /// Whether the session is as it was.
     pub fn is_of(&self, session: &Session) -> bool {
-        self.plan_version == session.plan_version() && self.link == session.link()
+        self.snapshot == session.snapshot()
     }
 
     /// The session's room.
@@ -73,7 +71,7 @@ impl ComparisonBase {
         let start = self.start_in(room);
         let room = match room {
             RoomChoice::Shipped(id) => id.to_owned(),
-            RoomChoice::Own => format!("{OWN}{}", self.plan_version),
+            RoomChoice::Own => format!("{OWN}{}", self.snapshot.room_version),
         };
         format!("{room} {start:?} {} {}", self.robot, self.cell_size)
     }

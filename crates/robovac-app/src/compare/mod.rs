@@ -9,13 +9,17 @@ mod export;
 mod race;
 mod rooms;
 mod study;
+mod study_view;
 mod table;
 mod trials;
+mod view;
 
 pub use comparison::{Comparison, MOST_SEEDS};
 pub use export::{Record, to_csv, to_json};
 pub use race::{MOST_LANES, Race, RaceLane, RaceSetup, Racer};
 pub use rooms::{RoomChoice, RoomSet};
 pub use study::{MINUTES, MOST_MINUTES, SEEDS, Study};
+pub use study_view::{StudyOffer, StudyPlace, StudyView};
 pub use table::{ComparisonTable, MedianAndRange, Row};
 pub use trials::{Trial, TrialProgress};
+pub use view::{ComparisonView, TableView};

@@ -1,6 +1,6 @@
 //! Several robots in copies of the same room, under one clock.
 
-use crate::{RobotView, Scene, explore::SessionState};
+use crate::{RobotView, Scene, explore::SessionState, frame_pacer::FramePacer};
 use coverage_planners::CoveragePath;
 use robovac_core::{floor_plan::FloorPlan, geometry::Point, robot::OdometryModel};
 use robovac_sim::{Conditions, Run, RunRecording, STEP_S, SlipLevel, experiment::planning::RoomSetup};
@@ -16,8 +16,6 @@ const STEP_LENGTH_S: f64 = 5.0;
 const KEY_FRAME_BUDGET: usize = 96 << 20;
 /// Steps that every lane takes before the clock is looked at: the lanes stay together to within a second of robot time.
 const CHUNK: u64 = 64;
-/// Longest time between two frames that is made up for, s.
-const LONGEST_FRAME: f64 = 0.1;
 
 /// How the runs of a race are made.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -66,13 +64,24 @@ pub struct Race {
     end: u64,
     playing: bool,
     goal: Option<u64>,
-    due: f64,
+    pacer: FramePacer,
 }
 
 impl Race {
     /// A race without robots in `plan`, laid out as `prepared`; `number` tells it from others.
     pub fn new(number: u32, plan: Arc<FloorPlan>, prepared: RoomSetup, setup: RaceSetup) -> Self {
-        Self { prepared, plan, setup, lanes: Vec::new(), number, now: 0, end: 0, playing: false, goal: None, due: 0.0 }
+        Self {
+            prepared,
+            plan,
+            setup,
+            lanes: Vec::new(),
+            number,
+            now: 0,
+            end: 0,
+            playing: false,
+            goal: None,
+            pacer: FramePacer::default(),
+        }
     }
 
     /// Lets a robot take part that drives `path`. A walk that can't be driven is left out. To be called before the start.
@@ -152,7 +161,7 @@ impl Race {
     /// Sets the speed, times real time; 0 for as fast as it goes.
     pub fn set_speed(&mut self, times: f64) {
         self.setup.speed = if times.is_finite() { times.max(0.0) } else { 0.0 };
-        self.due = 0.0;
+        self.pacer.restart();
     }
 
     /// Lets time go on, from the start if the race is over.
@@ -229,11 +238,9 @@ impl Race {
         match self.state() {
             SessionState::Seeking => self.seek_on(has_time),
             SessionState::Playing => {
-                self.due += elapsed_s.clamp(0.0, LONGEST_FRAME) * self.setup.speed / STEP_S;
-                let wanted = if self.setup.speed == 0.0 { u64::MAX } else { self.due as u64 };
-                let taken = self.advance(wanted, has_time);
-                // What couldn't be done in time isn't made up for.
-                self.due = if taken == wanted { self.due.fract() } else { 0.0 };
+                let mut pacer = self.pacer;
+                pacer.frame(elapsed_s, self.setup.speed, |steps| self.advance(steps, has_time));
+                self.pacer = pacer;
                 if self.is_over() {
                     self.playing = false;
                 }

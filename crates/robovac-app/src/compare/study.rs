@@ -1,6 +1,6 @@
 //! View model of a study: entrants, number of runs, missing runs, results.
 
-use crate::explore::Session;
+use crate::explore::{Session, SessionSnapshot};
 use robovac_core::floor_plan::{FloorPlan, Scenario};
 use robovac_sim::{
     experiment::{Algorithm, BEHAVIOUR, Entrant, PLANNER, Settings, SettingsError},
@@ -60,8 +60,8 @@ struct StudyBase {
     settings: Settings,
     /// Those of the settings that runs depend on, as a link has them.
     place: String,
-    link: String,
-    plan_version: u64,
+    /// The session as it was.
+    snapshot: SessionSnapshot,
 }
 
 impl StudyBase {
@@ -83,8 +83,7 @@ impl StudyBase {
             room,
             settings,
             place,
-            link: session.link(),
-            plan_version: session.plan_version(),
+            snapshot: session.snapshot(),
         }
     }
 
@@ -92,7 +91,7 @@ impl StudyBase {
     fn key(&self) -> String {
         match self.room {
             Some(id) => format!("{id} {}", self.place),
-            None => format!("{} {}", self.plan_version, self.place),
+            None => format!("{} {}", self.snapshot.room_version, self.place),
         }
     }
 }
@@ -125,8 +124,7 @@ impl Study {
 
     /// Takes room, robot, start, conditions and seed over from the session; cheap if they are the same.
     pub fn take(&mut self, session: &Session) {
-        let is_same = |base: &StudyBase| base.plan_version == session.plan_version() && base.link == session.link();
-        if self.base.as_ref().is_some_and(is_same) {
+        if self.base.as_ref().is_some_and(|base| base.snapshot == session.snapshot()) {
             return;
         }
         let base = StudyBase::of(session);

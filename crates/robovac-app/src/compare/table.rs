@@ -6,6 +6,7 @@ use serde::Serialize;
 
 /// A number over several seeds.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct MedianAndRange {
     /// The middle value; of an even number of values the mean of the two in the middle.
     pub median: f64,

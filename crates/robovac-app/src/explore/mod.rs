@@ -1,5 +1,6 @@
 //! The Explore tab: one room, one algorithm.
 
+mod catalogue;
 mod diary;
 mod editor;
 mod film;
@@ -8,9 +9,11 @@ mod objects;
 pub mod opening;
 mod search;
 mod session;
+mod session_snapshot;
 mod state;
 mod view;
 
+pub use catalogue::Catalogue;
 pub use diary::{DiaryEntry, diary, diary_version};
 pub use editor::{Brush, Editor};
 pub use film::{FilmInk, Picture, Showing};
@@ -18,5 +21,6 @@ pub use object_tool::ObjectTool;
 pub use objects::{PlaceableKind, handles, in_words};
 pub use search::PlanSearch;
 pub use session::{LoadError, Session};
+pub use session_snapshot::{FollowError, SessionSnapshot};
 pub use state::{Action, SessionState};
-pub use view::SessionView;
+pub use view::{FloorTool, PageView, SessionView};

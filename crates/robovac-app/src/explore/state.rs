@@ -4,6 +4,7 @@ use serde::Serialize;
 
 /// What the page is doing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(rename_all = "lowercase")]
 pub enum SessionState {
     /// There is nothing to run: the robot doesn't fit, or planning was cancelled or failed.

@@ -9,6 +9,7 @@ use serde::Serialize;
 
 /// Snapshot of a session. SI units; shares from 0 to 1.
 #[derive(Debug, Clone, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct SessionView {
     /// What the page is doing.
     pub state: SessionState,
@@ -17,6 +18,7 @@ pub struct SessionView {
     /// Something to tell the user; empty for nothing.
     pub message: String,
     /// `error` or `notice`; empty for nothing.
+    #[cfg_attr(feature = "types", ts(type = "\"\" | \"error\" | \"notice\""))]
     pub message_kind: &'static str,
     /// The room.
     pub room: RoomView,
@@ -25,6 +27,7 @@ pub struct SessionView {
     /// Id of the planner or behaviour.
     pub algorithm: &'static str,
     /// `planner` or `behaviour`.
+    #[cfg_attr(feature = "types", ts(type = "\"planner\" | \"behaviour\""))]
     pub kind: &'static str,
     /// What the robot is doing, in a few words; empty if there is nothing to tell.
     pub activity: &'static str,
@@ -78,9 +81,48 @@ pub struct SessionView {
     pub plan: Option<PlanView>,
 }
 
+/// Snapshot of a session, and of what the hand on the picture of the floor is doing.
+#[derive(Debug, Clone, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+pub struct PageView {
+    /// The session.
+    #[serde(flatten)]
+    pub session: SessionView,
+    /// What the pointer does on the floor.
+    pub tool: FloorTool,
+    /// What stands, lies and moves in the room, by name.
+    pub objects: Vec<&'static str>,
+    /// Index of the selected one; -1 for none.
+    pub selected: i32,
+    /// What the tool "place" places.
+    pub placing: &'static str,
+    /// Whether the robot is held on the picture, to be put down somewhere.
+    pub is_carried: bool,
+    /// Whether it is held in the upper half of the picture.
+    pub is_held_high: bool,
+}
+
+/// What the pointer does on the floor.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+#[serde(rename_all = "lowercase")]
+pub enum FloorTool {
+    /// Shifts the picture.
+    View,
+    /// Draws walls.
+    Wall,
+    /// Erases walls.
+    Erase,
+    /// Moves the start.
+    Start,
+    /// Places objects.
+    Place,
+}
+
 /// What the user may do now: a flag for each button, which JavaScript only copies.
 #[expect(clippy::struct_excessive_bools)]
 #[derive(Debug, Clone, Copy, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct SessionActions {
     /// Let time go on.
     pub play: bool,
@@ -108,6 +150,7 @@ pub struct SessionActions {
 
 /// The planner's search in words.
 #[derive(Debug, Clone, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct SearchView {
     /// Whether the planner can show it.
     pub offered: bool,
@@ -123,6 +166,7 @@ pub struct SearchView {
 
 /// How far a film is.
 #[derive(Debug, Clone, Copy, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct FilmView {
     /// Number of the picture that is seen, from 0; that of all pictures once it's over.
     pub at: usize,
@@ -134,6 +178,7 @@ pub struct FilmView {
 
 /// The room in numbers.
 #[derive(Debug, Clone, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct RoomView {
     /// Id if it ships and hasn't been changed, else empty.
     pub id: &'static str,
@@ -155,8 +200,9 @@ pub struct RoomView {
     pub left_out_m2: f64,
 }
 
-/// The plan in numbers; those of walk and drive only once it is there.
+/// The plan in numbers; those of walk and drive are 0 until it is there.
 #[derive(Debug, Clone, Copy, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct PlanView {
     /// Whether the planner is at work.
     pub running: bool,
@@ -164,10 +210,10 @@ pub struct PlanView {
     pub progress: f64,
     /// Numbers of the walk.
     #[serde(flatten)]
-    pub walk: Option<WalkMetrics>,
+    pub walk: WalkMetrics,
     /// Numbers of the line.
     #[serde(flatten)]
-    pub drive: Option<DriveMetrics>,
+    pub drive: DriveMetrics,
     /// Time that planning took, s; `None` while it goes on, and for a plan that was made in advance.
     pub planning_s: Option<f64>,
     /// By how much the plan, or the best walk so far, costs more than any walk must in what its planner keeps low, as a share

@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 
 /// An outline by its figures, m.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub enum BodyChoice {
     /// A robot that ships, by its id.

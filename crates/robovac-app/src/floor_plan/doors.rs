@@ -15,6 +15,7 @@ const BEHIND: f64 = 0.05;
 
 /// What closing doors would do.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Doors {
     /// Openings that would be closed, and were not before.
     pub count: usize,

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 /// What clicks mean.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum DrawingTool {
     /// Nothing; dragging moves the view.

@@ -1,6 +1,6 @@
 //! The Floor plan tab: a drawing is viewed, scaled, traced and swept before it becomes the room.
 //!
-//! [`DrawingSession`] holds what files are and what was chosen for them; [`FloorPlanView`] is what the page shows of it. `web::FloorPlanSession`
+//! [`DrawingSession`] holds what files are and what was chosen for them; [`DrawingView`] is what the page shows of it. `web::FloorPlanSession`
 //! draws it, in a worker.
 
 mod body;
@@ -29,4 +29,4 @@ pub use settings::{CELLS, DrawingPart, FloorPlanSettings};
 pub use sheet::Sheet;
 pub use source::DrawingSource;
 pub use unit::{UNITS, Unit, size_in_words};
-pub use view::{FloorPlanView, LayerView, SweepView, TracedRoomView, UnitView};
+pub use view::{DrawingView, FloorPlanView, LayerView, SweepView, TracedRoomView, UnitView};

@@ -19,6 +19,7 @@ const MOST_HEADINGS: usize = 360;
 
 /// What was chosen.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct FloorPlanSettings {
     /// Metres per unit of the drawing; `None` until somebody says so.
     pub metre: Option<f64>,
@@ -46,6 +47,7 @@ pub struct FloorPlanSettings {
 
 /// The part of a drawing that is meant, in its unit.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub enum DrawingPart {
     /// All of it.

@@ -8,10 +8,12 @@ use serde::Serialize;
 
 /// A draft as it is now.
 #[derive(Debug, Clone, Serialize)]
-pub struct FloorPlanView {
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+pub struct DrawingView {
     /// Its name.
     pub name: String,
     /// `drawing`, `image` or `map`.
+    #[cfg_attr(feature = "types", ts(type = "\"drawing\" | \"image\" | \"map\""))]
     pub kind: &'static str,
     /// Whether a file says how long its unit is.
     pub says_unit: bool,
@@ -51,10 +53,28 @@ pub struct FloorPlanView {
     pub body_fault: String,
     /// The sweep, once planned.
     pub sweep: Option<SweepView>,
+    /// One or two sentences that stand for the picture.
+    pub words: String,
+}
+
+/// Snapshot of a floor plan, and of what is shown of its sweep.
+#[derive(Debug, Clone, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+pub struct FloorPlanView {
+    /// The floor plan.
+    #[serde(flatten)]
+    pub plan: DrawingView,
+    /// How long the sweep took to be planned.
+    pub seconds: f64,
+    /// Stage of the sweep that is shown, 0 for none.
+    pub stage: u8,
+    /// Heading of the slice that is shown, -1 for none.
+    pub slice: i32,
 }
 
 /// A unit that may be chosen.
 #[derive(Debug, Clone, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct UnitView {
     /// Its name.
     pub name: &'static str,
@@ -66,6 +86,7 @@ pub struct UnitView {
 
 /// A layer.
 #[derive(Debug, Clone, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct LayerView {
     /// Its name.
     pub name: String,
@@ -79,6 +100,7 @@ pub struct LayerView {
 
 /// The room that comes of it.
 #[derive(Debug, Clone, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct TracedRoomView {
     /// Width, m.
     pub width_m: f64,
@@ -98,6 +120,7 @@ pub struct TracedRoomView {
 
 /// A sweep in figures.
 #[derive(Debug, Clone, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct SweepView {
     /// Subgoals in all, then by contact: left and right wall, left and right obstacle.
     pub subgoals: [usize; 5],
@@ -117,12 +140,12 @@ pub struct SweepView {
 
 impl DrawingSession {
     /// What there is to be seen.
-    pub fn view(&self) -> FloorPlanView {
+    pub fn view(&self) -> DrawingView {
         let (source, settings) = (self.source(), self.settings());
         let (_, size) = source.extent();
         let drawing = source.drawing();
         let outline = self.outline();
-        FloorPlanView {
+        DrawingView {
             name: source.name().to_owned(),
             kind: match source {
                 DrawingSource::Drawing { .. } => "drawing",
@@ -164,6 +187,7 @@ impl DrawingSession {
             },
             body_fault: outline.err().unwrap_or_default(),
             sweep: self.planned().map(sweep_view),
+            words: self.description(),
         }
     }
 

@@ -1,7 +1,7 @@
 //! The settings that the Map tab takes from the session.
 
 use super::{Known, MapSetup, RoomTruth, numbers::digest};
-use crate::explore::Session;
+use crate::explore::{Session, SessionSnapshot};
 use robovac_core::floor_plan::{FloorPlan, Scenario};
 use robovac_sim::{
     Conditions, Run,
@@ -20,8 +20,8 @@ pub(super) struct MapBase {
     pub seed: u64,
     /// Tells room, start, robot, conditions and seed from others, also tomorrow.
     pub place: String,
-    link: String,
-    plan_version: u64,
+    /// The session as it was.
+    snapshot: SessionSnapshot,
 }
 
 impl MapBase {
@@ -35,14 +35,13 @@ impl MapBase {
             conditions: settings.conditions,
             seed: settings.seed,
             place: place_of(session),
-            link: session.link(),
-            plan_version: session.plan_version(),
+            snapshot: session.snapshot(),
         }
     }
 
     /// Whether the session is as it was.
     pub fn is_of(&self, session: &Session) -> bool {
-        self.plan_version == session.plan_version() && self.link == session.link()
+        self.snapshot == session.snapshot()
     }
 
     /// The robot at the start, about to explore, and what is really there; `None` if it doesn't fit in, or isn't in the
@@ -82,12 +81,11 @@ impl MapBase {
 
 /// Tells room, start, robot, conditions and seed of a session from others, also tomorrow.
 fn place_of(session: &Session) -> String {
-    let link = session.link();
-    let kept = link.split('&').filter(|pair| {
-        let key = pair.split('=').next().unwrap_or("");
-        ["room", "robot", "cell", "seed", "slip", "quantised", "start"].contains(&key) || key.starts_with("noise.")
+    let kept = session.link_pairs().filter(|(key, _)| {
+        ["room", "robot", "cell", "seed", "slip", "quantised", "start"].contains(&key.as_str())
+            || key.starts_with("noise.")
     });
-    let kept: Vec<&str> = kept.collect();
+    let kept: Vec<String> = kept.map(|(key, value)| format!("{key}={value}")).collect();
     let is_own = session.room().is_none();
     let walls = is_own.then(|| format!(" {:016x}", digest(&Scenario::of(session.plan()).to_json())));
     format!("{}{}", kept.join(" "), walls.unwrap_or_default())

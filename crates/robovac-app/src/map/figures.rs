@@ -6,6 +6,7 @@ use robovac_sim::mapping::{MapQuality, OccupancyMap};
 
 /// How far a mapper is from the truth.
 #[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct MapErrorFigures {
     /// Distance between the robot's true and estimated position, m; `None` while it has no idea.
     pub position_m: Option<f64>,

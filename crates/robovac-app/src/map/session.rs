@@ -5,6 +5,7 @@ use super::{
     stage::MapStage,
 };
 use crate::explore::Session;
+use crate::frame_pacer::{FramePacer, LONGEST_FRAME};
 use robovac_core::{floor_plan::FloorPlan, geometry::Pose};
 use robovac_sim::{
     Input, Run, STEP_S,
@@ -13,8 +14,6 @@ use robovac_sim::{
 };
 use std::sync::Arc;
 
-/// Longest time between two frames that is made up for, s.
-const LONGEST_FRAME: f64 = 0.1;
 /// Robot time of a single step, s.
 const STEP_LENGTH_S: f64 = 5.0;
 /// Time in the air that a hand takes at least, s: what is shown meanwhile stands still.
@@ -30,8 +29,7 @@ pub struct MapSession {
     /// The map that the robot has been given.
     pub(super) known: Option<Known>,
     pub(super) playing: bool,
-    due: f64,
-    pub(super) speed_factor: f64,
+    pub(super) pacer: FramePacer,
     /// Grows with every run that is made.
     pub(super) version: u32,
     /// Time since the figures were worked out, s.
@@ -49,8 +47,7 @@ impl MapSession {
             stage: None,
             known: None,
             playing: false,
-            due: 0.0,
-            speed_factor: 0.0,
+            pacer: FramePacer::default(),
             version: 0,
             stale_s: 0.0,
             has_strayed: false,
@@ -79,7 +76,7 @@ impl MapSession {
     pub fn set(&mut self, key: &str, value: &str) -> Result<(), SettingsError> {
         let before = self.recipe();
         self.setup.set(key, value)?;
-        self.due = 0.0;
+        self.pacer.restart();
         if self.recipe() != before {
             self.begin();
         }
@@ -134,7 +131,7 @@ impl MapSession {
             self.lose();
         }
         self.playing = false;
-        self.due = 0.0;
+        self.pacer.restart();
         self.version += 1;
         self.refresh();
     }
@@ -181,22 +178,12 @@ impl MapSession {
             }
             MapPhase::Seeking => stage.recording.seek_on(has_time),
             MapPhase::Playing => {
-                let speed = self.setup.speed;
-                self.due += elapsed * speed / STEP_S;
-                let wanted = if speed == 0.0 { u64::MAX } else { self.due as u64 };
-                let taken = stage.advance(wanted, has_time);
-                // What couldn't be done in time isn't made up for: the achieved speed says so instead.
-                self.due = if taken == wanted { self.due.fract() } else { 0.0 };
-                if elapsed > 0.0 {
-                    let factor = taken as f64 * STEP_S / elapsed;
-                    let weight = if self.speed_factor > 0.0 { 0.1 } else { 1.0 };
-                    self.speed_factor += weight * (factor - self.speed_factor);
-                }
+                self.pacer.frame(elapsed_s, self.setup.speed, |steps| stage.advance(steps, has_time));
                 if stage.recording.is_over() {
                     self.playing = false;
                 }
             }
-            _ => self.speed_factor = 0.0,
+            _ => self.pacer.rest(),
         }
         self.stale_s += elapsed;
         if phase != MapPhase::Playing || self.stale_s > FIGURES_EVERY {

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 /// What the survey is doing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(rename_all = "lowercase")]
 pub enum MapPhase {
     /// The robot doesn't fit into the room.

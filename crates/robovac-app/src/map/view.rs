@@ -6,6 +6,7 @@ use serde::Serialize;
 
 /// Snapshot of a survey. SI units; shares from 0 to 1.
 #[derive(Debug, Clone, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct MapView {
     /// What the survey is doing.
     pub phase: MapPhase,
@@ -74,11 +75,14 @@ pub struct MapView {
     pub samples: usize,
     /// Changes whenever another run, or another moment of it, is shown.
     pub version: f64,
+    /// Whether a hand holds the robot on the picture, which the session doesn't know.
+    pub is_carried: bool,
 }
 
 /// What the user may do now.
 #[expect(clippy::struct_excessive_bools)]
 #[derive(Debug, Clone, Copy, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct MapActions {
     /// Let time go on.
     pub play: bool,
@@ -150,7 +154,7 @@ impl MapSession {
             senses: conditions.noise.to_string(),
             layers: setup.layers.names(),
             speed: setup.speed,
-            speed_factor: self.speed_factor,
+            speed_factor: self.pacer.speed_factor(),
             time_s: run.map_or(0.0, Run::time_s),
             end_s: self.stage.as_ref().map_or(0.0, |stage| stage.recording.end_s()),
             returned: self.returned(),
@@ -172,6 +176,7 @@ impl MapSession {
             dirt_m2: area(Mark::Dirty),
             samples: self.samples().len(),
             version: self.version() as f64,
+            is_carried: false,
         }
     }
 }

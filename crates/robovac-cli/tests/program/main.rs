@@ -1,4 +1,5 @@
 //! The program as people and other programs run it.
 
 mod cli;
+mod examples;
 mod virtual_roomba;

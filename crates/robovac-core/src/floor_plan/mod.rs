@@ -2,32 +2,17 @@
 //!
 //! [`ROOMS`] ship with the program, [`load`] takes files in, [`to_ascii`], [`to_ros_map`] and [`Scenario`] write them.
 
-mod ascii;
-mod check;
-mod error;
-mod layout;
-mod load;
+#[cfg(feature = "files")]
+mod files;
 mod object;
-mod place;
-mod raster;
 mod rooms;
-mod ros_map;
-mod scenario;
-mod scenario_object;
 mod shape;
 mod sketch;
-mod yaml;
 
-pub use ascii::{DEFAULT_ASCII_RESOLUTION, to_ascii};
-pub use check::{BEAMS, MAX_CORNERS, MAX_OBJECTS, PlacementFault, PlacementRefusal, RADII};
-pub use error::{Flaw, MapError};
-pub use load::{SourceFile, base_name, image_of, is_image, load, load_image};
+#[cfg(feature = "files")]
+pub use files::*;
 pub use object::{Object, Who};
-pub use place::JsonPlace;
-pub use raster::{DEFAULT_IMAGE_RESOLUTION, OccupancyMode, Shading};
 pub use rooms::{ROOMS, RoomInfo, RoomKind, room};
-pub use ros_map::{MapImage, RosMap, RosMapError, to_ros_map};
-pub use scenario::{SCENARIO_FORMAT, SCENARIO_SCHEMA, SCENARIO_VERSION, Scenario, ScenarioPose};
 pub use shape::{crossing, encloses, has_area, middle};
 pub use sketch::{Rect, Sketch};
 
@@ -88,14 +73,6 @@ impl FloorPlan {
     /// Cells that are not known to be free, as obstacles.
     pub fn blocked(&self) -> Grid<bool> {
         self.occupancy.map(|&o| !o.is_free())
-    }
-
-    /// The plan itself if there is floor in it; `file` is named in errors.
-    fn checked(self, file: &str) -> Result<Self, MapError> {
-        if !self.occupancy.values().iter().any(|o| o.is_free()) {
-            return Err(MapError::NoFreeCell { name: file.to_owned() });
-        }
-        Ok(self)
     }
 }
 

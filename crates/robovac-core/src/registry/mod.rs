@@ -2,6 +2,8 @@
 
 mod explainer;
 mod params;
+mod text;
 
 pub use explainer::{Example, Explainer};
 pub use params::{ParamError, ParamKind, ParamSpec, ParamValue, Params};
+pub use text::is_same;

@@ -46,6 +46,7 @@ pub enum ParamKind {
 
 /// Value of a parameter.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(untagged)]
 pub enum ParamValue {
     /// Value of a flag.
@@ -91,6 +92,7 @@ pub enum ParamError {
 
 /// Values for all parameters of one planner or controller; complete and within range.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(transparent)]
 pub struct Params(BTreeMap<&'static str, ParamValue>);
 

@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 
 /// How wheels that have rolled become a change of pose: what tells of them, and along which line that is taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum OdometryModel {
     /// The robot moved on a circular arc: exact while both wheel speeds are constant.

@@ -12,6 +12,7 @@ const LISTENING: &str = "Listening for a robot…";
 
 /// A few words, and a few more; these may be empty.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Caption {
     /// A title.
     pub title: String,

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 /// User requests to a robot. In JavaScript, `{ do: "arm", full: false }` and the like.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(tag = "do", rename_all = "snake_case")]
 pub enum Request {
     /// Finds out anew who is there.
@@ -104,6 +105,7 @@ pub enum Request {
 
 /// Buttons on the page that stand for those of the robot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum PressedButton {
     /// Cleans.
@@ -130,6 +132,7 @@ impl PressedButton {
 
 /// What can be calibrated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum Calibration {
     /// Turns 10 degrees to the left: settles which encoder is which.

@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 /// The line below a robot's bytes.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct TransportView {
     /// What it is.
     pub kind: TransportKind,
@@ -27,6 +28,7 @@ pub struct TransportView {
 
 /// Kinds of lines.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum TransportKind {
     /// None, or that of a recording.
@@ -43,6 +45,7 @@ pub enum TransportKind {
 
 /// States of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum TransportState {
     /// Not open.
@@ -59,6 +62,7 @@ pub enum TransportState {
 
 /// The wire that wakes a robot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum BrcWire {
     /// Pulled low.
@@ -72,6 +76,7 @@ pub enum BrcWire {
 
 /// Errors of an adapter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct TransportErrors {
     /// Breaks.
     pub r#break: u32,

@@ -6,14 +6,17 @@ use serde::Serialize;
 
 /// Snapshot of a connection, for 20 looks a second.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[expect(clippy::struct_excessive_bools)]
 pub struct ConnectionView {
     /// `closed`, `diagnosing`, `waiting` (nobody answers, and it goes on trying), `connected` or `lost` (the line is open, but
     /// nothing comes any more).
+    #[cfg_attr(feature = "types", ts(type = "\"closed\" | \"diagnosing\" | \"waiting\" | \"connected\" | \"lost\""))]
     pub phase: &'static str,
     /// What was found out about who is there.
     pub diagnosis: DiagnosisView,
     /// `Passive`, `Safe` or `Full`; empty while unknown.
+    #[cfg_attr(feature = "types", ts(type = "\"\" | \"Off\" | \"Passive\" | \"Safe\" | \"Full\""))]
     pub mode: &'static str,
     /// Whether the robot's mode byte is one too high.
     pub mode_offset: bool,
@@ -65,10 +68,17 @@ pub struct ConnectionView {
 
 /// What was found out about who is there.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct DiagnosisView {
     /// What is being tried: `listening`, `asking`, `waking`, `slow` (19200 baud), `create1` (57600 baud), `done`.
     pub step: &'static str,
     /// What was found: `nothing` (yet), `silence`, `stream`, `charging`, `booting`, `bootloader`, `garbage`, `text`, `robot`.
+    #[cfg_attr(
+        feature = "types",
+        ts(
+            type = "\"\" | \"nothing\" | \"silence\" | \"stream\" | \"charging\" | \"booting\" | \"bootloader\" | \"garbage\" | \"text\" | \"no_stream\" | \"robot\""
+        )
+    )]
     pub finding: &'static str,
     /// One sentence on it.
     pub text: String,
@@ -86,6 +96,7 @@ pub struct DiagnosisView {
 
 /// What drives the robot.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct DriveSessionView {
     /// Name of the algorithm.
     pub title: String,
@@ -107,6 +118,7 @@ pub struct DriveSessionView {
 
 /// How the line is.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Statistics {
     /// Baud rate.
     pub baud: u32,
@@ -140,6 +152,7 @@ pub struct Statistics {
 
 /// Why the robot left Safe or Full.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct DropView {
     /// Mode that it was in.
     pub from: &'static str,
@@ -153,14 +166,18 @@ pub struct DropView {
 
 /// A calibration.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct CalibrationView {
     /// `nudge`, `spin`, `metre` or `square`; empty for none.
+    #[cfg_attr(feature = "types", ts(type = "\"\" | \"nudge\" | \"spin\" | \"metre\" | \"square\""))]
     pub what: &'static str,
     /// `none`, `moving`, `asking`, `done` or `failed`.
+    #[cfg_attr(feature = "types", ts(type = "\"none\" | \"moving\" | \"asking\" | \"done\" | \"failed\""))]
     pub step: &'static str,
     /// What is going on, what is asked, or what was found.
     pub text: String,
     /// Unit of the answer: `yes` for yes or no, `deg`, `m`; empty if nothing is asked.
+    #[cfg_attr(feature = "types", ts(type = "\"\" | \"yes\" | \"deg\" | \"m\""))]
     pub asks: &'static str,
     /// The likeliest answer.
     pub suggestion: f64,
@@ -174,10 +191,12 @@ pub struct CalibrationView {
 
 /// A message.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Notice {
     /// Grows with every message.
     pub number: u32,
     /// `notice` or `error`.
+    #[cfg_attr(feature = "types", ts(type = "\"notice\" | \"error\""))]
     pub kind: &'static str,
     /// Sentences for users.
     pub text: String,
@@ -186,6 +205,7 @@ pub struct Notice {
 /// Which requests are allowed.
 #[expect(clippy::struct_excessive_bools)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct ConnectionActions {
     /// Connect again.
     pub connect: bool,
@@ -207,6 +227,7 @@ pub struct ConnectionActions {
 
 /// Something that went over the line.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Traffic {
     /// When, s.
     pub time_s: f64,
@@ -222,6 +243,7 @@ pub struct Traffic {
 
 /// What went over the line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum TrafficKind {
     /// A command to the robot.

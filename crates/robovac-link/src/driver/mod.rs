@@ -62,6 +62,7 @@ const MOST_HAPPENINGS: usize = 2000;
 
 /// What the transport is to do with the line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum LineRequest {
     /// Go on at another baud rate: close and open again, if that is what it takes.

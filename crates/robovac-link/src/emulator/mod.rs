@@ -42,8 +42,10 @@ mod power;
 mod report;
 mod sound;
 mod uart;
+mod view;
 
 pub use personality::{Banner, Log, PERSONALITIES, Personality, personality};
+pub use view::{PersonalityView, VirtualView};
 
 use clock::{Nanos, SECOND};
 use lights::Lights;

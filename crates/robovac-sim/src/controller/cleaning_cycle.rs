@@ -65,7 +65,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
             why: "Three of the four are useless among so many obstacles, but still take their time.",
         },
     },
-    claims: BehaviourClaims { ends: false, cleans: true, manual: false, explores: false },
+    claims: BehaviourClaims { ends: false, cleans: true, walls_only: false, manual: false, explores: false },
     params: &[
         ParamSpec {
             id: "durations",

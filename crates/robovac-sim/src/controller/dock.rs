@@ -75,7 +75,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         shines: Example { room: "room12ft", why: "In a single room the beams are found quickly." },
         fails: Example { room: "maze", why: "Walls block the beams, so the dock is found only by chance." },
     },
-    claims: BehaviourClaims { ends: true, cleans: false, manual: false, explores: false },
+    claims: BehaviourClaims { ends: true, cleans: false, walls_only: false, manual: false, explores: false },
     params: &[],
 };
 

@@ -26,6 +26,18 @@ pub struct BehaviourInfo {
     pub params: &'static [ParamSpec],
 }
 
+impl BehaviourInfo {
+    /// Checks the texts.
+    ///
+    /// # Panics
+    ///
+    /// If they aren't as they must be. The registry has `const _: () = INFO.check();`, so that it is an error of the compiler.
+    pub const fn check(&self) {
+        self.explainer.check(self.summary);
+        assert!(!self.source.is_empty(), "`source` is empty");
+    }
+}
+
 /// Properties of a behaviour that the contract test checks.
 #[expect(clippy::struct_excessive_bools)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -34,6 +46,8 @@ pub struct BehaviourClaims {
     pub ends: bool,
     /// Cleans: covers more and more floor. Others serve another purpose, such as going home.
     pub cleans: bool,
+    /// Cleans along walls and furniture only.
+    pub walls_only: bool,
     /// Is driven by a person.
     pub manual: bool,
     /// Explores: is there to see walls and furniture, for a map. What it cleans on the way doesn't count.

@@ -51,7 +51,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         shines: Example { room: "room12ft", why: "One room that is easy to keep in mind." },
         fails: Example { room: "clutter", why: "Try to cover everything." },
     },
-    claims: BehaviourClaims { ends: false, cleans: false, manual: true, explores: false },
+    claims: BehaviourClaims { ends: false, cleans: false, walls_only: false, manual: true, explores: false },
     params: &[ParamSpec {
         id: "careful",
         label: "Reverse only over known ground",

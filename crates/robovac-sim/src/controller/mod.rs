@@ -127,6 +127,8 @@ macro_rules! registry {
         );
         /// What all behaviours say of themselves.
         pub const BEHAVIOURS: &[&BehaviourInfo] = &[$(&$plain::INFO,)* $(&$($explorer::)+INFO),*];
+        $(const _: () = $plain::INFO.check();)*
+        $(const _: () = $($explorer::)+INFO.check();)*
     };
 }
 

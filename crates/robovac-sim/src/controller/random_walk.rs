@@ -60,7 +60,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         },
         fails: Example { room: "maze", why: "It passes a doorway only by chance: most of the maze is never reached." },
     },
-    claims: BehaviourClaims { ends: false, cleans: true, manual: false, explores: false },
+    claims: BehaviourClaims { ends: false, cleans: true, walls_only: false, manual: false, explores: false },
     params: &[
         ParamSpec {
             id: "least",

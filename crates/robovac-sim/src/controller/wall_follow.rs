@@ -86,7 +86,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         },
         fails: Example { room: "empty", why: "It cleans the border again and again and never the middle." },
     },
-    claims: BehaviourClaims { ends: false, cleans: true, manual: false, explores: false },
+    claims: BehaviourClaims { ends: false, cleans: true, walls_only: true, manual: false, explores: false },
     params: &[
         ParamSpec {
             id: "on",

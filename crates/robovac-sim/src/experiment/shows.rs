@@ -6,6 +6,7 @@ use serde::Serialize;
 /// Layers of the picture that can be shown or not.
 #[expect(clippy::struct_excessive_bools)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Shows {
     /// How often the floor was swept.
     pub coverage: bool,

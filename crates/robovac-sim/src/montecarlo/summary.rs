@@ -9,6 +9,7 @@ const QUANTILES: [f64; 3] = [0.1, 0.5, 0.9];
 
 /// The middle of many values and where four in five of them lie; see [`quantile`] for the definition.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Band {
     /// A tenth of the values is lower.
     pub low: f64,
@@ -23,6 +24,7 @@ pub struct Band {
 /// The time of a run that didn't get there is only known to be longer than the run. Times that depend on such a run are
 /// `None`: the median, unless more than half of the runs got there.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct TimeTo {
     /// The share, %.
     pub percent: f64,
@@ -38,6 +40,7 @@ pub struct TimeTo {
 
 /// Summary of many runs of one algorithm.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Summary {
     /// How many.
     pub runs: usize,

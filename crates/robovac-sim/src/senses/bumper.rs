@@ -4,7 +4,7 @@
 //! switches need no filter: at "typical" it is one reading in four, in the first 15 ms only). At "harsh" the bumper is
 //! stiff: each half is read open every other time during the first 60 ms. The figures are ours.
 
-use super::{Carrier, Noisy, slot};
+use super::{Carrier, Noisy};
 use crate::SensorKind;
 use robovac_core::{geometry::difference, math, robot::RobotModel};
 
@@ -24,7 +24,7 @@ impl Switches {
         }
         let (unsure, probability) = noise.pick(SensorKind::Bumper, [(0, 0.0), (1, 0.25), (4, 0.5)]);
         let closed = |half: usize| {
-            let bounces = self.0[half] <= unsure && noise.happens(slot::BUMPER + half, probability);
+            let bounces = self.0[half] <= unsure && noise.happens(SensorKind::Bumper, half, probability);
             halves[half] && !bounces
         };
         (closed(0), closed(1))

@@ -8,7 +8,7 @@
 //! and one in 256 tiles of the floor, 10 cm wide, is so dark that it reads as a cliff, as owners of dark carpets know.
 //! Where these tiles are depends on the seed alone. The threshold and the figures of "harsh" are ours.
 
-use super::{BodyFrame, Noisy, slot};
+use super::{BodyFrame, Noisy};
 use crate::{NoiseLevel, SensorKind, World};
 use robovac_core::{
     geometry::Point,
@@ -68,7 +68,7 @@ impl Edges {
                     FLOOR
                 }
             };
-            let error = if light > 0.0 { deviation * noise.normal(slot::CLIFF + index) } else { 0.0 };
+            let error = if light > 0.0 { deviation * noise.normal(SensorKind::Cliff, index) } else { 0.0 };
             let signal = (light + error).clamp(0.0, 4095.0) as u16;
             sensors.cliff_signal[index] = signal;
             sensors.cliff[index] = signal < THRESHOLD;

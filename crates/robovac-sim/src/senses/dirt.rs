@@ -3,7 +3,7 @@
 //! Noise: at "typical" up to 2, at "harsh" up to 20 of 255 are read while nothing hits it. The figures are ours; the Open
 //! Interface only says that more is dirtier.
 
-use super::{Noisy, slot};
+use super::Noisy;
 use crate::SensorKind;
 
 /// Amount of dirt in one step that the sensor reads as 255, m² of a spot: what a strip 17 cm wide gives at 0.3 m/s.
@@ -19,7 +19,7 @@ impl DirtSensor {
     /// The reading after a step in which `amount` of dirt was picked up.
     pub fn read(&mut self, amount: f64, noise: &Noisy<'_>) -> u8 {
         self.0 = (self.0 * FADES).max((255.0 / FULL * amount).min(255.0));
-        let hum = noise.pick(SensorKind::Dirt, [0.0, 3.0, 21.0]) * noise.uniform(slot::DIRT);
+        let hum = noise.pick(SensorKind::Dirt, [0.0, 3.0, 21.0]) * noise.uniform(SensorKind::Dirt, 0);
         self.0.max(hum) as u8
     }
 }

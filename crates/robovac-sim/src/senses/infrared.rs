@@ -14,7 +14,7 @@
 //!
 //! Noise: at "typical" a receiver misses one character in twenty, at "harsh", in sunlight, every third (ours).
 
-use super::{Around, BodyFrame, Noisy, sight, slot};
+use super::{Around, BodyFrame, Noisy, sight};
 use crate::{SensorKind, World};
 use robovac_core::{
     coverage::{DOCK_BACK, FENCE, HALO},
@@ -79,7 +79,7 @@ pub(super) fn read(
     }
     let receiver = frame.point([RECEIVERS * model.radius, 0.0]);
     let missed = noise.pick(SensorKind::Infrared, [0.0, 0.05, 0.33]);
-    let misses = |slot: usize| noise.happens(slot::INFRARED + slot, missed);
+    let misses = |index: usize| noise.happens(SensorKind::Infrared, index, missed);
     let is_fenced = |(pose, length): &(Pose, f64)| is_in_fence(around, receiver, *pose, *length);
     sensors.virtual_wall = virtual_walls.iter().any(is_fenced) && !misses(0);
     if sensors.virtual_wall {

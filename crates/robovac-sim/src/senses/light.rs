@@ -9,7 +9,7 @@
 //! Noise: at "typical" a standard deviation of 3 % and the idle values above; at "harsh" 15 % and idle values up to 160,
 //! as in sunlight. The percentages and the threshold are ours.
 
-use super::{Around, BodyFrame, Noisy, sight::look, slot};
+use super::{Around, BodyFrame, Noisy, sight::look};
 use crate::SensorKind;
 use robovac_core::{
     coverage::{RayHit, Surface},
@@ -55,10 +55,9 @@ impl LightBeams {
         let sees_nothing = is_lifted || self.is_all_out_of_reach(around, frame.position);
         for (index, &direction) in self.directions.iter().enumerate() {
             let light = if sees_nothing { 0.0 } else { self.light(around, frame, direction) };
-            let slot = slot::LIGHT + index;
-            let mut value = idle.0 + idle.1 * noise.uniform(slot);
+            let mut value = idle.0 + idle.1 * noise.uniform(SensorKind::Light, index);
             if light > 0.0 {
-                value += light * (1.0 + deviation * noise.normal(slot)).max(0.0);
+                value += light * (1.0 + deviation * noise.normal(SensorKind::Light, index)).max(0.0);
             }
             let signal = value.min(MOST_LIGHT) as u16;
             sensors.light_signal[index] = signal;

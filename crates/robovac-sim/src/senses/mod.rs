@@ -11,7 +11,7 @@ mod motors;
 mod sight;
 
 use super::{
-    Conditions, Life, Noise, SensorKind, Touch, World,
+    Conditions, Life, Noise, NoiseLevel, SensorKind, Touch, World,
     noise::{NoiseDraw, NoiseSource},
 };
 use battery::BatteryCells;
@@ -122,7 +122,7 @@ impl Senses {
 
     /// Takes a new reading.
     pub fn read(&mut self, around: Around<'_>, carrier: &Carrier) {
-        let Self { model, noise, source, switches, edges, light, laser, dirt, motors, cells, moved, sensors } = self;
+        let Self { model, noise, source, switches, edges, light, laser, dirt, motors, cells, sensors, .. } = self;
         let draw = source.as_mut().map(NoiseSource::draw);
         let noise = Noisy { levels: *noise, draw };
         let frame = BodyFrame::new(carrier.pose);
@@ -132,7 +132,7 @@ impl Senses {
             (counts as i64 - i64::from(counts as i64 as f64 > counts)) as u16
         };
         [sensors.left_counts, sensors.right_counts, sensors.lateral_counts] = carrier.rolled.map(counts);
-        sensors.moved = moved.take(sensors);
+        sensors.moved = self.moved.take(sensors);
         (sensors.bump_left, sensors.bump_right) = switches.pressed(model, carrier, &noise);
         if model.sensors.wheel_drops {
             [sensors.wheel_drop_left, sensors.wheel_drop_right] = carrier.dropped.map(|d| d || carrier.is_lifted);
@@ -151,7 +151,7 @@ impl Senses {
         sensors.dirt = dirt.read(carrier.dirt, &noise);
         motors.read(carrier, sensors);
         cells.step(model, around.world, carrier, on_dock, motors.is_stalled());
-        cells.report(noise.normal(slot::BATTERY), sensors);
+        cells.report(noise.normal(SensorKind::Battery, 0), sensors);
     }
 }
 
@@ -189,38 +189,28 @@ struct Noisy<'a> {
     draw: Option<NoiseDraw<'a>>,
 }
 
-/// Which random bytes of a step each sensor takes.
-mod slot {
-    pub const CLIFF: usize = 0;
-    pub const LIGHT: usize = 4;
-    pub const BUMPER: usize = 10;
-    pub const INFRARED: usize = 12;
-    pub const DIRT: usize = 14;
-    pub const BATTERY: usize = 15;
-}
-
 impl Noisy<'_> {
     /// The one of three values, for off, typical and harsh, that holds for `kind`.
     #[inline]
-    fn pick<T: Copy>(&self, kind: SensorKind, values: [T; 3]) -> T {
+    fn pick<T: Copy>(&self, kind: SensorKind, values: [T; NoiseLevel::ALL.len()]) -> T {
         values[self.levels.of(kind) as usize]
     }
 
-    /// A normal deviate; 0 if no sensor errs.
+    /// Number `index` of a kind's random numbers, as a normal deviate; 0 if no sensor errs.
     #[inline]
-    fn normal(&self, slot: usize) -> f64 {
-        self.draw.map_or(0.0, |draw| draw.normal(slot))
+    fn normal(&self, kind: SensorKind, index: usize) -> f64 {
+        self.draw.map_or(0.0, |draw| draw.normal(kind, index))
     }
 
-    /// A random number below 1, at least 0; 0 if no sensor errs.
+    /// The same as a random number below 1, at least 0; 0 if no sensor errs.
     #[inline]
-    fn uniform(&self, slot: usize) -> f64 {
-        self.draw.map_or(0.0, |draw| f64::from(draw.byte(slot)) / 256.0)
+    fn uniform(&self, kind: SensorKind, index: usize) -> f64 {
+        self.draw.map_or(0.0, |draw| f64::from(draw.byte(kind, index)) / 256.0)
     }
 
-    /// True with this probability.
+    /// True with this probability, by the same number.
     #[inline]
-    fn happens(&self, slot: usize, probability: f64) -> bool {
-        self.draw.is_some_and(|draw| f64::from(draw.byte(slot)) < 256.0 * probability)
+    fn happens(&self, kind: SensorKind, index: usize, probability: f64) -> bool {
+        self.draw.is_some_and(|draw| f64::from(draw.byte(kind, index)) < 256.0 * probability)
     }
 }

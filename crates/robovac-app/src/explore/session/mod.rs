@@ -6,15 +6,17 @@ mod search;
 mod snapshot;
 
 use crate::explore::{Action, Brush, Editor, PlanSearch, SessionState, Showing};
-use crate::{Import, ImportError, ScenarioError};
+use crate::frame_pacer::{FramePacer, LONGEST_FRAME};
+use crate::{Import, ImportError, ScenarioChoices, ScenarioError};
 use coverage_planners::{Film, Proof};
 use robovac_core::{
     floor_plan::{self, FloorPlan, RoomInfo, Scenario, SourceFile},
     geometry::{Point, Pose},
     grid::Cell,
+    registry::Params,
 };
 use robovac_sim::{
-    Input, NoiseLevel, RunRecording, STEP_S, SensorKind,
+    Input, RunRecording, STEP_S,
     controller::{self, Behaviours, Joystick},
     experiment::{
         Settings, SettingsError,
@@ -22,9 +24,6 @@ use robovac_sim::{
     },
 };
 use std::sync::Arc;
-
-/// Longest time between two frames that is made up for, s: after a pause of the browser the robot doesn't leap.
-const LONGEST_FRAME: f64 = 0.1;
 
 /// What is told of a robot that was put down elsewhere and can't feel that.
 const CARRIED: &str = "The robot follows its plan by odometry and can't detect that it was kidnapped.";
@@ -47,9 +46,7 @@ pub struct Session {
     planned: Option<Planned>,
     recording: Option<RunRecording>,
     playing: bool,
-    /// Simulation steps that are due but not done.
-    due: f64,
-    speed_factor: f64,
+    pacer: FramePacer,
     requests: u32,
     /// Whether nothing but the opening scene has been asked for so far: its plan is there already.
     is_opening: bool,
@@ -115,8 +112,7 @@ impl Session {
             planned: None,
             recording: None,
             playing: true,
-            due: 0.0,
-            speed_factor: 0.0,
+            pacer: FramePacer::default(),
             requests: 0,
             is_opening: true,
             previews: 0,
@@ -215,24 +211,12 @@ impl Session {
         match state {
             SessionState::Seeking => recording.seek_on(has_time),
             SessionState::Playing => {
-                let elapsed = elapsed_s.clamp(0.0, LONGEST_FRAME);
-                let unlimited = self.settings.speed == 0.0;
-                self.due += elapsed * self.settings.speed / STEP_S;
-                let wanted = if unlimited { u64::MAX } else { self.due as u64 };
-                let taken = recording.advance(wanted, has_time);
-                // What couldn't be done in time isn't made up for: the achieved speed says so instead.
-                self.due = if taken == wanted { self.due.fract() } else { 0.0 };
-                if elapsed > 0.0 {
-                    let factor = taken as f64 * STEP_S / elapsed;
-                    // The first frame counts in full: smoothing from zero would look like a slow start.
-                    let weight = if self.speed_factor > 0.0 { 0.1 } else { 1.0 };
-                    self.speed_factor += weight * (factor - self.speed_factor);
-                }
+                self.pacer.frame(elapsed_s, self.settings.speed, |steps| recording.advance(steps, has_time));
                 if recording.run().is_finished() {
                     self.playing = false;
                 }
             }
-            _ => self.speed_factor = 0.0,
+            _ => self.pacer.rest(),
         }
     }
 
@@ -366,7 +350,7 @@ impl Session {
     /// Sets the speed, times real time; 0 for as fast as it goes.
     pub fn set_speed(&mut self, times: f64) {
         self.settings.speed = if times.is_finite() { times.max(0.0) } else { 0.0 };
-        self.due = 0.0;
+        self.pacer.restart();
     }
 
     /// Takes a map or scenario from files that belong together. On an error everything stays as it was.
@@ -402,51 +386,68 @@ impl Session {
         }
         let room = room.filter(|&id| id != OWN_ROOM).map(known_room).transpose()?;
         let start = settings.start.take();
+        self.replace(settings, room.map(|room| ((room.build)(), Some(room.id))), start);
+        Ok(())
+    }
+
+    /// Takes settings, another room if there is one, and a start in it, as one change to be undone at once.
+    pub(super) fn replace(
+        &mut self,
+        settings: Settings,
+        room: Option<(FloorPlan, Option<&'static str>)>,
+        start: Option<Pose>,
+    ) {
         self.settings = settings;
         self.message = None;
-        // One change, to be undone at once.
         match room {
-            Some(room) => self.editor.replace((room.build)(), Some(room.id), start),
+            Some((plan, id)) => self.editor.replace(plan, id, start),
             None if start.is_some() => self.editor.set_start(start),
             None => {}
         }
         self.prepare();
-        Ok(())
     }
 
     /// Room and settings as a scenario file, which [`Session::load`] takes back.
     pub fn scenario_json(&self) -> String {
-        let Settings { algorithm, ref params, conditions, .. } = self.settings;
-        let defaults = robovac_core::registry::Params::defaults(algorithm.params());
-        let changed = params.iter().filter(|&(id, value)| defaults.get(id) != Some(value));
-        let params =
-            changed.filter_map(|(id, value)| Some((id.to_owned(), serde_json::to_value(value).ok()?))).collect();
+        let settings = &self.settings;
+        let defaults = Params::defaults(settings.algorithm.params());
+        let changed = settings.params.iter().filter(|&(id, value)| defaults.get(id) != Some(value));
+        let params = changed.filter_map(|(id, value)| Some((id.to_owned(), serde_json::to_value(value).ok()?)));
+        let choices = ScenarioChoices::of_settings(settings);
+        let mut scenario = self.own_room();
+        scenario.robot = choices.robot;
+        scenario.planner = choices.planner;
+        scenario.behaviour = choices.behaviour;
+        scenario.params = params.collect();
+        scenario.cell_size = choices.cell_size;
+        scenario.seed = Some(settings.seed);
+        scenario.slip = choices.slip;
+        scenario.noise = choices.noise.map(|levels| levels.into_iter().collect());
+        scenario.quantised = choices.quantised;
+        scenario.odometry = choices.odometry;
+        scenario.to_json()
+    }
+
+    /// The room and the robot's start in it.
+    pub fn own_room(&self) -> Scenario {
         let mut scenario = Scenario::of(self.plan());
         // A start that was walled in would be refused, and is of no use to anyone.
         let start = self.editor.start().or(self.plan().start);
         scenario.start = start.filter(|_| self.prepared.is_some()).map(Into::into);
-        scenario.robot = Some(self.settings.robot.to_owned());
-        scenario.planner = algorithm.planner().map(|info| info.id.to_owned());
-        scenario.behaviour = algorithm.behaviour().map(|info| info.id.to_owned());
-        scenario.params = params;
-        scenario.cell_size = Some(self.settings.cell_size);
-        scenario.seed = Some(self.settings.seed);
-        scenario.slip = Some(conditions.slip.id().to_owned());
-        let noisy = SensorKind::ALL.into_iter().map(|(kind, name)| (name, conditions.noise.of(kind)));
-        let noisy = noisy.filter(|&(_, level)| level != NoiseLevel::Off);
-        scenario.noise = Some(noisy.map(|(name, level)| (name.to_owned(), level.id().to_owned())).collect());
-        scenario.quantised = Some(conditions.quantised);
-        scenario.odometry = Some(self.settings.odometry.id().to_owned());
-        scenario.to_json()
+        scenario
     }
 
     /// The session as a link's `key=value` pairs. A room that was drawn or loaded isn't in it: see [`Session::scenario_json`].
     pub fn link(&self) -> String {
+        self.link_pairs().map(|(key, value)| format!("{key}={value}")).collect::<Vec<_>>().join("&")
+    }
+
+    /// Keys and values of [`Session::link`].
+    pub fn link_pairs(&self) -> impl Iterator<Item = (String, String)> + use<> {
         let mut settings = self.settings.clone();
         settings.start = self.editor.start();
         let room = ("room".to_owned(), self.editor.room().unwrap_or(OWN_ROOM).to_owned());
-        let pairs = std::iter::once(room).chain(settings.to_link());
-        pairs.map(|(key, value)| format!("{key}={value}")).collect::<Vec<_>>().join("&")
+        std::iter::once(room).chain(settings.to_link())
     }
 
     // ---- drawing
@@ -538,7 +539,7 @@ impl Default for Session {
 }
 
 /// The room that ships with that id.
-fn known_room(id: &str) -> Result<&'static RoomInfo, SettingsError> {
+pub(super) fn known_room(id: &str) -> Result<&'static RoomInfo, SettingsError> {
     floor_plan::room(id).ok_or_else(|| {
         let known = floor_plan::ROOMS.iter().map(|r| r.id).collect::<Vec<_>>().join(", ");
         SettingsError::Unknown { kind: "room", id: id.to_owned(), known }

@@ -2,7 +2,7 @@
 
 use super::{Planning, Session, sentence};
 use crate::explore::{PlanSearch, SessionState, Showing, opening};
-use coverage_planners::{CoveragePath, Film, FilmFrame, PlanError, ProgressReport, Proof};
+use coverage_planners::{CoveragePath, Film, FilmFrame, PlanError, PlannerInfo, ProgressReport, Proof};
 use robovac_core::floor_plan;
 use robovac_sim::{
     RunRecording,
@@ -75,7 +75,7 @@ impl Session {
 
     /// Whether the planner at work may be stopped with a walk that cleans all: only of such a one anything is proven.
     pub(super) fn can_keep(&self) -> bool {
-        let is_anytime = self.settings.algorithm.planner().is_some_and(|planner| planner.claims.anytime);
+        let is_anytime = self.settings.algorithm.planner().is_some_and(PlannerInfo::is_anytime);
         is_anytime && self.planning.as_ref().is_some_and(|planning| planning.proof.is_some())
     }
 
@@ -184,7 +184,7 @@ impl Session {
         self.film = None;
         self.recording = None;
         self.planning = None;
-        self.due = 0.0;
+        self.pacer.restart();
         self.is_opening = self.is_opening
             && self.editor.room() == Some(floor_plan::ROOMS[0].id)
             && self.editor.start().is_none()

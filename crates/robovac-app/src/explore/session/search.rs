@@ -95,7 +95,7 @@ impl Session {
 
     /// Whether the planner can say what it decides.
     pub fn offers_search(&self) -> bool {
-        self.settings.algorithm.planner().is_some_and(|planner| planner.claims.traces || planner.claims.anytime)
+        self.settings.algorithm.planner().is_some_and(|planner| planner.claims.traces || planner.is_anytime())
     }
 
     /// Why the search can't be shown in this room; empty if it can.
@@ -104,7 +104,7 @@ impl Session {
             return String::new();
         };
         let (most, shown) =
-            if planner.claims.anytime { (MOST_FILMED_CELLS, "filmed") } else { (MOST_SEARCH_CELLS, "shown") };
+            if planner.is_anytime() { (MOST_FILMED_CELLS, "filmed") } else { (MOST_SEARCH_CELLS, "shown") };
         let cells = prepared.job.cells();
         if !self.offers_search() || cells <= most {
             return String::new();

@@ -8,7 +8,10 @@ use crate::{
         view::{PlanView, RoomView, SessionActions},
     },
 };
-use coverage_planners::Proof;
+use coverage_planners::{
+    Proof,
+    metrics::{DriveMetrics, WalkMetrics},
+};
 use robovac_sim::experiment::Shows;
 use robovac_sim::{Run, RunRecording, SensorKind, SlipLevel, What};
 
@@ -88,7 +91,7 @@ impl Session {
             shows: self.settings.shows,
             odometry: self.settings.odometry.id(),
             speed: self.settings.speed,
-            speed_factor: self.speed_factor,
+            speed_factor: self.pacer.speed_factor(),
             time_s: run.map_or(0.0, Run::time_s),
             run_end_s: self.recording.as_ref().map_or(0.0, RunRecording::end_s),
             coverage: run.map_or(0.0, Run::coverage),
@@ -120,8 +123,7 @@ impl Session {
 
     /// What a quarter turn counts as for a planner that proves its plans, in steps, and whether that is the robot's time.
     fn turn_weight(&self) -> Option<(f64, bool)> {
-        let planner = self.settings.algorithm.planner().filter(|planner| planner.claims.anytime);
-        let turn = planner.map(|_| self.settings.params.number("turn"))?;
+        let turn = self.settings.algorithm.planner()?.turn_weight(&self.settings.params)?;
         if turn > 0.0 {
             return Some((turn, false));
         }
@@ -135,8 +137,8 @@ impl Session {
             return Some(PlanView {
                 running: true,
                 progress: planning.progress,
-                walk: None,
-                drive: None,
+                walk: WalkMetrics::default(),
+                drive: DriveMetrics::default(),
                 planning_s: None,
                 gap: planning.proof.map(Proof::gap),
                 above_bound: None,
@@ -148,8 +150,8 @@ impl Session {
         self.planned.as_ref().map(|planned| PlanView {
             running: false,
             progress: 1.0,
-            walk: Some(planned.walk),
-            drive: Some(planned.drive),
+            walk: planned.walk,
+            drive: planned.drive,
             planning_s: (!self.is_opening).then_some(planned.planning_s),
             gap: planned.proof.map(Proof::gap),
             above_bound: planned.compared.map(Proof::gap),

@@ -10,9 +10,15 @@ pub use cell::cell_robot;
 
 use super::RobotModel;
 
-/// The robots that ship, in the order of the menus.
-pub const MODELS: &[&RobotModel] =
-    &[&roomba600::ROOMBA_600, &dvr1::DVR_1, &cbot::CBOT, &octagon::OCTAGON, &cell::CELL_20];
+/// The robots that ship.
+pub const MODELS: &[&RobotModel] = &[
+    // In the order of the menus.
+    &roomba600::ROOMBA_600,
+    &dvr1::DVR_1,
+    &cbot::CBOT,
+    &octagon::OCTAGON,
+    &cell::CELL_20,
+];
 
 /// The model with that id.
 pub fn model(id: &str) -> Option<&'static RobotModel> {

@@ -75,7 +75,7 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
             why: "It follows the first wall that it finds and never reaches the other one.",
         },
     },
-    claims: BehaviourClaims { ends: false, cleans: false, manual: false, explores: true },
+    claims: BehaviourClaims { ends: false, cleans: false, walls_only: false, manual: false, explores: true },
     params: &[
         ParamSpec {
             id: "text",

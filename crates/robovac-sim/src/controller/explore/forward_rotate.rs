@@ -46,7 +46,7 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
         shines: Example { room: "room12ft", why: "In an empty room a random walk eventually finds every wall." },
         fails: Example { room: "flat", why: "It keeps revisiting the same floor and passes doorways only by chance." },
     },
-    claims: BehaviourClaims { ends: false, cleans: false, manual: false, explores: true },
+    claims: BehaviourClaims { ends: false, cleans: false, walls_only: false, manual: false, explores: true },
     params: &[DISTANCE, ANGLE, PUSHES],
 };
 

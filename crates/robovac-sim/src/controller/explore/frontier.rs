@@ -88,7 +88,7 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
             why: "In a hall of 20 m by 20 m there are few landmarks, and the pose drifts from lane to lane.",
         },
     },
-    claims: BehaviourClaims { ends: true, cleans: false, manual: false, explores: true },
+    claims: BehaviourClaims { ends: true, cleans: false, walls_only: false, manual: false, explores: true },
     params: &[
         ParamSpec {
             id: "tracking",

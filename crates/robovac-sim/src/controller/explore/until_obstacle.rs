@@ -53,7 +53,7 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
         shines: Example { room: "ring", why: "Walls guide it along the corridor at full speed, all the way round." },
         fails: Example { room: "flat", why: "It circles the same few pieces of furniture and misses every door." },
     },
-    claims: BehaviourClaims { ends: false, cleans: false, manual: false, explores: true },
+    claims: BehaviourClaims { ends: false, cleans: false, walls_only: false, manual: false, explores: true },
     params: &[
         ParamSpec {
             id: "direction",

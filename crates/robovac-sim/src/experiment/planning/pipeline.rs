@@ -153,7 +153,7 @@ impl PlanRequest {
     /// A film of the search, to be shown what the planner reports; `None` for planners that don't improve a walk, and for
     /// rooms of more than [`MOST_FILMED_CELLS`].
     pub fn film(&self) -> Option<Film> {
-        let is_filmed = self.planner.claims.anytime && self.job.cells() <= MOST_FILMED_CELLS;
+        let is_filmed = self.planner.is_anytime() && self.job.cells() <= MOST_FILMED_CELLS;
         is_filmed.then(|| Film::of(self.planner, &self.params, &self.job))
     }
 

@@ -1,19 +1,18 @@
 //! The comparison as plain objects.
 
+use super::{Comparison, ComparisonTable, MedianAndRange, Race, RoomSet, TrialProgress};
+use crate::explore::SessionState;
 use coverage_planners::{
     Bounds,
     metrics::{METRICS, MetricInfo},
-};
-use robovac_app::{
-    compare::{Comparison, ComparisonTable, MedianAndRange, Race, RoomSet, TrialProgress},
-    explore::SessionState,
 };
 use robovac_core::registry::Params;
 use serde::Serialize;
 
 /// Snapshot for every frame.
 #[derive(Serialize)]
-pub(super) struct ComparisonView<'a> {
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+pub struct ComparisonView<'a> {
     version: u32,
     set: &'static str,
     sets: Vec<(&'static str, &'static str)>,
@@ -28,11 +27,13 @@ pub(super) struct ComparisonView<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 struct EntrantView<'a> {
     id: &'static str,
     chosen: bool,
     params: &'a Params,
     /// `out`, `trying`, `done` or `failed`.
+    #[cfg_attr(feature = "types", ts(type = "\"out\" | \"trying\" | \"done\" | \"failed\""))]
     state: &'static str,
     /// 0 to 1.
     progress: f64,
@@ -40,6 +41,7 @@ struct EntrantView<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 struct RaceView {
     state: SessionState,
     time_s: f64,
@@ -50,6 +52,7 @@ struct RaceView {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 struct LaneView {
     /// Number of the planner in `entrants`.
     entrant: usize,
@@ -63,6 +66,7 @@ struct LaneView {
 }
 
 impl<'a> ComparisonView<'a> {
+    /// What there is to be seen of it.
     pub fn new(comparison: &'a Comparison) -> Self {
         let (done, total) = comparison.count();
         let entrants = comparison.entrants().iter().enumerate().map(|(index, entrant)| {
@@ -114,7 +118,8 @@ impl RaceView {
 
 /// A table of numbers.
 #[derive(Serialize)]
-pub(super) struct TableView {
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+pub struct TableView {
     metrics: &'static [MetricInfo],
     /// Of a single room.
     bounds: Option<Bounds>,
@@ -122,6 +127,7 @@ pub(super) struct TableView {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 struct RowView {
     /// Number of the planner in the view's `entrants`.
     entrant: usize,
@@ -134,6 +140,7 @@ struct RowView {
 }
 
 impl TableView {
+    /// `table`, with the bounds of its only room.
     pub fn new(table: &ComparisonTable, bounds: Option<Bounds>) -> Self {
         let rows = table.rows.iter().map(|row| RowView {
             entrant: row.index,

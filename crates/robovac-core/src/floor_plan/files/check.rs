@@ -1,9 +1,6 @@
 //! Validation of rooms: for imported files and for every edit on the canvas.
 
-use super::{
-    FloorPlan, Object,
-    shape::{crossing, encloses, has_area},
-};
+use super::{FloorPlan, Object, crossing, encloses, has_area};
 use crate::geometry::{Point, Pose};
 
 /// Most objects in a room.

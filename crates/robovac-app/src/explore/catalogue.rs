@@ -1,11 +1,11 @@
 //! Catalogue of algorithms, rooms and robots, for menus and forms.
 
+use crate::CatalogueEntry;
 use coverage_planners::PLANNERS;
 use robovac_core::{
     floor_plan::ROOMS,
     robot::{Body, MODELS, RobotModel, WheelLayout},
 };
-use robovac_playground::wire::entry::CatalogueEntry;
 use robovac_sim::{
     SensorKind,
     controller::MAPLESS,
@@ -15,17 +15,20 @@ use serde::Serialize;
 
 /// Rooms, planners, behaviours, robots, kinds of sensors whose noise can be chosen, cell sizes and speeds.
 #[derive(Serialize)]
-pub(super) struct Catalogue {
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+pub struct Catalogue {
     rooms: Vec<RoomEntry>,
     planners: Vec<CatalogueEntry>,
     behaviours: Vec<CatalogueEntry>,
-    robots: Vec<Robot>,
-    sensors: [&'static str; SensorKind::ALL.len()],
+    robots: Vec<RobotEntry>,
+    /// Ids and labels.
+    sensors: [(&'static str, &'static str); SensorKind::ALL.len()],
     cell_sizes_m: [f64; CELL_SIZES.len()],
     speeds: [f64; SPEEDS.len()],
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 struct RoomEntry {
     id: &'static str,
     title: &'static str,
@@ -33,8 +36,9 @@ struct RoomEntry {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[expect(clippy::struct_excessive_bools)]
-struct Robot {
+struct RobotEntry {
     id: &'static str,
     title: &'static str,
     summary: &'static str,
@@ -61,20 +65,21 @@ struct Robot {
 }
 
 impl Catalogue {
-    pub fn new() -> Self {
+    /// All that there is.
+    pub fn all() -> Self {
         Self {
             rooms: ROOMS.iter().map(|r| RoomEntry { id: r.id, title: r.title, note: r.note }).collect(),
             planners: PLANNERS.iter().map(|info| CatalogueEntry::new(Algorithm::Planner(info))).collect(),
             behaviours: MAPLESS.infos().map(|info| CatalogueEntry::new(Algorithm::Behaviour(info))).collect(),
-            robots: MODELS.iter().copied().map(Robot::new).collect(),
-            sensors: SensorKind::ALL.map(|(_, name)| name),
+            robots: MODELS.iter().copied().map(RobotEntry::new).collect(),
+            sensors: SensorKind::ALL.map(|(kind, name)| (name, kind.label())),
             cell_sizes_m: CELL_SIZES,
             speeds: SPEEDS,
         }
     }
 }
 
-impl Robot {
+impl RobotEntry {
     fn new(model: &RobotModel) -> Self {
         let unit = 1.0 / model.radius;
         let scaled = |[x, y]: [f64; 2]| [unit * x, unit * y];

@@ -5,6 +5,7 @@ use serde::Serialize;
 
 /// One parameter.
 #[derive(Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Param {
     id: &'static str,
     label: &'static str,
@@ -15,6 +16,7 @@ pub struct Param {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(tag = "kind", rename_all = "lowercase")]
 enum FieldKind {
     Number { min: f64, max: f64, step: f64, unit: &'static str },

@@ -1,12 +1,17 @@
 //! An algorithm as shown in menus, forms and panels.
 
-use crate::wire::param::{Param, params};
+use crate::{
+    Mark,
+    param::{Param, params},
+};
+use coverage_planners::PlannerInfo;
 use robovac_core::registry;
 use robovac_sim::experiment::Algorithm;
 use serde::Serialize;
 
 /// A planner or behaviour. What only the other kind claims is false.
 #[derive(Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[expect(clippy::struct_excessive_bools)]
 pub struct CatalogueEntry {
     id: &'static str,
@@ -15,7 +20,9 @@ pub struct CatalogueEntry {
     source: &'static str,
     link: &'static str,
     /// `planner` or `behaviour`.
+    #[cfg_attr(feature = "types", ts(type = "\"planner\" | \"behaviour\""))]
     kind: &'static str,
+    mark: Mark,
     complete: bool,
     deterministic: bool,
     fast: bool,
@@ -32,6 +39,7 @@ pub struct CatalogueEntry {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 struct ExampleEntry {
     room: &'static str,
     why: &'static str,
@@ -53,10 +61,11 @@ impl CatalogueEntry {
             source,
             link,
             kind: algorithm.kind(),
+            mark: Mark::of(algorithm),
             complete: plans.is_some_and(|c| c.complete),
             deterministic: plans.is_some_and(|c| c.deterministic),
             fast: plans.is_some_and(|c| c.fast),
-            anytime: plans.is_some_and(|c| c.anytime),
+            anytime: algorithm.planner().is_some_and(PlannerInfo::is_anytime),
             ends: reacts.is_some_and(|c| c.ends),
             cleans: reacts.is_some_and(|c| c.cleans),
             manual: reacts.is_some_and(|c| c.manual),

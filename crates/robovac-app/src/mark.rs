@@ -1,0 +1,54 @@
+//! Colour and shape of an algorithm, the same in all lists and charts.
+
+use coverage_planners::PLANNERS;
+use robovac_sim::{controller::BEHAVIOURS, experiment::Algorithm};
+use serde::Serialize;
+
+/// Number of colours in `www/compare/compare.css`.
+const COLOURS: usize = 8;
+/// Shapes there, one for each round of the colours.
+const PLANNER_SHAPES: [u8; 3] = [0, 1, 4];
+const BEHAVIOUR_SHAPES: [u8; 3] = [2, 3, 5];
+
+const _: () = assert!(
+    PLANNERS.len() <= COLOURS * PLANNER_SHAPES.len() && BEHAVIOURS.len() <= COLOURS * BEHAVIOUR_SHAPES.len(),
+    "there are more algorithms than marks: add a shape here, and draw it as www/compare/*.css draws the others"
+);
+
+/// A mark that no other algorithm has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+pub struct Mark {
+    colour: usize,
+    shape: u8,
+}
+
+impl Mark {
+    /// The mark of an algorithm of the registries, by its position there.
+    pub fn of(algorithm: Algorithm) -> Self {
+        let (shapes, position) = match algorithm {
+            Algorithm::Planner(info) => (PLANNER_SHAPES, PLANNERS.iter().position(|other| other.id == info.id)),
+            Algorithm::Behaviour(info) => (BEHAVIOUR_SHAPES, BEHAVIOURS.iter().position(|other| other.id == info.id)),
+        };
+        let number = position.unwrap_or(0);
+        Self { colour: number % COLOURS, shape: shapes[number / COLOURS] }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_two_algorithms_look_the_same_and_the_page_draws_all() {
+        let all: Vec<Mark> = Algorithm::all().map(Mark::of).collect();
+        assert!((1..all.len()).all(|i| !all[..i].contains(&all[i])), "{all:?}");
+        let css =
+            [include_str!("../../../www/compare/compare.css"), include_str!("../../../www/compare/montecarlo.css")];
+        let shapes = PLANNER_SHAPES.into_iter().chain(BEHAVIOUR_SHAPES).filter(|&shape| shape > 0);
+        let wanted = shapes.map(|shape| format!(".swatch[data-shape=\"{shape}\"]"));
+        for rule in wanted.chain((0..COLOURS).map(|colour| format!("[data-colour=\"{colour}\"]"))) {
+            assert!(css.iter().any(|css| css.contains(&rule)), "no style for {rule}");
+        }
+    }
+}

@@ -1,0 +1,69 @@
+//! TypeScript declarations of all plain objects that JavaScript gets from Rust or gives to it.
+
+use crate::{
+    CatalogueEntry,
+    bench::BenchResult,
+    compare::{ComparisonView, StudyOffer, StudyPlace, StudyView, TableView},
+    explore::{Catalogue, PageView, SessionSnapshot},
+    floor_plan::FloorPlanView,
+    map::MapView,
+};
+use robovac_link::{
+    connection::{ConnectionView, LineRequest, Request, Traffic},
+    emulator::{PersonalityView, VirtualView},
+};
+use robovac_sim::montecarlo::Summary;
+use std::collections::BTreeMap;
+use ts_rs::{Config, TS, TypeVisitor};
+
+/// What stands above them.
+const HEAD: &str = "// Generated from the Rust types by `cargo test --test page types`: change them there.\n";
+
+/// Declarations by the names of their types.
+struct Declarations {
+    config: Config,
+    texts: BTreeMap<String, String>,
+}
+
+impl TypeVisitor for Declarations {
+    fn visit<T: TS + 'static + ?Sized>(&mut self) {
+        // Numbers, texts and lists of something need no declaration.
+        let Some(_) = T::output_path() else { return };
+        let name = T::ident(&self.config);
+        if self.texts.contains_key(&name) {
+            return;
+        }
+        let text = format!("{}export {}\n", T::docs().unwrap_or_default(), T::decl(&self.config));
+        self.texts.insert(name, text);
+        T::visit_dependencies(self);
+    }
+}
+
+/// The content of `www/types.d.ts`.
+pub fn declarations() -> String {
+    // All whole numbers that cross are small enough for JavaScript's only kind of number.
+    let mut all = Declarations { config: Config::new().with_large_int("number"), texts: BTreeMap::new() };
+    all.visit::<BenchResult>();
+    all.visit::<Catalogue>();
+    all.visit::<CatalogueEntry>();
+    all.visit::<ComparisonView<'static>>();
+    all.visit::<ConnectionView>();
+    all.visit::<FloorPlanView>();
+    all.visit::<LineRequest>();
+    all.visit::<MapView>();
+    all.visit::<PageView>();
+    all.visit::<PersonalityView>();
+    all.visit::<Request>();
+    all.visit::<SessionSnapshot>();
+    all.visit::<StudyOffer>();
+    all.visit::<StudyPlace<'static>>();
+    all.visit::<StudyView<'static>>();
+    all.visit::<Summary>();
+    all.visit::<TableView>();
+    all.visit::<Traffic>();
+    all.visit::<VirtualView>();
+    let texts: Vec<String> = all.texts.into_values().collect();
+    // One line for a comment of one.
+    let text = texts.join("\n").replace("/**\n * ", "/** ").replace("\n */\n", " */\n").replace(" \n", "\n");
+    format!("{HEAD}\n{text}")
+}
