@@ -131,7 +131,7 @@ impl FloorPlanSession {
     }
 
     /// Plans a sweep of a tiny room: the browser compiles what it takes, and nobody has to wait for that later.
-    pub fn warm_up(&self) {
+    pub fn warm_up() {
         robovac_app::floor_plan::warm_up();
     }
 

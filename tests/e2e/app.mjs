@@ -6,10 +6,28 @@ import { openPage } from "./harness.mjs";
 const SETTLED = ["ready", "playing", "paused", "finished", "failed"];
 
 /** How long a condition is waited for. */
-const PATIENCE_MS = 15_000;
+const PATIENCE_MS = 30_000;
 
 /** "1:02" as seconds. */
 export const seconds = (text) => text.split(":").reduce((sum, part) => 60 * sum + Number(part), 0);
+
+/** What a menu offers, by its id. */
+export const values = (page, menu) => page.locator(`#${menu} option`).evaluateAll((options) => options.map(({ value }) => value));
+
+/** The `count` downloads that doing something brings. */
+export async function taken(page, count, what) {
+  const downloads = [];
+  const all = new Promise((resolve) => {
+    const take = (download) => {
+      if (downloads.push(download) < count) return;
+      page.off("download", take);
+      resolve(downloads);
+    };
+    page.on("download", take);
+  });
+  await what();
+  return all;
+}
 
 /** Opens the page for the test `t` and waits for its first picture. Options are those of `openPage`. */
 export async function openApp(t, options = {}) {
@@ -66,18 +84,30 @@ export class App {
     return texts.then(([coverage, time, distance]) => ({ coverage: Number(coverage), time: seconds(time), distance: Number(distance.replace(/,/g, "")) }));
   }
 
+  /** Reads until two readings, so many frames apart, are the same: for what comes to rest without a sign. */
+  async still(read, frames = 20) {
+    let last;
+    return this.poll(async () => {
+      await this.frames(frames);
+      const now = JSON.stringify(await read());
+      const isSame = now === last;
+      last = now;
+      return isSame;
+    }, Boolean, `${read} to stand still`);
+  }
+
   /** Waits until `holds(numbers, than)`; returns them. */
   async numbersThat(holds, than) {
     return this.poll(() => this.numbers(), (numbers) => holds(numbers, than));
   }
 
-  /** Reads until what is read fits. */
-  async poll(read, fits) {
+  /** Reads until what is read fits; `what` says in words what was waited for. */
+  async poll(read, fits, what = fits) {
     const patience = performance.now() + PATIENCE_MS;
     for (;;) {
       const value = await read();
       if (fits(value)) return value;
-      assert.ok(performance.now() < patience, `waited in vain for ${fits}: ${JSON.stringify(value)}`);
+      assert.ok(performance.now() < patience, `waited in vain for ${what}: ${JSON.stringify(value)}`);
       await this.frames(2);
     }
   }
@@ -105,6 +135,11 @@ export class App {
     await this.frames(1);
     const bar = this.page.locator("#message");
     return (await bar.isVisible()) ? bar.locator("p").innerText() : "";
+  }
+
+  /** Waits for a message over the floor that fits the pattern; returns it. */
+  says(pattern) {
+    return this.poll(() => this.message(), (text) => pattern.test(text), pattern);
   }
 
   /** The session as the address has it. */
@@ -141,7 +176,7 @@ export class App {
 
   async tool(name) {
     await this.page.locator(`#tools [data-tool=${name}]`).click();
-    await this.frames(1);
+    await this.page.locator(`#tools [data-tool=${name}][aria-pressed=true]`).waitFor();
   }
 
   /** Where the canvas is on the page, and the point at these shares of its width and height. */
@@ -172,18 +207,7 @@ export class App {
     await this.page.locator("#save").click();
     await this.page.locator(`#save-as input[value=${kind}]`).check();
     await choose();
-    const downloads = [];
-    const done = new Promise((resolve) => {
-      const take = (download) => {
-        if (downloads.push(download) < count) return;
-        this.page.off("download", take);
-        resolve();
-      };
-      this.page.on("download", take);
-    });
-    await this.page.locator("#save-now").click();
-    await done;
-    return downloads;
+    return taken(this.page, count, () => this.page.locator("#save-now").click());
   }
 
   /** Brings files of maps.mjs by the file picker, and makes them the room. */
@@ -233,17 +257,20 @@ export class App {
 
   /** Does something with files, and waits until the page confirms or complains, and what it started is settled. */
   async answered(what) {
+    // Observed rather than looked for: what confirms goes away by itself.
     await this.page.evaluate(() => {
-      document.getElementById("toast").hidden = true;
-      document.getElementById("message-text").dataset.before = document.getElementById("message").hidden ? "" : document.getElementById("message-text").textContent;
+      const [toast, message, text] = ["toast", "message", "message-text"].map((id) => document.getElementById(id));
+      const before = message.hidden ? "" : text.textContent;
+      toast.hidden = true;
+      window.isAnswered = false;
+      const observer = new MutationObserver(() => {
+        window.isAnswered = (!message.hidden && text.textContent !== before) || (!toast.hidden && toast.ariaBusy !== "true");
+        if (window.isAnswered) observer.disconnect();
+      });
+      for (const node of [toast, message]) observer.observe(node, { attributes: true, childList: true, characterData: true, subtree: true });
     });
     await what();
-    await this.page.waitForFunction(() => {
-      const text = document.getElementById("message-text");
-      const complained = !document.getElementById("message").hidden && text.textContent !== text.dataset.before;
-      const toast = document.getElementById("toast");
-      return complained || (!toast.hidden && toast.ariaBusy !== "true");
-    });
+    await this.page.waitForFunction(() => window.isAnswered);
     await this.settled();
   }
 }

@@ -48,8 +48,8 @@ test("an event leads back to its time", async (t) => {
   await app.poll(() => events(page), (lines) => lines.length >= 6);
   await app.pause();
   // What happened right before shows a few frames later, on top of the list.
-  await app.frames(20);
-  const lines = await app.poll(() => events(page), (lines) => lines.length >= 6);
+  await app.still(() => events(page));
+  const lines = await events(page);
   const [clock] = /^\d+:\d\d/.exec(lines[4]);
   await page.locator("#events li button").nth(4).click();
   await app.settled();

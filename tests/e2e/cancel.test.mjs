@@ -13,20 +13,24 @@ test("long planning is shown and cancelled at once", async (t) => {
   await page.waitForFunction(() => Number(document.getElementById("planning-bar").getAttribute("value")) > 0);
   assert.match(await app.text("#planning-percent"), /^\d+ %$/);
 
-  const taken = await page.evaluate(
+  const [ms, frames] = await page.evaluate(
     () =>
       new Promise((done, fail) => {
         if (document.body.dataset.state !== "planning") fail(new Error("it was done before it could be cancelled"));
         const began = performance.now();
-        const look = () => document.body.dataset.state !== "planning" && done(performance.now() - began);
+        let frames = 0;
+        const count = () => requestAnimationFrame(count, (frames += 1));
+        count();
+        const look = () => document.body.dataset.state !== "planning" && done([performance.now() - began, frames]);
         new MutationObserver(look).observe(document.body, { attributeFilter: ["data-state"] });
         document.getElementById("planning-cancel").click();
       }),
   );
-  t.diagnostic(`cancelling took ${taken.toFixed(0)} ms`);
-  assert.ok(taken < 100, `cancelling took ${taken} ms`);
+  t.diagnostic(`cancelling took ${ms.toFixed(0)} ms, ${frames} frames`);
+  // On a machine that is busy besides, frames are late.
+  assert.ok(ms < 100 || (frames <= 4 && ms < 1000), `cancelling took ${ms} ms, ${frames} frames`);
   assert.equal(await app.state(), "failed");
-  assert.match(await app.message(), /cancelled/);
+  await app.says(/cancelled/);
   assert.ok(await page.locator("#planning").isHidden());
 
   // Whoever cancels wanted it to stop, so the next room waits for them.
@@ -47,7 +51,7 @@ test("escape cancels planning once nothing else is open", async (t) => {
   assert.equal(await app.state(), "planning");
   await page.keyboard.press("Escape");
   await app.until("failed");
-  assert.match(await app.message(), /cancelled/);
+  await app.says(/cancelled/);
 });
 
 test("a map of a million cells is planned and driven", async (t) => {

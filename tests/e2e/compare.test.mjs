@@ -125,7 +125,7 @@ test("the copied link brings room, algorithms, parameters, seeds and view to ano
   await page.locator("#view-numbers").click();
   await app.linked("vs", (vs) => vs === "spiral_stc,snake~patience:5");
   await page.getByRole("button", { name: "Copy link" }).click();
-  const copied = await page.evaluate(() => navigator.clipboard.readText());
+  const copied = await app.poll(() => page.evaluate(() => navigator.clipboard.readText()), (text) => text.includes("tab=compare"));
 
   const other = await context.newPage();
   await other.goto(copied);
@@ -318,7 +318,7 @@ test("an algorithm that uses chance has a range over its seeds, one that doesn't
 test("a link with an algorithm that isn't there says which there are", async (t) => {
   const { page, app } = await openCompare(t, { link: "vs=snail,snake" });
   await page.locator("#message").waitFor();
-  assert.match(await app.message(), /^There is no planner "snail"; there are: .*snake/);
+  await app.says(/^There is no planner "snail"; there are: .*snake/);
   const head = await page.locator(".arena-head").boundingBox();
   assert.ok((await page.locator("#message").boundingBox()).y >= head.y + head.height, "it covers no button");
   await page.getByRole("button", { name: "Dismiss" }).click();
@@ -406,7 +406,7 @@ test("a robot that doesn't fit is said to be too wide", async (t) => {
   // Rows of pillars that no vacuum gets between.
   const { textMap, pillars } = await import("./maps.mjs");
   await app.pick(textMap("pillars.txt", pillars(40, { every: 4, pillar: 2 }), { resolution: 0.1 }));
-  assert.match(await app.message(), /fits nowhere|doesn't fit/);
+  await app.says(/fits nowhere|doesn't fit/);
   await page.locator("#tab-compare").click();
   await page.locator("#panel-compare").waitFor();
   await page.waitForFunction(() => document.getElementById("trying").textContent.includes("4 failed"), undefined, { timeout: 60_000 });
@@ -417,39 +417,39 @@ test("a robot that doesn't fit is said to be too wide", async (t) => {
   assert.equal(await page.locator("#compared td", { hasText: /\d/ }).count(), 0, "no numbers without plans");
 });
 
-for (const scheme of ["light", "dark"]) {
-  test(`the comparison fits a phone (${scheme})`, async (t) => {
-    const nine = "boustrophedon,boustrophedon_cells,spiral_stc,backtracking_spiral,contour,wavefront_distance,wavefront_path,s_shape,spiral";
-    const { page, app, screenshot } = await openCompare(t, { ...PHONE, colorScheme: scheme, link: `vs=${nine}` });
-    await lanes(page, 9);
-    const fits = async (what) => {
+test("the comparison fits a phone, light and dark", async (t) => {
+  const nine = "boustrophedon,boustrophedon_cells,spiral_stc,backtracking_spiral,contour,wavefront_distance,wavefront_path,s_shape,spiral";
+  const { page, app, screenshot } = await openCompare(t, { ...PHONE, link: `vs=${nine}` });
+  await lanes(page, 9);
+  const fits = async (what) => {
+    for (const colorScheme of ["dark", "light"]) {
+      await page.emulateMedia({ colorScheme });
       const [wide, inside] = await page.evaluate(() => [document.scrollingElement.scrollWidth, innerWidth]);
-      assert.ok(wide <= inside, `${what}: ${wide} of ${inside} pixels`);
-    };
-    await fits("race");
-    // Nothing of a lane is cut off: its picture, and how far it is.
-    const cut = await page.locator("#lanes figure").evaluateAll((figures) =>
-      figures.filter((figure) => [...figure.querySelectorAll("canvas, output")].some((part) => part.getBoundingClientRect().right > figure.getBoundingClientRect().right + 1)).length,
-    );
-    assert.equal(cut, 0, "lanes that are cut off");
-    await screenshot(`phone-race-${scheme}`);
-    await page.locator("#compare-setup > summary").tap();
-    await fits("choices");
-    await page.locator("#in-spiral").tap();
-    await page.locator("#compare-setup > summary").tap();
-    await lanes(page, 8);
-    await page.getByRole("button", { name: "Start the race" }).tap();
-    await app.poll(() => clocks(page), ({ clock }) => clock > 0);
-    await page.locator("#view-numbers").tap();
-    await tried(page, 8);
-    await fits("numbers");
-    // One sees that there is more to the right, until there isn't.
-    const scroller = page.getByRole("region", { name: "Table of all numbers" });
-    const cue = () => scroller.evaluate((node) => [node.dataset.more, getComputedStyle(node).maskImage !== "none"]);
-    await app.poll(cue, ([more, fades]) => more === "true" && fades);
-    await scroller.evaluate((node) => node.scrollTo(node.scrollWidth, 0));
-    await app.poll(cue, ([more, fades]) => more === "false" && !fades);
-    assert.match(await app.text("#table-note"), /in the race .* takes some percent longer/);
-    await screenshot(`phone-numbers-${scheme}`);
-  });
-}
+      assert.ok(wide <= inside, `${what}, ${colorScheme}: ${wide} of ${inside} pixels`);
+      await screenshot(`phone-${what}-${colorScheme}`);
+    }
+  };
+  await fits("race");
+  // Nothing of a lane is cut off: its picture, and how far it is.
+  const cut = await page.locator("#lanes figure").evaluateAll((figures) =>
+    figures.filter((figure) => [...figure.querySelectorAll("canvas, output")].some((part) => part.getBoundingClientRect().right > figure.getBoundingClientRect().right + 1)).length,
+  );
+  assert.equal(cut, 0, "lanes that are cut off");
+  await page.locator("#compare-setup > summary").tap();
+  await fits("choices");
+  await page.locator("#in-spiral").tap();
+  await page.locator("#compare-setup > summary").tap();
+  await lanes(page, 8);
+  await page.getByRole("button", { name: "Start the race" }).tap();
+  await app.poll(() => clocks(page), ({ clock }) => clock > 0);
+  await page.locator("#view-numbers").tap();
+  await tried(page, 8);
+  await fits("numbers");
+  // One sees that there is more to the right, until there isn't.
+  const scroller = page.getByRole("region", { name: "Table of all numbers" });
+  const cue = () => scroller.evaluate((node) => [node.dataset.more, getComputedStyle(node).maskImage !== "none"]);
+  await app.poll(cue, ([more, fades]) => more === "true" && fades);
+  await scroller.evaluate((node) => node.scrollTo(node.scrollWidth, 0));
+  await app.poll(cue, ([more, fades]) => more === "false" && !fades);
+  assert.match(await app.text("#table-note"), /in the race, .* takes some percent longer/);
+});

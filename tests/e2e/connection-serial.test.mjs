@@ -35,8 +35,8 @@ test("connects, streams, drives and says goodbye", { skip }, async (t) => {
   const { transport, phase } = await desk.view();
   assert.equal(transport.state, "closed");
   assert.equal(phase, "closed");
-  // Passive, then Off: where it charges and sleeps. The robot's log is a little behind.
-  for (let tries = 0; tries < 40 && robot.heard().at(-1).opcode !== 173; tries++) await desk.tab.waitForTimeout(50);
+  // Passive, then Off: where it charges and sleeps.
+  await robot.hears(173);
   assert.deepEqual(robot.heard().slice(-2).map(({ opcode }) => opcode), [128, 173]);
   assert.deepEqual(await desk.failures(), []);
 });
@@ -115,7 +115,6 @@ test("the robot hears the goodbye to its end", { skip }, async (t) => {
     await desk.connect();
     robot.forget();
     await desk.tab.evaluate(() => window.connection.close());
-    await desk.tab.waitForTimeout(400);
-    assert.equal(robot.heard().at(-1)?.opcode, 173, `in round ${round}`);
+    await robot.hears(173);
   }
 });

@@ -14,7 +14,7 @@ import { openRoom, png } from "./maps.mjs";
 const transferred = ({ requests }) => new Set(requests.map((address) => path.join(".", new URL(address, "http://host").pathname.replace(/\/$/, "/index.html"))));
 
 test("works from a sub-path and loads each module once", async (t) => {
-  const { page, server } = await openPage(t, { mount: "/some/sub/path/" });
+  const { page, server } = await openPage(t, { mount: "/some/sub/path/", isNew: true });
   await page.waitForLoadState("networkidle");
 
   const addresses = await page.evaluate(() => performance.getEntriesByType("resource").map((entry) => entry.name));
@@ -31,7 +31,7 @@ test("works from a sub-path and loads each module once", async (t) => {
 });
 
 test("opening needs no planner and none of the other tabs", async (t) => {
-  const { page, app, server } = await openApp(t);
+  const { page, app, server } = await openApp(t, { isNew: true });
   await app.numbersThat(({ coverage, distance }) => coverage > 0 && distance > 0);
   await page.waitForLoadState("networkidle");
   const opened = transferred(server);
@@ -61,11 +61,11 @@ test("opening needs no planner and none of the other tabs", async (t) => {
 });
 
 test("a planner that can't be loaded is loaded at the next try", async (t) => {
-  const { page, app } = await openApp(t, { allow: [/ERR_FAILED/, /ERR_CONNECTION/] });
+  const { page, app } = await openApp(t, { isNew: true, allow: [/ERR_FAILED/, /ERR_CONNECTION/] });
   const module = /workshop_bg\.wasm/;
   await page.route(module, (route) => route.abort());
   assert.equal(await app.choose("room", "empty"), "failed");
-  assert.match(await app.message(), /could not be loaded.*connection/i);
+  await app.says(/could not be loaded.*connection/i);
   await page.unroute(module);
   await app.press("Play");
   await app.until("playing");

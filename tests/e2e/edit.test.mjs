@@ -55,7 +55,7 @@ test("a start in a wall is refused with a reason, and the old one stays", async 
   const area = await app.reachableArea();
   await app.tool("start");
   await app.drag([0.005, 0.5], [0.005, 0.5]);
-  assert.match(await app.message(), /[Ss]tart .*(wall|outside|fit)/);
+  await app.says(/[Ss]tart .*(wall|outside|fit)/);
   assert.equal((await app.link()).start, undefined);
   assert.equal(await app.reachableArea(), area);
 });
@@ -63,7 +63,7 @@ test("a start in a wall is refused with a reason, and the old one stays", async 
 test("walling the robot in says what to do, and undo helps", async (t) => {
   const { app } = await openApp(t);
   await app.drop(textMap("closet.txt", openRoom(3, 3)));
-  assert.match(await app.message(), /robot.*fits nowhere/);
+  await app.says(/robot.*fits nowhere/);
   assert.equal(await app.state(), "failed");
   await app.press("Undo");
   assert.equal(await app.settled(), "playing");

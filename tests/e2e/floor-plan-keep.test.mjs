@@ -22,9 +22,37 @@ async function result(app) {
   return at(app, "#floor-plan-result").textContent();
 }
 
+/** Waits until the browser has kept what is shown: file, gap and stage of the sweep. */
+const kept = (app) =>
+  app.poll(
+    () =>
+      app.page.evaluate(
+        () =>
+          new Promise((resolve, reject) => {
+            const request = indexedDB.open("robovac-drafts");
+            request.onerror = () => reject(request.error);
+            request.onsuccess = () => {
+              const all = request.result.transaction("board").objectStore("board").getAll();
+              all.onsuccess = () => {
+                request.result.close();
+                const [choices, files] = all.result;
+                const stage = Number(document.querySelector("#panel-floor-plan [data-stage][aria-pressed=true]")?.dataset.stage ?? 0);
+                resolve(
+                  files?.files[0]?.name === `${document.getElementById("floor-plan-name").textContent}.dxf` &&
+                    choices.settings.gap === Number(document.getElementById("floor-plan-gap").value) &&
+                    choices.stage === stage,
+                );
+              };
+            };
+          }),
+      ),
+    Boolean,
+    "what is shown to be kept",
+  );
+
 /** Waits until all that was chosen is kept, and opens the page anew where it was. */
 async function reload(app) {
-  await app.page.waitForTimeout(600);
+  await kept(app);
   await app.page.reload();
   await app.page.locator("#panel-floor-plan #floor-plan-empty").waitFor({ state: "attached" });
 }
@@ -81,6 +109,7 @@ test("a floor plan comes back after a reload, with what was chosen and its sweep
   await app.settled();
   await app.bring(room("attic.dxf"));
   assert.equal(await at(app, "#floor-plan-name").textContent(), "attic");
+  // And that for good.
   await app.frames(20);
   assert.equal(await at(app, "#floor-plan-name").textContent(), "attic");
   await reload(app);
@@ -91,10 +120,11 @@ test("choices of another version are explained and can be saved; the files come 
   const { page, app } = await openSample(t);
   await reload(app);
   await app.poll(() => at(app, "#floor-plan-name").textContent(), (name) => name === "cellar");
-  await page.waitForTimeout(600);
+  await page.locator("[data-stage='3'][aria-pressed=true]").waitFor();
+  await kept(app);
   await edit(app, "choices", (kept) => ({ ...kept, settings: { ...kept.settings, gap: "a foot" } }));
   await page.reload();
-  await app.poll(() => app.message(), (message) => /settings for cellar\.dxf were saved by another version.*a foot.*reset/.test(message));
+  await app.says(/settings for cellar\.dxf were saved by another version.*a foot.*reset/);
   assert.equal(await at(app, "#floor-plan-name").textContent(), "cellar");
   assert.equal(await at(app, "#floor-plan-gap").inputValue(), "0.1");
   const [download] = await Promise.all([page.waitForEvent("download"), at(app, "#floor-plan-aside-save").click()]);
@@ -111,20 +141,20 @@ test("choices of another version are explained and can be saved; the files come 
 
 test("files of another version, or that can't be read, are kept aside", async (t) => {
   const { page, app } = await openSample(t);
-  await page.waitForTimeout(600);
+  await kept(app);
   await edit(app, "files", (kept) => ({ ...kept, format: 99 }));
   await page.reload();
-  await app.poll(() => app.message(), (message) => /saved by another version of this page, and this one can't read it/.test(message));
+  await app.says(/saved by another version of this page, and this one can't read it/);
   assert.ok(await at(app, "#floor-plan-empty").isVisible());
   const [download] = await Promise.all([page.waitForEvent("download"), at(app, "#floor-plan-aside-save").click()]);
   assert.equal(download.suggestedFilename(), "cellar.dxf");
   await at(app, "#floor-plan-aside-discard").click();
 
   await app.bring(room("cellar.dxf"));
-  await page.waitForTimeout(600);
+  await kept(app);
   await edit(app, "files", (kept) => ({ ...kept, files: [new File(["0\nSECTION\n2\nENTITIES\n0\nLINE\n"], "cellar.dxf")] }));
   await page.reload();
-  await app.poll(() => app.message(), (message) => /floor plan cellar\.dxf can't be restored: .*cut off/.test(message));
+  await app.says(/floor plan cellar\.dxf can't be restored: .*cut off/);
   await at(app, "#floor-plan-aside").waitFor();
   // The board takes others all the same.
   await app.bring(room("attic.dxf"));

@@ -116,7 +116,7 @@ test("draws walls by arrow keys and enter", async (t) => {
   const before = await cells();
   await page.locator("#floor").focus();
   await page.keyboard.press("w");
-  await app.frames(1);
+  await page.locator("#tools [data-tool=wall][aria-pressed=true]").waitFor();
   await page.keyboard.press("ArrowRight");
   await page.keyboard.press("Enter");
   await app.settled();

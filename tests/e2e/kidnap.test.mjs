@@ -98,7 +98,7 @@ test("a robot with a plan is carried at the pointer, and the page says that it d
   await page.mouse.up();
   await page.locator("#carry-note").waitFor({ state: "hidden" });
   await app.poll(() => error(app), (metres) => metres > 0.5);
-  assert.match(await app.message(), /follows its plan by odometry and can't detect that it was kidnapped/);
+  await app.says(/follows its plan by odometry and can't detect that it was kidnapped/);
   await page.locator("#senses-fold summary").click();
   await app.poll(() => events(page), (text) => /put down, follows its plan as before/.test(text));
 });

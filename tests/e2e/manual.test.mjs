@@ -8,17 +8,10 @@ const ROOM = "#room=empty&behaviour=manual&start=2.5,2.0,0";
 /** A hand's breadth before the wall, looking at it. */
 const WALL = "#room=empty&behaviour=manual&start=4.7,2.0,0";
 
-/** Waits until the robot stands. */
+/** Waits until the robot stands; how far it has come. */
 const stands = async (app) => {
-  let last = -1;
-  await app.poll(async () => {
-    await app.frames(20);
-    const { distance } = await app.numbers();
-    const still = distance === last;
-    last = distance;
-    return still;
-  }, Boolean);
-  return last;
+  await app.still(() => app.numbers().then(({ distance }) => distance));
+  return (await app.numbers()).distance;
 };
 
 test("time runs as it does, and the page says so", async (t) => {

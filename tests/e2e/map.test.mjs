@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import { test } from "node:test";
-import { App, seconds } from "./app.mjs";
+import { App, seconds, taken } from "./app.mjs";
 import { openPage } from "./harness.mjs";
 import { anyFile } from "./maps.mjs";
 
@@ -69,10 +69,8 @@ test("layers are shown and hidden, by buttons, list, keys and links", async (t) 
   const seen = new Set([await picture(page)]);
   for (const key of ["t", "d", "o"]) {
     await page.keyboard.press(key);
-    await app.frames(3);
-    seen.add(await picture(page));
+    seen.add(await app.poll(() => picture(page), (now) => !seen.has(now), `another picture after "${key}"`));
   }
-  assert.equal(seen.size, 4, "each key changes the picture");
   assert.equal(await page.locator("#map-tools [data-layer=truth]").getAttribute("aria-pressed"), "false");
   await page.keyboard.press("l");
   await page.getByLabel("Particles", { exact: true }).check();
@@ -113,8 +111,7 @@ test("everything works by keyboard, the robot in the hand included", async (t) =
 test("a reload goes on where it was", async (t) => {
   const { page, app, phase } = await openMap(t);
   const before = await explore(app, 90);
-  await app.poll(() => stored(page), (count) => count === 1);
-  await app.frames(40);
+  await kept(app);
   await page.reload();
   await page.locator("#map-play").waitFor();
   await phase("paused");
@@ -124,10 +121,10 @@ test("a reload goes on where it was", async (t) => {
   // And on.
   const late = await explore(app, before.time + 20);
   assert.ok(late.mapped >= before.mapped);
+  await kept(app);
   // By way of another tab too.
   await page.locator("#tab-explore").click();
   await app.linked("tab", (tab) => tab === undefined);
-  await app.frames(40);
   await page.reload();
   await page.locator("#tab-map").click();
   await phase("paused");
@@ -135,7 +132,7 @@ test("a reload goes on where it was", async (t) => {
   await app.linked("tab", (tab) => tab === "map");
   // Start afresh forgets it for good.
   await page.locator("#map-forget").click();
-  await app.poll(() => stored(page), (count) => count === 0);
+  await app.poll(() => stored(page), (ends) => ends.length === 0);
   await page.reload();
   await phase("ready");
 });
@@ -165,8 +162,7 @@ test("a reload while it drives takes nothing back", async (t) => {
 test("where there is no room to keep the last moments, it says how much is missing", async (t) => {
   const { page, app } = await openMap(t, { link: SMALL.replace("256", "64") });
   const { time } = await explore(app, 30);
-  await app.poll(() => stored(page), (count) => count === 1);
-  await app.frames(40);
+  await kept(app);
   await page.evaluate(() => {
     const full = () => {
       throw new DOMException("full", "QuotaExceededError");
@@ -246,12 +242,11 @@ test("other choices have mapping runs of their own, and what was mapped comes ba
 test("what another version has stored is explained and kept aside", async (t) => {
   const { page, app, phase } = await openMap(t);
   await explore(app, 40);
-  await app.poll(() => stored(page), (count) => count === 1);
-  await app.frames(40);
+  await kept(app);
   await edit(page, (text) => text.replace(/"version":\d+/, '"version":99'));
   await page.reload();
   await phase("ready");
-  await app.poll(() => app.message(), (text) => /another version/.test(text));
+  await app.says(/another version/);
   assert.ok(await page.locator("#map-aside").isVisible());
   const [download] = await Promise.all([page.waitForEvent("download"), page.locator("#map-aside-save").click()]);
   assert.match(fs.readFileSync(await download.path(), "utf8"), /robovac-survey/);
@@ -299,7 +294,7 @@ test("maps that can't be opened are explained, and the current one stays", async
   ];
   for (const [files, pattern] of cases) {
     await give(page, app, files);
-    assert.match(await app.message(), pattern);
+    await app.says(pattern);
     assert.deepEqual(await figures(app), before);
     assert.ok(await page.locator("#map-known").isHidden());
   }
@@ -324,8 +319,7 @@ test("it cleans by its own map, which time can be gone back over and a reload br
   const end = (await figures(app)).time;
   assert.equal(seconds(await page.locator("#map-drift-end").textContent()), end, "the axis of errors ends where the clock is");
   const before = [await figures(app), await numbers()];
-  await app.poll(() => stored(page), (count) => count === 1);
-  await app.frames(40);
+  await kept(app);
   await page.reload();
   await page.locator("#map-play").waitFor();
   await phase("paused");
@@ -365,8 +359,7 @@ test("a search on a map that was given goes on after a reload, until the map is 
   await give(page, app, await exported(page));
   await phase("ready");
   const before = await explore(app, 30);
-  await app.poll(() => stored(page), (count) => count === 3);
-  await app.frames(40);
+  await kept(app, 3);
   await page.reload();
   await page.locator("#map-play").waitFor();
   await phase("paused");
@@ -393,11 +386,9 @@ test("on a phone it fits, and its panels are sheets", async (t) => {
   assert.equal(await overflow(), 0);
   for (const name of ["Setup", "Numbers", "Exploration"]) {
     await page.locator("#panel-map .sheet-bar").getByRole("button", { name }).click();
-    await app.frames(30);
-    assert.equal(await overflow(), 0, name);
     const id = { Setup: "map-setup", Numbers: "map-facts", Exploration: "map-explainer" }[name];
-    const box = await page.locator(`#${id}`).boundingBox();
-    assert.ok(box && box.x >= 0 && box.x + box.width <= 390 && box.height > 100, `${name} ${JSON.stringify(box)}`);
+    await app.poll(() => page.locator(`#${id}`).boundingBox(), (box) => box && box.x >= 0 && box.x + box.width <= 390 && box.height > 100, name);
+    assert.equal(await overflow(), 0, name);
   }
   for (const tab of await page.locator("[id^=tab-]").all()) {
     const box = await tab.boundingBox();
@@ -407,20 +398,27 @@ test("on a phone it fits, and its panels are sheets", async (t) => {
   assert.ok(help && help.x + help.width <= 390, "help is within reach");
 });
 
-/** Number of mapping runs that are kept in this browser. */
+/** Of all mapping runs that are kept in this browser, how far each has come, s. */
 const stored = (page) =>
   page.evaluate(
     () =>
       new Promise((resolve) => {
         const request = indexedDB.open("robovac-maps");
         request.onsuccess = () => {
-          const count = request.result.transaction("surveys").objectStore("surveys").count();
-          count.onsuccess = () => {
+          const all = request.result.transaction("surveys").objectStore("surveys").getAll();
+          all.onsuccess = () => {
             request.result.close();
-            resolve(count.result);
+            resolve(all.result.map(({ end }) => end));
           };
         };
       }),
+  );
+
+/** Waits until what is shown is kept as far as it has come, as one of so many entries. */
+const kept = (app, entries = 1) =>
+  app.poll(
+    async () => [await stored(app.page), Number(await app.page.locator("#map-scrubber").getAttribute("aria-valuemax"))],
+    ([ends, end]) => ends.length === entries && ends.some((at) => Math.abs(at - end) < 1),
   );
 
 /** Changes what is stored. */
@@ -448,12 +446,7 @@ const edit = (page, change) =>
 
 /** The two files of an exported map. */
 async function exported(page) {
-  const downloads = [];
-  const take = (download) => downloads.push(download);
-  page.on("download", take);
-  await page.locator("#map-export").click();
-  while (downloads.length < 2) await page.waitForTimeout(20);
-  page.off("download", take);
+  const downloads = await taken(page, 2, () => page.locator("#map-export").click());
   return Promise.all(downloads.map(async (download) => ({ name: download.suggestedFilename(), bytes: fs.readFileSync(await download.path()) })));
 }
 

@@ -24,8 +24,13 @@ export function pillars(side, { every = 10, pillar = 2 } = {}) {
   return Array.from({ length: side }, (_, row) => (row % every < every - pillar ? open : crowded));
 }
 
-/** Grey values of a room: walls 0, floor 255, all else 128. */
-const greys = (rows) => rows.map((row) => Uint8Array.from(row, (cell) => ({ "#": 0, ".": 255, S: 255 })[cell] ?? 128));
+const SHADES = { "#": 0, ".": 255, S: 255 };
+
+/** Grey values of a room: walls 0, floor 255, all else 128. Rows that are alike are made once. */
+function greys(rows) {
+  const made = new Map([...new Set(rows)].map((row) => [row, Uint8Array.from(row, (cell) => SHADES[cell] ?? 128)]));
+  return rows.map((row) => made.get(row));
+}
 
 /** `rows` as a PNG with 8 bits of grey a pixel. */
 export function png(name, rows) {

@@ -15,7 +15,7 @@ const names = (page) => page.locator("#selected option").allTextContents().then(
 async function placing(app, kind) {
   await app.tool("place");
   await app.page.locator(`#kinds [data-kind=${kind}]`).click();
-  await app.frames(2);
+  await app.page.locator(`#kinds [data-kind=${kind}][aria-pressed=true]`).waitFor();
 }
 
 const selected = (page) => page.locator("#selected").evaluate((menu) => menu.selectedOptions[0]?.textContent);
@@ -63,7 +63,7 @@ test("works without a mouse", async (t) => {
   await app.pause();
   await page.locator("#floor").focus();
   await page.keyboard.press("o");
-  await app.frames(2);
+  await page.locator("#kinds [aria-pressed=true]").waitFor();
   await page.keyboard.press("Enter");
   await app.settled();
   assert.equal(await selected(page), "Furniture");
@@ -76,13 +76,11 @@ test("works without a mouse", async (t) => {
   assert.ok(moved[0] > x && moved[1] > y, `${moved}`);
   await page.locator("#floor").focus();
   await page.keyboard.press("Escape");
-  await app.frames(2);
-  assert.equal(await selected(page), "Nothing selected");
+  await app.poll(() => selected(page), (name) => name === "Nothing selected");
   await page.keyboard.press("n");
-  await app.frames(2);
-  assert.match(await page.locator("#selection-said").textContent(), /^Furniture selected/);
+  await app.poll(() => page.locator("#selection-said").textContent(), (text) => /^Furniture selected/.test(text));
   await page.keyboard.press("Shift+ArrowLeft");
-  await app.frames(2);
+  await app.settled();
   assert.notDeepEqual(await corner(), moved);
   await page.locator("#floor").focus();
   await page.keyboard.press("Delete");
@@ -97,7 +95,7 @@ test("what can't be there says why, and what is kept survives a reload", async (
   await app.drag([0.5, 0.5], [0.6, 0.5]);
   await placing(app, "furniture");
   await app.drag([0.45, 0.65], [0.6, 0.45]);
-  assert.match(await app.message(), /^The dock at .* looks into furniture/);
+  await app.says(/^The dock at .* faces furniture/);
   assert.deepEqual(await names(page), ["Dock"]);
   const kept = JSON.parse(await saved(app)).objects;
 
@@ -124,7 +122,7 @@ test("a scenario that can't be is refused with path, line and reason, and the ro
   for (const [from, to, reason] of cases) {
     assert.ok(text.includes(from), from);
     await app.drop(anyFile("bad.json", text.replace(from, to)));
-    assert.match(await app.message(), reason);
+    await app.says(reason);
     assert.deepEqual([await app.room(), await app.reachableArea()], [room, area], to);
   }
   await app.drop(anyFile("good.json", text));
@@ -137,7 +135,7 @@ test("placing works by touch on a phone", async (t) => {
   await app.pause();
   await app.tool("place");
   await page.locator("#kinds [data-kind=table]").tap();
-  await app.frames(2);
+  await page.locator("#kinds [data-kind=table][aria-pressed=true]").waitFor();
   await page.touchscreen.tap(...(await app.spot(0.5, 0.55)));
   await app.settled();
   assert.deepEqual(await names(page), ["Leg 1", "Leg 2", "Leg 3", "Leg 4"]);

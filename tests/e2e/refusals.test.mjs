@@ -16,7 +16,7 @@ test("maps that can't be taken are refused with the reason, and the room stays",
     [[anyFile("cut.png", whole.bytes.subarray(0, whole.bytes.length - 30))], /"cut\.png" is (cut off|damaged)/],
     [[anyFile("letter.txt", "Dear reader,\nthis is no map.\n")], /"letter\.txt" is text of an unknown format/],
     [[anyFile("photo.jpg", "\xff\xd8\xff\xe0")], /"photo\.jpg" is/],
-    [[pngOfSize("huge.png", 5000, 5000)], /"huge\.png" is 5000 x 5000 cells large/],
+    [[pngOfSize("huge.png", 5000, 5000)], /"huge\.png" has 5000 x 5000 cells/],
     [[textMap("solid.txt", ["###", "###"])], /"solid\.txt" has no free cell/],
     [[textMap("odd.txt", ["....", "..x."])], /"odd\.txt", line 3, column 3: 'x'/],
     [[mapYaml("map.yaml", "map.pgm"), pgm("other.pgm", ROOM)], /names the image "map\.pgm", but "other\.pgm" was given/],
@@ -27,7 +27,7 @@ test("maps that can't be taken are refused with the reason, and the room stays",
   ];
   for (const [files, reason] of cases) {
     await app.drop(...files);
-    assert.match(await app.message(), reason);
+    await app.says(reason);
     assert.deepEqual([await app.room(), await app.reachableArea(), await app.numbers()], [room, area, numbers], `${reason}`);
   }
   await app.press("Dismiss");
@@ -36,11 +36,11 @@ test("maps that can't be taken are refused with the reason, and the room stays",
 
 test("a link that can't be followed says why", async (t) => {
   const { page, app } = await openApp(t, { address: "#room=nowhere" });
-  assert.match(await app.message(), /no room "nowhere".*there are: flat/);
+  await app.says(/no room "nowhere".*there are: flat/);
   assert.equal(await app.state(), "playing", "and something else is shown meanwhile");
   await page.evaluate(() => (location.hash = "room=thesis8&cell=9"));
-  await app.poll(() => app.message(), (text) => /cell size can't be "9"/.test(text));
+  await app.says(/cell size can't be "9"/);
   assert.equal(await app.room(), "Furnished flat");
   await page.evaluate(() => (location.hash = "room=thesis8&p.nothing=9"));
-  await app.poll(() => app.message(), (text) => /nothing/.test(text));
+  await app.says(/nothing/);
 });

@@ -1,5 +1,7 @@
 // Runs tests/e2e/*.test.mjs, or those whose file name contains one of the arguments: node tests/e2e/run.mjs [word...]
+// SLOWEST=20 lists the 20 tests that took longest, PICTURES=1 has all pictures taken that tests offer, in target/e2e.
 import fs from "node:fs";
+import os from "node:os";
 import path from "node:path";
 import { run } from "node:test";
 import { spec as Spec } from "node:test/reporters";
@@ -7,9 +9,13 @@ import { fileURLToPath } from "node:url";
 
 const here = path.dirname(fileURLToPath(import.meta.url));
 const words = process.argv.slice(2);
+/** Those that take long begin first, so that no process is left with one at the end. */
+const LONG = ["choices", "settings", "compare", "map", "connection-virtual", "floor-plan", "bench", "near-optimal", "connection-stop", "connection-fake"];
+const rank = (name) => (LONG.indexOf(name.replace(".test.mjs", "")) + LONG.length + 1) % (LONG.length + 1);
 const files = fs
   .readdirSync(here)
   .filter((name) => name.endsWith(".test.mjs") && (words.length === 0 || words.some((word) => name.includes(word))))
+  .sort((a, b) => rank(a) - rank(b))
   .map((name) => path.join(here, name));
 
 function fail(message) {
@@ -19,26 +25,35 @@ function fail(message) {
 if (!fs.existsSync(path.join(here, "../../dist/index.html"))) fail("dist/ is missing: run ./dev build first");
 if (files.length === 0) fail(`no test file matches: ${words.join(" ") || "tests/e2e/*.test.mjs"}`);
 
-/** Where a robot's stop is due soon, its page has the machine for itself. */
-const isAlone = (file) => /^connection/.test(path.basename(file));
-const timeout = 300_000 * Math.max(1, Number(process.env.LINK_ROUNDS ?? 0) / 10);
-let ran = 0;
+/** Where a robot's stop is due soon, the machine has nothing heavy to do besides. */
+const isUrgent = (file) => /^connection(-fake|-serial|-stop)?\.test/.test(path.basename(file));
+const timeout = 900_000 * Math.max(1, Number(process.env.LINK_ROUNDS ?? 0) / 10);
+/** How long every test took that has run, in ms, and what it is called. */
+const took = [];
 
-/** @param {string[]} files @param {number} concurrency How many files run at a time, each with a browser of its own. */
-async function runAll(files, concurrency) {
+function note({ name, file, details, skip }) {
+  if (details.type === "suite" || skip !== undefined || name.startsWith("end of ")) return;
+  took.push([details.duration_ms, `${path.basename(file ?? "", ".test.mjs")}: ${name}`]);
+}
+
+/** @param {string[]} files @param {number} lanes How many run at a time, each in a process with a browser of its own. */
+async function runAll(files, lanes) {
   if (files.length === 0) return;
-  const report = run({ files, concurrency, timeout })
-    .on("test:pass", ({ details, skip }) => {
-      if (details.type !== "suite" && skip === undefined) ran += 1;
-    })
-    .on("test:fail", () => {
-      ran += 1;
+  const taken = fs.mkdtempSync(path.join(os.tmpdir(), "robovac-e2e-"));
+  Object.assign(process.env, { E2E_FILES: JSON.stringify(files), E2E_TAKEN: taken });
+  const report = run({ files: Array(Math.min(lanes, files.length)).fill(path.join(here, "lane.mjs")), concurrency: lanes, timeout })
+    .on("test:pass", note)
+    .on("test:fail", (test) => {
+      note(test);
       process.exitCode = 1;
     })
     .compose(new Spec());
   for await (const text of report) process.stdout.write(text);
+  fs.rmSync(taken, { recursive: true });
 }
 
-await runAll(files.filter((file) => !isAlone(file)), 2);
-await runAll(files.filter(isAlone), 1);
-if (ran === 0) fail("no end-to-end test ran");
+await runAll(files.filter((file) => !isUrgent(file)), 3);
+await runAll(files.filter(isUrgent), 2);
+if (took.length === 0) fail("no end-to-end test ran");
+const slowest = took.sort(([a], [b]) => b - a).slice(0, Number(process.env.SLOWEST ?? 0));
+for (const [ms, what] of slowest) console.log(`${(ms / 1000).toFixed(1).padStart(6)} s  ${what}`);

@@ -32,7 +32,8 @@ test("the snake's decisions follow steps and scrubs, in words and on the floor",
     told.push(await note.textContent());
   }
   assert.match(told.at(-1), /^Left and right equal; smaller block: \d+ cells to clean (above|on the left), \d+ (below|on the right).*: /);
-  assert.ok((await page.locator("#floor").getAttribute("aria-label")).includes(told.at(-1)), "also for those who can't see it");
+  // Also for those who can't see it.
+  await app.poll(() => page.locator("#floor").getAttribute("aria-label"), (label) => label.includes(told.at(-1)));
   await screenshot("search-laptop-light");
   await page.emulateMedia({ colorScheme: "dark" });
   await app.frames(3);

@@ -146,7 +146,7 @@ async function take(message) {
     try {
       const result = await answer(message);
       tell({ type: "answer", id, result, view: session.view() });
-      if (!isWarm) setTimeout(() => session.warm_up(), REST_MS);
+      if (!isWarm) setTimeout(() => FloorPlanSession.warm_up(), REST_MS);
       isWarm = true;
     } catch (error) {
       // Rust throws messages for users; anything else is a mistake of ours.

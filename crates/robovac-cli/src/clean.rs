@@ -7,7 +7,6 @@ use super::{
     simulate::DEFAULT_ROBOT,
     task::{ParamArguments, PlacementArguments},
 };
-use coverage_planners;
 use robovac_core::rng::seeded;
 use robovac_sim::{
     Input, Run, STEP_S, controller,

@@ -11,6 +11,7 @@ use robovac_link::driver::Driver;
 use robovac_link::emulator::{Emulator, personality};
 use robovac_sim::{Conditions, experiment::RoomSetup};
 use roomba_oi::{Mode, Readings, motion::encoder_delta};
+use std::fmt::Write as _;
 use std::{env, error::Error, io, time::Duration, time::Instant};
 
 /// Sends bytes, waits about 10 ms for others, and returns the time in s.
@@ -89,7 +90,7 @@ impl Link<'_> {
             let after = self.until(|_, now| now > end + 0.5)?;
             let counts = f64::from(encoder_delta(before.left_counts, after.left_counts));
             let metres = counts / model("roomba600").ok_or("no such robot")?.counts_per_metre;
-            said += &format!("drove {:.0} mm\n", 1000.0 * metres);
+            let _ = writeln!(said, "drove {:.0} mm", 1000.0 * metres);
         }
         Ok(said)
     }

@@ -2,7 +2,7 @@
 
 use crate::sensors::to_sensors;
 use robovac_core::robot::{BatteryReading, SensorReadings};
-use roomba_oi::{InfraredCharacter, Readings};
+use roomba_oi::{DockBeams, InfraredCharacter, Readings};
 use serde::Serialize;
 
 /// Share of the charge below which a battery is low.
@@ -136,7 +136,7 @@ impl BeamsView {
         let (lit, text) = match InfraredCharacter::of(character) {
             InfraredCharacter::None => (Vec::new(), "–".to_owned()),
             InfraredCharacter::VirtualWall => (vec!["wall"], "virtual wall".to_owned()),
-            InfraredCharacter::Dock(beams) if beams != Default::default() => {
+            InfraredCharacter::Dock(beams) if beams != DockBeams::default() => {
                 let lit = named([(beams.green, "green"), (beams.red, "red"), (beams.force_field, "field")]);
                 let text = lit.join(" + ");
                 (lit, text)

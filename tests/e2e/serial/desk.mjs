@@ -116,7 +116,7 @@ export class FloorPlanTab {
   constructor(tab, server) {
     this.tab = tab;
     this.server = server;
-    tab.setDefaultTimeout(15_000);
+    tab.setDefaultTimeout(30_000);
   }
 
   async load() {

@@ -63,7 +63,16 @@ export class Robot {
   }
 
   async #until(holds) {
-    while (!holds()) await new Promise((later) => setTimeout(later, 5));
+    const patience = performance.now() + 15_000;
+    while (!holds()) {
+      assert.ok(performance.now() < patience, `waited in vain for ${holds}: ${JSON.stringify(this.heard().slice(-5))}`);
+      await new Promise((later) => setTimeout(later, 5));
+    }
+  }
+
+  /** Waits until this is what it has heard last; its log is a little behind. */
+  hears(opcode) {
+    return this.#until(() => this.heard().at(-1)?.opcode === opcode);
   }
 
   /** A line of the log after the other: time in s, kind, and the rest as words. */

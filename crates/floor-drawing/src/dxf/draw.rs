@@ -47,7 +47,7 @@ impl Entity<'_> {
             EntityKind::Spline => content.stroke(source, self.is_closed(), self.curve())?,
             // The third and fourth corner are crossed.
             EntityKind::Solid => {
-                content.stroke(source, true, [10, 11, 13, 12].map(|code| to_plan(self.point(code))))?
+                content.stroke(source, true, [10, 11, 13, 12].map(|code| to_plan(self.point(code))))?;
             }
             EntityKind::Face => content.stroke(source, true, [10, 11, 12, 13].map(|code| self.point(code)))?,
             EntityKind::Insert => content.insert(self.insert(source, block, &map))?,

@@ -102,7 +102,7 @@ impl<'a> Entity<'a> {
             60 if !in_vertex => self.is_hidden = pair.whole()? == 1,
             70 if in_vertex => self.vertex_flags(pair.whole()?),
             70 if matches!(self.kind, EntityKind::LwPolyline | EntityKind::Polyline | EntityKind::Spline) => {
-                self.flags = pair.whole()?
+                self.flags = pair.whole()?;
             }
             // Integers have 16 bits.
             70 | 71 if self.takes(pair.code) => self.push(pair, pair.whole()?.clamp(-0x8000, 0x7fff) as f64)?,

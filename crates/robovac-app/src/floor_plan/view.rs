@@ -189,7 +189,7 @@ impl DrawingSession {
             sweep: self.planned().map(sweep_view),
             words: String::new(),
         };
-        view.words = self.description(&view);
+        view.words = description(&view);
         view
     }
 
@@ -206,48 +206,48 @@ impl DrawingSession {
             gaps: room.gaps.len(),
         })
     }
+}
 
-    /// What is seen, in words, for those who don't see it.
-    fn description(&self, view: &DrawingView) -> String {
-        let mut words = format!("Floor plan {}", view.name);
-        let mut say = |text: String| {
-            words.push_str(", ");
-            words.push_str(&text);
-        };
-        if view.kind == "drawing" {
-            let walls = view.layers.iter().filter(|layer| layer.role == Role::Wall).count();
-            say(format!("{} strokes on {} layers, {walls} of them walls", view.strokes, view.layers.len()));
-        }
-        match (&view.size, &view.room) {
-            (None, _) => say("unit not chosen yet".to_owned()),
-            (Some(size), None) => say(format!("{size} overall; no room could be traced: {}", view.fault)),
-            (Some(size), Some(room)) => {
-                say(format!(
-                    "{size} overall; the room is {} with {:.1} square metres of free floor",
-                    size_in_words(room.width_m, room.height_m),
-                    room.floor_m2
-                ));
-                if room.objects + room.gaps > 0 {
-                    say(format!("{} obstacles, {} closed gaps", room.objects, room.gaps));
-                }
+/// What is seen, in words, for those who don't see it.
+fn description(view: &DrawingView) -> String {
+    let mut words = format!("Floor plan {}", view.name);
+    let mut say = |text: String| {
+        words.push_str(", ");
+        words.push_str(&text);
+    };
+    if view.kind == "drawing" {
+        let walls = view.layers.iter().filter(|layer| layer.role == Role::Wall).count();
+        say(format!("{} strokes on {} layers, {walls} of them walls", view.strokes, view.layers.len()));
+    }
+    match (&view.size, &view.room) {
+        (None, _) => say("unit not chosen yet".to_owned()),
+        (Some(size), None) => say(format!("{size} overall; no room could be traced: {}", view.fault)),
+        (Some(size), Some(room)) => {
+            say(format!(
+                "{size} overall; the room is {} with {:.1} square metres of free floor",
+                size_in_words(room.width_m, room.height_m),
+                room.floor_m2
+            ));
+            if room.objects + room.gaps > 0 {
+                say(format!("{} obstacles, {} closed gaps", room.objects, room.gaps));
             }
         }
-        if let Some(Doors { count, gap, floor_m2 }) = view.doors {
-            let openings = if count == 1 { "one opening".to_owned() } else { format!("{count} openings") };
-            say(format!(
-                "it extends through {openings} as wide as doors; closing gaps up to {gap:.2} metres leaves \
-                 {floor_m2:.1} square metres"
-            ));
-        }
-        if let Some(sweep) = &view.sweep {
-            say(format!(
-                "a sweep of {:.1} metres with {} subgoals, {} of {} collisions resolved",
-                sweep.length, sweep.subgoals[0], sweep.resolved, sweep.collisions
-            ));
-        }
-        words.push('.');
-        words
     }
+    if let Some(Doors { count, gap, floor_m2 }) = view.doors {
+        let openings = if count == 1 { "one opening".to_owned() } else { format!("{count} openings") };
+        say(format!(
+            "it extends through {openings} as wide as doors; closing gaps up to {gap:.2} metres leaves \
+             {floor_m2:.1} square metres"
+        ));
+    }
+    if let Some(sweep) = &view.sweep {
+        say(format!(
+            "a sweep of {:.1} metres with {} subgoals, {} of {} collisions resolved",
+            sweep.length, sweep.subgoals[0], sweep.resolved, sweep.collisions
+        ));
+    }
+    words.push('.');
+    words
 }
 
 fn layer_view(layer: &floor_drawing::DrawingLayer, role: Role) -> LayerView {

@@ -152,10 +152,10 @@ impl Machine {
         };
         match &mut self.builtin_program {
             Some(builtin_program) if !builtin_program.is_paused && !goes_home_from_cleaning(builtin_program) => {
-                builtin_program.is_paused = true
+                builtin_program.is_paused = true;
             }
             Some(builtin_program) if builtin_program.is_paused && builtin_program.chore == chore => {
-                builtin_program.is_paused = false
+                builtin_program.is_paused = false;
             }
             _ => self.begin(chore),
         }

@@ -397,7 +397,7 @@ impl Behaviour for Frontier {
                 pilot.answer(obstruction, BACK, &[]);
             }
             ExplorePhase::Choose | ExplorePhase::Search | ExplorePhase::Done | ExplorePhase::Lost { .. } => {
-                pilot.answer(obstruction, BACK, &[])
+                pilot.answer(obstruction, BACK, &[]);
             }
         }
     }
