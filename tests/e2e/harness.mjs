@@ -3,17 +3,17 @@
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import path from "node:path";
-import { after } from "node:test";
 import { DIST, ROOT, launchBrowser, serveFolder } from "./browser.mjs";
+import { ends } from "./ends.mjs";
 
 export { DIST, ROOT };
 
 const SCREENSHOTS = path.join(ROOT, "target/e2e");
 
-// One browser per test file, started by the first test that needs it.
+// One browser per process, started by the first test that needs it.
 let sharedBrowser;
 const servers = [];
-after(async () => {
+ends.push(async () => {
   await (await sharedBrowser)?.close();
   for (const server of servers) await server.close();
 });
@@ -85,7 +85,7 @@ export async function openPage(t, { address = "", allow = [], init, isNew = init
     fs.mkdirSync(SCREENSHOTS, { recursive: true });
     return page.screenshot({ path: path.join(SCREENSHOTS, `${name}.png`) });
   };
-  t.after(async () => {
+  t.ends.push(async () => {
     // Taken while it is still there: the first thing to look at when a test fails.
     if (!t.passed) await picture(`${title}-end`).catch(() => {});
     // A request that a test answers may still be on its way.

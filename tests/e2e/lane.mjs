@@ -4,6 +4,7 @@ import fs from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
+import { ends } from "./ends.mjs";
 
 const { E2E_FILES, E2E_TAKEN } = process.env;
 for (const file of JSON.parse(E2E_FILES)) {
@@ -17,3 +18,4 @@ for (const file of JSON.parse(E2E_FILES)) {
   // Tests run in the order in which they are declared: when this one has its turn, the file is done.
   await test(`end of ${name}`, () => {});
 }
+for (const end of ends) await end();

@@ -4,10 +4,10 @@ import { execFile, spawnSync } from "node:child_process";
 import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
-import { after } from "node:test";
 import { promisify } from "node:util";
 import { chromium } from "playwright-core";
 import { CHROMIUM_FLAGS, DIST, chromiumPath, serveFolder } from "../browser.mjs";
+import { ends } from "../ends.mjs";
 import { launch } from "./devtools.mjs";
 
 const HERE = import.meta.dirname ?? path.dirname(new URL(import.meta.url).pathname);
@@ -25,7 +25,7 @@ export function noSerial() {
 // One server and one browser for a test file, as starting them takes longer than most tests; tests stay apart by contexts.
 const running = [];
 let served;
-after(async () => {
+ends.push(async () => {
   for (const end of running.reverse()) await end();
 });
 
@@ -74,7 +74,7 @@ export async function openDesk(t, { robot, allow = [], extra = {} } = {}) {
   const note = (message) => allow.some((pattern) => pattern.test(message)) || problems.push(message);
   context.on("console", (message) => message.type() === "error" && note(`console: ${message.text()}`));
   context.on("weberror", (error) => note(`uncaught: ${error.error().stack ?? error.error()}`));
-  t.after(async () => {
+  t.ends.push(async () => {
     // A request that a test answers may still be on its way.
     await context.unrouteAll({ behavior: "ignoreErrors" });
     await context.close();
