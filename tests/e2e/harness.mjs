@@ -85,7 +85,7 @@ export async function openPage(t, { address = "", allow = [], init, isNew = init
     fs.mkdirSync(SCREENSHOTS, { recursive: true });
     return page.screenshot({ path: path.join(SCREENSHOTS, `${name}.png`) });
   };
-  t.ends.push(async () => {
+  t.after(async () => {
     // Taken while it is still there: the first thing to look at when a test fails.
     if (!t.passed) await picture(`${title}-end`).catch(() => {});
     // A request that a test answers may still be on its way.
