@@ -484,7 +484,7 @@ test("one screen on a laptop, in words too", async (t) => {
   await sample(app);
   const rails = await page.evaluate(() => [...document.querySelectorAll("#panel-floor-plan .rail")].map((rail) => rail.scrollHeight - rail.clientHeight));
   assert.deepEqual(rails, [0, 0], "nothing to be scrolled");
-  assert.match(await page.locator("#floor-plan-floor").getAttribute("aria-label"), /^Floor plan sample flat, a drawing of \d+ strokes .* square metres/);
+  assert.match(await page.locator("#floor-plan-floor").getAttribute("aria-label"), /^Floor plan sample flat, \d+ strokes .* square metres/);
   await page.reload();
   await page.locator("#floor-plan-empty").waitFor();
 });
