@@ -16,6 +16,6 @@ mod virtual_robot;
 
 #[allow(unused_imports, reason = "the boundary's tests are Rust; the page uses them by their exports")]
 pub use {
-    connection::Connection, plan_job::plan, read_map::read_map, replay::Replay, session_mirror::SessionMirror,
-    virtual_robot::VirtualRobot,
+    connection::Connection, live_map::LiveMap, plan_job::plan, read_map::read_map, replay::Replay,
+    session_mirror::SessionMirror, virtual_robot::VirtualRobot,
 };

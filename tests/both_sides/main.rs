@@ -1,4 +1,3 @@
 //! What must be the same natively and in WebAssembly.
 
 mod determinism;
-mod live_map;

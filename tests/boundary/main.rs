@@ -8,6 +8,7 @@ use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 use web_sys::HtmlCanvasElement;
 use workshop::{Connection, Replay, SessionMirror, VirtualRobot, plan, read_map};
 
+mod live_map;
 #[path = "../../src/page/mod.rs"]
 mod page;
 #[path = "../../src/workshop/mod.rs"]

@@ -13,7 +13,7 @@
 //! ```
 //!
 //! - [`explore`], [`compare`], [`map`], [`floor_plan`]: the tabs
-//! - [`export`]: files to download; [`bench`]: the benchmark of the command line and the page
+//! - [`export`]: files to download; [`mod@bench`]: the benchmark of the command line and the page
 
 pub mod bench;
 pub mod compare;

@@ -174,7 +174,7 @@ impl Study {
         Ok(())
     }
 
-    /// Number of runs of each algorithm, 1 to [`MOST_SEEDS`].
+    /// Number of runs of each algorithm, 1 to 1000.
     pub fn set_seeds(&mut self, seeds: u32) {
         self.seeds = seeds.clamp(1, MOST_SEEDS);
         self.changed();

@@ -1,14 +1,12 @@
 //! The live map of a robot on its way, and plans for it, in a real browser.
-#![cfg(target_arch = "wasm32")]
 
+use super::workshop::{LiveMap, SessionMirror, plan};
 use js_sys::{Function, Reflect, Uint32Array};
 use robovac_app::explore::Session;
-use robovac_playground::{LiveMap, SessionMirror, plan, wire::to_js};
+use robovac_playground::wire::to_js;
 use wasm_bindgen::{JsCast, JsValue};
-use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
+use wasm_bindgen_test::wasm_bindgen_test;
 use web_sys::HtmlCanvasElement;
-
-wasm_bindgen_test_configure!(run_in_browser);
 
 /// Width of the strip that a Roomba 600 cleans, m.
 const TOOL_WIDTH: f64 = 0.17;
