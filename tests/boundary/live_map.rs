@@ -81,6 +81,7 @@ fn beliefs_are_placed_where_the_robot_stands() {
 fn a_bump_leaves_one_mark_however_long_it_is_felt() {
     let mut map = map(&guest("room=empty&robot=roomba600"), true);
     map.follow(&[1.0, 1.0, 0.0, 1.0, 1.0, 1.0, 0.0, 1.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 8.0]);
+    map.show_robot(1.0, 1.0, 0.0, false, false, false);
     let words = map.words("Empty room", "Safe", "");
     assert!(words.contains("bumped 1 times and seen 1 cliffs"), "{words}");
     map.draw().unwrap();
