@@ -53,7 +53,7 @@ export class Robot {
   async rests() {
     await this.app.still(() => this.distance());
     const before = await this.distance();
-    await this.page.waitForTimeout(400);
+    await this.page.waitForTimeout(700);
     assert.equal(await this.distance(), before, "it moves after the stop");
   }
 }
