@@ -1,4 +1,4 @@
-//! How high lower bounds get, and how soon.
+//! Lower bounds over time.
 
 #![allow(missing_docs, reason = "the macros make functions without any")]
 
@@ -15,7 +15,7 @@ use std::{
 
 /// Seconds at which the bounds of the shared rooms are reported.
 const TIMES: [f64; 5] = [0.2, 1.0, 3.0, 10.0, 30.0];
-/// What bounds are worked at between two looks at the clock.
+/// Work between two checks of the clock, in cells.
 const CELLS: usize = 200_000;
 
 fn at_once(criterion: &mut Criterion) {
@@ -27,7 +27,7 @@ fn at_once(criterion: &mut Criterion) {
     }
 }
 
-/// One look at the cells by each of the two methods for whole rooms.
+/// One pass over the cells by each of the two methods for whole rooms.
 fn work(criterion: &mut Criterion) {
     let Some(job) = hall(100) else { return };
     let mut group = criterion.benchmark_group("work at a bound, hall 100 x 100");

@@ -1,4 +1,4 @@
-//! What it takes to make a map and to judge it.
+//! Time to make a map and to measure its quality.
 
 #![allow(missing_docs, reason = "the macros make functions without any")]
 

@@ -1,4 +1,4 @@
-//! How many steps a second the simulator makes.
+//! Steps of the simulator per second.
 
 #![allow(missing_docs, reason = "the macros make functions without any")]
 

@@ -1,5 +1,5 @@
-//! What the reader of drawings sees in a file, as JSON; and a DXF with a line beside a drawing. For programs of others that
-//! check both: `drawing_strokes DRAWING [DXF_BESIDE_IT [DXF_ALONE]]`.
+//! Prints the strokes of a drawing as JSON, and writes a DXF with a line beside a drawing. For checking both with other
+//! programs: `drawing_strokes DRAWING [DXF_BESIDE_IT [DXF_ALONE]]`.
 
 use floor_drawing::{Overlay, read, to_dxf};
 use robovac_core::{floor_plan::SourceFile, geometry::Point};

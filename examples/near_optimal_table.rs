@@ -10,7 +10,7 @@ use robovac_core::{
 };
 use std::{error::Error, fs, ops::ControlFlow, path::Path, time::Instant};
 
-/// Tells how long the program has worked.
+/// A clock of the working time.
 struct Clock {
     begun: Instant,
     worked: Option<f64>,
@@ -25,7 +25,7 @@ impl Clock {
         Self::worked().zip(self.worked).map_or_else(|| self.begun.elapsed().as_secs_f64(), |(now, then)| now - then)
     }
 
-    /// Time that the only thread has had a processor, s, where the system is Linux.
+    /// CPU time of the only thread, s, on Linux.
     fn worked() -> Option<f64> {
         let nanoseconds: f64 =
             fs::read_to_string("/proc/self/schedstat").ok()?.split_whitespace().next()?.parse().ok()?;
@@ -33,7 +33,7 @@ impl Clock {
     }
 }
 
-/// A room and the best known value that its header tells, if any.
+/// A room, and the best known value in its header, if any.
 fn read(path: &Path) -> Result<(CoverageJob, Option<f64>), Box<dyn Error>> {
     let text = fs::read_to_string(path)?;
     let picture: Vec<&str> = text.lines().filter(|line| !line.starts_with(';')).collect();
@@ -52,7 +52,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let words: Vec<String> = std::env::args().skip(3).collect();
     let info = find("near_optimal").ok_or("not in the registry")?;
     println!(
-        "| room | cells | first | after s | best | our bound | above | best known | above it | last found after s |"
+        "| room | cells | first walk | after, s | best walk | our bound | gap | best known | gap to best known | found after, s |"
     );
     println!("|---|---|---|---|---|---|---|---|---|---|");
     for (folder, is_closed) in [("grids", false), ("turncost", true)] {
@@ -122,7 +122,7 @@ struct Best {
     walk: Vec<Cell>,
     proof: Option<Proof>,
     cost: u64,
-    /// Seconds after which it was found.
+    /// Time at which it was found, s.
     after: f64,
 }
 
@@ -134,7 +134,7 @@ impl Best {
         }
     }
 
-    /// Makes sure that it's a walk over all cells.
+    /// Checks that it's a walk over all cells.
     fn check(&self, job: &CoverageJob) -> Result<(), Box<dyn Error>> {
         CoveragePath { cells: self.walk.clone() }.check(job)?;
         let missed = missed(job, &self.walk);

@@ -1,5 +1,5 @@
-//! What every planner reaches on the maps given, as a table for comparison with others: those that claim to be fast on all
-//! of them, the others on those of up to `SLOW_CELLS` cells.
+//! Results of every planner on the given maps, as a table: fast planners on all of them, the others on those of up to
+//! `SLOW_CELLS` cells.
 //!
 //! `cargo run --release --example planner_table -- MAP...`
 

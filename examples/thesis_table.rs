@@ -1,5 +1,5 @@
-//! Table 2 of the thesis on the improved snake algorithm (Emu & Obaida 2020, section 5) beside what the planners here do in
-//! a room of as many cells. The room itself is lost, so only the order of the rows can be compared.
+//! Table 2 of the thesis on the improved snake algorithm (Emu & Obaida 2020, section 5) beside the results of the
+//! planners here in a room of as many cells. The room itself is lost, so only the order of the rows can be compared.
 //!
 //! `cargo run --release --example thesis_table`
 
@@ -13,13 +13,13 @@ const ROOM: &str = "thesis226";
 
 /// A row of the printed table.
 struct Printed {
-    /// What the thesis calls it.
+    /// The algorithm's name in the thesis.
     algorithm: &'static str,
     turns: u32,
     revisits: u32,
-    /// m.
+    /// Length, m.
     length: f64,
-    /// Id of the planner here that does the same.
+    /// Id of the same planner here.
     planner: &'static str,
 }
 
@@ -43,7 +43,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The rest of a row: what the planner does in the room, or nothing if there is none of that id.
+/// The rest of a row: the planner's result in the room, empty if there is none of that id.
 fn measured(id: &str) -> Result<String, Box<dyn Error>> {
     let Some(planner) = find(id) else { return Ok("- | | | |".to_owned()) };
     let plan = room(ROOM).map(|info| (info.build)()).ok_or("the room is gone")?;

@@ -89,7 +89,7 @@ function run(command) {
   console.log(`$ ${command}`);
   const { status } = spawnSync("bash", ["-c", command], { cwd: COPY, stdio: "inherit", env: { ...process.env, CARGO_TARGET_DIR: TARGET } });
   if (status === 0) return;
-  console.error(`error: this failed in ${COPY}, a copy made as ${GUIDE} says`);
+  console.error(`error: the last command failed in ${COPY}, a copy changed as ${GUIDE} says`);
   process.exit(1);
 }
 
@@ -105,5 +105,5 @@ if (!process.argv.includes("--check")) {
   const changed = read(WALKS).split("\n").filter((line) => !walks.includes(line));
   if (changed.length > 0) throw new Error(`${WALKS} was to get new lines only, but these have changed:\n${changed.join("\n")}`);
   if (process.argv.includes("--page")) ["trunk build --offline=true", "tsc --project .", "node tests/e2e/run.mjs yours"].forEach(run);
-  console.log("A newcomer gets through.");
+  console.log("Every step works.");
 }

@@ -101,7 +101,7 @@ if (!fs.existsSync(GRIDS)) {
 }
 const server = await serveFolder(DIST, { also: { "/empty.html": "" } });
 const browser = await launchBrowser();
-console.log(`| room | cells | first whole walk told | after s | walk after ${SOON} s | best after ${seconds} s | found after s | our bound | above it |`);
+console.log(`| room | cells | first complete walk | after, s | walk after ${SOON} s | best walk after ${seconds} s | found after, s | our bound | gap |`);
 console.log("|---|---|---|---|---|---|---|---|---|");
 try {
   for (const name of fs.readdirSync(GRIDS).sort()) {
@@ -112,7 +112,7 @@ try {
     await page.close();
     const [first] = reports;
     if (!first) {
-      console.log(`| ${path.parse(name).name} | ${needed} | no whole walk |`);
+      console.log(`| ${path.parse(name).name} | ${needed} | no complete walk |`);
       continue;
     }
     const last = reports.at(-1);

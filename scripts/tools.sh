@@ -76,7 +76,7 @@ install_drivers() {
 
 need_browser() {
     { find_chromium && find_chromedriver; } >/dev/null && return
-    [[ -z ${CHROMIUM:-}${CHROMEDRIVER:-} ]] || die "CHROMIUM=${CHROMIUM:-} or CHROMEDRIVER=${CHROMEDRIVER:-} names a program that is not there"
+    [[ -z ${CHROMIUM:-}${CHROMEDRIVER:-} ]] || die "CHROMIUM=${CHROMIUM:-} or CHROMEDRIVER=${CHROMEDRIVER:-} names a program that does not exist"
     # Without a font the page's text is invisible in screenshots. The shell is Chromium without windows.
     step "Installing Chromium and its driver" apt_install chromium chromium-driver chromium-headless-shell fonts-liberation
     { find_chromium && find_chromedriver; } >/dev/null ||

@@ -19,17 +19,17 @@ function draw() {
   session.open(files);
   session.resize(WIDTH, HEIGHT, 1);
   session.draw(false);
-  // What was only noted down is drawn by now.
+  // Cached drawing commands have been executed by now.
   canvas.getContext("2d")?.getImageData(0, 0, 1, 1);
   const ms = performance.now() - began;
   session.free();
   return { name: `read, trace and draw ${ENTITIES.toLocaleString("en")} entities`, ms, times_real_time: null, memory_mb: null };
 }
 
-self.addEventListener("message", async (/** @type {MessageEvent<{ module: WebAssembly.Module }>} */ event) => {
+self.addEventListener("message", async (/** @type {MessageEvent<{ module: WebAssembly.Module, once: boolean }>} */ event) => {
   try {
     await init({ module_or_path: event.data.module });
-    const results = bench_drawings((/** @type {import("./types").BenchResult} */ result) => answer({ type: "result", result }));
+    const results = bench_drawings(event.data.once, (/** @type {import("./types").BenchResult} */ result) => answer({ type: "result", result }));
     const drawn = draw();
     answer({ type: "result", result: drawn });
     answer({ type: "finished", results: [...results, drawn] });

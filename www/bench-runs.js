@@ -7,7 +7,7 @@
 const SEEDS = Number(new URLSearchParams(location.search).get("runs")) || 100;
 const MINUTES = 30;
 
-/** What each worker is asked for, but for id and seeds. */
+/** The request to each worker, without id and seeds. */
 const REQUEST = {
   room: "flat",
   scenario: null,
@@ -24,7 +24,7 @@ export async function measureRuns(module) {
   const cores = navigator.hardwareConcurrency || 2;
   const began = performance.now();
   let next = 1;
-  /** One worker, asked again and again until all seeds are taken. @returns {Promise<void>} */
+  /** Gives one worker requests until all seeds are taken. @returns {Promise<void>} */
   const work = () =>
     new Promise((resolve, reject) => {
       const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });

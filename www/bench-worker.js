@@ -5,10 +5,10 @@ import init, { bench } from "../workshop.js";
 /** @param {import("./worker-types").FromBench} message */
 const answer = (message) => self.postMessage(message);
 
-self.addEventListener("message", async (/** @type {MessageEvent<{ module: WebAssembly.Module }>} */ event) => {
+self.addEventListener("message", async (/** @type {MessageEvent<{ module: WebAssembly.Module, once: boolean }>} */ event) => {
   try {
     await init({ module_or_path: event.data.module });
-    const results = bench((/** @type {import("./types").BenchResult} */ result) => answer({ type: "result", result }));
+    const results = bench(event.data.once, (/** @type {import("./types").BenchResult} */ result) => answer({ type: "result", result }));
     answer({ type: "finished", results });
   } catch (error) {
     answer({ type: "failed", message: error instanceof Error ? error.message : String(error) });

@@ -1,5 +1,5 @@
 // @ts-check
-// What `robovac bench` measures natively, measured in this browser; scripts/bench.mjs compares the two.
+// The cases of `robovac bench`, measured in this browser; scripts/bench.mjs compares the two.
 import { measureRuns } from "./bench-runs.js";
 import { byId, make } from "./dom.js";
 import { pace } from "./format.js";
@@ -10,13 +10,16 @@ import { compile, missing } from "./wasm.js";
  * @typedef {import("./worker-types").FromBench} FromBench
  */
 
+/** With bench.html?once, each case runs a single time: enough to see that it works. */
+const ONCE = new URLSearchParams(location.search).has("once");
+
 /** Milliseconds between two looks at whether the page still answers. */
 const LOOK_EVERY = 5;
 
 /**
  * Runs all cases of a module in a worker.
  * @param {URL} script @param {WebAssembly.Module} module
- * @param {(result: BenchResult) => void} show Is told each result as it comes.
+ * @param {(result: BenchResult) => void} show Receives each result.
  * @returns {Promise<BenchResult[]>}
  */
 async function inWorker(script, module, show) {
@@ -29,7 +32,7 @@ async function inWorker(script, module, show) {
         else reject(new Error(data.message));
       });
       worker.addEventListener("error", (event) => reject(new Error(event.message || "the worker could not be loaded")));
-      worker.postMessage({ module });
+      worker.postMessage({ module, once: ONCE });
     });
   } finally {
     worker.terminate();
@@ -52,7 +55,7 @@ async function longestPause(what) {
 
 /**
  * Runs the benchmark, one worker after the other.
- * @param {(result: BenchResult) => void} show Is told each result as it comes.
+ * @param {(result: BenchResult) => void} show Receives each result.
  * @returns {Promise<BenchResult[]>}
  */
 async function measure(show) {

@@ -1,5 +1,5 @@
 // @ts-check
-// What the robot's sensors report, as they report it; only what the robot has.
+// The robot's sensor readings, only of sensors that the robot has.
 import { byId, changed, make, setAttribute, setText } from "./dom.js";
 import { count } from "./format.js";
 import { cliffSensors, portrait } from "./portrait.js";
@@ -49,7 +49,7 @@ export function startDashboard(app) {
   };
 }
 
-/** What there is to be shown of its sensors, beside its portrait. @param {Robot} robot @returns {Part[]} */
+/** The parts of the dashboard beside the robot's portrait. @param {Robot} robot @returns {Part[]} */
 export function instruments(robot) {
   return [flags(robot), ...(robot.cliffs.some(Boolean) ? [cliffs(robot)] : []), ...(robot.gauge ? [battery()] : []), ...(robot.infrared ? [infrared()] : []), wheels(robot), dirt()];
 }

@@ -63,7 +63,7 @@ export function fill(into, options) {
 const written = new WeakMap();
 
 /**
- * Whether `value` differs from what was last given for this node and key: the page writes only what changes.
+ * Whether `value` differs from the last one for this node and key: the page writes only changes.
  * @param {Node} node
  * @param {string} key
  * @param {unknown} value
@@ -102,7 +102,7 @@ export function setAttribute(node, name, value) {
 }
 
 /**
- * Enables or disables a control. A disabled one that has the focus would lose it to nowhere, so it is only marked.
+ * Enables or disables a control. One with the focus would lose it, so it is only marked as disabled.
  * @param {HTMLButtonElement | HTMLSelectElement} node
  * @param {boolean} enabled
  */

@@ -1,5 +1,5 @@
 // @ts-check
-// What is said of an algorithm: idea, claims, colours, cost, when to use it, the paper.
+// The description of an algorithm: idea, claims, colours, cost, when to use it, the paper.
 import { make } from "./dom.js";
 
 /** @typedef {import("./types").CatalogueEntry} AlgorithmEntry */
@@ -7,7 +7,7 @@ import { make } from "./dom.js";
 
 /** @type {Claim[]} */
 const PLANNER_CLAIMS = [
-  ["complete", "visits every cell", "may miss cells", "Visits every cell of the planning grid that can be reached; tests check this in every room. Coverage can stay slightly below 100 %: cells are coarser than the floor, so slivers along walls remain.", "May leave cells unvisited that can be reached."],
+  ["complete", "visits every cell", "may miss cells", "Visits every reachable cell of the planning grid; tests check this in every room. Coverage can stay slightly below 100 %: cells are coarser than the floor, so slivers along walls remain.", "May leave reachable cells unvisited."],
   ["deterministic", "same plan every time", "randomised", "Gives the same plan whatever the seed.", "Uses random numbers: another seed gives another plan."],
   ["fast", "fast in large halls", "slow in large halls", "Plans a million cells in about a second.", "Meant for rooms of up to 200 × 200 cells; shows its best plan so far and can be cancelled."],
   ["anytime", "can be stopped early", "", "Finds a complete plan early and improves it; when stopped, it keeps the best plan so far.", ""],
@@ -15,12 +15,12 @@ const PLANNER_CLAIMS = [
 
 /** @type {Claim[]} */
 const BEHAVIOUR_CLAIMS = [
-  ["cleans", "made to clean", "not made to clean", "Covers more and more of the floor.", "Serves another purpose: it sweeps where it drives, but doesn't aim to cover the floor."],
+  ["cleans", "made to clean", "not made to clean", "Covers more and more of the floor.", "Has another purpose: it sweeps where it drives, but doesn't try to cover the floor."],
   ["ends", "stops by itself", "runs until stopped", "Stops by itself when it is done.", "Runs until you stop it or the battery is empty."],
 ];
 
 /** @type {Claim[]} */
-const MANUAL_CLAIMS = [["manual", "you drive", "", "You drive; the robot only refuses what would do harm.", ""]];
+const MANUAL_CLAIMS = [["manual", "you drive", "", "You drive; only commands that would do harm are blocked.", ""]];
 
 /**
  * The explainer of an algorithm.

@@ -16,7 +16,7 @@ export function startFiles(app) {
   startDrop(app.bring);
 
   const scenario = () => app.act((p) => download(`${fileName(app.view.room.title)}.json`, p.scenario_json(), "application/json"));
-  // What can't be loaded just now shouldn't keep anyone from saving.
+  // Errors of loading shouldn't prevent saving.
   const save = button("save");
   save.addEventListener("click", () => {
     save.setAttribute("aria-busy", "true");
@@ -31,7 +31,7 @@ export function startFiles(app) {
     try {
       await navigator.clipboard.writeText(link.href);
       const isOwn = link.hash.includes("room=own");
-      toast(isOwn ? "Link copied. The room itself is only in this browser: save it and send the file along." : "Link copied");
+      toast(isOwn ? "Link copied. The room exists only in this browser: save it and send the file too." : "Link copied");
     } catch {
       history.replaceState(null, "", link.hash);
       toast("The link is in the address bar");

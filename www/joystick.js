@@ -1,5 +1,5 @@
 // @ts-check
-// What a hand says: keys, a gamepad, and a joystick on the screen, all at once.
+// Manual input: keys, a gamepad, and a joystick on the screen, all at once.
 import { setAttribute, setText } from "./dom.js";
 
 /**
@@ -28,10 +28,10 @@ export const STILL = { forward: 0, left: 0 };
  * @param {object} parts
  * @param {HTMLElement} parts.pad
  * @param {HTMLElement} parts.knob
- * @param {Element} parts.told Where it is told what is blocked.
+ * @param {Element} parts.told The element for blocked directions.
  * @param {HTMLElement[]} parts.targets Where keys drive.
  * @param {(event: KeyboardEvent) => boolean} parts.takes Whether a key that could drive is meant to.
- * @param {() => void} parts.begin Somebody takes the controls.
+ * @param {() => void} parts.begin Called when a person takes the controls.
  * @param {() => void} parts.end They were let go at once: focus, window or page are gone.
  */
 export function joystick({ pad, knob, told, targets, takes, begin, end }) {
@@ -70,7 +70,7 @@ export function joystick({ pad, knob, told, targets, takes, begin, end }) {
   addEventListener("blur", stop);
   document.addEventListener("visibilitychange", () => document.hidden && stop());
 
-  /** Where the pad was when it was taken: nothing that moves under a finger may turn what it asks for. */
+  /** The pad's position when it was pressed: layout changes under a finger must not affect the command. */
   let box = pad.getBoundingClientRect();
   /** @param {PointerEvent} event */
   const drag = (event) => {
@@ -98,7 +98,7 @@ export function joystick({ pad, knob, told, targets, takes, begin, end }) {
   return {
     release,
     show,
-    /** What is asked for now, and whether a gamepad is there. */
+    /** The current command, and whether a gamepad is connected. */
     read() {
       const gamepad = gamepadCommand();
       const keys = [...held].reduce((sum, code) => ({ forward: sum.forward + (KEYS[code]?.[0] ?? 0), left: sum.left + (KEYS[code]?.[1] ?? 0) }), STILL);
@@ -109,14 +109,14 @@ export function joystick({ pad, knob, told, targets, takes, begin, end }) {
   };
 }
 
-/** In steps that a hand can tell apart. @param {Command} command @returns {Command} */
+/** The command in discrete steps. @param {Command} command @returns {Command} */
 export const rounded = ({ forward, left }) => ({ forward: Math.round(forward * 50) / 50, left: Math.round(left * 50) / 50 });
 
 /** In the order of `View.blocked`. @type {Way[]} */
 const WAYS = ["forward", "left", "right", "backward"];
 
 /**
- * Which directions are open, which are asked for, and why those that aren't open are not.
+ * Shows allowed and commanded directions, and why others are blocked.
  * @param {HTMLElement} pad @param {Element} told @param {import("./types").PageView["blocked"]} blocked @param {Command} command
  */
 function showBlocked(pad, told, blocked, { forward, left }) {
@@ -128,16 +128,16 @@ function showBlocked(pad, told, blocked, { forward, left }) {
     if (mark) setAttribute(mark, "class", why(way) ? "way shut" : asked[way] ? "way used" : "way");
   }
   const shut = WAYS.filter(why);
-  // What one is trying first; all of them as long as one tries nothing.
+  // The reasons of the commanded directions first; without a command, all of them.
   const first = shut.filter((way) => asked[way]);
   const named = first.length > 0 ? first : shut;
   const open = WAYS.filter((way) => !why(way));
   if (shut.length === 0) setText(told, "");
-  else if (open.length === 1) setText(told, capital(`${reasons(shut.map(why))}: only ${open[0] === "backward" ? "back" : open[0]} is open`));
+  else if (open.length === 1) setText(told, capital(`${reasons(shut.map(why))}: only ${open[0] === "backward" ? "back" : open[0]} is allowed`));
   else setText(told, capital(`${named.join(" and ")} blocked: ${reasons(named.map(why))}`));
 }
 
-/** What they have in common, as far as one can read while driving. @param {(string | null | undefined)[]} all */
+/** Their common text, short enough to read while driving. @param {(string | null | undefined)[]} all */
 function reasons(all) {
   const each = new Set(all);
   const heads = new Set([...each].map((one) => one?.replace(/ (in front|on the (left|right))$/, "")));
@@ -153,7 +153,7 @@ function limited(...commands) {
   return { forward: limit(commands.reduce((sum, c) => sum + c.forward, 0)), left: limit(commands.reduce((sum, c) => sum + c.left, 0)) };
 }
 
-/** What the first gamepad says; `undefined` without one. @returns {Command | undefined} */
+/** The command of the first gamepad; `undefined` without one. @returns {Command | undefined} */
 function gamepadCommand() {
   const gamepad = navigator.getGamepads?.().find((pad) => pad?.connected);
   if (!gamepad) return undefined;

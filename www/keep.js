@@ -8,11 +8,11 @@ import { toast } from "./messages.js";
 const KEY = "own-room";
 /** Whether it has been said that there is no room for the room. */
 let warned = false;
-/** What `link` says for a room that does not ship. */
+/** The value in `link` of a room that isn't built in. */
 const OWN = "room=own";
 
 /**
- * Brings back what the address asks for; a room of one's own has to be read in a worker.
+ * Restores the state of the address; an own room is read in a worker.
  * @param {App} app @param {string} link
  */
 export async function restoreLink(app, link) {
@@ -20,7 +20,7 @@ export async function restoreLink(app, link) {
     const saved = read();
     if (!saved) {
       app.act((p) => p.restore(link));
-      app.act((p) => p.report_error("This link's room was drawn or loaded in another browser. Ask for its scenario file and load that."));
+      app.act((p) => p.report_error("This link's room was drawn or loaded in another browser. Ask its author for the scenario file and load that."));
       return;
     }
     const bytes = new TextEncoder().encode(saved);
@@ -35,7 +35,7 @@ export function keepRoom(app, link) {
   try {
     localStorage.setItem(KEY, app.playground.scenario_json());
   } catch (error) {
-    // A private window has no storage at all; whoever opens one doesn't expect the room to stay.
+    // A private window has no storage at all, and the room isn't expected to stay.
     if (warned || !(error instanceof DOMException) || error.name !== "QuotaExceededError") return;
     warned = true;
     toast("This room is too large to keep in this browser. Save it before you leave.");

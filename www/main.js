@@ -26,12 +26,13 @@ import { compile, missing } from "./wasm.js";
  * @property {Playground} playground
  * @property {import("./types").Catalogue} catalogue
  * @property {View} view The latest view.
- * @property {(what: (playground: Playground) => void) => boolean} act Does something that may fail; says whether it worked.
+ * @property {(what: (playground: Playground) => void) => boolean} act Runs an action that can fail; returns whether it
+ * succeeded.
  * @property {(files: { name: string, bytes: Uint8Array }[]) => Promise<boolean>} takeFiles Reads a map and takes it; says whether it worked.
  * @property {(files: File[]) => void} bring Shows files as a floor plan, before they become the room.
  * @property {() => void} cancelPlanning
  * @property {() => void} keepPlan Ends planning with the best plan so far.
- * @property {() => string} link What leads back to what is shown, behind `#`.
+ * @property {() => string} link The link of the current state, after `#`.
  * @property {(key: string) => boolean} tabKey A single key in another tab; says whether it was used.
  */
 
@@ -110,7 +111,7 @@ async function start() {
   });
 
   /**
-   * A tab that is loaded when it is first opened. Its `frame` may return a message to show.
+   * A tab that is loaded when it is first opened. Its `frame` can return a message to show.
    * @typedef {{ frame(now: number): { message: string, message_kind: string } | void, key(key: string): boolean, link(): string, restore(link: string): void, setDark(dark: boolean): void, take?(files: File[]): void }} Other
    * @type {Record<import("./tabs.js").Tab, (() => Promise<Other>) | undefined>}
    */
@@ -125,7 +126,7 @@ async function start() {
   const others = {};
   const here = () => others[currentTab()];
   let isDark = false;
-  /** The tab that was chosen; what it needs may still have to be loaded. */
+  /** The chosen tab; it can still be loading. */
   let wanted = currentTab();
   /** @param {import("./tabs.js").Tab} next */
   const enter = async (next) => {
@@ -135,7 +136,7 @@ async function start() {
       const tab = byId(`tab-${next}`);
       tab.setAttribute("aria-busy", "true");
       try {
-        // Asked for twice, it is on its way already.
+        // Requested twice, it is loading already.
         const coming = door();
         doors[next] = () => coming;
         others[next] = await coming.catch((error) => {
@@ -230,7 +231,7 @@ async function start() {
   document.body.dataset.boot = "ready";
 }
 
-/** Says for a while why the robot has come so far already; and, until somebody does something, what this is. */
+/** Explains for a while why the robot has already cleaned; and, until the first input, what the page is. */
 function tellOpening() {
   byId("opening").textContent = ": started ten minutes ago";
   setTimeout(endOpening, 15_000);

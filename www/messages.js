@@ -1,5 +1,5 @@
 // @ts-check
-// What went wrong and what to do: the message bar, the fatal cover, the short confirmation.
+// Errors with remedies: the message bar, the fatal cover, the short confirmation.
 import { button, byId, setAttribute, setHidden, setText } from "./dom.js";
 import { currentTab } from "./tabs.js";
 
@@ -18,7 +18,7 @@ export function complain(text) {
   dismissed = "";
 }
 
-/** Takes back an error of ours: what was tried next has worked. */
+/** Hides our error, as the next attempt has succeeded. */
 export function forgive() {
   local = "";
 }
@@ -46,7 +46,7 @@ export function startMessages() {
 }
 
 /**
- * A short confirmation that goes away by itself, or says what is going on until that is over.
+ * A short confirmation that disappears by itself, or a progress message until the task is over.
  * @param {string} text @param {boolean} goesOn
  */
 export function toast(text, goesOn = false) {

@@ -5,7 +5,7 @@ import { fill, make } from "./dom.js";
 /** @typedef {import("./types").Param} ParamSpec */
 
 /**
- * The field of one parameter, which tells its value as text, and the controls that show it.
+ * The field of one parameter, which reports its value as text, and the controls that show it.
  * @param {ParamSpec} spec
  * @param {(text: string) => void} tell
  * @param {string} scope Makes ids of the same parameter in other forms different.
@@ -25,7 +25,7 @@ export function paramField(spec, tell, scope = "param") {
   const limits = { min: String(spec.min ?? 0), max: String(spec.max ?? 1), step: String(spec.step ?? "any") };
   const id = `${scope}-${spec.id}`;
   const box = make("input", { type: "number", id, ...limits, onchange: () => tell(box.value) });
-  // The box says the same to those who can't see or drag the slider.
+  // The number field is accessible to users who can't see or drag the slider.
   const slider = make("input", {
     type: "range",
     ...limits,

@@ -7,7 +7,7 @@
  * @typedef {object} Listeners
  * @property {(id: number, done: number, cells: Uint32Array, proof: Proof, film: unknown[]) => void} progress
  * @property {(id: number, cells: Uint32Array, seconds: number, trace: unknown, proof: Proof) => void} finished
- * @property {(id: number, proof: Proof) => void} [proven] What is known of a plan that has been told.
+ * @property {(id: number, proof: Proof) => void} [proven] Receives the proof of a plan already received.
  * @property {(id: number, message: string) => void} failed
  */
 
@@ -18,11 +18,11 @@ export class Planning {
   #worker;
   /** Number of the request being worked on. @type {number | undefined} */
   #busy;
-  /** What is or was planned last. @type {import("./worker-types").PlanRequest | undefined} */
+  /** The last request. @type {import("./worker-types").PlanRequest | undefined} */
   #request;
   /** Its best walk so far. @type {Uint32Array} */
   #best = new Uint32Array();
-  /** Whether the worker has a request that it isn't done with, and which: what it proves comes after the plan. */
+  /** Id of the request that the worker is busy with, if any: the proof comes after the plan. */
   #sent = false;
   #proving = NaN;
   #began = 0;
@@ -32,7 +32,7 @@ export class Planning {
     this.#listeners = listeners;
   }
 
-  /** Starts planning; what was being planned is dropped. @param {import("./worker-types").PlanRequest} request */
+  /** Starts planning; the previous request is dropped. @param {import("./worker-types").PlanRequest} request */
   start(request) {
     this.cancel();
     this.#busy = request.id;
@@ -64,7 +64,7 @@ export class Planning {
     this.#sent = false;
     void this.#worker?.then((worker) => worker.terminate());
     this.#worker = this.#hire();
-    // Whoever needs it is told.
+    // Listeners are notified.
     this.#worker.catch(() => {});
     return seconds;
   }

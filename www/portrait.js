@@ -39,7 +39,7 @@ const polar = (r, angle) => /** @type {const} */ ([-r * Math.sin(angle), -r * Ma
 /** @param {number} value */
 const round = (value) => Math.round(value * 100) / 100;
 
-/** @param {Robot} robot @param {string} id Told apart from those of other portraits. @returns {Portrait} */
+/** @param {Robot} robot @param {string} id Differs from those of other portraits. @returns {Portrait} */
 export function portrait(robot, id = "portrait") {
   const hasLight = robot.light.length > 0;
   const top = hasLight ? -NUMBERS - 12 : -RADIUS - 14;
@@ -124,7 +124,7 @@ function cliff(svg, [x, y], index, parts) {
   parts.push((of) => setAttribute(dot, "class", of.cliffs[index] ? "cliff on" : "cliff"));
 }
 
-/** What the drawing shows, for those who can't see it. @param {Robot} robot @param {Reading} of */
+/** Description of the drawing for screen readers. @param {Robot} robot @param {Reading} of */
 function words(robot, of) {
   const list = (/** @type {boolean[]} */ flags, names = ["left", "right"]) => names.filter((_, index) => flags[index]).join(" and ") || "nowhere";
   const said = [];

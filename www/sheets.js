@@ -12,7 +12,7 @@ export function startSheets(root, floor) {
       const id = opener.getAttribute("data-sheet") ?? "";
       const isOpen = id === name;
       byId(id).classList.toggle("open", isOpen);
-      // What folds beside the floor is all there is in a sheet.
+      // Panels that fold beside the floor are always open in a sheet.
       const fold = isOpen && byId(id).querySelector("details.fold");
       if (fold instanceof HTMLDetailsElement) fold.open = true;
       opener.setAttribute("aria-expanded", String(isOpen));

@@ -33,7 +33,7 @@ export function tabOf(link) {
   return TABS.find((known) => known === name) ?? OLD[name] ?? "explore";
 }
 
-/** @param {(next: Tab) => void} enter Opens a tab, once all that it needs is loaded. */
+/** @param {(next: Tab) => void} enter Opens a tab, once it is loaded. */
 export function startTabs(enter) {
   for (const name of TABS) byId(`tab-${name}`).addEventListener("click", () => enter(name));
 }

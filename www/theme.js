@@ -24,7 +24,7 @@ export function startTheme(apply) {
   };
 
   toggle.addEventListener("click", () => {
-    // The first click always changes what is seen.
+    // The first click always changes the visible theme.
     const seen = system.matches ? "dark" : "light";
     const other = system.matches ? "light" : "dark";
     chosen = chosen === "system" ? other : chosen === other ? seen : "system";

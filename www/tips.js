@@ -23,7 +23,7 @@ export function startTips() {
     if (!next || !text) return;
     owner = next;
     tip.textContent = text;
-    // What is outside an open dialog is behind it.
+    // Elements outside an open dialog are behind it.
     (next.closest("dialog") ?? document.body).append(tip);
     tip.hidden = false;
     next.querySelector("button, input, select")?.setAttribute("aria-describedby", "tip");
@@ -56,7 +56,7 @@ export function startTips() {
   document.addEventListener("scroll", hide, true);
   // A finger that is lifted leaves, too.
   document.documentElement.addEventListener("pointerleave", ({ pointerType }) => pointerType === "mouse" && hide());
-  // What it explains may go away by itself.
+  // The explained element can disappear by itself.
   setInterval(() => owner && !owner.checkVisibility({ visibilityProperty: true }) && hide(), 250);
 }
 

@@ -1,6 +1,6 @@
 // Generated from the Rust types by `cargo test --test page types`: change them there.
 
-/** The middle of many values and where four in five of them lie; see [`quantile`] for the definition. */
+/** Median and central 80 % of values; see [`quantile`] for the definition. */
 export type Band = {
 /** A tenth of the values is lower. */
 low: number,
@@ -9,56 +9,56 @@ median: number,
 /** A tenth of the values is higher. */
 high: number, };
 
-/** What the battery gauge reports. */
+/** Readings of the battery gauge. */
 export type BatteryView = {
-/** Share of the capacity that is left, 0 to 1. */
+/** Remaining share of the capacity, 0 to 1. */
 share: number,
-/** Current, mA, negative while it discharges. */
+/** Current, mA, negative while discharging. */
 current_ma: number,
 /** Whether the robot charges on its dock. */
 on_dock: boolean,
 /** Whether the gauge was read. */
 is_known: boolean,
-/** Whether it should be charged. */
+/** Whether it is low. */
 is_low: boolean, };
 
-/** What an infrared receiver detects. */
+/** Beams detected by an infrared receiver. */
 export type BeamsView = {
 /** Beams: `green`, `field` and `red` of a dock, `wall` of a virtual wall. */
 lit: Array<string>,
-/** In words. */
+/** The same in words. */
 text: string, };
 
 /** One case's result. */
 export type BenchResult = {
-/** What was measured. */
+/** Name of the case. */
 name: string,
 /** Median time of one run, ms. */
 ms: number,
-/** Times real time, where it stands for a time of the robot's. */
+/** Speed relative to real time, for simulations. */
 times_real_time: number | null,
-/** All memory that the program has had by then, MB (10^6 bytes); where somebody knows. */
+/** Peak memory of the program so far, MB (10^6 bytes); `None` if unknown. */
 memory_mb: number | null, };
 
-/** Which values of a number are wanted. */
+/** Which values of a metric are better. */
 export type Better = "lower" | "higher";
 
-/** An outline by its figures, m. */
+/** An outline by its dimensions, m. */
 export type BodyChoice = { "kind": "model",
 /** Its id. */
 id: string, } | { "kind": "circle",
 /** Its radius. */
 radius: number, } | { "kind": "rectangle",
-/** Along the way that it looks. */
+/** Length along its heading. */
 length: number,
-/** Across. */
+/** Width. */
 width: number, } | { "kind": "octagon",
 /** From side to side. */
 width: number, } | { "kind": "polygon",
 /** Its corners, `x y; x y; ...`: x ahead, y to the left. */
 corners: string, };
 
-/** Proven lower bounds for every walk that starts in a job's start, ends anywhere and visits all its cells.
+/** Proven lower bounds for every walk that begins at a job's start, ends anywhere and visits all its cells.
  *
  * A walk that reaches a bound is best possible in that number; often none does. */
 export type Bounds = {
@@ -66,13 +66,13 @@ export type Bounds = {
 steps: number,
 /** Fewest quarter turns; a reversal counts two, the turn before the first step isn't counted. */
 turns: number,
-/** Least steps + [`TURN_STEPS`] x quarter turns; may be more than what the two bounds above add up to. */
+/** Least steps + [`TURN_STEPS`] x quarter turns; can exceed the sum of the two bounds above. */
 cost: number, };
 
-/** The wire that wakes a robot. */
+/** State of the wire that wakes a robot. */
 export type BrcWire = "low" | "high" | "none";
 
-/** What can be calibrated. */
+/** Kinds of calibrations. */
 export type Calibration = "nudge" | "spin" | "metre" | "square";
 
 /** A calibration. */
@@ -81,37 +81,37 @@ export type CalibrationView = {
 what: "" | "nudge" | "spin" | "metre" | "square",
 /** `none`, `moving`, `asking`, `done` or `failed`. */
 step: "none" | "moving" | "asking" | "done" | "failed",
-/** What is going on, what is asked, or what was found. */
+/** Progress, question or result. */
 text: string,
-/** Unit of the answer: `yes` for yes or no, `deg`, `m`; empty if nothing is asked. */
+/** Unit of the answer: `yes` for yes or no, `deg`, `m`; empty for no question. */
 asks: "" | "yes" | "deg" | "m",
-/** The likeliest answer. */
+/** Suggested answer. */
 suggestion: number,
-/** What is in use now: swapped encoders, distance factor, wheel base factor. */
+/** Whether the encoders are swapped, as in use now. */
 swapped: boolean,
-/** True distance over what encoders say. */
+/** True distance divided by the encoders' distance, as in use now. */
 distance_factor: number,
-/** True wheel base over 235 mm. */
+/** True wheel base divided by 235 mm, as in use now. */
 base_factor: number, };
 
-/** A few words, and a few more; these may be empty. */
+/** A title and a note; both can be empty. */
 export type Caption = {
 /** A title. */
 title: string,
-/** A sentence. */
+/** A sentence; empty for none. */
 note: string, };
 
-/** Rooms, planners, behaviours, robots, kinds of sensors whose noise can be chosen, cell sizes and speeds. */
+/** The choices in menus and forms: rooms, planners, behaviours, robots, sensors with noise, cell sizes and speeds. */
 export type Catalogue = { rooms: Array<RoomEntry>, planners: Array<CatalogueEntry>, behaviours: Array<CatalogueEntry>, robots: Array<RobotEntry>,
 /** Ids and labels. */
 sensors: [[string, string], [string, string], [string, string], [string, string], [string, string], [string, string], [string, string]], cell_sizes_m: [number, number, number, number, number, number, number, number], speeds: [number, number, number, number, number, number, number], };
 
-/** A planner or behaviour. What only the other kind claims is false. */
+/** A planner or behaviour. Claims that only the other kind has are false. */
 export type CatalogueEntry = { id: string, title: string, summary: string, source: string, link: string,
 /** `planner` or `behaviour`. */
 kind: "planner" | "behaviour", mark: Mark, complete: boolean, deterministic: boolean, fast: boolean, anytime: boolean, ends: boolean, cleans: boolean, manual: boolean, idea: string, complexity: string, use_when: string, shines: ExampleEntry, fails: ExampleEntry, params: Array<Param>, };
 
-/** Snapshot for every frame. */
+/** Snapshot of a comparison, one per frame. */
 export type ComparisonView = { version: number, set: string, sets: Array<[string, string]>, seeds: number, rooms: Array<string>,
 /** Number of the session's room in `rooms`. */
 done: number, total: number, cancelled: boolean, entrants: Array<EntrantView>, race: RaceView | null, };
@@ -124,102 +124,104 @@ connect: boolean,
 disconnect: boolean,
 /** Take control. */
 arm: boolean,
-/** Give it back. */
+/** Give control up. */
 disarm: boolean,
-/** Drive, ride, calibrate, play, switch motors and lights. */
+/** Drive, run programs, calibrate, play songs, switch motors and lights. */
 drive: boolean,
-/** Drive by hand: no program drives. */
+/** Drive by hand: no program is driving. */
 steer: boolean,
 /** Start a program. */
 ride: boolean,
 /** Press buttons, send raw bytes. */
 press: boolean, };
 
-/** Snapshot of a connection, for 20 looks a second. */
+/** Snapshot of a connection, taken 20 times a second. */
 export type ConnectionView = {
-/** `closed`, `diagnosing`, `waiting` (nobody answers, and it goes on trying), `connected` or `lost` (the line is open, but
- * nothing comes any more). */
+/** `closed`, `diagnosing`, `waiting` (no answer; it keeps trying), `connected` or `lost` (the line is open, but
+ * frames no longer arrive). */
 phase: "closed" | "diagnosing" | "waiting" | "connected" | "lost",
-/** What was found out about who is there. */
+/** The diagnosis of the device on the line. */
 diagnosis: DiagnosisView,
 /** `Passive`, `Safe` or `Full`; empty while unknown. */
 mode: "" | "Off" | "Passive" | "Safe" | "Full",
 /** Whether the robot's mode byte is one too high. */
 mode_offset: boolean,
-/** What drives. */
+/** The program or person that drives. */
 ride: DriveSessionView | null,
-/** What the robot's sensors report; none before the first reading, and when nobody is connected. */
+/** The robot's sensor readings; `None` before the first one and when not connected. */
 readings: RoombaView | null,
 /** The robot's estimated pose: x, y in m, heading in rad. */
 pose: [number, number, number],
-/** Id of the odometry model that this is by. */
+/** Id of its odometry model. */
 odometry: string,
 /** Path driven, m. */
 distance_m: number,
 /** Requested wheel speeds that were sent last, left and right, m/s. */
 wheels: [number, number],
-/** Whether the robot drives at this program's word, or is about to. */
+/** Whether the robot is driven by this program, or is about to be. */
 is_moving: boolean,
-/** Whether it moves otherwise: by its own program, by bytes that were sent, or pushed by somebody. */
+/** Whether it drives at half its speed because the page responds slowly. */
+is_slowed: boolean,
+/** Whether it moves otherwise: by its own program, by raw bytes, or pushed. */
 moves_alone: boolean,
-/** What it is doing. */
+/** Its activity. */
 doing: Caption,
 /** The line below its bytes. */
 transport: TransportView,
-/** Its name and state. */
+/** Name and state of the line. */
 line: Caption,
-/** Whether a line is open, or waited for. */
+/** Whether a line is open or expected to return. */
 is_open: boolean,
-/** Whether a recording is shown, which has no line. */
+/** Whether this is a recording, which has no line. */
 is_recording: boolean,
-/** How the line is. */
+/** Statistics of the line. */
 statistics: Statistics,
-/** Until the robot falls asleep, s; none unless it is Passive and off the dock. */
+/** Time until the robot falls asleep, s; `None` unless it is Passive and off the dock. */
 sleeps_in_s: number | null,
-/** How long it has been in Safe or Full, where it doesn't charge, s. */
+/** Time in Safe or Full, without charging, s. */
 awake_s: number | null,
-/** A sentence on these, when they matter; empty otherwise. */
+/** A sentence on these, if relevant; empty otherwise. */
 clock: string,
-/** Why it isn't in Safe or Full any more. */
+/** Why it left Safe or Full. */
 drop: DropView | null,
-/** The calibration that is going on, or its result. */
+/** The calibration in progress, or its result. */
 calibration: CalibrationView,
-/** What the robot said of its firmware. */
+/** Firmware reported by the robot. */
 firmware: string | null,
 /** The latest message. */
 notice: Notice | null,
 /** Which requests are allowed now. */
 can: ConnectionActions, };
 
-/** What was found out about who is there. */
+/** Diagnosis of the device on the line. */
 export type DiagnosisView = {
-/** What is being tried: `listening`, `asking`, `waking`, `slow` (19200 baud), `create1` (57600 baud), `done`. */
+/** Current test: `listening`, `asking`, `waking`, `slow` (19200 baud), `create1` (57600 baud), `done`. */
 step: string,
-/** What was found: `nothing` (yet), `silence`, `stream`, `charging`, `booting`, `bootloader`, `garbage`, `text`, `robot`. */
+/** Finding: `nothing` (yet), `silence`, `stream`, `charging`, `booting`, `bootloader`, `garbage`, `text`, `robot`. */
 finding: "" | "nothing" | "silence" | "stream" | "charging" | "booting" | "bootloader" | "garbage" | "text" | "no_stream" | "robot",
 /** One sentence on it. */
 text: string,
-/** What to do about it; empty if nothing. */
+/** Advice; empty for none. */
 remedy: string,
-/** What was tried so far, and what came of it, in order. */
+/** Tests so far and their results, in order. */
 log: Array<string>,
-/** Whether it is shown: nobody is connected. */
+/** Whether it is shown, which is while not connected. */
 is_shown: boolean,
-/** Picture of it: `listening`, `asleep`, `awake`, `dock`, `boot`, `speed` or `unplugged`. */
+/** Its picture: `listening`, `asleep`, `awake`, `dock`, `boot`, `speed` or `unplugged`. */
 picture: string,
-/** What is being tried or was found, and what to do about it. */
+/** The test or finding with advice, in words. */
 caption: Caption, };
 
-/** What closing doors would do. */
+/** Effect of closing doors. */
 export type Doors = {
-/** Openings that would be closed, and were not before. */
+/** Openings that would be closed in addition. */
 count: number,
-/** Widest gap that would have to be closed, m. */
+/** Gap setting that closes them, m. */
 gap: number,
-/** Free floor that the room would have, m². */
+/** Free floor of the room then, m². */
 floor_m2: number, };
 
-/** The part of a drawing that is meant, in its unit. */
+/** The part of a drawing to be traced, in its unit. */
 export type DrawingPart = { "kind": "whole" } | { "kind": "rectangle",
 /** Two opposite corners. */
 corners: [[number, number], [number, number]], } | { "kind": "polygon",
@@ -228,35 +230,35 @@ corners: Array<[number, number]>, } | { "kind": "room",
 /** The point. */
 at: [number, number], };
 
-/** What clicks mean. */
+/** Tools for clicks. */
 export type DrawingTool = "view" | "scale" | "rectangle" | "polygon" | "room";
 
-/** What drives the robot. */
+/** The program or person that drives the robot. */
 export type DriveSessionView = {
 /** Name of the algorithm. */
 title: string,
-/** What it is doing. */
+/** Its activity. */
 activity: string,
 /** Time since it began, s. */
 time_s: number,
-/** Whether it is a person with a joystick. */
+/** Whether a person drives with a joystick. */
 manual: boolean,
-/** Why forward, left, right and backward are not obeyed, if somebody drives by hand. */
+/** Why forward, left, right and backward are blocked, if a person drives. */
 blocked: [string | null, string | null, string | null, string | null],
-/** Corner of the planned line that it drives to. */
+/** Index of the planned line's corner that it drives to. */
 corner: number | null,
-/** Whether it has come to its end. */
+/** Whether it is done. */
 done: boolean,
-/** Why it was ended before it was done; empty if it wasn't. */
+/** Why it was ended early; empty if it wasn't. */
 ended: string, };
 
 /** Why the robot left Safe or Full. */
 export type DropView = {
-/** Mode that it was in. */
+/** The mode before. */
 from: string,
 /** One sentence. */
 text: string,
-/** What to do, or why it can't be taken back. */
+/** What to do, or why control can't be taken back. */
 remedy: string,
 /** Whether control can be taken back at once. */
 can_rearm: boolean, };
@@ -269,28 +271,28 @@ progress: number, message: string, };
 
 export type ExampleEntry = { room: string, why: string, };
 
-/** How far a film is. */
+/** Progress of a film. */
 export type FilmView = {
-/** Number of the picture that is seen, from 0; that of all pictures once it's over. */
+/** Index of the current picture; the number of pictures once it's over. */
 at: number,
-/** How many pictures there are. */
+/** Number of pictures. */
 pictures: number,
-/** Whether it goes on by itself. */
+/** Whether it plays by itself. */
 runs: boolean, };
 
-/** What was chosen. */
+/** Settings of the Floor plan tab. */
 export type FloorPlanSettings = {
-/** Metres per unit of the drawing; `None` until somebody says so. */
+/** Metres per unit of the drawing; `None` until known. */
 metre: number | null,
-/** What every layer is. */
+/** The role of every layer. */
 roles: Array<Role>,
 /** Widest gap between walls that is closed, m. */
 gap: number,
 /** Side of the room's cells, m. */
 resolution: number,
-/** The part that is meant. */
+/** The part to be traced. */
 part: DrawingPart,
-/** Shades of an image that are wall: those darker than this, 0 (black) to 1 (white). */
+/** Shades of an image that are walls: those darker than this, 0 (black) to 1 (white). */
 shade: number,
 /** Whether light shades are walls instead. */
 negate: boolean,
@@ -303,66 +305,66 @@ cell: number,
 /** Headings of the obstacle map. */
 headings: number, };
 
-/** Snapshot of a floor plan, and of what is shown of its sweep. */
+/** Snapshot of a floor plan, and of the displayed part of its sweep. */
 export type FloorPlanView = {
-/** How long the sweep took to be planned. */
+/** Time taken to plan the sweep, s. */
 seconds: number,
-/** Stage of the sweep that is shown, 0 for none. */
+/** Displayed stage of the sweep, 0 for none. */
 stage: number,
-/** Heading of the slice that is shown, -1 for none. */
+/** Heading of the displayed slice, -1 for none. */
 slice: number,
 /** Its name. */
 name: string,
 /** `drawing`, `image` or `map`. */
 kind: "drawing" | "image" | "map",
-/** Whether a file says how long its unit is. */
+/** Whether a file states its unit. */
 says_unit: boolean,
 /** Whether it can be scaled. */
 is_scalable: boolean,
-/** Size of all of it, in words, if that is known. */
+/** Size of the source, in words, if known. */
 size: string | null,
-/** The units that there are, with the size that it would have. */
+/** The units in the menu, with the size that the source would have in each. */
 units: Array<UnitView>,
 /** Layers of a drawing. */
 layers: Array<LayerView>,
 /** Number of strokes of a drawing. */
 strokes: number,
-/** What isn't drawn. */
+/** Content that isn't drawn. */
 left_out: Array<string>,
-/** What was chosen. */
+/** Its settings. */
 settings: FloorPlanSettings,
 /** The room, if there is one. */
 room: TracedRoomView | null,
-/** Open doors through which a room that was marked reaches on. */
+/** Open doors through which a chosen room extends. */
 doors: Doors | null,
-/** Why there is none; empty if there is, or if a question is open. */
+/** Why there is no room; empty if there is one or the user has yet to choose. */
 fault: string,
-/** What clicks mean. */
+/** The tool for clicks. */
 tool: DrawingTool,
-/** Points that were set. */
+/** Number of points set. */
 points: number,
-/** Whether two points are set whose distance is to be typed. */
+/** Whether two scale points are set. */
 is_measured: boolean,
-/** That distance as it is now, m. */
+/** Their present distance, m. */
 measured_m: number | null,
-/** Width of the robot, m; `None` if something is wrong with it. */
+/** Width of the robot, m; `None` if it is invalid. */
 body_width: number | null,
-/** Corners of its outline for a small picture, m; x ahead, y to the left. None of a circle. */
+/** Corners of its outline for a small picture, m; x ahead, y to the left. Empty for a circle. */
 body: Array<[number, number]>,
-/** What is wrong with the robot. */
+/** Error of the robot's outline. */
 body_fault: string,
 /** The sweep, once planned. */
 sweep: SweepView | null,
-/** One or two sentences that stand for the picture. */
+/** One or two sentences that describe the picture. */
 words: string, };
 
-/** What the pointer does on the floor. */
+/** Tools of the pointer on the floor. */
 export type FloorTool = "view" | "wall" | "erase" | "start" | "place";
 
 export type LaneView = {
 /** Number of the planner in `entrants`. */
 entrant: number, coverage: number, time_s: number, distance_m: number, turning_deg: number, finished: boolean,
-/** From 1. */
+/** Rank, from 1. */
 place: number, };
 
 /** A layer. */
@@ -373,129 +375,129 @@ name: string,
 colour: string,
 /** Number of strokes. */
 strokes: number,
-/** What it is. */
+/** Its role. */
 role: Role, };
 
-/** What the transport is to do with the line. */
+/** Request to the transport. */
 export type LineRequest = { "baud": number } | { "brc": boolean };
 
-/** What the user may do now. */
+/** Actions that are allowed now. */
 export type MapActions = {
-/** Let time go on. */
+/** Start or continue. */
 play: boolean,
-/** Stop time. */
+/** Pause. */
 pause: boolean,
-/** Go on by a few seconds. */
+/** Advance by a few seconds. */
 step: boolean,
-/** Go to another point of time. */
+/** Seek another time. */
 seek: boolean,
 /** Pick the robot up. */
 lift: boolean,
 /** Put it down. */
 put_down: boolean,
-/** Begin anew. */
+/** Start again. */
 forget: boolean,
-/** Take the map away. */
+/** Export the map. */
 use_map: boolean,
-/** Let it clean by its map. */
+/** Clean by the map. */
 clean: boolean,
 /** Give the robot a map. */
 open: boolean, };
 
-/** How far a mapper is from the truth. */
+/** Errors of a mapper's map and pose. */
 export type MapErrorFigures = {
-/** Distance between the robot's true and estimated position, m; `None` while it has no idea. */
+/** Distance between the robot's true and estimated position, m; `None` while there is no estimate. */
 position_m: number | null,
 /** Angle between its true and estimated heading, degrees, 0 to 180. */
 heading_deg: number | null,
 /** Share of the known cells that are right within one cell, 0 to 1; 1 while nothing is known. */
 right: number,
-/** Share of the floor that the body can cover which is known to be free, 0 to 1. */
+/** Share of the floor that the body can cover that is known to be free, 0 to 1. */
 known: number,
-/** Share of the boundary that a bumper can find which is on the map, to within one cell, 0 to 1. */
+/** Share of the boundary that a bumper can find that is on the map, to within one cell, 0 to 1. */
 boundary: number, };
 
-/** What the survey is doing. */
+/** Phase of a mapping run. */
 export type MapPhase = "failed" | "ready" | "playing" | "paused" | "held" | "seeking" | "resuming" | "finished";
 
-/** Snapshot of a survey. SI units; shares from 0 to 1. */
+/** Snapshot of a mapping run. SI units; shares from 0 to 1. */
 export type MapView = {
-/** What the survey is doing. */
+/** Phase of the run. */
 phase: MapPhase,
-/** What the user may do. */
+/** Actions that are allowed now. */
 can: MapActions,
-/** Why the robot can't be put into the room; empty if it can. */
+/** Why the robot can't be placed in the room; empty if it can. */
 complaint: string,
 /** Name of the room. */
 title: string,
 /** Id of the behaviour. */
 behaviour: string,
-/** What the robot is doing, in a few words. */
+/** The robot's activity, in a few words. */
 activity: string,
 /** Its parameters. */
 params: Params,
-/** How the robot keeps track of itself. */
+/** How the robot estimates its pose. */
 tracking: string,
-/** How wheel counts become motion. */
+/** How wheel counts are converted to motion. */
 counts: string,
-/** How well the wheels hold. */
+/** Level of wheel slip. */
 wheels: string,
-/** How much the sensors err; empty if each kind errs otherwise. */
+/** Level of sensor noise; empty if the kinds differ. */
 senses: string,
 /** Layers that are shown. */
 layers: Array<string>,
-/** Speed asked for, times real time; 0 for as fast as it goes. */
+/** Set speed, times real time; 0 for as fast as possible. */
 speed: number,
-/** Speed reached lately, times real time. */
+/** Achieved speed, times real time. */
 speed_factor: number,
-/** Time shown, s. */
+/** Displayed time, s. */
 time_s: number,
 /** Furthest simulated time, s. */
 end_s: number,
-/** How far the way back to a survey that was left is done; `None` if there is none. */
+/** Progress of restoring a stored run; `None` if none is being restored. */
 returned: number | null,
-/** Figures of the map. */
+/** Errors of the map. */
 figures: MapErrorFigures | null,
-/** Figures of a map by odometry alone. */
+/** Errors of a map by odometry alone. */
 odometry: MapErrorFigures | null,
-/** How far off dead reckoning would be, one for each odometry model in the order of their registry: m and degrees. */
+/** Errors of dead reckoning, one for each odometry model in the order of their registry: m and degrees. */
 drifts: Array<[number, number]>,
-/** Standard deviations that the robot believes in: along the longer axis of the ellipse (m), and heading (degrees). */
+/** Standard deviations of the estimate: along the longer axis of the ellipse (m), and heading (degrees). */
 spread: [number, number] | null,
-/** Name of the map that the robot was given; `None` if it makes its own. */
+/** Name of the map given to the robot; `None` if it makes its own. */
 known: string | null,
-/** Whether it is sure of its place on that; `None` if it was never lost. */
+/** Whether it has relocalised on that map; `None` if it was never lost. */
 is_sure: boolean | null,
-/** Id of the planner of what is left. */
+/** Id of the planner for the remaining floor. */
 planner: string,
-/** Pieces of unknown floor that it could go for. */
+/** Number of frontiers. */
 frontiers: number,
-/** Whether it is driving along a line to somewhere. */
+/** Whether it follows a route. */
 has_route: boolean,
 /** Whether it cleans by its map. */
 is_cleaning: boolean,
-/** Floor that it can get to by its map and believes to have swept, and all that it can get to, m²; `None` unless it cleans
- * by that. */
+/** Floor reachable by its map that it has swept by its estimate, and all floor reachable by its map, m²; `None`
+ * unless it cleans by a map. */
 by_map: [number, number] | null,
 /** Floor cleaned by the robot's own estimate, m². */
 cleaned_m2: number,
-/** Share of the reachable floor that it really has cleaned. */
+/** Swept share of the reachable floor. */
 coverage: number,
-/** Places where it has found dirt, m². */
+/** Area where it has found dirt, m². */
 dirt_m2: number,
-/** Number of samples of the curve; grows or shrinks with them. */
+/** Number of samples of the curve; changes with them. */
 samples: number,
-/** Changes whenever another run, or another moment of it, is shown. */
+/** Changes whenever another run, or another time of it, is displayed. */
 version: number,
-/** Whether a hand holds the robot on the picture, which the session doesn't know. */
+/** Whether the robot is held on the picture; not part of the session. */
 is_carried: boolean, };
 
 /** A mark that no other algorithm has. */
 export type Mark = { colour: number, shape: number, };
 
-/** A number over several seeds. */
+/** Median and range of a number over several seeds. */
 export type MedianAndRange = {
-/** The middle value; of an even number of values the mean of the two in the middle. */
+/** The median. */
 median: number,
 /** The smallest value. */
 min: number,
@@ -508,48 +510,48 @@ export type MetricInfo = {
 id: string,
 /** Name in tables. */
 label: string,
-/** Unit that the value is in; empty for counts. */
+/** Unit of the value; empty for counts. */
 unit: string,
-/** What it is, in one or two sentences. */
+/** Definition, in one or two sentences. */
 definition: string,
-/** Which values are wanted. */
+/** Which values are better. */
 better: Better,
-/** Digits after the point that are worth showing. */
+/** Digits shown after the decimal point. */
 decimals: number, };
 
 /** A message. */
 export type Notice = {
-/** Grows with every message. */
+/** Number of the message, which increases. */
 number: number,
 /** `notice` or `error`. */
 kind: "notice" | "error",
-/** Sentences for users. */
+/** The message for users. */
 text: string, };
 
-/** How wheels that have rolled become a change of pose: what tells of them, and along which line that is taken. */
+/** Models that convert the rolling of wheels to a change of pose: the source of the measurement, and the assumed line. */
 export type OdometryModel = "arc" | "straight" | "packet_arc" | "packet_straight";
 
-/** Snapshot of a session, and of what the hand on the picture of the floor is doing. */
+/** Snapshot of a session and of the pointer's tool. */
 export type PageView = {
-/** What the pointer does on the floor. */
+/** The pointer's tool. */
 tool: FloorTool,
-/** What stands, lies and moves in the room, by name. */
+/** Names of the objects in the room. */
 objects: Array<string>,
 /** Index of the selected one; -1 for none. */
 selected: number,
-/** What the tool "place" places. */
+/** Kind of object that the tool *place* places. */
 placing: string,
-/** Whether the robot is held on the picture, to be put down somewhere. */
+/** Whether the robot is held on the picture. */
 is_carried: boolean,
 /** Whether it is held in the upper half of the picture. */
 is_held_high: boolean,
-/** What the page is doing. */
+/** State of the session. */
 state: SessionState,
-/** What the user may do. */
+/** Actions that are allowed now. */
 can: SessionActions,
-/** Something to tell the user; empty for nothing. */
+/** Message for the user; empty for none. */
 message: string,
-/** `error` or `notice`; empty for nothing. */
+/** `error` or `notice`; empty for none. */
 message_kind: "" | "error" | "notice",
 /** The room. */
 room: RoomView,
@@ -559,15 +561,15 @@ robot: string,
 algorithm: string,
 /** `planner` or `behaviour`. */
 kind: "planner" | "behaviour",
-/** What the robot is doing, in a few words; empty if there is nothing to tell. */
+/** The robot's activity, in a few words; empty for none. */
 activity: string,
 /** Changes whenever the list of events does. */
 diary: number,
 /** Whether the robot is held. */
 is_lifted: boolean,
-/** Why a person's commands aren't obeyed: forward, left, right, backward; `None` unless a person drives. */
+/** Why a person's commands are blocked: forward, left, right, backward; `None` unless a person drives. */
 blocked: [string | null, string | null, string | null, string | null] | null,
-/** Share of the dirt that is left; `None` where there was none. */
+/** Share of the dirt that is left; `None` in rooms without dirt. */
 dirt_left: number | null,
 /** Its parameters. */
 params: Params,
@@ -575,21 +577,21 @@ params: Params,
 cell_size_m: number,
 /** Seed of everything random. */
 seed: number,
-/** How well the wheels hold. */
+/** Level of wheel slip. */
 slip: string,
-/** How much the sensors err, in the order of the catalogue's sensors. */
+/** Levels of noise, in the order of the catalogue's sensors. */
 noise: [string, string, string, string, string, string, string],
-/** Whether wheels only turn at the speeds that the motor controller can keep. */
+/** Whether wheels turn only at the speeds that the motor controller can keep. */
 quantised: boolean,
-/** What is drawn on the floor. */
+/** Layers drawn on the floor. */
 shows: Shows,
 /** How the follower computes its pose. */
 odometry: string,
-/** Speed asked for, times real time; 0 for as fast as it goes. */
+/** Set speed, times real time; 0 for as fast as possible. */
 speed: number,
-/** Speed reached lately, times real time. */
+/** Achieved speed, times real time. */
 speed_factor: number,
-/** Time shown, s. */
+/** Displayed time, s. */
 time_s: number,
 /** Furthest simulated time, s. */
 run_end_s: number,
@@ -601,13 +603,13 @@ overlap: number,
 distance_m: number,
 /** Sum of all turning, degrees. */
 turning_deg: number,
-/** How often the bumper was pressed. */
+/** Number of bumps. */
 bumps: number,
 /** Distance between the robot's true and estimated position, m. */
 pose_error_m: number,
 /** The planner's search. */
 search: SearchView,
-/** The plan, or what is known of it while the planner is at work. */
+/** The plan, or the best so far while the planner is running. */
 plan: PlanView | null, };
 
 /** One parameter. */
@@ -622,24 +624,25 @@ export type Params = { [key in string]: ParamValue };
 /** A personality, for menus. */
 export type PersonalityView = { id: string, title: string, summary: string, };
 
-/** The plan in numbers; those of walk and drive are 0 until it is there. */
+/** The plan in numbers; those of walk and drive are 0 while planning. */
 export type PlanView = {
-/** Whether the planner is at work. */
+/** Whether the planner is running. */
 running: boolean,
-/** How far it is. */
+/** Its progress, 0 to 1. */
 progress: number,
-/** Time that planning took, s; `None` while it goes on, and for a plan that was made in advance. */
+/** Planning time, s; `None` while planning, and for a precomputed plan. */
 planning_s: number | null,
-/** By how much the plan, or the best walk so far, costs more than any walk must in what its planner keeps low, as a share
- * of that; 0 if it is proven to be the best, `None` for planners that prove nothing. */
+/** Optimality gap of the plan, or of the best walk so far, in the planner's own objective, as a share of the bound;
+ * 0 if it is proven optimal, `None` for planners that prove nothing. */
 gap: number | null,
-/** The same in steps + 2 x quarter turns, as plans are compared; `None` as long as nothing is proven, or if it misses cells. */
+/** The same in steps + 2 x quarter turns, as in comparisons; `None` until it is proven, or if the walk misses
+ * cells. */
 above_bound: number | null,
 /** Steps that a quarter turn counts as in `gap`. */
 turn_weight: number | null,
-/** Whether that is as long as the robot takes for one. */
+/** Whether that is the robot's time for one. */
 times_turns: boolean,
-/** Share of the search after which the user was content with the plan; `None` if the planner ended by itself. */
+/** Share of the search after which the user ended it; `None` if the planner finished. */
 kept_at: number | null,
 /** Cells that can be reached from the start, the start included. */
 reachable_cells: number,
@@ -663,17 +666,17 @@ length_m: number,
 turning_deg: number,
 /** Time from rest to rest by the robot's motion model (straight pieces and turns on the spot), s. */
 duration_s: number,
-/** What the battery gives for it, Wh: the robot's power while it drives straight and while it turns, each times the
- * time of it. As good as the robot's figures, of which some are estimates: about a quarter. */
+/** Energy taken from the battery, Wh: the robot's power while driving straight and while turning, times the time of
+ * each. Some of the robots' figures are estimates, so it is accurate to about a quarter. */
 energy_wh: number,
-/** Swept share of the reachable floor, 0 to 1; known to about a fine cell's width along every edge. */
+/** Swept share of the reachable floor, 0 to 1; accurate to about a fine cell's width along every edge. */
 coverage: number,
 /** Area swept again by later passes, as a share of the area swept; 0 or more. */
 overlap: number,
 /** Area swept again by later passes, m²; what is swept three times counts twice. */
 overlap_m2: number, };
 
-/** Buttons on the page that stand for those of the robot. */
+/** Buttons of the robot on the page. */
 export type PressedButton = "clean" | "spot" | "dock" | "power";
 
 export type RaceView = { state: SessionState, time_s: number, end_s: number, planned_s: number, speed: number, lanes: Array<LaneView>, };
@@ -686,9 +689,9 @@ full: boolean, } | { "do": "disarm" } | { "do": "stop" } | { "do": "drive",
 forward: number,
 /** To the left, -1 to 1. */
 left: number, } | { "do": "press",
-/** Which. */
+/** The button. */
 button: PressedButton, } | { "do": "raw",
-/** Some bytes, 256 at most. */
+/** At most 256 bytes. */
 bytes: Array<number>, } | { "do": "song",
 /** 0 to 3. */
 number: number,
@@ -696,33 +699,33 @@ number: number,
 notes: Array<[number, number]>, } | { "do": "leds",
 /** Bits: debris, spot, dock, check. */
 lamps: number,
-/** Of the Clean button: 0 green to 255 red. */
+/** Colour of the Clean button: 0 green to 255 red. */
 colour: number,
 /** Its brightness, 0 to 255. */
 intensity: number, } | { "do": "digits",
 /** Up to four printable characters. */
 text: string, } | { "do": "schedule_leds",
-/** Bits from Sunday on. */
+/** Bits, the lowest for Sunday. */
 weekdays: number,
 /** Bits: colon, PM, AM, clock, schedule. */
 lamps: number, } | { "do": "motors",
 /** Bits: side brush, vacuum, main brush, side brush clockwise, main brush outward. */
 bits: number, } | { "do": "calibrate",
-/** Which. */
+/** The calibration. */
 what: Calibration, } | { "do": "answer",
-/** Degrees or metres, as asked. */
+/** Degrees or metres, as requested. */
 value: number, } | { "do": "skip" } | { "do": "use_calibration",
 /** Packets 43 and 44 are swapped. */
 swapped: boolean,
-/** True distance over what encoders say. */
+/** True distance divided by the encoders' distance. */
 distance_factor: number,
-/** True wheel base over 235 mm. */
+/** True wheel base divided by 235 mm. */
 base_factor: number, } | { "do": "odometry",
 /** Its name, as in links. */
 model: OdometryModel, } | { "do": "identify" };
 
 export type RobotEntry = { id: string, title: string, summary: string, default_cell_m: number, tool_width_m: number,
-/** Of the smallest circle around the body; all else is in its units, x ahead and y to the left. */
+/** Radius of the smallest circle around the body; all other lengths are in units of it, x ahead and y to the left. */
 radius_m: number,
 /** Corners of a body that isn't round. */
 body: Array<[number, number]>, wheel_base: number, wheel_radius: number,
@@ -735,18 +738,18 @@ light: Array<number>, infrared: boolean, wheel_drops: boolean, gauge: boolean, l
 /** First direction and step (rad), range and place (m) of the laser scanner; empty for none. */
 laser: Array<number>, };
 
-/** What a layer is to a robot. */
+/** Meaning of a layer for the robot. */
 export type Role = "wall" | "obstacle" | "ignored";
 
 export type RoomEntry = { id: string, title: string, note: string, };
 
 /** The room in numbers. */
 export type RoomView = {
-/** Id if it ships and hasn't been changed, else empty. */
+/** Id if it is built in and unchanged, else empty. */
 id: string,
 /** Name. */
 title: string,
-/** What it is good for. */
+/** Its purpose. */
 note: string,
 /** Width, m. */
 width_m: number,
@@ -758,12 +761,12 @@ resolution_m: number,
 cells: number,
 /** Floor that the robot's tool can reach from the start, m². */
 reachable_m2: number,
-/** Free floor that it can't reach, m². */
+/** Free floor that the tool can't reach, m². */
 left_out_m2: number, };
 
-/** What a Roomba reports over its Open Interface. */
+/** Readings of a Roomba's Open Interface. */
 export type RoombaView = {
-/** What other robots report, too. */
+/** The readings that all robots have in common. */
 sensors: SensorsView,
 /** Strength of the wall sensor's signal, 0 to 1023. */
 wall_signal: number,
@@ -775,7 +778,7 @@ charge_mah: number,
 capacity_mah: number,
 /** Its temperature, degrees Celsius. */
 temperature_c: number,
-/** Charging state and where the power comes from, in words. */
+/** Charging state and source of power, in words. */
 charging: string,
 /** Motor currents, mA: left wheel, right wheel, main brush, side brush. */
 motors_ma: [number, number, number, number],
@@ -783,7 +786,7 @@ motors_ma: [number, number, number, number],
 requested_mm_s: [number, number],
 /** Names of the buttons that are pressed. */
 buttons: Array<string>,
-/** Number of the song that was chosen last, from 1. */
+/** Number of the last selected song, from 1. */
 song: number,
 /** Whether it plays. */
 song_plays: boolean, };
@@ -791,10 +794,10 @@ song_plays: boolean, };
 export type RowView = {
 /** Number of the planner in the view's `entrants`. */
 entrant: number, trials: number, missing: number, failure: string, values: Array<MedianAndRange | null>,
-/** Which values are the best of their column. */
+/** Which values are the best of their columns. */
 best: Array<boolean>, };
 
-/** What a scenario says beside its room, as text that settings check. What it doesn't mention stays as it is. */
+/** The choices of a scenario besides its room, as text that settings check. Missing ones stay unchanged. */
 export type ScenarioChoices = {
 /** Id of the robot. */
 robot: string | null,
@@ -804,15 +807,15 @@ cell_size: number | null,
 planner: string | null,
 /** Id of the behaviour. */
 behaviour: string | null,
-/** Parameters of either, by name. */
+/** Parameters of the planner or behaviour, by name. */
 params: Array<[string, string]>,
 /** Seed of all random numbers. */
 seed: string | null,
-/** How well the wheels hold. */
+/** Level of wheel slip. */
 slip: string | null,
-/** How much each kind of sensor errs; those left out don't. */
+/** Level of noise for each kind of sensor; missing ones are *off*. */
 noise: Array<[string, string]> | null,
-/** Whether wheel speeds come in steps. */
+/** Whether wheel speeds are quantised. */
 quantised: boolean | null,
 /** How the robot computes its pose. */
 odometry: string | null, };
@@ -821,26 +824,26 @@ odometry: string | null, };
 export type SearchView = {
 /** Whether the planner can show it. */
 offered: boolean,
-/** Whether it is to be shown. */
+/** Whether it is shown. */
 on: boolean,
-/** The decision at this moment, or what the film shows; empty if there is nothing to tell. */
+/** The current decision, or the film's caption; empty for none. */
 text: string,
 /** Why it can't be shown in this room; empty if it can. */
 refusal: string,
-/** The film, if there is one and it is to be shown. */
+/** The film, if there is one and it is shown. */
 film: FilmView | null, };
 
-/** What the sensors of any robot report. What a robot doesn't have stays at its default. */
+/** Sensor readings that all robots have in common. Sensors that a robot doesn't have stay at their defaults. */
 export type SensorsView = {
 /** Bumper pressed: left and right half. */
 bumper: [boolean, boolean],
 /** Wheel dropped: left and right. */
 wheel_drops: [boolean, boolean],
-/** Both wheels dropped: the robot is in somebody's hand. */
+/** Both wheels dropped: the robot is lifted. */
 is_lifted: boolean,
 /** No floor: left, front left, front right, right. */
 cliffs: [boolean, boolean, boolean, boolean],
-/** Light from the floor there, 0 to 4095. */
+/** Signals of the cliff sensors, 0 to 4095. */
 cliff_signals: [number, number, number, number],
 /** The wall sensor on the right detects something. */
 wall: boolean,
@@ -850,7 +853,7 @@ virtual_wall: boolean,
 is_moving: boolean,
 /** Motors that draw too much current. */
 overloads: Array<string>,
-/** Light bumper, from left to right: something is near. */
+/** Detections of the light bumper, from left to right. */
 light: [boolean, boolean, boolean, boolean, boolean, boolean],
 /** Strengths of its signals, 0 to 4095. */
 light_signals: [number, number, number, number, number, number],
@@ -860,129 +863,129 @@ infrared: [BeamsView, BeamsView, BeamsView],
 battery: BatteryView,
 /** Encoders: left, right, sideways. */
 counts: [number, number, number],
-/** Dirt that is being picked up, 0 to 255. */
+/** Amount of dirt being picked up, 0 to 255. */
 dirt: number, };
 
-/** What the user may do now: a flag for each button, which JavaScript only copies. */
+/** Allowed actions: one flag per button, which JavaScript only copies. */
 export type SessionActions = {
-/** Let time go on. */
+/** Start or continue. */
 play: boolean,
-/** Stop time. */
+/** Pause. */
 pause: boolean,
-/** Go on by one move. */
+/** Advance by one move. */
 step: boolean,
-/** Back to the start. */
+/** Return to the start. */
 reset: boolean,
-/** Stop the planner. */
+/** Cancel planning. */
 cancel: boolean,
-/** Stop it, and drive the best walk that it has found. */
+/** Stop planning, and drive the best walk so far. */
 keep: boolean,
-/** Go to another point of time. */
+/** Seek another time. */
 seek: boolean,
-/** Change something. */
+/** Change choices or the room. */
 edit: boolean,
 /** Pick the robot up. */
 lift: boolean,
-/** Take the last change of the room back. */
+/** Undo the last change of the room. */
 undo: boolean,
-/** Make it again. */
+/** Redo it. */
 redo: boolean, };
 
-/** Everything that determines a session's plan and runs. Two that are equal stand for the same session. */
+/** Everything that determines a session's plan and runs. Equal snapshots mean equal sessions. */
 export type SessionSnapshot = {
-/** Id of the room if it ships and hasn't been changed. */
+/** Id of the room if it is built in and unchanged. */
 room: string | null,
 /** Changes with every change of the room. */
 room_version: number,
-/** A room of one's own, for those who don't have this version of it. */
+/** An own room, for receivers that don't have this version of it. */
 own: object | null,
 /** Start chosen by the user: x, y in m, heading in rad. */
 start: [number, number, number] | null,
-/** Robot, algorithm, seed and conditions; what it leaves out is as at first. */
+/** Robot, algorithm, seed and conditions; missing ones have their defaults. */
 choices: ScenarioChoices, };
 
-/** What the page is doing. */
+/** State of the session. */
 export type SessionState = "failed" | "planning" | "ready" | "playing" | "paused" | "seeking" | "finished";
 
-/** Layers of the picture that can be shown or not. */
+/** Layers of the picture that can be shown or hidden. */
 export type Shows = {
-/** How often the floor was swept. */
+/** Passes over the floor. */
 coverage: boolean,
-/** Dirt that is left. */
+/** Remaining dirt. */
 dirt: boolean,
-/** What the sensors look at, and what they see. */
+/** Sensor beams and detections. */
 sensors: boolean,
 /** The robot's estimated trail. */
 estimate: boolean, };
 
-/** How the line is. */
+/** Statistics of the line. */
 export type Statistics = {
 /** Baud rate. */
 baud: number,
-/** Frames that were believed. */
+/** Accepted frames. */
 frames: number,
 /** Frames with a wrong checksum. */
 bad_checksums: number,
 /** Headers without a frame. */
 false_headers: number,
-/** Frames with a right checksum and values that can't be. */
+/** Frames with a right checksum but impossible values. */
 implausible: number,
-/** Frames that were believed a frame late, as something in them jumped. */
+/** Frames accepted one frame late, after a jump of a value. */
 late: number,
 /** Lines of text. */
 texts: number,
-/** Bytes that belong to nothing. */
+/** Other bytes. */
 noise: number,
 /** Bytes received and sent. */
 bytes: [number, number],
-/** Frames a second, lately. */
+/** Current frames per second. */
 rate_hz: number,
 /** Time since the last frame, ms. */
 age_ms: number,
-/** Time from a command until the robot reports it, ms; median of the last ones. */
+/** Median of the last delays from a command to the robot's report of it, ms. */
 latency_ms: number | null,
 /** The longest time without a frame, ms. */
 longest_gap_ms: number,
-/** Bytes of the subscription and of the slot of 15 ms that they have to fit in. */
+/** Bytes of the subscription, and of the slot of 15 ms into which they must fit. */
 slot: [number, number], };
 
 export type StudyEntrant = { id: string, title: string, summary: string,
 /** `planner` or `behaviour`. */
 kind: "planner" | "behaviour",
-/** Whether it is measured by the boundary that it has met, and not by clean floor. */
+/** Whether it is measured by the boundary that it has met rather than by clean floor. */
 explores: boolean, mark: Mark, params: Array<Param>, };
 
 export type StudyEntrantView = { chosen: boolean, params: Params,
-/** Runs made of those that are wanted. */
+/** Finished runs among the required ones. */
 runs: number, failure: string, };
 
-/** What there is to choose from. */
+/** The choices available for a study. */
 export type StudyOffer = { entrants: Array<StudyEntrant>, seeds: [number, number, number], minutes: [number, number, number], };
 
-/** Where and how all runs are made, in words. */
+/** Place and conditions of all runs, in words. */
 export type StudyPlace = { room: string, robot: string, slip: string, noise: string, quantised: boolean, };
 
-/** Snapshot for every frame. */
+/** Snapshot of a study, one per frame. */
 export type StudyView = { version: number, running: boolean, done: number, total: number, seeds: number, minutes: number, entrants: Array<StudyEntrantView>, };
 
 /** Summary of many runs of one algorithm. */
 export type Summary = {
-/** How many. */
+/** Number of runs. */
 runs: number,
 /** Swept share of the reachable floor at the end, 0 to 1. */
 coverage: Band,
-/** When it had swept the shares of [`GOALS`]. */
+/** Times to the shares of [`GOALS`]. */
 time_to: [TimeTo, TimeTo],
 /** Distance driven, m. */
 distance_m: Band,
-/** How often the bumper was pressed. */
+/** Number of bumps. */
 bumps: Band,
 /** Falls of all runs together. */
 falls: number,
-/** Share of the dirt that was left, 0 to 1; `None` where there was none. */
+/** Remaining share of the dirt, 0 to 1; `None` if there was none. */
 dirt_left: Band | null, };
 
-/** A sweep in figures. */
+/** Results of a sweep. */
 export type SweepView = {
 /** Subgoals in all, then by contact: left and right wall, left and right obstacle. */
 subgoals: [number, number, number, number, number],
@@ -1004,23 +1007,23 @@ export type TableView = { metrics: Array<MetricInfo>,
 /** Of a single room. */
 bounds: Bounds | null, rows: Array<RowView>, };
 
-/** When runs had swept a share of the floor.
+/** Time at which runs reached a share of the floor.
  *
- * The time of a run that didn't get there is only known to be longer than the run. Times that depend on such a run are
- * `None`: the median, unless more than half of the runs got there. */
+ * The time of a run that didn't reach it is only known to be longer than the run. Times that depend on such a run are
+ * `None`: the median, unless more than half of the runs reached it. */
 export type TimeTo = {
 /** The share, %. */
 percent: number,
-/** Runs that got there. */
+/** Number of runs that reached it. */
 reached: number,
-/** One run in ten was there by then, s. */
+/** Time by which one run in ten reached it, s. */
 low_s: number | null,
-/** Half of the runs were there by then, s. */
+/** Time by which half of the runs reached it, s. */
 median_s: number | null,
-/** Nine runs in ten were there by then, s. */
+/** Time by which nine runs in ten reached it, s. */
 high_s: number | null, };
 
-/** The room that comes of it. */
+/** The resulting room. */
 export type TracedRoomView = {
 /** Width, m. */
 width_m: number,
@@ -1028,29 +1031,29 @@ width_m: number,
 height_m: number,
 /** Columns and rows. */
 cells: [number, number],
-/** Floor on which nothing stands, m². */
+/** Floor without objects, m². */
 floor_m2: number,
 /** Side of a cell, m. */
 resolution: number,
-/** Things that stand or lie in it. */
+/** Number of objects. */
 objects: number,
 /** Gaps that were closed. */
 gaps: number, };
 
-/** Something that went over the line. */
+/** A line of traffic. */
 export type Traffic = {
-/** When, s. */
+/** Time, s. */
 time_s: number,
-/** What it is. */
+/** Its kind. */
 kind: TrafficKind,
 /** As bytes. */
 hex: string,
 /** In words. */
 text: string,
-/** How many of them in a row this stands for: frames come 64 times a second. */
+/** Number of consecutive events that it represents: frames come 64 times a second. */
 times: number, };
 
-/** What went over the line. */
+/** Kinds of traffic. */
 export type TrafficKind = "sent" | "frame" | "refused" | "text" | "bytes" | "line";
 
 /** Errors of an adapter. */
@@ -1072,13 +1075,13 @@ export type TransportState = "closed" | "opening" | "open" | "lost";
 
 /** The line below a robot's bytes. */
 export type TransportView = {
-/** What it is. */
+/** Kind of the line. */
 kind: TransportKind,
-/** Whether it is there. */
+/** State of the line. */
 state: TransportState,
 /** Name of the adapter, bridge or personality. */
 name: string,
-/** A sentence on the state; empty if there is nothing to tell. */
+/** A sentence on the state; empty for none. */
 text: string,
 /** Baud rate. */
 baud: number,
@@ -1086,12 +1089,12 @@ baud: number,
 can_baud: boolean,
 /** The BRC wire at the adapter's RTS. */
 brc: BrcWire,
-/** What the adapter reported and recovered from. */
+/** Errors that the adapter reported and recovered from. */
 errors: TransportErrors,
-/** How often it has come back by itself. */
+/** How often the line has returned by itself. */
 returns: number, };
 
-/** A unit that may be chosen. */
+/** A unit in the menu. */
 export type UnitView = {
 /** Its name. */
 name: string,
@@ -1100,11 +1103,11 @@ metre: number,
 /** The size that the drawing would have. */
 size: string, };
 
-/** What is seen and heard of the virtual robot. Sets of bits are as on the line. */
+/** Visible and audible state of the virtual robot. Bit sets are encoded as on the line. */
 export type VirtualView = {
-/** Where it really is: x, y in m, heading in rad. */
+/** Its true pose: x, y in m, heading in rad. */
 pose: [number, number, number], mode: string, awake: boolean, lifted: boolean, fallen: boolean, lamps: number,
 /** Colour, 0 green to 255 red, and brightness. */
 clean_light: [number, number], digits: string, weekdays: number, schedule: number, motors: number,
-/** Tunes that began to sound since the view before: notes of MIDI number and 1/64 s. */
+/** Tunes started since the last view: notes of MIDI number and 1/64 s. */
 tunes: Array<Array<[number, number]>>, };

@@ -1,7 +1,7 @@
 // @ts-check
-// What the program needs of the browser, and how its modules are fetched.
+// Requirements of the program in the browser, and how its modules are fetched.
 
-/** What this browser lacks, as the end of a sentence; empty if it has everything. */
+/** The missing features of this browser, as the end of a sentence; empty for none. */
 export function missing() {
   if (typeof WebAssembly !== "object" || !WebAssembly.Module) return "WebAssembly, which some privacy modes switch off";
   if (typeof Worker !== "function") return "web workers";
@@ -11,7 +11,7 @@ export function missing() {
   try {
     new Worker("data:text/javascript,", probe).terminate();
   } catch {
-    // What counts is that the browser asked for the type.
+    // It is enough that the browser read the type.
   }
   return modules ? "" : "module workers";
 }

@@ -1,13 +1,13 @@
 // @ts-check
 // Plans and reads maps away from the page, which stays responsive; to cancel, the page ends this worker.
-import init, { Runner, Trials, plan, prove, read_map } from "../workshop.js";
+import init, { Runner, TrialRunner, plan, prove, read_map } from "../workshop.js";
 
 /** @typedef {import("./worker-types").FromWorker | import("./worker-types").FromTrial | import("./worker-types").FromRuns | import("./worker-types").FromReader} Answer */
 
 let markReady = () => {};
 /** @type {Promise<void>} */
 const ready = new Promise((resolve) => (markReady = resolve));
-/** @type {Trials | undefined} */
+/** @type {TrialRunner | undefined} */
 let trials;
 /** @type {Runner | undefined} */
 let runner;
@@ -43,7 +43,7 @@ self.addEventListener("message", async (/** @type {MessageEvent<import("./worker
       const outcomes = runner.run(message.request);
       answer({ type: "ran", id, outcomes }, [outcomes.buffer]);
     } else {
-      trials ??= new Trials();
+      trials ??= new TrialRunner();
       const { cells, numbers } = trials.run(message.request, report);
       answer({ type: "tried", id, cells, numbers }, [cells.buffer]);
     }

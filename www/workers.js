@@ -15,7 +15,7 @@ export function workshop() {
   return compiled;
 }
 
-/** A worker, ready to be given work; whoever hires it ends it. */
+/** A worker, ready for work; to be ended by the caller. */
 export async function hire() {
   const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
   /** @type {Promise<never>} */

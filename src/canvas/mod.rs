@@ -1,7 +1,7 @@
 //! Draws scenes.
 //!
-//! What changes rarely is kept: the floor and what lies on it below the swept cells in one picture of the size of the
-//! canvas, the walls and the planned line in another above them, the swept cells in a third with one pixel a cell. A
+//! Rarely changing parts are cached: the floor and the objects below the swept cells in one picture of the size of the
+//! canvas, the walls and the planned line in another above them, the swept cells in a third with one pixel per cell. A
 //! frame then costs three copies, the trail and the robot, whatever the size of the room.
 
 pub mod film;
@@ -25,7 +25,7 @@ use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, OffscreenCanvasRender
 
 /// Corners above which shapes are drawn as pictures of cells.
 const MOST_CORNERS: usize = 40_000;
-/// Corners in view above which the planned line is left out: it would only be a grey veil.
+/// Corners in view above which the planned line isn't drawn: it would only be a grey veil.
 const MOST_PLANNED: usize = 60_000;
 /// Pixels per cell from which on the grid is drawn.
 const GRID_FROM: f64 = 16.0;
@@ -46,7 +46,7 @@ pub struct Canvas {
     last: Option<DrawnScene>,
 }
 
-/// What the canvas shows; if the next scene is the same, nothing needs to be done.
+/// State of the drawn scene; if the next scene has the same, nothing is drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct DrawnScene {
     still: SceneStill,
@@ -54,17 +54,17 @@ struct DrawnScene {
     robot: Option<RobotView>,
     trail: (usize, Option<Point>, Option<Point>),
     cursor: Option<Cell>,
-    /// Index in the walk of the decision that is shown.
+    /// Index in the walk of the shown decision.
     search: Option<usize>,
     selected: Option<usize>,
     in_hand: bool,
     shows: Shows,
-    /// Steps after which the sensors were read that are shown, or those in the room moved.
+    /// Steps at the shown sensor reading and positions of movers.
     steps: Option<u64>,
     believed: (usize, Option<Point>, Option<Point>),
 }
 
-/// The part of it that the layers depend on.
+/// The part of the state that the layers depend on.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct SceneStill {
     plan_version: u64,
@@ -75,14 +75,14 @@ struct SceneStill {
     dark: bool,
 }
 
-/// Cells as something that can be filled.
+/// Cells in a form that can be filled.
 #[derive(Debug)]
 enum FillShape {
     Path(Path2d),
     Picture(OffscreenLayer),
 }
 
-/// What is made from one version of the plan.
+/// Shapes made from one version of the plan.
 #[derive(Debug)]
 struct Shapes {
     version: (u64, bool),
@@ -92,14 +92,14 @@ struct Shapes {
 }
 
 impl Canvas {
-    /// Draws onto `element` from now on.
+    /// A canvas that draws onto `element`.
     pub fn new(element: HtmlCanvasElement) -> Result<Self, JsValue> {
         let context = element.get_context("2d")?.ok_or("no 2D canvas; use a current browser")?.unchecked_into();
         let (below, above) = (OffscreenLayer::new(1, 1)?, OffscreenLayer::new(1, 1)?);
         Ok(Self { element, context, below, above, shapes: None, visits: None, last: None })
     }
 
-    /// Shows `scene` through `viewport`. Costs next to nothing if it is what is shown already.
+    /// Draws `scene` through `viewport`, unless it is shown already.
     pub fn draw(&mut self, scene: &Scene<'_>, viewport: &Viewport) -> Result<(), JsValue> {
         let palette = Palette::of(scene.dark);
         let still = SceneStill {
@@ -156,7 +156,7 @@ impl Canvas {
         Ok(())
     }
 
-    /// Draws what lies below and above the swept cells.
+    /// Draws the layers below and above the swept cells.
     fn update_layers(&mut self, scene: &Scene<'_>, viewport: &Viewport, palette: &Palette) -> Result<(), JsValue> {
         let version = (scene.plan_version, scene.dark);
         if self.shapes.as_ref().is_none_or(|s| s.version != version) {
@@ -215,7 +215,7 @@ impl Canvas {
         draw_objects(above, scene, viewport, palette, DrawPass::Small)
     }
 
-    /// Puts the layers together and draws what moves.
+    /// Combines the layers and draws the moving parts.
     fn compose(&self, scene: &Scene<'_>, viewport: &Viewport, palette: &Palette) -> Result<(), JsValue> {
         let context = &self.context;
         context.set_transform(1.0, 0.0, 0.0, 1.0, 0.0, 0.0)?;
@@ -293,7 +293,7 @@ impl Shapes {
         });
         Ok(Self {
             version: (scene.plan_version, scene.dark),
-            // Single cells have no edge to set them off, so a picture has the edge's colour.
+            // Single cells have no edge, so a picture has the edge's colour.
             walls: FillShape::new(&occupancy.map(|&o| o == Occupancy::Occupied), palette.wall_line)?,
             unknown: FillShape::new(&occupancy.map(|&o| o == Occupancy::Unknown), palette.unknown)?,
             unreachable: unreachable.transpose()?,
@@ -337,7 +337,7 @@ impl FillShape {
         Ok(())
     }
 
-    /// Fills the cells, each `resolution` metres wide, of a grid with so many `rows`.
+    /// Fills the cells, each `resolution` metres wide, of a grid with `rows` rows.
     fn fill(
         &self,
         context: &OffscreenCanvasRenderingContext2d,
@@ -372,7 +372,7 @@ impl FillShape {
     }
 }
 
-/// Draws one part of all objects that are in their place.
+/// Draws one part of all objects that aren't being dragged.
 fn draw_objects(
     context: &OffscreenCanvasRenderingContext2d,
     scene: &Scene<'_>,
@@ -385,7 +385,7 @@ fn draw_objects(
     placed.try_for_each(|(_, object)| pen.draw(object, part))
 }
 
-/// Draws what moves and is used up: dirt that is left, people and pets where they are now.
+/// Draws moving and consumable objects: remaining dirt, people and pets.
 fn draw_life(
     context: &CanvasRenderingContext2d,
     scene: &Scene<'_>,
@@ -428,7 +428,7 @@ fn way_at(path: &[Point], at: Point) -> Vector {
     nearest.map_or(Vector::new(1.0, 0.0), |pair| pair[1] - pair[0])
 }
 
-/// Draws what is in the hand, and what shows that something is selected.
+/// Draws dragged objects and the selection.
 fn draw_hand(
     context: &CanvasRenderingContext2d,
     scene: &Scene<'_>,
@@ -556,7 +556,7 @@ pub fn line(
     context.stroke();
 }
 
-/// Where the robot has just been, fading into the past.
+/// The robot's recent trail, fading out.
 fn trail(context: &CanvasRenderingContext2d, viewport: &Viewport, points: &[Point], colour: &str) {
     if points.len() < 2 {
         return;
@@ -580,7 +580,7 @@ fn trail(context: &CanvasRenderingContext2d, viewport: &Viewport, points: &[Poin
     context.set_global_alpha(1.0);
 }
 
-/// A round length, so that everybody sees how large the room is.
+/// A scale bar of a round length.
 fn scale_bar(context: &CanvasRenderingContext2d, viewport: &Viewport, palette: &Palette) -> Result<(), JsValue> {
     if viewport.size.x < LEAST_FOR_SCALE_BAR {
         return Ok(());
@@ -588,7 +588,7 @@ fn scale_bar(context: &CanvasRenderingContext2d, viewport: &Viewport, palette: &
     let lengths = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0];
     let metres = lengths.into_iter().find(|m| m * viewport.scale >= 48.0).unwrap_or(100.0);
     let (length, right, bottom) = (metres * viewport.scale, viewport.size.x - 194.0, viewport.size.y - 24.0);
-    // A ground of its own where the room lies behind it.
+    // With a background, in case the room lies behind it.
     context.set_fill_style_str(palette.outside);
     context.set_global_alpha(0.8);
     context.fill_rect(right - length - 6.0, bottom - 20.0, length + 12.0, 26.0);

@@ -25,18 +25,18 @@ const FENCE: f64 = 0.0875;
 /// Radius of a handle, CSS pixels.
 const HANDLE: f64 = 5.0;
 
-/// What of an object is drawn at a time, from below.
+/// Layers of an object's picture, from below.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DrawPass {
-    /// What lies on the floor, below what was swept.
+    /// Objects on the floor, below the swept cells.
     Ground,
-    /// What still shows of it where it was swept.
+    /// The part of these that is visible where the floor was swept.
     Texture,
-    /// What stands as large as a wall, and holes.
+    /// Objects as large as walls, and drop-offs.
     Body,
-    /// Small things that stand.
+    /// Small standing objects.
     Small,
-    /// What changes all the time.
+    /// Moving and consumable objects.
     Live,
 }
 
@@ -47,13 +47,13 @@ impl DrawPass {
 
 /// Draws onto one context; one unit is a CSS pixel.
 pub struct CanvasPen<'a> {
-    /// Where to.
+    /// The context.
     pub context: &'a OffscreenCanvasRenderingContext2d,
-    /// With which colours.
+    /// The colours.
     pub palette: &'a Palette,
-    /// What of the floor is seen.
+    /// The visible part of the world.
     pub viewport: &'a Viewport,
-    /// Whether dirt, people and pets are drawn as they are now, not as they were placed.
+    /// Whether dirt, people and pets are drawn in their present state rather than as placed.
     pub has_life: bool,
 }
 
@@ -96,7 +96,7 @@ impl CanvasPen<'_> {
         Ok(())
     }
 
-    /// Draws what shows that an object is selected.
+    /// Draws the selection of an object.
     pub fn select(&self, object: &Object) -> Result<(), JsValue> {
         let Palette { select, halo, .. } = *self.palette;
         match object {
@@ -152,7 +152,7 @@ impl CanvasPen<'_> {
         Ok(())
     }
 
-    /// Slanted lines and a border that show a carpet also where it was swept.
+    /// Slanted lines and a border, so that a carpet is visible where it was swept.
     fn weave(&self, outline: &[Point], colour: &str) {
         let context = self.context;
         context.save();
@@ -160,7 +160,7 @@ impl CanvasPen<'_> {
         context.clip();
         let (low, high) = self.screen_box(outline);
         context.begin_path();
-        // The other way than the hatching of what is out of reach; fixed to the floor.
+        // In the other direction than the hatching of unreachable floor; fixed to the floor.
         let origin = self.viewport.origin;
         let mut at = low.x - (high.y - low.y) - (low.x - origin.x - (high.y - origin.y)).rem_euclid(WEAVE);
         while at < high.x {
@@ -271,13 +271,13 @@ impl CanvasPen<'_> {
         }
     }
 
-    /// What is left of a spot of dirt.
+    /// The remaining dirt of a spot.
     pub fn spot(&self, spot: &Spot) {
         let share = (spot.radius / spot.cell_size()).powi(2) * math::PI;
         let count = (spot.radius * spot.radius * 1100.0).clamp(12.0, 160.0);
         self.context.set_fill_style_str(self.palette.dirt);
         for (at, _) in spot.cells() {
-            // Always the same cells get a speck, whatever was swept elsewhere.
+            // The same cells always get a speck.
             let (x, y) = ((at.x / spot.cell_size()) as u32, (at.y / spot.cell_size()) as u32);
             let hash = (x.wrapping_mul(0x9e37_79b9) ^ y.wrapping_mul(0x85eb_ca6b)).wrapping_mul(0xc2b2_ae35);
             if f64::from(hash >> 8) / f64::from(1 << 24) * share < count {
@@ -288,7 +288,7 @@ impl CanvasPen<'_> {
         }
     }
 
-    /// A line ahead of something that looks somewhere.
+    /// A line ahead of an object with a heading.
     fn lead(&self, pose: &Pose, length: f64) {
         self.trace(&[pose.position(), pose.to_world(Point::new(length, 0.0))], false);
     }

@@ -9,10 +9,10 @@ use robovac_core::{
 use wasm_bindgen::JsValue;
 use web_sys::CanvasRenderingContext2d;
 
-/// Radius below which a robot is no longer drawn to scale, CSS pixels: it would get lost.
+/// Radius below which a robot is no longer drawn to scale, CSS pixels, as it would be hard to see.
 const LEAST_RADIUS: f64 = 5.0;
 
-/// How much larger a robot is drawn that is held above the floor, and how far its shadow falls, in radii.
+/// Enlargement of a lifted robot, and distance of its shadow, in radii.
 const LIFTED: (f64, f64) = (1.08, 0.3);
 
 /// Draws `robot` at `centre`; one unit of the context is a CSS pixel.
@@ -47,7 +47,7 @@ pub fn draw(
     context.fill();
 
     if let Some(Bumper { half_arc, .. }) = robot.suite.bumper {
-        // The halves don't touch, so that one that is pressed stands out.
+        // The halves don't touch, so that a pressed one stands out.
         for (from, to, is_pressed) in [(-half_arc, -0.02, robot.bump_left), (0.02, half_arc, robot.bump_right)] {
             bumper(context, robot, radius, (from, to), if is_pressed { palette.bump } else { palette.bumper })?;
             if is_pressed {
@@ -65,7 +65,7 @@ pub fn draw(
     if radius > 12.0 {
         details(context, palette, robot, radius)?;
     }
-    // Which way it looks.
+    // The heading.
     context.begin_path();
     context.move_to(0.66 * radius, 0.0);
     context.line_to(0.28 * radius, -0.24 * radius);
@@ -118,7 +118,7 @@ fn bumper(
     Ok(())
 }
 
-/// Brush, wheels and button, for those who look closely.
+/// Brush, wheels and button, when zoomed in.
 fn details(
     context: &CanvasRenderingContext2d,
     palette: &Palette,
@@ -158,7 +158,7 @@ fn details(
     Ok(())
 }
 
-/// Marks the start: a dashed ring with the way to set off.
+/// Marks the start: a dashed ring with the heading.
 pub fn draw_start(
     context: &CanvasRenderingContext2d,
     palette: &Palette,
@@ -226,7 +226,7 @@ pub fn disc(context: &CanvasRenderingContext2d, x: f64, y: f64, radius: f64, col
     Ok(())
 }
 
-/// Lines consist of dashes and gaps of these lengths from now on; of one piece if there are none.
+/// Sets the dashes and gaps of lines; solid if there are none.
 pub fn dash(context: &CanvasRenderingContext2d, pattern: &[f64]) -> Result<(), JsValue> {
     let list: js_sys::Array = pattern.iter().map(|&length| JsValue::from_f64(length)).collect();
     context.set_line_dash(&list)

@@ -95,7 +95,7 @@ fn draw_light(
     Ok(())
 }
 
-/// A laser's scan: a veil over what it sees, and a point wherever a beam ends.
+/// A laser scan: a veil over the scanned area, and a point at the end of every beam.
 fn draw_scan(
     context: &CanvasRenderingContext2d,
     palette: &Palette,

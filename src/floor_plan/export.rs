@@ -9,15 +9,15 @@ use robovac_core::{
 use robovac_playground::wire::to_js;
 use wasm_bindgen::prelude::*;
 
-/// The formats that there are: `{ id, title, note, needs_path }`.
+/// The export formats: `{ id, title, note, needs_path }`.
 #[wasm_bindgen]
 pub fn export_formats() -> Result<JsValue, JsValue> {
     to_js(&FORMATS)
 }
 
-/// The files of a format, `{ name, kind, bytes }`: of the room in `scenario` (JSON) and of the path with the corners `path`
-/// (x and y in turn, m; empty for none). `stem` is their name without ending, `mode` how a ROS map says what a cell is
-/// (`trinary`, `scale` or `raw`), `negate` whether its light cells are walls. Throws a message for users.
+/// The files of a format, `{ name, kind, bytes }`: of the room in `scenario` (JSON) and of the path with the corners
+/// `path` (x and y in turn, m; empty for none). `stem` is their name without ending, `mode` the mode of a ROS map
+/// (`trinary`, `scale` or `raw`), `negate` whether its light cells are occupied. Throws a message for users.
 #[wasm_bindgen]
 pub fn export_files(
     format: &str,

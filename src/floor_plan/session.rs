@@ -17,80 +17,80 @@ use std::ops::ControlFlow;
 use wasm_bindgen::prelude::*;
 use web_sys::OffscreenCanvas;
 
-/// Pixels on a side of a canvas, at most: what all browsers can do; some stop at 8192.
+/// Most pixels on a side of a canvas: all browsers support this; some stop at 8192.
 const MOST_PIXELS: usize = 8192;
-/// How far the pointer has to move to mean more than a click, CSS pixels.
+/// Least distance of the pointer that counts as dragging, CSS pixels.
 const LEAST_DRAG_PX: f64 = 4.0;
-/// Points closer than this are the same for a pointer, and for keys, CSS pixels.
+/// Distance within which points are the same, for the pointer and for keys, CSS pixels.
 const NEAR_PX: [f64; 2] = [7.0, 1.5];
-/// How far a key moves the crosshair, and how far with shift, CSS pixels.
+/// Step of the crosshair per key press, and with shift, CSS pixels.
 const NUDGE_PX: [f64; 2] = [12.0, 1.0];
 
-/// What the pointer does until it is let go.
+/// A gesture between pointer down and up.
 #[derive(Debug, Clone, Copy)]
 struct DrawingGesture {
-    /// Where it went down, and where it is, CSS pixels.
+    /// Its first and its present point, CSS pixels.
     from: Point,
     at: Point,
     has_moved: bool,
-    /// Whether it draws a rectangle rather than moving the view.
+    /// Whether it draws a rectangle rather than panning.
     draws: bool,
 }
 
-/// A draft, and its canvas.
+/// A drawing session and its canvas.
 #[wasm_bindgen]
 pub struct FloorPlanSession {
-    board: Option<DrawingSession>,
+    session: Option<DrawingSession>,
     painter: FloorPlanPainter,
     viewport: Viewport,
     dark: bool,
     shown: ShownPlan,
     gesture: Option<DrawingGesture>,
-    /// How long the sweep took to be planned, s.
+    /// Time taken to plan the sweep, s.
     seconds: f64,
 }
 
 #[wasm_bindgen]
 impl FloorPlanSession {
-    /// Draws onto `canvas` from now on.
+    /// A session without a file that draws onto `canvas`.
     #[wasm_bindgen(constructor)]
     pub fn new(canvas: OffscreenCanvas) -> Result<Self, JsValue> {
         let viewport = Viewport::new(1.0, 1.0, 1.0, 1.0, 1.0);
         let painter = FloorPlanPainter::new(canvas)?;
         let shown = ShownPlan::default();
-        Ok(Self { board: None, painter, viewport, dark: false, shown, gesture: None, seconds: 0.0 })
+        Ok(Self { session: None, painter, viewport, dark: false, shown, gesture: None, seconds: 0.0 })
     }
 
-    /// Puts an array of `{ name, bytes }` that belong together on the board. Throws a message, and changes nothing, if they
-    /// are no floor plan.
+    /// Opens an array of `{ name, bytes }` that belong together. Throws a message, and changes nothing, if they aren't
+    /// a floor plan.
     pub fn open(&mut self, files: &Array) -> Result<(), JsValue> {
-        let board = DrawingSession::open(&map_file::source_files(files)?).map_err(|e| e.to_string())?;
-        let size = board.sheet().size;
+        let session = DrawingSession::open(&map_file::source_files(files)?).map_err(|e| e.to_string())?;
+        let size = session.sheet().size;
         self.viewport.set_room(size.x, size.y);
-        self.painter.take(&board)?;
-        (self.board, self.shown, self.gesture) = (Some(board), ShownPlan::default(), None);
+        self.painter.take(&session)?;
+        (self.session, self.shown, self.gesture) = (Some(session), ShownPlan::default(), None);
         Ok(())
     }
 
-    /// What there is to be seen, as a plain object; nothing while the board is empty.
+    /// The snapshot, a `FloorPlanView`; `undefined` without a file.
     #[wasm_bindgen(unchecked_return_type = "rust.FloorPlanView | undefined")]
     pub fn view(&self) -> Result<JsValue, JsValue> {
-        let Some(board) = &self.board else { return Ok(JsValue::UNDEFINED) };
+        let Some(session) = &self.session else { return Ok(JsValue::UNDEFINED) };
         to_js(&FloorPlanView {
-            plan: board.view(),
+            plan: session.view(),
             seconds: self.seconds,
             stage: self.shown.stage,
             slice: self.shown.slice.map_or(-1, |heading| heading as i32),
         })
     }
 
-    /// Chooses all of what `view` has as settings.
+    /// Sets all settings, in the form of the view's `settings`.
     pub fn set(&mut self, settings: JsValue) -> Result<(), JsValue> {
         let settings: FloorPlanSettings = serde_wasm_bindgen::from_value(settings).map_err(|e| e.to_string())?;
-        self.change(|board| board.set(settings))
+        self.change(|session| session.set(settings))
     }
 
-    /// Chooses what clicks mean: `view`, `scale`, `rectangle`, `polygon` or `room`.
+    /// Selects the tool for clicks: `view`, `scale`, `rectangle`, `polygon` or `room`.
     pub fn set_tool(&mut self, id: &str) {
         let tool = match id {
             "scale" => DrawingTool::Scale,
@@ -100,14 +100,14 @@ impl FloorPlanSession {
             _ => DrawingTool::View,
         };
         self.gesture = None;
-        if let Some(board) = &mut self.board {
-            board.hand.take(tool);
+        if let Some(session) = &mut self.session {
+            session.hand.take(tool);
         }
     }
 
-    /// Makes the distance between the two points that were set so many metres.
+    /// Scales the drawing so that the two scale points are `metres` apart.
     pub fn scale_to(&mut self, metres: f64) -> Result<(), JsValue> {
-        self.change(|board| board.scale_to(metres))
+        self.change(|session| session.scale_to(metres))
     }
 
     // ---- sweep
@@ -119,18 +119,18 @@ impl FloorPlanSession {
         let mut observe = |share: f64| {
             if clock() - last > 50.0 {
                 last = clock();
-                // A page that doesn't listen is no reason to stop.
+                // Errors of the listener don't stop the sweep.
                 let _ = report.call1(&JsValue::NULL, &share.into());
             }
             ControlFlow::Continue(())
         };
         self.shown.stage = 0;
-        self.board.as_mut().ok_or("there is no floor plan yet")?.sweep(&mut observe)?;
+        self.session.as_mut().ok_or("there is no floor plan yet")?.sweep(&mut observe)?;
         self.seconds = (clock() - began) / 1000.0;
         Ok(())
     }
 
-    /// Plans a sweep of a tiny room: the browser compiles what it takes, and nobody has to wait for that later.
+    /// Plans a sweep of a tiny room, so that the browser compiles the code in advance.
     pub fn warm_up() {
         robovac_app::floor_plan::warm_up();
     }
@@ -144,8 +144,8 @@ impl FloorPlanSession {
     pub fn show_slice(&mut self, heading: i32) -> Result<(), JsValue> {
         self.shown.slice = None;
         let Ok(heading) = usize::try_from(heading) else { return Ok(()) };
-        let board = self.board.as_mut().ok_or("there is no floor plan yet")?;
-        let space = board.make_space()?;
+        let session = self.session.as_mut().ok_or("there is no floor plan yet")?;
+        let space = session.make_space()?;
         let heading = heading.min(space.headings.saturating_sub(1));
         let (slice, times) = coarse(space.slice(heading), MOST_PIXELS);
         self.painter.take_slice(&slice, space.cell * times as f64)?;
@@ -153,17 +153,17 @@ impl FloorPlanSession {
         Ok(())
     }
 
-    // ---- out
+    // ---- export
 
     /// The room for `Playground.take_map`; `sweeps` also chooses the planner of the sweep.
     pub fn room(&self, sweeps: bool) -> Result<JsValue, JsValue> {
-        map_file::import_to_js(self.board.as_ref().ok_or("there is no floor plan yet")?.import(sweeps)?)
+        map_file::import_to_js(self.session.as_ref().ok_or("there is no floor plan yet")?.import(sweeps)?)
     }
 
     /// The sweep as a file: `{ name, media, bytes }`.
     pub fn export(&self, format: &str) -> Result<JsValue, JsValue> {
         let format: PathFormat = serde_wasm_bindgen::from_value(format.into()).map_err(|e| e.to_string())?;
-        let file = self.board.as_ref().ok_or("there is no floor plan yet")?.export(format)?;
+        let file = self.session.as_ref().ok_or("there is no floor plan yet")?.export(format)?;
         let object = js_sys::Object::new();
         Reflect::set(&object, &"name".into(), &file.name.into())?;
         Reflect::set(&object, &"media".into(), &file.kind.into())?;
@@ -171,22 +171,23 @@ impl FloorPlanSession {
         Ok(object.into())
     }
 
-    // ---- the hand
+    // ---- pointer and keys
 
-    /// The pointer at (`x`, `y`), CSS pixels: `down`, `move`, `up` or `cancel`. Says whether more than the picture changed.
+    /// The pointer at (`x`, `y`), CSS pixels: `down`, `move`, `up` or `cancel`. Returns whether more than the picture
+    /// changed.
     pub fn pointer(&mut self, kind: &str, x: f64, y: f64) -> bool {
         let at = Point::new(x, y);
-        let Some(board) = &mut self.board else { return false };
-        let tool = board.hand.tool;
-        let place = board.sheet().unit(self.viewport.to_world(x, y));
-        let near = NEAR_PX[0] / (self.viewport.scale * board.sheet().scale);
-        board.hand.hover = (tool != DrawingTool::View && kind != "cancel").then_some(place);
+        let Some(session) = &mut self.session else { return false };
+        let tool = session.hand.tool;
+        let place = session.sheet().unit(self.viewport.to_world(x, y));
+        let near = NEAR_PX[0] / (self.viewport.scale * session.sheet().scale);
+        session.hand.hover = (tool != DrawingTool::View && kind != "cancel").then_some(place);
         match (kind, &mut self.gesture) {
             ("down", _) => {
-                board.hand.crosshair = None;
-                let draws = tool == DrawingTool::Rectangle && board.hand.points.is_empty();
+                session.hand.crosshair = None;
+                let draws = tool == DrawingTool::Rectangle && session.hand.points.is_empty();
                 if draws {
-                    board.hand.click(place, near);
+                    session.hand.click(place, near);
                 }
                 self.gesture = Some(DrawingGesture { from: at, at, has_moved: false, draws });
                 draws
@@ -207,7 +208,7 @@ impl FloorPlanSession {
                 self.gesture = None;
                 // A rectangle that isn't dragged takes a second click.
                 if gesture.has_moved == gesture.draws && tool != DrawingTool::View {
-                    let part = board.hand.click(place, near);
+                    let part = session.hand.click(place, near);
                     self.mean(part);
                 }
                 true
@@ -215,7 +216,7 @@ impl FloorPlanSession {
             ("cancel", gesture) => {
                 // A pinch begins like a rectangle.
                 if gesture.take().is_some_and(|gesture| gesture.draws) {
-                    board.hand.points.clear();
+                    session.hand.points.clear();
                 }
                 true
             }
@@ -223,18 +224,19 @@ impl FloorPlanSession {
         }
     }
 
-    /// A key on the canvas: `left`, `right`, `up`, `down`, `apply` or `escape`, finer with shift. Says whether it was used.
+    /// A key on the canvas: `left`, `right`, `up`, `down`, `apply` or `escape`, finer with shift. Returns whether it
+    /// was used.
     pub fn key(&mut self, action: &str, fine: bool) -> bool {
-        let Some(board) = &mut self.board else { return false };
+        let Some(session) = &mut self.session else { return false };
         if action == "escape" {
-            return board.hand.escape();
+            return session.hand.escape();
         }
-        if board.hand.tool == DrawingTool::View {
+        if session.hand.tool == DrawingTool::View {
             return false;
         }
-        let unit = self.viewport.scale * board.sheet().scale;
+        let unit = self.viewport.scale * session.sheet().scale;
         if action == "apply" {
-            let part = board.hand.apply(NEAR_PX[1] / unit);
+            let part = session.hand.apply(NEAR_PX[1] / unit);
             self.mean(part);
             return true;
         }
@@ -247,10 +249,10 @@ impl FloorPlanSession {
             _ => return false,
         };
         let middle = self.viewport.to_world(0.5 * self.viewport.size.x, 0.5 * self.viewport.size.y);
-        board.hand.nudge(by, board.sheet().unit(middle));
+        session.hand.nudge(by, session.sheet().unit(middle));
         // It stays in view.
-        if let Some(at) = board.hand.crosshair {
-            let seen = self.viewport.to_screen(board.sheet().place(at));
+        if let Some(at) = session.hand.crosshair {
+            let seen = self.viewport.to_screen(session.sheet().place(at));
             let inside = Point::new(
                 seen.x.clamp(20.0, self.viewport.size.x - 20.0),
                 seen.y.clamp(20.0, self.viewport.size.y - 20.0),
@@ -272,12 +274,12 @@ impl FloorPlanSession {
         self.dark = dark;
     }
 
-    /// Moves what is seen by CSS pixels.
+    /// Pans by CSS pixels.
     pub fn pan(&mut self, dx: f64, dy: f64) {
         self.viewport.pan(dx, dy);
     }
 
-    /// Enlarges `factor` times around (`x`, `y`), CSS pixels.
+    /// Zooms by `factor` around (`x`, `y`), CSS pixels.
     pub fn zoom(&mut self, x: f64, y: f64, factor: f64) {
         self.viewport.zoom_at(x, y, factor);
     }
@@ -287,22 +289,22 @@ impl FloorPlanSession {
         self.viewport.fit();
     }
 
-    /// Draws. In a hurry, lines that take long to be drawn are only moved; says whether that was done, and they should be
-    /// drawn again at rest.
+    /// Draws. If `hurries` is set, slow lines are only moved; returns whether they were, and so should be drawn again
+    /// at rest.
     pub fn draw(&mut self, hurries: bool) -> Result<bool, JsValue> {
-        self.painter.draw(self.board.as_ref(), &self.viewport, self.shown, self.dark, hurries)
+        self.painter.draw(self.session.as_ref(), &self.viewport, self.shown, self.dark, hurries)
     }
 }
 
 impl FloorPlanSession {
-    /// Changes what is chosen; what was planned for something else is no longer shown.
+    /// Changes the settings; a sweep that is no longer valid is hidden.
     fn change(&mut self, what: impl FnOnce(&mut DrawingSession) -> Result<(), String>) -> Result<(), JsValue> {
-        let board = self.board.as_mut().ok_or("there is no floor plan yet")?;
-        what(board)?;
-        if board.planned().is_none() {
+        let session = self.session.as_mut().ok_or("there is no floor plan yet")?;
+        what(session)?;
+        if session.planned().is_none() {
             self.shown.stage = 0;
         }
-        if board.space().is_none() {
+        if session.space().is_none() {
             self.shown.slice = None;
         }
         Ok(())
@@ -311,7 +313,7 @@ impl FloorPlanSession {
     fn mean(&mut self, part: Option<DrawingPart>) {
         if let Some(part) = part {
             // Choosing a part can't be refused.
-            let _ = self.change(|board| board.set_part(part));
+            let _ = self.change(|session| session.set_part(part));
         }
     }
 }

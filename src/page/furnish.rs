@@ -20,13 +20,13 @@ impl Playground {
         }
     }
 
-    /// Does something with the selected object: `left`, `right`, `up` or `down` move it by a step, `turn_left` and
-    /// `turn_right` by 15 degrees, `larger` and `smaller` by a tenth; `delete`. Says whether an object is selected.
+    /// Edits the selected object: `left`, `right`, `up` or `down` move it by a step, `turn_left` and `turn_right` by 15
+    /// degrees, `larger` and `smaller` by a tenth; `delete`. Returns whether an object is selected.
     pub fn edit_selected(&mut self, action: &str) -> bool {
         self.furnisher.edit(&mut self.session, action)
     }
 
-    /// Selects an object by its index; none if there is no such.
+    /// Selects an object by its index; none if the index is invalid.
     pub fn select_object(&mut self, index: Option<usize>) {
         self.furnisher.select(&self.session, index);
     }
@@ -38,20 +38,20 @@ impl Playground {
 }
 
 impl Playground {
-    /// Takes hold of what is selected, or one of its handles.
+    /// Starts dragging the selected object, or one of its handles.
     pub(super) fn takes_selected(&mut self, at: Point) -> bool {
         let selected = self.furnisher.selected(&self.session);
         let reach = GRIP_PX / self.viewport.scale;
         selected.is_some_and(|index| self.furnisher.take_selected(&self.session, index, at, reach))
     }
 
-    /// Takes hold of an object.
+    /// Starts dragging an object.
     pub(super) fn takes_object(&mut self, at: Point) -> bool {
         let reach = GRIP_PX / self.viewport.scale;
         self.furnisher.take_any(&self.session, at, reach)
     }
 
-    /// Selects what is clicked on with the view tool; puts a robot that is held down there.
+    /// Selects the object clicked on with the view tool; a robot that is held is put down there.
     pub(super) fn watch_for_click(&mut self, kind: &str, x: f64, y: f64) {
         let is_near = |(from_x, from_y): (f64, f64)| (x - from_x).abs().max((y - from_y).abs()) < CLICK_PX;
         match kind {

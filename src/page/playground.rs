@@ -26,17 +26,17 @@ use robovac_sim::{
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
-/// Milliseconds of a frame that simulation may take; the rest of 16.7 ms is for drawing and the browser.
+/// Time for simulation in a frame, ms; the rest of 16.7 ms is for drawing and the browser.
 const FRAME_BUDGET_MS: f64 = 8.0;
-/// Simulated time that the opening scene has behind it, s, so that there is something to see at once.
+/// Simulated time of the opening scene at its start, s, so that there is something to see at once.
 const OPENING_S: f64 = 600.0;
 
-/// Distance from the robot's centre within which the pointer takes hold of it, CSS pixels, however small it is drawn.
+/// Least distance from the robot's centre at which the pointer grips it, CSS pixels.
 const LEAST_GRIP_PX: f64 = 16.0;
-/// Distance that the pointer has to go to pick a robot up, CSS pixels: a click alone does nothing.
+/// Distance of the pointer at which a robot is picked up, CSS pixels; a click does nothing.
 const LEAST_LIFT_PX: f64 = 4.0;
 
-/// What the pointer is doing between down and up.
+/// A gesture between pointer down and up.
 #[derive(Clone, Copy, PartialEq)]
 enum FloorGesture {
     Pan {
@@ -44,14 +44,14 @@ enum FloorGesture {
         y: f64,
     },
     Paint,
-    /// The hand has an object.
+    /// Drags an object.
     Object,
-    /// The start goes here if released now; dragging turns it if `turns`, else moves it.
+    /// Places the start here on release; dragging turns it if `turns`, else moves it.
     Start {
         pose: Pose,
         turns: bool,
     },
-    /// Has hold of a running robot, whose centre is `grip` from the pointer that went down at (`x`, `y`).
+    /// Grips a running robot, whose centre is `grip` from the pointer that went down at (`x`, `y`).
     Grip {
         x: f64,
         y: f64,
@@ -68,19 +68,19 @@ enum FloorGesture {
 pub struct Playground {
     pub(super) session: Session,
     pub(super) furnisher: ObjectTool,
-    /// Whether what is shown is still the opening scene.
+    /// Whether this is still the opening scene.
     is_opening: bool,
     canvas: Canvas,
     pub(super) viewport: Viewport,
     tool: FloorTool,
     gesture: Option<FloorGesture>,
-    /// The robot, if it is held.
+    /// The robot, if it is lifted.
     carried: Option<Carried>,
-    /// Cell that keyboard drawing is at.
+    /// Cell of the keyboard cursor.
     cursor: Option<Cell>,
     last_frame_ms: Option<f64>,
     dark: bool,
-    /// Where a press of the view tool began, as long as it may be a click, CSS pixels.
+    /// Start of a press of the view tool while it can be a click, CSS pixels.
     pub(super) pressed: Option<(f64, f64)>,
     /// Name and size of the room that the viewport was fitted to.
     fitted: (String, f64, f64),
@@ -88,7 +88,7 @@ pub struct Playground {
 
 #[wasm_bindgen]
 impl Playground {
-    /// Opens on `canvas` with the furnished flat; unless a link leads elsewhere, the robot is in the middle of cleaning it.
+    /// Opens on `canvas` with the furnished flat being cleaned, unless a link is restored.
     #[wasm_bindgen(constructor)]
     pub fn new(canvas: HtmlCanvasElement) -> Result<Self, JsValue> {
         Ok(Self {
@@ -108,7 +108,7 @@ impl Playground {
         })
     }
 
-    /// What there is to choose from: see [`Catalogue`].
+    /// The choices in menus, a [`Catalogue`].
     #[wasm_bindgen(unchecked_return_type = "rust.Catalogue")]
     pub fn catalogue() -> Result<JsValue, JsValue> {
         to_js(&Catalogue::all())
@@ -117,7 +117,7 @@ impl Playground {
     /// Snapshot of the session in numbers and words.
     #[wasm_bindgen(unchecked_return_type = "rust.PageView")]
     pub fn view(&self) -> Result<JsValue, JsValue> {
-        // What is told of it must not hide it.
+        // The robot's message must not hide it.
         let is_held_high =
             self.carried.is_some_and(|it| self.viewport.to_screen(it.pose.position()).y < 0.5 * self.viewport.size.y);
         to_js(&PageView {
@@ -131,36 +131,36 @@ impl Playground {
         })
     }
 
-    /// One or two sentences that stand for the picture.
+    /// One or two sentences that describe the picture.
     pub fn description(&self) -> String {
         self.session.description()
     }
 
-    /// Lets the time since the last call pass, and draws.
+    /// Advances by the time since the last call, and draws.
     pub fn frame(&mut self, now_ms: f64) -> Result<(), JsValue> {
         let elapsed_s = self.last_frame_ms.replace(now_ms).map_or(0.0, |last| (now_ms - last) / 1000.0);
         let deadline = clock() + FRAME_BUDGET_MS;
         self.session.frame(elapsed_s, &mut || clock() < deadline);
-        // Another run, or another moment of it, in which nobody holds the robot.
+        // Another run, or another time of it, in which the robot isn't lifted.
         self.carried = self.carried.filter(|_| self.session.is_lifted());
         self.draw()
     }
 
     // ---- planning
 
-    /// The planning request that has to be served, once; pass it to `plan` in a worker. To be asked for in every frame.
+    /// The pending planning request, returned once; pass it to `plan` in a worker. To be called in every frame.
     #[wasm_bindgen(unchecked_return_type = "{ id: number } | undefined")]
     pub fn take_plan_request(&mut self) -> Result<JsValue, JsValue> {
         let request = self.session.take_plan_request();
-        // Whoever has chosen something else meanwhile wants to see that from its start.
+        // A changed opening scene starts at its beginning.
         if std::mem::take(&mut self.is_opening) && request.is_none() {
             self.session.run_ahead(OPENING_S);
         }
         request.map_or(Ok(JsValue::UNDEFINED), |request| request::request_to_js(&request))
     }
 
-    /// The worker reports the share done, its best walk so far and, as cost and bound, what is proven of that; and what
-    /// it was filmed at meanwhile.
+    /// Progress of the worker: the share done, its best walk so far, the walk's proof (cost and bound), and new film
+    /// frames.
     pub fn plan_progress(
         &mut self,
         id: u32,
@@ -175,7 +175,7 @@ impl Playground {
         Ok(())
     }
 
-    /// The worker is done.
+    /// The worker has finished.
     pub fn plan_finished(
         &mut self,
         id: u32,
@@ -191,31 +191,31 @@ impl Playground {
         Ok(())
     }
 
-    /// The worker has worked out what is proven of a plan that it has made.
+    /// The worker has proven a bound of its plan.
     pub fn plan_proven(&mut self, id: u32, proof: Option<Vec<f64>>) {
         if let Some(proof) = proof_from_js(proof) {
             self.session.plan_proven(id, proof);
         }
     }
 
-    /// The worker gave up.
+    /// The worker has failed.
     pub fn plan_failed(&mut self, id: u32, message: &str) {
         self.session.plan_failed(id, message);
     }
 
-    /// The user doesn't want to wait. The worker has to be ended by the page.
+    /// Cancels planning. The page must end the worker.
     pub fn cancel_plan(&mut self) {
         self.session.cancel_plan();
     }
 
-    /// The user is content with the best walk so far, `seconds` after the worker began; likewise.
+    /// Ends planning with the best walk so far, `seconds` after the worker began. The page must end the worker.
     pub fn keep_plan(&mut self, seconds: f64) {
         self.session.keep_plan(seconds);
     }
 
     // ---- choices; each throws a message and changes nothing if the choice isn't possible
 
-    /// Chooses a room that ships.
+    /// Chooses a built-in room.
     pub fn select_room(&mut self, id: &str) -> Result<(), JsValue> {
         self.session.select_room(id).map_err(message)
     }
@@ -235,22 +235,22 @@ impl Playground {
         self.session.configure(|s| s.set_cell_size(metres)).map_err(message)
     }
 
-    /// Shows the planner's decisions, or no longer.
+    /// Shows or hides the planner's decisions.
     pub fn show_search(&mut self, on: bool) {
         self.session.show_search(on);
     }
 
-    /// Lets films wait for [`Playground::turn_film`].
+    /// Makes films wait for [`Playground::turn_film`].
     pub fn hold_films(&mut self) {
         self.session.hold_films();
     }
 
-    /// The film's next picture, or the one before.
+    /// Shows the film's next or previous picture.
     pub fn turn_film(&mut self, forward: bool) {
         self.session.turn_film(forward);
     }
 
-    /// Holds the film, or lets it go on.
+    /// Holds the film, or continues it.
     pub fn hold_film(&mut self, is_held: bool) {
         self.session.hold_film(is_held);
     }
@@ -269,17 +269,17 @@ impl Playground {
         self.session.configure(set).map_err(message)
     }
 
-    /// Chooses how well the wheels hold: `none`, `typical` or `harsh`.
+    /// Chooses the level of wheel slip: `none`, `typical` or `harsh`.
     pub fn set_slip(&mut self, id: &str) -> Result<(), JsValue> {
         self.session.configure(|s| s.set_slip(id)).map_err(message)
     }
 
-    /// Chooses how much sensors err, `off`, `typical` or `harsh`: one kind of the catalogue's `sensors`, or `all`.
+    /// Chooses the level of noise, `off`, `typical` or `harsh`, of one kind of the catalogue's `sensors`, or of `all`.
     pub fn set_noise(&mut self, sensor: &str, level: &str) -> Result<(), JsValue> {
         self.session.configure(|s| s.set_noise(Some(sensor).filter(|&name| name != "all"), level)).map_err(message)
     }
 
-    /// Lets wheels only turn at the speeds that the motor controller can keep, or at any.
+    /// Limits wheel speeds to those that the motor controller can keep, or not.
     pub fn set_quantised(&mut self, on: bool) -> Result<(), JsValue> {
         let set = |s: &mut robovac_sim::experiment::Settings| {
             s.conditions.quantised = on;
@@ -288,7 +288,7 @@ impl Playground {
         self.session.configure(set).map_err(message)
     }
 
-    /// Shows a layer of the picture, or no longer: `coverage`, `dirt`, `sensors` or `estimate`.
+    /// Shows or hides a layer of the picture: `coverage`, `dirt`, `sensors` or `estimate`.
     pub fn show(&mut self, layer: &str, on: bool) -> Result<(), JsValue> {
         self.session.show(layer, on).map_err(message)
     }
@@ -298,7 +298,7 @@ impl Playground {
         self.session.configure(|s| s.set_odometry(id)).map_err(message)
     }
 
-    /// Takes a map or scenario that `read_map` has read in a worker.
+    /// Takes a map or scenario read by `read_map` in a worker.
     pub fn take_map(&mut self, read: &JsValue) -> Result<(), JsValue> {
         let import = map_file::import_from_js(read)?;
         self.session.take_import(import).map_err(|e| JsValue::from(e.to_string()))
@@ -309,7 +309,7 @@ impl Playground {
         self.session.scenario_json()
     }
 
-    /// Takes what `link` returned. Throws a message and changes nothing if that isn't possible.
+    /// Restores the result of `link`. Throws a message and changes nothing if that isn't possible.
     pub fn restore(&mut self, link: &str) -> Result<(), JsValue> {
         self.session.restore(link).map_err(message)?;
         // A page that opens by a link begins there.
@@ -329,7 +329,7 @@ impl Playground {
         self.session.plan_version() as f64
     }
 
-    /// Room and settings for `SessionMirror.follow`; who has a room of one's own in its `known` version isn't given it again.
+    /// Room and settings for `SessionMirror.follow`, without an own room whose version is `known`.
     #[wasm_bindgen(unchecked_return_type = "rust.SessionSnapshot")]
     pub fn snapshot(&self, known: Option<f64>) -> Result<JsValue, JsValue> {
         let mut snapshot = self.session.snapshot();
@@ -341,32 +341,32 @@ impl Playground {
 
     // ---- time
 
-    /// Lets time go on.
+    /// Starts or continues.
     pub fn play(&mut self) {
         self.session.play();
     }
 
-    /// Stops time.
+    /// Pauses.
     pub fn pause(&mut self) {
         self.session.pause();
     }
 
-    /// Goes on by one move.
+    /// Advances by one move.
     pub fn step(&mut self) {
         self.session.step();
     }
 
-    /// Back to the start.
+    /// Returns to the start.
     pub fn reset(&mut self) {
         self.session.reset();
     }
 
-    /// Sets the speed, times real time; 0 for as fast as it goes.
+    /// Sets the speed, times real time; 0 for as fast as possible.
     pub fn set_speed(&mut self, times: f64) {
         self.session.set_speed(times);
     }
 
-    /// Goes to a point of the time simulated so far, s.
+    /// Seeks a time within the time simulated so far, s.
     pub fn seek(&mut self, time_s: f64) {
         self.session.seek(time_s);
     }
@@ -383,9 +383,9 @@ impl Playground {
         self.session.planned().map_or(Vec::new(), |planned| planned.line.iter().flat_map(|p| [p.x, p.y]).collect())
     }
 
-    // ---- the hand
+    // ---- pointer and keys
 
-    /// Chooses what the pointer does: `view`, `wall`, `erase`, `start` or `place`.
+    /// Selects the pointer's tool: `view`, `wall`, `erase`, `start` or `place`.
     pub fn set_tool(&mut self, id: &str) {
         self.tool = match id {
             "wall" => FloorTool::Wall,
@@ -461,7 +461,7 @@ impl Playground {
                 FloorGesture::Paint
             }
             FloorTool::Start => FloorGesture::Start { pose: Pose::new(at.x, at.y, heading), turns: true },
-            // A click puts down what is held; see `watch_for_click`.
+            // A click puts down a lifted robot; see `watch_for_click`.
             FloorTool::View if self.carried.is_some() && !self.is_on_robot(at) => FloorGesture::Pan { x, y },
             FloorTool::View | FloorTool::Place if self.takes_selected(at) => FloorGesture::Object,
             FloorTool::Place => {
@@ -489,7 +489,7 @@ impl Playground {
         }
     }
 
-    /// Takes hold of the robot at `at`, which is (`x`, `y`) on the screen.
+    /// Grips the robot at `at`, which is (`x`, `y`) on the screen.
     fn grip(&self, at: Point, x: f64, y: f64) -> FloorGesture {
         let pose = self.carried.map(|c| c.pose).or(self.session.recording().map(|r| r.run().pose()));
         let grip = pose.map_or(Vector::zeros(), |pose| pose.position() - at);
@@ -497,7 +497,7 @@ impl Playground {
     }
 
     fn is_on_robot(&self, at: Point) -> bool {
-        // The film has the floor for itself.
+        // No grip during a film.
         if self.session.picture().is_some() {
             return false;
         }
@@ -507,7 +507,7 @@ impl Playground {
         robot.is_some_and(|pose| (pose.position() - at).norm() < reach)
     }
 
-    /// Moves by (`dx`, `dy`) CSS pixels.
+    /// Pans by (`dx`, `dy`) CSS pixels.
     pub fn pan(&mut self, dx: f64, dy: f64) {
         self.viewport.pan(dx, dy);
     }
@@ -554,17 +554,17 @@ impl Playground {
         self.cursor = Some(at);
     }
 
-    /// Takes the last change of the room back.
+    /// Undoes the last change of the room.
     pub fn undo(&mut self) {
         self.session.undo();
     }
 
-    /// Makes the last undone change again.
+    /// Redoes the last undone change.
     pub fn redo(&mut self) {
         self.session.redo();
     }
 
-    /// Tells the user that something went wrong.
+    /// Reports an error to the user.
     pub fn report_error(&mut self, message: &str) {
         self.session.report_error(message);
     }
@@ -576,7 +576,7 @@ impl Playground {
         self.viewport.resize(width, height, ratio);
     }
 
-    /// Keeps the uppermost `told` CSS pixels of the canvas free of the room: something is told there that must not hide it.
+    /// Keeps the uppermost `told` CSS pixels of the canvas free of the room, for a message.
     pub fn keep_clear(&mut self, told: f64) {
         self.viewport.keep_clear(told);
     }

@@ -14,7 +14,8 @@ use robovac_core::{
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::JsValue;
 
-/// A map as it crosses to the page; its cells go beside it, as bytes, and its objects, as numbers. Poses are x, y, heading in metres and radians.
+/// A map in the form for the page; its cells are passed as bytes, and its objects as numbers. Poses are x, y, heading
+/// in metres and radians.
 #[derive(Debug, Serialize, Deserialize)]
 struct WireMap {
     name: String,
@@ -26,10 +27,10 @@ struct WireMap {
     choices: Option<ScenarioChoices>,
 }
 
-/// Bytes that stand for cells: their place in this list.
+/// States of cells, by their bytes.
 const CODES: [Occupancy; 3] = [Occupancy::Free, Occupancy::Occupied, Occupancy::Unknown];
 
-/// What `Playground.take_map` takes.
+/// The argument of `Playground.take_map`.
 pub fn import_to_js(Import { plan, choices }: Import) -> Result<JsValue, JsValue> {
     let numbers = |pose: Pose| [pose.x, pose.y, pose.heading];
     let (width, origin) = (plan.occupancy.width(), numbers(plan.origin));
@@ -54,7 +55,7 @@ fn source_file(file: &JsValue) -> Result<SourceFile, JsValue> {
     Ok(SourceFile { name, bytes })
 }
 
-/// What [`import_to_js`] has made.
+/// The import of an object made by [`import_to_js`].
 pub fn import_from_js(object: &JsValue) -> Result<Import, JsValue> {
     let wire: WireMap = serde_wasm_bindgen::from_value(object.clone()).map_err(|e| e.to_string())?;
     let cells = Uint8Array::new(&Reflect::get(object, &"cells".into())?).to_vec();

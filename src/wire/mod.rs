@@ -10,7 +10,7 @@ pub mod walk;
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
-/// Where the types are declared that methods name: written by the test `types` of `tests/page`.
+/// Import of the types that methods name: written by the test `types` of `tests/page`.
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = "import type * as rust from \"./www/types\";";
 

@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use wasm_bindgen::JsValue;
 
-/// A request as it crosses to the worker; the free cells go beside it, as bytes.
+/// A request in the form for the worker; the free cells are passed as bytes.
 #[derive(Debug, Serialize, Deserialize)]
 struct WireRequest {
     id: u32,

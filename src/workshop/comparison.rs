@@ -16,10 +16,10 @@ use robovac_sim::experiment::PlanOutcome;
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
-/// Milliseconds of a frame that simulation may take; the rest of 16.7 ms is for drawing up to nine pictures.
+/// Time for simulation in a frame, ms; the rest of 16.7 ms is for drawing up to nine pictures.
 const FRAME_BUDGET_MS: f64 = 6.0;
 
-/// Planners held against each other in the playground's room.
+/// A comparison of planners in the playground's room.
 #[wasm_bindgen]
 pub struct Comparison {
     state: compare::Comparison,
@@ -28,7 +28,7 @@ pub struct Comparison {
     dark: bool,
 }
 
-/// A canvas with what it shows.
+/// A canvas with its content.
 struct Pane {
     canvas: Canvas,
     viewport: Viewport,
@@ -52,20 +52,20 @@ impl Pane {
 
 #[wasm_bindgen]
 impl Comparison {
-    /// Some planners, about to be compared.
+    /// A comparison of some planners.
     #[wasm_bindgen(constructor)]
     pub fn new() -> Self {
         Self { state: compare::Comparison::new(), panes: Vec::new(), last_frame_ms: None, dark: false }
     }
 
-    /// Takes room, robot, start and seed over from the playground's copy; cheap if they are the same.
-    pub fn take(&mut self, guest: &SessionMirror) {
-        self.state.take(guest.session());
+    /// Takes over room, robot, start and seed from the mirror of the playground; cheap if unchanged.
+    pub fn take(&mut self, mirror: &SessionMirror) {
+        self.state.take(mirror.session());
     }
 
     // ---- choices; each throws a message and changes nothing if the choice isn't possible
 
-    /// Lets a planner take part, or not.
+    /// Includes a planner, or excludes it.
     pub fn choose(&mut self, id: &str, takes_part: bool) -> Result<(), JsValue> {
         self.state.choose(id, takes_part).map_err(message)
     }
@@ -80,62 +80,62 @@ impl Comparison {
         self.state.set_rooms(id).map_err(message)
     }
 
-    /// Number of seeds for planners that use chance.
+    /// Number of seeds for planners that use random numbers.
     pub fn set_seeds(&mut self, seeds: u32) {
         self.state.set_seeds(seeds);
     }
 
-    /// The choices as the part of a link behind that of the playground.
+    /// The choices as the part of a link after the playground's.
     pub fn link(&self) -> String {
         self.state.to_link()
     }
 
-    /// Takes what `link` returned.
+    /// Restores the result of `link`.
     pub fn restore(&mut self, link: &str) -> Result<(), JsValue> {
         self.state.restore(link).map_err(message)
     }
 
     // ---- trials
 
-    /// A trial that has to be made, if any; pass it to `Trials.run` in a worker.
+    /// A trial to be run, if any; pass it to `TrialRunner.run` in a worker.
     #[wasm_bindgen(unchecked_return_type = "{ id: number } | undefined")]
     pub fn take_trial(&mut self) -> Result<JsValue, JsValue> {
         self.state.take_trial().map_or(Ok(JsValue::UNDEFINED), |request| to_js(&request))
     }
 
-    /// Whether a trial under way is still wanted.
+    /// Whether a running trial is still required.
     pub fn is_wanted(&self, id: u32) -> bool {
         self.state.is_wanted(id)
     }
 
-    /// A worker reports the share done.
+    /// Progress of a worker.
     pub fn trial_progress(&mut self, id: u32, done: f64) {
         self.state.trial_progress(id, done);
     }
 
-    /// A worker is done.
+    /// A worker has finished.
     pub fn trial_finished(&mut self, id: u32, cells: &[u32], numbers: JsValue) -> Result<(), JsValue> {
         let numbers: PlanNumbers = serde_wasm_bindgen::from_value(numbers).map_err(|e| e.to_string())?;
         self.state.trial_finished(id, Ok(PlanOutcome { numbers, cells: walk::cells(cells) }));
         Ok(())
     }
 
-    /// A worker has no result.
+    /// A worker has failed.
     pub fn trial_failed(&mut self, id: u32, message: &str) {
         self.state.trial_finished(id, Err(message.to_owned()));
     }
 
-    /// The user doesn't want to wait.
+    /// Cancels the remaining trials.
     pub fn cancel(&mut self) {
         self.state.cancel();
     }
 
-    /// Goes on after `cancel`.
+    /// Continues after `cancel`.
     pub fn resume(&mut self) {
         self.state.resume();
     }
 
-    // ---- what came out
+    // ---- results
 
     /// Snapshot for every frame: choices, progress, race.
     #[wasm_bindgen(unchecked_return_type = "rust.ComparisonView")]
@@ -143,7 +143,8 @@ impl Comparison {
         to_js(&ComparisonView::new(&self.state))
     }
 
-    /// The numbers of a room by its place in the view's list, or of all rooms together; changes with the view's `version`.
+    /// The table of a room by its index in the view's list, or of all rooms together; changes with the view's
+    /// `version`.
     #[wasm_bindgen(unchecked_return_type = "rust.TableView")]
     pub fn table(&self, room: Option<usize>) -> Result<JsValue, JsValue> {
         let room: Option<RoomChoice> = room.and_then(|index| self.state.rooms().get(index).copied());
@@ -162,7 +163,7 @@ impl Comparison {
 
     // ---- race
 
-    /// Lets the time since the last call pass, and draws.
+    /// Advances by the time since the last call, and draws.
     pub fn frame(&mut self, now_ms: f64) -> Result<(), JsValue> {
         let elapsed_s = self.last_frame_ms.replace(now_ms).map_or(0.0, |last| (now_ms - last) / 1000.0);
         let deadline = clock() + FRAME_BUDGET_MS;
@@ -177,7 +178,7 @@ impl Comparison {
         Ok(())
     }
 
-    /// The canvases of the race, one a lane, in the order of the view's lanes.
+    /// The canvases of the race, one per lane, in the order of the view's lanes.
     pub fn set_panes(&mut self, canvases: Vec<HtmlCanvasElement>) -> Result<(), JsValue> {
         self.panes = canvases.into_iter().take(MOST_LANES).map(Pane::new).collect::<Result<_, _>>()?;
         Ok(())
@@ -220,27 +221,27 @@ impl Comparison {
         Float64Array::from(flat.as_slice())
     }
 
-    /// Lets all robots go on.
+    /// Starts or continues the race.
     pub fn play(&mut self) {
         self.race(compare::Race::play);
     }
 
-    /// Stops all robots.
+    /// Pauses the race.
     pub fn pause(&mut self) {
         self.race(compare::Race::pause);
     }
 
-    /// Goes on by the time of one planning cell.
+    /// Advances by one step.
     pub fn step(&mut self) {
         self.race(compare::Race::step);
     }
 
-    /// Goes to a point of the time simulated so far, s.
+    /// Seeks a time within the time simulated so far, s.
     pub fn seek(&mut self, time_s: f64) {
         self.race(|race| race.seek(time_s));
     }
 
-    /// Sets the speed, times real time; 0 for as fast as it goes.
+    /// Sets the speed, times real time; 0 for as fast as possible.
     pub fn set_speed(&mut self, times: f64) {
         self.race(|race| race.set_speed(times));
     }

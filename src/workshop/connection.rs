@@ -21,22 +21,22 @@ impl Connection {
         Self { link: connection::Connection::new() }
     }
 
-    /// The transport is open at 115200 baud: finds out who is there.
+    /// The line is open at 115200 baud: starts the diagnosis.
     pub fn opened(&mut self, now: f64) {
         self.link.opened(now);
     }
 
-    /// The transport is gone, and why, as a sentence for users; `for_good` if it won't come back by itself.
+    /// The line is lost, with the reason as a sentence for users; `for_good` if it won't return by itself.
     pub fn lost(&mut self, now: f64, why: &str, for_good: bool) {
         self.link.lost(now, why, for_good);
     }
 
-    /// Whether the line keeps its baud rate whatever is asked for, as a bridge does. To be said before it is opened.
+    /// Whether the line's baud rate can't be changed, as with a bridge. To be set before it is opened.
     pub fn fix_rate(&mut self, is_fixed: bool) {
         self.link.fix_rate(is_fixed);
     }
 
-    /// Drops what is to be sent: there is no line that could take it.
+    /// Discards pending bytes, as there is no line.
     pub fn discard(&mut self) {
         self.link.discard();
     }
@@ -46,38 +46,44 @@ impl Connection {
         self.link.feed(now, bytes);
     }
 
-    /// The page is alive.
+    /// The page's sign of life.
     pub fn beat(&mut self, now: f64) {
         self.link.beat(now);
     }
 
-    /// Stops the robot and leaves it in Passive, as the page goes away or is hidden; `why` is for the user who comes back.
+    /// Stops the robot and leaves it in Passive, as the page is closed or hidden; `why` is shown to a returning user.
     pub fn leave(&mut self, now: f64, why: &str) {
         self.link.leave(now, why);
     }
 
-    /// Stops what drives before something that takes a while.
+    /// Stops what drives before a long task.
     pub fn pause(&mut self, now: f64) {
         self.link.pause(now);
     }
 
-    /// Lets time pass; call it every 10 ms.
+    /// Advances the time; to be called every 10 ms.
     pub fn tick(&mut self, now: f64) {
         self.link.tick(now);
     }
 
-    /// Bytes to be sent, now; empty if there are none.
+    /// Whether the robot may be moving, or a motor running, because of this connection.
+    pub fn is_acting(&self) -> bool {
+        self.link.is_acting()
+    }
+
+    /// Bytes to be sent at once; empty if there are none.
     pub fn take_tx(&mut self) -> Vec<u8> {
         self.link.take_tx()
     }
 
-    /// What is to be done with the line before the next bytes are sent: `{ baud: 19200 }`, `{ brc: true }` or `null`.
+    /// Request to the line, to be executed before the next bytes are sent: `{ baud: 19200 }`, `{ brc: true }` or
+    /// `null`.
     #[wasm_bindgen(unchecked_return_type = "rust.LineRequest | null")]
     pub fn take_line(&mut self) -> Result<JsValue, JsValue> {
         to_js(&self.link.take_line())
     }
 
-    /// Does what the user asks for, a `Request`; throws a sentence for users if it can't be done.
+    /// Executes a `Request`; throws a sentence for users if it is refused.
     pub fn request(
         &mut self,
         now: f64,
@@ -87,24 +93,24 @@ impl Connection {
         self.link.request(now, request).map_err(|e| e.to_string().into())
     }
 
-    /// Lets the algorithm drive that is chosen in `guest`: a behaviour, or the planned line with these `corners`, x and y
-    /// in turn, m.
-    pub fn ride(&mut self, now: f64, guest: &SessionMirror, corners: &[f64]) -> Result<(), JsValue> {
-        let session = guest.session();
+    /// Starts the algorithm chosen in `mirror`: a behaviour, or the planned line with these `corners`, x and y in turn,
+    /// m.
+    pub fn ride(&mut self, now: f64, mirror: &SessionMirror, corners: &[f64]) -> Result<(), JsValue> {
+        let session = mirror.session();
         let prepared = session.prepared().ok_or("The robot doesn't fit into the room.")?;
         let (settings, start) = (session.settings(), prepared.floor.start);
         let (robot, odometry) = (self.link.calibrated(&prepared.robot), self.link.odometry());
         let controller = match settings.algorithm {
             Algorithm::Behaviour(behaviour) => {
                 let mut params = settings.params.clone();
-                // Only those that reckon for themselves have it.
+                // Only behaviours with their own odometry have this parameter.
                 let _ = params.set_text(behaviour.params, "odometry", odometry.id());
                 let setup = Setup { robot: &robot, params: &params, seed: settings.seed };
                 behaviour.build(&setup).ok_or("This behaviour doesn't exist.")?
             }
             Algorithm::Planner(_) => {
                 let line: Vec<Point> = corners.as_chunks().0.iter().map(|&[x, y]| Point::new(x, y)).collect();
-                // Nobody has drawn a real flat's stairs.
+                // The stairs of a real flat aren't in the room.
                 Box::new(prepared.follower(&robot, &line.into(), odometry).carefully())
             }
         };
@@ -112,7 +118,7 @@ impl Connection {
         self.link.ride(now, title, controller, start).map_err(|e| e.to_string().into())
     }
 
-    /// What the page shows; `transport` is how the line is.
+    /// The snapshot for the page; `transport` is the state of the line.
     #[wasm_bindgen(unchecked_return_type = "rust.ConnectionView")]
     pub fn view(
         &mut self,
@@ -123,25 +129,25 @@ impl Connection {
         to_js(&self.link.view(now))
     }
 
-    /// What the page shows while there is no connection.
+    /// The snapshot without a connection.
     #[wasm_bindgen(unchecked_return_type = "rust.ConnectionView")]
     pub fn closed() -> Result<JsValue, JsValue> {
         to_js(&connection::Connection::new().view(0.0))
     }
 
-    /// What went over the line since this was last asked for, as `Traffic[]`.
+    /// Traffic since the last call, as `Traffic[]`.
     #[wasm_bindgen(unchecked_return_type = "rust.Traffic[]")]
     pub fn take_traffic(&mut self) -> Result<JsValue, JsValue> {
         to_js(&self.link.take_traffic())
     }
 
-    /// The robot's estimated trail since this was last asked for: x and y in m, heading in rad and what it felt
-    /// there, in turn; see `app::connection::Connection::take_trace`.
+    /// The robot's estimated trail since the last call: x and y in m, heading in rad and contacts, in turn; see
+    /// `app::connection::Connection::take_trace`.
     pub fn take_trace(&mut self) -> Vec<f64> {
         self.link.take_trace()
     }
 
-    /// Everything that went over the line so far, as a recording.
+    /// All traffic so far, as a recording.
     pub fn recording(&self) -> String {
         self.link.recording()
     }

@@ -17,17 +17,16 @@ use robovac_sim::experiment::Shows;
 use wasm_bindgen::prelude::*;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
-/// Corners of the way that are drawn; of a longer one, the latest.
+/// Most corners of the drawn trail; the latest are kept.
 const MOST_TRAIL: usize = 4000;
-/// Distance between two corners of the drawn way, m.
+/// Distance between two corners of the drawn trail, m.
 const TRAIL_STEP: f64 = 0.02;
-/// Distance between two readings that no robot drives, m: it was taken elsewhere, or believes to be.
+/// Distance between two readings that can't be driven, m: the robot was moved, or its estimate was set.
 const JUMP: f64 = 0.3;
-/// Sum of what a robot can feel that leaves a mark: bumpers and cliffs, see `app::connection::Connection::take_trace`.
+/// Contacts that leave a mark: bumpers and cliffs, see `app::connection::Connection::take_trace`.
 const FELT: u8 = 1 | 2 | 4 | 8 | 16 | 32;
 
-/// A robot on its way, drawn on a canvas. Poses that come in are those that the robot believes in; [`LiveMap::anchor`]
-/// says where they are in the room.
+/// A driving robot on a canvas. Its poses are estimates; [`LiveMap::anchor`] transforms them to the room.
 #[wasm_bindgen]
 pub struct LiveMap {
     canvas: Canvas,
@@ -36,23 +35,23 @@ pub struct LiveMap {
     paper: Paper,
     robot: RobotModel,
     tracker: Option<CoverageTracker>,
-    /// Takes believed poses into the room: a turn, then a shift.
+    /// Transform of estimated poses to the room: a turn, then a shift.
     anchor: Pose,
     pose: Option<Pose>,
-    /// The pose that the robot believes in.
+    /// The robot's estimated pose.
     estimate: Option<Pose>,
-    /// Where the robot really is, which only virtual ones tell.
+    /// The robot's true pose, known for virtual robots only.
     truth: Option<Pose>,
     bumps: [bool; 2],
-    /// Where it has been, m on the paper.
+    /// Its trail, m on the paper.
     trail: Vec<Point>,
-    /// All places of this way in the room, for a larger paper.
+    /// Its whole trail in the room, for a larger paper.
     places: Vec<Point>,
     marks: Vec<FeltMark>,
-    /// What it felt last: a mark is left when that begins.
+    /// Its last contacts: a mark is left when they begin.
     felt: u8,
     planned: Vec<Point>,
-    /// Grow with every paper, every way that begins anew, and every planned line.
+    /// Versions, which grow with every paper, every new trail and every planned line.
     versions: [u64; 3],
     dark: bool,
     is_lifted: bool,
@@ -61,13 +60,13 @@ pub struct LiveMap {
 
 #[wasm_bindgen]
 impl LiveMap {
-    /// On that canvas, in the room that `guest` shows if it is `known`, or else on blank paper.
+    /// On a canvas, with the room of `mirror` if it is `known`, or else on blank paper.
     #[wasm_bindgen(constructor)]
-    pub fn new(element: HtmlCanvasElement, guest: &SessionMirror, known: bool) -> Result<Self, JsValue> {
+    pub fn new(element: HtmlCanvasElement, mirror: &SessionMirror, known: bool) -> Result<Self, JsValue> {
         let context = element.get_context("2d")?.ok_or("no 2D canvas; use a current browser")?.unchecked_into();
         let canvas = Canvas::new(element)?;
-        let robot = guest.session().settings().robot_model();
-        let paper = Paper::new(guest.session(), &robot, known);
+        let robot = mirror.session().settings().robot_model();
+        let paper = Paper::new(mirror.session(), &robot, known);
         let mut map = Self {
             canvas,
             context,
@@ -94,16 +93,16 @@ impl LiveMap {
         Ok(map)
     }
 
-    /// Begins anew, in the room that `guest` shows if it is `known`, or else on blank paper.
-    pub fn begin(&mut self, guest: &SessionMirror, known: bool) {
-        self.robot = guest.session().settings().robot_model();
-        self.paper = Paper::new(guest.session(), &self.robot, known);
+    /// Starts again, with the room of `mirror` if it is `known`, or else on blank paper.
+    pub fn begin(&mut self, mirror: &SessionMirror, known: bool) {
+        self.robot = mirror.session().settings().robot_model();
+        self.paper = Paper::new(mirror.session(), &self.robot, known);
         self.planned.clear();
         self.wipe();
         self.spread();
     }
 
-    /// Forgets the way, what was swept and felt.
+    /// Clears the trail, the swept floor and the contacts.
     pub fn wipe(&mut self) {
         self.trail.clear();
         self.places.clear();
@@ -114,8 +113,8 @@ impl LiveMap {
         self.has_changed = true;
     }
 
-    /// A robot whose estimated pose is x, y, heading is at the start, or in a known room where it really is, as far as that
-    /// is known: `truth` is x, y and heading, too, or empty.
+    /// Anchors a robot with the estimated pose x, y, heading at the start, or in a known room at its true pose if
+    /// known: `truth` is x, y and heading, or empty.
     pub fn place(&mut self, x: f64, y: f64, heading: f64, truth: &[f64]) {
         let really = match *truth {
             [x, y, heading] if self.paper.is_known => Some(Pose::new(x, y, heading)),
@@ -124,14 +123,14 @@ impl LiveMap {
         self.anchor(Pose::new(x, y, heading), really.or_else(|| self.paper.start()));
     }
 
-    /// Where it has been, as `app::connection::Connection::take_trace` tells it.
+    /// Adds a trace of `app::connection::Connection::take_trace`.
     pub fn follow(&mut self, trace: &[f64]) {
         for &[x, y, heading, felt] in trace.as_chunks().0 {
             if ![x, y, heading].into_iter().all(f64::is_finite) {
                 continue;
             }
             if felt == f64::from(SETS_OFF) {
-                // In a known room at its start; on blank paper it stays where it is drawn.
+                // In a known room at its start; on blank paper at its present place.
                 let here = if self.paper.is_known { self.paper.start() } else { self.pose };
                 self.anchor(Pose::new(x, y, heading), here);
                 self.wipe();
@@ -147,7 +146,7 @@ impl LiveMap {
         }
     }
 
-    /// Its estimated pose now, whether it is in somebody's hand, and whether each half of its bumper is pressed.
+    /// Sets its estimated pose, whether it is lifted, and whether each half of its bumper is pressed.
     pub fn show_robot(&mut self, x: f64, y: f64, heading: f64, is_lifted: bool, left: bool, right: bool) {
         let pose = self.placed(x, y, heading);
         self.estimate = Some(Pose::new(x, y, heading));
@@ -155,39 +154,39 @@ impl LiveMap {
         (self.pose, self.bumps, self.is_lifted) = (Some(pose), [left, right], is_lifted);
     }
 
-    /// Where it really is in the room.
+    /// Sets its true pose in the room.
     pub fn show_truth(&mut self, x: f64, y: f64, heading: f64) {
         let truth = Some(Pose::new(x, y, heading));
         self.has_changed |= self.truth != truth;
         self.truth = truth;
     }
 
-    /// There is no robot.
+    /// Hides the robot.
     pub fn hide_robot(&mut self) {
         (self.pose, self.estimate, self.truth) = (None, None, None);
         self.has_changed = true;
     }
 
-    /// The line that it is to drive: corners in the room, x and y in turn, m.
+    /// Sets the planned line: corners in the room, x and y in turn, m.
     pub fn set_planned(&mut self, corners: &[f64]) {
         self.planned = corners.as_chunks().0.iter().map(|&[x, y]| Point::new(x, y)).collect();
         self.versions[2] += 1;
         self.has_changed = true;
     }
 
-    /// Share of the reachable floor that was swept, 0 to 1; of blank paper nothing is known.
+    /// Swept share of the reachable floor, 0 to 1; `None` on blank paper.
     pub fn coverage(&self) -> Option<f64> {
         self.paper.is_known.then_some(())?;
         Some(self.tracker.as_ref()?.coverage(self.paper.floor.as_ref()?))
     }
 
-    /// Floor that was swept, m².
+    /// Swept floor, m².
     pub fn swept_m2(&self) -> f64 {
         let (Some(tracker), Some(floor)) = (&self.tracker, &self.paper.floor) else { return 0.0 };
         tracker.coverage(floor) * floor.area()
     }
 
-    /// The map in words: the room's name, the robot's mode, and who drives it, if anybody.
+    /// The map in words: with the room's name, the robot's mode, and what drives it.
     pub fn words(&self, room: &str, mode: &str, driver: &str) -> String {
         let cliffs = self.marks.iter().filter(|mark| mark.is_cliff).count();
         let (estimate, coverage, swept_m2) = (self.estimate, self.coverage(), self.swept_m2());
@@ -209,13 +208,13 @@ impl LiveMap {
         self.has_changed = true;
     }
 
-    /// Moves what is seen by CSS pixels.
+    /// Pans by CSS pixels.
     pub fn pan(&mut self, dx: f64, dy: f64) {
         self.viewport.pan(dx, dy);
         self.has_changed = true;
     }
 
-    /// Enlarges `factor` times around (`x`, `y`), CSS pixels.
+    /// Zooms by `factor` around (`x`, `y`), CSS pixels.
     pub fn zoom(&mut self, x: f64, y: f64, factor: f64) {
         self.viewport.zoom_at(x, y, factor);
         self.has_changed = true;
@@ -227,13 +226,13 @@ impl LiveMap {
         self.has_changed = true;
     }
 
-    /// The place in the room that is seen at (`x`, `y`) CSS pixels: x and y, m.
+    /// The place in the room at (`x`, `y`) CSS pixels: x and y, m.
     pub fn place_at(&self, x: f64, y: f64) -> Vec<f64> {
         let place = self.viewport.to_world(x, y) - self.paper.shift;
         vec![place.x, place.y]
     }
 
-    /// Whether the robot that really is there is seen at (`x`, `y`) CSS pixels.
+    /// Whether the robot's true pose is at (`x`, `y`) CSS pixels.
     pub fn is_on_robot(&self, x: f64, y: f64) -> bool {
         let Some(truth) = self.truth else { return false };
         let centre = self.viewport.to_screen(truth.position() + self.paper.shift);
@@ -249,7 +248,7 @@ impl LiveMap {
         let shift = self.paper.shift;
         let on_paper = |pose: Pose| Pose::new(pose.x + shift.x, pose.y + shift.y, pose.heading);
         let robot = &self.robot;
-        // What is dashed is the truth here: the page believes what the robot believes.
+        // The dashed robot is at the true pose here, as the page shows the robot's estimate.
         let view = self.pose.map(|pose| RobotView {
             pose: on_paper(pose),
             estimate: self.truth.map(on_paper),
@@ -287,7 +286,7 @@ impl LiveMap {
 }
 
 impl LiveMap {
-    /// From now on, a robot whose estimated pose is `from` is at `to` in the room.
+    /// Sets the anchor such that the estimated pose `from` is at `to` in the room.
     fn anchor(&mut self, from: Pose, to: Option<Pose>) {
         let Some(to) = to else { return };
         let turn = to.heading - from.heading;
@@ -296,7 +295,7 @@ impl LiveMap {
         self.lift();
     }
 
-    /// A believed pose, in the room.
+    /// An estimated pose, transformed to the room.
     fn placed(&self, x: f64, y: f64, heading: f64) -> Pose {
         let place = self.anchor.to_world(Point::new(x, y));
         Pose::new(place.x, place.y, heading + self.anchor.heading)
@@ -313,7 +312,7 @@ impl LiveMap {
         }
         self.places.push(point);
         if self.paper.is_too_small_for(point) {
-            // Larger paper, onto which everything is drawn again.
+            // Larger paper, on which everything is drawn again.
             self.paper = self.paper.larger(point, &self.robot);
             self.spread();
         } else {
@@ -321,7 +320,7 @@ impl LiveMap {
         }
     }
 
-    /// It didn't drive from where it was to where it comes next.
+    /// It didn't drive from its last place to the next.
     fn lift(&mut self) {
         if let Some(tracker) = &mut self.tracker {
             tracker.lift();
@@ -341,7 +340,7 @@ impl LiveMap {
         self.trail.push(at);
     }
 
-    /// Draws the way so far onto paper that is new.
+    /// Draws the trail so far on new paper.
     fn spread(&mut self) {
         self.tracker = self.paper.floor.as_ref().map(CoverageTracker::new);
         self.viewport.set_room(self.paper.plan.width_m(), self.paper.plan.height_m());

@@ -21,9 +21,9 @@ use robovac_sim::{experiment::Algorithm, mapping::OccupancyMap};
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
-/// Milliseconds of a frame that simulation may take; the rest of 16.7 ms is for drawing and the browser.
+/// Time for simulation in a frame, ms; the rest of 16.7 ms is for drawing and the browser.
 const FRAME_BUDGET_MS: f64 = 8.0;
-/// The same on the way back to a survey that was left: nothing but its progress moves on the page.
+/// The same while a stored run is restored, when only its progress changes on the page.
 const RETURN_BUDGET_MS: f64 = 40.0;
 
 /// A robot that makes a map of the playground's room.
@@ -55,16 +55,16 @@ impl MapSession {
         })
     }
 
-    /// Behaviours that a survey can be made with, as the catalogue has them.
+    /// Behaviours for mapping, in the form of the catalogue.
     #[wasm_bindgen(unchecked_return_type = "rust.CatalogueEntry[]")]
     pub fn explorers() -> Result<JsValue, JsValue> {
         let entries = map::explorers().map(|info| CatalogueEntry::new(Algorithm::Behaviour(info)));
         to_js(&entries.collect::<Vec<_>>())
     }
 
-    /// Takes room, robot, start, conditions and seed over from the playground's copy; cheap if they are the same.
-    pub fn take(&mut self, guest: &SessionMirror) {
-        self.state.take(guest.session());
+    /// Takes over room, robot, start, conditions and seed from the mirror of the playground; cheap if unchanged.
+    pub fn take(&mut self, mirror: &SessionMirror) {
+        self.state.take(mirror.session());
     }
 
     // ---- choices; each throws a message and changes nothing if the choice isn't possible
@@ -74,34 +74,34 @@ impl MapSession {
         self.state.set(key, value).map_err(message)
     }
 
-    /// Shows a layer of the picture, or no longer.
+    /// Shows or hides a layer of the picture.
     pub fn show(&mut self, layer: &str, on: bool) -> Result<(), JsValue> {
         self.state.show(layer, on).map_err(message)
     }
 
-    /// The choices as the part of a link behind that of the playground.
+    /// The choices as the part of a link after the playground's.
     pub fn link(&self) -> String {
         self.state.setup().to_link()
     }
 
-    /// Takes what `link` returned.
+    /// Restores the result of `link`.
     pub fn restore(&mut self, link: &str) -> Result<(), JsValue> {
         self.state.restore(link).map_err(message)
     }
 
-    /// Everything that determines the run: what is stored belongs to it.
+    /// Key of everything that determines the run, under which it is stored.
     pub fn recipe(&self) -> String {
         self.state.recipe()
     }
 
-    /// The same of a run on which the robot makes its map itself.
+    /// The same for a run in which the robot makes its map itself.
     pub fn home(&self) -> String {
         self.state.home()
     }
 
     // ---- time
 
-    /// Lets the time since the last call pass, and draws.
+    /// Advances by the time since the last call, and draws.
     pub fn frame(&mut self, now_ms: f64) -> Result<(), JsValue> {
         let elapsed_s = self.last_frame_ms.replace(now_ms).map_or(0.0, |last| (now_ms - last) / 1000.0);
         let is_returning = self.state.returned().is_some();
@@ -111,47 +111,47 @@ impl MapSession {
         self.draw()
     }
 
-    /// Time that passes while the place isn't shown isn't made up for.
+    /// Drops the time since the last call, while the tab isn't shown.
     pub fn rest(&mut self) {
         self.last_frame_ms = None;
     }
 
-    /// Lets time go on.
+    /// Starts or continues.
     pub fn play(&mut self) {
         self.state.play();
     }
 
-    /// Stops time.
+    /// Pauses.
     pub fn pause(&mut self) {
         self.state.pause();
     }
 
-    /// Goes on by five seconds.
+    /// Advances by five seconds.
     pub fn step(&mut self) {
         self.state.step();
     }
 
-    /// Goes to another point of the time simulated so far, s.
+    /// Seeks another time within the time simulated so far, s.
     pub fn seek(&mut self, time_s: f64) {
         self.state.seek(time_s);
     }
 
-    /// Lets the robot clean what is left by the map that it has.
+    /// Starts cleaning the remaining floor by the robot's map.
     pub fn clean(&mut self) {
         self.state.clean();
     }
 
-    /// Planners that what is left can be planned with: `[id, title]` each.
+    /// Planners for the remaining floor: `[id, title]` each.
     pub fn cleaners() -> Result<JsValue, JsValue> {
         to_js(&map::cleaners().map(|info| [info.id, info.title]).collect::<Vec<_>>())
     }
 
-    /// Forgets the map.
+    /// Drops the map.
     pub fn forget(&mut self) {
         self.state.forget();
     }
 
-    // ---- what is shown
+    // ---- state
 
     /// Snapshot in numbers and words.
     #[wasm_bindgen(unchecked_return_type = "rust.MapView")]
@@ -159,13 +159,13 @@ impl MapSession {
         to_js(&MapView { is_carried: self.hand.holds(), ..self.state.view() })
     }
 
-    /// One or two sentences that stand for the picture.
+    /// One or two sentences that describe the picture.
     pub fn description(&self) -> String {
         self.state.description()
     }
 
-    /// The figures over time: seconds, share of the boundary mapped, pose error and that of odometry alone (m,
-    /// NaN while there is none), in turn.
+    /// The errors over time: seconds, share of the boundary mapped, pose error and that of odometry alone (m, NaN while
+    /// there is none), in turn.
     pub fn curve(&self) -> Float64Array {
         let metres = |error: Option<f64>| error.unwrap_or(f64::NAN);
         let numbers = |s: &map::CurveSample| [s.time_s, s.boundary, metres(s.position_m), metres(s.odometry_m)];
@@ -173,19 +173,19 @@ impl MapSession {
         Float64Array::from(curve.as_slice())
     }
 
-    // ---- what is kept
+    // ---- storage
 
-    /// The survey as text; nothing while there is nothing worth it.
+    /// The session as text; `undefined` if there is nothing worth storing.
     pub fn store(&self) -> Option<String> {
         self.state.store()
     }
 
-    /// Goes back to where a survey was left. Throws a sentence for users and changes nothing if that can't be.
+    /// Restores a stored session. Throws a sentence for users and changes nothing if that isn't possible.
     pub fn resume(&mut self, text: &str) -> Result<(), JsValue> {
         Ok(self.state.resume(text).map_err(|e| e.to_string())?)
     }
 
-    /// Whether the last way back has led elsewhere, once: what was stored had better be kept.
+    /// Whether the last restored run ended in another state, reported once: the stored map should be kept.
     pub fn take_strayed(&mut self) -> bool {
         self.state.take_strayed()
     }
@@ -197,24 +197,24 @@ impl MapSession {
         map_file::import_to_js(Import { plan: self.mapped()?, choices: None })
     }
 
-    /// The map as a ROS map: `{ name, bytes, kind }` of its image and its description, called `stem`.
+    /// The map as a ROS map: `{ name, bytes, kind }` of its image and its description, named `stem`.
     pub fn ros_map(&self, stem: &str) -> Result<Array, JsValue> {
         ros_map(&self.mapped()?, stem)
     }
 
-    /// Gives the robot a map that a worker has read, and puts it down anywhere. Throws a sentence for users and changes
-    /// nothing if that can't be.
+    /// Gives the robot a map read by a worker, and kidnaps it to a random place. Throws a sentence for users and
+    /// changes nothing if that isn't possible.
     pub fn open(&mut self, map: &JsValue) -> Result<(), JsValue> {
         let import = map_file::import_from_js(map)?;
         Ok(self.state.open(&import.plan).map_err(|e| e.to_string())?)
     }
 
-    /// The same with the map that it has made.
+    /// The same with the map that it made.
     pub fn open_own(&mut self) -> Result<(), JsValue> {
         Ok(self.state.open_own().map_err(|e| e.to_string())?)
     }
 
-    /// Takes the map away that it was given.
+    /// Removes the given map.
     pub fn close_map(&mut self) {
         self.state.close_map();
     }
@@ -226,12 +226,12 @@ impl MapSession {
         self.viewport.resize(width, height, ratio);
     }
 
-    /// Moves what is seen by CSS pixels.
+    /// Pans by CSS pixels.
     pub fn pan(&mut self, dx: f64, dy: f64) {
         self.viewport.pan(dx, dy);
     }
 
-    /// Enlarges `factor` times around (`x`, `y`), CSS pixels.
+    /// Zooms by `factor` around (`x`, `y`), CSS pixels.
     pub fn zoom(&mut self, x: f64, y: f64, factor: f64) {
         self.viewport.zoom_at(x, y, factor);
     }
@@ -265,8 +265,8 @@ impl MapSession {
     }
 }
 
-/// The map in a text that `MapSession.store` returned, as `MapSession.ros_map` has it. For what can't go on: it may be by another
-/// program. Throws a sentence for users.
+/// The map in a text of `MapSession.store`, in the form of `MapSession.ros_map`. For runs that can't be restored, such
+/// as those of another version. Throws a sentence for users.
 #[wasm_bindgen]
 pub fn stored_ros_map(text: &str, stem: &str) -> Result<Array, JsValue> {
     let stored = map::Stored::from_text(text).map_err(|e| e.to_string())?;

@@ -7,7 +7,7 @@ use robovac_playground::wire::{message, to_js};
 use robovac_sim::montecarlo::{Band, RunOutcome, Summary, to_csv, to_json};
 use wasm_bindgen::prelude::*;
 
-/// Algorithms run many times in the playground's room.
+/// A study of algorithms in the playground's room.
 #[wasm_bindgen]
 #[derive(Default)]
 pub struct MonteCarlo {
@@ -16,27 +16,26 @@ pub struct MonteCarlo {
 
 #[wasm_bindgen]
 impl MonteCarlo {
-    /// The behaviours, about to be run.
+    /// A study of the behaviours, not started.
     #[wasm_bindgen(constructor)]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// All that can take part, in the order of the view's list, and the numbers that are offered.
+    /// All available algorithms, in the order of the view's list, and the numbers in the menus.
     #[wasm_bindgen(unchecked_return_type = "rust.StudyOffer")]
     pub fn offer(&self) -> Result<JsValue, JsValue> {
         to_js(&StudyOffer::new(&self.state))
     }
 
-    /// Takes room, robot, start, conditions and seed over from the playground's copy; cheap if they are the
-    /// same.
-    pub fn take(&mut self, guest: &SessionMirror) {
-        self.state.take(guest.session());
+    /// Takes over room, robot, start, conditions and seed from the mirror of the playground; cheap if unchanged.
+    pub fn take(&mut self, mirror: &SessionMirror) {
+        self.state.take(mirror.session());
     }
 
     // ---- choices; each throws a message and changes nothing if the choice isn't possible
 
-    /// Lets an algorithm take part, or not, by its number in the offer.
+    /// Includes an algorithm, or excludes it, by its number in the offer.
     pub fn choose(&mut self, entrant: usize, takes_part: bool) {
         self.state.choose(entrant, takes_part);
     }
@@ -56,50 +55,50 @@ impl MonteCarlo {
         self.state.set_minutes(minutes);
     }
 
-    /// The choices as the part of a link behind that of the playground.
+    /// The choices as the part of a link after the playground's.
     pub fn link(&self) -> String {
         self.state.to_link()
     }
 
-    /// Takes what `link` returned.
+    /// Restores the result of `link`.
     pub fn restore(&mut self, link: &str) -> Result<(), JsValue> {
         self.state.restore(link).map_err(message)
     }
 
     // ---- runs
 
-    /// Begins with what is missing.
+    /// Starts the missing runs.
     pub fn run(&mut self) {
         self.state.run();
     }
 
-    /// The user doesn't want to wait.
+    /// Cancels the remaining runs.
     pub fn cancel(&mut self) {
         self.state.cancel();
     }
 
-    /// Runs that have to be made, if any; pass them to `Runner.run` in a worker.
+    /// Runs to be made, if any; pass them to `Runner.run` in a worker.
     #[wasm_bindgen(unchecked_return_type = "{ id: number } | undefined")]
     pub fn take_batch(&mut self) -> Result<JsValue, JsValue> {
         self.state.take_batch().map_or(Ok(JsValue::UNDEFINED), |request| to_js(&request))
     }
 
-    /// Whether runs under way are still wanted.
+    /// Whether running runs are still required.
     pub fn is_wanted(&self, id: u32) -> bool {
         self.state.is_wanted(id)
     }
 
-    /// A worker is done.
+    /// A worker has finished.
     pub fn batch_finished(&mut self, id: u32, outcomes: &[f64]) {
         self.state.batch_finished(id, Ok(RunOutcome::from_numbers(outcomes)));
     }
 
-    /// A worker has no result.
+    /// A worker has failed.
     pub fn batch_failed(&mut self, id: u32, message: &str) {
         self.state.batch_finished(id, Err(message.to_owned()));
     }
 
-    // ---- what came out
+    // ---- results
 
     /// Snapshot for every frame: choices and progress.
     #[wasm_bindgen(unchecked_return_type = "rust.StudyView")]
@@ -107,20 +106,20 @@ impl MonteCarlo {
         to_js(&StudyView::new(&self.state))
     }
 
-    /// Where and how all runs are made; changes with the view's `version`.
+    /// Place and conditions of all runs; changes with the view's `version`.
     #[wasm_bindgen(unchecked_return_type = "rust.StudyPlace | null")]
     pub fn place(&self) -> Result<JsValue, JsValue> {
         to_js(&StudyPlace::new(&self.state))
     }
 
-    /// An algorithm's runs summed up, by its number in the view's list; null if there are none.
+    /// Summary of an algorithm's runs, by its number in the view's list; null without any.
     #[wasm_bindgen(unchecked_return_type = "rust.Summary | null")]
     pub fn summary(&self, entrant: usize) -> Result<JsValue, JsValue> {
         let known = entrant < self.state.entrants().len();
         to_js(&known.then(|| self.state.summary(entrant)).flatten() as &Option<Summary>)
     }
 
-    /// Coverage over time, 0 to 1: all lower ends of the band, then all medians, then all upper ends, at the start and at
+    /// Coverage over time, 0 to 1: all lower ends of the band, all medians, then all upper ends, at the start and at
     /// the ends of equal parts of the time; empty without runs.
     pub fn curve(&self, entrant: usize) -> Float64Array {
         let known = entrant < self.state.entrants().len();

@@ -12,16 +12,17 @@ use robovac_playground::wire::{
 use std::ops::ControlFlow;
 use wasm_bindgen::prelude::*;
 
-/// Milliseconds between two reports of the best walk so far, at least: often enough to see it grow. Where walks are long,
-/// telling them takes so many times less than planning.
+/// Milliseconds between two reports of the best walk so far, at least: often enough to see it grow. For long walks the
+/// interval grows, so that reports take a small share of the time.
 const REPORT_EVERY_MS: f64 = 50.0;
 const TELLING: f64 = 10.0;
 
-/// Plans a request made by `Playground.take_plan_request`. To be called in a worker, as it blocks until it is done.
+/// Plans a request of `Playground.take_plan_request`. To be called in a worker, as it blocks until it is done.
 ///
-/// `on_progress(done, cells, proof, film)` is called some twenty times a second and, if filmed, at the end, with the share done, 0 to 1,
-/// the best walk so far as x, y, x, y, ..., what is proven of it, `[cost, bound]` or nothing, and what the planner was filmed
-/// at since the last call, an array. Returns `{ cells, seconds, trace, proof }`; throws a message if the request is not valid.
+/// `on_progress(done, cells, proof, film)` is called some twenty times a second and, if filmed, at the end, with the
+/// share done, 0 to 1, the best walk so far as x, y, x, y, ..., its proof, `[cost, bound]` or `undefined`, and the
+/// array of film frames since the last call. Returns `{ cells, seconds, trace, proof }`; throws a message if the
+/// request is not valid.
 #[wasm_bindgen]
 pub fn plan(request: &JsValue, on_progress: &Function) -> Result<JsValue, JsValue> {
     let request = request_from_js(request)?;
@@ -44,8 +45,8 @@ pub fn plan(request: &JsValue, on_progress: &Function) -> Result<JsValue, JsValu
     Ok(result.into())
 }
 
-/// What is proven of the walk that a planner has made for that request, in steps + 2 x quarter turns; nothing if it misses
-/// cells, as it needn't be as long then. Takes as long as [`Bounds::of`].
+/// The proof of a planner's walk for that request, in steps + 2 x quarter turns; `undefined` if it misses cells, as the
+/// bound doesn't apply then. Takes as long as [`Bounds::of`].
 #[wasm_bindgen]
 pub fn prove(request: &JsValue, cells: &[u32]) -> Result<JsValue, JsValue> {
     let job = request_from_js(request)?.job;
@@ -55,8 +56,8 @@ pub fn prove(request: &JsValue, cells: &[u32]) -> Result<JsValue, JsValue> {
     Ok(proof_to_js(proof))
 }
 
-/// Tells `on_progress` now and then how far a planner is, and films it from the first walk on of which something is proven.
-/// That walk is told at once, as what a film `begin`s with may take longer to make.
+/// Reports a planner's progress to `on_progress` regularly, and films it from the first walk with a proof on. That walk
+/// is reported at once, as the walks that a film `begin`s with can take longer.
 pub(super) fn reporter(
     on_progress: &Function,
     film: &mut Option<Film>,
@@ -68,7 +69,7 @@ pub(super) fn reporter(
         let is_first = report.proof.is_some() && !is_proven;
         let now = clock();
         if is_first || now >= next {
-            // With its proof it could be kept, but there is no film of it yet.
+            // With its proof it could be kept, but it has no film yet.
             let proof = report.proof.filter(|_| !is_first);
             tell(on_progress, &ProgressReport { proof, ..report }, film.as_mut());
             let told = clock();
@@ -85,7 +86,7 @@ pub(super) fn reporter(
     }
 }
 
-/// A page that can't take the report shouldn't stop the planner.
+/// Calls the listener, whose errors don't stop the planner.
 fn tell(on_progress: &Function, ProgressReport { done, walk, proof }: &ProgressReport<'_>, film: Option<&mut Film>) {
     let frames = film.map_or_else(Vec::new, Film::take_frames);
     let frames = frames_to_js(&frames).unwrap_or_default();

@@ -7,7 +7,7 @@ use wasm_bindgen::prelude::*;
 
 /// Reads an array of `{ name, bytes }` that belong together: a map, or a scenario. To be called in a worker.
 ///
-/// Returns what `Playground.take_map` takes; throws a message if the files are no map.
+/// Returns the argument of `Playground.take_map`; throws a message if the files aren't a map.
 #[wasm_bindgen]
 pub fn read_map(files: &Array) -> Result<JsValue, JsValue> {
     import_to_js(Import::read(&source_files(files)?).map_err(|e| e.to_string())?)

@@ -4,7 +4,7 @@ use robovac_link::connection::{LineRecording, Replay as Player};
 use robovac_playground::wire::to_js;
 use wasm_bindgen::prelude::*;
 
-/// A recording that is played.
+/// Playback of a recording.
 #[wasm_bindgen]
 pub struct Replay {
     player: Player,
@@ -20,28 +20,28 @@ impl Replay {
         Ok(Self { player: Player::new(recording), name })
     }
 
-    /// How long it is, s.
+    /// Duration, s.
     pub fn duration_s(&self) -> f64 {
         self.player.duration_s()
     }
 
-    /// The moment that is shown, s.
+    /// Current time, s.
     pub fn time_s(&self) -> f64 {
         self.player.time_s()
     }
 
-    /// Goes on to that moment; back means from the beginning.
+    /// Advances to a time; for an earlier one, restarts from the beginning.
     pub fn advance(&mut self, time_s: f64) {
         self.player.advance(time_s);
     }
 
-    /// What is shown, a `ConnectionView`; nothing can be asked for.
+    /// The snapshot, a `ConnectionView`; no request is allowed.
     #[wasm_bindgen(unchecked_return_type = "rust.ConnectionView")]
     pub fn view(&mut self) -> Result<JsValue, JsValue> {
         to_js(&self.player.view().of_recording(&self.name))
     }
 
-    /// What went over the line since this was last asked for, as `Traffic[]`.
+    /// Traffic since the last call, as `Traffic[]`.
     #[wasm_bindgen(unchecked_return_type = "rust.Traffic[]")]
     pub fn take_traffic(&mut self) -> Result<JsValue, JsValue> {
         to_js(&self.player.take_traffic())

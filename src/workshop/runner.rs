@@ -4,7 +4,7 @@ use js_sys::Float64Array;
 use robovac_sim::montecarlo::{Lab, RunOutcome, RunsRequest};
 use wasm_bindgen::prelude::*;
 
-/// Makes runs. Keeps the room and the planned paths of the last ones, as the next are mostly in the same.
+/// Makes runs. Keeps the room and the planned paths of the last ones, as the next usually have the same.
 #[wasm_bindgen]
 #[derive(Default)]
 pub struct Runner {
@@ -19,9 +19,9 @@ impl Runner {
         Self::default()
     }
 
-    /// Makes runs that came from `MonteCarlo.take_batch`. Blocks until they are done.
+    /// Makes the runs of a request of `MonteCarlo.take_batch`. Blocks until they are done.
     ///
-    /// Returns what `MonteCarlo.batch_finished` takes; throws a message if there is no result.
+    /// Returns the argument of `MonteCarlo.batch_finished`; throws a message if there is no result.
     pub fn run(&mut self, request: JsValue) -> Result<Float64Array, JsValue> {
         let request: RunsRequest = serde_wasm_bindgen::from_value(request).map_err(|e| e.to_string())?;
         if self.lab.as_ref().is_none_or(|(place, _)| *place != request.place) {

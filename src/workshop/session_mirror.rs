@@ -10,29 +10,29 @@ use robovac_playground::wire::{message, request, walk};
 use robovac_sim::experiment::planning::PlanAnswer;
 use wasm_bindgen::prelude::*;
 
-/// A copy of the playground's room and settings.
+/// A mirror of the playground's room and settings.
 #[wasm_bindgen]
 #[derive(Default)]
 pub struct SessionMirror {
     session: Session,
-    /// What it has followed.
+    /// The snapshot that it follows.
     followed: Option<SessionSnapshot>,
 }
 
 #[wasm_bindgen]
 impl SessionMirror {
-    /// A copy that hasn't followed anything yet.
+    /// A mirror without a snapshot.
     #[wasm_bindgen(constructor)]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Version of the room that it has, for `Playground.snapshot`; nothing at first.
+    /// Version of its room, for `Playground.snapshot`; `undefined` at first.
     pub fn room_version(&self) -> Option<f64> {
         self.followed.as_ref().map(|followed| followed.room_version as f64)
     }
 
-    /// Whether there is something to follow in `snapshot`.
+    /// Whether `snapshot` is newer.
     pub fn is_behind(
         &self,
         #[wasm_bindgen(unchecked_param_type = "rust.SessionSnapshot")] snapshot: JsValue,
@@ -42,8 +42,8 @@ impl SessionMirror {
         Ok(self.followed.as_ref() != Some(&SessionSnapshot { own: None, ..snapshot }))
     }
 
-    /// Becomes a copy of the playground by its `snapshot`; cheap if nothing has changed. For a robot that is connected, driven
-    /// by `algorithm`, if there is one.
+    /// Follows a `snapshot` of the playground; cheap if unchanged. If `algorithm` is given, for a connected robot that
+    /// it drives.
     pub fn follow(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "rust.SessionSnapshot")] snapshot: JsValue,
@@ -54,7 +54,7 @@ impl SessionMirror {
         if self.followed.as_ref() == Some(&snapshot) {
             return Ok(());
         }
-        // A room of one's own that is here already may have been sent again.
+        // An own room that is here already can have been sent again.
         snapshot.own = own.filter(|_| self.followed.as_ref().map(|f| f.room_version) != Some(snapshot.room_version));
         self.session.follow(&snapshot).map_err(message)?;
         self.session.forget_changes();
@@ -73,15 +73,15 @@ fn read(snapshot: JsValue, algorithm: Option<String>) -> Result<SessionSnapshot,
 
 #[wasm_bindgen]
 impl SessionMirror {
-    /// What the algorithm that is chosen has to plan, once; pass it to `plan` in a worker. Nothing for a behaviour, and for
-    /// what is planned already.
+    /// The pending planning request of the chosen algorithm, returned once; pass it to `plan` in a worker. `undefined`
+    /// for a behaviour, and for a finished plan.
     #[wasm_bindgen(unchecked_return_type = "{ id: number } | undefined")]
     pub fn take_plan_request(&mut self) -> Result<JsValue, JsValue> {
         let request = self.session.take_plan_request();
         request.map_or(Ok(JsValue::UNDEFINED), |request| request::request_to_js(&request))
     }
 
-    /// The worker is done. Throws a sentence for users if its plan can't be driven.
+    /// The worker has finished. Throws a sentence for users if its plan can't be driven.
     pub fn plan_finished(&mut self, id: u32, cells: &[u32], seconds: f64) -> Result<(), JsValue> {
         let path = CoveragePath { cells: walk::cells(cells) };
         self.session.plan_finished(id, PlanAnswer { path, seconds, proof: None, trace: Vec::new() });
@@ -93,7 +93,7 @@ impl SessionMirror {
         self.session.planned().map_or(Vec::new(), |planned| planned.line.iter().flat_map(|p| [p.x, p.y]).collect())
     }
 
-    /// Where the robot starts: x, y in m and heading in rad; nothing if it doesn't fit in.
+    /// Start of the robot: x, y in m and heading in rad; empty if it doesn't fit.
     pub fn start(&self) -> Vec<f64> {
         self.session.prepared().map_or(Vec::new(), |prepared| {
             let start = prepared.floor.start;
@@ -101,20 +101,20 @@ impl SessionMirror {
         })
     }
 
-    /// Where a robot at x, y, heading is, seen from there: `at`, `near` enough to set off, or `elsewhere`.
+    /// Place of a robot at x, y, heading relative to the start: `at`, `near` enough to begin, or `elsewhere`.
     pub fn start_place(&self, x: f64, y: f64, heading: f64) -> String {
         let place = self.session.prepared().map(|room| StartPlace::of(Pose::new(x, y, heading), room.floor.start));
         place.map_or("at", StartPlace::id).to_owned()
     }
 
-    /// What is wrong with the room for this robot, as a sentence for users; empty if nothing.
+    /// Why this robot can't be placed in the room, as a sentence for users; empty if it can.
     pub fn complaint(&self) -> String {
         if self.session.prepared().is_some() { String::new() } else { self.session.view().message }
     }
 }
 
 impl SessionMirror {
-    /// The copy.
+    /// The mirrored session.
     pub(super) fn session(&self) -> &Session {
         &self.session
     }

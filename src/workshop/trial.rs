@@ -6,22 +6,22 @@ use robovac_playground::wire::{clock, to_js, walk::flat};
 use robovac_sim::experiment::{Arena, TrialRequest};
 use wasm_bindgen::prelude::*;
 
-/// Makes trials. Keeps the room of the last one, as the next is often in the same.
+/// Runs trials. Keeps the room of the last one, as the next often has the same.
 #[wasm_bindgen]
 #[derive(Default)]
-pub struct Trials {
+pub struct TrialRunner {
     arena: Option<(String, Arena)>,
 }
 
 #[wasm_bindgen]
-impl Trials {
+impl TrialRunner {
     /// No trial yet.
     #[wasm_bindgen(constructor)]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Makes a trial that came from `Comparison.take_trial`. Blocks until it is done.
+    /// Runs a trial of `Comparison.take_trial`. Blocks until it is done.
     ///
     /// `on_progress(done, cells)` as for `plan`. Returns `{ cells, numbers }`; throws a message if there is no result.
     pub fn run(&mut self, request: JsValue, on_progress: &Function) -> Result<JsValue, JsValue> {

@@ -8,7 +8,7 @@ use robovac_sim::Input;
 use roomba_oi::Buttons;
 use wasm_bindgen::prelude::*;
 
-/// A robot that isn't there. Its time is what [`Self::advance`] is told.
+/// A virtual robot. Its time advances by [`Self::advance`].
 #[wasm_bindgen]
 pub struct VirtualRobot {
     emulator: Emulator,
@@ -16,10 +16,10 @@ pub struct VirtualRobot {
 
 #[wasm_bindgen]
 impl VirtualRobot {
-    /// A robot in the room that `guest` shows, at its start.
+    /// A robot in the room of `mirror`, at its start.
     #[wasm_bindgen(constructor)]
-    pub fn new(guest: &SessionMirror, personality_id: &str) -> Result<Self, JsValue> {
-        let session = guest.session();
+    pub fn new(mirror: &SessionMirror, personality_id: &str) -> Result<Self, JsValue> {
+        let session = mirror.session();
         let prepared = session.prepared().ok_or("The robot doesn't fit into the room.")?;
         let who = personality(personality_id)
             .ok_or_else(|| format!("There is no personality \"{personality_id}\"; choose one from the list."))?;
@@ -38,17 +38,17 @@ impl VirtualRobot {
         self.emulator.receive(bytes, baud);
     }
 
-    /// Pulls the BRC wire low, or lets it go.
+    /// Pulls the BRC wire low, or releases it.
     pub fn set_brc(&mut self, is_low: bool) {
         self.emulator.set_brc(is_low);
     }
 
-    /// Lets time pass.
+    /// Advances the time, s.
     pub fn advance(&mut self, seconds: f64) {
         self.emulator.advance(seconds);
     }
 
-    /// What it has sent since this was last asked for, as a host hears it that listens at `baud`.
+    /// Bytes sent since the last call, as received by a host at `baud`.
     pub fn transmit(&mut self, baud: u32) -> Vec<u8> {
         let mut bytes = Vec::new();
         self.emulator.transmit(baud, &mut bytes);
@@ -65,7 +65,7 @@ impl VirtualRobot {
         self.emulator.plug_charger(is_plugged);
     }
 
-    /// Picks it up.
+    /// Lifts it.
     pub fn lift(&mut self) {
         self.emulator.apply(Input::Lift);
     }
@@ -75,7 +75,7 @@ impl VirtualRobot {
         self.emulator.apply(Input::PutDown(Pose::new(x, y, heading)));
     }
 
-    /// What is seen and heard of it.
+    /// Its visible and audible state.
     #[wasm_bindgen(unchecked_return_type = "rust.VirtualView")]
     pub fn view(&mut self) -> Result<JsValue, JsValue> {
         to_js(&self.emulator.view())

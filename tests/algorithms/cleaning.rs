@@ -13,10 +13,10 @@ use robovac_core::{
 use robovac_sim::{
     Conditions, Input, Noise, NoiseLevel, Run, STEP_S, SlipLevel,
     controller::{self, clean_by_map},
-    mapping::{MapObserver, Mapper, MapperSetup, Mark, Tracking},
+    mapping::{CellMark, MapObserver, Mapper, MapperSetup, Tracking},
 };
 
-/// A survey of the room of a link.
+/// A mapping run in the room of a link.
 fn survey(link: &str) -> MapSession {
     let mut session = Session::new();
     session.restore(link).expect("a link of ours");
@@ -121,7 +121,8 @@ fn cleaning_is_gone_back_to_and_survives_a_reload() {
     assert_eq!(run(&back).digest(), run(&survey).digest());
 }
 
-/// Regression: a run that had come to its end and was told to clean then came to its end there when it was driven again.
+/// Regression: a run that had ended and was then continued by cleaning ended at the same step when it was simulated
+/// again.
 #[test]
 fn a_run_that_was_over_and_goes_on_does_so_again() {
     let mut survey = survey("room=room12ft&robot=roomba600&seed=3");
@@ -147,7 +148,8 @@ fn a_robot_that_is_carried_off_finds_itself_and_goes_on_cleaning() {
     let mut survey = mapped(700.0);
     survey.clean();
     survey.run_ahead(60.0);
-    let marks = |survey: &MapSession| survey.estimate().expect("there is a robot").marks.cells(Mark::Cleaned).count();
+    let marks =
+        |survey: &MapSession| survey.estimate().expect("there is a robot").marks.cells(CellMark::Cleaned).count();
     survey.lift();
     survey.put_down(Pose::new(1.0, 1.6, 2.0));
     survey.run_ahead(2.0);

@@ -1,4 +1,4 @@
-//! The configuration space against brute force: the outline is put into every cell and held against every obstacle.
+//! The configuration space against brute force: the outline is tested in every cell against every obstacle.
 
 use proptest::prelude::*;
 use robovac_core::{

@@ -190,7 +190,7 @@ fn people_and_pets_walk_wait_and_are_bumped_into() {
     }
     assert!(run.bumps() > 20, "{} bumps", run.bumps());
     assert!(seen.iter().all(|(low, high)| high - low > 2.0), "they walk their whole line: {seen:?}");
-    // Somebody stands in the way: the robot must not get past.
+    // A person stands in the way: the robot must not get past.
     let still = room(vec![Object::Mover { who: Who::Person, path: points(&[[2.0, 1.5]]) }]);
     let mut run = drive(&RunSetup { world: Arc::new(World::new(&still)), ..setup }, 0.3);
     for _ in 0..600 {

@@ -43,7 +43,7 @@ impl Scene {
         self.robot.sensors()
     }
 
-    /// What it senses at rest at a place, heading in degrees.
+    /// The reading at rest at a place, heading in degrees.
     fn at(&mut self, x: f64, y: f64, degrees: f64) -> &SensorReadings {
         self.robot.put_down(Pose::new(x, y, degrees.to_radians()));
         self.step(Drive::STOP)

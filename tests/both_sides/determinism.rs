@@ -106,7 +106,7 @@ fn ride_over_a_bad_line() {
 
 /// Every planner finds the same walk on both sides: no float of a planner may depend on the machine.
 ///
-/// `UPDATE=1 cargo test --test both_sides walks` writes the digests anew, for a new planner or one that was meant to change.
+/// `UPDATE=1 cargo test --test both_sides walks` writes the digests, for a new planner or after an intended change.
 #[wasm_bindgen_test(unsupported = test)]
 fn walks_of_all_planners() {
     let known = include_str!("../golden/walks.txt");

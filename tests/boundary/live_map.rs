@@ -83,7 +83,7 @@ fn a_bump_leaves_one_mark_however_long_it_is_felt() {
     map.follow(&[1.0, 1.0, 0.0, 1.0, 1.0, 1.0, 0.0, 1.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 8.0]);
     map.show_robot(1.0, 1.0, 0.0, false, false, false);
     let words = map.words("Empty room", "Safe", "");
-    assert!(words.contains("bumped 1 times and seen 1 cliffs"), "{words}");
+    assert!(words.contains("; 1 bump, 1 cliff."), "{words}");
     map.draw().unwrap();
 }
 

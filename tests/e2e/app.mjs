@@ -11,7 +11,7 @@ const PATIENCE_MS = 30_000;
 /** "1:02" as seconds. */
 export const seconds = (text) => text.split(":").reduce((sum, part) => 60 * sum + Number(part), 0);
 
-/** What a menu offers, by its id. */
+/** The options of a menu, by its id. */
 export const values = (page, menu) => page.locator(`#${menu} option`).evaluateAll((options) => options.map(({ value }) => value));
 
 /** The `count` downloads that doing something brings. */

@@ -33,7 +33,7 @@ test("long planning is shown and cancelled at once", async (t) => {
   await app.says(/cancelled/);
   assert.ok(await page.locator("#planning").isHidden());
 
-  // Whoever cancels wanted it to stop, so the next room waits for them.
+  // The user has cancelled, so the next room waits for them.
   assert.equal(await app.choose("room", "empty"), "ready");
   assert.equal(await app.message(), "");
   await app.press("Play");
@@ -45,7 +45,7 @@ test("escape cancels planning once nothing else is open", async (t) => {
   await app.pause();
   await page.locator("#room").selectOption("office");
   await page.locator("#planning-gap").waitFor();
-  // What is open is closed first.
+  // An open element is closed first.
   await page.locator("#layers-open").click();
   await page.keyboard.press("Escape");
   assert.equal(await app.state(), "planning");

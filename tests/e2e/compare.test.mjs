@@ -1,4 +1,4 @@
-// The tab Compare: algorithms held against each other, in a race and by numbers.
+// The tab Compare: algorithms compared in a race and by numbers.
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import { test } from "node:test";
@@ -16,13 +16,13 @@ async function openCompare(t, { link = `vs=${FOUR}`, room = "room=empty", view =
   return { ...opened, app };
 }
 
-/** Waits until all plans are made, or have failed. There is no telling how long that takes on a slow computer. */
+/** Waits until all plans are made, or have failed, without a limit for slow computers. */
 const tried = (page, count) =>
   page.waitForFunction((n) => document.getElementById("trying").textContent.startsWith(`${n} plan`), count, { timeout: 240_000 });
 
 const lanes = (page, count) => page.waitForFunction((n) => document.querySelectorAll("#lanes figure").length === n, count, { timeout: 60_000 });
 
-/** The seconds on the clock, and those that every lane's description tells. */
+/** The seconds on the clock, and those in every lane's description. */
 async function clocks(page) {
   const [clock, words] = await page.evaluate(() => [
     document.getElementById("race-time").textContent,
@@ -76,7 +76,7 @@ const value = (text) => (text.includes(":") ? seconds(text) : Number(text.replac
 /** The values of a column, from top to bottom. */
 const column = ({ columns, rows }, name) => rows.map(({ cells }) => value(cells[columns.indexOf(name) - 1]));
 
-/** What a click on an export button saves. */
+/** The file saved by a click on an export button. */
 async function saved(page, kind) {
   const [download] = await Promise.all([page.waitForEvent("download"), page.locator(`[data-export=${kind}]`).click()]);
   assert.match(download.suggestedFilename(), new RegExp(`^comparison-.*\\.${kind}$`));
@@ -265,7 +265,7 @@ test("all algorithms have all numbers in the flat; they can be sorted, explained
   assert.ok(path.colours > 5, `${path.colours} colours`);
   assert.match(await page.locator("#about-path").getAttribute("aria-label"), /^Path of Growing spirals in Furnished flat$/);
   await page.locator("#about .claims li").first().hover();
-  assert.match(await app.text("#about #tip"), /every cell/, "before the dialog, not behind it");
+  assert.match(await app.text("#about #tip"), /every reachable cell/, "before the dialog, not behind it");
   await page.getByRole("button", { name: "Open in Explore" }).click();
   await page.locator("#panel-explore").waitFor();
   assert.equal(await page.locator("#algorithm").inputValue(), "spiral");
@@ -335,7 +335,7 @@ test("planning can be cancelled and resumed", async (t) => {
   assert.equal(await app.text("#trying"), stopped);
   await page.getByRole("button", { name: "Resume", exact: true }).click();
   await page.locator("#trying", { hasText: /^Planning: / }).waitFor();
-  // A smaller choice ends what is no longer wanted.
+  // A smaller choice ends trials that are no longer required.
   for (const id of ["genetic", "neural", "energy", "grid_tsp"]) await page.locator(`#in-${id}`).uncheck();
   await page.locator("#compare-rooms").selectOption("this");
   await tried(page, 1);
@@ -382,7 +382,7 @@ test("numbers and charts can be saved", async (t) => {
 });
 
 test("a room of one's own is compared in", async (t) => {
-  const { page, app } = await openApp(t, { address: "#room=empty" });
+  const { page, app } = await openApp(t, { address: "#room=empty", viewport: { width: 1366, height: 768 } });
   await page.locator("#tab-compare").click();
   await page.locator("#view-numbers").click();
   await tried(page, 4);
@@ -451,5 +451,5 @@ test("the comparison fits a phone, light and dark", async (t) => {
   await app.poll(cue, ([more, fades]) => more === "true" && fades);
   await scroller.evaluate((node) => node.scrollTo(node.scrollWidth, 0));
   await app.poll(cue, ([more, fades]) => more === "false" && !fades);
-  assert.match(await app.text("#table-note"), /in the race, .* takes some percent longer/);
+  assert.match(await app.text("#table-note"), /in the race, .* takes a few percent longer/);
 });

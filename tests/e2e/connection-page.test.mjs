@@ -14,7 +14,7 @@ test("says what it is for, and connects to the virtual robot", async (t) => {
   await robot.connect();
   assert.equal(await page.locator("#connection-welcome").isVisible(), false);
   assert.equal(await page.locator("#connection-stop").isVisible(), true);
-  await page.waitForFunction(() => /estimated to be at/.test(document.getElementById("connection-floor").getAttribute("aria-label")));
+  await page.waitForFunction(() => /estimated position/.test(document.getElementById("connection-floor").getAttribute("aria-label")));
   assert.equal(await page.locator("#connection-go").getAttribute("aria-disabled"), "true", "not in control yet");
   assert.equal(await robot.distance(), 0, "connecting doesn't move it");
   await page.locator("#connection-close").click();
@@ -53,7 +53,7 @@ test("the console shows what is said, and asks before bytes that move the robot"
   await field.fill("142 300");
   assert.match(await told.innerText(), /Byte 2 \("300".*too large/);
   await field.fill("142, zz");
-  assert.match(await told.innerText(), /Byte 2 \("zz", at character 6\).*no number/);
+  assert.match(await told.innerText(), /Byte 2 \("zz", at character 6\).*a number/);
   await field.fill("8e");
   assert.match(await told.innerText(), /0x8e/);
   await page.locator("#console-send").click();
@@ -129,7 +129,7 @@ test("a sleeping robot is told apart from a dead cable, and woken", async (t) =>
   await robot.phase("connected");
 });
 
-/** What is shown and too small for a finger. */
+/** Visible controls that are too small for a finger. */
 const small = (page) =>
   page.evaluate(() =>
     [...document.querySelectorAll("#panel-connection :is(button:not(.term), select, input, summary)")]

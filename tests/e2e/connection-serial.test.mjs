@@ -14,7 +14,7 @@ test("connects, streams, drives and says goodbye", { skip }, async (t) => {
   assert.match(view.transport.name, /FTDI adapter \(0403:6001\)/);
   assert.ok(view.readings.voltage_v > 10);
   assert.equal(view.mode, "Passive");
-  // Nobody has asked for more than to connect.
+  // Only a connection has been requested.
   assert.deepEqual(robot.heard().filter(moves), []);
   const { statistics } = await desk.until((v) => v.statistics.frames > 100);
   assert.equal(statistics.bad_checksums, 0);
@@ -53,7 +53,7 @@ test("unplugged while it drives, and plugged in again: nothing moves until the u
   assert.match(lost.transport.text, /unplugged/);
   assert.equal(lost.wheels[0], 0);
 
-  // The robot goes on, as nobody can tell it anything, and the stick is still held.
+  // The robot drives on, as it can't be reached, and the stick is still held.
   assert.equal(robot.isAtRest(), false);
   robot.forget();
   await robot.plug();

@@ -10,7 +10,7 @@ import { openApp } from "./app.mjs";
 import { DIST, openPage } from "./harness.mjs";
 import { openRoom, png } from "./maps.mjs";
 
-/** Files of the page that were asked for so far, as paths in dist/. */
+/** Files of the page requested so far, as paths in dist/. */
 const transferred = ({ requests }) => new Set(requests.map((address) => path.join(".", new URL(address, "http://host").pathname.replace(/\/$/, "/index.html"))));
 
 test("works from a sub-path and loads each module once", async (t) => {

@@ -15,7 +15,7 @@ function room(name) {
 
 const at = (app, selector) => app.page.locator(selector);
 
-/** Waits until the board is at rest; what it says of the room then. */
+/** Waits until the floor plan is at rest; returns the text about the room. */
 async function result(app) {
   await app.frames(2);
   await app.page.waitForFunction(() => document.getElementById("panel-floor-plan").ariaBusy !== "true");
@@ -50,7 +50,7 @@ const kept = (app) =>
     "what is shown to be kept",
   );
 
-/** Waits until all that was chosen is kept, and opens the page anew where it was. */
+/** Waits until all choices are stored, and opens the page again. */
 async function reload(app) {
   await kept(app);
   await app.page.reload();
@@ -102,7 +102,7 @@ test("a floor plan comes back after a reload, with what was chosen and its sweep
   assert.equal(await at(app, "#floor-plan-n-length").textContent(), length);
   assert.equal(await app.message(), "");
   assert.ok(await at(app, "#floor-plan-aside").isHidden());
-  // What is brought at the start of a visit isn't overtaken by what was kept.
+  // A file opened at the start of a visit isn't replaced by the stored one.
   await page.locator("#tab-explore").click();
   await app.linked("tab", (tab) => tab !== "floor-plan");
   await page.reload();
@@ -156,7 +156,7 @@ test("files of another version, or that can't be read, are kept aside", async (t
   await page.reload();
   await app.says(/floor plan cellar\.dxf can't be restored: .*cut off/);
   await at(app, "#floor-plan-aside").waitFor();
-  // The board takes others all the same.
+  // Other files can still be opened.
   await app.bring(room("attic.dxf"));
   assert.equal(await at(app, "#floor-plan-name").textContent(), "attic");
 });

@@ -30,7 +30,7 @@ const box = (layer, x, y, w, h) => [[layer, x, y, x + w, y], [layer, x + w, y, x
 /** Two rooms, 4 x 3 and 3 x 3 in its unit, the second with a table. */
 const TWO_ROOMS = [...box("WALLS", 0, 0, 4, 3), ...box("WALLS", 4, 0, 3, 3), ...box("FURNITURE", 5, 1, 1, 1)];
 
-/** Waits until the board is at rest; the text of an element then. */
+/** Waits until the floor plan is at rest; returns the text of an element. */
 async function text(app, selector) {
   await app.frames(2);
   await app.page.waitForFunction(() => document.getElementById("panel-floor-plan").ariaBusy !== "true");
@@ -128,7 +128,7 @@ test("a room that continues through doors offers to close them", async (t) => {
   await page.locator("#floor-plan-doors").waitFor();
   const open = await floor(app);
   assert.ok(open > 0.8 * whole, `${open} of ${whole} m²`);
-  const [, told] = /through 3 openings as wide as a door\. With them closed it has ([\d.]+) m²/.exec(await text(app, "#floor-plan-doors-text"));
+  const [, told] = /through 3 openings as wide as a door\. Closing them leaves ([\d.]+) m²/.exec(await text(app, "#floor-plan-doors-text"));
   await page.getByRole("button", { name: "Close gaps up to 0.85 m" }).click();
   await app.poll(() => floor(app), (area) => area === Number(told));
   assert.ok(await page.locator("#floor-plan-doors").isHidden());
@@ -216,7 +216,7 @@ test("two points and their distance set the scale, by pointer and by keys alone"
 });
 
 test("rectangle and polygon cut the drawing, by pointer and by keys", async (t) => {
-  const { page, app } = await openFloorPlan(t);
+  const { page, app } = await openFloorPlan(t, { viewport: { width: 1366, height: 768 } });
   await app.bring(dxf("rooms.dxf", TWO_ROOMS, { units: 6 }));
   const whole = await floor(app);
   const canvas = await page.locator("#floor-plan-floor").boundingBox();
@@ -345,7 +345,7 @@ test("100,000 lines are drawn while the page answers", async (t) => {
   await page.mouse.move(500, 300, { steps: 10 });
   await page.mouse.up();
   await app.frames(10);
-  // What the page's own thread does in one go: in processor time, however busy the machine is besides.
+  // The longest task of the page's thread: in CPU time, however busy the machine is otherwise.
   const { traceEvents } = JSON.parse(await page.context().browser().stopTracing());
   const threads = new Set(traceEvents.filter(({ args }) => args.name === "CrRendererMain").map(({ pid, tid }) => `${pid} ${tid}`));
   const tasks = traceEvents.filter(({ tdur, pid, tid }) => tdur !== undefined && threads.has(`${pid} ${tid}`));
@@ -480,7 +480,7 @@ test("fits a phone, with sheets under the drawing", async (t) => {
 });
 
 test("one screen on a laptop, in words too", async (t) => {
-  const { page, app } = await openFloorPlan(t);
+  const { page, app } = await openFloorPlan(t, { viewport: { width: 1366, height: 768 } });
   await sample(app);
   const rails = await page.evaluate(() => [...document.querySelectorAll("#panel-floor-plan .rail")].map((rail) => rail.scrollHeight - rail.clientHeight));
   assert.deepEqual(rails, [0, 0], "nothing to be scrolled");

@@ -70,10 +70,10 @@ async function tidy({ server, context, options, page }) {
  *
  * `address` is relative to the folder the page is served from: "", "?room=flat", "www/bench.html".
  * `init` is run in the page before any of its scripts. With `isNew`, nothing is in any cache. Other options go to Playwright's
- * browser context.
+ * browser context. The window is small unless a test needs it larger: painting is most of what these tests cost.
  */
 export async function openPage(t, { address = "", allow = [], init, isNew = init !== undefined, mount = "/", ...contextOptions } = {}) {
-  const options = { viewport: { width: 1366, height: 768 }, ...contextOptions };
+  const options = { viewport: { width: 1000, height: 640 }, ...contextOptions };
   const key = JSON.stringify({ mount, ...options });
   const window = (!isNew && idle.get(key)) || (await openWindow({ mount, isNew, init, ...options }));
   if (!isNew) idle.delete(key);

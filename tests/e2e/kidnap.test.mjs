@@ -61,7 +61,7 @@ test("the robot is picked up and carried by keys, and escape puts it back", asyn
 
 for (const isPaused of [false, true]) {
   test(`a click puts the held robot down, ${isPaused ? "while time stands still" : "while it runs"}`, async (t) => {
-    const { page, app } = await openApp(t, { address: ROOM });
+    const { page, app } = await openApp(t, { address: ROOM, viewport: { width: 1366, height: 768 } });
     await app.numbersThat(({ time }) => time > 0);
     if (isPaused) await app.pause();
     await app.press("Lift the robot");

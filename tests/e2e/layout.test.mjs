@@ -1,4 +1,4 @@
-// What it looks like on a phone and on a laptop, light and dark. With PICTURES=1 there are pictures.
+// The layout on a phone and on a laptop, light and dark. With PICTURES=1 it takes screenshots.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { openApp } from "./app.mjs";

@@ -36,7 +36,7 @@ test("the copied link opens the same room", async (t) => {
 });
 
 test("a drawn room survives a reload, and its link says elsewhere that it is not there", async (t) => {
-  const { page, app } = await openApp(t, { address: "#room=empty&speed=4" });
+  const { page, app } = await openApp(t, { address: "#room=empty&speed=4", viewport: { width: 1366, height: 768 } });
   const before = await app.reachableArea();
   await app.tool("wall");
   await app.drag([0.5, 0.1], [0.5, 0.6]);

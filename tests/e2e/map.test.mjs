@@ -34,12 +34,13 @@ async function figures(app) {
 async function explore(app, until) {
   await app.page.locator("#map-play").click();
   await app.poll(() => figures(app), ({ time }) => time >= until);
-  await app.page.locator("#map-play").click();
-  await phase(app, "paused");
+  // It may be done with the room at that very moment.
+  await app.page.evaluate(() => document.getElementById("panel-map").dataset.phase === "playing" && document.getElementById("map-play").click());
+  await phase(app, "paused", "finished");
   return figures(app);
 }
 
-/** What the canvas shows, as a number that other pictures hardly have. */
+/** A hash of the canvas' content. */
 const picture = (page) =>
   page.locator("#map-floor").evaluate((canvas) => {
     const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);

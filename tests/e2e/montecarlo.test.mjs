@@ -31,7 +31,7 @@ const table = (page) =>
     })),
   );
 
-/** What a click on an export button saves. */
+/** The file saved by a click on an export button. */
 async function saved(page, kind) {
   const [download] = await Promise.all([page.waitForEvent("download"), page.locator(`[data-export=${kind}]`).click()]);
   assert.match(download.suggestedFilename(), new RegExp(`^runs-.*\\.${kind}$`));

@@ -74,11 +74,11 @@ test("in a small room the search is a film: construction, and what every improve
     await app.frames(2);
     told.push(await note());
     seen.add(await floor());
-    if (/taken apart/.test(told.at(-1)) && !told.slice(0, -1).some((text) => /taken apart/.test(text))) await screenshot("near-optimal-film");
+    if (/is cut there/.test(told.at(-1)) && !told.slice(0, -1).some((text) => /is cut there/.test(text))) await screenshot("near-optimal-film");
   }
   assert.ok(told.some((text) => /^Improvement.* of \d+: the tinted cells will change\.$/.test(text)), told.join("\n"));
-  assert.ok(told.some((text) => /taken apart there; \d+ parts? remains?\.$/.test(text)));
-  assert.ok(told.some((text) => /merged again, .* (less|more|saved) \(.* % of the bound\); now (proven optimal|[\d.]+ % above)/.test(text)));
+  assert.ok(told.some((text) => /is cut there; \d+ parts? remains?\.$/.test(text)));
+  assert.ok(told.some((text) => /rejoined, .* (fewer|more|saved) \(.* % of the bound\); now (proven optimal|[\d.]+ % above)/.test(text)));
   assert.match(told.at(-1), /^Search finished: the plan is (proven optimal|[\d.]+ % above the proven bound)\./);
   assert.ok(seen.size > told.length / 2, "every picture is another");
   await page.getByRole("button", { name: "Play again" }).click();
@@ -115,7 +115,7 @@ test("a plan that was kept early says so and has a film; a room that is too larg
   assert.ok((await box.isChecked()) && (await refusal.isHidden()));
 
   await app.choose("room", "office");
-  assert.match(await refusal.textContent(), /^Rooms with more than 2000 planning cells aren't filmed; this one has \d+\.$/);
+  assert.match(await refusal.textContent(), /^The search is filmed only in rooms of up to 2000 planning cells; this one has \d+\.$/);
   assert.ok((await refusal.isVisible()) && !(await box.isChecked()) && (await box.isDisabled()));
 });
 

@@ -1,4 +1,4 @@
-// Furniture, docks and whoever walks about: placed, moved, saved, and refused where they can't be.
+// Furniture, docks and movers: placed, moved, saved, and refused where they don't fit.
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import { test } from "node:test";
@@ -20,7 +20,7 @@ async function placing(app, kind) {
 
 const selected = (page) => page.locator("#selected").evaluate((menu) => menu.selectedOptions[0]?.textContent);
 
-/** What a saved scenario says. */
+/** The content of a saved scenario. */
 async function saved(app) {
   const [download] = await app.save("scenario");
   return fs.readFileSync(await download.path(), "utf8");

@@ -1,10 +1,10 @@
-// The first seconds: what a newcomer sees, and what those see who asked for less motion.
+// The first seconds: for newcomers, and for users who prefer reduced motion.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { openApp } from "./app.mjs";
 
 test("opens on a robot that is already cleaning", async (t) => {
-  // What the page says in the first frame that it draws with a plan.
+  // The page's text in the first frame that it draws with a plan.
   const init = () => {
     const look = () => {
       const state = document.body?.dataset.state;

@@ -7,7 +7,7 @@ import { anyFile } from "./maps.mjs";
 
 const ROOM = "#room=lshape&planner=snake&robot=cell&cell=0.25";
 
-/** What was downloaded, by name. */
+/** The downloaded files, by name. */
 async function files(downloads) {
   const entries = downloads.map(async (download) => [download.suggestedFilename(), fs.readFileSync(await download.path())]);
   return Object.fromEntries(await Promise.all(entries));

@@ -26,12 +26,12 @@ test("the snake's decisions follow steps and scrubs, in words and on the floor",
   assert.equal(await app.state(), "ready", "showing it plans nothing anew");
 
   const told = [];
-  for (let i = 0; i < 60 && !told.some((text) => text.includes("smaller block")); i++) {
+  for (let i = 0; i < 60 && !told.some((text) => text.includes("cells to clean")); i++) {
     await app.press("One step");
     await app.frames(2);
     told.push(await note.textContent());
   }
-  assert.match(told.at(-1), /^Left and right equal; smaller block: \d+ cells to clean (above|on the left), \d+ (below|on the right).*: /);
+  assert.match(told.at(-1), /^Left and right equal; cells to clean: \d+ (above|on the left), \d+ (below|on the right); (smaller block|nearer edge): /);
   // Also for those who can't see it.
   await app.poll(() => page.locator("#floor").getAttribute("aria-label"), (label) => label.includes(told.at(-1)));
   await screenshot("search-laptop-light");
@@ -53,7 +53,7 @@ test("the search fits a phone", async (t) => {
   await page.getByRole("checkbox", { name: "Show the search" }).tap();
   await page.locator("#setup .sheet-close").tap();
   await page.locator("#search-note").waitFor();
-  for (let i = 0; i < 60 && !(await app.text("#search-note")).includes("smaller block"); i++) {
+  for (let i = 0; i < 60 && !(await app.text("#search-note")).includes("cells to clean"); i++) {
     await page.getByRole("button", { name: "One step" }).tap();
     await app.frames(2);
   }
@@ -63,7 +63,7 @@ test("the search fits a phone", async (t) => {
   await screenshot("search-phone-dark");
   const box = await page.locator("#search-box").boundingBox();
   assert.ok(box.x >= 0 && box.x + box.width <= 390, JSON.stringify(box));
-  // What is told hides nothing of the room: behind it is what is around the room.
+  // The text hides nothing of the room.
   const behind = () =>
     page.locator("#floor").evaluate((canvas, bottom) => {
       const y = Math.floor((bottom - canvas.getBoundingClientRect().top - 1) * devicePixelRatio);

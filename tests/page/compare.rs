@@ -27,7 +27,7 @@ fn comparison(session: &Session, planners: &[&str]) -> Comparison {
     comparison
 }
 
-/// Serves all trials, and tells which planners were asked.
+/// Serves all trials; returns the planners of the requests.
 fn work(comparison: &mut Comparison) -> Vec<String> {
     let mut asked = Vec::new();
     while let Some(request) = comparison.take_trial() {
@@ -279,7 +279,7 @@ fn robot_that_comes_late_catches_up_and_the_race_goes_on() {
     assert_eq!((race.time_s(), race.lanes()[0].run().pose()), before);
     assert_eq!(race.lanes()[0].run().steps(), race.lanes()[1].run().steps());
     assert_eq!(race.state(), SessionState::Playing);
-    // Scrubbing ahead of what has been simulated gets there too, all robots together even if they are told to stop.
+    // Seeking ahead of the simulated time gets there, all robots together, even if the race is paused.
     race.seek(40.0);
     race.pause();
     race.step();

@@ -1,4 +1,4 @@
-//! The drawing board: what comes of files, choices and the hand, without a browser.
+//! The Floor plan tab: results of files, settings and pointing, without a browser.
 
 use floor_drawing::Role;
 use robovac_app::{

@@ -206,7 +206,7 @@ fn selection_ends_with_the_room_and_goes_round() {
         seen.push(hand.selected(&session).unwrap());
     }
     assert_eq!(seen, [0, 1, 0]);
-    assert!(session.description().contains("In it: dirt, a pet."), "{}", session.description());
+    assert!(session.description().contains("Objects: dirt, a pet."), "{}", session.description());
     session.undo();
     assert_eq!(hand.selected(&session), None);
 }

@@ -1,4 +1,4 @@
-//! What the tabs of the page decide and show.
+//! Decisions and displays of the page's tabs.
 
 mod compare;
 mod docs;

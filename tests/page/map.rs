@@ -1,4 +1,4 @@
-//! Surveys as the page has them, without the page.
+//! The Map tab's session, without the page.
 
 use robovac_app::{
     explore::Session,
@@ -12,10 +12,10 @@ use robovac_core::{
 };
 use robovac_sim::{
     Run, STEP_S,
-    mapping::{Mark, OccupancyMap},
+    mapping::{CellMark, OccupancyMap},
 };
 
-/// A survey of the room of a link.
+/// A session in the room of a link.
 fn survey(link: &str) -> MapSession {
     let mut session = Session::new();
     session.restore(link).expect("a link of ours");
@@ -30,7 +30,7 @@ fn small() -> MapSession {
     survey
 }
 
-/// Frames until the survey is somewhere, as many as it takes.
+/// Runs frames until a condition holds.
 fn arrive(survey: &mut MapSession) {
     for _ in 0..100_000 {
         if !matches!(survey.phase(), MapPhase::Resuming | MapPhase::Seeking) {
@@ -77,7 +77,7 @@ fn perfect_wheels_are_typical_here_unless_asked_for() {
     survey.set("senses", "off").expect("a level");
     survey.run_ahead(300.0);
     let [_, odometry] = survey.figures().expect("there is a run");
-    // What is left is where it was pushed along walls.
+    // The remaining error was caused by pushing along walls.
     assert!(odometry.heading_deg < Some(0.5), "perfect wheels hardly do: {odometry:?}");
     // What Explore has chosen is kept.
     let mut session = Session::new();
@@ -146,7 +146,7 @@ fn a_survey_that_was_left_goes_on_where_it_was() {
     let mut back = small();
     back.resume(&text).expect("it is one of ours");
     assert_eq!(back.phase(), MapPhase::Resuming);
-    // What was stored is there before the robot is.
+    // The stored map is there before the robot.
     assert_eq!(known(&back), cells);
     assert_eq!(back.estimate().expect("there is a robot").pose(), pose);
     assert!(back.description().contains("restored from the last visit"));
@@ -222,7 +222,7 @@ fn stored_text_keeps_map_marks_and_pose() {
         list
     };
     assert_eq!(sorted(cells(&stored.map)), sorted(cells(estimate.map)));
-    for mark in [Mark::Cleaned, Mark::Dirty] {
+    for mark in [CellMark::Cleaned, CellMark::Dirty] {
         assert!(estimate.marks.cells(mark).all(|cell| stored.marks.has(cell, mark)));
         assert_eq!(stored.marks.cells(mark).count(), estimate.marks.cells(mark).count());
     }

@@ -74,7 +74,7 @@ fn roomba_fits_and_reaches_most_of_every_room() {
         let least = f64::min(0.7, 1.0 - STRIP * edges as f64 / (f64::from(area) * plan.resolution));
         let share = reachable_share(&plan, roomba);
         println!("{} {:.1} % of {:.1} m2, at least {least:.3}", info.id, 100.0 * share, floor.area() / share);
-        // What stands in a room isn't in its cells, so they tell nothing of how much can be reached.
+        // Objects of a room aren't in its cells, so these don't give the reachable floor.
         if share <= least && plan.objects.is_empty() {
             tight.push(info.id);
         }
@@ -171,7 +171,7 @@ mod formats {
         let mut bytes = Cursor::new(Vec::new());
         let image = image.into();
         if format == ImageFormat::Pnm {
-            // By default it would be a PAM, which nobody uses for maps.
+            // The default would be a PAM, which is unusual for maps.
             let pgm = PnmEncoder::new(&mut bytes).with_subtype(PnmSubtype::Graymap(SampleEncoding::Binary));
             image.write_with_encoder(pgm).unwrap();
         } else {

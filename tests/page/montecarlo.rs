@@ -177,7 +177,7 @@ fn study(session: &Session, behaviours: &str, planners: &str, seeds: u32) -> Stu
     study
 }
 
-/// Makes all runs that are missing; the names and seeds that were asked for.
+/// Makes all missing runs; returns the names and seeds of the requests.
 fn work(study: &mut Study) -> Vec<(String, Vec<u64>)> {
     let mut asked = Vec::new();
     study.run();

@@ -1,6 +1,6 @@
 //! The plan that the page opens with is what the planner finds, made in advance.
 //!
-//! After a change of a planner: `UPDATE=1 cargo test --test opening` writes it anew.
+//! After a change of a planner: `UPDATE=1 cargo test --test opening` writes it again.
 
 use coverage_planners::{Bounds, CoveragePath, Proof, metrics::WalkMetrics};
 use robovac_app::explore::{Session, opening};
@@ -49,7 +49,7 @@ fn kept_plan_is_as_good_as_it_says() {
     let path = CoveragePath { cells: opening::from_runs(job.start, opening::WALK) };
     let cost = WalkMetrics::of(&job, &path).cost() as u64;
     assert_eq!(opening::PROOF, Proof { cost, bound: Bounds::of(&job).cost as u64 }, "opening.rs tells something else");
-    // It is told at once, as no worker is there to work it out.
+    // It is available at once, without a worker.
     let mut session = Session::new();
     assert!(session.take_plan_request().is_none());
     assert_eq!(session.view().plan.unwrap().above_bound, Some(opening::PROOF.gap()));
@@ -66,7 +66,7 @@ fn opens_without_a_planner_and_without_an_invented_time() {
     assert!(session.take_plan_request().is_none() && session.planned().is_some());
     session.configure(|s| s.set_slip("typical")).unwrap();
     assert!(session.take_plan_request().is_none() && session.planned().is_some());
-    // Once something else was asked for, planners answer.
+    // After another request, planners answer.
     session.select_room("empty").unwrap();
     session.plan_now(|| 0.0);
     session.select_room(ROOMS[0].id).unwrap();

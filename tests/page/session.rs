@@ -55,7 +55,7 @@ fn every_room_is_cleaned_to_the_end() {
         finish(&mut session);
         let view = session.view();
         assert_eq!(session.state(), SessionState::Finished, "{}", room.id);
-        // Who waits for somebody in the way may have to leave some floor out.
+        // A follower that waits for people in the way can leave some floor out.
         let is_alone = !session.plan().objects.iter().any(|object| matches!(object, Object::Mover { .. }));
         let (least, spare) = if is_alone { (0.95, 0.01) } else { (0.9, 0.05) };
         assert!(view.coverage > least, "{}: {:.4} covered of {:.4}", room.id, view.coverage, planned.drive.coverage);
@@ -353,7 +353,7 @@ fn best_walk_so_far_is_kept() {
     session.configure(|s| s.select_algorithm("near_optimal")).unwrap();
     let request = session.take_plan_request().unwrap();
     let mut gaps = Vec::new();
-    // As the page does it: somebody presses the button as soon as there is one.
+    // As on the page: the button is pressed as soon as there is one.
     let mut watch = |report: ProgressReport<'_>| {
         session.plan_progress(request.id, report);
         gaps.extend(session.view().plan.unwrap().gap);
@@ -400,8 +400,8 @@ fn search_of_a_small_room_is_a_film() {
     assert!(!improvements.is_empty(), "{told:?}");
     for three in improvements.chunks(3) {
         assert!(three[0].starts_with("Improvement") && three[0].ends_with("will change."), "{three:?}");
-        assert!(three[1].contains("taken apart there; "), "{three:?}");
-        assert!(three[2].contains("merged again, ") && three[2].contains(" % of the bound); now "), "{three:?}");
+        assert!(three[1].contains("is cut there; "), "{three:?}");
+        assert!(three[2].contains("rejoined, ") && three[2].contains(" % of the bound); now "), "{three:?}");
     }
     assert!(told[told.len() - 1].starts_with("Search finished: the plan is "), "{told:?}");
     session.show_search(false);
@@ -555,7 +555,7 @@ fn search_of_the_snake_follows_the_robot() {
     let [(first, a), (second, b)] = block.sides.unwrap();
     assert_eq!(second, first.opposite());
     assert!(
-        block.note.contains(&format!("{a} cells to clean")) && block.note.contains(&b.to_string()),
+        block.note.contains(&format!("cells to clean: {a} ")) && block.note.contains(&b.to_string()),
         "{}",
         block.note
     );
@@ -593,8 +593,8 @@ fn search_is_only_shown_where_there_is_one() {
     let search = session.view().search;
     assert!(search.on && !search.offered && search.text.is_empty(), "boustrophedon doesn't trace");
     for (planner, refusal) in [
-        ("snake", "more than 20000 planning cells aren't shown"),
-        ("near_optimal", "more than 2000 planning cells aren't filmed"),
+        ("snake", "shown only in rooms of up to 20000 planning cells"),
+        ("near_optimal", "filmed only in rooms of up to 2000 planning cells"),
     ] {
         session.restore(&format!("room=hall20&planner={planner}")).unwrap();
         let search = session.view().search;

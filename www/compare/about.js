@@ -38,7 +38,7 @@ export function startAbout(it) {
       ),
     );
     dialog.showModal();
-    // A new canvas: what was drawn on the old one is kept by nobody.
+    // A new canvas: the old one and its content are dropped.
     const old = byId("about-path");
     const canvas = /** @type {HTMLCanvasElement} */ (old.cloneNode());
     old.replaceWith(canvas);

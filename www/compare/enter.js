@@ -1,5 +1,5 @@
 // @ts-check
-// The tab Compare with all that it needs: style, workshop, modules. Loaded when it is first opened.
+// The tab Compare with its style, workshop and modules. Loaded when it is first opened.
 import init from "../../workshop.js";
 import { startCompare } from "./tab.js";
 import { byId } from "../dom.js";

@@ -45,7 +45,7 @@ export function entrantItem({ id, title, params }, mark, scope, { choose, setPar
 }
 
 /**
- * Shows in an item what is chosen.
+ * Shows the choices in an item.
  * @param {Element | null | undefined} item
  * @param {{ chosen: boolean, params: Record<string, string | number | boolean> }} entrant
  */

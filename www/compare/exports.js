@@ -1,10 +1,10 @@
 // @ts-check
-// What is compared as files: numbers as CSV and JSON, charts as SVG and PNG.
+// Exports of comparisons: numbers as CSV and JSON, charts as SVG and PNG.
 import { byId } from "../dom.js";
 import { download, fileName } from "../files.js";
 import { complain } from "../messages.js";
 
-/** What the style sheet says of charts and a file must say itself. */
+/** Styles of charts from the style sheet, which files must contain themselves. */
 const STYLES = ["fill", "fill-opacity", "stroke-linejoin", "stroke-linecap", "stroke", "stroke-width", "stroke-dasharray", "font-family", "font-size", "font-weight", "text-anchor", "opacity"];
 /** Pixels of a PNG for each unit of the drawing. */
 const SCALE = 2;
@@ -13,7 +13,7 @@ const GAP = 24;
 /**
  * @typedef {{ name: string, csv: () => string, json: () => string, charts: HTMLElement }} Exported
  * @param {import("../main.js").App} app
- * @param {() => Exported} shown What is exported of the view that is shown.
+ * @param {() => Exported} shown The exports of the current view.
  */
 export function startExports(app, shown) {
   /** @param {string} ending */
@@ -49,7 +49,7 @@ function drawing(charts) {
     });
     const colour = getComputedStyle(figure).color;
     const title = `<text x="${GAP}" y="${y + 12}" fill="${colour}" font-family="sans-serif" font-weight="600" font-size="14">${figure.querySelector("figcaption")?.innerHTML}</text>`;
-    // What follows the pointer is nobody's result.
+    // The crosshair of the pointer isn't exported.
     for (const live of copy.querySelectorAll("[data-live]")) live.remove();
     const part = `${title}<g transform="translate(${GAP} ${y + 20})">${copy.innerHTML}</g>`;
     y += box.height + 20 + GAP;

@@ -1,5 +1,5 @@
 // @ts-check
-// Many runs (Monte Carlo): who is run and how often, the workers that do it, and what came out.
+// Many runs (Monte Carlo): the entrants and the number of runs, the workers, and the results.
 import { MonteCarlo } from "../../workshop.js";
 import { startChart } from "./coverage-chart.js";
 import { button, byId, changed, fill, select, setAttribute, setHidden, setText, typed } from "../dom.js";
@@ -18,7 +18,7 @@ import { showTable } from "./runs-table.js";
 const REDRAW = 400;
 /** Most workers. A lab is small: a room and some lines. */
 const MOST_WORKERS = 16;
-/** What figure 18 of Hasan, Al-Nahid & Reza 2014 shows: their four behaviours and the cycle of them, in their room. */
+/** The study of figure 18 of Hasan, Al-Nahid & Reza 2014: their four behaviours and their cycle, in their room. */
 const FIGURE = {
   place: "room=room12ft&robot=dvr1&slip=typical&noise=typical",
   study: "runs=random_walk,spiral_out,s_path,wall_follow,cleaning_cycle&paths=&times=100&minutes=60",
@@ -149,7 +149,7 @@ function titleOf({ catalogue }, { room, robot, slip, noise, quantised }, { minut
 function updateChoices(view, offer, items) {
   for (const [id, offered, now] of /** @type {const} */ ([["runs-seeds", offer.seeds, view.seeds], ["runs-minutes", offer.minutes, view.minutes]])) {
     if (!changed(select(id), "now", now)) continue;
-    // A link may ask for another number.
+    // A link can contain another number.
     const all = offered.includes(now) ? offered : [...offered, now].sort((a, b) => a - b);
     fill(select(id), all.map((n) => [String(n), String(n)]));
     select(id).value = String(now);
@@ -176,7 +176,7 @@ function updateProgress({ running, done, total, seeds, minutes, entrants }, bega
   setAttribute(go, "aria-disabled", String(idle));
   setHidden(byId("runs-bar"), !running);
   setAttribute(typed("runs-bar", HTMLProgressElement), "value", (done / Math.max(total, 1)).toFixed(3));
-  const plan = who === 0 ? "Choose at least one algorithm." : `${who} ${who === 1 ? "algorithm" : "algorithms"}, ${seeds} runs of ${minutes} minutes each: ${count((total * minutes) / 60)} simulated hours.`;
+  const plan = who === 0 ? "Choose at least one algorithm." : `${who} ${who === 1 ? "algorithm" : "algorithms"}, ${seeds} runs of ${minutes} minutes each: ${count((total * minutes) / 60)} h of simulated time.`;
   setText(byId("runs-plan"), plan);
   const far = total > 0 && done >= total ? `${count(total)} runs done` : done > 0 ? `${done} of ${total} runs done` : "";
   setText(byId("runs-far"), running ? `${done} of ${total} runs${timeLeft(done, total, began)}` : far);

@@ -37,7 +37,7 @@ export function startNumbers(it) {
     head.replaceChildren(make("tr", {}, make("th", { scope: "col" }, "Algorithm"), ...metrics.map((metric, column) => heading(metric, column, order, sortBy))));
     body.replaceChildren(...sorted(rows, metrics, order).map((row) => line(it, row, metrics, rows, select("table-room").value === "all" ? it.view.rooms.length : 1)));
     drawCharts(byId("charts"), table, app.catalogue.planners, it.about);
-    // Whoever works with the keyboard stays where they were.
+    // The keyboard focus stays where it was.
     const same = focused && byId("compared").querySelector(`[data-key="${focused}"]`);
     if (same instanceof HTMLElement) same.focus({ preventScroll: true });
   };
@@ -59,7 +59,7 @@ export function startNumbers(it) {
 /** @param {import("../types").ComparisonView} view @param {boolean} together */
 function note({ seeds, entrants }, together) {
   const chance = seeds > 1 && entrants.some(({ chosen }) => chosen) ? ` Randomised algorithms: median of ${seeds} seeds, range below it.` : "";
-  return `${together ? "Sums over the rooms; percentages are means." : ""}${chance} As planned, without wheel slip; in the race, tracking the path and correcting at corners takes some percent longer. Click a row to see its path.`.trim();
+  return `${together ? "Sums over the rooms; percentages are means." : ""}${chance} As planned, without wheel slip; in the race, tracking the path and correcting at corners takes a few percent longer. Click a row to see its path.`.trim();
 }
 
 /** @param {Table} table */
@@ -112,7 +112,7 @@ function difference(row, column, metric, rows, planners) {
   const value = row.values[column]?.median ?? 0;
   const least = best[0]?.values[column]?.median;
   if (least === undefined) return metric.definition;
-  if (row.best[column]) return `${metric.label}: the best here${best.length > 1 ? `, with ${best.length - 1} more` : ""}. ${metric.definition}`;
+  if (row.best[column]) return `${metric.label}: the best here${best.length > 1 ? `, tied with ${best.length - 1} more` : ""}. ${metric.definition}`;
   const names = best.map((other) => planners[other.entrant]?.title).join(", ");
   const more = value > least ? "more" : "less";
   const by = metric.unit === "%" || least === 0 ? `${shown(Math.abs(value - least), metric)} ${metric.unit === "%" ? "points" : ""}` : `${Math.abs((100 * (value - least)) / least).toFixed(0)} %`;

@@ -3,8 +3,8 @@
 
 /**
  * @typedef {{ worker: Worker, busy: number | undefined }} Hand
- * @typedef {object} Source Who has work, and takes what comes of it.
- * @property {"trial" | "runs"} type What the workers are told to do.
+ * @typedef {object} Source A source of work that takes the results.
+ * @property {"trial" | "runs"} type The kind of work.
  * @property {number} most Most workers: each holds a room and a planner's memory.
  * @property {() => { id: number } | undefined} take
  * @property {(id: number) => boolean} isWanted
@@ -30,7 +30,7 @@ export class Pool {
     this.#guard = guard;
   }
 
-  /** Gives work to whoever is idle, and ends what isn't wanted any more. */
+  /** Gives work to idle workers, and ends work that is no longer required. */
   tend() {
     const hands = this.#hands;
     for (const hand of hands) {

@@ -17,7 +17,7 @@ import { startTransport, through } from "../shared/time-line.js";
 /** Milliseconds between redraws of the curves. */
 const REDRAW = 250;
 
-/** What the figures of a robot mean, and why they differ from those of the table. */
+/** Definitions of a robot's figures, and why they differ from those of the table. */
 const DRIVEN = "Rank, coverage, and time when it is done. In the race the robot tracks its path and corrects itself at corners, so it takes a few percent longer than planned (see Numbers).";
 
 /** @param {Comparing} it */
@@ -57,7 +57,7 @@ export function startRace(it) {
 /** @param {Comparing} it */
 function hint({ view: { entrants, done, total, cancelled } }) {
   if (!entrants.some(({ chosen }) => chosen)) return "Choose at least two algorithms.";
-  if (done < total && !cancelled) return "Planning. Robots line up as their plans are ready.";
+  if (done < total && !cancelled) return "Planning. Each robot lines up when its plan is ready.";
   const failure = entrants.find(({ state }) => state === "failed")?.message;
   return failure ? `No plan can be made here: ${failure}` : "None of these algorithms has a plan for this room yet.";
 }
@@ -95,7 +95,7 @@ function updateLanes({ app }, race) {
 /** @param {RaceView | null} race */
 const isMoving = (race) => ["playing", "seeking"].includes(race?.state ?? "");
 
-/** What the time line spans, s. @param {RaceView} race */
+/** Range of the time line, s. @param {RaceView} race */
 const rangeOf = (race) => Math.max(race.planned_s, race.end_s, 1);
 
 /** Coverage over time of every robot. @param {Comparing} it @param {RaceView} race */

@@ -1,5 +1,5 @@
 // @ts-check
-// The table of many runs: times to 90 and 99 %, what is clean at the end, and what happened on the way.
+// The table of many runs: times to 90 and 99 %, final coverage, and other results.
 import { byId, make } from "../dom.js";
 import { clock, count, metres, percent } from "../format.js";
 
@@ -8,7 +8,7 @@ import { clock, count, metres, percent } from "../format.js";
  * @typedef {{ title: string, explores: boolean, mark: HTMLElement, summary: Summary | null, failure: string }} Row
  */
 
-/** Columns: name, unit, what it is. */
+/** Columns: name, unit, definition. */
 const COLUMNS = /** @type {const} */ ([
   ["90 % clean", "min", "Time until 90 % of the reachable floor was swept: the median, and below it the 10 % and 90 % quantiles. Lower is better."],
   ["reached", "of runs", "Share of the runs that swept 90 % in time."],
@@ -21,7 +21,7 @@ const COLUMNS = /** @type {const} */ ([
   ["Dirt left", "% at the end", "Share of the dirt left at the end. Lower is better."],
 ]);
 
-/** The same where those that explore take part, who sweep nothing but meet walls and furniture. */
+/** The same with exploring behaviours, which detect walls and furniture instead of sweeping. */
 const EXPLORING = /** @type {const} */ ([
   ["90 % found", "min", "Time until bumper or light bumper had found 90 % of the reachable walls and furniture; for cleaning algorithms, until 90 % of the floor was swept. Lower is better."],
   ["reached", "of runs", "Share of the runs that reached 90 % in time."],

@@ -1,5 +1,5 @@
 // @ts-check
-// What goes on beyond the right edge fades there, so that one sees that it can be scrolled.
+// Content beyond the right edge fades there, as a cue that it can be scrolled.
 
 /** @param {HTMLElement} node What scrolls. */
 export function cueScroll(node) {

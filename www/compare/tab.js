@@ -1,5 +1,5 @@
 // @ts-check
-// The tab Compare: who takes part, how far the trials are, and which view of them is shown.
+// The tab Compare: the entrants, the progress of trials, and the current view of them.
 import { Comparison, SessionMirror } from "../../workshop.js";
 import { startAbout } from "./about.js";
 import { button, byId, changed, fill, select, setAttribute, setHidden, setText, typed } from "../dom.js";
@@ -20,7 +20,7 @@ import { startRuns } from "./montecarlo.js";
  * @property {Comparison} comparison
  * @property {CompareView} view
  * @property {(what: (comparison: Comparison) => void) => boolean} act
- * @property {(entrant: number) => void} about Tells about an algorithm and shows its path.
+ * @property {(entrant: number) => void} about Shows an algorithm's description and path.
  */
 
 /** @typedef {"race" | "numbers" | "runs"} ViewName The views of this tab. @type {ViewName[]} */
@@ -133,7 +133,7 @@ function startSetup(it) {
   button("choose-fast").addEventListener("click", () => chooseAll((fast) => fast));
   button("choose-all").addEventListener("click", () => chooseAll(() => true));
   button("trying-stop").addEventListener("click", () => act((c) => (it.view.cancelled ? c.resume() : c.cancel())));
-  // On a phone the choices would hide what they are about.
+  // On a phone the choices would hide the results.
   const small = matchMedia("(max-width: 900px)");
   const fold = () => (typed("compare-setup", HTMLDetailsElement).open = !small.matches);
   fold();

@@ -1,5 +1,5 @@
 // @ts-check
-// Calibration, guided: what the robot will do, what to look at, what came of it; kept for each robot in this browser.
+// Guided calibration: the robot's motion, the measurement, the result; stored for each robot in this browser.
 import { byId, changed, make, setAttribute, setEnabled, setHidden, setText } from "../dom.js";
 import { draw } from "../portrait.js";
 import { keep, kept } from "./dialogs.js";
@@ -14,12 +14,12 @@ const STEPS = [
   { what: "square", title: "4. Square", text: "Drives a square of one metre. It should end where it began: a check of the calibration.", room: "Needs 1.5 m ahead and to the left.", path: "M40 96v-76h76v76z" },
 ];
 
-/** What is known of a robot that wasn't calibrated. */
+/** The values of a robot that wasn't calibrated. */
 const NOTHING = { swapped: false, distance_factor: 1, base_factor: 1 };
 
 /** @param {import("./tab.js").ConnectionTab} it @returns {(view: import("./types").ConnectionView) => void} */
 export function startCalibrate(it) {
-  /** What is kept of a robot: its line, by name; virtual ones have a nature of their own each. @param {import("./types").ConnectionView} view */
+  /** Storage key of a robot: the name of its line; virtual robots by personality. @param {import("./types").ConnectionView} view */
   const keyOf = ({ transport }) => `connection-calibration ${transport.kind} ${it.personality || transport.name}`;
   const starts = STEPS.map(({ what, title, text, room, path }) => {
     const svg = draw("svg", { viewBox: "0 0 160 116", class: "connection-picture", "aria-hidden": "true" });
@@ -53,7 +53,7 @@ export function startCalibrate(it) {
   });
   yes.addEventListener("click", () => void it.request({ do: "answer", value: 1 }));
   no.addEventListener("click", () => void it.request({ do: "answer", value: 0 }));
-  /** For which robot it was sent what is kept. */
+  /** The robot whose stored values have been sent. */
   let restored = "";
 
   return (view) => {
@@ -68,7 +68,7 @@ export function startCalibrate(it) {
       setEnabled(start, can.drive && !goes);
       setAttribute(item, "class", calibration.what === item.getAttribute("data-what") ? `now ${calibration.step}` : "");
     }
-    setText(told, calibration.text || (view.is_recording ? "This is a recording: nothing can be driven." : can.drive ? "Four short drives make odometry more accurate. Each can be skipped." : "Take control first: the robot has to move for this."));
+    setText(told, calibration.text || (view.is_recording ? "This is a recording: you can't calibrate." : can.drive ? "Four short drives make odometry more accurate. Each can be skipped." : "Take control first: the robot has to move for this."));
     setHidden(number, calibration.step !== "asking" || (calibration.asks !== "deg" && calibration.asks !== "m"));
     setHidden(choice, calibration.step !== "asking" || calibration.asks !== "yes");
     const { what, step, asks, suggestion, swapped, distance_factor, base_factor } = calibration;

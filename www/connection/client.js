@@ -1,24 +1,25 @@
 // @ts-check
-// The page's end of a connection to a robot. All that matters happens in the worker: the page may be busy.
+// The page's end of a connection to a robot. Everything critical runs in two workers, as the page can be busy: one drives, the
+// other holds the line, and each watches the other.
 import { choosePort } from "./ports.js";
 import { watchPage } from "./safety.js";
 
 /** @typedef {import("./types").Failure} Failure */
 
-/** How often the worker is told that the page is alive, ms. It stops the robot when it hasn't heard for 150 ms. */
+/** Interval of beats to the worker, ms. Without them it slows the robot down, then stops it. */
 const BEAT_MS = 40;
 
 /**
  * A connection to a robot, real or virtual. Set the callbacks, then `open`.
  *
- * Everything that is refused or fails comes to `onfailed`; promises of methods then say `false` and never reject.
+ * Refusals and failures are reported to `onfailed`; promises of methods then resolve to `false` and never reject.
  */
 export class ConnectionClient {
   /** 20 times a second while something is open, and once when it closes. @type {(view: import("./types").ConnectionView) => void} */
   onview = () => {};
-  /** What went over the line since, oldest first. @type {(traffic: import("./types").Traffic[]) => void} */
+  /** New traffic, oldest first. @type {(traffic: import("./types").Traffic[]) => void} */
   ontraffic = () => {};
-  /** Estimated trail since: x, y in m, heading in rad, what it felt, in turn. @type {(trace: Float64Array) => void} */
+  /** New part of the estimated trail: x, y in m, heading in rad, contacts, in turn. @type {(trace: Float64Array) => void} */
   ontrace = () => {};
   /** @type {(failure: Failure) => void} */
   onfailed = () => {};
@@ -26,10 +27,12 @@ export class ConnectionClient {
   #module;
   /** @type {Worker} */
   #worker;
+  /** Holds the line. @type {Worker} */
+  #holder;
   #isBroken = false;
   #beats = 0;
   #asked = 0;
-  /** Who waits for which answer. @type {Map<number, (value: boolean | string) => void>} */
+  /** Pending requests by id. @type {Map<number, (value: boolean | string) => void>} */
   #waiting = new Map();
   #release;
   /** @type {import("./types").ConnectionView | undefined} */
@@ -39,24 +42,35 @@ export class ConnectionClient {
   /** @param {WebAssembly.Module} module workshop_bg.wasm, compiled */
   constructor(module) {
     this.#module = module;
-    this.#worker = this.#start();
-    this.#release = watchPage((why) => this.#tell({ type: "leave", why }), () => this.#mayMove());
+    [this.#worker, this.#holder] = this.#start();
+    const leave = (/** @type {string} */ why) => {
+      if (this.#mayMove()) this.#holder.postMessage({ type: "stop" });
+      this.#tell({ type: "leave", why });
+    };
+    this.#release = watchPage(leave, () => this.#mayMove());
   }
 
+  /** @returns {[driver: Worker, holder: Worker]} */
   #start() {
     const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
-    worker.addEventListener("message", ({ data }) => this.#heard(data));
-    worker.addEventListener("error", (event) => this.#broke(event.message || "it could not be started"));
-    this.#tell({ type: "init", module: this.#module }, worker);
-    return worker;
+    const holder = new Worker(new URL("./line-worker.js", import.meta.url), { type: "module" });
+    for (const either of [worker, holder]) {
+      either.addEventListener("message", ({ data }) => this.#heard(data));
+      either.addEventListener("error", (event) => this.#broke(event.message || "it could not be started"));
+    }
+    const { port1, port2 } = new MessageChannel();
+    worker.postMessage({ type: "init", module: this.#module, holder: port1 }, [port1]);
+    holder.postMessage({ type: "init", driver: port2 }, [port2]);
+    return [worker, holder];
   }
 
   /** After an error of the program, the next connection has a worker of its own. */
   #revive() {
     if (!this.#isBroken) return;
     this.#worker.terminate();
+    this.#holder.terminate();
     this.#isBroken = false;
-    this.#worker = this.#start();
+    [this.#worker, this.#holder] = this.#start();
   }
 
   /** Whether something is connected, or about to be. */
@@ -65,8 +79,8 @@ export class ConnectionClient {
   }
 
   /**
-   * Connects; what was connected before is closed. For a serial port without `port` this has to be called by a click. Says
-   * `false` if nothing was opened: `onfailed` was told why, unless the user just chose nothing.
+   * Connects; what was connected before is closed. For a serial port without `port` this has to be called by a click.
+   * Resolves to `false` if nothing was opened, which `onfailed` reports unless the user chose no port.
    * @param {import("./types").Target} target
    * @returns {Promise<boolean>}
    */
@@ -76,7 +90,7 @@ export class ConnectionClient {
       if (!known) return false;
       if (this.isOpen) await this.close();
       this.#revive();
-      // A page that isn't seen counts as away, whatever becomes of its timers.
+      // A hidden page counts as gone, as its timers are unreliable.
       this.#beats = window.setInterval(() => document.visibilityState === "visible" && this.#tell({ type: "beat", at: performance.now() / 1000 }), BEAT_MS);
       const opened = await this.#ask({ type: "open", id: 0, target: known });
       if (!opened) this.#rest();
@@ -107,8 +121,8 @@ export class ConnectionClient {
   }
 
   /**
-   * Lets the algorithm drive that is chosen in what was followed: a behaviour, or the planned line with these corners, x and y
-   * in turn, m. Says whether it does.
+   * Starts the algorithm of the followed snapshot: a behaviour, or the planned line with these corners, x and y in
+   * turn, m. Resolves to whether it drives.
    * @param {Float64Array | number[]} corners
    * @returns {Promise<boolean>}
    */
@@ -117,31 +131,32 @@ export class ConnectionClient {
     return (await this.#ask({ type: "ride", id: 0, corners: Float64Array.from(corners) })) === true;
   }
 
-  /** Stops the robot and gives control back. @param {string} why A sentence for the user who comes back. */
+  /** Stops the robot and gives control up. @param {string} why A sentence for a returning user. */
   leave(why) {
     this.#tell({ type: "leave", why });
   }
 
-  /** What a hand does to the virtual robot. @param {import("./types").Touch} touch */
+  /** An action of a person on the virtual robot. @param {import("./types").Touch} touch */
   virtual(touch) {
     this.#tell({ type: "virtual", touch });
   }
 
-  /** Everything that went over the line so far, as a recording. @returns {Promise<string>} */
+  /** All traffic so far, as a recording. @returns {Promise<string>} */
   async recording() {
     return String(await this.#ask({ type: "recording", id: 0 }));
   }
 
-  /** Closes, and ends the worker. It can't be used any more. */
+  /** Closes, and ends the workers. It can't be used any more. */
   async end() {
     await this.close();
     this.#release();
     this.#worker.terminate();
+    this.#holder.terminate();
   }
 
   /** @param {import("./types").ToConnection} message */
-  #tell(message, worker = this.#worker) {
-    worker.postMessage(message);
+  #tell(message) {
+    this.#worker.postMessage(message);
   }
 
   /** @param {Extract<import("./types").ToConnection, { id: number }>} message @returns {Promise<boolean | string>} */
@@ -156,7 +171,12 @@ export class ConnectionClient {
 
   /** @param {import("./types").FromConnection} message */
   #heard(message) {
-    if (message.type === "view") {
+    if (message.type === "line-gone") this.#holder.terminate();
+    else if (message.type === "driver-gone") {
+      this.#worker.terminate();
+      this.#broke("it stopped responding, and a stop command was sent");
+    } else if (message.type === "line-broke") this.#broke(message.why);
+    else if (message.type === "view") {
       this.#view = message.view;
       this.onview(message.view);
     } else if (message.type === "traffic") this.ontraffic(message.traffic);
@@ -184,7 +204,7 @@ export class ConnectionClient {
     this.#beats = 0;
   }
 
-  /** Whether the robot moves, or could by what was asked for since the latest view. */
+  /** Whether the robot moves, or can by requests since the latest view. */
   #mayMove() {
     if (!this.isOpen) return false;
     const { mode, ride } = this.#view ?? { mode: "", ride: null };

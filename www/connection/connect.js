@@ -1,5 +1,5 @@
 // @ts-check
-// Connecting: what can be connected to, and what is found there, in pictures.
+// Connecting: the possible connections, and the diagnosis, in pictures.
 import { VirtualRobot } from "../../workshop.js";
 import { button, byId, changed, fill, input, make, select, setAttribute, setHidden, setText } from "../dom.js";
 import { kept, keep, readSafety } from "./dialogs.js";
@@ -49,7 +49,7 @@ export function startConnect(it) {
       setHidden(byId("connection-welcome"), open);
       setHidden(byId("connection-need"), open);
       setHidden(byId("connection-line-buttons"), !open);
-      // What had the focus is gone.
+      // The element with the focus is gone.
       if (open !== wasOpen && (document.activeElement === document.body || !document.activeElement?.checkVisibility())) byId(open ? "connection-floor" : "connection-virtual").focus();
       wasOpen = open;
     }

@@ -1,5 +1,5 @@
 // @ts-check
-// What goes over the line, decoded and as bytes; and bytes of one's own.
+// The line's traffic, decoded and as bytes; and sending raw bytes.
 import { button, byId, fill, input, make, select, setAttribute, setEnabled, setText } from "../dom.js";
 import { count } from "../format.js";
 import { download } from "../files.js";
@@ -12,7 +12,7 @@ import { danger, parse } from "./raw.js";
 const [SHOWN, KEPT] = [300, 20_000];
 /** @type {[kind: string, name: string][]} */
 const KINDS = [["", "Everything"], ["talk", "All but readings"], ["sent", "Commands"], ["frame", "Readings"], ["refused", "Rejected readings"], ["text", "Robot's own text"], ["bytes", "Other bytes"], ["line", "Connection"]];
-/** How a line of each kind begins, for those who don't see its colour. */
+/** Prefix of each kind of line, in addition to its colour. */
 const SIGNS = { sent: "→", frame: "←", refused: "✗", text: "“", bytes: "·", line: "–" };
 
 /** @param {import("./tab.js").ConnectionTab} it */
@@ -23,10 +23,11 @@ export function startConsole(it) {
   fill(kinds, KINDS);
   /** @type {Traffic[]} */
   let log = [];
-  /** What came while paused. */
+  /** Traffic received while paused. */
   let isPaused = false;
   let isStale = true;
-  /** Shown last, if a reading that repeats goes on in it. @type {{ traffic: Traffic, node: HTMLElement } | undefined} */
+  /** The last line, if a repeated reading continues in it. @type {{ traffic: Traffic, node: HTMLElement } | undefined}
+   */
   let last;
 
   const isWanted = (/** @type {Traffic} */ { kind, text, hex }) => {
@@ -122,7 +123,7 @@ function startRaw(it) {
     const isWrong = fault !== "" || refused !== "";
     setAttribute(field, "aria-invalid", String(isWrong));
     told.classList.toggle("fault", isWrong);
-    setText(told, fault || (bytes.length === 0 ? "Bytes go to the robot unchanged and may move it." : `${bytes.length} bytes: ${hex}.${names.length > 0 ? ` May move it: ${names.join(", ")}.` : ""}${refused && ` ${refused}`}`));
+    setText(told, fault || (bytes.length === 0 ? "Bytes go to the robot unchanged and may move it." : `${bytes.length} ${bytes.length === 1 ? "byte" : "bytes"}: ${hex}.${names.length > 0 ? ` May move it: ${names.join(", ")}.` : ""}${refused && ` ${refused}`}`));
     return { bytes: isWrong ? [] : bytes, names };
   };
   field.addEventListener("input", read);

@@ -1,5 +1,5 @@
 // @ts-check
-// Who is in control: modes, why one was lost, sleep and battery, and the stop that is always there.
+// Control of the robot: modes, why one was lost, sleep and battery, and the stop button.
 import { button, byId, changed, setAttribute, setEnabled, setHidden, setText } from "../dom.js";
 import { currentTab } from "../tabs.js";
 import { ask } from "./dialogs.js";
@@ -44,7 +44,7 @@ export function startControl(it) {
       setAttribute(row, "aria-current", String(isIn));
     }
     setEnabled(button("connection-arm"), view.can.arm && view.mode !== "Safe");
-    // Only marked: who asks why it can't be had is told.
+    // Only marked as disabled: clicking it explains why.
     setAttribute(button("connection-full"), "aria-disabled", String(!view.can.arm));
     setAttribute(button("connection-full"), "data-tip", fullTip(view));
     setHidden(button("connection-bar-arm"), !isThere || !view.can.arm || view.drop !== null);
@@ -66,8 +66,8 @@ const fullTip = ({ can, mode }) =>
   can.arm ? "The page drives, and the robot never stops by itself. You have to confirm." : mode === "Full" ? "Already active." : mode === "Safe" ? "Not from Safe: release control first." : "No robot is connected.";
 
 /**
- * Space and Escape stop the robot, wherever the focus is. Buttons are pressed by Enter here: whoever stops twice must not
- * start what the focus is on.
+ * Space and Escape stop the robot, wherever the focus is. Buttons are pressed by Enter here: stopping twice must not
+ * start the focused action.
  * @param {ConnectionTab} it @param {() => void} stop
  */
 function startStopKeys(it, stop) {

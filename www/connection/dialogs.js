@@ -12,10 +12,10 @@ import { button, byId, make, setHidden, setText, typed } from "../dom.js";
  * @property {boolean} [isWarning]
  */
 
-/** Asks; says whether the answer was yes. @param {Question} question @returns {Promise<boolean>} */
+/** Asks; resolves to whether the answer was yes. @param {Question} question @returns {Promise<boolean>} */
 export const ask = async (question) => (await choose(question)) === "yes";
 
-/** Asks; says what was answered: "yes", "other" or "no". @param {Question} question @returns {Promise<string>} */
+/** Asks; resolves to the answer: "yes", "other" or "no". @param {Question} question @returns {Promise<string>} */
 export function choose({ title, points, yes, other = "", no = "Cancel", isWarning = false }) {
   const dialog = typed("connection-ask", HTMLDialogElement);
   setText(byId("connection-ask-title"), title);
@@ -36,13 +36,13 @@ export function choose({ title, points, yes, other = "", no = "Cancel", isWarnin
 
 const READ = "connection-safety";
 
-/** Before the first connection to a real robot: what can happen, and where to put it. @returns {Promise<boolean>} */
+/** Safety notes before the first connection to a real robot. @returns {Promise<boolean>} */
 export async function readSafety() {
   if (kept(READ)) return true;
   const agreed = await ask({
     title: "Before it moves",
     points: [
-      "Put it on the floor in the middle of a room, never on a table, and away from stairs. It weighs 3.5 kg and drives half a metre a second.",
+      "Put it on the floor in the middle of a room, never on a table, and away from stairs. It weighs 3.5 kg and drives up to half a metre per second.",
       "Nothing moves until you take control, and then in Safe mode: it stops by itself at a cliff, when a wheel drops, and when its charger is plugged in.",
       "The Stop button, the space bar and Escape stop it. So does hiding or closing this page.",
       "A pulled cable doesn't stop it: the robot continues with the last command. Lift it then; in Safe mode it stops as soon as a wheel drops.",
@@ -54,7 +54,7 @@ export async function readSafety() {
   return agreed;
 }
 
-/** What is kept in this browser, maybe under its older name. @param {string} key */
+/** A value stored in this browser, possibly under its older name. @param {string} key */
 export function kept(key) {
   try {
     return localStorage.getItem(key) ?? localStorage.getItem(key.replace(/^connection-/, "link-"));

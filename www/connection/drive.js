@@ -9,7 +9,7 @@ import { currentTab } from "../tabs.js";
 /** How often a command is said again while it is held, ms. */
 const AGAIN_MS = 40;
 
-/** What needs arrows or letters for itself. */
+/** Elements that use arrows or letters themselves. */
 const OWN_KEYS = "input:not([type=checkbox], [type=button], [type=file]), textarea, select, .console, [contenteditable]";
 
 /** @param {ConnectionTab} it */
@@ -17,7 +17,7 @@ export function startDrive(it) {
   const [floor, knob] = [byId("connection-floor"), button("connection-knob")];
   const mayDrive = () => currentTab() === "connection" && it.view.can.steer;
   let isDriving = false;
-  /** Whether all was still since one could drive, or something was touched: nobody shall drive off by taking control. */
+  /** Whether all controls were released since driving became possible: taking control must not start motion. */
   let wasStill = false;
 
   const end = () => {
@@ -27,7 +27,7 @@ export function startDrive(it) {
     if (!document.hidden) void it.request({ do: "drive", ...STILL });
   };
   const here = byId("panel-connection");
-  /** Buttons have no use for arrows: whoever has just pressed one may drive. @param {EventTarget | null} target */
+  /** Buttons don't use arrows, so driving is possible with one focused. @param {EventTarget | null} target */
   const isFree = (target) => target === document.body || (target instanceof Element && here.contains(target) && !target.matches(OWN_KEYS));
   const stick = joystick({
     pad: byId("connection-pad"),
@@ -57,7 +57,7 @@ export function startDrive(it) {
     const command = rounded(stick.read().command);
     const isStill = command.forward === 0 && command.left === 0;
     wasStill ||= isStill;
-    // Not with the next view: that may be long in coming.
+    // Not with the next view, which can be late.
     stick.showBlocked(it.view.ride?.blocked ?? null, wasStill ? command : STILL);
     if (!wasStill) return;
     stick.show(command);

@@ -1,5 +1,5 @@
 // @ts-check
-// How the line is: rate, errors, latency, what fits; and what was recorded of it.
+// State of the line: rate, errors, latency, slot; and its recording.
 import { button, byId, make, setHidden, setText } from "../dom.js";
 import { row } from "../dashboard.js";
 import { count } from "../format.js";
@@ -15,7 +15,7 @@ const ROWS = [
   ["Latency", "Time from a command until the robot reports it: median of recent commands.", ({ statistics: s }) => (s.latency_ms === null ? "not measured yet" : `${s.latency_ms.toFixed(0)} ms`)],
   ["Longest gap", "The longest time without a reading.", ({ statistics: s }) => `${s.longest_gap_ms.toFixed(0)} ms`],
   ["Bad readings", "Rejected readings: damaged in transit + physically impossible. They have no effect on what the robot does.", ({ statistics: s }) => `${count(s.bad_checksums)} + ${count(s.implausible)} of ${count(s.frames)}`],
-  ["Noise", "Bytes that make no sense, as from a bad cable, and false starts of readings.", ({ statistics: s }) => `${count(s.noise)} B, ${count(s.false_headers)} starts`],
+  ["Noise", "Bytes outside any reading, as from a bad cable, and false starts of readings.", ({ statistics: s }) => `${count(s.noise)} B, false starts: ${count(s.false_headers)}`],
   ["Slot", "Load of the connection: bytes of a reading, and how many fit between two readings (15 ms) at this speed. More would be cut off.", ({ statistics: s }) => `${s.slot[0]} of ${s.slot[1]} B`],
   ["Bytes", "Received and sent.", ({ statistics: s }) => `${count(s.bytes[0])} · ${count(s.bytes[1])}`],
   ["Wake-up wire", "The cable's BRC wire, which wakes a sleeping robot. Many cables lack it.", ({ transport: t }) => ({ low: "pulled low", high: "released", none: "none" })[t.brc]],

@@ -1,5 +1,5 @@
 // @ts-check
-// The live map: its canvas, pointers and keys, and what is told of it in words.
+// The live map: its canvas, pointers and keys, and its description.
 import { LiveMap } from "../../workshop.js";
 import { byId, changed, fill, select, setAttribute, setHidden, setText, typed } from "../dom.js";
 import { atMostEvery } from "../shared/frame-pacer.js";
@@ -26,9 +26,9 @@ export function startMap(it) {
     choice.value = value;
     setText(byId("connection-room-note"), isKnown() ? it.room.mirror.complaint() || "Change it in Explore." : "The map grows as the robot drives.");
   };
-  /** What the map shows of rooms, to tell when that is another one. */
+  /** The room of the map, to detect changes. */
   let drawn = "";
-  /** Begins anew where the robot stands now. @param {ConnectionView} view */
+  /** Starts again at the robot's present pose. @param {ConnectionView} view */
   const begin = (view) => {
     offer();
     const room = `${choice.value} ${it.room.version()}`;

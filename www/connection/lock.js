@@ -1,14 +1,14 @@
 // @ts-check
-// One tab at a time for a line: a second one is told so at once, instead of both talking to the robot.
+// One tab at a time per line: a second one is refused instead of both talking to the robot.
 
 /**
- * Takes the lock of that name for as long as this worker lives, or until what is returned is called; `null` if another tab
- * has it.
+ * Takes the lock of that name for as long as this worker lives, or until the returned function is called; `null` if
+ * another tab has it.
  * @param {string} name
  * @returns {Promise<(() => void) | null>}
  */
 export async function takeLock(name) {
-  // A page that was just reloaded may still be letting go.
+  // A page that was just reloaded can still be releasing it.
   for (let tries = 0; tries < 4; tries++) {
     const release = await tryLock(name);
     if (release) return release;

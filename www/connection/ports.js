@@ -4,7 +4,7 @@ import { support } from "./support.js";
 
 /** @typedef {import("./types").Failure} Failure */
 
-/** What a port says of itself: ids of its USB adapter; "" of a port that isn't one. @param {SerialPort} port */
+/** The USB ids of a port's adapter; "" for other ports. @param {SerialPort} port */
 export function portId(port) {
   const { usbVendorId, usbProductId, bluetoothServiceClassId } = port.getInfo();
   if (bluetoothServiceClassId !== undefined) return `bluetooth ${bluetoothServiceClassId}`;
@@ -14,7 +14,7 @@ export function portId(port) {
 /** Makers of the chips that adapters are built with, by USB vendor. @type {Record<string, string>} */
 const MAKERS = { "0403": "FTDI", "067b": "Prolific", "10c4": "CP210x", "1a86": "CH340", "2341": "Arduino", "2e8a": "Raspberry Pi", "303a": "Espressif" };
 
-/** What the port is called on the page. @param {string} id */
+/** The port's name on the page. @param {string} id */
 export function portName(id) {
   if (id === "") return "Serial port";
   if (id.startsWith("bluetooth")) return "Bluetooth serial port";

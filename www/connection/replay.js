@@ -22,7 +22,7 @@ const SPEEDS = [1, 4, 16];
  * @param {(trace: Float64Array) => void} to.follow
  * @param {(traffic: import("./types").Traffic[]) => void} to.traffic
  * @param {() => void} to.wipe The way so far is to be forgotten.
- * @param {() => void} to.settle What was said before is over.
+ * @param {() => void} to.settle Hides earlier messages.
  * @param {() => void} to.closed Nothing is shown any more.
  */
 export function startReplay(it, to) {

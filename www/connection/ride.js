@@ -27,7 +27,7 @@ export function startRide(it) {
     if (!(await it.request({ do: "odometry", model: /** @type {import("../types").OdometryModel} */ (odometry.value) }))) odometry.value = it.view.odometry;
   });
 
-  /** Who waits for a plan. @type {((worked: boolean) => void) | undefined} */
+  /** Resolves the pending plan. @type {((worked: boolean) => void) | undefined} */
   let waiting;
   const answer = (/** @type {boolean} */ worked) => {
     waiting?.(worked);
@@ -82,7 +82,7 @@ export function startRide(it) {
       if (answer === "yes") putAtStart();
     }
     const line = await corners();
-    // Who has stopped or lost control meanwhile doesn't want it to set off.
+    // After a stop or a loss of control it must not start.
     if (!line || !it.view.can.ride) return;
     it.connection.follow(room.followed());
     it.live.map.set_planned(line);

@@ -9,7 +9,7 @@ import { SessionMirror } from "../../workshop.js";
 export function startRoom({ playground, catalogue }) {
   const mirror = new SessionMirror();
   let taken = playground.snapshot();
-  /** What Explore had chosen. @type {string | null | undefined} */
+  /** The algorithm chosen in Explore. @type {string | null | undefined} */
   let chosenThere;
   let algorithm = "";
   const all = [...catalogue.behaviours.filter(({ manual }) => !manual), ...catalogue.planners];
@@ -20,7 +20,7 @@ export function startRoom({ playground, catalogue }) {
 
   return {
     mirror,
-    /** All that can drive a robot. */
+    /** Algorithms that can drive a robot. */
     all,
     get algorithm() {
       return all.find(({ id }) => id === algorithm);
@@ -30,7 +30,7 @@ export function startRoom({ playground, catalogue }) {
       const before = version();
       taken = playground.snapshot();
       const there = taken.choices.behaviour ?? taken.choices.planner;
-      // What is driven by hand needs no algorithm here.
+      // Manual driving needs no algorithm here.
       if (there !== chosenThere || !algorithm) algorithm = all.find(({ id }) => id === there)?.id ?? (algorithm || (all[0]?.id ?? ""));
       chosenThere = there;
       follow();
@@ -41,7 +41,7 @@ export function startRoom({ playground, catalogue }) {
       algorithm = id;
       follow();
     },
-    /** What the worker's copy is to follow. */
+    /** The snapshot for the worker's mirror. */
     followed: () => ({ snapshot: taken, algorithm }),
     version,
   };

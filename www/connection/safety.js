@@ -10,15 +10,22 @@
  */
 export const STOP = Uint8Array.of(145, 0, 0, 0, 0, 145, 0, 0, 0, 0, 138, 0, 128);
 
-/** How long a page that goes away waits for its worker, ms. */
+/** Bytes that stop the wheels and leave the mode as it is, for a driver that may be back at once. */
+export const HALT = STOP.slice(0, 10);
+
+/** How long a page that goes away waits for its workers, ms. */
 const HOLD_MS = 60;
 
 /** Pages that are left say so two or three times. */
 const ONCE_MS = 500;
 
 /**
- * Calls `leave` with the reason when the page is hidden, left or frozen; nothing that happens later brings the robot back to
- * life by itself. Returns what ends the watch.
+ * Calls `leave` with the reason when the page is about to be left, is hidden, is left or is frozen; nothing that happens later brings
+ * the robot back to life by itself. Returns what ends the watch.
+ *
+ * While the robot may be moving, a page that is about to be left (another address, reload, back, a closed tab or window, a
+ * browser that quits) stops it and has the browser ask the user. Browsers ask only on pages that were clicked or typed on, and
+ * not at all when another program ends them; the robot has been stopped by then in any case in which the page hears of it.
  *
  * A worker ends with its page, whether or not it has done what it was told last. So if the robot may be moving, the page
  * keeps its own end waiting: while a handler of these events runs, the browser neither ends the page nor its workers, and
@@ -39,14 +46,53 @@ export function watchPage(leave, mayMove) {
     while (performance.now() - start < HOLD_MS);
     held = performance.now();
   };
+  const leaving = (/** @type {BeforeUnloadEvent} */ event) => {
+    if (!mayMove()) return;
+    gone("You were about to leave the page.");
+    event.preventDefault();
+    // What older browsers need instead.
+    event.returnValue = true;
+  };
   const watch = new AbortController();
   const { signal } = watch;
   // Capturing, so that no other handler of the page comes first or stops it.
   const options = { capture: true, signal };
+  window.addEventListener("beforeunload", leaving, options);
   document.addEventListener("visibilitychange", () => document.visibilityState === "hidden" && gone("The page was hidden."), options);
   document.addEventListener("freeze", () => gone("The browser put the page to sleep."), options);
   window.addEventListener("pagehide", () => gone("The page was left."), options);
   return () => watch.abort();
+}
+
+/** Silence of a worker after which the other one acts, and after which it counts as gone, ms. */
+const SILENT_MS = 140;
+const GONE_MS = 1000;
+/** The same in steps of the one who watches: if it was held up itself, the other's words are still on their way. */
+const SILENT_TICKS = 3;
+const GONE_TICKS = 20;
+
+/** Whether another worker still shows signs of life, which it does every 10 ms. */
+export class Watch {
+  #heardAt = performance.now();
+  #ticks = 0;
+
+  heard() {
+    this.#heardAt = performance.now();
+    this.#ticks = 0;
+  }
+
+  /** To be called every 10 ms. */
+  tick() {
+    this.#ticks += 1;
+  }
+
+  get isSilent() {
+    return this.#ticks >= SILENT_TICKS && performance.now() - this.#heardAt > SILENT_MS;
+  }
+
+  get isGone() {
+    return this.#ticks >= GONE_TICKS && performance.now() - this.#heardAt > GONE_MS;
+  }
 }
 
 /**

@@ -8,7 +8,7 @@ import { portrait } from "../portrait.js";
 /** Milliseconds between looks: faster numbers can't be read. */
 const PAUSE = 60;
 
-/** What only a real robot has: name, definition, text. @type {[name: string, tip: string, text: (of: import("./types").RoombaView) => string][]} */
+/** Values that only a real robot has: name, definition, text. @type {[name: string, tip: string, text: (of: import("./types").RoombaView) => string][]} */
 const MORE = [
   ["Wall signal", "Strength of the wall sensor on the right, 0 to 1023 (packet 27).", (of) => count(of.wall_signal)],
   ["Power", "Voltage of the battery, and its charge (packets 22, 25 and 26).", (of) => `${of.voltage_v.toFixed(2)} V, ${count(of.charge_mah)} of ${count(of.capacity_mah)} mAh`],

@@ -5,14 +5,14 @@ import { failure } from "./ports.js";
 /** Room for what arrives while this worker is busy: 1.4 s at 115200 baud. Browsers' default of 255 bytes is 22 ms. */
 const BUFFER_BYTES = 16384;
 
-/** How long closing, opening and writing may take, ms. */
+/** Time limit for closing, opening and writing, ms. */
 const CLOSE_MS = 1000;
-/** How long what was written last gets to leave before the port is closed, ms. */
+/** Time for the last bytes to be transmitted before the port is closed, ms. */
 const LAST_WORDS_MS = 60;
 const OPEN_MS = 15_000;
 const WRITE_MS = 1000;
 
-/** What adapters report and go on after: the stream ends, and there is a new one. */
+/** Errors that adapters recover from: the stream ends, and there is a new one. */
 const RECOVERABLE = /** @type {const} */ ({ BreakError: "break", FramingError: "framing", ParityError: "parity", BufferOverrunError: "overrun" });
 
 /** @typedef {{ onbytes(bytes: Uint8Array): void, onerror(kind: "break" | "framing" | "parity" | "overrun"): void, onlost(why: string): void }} PortEvents */
@@ -34,7 +34,7 @@ export class OpenPort {
     this.#events = events;
   }
 
-  /** Whether the adapter has control lines; BRC may be wired to one. */
+  /** Whether the adapter has control lines; BRC can be wired to one. */
   hasSignals = false;
 
   /** Opens it; throws a `Failure`. @param {number} baudRate */
@@ -44,8 +44,8 @@ export class OpenPort {
     } catch (error) {
       throw cantOpen(/** @type {Error} */ (error));
     }
-    // Opening may have changed the lines in either direction, depending on the system. BRC is wired to RTS: let go of it, so
-    // that it is known. DTR stays on, since adapters with a processor of their own send nothing without.
+    // Opening can have changed the lines in either direction, depending on the system. BRC is wired to RTS, which is
+    // released to be in a known state. DTR stays on, since adapters with a processor of their own send nothing without.
     this.hasSignals = await this.setBrc(false);
     this.#writer = this.#port.writable?.getWriter();
     this.#read();

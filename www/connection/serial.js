@@ -4,7 +4,7 @@ import { takeLock } from "./lock.js";
 import { failure, findPort, portId, portName } from "./ports.js";
 import { OpenPort } from "./serial-port.js";
 
-/** How often a lost port is looked for if the browser doesn't tell, ms. */
+/** Interval of searches for a lost port if the browser doesn't report it, ms. */
 const LOOK_MS = 1000;
 
 /** @typedef {import("./types").Transport} Transport */
@@ -125,7 +125,8 @@ export class SerialLine {
     void this.#comeBack();
   }
 
-  /** Opens the port anew as soon as it is there, which is another object by then; nobody is asked, since nothing moves by that. */
+  /** Reopens the port as soon as it is back, which is another object by then; without asking, as nothing moves by that.
+   */
   async #comeBack() {
     const connected = () => this.#wake();
     navigator.serial.addEventListener("connect", connected);
@@ -138,12 +139,12 @@ export class SerialLine {
         const ports = await navigator.serial.getPorts();
         const port = ports.find((port) => portId(port) === this.#id && !this.#others.includes(port));
         if (!port || this.#isClosed) continue;
-        // Whoever has lost the robot may meet it at any rate; it is found out about from the beginning.
+        // A robot that was lost can be at any rate, so the diagnosis starts again.
         this.view.baud = 115200;
         try {
           await this.#openPort(port);
         } catch {
-          // Right after it was plugged in, the system may not be done with it.
+          // Right after plugging in, the system can still be busy with it.
           continue;
         }
         this.view.returns += 1;

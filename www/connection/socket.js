@@ -5,7 +5,7 @@ import { takeLock } from "./lock.js";
 import { failure } from "./ports.js";
 import { within } from "./serial-port.js";
 
-/** How long a bridge may take to answer, and to take bytes, ms. */
+/** Time limit for a bridge to answer, and to take bytes, ms. */
 const OPEN_MS = 8000;
 const STALL_MS = 1500;
 
@@ -91,8 +91,8 @@ export class SocketLine {
       await within(OPEN_MS, new Promise((resolve, reject) => ((socket.onopen = resolve), (socket.onerror = socket.onclose = reject))));
     } catch {
       socket.close();
-      // Browsers don't tell pages why.
-      throw failure("unreachable", `The bridge at ${this.#url} doesn't answer.`, "Check that it is on and in the same network, and that address, port and path are right.");
+      // Browsers don't report the reason to pages.
+      throw failure("unreachable", `The bridge at ${this.#url} doesn't answer.`, "Check that it is on and on the same network, and that address, port and path are right.");
     }
     if (this.#isClosed) {
       socket.close();
@@ -137,7 +137,7 @@ export class SocketLine {
 function wellFormed(text) {
   const url = URL.canParse(text) ? new URL(text) : null;
   if (!url || !/^wss?:$/.test(url.protocol)) {
-    throw failure("failed", `"${text}" isn't the address of a bridge.`, "Such an address begins with ws:// or wss://, as in ws://192.168.1.50:81/.");
+    throw failure("failed", `"${text}" isn't the address of a bridge.`, "The address must begin with ws:// or wss://, as in ws://192.168.1.50:81/.");
   }
   // Browsers count this computer as safe.
   const isHere = /^(localhost|127\..*|\[::1\])$/.test(url.hostname);

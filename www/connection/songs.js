@@ -14,7 +14,7 @@ const MOST = 16;
 const REST = 30;
 const LENGTHS = [8, 16, 24, 32, 64];
 const KEY = "connection-songs";
-/** What is there to begin with. */
+/** The initial songs. */
 const FIRST_SONGS = ["C5:16 E5:16 G5:16 C6:32", "G4:16 G4:16 G4:16 D♯4:48", "E5:12 D5:12 C5:24 r:12 C5:12 D5:12 E5:24", ""];
 
 /** @param {number} note */
@@ -32,7 +32,7 @@ export function readNotes(text) {
     const duration = Number(parts[2] ?? 16);
     const number = parts[1]?.toLowerCase() === "r" ? REST : numberOf(parts[1] ?? "");
     if (number !== REST && (number < 31 || number > 127)) return { notes, fault: `Note ${index + 1} ("${word}") is out of range: G1 to G9.` };
-    if (duration < 1 || duration > 255) return { notes, fault: `Note ${index + 1} ("${word}") lasts 1 to 255 sixty-fourths of a second.` };
+    if (duration < 1 || duration > 255) return { notes, fault: `Note ${index + 1} ("${word}") must last 1 to 255 sixty-fourths of a second.` };
     notes.push([number, duration]);
   }
   return notes.length > MOST ? { notes: notes.slice(0, MOST), fault: `A song has ${MOST} notes at most; these are ${notes.length}.` } : { notes, fault: "" };
@@ -99,7 +99,7 @@ export function startSongs(it) {
     sound([note]);
     const { notes, fault } = read();
     if (fault || notes.length >= MOST) {
-      setText(told, fault || `A song has ${MOST} notes at most: go on in the next one.`);
+      setText(told, fault || `A song has ${MOST} notes at most: continue in the next one.`);
       return;
     }
     text.value = written([...notes, note]);

@@ -1,12 +1,12 @@
 // @ts-check
-// What this browser can connect to, and what works instead.
+// Connections that this browser supports, and alternatives.
 
 // Versions are those of MDN's browser compatibility data for `Serial` (Chrome and Edge 89, Opera 76, Firefox 151, Chrome for
 // Android 148; before that, Android had ports over Bluetooth only). What counts is what the browser offers, though.
 const BROWSERS = "Chrome, Edge or Opera on a computer, Firefox 151 or later on a computer, or Chrome 148 or later on Android";
 const OTHERWISE = "reach the robot through a Wi-Fi bridge (WebSocket), or try the virtual robot, which works everywhere";
 
-/** What this browser can connect to. @returns {import("./types").Support} */
+/** Connections that this browser supports. @returns {import("./types").Support} */
 export function support() {
   const socket = "WebSocket" in window;
   if (!window.isSecureContext) {
@@ -26,7 +26,7 @@ export function support() {
       instead: `Use ${BROWSERS}; or ${OTHERWISE}.`,
     };
   }
-  // A frame may use what the page around it passes on. Only Chromium can be asked.
+  // A frame needs permissions from its parent page, which only Chromium reports.
   const policy = /** @type {{ featurePolicy?: { allowsFeature(name: string): boolean } }} */ (document).featurePolicy;
   if (policy?.allowsFeature("serial") === false) {
     return {

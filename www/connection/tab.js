@@ -1,5 +1,5 @@
 // @ts-check
-// The tab Robot: a connection to a robot, and all that shows it and acts on it.
+// The tab Robot: a connection to a robot, its displays and its controls.
 import { Connection } from "../../workshop.js";
 import { button, byId, setAttribute } from "../dom.js";
 import { complain, forgive } from "../messages.js";
@@ -28,7 +28,7 @@ import { startVirtual } from "./hand.js";
  * @property {ConnectionClient} connection
  * @property {ConnectionView} view The latest view.
  * @property {string} personality Of the virtual robot that was opened last; "" if that was none.
- * @property {((view: ConnectionView) => void)[]} onview What is to be told of every view.
+ * @property {((view: ConnectionView) => void)[]} onview Listeners for every view.
  * @property {ReturnType<typeof startRoom>} room
  * @property {ReturnType<typeof startMap>} live
  * @property {ReturnType<typeof startVirtual>} hand
@@ -39,7 +39,7 @@ import { startVirtual } from "./hand.js";
  * @property {() => void} halt What would go on driving is let go.
  */
 
-/** When a view has come for sure that tells of what was refused, ms. */
+/** Time after which a view with the reason of a refusal has certainly arrived, ms. */
 const SOON_MS = 150;
 
 /**
@@ -54,7 +54,7 @@ export function startConnection(app, module, guard) {
   const closed = /** @type {ConnectionView} */ ({ ...Connection.closed(), virtual: null });
   // The rest of it follows below: its parts need each other.
   const it = /** @type {ConnectionTab} */ (/** @type {unknown} */ ({ app, connection, view: closed, personality: "", onview: [], room, complain }));
-  /** Requests that aren't answered yet, oldest first; why one is refused is told before its answer. @type {string[]} */
+  /** Unanswered requests, oldest first; the reason of a refusal arrives before the answer. @type {string[]} */
   const asked = [];
   /** Number of the notice that is over. */
   let over = -1;
@@ -99,7 +99,7 @@ export function startConnection(app, module, guard) {
   /** The way that leads to where the next view shows the robot. @type {Float64Array} */
   let way = new Float64Array();
   const show = (/** @type {ConnectionView} */ view) => {
-    // Taken by whatever way, what was said before is over.
+    // Once connected in any way, earlier messages are hidden.
     if (view.mode !== it.view.mode && view.mode !== "Passive" && it.view.mode === "Passive" && view.notice?.number === it.view.notice?.number) over = view.notice?.number ?? -1;
     it.view = view;
     isFresh = true;
@@ -145,7 +145,7 @@ export function startConnection(app, module, guard) {
         for (const update of [...updates, ...it.onview, drive.update, ride.update, it.hand.update]) update(it.view);
       }
       const { notice, drop } = it.view;
-      // What is said above the map need not be said twice.
+      // The message above the map isn't repeated.
       const isNews = notice !== null && notice.number !== over && !(drop && notice.text.includes(drop.text));
       return { message: isNews ? notice.text : "", message_kind: isNews ? notice.kind : "" };
     },

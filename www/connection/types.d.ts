@@ -2,7 +2,7 @@
 import type { ConnectionView as View, Request, SessionSnapshot, Traffic, TransportView, VirtualView } from "../types";
 export * from "../types";
 
-/** What a hand does to the virtual robot. */
+/** An action of a person on the virtual robot. */
 export type Touch =
   | { do: "lift" }
   /** x, y in m, heading in rad. */
@@ -11,14 +11,14 @@ export type Touch =
   | { do: "press"; buttons: number }
   | { do: "plug"; plugged: boolean };
 
-/** What to connect to. */
+/** A connection to open. */
 export type Target =
   | { kind: "virtual"; personality: string }
-  /** Without a port, the user is asked for one; that takes a click. */
+  /** Without a port, the user chooses one, which requires a click. */
   | { kind: "serial"; port?: SerialPort }
   | { kind: "socket"; url: string };
 
-/** What `onview` gets. */
+/** The argument of `onview`. */
 export type ConnectionView = View & { virtual: VirtualView | null };
 
 /**
@@ -39,17 +39,17 @@ export type Failure = {
   kind: "unsupported" | "insecure" | "policy" | "denied" | "busy" | "absent" | "mixed" | "unreachable" | "failed" | "refused" | "broken";
 };
 
-/** What can be connected to from this browser. */
+/** Connections that this browser supports. */
 export type Support = {
   serial: boolean;
   socket: boolean;
   /** Why serial ports can't be used, a sentence; "" if they can. */
   why: string;
-  /** What works instead; "" if nothing is missing. */
+  /** Alternatives; "" if nothing is missing. */
   instead: string;
 };
 
-/** The playground's room and settings, and what is to drive, as `SessionMirror.follow` takes them. */
+/** The playground's room and settings, and the algorithm to drive, as arguments of `SessionMirror.follow`. */
 export type Followed = { snapshot: SessionSnapshot; algorithm?: string };
 
 /** A granted port as the worker finds it again: the granted ones' ids in their order, and which of them it is. */
@@ -60,9 +60,30 @@ export type WorkerTarget =
   | { kind: "serial"; address: PortAddress }
   | { kind: "socket"; url: string };
 
-/** What the page tells the worker. Where there is an `id`, it is answered. */
+/** A line that the line's worker holds. */
+export type LineTarget = Exclude<WorkerTarget, { kind: "virtual" }>;
+
+/** Messages from the driver to the worker that holds the line. Those with an `id` are answered by `done`. */
+export type ToLine =
+  | { type: "open"; id: number; target: LineTarget }
+  /** `isActing`: whether the robot may be moving because of it. */
+  | { type: "write"; bytes: Uint8Array; isActing: boolean }
+  | { type: "beat"; isActing: boolean }
+  | { type: "baud"; id: number; baud: number }
+  | { type: "brc"; id: number; isLow: boolean }
+  | { type: "close"; id: number };
+
+/** Messages from there to the driver; `view` is the present state of the line. */
+export type FromLine =
+  | { type: "beat"; view?: TransportView }
+  | { type: "bytes"; bytes: Uint8Array }
+  | { type: "opened"; view?: TransportView }
+  | { type: "lost"; why: string; forGood: boolean; view?: TransportView }
+  | { type: "done"; id: number; view?: TransportView; failure?: Failure };
+
+/** Messages from the page to the worker. Those with an `id` are answered. */
 export type ToConnection =
-  | { type: "init"; module: WebAssembly.Module }
+  | { type: "init"; module: WebAssembly.Module; holder: MessagePort }
   /** `at` is the page's time, s. */
   | { type: "beat"; at: number }
   | { type: "leave"; why: string }
@@ -74,8 +95,13 @@ export type ToConnection =
   | { type: "virtual"; touch: Touch }
   | { type: "recording"; id: number };
 
-/** What the worker tells the page. */
+/** Messages from the workers to the page. */
 export type FromConnection =
+  /** From the driver: the worker that holds the line no longer answers and has to be ended. */
+  | { type: "line-gone" }
+  /** From the worker that holds the line: the driver no longer answers; or an error of the program. */
+  | { type: "driver-gone" }
+  | { type: "line-broke"; why: string }
   | { type: "view"; view: ConnectionView }
   | { type: "traffic"; traffic: Traffic[] }
   | { type: "trace"; trace: Float64Array }
@@ -99,10 +125,10 @@ export interface Transport {
   open(): Promise<void>;
   /** Sends bytes at once; never throws. */
   write(bytes: Uint8Array): void;
-  /** Goes on at another baud rate; bytes that were written before are sent at the old one. */
+  /** Changes the baud rate; bytes written before are sent at the old one. */
   setBaud(baud: number): Promise<void>;
   /** Pulls the BRC wire low, or lets it go. */
   setBrc(isLow: boolean): Promise<void>;
-  /** Sends what was written, and lets go of everything; takes a second at most. */
+  /** Sends pending bytes, and releases everything; takes a second at most. */
   close(): Promise<void>;
 }

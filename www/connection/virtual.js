@@ -79,7 +79,7 @@ export class VirtualLine {
     else this.#robot.plug_charger(touch.plugged);
   }
 
-  /** What is seen and heard of it. @returns {import("./types").VirtualView} */
+  /** Its visible and audible state. @returns {import("./types").VirtualView} */
   look() {
     return this.#robot.view();
   }

@@ -1,8 +1,9 @@
 // @ts-check
-// A connection to a robot, away from the page, which may be busy, hidden or hung: bytes, time, and the safety stop.
+// A connection to a robot, separate from the page, which can be busy, hidden or hung: bytes, time, and the safety stop.
 import init, { Connection, SessionMirror } from "../../workshop.js";
 import { lineTo } from "./lines.js";
 import { failure } from "./ports.js";
+import { RemoteLine } from "./remote-line.js";
 import { STOP, startBeats } from "./safety.js";
 import { VirtualLine } from "./virtual.js";
 
@@ -14,6 +15,8 @@ const VIEW_TICKS = 5;
 let connection;
 /** @type {SessionMirror} */
 let mirror;
+/** The worker that holds real lines. @type {MessagePort} */
+let holder;
 /** @type {ReturnType<typeof lineTo> | undefined} */
 let line;
 /** The line is about to go on at another baud rate. */
@@ -30,7 +33,7 @@ const beatenAt = startBeats();
 /** @param {import("./types").FromConnection} message @param {Transferable[]} [transfer] */
 const tell = (message, transfer = []) => self.postMessage(message, { transfer });
 
-/** Does something with the connection, then what it asks for. Whatever goes wrong in it stops the robot. @param {() => void} what */
+/** Calls the connection, then executes its requests. Any error stops the robot. @param {() => void} what */
 function safely(what) {
   if (isBroken) return;
   try {
@@ -43,14 +46,14 @@ function safely(what) {
 
 /** Sends what the connection has to say, at once. */
 function pump() {
-  // What can't be sent now must not be sent later: the robot behind a line that comes back may be another one.
+  // Unsent bytes must not be sent later: a line that returns can lead to another robot.
   if (line?.view.state !== "open") return connection.discard();
   while (!isChanging) {
     const wanted = connection.take_line();
     if (!wanted) {
       const bytes = connection.take_tx();
       if (!bytes.length) return;
-      line.write(bytes);
+      line.write(bytes, connection.is_acting());
     } else if ("brc" in wanted) line.setBrc(wanted.brc).catch(broke);
     else changeBaud(wanted.baud);
   }
@@ -73,16 +76,26 @@ function broke(error) {
   line?.write(STOP);
   console.error(error);
   const said = error instanceof Error ? error.message : String(error);
-  tell({ type: "failed", failure: failure("broken", `An error in this program ended the connection (${said}). A stop command was sent.`, "Check that it stops, then connect again.") });
+  tell({ type: "failed", failure: failure("broken", `An error in this program ended the connection (${said}). A stop command was sent.`, "Check that the robot has stopped, then connect again.") });
   void line?.close();
 }
 
 self.addEventListener("error", (event) => {
-  // Told to the page here, and not once more by the browser.
+  // Reported to the page here rather than by the browser.
   event.preventDefault();
   broke(event.error ?? event.message);
 });
 self.addEventListener("unhandledrejection", (event) => broke(event.reason));
+
+/** The worker that holds the line no longer answers while the robot may be moving. @param {RemoteLine} lost */
+async function rescue(lost) {
+  if (isBroken) return;
+  isBroken = true;
+  tell({ type: "line-gone" });
+  const isSent = await lost.rescue();
+  const what = isSent ? "A stop command was sent over a new connection." : "A stop command could not be sent.";
+  tell({ type: "failed", failure: failure("broken", `The worker that holds the line stopped responding. ${what}`, isSent ? "Check that the robot has stopped, then connect again." : "Lift the robot, or press its CLEAN button.") });
+}
 
 /** By how much the time of day is ahead of the worker's own, which stands still while the computer sleeps, ms. */
 let ahead = Date.now() - performance.now();
@@ -101,6 +114,7 @@ setInterval(() => {
     if (line instanceof VirtualLine) line.tick(now());
     connection.tick(now());
   });
+  if (line instanceof RemoteLine && !line.tick(connection.is_acting())) void rescue(line);
   if (++ticks % VIEW_TICKS === 0) show();
 }, TICK_MS);
 
@@ -128,7 +142,7 @@ async function open(target) {
     onopened: () => safely(() => connection.opened(now())),
     onlost: (why, forGood) => safely(() => connection.lost(now(), why, forGood)),
   };
-  line = lineTo(target, mirror, events);
+  line = lineTo(target, mirror, holder, events);
   connection.fix_rate(target.kind === "socket");
   try {
     await line.open();
@@ -153,7 +167,7 @@ async function close() {
 /** @param {Extract<import("./types").ToConnection, { id: number }>} message @returns {Promise<boolean | string>} */
 async function answer(message) {
   if (message.type === "recording") {
-    // An hour of it takes its time, in which nobody minds the wheels.
+    // Reading a long recording takes time, in which the wheels aren't supervised.
     safely(() => connection.pause(now()));
     return connection.recording();
   }
@@ -165,7 +179,7 @@ async function answer(message) {
   } else if (message.type === "follow") {
     const { snapshot, algorithm } = message;
     if (mirror.is_behind(snapshot, algorithm)) {
-      // Laying out a room takes its time, in which nobody minds the wheels. Nor is that the page's silence.
+      // Laying out a room takes time, in which the wheels aren't supervised. It isn't the page's silence either.
       safely(() => connection.pause(now()));
       attempt(() => mirror.follow(snapshot, algorithm));
       safely(() => connection.beat(now()));
@@ -202,6 +216,7 @@ const ready = new Promise((resolve) => (markReady = resolve));
 
 self.addEventListener("message", async (/** @type {MessageEvent<import("./types").ToConnection>} */ { data: message }) => {
   if (message.type === "init") {
+    holder = message.holder;
     await init({ module_or_path: message.module });
     [connection, mirror] = [new Connection(), new SessionMirror()];
     return markReady();

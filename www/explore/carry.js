@@ -24,7 +24,7 @@ export function startCarry(app, canvas) {
     "keydown",
     (event) => {
       if (!app.view.is_carried || event.ctrlKey || event.metaKey || event.altKey) return;
-      // Escape puts it back from everywhere: nobody should have to find the floor first.
+      // Escape puts it back, whatever has the focus.
       const isHere = event.target === canvas || event.key === "Escape";
       const action = isHere && (event.shiftKey ? TURNS : MOVES)[event.key];
       if (!action) return;

@@ -11,7 +11,7 @@ import { atMostEvery } from "../shared/frame-pacer.js";
 
 /** Most events that are listed. */
 const MOST = 100;
-/** Milliseconds between changes of the list: nobody reads faster. */
+/** Least time between changes of the list, ms, so that it can be read. */
 const PAUSE = 250;
 
 /** @param {import("../main.js").App} app @returns {(view: import("../types").PageView) => void} */
@@ -37,7 +37,7 @@ export function startEvents(app) {
   };
 
   return (view) => {
-    // Whoever points at a line wants to hit it.
+    // The list doesn't move under the pointer.
     const held = view.state === "playing" && list.matches(":hover, :focus-within");
     const key = `${view.diary} ${view.run_end_s < (entries[0]?.time ?? 0)} ${view.state === "playing" || view.time_s}`;
     if (held || !isDue(() => list.checkVisibility() && changed(list, "entries", key))) return;

@@ -1,9 +1,9 @@
 // @ts-check
-// What is told of a search: room for it, and its film: pause, picture by picture, legend.
+// The text about a search, and its film: pause, picture by picture, legend.
 import { button, byId, changed, make, setAttribute, setEnabled, setHidden, setText } from "../dom.js";
 import { style } from "../parts.js";
 
-/** Pixels between what is told and the room. */
+/** Pixels between the text and the room. */
 const GAP = 10;
 
 /** @type {[name: string, title: string, tip: string, samples: number][]} */
@@ -30,7 +30,7 @@ export async function startFilm(app) {
     ),
   );
   byId("legend").prepend(...keys);
-  /** How far down it is told: only ever further, so that the floor stands still. */
+  /** The lower end of the text, which never moves up, so that the floor stays in place. */
   let told = 0;
   addEventListener("resize", () => (told = 0));
 

@@ -1,5 +1,5 @@
 // @ts-check
-// Parts of the page that the opening scene doesn't need: they come when they are needed, or once somebody is there.
+// Parts of the page that the opening scene doesn't need, loaded when needed or after the first input.
 import { byId, typed } from "../dom.js";
 import { updateFolds } from "./view.js";
 
@@ -12,12 +12,13 @@ import { updateFolds } from "./view.js";
 /** Milliseconds until what could not be loaded is tried again, or isn't waited for any more. */
 const PAUSE = 3000;
 
-/** Somebody points or presses a key: what they may want next should be there by then. */
+/** On the first input, loads the parts that are likely to be needed next. */
 const visit = new Promise((/** @type {(event: unknown) => void} */ come) => {
   for (const sign of ["pointermove", "pointerdown", "keydown"]) addEventListener(sign, come, { once: true, capture: true, passive: true });
 });
 
-/** Begins with what is needed at once. @param {import("../main.js").App} app @returns {Promise<Update>} what is to be called in every frame */
+/** Loads the parts that are needed at once. @param {import("../main.js").App} app @returns {Promise<Update>} the
+ * function to be called in every frame */
 export async function startLater(app) {
   const { behaviours } = app.catalogue;
   const parts = [
@@ -41,14 +42,14 @@ export async function startLater(app) {
   void visit.then(() => import("../help.js").then(({ fillHelp }) => fillHelp(byId("help-text"))).catch(console.warn));
   const view = app.playground.view();
   updateFolds(view);
-  // What hangs on its way doesn't keep the page from beginning.
+  // A part that loads slowly doesn't delay the page.
   const patience = new Promise((end) => setTimeout(end, PAUSE));
   await Promise.race([Promise.all(parts.map((part) => part.begin(view))), patience]);
   return (now) => parts.forEach((part) => part.update(now));
 }
 
 /**
- * A part that is loaded later; `load` gives what is to be called in every frame from then on.
+ * A part that is loaded later; `load` returns the function to be called in every frame from then on.
  * @param {(view: View) => boolean} isNeeded
  * @param {() => Promise<Update>} load
  * @returns {Later}

@@ -1,5 +1,5 @@
 // @ts-check
-// The menu of what is shown on the floor.
+// The menu of layers shown on the floor.
 import { button, byId } from "../dom.js";
 
 /** @param {import("../main.js").App} app @returns {(view: import("../types").PageView) => void} */

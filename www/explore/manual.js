@@ -28,7 +28,7 @@ export async function startManual(app) {
     told: byId("blocked"),
     targets: [floor, knob],
     takes: ({ currentTarget }) => isManual() && !app.view.is_carried && (currentTarget !== floor || app.view.tool === "view"),
-    // Whoever takes the controls wants to drive.
+    // Taking the controls starts driving.
     begin: () => {
       if (app.view.can.play && app.view.state !== "failed") app.act((p) => p.play());
     },

@@ -7,7 +7,7 @@ import { byId, setHidden } from "../dom.js";
  * @typedef {import("../types").PageView} View
  */
 
-/** What keys do with the selected object. @type {Record<string, string>} */
+/** Actions of keys on the selected object. @type {Record<string, string>} */
 const MOVES = { ArrowLeft: "left", ArrowRight: "right", ArrowUp: "up", ArrowDown: "down", Delete: "delete", Backspace: "delete" };
 /** With the shift key. @type {Record<string, string>} */
 const SHAPES = { ArrowLeft: "turn_left", ArrowRight: "turn_right", ArrowUp: "larger", ArrowDown: "smaller" };
@@ -20,7 +20,7 @@ export function startObjects(app) {
     (event) => {
       if (event.ctrlKey || event.metaKey || event.altKey || app.view.selected < 0) return;
       const action = (event.shiftKey ? SHAPES : MOVES)[event.key];
-      // Whoever drives by hand drives: objects are moved with the tool that places them.
+      // In manual driving keys drive; objects are then moved with the tool that places them.
       if (isDriving() && event.key.startsWith("Arrow")) return;
       if (event.key === "Escape") app.act((p) => p.select_object(undefined));
       else if (action) app.act((p) => p.edit_selected(action));

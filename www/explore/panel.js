@@ -144,7 +144,7 @@ function warnOfCells(view, robots) {
 function seed(text) {
   const value = Number(text);
   if (text.trim() === "" || !Number.isInteger(value) || value < 0 || value > 0xffffffff) {
-    throw `The seed can't be "${text}"; it is a whole number from 0 to 4294967295.`;
+    throw `The seed can't be "${text}"; use a whole number from 0 to 4294967295.`;
   }
   return value;
 }

@@ -1,5 +1,5 @@
 // @ts-check
-// What is placed on the floor: the menu of it, and the bar of what is selected.
+// Placing objects: the menu of kinds, and the bar for the selected one.
 import { byId, changed, fill, select, setAttribute, setEnabled, setHidden, setText } from "../dom.js";
 import { style, text } from "../parts.js";
 
@@ -17,7 +17,7 @@ export async function startPlacing(app) {
       if (app.view.selected < 0) return;
       const action = node.dataset.edit ?? "";
       app.act((p) => p.edit_selected(action));
-      // The bar may be gone by then.
+      // The bar can be gone by then.
       if (action === "delete") byId("floor").focus();
     });
   }

@@ -48,13 +48,14 @@ export function startPlaybar(app) {
   };
 }
 
-/** Seconds that the time line spans: what the plan foresees, or what was driven if that is more; without a plan, some more. @param {View} view */
+/** Range of the time line, s: the plan's duration, or the simulated time if that is longer; without a plan, with a
+ * margin. @param {View} view */
 const rangeOf = (view) => (view.kind === "planner" ? Math.max(view.run_end_s, view.plan?.duration_s ?? 0, 10) : openRange(view.run_end_s));
 
 /** Spans of a time line without a planned end, in seconds: it grows by steps, so that the curve isn't squeezed all the time. */
 const SPANS = [60, 120, 300, 600, 1200, 1800, 3600, 7200, 14_400, 28_800];
 
-/** @param {number} end What was driven, s. */
+/** @param {number} end Simulated time, s. */
 const openRange = (end) => SPANS.find((span) => end <= 0.95 * span) ?? Math.ceil(end / 0.95 / 86_400) * 86_400;
 
 /** @param {Float64Array} curve @param {number} range @param {View} view */
@@ -76,7 +77,7 @@ function drawCurve(curve, range, view) {
   if (view.kind === "planner") setText(byId("timeline-plan"), known ? `plan: ${percent(plan.coverage)} % in ${clock(plan.duration_s)}` : "");
 }
 
-/** What stands where the plan would. @param {App} app */
+/** The text in place of the plan. @param {App} app */
 function openEnd({ catalogue, view }) {
   const entry = catalogue.behaviours.find(({ id }) => id === view.algorithm);
   if (entry?.manual) return "no plan: you drive";

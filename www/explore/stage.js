@@ -41,7 +41,7 @@ function startPointers(app, canvas, picture) {
   const hasTool = () => app.view.tool !== "view";
 
   startHands(canvas, picture, {
-    // What a tool does with it is decided in Rust.
+    // The effect of a tool is decided in Rust.
     pointer: (kind, x, y, button) => button === 0 && void app.act((p) => p.pointer(kind, x, y)),
     draws: true,
     hasTool,

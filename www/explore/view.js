@@ -35,7 +35,7 @@ const PLAN_METRICS = [
   { label: "Planned in", tip: "Planning time on this computer. The opening scene's plan is preloaded.", plan: (p) => (p.planning_s === null ? "preloaded" : took(p.planning_s)) },
 ];
 
-/** What is meant by the gap that a planner proves itself. @param {View} view */
+/** Explanation of the gap that a planner proves. @param {View} view */
 function ownGap({ plan }) {
   const turn = +(plan?.turn_weight ?? 0).toFixed(2);
   const weights = `its steps + ${turn} × its quarter turns${plan?.times_turns ? " (the time that this robot takes for one, in steps; the turn to the first step counts too)" : ""}`;
@@ -92,7 +92,7 @@ export function updateView({ view, playground }) {
   updatePlanning(view);
   updateTools(view);
 
-  // While time stands still the search changes only by a step or a scrub, which should be told at once.
+  // While paused the search changes only by a step or a seek, which is announced at once.
   const decision = ["playing", "planning", "seeking"].includes(view.state) ? "" : view.search.text;
   const news = [changed(byId("floor"), "state", view.state), changed(byId("floor"), "decision", decision)];
   if (mayNarrate(undefined, news.includes(true))) {

@@ -1,5 +1,5 @@
 // @ts-check
-// The canvas of the drawing board: size, hands, keys. What they mean is decided in the worker.
+// The canvas of the Floor plan tab: size, pointers, keys. Their effects are decided in the worker.
 import { byId, setAttribute, setHidden, setText } from "../dom.js";
 import { startHands, startZoom } from "../shared/pan-zoom.js";
 
@@ -49,7 +49,7 @@ const pictureOf = ({ client }) => ({
   fit: () => client.say({ type: "fit" }),
 });
 
-/** What the tool in the hand wants. @param {import("./types").FloorPlanView | undefined} view */
+/** The hint for the current tool. @param {import("./types").FloorPlanView | undefined} view */
 export function hint(view) {
   const text = view && HINTS[view.tool];
   setHidden(byId("floor-plan-hint"), !text || view?.is_measured === true);

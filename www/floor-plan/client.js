@@ -1,16 +1,16 @@
 // @ts-check
-// The worker with the drawing board, from the page's side: asked, cancelled, started again with what it had.
+// The worker of the Floor plan tab, from the page's side: requests, cancelling, and restarting with the last state.
 import { byId } from "../dom.js";
 
 /** @typedef {import("./types").FloorPlanView} FloorPlanView */
 /** @typedef {import("./types").Request} Request */
 /** @typedef {{ resolve: (result: unknown) => void, reject: (message: unknown) => void, request: Request }} Waiting */
 
-/** Thrown for what was cancelled. */
+/** Thrown for cancelled requests. */
 export const CANCELLED = Symbol("cancelled");
 
 export class FloorPlanClient {
-  /** What is on the board. @type {File[]} */
+  /** The opened files. @type {File[]} */
   files = [];
   /** @type {FloorPlanView | undefined} */
   view;
@@ -18,22 +18,23 @@ export class FloorPlanClient {
   onview = () => {};
   /** @type {(done: number) => void} */
   onprogress = () => {};
-  /** The board is a new one; its canvas too. @type {(canvas: HTMLCanvasElement) => void} */
+  /** Called with the canvas of a new worker. @type {(canvas: HTMLCanvasElement) => void} */
   onstart = () => {};
-  /** It broke; whether what was on the board comes back. @type {(message: string, returns: boolean) => void} */
+  /** Called when the worker failed, with whether its state is restored. @type {(message: string, returns: boolean) => void} */
   onbroken = () => {};
-  /** What was on the board is to be asked for again. @type {(request: Request) => void} */
+  /** Called to repeat requests after a restart. @type {(request: Request) => void} */
   onrestore = () => {};
-  /** What the board last had. @type {{ files: File[], settings: import("./types").FloorPlanSettings } | undefined} */
+  /** The last state of the worker. @type {{ files: File[], settings: import("./types").FloorPlanSettings } | undefined}
+   */
   #good;
-  /** Breaks since the board last did what somebody asked of it. */
+  /** Failures since the worker last completed a request. */
   #breaks = 0;
-  /** Asked and not answered. @type {Map<number, Waiting>} */
+  /** Unanswered requests. @type {Map<number, Waiting>} */
   #waiting = new Map();
   #asked = 0;
   /** @type {Worker | undefined} */
   #worker;
-  /** Whether the worker has said anything: one that never did won't do better when it is started again. */
+  /** Whether the worker has sent a message: one that never did isn't restarted. */
   #isAlive = false;
   #module;
 
@@ -75,7 +76,7 @@ export class FloorPlanClient {
     return new Promise((resolve, reject) => this.#waiting.set(id, { resolve, reject, request }));
   }
 
-  /** Ends what it does, and brings back what was on the board before. */
+  /** Cancels the current request, and restores the state before it. */
   cancel() {
     this.#worker?.terminate();
     const waiting = [...this.#waiting.values()];
@@ -102,10 +103,10 @@ export class FloorPlanClient {
     this.#waiting.delete(message.id);
     const asked = waiting?.request.type;
     const request = waiting?.request;
-    // What is brought back is on the board even if what was chosen for it is refused.
+    // Restored files stay open even if their settings are refused.
     if ((request?.type === "open" && message.type === "answer") || (request?.type === "restore" && message.view)) this.files = request.files;
     if (message.type === "answer" && asked !== "restore") this.#breaks = 0;
-    // What can't even be brought back is given up.
+    // Files that can't be restored are dropped.
     if (asked === "restore" && !message.view) this.#clear();
     else this.#show(message.view);
     if (message.type === "answer") waiting?.resolve(message.result);

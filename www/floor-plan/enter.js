@@ -1,5 +1,5 @@
 // @ts-check
-// The tab Floor plan with all that it needs: style, document, module. Loaded when it is first opened or brings a file.
+// The tab Floor plan with its style, document and module. Loaded when it is first opened or brings a file.
 import { byId } from "../dom.js";
 import { style, text } from "../parts.js";
 import { compile } from "../wasm.js";

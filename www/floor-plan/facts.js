@@ -1,5 +1,5 @@
 // @ts-check
-// What is known of the file and the room that comes of it.
+// Facts about the file and the resulting room.
 import { button, byId, setAttribute, setHidden, setText } from "../dom.js";
 
 /** @typedef {import("./types").FloorPlanView} FloorPlanView */
@@ -38,14 +38,14 @@ function showDoors(view) {
   if (doors) {
     const { count, gap, floor_m2 } = doors;
     const opening = count === 1 ? "an opening" : `${count} openings`;
-    setText(byId("floor-plan-doors-text"), `${view?.room ? "This room continues" : "This floor continues outside"} through ${opening} as wide as a door. With ${count === 1 ? "it" : "them"} closed it has ${floor_m2.toFixed(1)} m² of floor.`);
+    setText(byId("floor-plan-doors-text"), `${view?.room ? "This room continues" : "This floor continues outside"} through ${opening} as wide as a door. Closing ${count === 1 ? "it" : "them"} leaves ${floor_m2.toFixed(1)} m² of floor.`);
     setText(button("floor-plan-doors-close"), `Close gaps up to ${gap.toFixed(2)} m`);
   }
 }
 
 /** @param {FloorPlanView} view */
 function facts({ kind, size, strokes, layers, room, left_out }) {
-  const what = kind === "drawing" ? `${strokes.toLocaleString("en")} strokes on ${layers.length} layers` : room ? `${room.cells[0]} × ${room.cells[1]} cells of ${(100 * room.resolution).toLocaleString("en", { maximumFractionDigits: 2 })} cm` : "";
+  const what = kind === "drawing" ? `${strokes.toLocaleString("en")} ${strokes === 1 ? "stroke" : "strokes"} on ${layers.length} ${layers.length === 1 ? "layer" : "layers"}` : room ? `${room.cells[0]} × ${room.cells[1]} cells of ${(100 * room.resolution).toLocaleString("en", { maximumFractionDigits: 2 })} cm` : "";
   return [size && `${kind === "drawing" ? "whole drawing" : "whole map"}: ${size}`, what, left_out.length && `not drawn: ${left_out.join(", ")}`].filter(Boolean).join(" · ");
 }
 
@@ -53,6 +53,6 @@ function facts({ kind, size, strokes, layers, room, left_out }) {
 function result({ room, settings, fault }) {
   if (!room) return settings.metre === null ? "Choose the drawing's unit first." : fault || "No room yet.";
   const { width_m, height_m, floor_m2, cells, objects, gaps } = room;
-  const more = [objects && `${objects} obstacles`, gaps && `${gaps} ${gaps === 1 ? "gap" : "gaps"} closed`].filter(Boolean);
+  const more = [objects && `${objects} ${objects === 1 ? "obstacle" : "obstacles"}`, gaps && `${gaps} ${gaps === 1 ? "gap" : "gaps"} closed`].filter(Boolean);
   return [`Room ${width_m.toFixed(1)} × ${height_m.toFixed(1)} m, walls included`, `${floor_m2.toFixed(1)} m² of floor`, `${cells[0]} × ${cells[1]} cells`, ...more].join(" · ");
 }

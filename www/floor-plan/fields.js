@@ -1,5 +1,5 @@
 // @ts-check
-// Fields of the drawing board: they show what was chosen unless one is typing in them.
+// Fields of the Floor plan tab: they show the settings unless they are being edited.
 import { changed } from "../dom.js";
 
 /**

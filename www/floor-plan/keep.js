@@ -1,6 +1,6 @@
 // @ts-check
-// Keeps the floor plan in this browser: files on the board and what was chosen for them come back after a reload. What can't is
-// explained and kept aside until somebody says that it may go.
+// Keeps the floor plan in this browser: opened files and their settings are restored after a reload. If that fails, it
+// is explained, and the data are set aside until the user deletes them.
 import { button, byId, setHidden, setText } from "../dom.js";
 import { download } from "../files.js";
 import { complain, toast } from "../messages.js";
@@ -9,14 +9,14 @@ import { complain, toast } from "../messages.js";
  * @typedef {import("./tab.js").FloorPlanTab} FloorPlanTab
  * @typedef {{ format: number, files: File[] }} KeptFiles
  * @typedef {{ format: number, settings: import("./types").FloorPlanSettings, sweeps: boolean, stage: number }} KeptChoices
- * @typedef {{ why: string, files: unknown, choices: unknown }} Aside What can't come back, as far as it can't.
+ * @typedef {{ why: string, files: unknown, choices: unknown }} Aside Data that can't be restored.
  */
 
 const DATABASE = "robovac-drafts";
 /** Has "files" and "choices" of one floor plan. */
 const BOARD = "board";
 const ASIDE = "aside";
-/** Of what is written here; changes when what is written before can't be read any more. */
+/** Version of the format; changes when earlier data can no longer be read. */
 const FORMAT = 1;
 /** From a choice until it is kept, ms. */
 const REST_MS = 300;
@@ -27,12 +27,12 @@ export function startKeeping(it) {
   /** @type {Promise<IDBDatabase> | undefined} */
   let opened;
   const store = async (/** @type {string} */ name) => (await (opened ??= openDatabase())).transaction(name, "readwrite").objectStore(name);
-  /** Whether what was kept has been looked for: before, nothing is written over it. */
+  /** Whether the stored data have been read: before that, nothing overwrites them. */
   let isKnown = false;
-  /** What is kept: the files, and the choices as text. @type {File[]} */
+  /** The stored data: the files, and the settings as text. @type {File[]} */
   let files = [];
   let choices = "";
-  /** What is being brought back. @type {{ files: KeptFiles, choices: unknown } | undefined} */
+  /** The data being restored. @type {{ files: KeptFiles, choices: unknown } | undefined} */
   let coming;
   let warned = false;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
@@ -93,7 +93,7 @@ export function startKeeping(it) {
     };
   };
 
-  /** Brings back what was kept, unless something else was taken meanwhile. @param {() => boolean} isFree */
+  /** Restores the stored data, unless another file was opened meanwhile. @param {() => boolean} isFree */
   const bring = async (isFree) => {
     try {
       const board = await store(BOARD);
@@ -119,7 +119,7 @@ export function startKeeping(it) {
     let why;
     const settings = fits ? chosen.settings : {};
     await it.ask({ type: "restore", files: list, settings }, "Restoring the floor plan", (message) => (why = message));
-    // It broke the board, and is aside by now.
+    // It made the worker fail, and has been set aside by now.
     if (!coming) return;
     coming = undefined;
     if (why !== undefined && !it.view) return putAside({ why: `The floor plan ${names} can't be restored: ${why}`, files: list, choices: chosen });
@@ -133,7 +133,7 @@ export function startKeeping(it) {
   addEventListener("pagehide", () => void save());
   return {
     bring,
-    /** What is shown has changed. */
+    /** The session has changed. */
     saw() {
       clearTimeout(rest);
       rest = setTimeout(() => void save(), REST_MS);
@@ -165,7 +165,7 @@ function openDatabase() {
   return done(request);
 }
 
-/** What a request comes to. @template T @param {IDBRequest<T>} request @returns {Promise<T>} */
+/** The result of a request. @template T @param {IDBRequest<T>} request @returns {Promise<T>} */
 function done(request) {
   return new Promise((resolve, reject) => {
     request.onsuccess = () => resolve(request.result);

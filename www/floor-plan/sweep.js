@@ -1,5 +1,5 @@
 // @ts-check
-// The sweep of 001: scan width, obstacle map, the stages one after the other, what comes of them, and files of it.
+// The sweep of 001: scan width, obstacle map, the stages one after the other, their results, and export.
 import { button, byId, input, setAttribute, setHidden, setText } from "../dom.js";
 import { download } from "../files.js";
 import { onNumber, plain, showValue } from "./fields.js";

@@ -1,5 +1,5 @@
 // @ts-check
-// The tab Floor plan: what is brought is looked at, scaled, traced and swept before it becomes the room of Explore.
+// The tab Floor plan: an opened file is viewed, scaled, traced and swept before it becomes the room of Explore.
 import { button, byId, input, setAttribute, setHidden, setText, typed } from "../dom.js";
 import { fileName } from "../files.js";
 import { complain, forgive, textOf, toast } from "../messages.js";
@@ -19,9 +19,10 @@ import { startWalls } from "./walls.js";
  * @typedef {object} FloorPlanTab What the modules of this tab share.
  * @property {import("../main.js").App} app
  * @property {FloorPlanClient} client
- * @property {FloorPlanView | undefined} view The latest view; none while the board is empty.
- * @property {(request: import("./types").Request, doing: string, refused?: (why: string) => void) => Promise<{ result: unknown } | undefined>} ask Nothing if it was refused, which is told, or cancelled.
- * @property {() => import("./types").FloorPlanSettings | undefined} wanted What is chosen, with what is still on its way to the board.
+ * @property {FloorPlanView | undefined} view The latest view; `undefined` without a file.
+ * @property {(request: import("./types").Request, doing: string, refused?: (why: string) => void) => Promise<{ result: unknown } | undefined>} ask `undefined` if it was refused, which is reported, or cancelled.
+ * @property {() => import("./types").FloorPlanSettings | undefined} wanted The settings, with those not yet applied by
+ * the worker.
  * @property {(change: Partial<import("./types").FloorPlanSettings>) => Promise<unknown>} set Chooses.
  * @property {(sweeps: boolean) => Promise<void>} use Makes the floor plan the room of Explore.
  * @property {(withFocus: boolean) => void} toCanvas Closes the sheet over the canvas; may go there by keyboard too.
@@ -29,7 +30,7 @@ import { startWalls } from "./walls.js";
 
 /** Larger files can't be a floor plan that is taken. */
 const MOST_BYTES = 64 * 2 ** 20;
-/** What takes no longer than this isn't told of, ms. */
+/** Tasks up to this duration aren't announced, ms. */
 const PATIENCE_MS = 250;
 
 /** @param {import("../main.js").App} app @param {WebAssembly.Module} module */
@@ -37,7 +38,7 @@ export function startFloorPlan(app, module) {
   const client = new FloorPlanClient(module);
   const root = byId("panel-floor-plan");
   let isDark = false;
-  /** What is being done, the oldest first. @type {string[]} */
+  /** Names of current tasks, the oldest first. @type {string[]} */
   const doing = [];
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let waiting;
@@ -53,9 +54,9 @@ export function startFloorPlan(app, module) {
     }, PATIENCE_MS);
   };
 
-  /** What was chosen and isn't answered. @type {Partial<import("./types").FloorPlanSettings>} */
+  /** Settings sent and not yet applied. @type {Partial<import("./types").FloorPlanSettings>} */
   let chosen = {};
-  /** Files that are being opened: what is chosen meanwhile was meant for those before. */
+  /** Files being opened: settings changed meanwhile belong to the earlier ones. */
   let opening = 0;
 
   /** @type {FloorPlanTab} */
@@ -68,7 +69,7 @@ export function startFloorPlan(app, module) {
       if (doing.length === 1) showDoing();
       try {
         const result = await client.ask(request);
-        // What went wrong before is still to be read.
+        // An earlier error is still to be read.
         if (request.type !== "restore") forgive();
         return { result };
       } catch (error) {
@@ -99,7 +100,7 @@ export function startFloorPlan(app, module) {
   };
 
   let taken = 0;
-  /** Lays files on the board. @param {File[]} files */
+  /** Opens files. @param {File[]} files */
   const take = async (files) => {
     if (files.length === 0) return;
     const names = files.map((file) => file.name).join(" and ");
@@ -126,7 +127,7 @@ export function startFloorPlan(app, module) {
   };
   client.onprogress = (done) => setAttribute(byId("floor-plan-progress"), "value", String(Math.floor(100 * done)));
   client.onrestore = (request) => void it.ask(request, "Restoring the floor plan");
-  client.onbroken = (message, returns) => keeping.broke(message) || complain(`Internal error in Floor plan (${message}). ${returns ? "What you had is being restored" : "Open the file again, or another one"}; Explore is not affected.`);
+  client.onbroken = (message, returns) => keeping.broke(message) || complain(`Internal error in Floor plan (${message}). ${returns ? "Your floor plan is being restored" : "Open the file again, or another one"}; Explore is not affected.`);
   client.start();
   client.onview(undefined);
   void keeping.bring(() => opening === 0 && taken === 0);

@@ -2,10 +2,10 @@
 import type { DrawingTool, FloorPlanSettings, FloorPlanView } from "../types";
 export * from "../types";
 
-/** What the page wants to be answered. */
+/** Requests of the page that are answered. */
 export type Request =
   | { type: "open"; files: File[] }
-  /** The floor plan may have been kept by another version, with other settings. */
+  /** The floor plan can have been stored by another version, with other settings. */
   | { type: "restore"; files: File[]; settings: Partial<FloorPlanSettings> }
   | { type: "set"; settings: Partial<FloorPlanSettings> }
   | { type: "scale"; metres: number }
@@ -14,7 +14,7 @@ export type Request =
   | { type: "export"; format: string }
   | { type: "room"; sweeps: boolean };
 
-/** What the page just says. */
+/** Messages of the page without an answer. */
 export type Said =
   | { type: "tool"; tool: DrawingTool }
   | { type: "stages"; stages: number[]; moves: boolean }

@@ -4,7 +4,7 @@ import { byId, fill, input, select, setAttribute, setHidden, setText } from "../
 import { hint } from "./canvas.js";
 import { showValue } from "./fields.js";
 
-/** Sides of the room's cells, m; as in src/app/draft/settings.rs. */
+/** Sides of the room's cells, m; as in crates/robovac-app/src/floor_plan/settings.rs. */
 const CELLS = [0.01, 0.02, 0.025, 0.05, 0.1, 0.2, 0.5];
 
 /** @param {import("./tab.js").FloorPlanTab} it @returns {(view: import("./types").FloorPlanView | undefined) => void} */

@@ -1,5 +1,6 @@
 // @ts-check
-// The drawing board, away from the page: reads, traces, plans and draws. To cancel, the page ends this worker.
+// The Floor plan tab's session, separate from the page: reads, traces, plans and draws. To cancel, the page ends this
+// worker.
 import init, { FloorPlanSession } from "../../floor_plan.js";
 import { PANS } from "../shared/pan-zoom.js";
 
@@ -10,11 +11,11 @@ const REST_MS = 120;
 
 /** @type {FloorPlanSession} */
 let session;
-/** What is done one after the other. */
+/** The queue of tasks. */
 let doing = Promise.resolve();
 let isDrawing = false;
 let isBroken = false;
-/** Whether what a sweep takes has been compiled, before somebody waits for it. */
+/** Whether the code of a sweep has been compiled in advance. */
 let isWarm = false;
 let moved = -Infinity;
 /** Stages that are still to be shown, and when the first of them began. @type {number[]} */
@@ -74,7 +75,7 @@ async function read(files) {
   try {
     return await Promise.all(files.map(async (file) => ({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) })));
   } catch (error) {
-    // What the browser can't read: folders, files that have gone away.
+    // Files that the browser can't read: folders, deleted files.
     throw `The file could not be read (${error instanceof Error ? error.message : error}). Choose a file rather than a folder.`;
   }
 }
@@ -103,7 +104,7 @@ async function answer(request) {
   }
 }
 
-/** Does what the page says; whether more than the picture may have changed. @param {import("./types").Said} said */
+/** Executes a message of the page; returns whether more than the picture can have changed. @param {import("./types").Said} said */
 function hear(said) {
   if (["pan", "zoom", "pointer", "key"].includes(said.type)) moved = performance.now();
   switch (said.type) {

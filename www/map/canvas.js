@@ -12,7 +12,7 @@ const TURNS = { ArrowLeft: "turn_left", ArrowRight: "turn_right" };
 export function startCanvas(it, canvas) {
   const { session, act } = it;
   startHands(canvas, session, { pointer: (kind, x, y) => void act((s) => s.pointer(kind, x, y)), key: () => it.view.is_carried });
-  // Before all others: who carries the robot has the arrow keys for that.
+  // Before all others: while carrying the robot, arrow keys move it.
   document.addEventListener("keydown", (event) => {
     if (!it.view.is_carried || byId("panel-map").hidden || event.ctrlKey || event.metaKey || event.altKey) return;
     const isHere = event.target === canvas || event.key === "Escape";
@@ -60,7 +60,7 @@ export function startCanvas(it, canvas) {
   };
 }
 
-/** What is drawn: the buttons over the map, and the whole list. @param {import("./tab.js").MapTab} it */
+/** The layers: the buttons over the map, and the whole list. @param {import("./tab.js").MapTab} it */
 function startLayers(it) {
   const [list, opener] = [byId("map-layers"), button("map-layers-open")];
   const open = () => {

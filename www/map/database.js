@@ -8,7 +8,7 @@
 
 const DATABASE = "robovac-maps";
 export const KEPT = "surveys"; // an older name of them
-/** What can't go on, and had better not be lost. */
+/** Runs that can't be continued and should be kept. */
 export const ASIDE = "aside";
 /** Mapping runs that are kept; the oldest gives way. */
 const MOST = 24;
@@ -32,7 +32,7 @@ export async function write(database, what) {
   for (const { recipe } of old) await done(store.delete(recipe));
 }
 
-/** What a request comes to. @template T @param {IDBRequest<T>} request @returns {Promise<T>} */
+/** The result of a request. @template T @param {IDBRequest<T>} request @returns {Promise<T>} */
 export function done(request) {
   return new Promise((resolve, reject) => {
     request.onsuccess = () => resolve(request.result);

@@ -1,5 +1,5 @@
 // @ts-check
-// The tab Map with all that it needs: style, document, module. Loaded when it is first opened.
+// The tab Map with its style, document and module. Loaded when it is first opened.
 import init from "../../workshop.js";
 import { byId } from "../dom.js";
 import { style, text } from "../parts.js";

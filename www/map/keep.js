@@ -15,7 +15,7 @@ import { stored_ros_map } from "../../workshop.js";
 
 /** Milliseconds between two looks at whether there is something new to keep. */
 const EVERY = 3000;
-/** Less than this isn't told to be lost, s. */
+/** The loss of a shorter run isn't reported, s. */
 const LITTLE = 0.1;
 
 /** @param {MapTab} it */
@@ -24,11 +24,11 @@ export function startKeeping(it) {
   /** @type {Promise<IDBDatabase> | undefined} */
   let opened;
   const open = () => (opened ??= openDatabase());
-  /** What is being shown, as far as it was asked for. */
+  /** The recipe of the displayed run, once requested. */
   let recipe = "";
-  /** Whether what was kept of it has been looked for: before, nothing is written over it. */
+  /** Whether its stored run has been read: before that, nothing overwrites it. */
   let isKnown = false;
-  /** What was kept last of it: its moment, and its text. */
+  /** The last stored state: its time, and its text. */
   let kept = "";
   let text = "";
   /** Its moment once the database has it. */
@@ -44,7 +44,7 @@ export function startKeeping(it) {
     toast(error instanceof DOMException && error.name === "QuotaExceededError" ? "This browser has no storage left for this map. Export it before you leave." : "This browser doesn't keep maps (a private window?). Export yours before you leave.");
   };
 
-  /** Looks for what was kept of what is shown now. @param {string} now */
+  /** Reads the stored run of the displayed recipe. @param {string} now */
   const look = async (now) => {
     [recipe, isKnown, kept, text] = [now, false, "", ""];
     try {
@@ -53,7 +53,7 @@ export function startKeeping(it) {
       // The robot had been given a map.
       const given = now === session.home() ? await get(mark(now)) : undefined;
       if (given) found = (await get(given.text)) ?? found;
-      // Something else may have been chosen or begun meanwhile.
+      // Another run can have been started meanwhile.
       if (recipe !== now || session.recipe() !== now) return;
       if (found && it.view.time_s === 0 && it.view.end_s === 0) void bring(found);
       isKnown = true;
@@ -83,7 +83,7 @@ export function startKeeping(it) {
     return left;
   };
   let caughtUp = catchUp().catch(() => undefined);
-  /** What is lost of a run is told once. @param {string} key */
+  /** The loss of a run is reported once. @param {string} key */
   const told = async (key) => {
     if ((await caughtUp)?.recipe === key) caughtUp = Promise.resolve(undefined);
   };
@@ -112,7 +112,7 @@ export function startKeeping(it) {
       .catch(warn);
   };
 
-  /** Tells why something can't go on, and offers what is left of it. @param {string} why @param {string} what */
+  /** Explains why a run can't be continued, and offers its map. @param {string} why @param {string} what */
   const explain = (why, what) => {
     complain(`${why}. It stays in this browser; save a copy below if you need it.`);
     setHidden(byId("map-aside"), false);
@@ -121,14 +121,14 @@ export function startKeeping(it) {
       try {
         for (const { name, bytes, kind } of stored_ros_map(what, "stored-map")) download(name, bytes, kind);
       } catch {
-        // What can't be read is at least not lost.
+        // A text that can't be read is kept.
         download("stored-map.json", what, "application/json");
       }
     };
   };
   button("map-aside-close").addEventListener("click", () => setHidden(byId("map-aside"), true));
 
-  /** What there is to be kept, unless it is kept already. */
+  /** The state to be stored, unless it is stored already. */
   const news = () => {
     if (!isKnown || session.recipe() !== recipe) return undefined;
     const now = session.store();
@@ -147,7 +147,7 @@ export function startKeeping(it) {
       .then((database) => write(database, entries))
       .then(() => {
         written = now;
-        // What is newer may be under way still.
+        // A newer state can still be being written.
         if (kept === now) dropLast();
       })
       .catch(warn);
@@ -176,7 +176,7 @@ export function startKeeping(it) {
       last = at;
       save();
     },
-    /** Forgets what was kept of what is shown. */
+    /** Deletes the stored state of the displayed run. */
     forget() {
       kept = written = "";
       dropLast();
@@ -191,5 +191,5 @@ export function startKeeping(it) {
 /** Under which it is kept that the robot had been given a map, with its recipe for a text. @param {string} home */
 const mark = (home) => `given a map: ${home}`;
 
-/** Tells one state of a mapping run from another. @param {MapTab} it */
+/** Key of a mapping run's state. @param {MapTab} it */
 const moment = ({ view }) => `${view.time_s} ${view.end_s} ${view.version} ${view.phase === "held"}`;

@@ -1,6 +1,7 @@
 // @ts-check
-// What is kept in the moment in which the page is left. The browser's database takes longer than a page has then; its local
-// storage is written at once, has room for a few megabytes, and holds the mapping run until the database has it.
+// The state stored at the moment in which the page is left. The browser's database takes longer than a page has then;
+// its local storage is written at once, has room for a few megabytes, and holds the mapping run until the database has
+// it.
 
 /**
  * @typedef {import("./database.js").Kept} Kept
@@ -22,7 +23,7 @@ export function keepLast(last) {
   }
 }
 
-/** What was kept so, if anything. @returns {Last | undefined} */
+/** The state stored so, if any. @returns {Last | undefined} */
 export function theLast() {
   try {
     const { recipe, end, entries } = JSON.parse(localStorage.getItem(LAST) ?? "");

@@ -16,7 +16,7 @@ const centimetres = (metres) => (metres < 1 ? `${(100 * metres).toFixed(1)} cm` 
 const ROWS = [
   { label: "Position error", tip: "Current distance between true and estimated position.", of: ({ position_m }) => (position_m === null ? "lost" : centimetres(position_m)) },
   { label: "Heading error", tip: "Current angle between true and estimated heading.", of: ({ heading_deg }) => (heading_deg === null ? "lost" : `${heading_deg.toFixed(1)}°`) },
-  { label: "Cells right", tip: "Share of the map's known cells that are right, to within one cell of 5 cm.", of: ({ right }) => `${percent(right)} %` },
+  { label: "Cells right", tip: "Share of the map's known cells that are right, to within one 5 cm cell.", of: ({ right }) => `${percent(right)} %` },
   { label: "Boundary mapped", tip: "Share of the walls and furniture within the bumper's reach that are on the map, to within one cell.", of: ({ boundary }) => `${percent(boundary)} %` },
   { label: "Floor known", tip: "Share of the floor within reach of the robot's body that it knows to be free.", of: ({ known }) => `${percent(known)} %` },
 ];
@@ -24,7 +24,7 @@ const ROWS = [
 /** @type {{ label: string, tip: string, of: (view: MapView) => string }[]} */
 const SINGLE = [
   { label: "Own error estimate", tip: "The robot's own estimate: one standard deviation of the position (along the longer axis) and of the heading. Ellipse and wedge on the map show two.", of: ({ spread }) => (spread ? `±${centimetres(spread[0])}, ±${spread[1].toFixed(1)}°` : "–") },
-  { label: "Cleaned by its map", tip: "Estimated swept share of the reachable floor on its own map, and what is left; once it cleans with its map.", of: ({ by_map }) => (by_map ? `${percent(by_map[0] / Math.max(by_map[1], 1e-9))} %, ${(by_map[1] - by_map[0]).toFixed(1)} m² left` : "–") },
+  { label: "Cleaned by its map", tip: "Estimated swept share of the reachable floor on its own map, and what is left. Shown once it cleans with its map.", of: ({ by_map }) => (by_map ? `${percent(by_map[0] / Math.max(by_map[1], 1e-9))} %, ${(by_map[1] - by_map[0]).toFixed(1)} m² left` : "–") },
   { label: "Actually cleaned", tip: "Share of the reachable floor actually swept since the figures started.", of: ({ coverage }) => `${percent(coverage)} %` },
   { label: "Estimated cleaned", tip: "Estimated swept area on its own map; not counted while it is lost.", of: ({ cleaned_m2 }) => `${cleaned_m2.toFixed(1)} m²` },
   { label: "Dirt found", tip: "Area where its dirt sensor triggered.", of: ({ dirt_m2 }) => `${dirt_m2.toFixed(2)} m²` },

@@ -35,7 +35,7 @@ export function startPlaybar(it) {
     const { can } = view;
     const running = isMoving();
     transport.update({ ...can, play: can.play || can.pause, reset: can.seek }, running, view.speed);
-    // What was asked for and isn't reached is worth a word.
+    // A requested speed that isn't reached is mentioned.
     const reached = view.speed_factor;
     const isSlow = view.phase === "playing" && reached > 0 && (view.speed === 0 || reached < 0.9 * view.speed);
     setText(byId("map-pace"), isSlow ? pace(reached) : "");

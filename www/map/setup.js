@@ -1,5 +1,5 @@
 // @ts-check
-// What is chosen here: the behaviour and its parameters, how the robot keeps track, wheels and sensors.
+// The settings of the Map tab: the behaviour and its parameters, tracking, wheels and sensors.
 import { button, byId, changed, fill, select, setAttribute, setText } from "../dom.js";
 import { explainer } from "../explainer.js";
 import { ODOMETRIES, ODOMETRY_TIP } from "../odometry.js";
@@ -25,7 +25,7 @@ export function startSetup(it) {
   else fill(menu, others.map(({ id, title }) => [id, title]));
   fill(select("map-counts"), ODOMETRIES);
   setAttribute(byId("map-counts-field"), "data-tip", ODOMETRY_TIP);
-  /** What was refused keeps showing what is. @param {string} id @param {string} key */
+  /** A refused field shows the current value again. @param {string} id @param {string} key */
   const choose = (id, key) => {
     it.set(key, select(id).value);
     changed(select(id), "value", undefined);
@@ -71,7 +71,7 @@ export function startSetup(it) {
       }
     }
     const perfect = view.wheels === "none" && view.senses === "off";
-    setText(byId("map-real-note"), perfect ? "Perfect wheels don't drift: there is nothing to correct." : "Without slip nothing drifts, so perfect wheels in Explore are typical ones here.");
+    setText(byId("map-real-note"), perfect ? "Perfect wheels don't drift: there is nothing to correct." : "Without slip nothing drifts, so perfect wheels in Explore become typical ones here.");
     setText(byId("map-seed"), String(it.app.view.seed));
     setText(byId("map-robot"), it.app.catalogue.robots.find(({ id }) => id === it.app.view.robot)?.title ?? "");
   };

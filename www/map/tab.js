@@ -20,13 +20,14 @@ import { startUses } from "./uses.js";
  * @property {MapSession} session
  * @property {MapView} view The latest view.
  * @property {import("../types").CatalogueEntry[]} explorers
- * @property {[string, string][]} cleaners Planners of what is left.
- * @property {(what: (session: MapSession) => void) => boolean} act Does something that may fail; says whether it worked.
+ * @property {[string, string][]} cleaners Planners for the remaining floor.
+ * @property {(what: (session: MapSession) => void) => boolean} act Runs an action that can fail; returns whether it
+ * succeeded.
  * @property {(key: string, value: string) => boolean} set Chooses.
  * @property {(layer: string) => void} toggle Shows a layer, or no longer.
  */
 
-/** Name of what is stored of choices. */
+/** Storage key of the choices. */
 const CHOICES = "map-choices";
 /** Milliseconds between descriptions in words. */
 const PAUSE = 4000;
@@ -47,7 +48,7 @@ export function startMap(app) {
     cleaners: MapSession.cleaners(),
     act: (what) => app.act(() => what(session)),
     set: (key, value) => {
-      // Another choice begins another run; what was reached stays with the choices that led there.
+      // Another choice begins another run; the result stays with the choices that led to it.
       keeping.save();
       return it.act((s) => s.set(key, value));
     },
@@ -105,7 +106,7 @@ export function startMap(app) {
   };
 }
 
-/** Takes the choices that were made last in this browser: with them comes what was mapped. @param {MapSession} session */
+/** Takes the last choices made in this browser, and with them the stored run. @param {MapSession} session */
 function recall(session) {
   try {
     session.restore(localStorage.getItem(CHOICES) ?? "");
@@ -123,7 +124,7 @@ function remember(link) {
   }
 }
 
-/** What is neither number nor choice. @param {MapView} view */
+/** Values that are neither numbers nor choices. @param {MapView} view */
 function show(view) {
   const root = byId("panel-map");
   setAttribute(root, "data-phase", view.phase);

@@ -1,5 +1,5 @@
 // @ts-check
-// What can be done with the map: it becomes the room of Explore, or files for other programs; or it is forgotten.
+// Uses of the map: as the room of Explore, as files for other programs; or dropping it.
 import { button, byId, changed, fill, input, select, setEnabled, setHidden, setText } from "../dom.js";
 import { download, fileName } from "../files.js";
 import { clock, percent } from "../format.js";
@@ -50,13 +50,13 @@ export function startUses(it, keeping) {
     files.value = "";
     await open(chosen);
   });
-  /** Gives the robot a map; what can't be read is told, and the current one stays. @param {File[]} chosen */
+  /** Gives the robot a map; if it can't be read, an error is shown and the current one stays. @param {File[]} chosen */
   const open = async (chosen) => {
     if (chosen.length === 0) return;
     try {
       const { readMap } = await import("../workers.js");
       const map = await readMap(await Promise.all(chosen.map(async (file) => ({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) }))));
-      // The run may have gone on meanwhile.
+      // The run can have continued meanwhile.
       keeping.save();
       const before = ran();
       if (it.act((s) => s.open(map))) {

@@ -1,5 +1,5 @@
 // @ts-check
-// What need not be done in every frame.
+// Work that isn't needed in every frame.
 
 /**
  * @param {number} ms

@@ -46,7 +46,7 @@ export function startHands(canvas, picture, { pointer, hover, draws, hasTool, ke
 
   /** Pointers that are down. @type {Map<number, Spot>} */
   const down = new Map();
-  /** What they do. @type {"tool" | "pan" | "pinch"} */
+  /** Their gesture. @type {"tool" | "pan" | "pinch"} */
   let gesture = "pan";
   /** @param {PointerEvent} event @returns {Spot} */
   const spot = (event) => {
@@ -86,7 +86,7 @@ export function startHands(canvas, picture, { pointer, hover, draws, hasTool, ke
       if (!down.delete(event.pointerId)) return;
       const { x, y } = spot(event);
       if (gesture === "tool") pointer?.(kind, x, y, 0);
-      // The finger that is left over after a pinch goes on moving the view.
+      // The finger that remains after a pinch keeps panning.
       gesture = "pan";
       canvas.classList.toggle("grabbed", down.size > 0);
     });

@@ -2,7 +2,8 @@
 // A time line that is a plain range.
 import { changed, input } from "../dom.js";
 
-/** @param {string} id @param {(seconds: number) => void} seek @returns {(range: number, at?: number) => void} Shows what it spans, and a time, unless somebody holds it. */
+/** @param {string} id @param {(seconds: number) => void} seek @returns {(range: number, at?: number) => void} Sets the
+ * range, and a time unless it is being dragged. */
 export function startRange(id, seek) {
   const node = input(id);
   let isHeld = false;

@@ -24,7 +24,8 @@ export function startTransport(prefix, speeds, deeds) {
   const keys = { " ": () => can.play && deeds.toggle(), ".": () => can.step && deeds.step(), r: () => can.reset && deeds.reset() };
   [play, step, reset].forEach((node, index) => node.addEventListener("click", Object.values(keys)[index] ?? null));
   return {
-    /** @param {typeof can} now @param {boolean} isRunning @param {number} [pace] @param {string} [begin] What it is called while it doesn't run. */
+    /** @param {typeof can} now @param {boolean} isRunning @param {number} [pace] @param {string} [begin] The label of
+     * the button while it doesn't run. */
     update(now, isRunning, pace, begin = "Play") {
       can = now;
       setEnabled(play, can.play);

@@ -1,4 +1,4 @@
-//! A planner of one's own, outside the crate: tested like those of the registry, and compared with two of them.
+//! A planner defined outside the crate, tested like those of the registry and compared with two of them.
 //! `cargo run -p coverage-planners --example own_planner`
 
 use coverage_planners::{
@@ -41,7 +41,7 @@ impl Planner for DepthFirst {
     }
 }
 
-/// What the contract tests demand of a complete, deterministic planner.
+/// The checks that the contract tests make of a complete, deterministic planner.
 fn check(planner: &dyn Planner, job: &CoverageJob) -> Result<WalkMetrics, Box<dyn Error>> {
     let path = planner.plan(job, &mut PlanContext::new(1))?;
     path.check(job)?;
@@ -64,7 +64,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Costs in some rooms: steps + 2 x quarter turns.
+/// Costs in some rooms: steps + 2 × quarter turns.
 pub fn report() -> Result<String, Box<dyn Error>> {
     let robot = model("roomba600").ok_or("no such robot")?;
     let peers = ["boustrophedon", "snake"].map(find).into_iter().flatten().collect::<Vec<_>>();

@@ -13,16 +13,16 @@
 //!
 //! Where the paper is silent:
 //!
-//! - *Backtracking points.* Every new cell beside a clean one is reached through one of them, so that the nearest new cell is
-//!   looked for instead of keeping a list; the walk is the same. Of equally near ones it takes the one that it turns least
-//!   for.
+//! - *Backtracking points.* Every new cell beside a clean one is reached through one of them, so the nearest new cell
+//!   is searched for instead of keeping a list; the walk is the same. Of equally near ones it takes the one that it
+//!   turns least for.
 //! - *Beginning.* A spiral begins in a direction in which something is on its reference side, straight on if possible, then
 //!   towards the reference side; if there is none, in any that is free. The paper starts the first one beside a wall; in
 //!   rooms of up to 100,000 cells all four directions are tried from where the robot stands.
 //! - *Side.* In such rooms both sides are tried; the cheapest walk wins.
 //! - *Partly occupied cells* don't exist here: the paper's extension for them isn't needed.
 //!
-//! At last, detours over floor that is cleaned at another time anyway are cut short. O(n) for the rules; every end of a
+//! Finally, detours over floor that is cleaned at another time anyway are cut short. O(n) for the rules; every end of a
 //! spiral costs a search around it.
 //!
 //! ```
@@ -49,7 +49,7 @@ use robovac_core::{
 pub const INFO: PlannerInfo = PlannerInfo {
     id: "backtracking_spiral",
     title: "Backtracking spiral (BSA)",
-    summary: "Spirals inwards along walls and clean floor, then goes to the nearest cell left and spirals again.",
+    summary: "Spirals inwards along walls and clean floor, then goes to the nearest uncleaned cell and spirals again.",
     source: "González, Álvarez, Díaz, Parra & Bustacara 2005, BSA: a complete coverage algorithm, ICRA",
     link: "https://www.academia.edu/103916763/BSA_A_Complete_Coverage_Algorithm",
     explainer: Explainer {
@@ -114,7 +114,7 @@ impl Planner for BacktrackingSpiral {
 
 /// The rules of a spiral.
 struct SpiralRule {
-    /// The side on which the spiral keeps what it must not drive over.
+    /// The side on which the spiral keeps walls and clean floor.
     reference: SideOf,
     /// The direction in which to leave the start.
     first: Option<Direction>,

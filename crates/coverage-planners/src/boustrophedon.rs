@@ -1,10 +1,10 @@
 //! Boustrophedon: decomposes the room into parts that can be swept in parallel lanes, and orders them.
 //!
-//! Choset & Pignon 1998 ("Coverage path planning: the boustrophedon cellular decomposition") and Choset 2000 ("Coverage of
-//! known spaces", Autonomous Robots 9). A line sweeps over the room; where its connectivity changes, a part ends or begins
-//! ([`decompose`]). Every part is swept in parallel lanes from one of its corners ([`MownBlock::sweeps`]).
-//! The papers visit the parts by a walk through their adjacency graph; here they are ordered like the towns of a
-//! travelling salesman: nearest first, then improved by local search with a choice of corners ([`improve`]). At last, detours over
+//! Choset & Pignon 1998 ("Coverage path planning: the boustrophedon cellular decomposition") and Choset 2000 ("Coverage
+//! of known spaces", Autonomous Robots 9). A line sweeps over the room; where its connectivity changes, a part ends or
+//! begins ([`decompose`]). Every part is swept in parallel lanes from one of its corners ([`MownBlock::sweeps`]). The
+//! papers visit the parts by a walk through their adjacency graph; here they are ordered like the towns of a travelling
+//! salesman: nearest first, then improved by local search with a choice of corners ([`improve`]). Finally, detours over
 //! floor that has been cleaned anyway are cut short ([`shortcut`]).
 //!
 //! Lanes run along x or y, whichever walk costs less. In a large room the choice is made by the number of lanes, and the
@@ -119,11 +119,11 @@ enum BoustrophedonLanes {
 const CELLS_PER_EFFORT: usize = 300_000;
 /// Most blocks whose order is improved.
 const MAX_BLOCKS_TO_IMPROVE: usize = 600;
-/// Cells around every corner that shortest paths are looked for in.
+/// Cells around every corner that are searched for shortest paths.
 const REACH: usize = 2_000;
 /// Rounds of local search times blocks, for every unit of effort: a round costs time in proportion to the blocks.
 const ROUNDS_TIMES_BLOCKS: usize = 40_000;
-/// Most rounds for every block and unit of effort: small rooms are soon as good as they get.
+/// Most rounds for every block and unit of effort: small rooms converge soon.
 const ROUNDS_PER_BLOCK: usize = 4;
 /// Passes over the walk to cut detours; the first one finds nearly all, and a large room gets no more.
 const PASSES: usize = 3;
@@ -158,15 +158,15 @@ impl Planner for Boustrophedon {
     }
 }
 
-/// Reports a part of the work as a part of the whole.
+/// Reports the progress of a part of the work as progress of the whole.
 struct ShareReporter<'r, 'c> {
     ctx: &'r mut PlanContext<'c>,
     job: &'r CoverageJob,
     from: f64,
     share: f64,
-    /// Whether walks come with x and y swapped.
+    /// Whether walks arrive with x and y swapped.
     is_swapped: bool,
-    /// The best walk to be shown. The plan doesn't depend on it, as it must be the same if nobody watches.
+    /// The best walk to be shown. The plan doesn't depend on it, as it must be the same without an observer.
     shown: Vec<Cell>,
 }
 
@@ -175,7 +175,7 @@ impl ShareReporter<'_, '_> {
         self.ctx.checkpoint(self.from + self.share * done.min(1.0), &self.shown)
     }
 
-    /// Shows `walk` from the next report on if somebody watches and it's better than what has been shown.
+    /// Shows `walk` from the next report on if there is an observer and it's better than the walk shown before.
     fn show(&mut self, walk: &[Cell]) {
         if !self.ctx.is_observed() {
             return;
@@ -239,7 +239,7 @@ impl Boustrophedon {
         Ok(walk)
     }
 
-    /// Looks for a better order of the blocks.
+    /// Searches for a better order of the blocks.
     fn improve_order(
         &self,
         job: &CoverageJob,
@@ -252,7 +252,7 @@ impl Boustrophedon {
             progress.report(between([ORDERED, LINKED], done))
         })?;
         let rounds = (ROUNDS_TIMES_BLOCKS / tour.len()).min(ROUNDS_PER_BLOCK * tour.len());
-        // The same numbers in every run: the seed changes nothing.
+        // A fixed seed: the result doesn't depend on the run's.
         let mut rng = seeded(0, 0);
         improve(&links, tour, self.effort * rounds, &mut rng, |done| progress.report(between([LINKED, IMPROVED], done)))
     }

@@ -12,7 +12,7 @@
 //!    well ([`strokes`]), and step 2 is repeated with these, always from the best walk. So lanes change as well: a way between
 //!    two lanes may become one, and neighbours shrink by what it cleans.
 //!
-//! The sources say nothing of steps 2 and 3. In large rooms, with too many lanes, there is step 1 alone.
+//! Steps 2 and 3 are not in the sources. In large rooms, with too many lanes, there is only step 1.
 //!
 //! ```
 //! use robovac_core::grid::*;
@@ -45,7 +45,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
                travelling salesman problem. Finally, local search improves the order of the single lanes.",
         complexity: "The cut takes up to O(p³) time for p rectangles between the wall lines, far less in practice; the \
                      rest as for boustrophedon, with O(l²) for l lanes.",
-        use_when: "The fewest turns of all lane planners, in rooms with arms in both directions. Planning takes about \
+        use_when: "For rooms with arms in both directions: the fewest turns of all lane planners. Planning takes about \
                    a second, ten times as long as plain lanes.",
         shines: Example { room: "spiral", why: "Every arm is swept lengthwise, while plain lanes cross half of them." },
         fails: Example {
@@ -93,21 +93,21 @@ struct BoustrophedonCells {
 
 /// Most parts whose order is improved.
 const MAX_PARTS: usize = 800;
-/// Most lanes that are taken one by one.
+/// Most lanes that are ordered one by one.
 const MAX_LANES: usize = 1_200;
-/// Cells around every end of a lane or part that shortest paths are looked for in.
+/// Cells around every end of a lane or part that are searched for shortest paths.
 const REACH: usize = 2_000;
 /// Rounds of local search times parts, for every unit of effort: a round costs time in proportion to the parts.
 const ROUNDS_TIMES_PARTS: usize = 100_000;
 /// Most rounds for every part and unit of effort.
 const ROUNDS_PER_PART: usize = 4;
-/// Most rounds for the lanes each time that they are taken apart, for every unit of effort.
+/// Most rounds for the lanes each time the walk is split, for every unit of effort.
 const ROUNDS: usize = 1_500;
-/// The same for every lane, and less for few of them: small rooms are soon as good as they get.
+/// The same for every lane, and less for few of them: small rooms converge soon.
 const ROUNDS_PER_LANE: usize = 24;
-/// How often the walk is taken apart into lanes.
+/// How often the walk is split into lanes.
 const TIMES_APART: usize = 5;
-/// How often in a row that may bring nothing.
+/// Consecutive splits without improvement after which the search ends.
 const MOST_IN_VAIN: usize = 2;
 
 /// Shares of the work that are done after each stage.

@@ -7,13 +7,13 @@ use robovac_core::{
 };
 use std::ops::ControlFlow;
 
-/// Why there is no plan.
+/// Reasons for a planner to return no plan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum PlanError {
     /// The caller asked to stop.
     #[error("planning was cancelled")]
     Cancelled,
-    /// The planner can't be made.
+    /// The planner isn't in the registry.
     #[error("the planner isn't in the registry")]
     Unlisted,
 }
@@ -22,27 +22,27 @@ pub enum PlanError {
 pub struct PlanContext<'a> {
     /// The run's random numbers.
     pub rng: Rng,
-    /// How good the best walk so far is known to be; planners that prove nothing leave it alone.
+    /// Bound of the best walk so far; planners that prove nothing leave it `None`.
     pub proof: Option<Proof>,
     observer: Option<Observer<'a>>,
     tracer: Option<StepTracer<'a>>,
 }
 
-/// How far a planner is.
+/// Progress of a planner.
 #[derive(Debug, Clone, Copy)]
 pub struct ProgressReport<'a> {
     /// Share of the work that is done, 0 to 1.
     pub done: f64,
     /// The best walk so far; empty before the first.
     pub walk: &'a [Cell],
-    /// How good that walk is known to be.
+    /// Proven quality of that walk.
     pub proof: Option<Proof>,
 }
 
 /// Receives a planner's progress; returns whether to continue.
 pub type Observer<'a> = &'a mut dyn FnMut(ProgressReport<'_>) -> ControlFlow<()>;
 
-/// Receives every decision.
+/// Receives every decision of the planner.
 pub type StepTracer<'a> = &'a mut dyn FnMut(TraceStep);
 
 impl<'a> PlanContext<'a> {
@@ -56,12 +56,12 @@ impl<'a> PlanContext<'a> {
         Self { rng: seeded(seed, 0), proof: None, observer: Some(observer), tracer: None }
     }
 
-    /// The same run, its decisions told to `tracer`.
+    /// The same run, with its decisions reported to `tracer`.
     pub fn traced(self, tracer: StepTracer<'a>) -> Self {
         Self { tracer: Some(tracer), ..self }
     }
 
-    /// Tells a decision; where nobody listens it isn't made.
+    /// Reports a decision; `step` is not evaluated without a tracer.
     #[inline]
     pub fn trace(&mut self, step: impl FnOnce() -> TraceStep) {
         if let Some(tracer) = &mut self.tracer {
@@ -69,12 +69,12 @@ impl<'a> PlanContext<'a> {
         }
     }
 
-    /// Whether somebody watches: what is only shown needn't be made otherwise.
+    /// Whether there is an observer; values that are only shown needn't be computed otherwise.
     pub fn is_observed(&self) -> bool {
         self.observer.is_some()
     }
 
-    /// To be called every few milliseconds: reports how far the planner is, 0 to 1, and the walk that it has so far.
+    /// Reports progress, 0 to 1, and the best walk so far. To be called every few milliseconds.
     pub fn checkpoint(&mut self, done: f64, walk: &[Cell]) -> Result<(), PlanError> {
         let report = ProgressReport { done, walk, proof: self.proof };
         match self.observer.as_mut().map(|observe| observe(report)) {

@@ -12,7 +12,7 @@
 //! 2. A ring is ready when all cells of the layer before that it touches have been driven. The robot goes to the nearest
 //!    cell of such a ring and follows it: straight on if it can, else to the right or left. Where none is ready far and
 //!    wide it takes the nearest ring that is left: crossing a hall and coming back would cost more than the order is worth.
-//! 3. At last, detours over floor that is cleaned at another time are cut short ([`shortcut`]).
+//! 3. Finally, detours over floor that is cleaned at another time are cut short ([`shortcut`]).
 //!
 //! Milling leaves open which contour comes next where several may be cut; here it's the nearest, which joins rings where
 //! they are nearest. Corners and ridges, where offset curves of a round tool leave cusps that need extra strokes, need
@@ -90,7 +90,7 @@ impl Planner for Contour {
         let (mut at, mut heading) = (job.start, job.heading);
         let cells = floor.left as f64;
         let mut next_report = 0;
-        // The start may lie in the middle of the room, whose turn comes late.
+        // The start can lie in the middle of the room, which is due late.
         let mut is_on_ring = floor.is_ready(at);
         floor.visit(at);
         walk.push(at);
@@ -105,7 +105,7 @@ impl Planner for Contour {
                 walk.push(at);
                 continue;
             }
-            // All free cells are connected and the outermost ring left is always ready, so that there is a way.
+            // All free cells are connected and the outermost ring left is always ready, so a way exists.
             let Some(next) = floor.next_ring(&mut flood, (at, heading), costs) else { break };
             let (from, to) =
                 (TransitEnd { cell: at, heading: Some(heading) }, TransitEnd { cell: next, heading: None });
@@ -128,14 +128,14 @@ impl Planner for Contour {
 const DRIVEN: f64 = 0.8;
 /// Steps between two reports.
 const REPORT_EVERY: usize = 4096;
-/// Cells around the robot among which a ring that is ready is looked for.
+/// Cells around the robot that are searched for a ready ring.
 const REACH: usize = 5_000;
 /// Layer of cells that have been visited and of those that aren't free.
 const DONE: u32 = u32::MAX;
 
-/// What is left to be cleaned.
+/// The floor left to be cleaned.
 struct ContourFloor {
-    /// In which turn a cell is due, or [`DONE`].
+    /// Layer at which a cell is due, or [`DONE`].
     layers: Grid<u32>,
     /// Number of the ring that a cell is in.
     rings: Grid<u32>,
@@ -167,7 +167,7 @@ impl ContourFloor {
         self.layers.get(cell).copied().unwrap_or(DONE)
     }
 
-    /// Whether a cell is left and all around its ring that is due before it isn't.
+    /// Whether a cell is left and everything around its ring that is due before it is done.
     fn is_ready(&self, cell: Cell) -> bool {
         self.layer(cell) != DONE && self.waits[self.rings[cell] as usize] == 0
     }
@@ -186,17 +186,17 @@ impl ContourFloor {
             if next_layer > layer {
                 self.waits[self.rings[next] as usize] -= 1;
             } else if next_layer < layer {
-                // Driven across ahead of its turn: its ring waits for one cell less.
+                // Driven across early: its ring waits for one cell less.
                 self.waits[self.rings[cell] as usize] -= 1;
             }
         }
     }
 
-    /// The cell that is ready and cheapest to go to, by the steps of the way there and the turns that it has at least; the
-    /// nearest of all that are left if none of the [`REACH`] cells around is ready.
+    /// The ready cell that is cheapest to reach, by the steps of the way and the least number of turns; the nearest of
+    /// all that are left if none of the [`REACH`] cells around is ready.
     fn next_ring(&self, flood: &mut Flood, (from, heading): (Cell, Direction), costs: Costs) -> Option<Cell> {
         let frame = flood.frame();
-        // The least cost so far, and the steps that cost as much.
+        // The least cost so far, and the number of steps that alone cost as much.
         let (mut best, mut least, mut enough) = (None, u32::MAX, u32::MAX);
         let (mut waiting, mut looked_at) = (None, 0);
         flood.search(from, |index, steps| {
@@ -264,7 +264,7 @@ fn wall_distances(free: &Grid<bool>) -> Grid<u32> {
     distances
 }
 
-/// Numbers the connected parts of each layer; their number.
+/// Numbers the connected parts of each layer; returns their count as well.
 fn rings_of(layers: &Grid<u32>) -> (Grid<u32>, usize) {
     let mut rings = layers.map(|_| DONE);
     let mut count = 0;

@@ -60,12 +60,12 @@ pub const INFO: PlannerInfo = PlannerInfo {
         idea: "Each cell beside the robot has an energy, and the robot moves to the one with the least. Distance and \
                turning raise the energy; clean cells and walls around the cell lower it. So the robot stays close to \
                cleaned floor, and lanes emerge by themselves.",
-        complexity: "O(n) time and memory for n cells, plus a search for the nearest cell left at each dead end; \
+        complexity: "O(n) time and memory for n cells, plus a search for the nearest uncleaned cell at each dead end; \
                      repeated eight times in rooms of up to 100,000 cells.",
         use_when: "Simple, fast greedy planning that also works online. It looks only one step ahead, so it leaves \
                    corners that it must return to.",
         shines: Example { room: "lshape", why: "One long meander round the corner, close to the best plan." },
-        fails: Example { room: "maze", why: "It can't see dead ends and drives back for cells it left." },
+        fails: Example { room: "maze", why: "It can't see dead ends and drives back for cells it missed." },
     },
     claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: false, search: Search::None },
     params: &[
@@ -94,12 +94,12 @@ struct Energy {
     walls: i32,
 }
 
-/// What is around the robot.
+/// The floor and the energies of its cells.
 struct EnergyFloor<'a> {
     weights: &'a Energy,
     free: &'a Grid<bool>,
     is_left: Grid<bool>,
-    /// Energy of being in a cell: the terms but for distance and turn, less what is the same for all.
+    /// Energy of a cell: all terms except distance and turn, without the constant common to all.
     drawn: Grid<i32>,
     /// Whether ties go to the left rather than to the right.
     is_left_first: bool,
@@ -113,7 +113,7 @@ impl EnergyFloor<'_> {
         }
     }
 
-    /// Energy of going straight to `cell` in `direction` while looking in `heading`, but for the distance.
+    /// Energy of moving straight to `cell` in `direction` while heading `heading`, without the distance.
     fn energy(&self, heading: Direction, direction: Direction, cell: Cell) -> i32 {
         self.weights.rotation * heading.quarter_turns(direction) as i32 + self.drawn[cell]
     }
@@ -190,7 +190,7 @@ impl Energy {
                 (at, heading) = (at.step(direction), direction);
                 walk.push(at);
             } else {
-                // All free cells are connected, so that there is a way while one is left.
+                // All free cells are connected, so a way exists while one is left.
                 let Some(way) = seeker.nearest(free, at, heading, |cell| floor.is_left[cell]) else { break };
                 walk.extend(way);
                 let [.., before, last] = *walk else { break };

@@ -1,11 +1,11 @@
-//! Recording of a film: the intermediate walks of a planner.
+//! Recording of a film: the improvements of an anytime planner.
 
 use crate::{CoverageJob, PlanContext, PlannerInfo, ProgressReport, Proof};
 use robovac_core::{grid::Cell, registry::Params};
 
-/// Free cells up to which a search is filmed: in larger rooms one doesn't see what a single improvement changes.
+/// Most free cells of a filmed room: in larger ones single improvements can't be seen.
 pub const MOST_FILMED_CELLS: usize = 2_000;
-/// Most walks that are kept; beyond them the smallest improvements are told together.
+/// Most walks that are kept; beyond them the smallest improvements are merged.
 const MOST_FRAMES: usize = 120;
 
 /// The best walk at one moment of the search.
@@ -13,15 +13,15 @@ const MOST_FRAMES: usize = 120;
 pub struct FilmFrame {
     /// The walk.
     pub walk: Vec<Cell>,
-    /// How good it was known to be; `None` for one that the search could begin with.
+    /// Its proof; `None` for a walk that the search could start from.
     pub proof: Option<Proof>,
-    /// The planner that made such a one; empty for others.
+    /// The planner that made such a starting walk; empty for others.
     pub planner: String,
     /// How many improvements had been made.
     pub number: u32,
 }
 
-/// Watches a planner.
+/// Records the improvements of a planner.
 #[derive(Debug, Default)]
 pub struct Film {
     frames: Vec<FilmFrame>,
@@ -30,7 +30,7 @@ pub struct Film {
 }
 
 impl Film {
-    /// Begins with what `planner` begins with.
+    /// Begins with the walks that `planner` can start from.
     pub fn of(planner: &PlannerInfo, params: &Params, job: &CoverageJob) -> Self {
         let mut film = Self::default();
         let (job, planners) = planner.build(params).begins_with(job);
@@ -43,7 +43,7 @@ impl Film {
         film
     }
 
-    /// Looks at a report. What matters is a better walk, or more that is proven of it.
+    /// Takes a report. Only a better walk, or a better proof of it, counts.
     pub fn take(&mut self, report: &ProgressReport<'_>) {
         let Some(proof) = report.proof else { return };
         let number = match &self.last {
@@ -58,11 +58,11 @@ impl Film {
         self.add(FilmFrame { walk: report.walk.to_vec(), proof: Some(proof), planner: String::new(), number });
     }
 
-    /// Adds what came next.
+    /// Appends the next frame.
     pub fn add(&mut self, frame: FilmFrame) {
         if frame.proof.is_some() {
             if self.last.as_ref().is_some_and(|last| last.number == frame.number) {
-                // The same walk, of which more is proven.
+                // The same walk with a better proof.
                 self.frames.pop_if(|last| last.proof.is_some());
             }
             self.last = Some(frame.clone());
@@ -84,7 +84,7 @@ impl Film {
         }
     }
 
-    /// What was taken since this was asked for last.
+    /// The frames since the last call.
     pub fn take_frames(&mut self) -> Vec<FilmFrame> {
         std::mem::take(&mut self.frames)
     }
@@ -132,7 +132,7 @@ mod tests {
         let frames = film.take_frames();
         assert_eq!(frames.len(), 1);
         assert_eq!(frames[0].proof, Some(Proof { cost: 9, bound: 7 }));
-        // Frames that were handed on meanwhile come again, and are put together there.
+        // Frames that were handed on meanwhile come again, and are merged there.
         let mut there = Film::default();
         there.add(frames[0].clone());
         film.take(&ProgressReport { done: 0.0, walk: &walk, proof: Some(Proof { cost: 9, bound: 8 }) });

@@ -251,7 +251,7 @@ impl<'j> ChromosomeReader<'j> {
                 continue;
             }
             let left = &self.left;
-            // All free cells are connected, so that there is a way while one is left.
+            // All free cells are connected, so a way exists while one is left.
             let Some(way) = self.seeker.nearest(&self.job.free, at, facing, |cell| left[cell]) else { break };
             for cell in way {
                 let towards = at.direction_to(cell).unwrap_or(facing);
@@ -267,7 +267,7 @@ impl<'j> ChromosomeReader<'j> {
     }
 }
 
-/// Where `gene` leads to from a cell that was come to looking `facing`; `None` if nothing is left beside it.
+/// The direction that `gene` gives in a cell entered facing `facing`; `None` if no neighbour is left.
 #[inline]
 fn next(gene: Gene, facing: Direction, is_left: impl Fn(Direction) -> bool) -> Option<Direction> {
     let x = if gene & 2 == 0 { Direction::Right } else { Direction::Left };
@@ -307,7 +307,7 @@ struct RoomPatch {
 }
 
 impl RoomPatch {
-    /// Anywhere, its sides at most those of the room, halved a random number of times: up to `halvings` times.
+    /// A random place, its sides at most those of the room, halved a random number of times: up to `halvings` times.
     fn new(width: usize, height: usize, halvings: u32, rng: &mut Rng) -> Self {
         let shift = rng.random_range(0..=halvings);
         let side = |length: usize, rng: &mut Rng| rng.random_range(1..=(length >> shift).max(1));
@@ -336,7 +336,7 @@ impl RoomPatch {
     }
 }
 
-/// A number of rare events that happen `mean` times in the mean.
+/// A Poisson-distributed number with mean `mean`.
 fn poisson(mean: f64, rng: &mut Rng) -> u32 {
     let (mut events, mut product, limit) = (0, rng.random::<f64>(), robovac_core::math::exp(-mean));
     while product > limit {
@@ -352,7 +352,7 @@ mod tests {
     use crate::metrics::WalkMetrics;
     use robovac_core::{floor_plan::generate::random_clutter, registry::ParamValue};
 
-    /// Cost, in steps, of the best walk after so many generations.
+    /// Cost, in steps, of the best walk after `generations` generations.
     fn cost(job: &CoverageJob, generations: u32) -> u64 {
         let given = [("generations", ParamValue::Number(f64::from(generations)))];
         let params = robovac_core::registry::Params::checked(INFO.params, given).unwrap();

@@ -12,7 +12,7 @@
 //! 3. 2-opt and Or-opt moves of single steps, taken by simulated annealing from a low temperature ([`anneal`]).
 //!    A point needs only one visit, so points passed again are dropped on the way.
 //!
-//! The survey starts its tour where it likes and closes it; here it begins at the robot and ends anywhere.
+//! The authors' tour starts anywhere and is closed; here it begins at the robot and ends anywhere.
 //!
 //! Cost: O(n) memory for n cells, O(l²) for l lanes while these are put in order (at most 1,200). Time grows with the
 //! moves tried, a thousand a cell by default and no more than twelve million.
@@ -111,7 +111,7 @@ struct GridTsp {
 
 /// Most lanes whose order is improved: the links between them take memory in proportion to the square.
 const MAX_LANES_TO_IMPROVE: usize = 1_200;
-/// Cells around every end of a lane that shortest paths are looked for in.
+/// Cells around every end of a lane that are searched for shortest paths.
 const REACH: usize = 4_000;
 /// Rounds of local search over the lanes, for every lane and unit of effort.
 const ROUNDS_PER_LANE: usize = 40;
@@ -121,13 +121,13 @@ const MAX_ROUNDS: usize = 10_000;
 const TRIES_PER_CELL: usize = 1_000;
 /// Most moves tried for every unit of effort.
 const MAX_TRIES: usize = 12_000_000;
-/// Small rooms are soon as good as they get: moves tried for every pair of cells.
+/// Most moves tried for every pair of cells: small rooms converge soon.
 const TRIES_PER_PAIR: usize = 10;
-/// Temperatures at the start and at the end, in quarter turns: hot enough to try other ways of turning, too cold to
-/// forget the lanes.
+/// Temperatures at the start and at the end, in quarter turns: hot enough to try other turns, too cold to destroy the
+/// lanes.
 const HOT: f64 = 0.25;
 const COLD: f64 = 0.05;
-/// Temperature to start from with a tour that has no lanes to forget.
+/// Starting temperature for a tour without lanes.
 const HOT_WITHOUT_LANES: f64 = 0.5;
 
 /// Shares of the work that are done when the first tour stands, and when its detours have been cut.
@@ -156,7 +156,7 @@ impl Planner for GridTsp {
             cold: COLD,
             moves: self.moves,
         };
-        // The same numbers in every run: the seed changes nothing.
+        // A fixed seed: the result doesn't depend on the run's.
         anneal(job, costs, schedule, &mut walk, &mut seeded(0, 0), |done, walk| {
             tours.ctx.checkpoint(between([TIGHTENED, 1.0], done), walk)
         })?;

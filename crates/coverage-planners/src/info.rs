@@ -2,22 +2,22 @@
 
 use robovac_core::registry::{Explainer, ParamKind, ParamSpec, Params, is_same};
 
-/// What menus, forms and tests know of a planner. How it is made is not in here: see [`super::BuildPlanner`].
+/// Metadata of a planner for menus, forms and tests. For its construction see [`super::BuildPlanner`].
 #[derive(Debug)]
 pub struct PlannerInfo {
     /// Name in links, files and on the command line: lower case, `_` between words.
     pub id: &'static str,
     /// Name in menus.
     pub title: &'static str,
-    /// One sentence: how it goes about it.
+    /// One sentence on how it works.
     pub summary: &'static str,
     /// Where it comes from: authors, year, title, section.
     pub source: &'static str,
     /// Address of the source or of a good description; empty if there is none.
     pub link: &'static str,
-    /// What its panel explains.
+    /// The explanation shown in its panel.
     pub explainer: Explainer,
-    /// What the contract test holds it to.
+    /// The properties that the contract tests check.
     pub claims: PlannerClaims,
     /// Its parameters, the important ones first.
     pub params: &'static [ParamSpec],
@@ -35,32 +35,32 @@ pub struct PlannerClaims {
     pub fast: bool,
     /// Explains every step by [`PlanContext::trace`](super::PlanContext::trace).
     pub traces: bool,
-    /// Whether it looks for a better walk than its first one.
+    /// Whether it searches for a better walk than its first one.
     pub search: Search,
 }
 
-/// How long a planner looks for a better walk. Parameters are named by their ids, which must be numbers in
+/// How long a planner searches for a better walk. Parameters are named by their ids, which must be numbers in
 /// [`PlannerInfo::params`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Search {
     /// Not at all.
     None,
-    /// As long as a parameter says.
+    /// For as long as a parameter says.
     Limited {
         /// The parameter; tests set it to its minimum in large rooms.
         effort: &'static str,
     },
-    /// The same, but every walk that it reports is complete: it may be stopped at any time.
+    /// The same, but every reported walk is complete, so it can be stopped at any time.
     Anytime {
         /// As in [`Search::Limited`].
         effort: &'static str,
-        /// The parameter for what a quarter turn costs, in steps; 0 for the robot's time.
+        /// The parameter for the cost of a quarter turn, in steps; 0 for the robot's time.
         turn: &'static str,
     },
 }
 
 impl PlannerInfo {
-    /// Whether its search may be stopped at any time.
+    /// Whether its search can be stopped at any time.
     pub fn is_anytime(&self) -> bool {
         matches!(self.claims.search, Search::Anytime { .. })
     }
@@ -73,7 +73,7 @@ impl PlannerInfo {
         }
     }
 
-    /// What an anytime planner takes a quarter turn to cost, in steps; 0 for the robot's time.
+    /// An anytime planner's cost of a quarter turn, in steps; 0 for the robot's time.
     pub fn turn_weight(&self, params: &Params) -> Option<f64> {
         if let Search::Anytime { turn, .. } = self.claims.search { Some(params.number(turn)) } else { None }
     }
@@ -82,7 +82,8 @@ impl PlannerInfo {
     ///
     /// # Panics
     ///
-    /// If they aren't as they must be. The registry has `const _: () = INFO.check();`, so that it is an error of the compiler.
+    /// If one of them is invalid. The registry has `const _: () = INFO.check();`, so an invalid entry is a compile
+    /// error.
     pub const fn check(&self) {
         self.explainer.check(self.summary);
         let is_there = match self.claims.search {

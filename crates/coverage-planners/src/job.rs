@@ -11,13 +11,13 @@ use robovac_core::{
 pub struct CoverageJob {
     /// Free cells. Every one of them is connected with `start` by 4-neighbour steps.
     pub free: Grid<bool>,
-    /// The cell that the robot stands in; free.
+    /// The start cell; free.
     pub start: Cell,
-    /// The direction that the robot looks in.
+    /// The robot's heading at the start.
     pub heading: Direction,
-    /// Seconds that the robot takes for one step straight on.
+    /// Time of one step straight on, s.
     pub step_s: f64,
-    /// Seconds that it loses by a quarter turn: slowing down, turning, speeding up.
+    /// Time of a quarter turn, with braking and speeding up, s.
     pub turn_s: f64,
 }
 

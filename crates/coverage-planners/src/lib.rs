@@ -1,8 +1,8 @@
 //! Coverage path planners on grids, lower bounds on the cost of any walk, and the metrics to compare them by.
 //!
-//! For anyone with a grid to be covered by a robot, and for anyone who invents a planner: there are others to compare it
-//! with. A planner gets a [`CoverageJob`], a grid of free cells that are all connected with the start, and returns a
-//! [`CoveragePath`] that visits them.
+//! For covering a grid with a robot, and for comparing a new planner with established ones. A planner gets a
+//! [`CoverageJob`], a grid of free cells that are all connected with the start, and returns a [`CoveragePath`] that
+//! visits them.
 //!
 //! ```
 //! use coverage_planners::{Bounds, CoverageJob, Params, PlanContext, find, metrics::WalkMetrics};
@@ -20,7 +20,7 @@
 //! ```
 //!
 //! - [`PLANNERS`]: the registry, and [`find`] by id
-//! - [`metrics`]: steps, turns, revisits, driven metres and seconds; [`Bounds`]: what no walk can beat
+//! - [`metrics`]: steps, turns, revisits, driven metres and seconds; [`Bounds`]: proven lower bounds
 //! - [`stage`]: parts to build planners from; [`sweep`]: a planner in metres, for a body of any outline
 //!
 //! A planner outside this crate implements [`Planner`]; the example `own_planner` has one. To add one to the registry, write
@@ -68,7 +68,8 @@ pub use trace::TraceStep;
 
 /// An algorithm that finds a walk over all free cells.
 pub trait Planner {
-    /// Plans a walk from `job.start`. Must return [`PlanError::Cancelled`] soon after the context says so.
+    /// Plans a walk from `job.start`. Must return [`PlanError::Cancelled`] soon after the context reports a
+    /// cancellation.
     fn plan(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError>;
 
     /// The planners whose walks, made with their defaults, this one begins with in `job`, and the job they are given; none
@@ -81,8 +82,8 @@ pub trait Planner {
 /// Makes a planner for checked parameters.
 pub type BuildPlanner = fn(&Params) -> Box<dyn Planner>;
 
-/// Two lists of the same planners: what they say of themselves, and how they are made. They are kept apart so that a
-/// program which only asks for the first, such as the page, doesn't carry the planners' code.
+/// Two lists of the same planners: their metadata and their constructors. They are separate so that a program which
+/// only needs the metadata, such as the page, doesn't contain the planners' code.
 macro_rules! registry {
     ($($planner:ident),* $(,)?) => {
         /// All planners, in the order of the menus.
@@ -92,7 +93,7 @@ macro_rules! registry {
     };
 }
 
-// One line a planner.
+// One line per planner.
 registry! {
     boustrophedon,
     boustrophedon_cells,
@@ -113,14 +114,15 @@ registry! {
 }
 
 impl PlannerInfo {
-    /// Makes the planner for checked parameters. One that isn't in the registry gives up with [`PlanError::Unlisted`].
+    /// Makes the planner for checked parameters. For one that isn't in the registry, planning returns
+    /// [`PlanError::Unlisted`].
     pub fn build(&self, params: &Params) -> Box<dyn Planner> {
         let listed = BUILDERS.iter().find(|(id, _)| *id == self.id);
         listed.map_or_else(|| Box::new(Unlisted) as Box<dyn Planner>, |(_, build)| build(params))
     }
 }
 
-/// Stands for planners that nobody can make.
+/// Stands for planners that aren't in the registry.
 struct Unlisted;
 
 impl Planner for Unlisted {

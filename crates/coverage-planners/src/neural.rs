@@ -11,10 +11,10 @@
 //!
 //! # What is done here, and where the paper is silent
 //!
-//! - *Rest instead of time.* Robots are slow and neurons fast, so the field is kept at rest, where dx/dt = 0: x = B P
-//!   / (A + P) with P the excitation, and -D E / (A + E) for obstacles, which therefore excite nobody. A cell that has
-//!   been cleaned changes its own activity; the change is passed on to neighbours while it is more than 0.1 % of an
-//!   activity. Nothing else is left out.
+//! - *Rest instead of time.* Robots are slow and neurons fast, so the field is kept at rest, where dx/dt = 0: x = B P /
+//!   (A + P) with P the excitation, and -D E / (A + E) for obstacles, which therefore excite no other neuron. A cell
+//!   that has been cleaned changes its own activity; the change is passed on to neighbours while it is more than 0.1 %
+//!   of an activity. Nothing else is omitted.
 //! - *Four neighbours.* A walk takes no diagonal steps; the lateral connections are still eight.
 //! - *Deadlock.* With only clean neighbours, c y would outweigh the faint activity of far floor for ever, and the robot
 //!   goes in circles; the program by Bormann et al. (`ipa320/ipa_coverage_planning`) gives up there. So c counts only
@@ -114,7 +114,7 @@ struct Neural {
 
 /// Upper bound of activities. (Obstacles rest below 0, so that the lower bound D never matters.)
 const B: f64 = 1.0;
-/// Changes of an activity by a smaller share aren't passed on.
+/// Changes of an activity by a smaller share aren't propagated.
 const TOLERANCE: f64 = 0.001;
 /// Steps between two reports.
 const REPORT_EVERY: usize = 256;
@@ -126,7 +126,7 @@ struct Field<'a> {
     free: &'a Grid<bool>,
     is_left: Grid<bool>,
     activity: Grid<f64>,
-    /// Neurons that may have to change.
+    /// Neurons to be brought to rest.
     queue: std::collections::VecDeque<Cell>,
     is_queued: Grid<bool>,
 }
@@ -169,12 +169,12 @@ impl<'a> Field<'a> {
         }
     }
 
-    /// Brings all queued neurons to rest, and those around whatever changes.
+    /// Brings all queued neurons to rest, and the neighbours of every one that changes.
     fn settle(&mut self) {
         while let Some(cell) = self.queue.pop_front() {
             self.is_queued[cell] = false;
             let (old, new) = (self.activity[cell], self.at_rest(cell));
-            // Below any number worth comparing, activity is gone.
+            // Smaller activities are rounded to 0.
             let new = if new < FAINTEST { 0.0 } else { new };
             if (new - old).abs() > TOLERANCE * old.max(new) {
                 self.activity[cell] = new;
@@ -183,7 +183,7 @@ impl<'a> Field<'a> {
         }
     }
 
-    /// Where to go: to the neighbour of greatest x + c y; `None` where activity leads nowhere.
+    /// The next cell: the neighbour of greatest x + c y; `None` where activity leads nowhere.
     fn next(&self, at: Cell, heading: Direction) -> Option<Direction> {
         let looks = [heading, heading.left(), heading.right(), heading.opposite()];
         let is_dirty = |d: &Direction| self.is_left.is_set(at.step(*d));
@@ -201,7 +201,7 @@ impl<'a> Field<'a> {
     }
 }
 
-/// Activities below are taken for none.
+/// Activities below are treated as 0.
 const FAINTEST: f64 = 1e-200;
 
 /// Largest room, in free cells, for which several walks are planned.
@@ -249,7 +249,7 @@ fn walk(
         }
         let way = match field.next(at, heading) {
             Some(direction) => vec![at.step(direction)],
-            // All free cells are connected, so that there is a way while one is left.
+            // All free cells are connected, so a way exists while one is left.
             None => match seeker.nearest(&job.free, at, heading, |cell| field.is_left[cell]) {
                 Some(way) => way,
                 None => break,
@@ -286,7 +286,7 @@ mod tests {
         assert!(activities[8] < B);
     }
 
-    /// The shunting equation's right side is 0 where the field is at rest, but for the tolerance.
+    /// The shunting equation's right side is 0 at rest, within the tolerance.
     #[test]
     fn field_rests() {
         let free = robovac_core::floor_plan::generate::random_clutter(12, 9, 0.2, 3);

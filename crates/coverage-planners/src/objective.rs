@@ -8,8 +8,8 @@ use robovac_core::grid::{Cell, Direction};
 pub enum Finish {
     /// Anywhere: an open walk.
     Anywhere,
-    /// In the start again: a closed tour. The turn from its last step to its first counts like any other, and the robot's
-    /// heading doesn't matter, as a tour may be begun with any of its visits to the start.
+    /// In the start again: a closed tour. The turn from its last step to its first counts like any other, and the
+    /// robot's heading doesn't matter, as a tour can be started at any of its visits to the start.
     Start,
 }
 
@@ -17,28 +17,29 @@ pub enum Finish {
 /// order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Objective {
-    /// What a step costs.
+    /// Cost of a step.
     pub step: u32,
-    /// What a quarter turn costs.
+    /// Cost of a quarter turn.
     pub turn: u32,
     /// Where the walk ends.
     pub finish: Finish,
-    /// Whether the turn from the robot's heading to the first step of an open walk counts, too.
+    /// Whether the turn from the robot's heading to the first step of an open walk counts.
     pub counts_first_turn: bool,
 }
 
 impl Objective {
-    /// An open walk's `step` x steps + `turn` x quarter turns, without the turn to its first step: what tables compare.
+    /// The cost of an open walk, `step` x steps + `turn` x quarter turns, without the turn to its first step. Tables
+    /// compare this cost.
     pub fn open(step: u32, turn: u32) -> Self {
         Self { step, turn, finish: Finish::Anywhere, counts_first_turn: false }
     }
 
-    /// The same of a closed tour.
+    /// The same for a closed tour.
     pub fn closed(step: u32, turn: u32) -> Self {
         Self { step, turn, finish: Finish::Start, counts_first_turn: false }
     }
 
-    /// What `walk` costs, which starts in the job's start and, if the tour is to be closed, ends there.
+    /// Cost of `walk`, which starts at the job's start and, for a closed tour, ends there.
     ///
     /// ```
     /// use robovac_core::grid::*;
@@ -66,17 +67,17 @@ impl Objective {
     }
 }
 
-/// How good a walk is, and how good any can be, both in the weights of one objective.
+/// The cost of a walk and a lower bound of all walks, both in the weights of one objective.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Proof {
-    /// What the walk costs.
+    /// Cost of the walk.
     pub cost: u64,
-    /// Proven: no walk costs less.
+    /// Proven lower bound: no walk costs less.
     pub bound: u64,
 }
 
 impl Proof {
-    /// How much more the walk costs than any walk must, as a share of the latter; 0 if it's proven to be the best.
+    /// The optimality gap: cost above the bound, as a share of the bound; 0 if the walk is proven optimal.
     pub fn gap(self) -> f64 {
         if self.bound == 0 { 0.0 } else { self.cost.saturating_sub(self.bound) as f64 / self.bound as f64 }
     }

@@ -10,7 +10,7 @@ pub struct CoveragePath {
     pub cells: Vec<Cell>,
 }
 
-/// How a walk breaks the rules. Seen only if a planner is wrong.
+/// Violations of a walk's rules; a planner that causes one has a bug.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum PathError {
     /// The walk is empty or starts elsewhere.

@@ -16,8 +16,8 @@
 //!   in the direction in which it came, so that every walk covers all.
 //! - *Direction of the lanes.* By default the one with fewer lanes.
 //!
-//! Nothing is planned ahead and no part of the room is told from another: that is what sets this apart from
-//! boustrophedon. O(n) steps; each search for the nearest cell left costs what it looks at.
+//! Unlike boustrophedon it plans nothing ahead and doesn't decompose the room. O(n) steps; each search for the nearest
+//! cell left takes time in proportion to the cells it visits.
 //!
 //! ```
 //! use robovac_core::grid::*;
@@ -40,13 +40,13 @@ use robovac_core::registry::{Example, Explainer, ParamKind, ParamSpec};
 pub const INFO: PlannerInfo = PlannerInfo {
     id: "s_shape",
     title: "S-shaped pathway",
-    summary: "Drives parallel lanes like the letter S; at a dead end it goes to the nearest cell left.",
+    summary: "Drives parallel lanes like the letter S; at a dead end it goes to the nearest uncleaned cell.",
     source: "Emu & Obaida 2020, thesis, East West University: section 4.1; \
              Hasan, Abdullah-Al-Nahid & Reza 2014, Path planning algorithm development, ICIEV",
     link: "",
     explainer: Explainer {
         idea: "The robot drives straight until it is blocked, steps aside and returns beside its lane. Floor already \
-               clean blocks it like a wall. At a dead end it takes a shortest path to the nearest cell left and \
+               clean blocks it like a wall. At a dead end it takes a shortest path to the nearest uncleaned cell and \
                continues in lanes from there.",
         complexity: "O(n) steps and memory for n cells, plus a search at every dead end.",
         use_when: "The simplest complete method, and hard to beat in halls with few obstacles. Behind every obstacle a \

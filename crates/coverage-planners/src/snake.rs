@@ -65,7 +65,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
     explainer: Explainer {
         idea: "The robot counts its visits to every cell and drives straight while the cell ahead is new. Otherwise it \
                turns to the least-visited neighbour and turns once more, which makes a lawn mower's U-turn. Between \
-               equal neighbours it takes the side with fewer cells left, so that no small corner remains.",
+               equal neighbours it takes the side with fewer uncleaned cells, so that no small corner remains.",
         complexity: "O(n) steps by the rules, each O(width + height); O(n) memory for n cells.",
         use_when: "Uses only neighbouring cells, so it runs online on a small controller. It leaves islands that it \
                    must return to.",
@@ -76,7 +76,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
     params: &[ParamSpec {
         id: "patience",
         label: "Patience",
-        help: "How far the rules may lead over clean floor, as a multiple of the distance to the nearest cell left.",
+        help: "How far the rules can lead over clean floor, relative to the distance to the nearest uncleaned cell.",
         kind: ParamKind::Number { min: 0.0, max: 20.0, step: 1.0, default: 2.0, unit: "" },
     }],
 };
@@ -99,7 +99,7 @@ enum SnakePhase {
     Turned,
 }
 
-/// Why the robot moves as it does: what an animation of the search would show.
+/// The reason for a move, for the animation of the search.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum SnakeRule {
     /// The cell ahead isn't clean.
@@ -123,7 +123,7 @@ struct SnakeMove {
     phase: SnakePhase,
 }
 
-/// What the program's `findMinimumNeighbour` says of the cells left and right of the robot.
+/// Result of the program's `findMinimumNeighbour` for the cells left and right of the robot.
 enum Sides {
     /// Both are blocked.
     Shut,
@@ -131,18 +131,18 @@ enum Sides {
     CleanedOrBlocked,
     /// Both have the same value.
     Equal,
-    /// This one is the better.
+    /// This one is better.
     Better(Direction),
 }
 
-/// Value of a cell that nothing is known of.
+/// Value of an unseen cell.
 const UNSEEN: i32 = -1;
-/// Value of a cell that has been seen and not visited.
+/// Value of a cell that has been seen but not visited.
 const SEEN: i32 = 0;
 /// Value of a blocked cell; more than any number of visits.
 const BLOCKED: i32 = i32::MAX;
 
-/// What the robot knows, with the counts that the smaller-block rule compares.
+/// The robot's knowledge of the room, with the counts that the smaller-block rule compares.
 struct SnakeMemory {
     values: Grid<i32>,
     /// Seen cells to be cleaned in every row.
@@ -159,7 +159,7 @@ impl Planner for Snake {
         let mut seeker = NearestGoalBfs::new(&job.free);
         let mut walk = Vec::with_capacity(2 * memory.left);
         let (mut at, mut facing, mut phase) = (job.start, job.heading, SnakePhase::Straight);
-        // Steps over cleaned cells that the rules may still take; unknown while the robot cleans.
+        // Steps over cleaned cells that the rules can still take; `None` while the robot cleans.
         let mut budget = None;
         let cells = memory.left as f64;
         let mut next_report = 0;
@@ -191,7 +191,7 @@ impl Planner for Snake {
                 memory.visit(at);
                 walk.push(at);
             } else {
-                // All free cells are connected, so that there is a way while one is left.
+                // All free cells are connected, so a way exists while one is left.
                 let Some(way) = way.or_else(|| seeker.nearest(&job.free, at, facing, is_left)) else { break };
                 let steps = way.len();
                 for (i, cell) in way.into_iter().enumerate() {
@@ -248,7 +248,7 @@ impl SnakeMemory {
         self.values.get(cell).copied().unwrap_or(BLOCKED)
     }
 
-    /// What the printed rules say; may lead into a block.
+    /// The move by the printed rules; can lead into a block.
     fn choose(&self, at: Cell, facing: Direction, phase: SnakePhase) -> SnakeMove {
         if phase == SnakePhase::Straight && self.value(at.step(facing)) <= SEEN {
             return SnakeMove { rule: SnakeRule::Ahead, towards: facing, phase };
@@ -336,7 +336,7 @@ impl SnakeMemory {
             .collect()
     }
 
-    /// A step by the rules, to be shown.
+    /// A step by the rules, for the trace.
     fn explain(&self, step: usize, at: Cell, facing: Direction, chosen: SnakeMove) -> TraceStep {
         let SnakeMove { rule, towards, .. } = chosen;
         let to = name(towards);
@@ -358,9 +358,8 @@ impl SnakeMemory {
                 sides = Some(blocks);
                 let [(first, a), (second, b)] = blocks;
                 let (first, second) = (place(first), place(second));
-                let tie = if a == b { ", the nearer edge" } else { "" };
-                let note =
-                    format!("Left and right equal; smaller block: {a} cells to clean {first}, {b} {second}{tie}: {to}");
+                let choice = if a == b { "nearer edge" } else { "smaller block" };
+                let note = format!("Left and right equal; cells to clean: {a} {first}, {b} {second}; {choice}: {to}");
                 ("Smaller block", note)
             }
             SnakeRule::Forward => ("Forward", format!("No better neighbour on either side: straight on, {to}")),
@@ -369,7 +368,7 @@ impl SnakeMemory {
         TraceStep { step, rule: rule.into(), at, towards, marks: self.marks(at), sides, note }
     }
 
-    /// A step of a shortest way, to be shown.
+    /// A step of a shortest way, for the trace.
     fn explain_way(&self, step: usize, at: Cell, towards: Direction, left: usize) -> TraceStep {
         let steps = if left == 1 { "step" } else { "steps" };
         let note = format!("The rules lead nowhere: shortest path to the nearest uncleaned cell, {left} {steps} to go");
@@ -377,7 +376,7 @@ impl SnakeMemory {
     }
 }
 
-/// A direction, to go in.
+/// The words for a movement in a direction.
 fn name(direction: Direction) -> &'static str {
     match direction {
         Direction::Right => "to the right",
@@ -387,7 +386,7 @@ fn name(direction: Direction) -> &'static str {
     }
 }
 
-/// A direction, to be in.
+/// The words for a place in a direction.
 fn place(direction: Direction) -> &'static str {
     match direction {
         Direction::Right => "on the right",
@@ -397,7 +396,7 @@ fn place(direction: Direction) -> &'static str {
     }
 }
 
-/// The program's test for the top and the left edge; `lines` lines, this one is number `line` from that edge.
+/// The program's test for the top and the left edge: whether line `line` of `lines` is nearer to the first.
 fn is_nearer_to_first_edge(line: usize, lines: usize) -> bool {
     line < lines - line
 }

@@ -9,16 +9,16 @@
 //! - *Enough place* is a square of cells that are left, *enough room* wide on every side of a cell.
 //! - *Clean floor* isn't an obstacle. A spiral that was stopped by it would end at the way that the robot came by. It does end
 //!   where one side of it, longer than a step, has nothing left to be cleaned.
-//! - *The next place* is looked for among the [`REACH`] cells nearest to the robot: the one with most space around it (which
-//!   makes the largest spirals), the nearest among equals; or simply the nearest with enough. The robot takes a shortest
-//!   way there.
+//! - *The next place* is searched for among the [`REACH`] cells nearest to the robot: the one with most space around it
+//!   (which makes the largest spirals), the nearest among equals; or simply the nearest with enough. The robot takes a
+//!   shortest way there.
 //! - *Corners and strips* without such a place are cleaned by turning to the same side where the cell there is left, else
 //!   going straight on, else to the other side: along the wall, and inwards along what has been cleaned. Where this ends the
 //!   robot looks for room again, and if there is none, takes a shortest way to the nearest cell left. So every walk
 //!   covers all.
 //!
-//! How much room there is around a cell is worked out once by a distance transform and looked at again only where it
-//! matters, as it can only shrink. O(n) steps; each search costs up to [`REACH`] cells and the squares around them.
+//! The room around each cell is computed once by a distance transform and updated only where it matters, as it can only
+//! shrink. O(n) steps; each search costs up to [`REACH`] cells and the squares around them.
 //!
 //! ```
 //! use robovac_core::grid::*;
@@ -45,12 +45,12 @@ use std::ops::ControlFlow;
 pub const INFO: PlannerInfo = PlannerInfo {
     id: "spiral",
     title: "Growing spirals",
-    summary: "Spirals outwards in free space until it meets an obstacle, then goes to the next free area.",
+    summary: "Spirals outwards in free space until it reaches an obstacle, then goes to the next free area.",
     source: "Emu & Obaida 2020, thesis, East West University: section 4.1",
     link: "",
     explainer: Explainer {
-        idea: "In the middle of free floor the robot spirals outwards until it meets an obstacle. It then goes to the \
-               nearby cell with the most free space and spirals there. Corners and narrow strips are cleaned along \
+        idea: "In the middle of free floor the robot spirals outwards until it reaches an obstacle. It then goes to \
+               the nearby cell with the most free space and spirals there. Corners and narrow strips are cleaned along \
                their edges.",
         complexity: "O(n) steps and memory for n cells; each search for free space visits up to 400 cells.",
         use_when: "For a dirty spot in the middle of open floor, which is cleaned first. Spirals don't fill \
@@ -61,7 +61,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         },
         fails: Example {
             room: "slanted",
-            why: "Spirals are square here: slanted walls stop them early and leave scraps to return to.",
+            why: "Spirals are square here: slanted walls stop them early and leave patches to return to.",
         },
     },
     claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: false, search: Search::None },
@@ -105,14 +105,14 @@ struct SpiralPlanner {
     least_room: i32,
 }
 
-/// Cells around the robot among which it looks for room.
+/// Cells around the robot that are searched for room.
 const REACH: usize = 400;
 
 impl Planner for SpiralPlanner {
     fn plan(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError> {
         let mut progress = CoverageProgress::new(job);
         let mut flood = Flood::new(&job.free);
-        // Never less than there is: what is left only shrinks.
+        // An upper limit: the free room only shrinks.
         let mut room = room_in(&job.free);
         let has_room = room[job.start] >= self.least_room;
         let mut place = if has_room { Some(job.start) } else { self.next_place(&progress, &mut flood, &mut room) };
@@ -140,13 +140,13 @@ impl SpiralPlanner {
         if self.turns_right { facing.right() } else { facing.left() }
     }
 
-    /// Where to go where there is no room, best first.
+    /// Directions to continue in where there is no room, best first.
     fn along(&self, facing: Direction) -> [Direction; 3] {
         let inwards = self.turned(facing);
         [inwards, facing, inwards.opposite()]
     }
 
-    /// Circles outwards until an obstacle is in the way or a side brings nothing new.
+    /// Circles outwards until an obstacle is in the way or a side cleans nothing new.
     fn circle(
         &self,
         free: &Grid<bool>,
@@ -194,11 +194,11 @@ impl SpiralPlanner {
     }
 }
 
-/// Cells on every side of `centre` that are left, not more than `most`; where it's less than `wanted`, something between the
-/// truth and `wanted`, which is found sooner.
+/// Cells on every side of `centre` that are left, at most `most`. If fewer than `wanted`, the result lies between the
+/// true value and `wanted`, which is found sooner.
 fn room_around(left: &Grid<bool>, centre: Cell, wanted: i32, most: i32) -> i32 {
     let is_broken = |radius: &i32| !ring(centre, *radius).all(|cell| left.is_set(cell));
-    // Far squares are broken most often.
+    // Large squares are broken most often.
     let broken = (1..=wanted).rev().find(is_broken).or_else(|| (wanted + 1..=most).find(is_broken));
     broken.map_or(most, |radius| radius - 1)
 }

@@ -194,7 +194,8 @@ fn straight(
     ctx: &mut PlanContext<'_>,
 ) -> Result<(), PlanError> {
     let mut union = Union((0..megas.len() as u32).collect());
-    // What can be added, cheapest first, and the links that add it. What a link adds changes with the links beside it.
+    // What can be added, cheapest first, and the links that add it. The addition of a link changes with the links
+    // beside it.
     let mut kinds: Vec<Added> = Added::all().collect();
     kinds.sort_by_key(|added| added.cost(best_of.costs));
     let rank = |added: Added| kinds.iter().position(|&kind| kind == added).unwrap_or(0);
@@ -235,7 +236,7 @@ fn spiral(megas: &mut MegaCells, job: &CoverageJob, side: fn(Direction) -> Direc
     let root = megas.of_cell(job.start);
     is_new[root] = false;
     let mut reached = vec![(root, job.heading)];
-    // Neighbours behind narrow links wait until no wide one leads further.
+    // Neighbours behind narrow links wait until no wide link is left.
     for i in 0.. {
         let Some(&(mega, heading)) = reached.get(i) else { break };
         let looks = [side(heading), heading, side(heading).opposite(), heading.opposite()];
@@ -253,7 +254,7 @@ fn spiral(megas: &mut MegaCells, job: &CoverageJob, side: fn(Direction) -> Direc
     }
 }
 
-/// The part of a spiral tree behind wide links.
+/// The part of a spiral tree along wide links.
 fn wind(
     megas: &mut MegaCells,
     root: (usize, Direction),

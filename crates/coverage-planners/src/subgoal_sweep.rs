@@ -1,13 +1,12 @@
 //! Subgoal sweep: scan lines from wall to wall and obstacle to obstacle, with their ends linked nearest-first.
 //!
-//! Hyun (001, Honam University): a robot of any outline, moved in thought along scan lines through the obstacle map,
-//! records where it touches walls and obstacles (section 3, [`stage::subgoals`](super::stage::subgoals)). These
-//! subgoal points are linked, across the line first, then to the nearest that is left (section 4, [`SubgoalScan`]).
-//! Links that go through an obstacle get a detour (section 5, [`Detours`]). What the paper leaves open is told with
-//! each stage.
+//! Hyun (001, Honam University): a robot of any outline, moved along scan lines through the obstacle map, records where
+//! it touches walls and obstacles (section 3, [`stage::subgoals`](super::stage::subgoals)). These subgoal points are
+//! linked, across the line first, then to the nearest that is left (section 4, [`SubgoalScan`]). Links that go through
+//! an obstacle get a detour (section 5, [`Detours`]). Each stage documents what the paper leaves open.
 //!
-//! Here the obstacle map is the planning grid: what is free in it for the robot, walls and obstacles being all the
-//! rest. The drafting room works with the paper's own map, of the robot's true outline and with lines at any distance
+//! Here the obstacle map is the planning grid: cells free for the robot, all others being walls and obstacles. The tab
+//! *Floor plan* works with the paper's own map, of the robot's true outline and with lines at any distance
 //! ([`crate::sweep`]).
 //!
 //! # On a grid
@@ -59,8 +58,8 @@ pub const INFO: PlannerInfo = PlannerInfo {
     explainer: Explainer {
         idea: "The planner scans the room along lines from the upper left to the lower right, and every contact with a \
                wall or an obstacle becomes a subgoal point. From each point the sweep crosses to the other end of its \
-               line, and from there to the nearest point left. Links that would cross an obstacle are routed around \
-               it.",
+               line, and from there to the nearest remaining point. Links that would cross an obstacle are routed \
+               around it.",
         complexity: "O(n) steps and memory for n cells, plus a search at every detour.",
         use_when: "Made for large halls known from an architect's drawing, and fast enough to plan while drawing. It \
                    sweeps in one direction only and looks no further than the next point, so it must return to what it \
@@ -79,8 +78,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         ParamSpec {
             id: "order",
             label: "At the end of a line",
-            help: "Go to the nearest point left, or first look across on the neighbouring lines, as printed in the \
-                paper.",
+            help: "Go to the nearest remaining point, or first check the neighbouring lines, as printed in the paper.",
             kind: ParamKind::Choice { options: &[("nearest", "nearest point"), ("printed", "across, as printed")] },
         },
     ],
@@ -101,7 +99,7 @@ struct SubgoalSweep {
     beside: Beside,
 }
 
-/// What came of the links.
+/// Results of linking.
 #[derive(Default)]
 struct LinkTally {
     /// Links that go through an obstacle.
@@ -127,7 +125,7 @@ impl Planner for SubgoalSweep {
                 ctx.trace(|| link(step, at, (&points, to), found, None, &tally));
             } else {
                 tally.collisions += 1;
-                // All free cells are connected, so that there is a way.
+                // All free cells are connected, so a way exists.
                 let way = detours.find(at, goal).unwrap_or_default();
                 tally.resolved += usize::from(!way.is_empty());
                 follow(&mut progress, job, way.get(1..).unwrap_or_default());
@@ -163,7 +161,7 @@ fn finish(progress: &mut CoverageProgress<'_>, ctx: &mut PlanContext<'_>) -> Res
             towards,
             marks: Vec::new(),
             sides: None,
-            note: format!("All points are linked; {left} cells are left between the lines, nearest first"),
+            note: format!("All points are linked; remaining cells between the lines: {left}, nearest first"),
         });
     }
     while !progress.is_done() {
@@ -178,7 +176,7 @@ fn finish(progress: &mut CoverageProgress<'_>, ctx: &mut PlanContext<'_>) -> Res
     Ok(())
 }
 
-/// Where the scan touched something, to be shown: by the order of the scan.
+/// The contacts of the scan in its order, for the trace.
 fn contacts(points: &[Subgoal], job: &CoverageJob) -> TraceStep {
     let count = |contact: LineEndContact| points.iter().filter(|p| p.contact == contact).count();
     let [left, right, left_solid, right_solid] = [
@@ -205,7 +203,7 @@ fn contacts(points: &[Subgoal], job: &CoverageJob) -> TraceStep {
 /// Lines beside that of a link's end whose points are shown with it.
 const SHOWN_LINES: u32 = 3;
 
-/// A link, to be shown with the points around its end; `detour` is the length of the way round, in steps.
+/// A link, for the trace, with the points around its end; `detour` is the length of the way round, in steps.
 fn link(
     step: usize,
     at: Cell,

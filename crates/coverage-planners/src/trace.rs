@@ -9,15 +9,15 @@ use std::borrow::Cow;
 pub struct TraceStep {
     /// Index in the walk of the cell in which it is taken.
     pub step: usize,
-    /// The rule that decides, in a few words.
+    /// The deciding rule, in a few words.
     pub rule: Cow<'static, str>,
     /// The cell in which it is taken.
     pub at: Cell,
-    /// Where to go.
+    /// The direction to go in.
     pub towards: Direction,
-    /// Values that are looked at, and the cells that have them.
+    /// Values that are considered, with their cells.
     pub marks: Vec<(Cell, u32)>,
-    /// Two sides of the room that are compared: all that lies beyond `at` in a direction, and its value.
+    /// Two sides of the room that are compared: everything beyond `at` in a direction, and its value.
     pub sides: Option<[(Direction, u32); 2]>,
     /// The decision in words: a sentence without its stop.
     pub note: String,

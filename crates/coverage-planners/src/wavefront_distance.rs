@@ -17,9 +17,8 @@
 //! - *Goal.* With the start as goal the robot returns there. By default, rooms of up to 100,000 cells are planned with three
 //!   goals: the start, the cell farthest from it, and the cell farthest from that one; the cheapest walk wins.
 //!
-//! At last, detours over floor that is cleaned at another time anyway are cut short. The order in which cells are
-//! cleaned stays that of the paper's rule but for this. O(n) for the transform and the rule; every dead end costs a
-//! search around it.
+//! Finally, detours over floor that is cleaned at another time anyway are cut short. Apart from that, cells are cleaned
+//! in the order of the paper's rule. O(n) for the transform and the rule; every dead end costs a search around it.
 //!
 //! ```
 //! use robovac_core::grid::*;
@@ -59,7 +58,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         },
         fails: Example {
             room: "slanted",
-            why: "Straight wavefronts meet slanted walls, and each leaves a corner uncleaned.",
+            why: "Straight wavefronts meet slanted walls, and each leaves an uncleaned corner.",
         },
     },
     claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: false, search: Search::None },

@@ -9,11 +9,11 @@
 //!
 //! Where the paper is silent:
 //!
-//! - *Discomfort.* Any function that falls with the distance will do. Here it is (4 - d)² at d steps from the nearest blocked
-//!   cell or edge, over eight neighbours, and 0 from 4 steps on. Alpha is in steps a unit of it.
+//! - *Discomfort.* The paper allows any function that falls with the distance. Here it is (4 - d)² at d steps from the
+//!   nearest blocked cell or edge, over eight neighbours, and 0 from 4 steps on. Alpha is in steps a unit of it.
 //! - *Computing it.* The paper repeats sweeps over the grid until nothing changes; Dijkstra's algorithm with buckets gives the
 //!   same values at once.
-//! - *The rest*, equals, dead ends and goals, is as in `wavefront_distance`, whose walk it makes with alpha 0.
+//! - *Ties, dead ends and goals* are as in `wavefront_distance`, whose walk results from alpha 0.
 //!
 //! O(n + the largest value) for the transform.
 //!
@@ -83,7 +83,7 @@ struct WavefrontPath {
     goal: WaveGoal,
 }
 
-/// Steps from an obstacle beyond which there is no discomfort.
+/// Steps from an obstacle at which discomfort ends.
 const COMFORTABLE: u32 = 4;
 
 impl Planner for WavefrontPath {

@@ -1,6 +1,6 @@
 //! AutoCAD's colour index.
 
-/// Red, green and blue of a colour index; black where there is none, as 7 is on paper.
+/// Red, green and blue of a colour index; black for unknown ones, like 7 on paper.
 ///
 /// 1 to 9 have names; from 10 on every ten are one hue, 15° further each, in five shades, the odd ones half as saturated;
 /// 250 to 255 are greys.

@@ -2,8 +2,8 @@
 
 use robovac_core::floor_plan::{MAX_RESOLUTION, MAX_SIDE, MIN_RESOLUTION, base_name};
 
-/// A drawing that can't be read or written, or that no room can be made of. Every message names the cause, the place and
-/// what to do.
+/// A drawing that can't be read or written, or from which no room can be traced. Every message names the cause, the
+/// place and the remedy.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum DrawingError {
     /// A file has no content.
@@ -12,33 +12,33 @@ pub enum DrawingError {
         /// The file.
         name: String,
     },
-    /// Something in it is wrong.
+    /// A flaw in the file.
     #[error("\"{name}\"{}{place}: {flaw}", if place.is_empty() { "" } else { ", " })]
     Bad {
         /// The file.
         name: String,
-        /// Where in the file, e.g. "line 12"; empty for all of it.
+        /// The place in the file, e.g. "line 12"; empty for the whole file.
         place: String,
-        /// What is wrong there.
+        /// The flaw at that place.
         flaw: Box<DrawingFlaw>,
     },
 }
 
-/// Why a drawing can't be read, or no room be made of it: the cause, and what to do.
+/// Reasons why a drawing can't be read or no room can be traced from it, with remedies.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum DrawingFlaw {
-    /// A DWG file, whatever it is called.
+    /// A DWG file, whatever its name.
     #[error(
         "this is a DWG drawing, AutoCAD's own format; save it as DXF in the CAD program or convert it with LibreDWG"
     )]
     Dwg,
-    /// Something else than a drawing.
+    /// A file that isn't a drawing.
     #[error("this is {kind}, not a drawing; choose a DXF, SVG or GeoJSON file")]
     NotADrawing {
-        /// What it seems to be, e.g. "a PNG image".
+        /// Its likely type, e.g. "a PNG image".
         kind: &'static str,
     },
-    /// The file is larger than any that is read.
+    /// A file that is too large.
     #[error("the file has {found} MB, but the limit is {most} MB; split the drawing or remove what isn't needed")]
     TooLong {
         /// Its size, MB.
@@ -46,21 +46,21 @@ pub enum DrawingFlaw {
         /// The largest size, MB.
         most: usize,
     },
-    /// A DXF where a group code should be and isn't.
+    /// A DXF without a group code where one is expected.
     #[error(
         "expected a group code (a number from -5 to 1071), found \"{found}\"; the DXF is damaged from here on, export \
          it again"
     )]
     Code {
-        /// What is there instead.
+        /// The text found instead.
         found: String,
     },
-    /// A number of a DXF that is none.
+    /// An invalid number in a DXF.
     #[error("group code {code} needs a number, found \"{found}\"; export the drawing again")]
     Value {
         /// The group code.
         code: i32,
-        /// What is there instead.
+        /// The text found instead.
         found: String,
     },
     /// Sections of a DXF out of order.
@@ -69,36 +69,36 @@ pub enum DrawingFlaw {
         /// What was found.
         what: &'static str,
     },
-    /// The file ends before its content does.
+    /// The file ends prematurely.
     #[error("the file is cut off {place}; copy or export it again")]
     CutOff {
-        /// Where.
+        /// The part that isn't complete.
         place: &'static str,
     },
-    /// Nothing in it can be drawn.
+    /// A file without anything that can be drawn.
     #[error("nothing in the drawing can be used{}; draw walls as lines, polylines, arcs or blocks", but(.left_out))]
     Nothing {
-        /// What it holds instead.
+        /// Its content, none of which is drawn.
         left_out: Vec<String>,
     },
-    /// A coordinate that isn't finite or far beyond any building.
+    /// A coordinate that isn't finite or is far beyond any building.
     #[error(
         "the coordinate {value} is out of range (-1e10 to 1e10); delete what lies there or move the drawing to the \
          origin"
     )]
     Coordinate {
-        /// The value as it is written.
+        /// The value as written.
         value: String,
     },
-    /// More than a drawing may hold.
+    /// A drawing that exceeds a limit.
     #[error("the drawing has more than {most} {what}; remove blocks or layers that aren't needed")]
     TooMany {
-        /// What there is too much of.
+        /// The elements of which there are too many.
         what: &'static str,
-        /// How much is taken.
+        /// The limit.
         most: usize,
     },
-    /// A block that holds itself.
+    /// A block that contains itself.
     #[error("the block \"{block}\" inserts itself{}; remove that insert", by(.through))]
     Cycle {
         /// Its name.
@@ -106,33 +106,33 @@ pub enum DrawingFlaw {
         /// The blocks between, outermost first.
         through: Vec<String>,
     },
-    /// Blocks in blocks in blocks.
+    /// Blocks nested too deeply.
     #[error("blocks are nested more than {most} deep; explode the block \"{block}\"")]
     Depth {
-        /// The block that is too deep.
+        /// The innermost block.
         block: String,
         /// The greatest depth.
         most: usize,
     },
-    /// What the reader of SVG or GeoJSON says.
+    /// An error of the SVG or GeoJSON parser.
     #[error("{cause}; fix it there or export the drawing again")]
     Parser {
-        /// In its words.
+        /// The parser's message.
         cause: String,
     },
-    /// The length of a unit is no length.
+    /// A unit whose length is invalid.
     #[error("a drawing unit can't be {value} m long; enter its length, e.g. 0.001 for millimetres")]
     Metre {
-        /// What was given, m.
+        /// The given length, m.
         value: f64,
     },
-    /// The side of a cell is no length.
+    /// A cell size that is invalid.
     #[error("the cell size can't be {value} m; use {MIN_RESOLUTION} to {MAX_RESOLUTION} m")]
     Resolution {
-        /// What was given, m.
+        /// The given side, m.
         value: f64,
     },
-    /// The room has more cells than a map may.
+    /// A room with more cells than a map can have.
     #[error(
         "{width:.4} m x {height:.4} m is more than {MAX_SIDE} x {MAX_SIDE} cells of {resolution} m; use cells of \
          {would_do} m, check the unit, or choose a smaller region"
@@ -142,9 +142,9 @@ pub enum DrawingFlaw {
         width: f64,
         /// Its height, m.
         height: f64,
-        /// Side of the cells that were asked for, m.
+        /// The given side of the cells, m.
         resolution: f64,
-        /// Side that would do, m.
+        /// A side that is large enough, m.
         would_do: f64,
     },
     /// The region is smaller than a few cells.
@@ -170,36 +170,36 @@ pub enum DrawingFlaw {
     /// All layers are ignored.
     #[error("no layer is a wall or an obstacle; set the roles of the layers")]
     AllIgnored,
-    /// The corners of the region enclose nothing.
+    /// A polygon region without area.
     #[error("the region must be a simple polygon with 3 to {most} corners; draw it again without crossing lines")]
     Outline {
         /// Most corners.
         most: usize,
     },
-    /// The click that chooses a room hit a wall or an obstacle.
+    /// A chosen point of a room that lies on a wall or an obstacle.
     #[error("there is {what} at ({x:.2}, {y:.2}); click on free floor, or use smaller cells")]
     NotFloor {
-        /// What is there.
+        /// What lies at the point.
         what: &'static str,
-        /// Where, drawing units.
+        /// x of the point, drawing units.
         x: f64,
-        /// Where, drawing units.
+        /// y of the point, drawing units.
         y: f64,
     },
-    /// One gets out of the chosen room.
+    /// A chosen room that isn't closed.
     #[error(
         "the room isn't closed: there is an opening about {width:.2} m wide near ({x:.2}, {y:.2}); raise the gap \
          tolerance above that or pick a rectangle"
     )]
     Leak {
-        /// Where, drawing units.
+        /// x of the opening, drawing units.
         x: f64,
-        /// Where, drawing units.
+        /// y of the opening, drawing units.
         y: f64,
-        /// How wide the opening is, m.
+        /// Width of the opening, m.
         width: f64,
     },
-    /// Nothing is left to clean.
+    /// A room without floor.
     #[error("no floor is left in the region; choose another region, or make fewer layers walls")]
     NoFloor,
 }

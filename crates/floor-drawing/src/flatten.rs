@@ -1,7 +1,7 @@
 //! Curves as chords.
 //!
-//! Nobody knows a drawing's unit when it is read, so that curves are divided by how far they turn: at least every
-//! [`STEP`]. The chords of an arc then lie within 0.1 % of its radius from it.
+//! As a drawing's unit isn't known when it is read, curves are divided by angle: at least every [`STEP`]. The chords of
+//! an arc then lie within 0.1 % of its radius from it.
 
 use super::model::MAX_POINTS;
 use robovac_core::{
@@ -15,8 +15,8 @@ pub(super) const STEP: f64 = PI / 36.0;
 /// Highest degree of a spline that is evaluated; CAD programs stop far below.
 const MAX_DEGREE: usize = 15;
 
-/// An ellipse from parameter `start` counter-clockwise to `end`, radians: centre + cos t major + sin t minor. Its last
-/// point is left out if it goes all around.
+/// An ellipse from parameter `start` counter-clockwise to `end`, radians: centre + cos t major + sin t minor. A full
+/// ellipse is without its last point.
 pub(super) fn ellipse(centre: Point, major: Vector, minor: Vector, start: f64, end: f64) -> (Vec<Point>, bool) {
     let turn = (end - start) % TAU;
     let turn = if turn <= 1e-9 { turn + TAU } else { turn };
@@ -30,8 +30,8 @@ pub(super) fn ellipse(centre: Point, major: Vector, minor: Vector, start: f64, e
     ((0..=last).map(at).collect(), is_closed)
 }
 
-/// Points between `from` and `to`, neither with it, on the arc with that bulge: the tangent of a quarter of its angle,
-/// positive if it turns counter-clockwise.
+/// Points of an arc strictly between `from` and `to`. Its bulge is the tangent of a quarter of its angle, positive if
+/// it turns counter-clockwise.
 pub(super) fn bulge(from: Point, to: Point, bulge: f64, points: &mut Vec<Point>) {
     let chord = to - from;
     if bulge.abs() < 1e-9 || chord == Vector::zeros() {
@@ -47,16 +47,16 @@ pub(super) fn bulge(from: Point, to: Point, bulge: f64, points: &mut Vec<Point>)
     }));
 }
 
-/// Parts of a span of a spline that are looked at one by one, so that no bend is overlooked between its ends.
+/// Parts into which a span of a spline is divided at first, so that no bend between its ends is missed.
 const PIECES: u32 = 4;
-/// How often a part is halved at most: corners and loops of no size would take for ever.
+/// How often a part is halved at most; corners and tiny loops would never end.
 const MAX_HALVINGS: u32 = 8;
 
-/// A B-spline, rational if there are weights.
+/// A B-spline, rational if it has weights.
 pub(super) struct Nurbs<'a> {
     /// Degree, from 1.
     pub degree: usize,
-    /// Knots; made up evenly if their number doesn't fit.
+    /// Knots; replaced by uniform ones if their number is wrong.
     pub knots: &'a [f64],
     /// Weights, as many as controls, or none.
     pub weights: &'a [f64],
@@ -65,7 +65,7 @@ pub(super) struct Nurbs<'a> {
 }
 
 impl Nurbs<'_> {
-    /// The curve from its first point to its last; a little more than [`MAX_POINTS`] at most, which is refused then.
+    /// The curve from its first point to its last; at most a little more than [`MAX_POINTS`], which is then refused.
     pub fn flatten(&self) -> Vec<Point> {
         let (count, degree) = (self.controls.len(), self.degree);
         if !(2..=MAX_DEGREE).contains(&degree) || count <= degree {
@@ -103,7 +103,7 @@ impl Nurbs<'_> {
         points
     }
 
-    /// Adds points up to `to`, as many as it takes for chords to turn by no more than half a step where they meet.
+    /// Adds points up to `to`, enough for chords to turn by at most half a step where they meet.
     fn divide(
         &self,
         knots: &[f64],
@@ -147,8 +147,8 @@ impl Nurbs<'_> {
     }
 }
 
-/// A curve through all `points` (Catmull and Rom's): what a spline looks like that only tells where it passes. A little more
-/// than [`MAX_POINTS`] at most.
+/// A curve through all `points` (Catmull-Rom spline), for splines that have fit points only. At most a little more than
+/// [`MAX_POINTS`].
 pub(super) fn through(points: &[Point], is_closed: bool) -> Vec<Point> {
     let count = points.len();
     if count < 3 {
@@ -223,7 +223,7 @@ mod tests {
             controls: &controls,
         };
         assert!(off_circle(&circle.flatten()) < 0.001);
-        // Knots that don't fit are made up; the ends stay.
+        // A wrong number of knots is replaced; the ends stay.
         let bent = Nurbs { knots: &[3.0, 1.0], weights: &[], ..circle };
         assert_eq!(bent.flatten().last(), controls.last());
     }

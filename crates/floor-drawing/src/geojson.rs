@@ -1,4 +1,4 @@
-//! GeoJSON floor plans (RFC 7946): polygons and lines, as building surveys and indoor maps come.
+//! GeoJSON floor plans (RFC 7946): polygons and lines, the usual form of building surveys and indoor maps.
 
 use super::{Drawing, DrawingError, DrawingFlaw, error::bad, model::Builder};
 use geojson::{Feature, GeoJson, Geometry, GeometryValue, JsonObject};
@@ -8,23 +8,24 @@ use robovac_core::{
     math::{PI, cos, exp},
 };
 
-/// Properties that name a layer, the first that is there.
+/// Properties that name a layer, in order of preference.
 const LAYER_KEYS: [&str; 3] = ["layer", "class", "name"];
 /// The earth's mean radius, m (IUGG).
 const EARTH: f64 = 6_371_008.8;
-/// The radius that the Mercator projection of web maps is made with, m (WGS 84's at the equator).
+/// The radius of the Mercator projection of web maps, m (WGS 84's at the equator).
 const EQUATOR: f64 = 6_378_137.0;
-/// Widest extent in degrees that can be a building's coordinates on the earth, rather than a plan's in metres (ours): 10 km.
+/// Widest extent, in degrees, for coordinates to be taken as longitudes and latitudes of a building rather than metres
+/// of a plan (ours): 10 km.
 const WIDEST: f64 = 0.1;
 /// Deepest nesting of collections.
 const MAX_DEPTH: usize = 32;
 
-/// Whether the bytes are JSON of a type that GeoJSON has.
+/// Whether the bytes are JSON of a GeoJSON type.
 pub(super) fn is_geojson(bytes: &[u8]) -> bool {
     if !bytes.trim_ascii_start().starts_with(b"{") {
         return false;
     }
-    // The type may come last; scenarios and other JSON have none of these words.
+    // The type can come last; scenarios and other JSON files contain none of these words.
     let has = |word: &[u8]| bytes.windows(word.len()).any(|window| window == word);
     let types: [&[u8]; 3] = [b"\"FeatureCollection\"", b"\"Feature\"", b"\"GeometryCollection\""];
     types.into_iter().any(has)
@@ -34,9 +35,10 @@ pub(super) fn is_geojson(bytes: &[u8]) -> bool {
                 .any(has))
 }
 
-/// Reads GeoJSON. If all coordinates can be longitudes and latitudes of one building they are projected to metres around
-/// their middle (equirectangular: east, north), whatever a `crs` says. Else they are taken as they are: in metres if the `crs`
-/// is known to have them, in those of the Mercator projection of web maps, or in units to be asked for.
+/// Reads GeoJSON. If all coordinates can be longitudes and latitudes of one building they are projected to metres
+/// around their middle (equirectangular: east, north), regardless of any `crs`. Otherwise they are used unchanged: in
+/// metres if the `crs` is known to be metric, in units of the Mercator projection of web maps, or in units that the
+/// user must enter.
 pub(super) fn read(file: &SourceFile) -> Result<Drawing, DrawingError> {
     let bytes = file.bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&file.bytes);
     let refuse = |place: &str, flaw| bad(&file.name, place, flaw);
@@ -76,13 +78,13 @@ fn epsg_code(parsed: &GeoJson) -> Option<u32> {
     authority.to_uppercase().contains("EPSG").then(|| code.parse().ok())?
 }
 
-/// Whether it is the Mercator projection of web maps: 3857, and 900913, its nickname of old.
+/// Whether it is the Mercator projection of web maps: 3857, or the unofficial 900913.
 fn is_web_mercator(code: u32) -> bool {
     matches!(code, 3857 | 900_913)
 }
 
-/// Whether coordinates of that system are eastings and northings in metres, true to a thousandth or so: UTM on WGS 84, ETRS89
-/// and NAD83, the MGA of Australia, and the national grids of Europe and New Zealand (EPSG's register).
+/// Whether coordinates of that system are eastings and northings in metres, to about one part in a thousand: UTM on WGS
+/// 84, ETRS89 and NAD83, the MGA of Australia, and the national grids of Europe and New Zealand (EPSG's register).
 fn is_metric(code: u32) -> bool {
     matches!(code, 32601..=32660 | 32701..=32760 | 25828..=25838 | 26901..=26923 | 28346..=28359 | 7846..=7859)
         || matches!(code, 2056 | 21781 | 27700 | 28992 | 31370 | 2154 | 31466..=31469 | 31254..=31259 | 31287)
@@ -211,14 +213,14 @@ impl GeoJsonReader {
     }
 }
 
-/// The middle of the box, in degrees, if it can be one building's on the earth.
+/// The middle of the box, in degrees, if it can be that of a building.
 fn place_on_earth([low, high]: [Point; 2]) -> Option<Point> {
     let fits = low.x >= -180.0 && high.x <= 180.0 && low.y >= -90.0 && high.y <= 90.0;
     let is_small = (high - low).max() <= WIDEST;
     (fits && is_small).then(|| nalgebra::center(&low, &high))
 }
 
-/// How long a unit of the web maps' Mercator projection is at that northing, m: the cosine of the latitude (Snyder, Map
+/// Length of a unit of the web maps' Mercator projection at a northing, m: the cosine of the latitude (Snyder, Map
 /// projections, 1987, p. 41: y = R artanh(sin latitude)), within 0.7 % as the earth is no sphere.
 fn mercator_metre(northing: f64) -> f64 {
     // The projection ends at 20 037 508 m.

@@ -1,6 +1,6 @@
 //! Line drawings of floors: reads DXF, SVG and GeoJSON, traces rooms from them, and draws paths beside them.
 //!
-//! For programs that get a floor plan as it was drawn and need a grid of free and occupied cells.
+//! For programs that need a grid of free and occupied cells from a drawn floor plan.
 //!
 //! ```
 //! use floor_drawing::{DrawingRegion, Role, Tracing, read, trace};
@@ -16,9 +16,9 @@
 //! assert!(traced.plan.width_m() >= 3.0 && traced.plan.height_m() >= 2.0);
 //! ```
 //!
-//! A [`Drawing`] is what a file shows, flattened to straight strokes on layers, in the file's own units. [`trace`] makes a
-//! [`FloorPlan`](robovac_core::floor_plan::FloorPlan) of it once the user has chosen the roles of its layers, its unit and
-//! which part is meant. [`to_dxf`] draws lines, such as a sweeping path, beside a drawing.
+//! A [`Drawing`] is the content of a file, flattened to straight strokes on layers, in the file's own units. [`trace`]
+//! makes a [`FloorPlan`](robovac_core::floor_plan::FloorPlan) of it once the user has chosen the roles of its layers,
+//! its unit and its part. [`to_dxf`] draws lines, such as a sweeping path, beside a drawing.
 
 mod colours;
 mod dxf;

@@ -14,23 +14,24 @@ use std::{collections::BTreeMap, ops::Range};
 pub const MAX_POINTS: usize = 2_000_000;
 /// Most layers of a drawing.
 pub const MAX_LAYERS: usize = 10_000;
-/// Coordinates are finite and no further from the origin than this, in drawing units: a country's grid in millimetres.
+/// Coordinates are finite and at most this far from the origin, in drawing units; enough for a country's grid in
+/// millimetres.
 pub const MAX_COORDINATE: f64 = 1e10;
 
-/// What a vector file shows. x to the right, y up, in drawing units.
+/// The content of a vector file. x to the right, y up, in drawing units.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Drawing {
     /// The file's name without its ending.
     pub name: String,
-    /// Metres per drawing unit, if the file says ($INSUNITS of a DXF); `None` is to be asked for.
+    /// Metres per drawing unit, if the file states them ($INSUNITS of a DXF); if `None` the user must enter them.
     pub metre: Option<f64>,
-    /// Layers with anything on them, in the file's order.
+    /// Layers with strokes, in the file's order.
     pub layers: Vec<DrawingLayer>,
     /// Straight strokes: arcs, bulges, ellipses and splines are flattened, blocks are inserted.
     pub strokes: Vec<Stroke>,
     /// Corners of all strokes.
     pub points: Vec<Point>,
-    /// What isn't drawn, for users: "12 texts", "3 hatches".
+    /// Content that isn't drawn, for users: "12 texts", "3 hatches".
     pub left_out: Vec<String>,
 }
 
@@ -43,11 +44,11 @@ pub struct DrawingLayer {
     pub colour: [u8; 3],
     /// Number of strokes on it.
     pub strokes: usize,
-    /// What it seems to be, by its name.
+    /// Its role, guessed from its name.
     pub role: Role,
 }
 
-/// What a layer is to a robot.
+/// Meaning of a layer for the robot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
@@ -56,7 +57,7 @@ pub enum Role {
     Wall,
     /// Things on the floor: a closed outline is solid.
     Obstacle,
-    /// Not there.
+    /// Left out.
     Ignored,
 }
 
@@ -65,8 +66,8 @@ pub enum Role {
 pub struct Stroke {
     /// Index of its layer.
     pub layer: u32,
-    /// Number of the entity that it comes from, counted from 1: of model space in a DXF, where what a block holds comes from
-    /// the insert; of a path in an SVG, of a feature in GeoJSON.
+    /// Number of the entity that it comes from, counted from 1: an entity of model space in a DXF (the insert for the
+    /// content of blocks), a path in an SVG, a feature in GeoJSON.
     pub entity: u32,
     /// Whether its last corner is joined to its first.
     pub is_closed: bool,
@@ -101,7 +102,7 @@ impl Builder {
         }
     }
 
-    /// The layer with that name, whose case doesn't matter; it is added if there is none yet.
+    /// Index of the layer with that name, ignoring case; adds it if there is none yet.
     pub fn layer(&mut self, name: &str) -> Result<u32, DrawingFlaw> {
         let key = name.to_uppercase();
         if let Some(&index) = self.by_name.get(&key) {
@@ -117,7 +118,7 @@ impl Builder {
         Ok(index)
     }
 
-    /// A layer, to be changed; it must exist.
+    /// A layer, mutably; it must exist.
     pub fn layer_mut(&mut self, index: u32) -> &mut DrawingLayer {
         &mut self.layers[index as usize]
     }
@@ -127,14 +128,14 @@ impl Builder {
         self.layers.get(index as usize).map_or("", |layer| &layer.name)
     }
 
-    /// Notes something that isn't drawn, in the plural.
+    /// Counts something that isn't drawn, named in the plural.
     pub fn leave_out(&mut self, what: &'static str, count: usize) {
         if count > 0 {
             *self.left_out.entry(what).or_default() += count;
         }
     }
 
-    /// Draws a polyline; points that come twice in a row are taken once, and what has no length isn't drawn.
+    /// Adds a polyline without consecutive duplicate points; one without length isn't added.
     pub fn stroke(
         &mut self,
         layer: u32,
@@ -170,9 +171,9 @@ impl Builder {
         Ok(())
     }
 
-    /// The drawing, with the layers that anything is on.
+    /// The drawing, with its non-empty layers.
     pub fn finish(mut self, file: &str, metre: Option<f64>) -> Result<Drawing, DrawingError> {
-        let left_out: Vec<String> = self.left_out.iter().map(|(what, count)| format!("{count} {what}")).collect();
+        let left_out: Vec<String> = self.left_out.iter().map(|(what, count)| format!("{what} ({count})")).collect();
         if self.strokes.is_empty() {
             return Err(bad(file, "", DrawingFlaw::Nothing { left_out }));
         }
@@ -194,8 +195,8 @@ impl Builder {
     }
 }
 
-/// Refuses numbers that are no coordinates.
+/// Refuses invalid coordinates.
 pub(super) fn check_coordinate(value: f64) -> Result<(), DrawingFlaw> {
-    // Said this way round as no comparison holds for what isn't a number.
+    // In this form it also refuses NaN, for which every comparison is false.
     if value.abs() <= MAX_COORDINATE { Ok(()) } else { Err(DrawingFlaw::Coordinate { value: value.to_string() }) }
 }

@@ -2,13 +2,13 @@
 
 use robovac_core::geometry::Point;
 
-/// Something to be drawn beside a drawing: lines on a layer of their own.
+/// Lines to be drawn beside a drawing, on a layer of their own.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Overlay {
     /// Name of the layer.
     pub layer: String,
     /// AutoCAD colour index, 1 to 255.
     pub colour: u8,
-    /// Lines by their corners, in drawing units. One that ends where it begins is an outline.
+    /// Lines by their corners, in drawing units. A line whose last corner is its first is closed.
     pub lines: Vec<Vec<Point>>,
 }

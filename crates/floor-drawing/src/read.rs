@@ -19,7 +19,7 @@ const OTHERS: &[(&[u8], &str)] = &[
     (b"P2", "a PGM image"),
 ];
 
-/// How DWGs begin.
+/// First bytes of DWGs.
 const DWG: &[u8] = b"AC10";
 
 enum DrawingFormat {
@@ -55,7 +55,7 @@ pub fn is_dxf(file: &SourceFile) -> bool {
     matches!(kind(&file.bytes), Some(DrawingFormat::Dxf))
 }
 
-/// What kind of drawing a file is, by its content, e.g. "a DXF drawing"; a DWG too, which [`read`] can't read.
+/// The kind of a drawing, by its content, e.g. "a DXF drawing"; also recognises DWG, which [`read`] doesn't support.
 pub fn drawing_kind(file: &SourceFile) -> Option<&'static str> {
     match kind(&file.bytes) {
         Some(DrawingFormat::Dxf) => Some("a DXF drawing"),
@@ -80,7 +80,7 @@ fn kind(bytes: &[u8]) -> Option<DrawingFormat> {
 
 /// Reads a drawing.
 ///
-/// - DXF, text and binary: lines, polylines, circles, arcs, ellipses, splines, solids, and blocks with what is in them.
+/// - DXF, text and binary: lines, polylines, circles, arcs, ellipses, splines, solids, and blocks with their content.
 /// - SVG: paths and shapes; groups with names are layers, else the colours of the strokes.
 /// - GeoJSON: polygons and lines; the property `layer`, `class` or `name` is the layer.
 ///

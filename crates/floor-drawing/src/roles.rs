@@ -2,8 +2,8 @@
 
 use super::Role;
 
-/// Words in names of layers that aren't in the way: what is written about a floor, what opens, and what only measures.
-/// Paths that this program wrote don't come back as walls.
+/// Words in names of layers that don't obstruct the robot: annotations, openings and dimensions. With those of paths
+/// that this program writes, so that they don't come back as walls.
 const IGNORED: &[&str] = &[
     // English, and the abbreviations of the AIA CAD layer guidelines
     "TEXT",
@@ -95,7 +95,7 @@ const IGNORED: &[&str] = &[
     "ドア",
 ];
 
-/// Words in names of layers with things on the floor.
+/// Words in names of layers with objects on the floor.
 const OBSTACLES: &[&str] = &[
     "FURN",
     "OBSTACLE",
@@ -146,7 +146,7 @@ const OBSTACLES: &[&str] = &[
     "设备",
 ];
 
-/// Words in names of layers with walls, which are only needed where another rule would take the layer for something else.
+/// Words in names of layers with walls, needed only where another rule would give another role.
 const WALLS: &[&str] = &[
     "WALL",
     "WAND",
@@ -176,10 +176,11 @@ const WALLS: &[&str] = &[
     "PARTITION",
 ];
 
-/// What a layer seems to be. What no word tells is taken for walls: better a line too many in the way than one too few.
+/// Guesses the role of a layer. Names without a known word are taken as walls: an additional obstacle is safer than a
+/// missing one.
 ///
-/// A word of up to four letters must begin a part of the name, a longer one may be anywhere in it, one with an equals sign
-/// must be a part.
+/// A word of up to four letters must begin a part of the name, a longer one can be anywhere in it, and one with an
+/// equals sign must be a whole part.
 pub(super) fn guess(name: &str) -> Role {
     let name = name.to_uppercase();
     let parts = || name.split(|c: char| !c.is_alphanumeric());
@@ -267,7 +268,7 @@ mod tests {
         ] {
             assert_eq!(guess(name), Role::Ignored, "{name}");
         }
-        // Words that only happen to contain a short one.
+        // Words that contain a short one by coincidence.
         for name in ["Radim", "Remote", "Ajourcote"] {
             assert_eq!(guess(name), Role::Wall, "{name}");
         }

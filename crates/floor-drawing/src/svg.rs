@@ -1,7 +1,7 @@
 //! SVG floor plans.
 //!
-//! `usvg` resolves styles, transforms, units and `use`, in single precision: seven digits. Names of layers are looked up in
-//! the file itself.
+//! `usvg` resolves styles, transforms, units and `use`, in single precision: seven digits. Names of layers are read
+//! from the file itself.
 
 use super::{
     Drawing, DrawingError, DrawingFlaw,
@@ -20,11 +20,11 @@ use usvg::{
 
 /// Most elements and texts of a file.
 const MAX_NODES: u32 = 2_000_000;
-/// Deepest nesting of elements, where each `use` counts with what it uses.
+/// Deepest nesting of elements; a `use` includes the depth of its target.
 const MAX_DEPTH: usize = 100;
-/// What a pixel is where lengths have units: CSS has 96 of them an inch.
+/// Size of a pixel where lengths have units: CSS has 96 per inch.
 const MM_PER_PIXEL: f64 = 25.4 / 96.0;
-/// How far into a file its first element is looked for, bytes.
+/// Bytes at the start of a file in which its first element is searched.
 const HEAD: usize = 1 << 16;
 const INKSCAPE: &str = "http://www.inkscape.org/namespaces/inkscape";
 const XLINK: &str = "http://www.w3.org/1999/xlink";
@@ -36,8 +36,8 @@ pub(super) fn is_svg(bytes: &[u8]) -> bool {
     head.starts_with(b"<") && (head.windows(4).any(|window| window == b"<svg" || window == b":svg"))
 }
 
-/// Reads an SVG. Its y axis is turned up. If its width has a physical unit, the drawing is in millimetres; else in pixels,
-/// whose length is to be asked for.
+/// Reads an SVG. Its y axis is turned up. If its width has a physical unit, the drawing is in millimetres; else in
+/// pixels, whose size the user must enter.
 pub(super) fn read(file: &SourceFile) -> Result<Drawing, DrawingError> {
     let refuse = |place: &str, flaw| bad(&file.name, place, flaw);
     let bytes = file.bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&file.bytes);
@@ -76,7 +76,7 @@ pub(super) fn read(file: &SourceFile) -> Result<Drawing, DrawingError> {
     painter.builder.finish(&file.name, is_physical.then_some(1e-3))
 }
 
-/// Whether the width is a length outside the screen.
+/// Whether the width has a physical unit.
 fn has_physical_size(document: &Document<'_>) -> bool {
     let width = document.root_element().attribute("width").unwrap_or_default().trim();
     ["mm", "cm", "in", "pt", "pc", "Q"].iter().any(|unit| width.ends_with(unit))
@@ -90,7 +90,7 @@ fn labels(document: &Document<'_>) -> BTreeMap<String, String> {
         .collect()
 }
 
-/// Refuses elements that are nested so deep that reading them could take all of the stack, with what they use.
+/// Refuses elements that are nested so deeply, `use` targets included, that reading them could overflow the stack.
 fn check_depth<'a, 'i>(document: &'a Document<'i>) -> Result<(), Element<'a, 'i>> {
     let mut by_id = BTreeMap::new();
     for element in document.descendants() {
@@ -98,7 +98,7 @@ fn check_depth<'a, 'i>(document: &'a Document<'i>) -> Result<(), Element<'a, 'i>
             by_id.entry(id).or_insert(element);
         }
     }
-    // The depth at which every element has been looked at; what was seen deeper needn't be seen again.
+    // The greatest depth at which every element was visited; smaller depths are skipped.
     let mut seen: BTreeMap<usize, usize> = BTreeMap::new();
     let mut left = 4 * MAX_NODES;
     let mut stack = vec![(document.root_element(), 1)];
@@ -115,7 +115,7 @@ fn check_depth<'a, 'i>(document: &'a Document<'i>) -> Result<(), Element<'a, 'i>
         let used = element.attribute("href").or_else(|| element.attribute((XLINK, "href")));
         let is_use = element.tag_name().name() == "use";
         let used = used.filter(|_| is_use).and_then(|href| by_id.get(href.strip_prefix('#')?).copied());
-        // What uses itself isn't drawn at all by `usvg`.
+        // Elements that use themselves aren't drawn by `usvg`.
         let used = used.filter(|used| !element.ancestors().any(|outer| outer == *used));
         stack.extend(element.children().chain(used).filter(Element::is_element).map(|child| (child, depth + 1)));
     }
@@ -125,7 +125,7 @@ fn check_depth<'a, 'i>(document: &'a Document<'i>) -> Result<(), Element<'a, 'i>
 /// Names of the groups around a path.
 #[derive(Clone, Default)]
 struct Names {
-    /// The innermost that Inkscape shows as a name.
+    /// The innermost name given in Inkscape.
     label: Option<String>,
     /// The outermost id.
     id: Option<String>,
@@ -134,7 +134,7 @@ struct Names {
 struct SvgPainter {
     builder: Builder,
     labels: BTreeMap<String, String>,
-    /// Of the picture, pixels.
+    /// Height of the picture, pixels.
     height: f64,
     scale: f64,
     paths: u32,
@@ -181,7 +181,7 @@ impl SvgPainter {
         if self.builder.layer_mut(layer).strokes == 0 {
             self.builder.layer_mut(layer).colour = colour;
         }
-        // What is filled and has no line ends where it began.
+        // Outlines that are filled without a stroke are closed.
         let is_area = path.stroke().is_none();
         let transform = path.abs_transform();
         let at = |point: usvg::tiny_skia_path::Point| {
@@ -208,7 +208,7 @@ impl SvgPainter {
                 }
                 PathSegment::Close => {
                     self.builder.stroke(layer, self.paths, true, points.iter().copied())?;
-                    // What goes on without moving goes on from where the outline began.
+                    // A subpath without a move starts where the last outline began.
                     points.truncate(1);
                     continue;
                 }

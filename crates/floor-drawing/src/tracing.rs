@@ -6,12 +6,12 @@ use robovac_core::{
     geometry::{Point, Vector},
 };
 
-/// The part of a drawing that is meant, in drawing units.
+/// The part of a drawing to be traced, in drawing units.
 #[derive(Debug, Clone, PartialEq)]
 pub enum DrawingRegion {
     /// All of it.
     Whole,
-    /// An upright rectangle.
+    /// An axis-aligned rectangle.
     Rectangle {
         /// Lower left corner.
         low: Point,
@@ -20,14 +20,14 @@ pub enum DrawingRegion {
     },
     /// A simple polygon.
     Polygon(Vec<Point>),
-    /// The room that holds this point: as far as one gets without crossing a wall.
+    /// The room around this point: everything reachable without crossing a wall.
     Room(Point),
 }
 
-/// How a drawing becomes a room.
+/// Parameters of tracing a room from a drawing.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tracing {
-    /// What every layer is, in their order.
+    /// The role of every layer, in their order.
     pub roles: Vec<Role>,
     /// Metres per drawing unit.
     pub metre: f64,
@@ -35,7 +35,7 @@ pub struct Tracing {
     pub gap: f64,
     /// Side of the room's cells, m.
     pub resolution: f64,
-    /// The part that is meant.
+    /// The part to be traced.
     pub region: DrawingRegion,
 }
 
@@ -44,11 +44,11 @@ pub struct Tracing {
 pub struct Traced {
     /// The room.
     pub plan: FloorPlan,
-    /// Where the lower-left corner of the room lies in the drawing, in drawing units: a point of the room is
+    /// Position of the room's lower-left corner in the drawing, in drawing units: a point of the room is
     /// `corner + point / metre` in the drawing.
     pub corner: Vector,
     /// Metres per drawing unit.
     pub metre: f64,
-    /// Gaps that were closed: both ends, m in the room.
+    /// Gaps that were closed: both ends, m, in the room.
     pub gaps: Vec<[Point; 2]>,
 }

@@ -1,26 +1,27 @@
-//! The Robot tab: what its map and room show beside [`robovac_link::connection::ConnectionView`].
+//! The Robot tab: what its map and room display in addition to [`robovac_link::connection::ConnectionView`].
 
+use crate::amount::amount;
 use robovac_core::geometry::{Pose, difference};
 use std::fmt;
 
-/// How far from the start a robot may stand, m and rad, to be there: nobody offers to put it there.
+/// Largest distance from the start, m and rad, that counts as being there.
 const AT: [f64; 2] = [0.05, 0.1];
-/// How far it may stand from there when it sets off, without a question.
+/// Largest distance from the start at which programs begin without asking, m and rad.
 const NEAR: [f64; 2] = [0.15, 0.35];
 
-/// Where a robot stands, seen from where programs assume that it starts.
+/// A robot's place relative to the start that programs assume.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StartPlace {
-    /// There.
+    /// At the start.
     At,
-    /// Near enough to set off.
+    /// Near enough to begin.
     Near,
     /// Elsewhere: its position estimate would be wrong.
     Elsewhere,
 }
 
 impl StartPlace {
-    /// Of a robot at `pose`.
+    /// The place of a robot at `pose`.
     pub fn of(pose: Pose, start: Pose) -> Self {
         let distance = (pose.position() - start.position()).norm();
         let turn = difference(start.heading, pose.heading).abs();
@@ -44,24 +45,24 @@ impl StartPlace {
     }
 }
 
-/// The live map in words.
+/// Input of the live map's description.
 #[derive(Debug, Clone, Copy)]
 pub struct LiveMapWords<'a> {
     /// The room's name.
     pub room: &'a str,
     /// Mode of the robot; empty if unknown.
     pub mode: &'a str,
-    /// Who drives; empty for nobody.
+    /// What drives; empty if nothing does.
     pub driver: &'a str,
     /// Its estimated pose; `None` without a robot.
     pub estimate: Option<Pose>,
-    /// Share of the reachable floor that was swept, if that is known.
+    /// Swept share of the reachable floor, if known.
     pub coverage: Option<f64>,
-    /// Floor that was swept, m².
+    /// Swept floor, m².
     pub swept_m2: f64,
-    /// How often it bumped.
+    /// Number of bumps.
     pub bumps: usize,
-    /// How often it saw a cliff.
+    /// Number of cliff detections.
     pub cliffs: usize,
 }
 
@@ -74,13 +75,13 @@ impl fmt::Display for LiveMapWords<'_> {
         let by = if self.driver.is_empty() { "" } else { ", driven by " };
         write!(
             f,
-            "the robot is estimated to be at {x:.2} m, {y:.2} m, heading {degrees} degrees, in mode {mode}{by}{}. It has swept ",
+            "estimated position {x:.2} m, {y:.2} m, heading {degrees} degrees, mode {mode}{by}{}. The robot has swept ",
             self.driver
         )?;
         match self.coverage {
             Some(share) => write!(f, "{:.0} % of the reachable floor", 100.0 * share)?,
             None => write!(f, "{:.1} square metres", self.swept_m2)?,
         }
-        write!(f, ", bumped {} times and seen {} cliffs.", self.bumps, self.cliffs)
+        write!(f, "; {}, {}.", amount(self.bumps as i64, "bump"), amount(self.cliffs as i64, "cliff"))
     }
 }

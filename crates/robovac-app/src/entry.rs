@@ -9,7 +9,7 @@ use robovac_core::registry;
 use robovac_sim::experiment::Algorithm;
 use serde::Serialize;
 
-/// A planner or behaviour. What only the other kind claims is false.
+/// A planner or behaviour. Claims that only the other kind has are false.
 #[derive(Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[expect(clippy::struct_excessive_bools)]
@@ -46,7 +46,7 @@ struct ExampleEntry {
 }
 
 impl CatalogueEntry {
-    /// All that is known of an algorithm.
+    /// The entry of an algorithm.
     pub fn new(algorithm: Algorithm) -> Self {
         let explainer = algorithm.explainer();
         let (summary, source, link) = match algorithm {

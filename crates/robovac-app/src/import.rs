@@ -11,16 +11,16 @@ use robovac_sim::{
 };
 use serde::{Deserialize, Serialize};
 
-/// What files turned out to be.
+/// The content of files.
 #[derive(Debug, Clone)]
 pub struct Import {
     /// The room.
     pub plan: FloorPlan,
-    /// What else a scenario says; `None` for other maps.
+    /// Other choices of a scenario; `None` for maps.
     pub choices: Option<ScenarioChoices>,
 }
 
-/// What a scenario says beside its room, as text that settings check. What it doesn't mention stays as it is.
+/// The choices of a scenario besides its room, as text that settings check. Missing ones stay unchanged.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(default)]
@@ -33,30 +33,30 @@ pub struct ScenarioChoices {
     pub planner: Option<String>,
     /// Id of the behaviour.
     pub behaviour: Option<String>,
-    /// Parameters of either, by name.
+    /// Parameters of the planner or behaviour, by name.
     pub params: Vec<(String, String)>,
     /// Seed of all random numbers.
     pub seed: Option<String>,
-    /// How well the wheels hold.
+    /// Level of wheel slip.
     pub slip: Option<String>,
-    /// How much each kind of sensor errs; those left out don't.
+    /// Level of noise for each kind of sensor; missing ones are *off*.
     pub noise: Option<Vec<(String, String)>>,
-    /// Whether wheel speeds come in steps.
+    /// Whether wheel speeds are quantised.
     pub quantised: Option<bool>,
     /// How the robot computes its pose.
     pub odometry: Option<String>,
 }
 
-/// Why files can't be read.
+/// Reasons why files can't be read.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ImportError {
-    /// They are no map.
+    /// They aren't a map.
     #[error(transparent)]
     Map(#[from] MapError),
     /// They are a drawing with a flaw.
     #[error(transparent)]
     Drawing(#[from] DrawingError),
-    /// A file is a drawing, of which a room has to be made first.
+    /// A file is a drawing, from which a room must be traced first.
     #[error(
         "\"{name}\" is {kind}, from which a room must be traced first; open it in the Floor plan tab of the page or \
          use \"robovac convert\" (save a DWG as DXF first)"
@@ -64,18 +64,18 @@ pub enum ImportError {
     IsADrawing {
         /// The file.
         name: String,
-        /// What it is, e.g. "a DXF drawing".
+        /// Its type, e.g. "a DXF drawing".
         kind: &'static str,
     },
 }
 
-/// A scenario asks for something that there isn't.
+/// An unknown value in a scenario.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("the scenario can't be run: {path}: {reason}")]
 pub struct ScenarioError {
     /// The value in its JSON, e.g. `params.rate`.
     pub path: String,
-    /// What is wrong with it.
+    /// Description of the error.
     pub reason: String,
 }
 
@@ -96,7 +96,7 @@ impl Import {
         Ok(Self { plan, choices })
     }
 
-    /// Reads a scenario file, and nothing else.
+    /// Reads a scenario file only.
     pub fn scenario(name: &str, bytes: &[u8]) -> Result<Self, MapError> {
         let scenario = Scenario::read(name, bytes)?;
         Ok(Self { plan: scenario.plan(name)?, choices: Some(ScenarioChoices::of(&scenario)) })
@@ -104,7 +104,7 @@ impl Import {
 }
 
 impl ScenarioChoices {
-    /// What `scenario` says.
+    /// The choices of `scenario`.
     pub fn of(scenario: &Scenario) -> Self {
         let text = |value: &serde_json::Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
         let Scenario { robot, cell_size, planner, behaviour, slip, noise, quantised, odometry, .. } = scenario.clone();
@@ -122,7 +122,7 @@ impl ScenarioChoices {
         }
     }
 
-    /// All of `settings` that a scenario can say.
+    /// The choices that a scenario can contain, from `settings`.
     pub fn of_settings(settings: &Settings) -> Self {
         let Settings { algorithm, ref params, conditions, .. } = *settings;
         let defaults = Params::defaults(algorithm.params());
@@ -148,7 +148,7 @@ impl ScenarioChoices {
         self.planner.as_deref().or(self.behaviour.as_deref())
     }
 
-    /// `now`, with what the scenario says.
+    /// `now`, with the choices of the scenario.
     pub fn settings(&self, now: &Settings) -> Result<Settings, ScenarioError> {
         let mut settings = now.clone();
         if let Some(id) = &self.robot {

@@ -1,7 +1,6 @@
-//! View models of the Robovac Playground, one folder a tab: what each shows, and what its controls may do.
+//! View models of the Robovac Playground, one folder per tab: the displayed state and the allowed actions.
 //!
-//! For the page, whose boundary to JavaScript only passes on what is decided here. All of it is pure, so that it is tested
-//! natively.
+//! For the page; the boundary to JavaScript only passes on the results. All code is pure, so it is tested natively.
 //!
 //! ```
 //! use robovac_app::Viewport;
@@ -15,6 +14,7 @@
 //! - [`explore`], [`compare`], [`map`], [`floor_plan`]: the tabs
 //! - [`export`]: files to download; [`mod@bench`]: the benchmark of the command line and the page
 
+mod amount;
 pub mod bench;
 pub mod compare;
 pub mod connection;

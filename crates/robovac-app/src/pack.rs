@@ -1,11 +1,11 @@
-//! Objects packed into one list of numbers, for messages from a worker to the page: the smallest code for the page.
+//! Objects packed into one list of numbers, for messages from a worker to the page; needs the least code in the page.
 
 use robovac_core::{
     floor_plan::{Object, Who},
     geometry::{Point, Pose},
 };
 
-/// For each object its kind, the number of numbers that follow, and these.
+/// For each object its kind, the number of values that follow, and these.
 pub fn pack(objects: &[Object]) -> Vec<f64> {
     let flat = |points: &[Point]| points.iter().flat_map(|p| [p.x, p.y]).collect::<Vec<_>>();
     let mut packed = Vec::new();
@@ -27,7 +27,7 @@ pub fn pack(objects: &[Object]) -> Vec<f64> {
     packed
 }
 
-/// What [`pack`] has packed; nothing from where on it isn't that.
+/// The objects that [`pack`] packed, up to the first invalid one.
 pub fn unpack(mut packed: &[f64]) -> Vec<Object> {
     let mut objects = Vec::new();
     while let [kind, count, rest @ ..] = packed {

@@ -15,7 +15,7 @@ pub struct Palette {
     pub wall: &'static str,
     /// Edges of walls and furniture.
     pub wall_line: &'static str,
-    /// Cells of which the map doesn't say what they are.
+    /// Unknown cells.
     pub unknown: &'static str,
     /// Lines between cells.
     pub grid: &'static str,
@@ -23,13 +23,13 @@ pub struct Palette {
     pub planned: &'static str,
     /// The best line so far while planning.
     pub preview: &'static str,
-    /// Where the robot has just been; marks of editing.
+    /// The robot's recent trail; marks of editing.
     pub accent: &'static str,
     /// The robot's body.
     pub body: &'static str,
     /// Lines on the body.
     pub body_line: &'static str,
-    /// Ring around the body that sets it off from any floor.
+    /// Ring around the body for contrast with any floor.
     pub halo: &'static str,
     /// Bumper at rest.
     pub bumper: &'static str,
@@ -39,13 +39,13 @@ pub struct Palette {
     pub start: &'static str,
     /// The robot's estimated pose.
     pub estimate: &'static str,
-    /// What sensors look at and see.
+    /// Sensor beams and detections.
     pub sensor: &'static str,
     /// The side of the room that a planner prefers, and the other one.
     pub sides: [&'static str; 2],
     /// Parts of a walk that was taken apart, one after the other (Okabe & Ito).
     pub parts: [&'static str; 4],
-    /// What has just come to a walk.
+    /// New part of a walk.
     pub link: &'static str,
     /// Cells where a walk changes.
     pub tint: &'static str,
@@ -61,7 +61,7 @@ pub struct Palette {
     pub drop_off: &'static str,
     /// Treads.
     pub tread: &'static str,
-    /// Edge of where the floor ends.
+    /// Edge of a drop-off.
     pub warning: &'static str,
     /// Specks of dirt.
     pub dirt: &'static str,
@@ -75,7 +75,7 @@ pub struct Palette {
     pub person: &'static str,
     /// A pet and its way.
     pub pet: &'static str,
-    /// What is selected.
+    /// Selection.
     pub select: &'static str,
     /// Scale bar.
     pub text: &'static str,
@@ -83,7 +83,8 @@ pub struct Palette {
     pub passes: [[u8; 3]; 5],
 }
 
-/// Colours on light ground. The passes follow cividis, lightened at its dark end so that one pass looks clean, not dark.
+/// Colours on a light background. The passes follow cividis, lightened at its dark end so that a single pass looks
+/// clean, not dark.
 const LIGHT: Palette = Palette {
     outside: "#f5f6f8",
     floor: "#f6eee0",
@@ -126,7 +127,7 @@ const LIGHT: Palette = Palette {
     passes: [[0x7f, 0x93, 0xb6], [0xa3, 0xa0, 0x98], [0xb9, 0xae, 0x80], [0xd6, 0xc6, 0x72], [0xfe, 0xe8, 0x38]],
 };
 
-/// Colours on dark ground.
+/// Colours on a dark background.
 const DARK: Palette = Palette {
     outside: "#14171b",
     floor: "#332d26",
@@ -170,7 +171,7 @@ const DARK: Palette = Palette {
 };
 
 impl Palette {
-    /// The colours for dark or light ground.
+    /// The colours for a dark or light background.
     pub fn of(dark: bool) -> &'static Self {
         if dark { &DARK } else { &LIGHT }
     }

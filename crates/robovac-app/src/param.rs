@@ -24,7 +24,7 @@ enum FieldKind {
     Flag,
 }
 
-/// The parameters as forms take them.
+/// The parameters for forms.
 pub fn params(specs: &[ParamSpec]) -> Vec<Param> {
     specs.iter().map(Param::new).collect()
 }

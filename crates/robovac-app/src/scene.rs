@@ -12,19 +12,19 @@ use robovac_core::{
 use robovac_sim::experiment::Shows;
 use robovac_sim::{Life, Run};
 
-/// Everything that is seen on the floor at one moment. Whoever draws it keeps what is costly (outlines, pictures of
-/// cells) until the version beside it changes.
+/// The content of the floor's picture at one moment. Renderers cache costly parts (outlines, pictures of cells) until
+/// the corresponding version changes.
 #[derive(Debug, Clone, Copy)]
 pub struct Scene<'a> {
     /// Walls.
     pub plan: &'a FloorPlan,
     /// Changes whenever `plan` or `floor` does.
     pub plan_version: u64,
-    /// What the robot can reach; `None` while that isn't known, as with a robot that doesn't fit.
+    /// The reachable floor; `None` while it isn't known, as with a robot that doesn't fit.
     pub floor: Option<&'a ReachableFloor>,
-    /// What has been swept.
+    /// The swept floor.
     pub tracker: Option<&'a CoverageTracker>,
-    /// Changes whenever the tracker was replaced rather than swept on.
+    /// Changes when the tracker is replaced rather than updated.
     pub run_version: u64,
     /// Lowest and highest row of the tracker that changed since the last scene.
     pub dirty_rows: Option<(usize, usize)>,
@@ -32,21 +32,21 @@ pub struct Scene<'a> {
     pub planned: &'a [Point],
     /// The best line so far while planning; drawn instead of `planned`.
     pub preview: &'a [Point],
-    /// A picture of how the plan came to be; drawn instead of `planned`.
+    /// A picture of the planner's film; drawn instead of `planned`.
     pub film: Option<FilmScene<'a>>,
     /// Changes whenever `planned`, `preview` or `film` does.
     pub planned_version: u64,
-    /// Where the robot has just been, oldest first.
+    /// The robot's recent positions, oldest first.
     pub trail: &'a [Point],
-    /// What moves and is used up in the room; `None` without a run.
+    /// Moving and consumable objects in the room; `None` without a run.
     pub life: Option<&'a Life>,
-    /// Changes whenever `life` or `sensed` may have.
+    /// Changes whenever `life` or `sensed` can have changed.
     pub steps: u64,
-    /// Its estimated trail; empty if that isn't to be shown.
+    /// Its estimated trail; empty if it isn't shown.
     pub believed: &'a [Point],
     /// The robot; `None` before there is a run.
     pub robot: Option<RobotView>,
-    /// The planner's decision at this moment, if it is to be shown.
+    /// The planner's current decision, if it is shown.
     pub search: Option<SearchScene<'a>>,
     /// Where the robot starts.
     pub start: Option<Pose>,
@@ -54,23 +54,23 @@ pub struct Scene<'a> {
     pub start_radius: f64,
     /// Its outline.
     pub start_body: Body,
-    /// The map cell at which a tool would act.
+    /// The map cell under a tool.
     pub cursor: Option<Cell>,
     /// Object of the plan that is selected.
     pub selected: Option<usize>,
-    /// Object of the plan that isn't to be drawn, as it is in the hand.
+    /// Object of the plan that isn't drawn, as it is being dragged.
     pub lifted: Option<usize>,
-    /// Objects in the hand, where they are held.
+    /// Objects being dragged.
     pub in_hand: &'a [Object],
-    /// Colours for dark ground.
+    /// Whether colours are for a dark background.
     pub dark: bool,
     /// Which layers are drawn.
     pub shows: Shows,
-    /// What the robot senses, if that is to be shown.
+    /// The robot's sensing, if it is shown.
     pub sensed: Option<Sensed<'a>>,
 }
 
-/// What a robot senses, and where.
+/// A sensor reading and the floor under the robot.
 #[derive(Debug, Clone, Copy)]
 pub struct Sensed<'a> {
     /// The reading.
@@ -97,12 +97,12 @@ pub struct FilmScene<'a> {
     pub cell_size: f64,
 }
 
-/// A robot as it is seen from above.
+/// A robot seen from above.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RobotView {
-    /// Where it is.
+    /// Its pose.
     pub pose: Pose,
-    /// Its estimated pose, if that is to be shown.
+    /// Its estimated pose, if that is shown.
     pub estimate: Option<Pose>,
     /// Outline of its body.
     pub body: Body,
@@ -110,7 +110,7 @@ pub struct RobotView {
     pub radius: f64,
     /// Distance between its wheels, and their radius, m.
     pub wheels: [f64; 2],
-    /// What it senses with.
+    /// Its sensors.
     pub suite: SensorSuite,
     /// Whether it is held.
     pub is_lifted: bool,

@@ -1,4 +1,4 @@
-//! TypeScript declarations of all plain objects that JavaScript gets from Rust or gives to it.
+//! TypeScript declarations of all plain objects exchanged between JavaScript and Rust.
 
 use crate::{
     CatalogueEntry,
@@ -16,7 +16,7 @@ use robovac_sim::montecarlo::Summary;
 use std::collections::BTreeMap;
 use ts_rs::{Config, TS, TypeVisitor};
 
-/// What stands above them.
+/// The file's header.
 const HEAD: &str = "// Generated from the Rust types by `cargo test --test page types`: change them there.\n";
 
 /// Declarations by the names of their types.
@@ -27,7 +27,7 @@ struct Declarations {
 
 impl TypeVisitor for Declarations {
     fn visit<T: TS + 'static + ?Sized>(&mut self) {
-        // Numbers, texts and lists of something need no declaration.
+        // Numbers, strings and lists need no declaration.
         let Some(_) = T::output_path() else { return };
         let name = T::ident(&self.config);
         if self.texts.contains_key(&name) {
@@ -41,7 +41,7 @@ impl TypeVisitor for Declarations {
 
 /// The content of `www/types.d.ts`.
 pub fn declarations() -> String {
-    // All whole numbers that cross are small enough for JavaScript's only kind of number.
+    // All whole numbers in these objects fit JavaScript's number type.
     let mut all = Declarations { config: Config::new().with_large_int("number"), texts: BTreeMap::new() };
     all.visit::<BenchResult>();
     all.visit::<Catalogue>();
@@ -63,7 +63,7 @@ pub fn declarations() -> String {
     all.visit::<Traffic>();
     all.visit::<VirtualView>();
     let texts: Vec<String> = all.texts.into_values().collect();
-    // One line for a comment of one.
+    // Single-line comments on one line.
     let text = texts.join("\n").replace("/**\n * ", "/** ").replace("\n */\n", " */\n").replace(" \n", "\n");
     format!("{HEAD}\n{text}")
 }

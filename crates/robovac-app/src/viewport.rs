@@ -2,13 +2,13 @@
 
 use robovac_core::geometry::{Point, Vector};
 
-/// Space around the room when all of it is shown, CSS pixels: left, top, right, bottom. The page floats its tools there.
+/// Space around the room when all of it is shown, CSS pixels: left, top, right, bottom. The page's tools float there.
 const MARGINS: [f64; 4] = [24.0, 66.0, 24.0, 66.0];
-/// Space around the room where nothing floats, CSS pixels.
+/// Space around the room without floating tools, CSS pixels.
 const BARE_MARGIN: f64 = 6.0;
-/// Pixels per metre that the view is kept within.
+/// Limits of pixels per metre.
 const SCALES: std::ops::RangeInclusive<f64> = 0.5..=2000.0;
-/// Pixels of the room that stay in view, however far it is moved.
+/// Pixels of the room that stay in view when panning.
 const KEPT: f64 = 60.0;
 
 /// The window onto the world. The world's y points up, the screen's down; lengths on the screen are CSS pixels.
@@ -16,7 +16,7 @@ const KEPT: f64 = 60.0;
 pub struct Viewport {
     /// CSS pixels per metre.
     pub scale: f64,
-    /// Where the world's origin lies on the screen: CSS pixels from the left and from the top.
+    /// Screen position of the world's origin: CSS pixels from the left and from the top.
     pub origin: Vector,
     /// Width and height of the canvas, CSS pixels.
     pub size: Vector,
@@ -26,9 +26,9 @@ pub struct Viewport {
     room: Vector,
     /// Whether the whole room is kept in view when sizes change.
     fitted: bool,
-    /// Whether nothing floats over the canvas.
+    /// Whether no tools float over the canvas.
     is_bare: bool,
-    /// How far down from the top the page tells something that must not hide the room, CSS pixels.
+    /// Height of the page's message at the top that must not hide the room, CSS pixels.
     told: f64,
 }
 
@@ -58,7 +58,7 @@ impl Viewport {
         view
     }
 
-    /// A window over which the page floats nothing, to be given its sizes.
+    /// A window without floating tools, to be given its sizes.
     pub fn bare() -> Self {
         Self { is_bare: true, ..Self::new(1.0, 1.0, 1.0, 1.0, 1.0) }
     }
@@ -74,7 +74,7 @@ impl Viewport {
         self.fitted = true;
     }
 
-    /// Keeps the uppermost `told` CSS pixels free of the room where all of it is shown.
+    /// Keeps the uppermost `told` CSS pixels free when the whole room is shown.
     pub fn keep_clear(&mut self, told: f64) {
         if (told - self.told).abs() < 0.5 {
             return;
@@ -85,13 +85,13 @@ impl Viewport {
         }
     }
 
-    /// Takes on the size of another room, in metres, and shows all of it.
+    /// Takes the size of another room, in metres, and shows all of it.
     pub fn set_room(&mut self, width: f64, height: f64) {
         self.room = Vector::new(width, height);
         self.fit();
     }
 
-    /// Takes on the size of the canvas, CSS pixels, and its device pixels per CSS pixel; keeps the middle in place.
+    /// Takes the size of the canvas, CSS pixels, and its device pixels per CSS pixel; keeps the middle in place.
     pub fn resize(&mut self, width: f64, height: f64, pixel_ratio: f64) {
         let size = Vector::new(width.max(1.0), height.max(1.0));
         self.origin += 0.5 * (size - self.size);
@@ -104,14 +104,14 @@ impl Viewport {
         }
     }
 
-    /// Moves what is seen by CSS pixels.
+    /// Pans by CSS pixels.
     pub fn pan(&mut self, dx: f64, dy: f64) {
         self.origin += Vector::new(dx, dy);
         self.fitted = false;
         self.keep_in_view();
     }
 
-    /// Enlarges `factor` times, with the point under (`x`, `y`) staying where it is.
+    /// Zooms by `factor`, keeping the point under (`x`, `y`) in place.
     pub fn zoom_at(&mut self, x: f64, y: f64, factor: f64) {
         let scale = (self.scale * factor).clamp(*SCALES.start(), *SCALES.end());
         let fixed = Vector::new(x, y);
@@ -121,39 +121,39 @@ impl Viewport {
         self.keep_in_view();
     }
 
-    /// Where a point of the world is seen, CSS pixels from the upper left.
+    /// Screen position of a point of the world, CSS pixels from the upper left.
     #[inline]
     pub fn to_screen(&self, point: Point) -> Point {
         Point::new(self.origin.x + self.scale * point.x, self.origin.y - self.scale * point.y)
     }
 
-    /// The point of the world that is seen at (`x`, `y`) CSS pixels from the upper left.
+    /// The point of the world at (`x`, `y`) CSS pixels from the upper left.
     pub fn to_world(&self, x: f64, y: f64) -> Point {
         Point::new((x - self.origin.x) / self.scale, (self.origin.y - y) / self.scale)
     }
 
-    /// The same window onto a frame whose origin lies at `origin` in this world, and whose unit is `unit` long here.
+    /// The same window for a frame whose origin lies at `origin` in this world, and whose unit has length `unit` here.
     pub fn onto(&self, origin: Point, unit: f64) -> Self {
         Self { origin: self.to_screen(origin).coords, scale: self.scale * unit, ..*self }
     }
 
-    /// The part of the world that is seen: lower-left and upper-right corner.
+    /// The visible part of the world: lower-left and upper-right corner.
     pub fn bounds(&self) -> (Point, Point) {
         (self.to_world(0.0, self.size.y), self.to_world(self.size.x, 0.0))
     }
 
-    /// The margins, less of them where the canvas is small.
+    /// The margins, reduced where the canvas is small.
     fn margins(&self) -> [f64; 4] {
         if self.is_bare {
             return [BARE_MARGIN; 4];
         }
         let shrink = (self.size.x / 480.0).min(self.size.y / 320.0).clamp(0.1, 1.0);
         let [left, top, right, bottom] = MARGINS.map(|margin| margin * shrink);
-        // However much is told, half of the canvas is the room's.
+        // At least half of the canvas is left to the room.
         [left, top.max(self.told.min(0.5 * self.size.y - bottom)), right, bottom]
     }
 
-    /// Some of the room stays in view, so that nobody gets lost.
+    /// Keeps some of the room in view.
     fn keep_in_view(&mut self) {
         let room = self.room * self.scale;
         let kept = Vector::new(KEPT.min(self.size.x), KEPT.min(self.size.y));
@@ -194,7 +194,7 @@ mod tests {
         assert!(view.to_screen(Point::new(0.0, 6.0)).y >= 130.0 - 1e-9);
         view.keep_clear(0.0);
         assert_eq!(view.scale, before.scale);
-        // Never more than half of the canvas, and not what somebody looks at closely.
+        // Never more than half of the canvas, and not when zoomed in.
         view.keep_clear(5000.0);
         assert!(view.scale > 0.0 && view.to_screen(Point::new(0.0, 6.0)).y < 350.0);
         view.zoom_at(300.0, 200.0, 2.0);

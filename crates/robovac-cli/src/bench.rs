@@ -13,18 +13,22 @@ pub struct Arguments {
     /// Measure only cases whose names contain TEXT, e.g. "simulate"
     #[arg(long, value_name = "TEXT", default_value = "", hide_default_value = true)]
     only: String,
+    /// Run each case a single time: whether they work, not how fast
+    #[arg(long)]
+    once: bool,
 }
 
-/// Measures. The rows of the table are written as they come, as it takes a while; what is left to print is returned.
+/// Runs the benchmark. Rows of the table are printed immediately, as it takes a while; the rest of the output is
+/// returned.
 pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let begin = Instant::now();
     let clock = || begin.elapsed().as_secs_f64();
     if arguments.json {
-        return Ok(output::json(&all(&arguments.only, &clock, &mut |_| {})?));
+        return Ok(output::json(&all(arguments, &clock, &mut |_| {})?));
     }
     let mut head = line("", "ms, median", "times real time");
     let mut written = Ok(());
-    all(&arguments.only, &clock, &mut |result| {
+    all(arguments, &clock, &mut |result| {
         if written.is_ok() {
             written = output::print(&(std::mem::take(&mut head) + &row(result)));
         }
@@ -32,8 +36,13 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     written.map(|()| String::new())
 }
 
-fn all(only: &str, clock: &dyn Fn() -> f64, report: &mut dyn FnMut(&BenchResult)) -> Result<Vec<BenchResult>, Failure> {
-    let mut bench = Bench::new(clock, &|| None, report).only(only);
+fn all(
+    arguments: &Arguments,
+    clock: &dyn Fn() -> f64,
+    report: &mut dyn FnMut(&BenchResult),
+) -> Result<Vec<BenchResult>, Failure> {
+    let only = arguments.only.as_str();
+    let mut bench = Bench::new(clock, &|| None, report).only(only).once_each(arguments.once);
     for cases in [bench::planning, bench::mapping, bench::streaming, bench::floor_plan] {
         cases(&mut bench);
     }

@@ -36,7 +36,7 @@ pub struct Arguments {
     /// Number of runs; seeds count up from --seed
     #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u64).range(1..=10_000))]
     seeds: u64,
-    /// Simulated time after which cleaning starts, if the map isn't complete before
+    /// Simulated time after which cleaning starts, if the map isn't complete by then
     #[arg(long, value_name = "MINUTES", default_value_t = 40.0, value_parser = super::montecarlo::parse_minutes, allow_hyphen_values = true)]
     minutes: f64,
     /// Planner for the remaining floor, see "robovac planners"
@@ -57,7 +57,7 @@ fn parse_tracking(text: &str) -> Result<Tracking, String> {
     Tracking::parse(text).ok_or_else(|| format!("unknown localisation method \"{text}\"; use corrected or odometry"))
 }
 
-/// What became of one run.
+/// Result of a run.
 #[derive(Serialize)]
 struct CleanOutcome {
     seed: u64,
@@ -75,7 +75,7 @@ struct CleanOutcome {
     end: &'static str,
 }
 
-/// Runs all seeds and returns what is to be printed.
+/// Runs all seeds and returns the output.
 pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let id = &arguments.behaviour;
     let info = controller::find(id).ok_or_else(|| Failure::unknown("behaviour", id, "behaviours"))?;
@@ -139,7 +139,7 @@ fn clean(mut run: Run, arguments: &Arguments, planner: &'static str, seed: u64) 
 
 fn to_text(outcomes: &[CleanOutcome]) -> String {
     let mut text = String::new();
-    let heads = ["mapped", "swept", "cleaned", "swept", "believed", "pose off", "bumps"];
+    let heads = ["mapped", "swept", "cleaned", "swept", "estimate", "pose off", "bumps"];
     // Writing to a string can't fail.
     let _ = write!(text, "{:>8}", "seed");
     for head in heads {
@@ -159,8 +159,8 @@ fn to_text(outcomes: &[CleanOutcome]) -> String {
         };
         let _ = writeln!(text, "{name:>8}{}", row(&std::array::from_fn(column)));
     }
-    text + "mapped, cleaned: time needed; swept: true share of the reachable floor swept by then; believed: the robot's estimate\n\
-            of that share, from its map\n"
+    text + "mapped, cleaned: time needed; swept: true share of the reachable floor swept by then; estimate: the robot's own\n\
+            estimate of that share, from its map; pose off: pose error at the end\n"
 }
 
 impl CleanOutcome {

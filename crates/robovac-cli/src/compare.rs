@@ -71,7 +71,7 @@ struct CompareTrial {
     seed: u64,
 }
 
-/// Makes all trials and returns what is to be printed.
+/// Makes all trials and returns the output.
 pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let plans = plans(&arguments.rooms)?;
     let entrants = entrants(&arguments.planners)?;

@@ -13,7 +13,7 @@ pub struct ConditionsArguments {
     /// Sensor noise: off, typical or harsh, or for one kind of sensor as in cliff=harsh; can be repeated [default: off]
     #[arg(long, value_name = "LEVEL", value_parser = parse_noise)]
     noise: Vec<(Option<SensorKind>, NoiseLevel)>,
-    /// Round wheel speeds to those that the robot's motor controller can hold
+    /// Round wheel speeds to the steps of the robot's motor controller
     #[arg(long)]
     quantised: bool,
     /// How odometry computes the pose from encoder counts

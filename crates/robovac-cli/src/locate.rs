@@ -56,7 +56,7 @@ struct LocateTrial {
     sure: bool,
 }
 
-/// Makes the trials and returns what is to be printed.
+/// Makes the trials and returns the output.
 pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let placement = arguments.placement.placement(DEFAULT_ROBOT)?;
     let id = arguments.behaviour.as_str();
@@ -87,7 +87,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     // Writing to a string can't fail.
     let _ = writeln!(
         text,
-        "{} of {} relocalised within {} min ({share:.0} %): confident and within {:.0} cm, until the end",
+        "{} of {} relocalised within {} min ({share:.0} %): confident and within {:.0} cm from then on",
         found.len(),
         trials.len(),
         arguments.minutes,

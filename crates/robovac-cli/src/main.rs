@@ -31,6 +31,8 @@ mod output;
 #[cfg(not(target_arch = "wasm32"))]
 mod plan;
 #[cfg(not(target_arch = "wasm32"))]
+mod signals;
+#[cfg(not(target_arch = "wasm32"))]
 mod simulate;
 #[cfg(not(target_arch = "wasm32"))]
 mod source;
@@ -129,7 +131,7 @@ Exit codes:
         match result.and_then(|text| print(&text)) {
             Ok(()) => OK.into(),
             Err(failure) => {
-                // Nobody to tell if even this fails.
+                // If this fails, too, the error can't be reported.
                 let _ = writeln!(std::io::stderr(), "robovac: {failure}");
                 failure.code.into()
             }

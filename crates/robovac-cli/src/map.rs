@@ -60,7 +60,7 @@ enum TrackingWays {
     Both,
 }
 
-/// What became of one run with one way of keeping track.
+/// Result of a run with one kind of tracking.
 #[derive(Serialize)]
 struct MapOutcome {
     seed: u64,
@@ -83,7 +83,7 @@ struct Quality {
     boundary_error_m: Option<f64>,
 }
 
-/// Runs all seeds and returns what is to be printed.
+/// Runs all seeds and returns the output.
 pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let id = &arguments.behaviour;
     let info = controller::find(id).ok_or_else(|| Failure::unknown("behaviour", id, "behaviours"))?;
@@ -208,8 +208,8 @@ fn to_text(ways: &[Tracking], outcomes: &[MapOutcome]) -> String {
         text.push('\n');
     }
     text + "end, median, 90 %: pose error at the end and over the run; right: share of known cells correct within one cell;\n\
-            floor, boundary: known shares of what is reachable; off: mean distance of occupied cells from a true edge;\n\
-            speed: times real time\n"
+            floor, boundary: mapped shares of the reachable ones; off: mean distance of occupied cells from a true edge;\n\
+            speed: multiple of real time\n"
 }
 
 impl MapOutcome {

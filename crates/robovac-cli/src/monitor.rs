@@ -1,20 +1,23 @@
 //! `monitor`: listens to a robot on a serial port, with the same driver as the page.
 
-use super::failure::Failure;
+use super::{failure::Failure, signals::end_requested, simulate::parse_seconds};
 use robovac_link::{
     connection::{Connection, ConnectionView, Request, Traffic, TrafficKind},
     driver::LineRequest,
 };
+use roomba_oi::Packet;
 use serialport::{ClearBuffer, SerialPort};
 use std::{
-    io::{ErrorKind, IsTerminal, Write, stderr, stdout},
-    path::PathBuf,
+    fs::File,
+    io::{self, ErrorKind, IsTerminal, Write, stderr, stdout},
+    path::{Path, PathBuf},
+    sync::atomic::{AtomicBool, Ordering},
     time::{Duration, Instant},
 };
 
 /// Baud rate that every connection begins with.
 const BAUD: u32 = 115_200;
-/// Time that a read waits for bytes; the driver is told the time that often.
+/// Time that a read waits for bytes, and interval of the driver's ticks.
 const LOOK: Duration = Duration::from_millis(5);
 /// Time between two lines of sensors.
 const REPORT: Duration = Duration::from_secs(1);
@@ -27,9 +30,9 @@ pub struct Arguments {
     /// Serial port, such as /dev/ttyUSB0 or COM3; "list" lists the ports
     port: String,
     /// Seconds to listen [default: until Ctrl-C]
-    #[arg(long, value_name = "S")]
+    #[arg(long, value_name = "S", value_parser = parse_seconds, allow_hyphen_values = true)]
     seconds: Option<f64>,
-    /// Record all traffic to this file, which the page can replay
+    /// Record all traffic to this file, which the page can replay. It is written once a second, and whole after Ctrl-C
     #[arg(long, value_name = "FILE")]
     record: Option<PathBuf>,
     /// Show every command and frame instead of one line per second
@@ -41,22 +44,49 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     if arguments.port == "list" {
         return list();
     }
+    // First of all: an hour that can't be recorded is lost.
+    let mut record = arguments.record.as_deref().map(RecordingFile::create).transpose()?;
+    let is_over = end_requested()?;
     let mut port =
         serialport::new(&arguments.port, BAUD).timeout(LOOK).open().map_err(|e| cannot_open(arguments, &e))?;
-    // Opening may have pulled the wake-up wire low: let it go.
+    // Opening can have pulled the wake-up wire low: release it.
     let _ = (port.write_request_to_send(false), port.write_data_terminal_ready(false), port.clear(ClearBuffer::Input));
     let mut link = Connection::new();
-    let watched = watch(arguments, port.as_mut(), &mut link);
-    if let Some(path) = &arguments.record {
-        std::fs::write(path, link.recording()).map_err(|e| Failure::io(path.display(), &e))?;
-    }
+    let watched = watch(arguments, port.as_mut(), &mut link, &mut record, &is_over);
+    keep(&mut link, &mut record)?;
     watched.map(|()| String::new())
 }
 
-fn watch(arguments: &Arguments, port: &mut dyn SerialPort, link: &mut Connection) -> Result<(), Failure> {
-    let lost = |error: &std::io::Error| Failure::io(&arguments.port, error);
+/// The file of a recording.
+struct RecordingFile<'a> {
+    path: &'a Path,
+    file: File,
+}
+
+impl<'a> RecordingFile<'a> {
+    fn create(path: &'a Path) -> Result<Self, Failure> {
+        let file = File::create(path).map_err(|e| Failure::io(path.display(), &e))?;
+        Ok(Self { path, file })
+    }
+}
+
+/// Writes what was recorded since the last call, or forgets it.
+fn keep(link: &mut Connection, record: &mut Option<RecordingFile<'_>>) -> Result<(), Failure> {
+    let lines = link.take_recording();
+    let Some(RecordingFile { path, file }) = record else { return Ok(()) };
+    file.write_all(lines.as_bytes()).map_err(|e| Failure::io(path.display(), &e))
+}
+
+fn watch(
+    arguments: &Arguments,
+    port: &mut dyn SerialPort,
+    link: &mut Connection,
+    record: &mut Option<RecordingFile<'_>>,
+    is_over: &AtomicBool,
+) -> Result<(), Failure> {
+    let lost = |error: &io::Error| Failure::io(&arguments.port, error);
     let began = Instant::now();
-    let mut reported = began;
+    let (mut reported, mut kept) = (began, began);
     let (mut told, mut connected) = (0, false);
     let mut buffer = [0; LUMP];
     link.opened(0.0);
@@ -72,7 +102,7 @@ fn watch(arguments: &Arguments, port: &mut dyn SerialPort, link: &mut Connection
         }
         link.beat(now);
         link.tick(now);
-        let is_over = arguments.seconds.is_some_and(|seconds| now >= seconds);
+        let is_over = is_over.load(Ordering::Relaxed) || arguments.seconds.is_some_and(|seconds| now >= seconds);
         if is_over {
             // Nothing to be refused: it is always allowed.
             let _ = link.request(now, Request::Disconnect);
@@ -92,7 +122,11 @@ fn watch(arguments: &Arguments, port: &mut dyn SerialPort, link: &mut Connection
         }
         if view.phase == "connected" && (!connected || reported.elapsed() >= REPORT) {
             (connected, reported) = (true, Instant::now());
-            say(&summary(now, &view));
+            say(&summary(now, &view, link));
+        }
+        if kept.elapsed() >= REPORT {
+            kept = Instant::now();
+            keep(link, record)?;
         }
         if is_over {
             return Ok(());
@@ -100,8 +134,8 @@ fn watch(arguments: &Arguments, port: &mut dyn SerialPort, link: &mut Connection
     }
 }
 
-/// Does what the driver asks for, at once.
-fn send(port: &mut dyn SerialPort, link: &mut Connection) -> std::io::Result<()> {
+/// Executes the driver's requests at once.
+fn send(port: &mut dyn SerialPort, link: &mut Connection) -> io::Result<()> {
     while let Some(request) = link.take_line() {
         match request {
             LineRequest::Baud(baud) => port.set_baud_rate(baud)?,
@@ -112,24 +146,29 @@ fn send(port: &mut dyn SerialPort, link: &mut Connection) -> std::io::Result<()>
     port.write_all(&link.take_tx())
 }
 
-fn summary(now: f64, view: &ConnectionView) -> String {
+/// The readings in a line; of what the robot doesn't send at this baud rate, nothing.
+fn summary(now: f64, view: &ConnectionView, link: &Connection) -> String {
     let readings = view.readings.clone().unwrap_or_default();
     let (sensors, statistics) = (&readings.sensors, &view.statistics);
     let flags = |flags: &[bool]| flags.iter().map(|&flag| if flag { '1' } else { '0' }).collect::<String>();
     let [left, right, _] = sensors.counts;
-    format!(
-        "{now:7.3}  {:7}  battery {:5.2} V {:5} mA {}/{} mAh  encoders {left} {right}  bumps {}{}  cliffs {}  {:.0} frames/s, {} bad",
-        view.mode,
-        readings.voltage_v,
-        sensors.battery.current_ma,
-        readings.charge_mah,
-        readings.capacity_mah,
-        flags(&sensors.wheel_drops),
-        flags(&sensors.bumper),
-        flags(&sensors.cliffs),
-        statistics.rate_hz,
-        statistics.bad_checksums + statistics.implausible,
-    )
+    let mut line = format!("{now:7.3}  {:7}", view.mode);
+    let mut add = |packet: Packet, text: String| {
+        if link.receives(packet) {
+            line += &text;
+        }
+    };
+    add(Packet::Voltage, format!("  battery {:5.2} V", readings.voltage_v));
+    add(Packet::Current, format!(" {:5} mA", sensors.battery.current_ma));
+    add(Packet::BatteryCharge, format!(" {}/{} mAh", readings.charge_mah, readings.capacity_mah));
+    add(Packet::LeftEncoder, format!("  encoders {left} {right}"));
+    add(
+        Packet::BumpsAndDrops,
+        format!("  bumps {}  wheel drops {}", flags(&sensors.bumper), flags(&sensors.wheel_drops)),
+    );
+    add(Packet::CliffLeft, format!("  cliffs {}", flags(&sensors.cliffs)));
+    let bad = statistics.bad_checksums + statistics.implausible;
+    format!("{line}  {:.0} frames/s, {bad} bad", statistics.rate_hz)
 }
 
 fn told_of(line: &Traffic) -> String {
@@ -142,7 +181,7 @@ fn told_of(line: &Traffic) -> String {
     format!("{:7.3} {sign} {}", line.time_s, line.text)
 }
 
-/// Nobody to tell if even this fails: the reader went away.
+/// If this fails, the reader has gone away.
 fn say(line: &str) {
     let _ = writeln!(stdout(), "{line}").and_then(|()| stdout().flush());
 }

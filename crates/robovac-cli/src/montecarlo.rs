@@ -56,7 +56,7 @@ struct EntrantArguments {
     planners: Vec<String>,
 }
 
-/// Makes all runs and returns what is to be printed.
+/// Makes all runs and returns the output.
 pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let entrants = arguments.entrants.find()?;
     let placement = arguments.placement.placement(DEFAULT_ROBOT)?;
@@ -108,7 +108,7 @@ impl EntrantArguments {
     }
 }
 
-/// Makes the runs, `jobs` at a time; outcomes in the order of runs, whoever is done first.
+/// Makes the runs, `jobs` at a time; returns the outcomes in the order of the runs.
 fn make_all(
     runs: &[(usize, u64)],
     jobs: usize,

@@ -17,7 +17,7 @@ pub fn print(text: &str) -> Result<(), Failure> {
 
 /// One line of JSON.
 pub fn json(value: &impl Serialize) -> String {
-    // Numbers, strings and lists: nothing in what is written here can fail.
+    // Numbers, strings and lists can always be serialised.
     serde_json::to_string(value).unwrap_or_default() + "\n"
 }
 

@@ -27,7 +27,7 @@ pub struct Arguments {
     json: bool,
 }
 
-/// Plans and returns what is to be printed.
+/// Plans and returns the output.
 pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let planner = planner(&arguments.planner)?;
     let params = arguments.params.checked(planner.params)?;

@@ -17,9 +17,9 @@ use robovac_sim::{
 use serde::Serialize;
 use std::{fmt::Write, time::Instant};
 
-/// The robot unless another one is asked for.
+/// The default robot.
 pub const DEFAULT_ROBOT: &str = "roomba600";
-/// Time after which a behaviour that doesn't end by itself is stopped, s, unless another one is asked for.
+/// Default time after which a behaviour that doesn't end by itself is stopped, s.
 const MOST_TIME_S: f64 = 1800.0;
 
 /// Simulate a cleaning robot that follows a plan or a behaviour
@@ -56,7 +56,7 @@ struct AlgorithmArguments {
     behaviour: Option<String>,
 }
 
-/// What is written about a run.
+/// Report of a run.
 #[derive(Serialize)]
 struct SimulateReport {
     #[serde(flatten)]
@@ -84,7 +84,7 @@ struct Totals {
     overlap: f64,
     /// Distance between the robot's true and estimated position.
     pose_error_m: Option<f64>,
-    /// Whether the robot came to the end of what it does.
+    /// Whether the robot has finished.
     finished: bool,
     /// Whether the battery was empty before that.
     battery_empty: bool,
@@ -104,7 +104,7 @@ struct SimulateSample {
     estimate: Option<ScenarioPose>,
 }
 
-/// Plans if there is something to plan, drives, and returns what is to be printed.
+/// Plans if needed, drives, and returns the output.
 pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let algorithm = arguments.algorithm.find()?;
     let params = arguments.params.checked(algorithm.params())?;
@@ -221,7 +221,7 @@ impl SimulateReport {
             text,
             "\n\
              Coverage  {:.1} % of the reachable floor, {:.1} % overlap\n\
-             Drive     {:.1} m in {}, turns of {:.0}°, {} bumps\n\
+             Drive     {:.1} m in {}, turns of {:.0}°, bumps: {}\n\
              {}\
              Run       {end}, digest {}\n",
             100.0 * totals.coverage,

@@ -41,7 +41,7 @@ pub fn load_with_image(path: &Path) -> Result<FloorPlan, Failure> {
     let mut files = vec![read(path)?.ok_or_else(|| Failure::io(path.display(), &ErrorKind::NotFound.into()))?];
     if let Some(image) = image_of(&files[0]) {
         let folder = path.parent().unwrap_or(Path::new(""));
-        // If it isn't there, the loader says what is missing.
+        // If it doesn't exist, the loader's error names it.
         files.extend(read(&folder.join(image))?);
     }
     Ok(Import::read(&files)?.plan)

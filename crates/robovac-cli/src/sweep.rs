@@ -34,7 +34,7 @@ pub struct Arguments {
     /// Cell size of the obstacle map in metres [default: a quarter of the outline's width]
     #[arg(long, value_name = "M", allow_hyphen_values = true)]
     cell: Option<f64>,
-    /// Output file, can be repeated; its extension chooses the format: .csv table, .yaml ROS path, .oi.txt Open
+    /// Output file; can be repeated; its extension chooses the format: .csv table, .yaml ROS path, .oi.txt Open
     /// Interface bytes for a Roomba 600, .txt program, .json all stages
     #[arg(long, value_name = "FILE")]
     out: Vec<PathBuf>,
@@ -85,14 +85,14 @@ struct StageLink {
     way: Vec<[f64; 2]>,
 }
 
-/// What a file holds: a path, or all stages as JSON.
+/// Format of a file: a path, or `None` for all stages as JSON.
 type SweepFormat = Option<PathFormat>;
 
 /// Plans, writes the files, and returns the numbers that are to be printed.
 pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let unknown = || Failure::unknown("robot", &arguments.robot, "robots");
     let robot = model(&arguments.robot).ok_or_else(unknown)?;
-    // What can't be written is told before anything is planned.
+    // Unsupported formats are refused before planning.
     let formats: Vec<SweepFormat> = arguments.out.iter().map(|out| format_of(out)).collect::<Result<_, _>>()?;
     let outline = arguments.outline.as_deref().map_or_else(|| Ok(Outline::of(robot)), parse_outline)?;
     let file = arguments.source.file()?.filter(is_drawing);

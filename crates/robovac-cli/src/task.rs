@@ -52,7 +52,7 @@ impl PlacementArguments {
 }
 
 impl ParamArguments {
-    /// Values for all of `specs`, each read as what it takes; unknown names are refused by the check.
+    /// Values for all of `specs`, each parsed by its kind; unknown names are refused by the check.
     pub fn checked(&self, specs: &[ParamSpec]) -> Result<Params, Failure> {
         let mut params = Params::defaults(specs);
         for (id, text) in &self.params {
@@ -62,7 +62,7 @@ impl ParamArguments {
     }
 }
 
-/// The lines of a summary that say what was asked for.
+/// The lines of a summary that name the task.
 pub fn summary(algorithm: Algorithm, placement: &Placement, report: &TaskReport) -> String {
     let room = &report.room;
     let kind = if algorithm.planner().is_some() { "Planner" } else { "Behaviour" };

@@ -8,7 +8,7 @@ mod line;
 mod pty;
 mod tcp;
 
-use super::failure::Failure;
+use super::{failure::Failure, signals::end_requested};
 use clap::builder::PossibleValuesParser;
 use control::{Control, Order};
 use diary::Diary;
@@ -20,10 +20,7 @@ use serde::Serialize;
 use std::{
     io::Write,
     path::PathBuf,
-    sync::{
-        Arc,
-        atomic::{AtomicBool, Ordering},
-    },
+    sync::atomic::{AtomicBool, Ordering},
     thread,
     time::{Duration, Instant},
 };
@@ -53,7 +50,7 @@ pub struct Arguments {
     /// Initial battery charge, percent
     #[arg(long, value_name = "PERCENT", default_value_t = 80, value_parser = clap::value_parser!(u8).range(0..=100))]
     charge: u8,
-    /// Round wheel speeds to those that a Create 2's motor controller can hold
+    /// Round wheel speeds to the steps of a Create 2's motor controller
     #[arg(long)]
     quantised: bool,
     /// Baud rate of the host, for --tcp and --stdio; a pseudo-terminal has its own
@@ -84,7 +81,7 @@ struct ProgramEnd {
     tcp: Option<String>,
 }
 
-/// What `state` prints.
+/// Output of `state`.
 #[expect(clippy::struct_excessive_bools)]
 #[derive(Serialize)]
 struct ProgramState {
@@ -100,7 +97,7 @@ struct ProgramState {
     fallen: bool,
     bumped: bool,
     baud: u32,
-    /// Wheel speeds that the host asks for, and present ones, mm/s.
+    /// Wheel speeds commanded by the host, and actual ones, mm/s.
     asked: WheelState,
     speed: WheelState,
     /// When the last motion command arrived that the robot obeyed, s since ready.
@@ -125,11 +122,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let conditions =
         Conditions { quantised: arguments.quantised, start_charge_percent: arguments.charge, ..Conditions::default() };
     let robot = Emulator::new(&arguments.floor.setup(conditions, arguments.seed)?, who);
-    let is_over = Arc::new(AtomicBool::new(false));
-    #[cfg(unix)]
-    for signal in [signal_hook::consts::SIGINT, signal_hook::consts::SIGTERM, signal_hook::consts::SIGHUP] {
-        signal_hook::flag::register(signal, Arc::clone(&is_over)).map_err(|e| Failure::io("signals", &e))?;
-    }
+    let is_over = end_requested()?;
     let diary = Diary::create(arguments.log.as_deref())?;
     let line = arguments.end.open(arguments.baud)?;
     let control = Control::new(arguments.control);
@@ -155,7 +148,7 @@ impl ProgramEnd {
     }
 }
 
-/// Writes a line for whoever started this; nobody to tell if that fails.
+/// Writes a line; ignores errors, as there is nowhere to report them.
 fn tell(to: &mut dyn Write, text: std::fmt::Arguments<'_>) {
     let _ = writeln!(to, "{text}").and_then(|()| to.flush());
 }
@@ -169,7 +162,7 @@ struct Host {
     messages: Box<dyn Write>,
     last_motion_s: Option<f64>,
     commands: u64,
-    /// Wheel speeds that were asked for, and whether the wheels turned, at the last look.
+    /// The last commanded wheel speeds, and whether the wheels turned.
     was: Option<(WheelState, bool)>,
 }
 
@@ -177,7 +170,7 @@ impl Host {
     fn run(mut self, is_over: &AtomicBool) -> Result<(), Failure> {
         let mut last = Instant::now();
         let (mut incoming, mut outgoing, mut hung_up) = (Vec::new(), Vec::new(), None);
-        // From now on it keeps what it hears.
+        // Starts to record received commands.
         self.robot.take_heard();
         while !is_over.load(Ordering::Relaxed) {
             let now = Instant::now();
@@ -232,7 +225,7 @@ impl Host {
         Ok(())
     }
 
-    /// Notes the commands that arrived and what became of the wheels.
+    /// Logs received commands and changes of the wheels.
     fn write_down(&mut self) {
         for heard in self.robot.take_heard() {
             self.commands += 1;

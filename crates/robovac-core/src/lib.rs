@@ -1,4 +1,4 @@
-//! Foundations for floor-cleaning robots and coverage algorithms: rooms, robots, grids, and what a robot can reach.
+//! Foundations for floor-cleaning robots and coverage algorithms: rooms, robots, grids, and reachable floor.
 //!
 //! For programs that plan, simulate or measure the cleaning of floors; `coverage-planners` and the simulator build on it.
 //! Imports only point downwards in this list:
@@ -9,8 +9,8 @@
 //! - [`registry`]: shared by planners and behaviours: parameters, explanations
 //! - [`floor_plan`]: built-in rooms; with the feature `files`, map files and scenarios
 //! - [`robot`]: models, sensor readings, odometry
-//! - [`coverage`]: which floor a robot can reach and what it has swept; the planning grid
-//! - [`cspace`]: where a body of any outline fits: the configuration space over x, y and heading
+//! - [`coverage`]: reachable and swept floor; the planning grid
+//! - [`cspace`]: the configuration space of a body of any outline, over x, y and heading
 //!
 //! Everything is pure: no clock, no input or output, no global state, no panic on bad input.
 //!

@@ -18,22 +18,22 @@ pub fn cos(radians: f64) -> f64 {
     libm::cos(radians)
 }
 
-/// The greatest whole number that isn't above `x`, within the range of the type; 0 for NaN. Older x86 have no instruction
-/// for [`f64::floor`].
+/// The greatest whole number not above `x`, within the range of the type; 0 for NaN. Older x86 have no instruction for
+/// [`f64::floor`].
 #[inline]
 pub fn floor(x: f64) -> i32 {
     let whole = x as i32;
     whole.saturating_sub(i32::from(f64::from(whole) > x))
 }
 
-/// The least whole number that isn't below `x`, within the range of the type; 0 for NaN.
+/// The least whole number not below `x`, within the range of the type; 0 for NaN.
 #[inline]
 pub fn ceil(x: f64) -> i32 {
     let whole = x as i32;
     whole.saturating_add(i32::from(f64::from(whole) < x))
 }
 
-/// Sine and cosine of an angle in radians, off by no more than the last bit or two: quicker than one after the other.
+/// Sine and cosine of an angle in radians, accurate to the last bit or two; faster than two separate calls.
 ///
 /// The angle less its quarter turns, and for what is left the polynomials of Sun's fdlibm (`k_sin.c` and `k_cos.c`).
 #[inline]

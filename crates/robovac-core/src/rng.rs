@@ -1,6 +1,6 @@
 //! The one source of random numbers: a seeded PCG generator.
 //!
-//! Everything that is random takes a generator made here, so that a seed determines a run on every target.
+//! Everything random takes a generator made here, so that a seed determines a run on every target.
 
 /// Generator used everywhere. PCG XSL RR 128/64 (O'Neill 2014); its stream is fixed for all versions of `rand_pcg`.
 pub type Rng = rand_pcg::Pcg64;
@@ -8,7 +8,7 @@ pub type Rng = rand_pcg::Pcg64;
 /// A generator for `seed`, on the stream with number `stream`.
 ///
 /// Independent parts of one run (wheel slip, sensor noise, a planner) take different streams, so that drawing more
-/// numbers in one of them leaves the others as they were.
+/// numbers in one of them doesn't change the others.
 pub fn seeded(seed: u64, stream: u64) -> Rng {
     Rng::new(u128::from(seed), u128::from(stream))
 }

@@ -25,7 +25,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         return Ok(());
     };
     let mut port = serialport::new(port, 115_200).timeout(Duration::from_millis(10)).open()?;
-    // Opening may have pulled the wake-up wire low.
+    // Opening the port can pull the wake-up wire low.
     let _ = port.write_request_to_send(false);
     let (began, mut buffer) = (Instant::now(), [0; 4096]);
     let said = talk(may_drive, &mut |sent, received| {
@@ -55,7 +55,7 @@ pub fn talk_to_virtual(may_drive: bool) -> Result<String, Box<dyn Error>> {
     })
 }
 
-/// Connects, looks and perhaps drives. Whatever happens, the robot is stopped and released.
+/// Connects, prints the sensors and drives if allowed. In every case the robot is stopped and released.
 fn talk(may_drive: bool, exchange: Exchange<'_>) -> Result<String, Box<dyn Error>> {
     let mut link = Link { driver: Driver::new(), now: 0.0, exchange };
     link.driver.fix_rate(true);
@@ -95,7 +95,7 @@ impl Link<'_> {
         Ok(said)
     }
 
-    /// Lets driver and robot exchange bytes until something is so, for 10 s at most.
+    /// Exchanges bytes until `is_done` holds, for 10 s at most.
     fn until(&mut self, is_done: impl Fn(&mut Driver, f64) -> bool) -> Result<Readings, Box<dyn Error>> {
         let (began, mut received) = (self.now, Vec::new());
         while !is_done(&mut self.driver, self.now) {

@@ -1,4 +1,4 @@
-//! Sensor readings decoded for a dashboard, of a simulated robot as well as of a connected one.
+//! Sensor readings decoded for a dashboard, of simulated and connected robots.
 
 use crate::sensors::to_sensors;
 use robovac_core::robot::{BatteryReading, SensorReadings};
@@ -8,7 +8,7 @@ use serde::Serialize;
 /// Share of the charge below which a battery is low.
 const LOW_CHARGE: f64 = 0.15;
 
-/// What the sensors of any robot report. What a robot doesn't have stays at its default.
+/// Sensor readings that all robots have in common. Sensors that a robot doesn't have stay at their defaults.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[expect(clippy::struct_excessive_bools)]
@@ -17,11 +17,11 @@ pub struct SensorsView {
     pub bumper: [bool; 2],
     /// Wheel dropped: left and right.
     pub wheel_drops: [bool; 2],
-    /// Both wheels dropped: the robot is in somebody's hand.
+    /// Both wheels dropped: the robot is lifted.
     pub is_lifted: bool,
     /// No floor: left, front left, front right, right.
     pub cliffs: [bool; 4],
-    /// Light from the floor there, 0 to 4095.
+    /// Signals of the cliff sensors, 0 to 4095.
     pub cliff_signals: [u16; 4],
     /// The wall sensor on the right detects something.
     pub wall: bool,
@@ -31,7 +31,7 @@ pub struct SensorsView {
     pub is_moving: bool,
     /// Motors that draw too much current.
     pub overloads: Vec<&'static str>,
-    /// Light bumper, from left to right: something is near.
+    /// Detections of the light bumper, from left to right.
     pub light: [bool; 6],
     /// Strengths of its signals, 0 to 4095.
     pub light_signals: [u16; 6],
@@ -41,41 +41,41 @@ pub struct SensorsView {
     pub battery: BatteryView,
     /// Encoders: left, right, sideways.
     pub counts: [u16; 3],
-    /// Dirt that is being picked up, 0 to 255.
+    /// Amount of dirt being picked up, 0 to 255.
     pub dirt: u8,
 }
 
-/// What an infrared receiver detects.
+/// Beams detected by an infrared receiver.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct BeamsView {
     /// Beams: `green`, `field` and `red` of a dock, `wall` of a virtual wall.
     pub lit: Vec<&'static str>,
-    /// In words.
+    /// The same in words.
     pub text: String,
 }
 
-/// What the battery gauge reports.
+/// Readings of the battery gauge.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct BatteryView {
-    /// Share of the capacity that is left, 0 to 1.
+    /// Remaining share of the capacity, 0 to 1.
     pub share: f64,
-    /// Current, mA, negative while it discharges.
+    /// Current, mA, negative while discharging.
     pub current_ma: i16,
     /// Whether the robot charges on its dock.
     pub on_dock: bool,
     /// Whether the gauge was read.
     pub is_known: bool,
-    /// Whether it should be charged.
+    /// Whether it is low.
     pub is_low: bool,
 }
 
-/// What a Roomba reports over its Open Interface.
+/// Readings of a Roomba's Open Interface.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct RoombaView {
-    /// What other robots report, too.
+    /// The readings that all robots have in common.
     pub sensors: SensorsView,
     /// Strength of the wall sensor's signal, 0 to 1023.
     pub wall_signal: u16,
@@ -87,7 +87,7 @@ pub struct RoombaView {
     pub capacity_mah: u16,
     /// Its temperature, degrees Celsius.
     pub temperature_c: i8,
-    /// Charging state and where the power comes from, in words.
+    /// Charging state and source of power, in words.
     pub charging: String,
     /// Motor currents, mA: left wheel, right wheel, main brush, side brush.
     pub motors_ma: [i16; 4],
@@ -95,14 +95,14 @@ pub struct RoombaView {
     pub requested_mm_s: [i16; 2],
     /// Names of the buttons that are pressed.
     pub buttons: Vec<&'static str>,
-    /// Number of the song that was chosen last, from 1.
+    /// Number of the last selected song, from 1.
     pub song: u16,
     /// Whether it plays.
     pub song_plays: bool,
 }
 
 impl SensorsView {
-    /// What that reading says.
+    /// The decoded reading.
     pub fn new(sensed: &SensorReadings) -> Self {
         let over = sensed.overcurrent;
         let motors = [
@@ -158,7 +158,7 @@ impl BatteryView {
 }
 
 impl RoombaView {
-    /// What those packets say.
+    /// The decoded packets.
     pub fn new(readings: &Readings) -> Self {
         let source = match (readings.chargers.internal_charger, readings.chargers.home_base) {
             (false, false) => "",
@@ -198,7 +198,7 @@ impl RoombaView {
     }
 }
 
-/// Names of those that are on.
+/// Names of the flags that are set.
 fn named<const N: usize>(all: [(bool, &'static str); N]) -> Vec<&'static str> {
     all.into_iter().filter(|&(is_on, _)| is_on).map(|(_, name)| name).collect()
 }

@@ -32,7 +32,7 @@
 //! - [`driver`]: the host's end: identifies the robot, reads its sensors, stops it
 //! - [`connection`]: a driver with a controller, a view model and a recording
 //! - [`emulator`]: the robot's end
-//! - [`sensors`]: sensor readings as the simulator has them and as the Open Interface has them
+//! - [`sensors`]: conversion between the sensor readings of the simulator and of the Open Interface
 
 pub mod connection;
 pub mod dashboard;

@@ -1,7 +1,7 @@
 //! Paths as timed Open Interface commands.
 //!
 //! Robots of the 600 series have no script commands (opcodes 152 to 158 are the Create's of 2006), and drive on until
-//! the next command: so a path is a list of commands, each with the time at which it is to be sent.
+//! the next command: so a path is a list of timed commands.
 
 use coverage_planners::sweep::{FRAME, start_text};
 use robovac_core::{
@@ -13,51 +13,50 @@ use robovac_core::{
 use roomba_oi::{Command, MAX_WRITTEN};
 use std::fmt::Write;
 
-/// The robot looks at what it was told every 15 ms (Open Interface, "Serial port": its update period): times between
-/// commands are multiples of it.
+/// Update period of the robot, in which it processes commands (Open Interface, "Serial port"); times between commands
+/// are multiples of it.
 const PERIOD: f64 = 0.015;
-/// Time that the robot gets for a change of mode, s (ours).
+/// Time for a change of mode, s (ours).
 const MODE_CHANGE: f64 = 2.0 * PERIOD;
-/// Standing still after every move, beyond what its motion model takes to stop, s (ours).
+/// Rest after every move, beyond the stopping time of the motion model, s (ours).
 const REST: f64 = 2.0 * PERIOD;
-/// Turns and ways below which nothing is sent: less than a period at the slowest speed would do, rad and m.
+/// Smallest turn and distance, rad and m; less than one period at the slowest speed.
 const LEAST_TURN: f64 = 0.002;
 const LEAST_WAY: f64 = 0.002;
-/// The slowest speed that is tried, as a share of the fastest.
+/// The slowest speed considered, as a share of the fastest.
 const SLOWEST: f64 = 0.35;
-/// How near a way ahead has to end, so that no slower speed is tried, m (ours). Turns are to end as near as they can: what they
-/// are off by grows with the way after them.
+/// Accepted error of a straight move, m (ours); beyond it slower speeds are tried. Turns end as near as possible, as
+/// their error grows with the distance driven afterwards.
 const NEAR: f64 = 1e-3;
 
 /// Bytes to be sent to a robot.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TimedCommand {
-    /// When, from the first one on, s.
+    /// Time from the first command, s.
     pub at_s: f64,
-    /// How long to wait before the next is sent, s.
+    /// Time until the next command, s.
     pub wait_s: f64,
     /// The bytes of one command.
     pub bytes: Vec<u8>,
-    /// What they mean.
+    /// Its meaning.
     pub meaning: String,
 }
 
 impl TimedCommand {
-    /// Whether the wheels turn on it.
+    /// Whether it turns the wheels.
     fn is_motion(&self) -> bool {
         self.bytes.len() == 5 && self.bytes[1..] != [0; 4]
     }
 }
 
-/// Commands that drive a Roomba of the 600 series along `path` from `heading` rad: Start and Safe first, then a turn
-/// on the spot and a straight way for every piece, each ended by wheel speeds of 0; then Stop.
+/// Commands that drive a Roomba of the 600 series along `path` from `heading` rad: Start and Safe first, then a turn on
+/// the spot and a straight move for every piece, each ended by wheel speeds of 0; then Stop.
 ///
-/// Speeds are those that the robot's controller keeps ([`RobotModel::speed_steps`]), in whole mm/s, and every time is
-/// distance by speed: what a wheel that speeds up evenly falls behind it makes up when it slows down. As times are
-/// whole periods, a move ends up to 2 mm or a quarter of a degree off; the next one begins from there, so that this
-/// never adds up. What slips, does. Slower speeds are taken for turns that end nearer, and for ways that would end more
-/// than a millimetre off; after every move the robot waits until its wheels rest: so this takes longer than the motion
-/// model says.
+/// Speeds are those that the robot's controller can keep ([`RobotModel::speed_steps`]), in whole mm/s, and every time
+/// is distance by speed, as uniform acceleration and braking compensate each other. As times are whole periods, a move
+/// ends up to 2 mm or a quarter of a degree off; the next one starts from there, so that these errors don't add up,
+/// unlike slip. Slower speeds are chosen for turns that end nearer, and for moves that would end more than a millimetre
+/// off. After every move the robot waits until its wheels rest, so this takes longer than by the motion model.
 pub fn commands(path: &[Point], heading: f64, robot: &RobotModel) -> Vec<TimedCommand> {
     let mut list = List { robot, commands: Vec::new(), now: 0.0 };
     list.send(Command::Start, MODE_CHANGE, "start the interface".to_owned());
@@ -71,7 +70,7 @@ pub fn commands(path: &[Point], heading: f64, robot: &RobotModel) -> Vec<TimedCo
             }
             let turn = difference(pose.heading, math::atan2(way.y, way.x));
             pose = Pose::new(pose.x, pose.y, pose.heading + list.turn(turn));
-            // What is left of the way in the direction that it looks in by now.
+            // The remaining distance in the present heading.
             let driven = list.forward(way.dot(&pose.direction()));
             let moved: Vector = pose.direction() * driven;
             pose = Pose::new(pose.x + moved.x, pose.y + moved.y, pose.heading);
@@ -82,8 +81,8 @@ pub fn commands(path: &[Point], heading: f64, robot: &RobotModel) -> Vec<TimedCo
     list.commands
 }
 
-/// The [`commands`] of a path as a text file: time, bytes in hexadecimal, meaning. `planned` says for whom the path was planned,
-/// in words that follow "for"; `robot` is what they run on.
+/// The [`commands`] of a path as a text file: time, bytes in hexadecimal, meaning. `planned` names the robot that the
+/// path was planned for, in words that follow "for"; `robot` is the one that executes them.
 pub fn commands_text(path: &[Point], heading: f64, robot: &RobotModel, planned: &str) -> String {
     let commands = commands(path, heading, robot);
     let start = path.first().map(|at| start_text(Pose::new(at.x, at.y, heading)));
@@ -102,11 +101,11 @@ pub fn commands_text(path: &[Point], heading: f64, robot: &RobotModel, planned: 
          # frame     {FRAME}\n\
          # units     s, mm/s, m, degrees (left is counter-clockwise)\n\
          # start     {}\n\
-         # duration  {duration:.3} s: {moves:.3} s of moves, {:.3} s of waiting for modes and until the wheels rest\n\
-         # Send the bytes of each line at its time; the robot drives on until the next.\n\
+         # duration  {duration:.3} s: {moves:.3} s of moves, {:.3} s of waiting for modes and standstill\n\
+         # Send the bytes of each line at its time; the robot keeps driving until the next.\n\
          # time  bytes            meaning\n",
         robot.title,
-        start.as_deref().unwrap_or("nowhere: there is no path"),
+        start.as_deref().unwrap_or("none: there is no path"),
         duration - moves
     );
     for TimedCommand { at_s, bytes, meaning, .. } in commands {
@@ -116,7 +115,7 @@ pub fn commands_text(path: &[Point], heading: f64, robot: &RobotModel, planned: 
     text
 }
 
-/// A list in the making.
+/// A list under construction.
 struct List<'a> {
     robot: &'a RobotModel,
     commands: Vec<TimedCommand>,
@@ -133,7 +132,7 @@ impl List<'_> {
         }
     }
 
-    /// Turns on the spot by about `angle` rad, and returns by how much.
+    /// Turns on the spot by about `angle` rad; returns the actual angle.
     fn turn(&mut self, angle: f64) -> f64 {
         let half = 0.5 * self.robot.wheel_base;
         let Some(mut go) = self.choose(angle.abs() * half, self.robot.turn_wheel_speed, 0.0) else { return 0.0 };
@@ -150,7 +149,7 @@ impl List<'_> {
         turned.copysign(angle)
     }
 
-    /// Drives straight ahead for about `length` metres, and returns how far.
+    /// Drives straight ahead for about `length` metres; returns the actual distance.
     fn forward(&mut self, length: f64) -> f64 {
         if length < LEAST_WAY {
             return 0.0;
@@ -162,7 +161,7 @@ impl List<'_> {
         go.travel()
     }
 
-    /// A move, and a rest after it.
+    /// A move with a rest after it.
     fn go(&mut self, command: Command<'_>, go: &Go, meaning: String) {
         self.send(command, f64::from(go.periods) * PERIOD, meaning);
         let slowing = f64::from(go.speed.unsigned_abs()) * 1e-3 / self.robot.acceleration;
@@ -170,10 +169,11 @@ impl List<'_> {
         self.send(Command::DriveDirect { right: 0, left: 0 }, rest, "stand still".to_owned());
     }
 
-    /// The fastest speed, with its time, that comes as near as `near` to a wheel's `travel`, or else the nearest; m.
+    /// The fastest speed, with its time, whose error to a wheel's `travel` is at most `near`, or else the one with the
+    /// least error; m.
     fn choose(&self, travel: f64, limit: f64, near: f64) -> Option<Go> {
         let speeds = self.speeds(limit);
-        // A wheel that doesn't get up to its speed falls behind by more than it makes up.
+        // A wheel that doesn't reach its speed falls behind by more than it makes up.
         let slowest = speeds.last().copied()?;
         let reached = |&speed: &i16| {
             let metres = f64::from(speed) * 1e-3;
@@ -190,7 +190,7 @@ impl List<'_> {
         tries.min_by_key(off)
     }
 
-    /// Speeds that the controller keeps and that are whole mm/s, from `limit` m/s downwards.
+    /// Speeds in whole mm/s that the controller can keep, from `limit` m/s downwards.
     fn speeds(&self, limit: f64) -> Vec<i16> {
         let [smallest, step] = self.robot.speed_steps.map(|speed| speed * 1e3);
         let most = (limit * 1e3 + 1e-6) as i16;
@@ -198,14 +198,14 @@ impl List<'_> {
             return (1..=8).rev().map(|eighths| (most / 8 * eighths).max(1)).collect();
         }
         let kept = (1..=(f64::from(most) / step) as u32).rev().map(|steps| smallest + f64::from(steps) * step);
-        // Steps of half a millimetre are rounded up by the controller, to the next but one.
+        // The controller rounds steps of half a millimetre up, to the next but one.
         kept.filter(|v| (v - v.round()).abs() < 1e-6 && *v <= f64::from(most) + 1e-6)
             .map(|v| v.round() as i16)
             .collect()
     }
 }
 
-/// A wheel's speed, mm/s, and for how many periods.
+/// A wheel's speed, mm/s, and its duration in periods.
 #[derive(Debug, Clone, Copy)]
 struct Go {
     speed: i16,
@@ -213,7 +213,7 @@ struct Go {
 }
 
 impl Go {
-    /// How far the wheel goes, m.
+    /// Distance of the wheel, m.
     fn travel(&self) -> f64 {
         f64::from(self.speed.unsigned_abs()) * 1e-3 * f64::from(self.periods) * PERIOD
     }
@@ -260,7 +260,7 @@ mod tests {
         assert!(text.contains("not the robot"));
         assert!(text.contains("\n# start     x 1.000 m, y 1.000 m, heading 0.0 deg\n"), "{text}");
         assert!(text.contains("\n0.000  80               start the interface\n"), "{text}");
-        // Half a millimetre short, and faster than what ends nearer.
+        // Half a millimetre short, and faster than one that ends nearer.
         assert!(text.contains("forward 2.250 m, 5060 encoder counts"), "{text}");
     }
 }

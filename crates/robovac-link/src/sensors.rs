@@ -3,8 +3,8 @@
 use robovac_core::robot::{BatteryReading, Drive, Infrared, Overcurrent, SensorReadings};
 use roomba_oi::{BumpsAndDrops, ChargingSources, Command, InfraredSeen, LightBumper, Overcurrents, Readings, Stasis};
 
-/// What a robot with these sensors reports. What only the interface knows - mode, songs, requests, buttons, motor currents,
-/// distance and angle - stays at its default, and so does the charger apart from the dock.
+/// The packets of a robot with these readings. Values that only the interface has - mode, songs, requests, buttons,
+/// motor currents, distance and angle - stay at their defaults, and so does the charger apart from the dock.
 pub fn to_readings(sensed: &SensorReadings) -> Readings {
     let [left, front_left, centre_left, centre_right, front_right, right] = sensed.light_bumper;
     Readings {
@@ -42,7 +42,7 @@ pub fn to_readings(sensed: &SensorReadings) -> Readings {
     }
 }
 
-/// What a controller gets to see of it.
+/// The readings that a controller gets.
 pub fn to_sensors(readings: &Readings) -> SensorReadings {
     let light = readings.light_bumper;
     SensorReadings {
@@ -87,12 +87,12 @@ pub fn to_sensors(readings: &Readings) -> SensorReadings {
             temperature_c: readings.temperature_c,
             on_dock: readings.chargers.home_base,
         },
-        // The interface has neither a sideways encoder nor a laser; distance and angle are the driver's to tell.
+        // The interface has neither a sideways encoder nor a laser; the driver adds distance and angle.
         ..SensorReadings::default()
     }
 }
 
-/// The nearest Drive Direct to what a controller wants; each wheel is limited to 0.5 m/s, as in the interface.
+/// The Drive Direct nearest to a controller's command; each wheel is limited to 0.5 m/s, as in the interface.
 pub fn drive_command(wanted: Drive) -> Command<'static> {
     Command::wheels(wanted.left, wanted.right)
 }

@@ -52,7 +52,7 @@ pub fn report(minutes: u64, runs: u64) -> Result<String, Box<dyn Error>> {
     Ok(text)
 }
 
-/// Lets a run go on to its end, or for so many simulated seconds.
+/// Continues a run to its end, or for `seconds` of simulated time.
 fn drive(mut run: Run, seconds: f64) -> Run {
     while !run.is_finished() && run.time_s() < seconds {
         run.step();

@@ -12,17 +12,18 @@ use robovac_core::{
 
 /// The bumper is pressed where something is nearer than this to the body, m: its play before the switch opens.
 const BUMPER_PLAY: f64 = 0.001;
-/// Pushing a body out of one obstacle may push it into the next; what a few rounds don't resolve is a dead end.
+/// Pushing a body out of one obstacle can push it into the next; an overlap that this many rounds don't resolve is a
+/// dead end.
 const ROUNDS: usize = 10;
-/// Overlap that is left be, m: below what the eye and the bumper see.
+/// Overlap that is tolerated, m: too small to be seen or to press the bumper.
 const TOLERANCE: f64 = 0.0002;
-/// Cosine of the angle within which what touches a circle counts as one: the play of the bumper is felt so wide.
+/// Cosine of the angle within which contacts of a circle count as one, given the play of the bumper.
 const SAME: f64 = 0.95;
-/// Longest way that any point of a body moves between two looks, m. Corners of polygons must not jump over thin legs;
+/// Longest motion of any point of a body between two checks, m. Corners of polygons must not jump over thin legs;
 /// circles can't.
 const STRIDE: (f64, f64) = (0.004, 0.02);
 
-/// What a body can run into.
+/// Obstacles for a body.
 #[derive(Clone, Copy)]
 pub(super) struct CollisionObstacles<'a> {
     /// Walls and furniture.
@@ -31,12 +32,12 @@ pub(super) struct CollisionObstacles<'a> {
     pub movers: &'a [(Point, f64)],
 }
 
-/// Where a body ends up, and what it touches.
+/// Result of a motion: the final pose, and the contacts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Collision {
-    /// Where it doesn't overlap anything.
+    /// The pose without overlap.
     pub pose: Pose,
-    /// Where it is touched.
+    /// The contacts.
     pub touch: Touch,
 }
 
@@ -46,17 +47,17 @@ pub(super) struct Footprint {
     body: Body,
     radius: f64,
     stride: f64,
-    /// Corners of a polygon where the body was last placed, m; empty for a circle.
+    /// Corners of a polygon at the last pose, m; empty for a circle.
     corners: Vec<Point>,
-    /// Outward normals of its sides there, and before it is turned.
+    /// Outward normals of its sides at that pose, and at heading 0.
     normals: Vec<Vector>,
     local_normals: Vec<Vector>,
-    /// Points that a polygon touches; kept to be filled again.
+    /// Contact points of a polygon; a buffer for reuse.
     touched: Vec<Point>,
 }
 
 impl<'a> CollisionObstacles<'a> {
-    /// Whether a disc certainly touches nothing, at a glance.
+    /// Whether a disc certainly touches nothing; a quick test.
     #[inline]
     fn are_far_from(&self, point: Point, radius: f64) -> bool {
         let is_far = |&(centre, mover): &(Point, f64)| {
@@ -97,7 +98,7 @@ impl<'a> CollisionObstacles<'a> {
         self.movers.iter().for_each(|&(centre, radius)| look(nearest_on_disc(centre, radius, point)));
     }
 
-    /// Calls `visit` with every obstacle that may reach into the box between `low` and `high`.
+    /// Calls `visit` with every obstacle that can reach into the box between `low` and `high`.
     #[inline]
     fn near(&self, low: Point, high: Point, mut visit: impl FnMut(Thing<'a>)) {
         self.walls.near(low, high, |obstacle| match obstacle {
@@ -115,7 +116,7 @@ impl<'a> CollisionObstacles<'a> {
     }
 }
 
-/// A convex obstacle as a polygon meets it.
+/// A convex obstacle for contact with a polygon.
 enum Thing<'a> {
     /// Lower left and upper right corner.
     Box(Point, Point),
@@ -163,7 +164,7 @@ impl Footprint {
             Body::Polygon(local) => {
                 let corners: Vec<Point> = local.iter().map(|&[x, y]| Point::new(x, y)).collect();
                 let inner = edges(&corners).map(|(a, b)| (a - Point::origin()).dot(&outward(a, b)));
-                // Never more than half as far as from the origin to the nearest side, and never nothing.
+                // At most half the distance from the origin to the nearest side, and never 0.
                 (STRIDE.0.min(0.5 * inner.fold(f64::MAX, f64::min)).max(1e-4), corners)
             }
         };
@@ -179,8 +180,8 @@ impl Footprint {
         }
     }
 
-    /// Moves the body from one pose, where it overlaps nothing, towards another: as far as obstacles let it, sliding along
-    /// them. If there is no way to resolve an overlap, it stays where it was.
+    /// Moves the body from one pose, where it overlaps nothing, towards another, as far as obstacles allow, sliding
+    /// along them. If there is no way to resolve an overlap, it stays where it was.
     #[inline]
     pub fn slide(&mut self, obstacles: CollisionObstacles<'_>, from: Pose, to: Pose) -> Collision {
         let way = (to.position() - from.position()).norm();
@@ -194,7 +195,7 @@ impl Footprint {
     fn slide_near_obstacles(&mut self, obstacles: CollisionObstacles<'_>, from: Pose, to: Pose) -> Collision {
         let way = to.position() - from.position();
         if self.is_round() && way.norm_squared() < self.stride * self.stride {
-            // Mostly it comes near without being held.
+            // Usually it passes without contact.
             let at = to.position();
             match obstacles.nearest(at, self.radius + BUMPER_PLAY) {
                 None => return Collision { pose: to, touch: Touch::NONE },
@@ -220,7 +221,7 @@ impl Footprint {
         self.body == Body::Round
     }
 
-    /// One stride: where the body is pushed to, or else only its motion or only its turn, or else nothing.
+    /// One stride: the pose after pushing out, or else after only the motion or only the turn, or else the old pose.
     fn settle(&mut self, obstacles: CollisionObstacles<'_>, from: Pose, to: Pose) -> Pose {
         if obstacles.are_far_from(to.position(), self.radius) {
             return to;
@@ -231,9 +232,10 @@ impl Footprint {
         pushed.unwrap_or(if self.is_round() { Pose { heading: to.heading, ..from } } else { from })
     }
 
-    /// The pose moved out of all obstacles by the shortest way, the deepest overlap first; `None` if that leads nowhere.
+    /// The pose moved out of all obstacles by the shortest way, the deepest overlap first; `None` if there is no such
+    /// pose.
     ///
-    /// The tangential part of a motion survives: the robot slides along walls.
+    /// The tangential part of a motion remains, so the robot slides along walls.
     fn push_out(&mut self, obstacles: CollisionObstacles<'_>, mut pose: Pose) -> Option<Pose> {
         let wanted = pose.position();
         for _ in 0..ROUNDS {
@@ -264,13 +266,13 @@ impl Footprint {
         (deepest.0 > 1e-9).then_some(deepest)
     }
 
-    /// Where the body is touched: a circle by every obstacle at its nearest point. Where a side of a polygon lies flat
-    /// against a wall, or both ends of one do, that is the middle of all points that touch on that side.
+    /// The contacts of the body: for a circle, the nearest point of every obstacle. For a side of a polygon that lies
+    /// flat against a wall, or both of whose ends touch, the middle of all contact points on that side.
     fn touch(&mut self, obstacles: CollisionObstacles<'_>, pose: Pose) -> Touch {
         let at = pose.position();
         let mut touch = Touch::NONE;
         if self.is_round() {
-            // Beside the nearest point of a flat wall, the squares that it is made of are almost as near.
+            // The cells of a flat wall beside its nearest point are almost as near.
             let mut near: Vec<(f64, Vector)> = Vec::new();
             obstacles.nearest_of_each(at, self.radius + BUMPER_PLAY, |wall, distance| {
                 near.push((distance, (wall - at) / distance));
@@ -288,7 +290,7 @@ impl Footprint {
         let Self { corners, touched, .. } = self;
         touched.clear();
         obstacles.near(low - play, high + play, |thing| thing.touch(corners, BUMPER_PLAY, touched));
-        // The one that lies farthest ahead decides over front or rear.
+        // The farthest point ahead decides between front and rear.
         let ahead = |p: &Point| (p - at).dot(&pose.direction());
         let Some(first) = self.touched.iter().max_by(|a, b| ahead(a).total_cmp(&ahead(b))) else { return touch };
         let first = first - at;

@@ -7,13 +7,13 @@ use robovac_core::{
     robot::RobotModel,
 };
 
-/// Share of the dirt under its bristles that a side brush brings before the tool in a step: 1 - 0.1^0.015, which is 90 %
-/// in a second. Ours: at 0.3 m/s, what lies in the middle of its reach is under it for 0.6 s, and three quarters of it are
+/// Share of the dirt under its bristles that a side brush brings before the tool in a step: 1 - 0.1^0.015, which is 90
+/// % in a second. Ours: at 0.3 m/s, dirt in the middle of its reach is under it for 0.6 s, and three quarters of it are
 /// swept in; the rest is missed or flung away.
 const SWEPT_A_STEP: f32 = 0.033_949;
-/// The amount that lies in a place of a spot on average, and how far it varies to either side: some crumbs here, more there.
+/// Average amount in a cell of a spot, and its variation to either side.
 const VARIATION: f64 = 0.5;
-/// Below this share of what a cell can hold it counts as clean.
+/// Cells with a smaller share of a full one count as clean.
 const CLEAN: f32 = 0.001;
 
 /// A round spot of dirt on a grid of its own.
@@ -29,14 +29,14 @@ pub struct Spot {
     side: f64,
     /// Cells along each side of the grid.
     cells: usize,
-    /// What lies in each cell, row by row from the bottom: 1 is a full spot.
+    /// Amount in each cell, row by row from the bottom: 1 is a full spot.
     amounts: Vec<f32>,
 }
 
 impl Spot {
-    /// A spot that hasn't been cleaned. Dirt lies only where `is_floor`.
+    /// A full spot. Dirt lies only where `is_floor`.
     pub(super) fn new(centre: Point, radius: f64, side: f64, rng: &mut Rng, is_floor: impl Fn(Point) -> bool) -> Self {
-        // However large, a spot has no more than 200 cells a side.
+        // Large spots have at most 200 cells a side.
         let side = side.max(radius / 100.0);
         let cells = ((2.0 * radius / side).ceil() as usize).max(1);
         let low = centre - Vector::new(radius, radius);
@@ -51,12 +51,12 @@ impl Spot {
         spot
     }
 
-    /// What lies there, in m² of a full spot.
+    /// Remaining amount, in m² of a full spot.
     pub fn amount(&self) -> f64 {
         self.amounts.iter().map(|&a| f64::from(a)).sum::<f64>() * self.side * self.side
     }
 
-    /// The cells where something lies: centre, and how much, about 0 to 1.5.
+    /// The cells with dirt: centre and amount, about 0 to 1.5.
     pub fn cells(&self) -> impl Iterator<Item = (Point, f32)> {
         self.amounts.iter().enumerate().filter(|(_, a)| **a > 0.0).map(|(index, &a)| (self.place(index), a))
     }
@@ -66,15 +66,15 @@ impl Spot {
         self.side
     }
 
-    /// Whether something of it lies less than `reach` metres from a point, perhaps.
+    /// Whether dirt can be less than `reach` metres from a point; a quick test.
     #[inline]
     pub(super) fn is_near(&self, point: Point, reach: f64) -> bool {
         let reach = self.radius + reach;
         (point - self.centre).norm_squared() < reach * reach
     }
 
-    /// Takes away what a robot picks up in one step: all that lies under its tool, a disc, and a part of what its side
-    /// brushes reach. Returns how much that was.
+    /// Removes the dirt picked up in one step: all dirt under the tool, a disc, and a share of that under the side
+    /// brushes. Returns the amount.
     pub(super) fn sweep(&mut self, robot: &RobotModel, pose: Pose) -> f64 {
         let mut picked = self.take(pose.position(), 0.5 * robot.tool_width, 1.0);
         for brush in robot.side_brushes {
@@ -84,7 +84,7 @@ impl Spot {
         picked
     }
 
-    /// Takes `share` of what lies in cells with their centre in a disc.
+    /// Removes `share` of the dirt in cells with their centre in a disc.
     fn take(&mut self, at: Point, radius: f64, share: f32) -> f64 {
         let index = |v: f64| (v / self.side - 0.5).max(0.0);
         let (low, high) = (at - self.low, at - self.low);
@@ -114,7 +114,7 @@ impl Spot {
         self.low + Vector::new(column as f64 + 0.5, row as f64 + 0.5) * self.side
     }
 
-    /// Memory taken, bytes.
+    /// Memory size, bytes.
     pub(super) fn bytes(&self) -> usize {
         size_of::<Self>() + self.amounts.len() * size_of::<f32>()
     }

@@ -3,16 +3,16 @@
 use robovac_core::robot::SensorReadings;
 use std::fmt;
 
-/// Something that happened.
+/// An event of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Event {
-    /// After how many steps.
+    /// Number of steps before it.
     pub step: u64,
-    /// What.
+    /// Kind of the event.
     pub what: What,
 }
 
-/// What can happen.
+/// Kinds of events.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum What {
     /// The bumper was pressed, on the left, on the right or both.
@@ -24,27 +24,27 @@ pub enum What {
     },
     /// Cliff sensors lost the floor: left, front left, front right, right.
     Cliff([bool; 4]),
-    /// The beam of a virtual wall was met.
+    /// The beam of a virtual wall was detected.
     VirtualWall,
     /// A wheel dropped.
     WheelDrop,
-    /// The robot stood on its dock and was charged.
+    /// The robot was on its dock and charging.
     Docked,
     /// The battery was empty.
     BatteryEmpty,
-    /// The robot fell off an edge a drop-off.
+    /// The robot fell down a drop-off.
     Fell,
     /// The robot was picked up.
     Lifted,
     /// The robot was put down.
     PutDown,
-    /// The controller began with something else.
+    /// The controller started another activity.
     Began(&'static str),
     /// The controller was done.
     Done,
 }
 
-/// What of a reading makes events. It is compared after every step, and a whole reading is long.
+/// The parts of a reading that cause events. They are compared after every step, and a whole reading is long.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Signs {
     /// Left and right.
@@ -74,7 +74,7 @@ impl Signs {
 }
 
 impl What {
-    /// What a reading says that the one before didn't.
+    /// The events between two readings.
     pub(super) fn between(before: Signs, now: Signs, mut tell: impl FnMut(Self)) {
         if now.bumped() && !before.bumped() {
             tell(Self::Bump { left: now.bump[0], right: now.bump[1] });
@@ -94,7 +94,7 @@ impl What {
     }
 }
 
-/// As it is written in a list.
+/// The text in the event log.
 impl fmt::Display for What {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let text = match self {

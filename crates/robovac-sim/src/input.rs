@@ -3,15 +3,15 @@
 use crate::controller::Joystick;
 use robovac_core::geometry::Pose;
 
-/// Something that a person does during a run. Runs are repeated by repeating it at the same step.
+/// An action of a person during a run. A run is reproduced by repeating its inputs at the same steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Input {
     /// Moves the joystick.
     Command(Joystick),
-    /// Picks the robot up: its wheels drop, and it goes nowhere.
+    /// Picks the robot up: its wheels drop, and it doesn't move.
     Lift,
-    /// Puts it down here, as near as it fits.
+    /// Puts it down at this pose, or as near as it fits.
     PutDown(Pose),
-    /// Tells it to clean what is left by the map that it has made, by a plan of the planner with that id.
+    /// Starts cleaning the remaining floor by its map, with plans of the planner with that id.
     Clean(&'static str),
 }

@@ -1,6 +1,6 @@
 //! A simulated robot vacuum: motion, contact, sensors and their errors, behaviours, maps, and experiments with all of them.
 //!
-//! For anyone who wants to know how well a plan or a behaviour cleans before a robot does it, over many seeded runs.
+//! For predicting how well a plan or a behaviour cleans on a real robot, over many seeded runs.
 //!
 //! ```
 //! use robovac_core::{floor_plan::room, registry::Params, robot::model};
@@ -18,14 +18,15 @@
 //! assert!(run.distance_m() > 1.0 && run.coverage() > 0.0);
 //! ```
 //!
-//! - [`Run`]: one robot, one controller, one room; [`World`], [`Conditions`]: what is in the room, and how true the robot is
+//! - [`Run`]: one robot, one controller, one room; [`World`], [`Conditions`]: objects of the room, and errors of the
+//!   robot
 //! - [`controller`]: behaviours and followers of plans
 //! - [`mapping`]: mapping and localisation from bumps and odometry
 //! - [`experiment`], [`montecarlo`]: from room and robot to a run, and many runs with their statistics
 //!
 //! Time advances in fixed steps of [`STEP_S`], whatever the speed of the display, so that a run is the same on every
-//! machine and a robot never moves farther at once than a few millimetres. Contact looks even closer where needed, so that
-//! nothing tunnels through a wall or a thin leg.
+//! machine and a robot never moves farther at once than a few millimetres. Contact uses smaller steps where needed, so
+//! that nothing tunnels through a wall or a thin leg.
 
 mod contact;
 mod dirt;

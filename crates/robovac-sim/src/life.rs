@@ -11,20 +11,20 @@ use robovac_core::{
 /// Stream of the random numbers.
 const STREAM: u64 = 5;
 
-/// The changing part of a world: where its movers are and which dirt is left.
+/// The changing part of a world: positions of movers, and remaining dirt.
 #[derive(Debug, Clone, Default)]
 pub struct Life {
     movers: Vec<Mover>,
-    /// Where the movers are, and their radii, m.
+    /// Positions and radii of the movers, m.
     discs: Vec<(Point, f64)>,
     spots: Vec<Spot>,
-    /// All the dirt that there was, and what is left of it, m² of a spot.
+    /// Initial and remaining dirt, m² of a spot.
     dirt: [f64; 2],
 }
 
 impl Life {
-    /// The world when the run begins; `seed` decides over everything random. Movers that would stand where the robot starts
-    /// begin elsewhere.
+    /// The world at the start of a run; `seed` determines everything random. Movers that would stand at the robot's
+    /// start begin elsewhere.
     pub fn new(world: &World, floor: &ReachableFloor, seed: u64) -> Self {
         let mut rng = seeded(seed, STREAM);
         let spots: Vec<Spot> = world
@@ -48,7 +48,7 @@ impl Life {
         Self { movers, discs, spots, dirt: [dirt; 2] }
     }
 
-    /// Lets one step of simulation pass. `is_taken` says whether a disc would touch the robot: nobody walks into it.
+    /// Advances by one simulation step. `is_taken` returns whether a disc would touch the robot, which movers avoid.
     pub fn step(&mut self, world: &World, mut is_taken: impl FnMut(Point, f64) -> bool) {
         for ((mover, disc), (_, path)) in self.movers.iter_mut().zip(&mut self.discs).zip(&world.movers) {
             mover.step(path, STEP_S, &mut is_taken);
@@ -56,14 +56,14 @@ impl Life {
         }
     }
 
-    /// Where the movers are, and their radii, m; in the order of [`World::movers`].
+    /// Positions and radii of the movers, m; in the order of [`World::movers`].
     #[inline]
     pub fn movers(&self) -> &[(Point, f64)] {
         &self.discs
     }
 
-    /// Picks up what lies under the tool and within reach of the side brushes of a robot at `pose`, in one step: as much as
-    /// lies on so many m² of a spot.
+    /// Picks up the dirt under the tool and the side brushes of a robot at `pose`, in one step; returns the amount in
+    /// m² of a spot.
     #[inline]
     pub fn sweep(&mut self, robot: &RobotModel, pose: Pose) -> f64 {
         let mut picked = 0.0;
@@ -76,23 +76,23 @@ impl Life {
         picked
     }
 
-    /// Share of the dirt that is left, 0 to 1; 0 where there was none.
+    /// Remaining share of the dirt, 0 to 1; 0 if there was none.
     pub fn dirt_left(&self) -> f64 {
         if self.dirt[0] > 0.0 { (self.dirt[1] / self.dirt[0]).clamp(0.0, 1.0) } else { 0.0 }
     }
 
-    /// The spots of dirt, with what is left of them.
+    /// The spots of dirt, with their remaining amounts.
     pub fn spots(&self) -> &[Spot] {
         &self.spots
     }
 
-    /// Bits that tell two states apart.
+    /// Bits of the state, for the digest.
     pub(super) fn words(&self) -> impl Iterator<Item = u64> {
         let places = self.discs.iter().flat_map(|(at, _)| [at.x.to_bits(), at.y.to_bits()]);
         places.chain([self.dirt[1].to_bits()])
     }
 
-    /// Roughly the memory that a clone takes, bytes.
+    /// Approximate memory of a clone, bytes.
     pub fn bytes(&self) -> usize {
         size_of::<Self>() + self.movers.len() * size_of::<Mover>() + self.spots.iter().map(Spot::bytes).sum::<usize>()
     }

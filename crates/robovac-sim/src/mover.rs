@@ -7,30 +7,30 @@ use robovac_core::{
     rng::Rng,
 };
 
-/// Room that a mover leaves to the robot, m: it never touches the robot by itself.
+/// Gap between a mover and the robot, m: it never touches the robot by itself.
 const GAP: f64 = 0.002;
-/// After so long in front of a robot that doesn't go away, a mover turns round, s.
+/// Time after which a mover blocked by the robot turns round, s.
 const PATIENCE: f64 = 5.0;
-/// How long a pet walks on average before it stops, and how long it stops at most, s (ours).
+/// Average time that a pet walks before it stops, and longest stop, s (ours).
 const PET: (f64, f64) = (4.0, 6.0);
 
-/// One of them, on its way along a line.
+/// A mover on its line.
 #[derive(Debug, Clone)]
 pub(super) struct Mover {
     who: Who,
     rng: Rng,
     at: Point,
-    /// The corner of its line that it walks to, and whether it walks towards the end.
+    /// The corner that it walks to, and whether it walks towards the end of the line.
     next: usize,
     is_outward: bool,
-    /// Seconds left that it stands still.
+    /// Remaining time of a stop, s.
     pause: f64,
-    /// Seconds that it has waited for the robot.
+    /// Time waited for the robot, s.
     waited: f64,
 }
 
 impl Mover {
-    /// At the first corner of its line, or, if a robot of `radius` metres stands at `robot` there, at the next that is free, or
+    /// At the first corner of its line; if a robot of `radius` metres stands at `robot` there, at the next free one, or
     /// else beside the robot.
     pub fn new(who: Who, path: &[Point], rng: Rng, robot: Point, radius: f64) -> Self {
         let clear = radius + who.radius() + 2.0 * GAP;
@@ -45,7 +45,7 @@ impl Mover {
         (self.at, self.who.radius())
     }
 
-    /// Walks for `dt` seconds along `path`, unless it would touch the robot: then it waits.
+    /// Walks for `dt` seconds along `path`; waits if it would touch the robot.
     pub fn step(&mut self, path: &[Point], dt: f64, mut is_taken: impl FnMut(Point, f64) -> bool) {
         if path.len() < 2 {
             return;

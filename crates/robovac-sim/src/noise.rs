@@ -1,6 +1,6 @@
 //! Sensor noise.
 //!
-//! What each level means for a kind of sensor is said in that sensor's file.
+//! The effect of each level on a kind of sensor is documented in that sensor's file.
 
 use rand::Rng as _;
 use robovac_core::{
@@ -14,9 +14,9 @@ use std::{fmt, ops::Range, sync::Arc};
 const BYTES: usize = 16;
 /// Stream of the sensors' random numbers.
 const STREAM: u64 = 4;
-/// Steps in which the normal distribution is summed up, per unit.
+/// Steps of the normal distribution's numerical integration, per unit.
 const FINE: i32 = 128;
-/// Where that begins and ends.
+/// Limit of the integration.
 const WIDE: i32 = 4;
 
 /// An enum whose list of all values can't miss one.
@@ -40,21 +40,21 @@ macro_rules! named {
 }
 
 named! {
-    /// How much a sensor errs.
+    /// Level of a sensor's errors.
     #[derive(Default)]
     pub enum NoiseLevel {
-        /// Not at all.
+        /// No errors.
         #[default]
         Off = "off",
-        /// As good sensors in a clean room do.
+        /// Errors of good sensors in a clean room.
         Typical = "typical",
-        /// Worn, dirty or dazzled.
+        /// Errors of worn, dirty or dazzled sensors.
         Harsh = "harsh",
     }
 }
 
 named! {
-    /// Sensors whose noise can be chosen one by one.
+    /// Kinds of sensors whose noise can be set separately.
     pub enum SensorKind {
         /// Bumper switches.
         Bumper = "bumper",
@@ -98,8 +98,8 @@ impl SensorKind {
         }
     }
 
-    /// Its random bytes of a step, of the [`BYTES`] that are drawn. All are taken: a new kind has none (`0..0`) and a
-    /// random stream of its own, as the laser scanner has.
+    /// Its random bytes of a step, among the [`BYTES`] that are drawn. All are in use: a new kind has none (`0..0`) and
+    /// a random stream of its own, like the laser scanner.
     pub(super) const fn bytes(self) -> Range<usize> {
         match self {
             Self::Cliff => 0..4,
@@ -113,7 +113,7 @@ impl SensorKind {
     }
 }
 
-/// No two kinds share a random byte, and none takes one that isn't drawn.
+/// No two kinds share a random byte, and all are within range.
 const _: () = {
     let (mut taken, mut kind) = ([false; BYTES], 0);
     while kind < SensorKind::ALL.len() {
@@ -129,7 +129,7 @@ const _: () = {
     }
 };
 
-/// The level that all have, or those that aren't off, kind by kind: `typical`, `cliff=harsh light=typical`.
+/// The common level, or those that aren't off, kind by kind: `typical`, `cliff=harsh light=typical`.
 impl fmt::Display for Noise {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.0.iter().all(|level| *level == self.0[0]) {
@@ -179,8 +179,8 @@ impl NoiseSource {
         Self { rng: seeded(seed, STREAM), normals: Normals::new() }
     }
 
-    /// The random bytes of one step, for all sensors but the laser: each takes its own ones, so that the level of one
-    /// kind changes nothing for the others.
+    /// The random bytes of one step, for all sensors except the laser: each uses its own, so that the level of one kind
+    /// doesn't affect the others.
     #[inline]
     pub fn draw(&mut self) -> NoiseDraw<'_> {
         NoiseDraw {

@@ -2,36 +2,36 @@
 
 use crate::{Input, Run, STEP_S};
 
-/// Memory that key frames may take together, bytes.
+/// Memory for all key frames, bytes.
 const KEY_FRAME_BUDGET: usize = 48 << 20;
-/// Steps between key frames at first; doubled whenever memory runs short. 4096 steps are a minute of robot time.
+/// Initial steps between key frames; doubled whenever memory runs short. 4096 steps are a minute of robot time.
 const FIRST_INTERVAL: u64 = 4096;
-/// Samples of the coverage curve; when there are more, every second one is dropped.
+/// Most samples of the coverage curve; beyond that every second one is dropped.
 const MOST_SAMPLES: usize = 1024;
-/// Steps simulated between two looks at the clock.
+/// Steps simulated between two checks of the time.
 const CHUNK: u64 = 64;
 
 /// A run with key frames and its coverage curve.
 ///
-/// Runs are deterministic, so a moment is found again by going on from the last key frame before it: no poses are
-/// stored, and what is shown after scrubbing is what was shown before, to the last bit. What a person did to the robot
-/// is stored with its step, and done again there.
+/// Runs are deterministic, so a moment is reproduced by simulating from the last key frame before it: no poses are
+/// stored, and the state after seeking is exact to the last bit. A person's inputs are stored with their steps and
+/// repeated.
 pub struct RunRecording {
     run: Run,
     key_frames: Vec<Run>,
     interval: u64,
     /// Furthest step reached so far.
     end: u64,
-    /// Where a scrub is heading.
+    /// Target of a seek.
     goal: Option<u64>,
     curve: Vec<(f64, f64)>,
     curve_stride: u64,
-    /// Changes whenever the run was replaced by another state of itself.
+    /// Changes when the run is replaced by another state.
     version: u64,
-    /// What a person did, after how many steps, and how many of these things the run has behind it.
+    /// A person's inputs, with the number of steps before each, and the number already applied.
     inputs: Vec<(u64, Input)>,
     applied: usize,
-    /// Memory that key frames may take together, bytes.
+    /// Memory for all key frames, bytes.
     budget: usize,
 }
 
@@ -41,7 +41,7 @@ impl RunRecording {
         Self::within(run, KEY_FRAME_BUDGET)
     }
 
-    /// A recording of `run` from here on whose key frames take at most about `budget` bytes.
+    /// A recording of `run` from here on with key frames of at most about `budget` bytes.
     pub fn within(run: Run, budget: usize) -> Self {
         let curve = vec![(run.time_s(), run.coverage())];
         Self {
@@ -59,22 +59,22 @@ impl RunRecording {
         }
     }
 
-    /// The same with what a person did in it at another time, after how many steps: it is done again there.
+    /// The same with a person's inputs, with the number of steps before each; they are repeated.
     pub fn with_inputs(self, inputs: Vec<(u64, Input)>) -> Self {
         Self { inputs, ..self }
     }
 
-    /// What a person did, after how many steps.
+    /// A person's inputs, with the number of steps before each.
     pub fn inputs(&self) -> &[(u64, Input)] {
         &self.inputs
     }
 
-    /// The run at the moment that is shown.
+    /// The run at the displayed time.
     pub fn run(&self) -> &Run {
         &self.run
     }
 
-    /// The run at the moment that is shown, to take what changed since it was last drawn.
+    /// The run at the displayed time, to take its changes since it was last drawn.
     pub fn run_mut(&mut self) -> &mut Run {
         &mut self.run
     }
@@ -89,17 +89,18 @@ impl RunRecording {
         &self.curve
     }
 
-    /// Grows whenever the run that is shown was replaced rather than continued.
+    /// Changes when the displayed run is replaced rather than continued.
     pub fn version(&self) -> u64 {
         self.version
     }
 
-    /// Whether a scrub is still on its way.
+    /// Whether a seek is in progress.
     pub fn is_seeking(&self) -> bool {
         self.goal.is_some()
     }
 
-    /// Lets a person do something now. What had been simulated beyond this moment is forgotten: it would go on otherwise.
+    /// Applies an input of a person now. The simulation beyond this moment is dropped, as it would continue
+    /// differently.
     pub fn input(&mut self, input: Input) {
         let now = self.run.steps();
         self.goal = None;
@@ -115,7 +116,7 @@ impl RunRecording {
         self.run.apply(input);
     }
 
-    /// Whether the run has come to its end, and nobody has done anything to it there that would let it go on.
+    /// Whether the run has ended, without an input that would continue it.
     pub fn is_over(&self) -> bool {
         self.run.is_finished() && self.applied == self.inputs.len()
     }
@@ -137,7 +138,7 @@ impl RunRecording {
         }
     }
 
-    /// Does what a person did at this moment.
+    /// Applies the inputs of this moment.
     fn catch_up(&mut self) {
         while let Some(&(_, input)) = self.inputs.get(self.applied).filter(|(step, _)| *step <= self.run.steps()) {
             self.run.apply(input);
@@ -145,7 +146,7 @@ impl RunRecording {
         }
     }
 
-    /// Up to `steps` steps, as long as `has_time` says so; returns how many were taken.
+    /// Up to `steps` steps, while `has_time` returns true; returns the number taken.
     pub fn advance(&mut self, steps: u64, has_time: &mut dyn FnMut() -> bool) -> u64 {
         let mut taken = 0;
         while taken < steps && !self.is_over() && has_time() {
@@ -157,28 +158,28 @@ impl RunRecording {
         taken
     }
 
-    /// Heads for the moment `time_s`, within what has been simulated; [`RunRecording::seek_on`] gets there.
+    /// Starts to seek `time_s`, within the simulated time; [`RunRecording::seek_on`] completes it.
     pub fn seek(&mut self, time_s: f64) {
         let goal = ((time_s / STEP_S).round().max(0.0) as u64).min(self.end);
         let before = self.key_frames.partition_point(|f| f.steps() <= goal);
         let frame = &self.key_frames[before.max(1) - 1];
         if self.run.steps() > goal || self.run.steps() < frame.steps() {
             self.run = frame.clone();
-            // A frame is taken right after its step, before anything is done to the robot there.
+            // A key frame is taken right after its step, before any input there.
             self.applied = self.inputs.partition_point(|&(step, _)| step < self.run.steps());
             self.version += 1;
         }
         self.goal = Some(goal);
     }
 
-    /// Goes on towards the moment sought, as long as `has_time` says so.
+    /// Continues a seek, while `has_time` returns true.
     pub fn seek_on(&mut self, has_time: &mut dyn FnMut() -> bool) {
         if let Some(goal) = self.goal {
             let left = goal.saturating_sub(self.run.steps());
             self.advance(left, has_time);
             if self.run.steps() >= goal || self.is_over() {
                 self.goal = None;
-                // What was done last was done before time stood still there.
+                // The last inputs were applied before the run paused there.
                 if self.run.steps() == self.end {
                     self.catch_up();
                 }
@@ -186,7 +187,7 @@ impl RunRecording {
         }
     }
 
-    /// Gives up a scrub and stays where it got to.
+    /// Ends a seek at the present moment.
     pub fn stop_seeking(&mut self) {
         self.goal = None;
     }

@@ -9,38 +9,38 @@ use robovac_core::{
 };
 use std::{any::Any, collections::VecDeque, sync::Arc};
 
-/// Most points of the trail that are kept, and their distance, m.
+/// Most points of the trail, and their distance, m.
 const TRAIL: (usize, f64) = (600, 0.04);
-/// Most events that are kept.
+/// Most events that are stored.
 const MOST_EVENTS: usize = 100;
 
-/// What a run is made of.
+/// Parameters of a run.
 #[derive(Debug, Clone)]
 pub struct RunSetup {
     /// The floor, with the start.
     pub floor: Arc<ReachableFloor>,
-    /// What is in the room beside its walls.
+    /// Objects of the room other than walls.
     pub world: Arc<World>,
     /// The robot.
     pub robot: RobotModel,
-    /// How true its wheels and sensors are.
+    /// Slip and noise.
     pub conditions: Conditions,
     /// Seed of everything random.
     pub seed: u64,
 }
 
-/// How true a robot's wheels and sensors are.
+/// Errors of a robot's wheels and sensors, and its battery.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Conditions {
-    /// How well the wheels hold.
+    /// Level of wheel slip.
     pub slip: SlipLevel,
-    /// How much the sensors err.
+    /// Levels of noise.
     pub noise: Noise,
-    /// Whether the wheels only turn at the speeds that the motor controller can keep.
+    /// Whether the wheels turn only at the speeds that the motor controller can keep.
     pub quantised: bool,
     /// Charge of the battery at the start, percent.
     pub start_charge_percent: u8,
-    /// Whether somebody puts a charged battery in whenever it's empty. Otherwise the run ends there.
+    /// Whether empty batteries are replaced. Otherwise the run ends there.
     pub spare_batteries: bool,
 }
 
@@ -57,7 +57,7 @@ impl Default for Conditions {
     }
 }
 
-/// The state of a run after a number of steps. Cloning it makes a key frame to come back to.
+/// The state of a run after a number of steps. A clone is a key frame.
 pub struct Run {
     floor: Arc<ReachableFloor>,
     world: Arc<World>,
@@ -71,7 +71,7 @@ pub struct Run {
     bumps: u32,
     falls: u32,
     trail: RecentTrail,
-    /// The robot's estimated pose if its controller doesn't keep track, and where it believes to have been.
+    /// The robot's estimated pose if its controller has none, and its estimated trail.
     odometry: Option<Odometry>,
     observer: Option<Box<dyn RunObserver>>,
     believed: RecentTrail,
@@ -79,7 +79,7 @@ pub struct Run {
 }
 
 impl Run {
-    /// A robot at the start, about to be driven by `controller`.
+    /// A robot at the start, driven by `controller`.
     pub fn new(setup: &RunSetup, mut controller: Box<dyn Controller>) -> Self {
         let floor = Arc::clone(&setup.floor);
         controller.start_at(floor.start);
@@ -111,19 +111,19 @@ impl Run {
         }
     }
 
-    /// Lets something go along and see what the robot senses.
+    /// Adds an observer.
     pub fn observed(mut self, observer: Box<dyn RunObserver>) -> Self {
         self.observer = Some(observer);
         self
     }
 
-    /// What goes along, if it is of that type.
+    /// The observer, if it is of that type.
     pub fn observer<O: RunObserver>(&self) -> Option<&O> {
         let observer: &dyn Any = self.observer.as_deref()?;
         observer.downcast_ref()
     }
 
-    /// What drives the robot.
+    /// The robot's controller.
     pub fn controller(&self) -> &dyn Controller {
         &*self.controller
     }
@@ -161,7 +161,7 @@ impl Run {
         self.trail.extend(pose.position());
     }
 
-    /// Lets a person do something, before the next step.
+    /// Applies an input of a person, before the next step.
     pub fn apply(&mut self, input: Input) {
         match input {
             Input::Command(command) => self.controller.command(command),
@@ -192,37 +192,37 @@ impl Run {
         self.robot.is_lifted()
     }
 
-    /// What happened lately, oldest first.
+    /// The latest events, oldest first.
     pub fn events(&self) -> &VecDeque<Event> {
         &self.events
     }
 
-    /// How often the robot fell down a drop-off.
+    /// Number of falls down a drop-off.
     pub fn falls(&self) -> u32 {
         self.falls
     }
 
-    /// Whether the robot lies at the foot of the stairs.
+    /// Whether the robot lies below a drop-off.
     pub fn has_fallen(&self) -> bool {
         self.robot.has_fallen()
     }
 
-    /// Share of the dirt that is left, 0 to 1; 0 where there was none.
+    /// Remaining share of the dirt, 0 to 1; 0 if there was none.
     pub fn dirt_left(&self) -> f64 {
         self.life.dirt_left()
     }
 
-    /// What moves and is used up in the room.
+    /// Moving and consumable objects in the room.
     pub fn life(&self) -> &Life {
         &self.life
     }
 
-    /// What is in the room beside its walls.
+    /// Objects of the room other than walls.
     pub fn world(&self) -> &Arc<World> {
         &self.world
     }
 
-    /// Notes what is new since `before`, when the controller was busy with `activity`.
+    /// Adds the events since `before`, when the controller's activity was `activity`.
     fn tell(&mut self, before: Signs, activity: &'static str) {
         let now = Signs::of(self.robot.sensors());
         if now != before {
@@ -235,7 +235,7 @@ impl Run {
             news.into_iter().flatten().for_each(|what| self.note(what));
         }
         let now = self.controller.activity();
-        // Mostly it is the very same text.
+        // Usually it is the same text.
         if !std::ptr::eq(now, activity) && now != activity && !now.is_empty() {
             self.note(What::Began(now));
         }
@@ -248,7 +248,7 @@ impl Run {
         self.events.push_back(Event { step: self.steps, what });
     }
 
-    /// Updates the robot's estimated pose.
+    /// Updates the estimated pose.
     fn believe(&mut self) {
         if let Some(odometry) = &mut self.odometry {
             odometry.update(self.robot.sensors());
@@ -261,7 +261,7 @@ impl Run {
         }
     }
 
-    /// Whether the controller is done or the battery empty, and the robot at rest.
+    /// Whether the controller is done or the battery empty, and the robot is at rest.
     #[inline]
     pub fn is_finished(&self) -> bool {
         let speed = self.robot.speed();
@@ -280,22 +280,22 @@ impl Run {
         self.steps as f64 * STEP_S
     }
 
-    /// Where the robot really is.
+    /// The robot's true pose.
     pub fn pose(&self) -> Pose {
         self.robot.pose()
     }
 
-    /// What the controller is doing, in a few words.
+    /// The controller's activity, in a few words.
     pub fn activity(&self) -> &'static str {
         self.controller.activity()
     }
 
-    /// What of a person's commands the controller doesn't obey at present, and why; `None` if nobody is at the controls.
+    /// The blocked part of a person's commands, with reasons; `None` for autonomous controllers.
     pub fn blocked(&self) -> Option<Blocked> {
         self.controller.blocked()
     }
 
-    /// Its estimated pose: by what goes along, by its controller, or by counting wheel turns if neither cares.
+    /// The estimated pose: of the observer, of the controller, or else by wheel counts.
     pub fn estimate(&self) -> Option<Pose> {
         let observed = self.observer.as_ref().and_then(|observer| observer.estimate(&*self.controller));
         observed.or_else(|| self.controller.estimate()).or(self.odometry.as_ref().map(Odometry::pose))
@@ -326,7 +326,7 @@ impl Run {
         self.turning_rad
     }
 
-    /// How often the bumper was pressed.
+    /// Number of bumps.
     pub fn bumps(&self) -> u32 {
         self.bumps
     }
@@ -336,12 +336,12 @@ impl Run {
         self.tracker.coverage(&self.floor)
     }
 
-    /// What has been swept.
+    /// The swept floor.
     pub fn tracker(&self) -> &CoverageTracker {
         &self.tracker
     }
 
-    /// What has been swept, to take what changed.
+    /// The swept floor, to take its changes.
     pub fn tracker_mut(&mut self) -> &mut CoverageTracker {
         &mut self.tracker
     }
@@ -351,23 +351,23 @@ impl Run {
         &self.floor
     }
 
-    /// The last metres that the robot drove, oldest first, m.
+    /// The robot's recent trail, oldest first, m.
     pub fn trail(&self) -> &[Point] {
         &self.trail.0
     }
 
-    /// The last metres that it believes to have driven, oldest first, m.
+    /// The recent estimated trail, oldest first, m.
     pub fn believed_trail(&self) -> &[Point] {
         &self.believed.0
     }
 
-    /// Roughly the memory that a clone takes, bytes.
+    /// Approximate memory of a clone, bytes.
     pub fn bytes(&self) -> usize {
         let own = self.tracker.bytes() + self.life.bytes() + 2 * TRAIL.0 * size_of::<Point>();
         own + self.controller.bytes() + self.observer.as_ref().map_or(0, |observer| observer.bytes())
     }
 
-    /// A number that two runs share only if they are in the same state, to the last bit (FNV-1a).
+    /// A digest that is equal only for equal states, to the last bit (FNV-1a).
     pub fn digest(&self) -> u64 {
         let pose = self.robot.pose();
         let bits = [pose.x, pose.y, pose.heading, self.distance_m, self.turning_rad].map(f64::to_bits);
@@ -378,7 +378,7 @@ impl Run {
     }
 }
 
-/// The latest points of a line that grows.
+/// The latest points of a growing line.
 #[derive(Clone)]
 struct RecentTrail(Vec<Point>);
 

@@ -11,11 +11,11 @@ use robovac_core::{
     robot::{Drive, RobotModel, RobotPort, SensorReadings, WheelLayout, advance_sideways},
 };
 
-/// How much harder than they accelerate motors brake in an emergency: at 2.4 m/s² a Roomba that comes to an edge at its full
-/// 0.5 m/s stops within 52 mm, of the 154 mm that its cliff sensors look ahead (ours).
+/// Ratio of emergency braking to normal acceleration: at 2.4 m/s² a Roomba that reaches an edge at its full 0.5 m/s
+/// stops within 52 mm, of the 154 mm between its cliff sensors and wheels (ours).
 const BRAKING: f64 = 3.0;
 
-/// Body, wheels and sensors of one robot. It takes wheel speeds and reports what the Open Interface reports.
+/// Body, wheels and sensors of one robot. It takes wheel speeds and reports the readings of the Open Interface.
 #[expect(clippy::struct_excessive_bools)]
 #[derive(Debug, Clone)]
 pub struct SimRobot {
@@ -24,17 +24,17 @@ pub struct SimRobot {
     pose: Pose,
     slip: Slip,
     is_quantised: bool,
-    /// Whether it stops as hard as it can, and whether brushes or vacuum run.
+    /// Whether it brakes as hard as it can, and whether brushes or vacuum run.
     is_braking: bool,
     is_sweeping: bool,
     /// Commanded wheel speeds, m/s.
     wanted: Drive,
     /// Present wheel speeds, m/s.
     speed: Drive,
-    /// What the wheels have rolled since the start: left, right, sideways, m.
+    /// Distances rolled by the wheels since the start: left, right, sideways, m.
     rolled: [f64; 3],
     is_lifted: bool,
-    /// Which wheels hang over a drop-off: left, right.
+    /// Dropped wheels: left, right.
     dropped: [bool; 2],
     has_fallen: bool,
     senses: Senses,
@@ -61,7 +61,7 @@ impl SimRobot {
         }
     }
 
-    /// Where the robot really is. No controller gets to see this.
+    /// The true pose, which no controller gets.
     #[inline]
     pub fn pose(&self) -> Pose {
         self.pose
@@ -73,7 +73,7 @@ impl SimRobot {
         self.speed
     }
 
-    /// Whether its battery is empty: it doesn't move any more.
+    /// Whether its battery is empty, so that it no longer moves.
     #[inline]
     pub fn is_empty(&self) -> bool {
         self.senses.is_empty()
@@ -84,7 +84,7 @@ impl SimRobot {
         self.is_lifted
     }
 
-    /// Whether it has fallen down a drop-off. It lies there until somebody puts it elsewhere.
+    /// Whether it has fallen down a drop-off. It lies there until it is put elsewhere.
     pub fn has_fallen(&self) -> bool {
         self.has_fallen
     }
@@ -103,7 +103,7 @@ impl SimRobot {
         self.pose = pose;
     }
 
-    /// Stops as hard as its motors can, until it is told to drive again.
+    /// Brakes as hard as the motors can, until the next drive command.
     pub fn brake(&mut self) {
         self.wanted = Drive::STOP;
         self.is_braking = true;
@@ -114,17 +114,17 @@ impl SimRobot {
         self.is_sweeping = is_sweeping;
     }
 
-    /// Lets something outside decide over what is drawn from the battery and charged.
+    /// Sets the battery's power and charging current from outside.
     pub fn supply(&mut self, supply: Supply) {
         self.senses.supply(supply);
     }
 
-    /// Whether its body is nearer than `gap` metres to a disc, or overlaps it. What hangs in the air is in nobody's way.
+    /// Whether its body is nearer than `gap` metres to a disc, or overlaps it. False for a lifted robot.
     pub fn is_near_disc(&mut self, centre: Point, radius: f64, gap: f64) -> bool {
         !self.is_lifted && self.footprint.is_near_disc(self.pose, centre, radius, gap)
     }
 
-    /// One step of [`STEP_S`] with the wheels told to turn as [`RobotPort::drive`] said last.
+    /// One step of [`STEP_S`] at the last wheel speeds of [`RobotPort::drive`].
     pub fn step(&mut self, walls: &Walls, world: &World, life: &mut Life) {
         let before = self.pose;
         let drive = if self.senses.is_empty() { Drive::STOP } else { self.wanted };
@@ -145,7 +145,7 @@ impl SimRobot {
         self.senses.read(Around { walls, world, life }, &carrier);
     }
 
-    /// Turns the wheels and moves the body as far as the obstacles allow; returns where it is touched.
+    /// Turns the wheels and moves the body as far as the obstacles allow; returns its contacts.
     fn roll(&mut self, obstacles: CollisionObstacles<'_>, world: &World, drive: Drive) -> Touch {
         let lateral = if self.model.wheels == WheelLayout::Omnidirectional { drive.lateral } else { 0.0 };
         let speed = Drive {
@@ -180,7 +180,7 @@ impl SimRobot {
         contact.touch
     }
 
-    /// Finds which wheels have lost the floor. The robot falls when both have, or its middle.
+    /// Finds the dropped wheels. The robot falls when both wheels have no floor, or its middle has none.
     fn look_down(&mut self, world: &World) {
         let half = 0.5 * self.model.wheel_base;
         let is_void = |y: f64| world.is_drop_off(self.pose.to_world(Point::new(0.0, y)));
@@ -215,10 +215,10 @@ impl RobotPort for SimRobot {
     }
 }
 
-/// The speed at which a motor controller that keeps only some speeds turns a wheel that is told to turn at `wanted` m/s.
+/// The actual speed of a wheel commanded to `wanted` m/s, for a motor controller that keeps only some speeds.
 ///
-/// Below the smallest speed it doesn't turn. Above, it keeps the next of the speeds that lie a step apart: told 11 to
-/// 39 mm/s, a Create 2 drives at 39 mm/s, and so on in steps of 28.5 mm/s (K. Tibow, Roombas, motors, and noise,
+/// Below the smallest speed it doesn't turn. Above, it takes the next of the speeds that lie a step apart: commanded 11
+/// to 39 mm/s, a Create 2 drives at 39 mm/s, and so on in steps of 28.5 mm/s (K. Tibow, Roombas, motors, and noise,
 /// ktibow.github.io/blog/roombamotors; the step is also in the Create 2 Open Interface specification).
 fn quantised(wanted: f64, [smallest, step]: [f64; 2]) -> f64 {
     let speed = wanted.abs();
@@ -228,7 +228,7 @@ fn quantised(wanted: f64, [smallest, step]: [f64; 2]) -> f64 {
     if speed < smallest {
         return 0.0;
     }
-    // A hair's breadth less, so that speeds that the controller can keep stay as they are.
+    // A little less, so that speeds that the controller can keep don't change.
     let steps = ((speed - smallest) / step - 1e-9).ceil().max(1.0);
     (smallest + steps * step).copysign(wanted)
 }

@@ -2,11 +2,11 @@
 //!
 //! Borenstein & Feng (Measurement and correction of systematic odometry errors in mobile robots, IEEE Transactions on
 //! Robotics and Automation 12(6), 1996) name the two errors that matter most for two driven wheels: wheels of unequal
-//! diameter, and a wheel base that isn't what the robot takes it for. Both stay the same while a robot lives, so they are
-//! drawn once. What the floor does is random and adds up like a random walk: its variance grows with the distance, as
-//! in the odometry model of Thrun, Burgard & Fox (Probabilistic Robotics, 2005, section 5.4).
+//! diameter, and a wheel base that differs from the nominal one. Both are constant for a robot, so they are drawn once.
+//! Errors due to the floor are random and add up like a random walk: its variance grows with the distance, as in the
+//! odometry model of Thrun, Burgard & Fox (Probabilistic Robotics, 2005, section 5.4).
 //!
-//! How large they are on household robots, owners have measured:
+//! Owners have measured the errors of household robots:
 //! - A Create 2 driving for 10 s on tiles covered 582 to 600 mm while its encoders reported 601 to 604 mm; on carpet
 //!   698 to 735 mm of 763 to 805 mm, and 294 to 331 mm of 329 to 357 mm (K. Tibow, Roombas, motors, and noise,
 //!   ktibow.github.io/blog/roombamotors; three runs each). So carpet eats about 9 % of the way, and runs on tiles that the
@@ -18,7 +18,7 @@ use rand::Rng as _;
 use robovac_core::rng::{Rng, normal, seeded};
 use serde::{Deserialize, Serialize};
 
-/// How well the wheels hold.
+/// Level of wheel slip.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum SlipLevel {
@@ -55,8 +55,8 @@ impl SlipLevel {
     }
 }
 
-/// Sizes of the errors. Those of the harsh level are taken from the measurements above; a calibrated robot (typical) is
-/// taken to be three to six times better, and its carpet to have a short pile: that is ours, as is the share of each.
+/// Sizes of the errors. Those of the harsh level follow the measurements above; a calibrated robot (typical) is assumed
+/// to be three to six times better, on a carpet with a short pile (ours, like the share of each).
 #[derive(Debug, Clone, Copy)]
 struct SlipFigures {
     /// Standard deviation of each wheel's size, as a share of it.
@@ -65,14 +65,14 @@ struct SlipFigures {
     wheel_base: f64,
     /// Standard deviation of each wheel's slip after one metre, m.
     slip: f64,
-    /// Share of the way that is left on carpet.
+    /// Share of the distance that remains on carpet.
     carpet: f64,
 }
 
-/// How much more the wheels slip at random on carpet (ours: Tibow's robot veered left and right there).
+/// Factor of random slip on carpet (ours: Tibow's robot veered left and right there).
 const CARPET_SLIP: f64 = 3.0;
 
-/// What one robot's wheels do.
+/// Errors of one robot's wheels.
 #[derive(Debug, Clone)]
 pub struct Slip {
     rng: Rng,
@@ -94,7 +94,7 @@ impl Slip {
         Self { rng, figures, sizes, base }
     }
 
-    /// How far the rims really move the robot when the encoders say so: left, right, sideways, m.
+    /// Actual motion of the rims for the encoders' motion: left, right, sideways, m.
     #[inline]
     pub fn apply(&mut self, rolled: [f64; 3], is_on_carpet: impl FnOnce() -> bool) -> [f64; 3] {
         if self.figures.slip == 0.0 || rolled == [0.0; 3] {
@@ -115,7 +115,7 @@ impl Slip {
         real
     }
 
-    /// The wheel base that the robot turns by, where `nominal` is what its odometry takes it for, m.
+    /// The effective wheel base for turns, where `nominal` is that of the robot's odometry, m.
     #[inline]
     pub fn wheel_base(&self, nominal: f64) -> f64 {
         nominal * self.base

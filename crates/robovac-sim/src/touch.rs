@@ -2,10 +2,10 @@
 
 use robovac_core::geometry::Vector;
 
-/// Most places that are told apart: a body between walls and legs is held by three.
+/// Most contacts that are distinguished: a body between walls and legs is held by three.
 const MOST: usize = 4;
 
-/// Directions from a body's origin to what it touches, as unit vectors.
+/// Directions from a body's origin to its contacts, as unit vectors.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Touch {
     directions: [Vector; MOST],
@@ -13,10 +13,10 @@ pub struct Touch {
 }
 
 impl Touch {
-    /// Nothing is touched.
+    /// No contact.
     pub const NONE: Self = Self { directions: [Vector::new(0.0, 0.0); MOST], count: 0 };
 
-    /// Adds a direction; more than can be told apart are left out.
+    /// Adds a direction; beyond the limit it is dropped.
     pub fn add(&mut self, direction: Vector) {
         if let Some(free) = self.directions.get_mut(self.count) {
             *free = direction;
@@ -24,7 +24,7 @@ impl Touch {
         }
     }
 
-    /// Whether nothing is touched.
+    /// Whether there is no contact.
     #[inline]
     pub fn is_none(&self) -> bool {
         self.count == 0

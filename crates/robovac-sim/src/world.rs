@@ -5,26 +5,26 @@ use robovac_core::{
     geometry::{Point, Pose, contains},
 };
 
-/// The things in a room that don't stand in the way, made ready for simulation. What stands in the way is part of the
-/// walls; what moves or is used up is in [`Life`](super::Life).
+/// Objects of a room that aren't obstacles, prepared for simulation. Obstacles are part of the walls; the moving and
+/// consumable state is in [`Life`](super::Life).
 #[derive(Debug, Clone, Default)]
 pub struct World {
-    /// Docks: the middle of the back, and the way they look.
+    /// Docks: the middle of the back, and the heading.
     pub docks: Vec<Pose>,
-    /// Virtual walls: lighthouse with the way of its beam, and the beam's length, m.
+    /// Virtual walls: the lighthouse's position with the beam's direction, and the beam's length, m.
     pub virtual_walls: Vec<(Pose, f64)>,
-    /// Outlines of where there is no floor.
+    /// Outlines of drop-offs.
     pub drop_offs: Vec<Vec<Point>>,
     /// Outlines of carpets.
     pub carpets: Vec<Vec<Point>>,
     /// Spots of dirt: centre and radius, m.
     pub dirt: Vec<(Point, f64)>,
-    /// Who moves, and along which line.
+    /// Movers and their lines.
     pub movers: Vec<(Who, Vec<Point>)>,
 }
 
 impl World {
-    /// The things in `plan`.
+    /// The objects in `plan`.
     pub fn new(plan: &FloorPlan) -> Self {
         let mut world = Self::default();
         for object in &plan.objects {

@@ -6,14 +6,14 @@ use super::{
     readings::Readings,
 };
 
-/// Most bytes that one question may ask for: a limit of ours, three times all there is. The answer to a long one is late, as
-/// the line takes 15 ms for 172 bytes.
+/// Most bytes of an answer: a limit of ours, three times all packets. A long answer is late, as the line takes 15 ms
+/// for 172 bytes.
 pub const MAX_ANSWER: usize = 240;
 
 /// Takes one answer.
 ///
-/// It has no header, no numbers and no checksum: one byte that is lost or too many - text of a charging robot, say - shifts
-/// all that follows. Nothing can be done about it here but [`Self::is_plausible`]; a stream is the better way.
+/// It has no header, no numbers and no checksum: a lost or additional byte, such as text of a charging robot, shifts
+/// everything after it. The only check is [`Self::is_plausible`]; a stream is more reliable.
 #[derive(Debug, Clone)]
 pub struct Answer {
     ids: [PacketId; MAX_ANSWER],

@@ -1,8 +1,8 @@
 //! Commands: data and encoding.
 //!
-//! Any complete bytes make a [`Command`], also one that asks for more than a robot can do: what a robot makes of it is the
-//! emulator's business, and the console wants to show it. Nothing of that kind is ever *written*: [`Command::encode`]
-//! refuses what [`Command::check`] refuses.
+//! Any complete bytes are decoded to a [`Command`], even with values out of range, as the emulator decides on their
+//! effect and the console shows them. They are never *written*: [`Command::encode`] refuses what [`Command::check`]
+//! refuses.
 
 use super::{
     bits::{Buttons, Lamps, Motors, ScheduleLamps, Weekdays},
@@ -81,7 +81,7 @@ pub enum Command<'a> {
         /// 0 to 3.
         number: u8,
     },
-    /// Asks for one packet or group (142).
+    /// Requests one packet or group (142).
     SensorReadings {
         /// 0 to 58, 100, 101, 106 or 107.
         packet: u8,
@@ -111,13 +111,13 @@ pub enum Command<'a> {
         /// -255 to 255.
         left: i16,
     },
-    /// Asks for a frame with these packets every 15 ms (148). An empty list is what one driver stops the stream with; what
-    /// robots make of it isn't described.
+    /// Asks for a frame with these packets every 15 ms (148). One driver stops the stream with an empty list, whose
+    /// effect isn't documented.
     Stream {
         /// Ids as in Sensors.
         packets: &'a [u8],
     },
-    /// Asks for several packets at once (149).
+    /// Requests several packets at once (149).
     QueryList {
         /// Ids as in Sensors.
         packets: &'a [u8],
@@ -134,8 +134,8 @@ pub enum Command<'a> {
         /// Of the rest.
         lamps: ScheduleLamps,
     },
-    /// Segments of the four digits, from left to right, bits 0 to 6 for A to G (163). Robots of the 500 and 600 series
-    /// don't show what this asks for: a known bug of their firmware.
+    /// Segments of the four digits, from left to right, bits 0 to 6 for A to G (163). It has no effect on the 500 and
+    /// 600 series: a known bug of their firmware.
     DigitsRaw {
         /// 0 to 127 each.
         segments: [u8; 4],

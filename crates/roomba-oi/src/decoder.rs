@@ -7,11 +7,11 @@ use super::{
 
 /// Puts commands together as their bytes arrive.
 ///
-/// Like the robot, it waits for missing data bytes for ever: whatever comes next is taken for them. A byte that is no opcode
-/// is reported and skipped, and the next one is looked at as an opcode.
+/// Like the robot, it waits for missing data bytes for ever, and takes the next bytes for them. A byte that isn't an
+/// opcode is reported and skipped, and the next one is taken as an opcode.
 ///
-/// It doesn't know modes. What a robot does with the data bytes of a command that its mode ignores isn't described; here
-/// they belong to the command.
+/// It ignores modes. The treatment of data bytes of a command that the mode ignores isn't documented; here they belong
+/// to the command.
 #[derive(Debug, Clone)]
 pub struct CommandDecoder {
     bytes: [u8; MAX_RECEIVED],
@@ -24,7 +24,7 @@ pub struct CommandDecoder {
 pub struct Received<'a> {
     /// As they were on the line.
     pub bytes: &'a [u8],
-    /// What they mean. Values may be out of range: see [`Command::check`].
+    /// The command. Values can be out of range: see [`Command::check`].
     pub command: Result<Command<'a>, ParseError>,
 }
 
@@ -66,7 +66,7 @@ impl CommandDecoder {
         (self.length > 0 && !self.complete).then_some((opcode, self.length))
     }
 
-    /// Forgets what has arrived, as a robot does that is reset.
+    /// Discards all bytes, like a robot that is reset.
     pub fn clear(&mut self) {
         (self.length, self.complete) = (0, false);
     }

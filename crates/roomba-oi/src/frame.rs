@@ -6,7 +6,7 @@ use super::{
 };
 use thiserror::Error;
 
-/// First byte of a frame. No robot text contains it, but any number may.
+/// First byte of a frame. It occurs in no text of a robot, but possibly in numbers.
 pub const HEADER: u8 = 19;
 
 /// Bytes of the longest frame: header, length, 255 bytes of packets, checksum.
@@ -15,7 +15,7 @@ pub const MAX_FRAME: usize = 258;
 /// Bytes around the packets: header, length, checksum.
 pub const FRAMING: usize = 3;
 
-/// Bytes that fit into one slot of 15 ms, ten bits each: 172 at 115200 baud. A robot told to stream more garbles its stream.
+/// Bytes that fit into one slot of 15 ms, ten bits each: 172 at 115200 baud. A longer stream is garbled.
 pub const fn slot_bytes(baud: u32) -> usize {
     baud as usize / 10 * 15 / 1000
 }
@@ -26,7 +26,7 @@ pub enum FrameError {
     /// The first byte is not the header.
     #[error("it does not begin with 19")]
     NoHeader,
-    /// A length of 0: it would say nothing, and 19 0 is common in numbers.
+    /// A length of 0: such a frame would be empty, and 19 0 is common in numbers.
     #[error("its length is 0")]
     Empty,
     /// Where the number of a packet should stand there is another one.
@@ -35,8 +35,8 @@ pub enum FrameError {
     /// The length ends inside a packet.
     #[error("it ends within packet {0}")]
     CutPacket(u8),
-    /// It holds other packets than those that were asked for.
-    #[error("it has other packets than requested")]
+    /// It contains other packets than requested.
+    #[error("its packets aren't those requested")]
     NotExpected,
     /// All bytes are there, and their sum is wrong: its low byte is given, which should be 0.
     #[error("its bytes add up to {0} instead of 0")]
@@ -102,7 +102,7 @@ impl<'a> StreamFrame<'a> {
         self.fields.len() + FRAMING
     }
 
-    /// What was asked for, in the order of the frame, with its bytes. A group is one field.
+    /// The requested packets, in the order of the frame, with their bytes. A group is one field.
     pub fn fields(&self) -> impl Iterator<Item = (PacketId, &'a [u8])> + use<'a> {
         let mut rest = self.fields;
         core::iter::from_fn(move || {
@@ -147,7 +147,7 @@ impl<'a> StreamFrame<'a> {
 pub struct FrameTooLong {
     /// Bytes of the frame.
     pub needed: usize,
-    /// Bytes that there are: the caller's buffer, or 258 for what the length can say.
+    /// Available bytes: those of the caller's buffer, or 258 by the limit of the length byte.
     pub room: usize,
 }
 

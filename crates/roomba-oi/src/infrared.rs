@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-/// What a character comes from (Roomba 500 and Create 2 specifications).
+/// Source of a character (Roomba 500 and Create 2 specifications).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum InfraredCharacter {
     /// No character. Robots before the 500 said 255 instead, which is [`Self::Other`] here.
@@ -13,7 +13,7 @@ pub enum InfraredCharacter {
     Dock(DockBeams),
     /// A virtual wall (162).
     VirtualWall,
-    /// A virtual wall that can also be a lighthouse: 0LLLL0BB.
+    /// A virtual wall with the lighthouse function: 0LLLL0BB.
     AutoWall {
         /// 1 to 10; 11 if it isn't bound to a robot.
         id: u8,
@@ -56,7 +56,7 @@ const KEYS: [&str; 15] = [
 ];
 
 impl InfraredCharacter {
-    /// What that character comes from.
+    /// The source of a character.
     ///
     /// ```
     /// use roomba_oi::{DockBeams, InfraredCharacter};

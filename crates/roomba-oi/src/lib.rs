@@ -5,7 +5,8 @@
 //!
 //! - Host: [`Command`] makes bytes, [`StreamParser`] finds sensor frames, [`Answer`] reads the reply to a query, all into
 //!   [`Readings`].
-//! - Robot: [`CommandDecoder`] reads commands, [`Mode`] says what they change, [`Readings::write`] and [`write_frame`] answer.
+//! - Robot: [`CommandDecoder`] reads commands, [`Mode`] has their effects on the mode, [`Readings::write`] and
+//!   [`write_frame`] answer.
 //!
 //! ```
 //! use roomba_oi::{Command, Packet, PacketId, Readings, StreamEvent, StreamParser, write_frame};
@@ -48,14 +49,14 @@
 //! # Where the specification is unclear
 //!
 //! The source is iRobot's Create 2 Open Interface Specification in its edition of August 2016 ("2016" below). Where it
-//! contradicts itself, older editions or measured robots, this is what was chosen:
+//! contradicts itself, older editions or measured robots, the choices are:
 //!
 //! - **Encoders.** Packet 43 is the left one, 44 the right one, as in 2016, in the edition of 2015 and in nearly all drivers;
 //!   the Roomba 500 document and a driver that follows it have them the other way round. Only turning a given robot a
 //!   little settles it. The values are signed in 2016 and unsigned before: differences modulo 65536 are the same either way
 //!   ([`motion::encoder_delta`]).
 //! - **Songs.** 2016 says four songs and numbers them 0 to 4, and packet 36 up to 15. Robots take 0 to 3, and so does
-//!   [`Command::check`]; packet 36 is believed up to 15.
+//!   [`Command::check`]; packet 36 is accepted up to 15.
 //! - **Opcode 163** (segments of the digits) doesn't do what it should on the 500 and 600 series, as 2016 says itself. It is
 //!   encoded as described all the same; for text there is 164. There is no packet 163.
 //! - **Checksum.** Header included: 2016 and all robots measured. The Roomba 500 document leaves it out of its sum, and its

@@ -110,13 +110,13 @@ impl<'a> Command<'a> {
                 within("day of the week", day, 0, 6)?;
                 time_of_day(hour, minute)
             }
-            // Nothing to check: no data, or bits that may all be set.
+            // Nothing to check: no data, or bits that can all be set.
             _ => Ok(()),
         }
     }
 
-    /// The same with every speed, radius and duty cycle brought into its range. What is a name rather than an amount - a
-    /// song, a packet, a baud code - has no nearest one, and stays for [`Self::check`] to refuse.
+    /// The same with every speed, radius and duty cycle brought into its range. Names rather than amounts - songs,
+    /// packets, baud codes - have no nearest value and aren't changed; [`Self::check`] refuses invalid ones.
     pub fn clamped(self) -> Self {
         let speed = |v: i16| v.clamp(-MAX_SPEED_MM_S, MAX_SPEED_MM_S);
         let duty = |v: i8| v.max(-MAX_MOTOR_PWM);
@@ -145,8 +145,8 @@ impl<'a> Command<'a> {
         Self::Drive { velocity: velocity_mm_s, radius: radius_mm }.checked()
     }
 
-    /// Wheel speeds in m/s as the nearest Drive Direct: each wheel is limited to 0.5 m/s and rounded to whole mm/s. What is
-    /// infinite or not a number stands still.
+    /// Wheel speeds in m/s as the nearest Drive Direct: each wheel is limited to 0.5 m/s and rounded to whole mm/s.
+    /// Values that aren't finite give 0.
     pub fn wheels(left_m_s: f64, right_m_s: f64) -> Self {
         // A cast saturates.
         let speed = |m_s: f64| if m_s.is_finite() { libm::round(m_s * 1000.0) as i16 } else { 0 };
@@ -175,12 +175,12 @@ impl<'a> Command<'a> {
         code.map(|code| Self::Baud { code: code as u8 }).ok_or(CommandRefusal::UnknownBaudRate(bits_per_second))
     }
 
-    /// Asks for a stream of these packets, or refuses those that don't exist.
+    /// Requests a stream of these packets, or refuses those that don't exist.
     pub fn stream(packets: &'a [u8]) -> Result<Self, CommandRefusal> {
         Self::Stream { packets }.checked()
     }
 
-    /// Asks for these packets once, or refuses those that don't exist.
+    /// Requests these packets once, or refuses those that don't exist.
     pub fn query_list(packets: &'a [u8]) -> Result<Self, CommandRefusal> {
         Self::QueryList { packets }.checked()
     }

@@ -6,16 +6,16 @@ use super::{
 };
 use core::fmt;
 
-/// Which commands a robot accepts. Each mode allows all that those below it allow.
+/// The commands that a robot accepts. Each mode allows everything that the modes below it allow.
 ///
-/// A robot never says that it changed its mode; that has to be read from packet 35.
+/// A robot doesn't report changes of its mode; it must be read from packet 35.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
 #[repr(u8)]
 pub enum Mode {
     /// Listens for Start only, and answers nothing: packet 35 never shows it.
     #[default]
     Off,
-    /// Tells what it senses, cleans by itself; falls asleep after five minutes.
+    /// Reports its sensors, cleans by itself; falls asleep after five minutes.
     Passive,
     /// Can be driven; stops by itself when something looks dangerous. Never sleeps and doesn't charge.
     Safe,
@@ -47,7 +47,7 @@ impl Mode {
         })
     }
 
-    /// What a hazard does in this mode. Passive robots look after themselves: nothing changes for the interface.
+    /// Effect of a hazard in this mode. Passive robots protect themselves: nothing changes for the interface.
     pub fn after_hazard(self, hazard: Hazard) -> Reaction {
         let entry = SAFETY.iter().find(|(mode, what, _)| *mode == self && *what == hazard);
         entry.map_or(Reaction { mode: self, stops: false }, |entry| entry.2)
@@ -61,7 +61,7 @@ impl fmt::Display for Mode {
     }
 }
 
-/// What might make a robot leave Safe.
+/// Causes for a robot to leave Safe.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Hazard {
     /// A cliff while the robot moves in a way that could take it over the edge: see [`Hazard::of_cliff`].
@@ -83,8 +83,8 @@ impl Hazard {
     pub const ALL: [Self; 6] =
         [Self::Cliff, Self::WheelDrop, Self::Charger, Self::Bumper, Self::LightBumper, Self::VirtualWall];
 
-    /// What a cliff means for a robot that was told to drive so: a hazard while it drives forward, or backward on a radius
-    /// below its own, 174 mm.
+    /// The hazard of a cliff for the commanded wheel speeds: while driving forward, or backward on a radius below the
+    /// robot's own, 174 mm.
     ///
     /// The specification doesn't name turning on the spot; with a radius of 0 it is taken as the second case. A robot at
     /// rest, or one that backs away from the edge, is in no danger.
@@ -109,7 +109,7 @@ impl fmt::Display for Hazard {
     }
 }
 
-/// What a robot does about a hazard.
+/// A robot's reaction to a hazard.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Reaction {
     /// The mode after it.

@@ -9,7 +9,7 @@ pub const ROBOT_RADIUS_MM: f64 = 174.25;
 /// Wheel travel per encoder count, mm: wheels of 72 mm, 508.8 counts a turn.
 pub const MM_PER_COUNT: f64 = core::f64::consts::PI * 72.0 / 508.8;
 
-/// Greatest wheel speed that can be asked for, mm/s.
+/// Largest wheel speed of a command, mm/s.
 pub const MAX_SPEED_MM_S: i16 = 500;
 
 /// Greatest radius of Drive, mm; beyond it robots drive straight.
@@ -37,8 +37,8 @@ pub struct WheelSpeeds {
 }
 
 impl WheelSpeeds {
-    /// What Drive (137) asks of the wheels: the velocity in mm/s is the mean of both, the radius in mm is that of the
-    /// robot's middle, positive to the left.
+    /// Wheel speeds of Drive (137): the velocity in mm/s is the mean of both, the radius in mm is that of the robot's
+    /// middle, positive to the left.
     ///
     /// On small radii the outer wheel comes out faster than any robot drives: see [`Self::limited`]. Radius 0 isn't
     /// described anywhere; it is taken as straight on. Real robots of 2016 deviate on radii of 100 to 300 mm, by a factor
@@ -86,10 +86,10 @@ pub fn encoder_delta(before: u16, now: u16) -> i16 {
     now.wrapping_sub(before) as i16
 }
 
-/// What packet 20 shows of a true angle on firmware up to 3.4.0, as a factor; 3.4.1 shows the angle itself.
+/// Factor from the true angle to packet 20 on firmware up to 3.4.0; 3.4.1 reports the angle itself.
 pub const ANGLE_ERROR: f64 = 0.324_056;
 
-/// What packet 20 of such a robot reports for a turn in degrees: robots report whole degrees, and lose the rest.
+/// Packet 20 of such a robot for a turn in degrees: robots report whole degrees, and lose the rest.
 pub fn faulty_angle(true_degrees: f64) -> f64 {
     true_degrees * ANGLE_ERROR
 }

@@ -235,7 +235,7 @@ impl fmt::Display for Packet {
     }
 }
 
-/// What can be asked for: a single packet, or a group that stands for a run of them.
+/// A single packet, or a group that stands for a run of them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct PacketId {
     id: u8,

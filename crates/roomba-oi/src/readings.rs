@@ -1,4 +1,4 @@
-//! Everything that a robot reports, as typed values.
+//! All values that a robot reports, typed.
 
 use super::{
     bits::{BumpsAndDrops, Buttons, ChargingSources, LightBumper, Overcurrents, Stasis},
@@ -17,7 +17,7 @@ pub struct InfraredSeen {
     pub right: u8,
 }
 
-/// What the charger does (packet 21).
+/// State of the charger (packet 21).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum ChargingState {
     /// Not charging.
@@ -33,7 +33,7 @@ pub enum ChargingState {
     Waiting,
     /// Charging fault.
     Fault,
-    /// A number without a meaning. The specification's table allows 6 and doesn't say for what.
+    /// An unknown state. The specification's table allows 6 without describing it.
     Other(u8),
 }
 
@@ -108,7 +108,7 @@ pub struct Readings {
     pub distance_mm: i16,
     /// Turn since it was last read, degrees, counter-clockwise positive (20).
     pub angle_deg: i16,
-    /// What the charger does (21).
+    /// State of the charger (21).
     pub charging: ChargingState,
     /// Voltage of the battery, mV (22).
     pub voltage_mv: u16,
@@ -220,8 +220,8 @@ impl Readings {
         }
     }
 
-    /// Takes the bits of one packet. Flags are true for anything but 0; what the type can't hold is dropped, everything
-    /// else is kept as it is: whether a value can be true is for [`Packet::is_plausible`] to say.
+    /// Takes the bits of one packet. Flags are true for anything but 0; bits beyond the type are dropped, everything
+    /// else is kept, even implausible values: see [`Packet::is_plausible`].
     pub fn set_raw(&mut self, packet: Packet, raw: u16) {
         let (byte, flag, word) = (raw as u8, raw != 0, raw.cast_signed());
         match packet {

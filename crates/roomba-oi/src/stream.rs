@@ -14,9 +14,9 @@ pub enum StreamEvent<'a> {
     Frame(StreamFrame<'a>),
     /// It began like a frame and is none. All bytes but the first are looked at again.
     Refused {
-        /// What was there of it.
+        /// The bytes received so far.
         bytes: &'a [u8],
-        /// What is wrong.
+        /// The error.
         error: FrameError,
     },
     /// The robot wrote something.
@@ -46,7 +46,7 @@ pub struct StreamCounts {
 /// they were cut.
 #[derive(Debug, Clone)]
 pub struct StreamParser {
-    /// What is not settled yet: nothing, or a header and what followed it.
+    /// Unclassified bytes: none, or a header and the bytes after it.
     buffer: [u8; MAX_FRAME],
     filled: usize,
     /// Bytes of the buffer that have been looked at; all of them, between two calls.
@@ -128,7 +128,7 @@ impl StreamParser {
         Ok(())
     }
 
-    /// Takes bytes as they come from the line, and tells what they turn out to be.
+    /// Takes bytes from the line, and returns what they are.
     ///
     /// ```
     /// use roomba_oi::{Readings, StreamEvent, StreamParser};
@@ -157,9 +157,8 @@ impl StreamParser {
         }
     }
 
-    /// The line has been quiet for longer than a frame takes: what began like one won't become one any more. Without this
-    /// a false header may hold back what follows it until as many bytes arrived as it promised. Also hands out text that
-    /// no end of line followed.
+    /// The line has been quiet for longer than a frame takes, so an incomplete frame won't be completed. Without this a
+    /// false header can hold back the bytes after it until its length is reached. Also returns text without a line end.
     pub fn idle(&mut self, sink: &mut impl FnMut(StreamEvent<'_>)) {
         while self.filled > 0 {
             self.refuse(FrameError::Incomplete, sink);
@@ -171,13 +170,13 @@ impl StreamParser {
         });
     }
 
-    /// Forgets what has arrived, but neither what it counted nor what it expects: for a line that was opened anew.
+    /// Discards all bytes, but keeps the counts and the expected packets: for a line that was reopened.
     pub fn clear(&mut self) {
         (self.filled, self.checked, self.sum) = (0, 0, 0);
         self.lines = LineCollector::default();
     }
 
-    /// Looks at the bytes that nobody has looked at.
+    /// Processes the remaining bytes.
     fn settle(&mut self, sink: &mut impl FnMut(StreamEvent<'_>)) {
         while self.checked < self.filled {
             match self.check_next() {
@@ -324,8 +323,8 @@ mod tests {
     fn only_what_was_asked_for_is_taken() {
         let mut parser = StreamParser::default();
         parser.expect(&[35]).unwrap();
-        assert_eq!(events(&mut parser, &VOLTAGE)[0], "[19, 3] it has other packets than requested");
-        assert_eq!(events(&mut parser, &[19, 2, 7, 0, 228])[0], "[19, 2, 7] it has other packets than requested");
+        assert_eq!(events(&mut parser, &VOLTAGE)[0], "[19, 3] its packets aren't those requested");
+        assert_eq!(events(&mut parser, &[19, 2, 7, 0, 228])[0], "[19, 2, 7] its packets aren't those requested");
         assert_eq!(events(&mut parser, &MODE), ["[(OiMode, 1)]"]);
         assert_eq!(parser.expect(&[59]), Err(CommandRefusal::UnknownPacket(59)));
         assert!(parser.expect(&[100; 4]).is_err());

@@ -49,7 +49,7 @@ impl LineCollector {
         }
     }
 
-    /// Hands out what there is; how many bytes turned out to be noise.
+    /// Returns the text so far, with the number of bytes that are noise.
     pub(super) fn finish(&mut self, ended: bool, sink: &mut impl FnMut(Text<'_>)) -> u64 {
         let length = core::mem::take(&mut self.length);
         let line = self.bytes.get(..length).and_then(|bytes| str::from_utf8(bytes).ok()).unwrap_or_default();
@@ -61,7 +61,7 @@ impl LineCollector {
     }
 }
 
-/// What a line tells.
+/// Meaning of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Said {
     /// The log of a robot that charges.
@@ -70,14 +70,14 @@ pub enum Said {
     Firmware(Firmware),
     /// It boots.
     Booting,
-    /// It woke up, or tells how long it slept.
+    /// It woke up, or reports how long it slept.
     Woke,
     /// Something else.
     Other,
 }
 
 impl Said {
-    /// What that line tells. Lines lose characters on bad cables; what is not recognised is [`Self::Other`].
+    /// The meaning of a line. Lines lose characters on bad cables; unrecognised ones are [`Self::Other`].
     ///
     /// ```
     /// use roomba_oi::Said;

@@ -29,12 +29,12 @@ fn trace(context: &Context, view: &Viewport, points: &[Point], is_closed: bool) 
     }
 }
 
-/// Lets lines be dashed, or no longer.
+/// Sets or clears the dashing of lines.
 pub(super) fn dash(context: &Context, pattern: &[f64]) -> Result<(), JsValue> {
     context.set_line_dash(&pattern.iter().map(|&length| JsValue::from_f64(length)).collect::<Array>())
 }
 
-/// A line that is seen on every ground.
+/// A line that is visible on every background.
 fn stroke(context: &Context, colour: &str, width: f64, palette: &Palette) {
     context.set_line_width(width + 2.0);
     context.set_stroke_style_str(palette.halo);
@@ -70,7 +70,7 @@ pub(super) fn gaps(context: &Context, view: &Viewport, gaps: &[[Point; 2]], dark
     Ok(())
 }
 
-/// What stands, lies and moves in the room. `view` is onto the room.
+/// Objects of the room. `view` is onto the room.
 pub(super) fn objects(
     context: &Context,
     view: &Viewport,
@@ -127,15 +127,15 @@ pub(super) fn objects(
     Ok(())
 }
 
-/// The part of the drawing that is meant.
+/// The part of the drawing to be traced.
 pub(super) fn part(
     context: &Context,
-    board: &DrawingSession,
+    session: &DrawingSession,
     viewport: &Viewport,
     palette: &Palette,
 ) -> Result<(), JsValue> {
-    let place = |&[x, y]: &[f64; 2]| board.sheet().place(Point::new(x, y));
-    match &board.settings().part {
+    let place = |&[x, y]: &[f64; 2]| session.sheet().place(Point::new(x, y));
+    match &session.settings().part {
         DrawingPart::Whole => return Ok(()),
         DrawingPart::Rectangle { corners: [a, b] } => {
             let corners = [*a, [b[0], a[1]], *b, [a[0], b[1]]];
@@ -155,15 +155,15 @@ pub(super) fn part(
     dash(context, &[])
 }
 
-/// Points that were set, what they begin, and the crosshair.
+/// Set points, the shape that they begin, and the crosshair.
 pub(super) fn hand(
     context: &Context,
-    board: &DrawingSession,
+    session: &DrawingSession,
     viewport: &Viewport,
     palette: &Palette,
 ) -> Result<(), JsValue> {
-    let hand = &board.hand;
-    let place = |point: Point| board.sheet().place(point);
+    let hand = &session.hand;
+    let place = |point: Point| session.sheet().place(point);
     let mut line: Vec<Point> = hand.points.iter().map(|&point| place(point)).collect();
     let next = hand.crosshair.or(hand.hover).map(place);
     match (hand.tool, next, line.first()) {

@@ -18,23 +18,23 @@ use robovac_playground::{
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{OffscreenCanvas, OffscreenCanvasRenderingContext2d, Path2d};
 
-/// Drawing that takes longer than this is not done while the view moves, ms.
+/// Drawing time above which the picture isn't redrawn while the view moves, ms.
 const QUICK_MS: f64 = 12.0;
 /// Pixels between the lines of the grid, at least.
 const GRID_FROM: f64 = 28.0;
 
-/// What of a draft is shown beside the room.
+/// Displayed parts of a session besides the room.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct ShownPlan {
     /// Stage of the sweep, 1 to 3; 0 for none.
     pub stage: u8,
-    /// How far the stage is shown, 0 to 1.
+    /// Displayed share of the stage, 0 to 1.
     pub share: f64,
     /// Heading of the obstacle map's slice.
     pub slice: Option<usize>,
 }
 
-/// What the kept picture depends on, the view aside.
+/// State of the cached picture, without the view.
 #[derive(Debug, Clone, PartialEq)]
 struct PlanStill {
     room: u32,
@@ -54,7 +54,7 @@ pub(super) struct FloorPlanPainter {
     slice: Option<(OffscreenLayer, f64)>,
     picture: OffscreenLayer,
     drawn: Option<(PlanStill, Viewport)>,
-    /// How long the picture took to be drawn, ms.
+    /// Drawing time of the picture, ms.
     took: f64,
 }
 
@@ -66,12 +66,12 @@ impl FloorPlanPainter {
         Ok(Self { canvas, context, lines: Vec::new(), room: None, slice: None, picture, drawn: None, took: 0.0 })
     }
 
-    /// Takes another draft.
-    pub fn take(&mut self, board: &DrawingSession) -> Result<(), JsValue> {
+    /// Takes another file.
+    pub fn take(&mut self, session: &DrawingSession) -> Result<(), JsValue> {
         (self.room, self.slice, self.drawn) = (None, None, None);
         self.lines.clear();
-        if let Some(drawing) = board.source().drawing() {
-            let place = |point: &Point| board.sheet().place(*point);
+        if let Some(drawing) = session.source().drawing() {
+            let place = |point: &Point| session.sheet().place(*point);
             self.lines = paths(drawing, place)?;
         }
         Ok(())
@@ -79,7 +79,7 @@ impl FloorPlanPainter {
 
     /// Takes a slice of the obstacle map: cells that are FREE, and their side in metres.
     pub fn take_slice(&mut self, free: &Grid<bool>, cell: f64) -> Result<(), JsValue> {
-        // Okabe and Ito's bluish green and vermilion, told apart by their lightness too.
+        // Okabe and Ito's bluish green and vermilion, which differ in lightness, too.
         let colour = |&is_free: &bool| if is_free { [0, 158, 115, 70] } else { [213, 94, 0, 150] };
         self.slice = Some((cell_picture(free, colour)?, cell));
         self.drawn = None;
@@ -89,7 +89,7 @@ impl FloorPlanPainter {
     /// Draws; see [`super::FloorPlanSession::draw`].
     pub fn draw(
         &mut self,
-        board: Option<&DrawingSession>,
+        session: Option<&DrawingSession>,
         viewport: &Viewport,
         shown: ShownPlan,
         dark: bool,
@@ -107,16 +107,16 @@ impl FloorPlanPainter {
         context.set_transform(1.0, 0.0, 0.0, 1.0, 0.0, 0.0)?;
         context.set_fill_style_str(palette.outside);
         context.fill_rect(0.0, 0.0, f64::from(width), f64::from(height));
-        let Some(board) = board else { return Ok(false) };
+        let Some(session) = session else { return Ok(false) };
 
         let still =
-            PlanStill { room: board.version(), roles: board.settings().roles.clone(), slice: shown.slice, dark };
+            PlanStill { room: session.version(), roles: session.settings().roles.clone(), slice: shown.slice, dark };
         let is_same = self.drawn.as_ref().is_some_and(|(drawn, _)| *drawn == still);
         let is_moved = self.drawn.as_ref().is_some_and(|(_, view)| view != viewport);
         let makes_do = is_same && is_moved && hurries && self.took > QUICK_MS;
         if !makes_do && (!is_same || is_moved) {
             let began = clock();
-            self.draw_picture(board, viewport, &still)?;
+            self.draw_picture(session, viewport, &still)?;
             self.took = clock() - began;
             self.drawn = Some((still, *viewport));
         }
@@ -125,22 +125,22 @@ impl FloorPlanPainter {
 
         let ratio = viewport.pixel_ratio;
         self.context.set_transform(ratio, 0.0, 0.0, ratio, 0.0, 0.0)?;
-        if let Some(room) = board.room() {
-            let view = room_view(board, room, viewport);
+        if let Some(room) = session.room() {
+            let view = room_view(session, room, viewport);
             marks::gaps(&self.context, &view, &room.gaps, dark)?;
-            if let (Some(sweep), true) = (board.planned(), shown.stage > 0) {
+            if let (Some(sweep), true) = (session.planned(), shown.stage > 0) {
                 sweeping::draw(&self.context, &view, sweep, shown, dark)?;
             }
         }
-        marks::part(&self.context, board, viewport, palette)?;
-        marks::hand(&self.context, board, viewport, palette)?;
-        if let Some(metre) = board.settings().metre {
-            marks::scale_bar(&self.context, viewport, metre / board.sheet().scale, palette)?;
+        marks::part(&self.context, session, viewport, palette)?;
+        marks::hand(&self.context, session, viewport, palette)?;
+        if let Some(metre) = session.settings().metre {
+            marks::scale_bar(&self.context, viewport, metre / session.sheet().scale, palette)?;
         }
         Ok(makes_do)
     }
 
-    /// Shows the picture that was drawn for `from`, moved to where `to` has it.
+    /// Shows the picture that was drawn for `from`, moved for `to`.
     fn copy(&self, from: &Viewport, to: &Viewport) -> Result<(), JsValue> {
         let factor = to.scale / from.scale;
         let shift = (to.origin - from.origin * factor) * to.pixel_ratio;
@@ -149,10 +149,15 @@ impl FloorPlanPainter {
     }
 
     /// The room, the grid and the drawing's lines.
-    fn draw_picture(&mut self, board: &DrawingSession, viewport: &Viewport, still: &PlanStill) -> Result<(), JsValue> {
+    fn draw_picture(
+        &mut self,
+        session: &DrawingSession,
+        viewport: &Viewport,
+        still: &PlanStill,
+    ) -> Result<(), JsValue> {
         let palette = Palette::of(still.dark);
         let key = (still.room, still.dark);
-        if let Some(room) = board.room()
+        if let Some(room) = session.room()
             && self.room.as_ref().is_none_or(|(made, _)| *made != key)
         {
             self.room = Some((key, room_picture(room, palette)?));
@@ -161,20 +166,20 @@ impl FloorPlanPainter {
         let context = &self.picture.context;
         let ratio = viewport.pixel_ratio;
         context.set_transform(ratio, 0.0, 0.0, ratio, 0.0, 0.0)?;
-        if let Some(room) = board.room() {
-            let view = room_view(board, room, viewport);
+        if let Some(room) = session.room() {
+            let view = room_view(session, room, viewport);
             if let Some((_, picture)) = &self.room {
                 stretch(context, &view, picture, room.plan.resolution)?;
             }
-            if let Some(metre) = board.settings().metre {
-                grid(context, viewport, metre / board.sheet().scale, palette);
+            if let Some(metre) = session.settings().metre {
+                grid(context, viewport, metre / session.sheet().scale, palette);
             }
             marks::objects(context, &view, &room.plan.objects, palette)?;
             if let (Some((picture, cell)), true) = (&self.slice, still.slice.is_some()) {
                 stretch(context, &view, picture, *cell)?;
             }
         }
-        let Some(drawing) = board.source().drawing() else { return Ok(()) };
+        let Some(drawing) = session.source().drawing() else { return Ok(()) };
         let scale = viewport.scale * ratio;
         context.set_transform(scale, 0.0, 0.0, -scale, viewport.origin.x * ratio, viewport.origin.y * ratio)?;
         context.set_line_join("bevel");
@@ -196,8 +201,8 @@ impl FloorPlanPainter {
 }
 
 /// The window onto the room, in metres from its lower left corner.
-fn room_view(board: &DrawingSession, room: &Traced, viewport: &Viewport) -> Viewport {
-    let sheet = board.sheet();
+fn room_view(session: &DrawingSession, room: &Traced, viewport: &Viewport) -> Viewport {
+    let sheet = session.sheet();
     viewport.onto(sheet.place(Point::from(room.corner)), sheet.scale / room.metre)
 }
 
@@ -247,7 +252,7 @@ fn stretch(
     )
 }
 
-/// Lines of a round distance over all that is seen; `metre` is the length of a unit of the sheet, m.
+/// Grid lines of a round distance over the visible area; `metre` is the length of a unit of the sheet, m.
 fn grid(context: &OffscreenCanvasRenderingContext2d, viewport: &Viewport, metre: f64, palette: &Palette) {
     let per_metre = viewport.scale / metre;
     let Some(step) = [0.1, 0.5, 1.0, 5.0, 10.0, 50.0, 100.0].into_iter().find(|m| m * per_metre >= GRID_FROM) else {

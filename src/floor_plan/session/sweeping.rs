@@ -12,7 +12,7 @@ use wasm_bindgen::JsValue;
 use web_sys::OffscreenCanvasRenderingContext2d as Context;
 
 /// Colours of the left and the right side, of links, collisions and detours: those of Okabe and Ito, lightened on dark
-/// ground and darkened on light. What they mean is also said by shape and dashes.
+/// ground and darkened on light. Shape and dashes distinguish them, too.
 struct Colours {
     left: &'static str,
     right: &'static str,
@@ -26,7 +26,7 @@ const LIGHT: Colours =
 const DARK: Colours =
     Colours { left: "#56b4e9", right: "#f0a93b", link: "#b6bfcc", collision: "#ff7a6e", detour: "#2fd6a4" };
 
-/// Draws as much of the sweep as is shown; `view` is onto the room.
+/// Draws the displayed part of the sweep; `view` is onto the room.
 pub(super) fn draw(
     context: &Context,
     view: &Viewport,

@@ -1,4 +1,4 @@
-//! Manual input: joystick, picking up and putting down, and the readings meanwhile.
+//! Manual input: joystick, lifting and putting down, and sensor readings.
 
 use super::Playground;
 use js_sys::{Array, Float32Array};
@@ -12,16 +12,16 @@ use robovac_playground::wire::to_js;
 use robovac_sim::controller::Joystick;
 use wasm_bindgen::prelude::*;
 
-/// How far a key carries the robot, m, and turns it, rad.
+/// Steps of a key press when carrying the robot, m, and when turning it, rad.
 const STRIDE: f64 = 0.1;
 const TURN: f64 = math::PI / 12.0;
 
-/// A robot that was picked up here.
+/// A lifted robot.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Carried {
-    /// Where it is held.
+    /// Its pose.
     pub pose: Pose,
-    /// Where it stood.
+    /// Its pose before.
     from: Pose,
 }
 
@@ -32,7 +32,7 @@ impl Playground {
         self.session.command(Joystick { forward, left });
     }
 
-    /// Picks the robot up, or puts down the one that is held, where it is held.
+    /// Lifts the robot, or puts it down where it is held.
     pub fn pick_up(&mut self) {
         match self.carried.take() {
             Some(carried) => self.session.put_down(carried.pose),
@@ -40,7 +40,7 @@ impl Playground {
         }
     }
 
-    /// Carries the robot that is held by a key: `left`, `right`, `up`, `down`, `turn_left`, `turn_right`; `apply` puts it
+    /// Carries the lifted robot by a key: `left`, `right`, `up`, `down`, `turn_left`, `turn_right`; `apply` puts it
     /// down, `back` puts it where it stood.
     pub fn carry(&mut self, action: &str) {
         let Some(Carried { pose, from }) = self.carried else { return };
@@ -71,7 +71,7 @@ impl Playground {
         Float32Array::from(scan.unwrap_or(&[]))
     }
 
-    /// What happened lately, latest first: seconds, text, and whether it was felt, in turn.
+    /// The event log, latest first: seconds, text, and whether it was sensed, in turn.
     pub fn diary(&self) -> Array {
         let follows_plan = self.session.planned().is_some();
         let lines = self.session.recording().map_or(Vec::new(), |recording| diary(recording.run(), follows_plan));
@@ -81,12 +81,12 @@ impl Playground {
 }
 
 impl Playground {
-    /// Whether a robot that is on its way can be taken up.
+    /// Whether a running robot can be lifted.
     pub(super) fn may_lift(&self) -> bool {
         self.session.state().allows(Action::Lift)
     }
 
-    /// Picks the robot up where it stands, or goes on holding one that was picked up before.
+    /// Lifts the robot where it stands, unless it is lifted already.
     pub(super) fn take_robot(&mut self) {
         let pose = self.session.recording().map(|recording| recording.run().pose());
         let Some(pose) = pose.filter(|_| self.may_lift()) else { return };
@@ -94,14 +94,14 @@ impl Playground {
         self.carried = Some(Carried { pose, from: pose });
     }
 
-    /// Carries the robot that is held such that the hand, `grip` from its centre, is at `at`.
+    /// Carries the robot such that the pointer, `grip` from its centre, is at `at`.
     pub(super) fn carry_to(&mut self, at: Point, grip: Vector) {
         let Some(Carried { pose, from }) = self.carried else { return };
         let to = at + grip;
         self.carried = Some(Carried { pose: self.above_floor(Pose::new(to.x, to.y, pose.heading)), from });
     }
 
-    /// Puts the robot that is held down at `at`, unless that is where it's held; says whether it did.
+    /// Puts the robot down at `at`, unless it is held there; returns whether it did.
     pub(crate) fn put_down_at(&mut self, at: Point) -> bool {
         if self.carried.is_none() || self.is_on_robot(at) {
             return false;
@@ -111,7 +111,7 @@ impl Playground {
         true
     }
 
-    /// Puts the robot that is held where it stood.
+    /// Puts the robot down where it stood.
     pub(super) fn put_back(&mut self) {
         if let Some(carried) = self.carried.take() {
             self.session.put_down(carried.from);

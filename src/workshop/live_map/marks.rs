@@ -12,16 +12,16 @@ use web_sys::CanvasRenderingContext2d;
 /// Direction of the middle of either half of the bumper, rad from ahead.
 const HALF: f64 = 0.7;
 
-/// A place where it felt something.
+/// A place with a contact.
 pub(super) struct FeltMark {
     /// In the room, m.
     at: Point,
-    /// Whether it is the end of the floor, rather than an obstacle.
+    /// Whether it is a cliff rather than an obstacle.
     pub is_cliff: bool,
 }
 
 impl FeltMark {
-    /// What a robot at `place` feels: bits as in `app::connection::Connection::take_trace`.
+    /// The contacts of a robot at `place`: bits as in `app::connection::Connection::take_trace`.
     pub fn of(robot: &RobotModel, place: Pose, felt: u8) -> impl Iterator<Item = Self> {
         let rim = |angle: f64| Point::new(robot.radius * math::cos(angle), robot.radius * math::sin(angle));
         let bumpers = [(1, HALF), (2, -HALF)].map(|(bit, angle)| (bit, rim(angle), false));
@@ -34,7 +34,7 @@ impl FeltMark {
     }
 }
 
-/// Draws them: bumps as dots, cliffs as crosses, so that both are told apart without colours.
+/// Draws them: bumps as dots, cliffs as crosses, so that they don't differ in colour alone.
 pub(super) fn draw(
     context: &CanvasRenderingContext2d,
     palette: &Palette,

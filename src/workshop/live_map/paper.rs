@@ -11,20 +11,20 @@ use robovac_core::{
 
 /// Side of the first blank sheet, m: a room.
 const SHEET: f64 = 6.0;
-/// Distance from the edge at which a larger sheet is taken, m, and what is added on every side by then.
+/// Distance from the edge at which a larger sheet is taken, m, and the extension of each side, m.
 const EDGE: f64 = 0.6;
-/// Largest side of a sheet, m; who drives on from there drives off the paper.
+/// Largest side of a sheet, m; beyond it the robot leaves the paper.
 const MOST: f64 = 60.0;
 /// Side of a cell of blank paper, m.
 const CELL: f64 = 0.05;
 
-/// What a robot is drawn on.
+/// The background of a robot.
 pub(super) struct Paper {
-    /// Walls, or none.
+    /// The walls, if any.
     pub plan: FloorPlan,
-    /// What the robot can reach; all of blank paper.
+    /// The reachable floor; all of blank paper.
     pub floor: Option<ReachableFloor>,
-    /// Where the room's origin lies on the paper.
+    /// Position of the room's origin on the paper.
     pub shift: Vector,
     /// Whether it is a room.
     pub is_known: bool,
@@ -55,7 +55,7 @@ impl Paper {
         Self { plan, floor, shift: Vector::new(-low.x, -low.y), is_known: false }
     }
 
-    /// Where robots start: in a blank room where they are.
+    /// Start of robots: on blank paper at their present place.
     pub fn start(&self) -> Option<Pose> {
         if self.is_known { self.floor.as_ref().map(|floor| floor.start) } else { Some(Pose::new(0.0, 0.0, 0.0)) }
     }
@@ -74,7 +74,7 @@ impl Paper {
         let at = place + self.shift;
         let more = |at: f64, size: f64| {
             let step = (0.5 * size).max(EDGE);
-            // As much as it takes, should it have gone far since the last look.
+            // At least as much as needed, as it can have gone far since the last call.
             let below = if at < EDGE { step.max(EDGE - at + step).min(MOST) } else { 0.0 };
             let above = if at > size - EDGE { step.max(at - size + EDGE + step).min(MOST) } else { 0.0 };
             (below, above)

@@ -1,4 +1,4 @@
-//! Kidnapping by pointer: picks the robot up and puts it down elsewhere.
+//! Kidnapping by pointer: lifts the robot and puts it down elsewhere.
 
 use super::MapSession;
 use robovac_app::map::{self, MapAction, MapPhase};
@@ -8,30 +8,30 @@ use robovac_core::{
 };
 use wasm_bindgen::prelude::*;
 
-/// How far a key carries the robot, m, and turns it, rad.
+/// Steps of a key press when carrying the robot, m, and when turning it, rad.
 const STRIDE: f64 = 0.1;
 const TURN: f64 = math::PI / 12.0;
-/// Distance from the robot's centre within which the pointer takes hold of it, CSS pixels, however small it is drawn.
+/// Least distance from the robot's centre at which the pointer grips it, CSS pixels.
 const LEAST_GRIP_PX: f64 = 16.0;
-/// Distance that the pointer has to go to pick a robot up, CSS pixels: a click alone does nothing.
+/// Distance of the pointer at which a robot is lifted, CSS pixels; a click does nothing.
 const LEAST_LIFT_PX: f64 = 4.0;
 
-/// What is held, and what the pointer is doing.
+/// The lifted robot, and the pointer's gesture.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct RobotHand {
-    /// Where the robot is held, and where it stood.
+    /// Present pose and former pose of the lifted robot.
     carried: Option<(Pose, Pose)>,
     gesture: Option<MapGesture>,
 }
 
-/// What the pointer is doing between down and up.
+/// A gesture between pointer down and up.
 #[derive(Debug, Clone, Copy)]
 enum MapGesture {
     Pan {
         x: f64,
         y: f64,
     },
-    /// Has hold of the robot, whose centre is `grip` from the pointer that went down at (`x`, `y`).
+    /// Grips the robot, whose centre is `grip` from the pointer that went down at (`x`, `y`).
     Grip {
         x: f64,
         y: f64,
@@ -44,7 +44,7 @@ enum MapGesture {
 }
 
 impl RobotHand {
-    /// Where the robot is held, if it is.
+    /// The pose of the lifted robot.
     pub fn pose(&self) -> Option<Pose> {
         self.carried.map(|(pose, _)| pose)
     }
@@ -54,18 +54,18 @@ impl RobotHand {
         self.carried.is_some()
     }
 
-    /// Lets go if it is another run, or another moment of it, in which nobody holds the robot; takes it where somebody does.
-    pub fn keep(&mut self, survey: &map::MapSession) {
-        let is_held = survey.phase() == MapPhase::Held;
-        let pose = survey.run().map(robovac_sim::Run::pose).filter(|_| is_held);
+    /// Drops the robot if it isn't lifted in the displayed run; takes it if it is.
+    pub fn keep(&mut self, session: &map::MapSession) {
+        let is_held = session.phase() == MapPhase::Held;
+        let pose = session.run().map(robovac_sim::Run::pose).filter(|_| is_held);
         self.carried = pose.map(|pose| self.carried.unwrap_or((pose, pose)));
     }
 }
 
 #[wasm_bindgen]
 impl MapSession {
-    /// The pointer did something at (`x`, `y`), CSS pixels: `down`, `move`, `up` or `cancel`. It moves the view, or the robot
-    /// if it went down on that.
+    /// Handles a pointer event at (`x`, `y`), CSS pixels: `down`, `move`, `up` or `cancel`. It pans the view, or
+    /// carries the robot if it went down on it.
     pub fn pointer(&mut self, what: &str, x: f64, y: f64) {
         let at = self.viewport.to_world(x, y);
         match (what, self.hand.gesture) {
@@ -94,12 +94,12 @@ impl MapSession {
         }
     }
 
-    /// Picks the robot up, or puts down the one that is held, where it is held.
+    /// Lifts the robot, or puts it down where it is held.
     pub fn pick_up(&mut self) {
         if self.hand.holds() { self.put_down() } else { self.take_robot() }
     }
 
-    /// Carries the robot that is held by a key: `left`, `right`, `up`, `down`, `turn_left`, `turn_right`; `apply` puts it
+    /// Carries the lifted robot by a key: `left`, `right`, `up`, `down`, `turn_left`, `turn_right`; `apply` puts it
     /// down, `back` puts it where it stood.
     pub fn carry(&mut self, action: &str) {
         let Some((pose, from)) = self.hand.carried else { return };
@@ -120,7 +120,7 @@ impl MapSession {
 }
 
 impl MapSession {
-    /// What the pointer takes hold of that went down there: the robot, if it may be picked up.
+    /// Grip of the robot, if it can be lifted and the pointer went down on it.
     fn grip(&self, at: Point, x: f64, y: f64) -> Option<MapGesture> {
         let centre = self.hand.pose().or(self.state.run().map(robovac_sim::Run::pose))?.position();
         let radius = self.state.prepared()?.robot.radius.max(LEAST_GRIP_PX / self.viewport.scale);
@@ -151,7 +151,7 @@ impl MapSession {
         }
     }
 
-    /// Carries the robot that is held to a place within the room.
+    /// Carries the lifted robot to a place within the room.
     fn carry_to(&mut self, to: Point) {
         let (Some((pose, from)), Some(plan)) = (self.hand.carried, self.state.plan()) else { return };
         let (x, y) = (to.x.clamp(0.0, plan.width_m()), to.y.clamp(0.0, plan.height_m()));

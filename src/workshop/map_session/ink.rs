@@ -3,41 +3,41 @@
 /// One set of colours; those with four numbers are of cells: red, green, blue, opacity.
 #[derive(Debug)]
 pub(super) struct MapInk {
-    /// Where nothing is known.
+    /// Unknown area.
     pub unknown: &'static str,
-    /// A line every metre, and every cell where there is room for that.
+    /// Grid lines: every metre, and every cell where there is room.
     pub grid: &'static str,
-    /// Cells that are believed to be free.
+    /// Free cells of the map.
     pub free: [u8; 4],
-    /// Those of them that the robot believes to have cleaned.
+    /// Free cells that are cleaned by the robot's estimate.
     pub cleaned: [u8; 4],
-    /// Those of them that it can get to and hasn't cleaned yet.
+    /// Free cells that are reachable and not cleaned yet.
     pub left: [u8; 4],
-    /// Cells that are believed to be occupied.
+    /// Occupied cells of the map.
     pub occupied: [u8; 4],
     /// Occupied cells of a map by odometry alone.
     pub odometry: [u8; 4],
     /// The same as a line.
     pub odometry_line: &'static str,
-    /// Obstacles that are there.
+    /// Obstacles that exist.
     pub right: [u8; 4],
-    /// Obstacles where none is.
+    /// Obstacles that don't exist.
     pub phantom: &'static str,
-    /// Floor where an obstacle is.
+    /// Floor marked where an obstacle is.
     pub missed: &'static str,
     /// Obstacles that aren't on the map yet.
     pub unseen: &'static str,
-    /// What is true.
+    /// Ground truth.
     pub truth: &'static str,
     /// The robot's estimates.
     pub estimate: &'static str,
-    /// How sure it is.
+    /// The estimate's uncertainty.
     pub doubt: &'static str,
-    /// Where it is going, and where what it knows ends.
+    /// Goal, and frontiers.
     pub goal: &'static str,
-    /// Where it found dirt.
+    /// Dirt that it found.
     pub dirt: &'static str,
-    /// Sets lines off from any ground.
+    /// Contrast of lines with any background.
     pub halo: &'static str,
 }
 
@@ -84,7 +84,7 @@ const DARK: MapInk = MapInk {
 };
 
 impl MapInk {
-    /// The colours for dark or light ground.
+    /// The colours for a dark or light background.
     pub fn of(dark: bool) -> &'static Self {
         if dark { &DARK } else { &LIGHT }
     }

@@ -10,14 +10,14 @@ use robovac_sim::mapping::PoseCovariance;
 use wasm_bindgen::JsValue;
 use web_sys::CanvasRenderingContext2d;
 
-/// Standard deviations that are drawn: two hold 86 % of a normal distribution in the plane.
+/// Standard deviations that are drawn: two contain 86 % of a normal distribution in the plane.
 const DEVIATIONS: f64 = 2.0;
-/// Most particles that are drawn; of more, every few.
+/// Most particles that are drawn; of more, a regular selection.
 const MOST_PARTICLES: usize = 400;
-/// Widest half of a wedge, rad: beyond it the heading is anyone's guess.
+/// Widest half of a wedge, rad; beyond it the heading is unknown.
 const WIDEST: f64 = 3.0;
 
-/// A way, fading into the past.
+/// A trail, fading out.
 pub(super) fn trail(
     context: &CanvasRenderingContext2d,
     viewport: &Viewport,
@@ -43,7 +43,7 @@ pub(super) fn trail(
     context.set_global_alpha(1.0);
 }
 
-/// Pieces of unknown floor that could be gone for, from where they are entered.
+/// Frontiers, from where they can be entered.
 pub(super) fn frontiers(
     context: &CanvasRenderingContext2d,
     viewport: &Viewport,
@@ -69,7 +69,7 @@ pub(super) fn frontiers(
     Ok(())
 }
 
-/// The line that it will drive, and a ring at its end.
+/// The route, with a ring at its end.
 pub(super) fn route(
     context: &CanvasRenderingContext2d,
     viewport: &Viewport,
@@ -96,7 +96,7 @@ pub(super) fn route(
     Ok(())
 }
 
-/// A robot as a dashed circle with the way that it looks.
+/// A robot as a dashed circle with its heading.
 pub(super) fn ghost(
     context: &CanvasRenderingContext2d,
     (radius, viewport): (f64, &Viewport),
@@ -123,7 +123,7 @@ pub(super) fn ghost(
     Ok(())
 }
 
-/// Poses that are held possible, the fainter the less likely.
+/// Possible poses, fainter if less likely.
 pub(super) fn particles(context: &CanvasRenderingContext2d, viewport: &Viewport, poses: &[(Pose, f64)], colour: &str) {
     let most = poses.iter().map(|(_, weight)| *weight).fold(0.0, f64::max);
     context.set_stroke_style_str(colour);
@@ -142,7 +142,7 @@ pub(super) fn particles(context: &CanvasRenderingContext2d, viewport: &Viewport,
     context.set_global_alpha(1.0);
 }
 
-/// How sure the robot is: an ellipse around its estimated position, a wedge for its heading.
+/// The robot's uncertainty: an ellipse around its estimated position, a wedge for its heading.
 pub(super) fn doubt(
     context: &CanvasRenderingContext2d,
     (radius, viewport): (f64, &Viewport),

@@ -1,7 +1,7 @@
 //! Draws the Map tab: the estimate as cells, ground truth as lines over them, the robot on top.
 //!
-//! The cells are one picture with a pixel each, which is made anew at most some times a second while time goes on; all else
-//! is drawn every frame, but nothing at all if nothing has changed.
+//! The cells are one picture with a pixel each, which is updated at most some times a second while playing; everything
+//! else is drawn every frame, but nothing if nothing has changed.
 
 use super::{
     ink::MapInk,
@@ -26,7 +26,7 @@ use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, Path2d};
 
 /// Corners above which walls are left to the cells.
 const MOST_CORNERS: usize = 40_000;
-/// Milliseconds between two pictures of the cells while time goes on.
+/// Time between two pictures of the cells while playing, ms.
 const PICTURE_EVERY_MS: f64 = 90.0;
 /// Pixels per cell from which on the lines between cells are drawn.
 const GRID_FROM: f64 = 7.0;
@@ -36,13 +36,13 @@ pub(super) struct MapPainter {
     element: HtmlCanvasElement,
     context: CanvasRenderingContext2d,
     cells: CellPicture,
-    /// What the picture of the cells shows, and when it was made.
+    /// State of the picture of the cells, and its time.
     cells_of: Option<(ShownMap, f64)>,
     walls: Option<(Arc<FloorPlan>, Path2d)>,
     last: Option<(ShownMap, Viewport, Option<Pose>)>,
 }
 
-/// What is shown of which moment.
+/// State of the picture.
 #[derive(Debug, Clone, PartialEq)]
 struct ShownMap {
     version: u64,
@@ -59,20 +59,20 @@ impl MapPainter {
         Ok(Self { element, context, cells: CellPicture::new()?, cells_of: None, walls: None, last: None })
     }
 
-    /// Draws, if anything has changed; `held` is where somebody holds the robot.
+    /// Draws, if anything has changed; `held` is the pose of a lifted robot.
     pub fn draw(
         &mut self,
-        survey: &MapSession,
+        session: &MapSession,
         viewport: &Viewport,
         held: Option<Pose>,
         dark: bool,
     ) -> Result<(), JsValue> {
         let shown = ShownMap {
-            version: survey.version(),
-            // On the way back to a survey that was left, what was stored is shown.
-            steps: survey.run().filter(|_| survey.returned().is_none()).map_or(0, Run::steps),
-            returned: survey.returned().is_none(),
-            layers: survey.setup().layers.names(),
+            version: session.version(),
+            // While a stored run is restored, the stored map is shown.
+            steps: session.run().filter(|_| session.returned().is_none()).map_or(0, Run::steps),
+            returned: session.returned().is_none(),
+            layers: session.setup().layers.names(),
             dark,
         };
         let now = (shown.clone(), *viewport, held);
@@ -81,7 +81,7 @@ impl MapPainter {
         }
         self.last = Some(now);
         let ink = MapInk::of(dark);
-        self.update_cells(survey, shown, ink)?;
+        self.update_cells(session, shown, ink)?;
         let size = viewport.size * viewport.pixel_ratio;
         let (width, height) = (size.x.round().max(1.0) as u32, size.y.round().max(1.0) as u32);
         if (self.element.width(), self.element.height()) != (width, height) {
@@ -96,26 +96,26 @@ impl MapPainter {
         self.draw_cells(viewport)?;
         grid(&context, viewport, self.cells.resolution(), ink);
         self.draw_signs(viewport, ink)?;
-        if survey.setup().layers.has("truth") {
-            self.draw_truth(survey, viewport, ink)?;
+        if session.setup().layers.has("truth") {
+            self.draw_truth(session, viewport, ink)?;
         }
-        draw_robots(&context, survey, viewport, held, (ink, Palette::of(dark)))
+        draw_robots(&context, session, viewport, held, (ink, Palette::of(dark)))
     }
 
-    fn update_cells(&mut self, survey: &MapSession, shown: ShownMap, ink: &MapInk) -> Result<(), JsValue> {
+    fn update_cells(&mut self, session: &MapSession, shown: ShownMap, ink: &MapInk) -> Result<(), JsValue> {
         let now = clock();
         let is_new = match &self.cells_of {
             Some((drawn, _)) if *drawn == shown => false,
             Some((drawn, at)) => {
                 let goes_on =
-                    survey.phase() == MapPhase::Playing && (ShownMap { steps: shown.steps, ..drawn.clone() }) == shown;
+                    session.phase() == MapPhase::Playing && (ShownMap { steps: shown.steps, ..drawn.clone() }) == shown;
                 // Another frame will come.
                 !goes_on || now - at > PICTURE_EVERY_MS
             }
             None => true,
         };
         if is_new {
-            self.cells.update(survey, ink)?;
+            self.cells.update(session, ink)?;
             self.cells_of = Some((shown, now));
         }
         Ok(())
@@ -136,8 +136,8 @@ impl MapPainter {
         )
     }
 
-    /// What is wrong or was found, by signs of their own: × an obstacle that isn't there, □ one that was missed, · one that
-    /// isn't known yet, ● dirt.
+    /// Errors and dirt, by signs: × an obstacle that isn't there, □ one that was missed, · one that isn't known yet, ●
+    /// dirt.
     fn draw_signs(&self, viewport: &Viewport, ink: &MapInk) -> Result<(), JsValue> {
         let resolution = self.cells.resolution();
         let half = (0.5 * resolution * viewport.scale).max(1.5);
@@ -188,9 +188,9 @@ impl MapPainter {
         Ok(())
     }
 
-    /// Outlines of walls and of what stands in the room.
-    fn draw_truth(&mut self, survey: &MapSession, viewport: &Viewport, ink: &MapInk) -> Result<(), JsValue> {
-        let Some(plan) = survey.plan() else { return Ok(()) };
+    /// Outlines of walls and objects.
+    fn draw_truth(&mut self, session: &MapSession, viewport: &Viewport, ink: &MapInk) -> Result<(), JsValue> {
+        let Some(plan) = session.plan() else { return Ok(()) };
         if self.walls.as_ref().is_none_or(|(drawn, _)| !Arc::ptr_eq(drawn, plan)) {
             self.walls = Some((Arc::clone(plan), truth_path(plan)?));
         }
@@ -201,7 +201,7 @@ impl MapPainter {
         context.save();
         context.set_transform(scale, 0.0, 0.0, -scale, origin.x, origin.y)?;
         context.set_line_join("round");
-        // Thin, and without a ground of its own: what the robot believes lies right below.
+        // Thin, and without contrast, as the robot's estimate lies right below.
         context.set_line_width(1.25 / viewport.scale);
         context.set_stroke_style_str(ink.truth);
         context.stroke_with_path(path);
@@ -210,7 +210,7 @@ impl MapPainter {
     }
 }
 
-/// Outlines of what stops a robot, in metres.
+/// Outlines of obstacles, in metres.
 fn truth_path(plan: &FloorPlan) -> Result<Path2d, JsValue> {
     let path = Path2d::new()?;
     let line = |points: &mut dyn Iterator<Item = Point>| {
@@ -266,25 +266,25 @@ fn grid(context: &CanvasRenderingContext2d, viewport: &Viewport, resolution: f64
     }
 }
 
-/// Trails, doubts, and the robot: solid at the estimated pose, in outline at the true one.
+/// Trails, uncertainty, and the robot: solid at the estimated pose, in outline at the true one.
 fn draw_robots(
     context: &CanvasRenderingContext2d,
-    survey: &MapSession,
+    session: &MapSession,
     viewport: &Viewport,
     held: Option<Pose>,
     (ink, palette): (&MapInk, &Palette),
 ) -> Result<(), JsValue> {
-    let (Some(run), Some(prepared), Some(estimate)) = (survey.run(), survey.prepared(), survey.estimate()) else {
+    let (Some(run), Some(prepared), Some(estimate)) = (session.run(), session.prepared(), session.estimate()) else {
         return Ok(());
     };
-    let has = |layer: &str| survey.setup().layers.has(layer);
+    let has = |layer: &str| session.setup().layers.has(layer);
     let model = &prepared.robot;
     let view = RobotView { is_lifted: false, ..RobotView::of(run, model, false) };
     let solid = |pose: Pose, is_lifted: bool| {
         let view = RobotView { pose, is_lifted, ..view };
         robot::draw(context, palette, &view, viewport.to_screen(pose.position()), viewport.scale)
     };
-    if let (Some(pose), true) = (estimate.pose(), survey.returned().is_some()) {
+    if let (Some(pose), true) = (estimate.pose(), session.returned().is_some()) {
         return solid(pose, false);
     }
     let robot = (model.radius, viewport);
@@ -308,7 +308,7 @@ fn draw_robots(
     if has("robot") && held.is_none() {
         marks::ghost(context, robot, run.pose(), (ink.truth, ink.halo, [6.0, 4.0]))?;
     }
-    // Who is lost has many.
+    // A lost robot has many possible poses.
     if has("particles") || estimate.is_sure() == Some(false) {
         marks::particles(context, viewport, &estimate.particles(), ink.estimate);
     }
@@ -316,7 +316,7 @@ fn draw_robots(
         marks::doubt(context, robot, pose, &spread, (ink.doubt, ink.estimate))?;
     }
     if let Some(pose) = estimate.pose() {
-        // Of a place that it only guesses, a shadow.
+        // An uncertain pose is drawn faintly.
         if held.is_some() || estimate.is_sure() == Some(false) {
             context.set_global_alpha(0.45);
         }

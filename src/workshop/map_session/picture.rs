@@ -7,21 +7,21 @@ use robovac_core::{
     grid::{Cell, Occupancy},
 };
 use robovac_playground::canvas::layer::OffscreenLayer;
-use robovac_sim::mapping::{Mapper, Mark, OccupancyMap};
+use robovac_sim::mapping::{CellMark, Mapper, OccupancyMap};
 use wasm_bindgen::JsValue;
 
 /// Log odds at which an obstacle has its full colour, and the same for floor.
 const SURE: f64 = 1.5;
-/// Longest side of a picture, cells; what lies beyond isn't drawn.
+/// Longest side of a picture, cells; cells beyond aren't drawn.
 const MOST_SIDE: i32 = 4096;
 
-/// A picture of the cells, and where it lies.
+/// A picture of the cells, and its position.
 pub(super) struct CellPicture {
     pub layer: OffscreenLayer,
     low: Cell,
     size: [i32; 2],
     resolution: f64,
-    /// Cells to be marked with a sign, for those who don't tell the colours apart.
+    /// Cells to be marked with a sign, in addition to their colour.
     pub signs: Vec<(Cell, Sign)>,
 }
 
@@ -40,17 +40,17 @@ impl CellPicture {
         Ok(Self { layer: OffscreenLayer::new(1, 1)?, low, size, resolution: 1.0, signs: Vec::new() })
     }
 
-    /// Draws what the robot believes now.
-    pub fn update(&mut self, survey: &MapSession, ink: &MapInk) -> Result<(), JsValue> {
+    /// Draws the robot's present estimate.
+    pub fn update(&mut self, session: &MapSession, ink: &MapInk) -> Result<(), JsValue> {
         self.signs.clear();
-        let (Some(estimate), Some(truth)) = (survey.estimate(), survey.truth()) else {
+        let (Some(estimate), Some(truth)) = (session.estimate(), session.truth()) else {
             self.size = [0; 2];
             return Ok(());
         };
-        let layers = survey.setup().layers;
+        let layers = session.setup().layers;
         let map = estimate.map;
         let (mut low, mut high) = truth.bounds();
-        let baseline = survey.run().and_then(robovac_sim::Run::baseline).filter(|_| layers.has("odometry"));
+        let baseline = session.run().and_then(robovac_sim::Run::baseline).filter(|_| layers.has("odometry"));
         for (a, b) in [Some(map), baseline.map(Mapper::map)].into_iter().flatten().filter_map(OccupancyMap::bounds) {
             low = Cell::new(low.x.min(a.x), low.y.min(a.y));
             high = Cell::new(high.x.max(b.x), high.y.max(b.y));
@@ -59,8 +59,8 @@ impl CellPicture {
         (self.low, self.size, self.resolution) = (low, size, map.resolution());
 
         let [shows_belief, shows_cleaned, compares] = ["belief", "cleaned", "difference"].map(|name| layers.has(name));
-        let is_back = survey.returned().is_none();
-        let intent = survey.run().and_then(robovac_sim::Run::intent).filter(|_| is_back && layers.has("left"));
+        let is_back = session.returned().is_none();
+        let intent = session.run().and_then(robovac_sim::Run::intent).filter(|_| is_back && layers.has("left"));
         let reach = intent.and_then(|intent| intent.reach);
         let mut pixels = Vec::with_capacity((size[0] * size[1] * 4) as usize);
         for y in (low.y..low.y + size[1]).rev() {
@@ -69,16 +69,16 @@ impl CellPicture {
                 let odds = map.log_odds(cell);
                 let mut colour = [0; 4];
                 if shows_belief && odds != 0.0 {
-                    let is_clean = shows_cleaned && estimate.marks.has(cell, Mark::Cleaned);
+                    let is_clean = shows_cleaned && estimate.marks.has(cell, CellMark::Cleaned);
                     colour = match odds {
                         odds if odds > 0.0 => faded(ink.occupied, odds),
                         _ if is_clean => faded(ink.cleaned, -odds),
                         _ => faded(ink.free, -odds),
                     };
-                } else if shows_cleaned && estimate.marks.has(cell, Mark::Cleaned) {
+                } else if shows_cleaned && estimate.marks.has(cell, CellMark::Cleaned) {
                     colour = ink.cleaned;
                 }
-                if reach.is_some_and(|reach| reach.get(cell)) && !estimate.marks.has(cell, Mark::Cleaned) {
+                if reach.is_some_and(|reach| reach.get(cell)) && !estimate.marks.has(cell, CellMark::Cleaned) {
                     colour = ink.left;
                 }
                 if baseline.is_some_and(|other| other.map().occupancy(cell) == Occupancy::Occupied) {
@@ -95,7 +95,7 @@ impl CellPicture {
             }
         }
         if layers.has("dirt") {
-            self.signs.extend(estimate.marks.cells(Mark::Dirty).map(|cell| (cell, Sign::Dirt)));
+            self.signs.extend(estimate.marks.cells(CellMark::Dirty).map(|cell| (cell, Sign::Dirt)));
         }
         self.layer.clear(size[0] as u32, size[1] as u32);
         self.layer.put_rows(&pixels, size[0] as u32, 0)
@@ -106,7 +106,7 @@ impl CellPicture {
         self.resolution
     }
 
-    /// Where it lies: its upper left corner, width and height, m; `None` while there is nothing.
+    /// Its position: upper left corner, width and height, m; `None` if it is empty.
     pub fn place(&self) -> Option<(Point, [f64; 2])> {
         let [width, height] = self.size.map(|cells| f64::from(cells) * self.resolution);
         let (left, bottom) = (f64::from(self.low.x) * self.resolution, f64::from(self.low.y) * self.resolution);
@@ -114,7 +114,7 @@ impl CellPicture {
     }
 }
 
-/// The colour, the fainter the less sure.
+/// The colour, fainter if less certain.
 fn faded([red, green, blue, opacity]: [u8; 4], odds: f64) -> [u8; 4] {
     let share = 0.15 + 0.85 * (odds / SURE).clamp(0.0, 1.0);
     [red, green, blue, (f64::from(opacity) * share) as u8]

@@ -1,4 +1,4 @@
-//! The behaviours: what their authors print, what the registry claims, and that nobody falls.
+//! The behaviours: the printed rules of their authors, the claims of the registry, and that no robot falls.
 
 mod contract;
 mod docking;

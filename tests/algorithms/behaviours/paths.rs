@@ -1,4 +1,4 @@
-//! Whoever follows a planned path minds edges, too: with wheels that slip, it isn't where it believes to be.
+//! Followers of planned paths avoid edges, even if the wheels slip and the estimated pose is wrong.
 
 use super::{stairs::rooms, support::conditions};
 use robovac_core::{

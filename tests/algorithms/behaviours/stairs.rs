@@ -1,4 +1,4 @@
-//! Nobody falls down the stairs, in any room, with any robot, whatever the noise.
+//! No robot falls down the stairs, in any room, with any noise.
 
 use super::support::{conditions, lay_out_from, run_with};
 use rand::RngExt;
@@ -35,14 +35,15 @@ pub fn rooms() -> Vec<FloorPlan> {
     ]
 }
 
-/// Somebody who plays with the joystick, but doesn't know better than to do it near stairs.
+/// Random joystick commands near stairs.
 fn play(run: &mut Run, rng: &mut Rng, backward: bool) {
     let least = if backward { -1.0 } else { 0.0 };
     let command = Joystick { forward: rng.random_range(least..1.0), left: rng.random_range(-1.0..1.0) };
     run.apply(Input::Command(command));
 }
 
-/// Drives all behaviours with all robots in all of these rooms; tells who fell, or had a wheel over an edge, and where.
+/// Drives all behaviours with all robots in all of these rooms; returns those that fell, or had a wheel over an edge,
+/// with the places.
 fn falls(seeds: std::ops::Range<u64>, minutes: f64) -> (u32, Vec<String>, Vec<String>) {
     let (mut runs, mut fallen, mut wheels) = (0, Vec::new(), Vec::new());
     for plan in rooms() {

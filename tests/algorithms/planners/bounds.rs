@@ -9,7 +9,7 @@ use robovac_core::{
     rng::seeded,
 };
 
-/// What the best of all walks costs, by trying them all: Dijkstra's search with a bucket a cost over (cells visited, cell,
+/// Cost of the optimal walk, by exhaustive search: Dijkstra's search with a bucket a cost over (cells visited, cell,
 /// direction), once for every first step.
 pub fn best(job: &CoverageJob, objective: Objective) -> usize {
     let cells: Vec<Cell> = job.free.iter().filter(|&(_, &free)| free).map(|(cell, _)| cell).collect();
@@ -233,7 +233,7 @@ fn best_known_walks_are_above() {
     }
 }
 
-/// What the relaxation reaches in a small part of the time that it may take.
+/// The bound after a small part of the possible work.
 #[test]
 fn relaxations_of_measured_rooms_get_near_the_best_known_walks() {
     // Proven optimal but for the clutter and the halls; on `c_` 98.5 % of the best bound known.

@@ -1,4 +1,4 @@
-//! What the planners say of themselves, by measurement.
+//! The texts of the planners, checked by measurement.
 
 use coverage_planners::{CoverageJob, PLANNERS, PlanContext, PlannerClaims, PlannerInfo, metrics::WalkMetrics};
 use robovac_core::{floor_plan::room, registry::Params, robot::model};

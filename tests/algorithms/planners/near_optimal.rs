@@ -9,7 +9,7 @@ use robovac_core::{
     rng::seeded,
 };
 
-/// What is asked for: where walks end, and the steps that a quarter turn counts as, 0 for the robot's time.
+/// The objective: where walks end, and the steps that a quarter turn counts as, 0 for the robot's time.
 type Asked = (Finish, f64);
 
 const ASKED: [Asked; 8] = [

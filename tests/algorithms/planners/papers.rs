@@ -1,4 +1,4 @@
-//! What the papers say of their algorithms.
+//! Statements of the papers about their algorithms.
 
 use coverage_planners::{CoverageJob, CoveragePath, PlanContext, TraceStep, find, metrics::WalkMetrics};
 use proptest::prelude::*;

@@ -1,4 +1,4 @@
-//! What holds for every planner in rooms that nobody has thought of.
+//! Properties of every planner in random rooms.
 
 use super::support::build;
 use coverage_planners::{CoverageJob, PLANNERS, PlanContext, metrics::WalkMetrics};

@@ -1,4 +1,4 @@
-// What is behind the ports of fake.js, and a bridge: WebSockets that lead to robots' terminals.
+// The robots behind the ports of fake.js, and a bridge: WebSockets that lead to robots' terminals.
 import { execFileSync } from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
@@ -59,6 +59,7 @@ export function fakeFiles(config) {
   return {
     "/fake.js": `const FAKE = ${JSON.stringify(config)};\n${read(path.join(HERE, "fake.js"))}`,
     "/desk.html": read(path.join(HERE, "page.html")).replace('<script type="module">', '<script src="/fake.js"></script>$&'),
-    "/www/connection/worker.js": `import "/fake.js";\n${read(path.join(DIST, "www/connection/worker.js"))}`,
+    // Each worker that opens ports.
+    ...Object.fromEntries(["worker.js", "line-worker.js"].map((name) => [`/www/connection/${name}`, `import "/fake.js";\n${read(path.join(DIST, "www/connection", name))}`])),
   };
 }

@@ -100,8 +100,8 @@ export async function openHidable(t, { robot }) {
 }
 
 /**
- * Tells Chromium, as udev would, that the adapter was plugged in ("add") or out ("remove"). That takes root and Python; without,
- * the page has to find out by itself, as on systems without udev.
+ * Notifies Chromium, as udev would, that the adapter was plugged in ("add") or out ("remove"). That takes root and
+ * Python; without, the page has to find out by itself, as on systems without udev.
  */
 export async function udev(t, action) {
   try {
@@ -111,7 +111,7 @@ export async function udev(t, action) {
   }
 }
 
-/** What a person at the desk does and sees. */
+/** Actions and observations of a person at the desk. */
 export class FloorPlanTab {
   constructor(tab, server) {
     this.tab = tab;

@@ -75,6 +75,11 @@ export class Robot {
     return this.#until(() => this.heard().at(-1)?.opcode === opcode);
   }
 
+  /** Waits until it stands still. */
+  rests() {
+    return this.#until(() => this.isAtRest());
+  }
+
   /** A line of the log after the other: time in s, kind, and the rest as words. */
   #lines() {
     return fs
@@ -85,7 +90,7 @@ export class Robot {
       .map(([, clock_ms, kind, ...words]) => ({ time: Number(clock_ms) / 1000, kind, words }));
   }
 
-  /** What it has heard, a command after the other: `{ time, opcode, data }`. */
+  /** The received commands in order: `{ time, opcode, data }`. */
   heard() {
     const commands = this.#lines().filter(({ kind }) => kind === "command" || kind === "ignored");
     return commands.slice(this.#forgotten).map(({ time, words }) => {
@@ -94,12 +99,12 @@ export class Robot {
     });
   }
 
-  /** What was heard until now counts no longer. */
+  /** Discards the commands received so far. */
   forget() {
     this.#forgotten += this.heard().length;
   }
 
-  /** Whether it is told to stand still, and does. */
+  /** Whether it is commanded to stand still, and does. */
   isAtRest() {
     const { words } = this.#lines().findLast(({ kind }) => kind === "wheels") ?? { words: [] };
     return /^asked left -?0 right -?0 mm\/s, at rest$/.test(words.join(" "));

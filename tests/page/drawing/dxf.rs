@@ -1,4 +1,4 @@
-//! What is drawn in a DXF.
+//! The drawn content of DXFs.
 
 use super::support::{drawn, dxf, entities, rounded, strokes};
 use floor_drawing::Role;
@@ -33,7 +33,7 @@ fn lines_on_layers_with_colours_and_roles() {
         ]
     );
     assert_eq!(drawing.strokes.iter().map(|s| s.entity).collect::<Vec<_>>(), [1, 2, 3, 4, 5]);
-    assert_eq!(drawing.left_out, ["1 texts"]);
+    assert_eq!(drawing.left_out, ["texts (1)"]);
 }
 
 #[test]
@@ -62,7 +62,7 @@ fn control_points_of_smoothed_polylines_and_meshes_are_no_corners() {
                   0 VERTEX 10 1 20 0 70 8 0 SEQEND 0 POLYLINE 70 64 0 VERTEX 10 0 20 0 70 192 0 SEQEND";
     let drawing = drawn(&entities(smooth)).unwrap();
     assert_eq!(rounded(&drawing), [(0.0, 0.0), (1.0, 0.0)]);
-    assert_eq!(drawing.left_out, ["1 meshes"]);
+    assert_eq!(drawing.left_out, ["meshes (1)"]);
 }
 
 #[test]
@@ -73,7 +73,7 @@ fn extrusion_downwards_mirrors_what_has_a_plane_of_its_own() {
     assert_eq!(rounded(&drawn(&entities(line)).unwrap()), [(2.0, 0.0), (3.0, 0.0)]);
     let tilted = "0 CIRCLE 8 0 10 2 20 0 40 1 210 1 220 0 230 0";
     let drawing = drawn(&entities(&format!("{line} {tilted}"))).unwrap();
-    assert_eq!((drawing.strokes.len(), drawing.left_out), (1, vec!["1 entities in tilted planes".to_owned()]));
+    assert_eq!((drawing.strokes.len(), drawing.left_out), (1, vec!["entities in tilted planes (1)".to_owned()]));
 }
 
 const BLOCKS: &str = "0 BLOCK 8 0 2 SEAT 70 0 10 1 20 1 0 LINE 8 0 10 1 20 1 11 2 21 1 0 LINE 8 TOP 10 1 20 1 11 1 21 2 0 ENDBLK \
@@ -117,12 +117,12 @@ fn what_is_not_in_model_space_is_left_out() {
     assert_eq!(
         drawing.left_out,
         [
-            "1 dimensions",
-            "1 entities in paper space",
-            "2 hatches",
-            "1 hidden entities",
-            "1 inserts of blocks that aren't in the file",
-            "1 texts"
+            "dimensions (1)",
+            "entities in paper space (1)",
+            "hatches (2)",
+            "hidden entities (1)",
+            "inserts of blocks that aren't in the file (1)",
+            "texts (1)"
         ]
     );
 }

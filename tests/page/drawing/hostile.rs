@@ -26,7 +26,7 @@ fn other_files_are_called_by_their_name() {
 #[test]
 fn nothing_to_draw_is_said_with_what_there_is() {
     assert!(refusal(entities("")).contains("nothing in the drawing can be used;"));
-    assert!(refusal(entities("0 TEXT 1 a 0 TEXT 1 b")).contains("nothing in the drawing can be used, only 2 texts;"));
+    assert!(refusal(entities("0 TEXT 1 a 0 TEXT 1 b")).contains("nothing in the drawing can be used, only texts (2);"));
 }
 
 #[test]

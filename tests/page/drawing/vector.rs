@@ -47,7 +47,7 @@ fn groups_are_layers_and_transforms_and_uses_are_resolved() {
     let expected = [(5.0, 90.0), (6.0, 90.0), (6.0, 89.0), (30.0, 60.0), (40.0, 60.0), (40.0, 40.0), (30.0, 40.0)];
     assert_eq!(rounded(&drawing), expected);
     assert_eq!(drawing.strokes.iter().map(|s| s.is_closed).collect::<Vec<_>>(), [false, true]);
-    assert_eq!(drawing.left_out, ["1 texts"]);
+    assert_eq!(drawing.left_out, ["texts (1)"]);
 }
 
 #[test]
@@ -85,7 +85,7 @@ fn degrees_become_metres_around_their_middle() {
     let size = drawing.points[2] - drawing.points[0];
     assert!((size.y - 111.195).abs() < 0.001 && (size.x - 55.597).abs() < 0.01, "{size}");
     assert_eq!((drawing.strokes[0].is_closed, drawing.strokes[1].is_closed), (true, false));
-    assert_eq!(drawing.left_out, ["1 points"]);
+    assert_eq!(drawing.left_out, ["points (1)"]);
 }
 
 #[test]
@@ -112,7 +112,7 @@ fn what_a_crs_calls_metres_need_not_be_any() {
         let metre = crs(name, [1e6, 6_446_275.0], 31.1).metre.unwrap();
         assert!((metre - 50.0_f64.to_radians().cos()).abs() < 1e-4, "{metre}");
     }
-    // Degrees stay degrees in systems that nobody here has heard of: a fifth of a thousandth of one is 22 m.
+    // In unknown coordinate systems degrees stay degrees: a fifth of a thousandth of one is 22 m.
     let australia = crs("urn:ogc:def:crs:EPSG::4283", [151.0, -33.0], 0.0002);
     let height = australia.points[2].y - australia.points[0].y;
     assert!(australia.metre == Some(1.0) && (height - 22.24).abs() < 0.01, "{height}");

@@ -1,4 +1,4 @@
-//! Scenario files: what is taken in, what is refused and how that is told, and that the schema says the same.
+//! Scenario files: accepted and refused ones with their errors, and agreement with the schema.
 
 mod schema;
 
@@ -163,7 +163,7 @@ fn assert_refused(cases: &[Case], read: impl Fn(&str) -> Option<String>) {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// Refusals that a schema can tell as well, so it must.
+/// Refusals that a schema can express, too, so it must.
 const STRUCTURE: &[Case] = &[
     (
         "\"version\": 2",

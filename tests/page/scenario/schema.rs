@@ -1,4 +1,4 @@
-//! As much of JSON Schema as ours uses, so that the schema and the reader can be held against each other.
+//! The part of JSON Schema that ours uses, to compare the schema with the reader.
 
 use serde_json::Value;
 

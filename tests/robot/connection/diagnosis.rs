@@ -1,4 +1,4 @@
-//! What is found out about every kind of robot.
+//! The diagnosis of every kind of robot.
 
 use super::wire::{Wire, hall, moves, setup_in};
 use robovac_link::{connection::Request, emulator::PERSONALITIES};

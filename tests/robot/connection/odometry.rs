@@ -69,7 +69,7 @@ fn on_frames(mut change: impl FnMut(&[u8]) -> Vec<u8> + 'static) -> Fault {
     })
 }
 
-/// The distance that a frame tells, if it does, mm.
+/// The distance in a frame, if any, mm.
 fn distance(frame: &[u8]) -> Option<i32> {
     let frame = StreamFrame::parse(frame).unwrap();
     frame.values().find(|&(packet, _)| packet == Packet::Distance).map(|(packet, raw)| packet.value(raw))
@@ -115,7 +115,7 @@ fn a_lost_frame_loses_its_distance_and_only_by_packets() {
         let lost = Rc::new(RefCell::new(0));
         let shared = Rc::clone(&lost);
         wire.fault = Some(on_frames(move |frame| match distance(frame) {
-            // One that tells of a way at full speed.
+            // One with a motion at full speed.
             Some(mm) if *shared.borrow() == 0 && (mm > 40 || !is_lost && mm > 2) => {
                 *shared.borrow_mut() = mm;
                 Vec::new()
@@ -177,7 +177,7 @@ fn odometry_is_chosen_while_nothing_drives_and_survives_a_break() {
     ride(&mut wire, AHEAD);
     let (metres, _) = off(&mut wire);
     assert!(wire.view().odometry == "packet_arc" && metres < 0.1, "{metres}");
-    // What it did while nobody asked isn't taken for a step.
+    // Motion between requests isn't taken as a jump.
     wire.ask(Request::Odometry { model: OdometryModel::Straight });
     ride(&mut wire, &[(3.0, 2.5), (3.2, 2.5)]);
     let before = wire.view().pose;

@@ -77,6 +77,26 @@ fn a_page_that_hangs_stops_a_ride_in_time_and_lets_the_robot_go() {
 }
 
 #[test]
+fn a_page_that_is_slow_slows_the_robot_but_keeps_control() {
+    let mut wire = riding();
+    for _ in 0..40 {
+        wire.page_lives = false;
+        wire.pass(0.3);
+        wire.page_lives = true;
+        wire.pass(0.1);
+    }
+    let view = wire.view();
+    assert!(!view.ride.as_ref().unwrap().done && view.mode == "Safe" && view.is_slowed, "{:?}", view.notice);
+    assert!(view.doing.note.contains("responds slowly"), "{:?}", view.doing);
+    let before = wire.view().distance_m;
+    wire.pass(2.0);
+    assert!(wire.view().distance_m > before, "it drives on");
+    // A quick page gets the whole speed back.
+    wire.pass(20.0);
+    assert!(!wire.view().is_slowed);
+}
+
+#[test]
 fn a_hidden_page_stops_at_once() {
     let mut wire = riding();
     wire.link.leave(wire.now, "The tab was hidden.");
@@ -192,7 +212,7 @@ fn a_robot_that_falls_silent_is_told_to_stop_again_and_again() {
 #[test]
 fn a_robot_that_lost_the_stop_is_told_again() {
     let mut wire = riding();
-    // Somebody else's bytes: the robot is told to drive behind the driver's back.
+    // Bytes of another program: the robot is commanded to drive without the driver.
     wire.ask(Request::Stop);
     wire.pass(1.0);
     wire.robot.receive(&[145, 0, 100, 0, 100], 115_200);
@@ -333,7 +353,7 @@ fn stop_is_sent_while_it_is_still_found_out_who_is_there() {
     wire.pass(1.0);
     assert!(wire.is_rolling());
     wire.link.opened(wire.now);
-    // What the line begins with is lost.
+    // The first bytes of the line are lost.
     let _ = wire.link.take_tx();
     wire.pass(0.1);
     assert!(wire.is_rolling());

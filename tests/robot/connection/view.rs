@@ -1,4 +1,4 @@
-//! What the page is shown: decoded readings, captions, decisions.
+//! The view model: decoded readings, captions, allowed actions.
 
 use super::wire::{Wire, flat, roomba, setup_in};
 use robovac_app::connection::{LiveMapWords, StartPlace};
@@ -178,10 +178,10 @@ fn the_live_map_is_told_in_words() {
     };
     assert_eq!(
         map.to_string(),
-        "Live map of Flat: the robot is estimated to be at 1.00 m, -0.50 m, heading 180 degrees, in mode Safe, driven by \
-         you. It has swept 25 % of the reachable floor, bumped 2 times and seen 1 cliffs."
+        "Live map of Flat: estimated position 1.00 m, -0.50 m, heading 180 degrees, mode Safe, driven by you. The robot has \
+         swept 25 % of the reachable floor; 2 bumps, 1 cliff."
     );
     let blank = LiveMapWords { driver: "", mode: "", coverage: None, ..map };
-    assert!(blank.to_string().contains("in mode unknown. It has swept 3.0 square metres"), "{blank}");
+    assert!(blank.to_string().contains("mode unknown. The robot has swept 3.0 square metres"), "{blank}");
     assert_eq!(LiveMapWords { estimate: None, ..map }.to_string(), "Live map of Flat: no robot yet");
 }

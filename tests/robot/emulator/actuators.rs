@@ -163,7 +163,7 @@ fn the_schedule_makes_it_clean_when_its_time_has_come() {
     assert!(!lab.robot.is_on_errand());
     lab.wait(20.0);
     assert!(lab.robot.is_on_errand());
-    // Not while somebody has it in Safe.
+    // Not while it is controlled in Safe.
     let mut lab = Lab::in_mode(Mode::Safe);
     lab.send(&schedule);
     lab.send(&[168, 1, 0, 0]);

@@ -1,4 +1,4 @@
-//! What it does by itself: Clean, Spot, Max, Seek Dock.
+//! The robot's built-in programs: Clean, Spot, Max, Seek Dock.
 
 use super::support::{Lab, plan};
 use robovac_core::{

@@ -84,7 +84,7 @@ fn off_answers_nothing_and_start_beeps_only_there() {
     assert_eq!(lab.ask(35), [1]);
     lab.send(&[128]);
     assert!(lab.robot.take_display().tunes.is_empty());
-    // What was asked for before Stop is still answered.
+    // Queries before Stop are still answered.
     lab.send(&[142, 35, 173]);
     lab.wait(0.1);
     assert_eq!((lab.take(), lab.robot.take_display().tunes.len()), (vec![1], 1));

@@ -150,7 +150,7 @@ fn the_stream_comes_every_15_ms_to_the_byte() {
 }
 
 impl Lab {
-    /// Packet 38, asked while a stream runs.
+    /// Packet 38, queried during a stream.
     fn value_in_stream(&mut self) -> u8 {
         self.send(&[150, 0]);
         self.wait(0.1);

@@ -31,7 +31,7 @@ fn commands_and_pulses_restart_the_five_minutes() {
         }
     }
     assert!(lab.robot.is_awake());
-    // What it sends is no activity, and neither is a command that it ignores.
+    // Its own output isn't activity, and neither is a command that it ignores.
     lab.send(&[148, 1, 35]);
     lab.wait(200.0);
     lab.command(Command::Drive { velocity: 100, radius: STRAIGHT });

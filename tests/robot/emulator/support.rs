@@ -37,7 +37,7 @@ pub fn setup(plan: FloorPlan, conditions: Conditions, seed: u64) -> RunSetup {
 /// Robot and host.
 pub struct Lab {
     pub robot: Emulator,
-    /// What the host has heard.
+    /// Bytes received by the host.
     pub heard: Vec<u8>,
     pub baud: u32,
 }
@@ -89,7 +89,7 @@ impl Lab {
         self.robot.transmit(self.baud, &mut self.heard);
     }
 
-    /// What has been heard since this was last asked for.
+    /// Bytes received since the last call.
     pub fn take(&mut self) -> Vec<u8> {
         std::mem::take(&mut self.heard)
     }

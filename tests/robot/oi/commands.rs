@@ -195,7 +195,7 @@ proptest! {
             for mode in Mode::ALL {
                 prop_assert_eq!(mode.after_command(command.opcode()).is_some(), command.opcode().allowed_in(mode));
             }
-            // What is refused as it is, is refused when written, and the other way round.
+            // Commands that check refuses are refused when written, and vice versa.
             let mut buffer = [0; 1000];
             let written = command.encode(&mut buffer);
             prop_assert_eq!(written.is_ok(), command.check().is_ok());

@@ -8,7 +8,7 @@ use std::ops::Range;
 /// Where a frame is, and what it holds.
 type Found = (Range<usize>, Vec<(Packet, u16)>);
 
-/// What the parser is held to: try at each byte outside of the frame before.
+/// The reference for the parser: try each byte outside of the frame before.
 fn reference(bytes: &[u8]) -> Vec<Found> {
     let (mut at, mut found) = (0, Vec::new());
     while at < bytes.len() {

@@ -4,7 +4,7 @@ use roomba_oi::{
     MAX_LINE, Packet, PacketId, Readings, Said, StreamEvent, StreamFrame, StreamParser, slot_bytes, write_frame,
 };
 
-/// What a stream turned out to be, for comparison.
+/// The classified content of a stream, for comparison.
 #[derive(Debug, PartialEq, Default)]
 pub struct Heard {
     pub frames: Vec<Vec<(Packet, u16)>>,

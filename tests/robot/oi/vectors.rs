@@ -13,7 +13,7 @@ fn opcode(number: &Value) -> Opcode {
     Opcode::from_byte(number.as_u64().unwrap() as u8).unwrap()
 }
 
-/// What a command holds, in the words of the vectors.
+/// The fields of a command, in the words of the vectors.
 fn arguments(command: Command<'_>) -> Value {
     match command {
         Command::Baud { code } => json!({"code": code, "bps": BAUD_RATES[usize::from(code)]}),
@@ -51,7 +51,7 @@ fn arguments(command: Command<'_>) -> Value {
     }
 }
 
-/// What a packet holds, in the words of the vectors: named bits, or the value.
+/// The fields of a packet, in the words of the vectors: named bits, or the value.
 fn decoded(packet: Packet, readings: &Readings) -> Value {
     let (b, o, l) = (readings.bumps, readings.overcurrents, readings.light_bumper);
     let (u, c, s) = (readings.buttons, readings.chargers, readings.stasis);

@@ -1,4 +1,4 @@
-//! How a cell's sides can be used, and the fewest turns that it takes.
+//! The possible uses of a cell's sides, and the fewest turns of each.
 //!
 //! A *use* of a cell's sides says how often each is crossed. Passages pair crossings off; straight ones take no turn, bent
 //! ones one and those back through the same side two. With prices, what a use costs is linear in the crossings, plus turn x
@@ -11,12 +11,12 @@
 //! is crossed more than three times has at most two passages to each of the three others and one half for each end of the
 //! walk: eight crossings at most. So the uses that matter are finite, and listed once.
 
-/// Labels of a side: 0 if it isn't crossed, 1 for an odd, 2 for an even number of crossings. Telling one from three would
-/// cost time and gain nothing: without need of turning, nothing is crossed that often.
+/// Labels of a side: 0 if it isn't crossed, 1 for an odd, 2 for an even number of crossings. Distinguishing one from
+/// three would cost time and gain nothing: a side is crossed that often only for the sake of turns.
 pub(super) const LABELS: usize = 3;
 /// Labels of all four sides.
 pub(super) const LABELLINGS: usize = LABELS.pow(4);
-/// No use that matters has more crossings of one side.
+/// Most crossings of one side in a use that matters.
 const MOST: usize = 8;
 
 /// A use of the four sides.
@@ -31,16 +31,16 @@ pub(super) struct Use {
 /// Per labelling, the uses that may be cheapest. The label of side s is the digit of weight [`LABELS`]^s.
 pub(super) type Uses = Vec<Vec<Use>>;
 
-/// What ends of the walk a cell has.
+/// The uses of a cell, by the walk's ends that it contains.
 #[derive(Debug)]
 pub(super) struct Crossings {
-    /// Uses without, and with the walk's end here.
+    /// Uses without and with the walk's end here.
     pub plain: [Uses; 2],
-    /// The same with the walk's beginning here.
+    /// The same with the walk's start here.
     pub begun: [Uses; 2],
 }
 
-/// Fewest turns per use, [`NEVER`] if there's no such use.
+/// Fewest turns per use; [`NEVER`] if no such use exists.
 struct Turns(Vec<u8>);
 
 const NEVER: u8 = u8::MAX;
@@ -93,7 +93,7 @@ impl Turns {
         Self(turns)
     }
 
-    /// The same and half a passage, which crosses one side and takes so many turns.
+    /// The same plus half a passage, which crosses one side and takes the given number of turns.
     fn with_half(&self, turns: [u8; 4]) -> Self {
         let fewest = |crossings: [usize; 4]| {
             let rest =
@@ -118,7 +118,7 @@ impl Turns {
                     if a == b { is_thinned_by(&[a, a], fewer) } else { is_thinned_by(&[a, a, b, b], 2 * fewer) }
                 })
             };
-            // Nothing is no visit.
+            // An empty use isn't a visit.
             if turns != NEVER && crossings != [0; 4] && !can_be_thinned() {
                 let crossings = crossings.map(|count| count as u8);
                 uses[labels_index(labels)].push(Use { crossings, turns });

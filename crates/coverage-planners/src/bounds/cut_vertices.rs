@@ -2,7 +2,7 @@
 
 use super::graph::{Graph, NONE};
 
-/// The cells in the order of a depth-first search from the start, with what hangs on each.
+/// The cells in the order of a depth-first search from the start, with the parts that each cell cuts off.
 ///
 /// In a depth-first search, what is reached through a child of c is cut off by c's removal if none of it has a neighbour
 /// that was found before c (Hopcroft & Tarjan 1973, Algorithm 447). If c isn't the root, c's removal leaves one part for
@@ -10,11 +10,11 @@ use super::graph::{Graph, NONE};
 pub(super) struct CutVertices {
     /// Cells in the order in which they were found, the start first.
     order: Vec<u32>,
-    /// Per cell the one that it was found from; [`NONE`] for the start.
+    /// Per cell the one from which it was found; [`NONE`] for the start.
     parents: Vec<u32>,
     /// Per cell whether its parent cuts it off from the start; not set where the parent is the start.
     is_cut_off: Vec<bool>,
-    /// Per cell the visits that it needs beyond the first unless the walk ends below it.
+    /// Per cell the visits needed beyond the first unless the walk ends below it.
     pub excess: Vec<u8>,
 }
 

@@ -1,9 +1,9 @@
 //! Initial dual prices by diffusion: fast, but purely local.
 //!
-//! All edges are gone over and the price of each is shifted so that both its cells would gain equally from using it: max-sum
-//! diffusion (Werner 2007, A linear programming approach to max-sum problem: a review). As that spreads by one cell a time,
-//! the sweeps run forth and back over the rows, and leave less than half of the gain behind. Where nothing moves any more
-//! the prices needn't be the best.
+//! A sweep visits all edges and shifts the price of each so that both its cells would gain equally from using it:
+//! max-sum diffusion (Werner 2007, A linear programming approach to max-sum problem: a review). As gains spread by one
+//! cell at a time, the sweeps run back and forth over the rows, and leave less than half of the gain behind. Prices
+//! that no longer move aren't necessarily the best.
 
 use super::{
     dual_prices::{DualPrices, WALL},
@@ -14,13 +14,13 @@ use super::{
 const EFFORT: usize = 6_000_000;
 const FEWEST_SWEEPS: usize = 6;
 pub(super) const MOST_SWEEPS: usize = 400;
-/// In 1/256: how far to shift a price of what would be right, and how much of what both cells gain stays behind. The
-/// former gets far in a few sweeps; where there is time for this many, the latter gets further.
+/// In 1/256: how far a price is shifted relative to the balancing shift, and which share of both cells' gain stays
+/// behind. The former gets far in a few sweeps; the latter gets further where there is time for this many.
 const HASTY: (i32, i32) = (410, 102);
 const PATIENT: (i32, i32) = (256, 77);
 const MANY_SWEEPS: usize = 50;
 
-/// Sweeps for a room of that many cells where time is short.
+/// Number of sweeps for a room of `cells` cells when time is short.
 pub(super) fn effort(cells: usize) -> usize {
     (EFFORT / cells.max(1)).clamp(FEWEST_SWEEPS, MOST_SWEEPS)
 }
@@ -43,7 +43,7 @@ impl DualPrices {
                 self.shift::<1>(cell, up, shares);
             }
         } else {
-            // The other way round in every respect: a cell is given everything before it passes it on.
+            // The reverse in every respect: a cell receives everything before it passes it on.
             for cell in (0..graph.len()).rev() {
                 let [right, up, ..] = graph.neighbours[cell];
                 self.shift::<1>(cell, up, shares);
@@ -62,10 +62,10 @@ impl DualPrices {
         let opposite = SIDE ^ 2;
         let [(without, with), (next_without, next_with)] = [self.passages(cell, SIDE), self.passages(next, opposite)];
         let (step, twice) = (self.step, 2 * self.turn);
-        // What using the edge costs either cell more than not using it, at price 0; at price x it's x more and less.
+        // Extra cost to either cell of using the edge rather than not, at price 0; at price x it's x more and x less.
         let (extra, next_extra) = (with - without, next_with - next_without);
         let mut price = ((kept * (extra + next_extra)) >> 8) - extra;
-        // Unless turning back through that side, which pays the price twice, is the cheapest way to use it.
+        // Unless turning back through that side, which pays the price twice, is the cheapest use.
         match (price < with - twice, price > twice - next_with) {
             (false, false) => {}
             (true, false) => price = (next_extra - (twice - without)) / 3,
@@ -82,8 +82,8 @@ impl DualPrices {
         self.sides[next][opposite] = -price;
     }
 
-    /// Least cost of passages, beyond a step: of those that don't use `side`, and of those that use it once, the price of
-    /// `side` not counted.
+    /// Least cost of passages beyond a step: of those that don't use `side`, and of those that use it once, without the
+    /// price of `side`.
     #[inline]
     fn passages(&self, cell: usize, side: usize) -> (i32, i32) {
         let sides = &self.sides[cell];

@@ -8,11 +8,11 @@ use super::{
 use crate::{Finish, Objective};
 use robovac_core::grid::Direction;
 
-/// About how many price units the larger weight is.
+/// Approximate number of price units in the larger weight.
 const UNITS: u32 = 1 << 16;
-/// Weights above it count as that.
+/// Larger weights are clamped to this.
 pub const MOST_WEIGHT: u32 = 4096;
-/// The price of a side with a wall: more than any way through others.
+/// The price of a side with a wall; above the cost of any passage without walls.
 pub(super) const WALL: i32 = 1 << 20;
 /// Rounds of repairing single cells.
 const REPAIRS: usize = 40;
@@ -23,24 +23,24 @@ const REPAIRS: usize = 40;
 pub struct DualPrices {
     /// Price units in one unit of the objective.
     pub unit: i32,
-    /// What a step costs.
+    /// Cost of a step.
     pub step: i32,
-    /// What a quarter turn costs.
+    /// Cost of a quarter turn.
     pub turn: i32,
-    /// Per cell and side, counter-clockwise from the right; walls are dearer than any way.
+    /// Per cell and side, counter-clockwise from the right; walls have the price `WALL`.
     pub sides: Vec<[i32; 4]>,
-    /// Largest price but for walls.
+    /// Largest price other than walls.
     pub(super) limit: i32,
     finish: Finish,
-    /// Quarter turns to a first step through each side, as far as they count.
+    /// Quarter turns to a first step through each side, if the objective counts them.
     first_quarters: [u8; 4],
 }
 
 impl DualPrices {
-    /// All 0.
+    /// All prices 0.
     pub(super) fn new(graph: &Graph, objective: Objective, heading: Direction) -> Self {
         let (step, turn) = (objective.step.min(MOST_WEIGHT), objective.turn.min(MOST_WEIGHT));
-        // Even, as half a step is needed.
+        // Even, as half a step must be a whole number.
         let unit = ((UNITS / step.max(turn).max(1)) & !1).max(2) as i32;
         let (step, turn) = (step as i32 * unit, turn as i32 * unit);
         let sides = graph.neighbours.iter().map(|n| n.map(|next| if next == NONE { WALL } else { 0 })).collect();
@@ -54,18 +54,18 @@ impl DualPrices {
         self.finish == Finish::Anywhere
     }
 
-    /// Quarter turns to a first step through each side, as far as they count.
+    /// Quarter turns to a first step through each side, if the objective counts them.
     pub(super) fn first_quarters(&self) -> [u8; 4] {
         self.first_quarters
     }
 
-    /// What a first visit costs that leaves through each side, at price 0.
+    /// Cost of a first visit that leaves through each side, at price 0.
     pub(super) fn first_costs(&self) -> [i32; 4] {
         self.first_quarters.map(|quarters| self.step / 2 + self.turn * i32::from(quarters))
     }
 
-    /// Takes over prices from elsewhere, given for the right and the upper side of every cell, and makes them fit: no
-    /// passage may cost less than nothing. False if that wasn't possible.
+    /// Takes over prices from elsewhere, given for the right and the upper side of every cell, and repairs them so that
+    /// no passage has a negative cost. False if that wasn't possible.
     pub(super) fn take(&mut self, graph: &Graph, right_and_upper: impl Fn(usize) -> [f64; 2]) -> bool {
         for cell in 0..graph.len() {
             for (side, price) in right_and_upper(cell).into_iter().enumerate() {
@@ -76,7 +76,8 @@ impl DualPrices {
         if self.mend(graph, &all) {
             return true;
         }
-        // What a passage costs is concave in the prices, and at least a step if they are 0: somewhere between, it's nothing.
+        // The cost of a passage is concave in the prices, and at least a step if they are 0, so somewhere between it is
+        // 0.
         let least = (0..graph.len()).map(|cell| self.visits(cell).0).min().unwrap_or(0).min(0);
         let (step, all) = (i64::from(self.step), i64::from(self.step - least) + 4);
         for cell in 0..graph.len() {
@@ -88,7 +89,7 @@ impl DualPrices {
         (0..graph.len()).all(|cell| self.visits(cell).0 >= 0)
     }
 
-    /// Shifts prices of these cells until no passage of theirs costs less than nothing; whether that was reached.
+    /// Shifts prices of these cells until no passage has a negative cost; returns whether that succeeded.
     pub(super) fn mend(&mut self, graph: &Graph, cells: &[u32]) -> bool {
         for round in 0..REPAIRS {
             let mut is_done = true;
@@ -123,7 +124,7 @@ impl DualPrices {
         f64::from(self.step.max(self.turn).max(1))
     }
 
-    /// A cell's prices as shares of the larger weight, with walls as the programme wants them.
+    /// A cell's prices as shares of the larger weight, with walls as the linear programme expects them.
     pub(super) fn scaled(&self, cell: usize) -> [f64; 4] {
         self.sides[cell].map(|price| if price >= WALL { primal_dual::WALL } else { f64::from(price) / self.scale() })
     }
@@ -138,7 +139,7 @@ impl DualPrices {
         }
     }
 
-    /// Raises prices of a cell, at its neighbours' cost, until no passage costs less than nothing.
+    /// Raises prices of a cell, at its neighbours' cost, until no passage has a negative cost.
     fn repair(&mut self, graph: &Graph, cell: usize) {
         for _ in 0..10 {
             let [right, up, left, down] = self.sides[cell];
@@ -175,7 +176,7 @@ impl DualPrices {
         (self.step + passage, self.step / 2 + along_x.min(along_y))
     }
 
-    /// The bound by these prices, in units of the objective; 0 if they don't fit.
+    /// The bound by these prices, in units of the objective; 0 if they are invalid.
     pub(super) fn bound(&self, graph: &Graph, cuts: &CutVertices) -> u64 {
         if graph.len() < 2 {
             return 0;
@@ -199,8 +200,8 @@ impl DualPrices {
         (sum.max(0) as u64).div_ceil(self.unit as u64)
     }
 
-    /// By how much a visit of a cell through two sides costs more than the cheapest passage, in price units; the walk's
-    /// first and last visit have one side, and none.
+    /// Cost of a visit through two sides beyond the cheapest passage, in price units. The walk's first and last visits
+    /// have one side, or none.
     pub fn excess(&self, cell: usize, from: Option<usize>, to: Option<usize>) -> i32 {
         let (passage, half) = self.visits(cell);
         let sides = &self.sides[cell];

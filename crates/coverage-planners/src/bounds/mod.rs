@@ -45,10 +45,10 @@ pub use relaxation::Relaxation;
 use robovac_core::grid::{Direction, Grid};
 use serde::{Deserialize, Serialize};
 
-/// Steps that a quarter turn counts as where steps and turns are put into one number.
+/// Steps that a quarter turn counts as when steps and turns are combined into one number.
 pub const TURN_STEPS: usize = 2;
 
-/// Proven lower bounds for every walk that starts in a job's start, ends anywhere and visits all its cells.
+/// Proven lower bounds for every walk that begins at a job's start, ends anywhere and visits all its cells.
 ///
 /// A walk that reaches a bound is best possible in that number; often none does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -58,13 +58,13 @@ pub struct Bounds {
     pub steps: usize,
     /// Fewest quarter turns; a reversal counts two, the turn before the first step isn't counted.
     pub turns: usize,
-    /// Least steps + [`TURN_STEPS`] x quarter turns; may be more than what the two bounds above add up to.
+    /// Least steps + [`TURN_STEPS`] x quarter turns; can exceed the sum of the two bounds above.
     pub cost: usize,
 }
 
 impl Bounds {
-    /// The bounds of `job`, in time about proportional to its cells: half a second for a million. The more cells, the
-    /// further below what can be reached they may be.
+    /// The bounds of `job`, in time about proportional to its cells: half a second for a million. In larger rooms they
+    /// can be further below what is achievable.
     ///
     /// ```
     /// use robovac_core::grid::{Cell, Direction, Grid};
@@ -119,7 +119,7 @@ fn fewest_turns(job: &CoverageJob, graph: &Graph, cuts: &CutVertices) -> usize {
 
 /// Side of the largest square of free cells.
 fn largest_square(free: &Grid<bool>) -> usize {
-    // The largest that ends in a cell is one more than the smallest of those that end left, below and both.
+    // The largest one that ends in a cell is one larger than the smallest of those that end left, below and diagonally.
     let mut sides = vec![0; free.width()];
     let mut largest = 0;
     for row in free.values().chunks_exact(free.width()) {

@@ -5,11 +5,11 @@
 //! start where it may begin. Each cell is to be visited as often as connection demands, neighbours are to use their edge
 //! equally often, and an open walk begins and ends once. The multipliers of the edges are the prices.
 //!
-//! It is solved by the primal-dual hybrid gradient method (Chambolle & Pock 2011, A first-order primal-dual algorithm for
-//! convex problems), with the steps of Pock & Chambolle 2011 (Diagonal preconditioning), each step reflected and then drawn
-//! towards where the last restart was (Halpern's iteration: Lu & Yang 2024, Restarted Halpern PDHG for linear programming),
-//! whose restarts and weight between primal and dual steps are used here. Nothing needs to be exact: any prices give a
-//! bound once they're repaired, and that is reckoned in whole numbers.
+//! It is solved by the primal-dual hybrid gradient method (Chambolle & Pock 2011, A first-order primal-dual algorithm
+//! for convex problems), with the steps of Pock & Chambolle 2011 (Diagonal preconditioning), each step reflected and
+//! then drawn towards where the last restart was (Halpern's iteration: Lu & Yang 2024, Restarted Halpern PDHG for
+//! linear programming), whose restarts and weight between primal and dual steps are used here. Nothing needs to be
+//! exact: any prices give a bound once they're repaired, and the bound is computed in whole numbers.
 
 use super::graph::{Graph, NONE};
 
@@ -17,26 +17,26 @@ use super::graph::{Graph, NONE};
 const PASSAGES: [(usize, usize); 10] = [(0, 2), (1, 3), (0, 1), (1, 2), (2, 3), (3, 0), (0, 0), (1, 1), (2, 2), (3, 3)];
 /// Price of a side with a wall.
 pub(super) const WALL: f64 = 1e6;
-/// Step lengths: one over what a row or a column of the programme sums up to.
+/// Step lengths: the inverse of the sum of a row or a column of the programme.
 const COLUMN: f64 = 1.0 / 3.0;
 const EDGE: f64 = 1.0 / 12.0;
 const VISIT: f64 = 1.0 / 14.0;
 const HALVES: f64 = 1.0 / 4.0;
 
-/// What the programme needs to know, in an objective whose larger weight is about 1.
+/// Input of the programme, in an objective whose larger weight is about 1.
 pub(super) struct Programme {
     pub step: f64,
     pub turn: f64,
     /// Per cell the visits it needs.
     pub visits: Vec<f64>,
-    /// What beginning through each side costs; none for a closed tour.
+    /// Cost of beginning through each side; none for a closed tour.
     pub begin: Option<[f64; 4]>,
 }
 
-/// Per cell, prices of the sides without a neighbour in the programme, which stay as they are; 0 for the others.
+/// Per cell, prices of the sides without a neighbour in the programme, which are fixed; 0 for the others.
 type Outer = Vec<[f64; 4]>;
 
-/// An iterate: what is used how often, and what that costs.
+/// An iterate: the primal uses and the dual prices.
 #[derive(Clone)]
 struct Iterate {
     passages: Vec<[f64; 10]>,
@@ -44,9 +44,9 @@ struct Iterate {
     begins: [f64; 4],
     /// Per cell, prices of the right and the upper edge as seen from it.
     edges: Vec<[f64; 2]>,
-    /// Per cell, what a visit is worth.
+    /// Per cell, the dual value of a visit.
     visits: Vec<f64>,
-    /// What beginning and ending cost at least.
+    /// Least costs of the first and the last visit.
     halves: [f64; 2],
 }
 
@@ -55,23 +55,23 @@ pub(super) struct PrimalDual {
     programme: Programme,
     outer: Outer,
     now: Iterate,
-    /// Where the iteration was restarted.
+    /// The iterate at the last restart.
     anchor: Iterate,
-    /// How often each cell's sides are used in the extrapolated point,
-    /// and how often it is visited.
+    /// How often each cell's sides are used, and how often it is visited, in the extrapolated point.
     uses: Vec<[f64; 5]>,
-    /// How often the walk begins and ends in it.
+    /// How often the walk begins and ends, in the extrapolated point.
     totals: [f64; 2],
-    /// Dual steps are this much longer than primal ones.
+    /// Ratio of dual to primal step lengths.
     weight: f64,
     since_restart: usize,
     iterations: usize,
-    /// Squared distance that the step moved: the first since the restart, and the last.
+    /// Squared distances moved by the first step since the restart and by the last step.
     moved: [f64; 2],
 }
 
 impl PrimalDual {
-    /// Begins with these prices of the cells' sides; [`WALL`] for walls. Where the graph has no neighbour, they're held.
+    /// Begins with these prices of the cells' sides; [`WALL`] for walls. They are fixed where the graph has no
+    /// neighbour.
     pub fn new(graph: &Graph, programme: Programme, sides: impl Fn(usize) -> [f64; 4]) -> Self {
         let count = graph.len();
         let mut visits = Vec::with_capacity(count);
@@ -132,7 +132,7 @@ impl PrimalDual {
         }
     }
 
-    /// Squared length of what the primal variables moved.
+    /// Moves the primal variables; returns the squared length of the move.
     fn primal_step(&mut self, graph: &Graph, share: f64) -> f64 {
         let pace = Pace { length: -COLUMN / self.weight, share };
         let Iterate { passages, ends, begins, edges, visits, halves } = &mut self.now;
@@ -174,7 +174,7 @@ impl PrimalDual {
         moved
     }
 
-    /// Squared length of what the dual variables moved, each in terms of its step length.
+    /// Moves the dual variables; returns the squared length of the move, each component in terms of its step length.
     fn dual_step(&mut self, graph: &Graph, share: f64) -> f64 {
         let (mut at_edges, mut at_visits, mut at_halves) = (0.0, 0.0, 0.0);
         let pace = |length: f64| Pace { length: length * self.weight, share };
@@ -204,7 +204,7 @@ impl PrimalDual {
     fn restart(&mut self) {
         let (primal, dual) = (self.now.primal_distance(&self.anchor), self.now.dual_distance(&self.anchor));
         if primal > 1e-12 && dual > 1e-12 {
-            // The squared ratio's fourth root is taken: halfway, as a product, between the old weight and the ratio.
+            // The fourth root of the squared ratio gives the geometric mean of the old weight and the ratio.
             self.weight = (self.weight * (dual / primal).sqrt()).sqrt().clamp(1e-3, 1e3);
         }
         self.anchor.clone_from(&self.now);
@@ -212,14 +212,14 @@ impl PrimalDual {
     }
 }
 
-/// How far a variable moves, and where between the anchor and its reflection it goes.
+/// How far a variable moves, and its position between the anchor and its reflection.
 struct Pace {
     length: f64,
     share: f64,
 }
 
 impl Pace {
-    /// Moves a primal variable down its gradient; the point that the dual step looks at.
+    /// Moves a primal variable down its gradient; returns the extrapolated point for the dual step.
     #[inline]
     fn down(&self, value: &mut f64, anchor: f64, gradient: f64, moved: &mut f64) -> f64 {
         let to = (*value + self.length * gradient).max(0.0);
@@ -229,7 +229,7 @@ impl Pace {
         reflected
     }
 
-    /// Moves a dual variable by what its row lacks.
+    /// Moves a dual variable by the residual of its row.
     #[inline]
     fn up(&self, value: &mut f64, anchor: f64, missing: f64, least: f64, moved: &mut f64) {
         let to = (*value + self.length * missing).max(least);
@@ -260,7 +260,7 @@ fn distance<const N: usize>(a: &[[f64; N]], b: &[[f64; N]]) -> f64 {
     a.as_flattened().iter().zip(b.as_flattened()).map(|(a, b)| (a - b) * (a - b)).sum()
 }
 
-/// Prices of a cell's sides by those of the edges.
+/// Prices of a cell's sides, from those of the edges.
 fn sides(graph: &Graph, edges: &[[f64; 2]], outer: &Outer, cell: usize) -> [f64; 4] {
     let [_, _, left, below] = graph.neighbours[cell];
     let across = |next: u32, side: usize| if next == NONE { 0.0 } else { -edges[next as usize][side] };

@@ -10,20 +10,21 @@ use super::{
 struct LabelledWay {
     /// Index of the labelling in the cell's table.
     labelling: u8,
-    /// What the labels of the edges behind and ahead add to a state.
+    /// Contribution of the labels of the edges behind and ahead to a state.
     from: u32,
     to: u32,
     /// Without and with the walk's end in this cell.
     costs: [i32; 2],
 }
 
-/// The programme's way through a strip.
+/// A run of the dynamic programme over a strip.
 pub(super) struct DpRun {
     /// Least cost without and with the walk's end.
     pub least: [i32; 2],
-    /// Per cell, the ways.
+    /// Per cell, the ways to label its edges.
     ways: Vec<Vec<LabelledWay>>,
-    /// Per cell and for both layers of states, the best way to get there, and whether the walk's end is in the cell.
+    /// Per cell and for both layers of states, the best way to reach the state, and whether the walk's end is in the
+    /// cell.
     taken: Vec<[Vec<u16>; 2]>,
 }
 
@@ -33,8 +34,8 @@ pub(super) type DpTrace = Vec<(u32, [u8; 4])>;
 const ENDS_HERE: u16 = 1 << 15;
 
 impl RoomStrips {
-    /// Solves a strip; a state says how the edges ahead are used: a digit for each of those along the strip, and one more
-    /// for the edge across to the next cell.
+    /// Solves a strip. A state is the use of the edges ahead: one digit for each edge along the strip, and one more for
+    /// the edge across to the next cell.
     pub(super) fn run(&self, strip: &[u32], sites: &[SiteCosts], is_open: bool) -> DpRun {
         let height = self.height;
         let power = |exponent: usize| LABELS.pow(exponent as u32);
@@ -94,7 +95,7 @@ impl RoomStrips {
 }
 
 impl DpRun {
-    /// How the cells' sides are used in the best way.
+    /// The uses of the cells' sides in the best solution.
     pub fn trace(&self, strip: &[u32], sites: &[SiteCosts], has_end: bool) -> DpTrace {
         let (mut state, mut layer) = (0, usize::from(has_end));
         let mut trace = Vec::with_capacity(sites.len());
@@ -115,8 +116,8 @@ impl DpRun {
     }
 }
 
-/// The ways to label a cell's edges; of those to border edges the best. `weights` of the digits along and across the
-/// strip; whether the edges across, forwards and backwards, are border edges.
+/// The ways to label a cell's edges; only the best of those that differ in border edges alone. `weights` of the digits
+/// along and across the strip; whether the edges across, forwards and backwards, are border edges.
 fn ways(site: &SiteCosts, is_open: bool, [along, across]: [usize; 2], is_border: [bool; 2]) -> Vec<LabelledWay> {
     let mut ways: Vec<LabelledWay> = Vec::new();
     for labelling in 0..LABELLINGS {
@@ -132,7 +133,7 @@ fn ways(site: &SiteCosts, is_open: bool, [along, across]: [usize; 2], is_border:
             }
             let mut costs = [NEVER; 2];
             costs[kind] = cost;
-            // Plain and ended ways are kept apart: they may differ in what the border edges do.
+            // Plain and ended ways are kept apart: they can differ in their border edges.
             let same = |way: &&mut LabelledWay| way.from == from && way.to == to && way.costs[kind] < NEVER;
             match ways.iter_mut().find(same) {
                 Some(way) if way.costs[kind] <= cost => {}

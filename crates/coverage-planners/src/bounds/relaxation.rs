@@ -18,10 +18,11 @@
 //!
 //! A closed tour has no ends: its passages alone cost at least the sum of v(c) f(c), with no e to save anything.
 //!
-//! The best prices give what the linear programme of fractional walks costs (parts of passages, with as much use of an edge
-//! from either side). They are neared in three stages: by [`super::diffusion`], by [`super::primal_dual`], and then, for
-//! strips of the room instead of single cells, by [`super::subgradient`]; in rooms too large for that, by diffusion and then by
-//! [`super::tiles`]. No rounding spoils the bound, as it's reckoned in whole numbers, from whatever prices.
+//! The best prices give the value of the linear programme of fractional walks (parts of passages, with as much use of
+//! an edge from either side). They are approached in three stages: by [`super::diffusion`], by [`super::primal_dual`],
+//! and then, for strips of the room instead of single cells, by [`super::subgradient`]; in rooms too large for that, by
+//! diffusion and then by [`super::tiles`]. The bound is free of rounding errors, as it's computed in whole numbers from
+//! whatever prices.
 
 use super::{
     crossings::Crossings,
@@ -36,44 +37,44 @@ use super::{
 use crate::{CoverageJob, Objective};
 use std::collections::VecDeque;
 
-/// Steps of the primal-dual iteration between two looks at how good its prices are, at least.
+/// Least steps of the primal-dual iteration between two evaluations of its prices.
 const PATIENCE: usize = 50;
-/// Cells up to which the programme is small enough to be held as a whole.
+/// Most cells for which the programme is solved as a whole.
 const MOST_CELLS: usize = 60_000;
 const MOST_STEPS: usize = 20_000;
-/// The iteration is over when that many halves of the steps that the last success took have been taken.
+/// The iteration ends when this many halves of the steps that the last success took have passed.
 const LULL: usize = 3;
 const LEAST_STEPS: usize = 600;
-/// What counts as success: a rise by one in so many.
+/// A success is a rise of the bound by at least one part in this many.
 const RISE: u64 = 2000;
 
-/// A bound that rises the longer one works at it.
+/// A bound that rises with the work spent on it.
 pub struct Relaxation {
     /// The cells.
     pub graph: Graph,
     cuts: CutVertices,
     /// The best prices so far, of single cells.
     pub prices: DualPrices,
-    /// The bound that they give, and the best bound.
+    /// The bound by these prices, and the best bound.
     cell_bound: u64,
     bound: u64,
     swept: usize,
     tiles: Tiles,
     programme: Option<PrimalDual>,
     steps: usize,
-    /// At how many steps the prices are looked at next.
+    /// The step count at which the prices are evaluated next.
     next_look: usize,
-    /// When the prices got better last.
+    /// The step count at which the prices last improved.
     last_rise: usize,
     risen_to: u64,
     crossings: Option<Crossings>,
-    /// Ascents to be gone on with, in turn: by rows and by columns, higher and higher ones.
+    /// Subgradient ascents to be continued in turn: by rows and by columns, with increasing heights.
     subgradients: VecDeque<Subgradient>,
     is_in_strips: bool,
 }
 
 impl Relaxation {
-    /// No work done yet; weights above 4,096 count as that.
+    /// No work done yet; weights above 4,096 are clamped.
     pub fn new(job: &CoverageJob, objective: Objective) -> Self {
         let graph = Graph::new(&job.free, job.start);
         let cuts = CutVertices::of(&graph);
@@ -102,12 +103,12 @@ impl Relaxation {
         if self.graph.len() > MOST_CELLS { MOST_SWEEPS } else { effort(self.graph.len()) }
     }
 
-    /// Whether more work is that of the first, quick stage.
+    /// Whether further work belongs to the first, quick stage.
     pub fn is_diffusing(&self) -> bool {
         self.swept < self.most_sweeps()
     }
 
-    /// Visits about that many cells to make prices better; whether more work may help.
+    /// Improves the prices by visiting about `cells` cells; returns whether more work can help.
     pub fn improve(&mut self, cells: usize) -> bool {
         let rounds = cells.div_ceil(self.graph.len().max(1));
         if self.graph.len() < 2 {
@@ -164,7 +165,7 @@ impl Relaxation {
         true
     }
 
-    /// Steps of an ascent worth about that many visits of cells.
+    /// Subgradient steps worth about `cells` visits of cells.
     fn ascend(&mut self, cells: usize) -> bool {
         let crossings = self.crossings.get_or_insert_with(|| Crossings::new(self.prices.first_quarters()));
         let mut done = 0;
@@ -200,7 +201,7 @@ impl Relaxation {
         true
     }
 
-    /// Keeps the present prices if they're better than those before.
+    /// Keeps the present prices if they're better than `before`.
     fn look(&mut self, before: DualPrices) {
         let bound = self.prices.bound(&self.graph, &self.cuts);
         if bound < self.cell_bound {
@@ -226,7 +227,7 @@ impl Relaxation {
         PrimalDual::new(&self.graph, programme, |cell| prices.scaled(cell))
     }
 
-    /// No walk costs less, in the objective's weights.
+    /// The proven bound: no walk costs less, in the objective's weights.
     pub fn bound(&self) -> u64 {
         self.bound
     }

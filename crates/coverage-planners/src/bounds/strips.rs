@@ -8,8 +8,9 @@
 //! an odd number of lanes can't end in a wall.
 //!
 //! An open walk has its beginning in the strip of the start, and its end in the strip where that adds least. Where
-//! connection demands v > 1 visits to a cell, each of them is granted f, the least that a passage costs there, and v f is
-//! added (less f if the walk ends below the cell): a passage still costs at least nothing then, and v visits at least v f.
+//! connection demands v > 1 visits to a cell, each of them costs at least f, the least that a passage costs there, and
+//! v f is added (less f if the walk ends below the cell): a passage still costs at least nothing then, and v visits at
+//! least v f.
 
 use super::{
     crossings::{Crossings, LABELLINGS, LABELS, Use},
@@ -21,12 +22,12 @@ use super::{
 
 /// More than any walk through a strip.
 pub(super) const NEVER: i32 = 1 << 29;
-/// What costs more can't be done, or is taken to cost as little as that.
+/// Higher costs are treated as impossible or clamped to this.
 pub(super) const DEAREST: i32 = 1 << 28;
-/// No more is saved by a walk's end.
+/// Most that a walk's end can save.
 const MOST_SAVED: i64 = 1 << 27;
 
-/// Per labelling of a cell's sides, as a strip sees them, what the best use costs.
+/// Per labelling of a cell's sides in the strip's orientation, the cost of the best use.
 type LabelTable = [i32; LABELLINGS];
 
 /// A room in strips.
@@ -39,8 +40,8 @@ pub(super) struct RoomStrips {
     sides: [usize; 4],
 }
 
-/// Costs of a cell's labellings beyond the cell's share of the bound, and the uses that they are of; each without and with
-/// the walk's end.
+/// Costs of a cell's labellings beyond the cell's share of the bound, and the uses they belong to; each without and
+/// with the walk's end.
 pub(super) struct SiteCosts {
     pub tables: [LabelTable; 2],
     uses: [[[u8; 4]; LABELLINGS]; 2],
@@ -53,7 +54,7 @@ impl SiteCosts {
     }
 }
 
-/// What the strips cost together, and how.
+/// The cost of all strips together, and the uses that reach it.
 pub(super) struct StripSolution {
     /// In price units.
     pub bound: i64,
@@ -61,7 +62,7 @@ pub(super) struct StripSolution {
     pub crossings: Vec<[u8; 4]>,
 }
 
-/// What is needed of the whole room.
+/// Data of the whole room.
 pub(super) struct WholeRoom<'a> {
     pub graph: &'a Graph,
     pub cuts: &'a CutVertices,
@@ -70,7 +71,7 @@ pub(super) struct WholeRoom<'a> {
 }
 
 impl RoomStrips {
-    /// Strips of at most that many rows or, if `upright`, columns.
+    /// Strips of at most `most` rows or, if `upright`, columns.
     pub fn new(graph: &Graph, upright: bool, most: usize) -> Self {
         let (width, rows) = (graph.numbers.width(), graph.numbers.height());
         let (length, across) = if upright { (rows, width) } else { (width, rows) };
@@ -78,7 +79,7 @@ impl RoomStrips {
             let (x, y) = if upright { (across, along) } else { (along, across) };
             graph.numbers.values()[y * width + x]
         };
-        // As equal as can be.
+        // As equal as possible.
         let height = across.div_ceil(across.div_ceil(most).max(1)).max(1);
         let inside = |along: usize, j: usize| if j < across { at(along, j) } else { NONE };
         let strip =
@@ -87,19 +88,19 @@ impl RoomStrips {
         Self { cells, height, sides: if upright { [1, 0, 3, 2] } else { [0, 1, 2, 3] } }
     }
 
-    /// How many there are.
+    /// Number of strips.
     pub fn len(&self) -> usize {
         self.cells.len()
     }
 
-    /// Numbers that are kept while the largest strip is solved.
+    /// Numbers stored while the largest strip is solved.
     pub fn memory(&self, is_open: bool) -> usize {
         let cells = |strip: &Vec<u32>| strip.iter().filter(|&&cell| cell != NONE).count();
         let most = self.cells.iter().map(cells).max().unwrap_or(0);
         most.saturating_mul(LABELS.saturating_pow(self.height as u32 + 1)).saturating_mul(if is_open { 2 } else { 1 })
     }
 
-    /// The bound of all strips together, at prices that fit; `None` if the walk's end may save too much to be reckoned with.
+    /// The bound of all strips together, at valid prices; `None` if the walk's end can save too much to be represented.
     pub fn solve(&self, room: &WholeRoom<'_>) -> Option<StripSolution> {
         let WholeRoom { graph, cuts, prices, .. } = room;
         let mut below = vec![0; if prices.is_open() { graph.len() } else { 0 }];
@@ -114,7 +115,7 @@ impl RoomStrips {
         let visits = |cell: usize| i64::from(prices.visits(cell).0) * (1 + i64::from(cuts.excess[cell]));
         let mut bound: i64 = (0..graph.len()).map(visits).sum();
         let mut crossings = vec![[0; 4]; graph.len()];
-        // Where the walk's end adds least: how much, and how that strip is used then.
+        // The strip where the walk's end adds least: the addition, and the strip's uses with the end in it.
         let mut end: Option<(i64, DpTrace)> = None;
         for strip in &self.cells {
             let sites: Vec<SiteCosts> = strip
@@ -142,7 +143,7 @@ impl RoomStrips {
         Some(StripSolution { bound, crossings })
     }
 
-    /// What a cell's labellings cost.
+    /// Costs of a cell's labellings.
     fn site(&self, room: &WholeRoom<'_>, cell: usize, below: i64) -> SiteCosts {
         let WholeRoom { graph, cuts, prices, crossings } = room;
         let is_begun = prices.is_open() && cell == graph.start;

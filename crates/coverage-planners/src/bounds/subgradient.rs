@@ -1,8 +1,8 @@
 //! Improves the dual prices of strips by subgradient steps.
 //!
-//! Where two strips use an edge of theirs differently, its price goes up for the one that uses it more. How far is given by
-//! a level that the bound is hoped to reach (Polyak 1969, Minimization of unsmooth functionals): it's lowered whenever it
-//! hasn't been reached for some steps.
+//! Where two strips use an edge of theirs differently, its price goes up for the one that uses it more. The step length
+//! comes from a target level for the bound (Polyak 1969, Minimization of unsmooth functionals), which is lowered
+//! whenever it hasn't been reached for some steps.
 
 use super::{
     crossings::Crossings,
@@ -12,24 +12,24 @@ use super::{
     strips::{RoomStrips, WholeRoom},
 };
 
-/// Steps without success after which less is hoped for.
+/// Steps without success after which the target is lowered.
 const PATIENCE: usize = 10;
-/// How much of the last direction is kept (Camerini, Fratta & Maffioli 1975, On improving relaxation methods).
+/// Share of the last direction that is kept (Camerini, Fratta & Maffioli 1975, On improving relaxation methods).
 const INERTIA: f64 = 0.7;
-/// Numbers that may be kept while a strip is solved, two bytes each.
+/// Most numbers stored while a strip is solved, two bytes each.
 const MEMORY: usize = 30_000_000;
-/// Cells across the first strips. It isn't only that low ones take less time: strips of any height have their borders
-/// elsewhere, and the best bound of all counts.
+/// Cells across the first strips. Low ones take less time, and as strips of each height have their borders elsewhere,
+/// the best bound of all counts.
 const FIRST_HEIGHT: usize = 4;
-/// What a step may take, so that callers can look up between two: about two seconds.
+/// Most effort of a step, so that callers can check for cancellation in between: about two seconds.
 const MOST_EFFORT: usize = 30_000_000;
-/// How much is hoped for at first, as a share of the bound.
+/// Target for the first rise, as a share of the bound.
 const HOPE: f64 = 0.002;
-/// What is hoped for grows by this where a quarter of it came true.
+/// Factor by which the target grows after a quarter of it was reached.
 const GROWTH: f64 = 1.5;
-/// When to give up, as a share of the bound.
+/// The ascent ends when the target falls below this share of the bound.
 const DESPAIR: f64 = 1e-4;
-/// An ascent by one way to cut a room into strips.
+/// A subgradient ascent for one division of a room into strips.
 pub(super) struct Subgradient {
     strips: RoomStrips,
     upright: bool,
@@ -39,10 +39,10 @@ pub(super) struct Subgradient {
     bound: i64,
     hope: f64,
     failures: usize,
-    /// Per cell's right and upper edge, how much more one side uses it, with what is left of earlier steps' directions.
+    /// Per cell's right and upper edge, how much more one side uses it, plus the rest of earlier steps' directions.
     direction: Vec<[f64; 2]>,
     is_begun: bool,
-    /// Whether the strips agreed on all edges, which no price can make better.
+    /// Whether the strips agree on all edges, so that no prices are better.
     agrees: bool,
 }
 
@@ -52,7 +52,7 @@ impl Subgradient {
         Self::new(graph, prices, upright, FIRST_HEIGHT)
     }
 
-    /// The same with strips of at most that height.
+    /// The same with strips of at most the given height.
     fn new(graph: &Graph, prices: &DualPrices, upright: bool, height: usize) -> Self {
         Self {
             strips: RoomStrips::new(graph, upright, height),
@@ -68,7 +68,7 @@ impl Subgradient {
         }
     }
 
-    /// Whether there is but one strip, or all agree, so that no prices and no strips can be better.
+    /// Whether there is a single strip, or all agree, so that no prices and no strips can be better.
     pub fn is_final(&self) -> bool {
         self.strips.len() == 1 || self.agrees
     }
@@ -85,7 +85,7 @@ impl Subgradient {
         Some(higher)
     }
 
-    /// Cells that could be visited in the time of a step.
+    /// Cell visits that take as long as one step.
     pub fn effort(&self, graph: &Graph) -> usize {
         let states = 3_usize.saturating_pow(self.strips.height as u32);
         let layers = if self.prices.is_open() { 3 } else { 1 };
@@ -97,7 +97,7 @@ impl Subgradient {
         (self.bound.max(0) as u64).div_ceil(self.prices.unit as u64)
     }
 
-    /// Takes a step; whether more may help.
+    /// Takes a step; returns whether more can help.
     pub fn step(&mut self, graph: &Graph, cuts: &CutVertices, crossings: &Crossings) -> bool {
         let room = WholeRoom { graph, cuts, prices: &self.prices, crossings };
         let Some(solution) = self.strips.solve(&room) else { return false };

@@ -1,8 +1,9 @@
 //! Improves dual prices in large rooms tile by tile, with the prices around each tile fixed.
 //!
-//! A tile's own programme ([`super::primal_dual`]) knows what leaving the tile costs, but not that neighbours there must agree;
-//! so its prices are good ones for the rest as it is. They're kept if they raise what the tile's cells cost together. As
-//! tiles of the next round lie across the borders of those before, the whole room gains in a few rounds.
+//! A tile's own programme ([`super::primal_dual`]) knows the cost of leaving the tile, but not that neighbours there
+//! must agree, so its prices are good for the present prices of the rest. They're kept if they raise the total cost of
+//! the tile's cells. As tiles of the next round lie across the borders of those before, the whole room gains in a few
+//! rounds.
 
 use super::{
     cut_vertices::CutVertices,
@@ -15,21 +16,21 @@ use robovac_core::grid::{Cell, Grid};
 /// Cells along a tile's side, and steps of the iteration in each.
 const SIDE: i32 = 64;
 const STEPS: usize = 400;
-/// Cells around a tile whose prices may be shifted so that all fit.
+/// Cells around a tile whose prices can be shifted to keep all prices valid.
 const RING: i32 = 4;
-/// Rounds: tiles lie at half their side to those of the round before.
+/// Rounds; each round's tiles are offset by half a side from those of the round before.
 const ROUNDS: usize = 4;
 
-/// How far one has come.
+/// Progress of the rounds.
 #[derive(Default)]
 pub(super) struct Tiles {
     round: usize,
-    /// Tiles of the round that have been worked at.
+    /// Tiles of the round that are done.
     done: usize,
 }
 
 impl Tiles {
-    /// Makes the next tile's prices better; the cells visited for it, or nothing if all rounds are over.
+    /// Improves the prices of the next tile; returns the cells visited for it, or `None` after the last round.
     pub fn improve(&mut self, graph: &Graph, cuts: &CutVertices, prices: &mut DualPrices) -> Option<usize> {
         if self.round == ROUNDS {
             return None;
@@ -54,7 +55,7 @@ fn part(graph: &Graph, low: Cell) -> Option<Graph> {
     Some(Graph::new(&Grid::from_rows(SIDE as usize, free)?, Cell::new(0, 0)))
 }
 
-/// Makes the prices of the tile with that lowest corner better; the cells visited for it.
+/// Improves the prices of the tile with that lowest corner; returns the cells visited for it.
 fn improve(graph: &Graph, cuts: &CutVertices, prices: &mut DualPrices, low: Cell) -> usize {
     let numbers = |margin: i32| {
         let across = -margin..SIDE + margin;
@@ -77,7 +78,7 @@ fn improve(graph: &Graph, cuts: &CutVertices, prices: &mut DualPrices, low: Cell
     for _ in 0..STEPS {
         iteration.step(&part);
     }
-    // What is shifted may change the cells beside it, too.
+    // A shift can change the cells beside it, too.
     let near: Vec<u32> = numbers(RING + 1).collect();
     let shifted: Vec<u32> = numbers(RING).collect();
     let worth = |prices: &DualPrices| {
@@ -121,7 +122,8 @@ mod tests {
         let mut tiles = Tiles::default();
         while tiles.improve(&graph, &cuts, &mut prices).is_some() {
             bounds.push(prices.bound(&graph, &cuts));
-            // What makes it a bound: neighbours' prices add up to nothing, walls stay, and no passage costs less than nothing.
+            // The conditions of a bound: neighbours' prices add up to 0, walls stay, and no passage has a negative
+            // cost.
             for (cell, neighbours) in graph.neighbours.iter().enumerate() {
                 assert!(prices.visits(cell).0 >= 0);
                 for (side, &next) in neighbours.iter().enumerate() {

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 /// Joules in a watt-hour.
 const JOULES: f64 = 3600.0;
 
-/// Numbers of the line that a robot drives to follow a walk, driven in thought, without noise.
+/// Metrics of the line that a robot drives to follow a walk, computed without noise.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct DriveMetrics {
@@ -21,10 +21,10 @@ pub struct DriveMetrics {
     pub turning_deg: f64,
     /// Time from rest to rest by the robot's motion model (straight pieces and turns on the spot), s.
     pub duration_s: f64,
-    /// What the battery gives for it, Wh: the robot's power while it drives straight and while it turns, each times the
-    /// time of it. As good as the robot's figures, of which some are estimates: about a quarter.
+    /// Energy taken from the battery, Wh: the robot's power while driving straight and while turning, times the time of
+    /// each. Some of the robots' figures are estimates, so it is accurate to about a quarter.
     pub energy_wh: f64,
-    /// Swept share of the reachable floor, 0 to 1; known to about a fine cell's width along every edge.
+    /// Swept share of the reachable floor, 0 to 1; accurate to about a fine cell's width along every edge.
     pub coverage: f64,
     /// Area swept again by later passes, as a share of the area swept; 0 or more.
     pub overlap: f64,
@@ -33,7 +33,7 @@ pub struct DriveMetrics {
 }
 
 impl DriveMetrics {
-    /// Drives `line` (corners, m) in thought, without noise.
+    /// Metrics of `line` (corners, m), driven without noise.
     pub fn of(floor: &ReachableFloor, robot: &RobotModel, line: &[Point]) -> Self {
         let LineDrive { length, turning, straight_s, turning_s } = LineDrive::along(line, floor.start.heading, robot);
         let mut tracker = CoverageTracker::new(floor);

@@ -4,27 +4,27 @@ use super::{DriveMetrics, WalkMetrics};
 use crate::bounds::{Bounds, TURN_STEPS};
 use serde::{Deserialize, Serialize};
 
-/// All that is measured of a plan.
+/// All measurements of a plan.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct PlanNumbers {
     /// Numbers of the walk on the planning grid.
     pub walk: WalkMetrics,
     /// Numbers of the line that the robot drives.
     pub drive: DriveMetrics,
-    /// Time that planning took, s.
+    /// Planning time, s.
     pub planning_s: f64,
-    /// What no walk of the same job can be better than, if it has been worked out.
+    /// Lower bounds of the job, if they have been computed.
     pub bounds: Option<Bounds>,
 }
 
-/// Which values of a number are wanted.
+/// Which values of a metric are better.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(rename_all = "lowercase")]
 pub enum Better {
-    /// The lower the better.
+    /// Lower values.
     Lower,
-    /// The higher the better.
+    /// Higher values.
     Higher,
 }
 
@@ -36,28 +36,28 @@ pub struct MetricInfo {
     pub id: &'static str,
     /// Name in tables.
     pub label: &'static str,
-    /// Unit that the value is in; empty for counts.
+    /// Unit of the value; empty for counts.
     pub unit: &'static str,
-    /// What it is, in one or two sentences.
+    /// Definition, in one or two sentences.
     pub definition: &'static str,
-    /// Which values are wanted.
+    /// Which values are better.
     pub better: Better,
-    /// Digits after the point that are worth showing.
+    /// Digits shown after the decimal point.
     pub decimals: u8,
     #[serde(skip)]
     value: fn(&PlanNumbers) -> Option<f64>,
 }
 
 impl MetricInfo {
-    /// Its value in `numbers`, in its unit; `None` if it hasn't been worked out.
+    /// Its value in `numbers`, in its unit; `None` if it hasn't been computed.
     pub fn value(&self, numbers: &PlanNumbers) -> Option<f64> {
         (self.value)(numbers)
     }
 }
 
 impl PlanNumbers {
-    /// How much more the walk costs (steps + 2 x quarter turns) than any walk must, %; 0 if there is no better one. `None`
-    /// if the bound hasn't been worked out, or if the walk misses cells and so needn't be as long.
+    /// Cost of the walk (steps + 2 x quarter turns) above the lower bound, % of the bound; 0 if no walk is better.
+    /// `None` if the bound hasn't been computed, or if the walk misses cells and so isn't subject to it.
     pub fn above_bound_percent(&self) -> Option<f64> {
         let bounds = self.bounds.filter(|_| self.walk.visited_cells == self.walk.reachable_cells)?;
         let (cost, least) = (self.walk.cost() as f64, bounds.cost as f64);
@@ -91,7 +91,7 @@ pub const METRICS: &[MetricInfo] = &[
         "Above the bound",
         ("%", 1),
         "Excess of steps + 2 x quarter turns over a proven lower bound for all walks over these cells. 0 means \
-         optimal, but is often out of reach.",
+         optimal; often no walk attains it.",
         PlanNumbers::above_bound_percent,
     ),
     lower("length", "Length", ("m", 1), "Length of the path that the robot drives.", |n| Some(n.drive.length_m)),

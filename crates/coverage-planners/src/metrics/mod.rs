@@ -1,7 +1,7 @@
-//! One definition of every metric on the page, the command line and in tests.
+//! The metrics, defined once for the page, the command line and the tests.
 //!
-//! [`WalkMetrics`] are those of the walk on the planning grid, [`DriveMetrics`] those of the line that the robot drives,
-//! [`Bounds`] say how good any walk can be. [`METRICS`] is the list by which tables are made.
+//! [`WalkMetrics`] are those of the walk on the planning grid, [`DriveMetrics`] those of the line that the robot
+//! drives, [`Bounds`] the lower bounds of any walk. [`METRICS`] lists the columns of tables.
 
 mod drive;
 mod list;

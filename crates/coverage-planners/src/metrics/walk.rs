@@ -26,7 +26,7 @@ pub struct WalkMetrics {
 }
 
 impl WalkMetrics {
-    /// Counts what `path` does.
+    /// The metrics of `path`.
     pub fn of(job: &CoverageJob, path: &CoveragePath) -> Self {
         let visits = path.visits(job);
         let visited_more_than = |times: u32| visits.values().iter().filter(|&&v| v > times).count();

@@ -3,9 +3,9 @@
 
 use super::tour::Tour;
 
-/// A block, and what is folded up.
+/// A block, with the walk outside it contracted.
 pub(super) struct Focus {
-    /// The walk: cells near the block by their numbers, and two markers for every part that is folded up.
+    /// The walk: cells near the block by their numbers, and two markers for every contracted part.
     pub tour: Tour,
     /// The parts, in the order of their markers.
     parts: Vec<Vec<u32>>,
@@ -14,7 +14,7 @@ pub(super) struct Focus {
 }
 
 impl Focus {
-    /// Folds up what `is_inside` doesn't hold, but for the cells next to those that it holds.
+    /// Contracts the cells outside `is_inside`, except for the neighbours of cells inside.
     pub fn new(tour: &Tour, cells: usize, is_inside: impl Fn(u32) -> bool) -> Self {
         let (mut list, mut parts) = (Vec::new(), Vec::new());
         let markers = cells as u32;
@@ -22,7 +22,7 @@ impl Focus {
         let mut at = 0;
         while at < all.len() {
             let end = at + all[at..].iter().take_while(|&&cell| !is_inside(cell)).count();
-            // A closed tour's first and last cells stay, as its seam isn't a change of place.
+            // The first and last cells of a closed tour stay, as its seam can't be moved.
             if end - at > 4 {
                 list.push(all[at]);
                 list.extend([markers + 2 * parts.len() as u32, markers + 2 * parts.len() as u32 + 1]);
@@ -39,7 +39,7 @@ impl Focus {
         Self { tour: Tour::new(cells, list, tour.is_closed), parts, markers }
     }
 
-    /// The walk with everything unfolded.
+    /// The walk with all parts expanded.
     pub fn unfold(self) -> Vec<u32> {
         let Self { tour, parts, markers } = self;
         let mut list = Vec::with_capacity(parts.iter().map(Vec::len).sum::<usize>() + tour.cells.len());
@@ -49,7 +49,7 @@ impl Focus {
                 list.push(cell);
                 continue;
             }
-            // Of each two markers the first one tells which way round the part is.
+            // The first of two markers gives the direction of the part.
             skips = !skips;
             if skips {
                 let marker = cell - markers;

@@ -14,15 +14,15 @@ use robovac_core::{
 };
 use std::collections::VecDeque;
 
-/// A walk that gets better.
+/// A walk and its improvement.
 pub(super) struct Improver {
     ways: CellWays,
     /// The free cells, by their numbers.
     cells: Vec<Cell>,
     pub tour: Tour,
-    /// What the walk costs, in price units.
+    /// Cost of the walk, in price units.
     pub cost: i64,
-    /// Ways that were tried in sites, since the beginning.
+    /// Ways tried in sites since the beginning.
     pub work: usize,
     site_of: Vec<u32>,
     rng: Rng,
@@ -35,26 +35,26 @@ pub(super) struct WindowBlock {
     high: Cell,
 }
 
-/// Work that is reckoned for every window, whatever is tried in it.
+/// Work counted for every window in addition to the ways tried in it.
 const WORK_PER_WINDOW: usize = 300;
 /// Side of a block that is shaken at once, cells.
 const BLOCK: i32 = 28;
-/// Windows that are tried while a block is shaken.
+/// Windows tried while a block is shaken.
 const SHAKES: usize = 120;
-/// Side of the windows that settle after that.
+/// Side of the windows that are settled after that, cells.
 const SETTLED: usize = 8;
-/// Cells of which the one where the walk is dearest is shaken.
+/// Number of random cells; the one where the walk is dearest is shaken.
 const CANDIDATES: usize = 3;
 
-/// How far settling is.
+/// Progress of settling.
 pub(super) struct Settling<'t> {
-    /// Ways that were tried, since the beginning.
+    /// Ways tried since the beginning.
     pub work: usize,
-    /// About which share of the block is done.
+    /// Approximate share of the block that is done.
     pub done: f64,
-    /// The walk now; where the room is large, with markers.
+    /// The current walk; with markers in large rooms.
     pub walk: &'t [u32],
-    /// By how much that's dearer than at first, in price units.
+    /// Change of its cost so far, in price units.
     pub change: i64,
 }
 
@@ -76,7 +76,7 @@ impl Improver {
         walk
     }
 
-    /// Walks a window of `tour` anew if that's cheaper, or seems so by noise; the change of cost.
+    /// Rebuilds the walk in a window of `tour` if that's cheaper, or seems so by noise; returns the change of cost.
     fn rebuild(
         &mut self,
         ground: &Ground<'_>,
@@ -107,7 +107,7 @@ impl Improver {
         if self.cells.len() > FOLDED { room.parts(FOLD, overlap as i32) } else { vec![room] }
     }
 
-    /// Rebuilds windows of `side` cells in a block until none gets cheaper; asks before each whether to go on.
+    /// Rebuilds windows of `side` cells in a block until none gets cheaper; checks for cancellation before each.
     pub fn settle(
         &mut self,
         ground: &Ground<'_>,
@@ -120,7 +120,7 @@ impl Improver {
         });
     }
 
-    /// Lets `act` change the walk in a block, what lies elsewhere folded up if the room is large.
+    /// Lets `act` change the walk in a block; in large rooms the rest is contracted meanwhile.
     fn within(&mut self, block: WindowBlock, act: impl FnOnce(&mut Self, &mut Tour, &mut i64)) {
         let mut cost = 0;
         if self.cells.len() > FOLDED {
@@ -138,7 +138,7 @@ impl Improver {
         self.cost += cost;
     }
 
-    /// The change of cost.
+    /// Returns the change of cost.
     fn settle_windows(
         &mut self,
         ground: &Ground<'_>,
@@ -178,12 +178,12 @@ impl Improver {
         cost
     }
 
-    /// Looks for the best walk of all by taking the whole room for a window, with at most so many states after each cell;
-    /// whether the walk is the best of all now. `goes_on` is asked now and then.
+    /// Searches for the optimal walk by taking the whole room as a window, with at most `most_states` states after each
+    /// cell; returns whether the walk is optimal now. `goes_on` is called regularly.
     pub fn solve(&mut self, ground: &Ground<'_>, most_states: usize, mut goes_on: impl FnMut() -> bool) -> bool {
         let (width, height) = (ground.numbers.width(), ground.numbers.height());
         let window = Window { corner: Cell::new(0, 0), width, height };
-        // The turn from the robot's heading may ask for a third use of an edge.
+        // The turn from the robot's heading can require a third use of an edge.
         let ways = CellWays::new(if ground.counts_first_turn { 3 } else { 2 });
         let Some(region) = WalkRegion::new(ground, &self.tour, window, &mut self.site_of) else { return false };
         let search = DpSearch { limit: region.cost, most_states, is_all_or_nothing: true };
@@ -197,8 +197,8 @@ impl Improver {
         found.is_exact
     }
 
-    /// Shakes one block: rebuilds windows with noise that fades away, and takes it all back if that made the walk dearer.
-    /// Asks before each window whether to go on.
+    /// Shakes one block: rebuilds windows with decreasing noise, and reverts everything if that made the walk dearer.
+    /// Checks for cancellation before each window.
     pub fn shake(
         &mut self,
         ground: &Ground<'_>,
@@ -235,7 +235,7 @@ impl Improver {
         });
     }
 
-    /// A cell by chance, rather one where the walk costs more than a passage must.
+    /// A random cell, preferably one where the walk costs more than a passage must.
     fn dear_cell(&mut self, ground: &Ground<'_>) -> Cell {
         let Ground { graph, prices, .. } = *ground;
         let excess = |position: usize| {
@@ -253,9 +253,9 @@ impl Improver {
     }
 }
 
-/// Cells above which what lies outside a block is folded up.
+/// Number of cells above which the walk outside a block is contracted.
 const FOLDED: usize = 4_000;
-/// Side of the blocks that settle one after the other then, cells.
+/// Side of the blocks that are settled one after the other then, cells.
 const FOLD: i32 = 64;
 
 impl WindowBlock {

@@ -7,7 +7,7 @@ use super::{
 };
 
 impl WalkRegion {
-    /// The walk that does in each site what `ways` say, its parts outside put in; `None` if they don't fit together.
+    /// The walk that uses `ways` in the sites, with its parts outside inserted; `None` if they don't fit together.
     pub fn walk(&self, tour: &Tour, ways: &[&CellWay]) -> Option<Vec<u32>> {
         PieceLinker::new(self, tour, ways)?.walk(tour)
     }
@@ -21,7 +21,7 @@ struct PieceLinker<'a> {
     region: &'a WalkRegion,
     /// Cells of the region that are passed, and parts outside.
     pieces: Vec<WalkPiece>,
-    /// Per piece and end the piece that it's linked with, and that one's end.
+    /// Per piece and end, the piece and end linked with it.
     mates: Vec<[Option<(usize, usize)>; 2]>,
     begin: usize,
 }
@@ -95,7 +95,7 @@ impl<'a> PieceLinker<'a> {
                 unite(&mut parents, a.0, b.0);
             }
         }
-        // What uses the same edge can be exchanged there: two loops become one.
+        // Pieces that use the same edge can be exchanged there, which joins two loops.
         for [ends, others] in edges {
             for i in 1..ends.len() {
                 if unite(&mut parents, ends[0].0, ends[i].0) {
@@ -114,7 +114,7 @@ impl<'a> PieceLinker<'a> {
         self.mates[b.0][b.1] = Some(a);
     }
 
-    /// All pieces in a row.
+    /// All pieces as one walk.
     fn walk(&self, tour: &Tour) -> Option<Vec<u32>> {
         let mut cells = Vec::with_capacity(tour.cells.len() + 64);
         let mut count = 0;
@@ -159,7 +159,7 @@ fn root(parents: &mut [usize], mut at: usize) -> usize {
     at
 }
 
-/// Whether the two were apart.
+/// Unites two sets; returns whether they were separate.
 fn unite(parents: &mut [usize], a: usize, b: usize) -> bool {
     let (a, b) = (root(parents, a), root(parents, b));
     parents[a] = b;

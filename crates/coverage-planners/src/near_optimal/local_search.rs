@@ -14,7 +14,7 @@ use robovac_core::{
     rng::Rng,
 };
 
-/// Everything that a run needs.
+/// State of a run.
 pub(super) struct LocalSearch<'j> {
     job: &'j CoverageJob,
     objective: Objective,
@@ -23,35 +23,35 @@ pub(super) struct LocalSearch<'j> {
     improver: Improver,
     /// Noise of the next shake.
     noise: f64,
-    /// The cells by their numbers, if the room is so small that every change of the walk is shown.
+    /// The cells by their numbers, if the room is small enough to show every change of the walk.
     filmed: Vec<Cell>,
     /// The best walk so far, by the cells' numbers, and its cost in price units.
     best: (Vec<u32>, i64),
-    /// The same walk to be shown, if somebody looks.
+    /// The same walk for the observer, if there is one.
     pub shown: Vec<Cell>,
-    /// The effort: ways to be tried in windows.
+    /// The effort: ways to try in windows.
     most: usize,
-    /// Whether no walk is better than the best, by having tried them all.
+    /// Whether the best walk is proven optimal by an exhaustive search.
     is_solved: bool,
 }
 
 /// No cell.
 const NONE: u32 = u32::MAX;
-/// Noise of a shake in steps and quarter turns, least and most: it grows by a factor after every shake that led to nothing,
-/// and falls after every other, so that it is as strong as the room and the time already spent ask for (ours).
+/// Least and most noise of a shake in steps and quarter turns. It grows by a factor after every shake without
+/// improvement and falls after every other, and so adapts to the room and the time spent (ours).
 const NOISES: [f64; 2] = [0.3, 8.0];
 const GROWS: f64 = 1.05;
 const FALLS: f64 = 0.7;
-/// Largest window of a shaken block, cells, and states kept: many hasty windows find more than few careful ones.
+/// Largest window of a shaken block, cells, and states kept: many quick windows find more than few thorough ones.
 const SHAKEN: (i32, usize) = (12, 50);
 /// Cells up to which every change of the walk is shown.
 const MOST_FILMED: usize = 2_000;
-/// Largest grid, walls included, of which all walks are tried.
+/// Largest grid, walls included, that is solved exhaustively.
 const LARGEST_SOLVED: usize = 1_000;
-/// Cells visited to find the first prices, and at least between two looks up from it.
+/// Cells visited to find the first prices, and at least between two reports meanwhile.
 const HASTY: usize = 500_000;
 const GLANCE: usize = 50_000;
-/// Work between two improvements of the prices, how often one visits each cell, as far as visits are neither few nor many, and
+/// Work between two improvements of the prices, visits of each cell per improvement, limits of these visits, and
 /// improvements after the second walk.
 const WORK_PER_PRICING: usize = 3_000_000;
 const ROUNDS: usize = 100;
@@ -87,7 +87,7 @@ impl<'j> LocalSearch<'j> {
         }
     }
 
-    /// Goes on with `walk`, which is closed if a tour is asked for.
+    /// Continues with `walk`, which is closed if the objective is a tour.
     pub fn begin_with(&mut self, mut walk: Vec<Cell>, ctx: &PlanContext<'_>) {
         let is_closed = self.objective.finish == Finish::Start;
         if is_closed {
@@ -100,13 +100,13 @@ impl<'j> LocalSearch<'j> {
         self.keep(ctx);
     }
 
-    /// Goes on with the best walk so far.
+    /// Continues with the best walk so far.
     pub fn begin_with_best(&mut self) {
         self.improver.tour.replace(self.best.0.clone());
         self.improver.cost = self.best.1;
     }
 
-    /// Remembers the walk if it's the best so far.
+    /// Stores the walk if it's the best so far.
     fn keep(&mut self, ctx: &PlanContext<'_>) {
         if self.improver.cost < self.best.1 {
             self.best.0.clone_from(&self.improver.tour.cells);
@@ -122,7 +122,7 @@ impl<'j> LocalSearch<'j> {
         self.improver.walk(&self.best.0, self.job.start)
     }
 
-    /// How good the best walk is known to be.
+    /// Proof of the best walk.
     pub fn proof(&self) -> Proof {
         let unit = i64::from(self.relaxation.prices.unit);
         let cost = (self.best.1 / unit) as u64;
@@ -135,12 +135,12 @@ impl<'j> LocalSearch<'j> {
         cost <= bound || self.improver.work >= self.most
     }
 
-    /// The share of the work that is done, `before` at first.
+    /// Share of the work done, starting from `before`.
     fn share(&self, before: f64) -> f64 {
         between([before, 1.0], self.improver.work as f64 / self.most.max(1) as f64)
     }
 
-    /// Looks for the first prices. The walk so far is told meanwhile, without a proof: nothing is proven that is worth telling.
+    /// Finds the first prices. The walk so far is reported meanwhile, without a proof, as the bound is still weak.
     pub fn price_hastily(&mut self, done: f64, ctx: &mut PlanContext<'_>) -> Result<(), PlanError> {
         let cells = self.relaxation.graph.len().max(1);
         let mut rounds = HASTY.div_ceil(cells);
@@ -153,13 +153,13 @@ impl<'j> LocalSearch<'j> {
         Ok(())
     }
 
-    /// Works at the prices for a while; whether more of it may help.
+    /// Improves the prices for a while; returns whether more work can help.
     fn improve_prices(&mut self) -> bool {
         let [few, many] = VISITS;
         self.relaxation.improve((ROUNDS * self.relaxation.graph.len()).clamp(few, many))
     }
 
-    /// Looks for prices that are worth their name.
+    /// Finds good prices.
     pub fn price(&mut self, before: f64, ctx: &mut PlanContext<'_>) -> Result<(), PlanError> {
         for _ in 0..PATIENT {
             ctx.proof = Some(self.proof());
@@ -171,8 +171,8 @@ impl<'j> LocalSearch<'j> {
         Ok(())
     }
 
-    /// Settles windows of some side, with some states kept, in the whole room; `shares` of all work lie before and after.
-    /// Without shares the work done tells them.
+    /// Settles windows of some side, with some states kept, in the whole room. `shares` are the shares of all work
+    /// before and after; if `None`, they follow from the work done.
     pub fn settle(
         &mut self,
         windows: (usize, usize),
@@ -181,7 +181,7 @@ impl<'j> LocalSearch<'j> {
         ctx: &mut PlanContext<'_>,
     ) -> Result<(), PlanError> {
         let blocks = self.improver.blocks(&self.numbers, windows.0);
-        // Windows that are queued again make less seem done.
+        // Windows that are queued again would make progress run backwards.
         let mut told = before;
         for (i, &block) in blocks.iter().enumerate() {
             if self.is_over() {
@@ -213,8 +213,8 @@ impl<'j> LocalSearch<'j> {
         Ok(())
     }
 
-    /// Tries all walks that may be better than the best so far, if the room is so small that they are few: no more than
-    /// `most_states` states of the frontier at a time.
+    /// Tries all walks that can be better than the best so far, if the room is small enough: no more than `most_states`
+    /// states of the frontier at a time.
     pub fn solve(&mut self, most_states: usize, before: f64, ctx: &mut PlanContext<'_>) -> Result<(), PlanError> {
         let Proof { cost, bound } = self.proof();
         if cost <= bound || self.numbers.len() > LARGEST_SOLVED {
@@ -232,7 +232,7 @@ impl<'j> LocalSearch<'j> {
         Ok(())
     }
 
-    /// Shakes the walk until that share of the effort is spent, or there is nothing left to do.
+    /// Shakes the walk until that share of the effort is spent, or the walk is proven optimal.
     pub fn shake(&mut self, share: f64, before: f64, ctx: &mut PlanContext<'_>) -> Result<(), PlanError> {
         let until = (share * self.most as f64) as usize;
         let mut priced = self.improver.work;

@@ -5,8 +5,8 @@
 //! (ALENEX), solves a cycle cover by a commercial solver, merges its cycles and improves the tour by large-neighbourhood
 //! search. This planner needs no solver:
 //!
-//! 1. *Construction and merging*: the best walk of three fast planners, closed by the cheapest way back if a tour is asked
-//!    for.
+//! 1. *Construction and merging*: the best walk of three fast planners, closed by the cheapest way back if the
+//!    objective is a tour.
 //! 2. *Prices*: the [`Relaxation`] puts a price on every side of every cell. Its value is a proven bound, and by its prices
 //!    every way of passing a cell has a reduced cost: what it costs more than the bound allows for. A walk whose reduced
 //!    costs add up to little is near the bound, and the other way round.
@@ -30,7 +30,7 @@
 //! at least two leave a single walk, and so do two of three at the other end whichever was chosen, so that A can be in the
 //! pair at both ends. (Where the turn from the robot's heading counts, the walk's first step may be a third use.)
 //!
-//! The result depends on the seed and the effort alone. Cost: O(n) memory; time as much as one gives it.
+//! The result depends on the seed and the effort alone. Cost: O(n) memory; time by the effort.
 
 mod focus;
 mod improver;
@@ -90,7 +90,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         ParamSpec {
             id: "finish",
             label: "Ends",
-            help: "Anywhere, or at the start: a closed tour, for a robot that returns to its dock.",
+            help: "Where the walk ends: anywhere, or at the start, for a robot that returns to its dock.",
             kind: ParamKind::Choice { options: &[("anywhere", "anywhere"), ("start", "at the start")] },
         },
         ParamSpec {
@@ -120,18 +120,18 @@ struct NearOptimal {
     turn: Option<f64>,
 }
 
-/// Work for every cell and unit of effort, and for all cells together: ways that are tried in windows.
+/// Work for every cell and unit of effort, and for all cells together, in ways tried.
 const WORK_PER_CELL: f64 = 8_000.0;
 const MOST_WORK: f64 = 10_000_000.0;
-/// The least for every cell: less would leave most of a large room as it is.
+/// The least for every cell: less would leave most of a large room unimproved.
 const LEAST_WORK_PER_CELL: f64 = 20.0;
 /// Windows that settle one after the other: sides in cells, and states kept in each cell.
 const FIRST_WINDOWS: (usize, usize) = (6, 200);
 const WINDOWS: [(usize, usize); 3] = [(8, 500), (10, 1_000), (12, 1_000)];
-/// States after each cell with which small rooms are tried to be solved: when the walk has settled, and later.
+/// States after each cell with which exhaustive search is tried in small rooms: when the walk has settled, and later.
 const FEW_STATES: usize = 5_000;
 const MANY_STATES: usize = 100_000;
-/// Share of the work after which that is tried for the first time.
+/// Share of the work after which that is first tried.
 const EARLY: f64 = 0.02;
 /// Shares of the work that are done after the stages.
 const FIRST: f64 = 0.03;
@@ -197,13 +197,13 @@ impl Planner for NearOptimal {
 }
 
 impl NearOptimal {
-    /// The job in the weights that are asked for.
+    /// The job in the weights of the objective.
     fn weighed(&self, job: &CoverageJob) -> CoverageJob {
         CoverageJob { step_s: 1.0, turn_s: self.turn.unwrap_or(job.turn_s / job.step_s), ..job.clone() }
     }
 }
 
-/// What a fast planner finds, while `so_far` is shown.
+/// The walk of a fast planner; `so_far` is reported meanwhile.
 fn fast_walk(
     info: &PlannerInfo,
     build: BuildPlanner,

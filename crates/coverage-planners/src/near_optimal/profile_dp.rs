@@ -16,33 +16,33 @@ type DpState = [u8; ENTRIES];
 const END: usize = ENTRIES - 1;
 /// Most columns and plugs together.
 pub(super) const MOST_OPEN: usize = ENTRIES - 2;
-/// States kept of all sites together, 12 bytes each; beyond it no proof is looked for.
+/// States kept of all sites together, 12 bytes each; above that no proof is attempted.
 const MOST_KEPT: usize = 8_000_000;
-/// How many states are worked at between two questions whether to go on.
+/// States processed between two checks for cancellation.
 const ASK_EVERY: usize = 2_048;
 /// An entry holds a label, and above it how often an edge is used.
 const LABEL: u8 = 63;
 
-/// How to look.
+/// Parameters of a search.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct DpSearch {
-    /// Only walks that seem to cost less in the region than this are looked for, in price units.
+    /// Limit of a walk's cost in the region, noise included, in price units; others are dropped.
     pub limit: i64,
     /// States kept after each cell: the cheapest.
     pub most_states: usize,
-    /// Whether to give up where there are more.
+    /// Whether to give up if there are more states.
     pub is_all_or_nothing: bool,
 }
 
-/// What was found.
+/// Result of a search.
 pub(super) struct DpResult<'w> {
-    /// What to do in each site; empty if no walk is below the limit.
+    /// The way used in each site; empty if no walk is below the limit.
     pub ways: Vec<&'w CellWay>,
-    /// What that costs, in price units, without noise.
+    /// Cost of these ways, in price units, without noise.
     pub cost: i64,
-    /// Whether nothing was left out.
+    /// Whether no state was dropped.
     pub is_exact: bool,
-    /// Ways that were tried.
+    /// Ways tried.
     pub work: usize,
 }
 
@@ -58,7 +58,7 @@ struct WayChoice {
 type WayChoices = [Vec<WayChoice>; PAIRS];
 
 impl WalkRegion {
-    /// Looks for a cheaper walk through the region. Asks before each site whether to go on, and tells how much work is done.
+    /// Searches for a cheaper walk through the region. `goes_on` is called before each site with the work done.
     pub fn search<'w>(
         &self,
         costs: (i32, i32),
@@ -153,7 +153,7 @@ impl WalkRegion {
         DpResult { ways: chosen, cost, is_exact, work }
     }
 
-    /// Before the first site.
+    /// The state before the first site.
     fn begin(&self) -> DpState {
         let mut state = [0; ENTRIES];
         for (entry, plug) in state[self.columns + 1..].iter_mut().zip(&self.plugs) {
@@ -164,7 +164,7 @@ impl WalkRegion {
         state
     }
 
-    /// Entries that are used, but for that of the end.
+    /// Number of entries used, without that of the end.
     fn used(&self) -> usize {
         self.columns + 1 + self.plugs.len()
     }
@@ -178,7 +178,7 @@ impl WalkRegion {
         }
     }
 
-    /// The state after a site; `None` if something is closed that never can be connected with the rest.
+    /// The state after a site; `None` if something is closed that can no longer be connected with the rest.
     fn after(&self, index: usize, before: &DpState, way: &CellWay, is_ended: bool) -> Option<DpState> {
         let site = &self.sites[index];
         let mut state = *before;
@@ -228,7 +228,7 @@ impl WalkRegion {
                 }
             }
         }
-        // Whatever the site used must still be connected with something, unless all is done.
+        // The site's uses must still be connected with something, unless all is done.
         for group in 0..4 {
             let mut sides = (0..4).filter(|&side| way.used[side] > 0 && way.groups[side] == group as u8).peekable();
             if sides.peek().is_none() {
@@ -283,7 +283,7 @@ impl WalkRegion {
         choices
     }
 
-    /// The least that sites can cost from each on: while the walk's end isn't set, and after it is.
+    /// The least cost of the sites from each one on: while the walk's end isn't set, and after it is.
     fn rests(&self, choices: &[WayChoices]) -> Vec<[i64; 2]> {
         let mut rests = vec![[0; 2]; choices.len() + 1];
         rests[choices.len()][0] = i64::MAX / 4;
@@ -306,7 +306,7 @@ fn groups_of(way: &CellWay) -> usize {
     (0..4).filter(|&group| (0..4).any(|side| way.used[side] > 0 && way.groups[side] == group)).count()
 }
 
-/// Whether all sides that a way uses have come to be connected.
+/// Whether all sides that a way uses are connected.
 fn is_one(way: &CellWay, labels: &[u8; 4]) -> bool {
     let mut used = (0..4).filter(|&side| way.used[side] > 0).map(|side| labels[side]);
     let first = used.next();
@@ -330,7 +330,7 @@ fn renumber(state: &mut [u8]) {
     }
 }
 
-/// Mixes the eight bytes of a word at a time: states are few and need no defence.
+/// Mixes the eight bytes of a word at a time; hash collisions by an attacker aren't a concern.
 #[derive(Default)]
 struct Mixer(u64);
 

@@ -15,18 +15,18 @@ use robovac_core::{
 /// No site.
 const OUTSIDE: u32 = u32::MAX;
 
-/// What lies beyond a side of a site.
+/// The other side of a site's side.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Beyond {
-    /// A wall, or floor outside that the walk doesn't go to from here.
+    /// A wall, or floor outside that the walk doesn't enter from here.
     Nothing,
     /// Another site of the region.
     Site,
-    /// Floor outside: the walk uses the side as often as its plug says.
+    /// Floor outside: the side is used as often as its plug says.
     Plug(usize),
 }
 
-/// A cell of the region, as it's seen when columns are scanned one row after the other.
+/// A cell of the region, in the orientation in which columns are scanned one row after the other.
 #[derive(Debug, Clone)]
 pub(super) struct RegionSite {
     pub cell: u32,
@@ -37,14 +37,14 @@ pub(super) struct RegionSite {
     /// Prices of the sides.
     pub prices: [i32; 4],
     pub is_start: bool,
-    /// What the walk does there now.
+    /// Current use by the walk.
     now: Now,
-    /// What using a side, and turning, costs by chance.
+    /// Random costs of using a side, and of turning.
     noise: [i32; 4],
     turn_noise: i32,
 }
 
-/// What a walk does in a site.
+/// Use of a site by a walk.
 #[derive(Debug, Clone, Copy, Default)]
 struct Now {
     used: [u8; 4],
@@ -68,7 +68,7 @@ pub(super) struct Window {
     pub height: usize,
 }
 
-/// Cells to be walked anew, the ends of the walk's parts outside, and what it does inside now.
+/// Cells where the walk is rebuilt, the ends of its parts outside, and its current use of the cells.
 pub(super) struct WalkRegion {
     /// In the order of the scan.
     pub sites: Vec<RegionSite>,
@@ -76,18 +76,18 @@ pub(super) struct WalkRegion {
     pub plugs: Vec<Plug>,
     /// Whether the walk ends in the region.
     pub has_end: bool,
-    /// Side that the robot looks to at the start, and what a quarter turn to the first step costs.
+    /// The side of the robot's heading at the start, and the cost of a quarter turn to the first step.
     pub heading: (CellSide, i32),
-    /// What the walk costs in the region, in price units.
+    /// Cost of the walk in the region, in price units.
     pub cost: i64,
-    /// What noise adds to that.
+    /// Noise added to that.
     disturbed: i64,
     /// Positions of the walk's parts outside, and the plugs at both ends.
     pub arcs: Vec<OutsideStretch>,
     is_swapped: bool,
 }
 
-/// A part of the walk outside, from one position to another, both included; the second may be smaller in a closed tour.
+/// A part of the walk outside, from one position to another, both included; the second can be smaller in a closed tour.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct OutsideStretch {
     pub first: usize,
@@ -95,14 +95,14 @@ pub(super) struct OutsideStretch {
     pub plugs: [Option<usize>; 2],
 }
 
-/// Where things are looked up.
+/// The walk's surroundings: cells, prices and heading.
 #[derive(Clone, Copy)]
 pub(super) struct Ground<'a> {
     pub graph: &'a Graph,
     pub prices: &'a DualPrices,
     /// Numbers of the free cells.
     pub numbers: &'a Grid<u32>,
-    /// Sides of the heading, and whether the turn from it counts.
+    /// Side of the heading, and whether the turn from it counts.
     pub heading: CellSide,
     pub counts_first_turn: bool,
 }
@@ -119,7 +119,7 @@ fn swapped(side: CellSide) -> CellSide {
 }
 
 impl WalkRegion {
-    /// The region of a window and the walk's parts outside it; `None` if the walk isn't there at all.
+    /// The region of a window and the walk's parts outside it; `None` if the walk isn't in the window.
     pub fn new(ground: &Ground<'_>, tour: &Tour, window: Window, site_of: &mut [u32]) -> Option<Self> {
         let Ground { graph, prices, numbers, .. } = ground;
         let is_swapped = window.width > window.height;
@@ -172,13 +172,13 @@ impl WalkRegion {
         is_found.then_some(region)
     }
 
-    /// Finds the walk's parts outside and what it costs inside.
+    /// Finds the walk's parts outside and its cost inside.
     fn cut_out(&mut self, ground: &Ground<'_>, tour: &Tour, site_of: &[u32]) -> bool {
         let mut positions: Vec<usize> = self.sites.iter().flat_map(|site| tour.visits(site.cell)).collect();
         positions.sort_unstable();
         let cell = |position: usize| tour.cells[position];
         let is_inside = |position: usize| site_of[cell(position) as usize] != OUTSIDE;
-        // In the order of the walk: where it leaves the region, where it comes back; there and outside.
+        // In the order of the walk: where it leaves the region and where it comes back, each inside and outside.
         let (mut leaves, mut comes) = (Vec::new(), Vec::new());
         for &position in &positions {
             let site = site_of[cell(position) as usize] as usize;
@@ -203,7 +203,7 @@ impl WalkRegion {
         }
         let (Some(&first), Some(&last)) = (positions.first(), positions.last()) else { return false };
         if tour.is_closed {
-            // If the walk's seam lies outside, it comes back first by the part that leaves last.
+            // If the walk's seam lies outside, the first return belongs to the last exit.
             if comes.first().zip(leaves.first()).is_some_and(|(comes, leaves)| comes.0 <= leaves.0) {
                 comes.rotate_left(1);
             }
@@ -257,7 +257,7 @@ impl WalkRegion {
         self.plugs.len() - 1
     }
 
-    /// Cost of a visit by the sides it uses; the first of the walk has no side before it, the last none after it.
+    /// Cost of a visit by the sides it uses; `None` before the walk's first and after its last.
     fn passage_cost(&self, prices: &DualPrices, site: usize, sides: [Option<CellSide>; 2]) -> i32 {
         let site = &self.sites[site];
         match sides {
@@ -276,7 +276,7 @@ impl WalkRegion {
         half_steps * step / 2 + i32::from(way.turns) * turn + sides + first
     }
 
-    /// What a way seems to cost in a site, noise included.
+    /// Cost of a way in a site, noise included.
     pub fn seeming_cost_of(&self, costs: (i32, i32), site: &RegionSite, way: &CellWay) -> i32 {
         let noise: i32 = (0..4).map(|side| i32::from(way.used[side]) * site.noise[side]).sum();
         self.cost_of(costs, site, way) + noise + i32::from(way.turns) * site.turn_noise
@@ -288,8 +288,8 @@ impl WalkRegion {
         turn * turns(heading ^ 2, side) as i32
     }
 
-    /// Makes every side and every turn dearer or cheaper by chance, by up to `most` price units each, so that another
-    /// walk may seem cheaper than the one there is; sites know what that adds to the walk there is.
+    /// Changes the cost of every side and every turn at random, by up to `most` price units each, so that another walk
+    /// can seem cheaper than the current one. Sites store the change for the current walk.
     pub fn disturb(&mut self, most: i32, rng: &mut Rng) {
         for site in &mut self.sites {
             for side in 0..2 {
@@ -303,7 +303,7 @@ impl WalkRegion {
         }
     }
 
-    /// What the walk that there is costs in the region, noise included.
+    /// Cost of the current walk in the region, noise included.
     pub fn seeming_cost(&self) -> i64 {
         self.cost + self.disturbed
     }

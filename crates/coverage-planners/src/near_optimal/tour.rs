@@ -2,10 +2,10 @@
 
 const NONE: u32 = u32::MAX;
 
-/// A walk by the cells' numbers. Numbers beyond those of the cells are markers, which are no place.
+/// A walk by the cells' numbers. Numbers above those of the cells are markers without a place.
 #[derive(Debug, Clone)]
 pub(super) struct Tour {
-    /// In order; of a closed tour without the return to its first cell.
+    /// The cells in order; a closed tour without the return to its first cell.
     pub cells: Vec<u32>,
     pub is_closed: bool,
     /// Per cell the position of a visit.
@@ -22,7 +22,7 @@ impl Tour {
         tour
     }
 
-    /// Takes another walk over the same cells; gives the old one back.
+    /// Takes another walk over the same cells; returns the old one.
     pub fn replace(&mut self, cells: Vec<u32>) -> Vec<u32> {
         for &cell in &self.cells {
             if let Some(first) = self.first.get_mut(cell as usize) {

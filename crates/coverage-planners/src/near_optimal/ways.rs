@@ -7,15 +7,15 @@ const USES: usize = MOST_USES + 1;
 /// A side of a cell, counter-clockwise: 0 right, 1 up, 2 left, 3 down.
 pub(super) type CellSide = usize;
 
-/// All that a walk does in one cell: passages, each in through one side and out through one (perhaps the same), and halves
-/// of passages where the walk begins or ends.
+/// A walk's use of one cell: passages, each in through one side and out through one (perhaps the same), and halves of
+/// passages where the walk begins or ends.
 #[derive(Debug, Clone)]
 pub(super) struct CellWay {
     /// How often each side is used.
     pub used: [u8; 4],
     /// Quarter turns of all passages.
     pub turns: u8,
-    /// Which sides are connected: those with the same number. Unused sides have the numbers of nothing.
+    /// Which sides are connected: those with the same number. Unused sides have numbers of their own.
     pub groups: [u8; 4],
     /// The passages.
     pub passages: Vec<[CellSide; 2]>,
@@ -39,7 +39,7 @@ pub(super) fn turns(a: CellSide, b: CellSide) -> u32 {
 }
 
 impl CellWays {
-    /// All ways that use no side more often than `most_uses`, but for those that another one makes needless: it uses the
+    /// All ways that use no side more often than `most_uses`, without those made redundant by another one that uses the
     /// same sides, turns no more and connects more.
     pub fn new(most_uses: usize) -> Self {
         let most_uses = most_uses.min(MOST_USES) as u8;
@@ -78,12 +78,12 @@ impl CellWays {
     }
 }
 
-/// Whether `a` connects all that `b` connects; both use the same sides.
+/// Whether `a` connects everything that `b` connects; both use the same sides.
 fn is_coarser(a: &CellWay, b: &CellWay) -> bool {
     (0..4).all(|i| (0..4).all(|j| b.groups[i] != b.groups[j] || a.groups[i] == a.groups[j]))
 }
 
-/// Adds every way to go on with `passages` of the list.
+/// Adds every continuation with `passages` of the list.
 fn extend(
     pairs: &[[CellSide; 2]],
     passages: &mut Vec<[CellSide; 2]>,
@@ -113,10 +113,10 @@ fn extend(
     }
 }
 
-/// Number of a pair of uses, of two sides.
+/// Index of a pair of uses, of two sides.
 pub(super) fn pair(a: u8, b: u8) -> usize {
     usize::from(a) * USES + usize::from(b)
 }
 
-/// Pairs there are.
+/// Number of such pairs.
 pub(super) const PAIRS: usize = USES * USES;

@@ -14,7 +14,7 @@ use robovac_core::{
     rng::Rng,
 };
 
-/// How to anneal.
+/// Parameters of the annealing.
 #[derive(Debug, Clone, Copy)]
 pub struct Schedule {
     /// Moves to try; rounded up to thousands.
@@ -38,7 +38,7 @@ pub enum MoveKinds {
     Move,
 }
 
-/// Improves `walk`, which must be one from the job's start over all its cells; never makes it worse. `report` is told
+/// Improves `walk`, which must be one from the job's start over all its cells; never makes it worse. `report` receives
 /// the share of the work done and the best walk so far.
 pub fn anneal(
     job: &CoverageJob,
@@ -50,7 +50,7 @@ pub fn anneal(
 ) -> Result<(), PlanError> {
     let mut state = AnnealedWalk::new(&job.free, job.heading, costs, walk);
     let mut best = state.cost;
-    // What a move may cost: the temperature times an exponential deviate.
+    // Most that a move can cost: the temperature times an exponential deviate.
     let deviates: [f64; DEVIATES] = std::array::from_fn(|i| -math::ln((i as f64 + 0.5) / DEVIATES as f64));
     let mut limits = [0; DEVIATES];
     let batches = schedule.tries.div_ceil(BATCH);
@@ -76,7 +76,7 @@ pub fn anneal(
 /// Moves between two reports.
 const BATCH: usize = 4_096;
 const DEVIATES: usize = 256;
-/// Steps of a loop at which it is tried to be opened.
+/// Steps of a loop at which opening it is tried.
 const OPENINGS: usize = 24;
 /// Longest part that is left out at once.
 const LONGEST_CUT: usize = 8;
@@ -92,11 +92,11 @@ struct AnnealedWalk {
     turn: i32,
     /// Cells by the frame's numbers, and at last [`END`] twice.
     cells: Vec<usize>,
-    /// A position at which the walk visits a cell.
+    /// Per cell, a position at which the walk visits it.
     position: Vec<u32>,
-    /// How often the walk visits a cell.
+    /// Per cell, how often the walk visits it.
     visits: Vec<u32>,
-    /// Cost but for a constant.
+    /// Cost up to a constant.
     cost: i64,
 }
 
@@ -107,14 +107,14 @@ struct WalkPart {
     last: usize,
 }
 
-/// Where and how a part is put in.
+/// Where and how a part is inserted.
 #[derive(Clone, Copy)]
 struct Target {
     /// Change of cost.
     gain: i32,
-    /// The step of the loop, from this position, at which it's opened.
+    /// The position of the step of the loop at which it's opened.
     open: usize,
-    /// The position after which it's put in.
+    /// The position after which it's inserted.
     after: usize,
     is_reversed: bool,
 }
@@ -212,7 +212,7 @@ impl AnnealedWalk {
         }
     }
 
-    /// Drives the part after `low` up to `high` backwards.
+    /// Reverses the part after `low` up to `high`.
     fn reverse(&mut self, low: usize, high: usize, limit: i32) {
         let c = &self.cells;
         let old = Self::turns_at_link([c[low - 1], c[low], c[low + 1], c[low + 2]])
@@ -248,7 +248,7 @@ impl AnnealedWalk {
         true
     }
 
-    /// How many turns more there are if the neighbours of a part are linked; those inside it stay.
+    /// Quarter turns added by linking the neighbours of a part; those inside it stay.
     fn turns_by_gap(&self, WalkPart { first, last }: WalkPart) -> i32 {
         let c = &self.cells;
         // The turns at both ends of the part, which are one turn if it is a single cell.
@@ -261,11 +261,11 @@ impl AnnealedWalk {
             - Self::turns(c[last], c[last + 1], c[last + 2])
     }
 
-    /// Takes a part of at least two cells out and puts it in elsewhere, the best way found.
+    /// Removes a part of at least two cells and inserts it at the best place found.
     fn move_part(&mut self, part: WalkPart, random: usize, limit: i32) {
         let WalkPart { first, last } = part;
         let length = last - first + 1;
-        // As if it were a loop, whether or not its ends touch: opening it there takes these turns back.
+        // As if it were a loop, whether or not its ends touch: opening it there saves these turns.
         let closing = Self::turns(self.cells[last - 1], self.cells[last], self.cells[first])
             + Self::turns(self.cells[last], self.cells[first], self.cells[first + 1]);
         let taken = self.turns_by_gap(part) + closing;
@@ -309,8 +309,8 @@ impl AnnealedWalk {
         if position + 1 == part.first { part.last + 1 } else { position + 1 }
     }
 
-    /// Weighs putting the part, opened after position `open`, between the cell at position `x` and a cell `y` beside
-    /// it.
+    /// Evaluates inserting the part, opened after position `open`, between the cell at position `x` and a cell `y`
+    /// beside it.
     fn consider(&self, part: WalkPart, open: usize, x: usize, y: usize, taken: i32, best: &mut Option<Target>) {
         let WalkPart { first, last } = part;
         if (first..=last).contains(&x) {
@@ -366,7 +366,7 @@ mod tests {
     use super::*;
     use robovac_core::{floor_plan::generate::random_clutter, rng::seeded};
 
-    /// A walk through all cells that is easily improved: depth first, with the way back.
+    /// A walk through all cells that is easy to improve: depth first, with the way back.
     fn depth_first(free: &Grid<bool>, at: Cell, seen: &mut Grid<bool>, walk: &mut Vec<Cell>) {
         walk.push(at);
         seen[at] = true;

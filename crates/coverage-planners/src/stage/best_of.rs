@@ -9,7 +9,7 @@ use super::{
 use crate::{CoverageJob, CoveragePath, PlanContext, PlanError};
 use robovac_core::grid::Cell;
 
-/// Largest room, in free cells, for which planners try all they can think of.
+/// Largest room, in free cells, for which planners try all their variants.
 pub(crate) const MAX_CELLS_FOR_ALL: usize = 100_000;
 
 /// Takes walks one by one, cuts their detours, keeps the cheapest and reports it.
@@ -17,7 +17,7 @@ pub(crate) struct BestOf<'j> {
     pub job: &'j CoverageJob,
     pub costs: Costs,
     transit: Transit,
-    /// Number of walks that are going to be offered.
+    /// Number of walks that will be offered.
     tries: usize,
     offered: usize,
     best: Vec<Cell>,
@@ -28,19 +28,19 @@ pub(crate) struct BestOf<'j> {
 const MADE: f64 = 0.8;
 
 impl<'j> BestOf<'j> {
-    /// A contest of `tries` walks for `job`.
+    /// A comparison of `tries` walks for `job`.
     pub fn new(job: &'j CoverageJob, tries: usize) -> Self {
         let costs = Costs::of(job);
         let transit = Transit::new(&job.free, costs);
         Self { job, costs, transit, tries, offered: 0, best: Vec::new(), cost: u64::MAX }
     }
 
-    /// Reports that a share of the next walk is made.
+    /// Reports the share of the next walk that is made.
     pub fn report(&self, ctx: &mut PlanContext<'_>, share: f64) -> Result<(), PlanError> {
         ctx.checkpoint((self.offered as f64 + MADE * share) / self.tries as f64, &self.best)
     }
 
-    /// Enters the walk of a robot that follows `rule` ([`greedy_walk`]).
+    /// Offers the walk of a robot that follows `rule` ([`greedy_walk`]).
     pub fn greedy_walk(&mut self, ctx: &mut PlanContext<'_>, rule: &mut dyn WalkRule) -> Result<(), PlanError> {
         let (offered, tries, best) = (self.offered as f64, self.tries as f64, &self.best);
         let walk = greedy_walk(self.job, &mut self.transit, rule, &mut |share, walk| {
@@ -49,10 +49,10 @@ impl<'j> BestOf<'j> {
         self.offer(ctx, walk)
     }
 
-    /// Enters a walk, its detours cut ([`shortcut`]).
+    /// Offers a walk, its detours cut ([`shortcut`]).
     pub fn offer(&mut self, ctx: &mut PlanContext<'_>, mut walk: Vec<Cell>) -> Result<(), PlanError> {
         if self.best.is_empty() && ctx.is_observed() {
-            // To be shown meanwhile; no cost, so that the walk takes its place.
+            // Shown meanwhile; without a cost, so that the offered walk replaces it.
             self.best.clone_from(&walk);
         }
         let (offered, tries, best) = (self.offered as f64, self.tries as f64, &self.best);

@@ -35,22 +35,23 @@ impl Costs {
         cost
     }
 
-    /// The least that a way can cost which starts looking `leaving` and ends ready to go on towards `arriving`: what it
-    /// costs where nothing is in the way. `None` for directions that don't matter.
+    /// Lower bound of the cost of a way that starts facing `leaving` and ends ready to continue towards `arriving`: its
+    /// cost without obstacles. `None` for directions that don't matter.
     #[inline]
     pub fn at_least(self, from: Cell, leaving: Option<Direction>, to: Cell, arriving: Option<Direction>) -> u32 {
         self.step * from.manhattan(to) + self.turn * fewest_turns(from, leaving, to, arriving)
     }
 }
 
-/// Directions, and none.
+/// Number of directions, and one for none.
 const LOOKS: usize = 5;
-/// Where the goal lies along one axis: behind, level, ahead.
+/// The goal's position along one axis: behind, level, ahead.
 const SIGNS: usize = 3;
-/// [`fewest_turns`] by where the goal lies along x and y and by the directions at both ends: it's asked for millions of times.
+/// [`fewest_turns`] by where the goal lies along x and y and by the directions at both ends: it's looked up millions of
+/// times.
 const FEWEST_TURNS: [[[[u8; LOOKS]; LOOKS]; SIGNS]; SIGNS] = table_of_turns();
 
-/// Fewest quarter turns of a way without detour from looking `leaving` in `from` to looking `arriving` in `to`.
+/// Fewest quarter turns of a way without detour from `from`, facing `leaving`, to `to`, facing `arriving`.
 #[inline]
 pub(super) fn fewest_turns(from: Cell, leaving: Option<Direction>, to: Cell, arriving: Option<Direction>) -> u32 {
     let sign = |from: i32, to: i32| usize::from(to >= from) + usize::from(to > from);

@@ -1,8 +1,8 @@
 //! Stage: boustrophedon cellular decomposition (Choset & Pignon 1998), here along the rows of a grid.
 //!
-//! A line sweeps over the room from below. Where it falls apart into more pieces, or pieces join, begin or end, its
-//! connectivity changes; between two such critical points every piece sweeps out a *cell*. Cells of the decomposition are
-//! called blocks here, as a cell is a square of the grid everywhere else.
+//! A line sweeps over the room from below. Where it splits into more pieces, or pieces join, begin or end, its
+//! connectivity changes; between two such critical points every piece sweeps out a *cell*. Cells of the decomposition
+//! are called blocks here, as a cell is a square of the grid everywhere else.
 
 use robovac_core::grid::{Cell, Grid};
 

@@ -1,24 +1,23 @@
 //! Stage: a detour around obstacles on a straight link (001, section 5).
 //!
-//! The paper calls the procedure of Hyun & Suh (A heuristic collision-free path planning algorithm for robots, IROS
-//! 1995), and prints nothing of it. Figure 6 shows what it is for: a short way with few corners, round the obstacle
-//! and back to the point that was meant. That is what is done here: A* (Hart, Nilsson & Raphael 1968) over the eight
-//! neighbours of a cell, no corner cut, finds a shortest way on the grid and is complete; then the way is pulled
-//! taut, corner by corner, as far as the straight line stays in FREE cells. What is left is within a few percent of
-//! the shortest.
+//! The paper refers to the procedure of Hyun & Suh (A heuristic collision-free path planning algorithm for robots, IROS
+//! 1995) without printing it. Figure 6 shows its purpose: a short way with few corners, round the obstacle and on to
+//! the intended point. Here A* (Hart, Nilsson & Raphael 1968) over the eight neighbours of a cell, no corner cut, finds
+//! a shortest way on the grid and is complete; then the way is pulled taut, corner by corner, as far as the straight
+//! line stays in FREE cells. The result is within a few percent of the shortest.
 
 use super::{frame::FramedGrid, is_straight_free};
 use robovac_core::grid::{Cell, Grid};
 
-/// Costs of a step straight and slantwise: 99/70 is the square root of 2 but for 0.00007.
+/// Costs of a step straight and diagonally: 99/70 is the square root of 2 to within 0.00007.
 const STRAIGHT: u32 = 70;
 const SLANTED: u32 = 99;
 /// Buckets of the queue: more than the estimate for a whole way can grow by in one step, a power of two.
 const BUCKETS: usize = 256;
-/// Corners that are looked ahead while a way is pulled taut.
+/// Corners considered ahead while a way is pulled taut.
 const LOOK_AHEAD: usize = 64;
 
-/// Searches for detours. It reuses its memory, so that a search costs what it looks at and no more.
+/// Searches for detours. It reuses its memory, so that a search takes time in proportion to the cells it visits.
 #[derive(Debug)]
 pub struct Detours<'a> {
     free: &'a Grid<bool>,
@@ -26,7 +25,7 @@ pub struct Detours<'a> {
     /// `base` + cost of the way to a cell; lower values are left from searches before, and [`WALL`] is above all.
     reached: Vec<u32>,
     base: u32,
-    /// The dearest way of the last search.
+    /// The cost of the last search's dearest way.
     dearest: u32,
     queue: Queue,
 }
@@ -85,7 +84,7 @@ impl<'a> Detours<'a> {
         }
     }
 
-    /// Free neighbours and what a step there costs, and how many there are; slantwise only past two free cells.
+    /// Free neighbours with the cost of a step there, and their number; diagonally only past two free cells.
     #[inline]
     fn steps(&self, index: usize) -> ([(usize, u32); 8], usize) {
         let [right, up, left, down] = self.frame.neighbours(index);
@@ -107,7 +106,7 @@ impl<'a> Detours<'a> {
         (steps, count)
     }
 
-    /// Notes a way of that cost to a cell; whether the cell is free.
+    /// Records a way of that cost to a cell; returns whether the cell is free.
     #[inline]
     fn reach(&mut self, index: usize, cell: Cell, cost: u32, to: Cell) -> bool {
         let mark = self.reached[index];
@@ -125,7 +124,7 @@ impl<'a> Detours<'a> {
         true
     }
 
-    /// Makes all marks those of a search before.
+    /// Marks all cells as those of an earlier search.
     fn make_old(&mut self) {
         self.queue.clear();
         self.base += self.dearest + 1;
@@ -154,12 +153,11 @@ impl<'a> Detours<'a> {
     }
 }
 
-/// Cells to look at, those with the lowest estimate for the whole way first, of these the latest: that leads on
-/// towards the goal. Estimates never fall, nor grow by more than the number of buckets, so that there is one for each
-/// (Dial 1969).
+/// Queue of cells, those with the lowest estimate for the whole way first, of these the latest, as it is nearer to the
+/// goal. Estimates never fall, nor grow by more than the number of buckets, so there is a bucket for each (Dial 1969).
 #[derive(Debug)]
 struct Queue {
-    /// Numbers of cells, and what the ways there cost.
+    /// Numbers of cells and the costs of the ways there.
     buckets: Vec<Vec<(u32, u32)>>,
     /// The lowest estimate.
     lowest: u32,

@@ -13,7 +13,7 @@ use std::ops::ControlFlow;
 /// Cost of the way from one sweep to the next, for all pairs of them.
 ///
 /// Steps are those of shortest paths between cells not too far apart, and estimated beyond; turns are those of a way
-/// without detour. So it's a guide for finding a good order, not the cost of the walk that is driven in the end.
+/// without detour. So it guides the search for a good order and isn't the cost of the final walk.
 #[derive(Debug)]
 pub struct Links<'a> {
     sweeps: &'a [[BlockSweep; SWEEPS]],
@@ -24,7 +24,7 @@ pub struct Links<'a> {
     /// Where each sweep ends.
     exits: Vec<[SweepEnd; SWEEPS]>,
     corners: usize,
-    /// Cost of ways between corners but for the turns that they have without detour, row by row; the start is corner 0.
+    /// Cost of ways between corners without the turns of a way without detour, row by row; the start is corner 0.
     ways: Vec<u32>,
     /// Cost of the steps between the nearest corners of two blocks, row by row.
     nearest: Vec<u32>,
@@ -47,13 +47,13 @@ const REPORT_EVERY: usize = 64;
 const NONE: u32 = u32::MAX;
 /// Sweeps that start at the four corners of a block.
 const CORNERS: [usize; 4] = [0, 2, 4, 5];
-/// Steps that a detour adds to the straight distance where nobody has looked, as a share of it.
+/// Steps that a detour adds to the straight distance where no path was searched, as a divisor of it.
 const DETOUR_SHARE: u32 = 4;
-/// Turns that a way has beyond those of one without detour.
+/// Turns of an estimated way beyond those of one without detour.
 const DETOUR_TURNS: u32 = 2;
 
 impl<'a> Links<'a> {
-    /// Looks at `reach` cells around every corner. `report` receives the share of corners done every few dozen.
+    /// Searches `reach` cells around every corner. `report` receives the share of corners done every few dozen.
     pub fn new(
         free: &Grid<bool>,
         sweeps: &'a [[BlockSweep; SWEEPS]],
@@ -85,7 +85,7 @@ impl<'a> Links<'a> {
         Ok(Self { sweeps, costs, start, entries, exits, corners: corners.len(), ways, nearest, cheapest })
     }
 
-    /// What steps and turns cost.
+    /// Costs of steps and turns.
     pub fn costs(&self) -> Costs {
         self.costs
     }
@@ -116,7 +116,7 @@ impl<'a> Links<'a> {
     }
 }
 
-/// Costs of ways between corners from their steps; the turns that they have without detour are left out.
+/// Costs of ways between corners from their steps; without the turns of a way without detour.
 fn costs_of_ways(corners: &[Cell], mut steps: Vec<u32>, costs: Costs) -> Vec<u32> {
     for (from, row) in corners.iter().zip(steps.chunks_mut(corners.len())) {
         for (to, steps) in corners.iter().zip(row) {
@@ -174,11 +174,11 @@ fn nearest_corners(entries: &[[SweepEnd; SWEEPS]], steps: &[u32], corners: usize
     nearest
 }
 
-/// What one search found and the other didn't reach holds both ways.
+/// Uses a distance found by one search only in both directions.
 fn make_symmetric(steps: &mut [u32], side: usize) {
     for a in 0..side {
         for b in 0..a {
-            // An estimate is never below the truth by more than a detour, so that the smaller one is at least as good.
+            // An estimate is never below the truth by more than a detour, so the smaller one is at least as good.
             let least = steps[a * side + b].min(steps[b * side + a]);
             steps[a * side + b] = least;
             steps[b * side + a] = least;

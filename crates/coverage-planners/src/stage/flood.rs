@@ -4,13 +4,13 @@ use super::frame::FramedGrid;
 use robovac_core::grid::{Cell, Grid};
 use std::ops::ControlFlow;
 
-/// Visits cells in the order of their steps from a start. It reuses its memory and leaves nothing to clean up, so that a
-/// search costs what it looks at and no more.
+/// Visits cells in the order of their steps from a start. It reuses its memory, so that a search takes time in
+/// proportion to the cells it visits.
 #[derive(Debug)]
 pub struct Flood {
     frame: FramedGrid,
-    /// `base` + steps from the last search's start; lower values are left from searches before, and [`WALL`] is above all.
-    /// So one comparison tells whether a cell is free, inside and new.
+    /// `base` + steps from the last search's start; lower values are left from searches before, and [`WALL`] is above
+    /// all. So a single comparison checks that a cell is free, inside and new.
     reached: Vec<u32>,
     base: u32,
     queue: Vec<u32>,
@@ -25,12 +25,12 @@ impl Flood {
         Self { frame, reached: frame.drawn(free, 0, WALL), base: 1, queue: Vec::new() }
     }
 
-    /// The numbers by which `visit` is told cells.
+    /// The numbering of the cells passed to `visit`.
     pub fn frame(&self) -> FramedGrid {
         self.frame
     }
 
-    /// Tells `visit` the cells around `from` and their steps, nearest first, until it breaks or there are no more.
+    /// Calls `visit` with the cells around `from` and their steps, nearest first, until it breaks or there are no more.
     pub fn search(&mut self, from: Cell, mut visit: impl FnMut(usize, u32) -> ControlFlow<()>) {
         self.make_old();
         let (frame, base) = (self.frame, self.base);
@@ -55,7 +55,7 @@ impl Flood {
         }
     }
 
-    /// Makes all marks those of a search before.
+    /// Marks all cells as those of an earlier search.
     fn make_old(&mut self) {
         // The last cell in the queue has the most steps.
         let latest = self.queue.last().map_or(0, |&last| self.reached[last as usize]);
@@ -63,7 +63,7 @@ impl Flood {
         if latest < WALL / 2 {
             self.base = latest + 1;
         } else {
-            // A search can't take more steps than there are cells, which is far from the other half.
+            // A search can't take more steps than there are cells, which is far below the other half.
             self.reached.iter_mut().filter(|mark| **mark < WALL).for_each(|mark| *mark = 0);
             self.base = 1;
         }

@@ -1,4 +1,4 @@
-//! A grid in a frame one cell wide, so that a search can look at all neighbours without asking whether it is at the edge.
+//! A grid in a frame one cell wide, so that a search can read all neighbours without checking for the edge.
 
 use robovac_core::grid::{Cell, Direction, Grid};
 

@@ -10,7 +10,7 @@ use crate::{CoverageJob, PlanError};
 use robovac_core::grid::{Cell, Direction};
 use std::{cmp::Reverse, ops::ControlFlow};
 
-/// What there is still to be cleaned, by the numbers of a frame around the room.
+/// The floor still to be cleaned, by the numbers of a frame around the room.
 #[derive(Debug)]
 pub(crate) struct FloorLeft {
     /// Numbers of the cells.
@@ -46,24 +46,24 @@ impl FloorLeft {
 
 /// How a robot chooses among new cells.
 pub(crate) trait WalkRule {
-    /// Which way to go from a cell, to new floor only; `None` if the rule leads no further. `begins` at the start and
+    /// The direction to take from a cell, to new floor only; `None` if the rule ends there. `begins` at the start and
     /// after a way over clean floor.
     fn next(&mut self, floor: &FloorLeft, at: usize, heading: Direction, begins: bool) -> Option<Direction>;
 
-    /// Which one of equally near new cells to go to: the highest one, else the one towards which the robot turns least.
+    /// Rank of a new cell among equally near ones: the highest wins, else the one towards which the robot turns least.
     fn rank(&self, _cell: usize) -> u32 {
         0
     }
 }
 
-/// Is told the share of a room that is clean and the walk so far.
+/// Receives the share of the room that is clean and the walk so far.
 pub(super) type WalkReport<'a> = &'a mut dyn FnMut(f64, &[Cell]) -> Result<(), PlanError>;
 
 /// Steps by the rule between two reports.
 const REPORT_EVERY: usize = 8192;
 
-/// The walk of a robot that follows `rule`, and goes to the nearest new cell where it leads no further, until all is
-/// clean. "Nearest" is by steps; the way there is the cheapest, turns included.
+/// The walk of a robot that follows `rule`, and goes to the nearest new cell where the rule ends, until all is clean.
+/// "Nearest" is by steps; the way there is the cheapest, turns included.
 pub(super) fn greedy_walk(
     job: &CoverageJob,
     transit: &mut Transit,
@@ -89,7 +89,7 @@ pub(super) fn greedy_walk(
             walk.push(frame.cell(at));
         } else {
             let from = frame.cell(at);
-            // All free cells are connected, so that there is a way while one is left.
+            // All free cells are connected, so a way exists while one is left.
             let Some(to) = nearest(&mut flood, &floor, costs, (from, heading), &*rule) else { break };
             let (start, goal) =
                 (TransitEnd { cell: from, heading: Some(heading) }, TransitEnd { cell: to, heading: None });

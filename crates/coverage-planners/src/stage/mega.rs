@@ -34,7 +34,7 @@ pub(crate) struct MegaLink {
     cell: usize,
 }
 
-/// What joining adds to the tour.
+/// Addition of a join to the tour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Added {
     pub steps: i32,
@@ -103,7 +103,7 @@ impl MegaCells {
         Some(MegaLink { to: to as usize, is_wide, towards, cell })
     }
 
-    /// What joining there adds to the tours.
+    /// Addition of joining there to the tours.
     pub fn added(&self, link: MegaLink) -> Added {
         let turns = self.changes(link).map(|(cell, ways)| turns_of(ways) - turns_of(self.ways[cell])).into_iter().sum();
         if link.is_wide { Added { steps: 0, turns } } else { Added { steps: 2, turns: turns / 2 } }
@@ -188,7 +188,7 @@ fn turns_of(ways: u8) -> i32 {
 const MOST_TURNS: i32 = 8;
 
 impl Added {
-    /// All that a link can add.
+    /// All possible additions of a link.
     pub fn all() -> impl Iterator<Item = Self> {
         [0, 2].into_iter().flat_map(|steps| (-MOST_TURNS..=MOST_TURNS).map(move |turns| Self { steps, turns }))
     }

@@ -3,13 +3,13 @@
 
 use crate::PlanError;
 
-/// A network whose nodes are to be told apart into those on the side of the source and those on the side of the sink, so
-/// that what leads from the first to the second can carry least.
+/// A flow network whose nodes are divided into a source side and a sink side such that the arcs from the first to the
+/// second have the least capacity.
 #[derive(Debug)]
 pub(super) struct Network {
-    /// What the source can still send to each node.
+    /// Residual capacity from the source to each node.
     from_source: Vec<u32>,
-    /// What each node can still send to the sink.
+    /// Residual capacity from each node to the sink.
     to_sink: Vec<u32>,
     /// The first arc from each node, or [`NONE`].
     first: Vec<u32>,
@@ -20,7 +20,7 @@ pub(super) struct Network {
 #[derive(Debug, Clone, Copy)]
 struct FlowArc {
     to: u32,
-    /// What it can still carry.
+    /// Residual capacity.
     room: u32,
     /// The next arc from the same node, or [`NONE`].
     next: u32,
@@ -34,18 +34,18 @@ impl Network {
         Self { from_source: vec![0; nodes], to_sink: vec![0; nodes], first: vec![NONE; nodes], arcs: Vec::new() }
     }
 
-    /// What it costs more to have `node` on the side of the sink.
+    /// Additional cost of `node` on the side of the sink.
     pub fn tie_to_source(&mut self, node: usize, cost: u32) {
         self.from_source[node] = self.from_source[node].saturating_add(cost);
     }
 
-    /// What it costs more to have `node` on the side of the source.
+    /// Additional cost of `node` on the side of the source.
     pub fn tie_to_sink(&mut self, node: usize, cost: u32) {
         self.to_sink[node] = self.to_sink[node].saturating_add(cost);
     }
 
-    /// What it costs to have `a` on the side of the source and `b` on the side of the sink, and the other way round;
-    /// both together less than 2³².
+    /// Cost of `a` on the side of the source and `b` on the side of the sink, and the reverse; both together less than
+    /// 2³².
     pub fn add_edge(&mut self, a: usize, b: usize, cost: u32, cost_back: u32) {
         for (from, to, room) in [(a, b, cost), (b, a, cost_back)] {
             self.arcs.push(FlowArc { to: to as u32, room, next: self.first[from] });
@@ -66,7 +66,7 @@ impl Network {
         }
     }
 
-    /// Fewest arcs with room on a way from the source to each node, and whether one leads on to the sink.
+    /// Fewest arcs with residual capacity from the source to each node, and whether one leads on to the sink.
     fn levels(&self) -> (Vec<u32>, bool) {
         let mut levels = vec![NONE; self.first.len()];
         let mut queue: Vec<u32> = (0..self.first.len() as u32).filter(|&n| self.from_source[n as usize] > 0).collect();
@@ -78,7 +78,7 @@ impl Network {
             next_in_queue += 1;
             let level = levels[node as usize];
             if level >= last_level {
-                // Ways to the sink that are longer than the shortest are for the next rounds.
+                // Longer ways to the sink are for later rounds.
                 break;
             }
             if self.to_sink[node as usize] > 0 {
@@ -97,9 +97,9 @@ impl Network {
         (levels, last_level != NONE)
     }
 
-    /// Sends as much as arcs from one level to the next can carry.
+    /// Sends a blocking flow along arcs from one level to the next.
     fn block(&mut self, levels: &[u32]) {
-        // Arcs before these lead nowhere any more.
+        // Arcs before these are exhausted.
         let mut current = self.first.clone();
         let mut way: Vec<u32> = Vec::new();
         for source in 0..self.first.len() {
@@ -131,7 +131,7 @@ impl Network {
         }
     }
 
-    /// Sends as much as fits along a way.
+    /// Sends as much flow as fits along a way.
     fn send(&mut self, source: usize, last: usize, way: &[u32]) {
         let narrowest = way.iter().map(|&arc| self.arcs[arc as usize].room).min().unwrap_or(u32::MAX);
         let amount = narrowest.min(self.from_source[source]).min(self.to_sink[last]);

@@ -1,4 +1,5 @@
-//! Stages that planners are composed of. They take robot parameters as arguments; objects only keep buffers for reuse.
+//! Stages from which planners are composed. They take robot parameters as arguments; objects only keep buffers for
+//! reuse.
 
 mod anneal;
 mod axis;

@@ -26,7 +26,7 @@ pub fn nearest_first(
         if tour.len() % REPORT_EVERY == 0 {
             report(tour.len())?;
         }
-        // All blocks are connected, so that there is a way to the next.
+        // All blocks are connected, so a way to the next exists.
         let Some(visit) = search.next(at, heading) else { break };
         search.close(visit.block);
         let sweep = &sweeps[visit.block][visit.sweep];
@@ -63,7 +63,7 @@ impl<'a> Nearest<'a> {
         Self { flood, sweeps, costs, open }
     }
 
-    /// Takes a block out of the search.
+    /// Removes a block from the search.
     fn close(&mut self, block: usize) {
         for sweep in &self.sweeps[block] {
             self.open[self.flood.frame().index(sweep.entry)] = NONE;
@@ -74,7 +74,7 @@ impl<'a> Nearest<'a> {
     fn next(&mut self, from: Cell, heading: Direction) -> Option<Visit> {
         let Self { flood, sweeps, costs, open } = self;
         let frame = flood.frame();
-        // The least cost so far, and the steps that cost as much.
+        // The least cost so far, and the number of steps that alone cost as much.
         let (mut best, mut least, mut enough) = (None, u32::MAX, u32::MAX);
         flood.search(from, |index, steps| {
             if steps >= enough {
@@ -95,8 +95,8 @@ impl<'a> Nearest<'a> {
     }
 }
 
-/// The sweep that is cheapest if entered in `entry`, `steps` from where the robot is, and its cost beyond the block's
-/// cheapest, way included.
+/// The sweep that is cheapest if entered in `entry`, `steps` from the robot, and its cost beyond the block's cheapest,
+/// way included.
 fn cheapest_entry(
     sweeps: &[BlockSweep; SWEEPS],
     costs: Costs,

@@ -2,8 +2,8 @@
 
 use robovac_core::grid::{Cell, Direction, Grid};
 
-/// Breadth-first search that stops at its first goal and leaves nothing to clean up, so that thousands of short searches
-/// on a large room cost what they look at and no more.
+/// Breadth-first search that stops at its first goal and reuses its memory, so that a search takes time in proportion
+/// to the cells it visits.
 #[derive(Debug)]
 pub struct NearestGoalBfs {
     /// `base` + steps from the last search's start; lower values are left from searches before.
@@ -13,12 +13,12 @@ pub struct NearestGoalBfs {
 }
 
 impl NearestGoalBfs {
-    /// A seeker for grids of the size of `free`.
+    /// A search on grids of the size of `free`.
     pub fn new<T>(free: &Grid<T>) -> Self {
         Self { reached: vec![0; free.len()], base: 1, queue: Vec::new() }
     }
 
-    /// A shortest path through free cells to the nearest one where `is_goal`, `from` left out; `None` if there is none.
+    /// A shortest path through free cells to the nearest one with `is_goal`, without `from`; `None` if there is none.
     ///
     /// Among equally near goals it takes the one that is found first when looking ahead, left, right, back; among
     /// shortest paths to it one that goes straight on where it can.

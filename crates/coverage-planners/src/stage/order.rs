@@ -18,9 +18,9 @@ pub struct Visit {
 }
 
 /// Improves a tour by local search: moves of up to three blocks (Or 1976) and reversals of a part (2-opt, Croes 1958),
-/// tried between neighbours only; then corners by dynamic programming; then again from small random
-/// changes, `rounds` times, each undone if it leads to a tour that is worse than the best one by more than a leeway, which
-/// shrinks to nothing (record-to-record travel, Dueck 1993).
+/// tried between neighbours only; then corners by dynamic programming; then again from small random changes, `rounds`
+/// times, each undone if the tour is worse than the best one by more than a leeway, which shrinks to 0
+/// (record-to-record travel, Dueck 1993).
 pub fn improve(
     links: &Links<'_>,
     tour: &mut Vec<Visit>,
@@ -68,15 +68,15 @@ pub fn improve(
 
 /// Rounds between two reports: one costs time in proportion to the blocks.
 const REPORT_EVERY: usize = 16;
-/// Blocks that a block is tried next to.
+/// Number of neighbours next to which a block is tried.
 const NEIGHBOURS: usize = 10;
-/// Longest parts that are exchanged by chance.
+/// Longest parts that are exchanged at random.
 const LONGEST_EXCHANGE: usize = 30;
-/// Turns by which a tour may be worse than the best one to be gone on with, at first.
+/// Initial leeway: turns by which a tour can be worse than the best one.
 const LEEWAY_TURNS: u64 = 2;
 /// Longest part that is moved.
 const LONGEST_MOVE: usize = 3;
-/// Parts up to that length that a block is in.
+/// Number of parts up to that length that contain a block.
 const PARTS: usize = LONGEST_MOVE * (LONGEST_MOVE + 1) / 2;
 
 struct OrOpt<'a> {
@@ -122,7 +122,7 @@ impl<'a> OrOpt<'a> {
         sweeps + ways
     }
 
-    /// Improves around the blocks in `queue` until nothing helps.
+    /// Improves around the blocks in `queue` until no move helps.
     fn settle(
         &mut self,
         mut queue: Vec<usize>,
@@ -153,7 +153,7 @@ impl<'a> OrOpt<'a> {
     /// The first move found that helps; the blocks at its seams, or `None` if there is no such move.
     fn improve_at(&mut self, block: usize) -> Option<[Option<Visit>; 6]> {
         let longest = self.longest_way_at(block);
-        // Known when the first neighbour needs them, and the same for all.
+        // Computed when the first neighbour needs them; the same for all.
         let mut parts = None;
         for n in 0..self.near[block].len() {
             let other = self.near[block][n];
@@ -186,7 +186,7 @@ impl<'a> OrOpt<'a> {
         longest > direct || self.longest_way_at(other) > direct
     }
 
-    /// The parts with `block` in them that might be better off elsewhere.
+    /// The parts with `block` in them whose move could help.
     fn parts_around(&self, block: usize) -> [Option<TourPart>; PARTS] {
         let lengths = (1..=LONGEST_MOVE).flat_map(|length| (0..length).map(move |shift| (length, shift)));
         let mut parts = [None; PARTS];
@@ -196,7 +196,7 @@ impl<'a> OrOpt<'a> {
         parts
     }
 
-    /// The `length` blocks of which `block` is number `shift`, unless nothing is won by taking them out.
+    /// The `length` blocks of which `block` is number `shift`, unless removing them gains nothing.
     fn part(&self, block: usize, length: usize, shift: usize) -> Option<TourPart> {
         let first = self.position[block].checked_sub(shift)?;
         let end = first + length;
@@ -234,14 +234,14 @@ impl<'a> OrOpt<'a> {
             }
             let (left, right) = (self.before(seam), self.at(seam));
             let opened = link(left, right);
-            // At least the way to `other` is new.
+            // The way to `other` is new in any case.
             if is_single && removal + slack + opened <= i64::from(self.links.nearest_cost(block, other)) {
                 continue;
             }
             let gain = |h, t| removal + opened - link(left, Some(h)) - link(Some(t), right);
             let turned = |v: Visit| Visit { sweep: reversed(v.sweep), ..v };
             let best = if is_single {
-                // A sweep that costs more than the rest can save needn't be looked at.
+                // Sweeps that cost more than the possible gain are skipped.
                 let most = removal + opened + self.own(head) - i64::from(self.links.nearest_cost(block, other));
                 (0..SWEEPS)
                     .map(|sweep| Visit { sweep, ..head })
@@ -277,7 +277,7 @@ impl<'a> OrOpt<'a> {
         self.number(low, high);
     }
 
-    /// Drives the part between the two blocks backwards, so that they come to stand side by side.
+    /// Reverses the part between the two blocks, so that they become neighbours.
     fn try_reverse(&mut self, block: usize, other: usize) -> Option<[Option<Visit>; 6]> {
         let (a, b) = (self.position[block], self.position[other]);
         let (a, b) = (a.min(b), a.max(b));
@@ -291,7 +291,7 @@ impl<'a> OrOpt<'a> {
             let link = |a, b| i64::from(self.links.between(a, b));
             let old = link(before, Some(head)) + link(Some(tail), after);
             let new = link(before, turned(tail)) + link(turned(head), after);
-            // Inside the part nothing changes: links and sweeps cost the same both ways.
+            // Inside the part nothing changes: ways and sweeps cost the same in both directions.
             if new < old {
                 self.reverse(first, end);
                 return Some([before, after, Some(head), Some(tail), None, None]);
@@ -306,7 +306,7 @@ impl<'a> OrOpt<'a> {
         self.number(first, end);
     }
 
-    /// Exchanges two short neighbouring parts somewhere; the blocks at the seams.
+    /// Exchanges two short neighbouring parts at random; returns the blocks at the seams.
     fn disturb(&mut self, rng: &mut Rng) -> Vec<usize> {
         let longest = (self.tour.len() / 2).clamp(1, LONGEST_EXCHANGE);
         let (a, b) = (rng.random_range(1..=longest), rng.random_range(1..=longest));
@@ -356,13 +356,13 @@ struct TourPart {
     first: usize,
     /// Index after the last one.
     end: usize,
-    /// Cost of the ways that go if the part is taken out, less the new one in their place.
+    /// Cost of the ways removed with the part, less the new one in their place.
     removal: i64,
-    /// What another sweep could save.
+    /// Most that another sweep could save.
     slack: i64,
 }
 
-/// What happens to a part that is moved.
+/// Change of a part that is moved.
 #[derive(Clone, Copy)]
 enum SegmentChange {
     Keep,

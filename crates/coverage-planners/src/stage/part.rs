@@ -79,7 +79,7 @@ pub fn drive(
         let heading = if let [.., before, last] = *walk { before.direction_to(last) } else { Some(job.heading) };
         let from = TransitEnd { cell: walk[walk.len() - 1], heading };
         let to = TransitEnd { cell: sweep.entry, heading: sweep.entering };
-        // All free cells are connected, so that there is a way.
+        // All free cells are connected, so a way exists.
         let _ = transit.append_way(from, to, u32::MAX, &mut walk);
         parts[visit.block].append(visit.sweep, costs, &mut walk);
     }

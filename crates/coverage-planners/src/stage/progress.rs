@@ -4,7 +4,7 @@ use super::nearest_goal_bfs::NearestGoalBfs;
 use crate::{CoverageJob, CoveragePath, PlanContext, PlanError};
 use robovac_core::grid::{Cell, Direction, Grid};
 
-/// Where a robot has been, where it is, and which cells are left.
+/// The walk so far, the robot's pose, and the cells that are left.
 #[derive(Debug)]
 pub struct CoverageProgress<'j> {
     job: &'j CoverageJob,
@@ -79,7 +79,7 @@ impl<'j> CoverageProgress<'j> {
         self.follow(way);
     }
 
-    /// Goes by a shortest way to `goal`.
+    /// Goes to `goal` by a shortest way.
     pub fn go_to(&mut self, goal: Cell) {
         if goal != self.at {
             let way = self.seeker.nearest(&self.job.free, self.at, self.facing, |cell| cell == goal);
@@ -89,7 +89,7 @@ impl<'j> CoverageProgress<'j> {
 
     fn follow(&mut self, way: Option<Vec<Cell>>) {
         for towards in way.into_iter().flatten() {
-            // The way is one of 4-neighbour steps.
+            // The way consists of 4-neighbour steps.
             if let Some(direction) = self.at.direction_to(towards) {
                 self.step(direction);
             }
@@ -106,7 +106,7 @@ impl<'j> CoverageProgress<'j> {
         self.left_count
     }
 
-    /// To be called every few steps: reports the walk every few thousand.
+    /// To be called every few steps; reports the walk every few thousand.
     pub fn report(&mut self, ctx: &mut PlanContext<'_>) -> Result<(), PlanError> {
         if self.walk.len() < self.next_report {
             return Ok(());

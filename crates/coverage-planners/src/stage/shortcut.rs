@@ -35,18 +35,18 @@ pub fn shortcut(
         }
         let mut end = start + 1;
         if visits[walk[end]] == 1 {
-            // Nearly all cells: visited only now, so that they stay.
+            // Most cells are visited only once and stay.
             result.push(walk[end]);
             start = end;
             continue;
         }
-        // The stretch: as many cells after `start` as can go.
+        // The stretch: as many cells after `start` as can be dropped.
         while end < walk.len() && visits[walk[end]] > 1 {
             visits[walk[end]] -= 1;
             end += 1;
         }
         if end == walk.len() {
-            // All that is left has been visited: the walk ends here.
+            // The rest has been visited: the walk ends here.
             break;
         }
         let kept = &walk[start..=end];
@@ -73,7 +73,7 @@ pub fn shortcut(
 /// Cells between two reports: every other one may take a search.
 const REPORT_EVERY: usize = 2_048;
 
-/// Finds a cheaper way than `kept` between its ends; whether there is one.
+/// Searches for a cheaper way than `kept` between its ends; returns whether there is one.
 fn shorten(
     job: &CoverageJob,
     costs: Costs,

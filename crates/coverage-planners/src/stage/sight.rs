@@ -3,14 +3,14 @@
 use robovac_core::grid::{Cell, Direction, Grid};
 use std::{cmp::Ordering, ops::ControlFlow};
 
-/// Tells `visit` every cell that the straight line between two cells' centres touches, in its order, until it breaks;
-/// where the line goes through a corner exactly, the two cells beside it as well. In whole numbers, so there is no
+/// Calls `visit` with every cell that the straight line between two cells' centres touches, in order, until it breaks;
+/// where the line passes exactly through a corner, with the two cells beside it as well. In whole numbers, without
 /// rounding (Dedu, Bresenham-based supercover line algorithm, 2001).
 pub fn supercover(from: Cell, to: Cell, mut visit: impl FnMut(Cell) -> ControlFlow<()>) -> ControlFlow<()> {
     let (dx, dy) = (i64::from(to.x) - i64::from(from.x), i64::from(to.y) - i64::from(from.y));
     let (right, up) = (dx.signum() as i32, dy.signum() as i32);
     let (dx, dy) = (dx.abs(), dy.abs());
-    // Above 0 the next border that the line crosses is an upright one, below 0 a level one.
+    // Above 0 the line crosses a vertical border next, below 0 a horizontal one.
     let mut error = dx - dy;
     let mut cell = from;
     visit(cell)?;
@@ -43,8 +43,8 @@ pub fn is_straight_free(free: &Grid<bool>, from: Cell, to: Cell) -> bool {
     supercover(from, to, look).is_continue()
 }
 
-/// Single steps along a straight way that is free, `from` left out: round one corner if those cells are free, first
-/// on in the direction of `facing` if that helps; else as a staircase along the line.
+/// Single steps along a straight free way, without `from`: round one corner if those cells are free, first on in the
+/// direction of `facing` if that helps; else as a staircase along the line.
 pub fn steps_along(free: &Grid<bool>, from: Cell, to: Cell, facing: Direction) -> Vec<Cell> {
     let (level, upright) = (Cell::new(to.x, from.y), Cell::new(from.x, to.y));
     let ahead = from.step(facing);

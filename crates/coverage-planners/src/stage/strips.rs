@@ -44,13 +44,13 @@ impl Strips {
     }
 }
 
-/// What an end of a lane costs at floor mown the other way.
+/// Cost of a lane's end at floor mown the other way.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Borders {
-    /// As much as at a wall.
+    /// The same as at a wall.
     Apart,
-    /// A little less, as one turn may lead from the one lane into the other and so serve the ends of both. For lanes that
-    /// are driven part by part; how much less was found by trial.
+    /// A little less, as one turn can lead from one lane into the other and so serve the ends of both. For lanes that
+    /// are driven part by part; the reduction was found by trial.
     Shared,
 }
 
@@ -61,16 +61,16 @@ impl Borders {
     }
 }
 
-/// Most pieces that the cut is looked for among.
+/// Most pieces in the minimum cut.
 const MAX_PIECES: usize = 60_000;
-/// What an end of a lane at a wall weighs.
+/// Weight of a lane's end at a wall.
 const SCALE: u32 = 8;
-/// More than all ends of a piece.
+/// More than all ends of a piece weigh.
 const NEVER: u32 = 1 << 30;
 /// Not in a piece.
 const NONE: u32 = u32::MAX;
 
-/// The strips whose ends and crossings cost least; all floor along x where it's too ragged for the search.
+/// The strips whose ends and crossings cost least; all floor along x if there are too many pieces.
 ///
 /// ```
 /// use robovac_core::grid::*;
@@ -132,7 +132,7 @@ pub fn strips(
     Ok(Strips { along_x: is_mown(0), along_y: is_mown(1) })
 }
 
-/// Numbers the pieces, [`NONE`] for cells that aren't free; their number.
+/// Numbers the pieces, [`NONE`] for cells that aren't free; returns their count as well.
 fn pieces_of(free: &Grid<bool>, max_jump: i32) -> (Grid<u32>, usize) {
     let mut blocks = free.map(|_| (NONE, NONE));
     let paint = |all: Vec<Block>, mut set: Box<dyn FnMut(i32, i32, u32) + '_>| {

@@ -20,7 +20,7 @@ pub fn lanes_of(parts: &[MownBlock], tour: &[Visit]) -> (Vec<MownBlock>, Vec<Vis
     for visit in tour {
         let MownBlock { block, is_swapped } = &parts[visit.block];
         let is_down = visit.sweep >= SWEEPS / 2;
-        // Where the first lane begins hardly matters: the order is improved from here.
+        // The entry of the first lane hardly matters: the order is improved from here.
         for i in 0..block.len() {
             let run = block[if is_down { block.len() - 1 - i } else { i }];
             visits.push(Visit { block: lanes.len(), sweep: if i % 2 == 0 { THERE } else { BACK } });
@@ -33,7 +33,7 @@ pub fn lanes_of(parts: &[MownBlock], tour: &[Visit]) -> (Vec<MownBlock>, Vec<Vis
 /// The straight strokes of a walk over `free` as parts of one lane, less what longer ones clean at their ends as well, and the
 /// tour that drives them in the walk's order.
 ///
-/// So what was a way between two lanes may become a lane, and lanes shrink by what ways have cleaned.
+/// So a way between two lanes can become a lane, and lanes shrink by the floor that ways have cleaned.
 pub fn strokes(free: &Grid<bool>, walk: &[Cell]) -> (Vec<MownBlock>, Vec<Visit>) {
     // Indices of the first cell of every stroke and of the one after its last.
     let mut strokes = Vec::new();

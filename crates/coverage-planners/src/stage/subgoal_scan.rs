@@ -10,13 +10,13 @@
 //!   clear: as printed the robot would never take a point across that is UNTRACKED. Read as: if it is UNTRACKED and
 //!   the way is clear, link it. Of the points across on a line only the other end of the robot's own run has a clear
 //!   way, as between runs there is something.
-//! - *Case 2* prints "`LEFT_WALL` and `RIGHT_OBSTACLE`" for what takes the place of `RIGHT_WALL` and
-//!   `RIGHT_OBSTACLE`: `LEFT_OBSTACLE` is meant.
+//! - *Case 2* prints "`LEFT_WALL` and `RIGHT_OBSTACLE`" in place of `RIGHT_WALL` and `RIGHT_OBSTACLE`: `LEFT_OBSTACLE`
+//!   is meant.
 //! - *Steps 3 to 5* look for a point across one line above, then one line below. As printed, once a line is swept the
 //!   robot would cross the room slantwise to the far end of the next line, and sweep everything twice
 //!   ([`Beside::First`]). With the printed TRACKED of step 2 it would come to step 6 then, which leads to the near
 //!   end of the next line as figure 4's lines ask for ([`Beside::Never`], the default).
-//! - *Ties* are for nobody in the paper: here the lower line comes first, and on a line the left point.
+//! - *Ties* aren't in the paper: here the lower line comes first, and on a line the left point.
 
 use super::{is_straight_free, subgoals::Subgoal};
 use robovac_core::grid::{Cell, Grid};
@@ -30,7 +30,7 @@ pub enum Beside {
     Never,
 }
 
-/// By which step a point was found.
+/// The step of the paper that found a point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FoundBy {
     /// Steps 1 and 2: across on its line.
@@ -41,7 +41,7 @@ pub enum FoundBy {
     Nearest,
 }
 
-/// Subgoal points with their tracked flags, found by place.
+/// Subgoal points with their tracked flags, indexed by position.
 #[derive(Debug)]
 pub struct SubgoalScan<'a> {
     subgoals: &'a [Subgoal],
@@ -74,7 +74,7 @@ impl<'a> SubgoalScan<'a> {
         for (&number, place) in sorted.iter().zip(0..) {
             places[number as usize] = place;
             let subgoal = &subgoals[number as usize];
-            // A line without points gets a row that keeps their order, and is done from the start.
+            // A line without points gets a row that keeps the order, and is done from the start.
             while rows.len() <= subgoal.line as usize {
                 rows.push(subgoal.at.y);
                 starts.push(place);
@@ -103,8 +103,8 @@ impl<'a> SubgoalScan<'a> {
         self.nearest(at).map(|number| (number, FoundBy::Nearest))
     }
 
-    /// Links all points that are left: `go` is told from where, as [`SubgoalScan::next`] takes it, to which point, and by
-    /// which step that was found. Returns the last one.
+    /// Links all points that are left. `go` receives the starting point, as [`SubgoalScan::next`] takes it, the next
+    /// point, and the step that found it. Returns the last point.
     pub fn link_all<E>(
         &mut self,
         free: &Grid<bool>,
@@ -191,10 +191,11 @@ impl<'a> SubgoalScan<'a> {
     }
 }
 
-/// Numbers from 0 on, of which some are gone, with quick ways to the next that isn't: disjoint sets in both directions.
+/// Numbers from 0 on, of which some are removed, with fast access to the next remaining one: disjoint sets in both
+/// directions.
 #[derive(Debug)]
 struct Alive {
-    /// A number at or after each, the number itself if it isn't gone; the count for none.
+    /// A number at or after each, the number itself if it remains; the count for none.
     after: Vec<u32>,
     /// 1 + a number at or before each number less 1; 0 for none.
     before: Vec<u32>,
@@ -225,7 +226,7 @@ impl Alive {
     }
 }
 
-/// The end of a chain, which gets shorter by that (path halving).
+/// The end of a chain, shortened on the way (path halving).
 fn follow(next: &mut [u32], mut number: usize) -> usize {
     while next[number] as usize != number {
         next[number] = next[next[number] as usize];

@@ -13,7 +13,7 @@
 //!   (smaller x), RIGHT at the other.
 //! - *Step 4* moves by another line and goes back to step 1, which would reset `x`, `y` and `i`: read as going on
 //!   with step 2.
-//! - *Step 1* moves along x and y to find a first place: here the first line is the topmost row with a free cell.
+//! - *Step 1* moves along x and y to find its first line: here the first line is the topmost row with a free cell.
 //! - *The last line.* Step 3 ends at the lower right. The lowest row with a free cell is made a line too if none
 //!   falls on it: so the floor along the lower wall isn't left out (ours).
 //! - Lines are recorded to the right and to the left in turn, as the paper's robot moves.
@@ -54,8 +54,8 @@ impl LineEndContact {
     }
 }
 
-/// A subgoal point, in a cell or (as a [`Point`](robovac_core::geometry::Point), m) at the very place where the body touches:
-/// the paper's `SubgoalPoints`, whose `tracked_flag` is kept by [`super::SubgoalScan`].
+/// A subgoal point, in a cell or (as a [`Point`](robovac_core::geometry::Point), m) at the exact place where the body
+/// touches: the paper's `SubgoalPoints`, whose `tracked_flag` is kept by [`super::SubgoalScan`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Subgoal<P = Cell> {
     /// `posion`: where the robot is.
@@ -68,8 +68,8 @@ pub struct Subgoal<P = Cell> {
     pub obstacle: Option<u32>,
 }
 
-/// Rows of the scan lines, from the top: `distance` rows apart, which needn't be a whole number but is at least 1,
-/// from the topmost free row to the lowest.
+/// Rows of the scan lines, from the topmost free row to the lowest: `distance` rows apart, at least 1, not necessarily
+/// a whole number.
 pub fn scan_rows(free: &Grid<bool>, distance: f64) -> Vec<i32> {
     let width = free.width();
     let has_free = |&y: &i32| free.values()[y as usize * width..][..width].contains(&true);

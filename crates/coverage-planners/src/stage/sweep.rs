@@ -10,7 +10,7 @@ use super::{
 };
 use robovac_core::grid::{Cell, Direction};
 
-/// A way through a block: where it starts and ends and what it costs.
+/// A way through a block: its ends and its cost.
 #[derive(Debug, Clone, Copy)]
 pub struct BlockSweep {
     /// First cell: an end of the first run of the way.
@@ -72,7 +72,7 @@ pub fn append_sweep(block: &Block, number: usize, costs: Costs, walk: &mut Vec<C
     let up = number % UPWARDS;
     let mut chosen_before: Vec<[RunSide; 2]> = Vec::with_capacity(block.len());
     finish(block, entry_side(up), costs, |before| chosen_before.push(before));
-    // Ends at which the runs are finished, from the last one back.
+    // The end at which each run is finished, from the last one back.
     let mut side = exit_side(up);
     let mut sides: Vec<RunSide> = Vec::with_capacity(block.len());
     for before in chosen_before.iter().rev() {
@@ -153,8 +153,8 @@ impl SweepState {
     }
 }
 
-/// Dynamic programming over the runs: the best ways that end at the left and at the right end of the last run. Tells
-/// `chosen` for every run at which end the run before was finished if this one is finished left and right.
+/// Dynamic programming over the runs: the best ways that end at the left and at the right end of the last run. Calls
+/// `chosen` for every run with the ends at which the run before was finished, if this one is finished left and right.
 fn finish(block: &Block, entry: RunSide, costs: Costs, mut chosen: impl FnMut([RunSide; 2])) -> [SweepState; 2] {
     let start = SweepState { cost: 0, at: block[0].end(entry), first: None, heading: None };
     let mut states = [start; 2];

@@ -25,7 +25,7 @@ pub(crate) struct Tours<'j, 'c> {
     pub ctx: &'j mut PlanContext<'c>,
     pub costs: Costs,
     transit: Transit,
-    /// Cells around every end of a part that shortest paths are looked for in.
+    /// Cells around every end of a part that are searched for shortest paths.
     reach: usize,
     rng: Rng,
     /// The cheapest walk so far; empty before the first.
@@ -45,7 +45,7 @@ impl<'j, 'c> Tours<'j, 'c> {
     pub fn new(job: &'j CoverageJob, ctx: &'j mut PlanContext<'c>, reach: usize) -> Self {
         let costs = Costs::of(job);
         let transit = Transit::new(&job.free, costs);
-        // The same numbers in every run: the seed changes nothing.
+        // A fixed seed: the result doesn't depend on the run's.
         Self { job, ctx, costs, transit, reach, rng: seeded(0, 0), best: Vec::new() }
     }
 
@@ -66,7 +66,7 @@ impl<'j, 'c> Tours<'j, 'c> {
         })
     }
 
-    /// Looks for a better order. The shares are those before, after the ways between parts are known, and after.
+    /// Searches for a better order. `shares` are those before, after the ways between parts are known, and after.
     pub fn improve(
         &mut self,
         sweeps: &[[BlockSweep; SWEEPS]],
@@ -96,7 +96,7 @@ impl<'j, 'c> Tours<'j, 'c> {
         self.offer(walk, [middle, after])
     }
 
-    /// Cuts a walk's detours ([`shortcut`]) and keeps it if it's the cheapest; whether it is.
+    /// Cuts a walk's detours ([`shortcut`]) and keeps it if it's the cheapest; returns whether it is.
     pub fn offer(&mut self, mut walk: Vec<Cell>, shares: [f64; 2]) -> Result<bool, PlanError> {
         let Self { job, ctx, costs, transit, best, .. } = self;
         let passes = if job.cells() <= MAX_CELLS_FOR_ALL { PASSES } else { 1 };

@@ -4,8 +4,8 @@ use super::{cost::Costs, frame::FramedGrid};
 use robovac_core::grid::{Cell, Direction, Grid};
 use std::{cmp::Reverse, collections::BinaryHeap};
 
-/// A* search (Hart, Nilsson & Raphael 1968) over cells and headings that reuses its memory, so that a search costs what
-/// it looks at and no more.
+/// A* search (Hart, Nilsson & Raphael 1968) over cells and headings. It reuses its memory, so that a search takes time
+/// in proportion to the cells it visits.
 #[derive(Debug)]
 pub struct Transit {
     frame: FramedGrid,
@@ -13,9 +13,9 @@ pub struct Transit {
     /// `base` + cost of the way to a cell, by its heading there; lower values are left from searches before.
     reached: Vec<[u32; 4]>,
     base: u32,
-    /// The dearest way of the last search.
+    /// The cost of the last search's dearest way.
     dearest: u32,
-    /// The estimate for the whole way, what remains of it, and four times the cell's number + the heading.
+    /// The estimate for the whole way, its remaining part, and four times the cell's number + the heading.
     queue: BinaryHeap<Reverse<(u32, u32, u32)>>,
     costs: Costs,
 }
@@ -49,7 +49,7 @@ impl Transit {
     pub fn append_way(&mut self, from: TransitEnd, to: TransitEnd, limit: u32, walk: &mut Vec<Cell>) -> Option<u32> {
         self.make_old();
         let start = self.frame.index(from.cell);
-        // Without a heading every direction is as good to start with.
+        // Without a heading any direction is allowed at the start.
         for direction in Direction::ALL.into_iter().filter(|&d| from.heading.is_none_or(|h| h == d)) {
             self.reach(start, from.cell, direction, 0, to, limit);
         }
@@ -65,7 +65,7 @@ impl Transit {
                 return Some(estimate);
             }
             for direction in Direction::ALL {
-                // Going back to where one has just been never pays, except from the start.
+                // Going straight back never pays, except from the start.
                 let next = self.frame.ahead(index, direction);
                 if self.is_free[next] && (cost == 0 || direction != heading.opposite()) {
                     let step = self.costs.step + self.costs.turn * heading.quarter_turns(direction);
@@ -76,7 +76,7 @@ impl Transit {
         None
     }
 
-    /// Makes all marks those of a search before.
+    /// Marks all cells as those of an earlier search.
     fn make_old(&mut self) {
         self.queue.clear();
         self.base += self.dearest + 1;
@@ -97,7 +97,7 @@ impl Transit {
         if cost + remaining < limit {
             *mark = self.base + cost;
             self.dearest = self.dearest.max(cost);
-            // The second number makes it look first at what is nearest to the goal.
+            // The second number prefers cells nearest to the goal.
             self.queue.push(Reverse((cost + remaining, remaining, 4 * index as u32 + heading as u32)));
         }
     }

@@ -114,12 +114,12 @@ impl WalkRule for Descent {
     }
 }
 
-/// Where the waves start from: what a walk ends near.
+/// Where the waves start; a walk ends near it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum WaveGoal {
     /// The cheapest walk of those for several goals.
     Cheapest,
-    /// The robot's start: it comes home.
+    /// The robot's start.
     Start,
     /// The cell that is farthest from the start.
     Farthest,

@@ -6,16 +6,16 @@ use robovac_core::{
     grid::Grid,
 };
 
-/// Reachable floor, and what of it is swept: see [`super::Sweep::coverage`].
+/// Reachable floor, and its swept part: see [`super::Sweep::coverage`].
 pub(super) struct Cover {
     floor: Swath,
     swept: Swath,
-    /// Gain below which a stroke isn't worth driving, cells.
+    /// Least gain for which a stroke is driven, cells.
     pub least_gain: f64,
 }
 
 impl Cover {
-    /// Swept along `path`, with the body at heading 0, on the cells of the obstacle map.
+    /// The floor swept along `path`, with the body at heading 0, on the cells of the obstacle map.
     pub fn new(outline: &Outline, reached: &Grid<bool>, cell: f64, path: &[Point]) -> Self {
         let nothing = Swath::new(outline, reached.width(), reached.height(), cell);
         let (mut floor, mut swept) = (nothing.clone(), nothing);
@@ -44,7 +44,7 @@ impl Cover {
         }
     }
 
-    /// Share that is swept, 0 to 1.
+    /// Swept share, 0 to 1.
     pub fn share(&self) -> f64 {
         if self.floor.count() == 0 { 0.0 } else { self.swept.count() as f64 / self.floor.count() as f64 }
     }

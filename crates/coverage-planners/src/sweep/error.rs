@@ -11,11 +11,11 @@ pub enum SweepError {
     /// A number is out of range.
     #[error("{what} can't be {value}; use {expected}")]
     Value {
-        /// What the number is for.
+        /// Name of the number.
         what: &'static str,
-        /// The number.
+        /// Its value.
         value: f64,
-        /// What would do.
+        /// Accepted values.
         expected: String,
     },
     /// The body fits nowhere.

@@ -1,8 +1,8 @@
 //! Sweeps the floor that the links leave out.
 //!
-//! Scan lines lie where their distance puts them. Under the edge of a desk that lies between two lines, up to a line's distance is left unswept, for
-//! which the paper has nothing. So after all links the robot drives along such edges, from each to the nearest that is worth it. This stage is
-//! ours, and comes after the paper's three.
+//! Scan lines lie where their distance puts them. Under the edge of a desk that lies between two lines, up to a line's
+//! distance is left unswept, which the paper doesn't address. So after all links the robot drives along such edges,
+//! from each to the nearest worthwhile one. This stage is ours, and comes after the paper's three.
 
 use super::{
     SweepError,
@@ -16,12 +16,13 @@ use robovac_core::{
 
 /// Least length of an edge that is driven along, cells.
 const LEAST_CELLS: usize = 2;
-/// Most edges that are looked at, longest first: in a map full of specks there could be millions.
+/// Most edges that are considered, longest first: a map full of specks could have millions.
 const MAX_EDGES: usize = 10_000;
 /// Strokes between two reports.
 const REPORT_EVERY: usize = 64;
 
-/// Ways to and along edges that add something, in the order in which they are driven from `at`. `report` is told the share done, 0 to 1.
+/// Ways to and along edges that add something, in the order in which they are driven from `at`. `report` receives the
+/// share done, 0 to 1.
 pub(super) fn finish(
     linker: &mut WayLinker<'_>,
     cover: &mut Cover,
@@ -31,7 +32,7 @@ pub(super) fn finish(
 ) -> Result<Vec<Vec<Point>>, SweepError> {
     let mut edges = edges(linker.free, rows);
     let size = linker.cell;
-    // Most lie along a scan line's floor.
+    // Most edges lie along a scan line's floor.
     edges.retain(|edge| cover.gain(edge.0.centre(size), edge.1.centre(size)) >= cover.least_gain);
     // The order of equally long ones stays.
     edges.sort_by_key(|(first, last)| first.x - last.x);
@@ -70,7 +71,7 @@ fn nearest(edges: &[(Cell, Cell)], at: Cell) -> Option<(usize, bool)> {
     ends.min().map(|(_, index, is_turned)| (index, is_turned))
 }
 
-/// First and last cell of every stretch of cells off the scan lines that can be swept no farther up or down.
+/// First and last cell of every stretch of cells off the scan lines that can't be swept farther up or down.
 fn edges(free: &Grid<bool>, rows: &[i32]) -> Vec<(Cell, Cell)> {
     let mut found = Vec::new();
     let mut lines = rows.iter().rev().peekable();

@@ -10,13 +10,13 @@ use robovac_core::{
 /// A place, and the FREE cell that it belongs to.
 pub(super) type WayStop = (Cell, Point);
 
-/// Makes ways from place to place.
+/// Finds ways between places.
 pub(super) struct WayLinker<'a> {
-    /// Cells that the robot gets to.
+    /// Cells that the robot can reach.
     pub free: &'a Grid<bool>,
-    /// To the nanometre.
+    /// Free motion to the nanometre.
     pub motion: &'a Motion,
-    /// Round what is in the way.
+    /// Detours around obstacles.
     pub detours: Detours<'a>,
     /// Side of a cell, m.
     pub cell: f64,

@@ -1,9 +1,9 @@
 //! The sweeping planner of 001, from the room and the robot's outline to its path: obstacle map, subgoals, links,
-//! detours, and a finish of our own for what these leave out; and what a robot or another program is given of a path.
+//! detours, and a finish of our own for what these leave out; and the export of paths to robots and other programs.
 //!
-//! Where the registry's planner ([`crate`], `subgoal_sweep`) works on planning cells like every other, this
-//! one works as the paper does: with the outline that the user has drawn, in metres, with scan lines at any distance.
-//! The robot keeps heading 0 and moves in every direction (section 2).
+//! The registry's planner ([`crate`], `subgoal_sweep`) works on planning cells like every other; this one works as the
+//! paper does: with the outline drawn by the user, in metres, with scan lines at any distance. The robot keeps heading
+//! 0 and moves in every direction (section 2).
 
 mod cover;
 mod error;

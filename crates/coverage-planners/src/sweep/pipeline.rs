@@ -15,7 +15,7 @@ use robovac_core::{
 };
 use std::ops::{ControlFlow, RangeInclusive};
 
-/// Distances between scan lines that can be asked for, m.
+/// Accepted distances between scan lines, m.
 pub const SCAN_WIDTHS: RangeInclusive<f64> = 0.001..=100.0;
 /// Links between two reports.
 const REPORT_EVERY: usize = 256;
@@ -23,12 +23,11 @@ const REPORT_EVERY: usize = 256;
 /// How far the stages are when they end, 0 to 1: the obstacle map, subgoals, links, finish.
 const DONE: [f64; 4] = [0.25, 0.3, 0.8, 0.95];
 
-/// Plans a sweep of `plan`. `observe` receives how far it is, 0 to 1, and says whether to go on.
+/// Plans a sweep of `plan`. `observe` receives the progress, 0 to 1, and returns whether to continue.
 ///
-/// Of the obstacle map only heading 0 is made here, which is all that the sweep needs; the other headings are
-/// [`ConfigurationSpace`]'s. Without a start the robot begins at the first subgoal point of the largest part of the
-/// room, as the paper's does (section 4). With one that isn't FREE it begins in the nearest cell that is. Subgoals
-/// that it can't get to are left out.
+/// The obstacle map is made for heading 0 only, which the sweep needs; for the others see [`ConfigurationSpace`].
+/// Without a start the robot begins at the first subgoal point of the largest part of the room, as the paper's does
+/// (section 4). With one that isn't FREE it begins in the nearest cell that is. Unreachable subgoals are left out.
 pub fn sweep(
     plan: &FloorPlan,
     setup: &SweepSetup,
@@ -43,7 +42,7 @@ pub fn sweep(
     check(setup, scan_width)?;
     report(0.0)?;
     let map = ConfigurationSpace::new(plan, outline, setup.cell, 1)?;
-    // Lines are rows of cells. An outline that won't do, which has no width either, was refused before.
+    // Lines are rows of cells. An invalid outline, which has no width, was refused before.
     if scan_width < setup.cell {
         let expected = format!("at most the distance between scan lines, {scan_width:.3} m");
         return Err(SweepError::Value { what: "the side of the obstacle map's cells", value: setup.cell, expected });
@@ -117,14 +116,14 @@ pub fn sweep(
     })
 }
 
-/// Says which number is out of range.
+/// Checks the ranges of all numbers.
 fn check(setup: &SweepSetup, scan_width: f64) -> Result<(), SweepError> {
     let refuse = |what: &'static str, value: f64, expected: String| Err(SweepError::Value { what, value, expected });
     if !(MIN_RESOLUTION..=MAX_RESOLUTION).contains(&setup.cell) {
         let expected = format!("{MIN_RESOLUTION} to {MAX_RESOLUTION} m");
         return refuse("the side of the obstacle map's cells", setup.cell, expected);
     }
-    // That of an outline that won't do is reported with the outline.
+    // The distance derived from an invalid outline is reported with the outline.
     if setup.scan_width.is_some() && !SCAN_WIDTHS.contains(&scan_width) {
         let expected = format!("{} to {} m", SCAN_WIDTHS.start(), SCAN_WIDTHS.end());
         return refuse("the distance between scan lines", scan_width, expected);
@@ -151,13 +150,13 @@ fn begin(free: &Grid<bool>, setup: &SweepSetup) -> Option<Cell> {
     cells.min_by(|a, b| off(a).total_cmp(&off(b)))
 }
 
-/// The start itself if the body fits there and can move to the cell's centre, or else that.
+/// The start itself if the body fits there and can move to the cell's centre; otherwise the centre.
 fn start_place(start: Pose, begin: Cell, motion: &Motion, cell: f64) -> Point {
     let (place, centre) = (start.position(), begin.centre(cell));
     if Cell::at(place, cell) == begin && motion.is_free(place, centre) { place } else { centre }
 }
 
-/// Where the body's origin is when it touches: less than a cell beyond the centre of the last FREE cell of the run.
+/// The position of the body's origin at contact: less than a cell beyond the centre of the last FREE cell of the run.
 fn places(points: &[Subgoal], motion: &Motion, cell: f64) -> Vec<Point> {
     let mut blocked = (None, Vec::new());
     let place = |point: &Subgoal| {

@@ -12,13 +12,13 @@ use std::fmt::Write;
 /// Smallest angle that is printed, degrees.
 const LEAST_TURN: f64 = 0.05;
 
-/// A robot that there is, in words that follow "for": `the Omnidirectional octagon, an octagon, 0.360 m wide`.
+/// A robot model in words that follow "for": `the Omnidirectional octagon, an octagon, 0.360 m wide`.
 pub fn planned_for(robot: &RobotModel) -> String {
     format!("the {}, {}", robot.title, Outline::of(robot))
 }
 
-/// A program that drives a robot along `path` from `heading` rad, in a format of our own: a command a line, in the
-/// order in which they are to be carried out, each from rest to rest; `;` begins a comment.
+/// A program that drives a robot along `path` from `heading` rad, in a format of our own: one command per line, in
+/// order, each from rest to rest; `;` begins a comment.
 ///
 /// - `TURN left 90.0 deg`, `TURN right 45.0 deg`: turns on the spot.
 /// - `FORWARD 3.250 m`: drives straight ahead.
@@ -26,10 +26,10 @@ pub fn planned_for(robot: &RobotModel) -> String {
 ///   robots that move in every direction do this instead of the other two.
 /// - `STOP`: the end.
 ///
-/// `planned` says for whom the path was planned, in words that follow "for"; `robot` is what moves along it, by whose speeds
-/// the duration is.
+/// `planned` names the robot that the path was planned for, in words that follow "for"; `robot` is the one that moves
+/// along it and whose speeds give the duration.
 ///
-/// Angles are rounded so that their sum never is off by more than the rounding of one, and so are lengths.
+/// Angles and lengths are rounded so that their sums are never off by more than one rounding.
 ///
 /// ```
 /// use coverage_planners::sweep::program;
@@ -51,13 +51,13 @@ pub fn program(path: &[Point], heading: f64, robot: &RobotModel, planned: &str) 
             text,
             "; start     {}\n; length    {:.3} m\n; duration  {:.1} s: every \
              command at the robot's usual speed and acceleration, from rest to rest;\n;           Open Interface bytes \
-             of the same path take longer, as a Roomba turns before every way and\n;           waits after every move",
+             of the same path take longer, as a Roomba turns before every move and\n;           waits after every move",
             start_text(first.pose),
             last.distance,
             last.time
         );
     }
-    // As far as it has been printed: tenths of a degree, millimetres.
+    // The printed totals: tenths of a degree, millimetres.
     let (mut turned, mut driven) = ((heading.to_degrees() * 10.0).round() / 10.0, 0.0);
     for pair in stops.windows(2) {
         let (Waypoint { pose: from, .. }, Waypoint { pose: to, distance, .. }) = (pair[0], pair[1]);

@@ -20,7 +20,7 @@ pub struct SubgoalLink {
     pub way: Vec<Point>,
 }
 
-/// What is to be swept with.
+/// Input of a sweep.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SweepSetup {
     /// The robot's outline.
@@ -42,7 +42,7 @@ pub struct Sweep {
     pub cell: f64,
     /// Distance between scan lines, m; lines lie in the rows of cells nearest below, so it holds on average.
     pub scan_width: f64,
-    /// Stage 1: subgoal points in the order of the scan (Fig. 3), each at the very place at which the body touches, m.
+    /// Stage 1: subgoal points in the order of the scan (Fig. 3), each at the exact place where the body touches, m.
     pub subgoals: Vec<Subgoal<Point>>,
     /// Stages 2 and 3: links in the order in which they are driven (Figs 4 and 5).
     pub links: Vec<SubgoalLink>,
@@ -50,7 +50,7 @@ pub struct Sweep {
     pub collisions: usize,
     /// Of these, those with a detour.
     pub resolved: usize,
-    /// Share of the reachable floor that is swept when all points are linked: what the paper's method reaches.
+    /// Share of the reachable floor that is swept when all points are linked: the result of the paper's method.
     pub linked_share: f64,
     /// Stage 4, ours: strokes along edges of obstacles that lie between two scan lines, each with the way there; m.
     pub finish: Vec<Vec<Point>>,
@@ -60,8 +60,8 @@ pub struct Sweep {
     pub length: f64,
     /// Share of the reachable floor that the outline sweeps, 0 to 1.
     ///
-    /// Reachable is the floor under the outline at heading 0 in any FREE cell that the robot gets to, in steps to
-    /// neighbouring FREE cells, and on the path; swept is the floor under the outline on the path. Floor is counted
-    /// in cells of the obstacle map by their centres, so the share is known to about half a cell along every edge.
+    /// Reachable is the floor under the outline at heading 0 in any FREE cell that the robot can reach by steps to
+    /// neighbouring FREE cells, and on the path; swept is the floor under the outline on the path. Floor is counted in
+    /// cells of the obstacle map by their centres, so the share is known to about half a cell along every edge.
     pub coverage: f64,
 }

@@ -7,14 +7,14 @@ use robovac_core::{
 };
 use std::fmt::Write;
 
-/// Turns below which a robot doesn't turn, rad.
+/// Smallest turn, rad; smaller ones are ignored.
 const STRAIGHT_ON: f64 = 1e-9;
 
 /// The frame of all files, in words.
 pub const FRAME: &str = "of the room's drawing or map, else the room's lower left corner; x to the right, y up";
 
-/// A path through a room and the heading that it begins with, rad, in the frame of the map or drawing that the room was made
-/// from, which the room's `origin` tells: files that lie side by side must agree on where things are.
+/// A path through a room and its initial heading, rad, transformed into the frame of the map or drawing that the room
+/// was made from, given by the room's `origin`: files that lie side by side must agree on positions.
 pub fn in_frame(path: &[Point], heading: f64, origin: Pose) -> (Vec<Point>, f64) {
     (path.iter().map(|&at| origin.to_world(at)).collect(), normalize(heading + origin.heading))
 }
@@ -24,7 +24,7 @@ pub fn start_text(pose: Pose) -> String {
     format!("x {:.3} m, y {:.3} m, heading {:.1} deg", pose.x, pose.y, pose.heading.to_degrees())
 }
 
-/// Where a robot is on its path, and when.
+/// A robot's position on its path, with the time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Waypoint {
     /// In the room.
@@ -35,9 +35,9 @@ pub(super) struct Waypoint {
     pub time: f64,
 }
 
-/// The places at which a robot that stands at the start of `path` with `heading` rad stops: every corner, and those
-/// at which it turns twice, before and after. Times are by its motion model, from rest to rest. A robot that moves in
-/// every direction keeps its heading.
+/// The stops of a robot that stands at the start of `path` with `heading` rad: every corner, and those at which it
+/// turns twice, before and after. Times are by its motion model, from rest to rest. A robot that moves in every
+/// direction keeps its heading.
 pub(super) fn waypoints(path: &[Point], heading: f64, robot: &RobotModel) -> Vec<Waypoint> {
     let Some(&first) = path.first() else { return Vec::new() };
     let mut at = Waypoint { pose: Pose::new(first.x, first.y, heading), distance: 0.0, time: 0.0 };
@@ -65,7 +65,7 @@ pub(super) fn waypoints(path: &[Point], heading: f64, robot: &RobotModel) -> Vec
     stops
 }
 
-/// A path as a table: `x_m,y_m,heading_rad,distance_m,time_s`, headings counter-clockwise from +x, a line for every stop of
+/// A path as a table: `x_m,y_m,heading_rad,distance_m,time_s`, headings counter-clockwise from +x, one line per stop of
 /// a robot that begins with `heading` rad. Times are by the robot's motion model, from rest to rest.
 pub fn to_csv(path: &[Point], heading: f64, robot: &RobotModel) -> String {
     let mut text = "x_m,y_m,heading_rad,distance_m,time_s\n".to_owned();
@@ -75,8 +75,8 @@ pub fn to_csv(path: &[Point], heading: f64, robot: &RobotModel) -> String {
     text
 }
 
-/// A path in the map's frame as a `nav_msgs/Path` in YAML, as `ros2 topic pub` takes it: frame `map`, REP 103. The stamps of
-/// the poses are seconds from the start, by the robot's motion model.
+/// A path in the map's frame as a `nav_msgs/Path` in YAML, as accepted by `ros2 topic pub`: frame `map`, REP 103. The
+/// stamps of the poses are seconds from the start, by the robot's motion model.
 pub fn to_ros_path(path: &[Point], heading: f64, robot: &RobotModel) -> String {
     let stops = waypoints(path, heading, robot);
     let mut text = "header:\n  stamp: {sec: 0, nanosec: 0}\n  frame_id: map\n".to_owned();
@@ -126,7 +126,7 @@ mod tests {
         let roomba = model("roomba600").unwrap();
         let (path, heading) = in_frame(&corner(), 0.0, Pose::new(-5.0, 2.0, math::FRAC_PI_2));
         let text = to_ros_path(&path, heading, roomba);
-        // A quarter turn takes (1, 1) to (-1, 1), and the heading to half of the square root of 2.
+        // A quarter turn takes (1, 1) to (-1, 1), and half the heading has the sine of half the square root of 2.
         assert!(text.contains("position: {x: -6.0000, y: 3.0000, z: 0.0}"), "{text}");
         assert!(text.contains("orientation: {x: 0.0, y: 0.0, z: 0.707106781, w: 0.707106781}"), "{text}");
         assert!(text.starts_with("header:\n  stamp: {sec: 0, nanosec: 0}\n  frame_id: map\nposes:\n- header:\n"));

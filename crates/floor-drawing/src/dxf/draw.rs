@@ -15,7 +15,8 @@ use robovac_core::{
 };
 
 impl Entity<'_> {
-    /// Draws it, or says what it is called among all that is left out. `block` is the name of the block that it inserts.
+    /// Draws the entity; an `Err` is its name in the list of what is left out. `block` is the name of the block that it
+    /// inserts.
     pub fn draw(
         &self,
         source: EntitySource,
@@ -55,8 +56,8 @@ impl Entity<'_> {
         Ok(None)
     }
 
-    /// Where its own x axis points, if it has a plane of its own: an extrusion downwards mirrors it (the DXF reference's
-    /// arbitrary axis algorithm). `None` if its plane is tilted.
+    /// Direction of its own x axis, if it has a plane of its own: an extrusion downwards mirrors it (the DXF
+    /// reference's arbitrary axis algorithm). `None` if its plane is tilted.
     fn mirror(&self) -> Option<Affine> {
         if self.is_in_world() {
             return Some(Affine::IDENTITY);
@@ -72,7 +73,7 @@ impl Entity<'_> {
         Point::new(self.last(code, 0.0), self.last(code + 10, 0.0))
     }
 
-    /// Corners of a polyline with those of its arcs; a little more than [`MAX_POINTS`] at most, which is refused then.
+    /// Corners of a polyline with those of its arcs; at most a little more than [`MAX_POINTS`], which is then refused.
     fn corners(&self) -> Vec<Point> {
         let mut vertices: Vec<(Point, f64)> = Vec::new();
         for &(code, value) in &self.numbers {

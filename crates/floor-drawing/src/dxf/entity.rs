@@ -6,7 +6,7 @@ use crate::{
     model::{MAX_COORDINATE, MAX_POINTS},
 };
 
-/// What is drawn.
+/// Kind of a drawn entity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum EntityKind {
     Line,
@@ -22,7 +22,7 @@ pub(super) enum EntityKind {
     Insert,
 }
 
-/// What becomes of an entity of that type: it is drawn, or left out under a name, or not even counted.
+/// Kind of the entities with this type name: drawn, left out under a name, or not counted at all.
 pub(super) fn kind_of(name: &[u8]) -> Result<EntityKind, Option<&'static str>> {
     Ok(match name {
         b"LINE" => EntityKind::Line,
@@ -51,21 +51,21 @@ pub(super) fn kind_of(name: &[u8]) -> Result<EntityKind, Option<&'static str>> {
     })
 }
 
-/// An entity as far as it has been read.
+/// The part of an entity that has been read.
 pub(super) struct Entity<'a> {
     pub kind: EntityKind,
     pub number: u32,
     pub at: usize,
     pub body: usize,
-    /// Its layer's name as it is written.
+    /// Its layer's name as written.
     pub layer: &'a [u8],
-    /// The name of the block that it inserts, as it is written.
+    /// The name of the block that it inserts, as written.
     pub block: &'a [u8],
     pub is_on_paper: bool,
     pub is_hidden: bool,
-    /// What it is drawn by: group codes and values as they come.
+    /// The group codes and values used for drawing, in the file's order.
     pub numbers: Vec<(i32, f64)>,
-    /// Of the vertex of a POLYLINE that is being read: where it begins in `numbers`.
+    /// Index in `numbers` of the current POLYLINE's vertex.
     vertex: Option<usize>,
     flags: i64,
 }
@@ -92,7 +92,7 @@ impl<'a> Entity<'a> {
         self.vertex = Some(self.numbers.len());
     }
 
-    /// Takes in one pair.
+    /// Takes one pair.
     pub fn take(&mut self, pair: &Pair<'a>) -> Result<(), DxfFault> {
         let in_vertex = self.vertex.is_some();
         match pair.code {
@@ -135,7 +135,7 @@ impl<'a> Entity<'a> {
     fn vertex_flags(&mut self, flags: i64) {
         if flags & 16 != 0 {
             self.numbers.truncate(self.vertex.unwrap_or(usize::MAX));
-            // What follows of it is left out as well.
+            // The rest of it is left out as well.
             self.vertex = Some(usize::MAX);
         }
     }
@@ -167,7 +167,7 @@ impl<'a> Entity<'a> {
         self.kind == EntityKind::Polyline && self.flags & (16 | 64) != 0
     }
 
-    /// Whether it is in the world's coordinates, as 3D polylines are, and not in those of a plane of its own.
+    /// Whether it is in world coordinates, as 3D polylines are, rather than in a plane of its own.
     pub fn is_in_world(&self) -> bool {
         match self.kind {
             EntityKind::Line | EntityKind::Spline | EntityKind::Face => true,

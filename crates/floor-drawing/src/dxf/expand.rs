@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 /// Deepest nesting of blocks.
 const MAX_DEPTH: usize = 64;
 
-/// Draws model space with all that is inserted into it. How much that is, is known before any of it is drawn.
+/// Draws model space with everything inserted into it. The size is checked before anything is drawn.
 pub(super) fn expand(scanned: &mut Scanned) -> Result<(), Stopped> {
     let Scanned { content, builder, is_text, .. } = scanned;
     let mut by_name = BTreeMap::new();
@@ -33,11 +33,11 @@ pub(super) fn expand(scanned: &mut Scanned) -> Result<(), Stopped> {
     Ok(())
 }
 
-/// What a body holds with all that is inserted into it.
+/// The size of a body with everything inserted into it.
 #[derive(Clone, Copy)]
 struct Size {
     corners: u64,
-    /// Inserts that are looked at to draw it.
+    /// Inserts visited to draw it.
     inserts: u64,
 }
 
@@ -96,13 +96,13 @@ struct BlockExpander<'a> {
     by_name: &'a BTreeMap<String, usize>,
     sizes: &'a [Option<Size>],
     builder: &'a mut Builder,
-    /// The layer that leaves it to the insert.
+    /// Index of layer 0, whose entities take the insert's layer.
     zero: u32,
     missing: usize,
 }
 
 impl BlockExpander<'_> {
-    /// Draws a body; `from` is the insert of model space that it comes from, with the layer that layer 0 stands for.
+    /// Draws a body; `from` is the insert of model space that it comes from, with the layer that replaces layer 0.
     fn body(&mut self, index: usize, map: &Affine, from: Option<EntitySource>) -> Result<(), RefusedEntity> {
         let body = &self.content.bodies[index];
         for stroke in &self.content.strokes[body.strokes.clone()] {

@@ -4,10 +4,10 @@ use crate::{DrawingFlaw, model::MAX_POINTS};
 use robovac_core::geometry::{Point, Vector};
 use std::ops::Range;
 
-/// Most inserts of a drawing, those that inserted blocks bring along too (ours): one for every corner that it can have.
+/// Most inserts of a drawing, nested ones included (ours): one for every corner that it can have.
 pub(super) const MAX_INSERTS: usize = MAX_POINTS;
 
-/// Where an entity comes from, for messages and for [`crate::Stroke::entity`].
+/// The origin of an entity, for messages and for [`crate::Stroke::entity`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct EntitySource {
     /// Its number in its block or in model space, counted from 1.
@@ -16,11 +16,11 @@ pub(super) struct EntitySource {
     pub layer: u32,
     /// Line or byte at which it begins.
     pub at: usize,
-    /// Index of what holds it, see [`DxfContent::bodies`].
+    /// Index of the body that contains it, see [`DxfContent::bodies`].
     pub body: usize,
 }
 
-/// What is wrong with an entity.
+/// A refused entity and its flaw.
 pub(super) type RefusedEntity = (EntitySource, DrawingFlaw);
 
 /// A polyline of a block.
@@ -38,7 +38,7 @@ pub(super) struct Insert {
     pub map: Affine,
     /// Columns and rows.
     pub count: [u32; 2],
-    /// From one column and one row to the next.
+    /// Displacement from one column and one row to the next.
     pub step: [Vector; 2],
 }
 
@@ -50,7 +50,7 @@ pub(super) struct DxfBlock {
     pub inserts: Range<usize>,
 }
 
-/// All that is drawn in a file. The first body is model space.
+/// The drawn content of a file. The first body is model space.
 pub(super) struct DxfContent {
     pub bodies: Vec<DxfBlock>,
     pub strokes: Vec<LocalStroke>,
@@ -64,7 +64,7 @@ impl DxfContent {
         Self { bodies: vec![model], strokes: Vec::new(), inserts: Vec::new(), points: Vec::new() }
     }
 
-    /// Adds a polyline, if it has a length. What one body holds must come in one go.
+    /// Adds a polyline, if its length isn't 0. All parts of a body must be added consecutively.
     pub fn stroke(
         &mut self,
         source: EntitySource,
@@ -101,14 +101,14 @@ impl DxfContent {
     }
 }
 
-/// A linear map and a displacement.
+/// An affine map.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Affine {
-    /// Where (1, 0) goes, less the displacement.
+    /// Image of (1, 0), less the displacement.
     pub x: Vector,
-    /// Where (0, 1) goes, less the displacement.
+    /// Image of (0, 1), less the displacement.
     pub y: Vector,
-    /// Where the origin goes.
+    /// Image of the origin.
     pub origin: Vector,
 }
 
@@ -116,17 +116,17 @@ impl Affine {
     pub const IDENTITY: Self =
         Self { x: Vector::new(1.0, 0.0), y: Vector::new(0.0, 1.0), origin: Vector::new(0.0, 0.0) };
 
-    /// Where a displacement goes.
+    /// Image of a displacement.
     pub fn turn(&self, v: Vector) -> Vector {
         self.x * v.x + self.y * v.y
     }
 
-    /// Where a point goes.
+    /// Image of a point.
     pub fn apply(&self, point: Point) -> Point {
         Point::from(self.turn(point.coords) + self.origin)
     }
 
-    /// First `inner`, then this one.
+    /// The composition: first `inner`, then this map.
     pub fn after(&self, inner: &Self) -> Self {
         Self { x: self.turn(inner.x), y: self.turn(inner.y), origin: self.turn(inner.origin) + self.origin }
     }

@@ -1,8 +1,8 @@
 //! DXF drawings: text and binary, of every release since R10.
 //!
-//! [`scan`] goes through the file once and checks every group code and number that is drawn; so a message can name its
-//! line. Entities become polylines as they come ([`draw`]), and what the blocks hold is put where they are inserted
-//! ([`expand`]). Model space alone is drawn, seen from above.
+//! [`scan`] reads the file once and checks every group code and number that is drawn, so that messages can name the
+//! line. Entities become polylines as they are read ([`draw`]), and blocks are inserted afterwards ([`expand`]). Only
+//! model space is drawn, seen from above.
 
 mod draw;
 mod entity;

@@ -1,12 +1,12 @@
-//! A DXF as it is written: pairs of a group code and a value, in text or binary.
+//! The syntax of DXF files: pairs of a group code and a value, in text or binary.
 
 use crate::DrawingFlaw;
 use std::borrow::Cow;
 
-/// How binary DXFs begin.
+/// The first bytes of binary DXFs.
 pub(crate) const BINARY: &[u8] = b"AutoCAD Binary DXF\r\n\x1a\0";
 
-/// A value. In text all are text.
+/// A value. In text files all values are text.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum DxfValue<'a> {
     /// Text without the blanks around it; names may be in any encoding.
@@ -17,18 +17,18 @@ pub(crate) enum DxfValue<'a> {
     Whole(i64),
 }
 
-/// A group code, its value and where it is.
+/// A group code, its value and its position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Pair<'a> {
     pub code: i32,
     pub value: DxfValue<'a>,
-    /// Where the group code is: its line, counted from 1, or in binary its byte, counted from 0.
+    /// Position of the group code: in text its line, counted from 1; in binary its byte, counted from 0.
     pub at: usize,
     /// Bytes from the start of the file to the group code.
     pub start: usize,
 }
 
-/// What is wrong, and where, as [`Pair::at`].
+/// A fault and its position, see [`Pair::at`].
 pub(crate) type DxfFault = (usize, DrawingFlaw);
 
 impl<'a> Pair<'a> {
@@ -80,10 +80,10 @@ pub(crate) struct Pairs<'a> {
     form: Form,
 }
 
-/// How a DXF is written.
+/// Form of a DXF file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Form {
-    /// As lines.
+    /// Text.
     Text,
     /// Up to R12: group codes of one byte, or 255 and two bytes.
     Short,
@@ -101,7 +101,7 @@ impl<'a> Pairs<'a> {
         Self { bytes, position, line: 0, form }
     }
 
-    /// How the file is written.
+    /// Form of the file.
     pub fn form(&self) -> Form {
         self.form
     }
@@ -111,7 +111,7 @@ impl<'a> Pairs<'a> {
         self.form == Form::Text
     }
 
-    /// Lines read so far; none of binary files.
+    /// Lines read so far; 0 for binary files.
     pub fn line(&self) -> usize {
         self.line
     }
@@ -209,7 +209,7 @@ impl<'a> Pairs<'a> {
 const CUT: DrawingFlaw = DrawingFlaw::CutOff { place: "within a value" };
 
 fn number(text: &[u8]) -> Option<i32> {
-    // By hand, as half of a file is such numbers.
+    // Parsed by hand for speed, as such numbers make up half of a file.
     if let [first, rest @ ..] = text
         && text.len() <= 4
         && first.is_ascii_digit()
@@ -220,13 +220,13 @@ fn number(text: &[u8]) -> Option<i32> {
     std::str::from_utf8(text).ok()?.parse().ok()
 }
 
-/// What a message shows of bytes that aren't what they should be.
+/// An excerpt of invalid bytes, for messages.
 fn shown(bytes: &[u8]) -> String {
     let text = String::from_utf8_lossy(&bytes[..bytes.len().min(40)]);
     text.chars().map(|c| if c.is_control() { '\u{fffd}' } else { c }).take(30).collect()
 }
 
-/// Text in whatever encoding: UTF-8 as of release 2007, else the code page; characters may be written as `\U+XXXX` too.
+/// Decodes text: UTF-8 as of release 2007, else the code page; characters may be written as `\U+XXXX` too.
 pub(crate) fn decode(bytes: &[u8], code_page: &'static encoding_rs::Encoding) -> String {
     let text = match std::str::from_utf8(bytes) {
         Ok(text) => Cow::Borrowed(text),

@@ -1,4 +1,4 @@
-//! Goes through the pairs of a DXF once: header, layers, blocks and entities.
+//! Reads the pairs of a DXF once: header, layers, blocks and entities.
 
 use super::{
     entity::{Entity, EntityKind, kind_of},
@@ -16,10 +16,10 @@ use robovac_core::geometry::Point;
 /// Most blocks of a drawing.
 const MAX_BLOCKS: usize = 100_000;
 
-/// What goes wrong, with its place in words.
+/// A flaw and its place in words.
 pub(super) type Stopped = (String, DrawingFlaw);
 
-/// What a DXF holds.
+/// The content of a DXF.
 pub(super) struct Scanned {
     pub content: DxfContent,
     pub builder: Builder,
@@ -27,7 +27,7 @@ pub(super) struct Scanned {
     pub is_text: bool,
 }
 
-/// Reads a DXF as far as it is drawn.
+/// Reads the drawn parts of a DXF.
 pub(super) fn scan(bytes: &[u8]) -> Result<Scanned, Stopped> {
     let mut scan = Scan {
         pairs: Pairs::new(bytes),
@@ -55,7 +55,7 @@ fn place(is_text: bool, at: usize) -> String {
 }
 
 impl DxfContent {
-    /// Where an entity is, in words.
+    /// The place of an entity, in words.
     pub fn place(&self, source: &EntitySource, builder: &Builder, is_text: bool) -> String {
         let block = match self.bodies.get(source.body).map(|body| body.name.as_str()) {
             None | Some("") => String::new(),
@@ -91,7 +91,7 @@ struct Scan<'a> {
     content: DxfContent,
     /// The entity that is being read.
     entity: Option<Entity<'a>>,
-    /// Entities of the body that is being read, so far.
+    /// Entities of the current body so far.
     counted: u32,
     has_entities: bool,
 }
@@ -133,7 +133,7 @@ impl<'a> Scan<'a> {
         Ok(pair.text())
     }
 
-    /// The next pair, where the file can't end.
+    /// The next pair, where the file must not end.
     fn must(&mut self, place: &'static str) -> Result<Pair<'a>, DxfFault> {
         let end = self.pairs.position();
         let is_text = self.pairs.is_text();
@@ -260,7 +260,7 @@ impl<'a> Scan<'a> {
             } else if let Some(entity) = &mut self.entity
                 && let Err((at, flaw)) = entity.take(&pair)
             {
-                // Which entity it is tells more than the line alone.
+                // The entity is more helpful in messages than the line alone.
                 let source = self.source(at)?;
                 return Err(ScanStop::In((source, flaw)));
             }
@@ -280,7 +280,7 @@ impl<'a> Scan<'a> {
         }
     }
 
-    /// Where the entity that is being read comes from, with `at` as its place.
+    /// The source of the current entity, with `at` as its position.
     fn source(&mut self, at: usize) -> Result<EntitySource, ScanStop> {
         let Some(entity) = &self.entity else { return Ok(EntitySource { number: 0, layer: 0, at, body: 0 }) };
         let name = if entity.layer.is_empty() { "0".into() } else { decode(entity.layer, self.code_page) };
@@ -310,7 +310,7 @@ impl<'a> Scan<'a> {
     }
 }
 
-/// A record of the table of layers, as far as it has been read.
+/// The part of a layer's record that has been read.
 #[derive(Default)]
 struct LayerRecord<'a> {
     name: &'a [u8],

@@ -2,7 +2,7 @@
 
 /// Metres per unit by its number in the DXF reference; `None` for 0, "unitless", and unknown ones.
 pub(super) fn metres(number: i64) -> Option<f64> {
-    /// A foot of the US survey: 1200/3937 m.
+    /// A US survey foot: 1200/3937 m.
     const SURVEY_FOOT: f64 = 1200.0 / 3937.0;
     Some(match number {
         1 => 0.0254,

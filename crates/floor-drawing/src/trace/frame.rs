@@ -7,7 +7,7 @@ use robovac_core::{
     math::ceil,
 };
 
-/// An upright rectangle.
+/// An axis-aligned rectangle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct BoundingBox {
     pub low: Point,
@@ -32,12 +32,12 @@ pub(super) struct RasterFrame {
     pub low: Point,
     /// Side of a cell, drawing units.
     pub side: f64,
-    /// Columns and rows; may be more than a room can have.
+    /// Columns and rows; can exceed the limits of a room.
     pub size: [i32; 2],
 }
 
 impl RasterFrame {
-    /// Cells for all of the bounds, with `margin` more of them on every side.
+    /// Cells for all of the bounds, with a margin of `margin` cells on every side.
     pub fn around(bounds: &BoundingBox, side: f64, margin: i32) -> Self {
         let size = bounds.high - bounds.low;
         let count = |length: f64| ceil(length / side - 1e-9).max(1).saturating_add(2 * margin);
@@ -45,7 +45,7 @@ impl RasterFrame {
         Self { low, side, size: [count(size.x), count(size.y)] }
     }
 
-    /// Whether a room can have that many cells; `metre` is for the message.
+    /// Checks that a room can have that many cells; `metre` is for the message.
     pub fn check(&self, metre: f64) -> Result<(), DrawingFlaw> {
         let resolution = self.side * metre;
         let [width, height] = self.size.map(|count| f64::from(count) * resolution);
@@ -60,7 +60,7 @@ impl RasterFrame {
         while would_do < least && would_do < 1e12 {
             would_do *= factors.next().unwrap_or(2.0);
         }
-        // Rounded to what is meant, as factors of 2.5 leave traces.
+        // Rounded, as the factor 2.5 is inexact.
         would_do = (would_do * 1000.0).round() / 1000.0;
         Err(DrawingFlaw::TooManyCells { width, height, resolution, would_do })
     }
@@ -76,7 +76,7 @@ impl RasterFrame {
         Point::from((point - self.low) / self.side)
     }
 
-    /// A place in cells as a point of the drawing.
+    /// A position in cells as a point of the drawing.
     pub fn point(&self, cells: Point) -> Point {
         self.low + cells.coords * self.side
     }

@@ -6,15 +6,15 @@ use robovac_core::{
 };
 use std::ops::ControlFlow;
 
-/// Most comparisons of an end with an end or a segment, and squares looked into for them (ours): what would take longer has
-/// its ends heaped up, and those that weren't compared with all by then are left open.
+/// Most comparisons of an end with an end or a segment, and squares visited for them (ours). Only drawings with crowded
+/// ends need more; ends not compared by then are left open.
 const MAX_COMPARISONS: usize = 40_000_000;
 
-/// A place of an end's own wall is the other side of a gap if the way to it along the wall is this many times as long as
-/// straight there (ours): around a right angle it is 1.4 times as long, around a half circle 1.6 times.
+/// A point of an end's own wall is the other side of a gap if the way to it along the wall is this many times the
+/// straight distance (ours): around a right angle it is 1.4 times, around a half circle 1.6 times.
 const DETOUR: f64 = 3.0;
 
-/// Most squares along a side of the grid that ends are sorted into.
+/// Most squares along a side of the grid of ends.
 const MAX_SQUARES: usize = 1024;
 
 /// A wall's stroke as its corners; `is_closed` if its last corner is joined to its first.
@@ -24,7 +24,7 @@ pub(super) struct WallStroke<'a> {
 }
 
 /// Lines that close gaps of up to `gap`: from ends of strokes that nothing touches to the nearest such end or wall,
-/// nearest first, one for every end. What is closer than `touching` counts as joined. All in the same unit.
+/// nearest first, one for every end. Ends closer than `touching` count as joined. All in the same unit.
 pub(super) fn bridges(walls: &[WallStroke<'_>], gap: f64, touching: f64) -> Vec<[Point; 2]> {
     let mut ends: Vec<StrokeEnd> = Vec::new();
     for (wall, stroke) in walls.iter().enumerate().filter(|(_, stroke)| !stroke.is_closed) {
@@ -36,7 +36,7 @@ pub(super) fn bridges(walls: &[WallStroke<'_>], gap: f64, touching: f64) -> Vec<
     }
     let Some(squares) = Squares::of(&ends, gap.max(touching)) else { return Vec::new() };
     let mut left = MAX_COMPARISONS;
-    // The nearest place of another wall for every end; and of its own, unless the wall just goes on to there.
+    // The nearest point of another wall for every end; and of its own wall, unless the wall leads straight there.
     for (wall, stroke) in walls.iter().enumerate() {
         let count = stroke.corners.len();
         let segments = if stroke.is_closed { count } else { count.saturating_sub(1) };
@@ -72,7 +72,7 @@ pub(super) fn bridges(walls: &[WallStroke<'_>], gap: f64, touching: f64) -> Vec<
         let finished = candidates.len();
         let mut searched = ControlFlow::Continue(());
         if let Some((away, at)) = end.nearest {
-            // The end of a wall may be its nearest place.
+            // The nearest point can be the end of a wall.
             let mut to = None;
             searched = squares.near(at, at, &mut left, |other| {
                 if other != index && is_free(&ends[other]) && (ends[other].at - at).norm() <= touching {
@@ -97,7 +97,7 @@ pub(super) fn bridges(walls: &[WallStroke<'_>], gap: f64, touching: f64) -> Vec<
             break;
         }
     }
-    // Two ends that meet close two gaps at once: they come before an end and a wall just as near.
+    // Two ends that meet close two gaps at once, so they precede an end and a wall at the same distance.
     candidates.sort_by(|one, other| {
         one.away.total_cmp(&other.away).then(other.to.cmp(&one.to)).then(one.from.cmp(&other.from))
     });
@@ -116,7 +116,7 @@ pub(super) fn bridges(walls: &[WallStroke<'_>], gap: f64, touching: f64) -> Vec<
     bridges
 }
 
-/// Of a stroke from its first corner to its last; a closed one has no ends that it would matter to.
+/// Length of a stroke from its first corner to its last; a closed one has no ends.
 fn length(stroke: &WallStroke<'_>) -> f64 {
     if stroke.is_closed { 0.0 } else { stroke.corners.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum() }
 }
@@ -126,7 +126,7 @@ struct StrokeEnd {
     wall: usize,
     /// Index of its corner in its wall.
     corner: usize,
-    /// How far away the nearest place of a wall is, and where.
+    /// Distance of the nearest point of a wall, and the point.
     nearest: Option<(f64, Point)>,
 }
 
@@ -135,12 +135,12 @@ struct Candidate {
     from: usize,
     /// The other end, if there is one.
     to: Option<usize>,
-    /// Whether that end must not be joined yet: the nearest wall may be joined more than once.
+    /// Whether that end must be unjoined: the nearest wall can be joined more than once.
     needs_end: bool,
     at: Point,
 }
 
-/// Ends by the square that they lie in.
+/// Ends, indexed by square.
 struct Squares {
     low: Point,
     side: f64,
@@ -182,7 +182,7 @@ impl Squares {
         Some(squares)
     }
 
-    /// All ends that may be within reach of the segment; some may come twice. Stops when no comparisons are `left`.
+    /// All ends that can be within reach of the segment; some can appear twice. Stops when no comparisons are `left`.
     fn near(&self, a: Point, b: Point, left: &mut usize, mut found: impl FnMut(usize)) -> ControlFlow<()> {
         let (from, to) = ((a - self.low) / self.side, (b - self.low) / self.side);
         let reach = self.reach / self.side;
@@ -291,7 +291,7 @@ mod tests {
         let arc: Vec<(f64, f64)> = (13..=347).step_by(2).map(at).collect();
         assert_eq!(closed(&[&arc], 1.0), [[at(13), at(347)]]);
         assert!(closed(&[&arc], 0.8).is_empty());
-        // Nor is a short wall to itself.
+        // Nor is a short wall joined to itself.
         assert!(closed(&[&[(0.0, 0.0), (0.5, 0.0)]], 1.0).is_empty());
     }
 

@@ -17,24 +17,25 @@ use robovac_core::{
     math::{ceil, floor},
 };
 
-/// Free cells around a whole drawing, so that one can walk around its walls.
+/// Free cells around a whole drawing, so that there is a way around its walls.
 const MARGIN: i32 = 2;
 /// Floor around a drawing whose walls enclose nothing, m (ours): room for a robot to pass.
 const OPEN_MARGIN: f64 = 1.0;
-/// Ends of walls closer than this are joined, m (ours): what drawing programs round off.
+/// Ends of walls closer than this are joined, m (ours); allows for rounding by drawing programs.
 const TOUCHING: f64 = 1e-3;
-/// Cells of the first look around the click that chooses a room; twice as many are looked at until they hold it.
+/// Side of the first area searched around the point that chooses a room, cells; doubled until it contains the room.
 const FIRST_LOOK: i32 = 512;
 
-/// Makes a room of a drawing.
+/// Traces a room from a drawing.
 ///
-/// Strokes of walls stop the robot, and so do open ones of obstacles: every cell that they cross is occupied. A closed wall
-/// only encloses floor. A closed obstacle is solid: a piece of furniture, or a leg if it is a circle, exactly as it is drawn,
-/// as long as rooms may have more of them; else the cells that it covers.
+/// Strokes of walls stop the robot, and so do open ones of obstacles: every cell that they cross is occupied. A closed
+/// wall only encloses floor. A closed obstacle is solid: a piece of furniture, or a leg if it is a circle, with its
+/// exact outline; beyond the limits of a room, the cells that it covers.
 ///
-/// Of a whole drawing, floor is what can't be reached from outside, if walls enclose anything; else the box around it.
-/// Openings between free ends of walls are closed by lines. Where a room is chosen, and where the whole gets larger by it,
-/// openings up to the same width are closed however the walls beside them are drawn: walls that are outlines have no free ends.
+/// Of a whole drawing, floor is the area that can't be reached from outside, if walls enclose any; otherwise the
+/// bounding box. Openings between free ends of walls are closed by lines. Where a room is chosen, and where the whole
+/// gets larger by it, openings up to the same width are closed however the walls beside them are drawn: walls that are
+/// outlines have no free ends.
 ///
 /// ```
 /// use floor_drawing::{DrawingRegion, Role, Tracing, read, trace};
@@ -57,7 +58,7 @@ pub fn trace(drawing: &Drawing, how: &Tracing) -> Result<Traced, DrawingError> {
 struct RoomTracer<'a> {
     drawing: &'a Drawing,
     how: &'a Tracing,
-    /// Box around all that isn't ignored, drawing units.
+    /// Bounding box of all strokes that aren't ignored, drawing units.
     bounds: BoundingBox,
     /// Side of a cell, drawing units.
     side: f64,
@@ -113,7 +114,7 @@ impl<'a> RoomTracer<'a> {
         let walls = self.walls(&frame)?;
         let inside = region::enclosed(&walls, self.how.resolution);
         let closed = inside.count();
-        // A column or one closed room doesn't make the rooms with open doors outside.
+        // If walls enclose only a column or one room, rooms with open doors aren't found that way.
         if let Some(traced) = self.whole_with_open_doors(closed)? {
             return Ok(traced);
         }
@@ -127,7 +128,7 @@ impl<'a> RoomTracer<'a> {
         self.furnished(&frame, &walls.map(|is_wall| !is_wall))
     }
 
-    /// What walls enclose if openings in them are closed, if that is more than the `closed` cells that they enclose anyway.
+    /// The floor enclosed when openings in walls are closed, if that is more than the `closed` cells enclosed anyway.
     fn whole_with_open_doors(&self, closed: usize) -> Result<Option<Traced>, DrawingFlaw> {
         let gap = self.how.gap / self.how.resolution;
         let frame = RasterFrame::around(&self.bounds, self.side, ceil(gap.min(1e6)).saturating_add(MARGIN));
@@ -167,7 +168,7 @@ impl<'a> RoomTracer<'a> {
         self.furnished(&frame, &free)
     }
 
-    /// Cells for a region that was marked, if it is of a size that makes sense.
+    /// Cells for a chosen region, if its size is valid.
     fn frame_of(&self, bounds: &BoundingBox) -> Result<RasterFrame, DrawingFlaw> {
         let size = (bounds.high - bounds.low) * self.how.metre;
         let (width, height) = (size.x, size.y);
@@ -210,7 +211,7 @@ impl<'a> RoomTracer<'a> {
             }
             let blocked = blocked.cells;
             if self.how.gap > 0.0 {
-                // Furniture makes no doors. In a corridor as narrow as a door there is nothing to be closed.
+                // Furniture makes no doors. A corridor as narrow as a door is left open.
                 let part = openings::part(&walls, [start], self.how.gap / self.how.resolution);
                 if !part.meets_border && part.cells.is_set(start) {
                     return self.cropped(&frame, part.cells, &walls, &part.openings);
@@ -234,7 +235,7 @@ impl<'a> RoomTracer<'a> {
         }
     }
 
-    /// The room with what stands in it, within one cell of wall. `openings` were closed for it.
+    /// The room with its objects, within one cell of wall. `openings` were closed for it.
     fn cropped(
         &self,
         frame: &RasterFrame,
@@ -242,7 +243,7 @@ impl<'a> RoomTracer<'a> {
         walls: &Grid<bool>,
         openings: &[[Point; 2]],
     ) -> Result<Traced, DrawingFlaw> {
-        // What stands on the floor has floor beneath it.
+        // There is floor beneath objects.
         let mut beneath = RasterCanvas::new(frame.size);
         let on_floor = solids::DrawnFloor::new(&floor);
         for stroke in solids::solids(self.drawing, &self.how.roles) {

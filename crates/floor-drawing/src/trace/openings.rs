@@ -1,4 +1,4 @@
-//! Rooms whose doors stand open between walls that have no free ends: walls drawn as outlines.
+//! Rooms with open doors between walls that have no free ends: walls drawn as outlines.
 
 use robovac_core::{
     geometry::Point,
@@ -7,19 +7,19 @@ use robovac_core::{
 };
 use std::collections::VecDeque;
 
-/// A part of the floor that openings bound.
+/// A part of the floor, bounded by walls and openings.
 pub(super) struct FloorPart {
     pub cells: Grid<bool>,
-    /// Whether it goes to the border.
+    /// Whether it reaches the border.
     pub meets_border: bool,
-    /// Openings where it ends, by their outermost cells' centres.
+    /// Its openings, by the centres of their outermost cells.
     pub openings: Vec<[Point; 2]>,
 }
 
-/// The free cells around `seeds` as far as a square gets that is wider than `widest` cells, with the corners and niches that
-/// it leaves out. So openings up to that width are closed, however the walls beside them are drawn.
+/// The free cells around `seeds` that a square wider than `widest` cells can reach, with the corners and niches that it
+/// leaves out. This closes openings up to that width, however the walls beside them are drawn.
 ///
-/// A cell that lies nearer to the border than to the next wall counts as wide: outside there is room.
+/// A cell that lies nearer to the border than to the next wall counts as wide: the outside is open.
 pub(super) fn part(blocked: &Grid<bool>, seeds: impl IntoIterator<Item = Cell>, widest: f64) -> FloorPart {
     let moves = chessboard(blocked);
     // A square that is n moves from the next wall is 2 n - 1 cells wide.
@@ -34,7 +34,7 @@ pub(super) fn part(blocked: &Grid<bool>, seeds: impl IntoIterator<Item = Cell>, 
     let mut cells = blocked.map(|_| false);
     let mut core = VecDeque::new();
     for seed in seeds {
-        // The square may not fit where one clicked.
+        // The square might not fit at the chosen point.
         if let Some(seed) = nearest(blocked, seed, is_wide).filter(|&seed| !cells[seed]) {
             cells[seed] = true;
             core.push_back(seed);
@@ -87,7 +87,7 @@ fn nearest(blocked: &Grid<bool>, start: Cell, is_wide: impl Fn(Cell) -> bool) ->
     None
 }
 
-/// Adds what is left of the floor beside `cells` and leads nowhere: to no place where the square fits.
+/// Adds the rest of the floor beside `cells` from which no place where the square fits can be reached.
 fn niches(blocked: &Grid<bool>, cells: &mut Grid<bool>, leads_on: impl Fn(Cell) -> bool) {
     let mut seen = blocked.map(|_| false);
     for index in 0..seen.len() {

@@ -8,10 +8,10 @@ use robovac_core::{
 };
 use std::ops::Range;
 
-/// Most cells that all strokes together may cross or cover, counting those that come twice (ours): a second's work.
+/// Most cells that all strokes together can cross or cover, with repetitions (ours): about a second's work.
 const MAX_WORK: usize = 500_000_000;
 
-/// A grid that is drawn on, in cells from its lower-left corner. What lies outside is left out.
+/// A grid to draw on, in cells from its lower-left corner. Everything outside is clipped.
 pub(super) struct RasterCanvas {
     pub cells: Grid<bool>,
     work: usize,
@@ -40,7 +40,7 @@ impl RasterCanvas {
         Ok(())
     }
 
-    /// Sets the cells that the outline covers: whose centres it encloses or that it crosses.
+    /// Sets the cells that the outline covers: those whose centres it encloses and those that it crosses.
     pub fn fill(&mut self, outline: &[Point]) -> Result<(), DrawingFlaw> {
         let edges = || outline.iter().copied().zip(outline.iter().copied().cycle().skip(1));
         for (a, b) in edges() {
@@ -83,7 +83,7 @@ fn too_much() -> DrawingFlaw {
     DrawingFlaw::TooMany { what: "cells crossed by strokes", most: MAX_WORK }
 }
 
-/// The cells of a row or column of `count` that hold the coordinates from `low` to `high`.
+/// The cells of a row or column of `count` that contain the coordinates from `low` to `high`.
 fn clip(low: f64, high: f64, count: usize) -> Range<usize> {
     let count = count as i32;
     let (first, last) = (floor(low).max(0), floor(high).min(count - 1));

@@ -1,4 +1,4 @@
-//! Which cells are floor.
+//! Finds the cells that are floor.
 
 use robovac_core::{
     geometry::Point,
@@ -7,11 +7,11 @@ use robovac_core::{
 };
 use std::collections::VecDeque;
 
-/// What walls enclose is the inside of a wall if it is nowhere wider than this, m (ours): walls that are drawn as outlines are
-/// rarely thicker, and no room is as narrow throughout.
+/// An enclosed area that is nowhere wider than this is the inside of a wall, m (ours): walls that are drawn as outlines
+/// are rarely thicker, and no room is as narrow throughout.
 const LEAST_WIDTH: f64 = 0.5;
 
-/// The free cells that the border can't be reached from, less what is too narrow to be floor.
+/// The free cells that can't be reached from the border, without areas too narrow to be floor.
 pub(super) fn enclosed(blocked: &Grid<bool>, resolution: f64) -> Grid<bool> {
     let (width, height) = (blocked.width() as i32, blocked.height() as i32);
     let mut outside = blocked.map(|_| false);
@@ -22,8 +22,8 @@ pub(super) fn enclosed(blocked: &Grid<bool>, resolution: f64) -> Grid<bool> {
     }
     let mut inside = blocked.map(|_| false);
     let wide = chessboard(blocked);
-    // A square of 2 n - 1 cells lies around a cell that is n moves from the next wall. One cell is never known to be more
-    // than the inside of a wall.
+    // A square of 2 n - 1 cells lies around a cell that is n moves from the next wall. A single cell can always be the
+    // inside of a wall.
     let least = ceil(f64::midpoint(LEAST_WIDTH / resolution, 1.0) - 1e-9).clamp(2, 255) as u8;
     for (cell, &is_outside) in outside.iter() {
         if !is_outside && !inside[cell] && !blocked[cell] && wide[cell] >= least {
@@ -58,7 +58,7 @@ fn flood(blocked: &Grid<bool>, start: Cell, marked: &mut Grid<bool>, mut seen: i
         if walls[x] || marks[x] {
             continue;
         }
-        // As far as it goes to either side.
+        // The free cells to either side.
         let open = |x: &usize| !walls[*x] && !marks[*x];
         let first = (0..x).rev().take_while(open).last().unwrap_or(x);
         let end = (x + 1..width).take_while(open).last().unwrap_or(x) + 1;
@@ -66,7 +66,7 @@ fn flood(blocked: &Grid<bool>, start: Cell, marked: &mut Grid<bool>, mut seen: i
         for x in first..end {
             seen(Cell::new(x as i32, y as i32));
         }
-        // The first cell of each piece of the rows beside it that goes on from there.
+        // The first cell of each free run of the rows beside it.
         let beside = [y.checked_sub(1), (y + 1 < blocked.height()).then_some(y + 1)];
         for y in beside.into_iter().flatten() {
             let row = y * width;
@@ -83,18 +83,18 @@ fn flood(blocked: &Grid<bool>, start: Cell, marked: &mut Grid<bool>, mut seen: i
     }
 }
 
-/// Where one gets out most easily: before the narrowest place, in cells, of the widest way from `start` to the border, and its
-/// width in cells.
+/// The likely opening of a room that isn't closed: the cell before the narrowest place of the widest way from `start`
+/// to the border, and the width there in cells.
 pub(super) fn leak(blocked: &Grid<bool>, start: Cell) -> Option<(Point, f64)> {
     let moves = chessboard(blocked);
     let (right, top) = (blocked.width() as i32 - 1, blocked.height() as i32 - 1);
     let from_border = |cell: Cell| cell.x.min(cell.y).min(right - cell.x).min(top - cell.y);
-    // Out of the grid is as good as a wall to `chessboard`, but here it is the way out.
+    // `chessboard` treats the outside as a wall, but here it is open.
     let width = |cell: Cell| {
         let width = moves.get(cell).map_or(0, |&moves| i32::from(moves));
         if width > from_border(cell) { 255 } else { width as usize }
     };
-    // Cells to go on from, by how wide the way to them is, each with its narrowest place.
+    // Cells to continue from, by the width of the way to them, each with its narrowest place.
     let mut waiting: Vec<VecDeque<(Cell, Cell)>> = vec![VecDeque::new(); 256];
     let mut seen = blocked.map(|_| false);
     let mut level = width(start);

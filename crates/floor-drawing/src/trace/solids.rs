@@ -14,10 +14,10 @@ use robovac_core::{
 
 /// Fewest corners of a circle: one every 15°.
 const CIRCLE_CORNERS: usize = 24;
-/// How far a circle's corners may be from it, as a share of its radius.
+/// Largest distance of a circle's corners from it, as a share of its radius.
 const CIRCLE_ERROR: f64 = 1e-3;
 
-/// The strokes that are outlines of solid things.
+/// The strokes that are outlines of solid objects.
 pub(super) fn solids<'a>(drawing: &'a Drawing, roles: &'a [Role]) -> impl Iterator<Item = &'a Stroke> {
     drawing.strokes.iter().filter(|stroke| stroke.is_closed && roles[stroke.layer as usize] == Role::Obstacle)
 }
@@ -27,8 +27,8 @@ pub(super) fn in_cells(drawing: &Drawing, stroke: &Stroke, frame: &RasterFrame) 
     drawing.corners(stroke).iter().map(|&corner| frame.cells(corner)).collect()
 }
 
-/// Puts the solids that stand on the floor of a room into it: as objects while there may be more of them and each is simple
-/// enough, else as cells that aren't floor.
+/// Adds the solids that stand on the floor of a room: as objects up to the room's limits if they are simple enough,
+/// otherwise as cells that aren't floor.
 pub(super) fn furnish(
     plan: &mut FloorPlan,
     drawing: &Drawing,
@@ -55,7 +55,7 @@ pub(super) fn furnish(
     Ok(())
 }
 
-/// The floor that things stand on, with the box around it: most of a large drawing lies outside.
+/// The floor of a room, with its bounding box: most of a large drawing lies outside.
 pub(super) struct DrawnFloor<'a> {
     free: &'a Grid<bool>,
     bounds: Option<BoundingBox>,
@@ -65,12 +65,12 @@ impl<'a> DrawnFloor<'a> {
     pub fn new(free: &'a Grid<bool>) -> Self {
         let cells = free.iter().filter(|(_, is_free)| **is_free);
         let corner = |cell: Cell, side: i32| Point::new(f64::from(cell.x + side), f64::from(cell.y + side));
-        // With the cells beside it.
+        // Including the neighbouring cells.
         let bounds = BoundingBox::of(cells.flat_map(|(cell, _)| [corner(cell, -1), corner(cell, 2)]));
         Self { free, bounds }
     }
 
-    /// Whether there is floor under an outline or beside it, looked for along its edges and in its middle. In cells.
+    /// Whether there is floor under an outline or beside it, checked along its edges and in its middle. In cells.
     pub fn touches(&self, outline: &[Point]) -> bool {
         let meets = |points: &[Point]| match (self.bounds, BoundingBox::of(points.iter().copied())) {
             (Some(ours), Some(other)) => {

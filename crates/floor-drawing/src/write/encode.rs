@@ -3,7 +3,7 @@
 use crate::dxf::Form;
 use encoding_rs::Encoding;
 
-/// A value to be written.
+/// A value of a DXF pair.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum EncodedValue {
     Text(String),
@@ -14,7 +14,7 @@ pub(super) enum EncodedValue {
     Long(i64),
 }
 
-/// Pairs as bytes.
+/// Writes pairs as bytes.
 pub(super) struct Writer {
     form: Form,
     line_end: &'static str,
@@ -54,7 +54,7 @@ impl Writer {
                 self.bytes.extend_from_slice(end.as_bytes());
                 return;
             }
-            // No code that is written is above 254 in the old form.
+            // No code that is written exceeds 254 in the old form.
             Form::Short => self.bytes.push(code as u8),
             Form::Long => self.bytes.extend((code as i16).to_le_bytes()),
         }

@@ -1,15 +1,15 @@
-//! Scans a DXF for what is needed to insert entities.
+//! Scans a DXF for the positions and names needed to insert entities.
 
 use crate::{
     DrawingFlaw,
     dxf::{Form, Pairs, code_page},
 };
 
-/// Places in a DXF, in bytes from its start, and names and handles that are taken.
+/// Positions in a DXF, in bytes from its start, and names and handles in use.
 pub(super) struct DxfLandmarks {
     pub form: Form,
     pub is_crlf: bool,
-    /// Number of `$ACADVER`, 1009 for R12; the same if it isn't said.
+    /// Number of `$ACADVER`, 1009 for R12; the default as well.
     pub release: u32,
     /// The encoding of text of releases before 2007.
     pub code_page: &'static encoding_rs::Encoding,
@@ -21,7 +21,7 @@ pub(super) struct DxfLandmarks {
     pub layers_end: Option<usize>,
     /// The end of the section of tables, before its ENDSEC.
     pub tables_end: Option<usize>,
-    /// Where blocks or entities begin, with their SECTION.
+    /// The start of blocks or entities, with their SECTION.
     pub body: Option<usize>,
     /// The end of the entities, before their ENDSEC.
     pub entities_end: Option<usize>,
@@ -34,7 +34,7 @@ pub(super) struct DxfLandmarks {
 }
 
 impl DxfLandmarks {
-    /// Goes through the file; errors name the line or byte.
+    /// Scans the file; errors name the line or byte.
     pub fn of(bytes: &[u8]) -> Result<Self, (usize, DrawingFlaw)> {
         let mut pairs = Pairs::new(bytes);
         let first_line = bytes.iter().position(|&byte| byte == b'\n').map_or(&b""[..], |end| &bytes[..end]);
@@ -130,7 +130,7 @@ impl DxfLandmarks {
     }
 
     fn take_handle(&mut self, text: &str) {
-        // Larger ones are none, or leave no room.
+        // Larger handles are invalid or leave no room for new ones.
         let handle = u64::from_str_radix(text, 16).unwrap_or(0);
         if handle < 1 << 60 {
             self.last_handle = self.last_handle.max(handle);
@@ -140,7 +140,7 @@ impl DxfLandmarks {
 
 #[derive(Default)]
 struct SectionPlace {
-    /// Nothing between sections.
+    /// Between sections `None`.
     section: Option<Vec<u8>>,
     table: Vec<u8>,
     record: Vec<u8>,

@@ -16,18 +16,18 @@ use encode::{EncodedValue, Writer};
 use encoding_rs::Encoding;
 use landmarks::DxfLandmarks;
 
-/// What messages call the drawing, whose name isn't known here.
+/// Name of the drawing in messages; its file name isn't known here.
 const NAME: &str = "the drawing";
-/// From this release on entities have handles and polylines are one entity: 13.
+/// The first release in which entities have handles and polylines are one entity: 13.
 const FIRST_WITH_HANDLES: u32 = 1012;
-/// From this release on text is UTF-8: 2007.
+/// The first release with text in UTF-8: 2007.
 const FIRST_UNICODE: u32 = 1021;
 
-/// A DXF with `overlays` on layers of their own, beside all that is in `original` (the bytes of a DXF) if there is one.
+/// A DXF with `overlays` on layers of their own, added to `original` (the bytes of a DXF) if there is one.
 ///
-/// The original stays as it is, byte by byte, in text and in binary: records of layers and polylines are put in, with new
-/// handles. If it has a layer of the same name already the new one gets a number. Without an original the drawing is of
-/// release 2000, and its unit is the metre.
+/// The bytes of the original are kept, in text and in binary: records of layers and polylines are inserted, with new
+/// handles. If a layer of the same name exists the new one gets a number. Without an original the drawing is of release
+/// 2000, and its unit is the metre.
 ///
 /// ```
 /// use floor_drawing::{Overlay, read, to_dxf};
@@ -102,7 +102,7 @@ impl DxfPen<'_> {
         format!("{:X}", self.next_handle - 1)
     }
 
-    /// Names of the overlays' layers: characters that layers may have, and none that is taken.
+    /// Names of the overlays' layers, with valid characters and not in use.
     fn names(&self, overlays: &[Overlay]) -> Vec<String> {
         let mut taken = self.survey.layer_names.clone();
         let mut names: Vec<String> = Vec::new();
@@ -131,18 +131,18 @@ impl DxfPen<'_> {
             c if is_old && !matches!(c, 'a'..='z' | 'A'..='Z' | '0'..='9' | '$' | '_' | '-') => "_".to_owned(),
             c if is_old => c.to_ascii_uppercase().to_string(),
             c if self.encoding().encode(c.encode_utf8(&mut [0; 4])).2 => {
-                // Beyond the basic plane there is no form for what the code page lacks.
+                // Beyond the basic plane there is no escape for characters that the code page lacks.
                 if (c as u32) < 0x1_0000 { format!("\\U+{:04X}", c as u32) } else { "_".to_owned() }
             }
             c => c.to_string(),
         };
-        // R12 takes 31 characters; numbers may follow.
+        // R12 allows 31 characters; a number can follow.
         let most = if is_old { 26 } else { 200 };
         let name: String = name.trim().chars().take(most).map(plain).collect();
         if name.is_empty() { "OVERLAY".to_owned() } else { name }
     }
 
-    /// Records of the layers, and where they belong; with a table or a section around them if there is none.
+    /// Records of the layers, and where to insert them; with a table or a section around them if there is none.
     fn layers(&mut self, overlays: &[Overlay], names: &[String]) -> Option<(usize, usize, Vec<u8>)> {
         let survey = self.survey;
         let mut writer = self.writer();

@@ -8,7 +8,7 @@ use robovac_core::{
     math::TAU,
 };
 
-/// The outlines of a room's walls, furniture and stairs, in metres from where its map has its origin.
+/// The outlines of a room's walls, furniture and stairs, in metres from the map's origin.
 ///
 /// ```
 /// use floor_drawing::outlines;
@@ -48,10 +48,10 @@ pub fn outlines(plan: &FloorPlan) -> Vec<Overlay> {
     overlays
 }
 
-/// Lines around the cells that are set, with those on the left; each ends where it begins.
+/// Lines around the set cells, counter-clockwise; each is closed.
 fn borders(cells: &Grid<bool>, side: f64) -> Vec<Vec<Point>> {
     let point = |cell: &Cell| Point::new(f64::from(cell.x) * side, f64::from(cell.y) * side);
-    // However many: files have no picture of the cells instead.
+    // Without a limit: files can't show the cells as an image instead.
     let loops = grid::outlines(cells, usize::MAX).unwrap_or_default();
     loops.iter().map(|corners| corners.iter().chain(corners.first()).map(point).collect()).collect()
 }

@@ -1,6 +1,6 @@
 //! An empty drawing, used when there is no drawing to add lines to.
 
-/// Release 2000 with all that AutoCAD asks for, in metres; group codes and values, separated by blanks.
+/// Release 2000 with everything that AutoCAD requires, in metres; group codes and values, separated by blanks.
 const PAIRS: &str = "0 SECTION 2 HEADER 9 $ACADVER 1 AC1015 9 $DWGCODEPAGE 3 ANSI_1252 9 $INSUNITS 70 6 9 $MEASUREMENT 70 1 \
     9 $HANDSEED 5 40 0 ENDSEC 0 SECTION 2 CLASSES 0 ENDSEC 0 SECTION 2 TABLES \
     0 TABLE 2 VPORT 5 8 330 0 100 AcDbSymbolTable 70 0 0 ENDTAB \

@@ -19,8 +19,8 @@ const FINE_CELL: f64 = 0.02;
 /// Headings of the large obstacle map: one every five degrees.
 const HEADINGS: usize = 72;
 
-/// 001's case (20 m x 20 m, seven obstacles, an octagon) in a program that has just been loaded, and again; an obstacle map
-/// of 1000 x 1000 x 72; a drawing of 100,000 entities.
+/// 001's case (20 m x 20 m, seven obstacles, an octagon) in a freshly loaded program, and again; an obstacle map of
+/// 1000 x 1000 x 72; a drawing of 100,000 entities.
 pub fn floor_plan(bench: &mut Bench<'_>) {
     let go_on = &mut |_| ControlFlow::Continue(());
     let (Some(hall), Some(octagon)) = (room("hall20"), model("octagon")) else { return };
@@ -39,7 +39,7 @@ pub fn floor_plan(bench: &mut Bench<'_>) {
 }
 
 /// A DXF in millimetres: an office floor of 100 m x 72 m with corridors and 228 rooms of 5 m x 5 m, in each a door, two
-/// desks, a round table and chairs; the rest of its `entities` are the pattern of the floor. 100,000 make 10.1 MB.
+/// desks, a round table and chairs; the rest of the `entities` are the pattern of the floor. 100,000 make 10.1 MB.
 pub fn office_drawing(entities: usize) -> Vec<u8> {
     let mut sheet = BenchSheet { text: HEADER.to_owned(), handle: 0x100 };
     for room in 0..ROOMS {
@@ -87,15 +87,15 @@ const ROOMS: usize = 240;
 const COLUMNS: usize = 20;
 /// The column that is a corridor across all others.
 const CROSSING: usize = 10;
-/// Sides of what is round.
+/// Sides of polygons that stand for circles.
 const SIDES: u32 = 16;
 const HEADER: &str =
     "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1009\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n";
 
-/// A drawing in the making.
+/// A drawing under construction.
 struct BenchSheet {
     text: String,
-    /// That of the last entity.
+    /// The last entity's handle.
     handle: usize,
 }
 
@@ -105,7 +105,7 @@ impl BenchSheet {
         for ends in points.windows(2) {
             self.handle += 1;
             let (handle, [ax, ay], [bx, by]) = (self.handle, ends[0], ends[1]);
-            // A text takes whatever is written.
+            // Writing to a string doesn't fail.
             let _ = write!(
                 self.text,
                 "  0\nLINE\n  5\n{handle:X}\n  8\n{layer}\n 10\n{ax:.3}\n 20\n{ay:.3}\n 30\n0.0\n 11\n{bx:.3}\n 21\n{by:.3}\n 31\n0.0\n"

@@ -17,18 +17,18 @@ use std::{iter::repeat_with, sync::Arc};
 /// Readings of five minutes.
 const READINGS: usize = 20_000;
 
-/// A drive, and a mapper that is about to hear of it.
+/// Recorded readings of a drive, and a mapper to process them.
 pub struct MappingCase {
-    /// What a robot reads that follows the walls of the furnished flat, with typical slip and noise.
+    /// Readings of a robot that follows the walls of the furnished flat, with typical slip and noise.
     pub readings: Vec<SensorReadings>,
-    /// As it begins, with drift to be corrected.
+    /// The mapper before the drive, with drift correction.
     pub mapper: Mapper,
-    /// The flat as it is.
+    /// The true map of the flat.
     pub truth: MapTruth,
 }
 
 impl MappingCase {
-    /// `None` if what it takes were missing from a registry.
+    /// `None` if something is missing from a registry.
     pub fn new() -> Option<Self> {
         let (plan, robot) = (room("flat").map(|info| (info.build)())?, model("roomba600")?.clone());
         let floor = Arc::new(ReachableFloor::new(&plan, &robot, None).ok()?);
@@ -63,7 +63,7 @@ impl MappingCase {
     }
 }
 
-/// Five minutes of a robot that makes a map and corrects its drift; without the simulation.
+/// Five minutes of mapping with drift correction, without the simulation.
 pub fn mapping(bench: &mut Bench<'_>) {
     let Some(case) = MappingCase::new() else { return };
     let mut map = || drop(case.map(case.mapper.clone()));

@@ -13,10 +13,10 @@ pub use streaming::{stream, streaming};
 use serde::Serialize;
 use std::array;
 
-/// Samples of each case but long ones; the median is reported.
+/// Samples of each case except long ones; the median is reported.
 const SAMPLES: usize = 5;
-/// Shortest sample, s: a browser's clock is coarse, and it optimises only what has run for a while. Shorter cases are
-/// repeated.
+/// Shortest sample, s: a browser's clock is coarse, and it optimises code only after it has run for a while. Shorter
+/// cases are repeated.
 const LEAST_S: f64 = 0.05;
 /// A case that takes longer is measured once, s.
 const LONG_S: f64 = 0.5;
@@ -27,13 +27,13 @@ const MOST_REPEATS: u32 = 1024;
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct BenchResult {
-    /// What was measured.
+    /// Name of the case.
     pub name: String,
     /// Median time of one run, ms.
     pub ms: f64,
-    /// Times real time, where it stands for a time of the robot's.
+    /// Speed relative to real time, for simulations.
     pub times_real_time: Option<f64>,
-    /// All memory that the program has had by then, MB (10^6 bytes); where somebody knows.
+    /// Peak memory of the program so far, MB (10^6 bytes); `None` if unknown.
     pub memory_mb: Option<f64>,
 }
 
@@ -44,18 +44,19 @@ pub struct Bench<'a> {
     report: &'a mut dyn FnMut(&BenchResult),
     /// Only cases whose names contain it are run.
     only: &'a str,
+    /// Each case runs once.
+    once: bool,
     results: Vec<BenchResult>,
 }
 
 impl<'a> Bench<'a> {
-    /// `clock` gives seconds, `memory` the bytes that the program has, if it can tell; `report` receives each result as it
-    /// comes.
+    /// `clock` returns seconds, `memory` the program's memory in bytes, if known; `report` receives each result.
     pub fn new(
         clock: &'a dyn Fn() -> f64,
         memory: &'a dyn Fn() -> Option<usize>,
         report: &'a mut dyn FnMut(&BenchResult),
     ) -> Self {
-        Self { clock, memory, report, only: "", results: Vec::new() }
+        Self { clock, memory, report, only: "", once: false, results: Vec::new() }
     }
 
     /// Leaves out cases whose names don't contain `text`.
@@ -64,13 +65,19 @@ impl<'a> Bench<'a> {
         Self { only: text, ..self }
     }
 
-    /// What has been measured.
+    /// Runs each case a single time, if `once`: enough to see that it works, too little for a measurement.
+    #[must_use]
+    pub fn once_each(self, once: bool) -> Self {
+        Self { once, ..self }
+    }
+
+    /// The results.
     pub fn into_results(self) -> Vec<BenchResult> {
         self.results
     }
 
-    /// Measures a case, which stands for `simulated` seconds if it is a simulation. It runs at least twice, so that a
-    /// browser has compiled it well.
+    /// Measures a case, which simulates `simulated` seconds if it is a simulation. It runs at least twice, so that a
+    /// browser has optimised it.
     pub fn take(&mut self, name: &str, case: &mut dyn FnMut(), simulated: Option<f64>) {
         if !name.contains(self.only) {
             return;
@@ -82,11 +89,11 @@ impl<'a> Bench<'a> {
             clock() - began
         };
         let (mut repeats, mut seconds) = (1, sample(1));
-        while seconds < LEAST_S && repeats < MOST_REPEATS {
+        while !self.once && seconds < LEAST_S && repeats < MOST_REPEATS {
             repeats *= 2;
             seconds = sample(repeats);
         }
-        if seconds < LONG_S {
+        if !self.once && seconds < LONG_S {
             let mut times: [f64; SAMPLES] = array::from_fn(|_| sample(repeats) / f64::from(repeats));
             times.sort_by(f64::total_cmp);
             seconds = times[SAMPLES / 2];
@@ -94,7 +101,7 @@ impl<'a> Bench<'a> {
         self.tell(name, seconds, simulated);
     }
 
-    /// Measures a case as it is the first time: what has just been loaded isn't compiled well yet.
+    /// Measures the first run of a case, before freshly loaded code is optimised.
     pub fn once(&mut self, name: &str, case: impl FnOnce()) {
         if !name.contains(self.only) {
             return;

@@ -4,14 +4,14 @@ use super::Bench;
 use robovac_link::{connection::Connection, driver::FRAME_S};
 use roomba_oi::{MAX_FRAME, PacketId, Readings, StreamParser, write_frame};
 
-/// Bytes of the stream that is parsed, those of one frame of it, and frames that a whole connection hears: a minute.
+/// Bytes of the parsed stream, bytes of one of its frames, and frames for the whole connection: one minute.
 const STREAM_BYTES: usize = 10_000_000;
 const FRAME_BYTES: usize = 84;
 const HEARD_FRAMES: usize = 4000;
-/// Frames after which the robot answers which mode it is in: by then it was asked.
+/// Frames after which the robot reports its mode, which has been requested by then.
 const ANSWER_AFTER: usize = 40;
 
-/// Frames of all sensors: parsed, and heard by a whole connection.
+/// Frames of all sensors: parsed alone, and processed by a whole connection.
 pub fn streaming(bench: &mut Bench<'_>) {
     let stream = stream(STREAM_BYTES);
     let mut parse = || {
@@ -32,7 +32,7 @@ pub fn streaming(bench: &mut Bench<'_>) {
             }
             link.tick(now);
             let _ = (link.take_tx(), link.take_trace());
-            // As often as a worker tells its page.
+            // As often as the worker updates its page.
             if index % 3 == 0 {
                 let _ = (link.view(now), link.take_traffic());
             }
@@ -41,7 +41,7 @@ pub fn streaming(bench: &mut Bench<'_>) {
     bench.take("hear all sensors at full rate", &mut hear, Some(HEARD_FRAMES as f64 * FRAME_S));
 }
 
-/// Frames of all packets, as a robot streams them, of which every value changes; `bytes` of them or a little less.
+/// Frames of all packets as a robot streams them, with every value changing; at most `bytes` of them.
 pub fn stream(bytes: usize) -> Vec<u8> {
     let mut stream = Vec::with_capacity(bytes);
     let mut buffer = [0; MAX_FRAME];

@@ -18,18 +18,18 @@ pub(super) struct ComparisonBase {
     pub cell_size: f64,
     pub seed: u64,
     pub setup: RaceSetup,
-    /// The session as it was.
+    /// Snapshot of the session.
     snapshot: SessionSnapshot,
 }
 
-/// Simulated time per time that a race begins with: a flat takes most of an hour to clean.
+/// Initial speed of a race, times real time: cleaning a flat takes most of an hour.
 const SPEED: f64 = 64.0;
 
-/// Begins the names of rooms that don't ship.
+/// Prefix of the names of rooms that aren't built in.
 pub(super) const OWN: &str = "own";
 
 impl ComparisonBase {
-    /// What the session has now; races go at `speed`, or at [`SPEED`].
+    /// The session's settings; races run at `speed`, or at [`SPEED`].
     pub fn of(session: &Session, speed: Option<f64>) -> Self {
         let settings = session.settings();
         Self {
@@ -51,7 +51,7 @@ impl ComparisonBase {
         }
     }
 
-    /// Whether the session is as it was.
+    /// Whether the session is unchanged.
     pub fn is_of(&self, session: &Session) -> bool {
         self.snapshot == session.snapshot()
     }
@@ -61,12 +61,12 @@ impl ComparisonBase {
         self.room.map_or(RoomChoice::Own, RoomChoice::Shipped)
     }
 
-    /// Where the robot starts if not where the room says: x, y in metres, heading in radians.
+    /// The start if it differs from the room's: x, y in metres, heading in radians.
     pub fn start_in(&self, room: RoomChoice) -> Option<[f64; 3]> {
         self.start.filter(|_| room == self.here()).map(|s| [s.x, s.y, s.heading])
     }
 
-    /// Tells room, start, robot and cell size from others.
+    /// Key of room, start, robot and cell size.
     pub fn place(&self, room: RoomChoice) -> String {
         let start = self.start_in(room);
         let room = match room {

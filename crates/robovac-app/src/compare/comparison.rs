@@ -15,14 +15,14 @@ use std::{
     sync::Arc,
 };
 
-/// Most seeds that planners which use chance are tried with.
+/// Most seeds for planners that use random numbers.
 pub const MOST_SEEDS: u32 = 20;
-/// Planners that take part at first.
+/// Planners that are selected at first.
 const FIRST: [&str; 4] = ["boustrophedon", "snake", "spiral_stc", "wavefront_path"];
-/// Walks are kept to be raced as long as there are no more cells in them together, which take 8 bytes each.
+/// Most cells of all walks kept for the race together, 8 bytes each.
 const MOST_KEPT_CELLS: usize = 8_000_000;
 
-/// Who competes where, and what came out.
+/// The entrants of a comparison and their results.
 pub struct Comparison {
     base: Option<ComparisonBase>,
     /// One for each planner of the registry, in its order.
@@ -31,7 +31,7 @@ pub struct Comparison {
     set: RoomSet,
     seeds: u32,
     trials: Trials,
-    /// Walks to be raced.
+    /// Walks for the race.
     paths: BTreeMap<TrialKey, CoveragePath>,
     race: Option<Race>,
     races: u32,
@@ -39,7 +39,7 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// Some planners about to be compared in the session's room.
+    /// A comparison of some planners in the session's room.
     pub fn new() -> Self {
         let entrants: Vec<Entrant> = PLANNERS.iter().map(|planner| Entrant::new(Algorithm::Planner(planner))).collect();
         let chosen = (0..entrants.len()).filter(|&i| FIRST.contains(&entrants[i].id())).collect();
@@ -61,20 +61,20 @@ impl Comparison {
 
     // ---- choices
 
-    /// Takes room, robot, start and seed over from the session. Results that they don't change stay.
+    /// Takes over room, robot, start and seed from the session. Results that don't depend on changed settings are kept.
     pub fn take(&mut self, session: &Session) {
         if self.base.as_ref().is_some_and(|base| base.is_of(session)) {
             return;
         }
         self.base = Some(ComparisonBase::of(session, self.race.as_ref().map(Race::speed)));
-        // Earlier states of an own room don't come back.
+        // Earlier states of an own room aren't kept.
         let here = self.place(self.here());
         self.trials.retain(|key| !key.starts_with(OWN) || key.starts_with(&here));
         self.paths.retain(|key, _| self.trials.result(key).is_some());
         self.changed();
     }
 
-    /// Lets a planner take part, or not.
+    /// Includes a planner, or excludes it.
     pub fn choose(&mut self, id: &str, takes_part: bool) -> Result<(), SettingsError> {
         let index = self.index(id)?;
         if takes_part {
@@ -101,7 +101,7 @@ impl Comparison {
         Ok(())
     }
 
-    /// Number of seeds that planners which use chance are tried with, 1 to [`MOST_SEEDS`].
+    /// Sets the number of seeds for planners that use random numbers, 1 to [`MOST_SEEDS`].
     pub fn set_seeds(&mut self, seeds: u32) {
         self.seeds = seeds.clamp(1, MOST_SEEDS);
         self.changed();
@@ -111,20 +111,20 @@ impl Comparison {
         Entrant::parse_planner(id).map(|(_, info)| self.entrants.iter().position(|o| o.id() == info.id).unwrap_or(0))
     }
 
-    /// What is asked for is different from before.
+    /// The choices have changed.
     fn changed(&mut self) {
         self.version += 1;
         self.trials.want(self.wanted());
         self.enter_race();
     }
 
-    /// What has been chosen as `key=value` pairs for a link.
+    /// The choices as `key=value` pairs for a link.
     pub fn to_link(&self) -> String {
         let chosen: Vec<String> = self.chosen.iter().map(|&i| self.entrants[i].to_string()).collect();
         format!("vs={}&rooms={}&seeds={}", chosen.join(","), self.set.id(), self.seeds)
     }
 
-    /// Takes what [`Comparison::to_link`] wrote among other pairs, joined by `&`. On an error everything stays as it was.
+    /// Reads the pairs that [`Comparison::to_link`] wrote, among others, joined by `&`. Changes nothing on an error.
     pub fn restore(&mut self, link: &str) -> Result<(), SettingsError> {
         let mut next = Self { entrants: self.entrants.clone(), ..Self::new() };
         (next.chosen, next.set, next.seeds) = (self.chosen.clone(), self.set, self.seeds);
@@ -141,7 +141,7 @@ impl Comparison {
         Ok(())
     }
 
-    /// Only those of a link take part.
+    /// Includes only the planners of a link.
     fn choose_only(&mut self, link: &str) -> Result<(), SettingsError> {
         self.chosen.clear();
         for entrant in link.split(',').filter(|name| !name.is_empty()) {
@@ -156,7 +156,7 @@ impl Comparison {
 
     // ---- trials
 
-    /// Everything that has to be tried, room by room.
+    /// All required trials, room by room.
     fn wanted(&self) -> Vec<(Trial, TrialKey)> {
         let first = self.base.as_ref().map_or(0, |base| base.seed);
         let names: Vec<(usize, String)> = self.chosen.iter().map(|&i| (i, self.entrants[i].to_string())).collect();
@@ -173,7 +173,7 @@ impl Comparison {
         trials
     }
 
-    /// The rooms that are compared in.
+    /// The rooms of the comparison.
     pub fn rooms(&self) -> Vec<RoomChoice> {
         self.set.rooms(self.here())
     }
@@ -187,7 +187,7 @@ impl Comparison {
         self.base.as_ref().map_or_else(String::new, |base| base.place(room))
     }
 
-    /// The next trial for a worker that has nothing to do.
+    /// The next trial for an idle worker.
     pub fn take_trial(&mut self) -> Option<TrialRequest> {
         let base = self.base.as_ref()?;
         let (id, trial) = self.trials.begin()?;
@@ -207,7 +207,7 @@ impl Comparison {
         })
     }
 
-    /// Whether that trial is still wanted; the worker of one that isn't should be ended.
+    /// Whether that trial is still required; otherwise its worker should be ended.
     pub fn is_wanted(&self, id: u32) -> bool {
         self.trials.is_running(id)
     }
@@ -231,12 +231,12 @@ impl Comparison {
         self.enter_race();
     }
 
-    /// Keeps a walk to be raced.
+    /// Keeps a walk for the race.
     fn keep(&mut self, key: &TrialKey, path: CoveragePath) {
         let kept =
             |paths: &BTreeMap<TrialKey, CoveragePath>| paths.values().map(|path| path.cells.len()).sum::<usize>();
         if kept(&self.paths) + path.cells.len() > MOST_KEPT_CELLS {
-            // Whoever comes back to another room has it planned again.
+            // For other rooms the walk is planned again if needed.
             let here = self.place(self.here());
             self.trials.retain(|key| key.starts_with(&here) || !self.paths.contains_key(key));
             self.paths.retain(|key, _| key.starts_with(&here));
@@ -246,35 +246,35 @@ impl Comparison {
         }
     }
 
-    /// The user doesn't want to wait; what is known stays.
+    /// Cancels the remaining trials; results are kept.
     pub fn cancel(&mut self) {
         self.trials.cancel();
         self.version += 1;
     }
 
-    /// Goes on after [`Comparison::cancel`].
+    /// Continues after [`Comparison::cancel`].
     pub fn resume(&mut self) {
         self.trials.is_cancelled = false;
     }
 
-    /// Whether the user has stopped it with trials left.
+    /// Whether it was cancelled with trials left.
     pub fn is_cancelled(&self) -> bool {
         self.trials.is_cancelled
     }
 
-    /// Trials that are done, and all of them.
+    /// Numbers of finished trials and of all trials.
     pub fn count(&self) -> (usize, usize) {
         self.trials.count()
     }
 
-    /// How far a planner is.
+    /// Progress of a planner.
     pub fn progress(&self, entrant: usize) -> TrialProgress<'_> {
         self.trials.progress(entrant)
     }
 
-    // ---- what came out
+    // ---- results
 
-    /// Grows with every change of what [`Comparison::table`] says.
+    /// Changes with the content of [`Comparison::table`].
     pub fn version(&self) -> u32 {
         self.version
     }
@@ -284,7 +284,7 @@ impl Comparison {
         &self.entrants
     }
 
-    /// Whether a planner takes part.
+    /// Whether a planner is included.
     pub fn is_chosen(&self, entrant: usize) -> bool {
         self.chosen.contains(&entrant)
     }
@@ -299,7 +299,7 @@ impl Comparison {
         self.seeds
     }
 
-    /// The numbers of one room, or of all rooms together.
+    /// The table of one room, or of all rooms together.
     pub fn table(&self, room: Option<RoomChoice>) -> ComparisonTable {
         let rooms = room.map_or_else(|| self.rooms(), |room| vec![room]);
         let rows = self.chosen.iter().map(|&entrant| {
@@ -312,13 +312,13 @@ impl Comparison {
         ComparisonTable::new(rows.collect())
     }
 
-    /// What no walk in a room can do without, once something is known of it.
+    /// Lower bounds for a room, once a trial has computed them.
     pub fn bounds(&self, room: RoomChoice) -> Option<Bounds> {
         let mut results = self.trials.results().filter(|(trial, _)| trial.room == room);
         results.find_map(|(_, result)| result.as_ref().ok()?.bounds)
     }
 
-    /// Everything that came out, for export.
+    /// All results, for export.
     pub fn records(&self) -> Vec<Record<'_>> {
         let Some(base) = &self.base else { return Vec::new() };
         let record = |(t, result): (&Trial, _)| Record {
@@ -342,23 +342,23 @@ impl Comparison {
 
     // ---- race
 
-    /// The race in the session's room, once somebody has a plan.
+    /// The race in the session's room, once there is a plan.
     pub fn race(&self) -> Option<&Race> {
         self.race.as_ref()
     }
 
-    /// The race, to go on with it.
+    /// The race, mutably.
     pub fn race_mut(&mut self) -> Option<&mut Race> {
         self.race.as_mut()
     }
 
-    /// The walk of a planner in the session's room, if it is known; more planners have one than can race at a time.
+    /// The walk of a planner in the session's room, if it is known; there can be more walks than lanes in the race.
     pub fn path(&self, entrant: usize) -> Option<&CoveragePath> {
         let seed = self.base.as_ref()?.seed;
         self.paths.get(&key(&self.place(self.here()), &self.entrants[entrant].to_string(), seed))
     }
 
-    /// Sets the race up anew if other robots should drive in it.
+    /// Sets the race up again if its robots have changed.
     fn enter_race(&mut self) {
         let Some(base) = &self.base else { return };
         let here = self.place(self.here());
@@ -368,7 +368,7 @@ impl Comparison {
             .copied()
             .map(|entrant| (entrant, key(&here, &self.entrants[entrant].to_string(), base.seed)))
             .filter(|(_, key)| !matches!(self.trials.result(key), Some(Err(_))))
-            // Before it is known who has a plan: who races mustn't depend on who was planned first.
+            // Before filtering by finished plans, so that the racers don't depend on the order of planning.
             .take(MOST_LANES)
             .filter_map(|(entrant, key)| {
                 let planned_s = self.trials.result(&key)?.as_ref().ok()?.drive.duration_s;

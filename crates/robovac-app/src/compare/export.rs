@@ -1,4 +1,4 @@
-//! Results as CSV and JSON, one record a trial: the same from the page and from the command line.
+//! Results as CSV and JSON, one record per trial; the same from the page and from the command line.
 
 use coverage_planners::{
     Bounds,
@@ -10,7 +10,7 @@ use robovac_sim::experiment::quoted;
 use serde::Serialize;
 use std::{collections::BTreeMap, fmt::Write};
 
-/// One planner in one room with one seed.
+/// The result of one planner in one room with one seed.
 #[derive(Debug, Clone)]
 pub struct Record<'a> {
     /// Name of the room.
@@ -23,7 +23,7 @@ pub struct Record<'a> {
     pub entrant: &'a Entrant,
     /// Seed of its random numbers.
     pub seed: u64,
-    /// What came out, or why nothing did.
+    /// The numbers, or the reason for the failure.
     pub result: &'a Result<PlanNumbers, String>,
 }
 
@@ -37,17 +37,17 @@ struct JsonRecord<'a> {
     seed: u64,
     #[serde(skip_serializing_if = "Option::is_none")]
     error: Option<&'a str>,
-    /// Planning cells within reach.
+    /// Reachable planning cells.
     #[serde(skip_serializing_if = "Option::is_none")]
     cells: Option<usize>,
-    /// What no walk in the room can do without.
+    /// Lower bounds in the room.
     #[serde(skip_serializing_if = "Option::is_none")]
     bounds: Option<Bounds>,
     /// By the names of [`METRICS`].
     numbers: BTreeMap<&'static str, Option<f64>>,
 }
 
-/// A JSON array of records. Numbers go by the ids of [`METRICS`] and are in the units given there.
+/// A JSON array of records. Numbers have the ids and units of [`METRICS`].
 pub fn to_json(records: &[Record<'_>]) -> String {
     let records: Vec<JsonRecord<'_>> = records
         .iter()
@@ -67,11 +67,11 @@ pub fn to_json(records: &[Record<'_>]) -> String {
             },
         })
         .collect();
-    // Only maps with keys that aren't text can fail.
+    // Fails only for maps whose keys aren't strings.
     serde_json::to_string_pretty(&records).unwrap_or_default() + "\n"
 }
 
-/// A table with a head line; numbers with their units in it, empty where there is none.
+/// A table with a header line; numbers with their units in the header, empty if missing.
 pub fn to_csv(records: &[Record<'_>]) -> String {
     let mut csv =
         String::from("room,robot,cell size [m],planner,seed,error,cells,bound steps,bound turns,bound steps + 2 turns");

@@ -10,40 +10,41 @@ use std::sync::Arc;
 pub const MOST_LANES: usize = 9;
 /// Share of the floor that must be swept for an arrival to count.
 const CLEAN: f64 = 0.95;
-/// Robot time of a single step, s: in small pictures less would hardly be seen.
+/// Robot time of a single step, s; less would hardly be visible in small pictures.
 const STEP_LENGTH_S: f64 = 5.0;
-/// Memory that the key frames of all lanes may take together, bytes.
+/// Memory for the key frames of all lanes, bytes.
 const KEY_FRAME_BUDGET: usize = 96 << 20;
-/// Steps that every lane takes before the clock is looked at: the lanes stay together to within a second of robot time.
+/// Steps that every lane takes between two checks of the clock: the lanes stay together to within a second of robot
+/// time.
 const CHUNK: u64 = 64;
 
-/// How the runs of a race are made.
+/// Settings of a race's runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RaceSetup {
-    /// How true wheels and sensors are.
+    /// Slip and noise.
     pub conditions: Conditions,
-    /// How the followers compute their poses.
+    /// How the followers estimate their poses.
     pub odometry: OdometryModel,
     /// Seed of the slip.
     pub seed: u64,
-    /// Simulated time per time, 0 for as fast as it goes.
+    /// Speed, times real time; 0 for as fast as possible.
     pub speed: f64,
 }
 
-/// Who takes part.
+/// A participant.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Racer {
     /// Number of its planner in the registry.
     pub entrant: usize,
-    /// Seconds that its plan foresees.
+    /// Duration of its plan, s.
     pub planned_s: f64,
-    /// Tells its plan from others.
+    /// Key of its plan.
     pub key: String,
 }
 
 /// One robot of a race.
 pub struct RaceLane {
-    /// Who drives here.
+    /// The participant in this lane.
     pub racer: Racer,
     recording: RunRecording,
     line: Arc<[Point]>,
@@ -51,15 +52,15 @@ pub struct RaceLane {
 
 /// Robots that drive different plans over the same floor, each in a room of its own.
 ///
-/// All of them have taken the same number of simulation steps, but for those that have arrived.
+/// All have taken the same number of simulation steps, except for those that have arrived.
 pub struct Race {
     prepared: RoomSetup,
     plan: Arc<FloorPlan>,
     setup: RaceSetup,
     lanes: Vec<RaceLane>,
-    /// Tells it from other races.
+    /// Number of the race.
     number: u32,
-    /// Steps that the clock has counted, and the furthest that it has been.
+    /// Steps on the clock, and the most so far.
     now: u64,
     end: u64,
     playing: bool,
@@ -68,7 +69,7 @@ pub struct Race {
 }
 
 impl Race {
-    /// A race without robots in `plan`, laid out as `prepared`; `number` tells it from others.
+    /// A race without robots in `plan`, laid out as `prepared`; `number` distinguishes it from others.
     pub fn new(number: u32, plan: Arc<FloorPlan>, prepared: RoomSetup, setup: RaceSetup) -> Self {
         Self {
             prepared,
@@ -84,7 +85,7 @@ impl Race {
         }
     }
 
-    /// Lets a robot take part that drives `path`. A walk that can't be driven is left out. To be called before the start.
+    /// Adds a robot that drives `path`; a walk that can't be driven is skipped. To be called before the start.
     pub fn enter(&mut self, racer: Racer, path: &CoveragePath) {
         if self.lanes.len() >= MOST_LANES {
             return;
@@ -95,8 +96,8 @@ impl Race {
         self.lanes.push(RaceLane { racer, recording: RunRecording::within(run, KEY_FRAME_BUDGET / MOST_LANES), line });
     }
 
-    /// Places of the robots, from 1, in the order of [`Race::lanes`]: who has arrived with at least 95 % of the floor
-    /// swept by time, before the others by what they have swept.
+    /// Ranks of the robots, from 1, in the order of [`Race::lanes`]: first those that have arrived with at least 95 %
+    /// of the floor swept, by time; then the others by swept floor.
     pub fn places(&self) -> Vec<usize> {
         let has_won = |lane: &RaceLane| lane.run().is_finished() && lane.run().coverage() >= CLEAN;
         let is_ahead = |a: &RaceLane, b: &RaceLane| match (has_won(a), has_won(b)) {
@@ -107,7 +108,7 @@ impl Race {
         self.lanes.iter().map(|lane| 1 + self.lanes.iter().filter(|other| is_ahead(other, lane)).count()).collect()
     }
 
-    /// Whether it is the race of just those in those conditions.
+    /// Whether it has exactly these racers and this setup.
     pub fn is_of(&self, setup: RaceSetup, racers: &[Racer]) -> bool {
         self.setup == setup && self.lanes.iter().map(|lane| &lane.racer).eq(racers)
     }
@@ -122,7 +123,7 @@ impl Race {
         self.lanes.get_mut(lane)?.recording.run_mut().tracker_mut().take_dirty_rows()
     }
 
-    /// What the race is doing.
+    /// The state of the race.
     pub fn state(&self) -> SessionState {
         match () {
             () if self.lanes.is_empty() => SessionState::Failed,
@@ -143,28 +144,28 @@ impl Race {
         self.now as f64 * STEP_S
     }
 
-    /// The furthest that the clock has been, s.
+    /// The furthest time on the clock so far, s.
     pub fn end_s(&self) -> f64 {
         self.end as f64 * STEP_S
     }
 
-    /// Time that the slowest plan foresees, s.
+    /// Duration of the slowest plan, s.
     pub fn planned_s(&self) -> f64 {
         self.lanes.iter().map(|lane| lane.racer.planned_s).fold(0.0, f64::max)
     }
 
-    /// Simulated time per time; 0 for as fast as it goes.
+    /// Speed, times real time; 0 for as fast as possible.
     pub fn speed(&self) -> f64 {
         self.setup.speed
     }
 
-    /// Sets the speed, times real time; 0 for as fast as it goes.
+    /// Sets the speed, times real time; 0 for as fast as possible.
     pub fn set_speed(&mut self, times: f64) {
         self.setup.speed = if times.is_finite() { times.max(0.0) } else { 0.0 };
         self.pacer.restart();
     }
 
-    /// Lets time go on, from the start if the race is over.
+    /// Starts or continues the race, from the start if it is over.
     pub fn play(&mut self) {
         if self.state() == SessionState::Finished {
             self.seek(0.0);
@@ -172,12 +173,12 @@ impl Race {
         self.playing = true;
     }
 
-    /// Stops time. A way to another point of time is gone to its end: on it the robots aren't together.
+    /// Pauses the race. A seek in progress is completed first, as the robots aren't in step during it.
     pub fn pause(&mut self) {
         self.playing = false;
     }
 
-    /// Goes on by five seconds.
+    /// Advances by five seconds.
     pub fn step(&mut self) {
         self.pause();
         if self.goal.is_none() {
@@ -185,7 +186,7 @@ impl Race {
         }
     }
 
-    /// Heads for another point of time, s, at most the end of the slowest plan.
+    /// Seeks another time, s, at most the end of the slowest plan.
     pub fn seek(&mut self, time_s: f64) {
         self.playing = false;
         let goal = (time_s.clamp(0.0, self.planned_s().max(self.end_s())) / STEP_S).round() as u64;
@@ -200,7 +201,7 @@ impl Race {
         let Some(goal) = self.goal else { return };
         for lane in &mut self.lanes {
             lane.recording.seek_on(has_time);
-            // What hasn't been simulated yet, as for one that came late.
+            // Steps that aren't simulated yet, as for a lane added late.
             let left = goal.saturating_sub(lane.run().steps());
             if !lane.recording.is_seeking() {
                 lane.recording.advance(left, has_time);
@@ -213,7 +214,7 @@ impl Race {
         }
     }
 
-    /// Goes on where `earlier` is: robots that take part in both stay where they are, the others are made to catch up.
+    /// Continues from the time of `earlier`: robots in both keep their runs, others catch up.
     pub fn follow(&mut self, earlier: Self) {
         if earlier.setup != self.setup || !Arc::ptr_eq(&earlier.prepared.floor, &self.prepared.floor) {
             return;
@@ -233,7 +234,7 @@ impl Race {
         self.playing = is_playing;
     }
 
-    /// Lets `elapsed_s` seconds pass for all robots, as long as `has_time` says so.
+    /// Advances all robots by `elapsed_s` seconds, while `has_time` returns true.
     pub fn frame(&mut self, elapsed_s: f64, has_time: &mut dyn FnMut() -> bool) {
         match self.state() {
             SessionState::Seeking => self.seek_on(has_time),
@@ -249,7 +250,7 @@ impl Race {
         }
     }
 
-    /// Up to `steps` steps of every robot; returns how many the clock has counted.
+    /// Up to `steps` steps of every robot; returns how many the clock has advanced.
     fn advance(&mut self, steps: u64, has_time: &mut dyn FnMut() -> bool) -> u64 {
         let before = self.now;
         while self.now - before < steps && !self.is_over() && has_time() {
@@ -264,7 +265,7 @@ impl Race {
         self.now - before
     }
 
-    /// What is to be drawn of a lane.
+    /// The scene of a lane.
     pub fn scene<'a>(&'a self, lane: &'a RaceLane) -> Scene<'a> {
         let run = lane.recording.run();
         Scene {
@@ -276,7 +277,7 @@ impl Race {
         }
     }
 
-    /// What is to be drawn of a plan that nobody drives.
+    /// The scene of a plan without a robot.
     pub fn planned_scene<'a>(&'a self, line: &'a [Point]) -> Scene<'a> {
         Scene {
             plan_version: u64::from(self.number),
@@ -290,7 +291,7 @@ impl Race {
         }
     }
 
-    /// The line of a walk, whether or not a robot drives it; `None` if it can't be driven.
+    /// The line of a walk; `None` if it can't be driven.
     pub fn line(&self, path: &CoveragePath) -> Option<Arc<[Point]>> {
         path.check(&self.prepared.job).ok()?;
         Some(self.prepared.planning_grid.polyline(&self.prepared.floor, &path.cells).into())
@@ -298,7 +299,7 @@ impl Race {
 }
 
 impl RaceLane {
-    /// The run at the moment that is shown.
+    /// The run at the displayed time.
     pub fn run(&self) -> &Run {
         self.recording.run()
     }

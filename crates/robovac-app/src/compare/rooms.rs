@@ -6,22 +6,22 @@ use robovac_sim::experiment::SettingsError;
 /// A room of a comparison.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RoomChoice {
-    /// One that ships, by its id.
+    /// A built-in room, by its id.
     Shipped(&'static str),
-    /// The session's, which was drawn, changed or loaded.
+    /// The session's room, if it was drawn, changed or loaded.
     Own,
 }
 
-/// Rooms that are compared in together.
+/// A set of rooms for a comparison.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RoomSet {
     /// The session's room.
     This,
-    /// Those that ship and that results are published for.
+    /// The built-in rooms of the published results.
     Benchmark,
-    /// All that ship.
+    /// All built-in rooms.
     All,
-    /// All of a kind.
+    /// All rooms of a kind.
     Kind(RoomKind),
 }
 

@@ -11,25 +11,24 @@ use std::{
     sync::Arc,
 };
 
-/// Numbers of seeds that are offered.
+/// Numbers of seeds in the menu.
 pub const SEEDS: [u32; 3] = [10, 30, 100];
 /// Most seeds of a study.
 pub const MOST_SEEDS: u32 = 1000;
-/// Simulated times that are offered, min.
+/// Simulated times in the menu, min.
 pub const MINUTES: [u32; 3] = [10, 30, 60];
 /// Longest simulated time of a run, min.
 pub const MOST_MINUTES: u32 = 600;
-/// Simulated time that a request is worth, min, unless a single run is longer: on its way it would cost more than the
-/// tenth of a second that its runs take.
+/// Simulated time per request, min, unless a single run is longer: more would take longer to transfer than the tenth of
+/// a second that its runs take.
 const BATCH_MINUTES: u32 = 30;
 
-/// Who is run where and how often, and what came out.
+/// The entrants of a study, its settings and its results.
 ///
-/// Runs that were made once are kept, whatever is chosen meanwhile: to add an algorithm or to ask for more seeds only
-/// costs the runs that are new.
+/// Runs are kept when choices change: adding an algorithm or more seeds requires only the new runs.
 pub struct Study {
     base: Option<StudyBase>,
-    /// All that can take part, in the order of the registries.
+    /// All available algorithms, in the order of the registries.
     entrants: Vec<Entrant>,
     chosen: BTreeSet<usize>,
     seeds: u32,
@@ -37,13 +36,13 @@ pub struct Study {
     tallies: BTreeMap<OutcomeKey, RunTally>,
     failures: BTreeMap<OutcomeKey, String>,
     under_way: BTreeMap<u32, RunBatch>,
-    /// Number of the request made last.
+    /// Number of the last request.
     last: u32,
     is_running: bool,
     version: u32,
 }
 
-/// What outcomes depend on beside their seed.
+/// Key of everything except the seed that outcomes depend on.
 type OutcomeKey = String;
 
 /// Runs in progress.
@@ -52,15 +51,15 @@ struct RunBatch {
     seeds: Vec<u64>,
 }
 
-/// What the study takes over from the session.
+/// The settings that a study takes over from the session.
 struct StudyBase {
     plan: Arc<FloorPlan>,
     title: String,
     room: Option<&'static str>,
     settings: Settings,
-    /// Those of the settings that runs depend on, as a link has them.
+    /// The settings that runs depend on, as in a link.
     place: String,
-    /// The session as it was.
+    /// Snapshot of the session.
     snapshot: SessionSnapshot,
 }
 
@@ -87,7 +86,7 @@ impl StudyBase {
         }
     }
 
-    /// Tells room and settings from others; those of rooms that don't ship end in a number.
+    /// Key of room and settings; those of rooms that aren't built in end in a number.
     fn key(&self) -> String {
         match self.room {
             Some(id) => format!("{id} {}", self.place),
@@ -97,7 +96,7 @@ impl StudyBase {
 }
 
 impl Study {
-    /// The behaviours that clean, about to be run.
+    /// A study of the behaviours that clean, not started.
     pub fn new() -> Self {
         let takes_part = |algorithm: &Algorithm| {
             algorithm.behaviour().is_none_or(|info| (info.claims.cleans || info.claims.explores) && !info.claims.manual)
@@ -122,24 +121,24 @@ impl Study {
 
     // ---- choices
 
-    /// Takes room, robot, start, conditions and seed over from the session; cheap if they are the same.
+    /// Takes over room, robot, start, conditions and seed from the session; cheap if unchanged.
     pub fn take(&mut self, session: &Session) {
         if self.base.as_ref().is_some_and(|base| base.snapshot == session.snapshot()) {
             return;
         }
         let base = StudyBase::of(session);
         if self.base.as_ref().is_none_or(|old| old.key() != base.key()) {
-            // Earlier states of a room of one's own don't come back.
+            // Earlier states of an own room aren't kept.
             let (own, here) = (|key: &OutcomeKey| key.starts_with(|c: char| c.is_ascii_digit()), base.key());
             self.tallies.retain(|key, _| !own(key) || key.starts_with(&here));
-            // Whoever goes elsewhere isn't waiting for the rest.
+            // A change of place stops the remaining runs.
             self.is_running = false;
         }
         self.base = Some(base);
         self.changed();
     }
 
-    /// Lets an algorithm take part, or not, by its number in [`Study::entrants`].
+    /// Includes an algorithm, or excludes it, by its number in [`Study::entrants`].
     pub fn choose(&mut self, entrant: usize, takes_part: bool) {
         if takes_part && entrant < self.entrants.len() {
             self.chosen.insert(entrant)
@@ -149,7 +148,7 @@ impl Study {
         self.changed();
     }
 
-    /// Of the `planner`s or the `behaviour`s, lets just these take part, joined by commas, with their parameters.
+    /// Of the `planner`s or the `behaviour`s, includes only these, joined by commas, with their parameters.
     pub fn choose_only(&mut self, kind: &'static str, names: &str) -> Result<(), SettingsError> {
         let mut wanted = Vec::new();
         for name in names.split(',').filter(|name| !name.is_empty()) {
@@ -195,7 +194,7 @@ impl Study {
         })
     }
 
-    /// What has been chosen as `key=value` pairs for a link.
+    /// The choices as `key=value` pairs for a link.
     pub fn to_link(&self) -> String {
         let of = |kind: &str| {
             let chosen = self.chosen.iter().map(|&index| &self.entrants[index]);
@@ -204,7 +203,7 @@ impl Study {
         format!("runs={}&paths={}&times={}&minutes={}", of(BEHAVIOUR), of(PLANNER), self.seeds, self.minutes)
     }
 
-    /// Takes what [`Study::to_link`] wrote among other pairs, joined by `&`. On an error everything stays as it was.
+    /// Reads the pairs that [`Study::to_link`] wrote, among others, joined by `&`. Changes nothing on an error.
     pub fn restore(&mut self, link: &str) -> Result<(), SettingsError> {
         let mut next = Self { entrants: self.entrants.clone(), chosen: self.chosen.clone(), ..Self::new() };
         (next.seeds, next.minutes) = (self.seeds, self.minutes);
@@ -226,7 +225,7 @@ impl Study {
         Ok(())
     }
 
-    /// What is asked for is different from before: what nobody wants any more isn't waited for.
+    /// The choices have changed: requests that are no longer required are dropped.
     fn changed(&mut self) {
         self.version += 1;
         let wanted: BTreeSet<OutcomeKey> = self.chosen.iter().filter_map(|&index| self.key(index)).collect();
@@ -236,7 +235,7 @@ impl Study {
 
     // ---- runs
 
-    /// Begins with what is missing; what failed is tried again.
+    /// Starts the missing runs; failed ones are tried again.
     pub fn run(&mut self) {
         self.failures.clear();
         self.is_running = true;
@@ -244,14 +243,14 @@ impl Study {
         self.rest();
     }
 
-    /// The user doesn't want to wait; what is known stays.
+    /// Cancels the remaining runs; results are kept.
     pub fn cancel(&mut self) {
         self.under_way.clear();
         self.is_running = false;
         self.version += 1;
     }
 
-    /// Whether runs are being made.
+    /// Whether runs are in progress.
     pub fn is_running(&self) -> bool {
         self.is_running
     }
@@ -261,7 +260,7 @@ impl Study {
         self.is_running &= done < all;
     }
 
-    /// The next runs for a worker that has nothing to do: round by round, so that all algorithms come on together.
+    /// The next runs for an idle worker: round by round, so that all algorithms progress together.
     pub fn take_batch(&mut self) -> Option<RunsRequest> {
         let base = self.base.as_ref().filter(|_| self.is_running)?;
         let size = u64::from((BATCH_MINUTES / self.minutes).max(1));
@@ -296,12 +295,12 @@ impl Study {
             || self.under_way.values().any(|batch| batch.key == *key && batch.seeds.contains(&seed))
     }
 
-    /// Whether those runs are still wanted; the worker of some that aren't should be ended.
+    /// Whether those runs are still required; otherwise their worker should be ended.
     pub fn is_wanted(&self, id: u32) -> bool {
         self.under_way.contains_key(&id)
     }
 
-    /// A worker is done, or has a message why it can't be.
+    /// A worker has finished, or failed with a message.
     pub fn batch_finished(&mut self, id: u32, result: Result<Vec<RunOutcome>, String>) {
         let Some(RunBatch { key, .. }) = self.under_way.remove(&id) else { return };
         match result {
@@ -319,14 +318,14 @@ impl Study {
         self.rest();
     }
 
-    /// Runs of the chosen that are made or can't be, and all of them.
+    /// Numbers of finished or failed runs and of all chosen runs.
     pub fn count(&self) -> (usize, usize) {
         let done =
             |&index: &usize| if self.failure(index).is_some() { self.seeds as usize } else { self.runs(index).len() };
         (self.chosen.iter().map(done).sum(), self.chosen.len() * self.seeds as usize)
     }
 
-    // ---- what came out
+    // ---- results
 
     fn key(&self, entrant: usize) -> Option<OutcomeKey> {
         let base = self.base.as_ref()?;
@@ -335,33 +334,33 @@ impl Study {
         Some(format!("{} {} {} {entrant} {planned}", base.key(), self.minutes, entrant.algorithm.kind()))
     }
 
-    /// The runs of an algorithm that are wanted and made, by their seeds.
+    /// The finished runs of an algorithm that are required, by seed.
     pub fn runs(&self, entrant: usize) -> Vec<&RunOutcome> {
         let known = || Some((self.base.as_ref()?.settings.seed, self.tallies.get(&self.key(entrant)?)?));
         known().map(|(first, tally)| tally.runs(first, u64::from(self.seeds))).unwrap_or_default()
     }
 
-    /// The runs of an algorithm, summed up; `None` if there are none.
+    /// Summary of an algorithm's runs; `None` without any.
     pub fn summary(&self, entrant: usize) -> Option<Summary> {
         Summary::of(&self.runs(entrant))
     }
 
-    /// Why an algorithm can't be run.
+    /// Why an algorithm can't be run, if so.
     pub fn failure(&self, entrant: usize) -> Option<&str> {
         self.failures.get(&self.key(entrant)?).map(String::as_str)
     }
 
-    /// Grows with every change of choices and results.
+    /// Changes with every change of choices and results.
     pub fn version(&self) -> u32 {
         self.version
     }
 
-    /// All that can take part, in the order of the registries.
+    /// All available algorithms, in the order of the registries.
     pub fn entrants(&self) -> &[Entrant] {
         &self.entrants
     }
 
-    /// Whether an algorithm takes part.
+    /// Whether an algorithm is included.
     pub fn is_chosen(&self, entrant: usize) -> bool {
         self.chosen.contains(&entrant)
     }
@@ -376,7 +375,7 @@ impl Study {
         self.minutes
     }
 
-    /// What an export is of, with the chosen ones and their runs.
+    /// The header of an export, and the included algorithms with their runs.
     pub fn export(&self) -> Option<(StudyHeader<'_>, Vec<EntrantRuns<'_>>)> {
         let base = self.base.as_ref()?;
         let head = StudyHeader {

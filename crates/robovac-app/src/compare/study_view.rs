@@ -9,7 +9,7 @@ use robovac_core::registry::Params;
 use robovac_sim::montecarlo::StudyHeader;
 use serde::Serialize;
 
-/// What there is to choose from.
+/// The choices available for a study.
 #[derive(Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct StudyOffer {
@@ -27,13 +27,13 @@ struct StudyEntrant {
     /// `planner` or `behaviour`.
     #[cfg_attr(feature = "types", ts(type = "\"planner\" | \"behaviour\""))]
     kind: &'static str,
-    /// Whether it is measured by the boundary that it has met, and not by clean floor.
+    /// Whether it is measured by the boundary that it has met rather than by clean floor.
     explores: bool,
     mark: Mark,
     params: Vec<Param>,
 }
 
-/// Snapshot for every frame.
+/// Snapshot of a study, one per frame.
 #[derive(Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct StudyView<'a> {
@@ -51,12 +51,12 @@ pub struct StudyView<'a> {
 struct StudyEntrantView<'a> {
     chosen: bool,
     params: &'a Params,
-    /// Runs made of those that are wanted.
+    /// Finished runs among the required ones.
     runs: usize,
     failure: &'a str,
 }
 
-/// Where and how all runs are made, in words.
+/// Place and conditions of all runs, in words.
 #[derive(Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct StudyPlace<'a> {
@@ -68,7 +68,7 @@ pub struct StudyPlace<'a> {
 }
 
 impl StudyOffer {
-    /// All that can take part in `study`, in the order of the view's list, and the numbers that are offered.
+    /// All algorithms available in `study`, in the order of the view's list, and the numbers in its menus.
     pub fn new(study: &Study) -> Self {
         let entrants = study.entrants().iter().map(|entrant| {
             let algorithm = entrant.algorithm;
@@ -111,7 +111,7 @@ impl<'a> StudyView<'a> {
 }
 
 impl<'a> StudyPlace<'a> {
-    /// Where `study` makes its runs; `None` before it has a room.
+    /// The place of `study`'s runs; `None` before it has a room.
     pub fn new(study: &'a Study) -> Option<Self> {
         let (StudyHeader { room, robot, conditions, .. }, _) = study.export()?;
         let (slip, noise) = (conditions.slip.id(), conditions.noise.to_string());

@@ -4,11 +4,11 @@ use coverage_planners::metrics::{Better, METRICS, MetricInfo, PlanNumbers};
 use robovac_sim::experiment::Entrant;
 use serde::Serialize;
 
-/// A number over several seeds.
+/// Median and range of a number over several seeds.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct MedianAndRange {
-    /// The middle value; of an even number of values the mean of the two in the middle.
+    /// The median.
     pub median: f64,
     /// The smallest value.
     pub min: f64,
@@ -16,35 +16,35 @@ pub struct MedianAndRange {
     pub max: f64,
 }
 
-/// One planner.
+/// The results of one planner.
 #[derive(Debug, Clone)]
 pub struct Row {
     /// The planner with its parameters.
     pub entrant: Entrant,
     /// Its number in the registry.
     pub index: usize,
-    /// One for each of [`METRICS`]: summed up over the rooms for every seed, for shares the mean; then over the seeds.
-    /// `None` as long as there is a room without a result.
+    /// One for each of [`METRICS`]: summed over the rooms for every seed (for shares, averaged); then over the seeds.
+    /// `None` while a room has no result.
     pub values: Vec<Option<MedianAndRange>>,
-    /// Trials that the values stand for.
+    /// Trials included in the values.
     pub trials: usize,
-    /// Rooms in which all trials failed or haven't been made.
+    /// Rooms in which all trials failed or are missing.
     pub missing: usize,
-    /// Why the first trial failed that did.
+    /// The message of the first failed trial.
     pub failure: Option<String>,
 }
 
-/// Planners by numbers.
+/// The table of planners by metrics.
 #[derive(Debug, Clone)]
 pub struct ComparisonTable {
     /// The planners.
     pub rows: Vec<Row>,
-    /// The best median of each of [`METRICS`], as rounded for display; `None` with fewer than two rows to choose from.
+    /// The best median of each of [`METRICS`], as rounded for display; `None` with fewer than two rows.
     pub best: Vec<Option<f64>>,
 }
 
 impl MedianAndRange {
-    /// The spread of `values`; `None` without any.
+    /// Median and range of `values`; `None` without any.
     pub fn of(mut values: Vec<f64>) -> Option<Self> {
         values.sort_by(f64::total_cmp);
         let (&min, &max) = (values.first()?, values.last()?);
@@ -71,7 +71,7 @@ impl Row {
     }
 }
 
-/// A number seed by seed, put together over the rooms.
+/// A number for each seed, combined over the rooms.
 fn over_rooms(metric: &MetricInfo, rooms: &[Vec<PlanNumbers>]) -> Option<MedianAndRange> {
     let seeds = rooms.first()?.len();
     let count = rooms.len() as f64;
@@ -92,7 +92,7 @@ impl ComparisonTable {
         Self { rows, best }
     }
 
-    /// Whether a planner has the best value, as far as the digits shown tell.
+    /// Whether a planner has the best value, at the displayed precision.
     pub fn is_best(&self, row: &Row, column: usize) -> bool {
         let (metric, value) = (&METRICS[column], row.values[column]);
         value.is_some_and(|v| self.best[column] == Some(rounded(metric, v.median)))
@@ -100,7 +100,7 @@ impl ComparisonTable {
 }
 
 fn best_of(rows: &[Row], column: usize, metric: &MetricInfo) -> Option<f64> {
-    // Of times on a busy machine none is the best.
+    // Planning times vary on a busy machine, so none is the best.
     if metric.id == PLANNING {
         return None;
     }
@@ -109,10 +109,10 @@ fn best_of(rows: &[Row], column: usize, metric: &MetricInfo) -> Option<f64> {
     Some(if metric.better == Better::Lower { spread.min } else { spread.max })
 }
 
-/// Id of the only number that is different every time.
+/// Id of the only metric that isn't deterministic.
 const PLANNING: &str = "planning";
 
-/// What cannot be told apart in the table isn't better either.
+/// A value at the displayed precision; differences below that don't count.
 fn rounded(metric: &MetricInfo, value: f64) -> f64 {
     let unit = 10f64.powi(i32::from(metric.decimals));
     (value * unit).round() / unit

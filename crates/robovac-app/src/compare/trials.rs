@@ -4,7 +4,7 @@ use super::RoomChoice;
 use coverage_planners::metrics::PlanNumbers;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// One planner, one room, one seed.
+/// One planner in one room with one seed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trial {
     /// The room.
@@ -15,18 +15,18 @@ pub struct Trial {
     pub seed: u64,
 }
 
-/// What a result depends on: room, start, robot and cell size, planner with parameters, seed.
+/// Key of everything that a result depends on: room, start, robot and cell size, planner with parameters, seed.
 pub(super) type TrialKey = String;
 
-/// What came out of a trial: numbers, or a message.
+/// Result of a trial: numbers, or a message.
 pub(super) type TrialResult = Result<PlanNumbers, String>;
 
-/// How far a planner is.
+/// Progress of a planner.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum TrialProgress<'a> {
-    /// It doesn't take part.
+    /// It isn't included.
     Out,
-    /// This share of its trials is done; those under way count in part.
+    /// Share of its trials that is done; running ones count in part.
     Trying(f64),
     /// All its trials are done.
     Done,
@@ -34,20 +34,20 @@ pub enum TrialProgress<'a> {
     Failed(&'a str),
 }
 
-/// Trials that are wanted, under way and done.
+/// Queued, running and finished trials.
 #[derive(Default)]
 pub(super) struct Trials {
     wanted: Vec<(Trial, TrialKey)>,
-    /// By the planners' numbers; those beyond the end don't take part.
+    /// By the planners' numbers; planners beyond the end aren't included.
     tallies: Vec<TrialTally>,
     known: BTreeMap<TrialKey, TrialResult>,
     running: BTreeMap<u32, Running>,
-    /// Number of the trial begun last.
+    /// Number of the trial started last.
     last: u32,
     pub is_cancelled: bool,
 }
 
-/// A trial under way.
+/// A running trial.
 struct Running {
     trial: Trial,
     key: TrialKey,
@@ -55,7 +55,7 @@ struct Running {
     done: f64,
 }
 
-/// Trials of one planner: summed up once a change, as every frame asks.
+/// Trials of one planner, counted once per change, as every frame reads them.
 #[derive(Clone, Default)]
 struct TrialTally {
     all: usize,
@@ -64,7 +64,7 @@ struct TrialTally {
 }
 
 impl Trials {
-    /// From now on just these are wanted. Others are ended, but what came out of them stays.
+    /// Replaces the list of required trials. Others are ended, but their results are kept.
     pub fn want(&mut self, wanted: Vec<(Trial, TrialKey)>) {
         self.is_cancelled = false;
         self.wanted = wanted;
@@ -90,7 +90,7 @@ impl Trials {
         }
     }
 
-    /// Begins the first one that is neither known nor under way; its number.
+    /// Starts the first trial that is neither finished nor running; returns its number.
     pub fn begin(&mut self) -> Option<(u32, Trial)> {
         if self.is_cancelled {
             return None;
@@ -102,24 +102,24 @@ impl Trials {
         Some((self.last, trial))
     }
 
-    /// Whether that trial is under way.
+    /// Whether that trial is running.
     pub fn is_running(&self, id: u32) -> bool {
         self.running.contains_key(&id)
     }
 
-    /// A trial under way is that far, 0 to 1.
+    /// Sets the progress of a running trial, 0 to 1.
     pub fn report(&mut self, id: u32, done: f64) {
         if let Some(running) = self.running.get_mut(&id) {
             running.done = done;
         }
     }
 
-    /// Ends a trial; `None` if it isn't wanted any more.
+    /// Ends a trial; `None` if it is no longer required.
     pub fn end(&mut self, id: u32) -> Option<(Trial, TrialKey)> {
         self.running.remove(&id).map(|running| (running.trial, running.key))
     }
 
-    /// Ends all trials for now.
+    /// Ends all running trials.
     pub fn cancel(&mut self) {
         self.running.clear();
         self.is_cancelled = true;
@@ -136,22 +136,22 @@ impl Trials {
         self.known.get(key)
     }
 
-    /// Forgets the results that aren't to be kept.
+    /// Drops the results for which `is_kept` is false.
     pub fn retain(&mut self, mut is_kept: impl FnMut(&TrialKey) -> bool) {
         self.known.retain(|key, _| is_kept(key));
     }
 
-    /// All that are wanted and known, in the order in which they are wanted.
+    /// All finished trials among the required ones, in their order.
     pub fn results(&self) -> impl Iterator<Item = (&Trial, &TrialResult)> {
         self.wanted.iter().filter_map(|(trial, key)| Some((trial, self.known.get(key)?)))
     }
 
-    /// Trials that are done, and all of them.
+    /// Numbers of finished trials and of all trials.
     pub fn count(&self) -> (usize, usize) {
         self.tallies.iter().fold((0, 0), |(done, all), tally| (done + tally.done, all + tally.all))
     }
 
-    /// How far a planner is.
+    /// Progress of a planner.
     pub fn progress(&self, entrant: usize) -> TrialProgress<'_> {
         match self.tallies.get(entrant) {
             None | Some(TrialTally { all: 0, .. }) => TrialProgress::Out,

@@ -9,7 +9,7 @@ use coverage_planners::{
 use robovac_core::registry::Params;
 use serde::Serialize;
 
-/// Snapshot for every frame.
+/// Snapshot of a comparison, one per frame.
 #[derive(Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct ComparisonView<'a> {
@@ -61,12 +61,12 @@ struct LaneView {
     distance_m: f64,
     turning_deg: f64,
     finished: bool,
-    /// From 1.
+    /// Rank, from 1.
     place: usize,
 }
 
 impl<'a> ComparisonView<'a> {
-    /// What there is to be seen of it.
+    /// The snapshot of `comparison`.
     pub fn new(comparison: &'a Comparison) -> Self {
         let (done, total) = comparison.count();
         let entrants = comparison.entrants().iter().enumerate().map(|(index, entrant)| {
@@ -135,7 +135,7 @@ struct RowView {
     missing: usize,
     failure: String,
     values: Vec<Option<MedianAndRange>>,
-    /// Which values are the best of their column.
+    /// Which values are the best of their columns.
     best: Vec<bool>,
 }
 

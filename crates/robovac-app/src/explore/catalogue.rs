@@ -13,7 +13,7 @@ use robovac_sim::{
 };
 use serde::Serialize;
 
-/// Rooms, planners, behaviours, robots, kinds of sensors whose noise can be chosen, cell sizes and speeds.
+/// The choices in menus and forms: rooms, planners, behaviours, robots, sensors with noise, cell sizes and speeds.
 #[derive(Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Catalogue {
@@ -44,7 +44,7 @@ struct RobotEntry {
     summary: &'static str,
     default_cell_m: f64,
     tool_width_m: f64,
-    /// Of the smallest circle around the body; all else is in its units, x ahead and y to the left.
+    /// Radius of the smallest circle around the body; all other lengths are in units of it, x ahead and y to the left.
     radius_m: f64,
     /// Corners of a body that isn't round.
     body: Vec<[f64; 2]>,
@@ -65,7 +65,7 @@ struct RobotEntry {
 }
 
 impl Catalogue {
-    /// All that there is.
+    /// The whole catalogue.
     pub fn all() -> Self {
         Self {
             rooms: ROOMS.iter().map(|r| RoomEntry { id: r.id, title: r.title, note: r.note }).collect(),

@@ -2,21 +2,21 @@
 
 use robovac_sim::{Event, Run, STEP_S, What};
 
-/// Steps within which what the robot does about something belongs to it: it answers in the step after.
+/// Steps within which the robot's reaction belongs to an event: it reacts in the step after.
 const ANSWER: u64 = 4;
 
-/// A line of the diary: when, and what happened.
+/// A line of the event log.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DiaryEntry {
     /// Seconds since the run began.
     pub time_s: f64,
-    /// What happened, and what the robot did about it: `bump left, backing up`.
+    /// The event and the robot's reaction: `bump left, backing up`.
     pub text: String,
-    /// Whether it came from outside; else the robot just went on with something.
+    /// Whether it was sensed; otherwise the robot continued with something by itself.
     pub is_felt: bool,
 }
 
-/// What `run` remembers, latest first; of a robot that `follows_plan`, that it does so wherever it is put.
+/// The events of `run`, latest first; a robot that `follows_plan` is reported to follow it wherever it is put.
 pub fn diary(run: &Run, follows_plan: bool) -> Vec<DiaryEntry> {
     let mut lines = tell(run.events());
     let put_down = What::PutDown.to_string();
@@ -40,7 +40,7 @@ fn tell<'a>(events: impl IntoIterator<Item = &'a Event>) -> Vec<DiaryEntry> {
         let answers = last.is_some_and(|last| step - last <= ANSWER);
         let is_felt = !matches!(what, What::Began(_));
         match lines.last_mut() {
-            // What it began and gave up at once was nothing.
+            // An action given up at once isn't shown.
             Some(line) if answers && !line.is_felt && !is_felt => line.text = what.to_string(),
             Some(line) if answers && line.is_felt => {
                 line.text.push_str(", ");

@@ -1,4 +1,4 @@
-//! The room as the user shapes it, with undo and redo.
+//! Editing of the room, with undo and redo.
 
 use robovac_core::{
     floor_plan::FloorPlan,
@@ -7,14 +7,14 @@ use robovac_core::{
 };
 use std::sync::Arc;
 
-/// Changes that can be undone.
+/// Most changes that can be undone.
 const MOST_UNDO: usize = 200;
-/// Map cells, a byte each, that may be kept for undoing: the largest map is 16 million.
+/// Most map cells, a byte each, kept for undoing: the largest map has 16 million.
 const MOST_UNDO_CELLS: usize = 64 << 20;
 /// Width of a drawn wall, m, if cells aren't larger.
 const BRUSH_WIDTH: f64 = 0.1;
 
-/// What a stroke leaves behind.
+/// What a stroke draws.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Brush {
     /// Walls.
@@ -23,7 +23,7 @@ pub enum Brush {
     Erase,
 }
 
-/// What undo and redo bring back.
+/// The state that undo and redo restore.
 #[derive(Debug, Clone)]
 struct EditorState {
     plan: Arc<FloorPlan>,
@@ -42,7 +42,7 @@ pub struct Editor {
 }
 
 impl Editor {
-    /// Starts with a room: `id` if it is one that ships.
+    /// Starts with a room; `id` if it is built in.
     pub fn new(plan: FloorPlan, id: Option<&'static str>) -> Self {
         let now = EditorState { plan: Arc::new(plan), room: id, start: None };
         Self { now, undo: Vec::new(), redo: Vec::new(), stroke: None, version: 0 }
@@ -53,7 +53,7 @@ impl Editor {
         &self.now.plan
     }
 
-    /// Id of the room, if it ships and hasn't been changed.
+    /// Id of the room, if it is built in and unchanged.
     pub fn room(&self) -> Option<&'static str> {
         self.now.room
     }
@@ -63,28 +63,28 @@ impl Editor {
         self.now.start
     }
 
-    /// Grows with every change of walls.
+    /// Changes with every change of walls.
     pub fn version(&self) -> u64 {
         self.version
     }
 
-    /// Whether there is something to undo.
+    /// Whether there is a change to undo.
     pub fn can_undo(&self) -> bool {
         !self.undo.is_empty()
     }
 
-    /// Whether there is something to redo.
+    /// Whether there is a change to redo.
     pub fn can_redo(&self) -> bool {
         !self.redo.is_empty()
     }
 
-    /// Takes another room, with a start chosen by the user if there is one; the old room can be brought back.
+    /// Replaces the room, with a start chosen by the user if there is one; can be undone.
     pub fn replace(&mut self, plan: FloorPlan, id: Option<&'static str>, start: Option<Pose>) {
         self.remember();
         self.now = EditorState { plan: Arc::new(plan), room: id, start };
     }
 
-    /// Makes what there is now the beginning: there is nothing to undo or redo.
+    /// Clears the undo and redo history.
     pub fn forget(&mut self) {
         self.undo.clear();
         self.redo.clear();
@@ -96,7 +96,7 @@ impl Editor {
         self.now.start = start;
     }
 
-    /// Takes the plan with other objects in it.
+    /// Replaces the plan by one with other objects.
     pub fn furnish(&mut self, plan: FloorPlan) {
         self.remember();
         self.now.plan = Arc::new(plan);
@@ -110,7 +110,7 @@ impl Editor {
         self.paint(brush, at, at);
     }
 
-    /// Goes on with the stroke to a point in metres.
+    /// Continues the stroke to a point in metres.
     pub fn go_on(&mut self, at: Point) {
         if let Some((brush, from)) = self.stroke {
             self.stroke = Some((brush, at));
@@ -118,12 +118,12 @@ impl Editor {
         }
     }
 
-    /// Ends the stroke; whether there was one.
+    /// Ends the stroke; returns whether there was one.
     pub fn end(&mut self) -> bool {
         self.stroke.take().is_some()
     }
 
-    /// Takes back the stroke that is under way, as if it had never begun.
+    /// Cancels the current stroke.
     pub fn abandon(&mut self) {
         if self.stroke.take().is_some()
             && let Some(before) = self.undo.pop()
@@ -133,9 +133,9 @@ impl Editor {
         }
     }
 
-    /// Takes the last change back; whether there was one.
+    /// Undoes the last change; returns whether there was one.
     pub fn undo(&mut self) -> bool {
-        // A stroke that is under way must not go on in another room.
+        // The current stroke must not continue in another room.
         self.stroke = None;
         let Some(before) = self.undo.pop() else { return false };
         self.redo.push(std::mem::replace(&mut self.now, before));
@@ -143,7 +143,7 @@ impl Editor {
         true
     }
 
-    /// Makes the last undone change again; whether there was one.
+    /// Redoes the last undone change; returns whether there was one.
     pub fn redo(&mut self) -> bool {
         self.stroke = None;
         let Some(after) = self.redo.pop() else { return false };
@@ -161,12 +161,12 @@ impl Editor {
         self.undo.drain(..surplus);
     }
 
-    /// How many of the latest changes are few and small enough to be kept; the very last one always is.
+    /// Number of the latest changes that fit the limits; at least one.
     fn affordable_undo(&self) -> usize {
         let mut cells = 0;
         let mut newer = None;
         let affordable = self.undo.iter().rev().take(MOST_UNDO).take_while(|content| {
-            // Moving the start leaves the plan shared.
+            // Moving the start doesn't copy the plan.
             if newer.replace(&content.plan).is_none_or(|plan| !Arc::ptr_eq(plan, &content.plan)) {
                 cells += content.plan.occupancy.len();
             }

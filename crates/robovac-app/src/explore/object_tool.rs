@@ -8,24 +8,24 @@ use robovac_core::{
     math,
 };
 
-/// How far a key moves an object, m, if cells aren't larger.
+/// Step of a key press when moving an object, m, if cells aren't larger.
 const KEY_STEP: f64 = 0.05;
-/// How far a key turns an object, rad.
+/// Step of a key press when turning an object, rad.
 const KEY_TURN: f64 = math::PI / 12.0;
-/// By how much a key resizes an object.
+/// Factor of a key press when resizing an object.
 const KEY_SCALE: f64 = 1.1;
 
-/// What is selected, and what is being dragged.
+/// The selection, and the current drag.
 #[derive(Debug)]
 pub struct ObjectTool {
-    /// What the next press places.
+    /// Kind of object that the next press places.
     pub kind: PlaceableKind,
-    /// Index of the object, and the version of the plan in which it is that.
+    /// Index of the object, and the version of the plan for which the index is valid.
     selected: Option<(usize, u64)>,
     drag: Option<Drag>,
 }
 
-/// What a drag does, between the point at which it began and where it is.
+/// Action of a drag, with its first and current point.
 #[derive(Debug, Clone, Copy)]
 struct Drag {
     from: Point,
@@ -41,24 +41,24 @@ enum Dragged {
 }
 
 impl ObjectTool {
-    /// An empty hand.
+    /// Nothing selected.
     pub fn new() -> Self {
         Self { kind: PlaceableKind::Furniture, selected: None, drag: None }
     }
 
     /// The selected object's index.
     pub fn selected(&self, session: &Session) -> Option<usize> {
-        // Undone, loaded or drawn over: an index means nothing in another version.
+        // After undo, loading or drawing the index is no longer valid.
         let known = self.selected.filter(|&(_, version)| version == session.plan_version());
         known.map(|(index, _)| index).filter(|&index| index < session.plan().objects.len())
     }
 
-    /// Selects an object, or none.
+    /// Selects an object, or nothing.
     pub fn select(&mut self, session: &Session, index: Option<usize>) {
         self.selected = index.map(|index| (index, session.plan_version()));
     }
 
-    /// Takes hold of the object `index` if it, or one of its handles, is within `reach` metres of a point.
+    /// Starts dragging the object `index` if it, or one of its handles, is within `reach` metres of a point.
     pub fn take_selected(&mut self, session: &Session, index: usize, at: Point, reach: f64) -> bool {
         let Some(object) = session.plan().objects.get(index) else { return false };
         let near = |point: &Point| (point - at).norm();
@@ -73,8 +73,8 @@ impl ObjectTool {
         true
     }
 
-    /// Takes hold of an object within `reach` metres of a point, and selects it. Carpets and stairs have to be selected
-    /// before they can be moved, so that the view can be moved where they fill it.
+    /// Starts dragging an object within `reach` metres of a point, and selects it. Carpets and stairs have to be
+    /// selected before they can be moved, as otherwise the view couldn't be panned where they fill it.
     pub fn take_any(&mut self, session: &Session, at: Point, reach: f64) -> bool {
         let objects = &session.plan().objects;
         let flat = |index: &usize| matches!(objects[*index], Object::Carpet { .. } | Object::DropOff { .. });
@@ -84,29 +84,29 @@ impl ObjectTool {
         true
     }
 
-    /// Begins to place something at a point.
+    /// Starts placing an object at a point.
     pub fn begin(&mut self, at: Point) {
         self.drag = Some(Drag { from: at, to: at, what: Dragged::New });
     }
 
-    /// Selects what was clicked on.
+    /// Selects the object at a click.
     pub fn click(&mut self, session: &Session, at: Point, reach: f64) {
         self.select(session, object_at(&session.plan().objects, at, reach));
     }
 
-    /// Goes on dragging.
+    /// Continues dragging.
     pub fn go_on(&mut self, to: Point) {
         if let Some(drag) = &mut self.drag {
             drag.to = to;
         }
     }
 
-    /// Lets go without changing anything.
+    /// Cancels dragging.
     pub fn let_go(&mut self) {
         self.drag = None;
     }
 
-    /// Ends dragging: what was dragged is where it looked to be, if it can be there.
+    /// Ends dragging: the object is placed where it is shown, if that is possible.
     pub fn release(&mut self, session: &mut Session) {
         let mut objects = self.in_hand(session);
         let Some(Drag { from, to, what }) = self.drag.take() else { return };
@@ -124,7 +124,7 @@ impl ObjectTool {
         }
     }
 
-    /// What is being dragged, as it would be if it were released now.
+    /// The dragged objects, as they would be placed now.
     pub fn in_hand(&self, session: &Session) -> Vec<Object> {
         let Some(Drag { from, to, what }) = self.drag else { return Vec::new() };
         let plan = session.plan();
@@ -139,7 +139,7 @@ impl ObjectTool {
         }
     }
 
-    /// The object of the plan that is in the hand instead.
+    /// The object of the plan that is being dragged.
     pub fn lifted(&self) -> Option<usize> {
         match self.drag?.what {
             Dragged::Object(index) | Dragged::Handle(index, _) => Some(index),
@@ -147,8 +147,8 @@ impl ObjectTool {
         }
     }
 
-    /// Does something with the selected object, as keys and buttons name it: `left`, `right`, `up`, `down`, `turn_left`,
-    /// `turn_right`, `larger`, `smaller`, `delete`. Says whether there is one.
+    /// Edits the selected object by the name of a key or button: `left`, `right`, `up`, `down`, `turn_left`,
+    /// `turn_right`, `larger`, `smaller`, `delete`. Returns whether an object is selected.
     pub fn edit(&mut self, session: &mut Session, action: &str) -> bool {
         let Some(index) = self.selected(session) else { return false };
         let plan = session.plan();
@@ -186,7 +186,7 @@ impl ObjectTool {
 
     fn change(&mut self, session: &mut Session, index: usize, object: Object) {
         session.change_object(index, object);
-        // Also if that wasn't possible: it stays selected.
+        // It stays selected if the edit wasn't possible, too.
         self.select(session, Some(index));
     }
 }

@@ -6,25 +6,25 @@ use robovac_core::{
     math,
 };
 
-/// Drags shorter than this, m, are clicks: what is placed has its usual size then.
+/// Shorter drags are clicks, m; a click places an object of the usual size.
 const CLICK: f64 = 0.08;
-/// Shortest side of what is drawn, m.
+/// Shortest side of a drawn object, m.
 const LEAST_SIDE: f64 = 0.05;
 /// Radius of a table's leg, m.
 const TABLE_LEG: f64 = 0.025;
-/// How far from a click the wall may be to which a dock or lighthouse is put, m.
+/// Largest distance from a click to the wall at which a dock or lighthouse is placed, m.
 const TO_WALL: f64 = 1.0;
-/// How far somebody who is placed by a click walks to either side, m, if there is room.
+/// Distance that a person placed by a click walks to either side, m, if there is room.
 const STROLL: f64 = 1.0;
 
-/// What can be placed.
+/// Kinds of objects that can be placed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PlaceableKind {
     /// A box that stands on the floor.
     Furniture,
     /// Four legs.
     Table,
-    /// Floor that ends.
+    /// A drop-off.
     Stairs,
     /// A carpet.
     Carpet,
@@ -41,7 +41,7 @@ pub enum PlaceableKind {
 }
 
 impl PlaceableKind {
-    /// All kinds with the names that the page's buttons have.
+    /// All kinds with their names on the page's buttons.
     pub const ALL: [(Self, &'static str); 9] = [
         (Self::Furniture, "furniture"),
         (Self::Table, "table"),
@@ -64,7 +64,7 @@ impl PlaceableKind {
         Self::ALL[self as usize].1
     }
 
-    /// What a drag from one point to another in `plan` places; a click places something of the usual size.
+    /// The objects placed by a drag from one point to another in `plan`; a click places an object of the usual size.
     pub fn drawn(self, plan: &FloorPlan, from: Point, to: Point) -> Vec<Object> {
         let is_click = (to - from).norm() < CLICK;
         let usual =
@@ -106,12 +106,12 @@ impl PlaceableKind {
     }
 }
 
-/// The object moved by a displacement, as far as the room goes.
+/// The object moved by a displacement, kept inside the room.
 pub fn moved(plan: &FloorPlan, object: &Object, by: Vector) -> Object {
     tidy(plan, &mapped(object, &|p| p + by))
 }
 
-/// The object turned counter-clockwise about its middle; what is round stays as it is.
+/// The object turned counter-clockwise about its middle; round ones stay as they are.
 pub fn turned(plan: &FloorPlan, object: &Object, radians: f64) -> Object {
     let centre = middle(&points(object));
     let (sin, cos) = (math::sin(radians), math::cos(radians));
@@ -180,8 +180,7 @@ pub fn reshaped(plan: &FloorPlan, object: &Object, handle: usize, to: Point) -> 
     tidy(plan, &object)
 }
 
-/// The object at a point, where `reach` metres beside it count as well: small things before large ones, what stands before
-/// what lies.
+/// The object within `reach` metres of a point: small before large, standing before lying.
 pub fn object_at(objects: &[Object], at: Point, reach: f64) -> Option<usize> {
     let hit = |object: &Object| {
         let near = |point: Point, radius: f64| (point - at).norm() < radius.max(reach);
@@ -217,7 +216,7 @@ pub fn in_words(objects: &[Object]) -> String {
     words.collect::<Vec<_>>().join(", ")
 }
 
-/// Its points: corners, or where it is.
+/// Its corners, or its position.
 fn points(object: &Object) -> Vec<Point> {
     match object {
         Object::Furniture { outline } | Object::DropOff { outline } | Object::Carpet { outline } => outline.clone(),
@@ -243,7 +242,8 @@ fn mapped(object: &Object, map: &dyn Fn(Point) -> Point) -> Object {
     object
 }
 
-/// To millimetres and tenths of a degree, so that files are readable, and shifted into the room if it sticks out.
+/// Rounded to millimetres and tenths of a degree, so that files are readable, and shifted into the room if it sticks
+/// out.
 fn tidy(plan: &FloorPlan, object: &Object) -> Object {
     let all = points(object);
     let Some(&first) = all.first() else { return object.clone() };
@@ -281,7 +281,7 @@ fn move_point(points: &mut [Point], index: usize, to: Point) {
     }
 }
 
-/// Corners of the upright rectangle between two points, counter-clockwise.
+/// Corners of the axis-aligned rectangle between two points, counter-clockwise.
 fn rect(a: Point, b: Point) -> Vec<Point> {
     let (low, high) = (a.inf(&b), a.sup(&b));
     let high = Point::new(high.x.max(low.x + LEAST_SIDE), high.y.max(low.y + LEAST_SIDE));
@@ -293,7 +293,7 @@ fn rect_around(plan: &FloorPlan, centre: Point, width: f64, depth: f64) -> Vec<P
     rect(centre - half, centre + half)
 }
 
-/// Whether the corners are those of a rectangle, to the millimetres to which corners are rounded.
+/// Whether the corners form a rectangle, to the millimetres to which corners are rounded.
 fn is_rectangle(outline: &[Point]) -> bool {
     let &[a, b, c, d] = outline else { return false };
     let (side, other) = (b - a, d - a);
@@ -310,7 +310,7 @@ fn is_floor(plan: &FloorPlan, point: Point) -> bool {
     plan.occupancy.get(plan.cell_at(point)).is_some_and(|o| o.is_free())
 }
 
-/// How far there is floor from a point in a direction, m, at most `most`.
+/// Length of free floor from a point in a direction, m, at most `most`.
 fn way(plan: &FloorPlan, from: Point, direction: Vector, most: f64) -> f64 {
     let step = (0.25 * plan.resolution).min(0.02);
     let steps = (most / step) as u32;
@@ -319,7 +319,7 @@ fn way(plan: &FloorPlan, from: Point, direction: Vector, most: f64) -> f64 {
         .map_or(most, |i| f64::from(i) * step)
 }
 
-/// At the wall nearest to a point, looking away from it; right there if no wall is near.
+/// The pose at the wall nearest to a point, facing away from it; the point itself if no wall is near.
 fn against_wall(plan: &FloorPlan, at: Point) -> Pose {
     let looks = (0..16).map(|i| math::TAU * f64::from(i) / 16.0);
     let ways = looks.map(|heading| {
@@ -332,10 +332,10 @@ fn against_wall(plan: &FloorPlan, at: Point) -> Pose {
     }
 }
 
-/// To and fro through a point, to the sides or up and down, whatever has more room.
+/// A way back and forth through a point, horizontal or vertical, wherever there is more room.
 fn stroll(plan: &FloorPlan, at: Point) -> Vec<Point> {
     let ways = [Vector::new(1.0, 0.0), Vector::new(0.0, 1.0)].map(|side| {
-        // A little less, so that nobody rubs along the wall.
+        // A little less, to keep off the wall.
         let far = |direction| (way(plan, at, direction, STROLL + 0.3) - 0.3).max(0.0);
         (at - side * far(-side), at + side * far(side))
     });

@@ -1,7 +1,7 @@
 //! The precomputed plan of the opening scene, so that the first load needs no planner.
 //!
-//! It is what the planner finds for the opening scene, to the last step: `tests/opening.rs` compares the two, and writes
-//! the file again when it is run with `UPDATE=1`.
+//! It equals the planner's result for the opening scene: `tests/opening.rs` compares the two, and writes the file again
+//! when it is run with `UPDATE=1`.
 
 use coverage_planners::Proof;
 use robovac_core::grid::{Cell, Direction};
@@ -9,7 +9,7 @@ use robovac_core::grid::{Cell, Direction};
 /// The walk, see [`to_runs`].
 pub const WALK: &str = include_str!("opening.txt");
 
-/// What is proven of it, in steps + 2 x quarter turns.
+/// Its proof, in steps + 2 x quarter turns.
 pub const PROOF: Proof = Proof { cost: 4618, bound: 4037 };
 
 const LETTERS: [(char, Direction); 4] =
@@ -31,7 +31,7 @@ pub fn to_runs(cells: &[Cell]) -> String {
     words.collect::<Vec<_>>().join(" ")
 }
 
-/// The walk from `start` that [`to_runs`] wrote; what isn't a run is left out.
+/// The walk from `start` by the text of [`to_runs`]; invalid runs are skipped.
 pub fn from_runs(start: Cell, runs: &str) -> Vec<Cell> {
     let mut cells = vec![start];
     let mut at = start;

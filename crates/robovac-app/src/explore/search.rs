@@ -8,14 +8,14 @@ use robovac_sim::{
 };
 use std::sync::Arc;
 
-/// The decisions behind one plan.
+/// The decisions of a plan.
 #[derive(Debug)]
 pub struct PlanSearch {
     steps: Vec<TraceStep>,
-    /// How far along the line each cell of the walk is reached, m.
+    /// Distance along the line at which each cell of the walk is reached, m.
     arrivals: Vec<f64>,
     line: Arc<[Point]>,
-    /// How far along the line each of its corners lies, m.
+    /// Distance along the line of each of its corners, m.
     corners: Vec<f64>,
 }
 
@@ -33,10 +33,10 @@ impl PlanSearch {
         Self { steps, arrivals, line, corners }
     }
 
-    /// The decision that the robot is carrying out; `None` once it has come to the end.
+    /// The decision that the robot is carrying out; `None` at the end.
     ///
-    /// The follower says which piece of the line it's on, and the robot's place beside that piece how far along it: so it
-    /// holds where lanes touch or cross, and where the robot has slipped off its line.
+    /// The follower gives the piece of the line, and the robot's position the distance along it, so the result is right
+    /// where lanes touch or cross, and when the robot has slipped off its line.
     pub fn decision(&self, run: &Run) -> Option<&TraceStep> {
         let corner = run.corner().filter(|&corner| corner < self.line.len() && !run.is_finished())?;
         let before = corner.checked_sub(1)?;
@@ -44,7 +44,7 @@ impl PlanSearch {
         let length = (to - from).norm();
         let believed = run.estimate().unwrap_or(run.pose()).position();
         let along = ((believed - from).dot(&(to - from)) / length).clamp(0.0, length);
-        // Rounding must not leave the robot in the cell before at a corner that it has reached.
+        // Rounding must not yield the previous cell at a corner that the robot has reached.
         let at = self.corners[before] + along + 1e-6;
         let index = self.arrivals.partition_point(|&arrival| arrival <= at).saturating_sub(1);
         let known = self.steps.partition_point(|step| step.step <= index);

@@ -1,4 +1,4 @@
-//! Room and settings of a session, as the other tabs take them over.
+//! Room and settings of a session, for the other tabs.
 
 use super::{Session, session::known_room};
 use crate::{ScenarioChoices, ScenarioError};
@@ -9,47 +9,47 @@ use robovac_core::{
 use robovac_sim::experiment::{Algorithm, SettingsError};
 use serde::{Deserialize, Serialize};
 
-/// The robots that can be connected are of this kind.
+/// The model of robots that can be connected.
 const CONNECTED: &str = "roomba600";
 
-/// Everything that determines a session's plan and runs. Two that are equal stand for the same session.
+/// Everything that determines a session's plan and runs. Equal snapshots mean equal sessions.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(default)]
 pub struct SessionSnapshot {
-    /// Id of the room if it ships and hasn't been changed.
+    /// Id of the room if it is built in and unchanged.
     pub room: Option<String>,
     /// Changes with every change of the room.
     pub room_version: u64,
-    /// A room of one's own, for those who don't have this version of it.
+    /// An own room, for receivers that don't have this version of it.
     #[cfg_attr(feature = "types", ts(type = "object | null"))]
     pub own: Option<Scenario>,
     /// Start chosen by the user: x, y in m, heading in rad.
     pub start: Option<[f64; 3]>,
-    /// Robot, algorithm, seed and conditions; what it leaves out is as at first.
+    /// Robot, algorithm, seed and conditions; missing ones have their defaults.
     pub choices: ScenarioChoices,
 }
 
-/// Why a snapshot can't be followed.
+/// Reasons why a snapshot can't be followed.
 #[derive(Debug, thiserror::Error)]
 pub enum FollowError {
     /// No such room.
     #[error(transparent)]
     Room(#[from] SettingsError),
-    /// A room of one's own that isn't one.
+    /// The own room is invalid.
     #[error(transparent)]
     Own(#[from] MapError),
-    /// Something chosen that there isn't.
+    /// A choice doesn't exist.
     #[error(transparent)]
     Choice(#[from] ScenarioError),
 }
 
 impl SessionSnapshot {
-    /// The same for a robot that is connected, driven by `algorithm`: with its default parameters, if it is another one.
+    /// The same for a connected robot driven by `algorithm`; with default parameters if it is another algorithm.
     pub fn for_connection(mut self, algorithm: &str) -> Result<Self, SettingsError> {
         let choices = &mut self.choices;
         if choices.robot.as_deref() != Some(CONNECTED) {
-            // Cells of another robot don't fit this one.
+            // Cell sizes of another robot don't fit this one.
             (choices.robot, choices.cell_size) = (Some(CONNECTED.to_owned()), None);
         }
         if choices.algorithm() != Some(algorithm) {
@@ -66,7 +66,7 @@ impl SessionSnapshot {
 }
 
 impl Session {
-    /// What other tabs take over, but for a room of one's own: see [`Session::own_room`].
+    /// The settings for other tabs, without an own room: see [`Session::own_room`].
     pub fn snapshot(&self) -> SessionSnapshot {
         SessionSnapshot {
             room: self.room().map(str::to_owned),
@@ -77,7 +77,7 @@ impl Session {
         }
     }
 
-    /// Becomes what `snapshot` was made of. On an error everything stays as it was.
+    /// Takes over the state of `snapshot`. Changes nothing on an error.
     pub fn follow(&mut self, snapshot: &SessionSnapshot) -> Result<(), FollowError> {
         let settings = snapshot.choices.settings(&self.settings().defaults())?;
         let start = snapshot.start.map(|[x, y, heading]| Pose::new(x, y, heading));

@@ -2,45 +2,45 @@
 
 use serde::Serialize;
 
-/// What the page is doing.
+/// State of the session.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(rename_all = "lowercase")]
 pub enum SessionState {
-    /// There is nothing to run: the robot doesn't fit, or planning was cancelled or failed.
+    /// Nothing to run: the robot doesn't fit, or planning was cancelled or failed.
     Failed,
-    /// A planner is at work.
+    /// A planner is running.
     Planning,
     /// There is a plan and the robot stands at the start.
     Ready,
-    /// Time goes on.
+    /// The run is playing.
     Playing,
-    /// Time stands still.
+    /// The run is paused.
     Paused,
-    /// On the way to another point of time.
+    /// Seeking another time.
     Seeking,
     /// The run is over.
     Finished,
 }
 
-/// What the user may ask for.
+/// Actions of the user.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Action {
-    /// Let time go on.
+    /// Start or continue.
     Play,
-    /// Stop time.
+    /// Pause.
     Pause,
-    /// Go on by one move.
+    /// Advance by one move.
     Step,
-    /// Back to the start.
+    /// Return to the start.
     Reset,
-    /// Stop the planner.
+    /// Cancel planning.
     Cancel,
-    /// Go to another point of time.
+    /// Seek another time.
     Seek,
     /// Change room, robot, planner or walls.
     Edit,
-    /// Pick the robot up. Before it has set off, moving the start does the same.
+    /// Pick the robot up. Before it has started, moving the start does the same.
     Lift,
 }
 
@@ -53,7 +53,7 @@ impl SessionState {
     pub fn allows(self, action: Action) -> bool {
         use Action as A;
         let allowed: &[Action] = match self {
-            // To plan again.
+            // Playing plans again.
             Self::Failed => &[A::Play, A::Edit],
             Self::Planning => &[A::Cancel, A::Edit],
             Self::Ready => &[A::Play, A::Step, A::Edit],

@@ -1,4 +1,4 @@
-//! View model of the page's numbers and texts: one snapshot a frame.
+//! View model of the page's numbers and texts: one snapshot per frame.
 
 use crate::explore::SessionState;
 use coverage_planners::metrics::{DriveMetrics, WalkMetrics};
@@ -11,13 +11,13 @@ use serde::Serialize;
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct SessionView {
-    /// What the page is doing.
+    /// State of the session.
     pub state: SessionState,
-    /// What the user may do.
+    /// Actions that are allowed now.
     pub can: SessionActions,
-    /// Something to tell the user; empty for nothing.
+    /// Message for the user; empty for none.
     pub message: String,
-    /// `error` or `notice`; empty for nothing.
+    /// `error` or `notice`; empty for none.
     #[cfg_attr(feature = "types", ts(type = "\"\" | \"error\" | \"notice\""))]
     pub message_kind: &'static str,
     /// The room.
@@ -29,15 +29,15 @@ pub struct SessionView {
     /// `planner` or `behaviour`.
     #[cfg_attr(feature = "types", ts(type = "\"planner\" | \"behaviour\""))]
     pub kind: &'static str,
-    /// What the robot is doing, in a few words; empty if there is nothing to tell.
+    /// The robot's activity, in a few words; empty for none.
     pub activity: &'static str,
     /// Changes whenever the list of events does.
     pub diary: f64,
     /// Whether the robot is held.
     pub is_lifted: bool,
-    /// Why a person's commands aren't obeyed: forward, left, right, backward; `None` unless a person drives.
+    /// Why a person's commands are blocked: forward, left, right, backward; `None` unless a person drives.
     pub blocked: Option<[Option<&'static str>; 4]>,
-    /// Share of the dirt that is left; `None` where there was none.
+    /// Share of the dirt that is left; `None` in rooms without dirt.
     pub dirt_left: Option<f64>,
     /// Its parameters.
     pub params: Params,
@@ -45,21 +45,21 @@ pub struct SessionView {
     pub cell_size_m: f64,
     /// Seed of everything random.
     pub seed: u64,
-    /// How well the wheels hold.
+    /// Level of wheel slip.
     pub slip: &'static str,
-    /// How much the sensors err, in the order of the catalogue's sensors.
+    /// Levels of noise, in the order of the catalogue's sensors.
     pub noise: [&'static str; SensorKind::ALL.len()],
-    /// Whether wheels only turn at the speeds that the motor controller can keep.
+    /// Whether wheels turn only at the speeds that the motor controller can keep.
     pub quantised: bool,
-    /// What is drawn on the floor.
+    /// Layers drawn on the floor.
     pub shows: Shows,
     /// How the follower computes its pose.
     pub odometry: &'static str,
-    /// Speed asked for, times real time; 0 for as fast as it goes.
+    /// Set speed, times real time; 0 for as fast as possible.
     pub speed: f64,
-    /// Speed reached lately, times real time.
+    /// Achieved speed, times real time.
     pub speed_factor: f64,
-    /// Time shown, s.
+    /// Displayed time, s.
     pub time_s: f64,
     /// Furthest simulated time, s.
     pub run_end_s: f64,
@@ -71,43 +71,43 @@ pub struct SessionView {
     pub distance_m: f64,
     /// Sum of all turning, degrees.
     pub turning_deg: f64,
-    /// How often the bumper was pressed.
+    /// Number of bumps.
     pub bumps: u32,
     /// Distance between the robot's true and estimated position, m.
     pub pose_error_m: f64,
     /// The planner's search.
     pub search: SearchView,
-    /// The plan, or what is known of it while the planner is at work.
+    /// The plan, or the best so far while the planner is running.
     pub plan: Option<PlanView>,
 }
 
-/// Snapshot of a session, and of what the hand on the picture of the floor is doing.
+/// Snapshot of a session and of the pointer's tool.
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct PageView {
     /// The session.
     #[serde(flatten)]
     pub session: SessionView,
-    /// What the pointer does on the floor.
+    /// The pointer's tool.
     pub tool: FloorTool,
-    /// What stands, lies and moves in the room, by name.
+    /// Names of the objects in the room.
     pub objects: Vec<&'static str>,
     /// Index of the selected one; -1 for none.
     pub selected: i32,
-    /// What the tool "place" places.
+    /// Kind of object that the tool *place* places.
     pub placing: &'static str,
-    /// Whether the robot is held on the picture, to be put down somewhere.
+    /// Whether the robot is held on the picture.
     pub is_carried: bool,
     /// Whether it is held in the upper half of the picture.
     pub is_held_high: bool,
 }
 
-/// What the pointer does on the floor.
+/// Tools of the pointer on the floor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(rename_all = "lowercase")]
 pub enum FloorTool {
-    /// Shifts the picture.
+    /// Pans the picture.
     View,
     /// Draws walls.
     Wall,
@@ -119,32 +119,32 @@ pub enum FloorTool {
     Place,
 }
 
-/// What the user may do now: a flag for each button, which JavaScript only copies.
+/// Allowed actions: one flag per button, which JavaScript only copies.
 #[expect(clippy::struct_excessive_bools)]
 #[derive(Debug, Clone, Copy, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct SessionActions {
-    /// Let time go on.
+    /// Start or continue.
     pub play: bool,
-    /// Stop time.
+    /// Pause.
     pub pause: bool,
-    /// Go on by one move.
+    /// Advance by one move.
     pub step: bool,
-    /// Back to the start.
+    /// Return to the start.
     pub reset: bool,
-    /// Stop the planner.
+    /// Cancel planning.
     pub cancel: bool,
-    /// Stop it, and drive the best walk that it has found.
+    /// Stop planning, and drive the best walk so far.
     pub keep: bool,
-    /// Go to another point of time.
+    /// Seek another time.
     pub seek: bool,
-    /// Change something.
+    /// Change choices or the room.
     pub edit: bool,
     /// Pick the robot up.
     pub lift: bool,
-    /// Take the last change of the room back.
+    /// Undo the last change of the room.
     pub undo: bool,
-    /// Make it again.
+    /// Redo it.
     pub redo: bool,
 }
 
@@ -154,25 +154,25 @@ pub struct SessionActions {
 pub struct SearchView {
     /// Whether the planner can show it.
     pub offered: bool,
-    /// Whether it is to be shown.
+    /// Whether it is shown.
     pub on: bool,
-    /// The decision at this moment, or what the film shows; empty if there is nothing to tell.
+    /// The current decision, or the film's caption; empty for none.
     pub text: String,
     /// Why it can't be shown in this room; empty if it can.
     pub refusal: String,
-    /// The film, if there is one and it is to be shown.
+    /// The film, if there is one and it is shown.
     pub film: Option<FilmView>,
 }
 
-/// How far a film is.
+/// Progress of a film.
 #[derive(Debug, Clone, Copy, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct FilmView {
-    /// Number of the picture that is seen, from 0; that of all pictures once it's over.
+    /// Index of the current picture; the number of pictures once it's over.
     pub at: usize,
-    /// How many pictures there are.
+    /// Number of pictures.
     pub pictures: usize,
-    /// Whether it goes on by itself.
+    /// Whether it plays by itself.
     pub runs: bool,
 }
 
@@ -180,11 +180,11 @@ pub struct FilmView {
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct RoomView {
-    /// Id if it ships and hasn't been changed, else empty.
+    /// Id if it is built in and unchanged, else empty.
     pub id: &'static str,
     /// Name.
     pub title: String,
-    /// What it is good for.
+    /// Its purpose.
     pub note: String,
     /// Width, m.
     pub width_m: f64,
@@ -196,17 +196,17 @@ pub struct RoomView {
     pub cells: usize,
     /// Floor that the robot's tool can reach from the start, m².
     pub reachable_m2: f64,
-    /// Free floor that it can't reach, m².
+    /// Free floor that the tool can't reach, m².
     pub left_out_m2: f64,
 }
 
-/// The plan in numbers; those of walk and drive are 0 until it is there.
+/// The plan in numbers; those of walk and drive are 0 while planning.
 #[derive(Debug, Clone, Copy, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct PlanView {
-    /// Whether the planner is at work.
+    /// Whether the planner is running.
     pub running: bool,
-    /// How far it is.
+    /// Its progress, 0 to 1.
     pub progress: f64,
     /// Numbers of the walk.
     #[serde(flatten)]
@@ -214,17 +214,18 @@ pub struct PlanView {
     /// Numbers of the line.
     #[serde(flatten)]
     pub drive: DriveMetrics,
-    /// Time that planning took, s; `None` while it goes on, and for a plan that was made in advance.
+    /// Planning time, s; `None` while planning, and for a precomputed plan.
     pub planning_s: Option<f64>,
-    /// By how much the plan, or the best walk so far, costs more than any walk must in what its planner keeps low, as a share
-    /// of that; 0 if it is proven to be the best, `None` for planners that prove nothing.
+    /// Optimality gap of the plan, or of the best walk so far, in the planner's own objective, as a share of the bound;
+    /// 0 if it is proven optimal, `None` for planners that prove nothing.
     pub gap: Option<f64>,
-    /// The same in steps + 2 x quarter turns, as plans are compared; `None` as long as nothing is proven, or if it misses cells.
+    /// The same in steps + 2 x quarter turns, as in comparisons; `None` until it is proven, or if the walk misses
+    /// cells.
     pub above_bound: Option<f64>,
     /// Steps that a quarter turn counts as in `gap`.
     pub turn_weight: Option<f64>,
-    /// Whether that is as long as the robot takes for one.
+    /// Whether that is the robot's time for one.
     pub times_turns: bool,
-    /// Share of the search after which the user was content with the plan; `None` if the planner ended by itself.
+    /// Share of the search after which the user ended it; `None` if the planner finished.
     pub kept_at: Option<f64>,
 }

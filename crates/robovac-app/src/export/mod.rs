@@ -34,9 +34,9 @@ pub struct Format {
     pub id: &'static str,
     /// Its name in menus.
     pub title: &'static str,
-    /// What it is good for, in one sentence.
+    /// Its purpose, in one sentence.
     pub note: &'static str,
-    /// Whether it holds a path, so that there must be one.
+    /// Whether it contains a path and so requires one.
     pub needs_path: bool,
 }
 
@@ -105,7 +105,7 @@ pub const FORMATS: &[Format] = &[
     },
 ];
 
-/// What can be in files: a room with all that is chosen for it, and perhaps a path.
+/// Content of files: a room with its choices, and perhaps a path.
 #[derive(Debug, Clone)]
 pub struct Exported<'a> {
     /// The room and all choices.
@@ -116,19 +116,19 @@ pub struct Exported<'a> {
     pub path: &'a [Point],
     /// Name of the files without ending.
     pub stem: &'a str,
-    /// How a ROS map says what a cell is.
+    /// Mode of a ROS map's occupancy values.
     pub mode: OccupancyMode,
-    /// Whether light cells of a ROS map are walls.
+    /// Whether light cells of a ROS map are occupied.
     pub negate: bool,
 }
 
-/// Why there is no file.
+/// Reasons why a file can't be exported.
 #[derive(Debug, thiserror::Error)]
 pub enum ExportError {
     /// There is no such format.
     #[error("there is no format \"{0}\"; use one of {list}", list = ids())]
     Unknown(String),
-    /// The format holds a path and there is none.
+    /// The format requires a path and there is none.
     #[error("{0} needs a path, and there is none yet; plan one first")]
     NoPath(&'static str),
     /// The drawing can't be written.

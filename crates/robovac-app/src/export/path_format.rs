@@ -8,27 +8,28 @@ use robovac_core::{
 use robovac_link::commands_text;
 use serde::{Deserialize, Serialize};
 
-/// The robot that bytes are made for: only its drive speaks the Open Interface.
+/// The robot of command files: only its drive speaks the Open Interface.
 pub(super) const ROOMBA: &str = "roomba600";
 
 /// A kind of file that a path can be saved as.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum PathFormat {
-    /// Bytes of the Open Interface with their times and meanings, as text. Always for the Roomba: no other robot here speaks it.
+    /// Bytes of the Open Interface with their times and meanings, as text. Always for the Roomba, the only robot that
+    /// speaks it.
     Commands,
-    /// A human-readable program: turns and straight ways.
+    /// A human-readable program of turns and straight moves.
     Program,
-    /// Places with times.
+    /// Poses with times.
     Csv,
-    /// A path of ROS.
+    /// A ROS path.
     Poses,
     /// The path on layers of its own, beside the drawing.
     Dxf,
 }
 
 impl PathFormat {
-    /// All; those whose ending is part of another's come after it.
+    /// All formats; one whose ending is part of another's comes after it.
     pub const ALL: [Self; 5] = [Self::Commands, Self::Program, Self::Csv, Self::Poses, Self::Dxf];
 
     /// The ending of its files, and their media type.
@@ -42,8 +43,8 @@ impl PathFormat {
         }
     }
 
-    /// The file of a path (corners, m, and the heading at its start) for `robot`, which `planned` describes; `None` for a
-    /// drawing, which needs more than a path.
+    /// The file of a path (corners, m, and the heading at its start) for `robot`, described by `planned`; `None` for a
+    /// drawing, which requires more than a path.
     pub fn text(self, (path, heading): (&[Point], f64), robot: &RobotModel, planned: &str) -> Option<String> {
         Some(match self {
             Self::Commands => commands_text(path, heading, model(ROOMBA)?, planned),

@@ -8,7 +8,7 @@ use robovac_core::{
 };
 use std::fmt::Write;
 
-/// More corners than any drawing needs: `outlines` always finds them.
+/// No limit: `outlines` always returns them.
 const MOST_CORNERS: usize = usize::MAX;
 
 /// Walls, unknown floor, furniture and, if it isn't empty, a path with its start and end. One unit is a millimetre, x to the
@@ -61,7 +61,7 @@ pub fn to_svg(plan: &FloorPlan, path: &[Point]) -> String {
 /// Units in a metre.
 const MM: f64 = 1000.0;
 
-/// Where the drawing ends below.
+/// Lower end of the drawing.
 struct Page {
     height: f64,
 }
@@ -102,7 +102,7 @@ impl Page {
     }
 }
 
-/// Text for XML: names come from files.
+/// Text escaped for XML: names come from files.
 fn escaped(text: &str) -> String {
     let is_allowed = |c: &char| !c.is_control();
     text.chars().filter(is_allowed).fold(String::new(), |mut escaped, c| {

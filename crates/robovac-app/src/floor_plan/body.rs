@@ -7,12 +7,12 @@ use robovac_core::{
 };
 use serde::{Deserialize, Serialize};
 
-/// An outline by its figures, m.
+/// An outline by its dimensions, m.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub enum BodyChoice {
-    /// A robot that ships, by its id.
+    /// A built-in robot, by its id.
     Model {
         /// Its id.
         id: String,
@@ -24,9 +24,9 @@ pub enum BodyChoice {
     },
     /// A rectangle around the origin.
     Rectangle {
-        /// Along the way that it looks.
+        /// Length along its heading.
         length: f64,
-        /// Across.
+        /// Width.
         width: f64,
     },
     /// A regular octagon that rests on a side, as in 001.
@@ -34,25 +34,25 @@ pub enum BodyChoice {
         /// From side to side.
         width: f64,
     },
-    /// Any simple polygon that holds the origin.
+    /// Any simple polygon around the origin.
     Polygon {
         /// Its corners, `x y; x y; ...`: x ahead, y to the left.
         corners: String,
     },
 }
 
-/// What is wrong with an outline.
+/// Errors of an outline.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum BodyError {
-    /// It is no outline.
+    /// It is invalid.
     #[error(transparent)]
     Outline(#[from] CspaceError),
     /// A corner can't be read.
     #[error("corner {number} of the robot outline, \"{text}\", isn't two numbers; write \"x y; x y; ...\" in metres")]
     Corner {
-        /// Which one, counted from 1.
+        /// Its number, counted from 1.
         number: usize,
-        /// What is there.
+        /// Its text.
         text: String,
     },
     /// There is no such robot.
@@ -72,13 +72,13 @@ impl BodyChoice {
         })
     }
 
-    /// The id of a robot that ships, if it is one.
+    /// The id if it is a built-in robot.
     pub fn model(&self) -> Option<&str> {
         if let Self::Model { id } = self { Some(id) } else { None }
     }
 }
 
-/// Reads `x y; x y; ...`; commas do as well as blanks.
+/// Reads `x y; x y; ...`; commas are accepted in place of blanks.
 fn read_corners(text: &str) -> Result<Vec<Point>, BodyError> {
     let texts = text.split([';', '\n']).map(str::trim).filter(|corner| !corner.is_empty());
     let read = |(index, text): (usize, &str)| {

@@ -2,8 +2,8 @@
 
 use robovac_core::grid::{Cell, Grid};
 
-/// A grid with at most `most` cells a side, and how many times as wide they are. A coarse cell is set if all cells in it
-/// are; those in the last column and row may reach beyond the grid.
+/// A grid with at most `most` cells a side, and the factor of its cell size. A coarse cell is set if all its cells are;
+/// those in the last column and row can reach beyond the grid.
 ///
 /// ```
 /// use robovac_app::floor_plan::coarse;

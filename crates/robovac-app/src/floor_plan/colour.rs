@@ -1,9 +1,9 @@
 //! Layer colours with enough contrast: CAD programs draw on black, prints are white.
 
-/// Least contrast of a line with the ground, as WCAG 2 demands of graphics (success criterion 1.4.11).
+/// Least contrast of a line with the background, as required by WCAG 2 for graphics (success criterion 1.4.11).
 const LEAST_CONTRAST: f64 = 3.0;
 
-/// `colour` (red, green, blue), lightened on dark ground and darkened on light ground until it can be seen.
+/// `colour` (red, green, blue), lightened on a dark background and darkened on a light one until the contrast suffices.
 ///
 /// ```
 /// use robovac_app::floor_plan::seen_on;
@@ -26,7 +26,7 @@ pub fn seen_on(colour: [u8; 3], dark: bool) -> [u8; 3] {
         .unwrap_or(colour)
 }
 
-/// Relative luminance, 0 to 1; a square for sRGB's power of 2.4, which is near enough for choosing.
+/// Relative luminance, 0 to 1; a square approximates sRGB's power of 2.4, accurately enough for choosing.
 fn luminance(colour: [u8; 3]) -> f64 {
     let [red, green, blue] = colour.map(|channel| (f64::from(channel) / 255.0) * (f64::from(channel) / 255.0));
     0.2126 * red + 0.7152 * green + 0.0722 * blue

@@ -1,33 +1,33 @@
-//! Rooms that extend through open doors, and their size if these were closed.
+//! Rooms that extend through open doors, and their size with these doors closed.
 
 use floor_drawing::{self, Drawing, DrawingRegion, Traced, Tracing};
 use robovac_core::geometry::Point;
 use serde::Serialize;
 
-/// Widths of openings that are taken for doors, m (ours): inner doors are 0.6 to 1 m wide, front doors up to 1.2 m.
+/// Widths of openings that are taken as doors, m (ours): inner doors are 0.6 to 1 m wide, front doors up to 1.2 m.
 const DOORS: [f64; 2] = [0.6, 1.2];
-/// Openings are measured between the middles of cells, and walls stand on whole ones: so much wider they may be, cells.
+/// Tolerance of these widths, cells: openings are measured between the centres of cells, and walls fill whole cells.
 const CELLS: f64 = 1.0;
-/// Gaps can be chosen in so many steps a metre.
+/// Steps per metre of the gap's slider.
 const STEPS: f64 = 20.0;
-/// Share of the floor that has to lie behind doors for them to be worth a word.
+/// Least share of the floor behind doors for a hint.
 const BEHIND: f64 = 0.05;
 
-/// What closing doors would do.
+/// Effect of closing doors.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Doors {
-    /// Openings that would be closed, and were not before.
+    /// Openings that would be closed in addition.
     pub count: usize,
-    /// Widest gap that would have to be closed, m.
+    /// Gap setting that closes them, m.
     pub gap: f64,
-    /// Free floor that the room would have, m².
+    /// Free floor of the room then, m².
     pub floor_m2: f64,
 }
 
 impl Doors {
-    /// Looks for doors through which the room `now`, with `floor` m² free, reaches on; `None` also for a room that came to
-    /// nothing but would be one with closed doors. `how` is how it was traced, `free` tells free floor.
+    /// Searches for doors through which the room `now`, with `floor` m² free, extends; `None` for `now` if tracing
+    /// failed but would succeed with closed doors. `how` are the tracing parameters, `free` computes the free floor.
     pub(super) fn of(
         drawing: &Drawing,
         how: &Tracing,
@@ -46,7 +46,7 @@ impl Doors {
         let full = with(DOORS[1])?;
         let width = |&[a, b]: &[Point; 2]| (b - a).norm() + CELLS * how.resolution;
         let widest = full.0.gaps.iter().map(width).fold(how.gap, f64::max);
-        // The narrowest that does it: what is wider is left open.
+        // The smallest sufficient gap, so that wider openings stay open.
         let least = (widest.max(DOORS[0]) * STEPS - 1e-6).ceil() / STEPS;
         let narrow = if least < DOORS[1] { with(least).map(|closed| (least, closed)) } else { None };
         let (gap, (closed, floor_m2)) = narrow.unwrap_or((DOORS[1], full));

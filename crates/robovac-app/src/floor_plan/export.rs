@@ -18,12 +18,12 @@ impl DrawingSession {
         let chosen = self.settings().body.model().and_then(robot::model);
         let roomba = robot::model("roomba600").ok_or("the robot model roomba600 is missing from this build")?;
         let outline = self.outline()?;
-        // What has an outline of its own moves as a robot that there is: the round one turns; any other keeps its heading, as
-        // the path was planned.
+        // An own outline moves like a built-in robot: a round one turns; any other keeps its heading, as the path was
+        // planned.
         let like = if matches!(outline, Outline::Circle { .. }) { Some(roomba) } else { robot::model("octagon") };
         let model = chosen.or(like).unwrap_or(roomba);
         let planned = chosen.map_or_else(|| outline.to_string(), planned_for);
-        // As the planner has it: the robot looks along x when it begins, or as the room's start says.
+        // As in the planner: the robot begins along x, or as the room's start says.
         let start = room.plan.start.map_or(0.0, |start| start.heading);
         let (path, heading) = in_frame(&sweep.path, start, room.plan.origin);
         let bytes = match format.text((&path, heading), model, &planned) {
@@ -31,7 +31,7 @@ impl DrawingSession {
             None => self.dxf(room, sweep)?,
         };
         let (ending, kind) = format.file_type();
-        // Sweeps of all and of a part of it may lie side by side.
+        // Files of the whole and of a part must not have the same name.
         let part = match self.settings().part {
             DrawingPart::Whole => "",
             DrawingPart::Room { .. } => "-room",

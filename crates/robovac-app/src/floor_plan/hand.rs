@@ -5,17 +5,17 @@ use super::DrawingPart;
 use robovac_core::geometry::{Point, Vector};
 use serde::{Deserialize, Serialize};
 
-/// What clicks mean.
+/// Tools for clicks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum DrawingTool {
-    /// Nothing; dragging moves the view.
+    /// None; dragging pans the view.
     #[default]
     View,
-    /// Two points whose distance is known.
+    /// Two points of a known distance.
     Scale,
-    /// Two corners of an upright rectangle.
+    /// Two opposite corners of an axis-aligned rectangle.
     Rectangle,
     /// Corners of a polygon, until it is closed.
     Polygon,
@@ -23,27 +23,27 @@ pub enum DrawingTool {
     Room,
 }
 
-/// The hand; all points are in the drawing's unit.
+/// State of pointing; all points are in the drawing's unit.
 #[derive(Debug, Clone, Default)]
 pub struct DrawingHand {
-    /// What clicks mean.
+    /// The tool for clicks.
     pub tool: DrawingTool,
-    /// Points so far.
+    /// Points set so far.
     pub points: Vec<Point>,
     /// The crosshair, if keys are used.
     pub crosshair: Option<Point>,
-    /// Where the pointer is.
+    /// Position of the pointer.
     pub hover: Option<Point>,
 }
 
 impl DrawingHand {
-    /// Takes another tool.
+    /// Selects another tool.
     pub fn take(&mut self, tool: DrawingTool) {
-        // The crosshair stays where it is: the next tool may be wanted at the same place.
+        // The crosshair stays: the next tool can be needed at the same place.
         *self = Self { tool, crosshair: self.crosshair, ..Self::default() };
     }
 
-    /// A click; the part that is meant, once that is known. Points closer than `near` are the same.
+    /// A click; returns the part once it is complete. Points closer than `near` are the same.
     pub fn click(&mut self, at: Point, near: f64) -> Option<DrawingPart> {
         let is_near = |point: Option<&Point>| point.is_some_and(|point| (point - at).norm() <= near);
         match self.tool {
@@ -58,7 +58,7 @@ impl DrawingHand {
                 None
             }
             DrawingTool::Rectangle => match self.points.first() {
-                // A rectangle without an inside is a slip of the hand.
+                // A rectangle without area is a slip.
                 Some(first) if (first.x - at.x).abs() > near && (first.y - at.y).abs() > near => {
                     let corners = [[first.x, first.y], [at.x, at.y]];
                     Some(self.done(DrawingPart::Rectangle { corners }))
@@ -78,7 +78,7 @@ impl DrawingHand {
         }
     }
 
-    /// Closes a polygon that has three corners.
+    /// Closes a polygon of at least three corners.
     pub fn close(&mut self) -> Option<DrawingPart> {
         if self.tool != DrawingTool::Polygon || self.points.len() < 3 {
             return None;
@@ -87,7 +87,7 @@ impl DrawingHand {
         Some(self.done(DrawingPart::Polygon { corners }))
     }
 
-    /// The key that clicks: at the crosshair; where nothing is between it and the last corner, a polygon is closed.
+    /// A click by key at the crosshair; if it lies on the last corner, the polygon is closed.
     pub fn apply(&mut self, near: f64) -> Option<DrawingPart> {
         match self.crosshair {
             Some(at) => self.click(at, near),
@@ -95,12 +95,12 @@ impl DrawingHand {
         }
     }
 
-    /// Moves the crosshair, which begins at `from`.
+    /// Moves the crosshair, which starts at `from`.
     pub fn nudge(&mut self, by: Vector, from: Point) {
         self.crosshair = Some(self.crosshair.unwrap_or(from) + by);
     }
 
-    /// Takes back the points, or else lays the tool down; whether there was anything to do.
+    /// Removes the points, or else deselects the tool; returns whether it did either.
     pub fn escape(&mut self) -> bool {
         if self.points.is_empty() {
             let had_tool = self.tool != DrawingTool::View;
@@ -112,7 +112,7 @@ impl DrawingHand {
         true
     }
 
-    /// Distance of the two points whose distance is to be said, in the drawing's unit.
+    /// Distance of the two scale points, in the drawing's unit.
     pub fn measured(&self) -> Option<f64> {
         match self.points[..] {
             [a, b] if self.tool == DrawingTool::Scale => Some((b - a).norm()),
@@ -161,7 +161,7 @@ mod tests {
         hand.apply(0.1);
         assert_eq!(hand.measured(), Some(3.0));
         hand.apply(0.1);
-        assert_eq!(hand.measured(), None, "a third point begins anew");
+        assert_eq!(hand.measured(), None, "a third point starts again");
     }
 
     #[test]

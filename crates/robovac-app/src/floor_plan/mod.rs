@@ -1,7 +1,7 @@
 //! The Floor plan tab: a drawing is viewed, scaled, traced and swept before it becomes the room.
 //!
-//! [`DrawingSession`] holds what files are and what was chosen for them; [`DrawingView`] is what the page shows of it. `web::FloorPlanSession`
-//! draws it, in a worker.
+//! [`DrawingSession`] holds the loaded files and their settings; [`DrawingView`] is its snapshot for the page.
+//! `web::FloorPlanSession` draws it, in a worker.
 
 mod body;
 mod coarse;

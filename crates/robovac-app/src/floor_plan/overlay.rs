@@ -7,8 +7,8 @@ use robovac_core::geometry::{Point, Vector};
 /// Half the size of the cross that marks a subgoal, as a share of the distance between scan lines.
 const CROSS: f64 = 0.25;
 
-/// A DXF of the sweep: on layers of its own beside all that is in `original`, the DXF that `room` was traced from, or else
-/// beside the room's outlines in metres, where its map has its origin.
+/// A DXF of the sweep on layers of its own, added to `original`, the DXF that `room` was traced from, or otherwise to
+/// the room's outlines in metres from the map's origin.
 pub fn sweep_dxf(sweep: &Sweep, room: &Traced, original: Option<&[u8]>) -> Result<Vec<u8>, DrawingError> {
     if original.is_some() {
         return to_dxf(original, &overlays(sweep, room.corner, room.metre));
@@ -21,9 +21,10 @@ pub fn sweep_dxf(sweep: &Sweep, room: &Traced, original: Option<&[u8]>) -> Resul
     to_dxf(None, &layers)
 }
 
-/// The sweep on three layers in drawing units: `SWEEP_SUBGOALS`, a cross a point (AutoCAD colour 1, red); `SWEEP_LINKS`, the
-/// straight links of Fig. 4, through obstacles or not (2, yellow); `SWEEP_PATH`, the path of Fig. 5 (5, blue). `corner` is
-/// where the room's lower left corner lies in the drawing, and `metre` how many metres a drawing unit has, as in [`Traced`].
+/// The sweep on three layers in drawing units: `SWEEP_SUBGOALS`, a cross a point (AutoCAD colour 1, red);
+/// `SWEEP_LINKS`, the straight links of Fig. 4, through obstacles or not (2, yellow); `SWEEP_PATH`, the path of Fig. 5
+/// (5, blue). `corner` is the position of the room's lower left corner in the drawing, and `metre` the metres per
+/// drawing unit, as in [`Traced`].
 pub fn overlays(sweep: &Sweep, corner: Vector, metre: f64) -> Vec<Overlay> {
     let place = |point: Point| Point::from(corner + point.coords / metre);
     let arm = CROSS * sweep.scan_width;

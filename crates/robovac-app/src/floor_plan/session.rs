@@ -12,29 +12,29 @@ use robovac_core::{
 };
 use std::ops::ControlFlow;
 
-/// The planner that drives the sweep, as the registry calls it.
+/// Id of the planner that drives the sweep.
 pub const PLANNER: &str = "subgoal_sweep";
 
-/// A draft of a room.
+/// A loaded file, its settings and the traced room.
 #[derive(Debug)]
 pub struct DrawingSession {
     source: DrawingSource,
     settings: FloorPlanSettings,
     sheet: Sheet,
     room: Option<Traced>,
-    /// Floor of the room that is free, m².
+    /// Free floor of the room, m².
     floor: f64,
     doors: Option<Doors>,
     fault: String,
     version: u32,
     space: Option<ConfigurationSpace>,
     sweep: Option<Sweep>,
-    /// What the hand does.
+    /// State of pointing.
     pub hand: DrawingHand,
 }
 
 impl DrawingSession {
-    /// Reads files that belong together; nothing is lost if that fails.
+    /// Reads files that belong together.
     pub fn open(files: &[SourceFile]) -> Result<Self, ImportError> {
         let source = DrawingSource::read(files)?;
         let settings = FloorPlanSettings::of(&source);
@@ -56,17 +56,17 @@ impl DrawingSession {
         Ok(board)
     }
 
-    /// What was brought.
+    /// The loaded source.
     pub fn source(&self) -> &DrawingSource {
         &self.source
     }
 
-    /// What was chosen.
+    /// Its settings.
     pub fn settings(&self) -> &FloorPlanSettings {
         &self.settings
     }
 
-    /// Where the source is seen.
+    /// Placement of the source on the sheet.
     pub fn sheet(&self) -> &Sheet {
         &self.sheet
     }
@@ -76,17 +76,17 @@ impl DrawingSession {
         self.room.as_ref()
     }
 
-    /// Floor of the room that is free, m².
+    /// Free floor of the room, m².
     pub fn floor_m2(&self) -> f64 {
         self.floor
     }
 
-    /// Open doors through which a room that was marked reaches on.
+    /// Open doors through which a chosen room extends.
     pub fn doors(&self) -> Option<Doors> {
         self.doors
     }
 
-    /// Why there is no room, or what else is wrong; empty if nothing.
+    /// Error of the room or its settings; empty for none.
     pub fn fault(&self) -> &str {
         &self.fault
     }
@@ -96,17 +96,17 @@ impl DrawingSession {
         self.version
     }
 
-    /// The sweep, once it was planned for this room and robot.
+    /// The sweep, once planned for this room and robot.
     pub fn planned(&self) -> Option<&Sweep> {
         self.sweep.as_ref()
     }
 
-    /// The obstacle map, once it was made for this room and robot.
+    /// The obstacle map, once made for this room and robot.
     pub fn space(&self) -> Option<&ConfigurationSpace> {
         self.space.as_ref()
     }
 
-    /// Chooses; does again what depends on it. Changes nothing if a map's cells can't be as wide as that.
+    /// Applies settings and recomputes what depends on them. Changes nothing if a map's cell size is out of range.
     pub fn set(&mut self, settings: FloorPlanSettings) -> Result<(), String> {
         let settings = settings.checked(&self.source, &self.settings)?;
         let before = std::mem::replace(&mut self.settings, settings);
@@ -136,12 +136,12 @@ impl DrawingSession {
         Ok(())
     }
 
-    /// The part that is meant.
+    /// Sets the part of the drawing.
     pub fn set_part(&mut self, part: DrawingPart) -> Result<(), String> {
         self.set(FloorPlanSettings { part, ..self.settings.clone() })
     }
 
-    /// The room anew.
+    /// Traces the room again.
     fn trace(&mut self) {
         (self.room, self.doors, self.space, self.sweep) = (None, None, None, None);
         self.version += 1;
@@ -168,12 +168,12 @@ impl DrawingSession {
         }
     }
 
-    /// The robot's outline, or what is wrong with it.
+    /// The robot's outline, or its error.
     pub fn outline(&self) -> Result<Outline, String> {
         self.settings.body.outline().map_err(|error| error.to_string())
     }
 
-    /// Plans the sweep of the room; `observe` receives how far it is, 0 to 1, and says whether to go on.
+    /// Plans the sweep of the room; `observe` receives the progress, 0 to 1, and returns whether to continue.
     pub fn sweep(&mut self, observe: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Result<(), String> {
         let outline = self.outline()?;
         let Some(room) = &self.room else { return Err(self.no_room()) };
@@ -184,7 +184,7 @@ impl DrawingSession {
         Ok(())
     }
 
-    /// Makes the obstacle map over all headings, if there is none yet.
+    /// Makes the obstacle map of all headings, if needed.
     pub fn make_space(&mut self) -> Result<&ConfigurationSpace, String> {
         if self.space.is_none() {
             let outline = self.outline()?;
@@ -196,8 +196,8 @@ impl DrawingSession {
         self.space.as_ref().ok_or_else(String::new)
     }
 
-    /// What Explore takes: the room, with what a scenario says beside it. `sweeps` chooses the planner of the sweep, and
-    /// the robot if it is one that ships.
+    /// The import for Explore: the room, with the other choices of a scenario. If `sweeps` is set, with the planner of
+    /// the sweep and, if it is built in, the robot.
     pub fn import(&self, sweeps: bool) -> Result<Import, String> {
         let Some(room) = &self.room else { return Err(self.no_room()) };
         let choices = match &self.source {
@@ -218,12 +218,12 @@ impl DrawingSession {
         Ok(Import { plan: room.plan.clone(), choices: Some(choices) })
     }
 
-    /// Metres between the two points that were set, if the drawing's unit is known.
+    /// Metres between the two scale points, if the drawing's unit is known.
     pub fn measured_m(&self) -> Option<f64> {
         Some(self.hand.measured()? * self.settings.metre?)
     }
 
-    /// Makes the distance of the two points that were set so many metres.
+    /// Scales the drawing so that the two scale points are `metres` apart.
     pub fn scale_to(&mut self, metres: f64) -> Result<(), String> {
         let units = self.hand.measured().ok_or("set two points first, then enter the distance between them")?;
         if !(metres > 0.0 && metres.is_finite()) {
@@ -244,7 +244,7 @@ impl DrawingSession {
     }
 }
 
-/// Goes through all stages of a sweep, collisions and strokes along edges included, in a room that takes no time.
+/// Runs all stages of a sweep, collisions and strokes along edges included, in a tiny room.
 pub fn warm_up() {
     let plan = Sketch::open(4.0, 4.0, 0.1).fill(&[[1.0, 2.1, 3.0, 2.75]]).disc(1.5, 1.0, 0.3).finish("", "");
     let Ok(outline) = Outline::octagon(0.4) else { return };
@@ -252,7 +252,7 @@ pub fn warm_up() {
     let _ = sweep(&plan, &setup, &mut |_| ControlFlow::Continue(()));
 }
 
-/// Floor on which nothing stands, m²; by the centres of the cells.
+/// Floor without objects, m²; by the centres of the cells.
 fn free_floor(plan: &FloorPlan) -> f64 {
     let mut free = plan.occupancy.map(|cell| cell.is_free());
     let mut take = |low: Point, high: Point, holds: &dyn Fn(Point) -> bool| {
@@ -283,7 +283,7 @@ fn free_floor(plan: &FloorPlan) -> f64 {
     free.count() as f64 * plan.resolution * plan.resolution
 }
 
-/// A map whose cells are `metre` wide, with its start where it was in the picture.
+/// A map whose cells are `metre` wide, with its start at the same place in the picture.
 fn scaled(plan: &FloorPlan, metre: f64) -> FloorPlan {
     let factor = metre / plan.resolution;
     let start = plan.start.map(|start| Pose::new(start.x * factor, start.y * factor, start.heading));

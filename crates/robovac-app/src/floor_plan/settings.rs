@@ -8,30 +8,30 @@ use robovac_core::{
 };
 use serde::{Deserialize, Serialize};
 
-/// Sides of the cells that are offered for rooms that are traced, m.
+/// Cell sizes in the menu for traced rooms, m.
 pub const CELLS: [f64; 7] = [0.01, 0.02, 0.025, 0.05, 0.1, 0.2, 0.5];
-/// Cells on a side that a room is given unasked, at most: a finer one takes long to trace and is seldom wanted.
+/// Most cells on a side of a room by default: finer ones take long to trace and are seldom needed.
 const MOST_UNASKED: f64 = 2000.0;
 /// Widest gap between walls that can be closed, m: that of a double door.
 const MOST_GAP: f64 = 1.5;
-/// Most headings of an obstacle map that are offered: one a degree.
+/// Most headings of an obstacle map: one per degree.
 const MOST_HEADINGS: usize = 360;
 
-/// What was chosen.
+/// Settings of the Floor plan tab.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct FloorPlanSettings {
-    /// Metres per unit of the drawing; `None` until somebody says so.
+    /// Metres per unit of the drawing; `None` until known.
     pub metre: Option<f64>,
-    /// What every layer is.
+    /// The role of every layer.
     pub roles: Vec<Role>,
     /// Widest gap between walls that is closed, m.
     pub gap: f64,
     /// Side of the room's cells, m.
     pub resolution: f64,
-    /// The part that is meant.
+    /// The part to be traced.
     pub part: DrawingPart,
-    /// Shades of an image that are wall: those darker than this, 0 (black) to 1 (white).
+    /// Shades of an image that are walls: those darker than this, 0 (black) to 1 (white).
     pub shade: f64,
     /// Whether light shades are walls instead.
     pub negate: bool,
@@ -45,14 +45,14 @@ pub struct FloorPlanSettings {
     pub headings: usize,
 }
 
-/// The part of a drawing that is meant, in its unit.
+/// The part of a drawing to be traced, in its unit.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub enum DrawingPart {
     /// All of it.
     Whole,
-    /// An upright rectangle, by two corners.
+    /// An axis-aligned rectangle, by two corners.
     Rectangle {
         /// Two opposite corners.
         corners: [[f64; 2]; 2],
@@ -62,7 +62,7 @@ pub enum DrawingPart {
         /// Its corners.
         corners: Vec<[f64; 2]>,
     },
-    /// The room that holds a point.
+    /// The room around a point.
     Room {
         /// The point.
         at: [f64; 2],
@@ -70,7 +70,7 @@ pub enum DrawingPart {
 }
 
 impl FloorPlanSettings {
-    /// What is assumed of files that were just opened.
+    /// Default settings for a newly opened source.
     pub fn of(source: &DrawingSource) -> Self {
         let metre = source.metre();
         let side = source.extent().1.max() * metre.unwrap_or_default();
@@ -93,8 +93,8 @@ impl FloorPlanSettings {
         }
     }
 
-    /// The same within what is possible; a unit that can't be is as it was `before`. Refuses cells of a map that are too
-    /// small or too large: no other width is as good as the one that was meant.
+    /// The settings limited to valid values; an invalid unit is replaced by the one of `before`. Refuses cells of a map
+    /// that are too small or too large, as no other width can be assumed.
     pub fn checked(mut self, source: &DrawingSource, before: &Self) -> Result<Self, String> {
         let positive = |value: f64| (value > 0.0).then_some(value);
         if !source.is_scalable() {
@@ -116,13 +116,13 @@ impl FloorPlanSettings {
         Ok(self)
     }
 
-    /// How a drawing becomes a room, with so many metres a unit.
+    /// Parameters of tracing, with `metre` metres per unit.
     pub fn tracing(&self, metre: f64) -> Tracing {
         let Self { roles, gap, resolution, part, .. } = self;
         Tracing { roles: roles.clone(), metre, gap: *gap, resolution: *resolution, region: part.region() }
     }
 
-    /// How an image is read. What lies between wall and floor is unknown; where people set the shade themselves, nothing does.
+    /// Parameters for reading an image. Shades between wall and floor are unknown, unless the user has set the shade.
     pub fn shading(&self) -> Shading {
         let default = Shading::default();
         let occupied = if self.negate { self.shade } else { 1.0 - self.shade };
@@ -134,7 +134,7 @@ impl FloorPlanSettings {
 }
 
 impl DrawingPart {
-    /// The part as tracing takes it.
+    /// The part in the form for tracing.
     pub fn region(&self) -> DrawingRegion {
         let point = |&[x, y]: &[f64; 2]| Point::new(x, y);
         match self {

@@ -3,18 +3,18 @@
 use super::DrawingSource;
 use robovac_core::geometry::{Point, Vector};
 
-/// Longer side of what is seen, on the sheet. The view's limits of zooming leave room for 250 times as much and a
-/// sixteenth: see [`crate::Viewport`].
+/// Longer side of the source on the sheet. The view can zoom in by 250 times and out to a sixteenth: see
+/// [`crate::Viewport`].
 const SIDE: f64 = 100.0;
 
-/// Where a source lies on the sheet.
+/// Placement of a source on the sheet.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sheet {
     /// Its lower left corner, in its unit.
     low: Point,
     /// Its size on the sheet.
     pub size: Vector,
-    /// Sheet per unit.
+    /// Sheet units per source unit.
     pub scale: f64,
 }
 
@@ -24,7 +24,7 @@ impl Sheet {
         let (low, size) = source.extent();
         let side = size.max();
         let scale = if side > 0.0 && side.is_finite() { SIDE / side } else { 1.0 };
-        // Something that is flat still needs a sheet that is not.
+        // A source without height or width still needs a sheet with both.
         Self { low, size: (size * scale).sup(&Vector::new(1.0, 1.0)), scale }
     }
 

@@ -7,28 +7,28 @@ use robovac_core::{
     geometry::{Point, Vector},
 };
 
-/// What lies on the drawing board.
+/// The loaded source.
 #[derive(Debug, Clone)]
 pub enum DrawingSource {
-    /// Lines.
+    /// A line drawing.
     Drawing {
         /// The lines.
         drawing: Drawing,
-        /// The file, where it is a DXF: what is exported goes beside its content.
+        /// The file's bytes if it is a DXF, for exports that add to it.
         original: Option<Vec<u8>>,
     },
-    /// An image without a word on its scale and shades.
+    /// An image without metadata on its scale and shades.
     Image {
         /// The image, to be read again with other shades.
         file: SourceFile,
-        /// As it was read.
+        /// The map read from it.
         plan: FloorPlan,
     },
     /// Any other map, or a scenario.
     Map {
         /// The room.
         plan: FloorPlan,
-        /// What a scenario says beside it.
+        /// The other choices of a scenario.
         choices: Option<ScenarioChoices>,
     },
 }
@@ -52,7 +52,7 @@ impl DrawingSource {
         Ok(Self::Map { plan, choices })
     }
 
-    /// Reads an image again with other shades; whether there is one.
+    /// Reads an image again with other shades; returns whether the source is an image.
     pub fn shade(&mut self, shading: &Shading) -> Result<bool, MapError> {
         let Self::Image { file, plan } = self else { return Ok(false) };
         *plan = floor_plan::load_image(file, shading)?;
@@ -80,7 +80,7 @@ impl DrawingSource {
         }
     }
 
-    /// Metres per unit, as far as the files say. The unit of a map is its cell.
+    /// Metres per unit, if the files state it. The unit of a map is its cell.
     pub fn metre(&self) -> Option<f64> {
         match self {
             Self::Drawing { drawing, .. } => drawing.metre,
@@ -88,7 +88,7 @@ impl DrawingSource {
         }
     }
 
-    /// Whether its unit can be another one than it says: what stands in the room of a scenario is measured in metres.
+    /// Whether its unit can be changed: objects in a scenario's room are in metres.
     pub fn is_scalable(&self) -> bool {
         !matches!(self, Self::Map { plan, choices } if choices.is_some() || !plan.objects.is_empty())
     }

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-/// A unit that a drawing may be in.
+/// A unit for drawings.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Unit {
     /// Name in menus.
@@ -11,7 +11,7 @@ pub struct Unit {
     pub metre: f64,
 }
 
-/// The units that are offered. Inch and foot are the international ones of 1959: 25.4 mm, and 12 inches.
+/// The units in the menu. Inch and foot are the international ones of 1959: 25.4 mm, and 12 inches.
 pub const UNITS: [Unit; 5] = [
     Unit { name: "millimetres", metre: 0.001 },
     Unit { name: "centimetres", metre: 0.01 },
@@ -20,7 +20,7 @@ pub const UNITS: [Unit; 5] = [
     Unit { name: "feet", metre: 0.3048 },
 ];
 
-/// A size in metres, in words: `12.4 x 8.1 m`, with a third figure where that is needed to tell something from nothing.
+/// A size in metres, in words: `12.4 x 8.1 m`, with a third digit for small values.
 ///
 /// ```
 /// use robovac_app::floor_plan::size_in_words;

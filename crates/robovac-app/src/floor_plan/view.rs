@@ -1,12 +1,13 @@
 //! View model of the Floor plan tab, as one plain object.
 
 use super::{Doors, DrawingSession, DrawingSource, DrawingTool, FloorPlanSettings, UNITS, size_in_words};
+use crate::amount::amount;
 use coverage_planners::{stage::LineEndContact, sweep::Sweep};
 use floor_drawing::Role;
 use robovac_core::geometry::Point;
 use serde::Serialize;
 
-/// A draft as it is now.
+/// Snapshot of a drawing session.
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct DrawingView {
@@ -15,64 +16,64 @@ pub struct DrawingView {
     /// `drawing`, `image` or `map`.
     #[cfg_attr(feature = "types", ts(type = "\"drawing\" | \"image\" | \"map\""))]
     pub kind: &'static str,
-    /// Whether a file says how long its unit is.
+    /// Whether a file states its unit.
     pub says_unit: bool,
     /// Whether it can be scaled.
     pub is_scalable: bool,
-    /// Size of all of it, in words, if that is known.
+    /// Size of the source, in words, if known.
     pub size: Option<String>,
-    /// The units that there are, with the size that it would have.
+    /// The units in the menu, with the size that the source would have in each.
     pub units: Vec<UnitView>,
     /// Layers of a drawing.
     pub layers: Vec<LayerView>,
     /// Number of strokes of a drawing.
     pub strokes: usize,
-    /// What isn't drawn.
+    /// Content that isn't drawn.
     pub left_out: Vec<String>,
-    /// What was chosen.
+    /// Its settings.
     pub settings: FloorPlanSettings,
     /// The room, if there is one.
     pub room: Option<TracedRoomView>,
-    /// Open doors through which a room that was marked reaches on.
+    /// Open doors through which a chosen room extends.
     pub doors: Option<Doors>,
-    /// Why there is none; empty if there is, or if a question is open.
+    /// Why there is no room; empty if there is one or the user has yet to choose.
     pub fault: String,
-    /// What clicks mean.
+    /// The tool for clicks.
     pub tool: DrawingTool,
-    /// Points that were set.
+    /// Number of points set.
     pub points: usize,
-    /// Whether two points are set whose distance is to be typed.
+    /// Whether two scale points are set.
     pub is_measured: bool,
-    /// That distance as it is now, m.
+    /// Their present distance, m.
     pub measured_m: Option<f64>,
-    /// Width of the robot, m; `None` if something is wrong with it.
+    /// Width of the robot, m; `None` if it is invalid.
     pub body_width: Option<f64>,
-    /// Corners of its outline for a small picture, m; x ahead, y to the left. None of a circle.
+    /// Corners of its outline for a small picture, m; x ahead, y to the left. Empty for a circle.
     pub body: Vec<[f64; 2]>,
-    /// What is wrong with the robot.
+    /// Error of the robot's outline.
     pub body_fault: String,
     /// The sweep, once planned.
     pub sweep: Option<SweepView>,
-    /// One or two sentences that stand for the picture.
+    /// One or two sentences that describe the picture.
     pub words: String,
 }
 
-/// Snapshot of a floor plan, and of what is shown of its sweep.
+/// Snapshot of a floor plan, and of the displayed part of its sweep.
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct FloorPlanView {
     /// The floor plan.
     #[serde(flatten)]
     pub plan: DrawingView,
-    /// How long the sweep took to be planned.
+    /// Time taken to plan the sweep, s.
     pub seconds: f64,
-    /// Stage of the sweep that is shown, 0 for none.
+    /// Displayed stage of the sweep, 0 for none.
     pub stage: u8,
-    /// Heading of the slice that is shown, -1 for none.
+    /// Heading of the displayed slice, -1 for none.
     pub slice: i32,
 }
 
-/// A unit that may be chosen.
+/// A unit in the menu.
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct UnitView {
@@ -94,11 +95,11 @@ pub struct LayerView {
     pub colour: String,
     /// Number of strokes.
     pub strokes: usize,
-    /// What it is.
+    /// Its role.
     pub role: Role,
 }
 
-/// The room that comes of it.
+/// The resulting room.
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct TracedRoomView {
@@ -108,17 +109,17 @@ pub struct TracedRoomView {
     pub height_m: f64,
     /// Columns and rows.
     pub cells: [usize; 2],
-    /// Floor on which nothing stands, m².
+    /// Floor without objects, m².
     pub floor_m2: f64,
     /// Side of a cell, m.
     pub resolution: f64,
-    /// Things that stand or lie in it.
+    /// Number of objects.
     pub objects: usize,
     /// Gaps that were closed.
     pub gaps: usize,
 }
 
-/// A sweep in figures.
+/// Results of a sweep.
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct SweepView {
@@ -139,7 +140,7 @@ pub struct SweepView {
 }
 
 impl DrawingSession {
-    /// What there is to be seen.
+    /// The snapshot of this session.
     pub fn view(&self) -> DrawingView {
         let (source, settings) = (self.source(), self.settings());
         let (_, size) = source.extent();
@@ -208,7 +209,7 @@ impl DrawingSession {
     }
 }
 
-/// What is seen, in words, for those who don't see it.
+/// Description of the picture for screen readers.
 fn description(view: &DrawingView) -> String {
     let mut words = format!("Floor plan {}", view.name);
     let mut say = |text: String| {
@@ -217,7 +218,8 @@ fn description(view: &DrawingView) -> String {
     };
     if view.kind == "drawing" {
         let walls = view.layers.iter().filter(|layer| layer.role == Role::Wall).count();
-        say(format!("{} strokes on {} layers, {walls} of them walls", view.strokes, view.layers.len()));
+        let (strokes, layers) = (amount(view.strokes as i64, "stroke"), amount(view.layers.len() as i64, "layer"));
+        say(format!("{strokes} on {layers}, walls on {walls} of them"));
     }
     match (&view.size, &view.room) {
         (None, _) => say("unit not chosen yet".to_owned()),
@@ -228,8 +230,10 @@ fn description(view: &DrawingView) -> String {
                 size_in_words(room.width_m, room.height_m),
                 room.floor_m2
             ));
-            if room.objects + room.gaps > 0 {
-                say(format!("{} obstacles, {} closed gaps", room.objects, room.gaps));
+            for (count, what) in [(room.objects, "obstacle"), (room.gaps, "closed gap")] {
+                if count > 0 {
+                    say(amount(count as i64, what));
+                }
             }
         }
     }
@@ -242,8 +246,11 @@ fn description(view: &DrawingView) -> String {
     }
     if let Some(sweep) = &view.sweep {
         say(format!(
-            "a sweep of {:.1} metres with {} subgoals, {} of {} collisions resolved",
-            sweep.length, sweep.subgoals[0], sweep.resolved, sweep.collisions
+            "a sweep of {:.1} metres with {}, collisions resolved: {} of {}",
+            sweep.length,
+            amount(sweep.subgoals[0] as i64, "subgoal"),
+            sweep.resolved,
+            sweep.collisions
         ));
     }
     words.push('.');

@@ -11,21 +11,21 @@ use robovac_sim::{
 };
 use std::sync::Arc;
 
-/// What is taken over from the session.
+/// The settings taken over from the session.
 pub(super) struct MapBase {
     pub plan: Arc<FloorPlan>,
     pub title: String,
     pub prepared: Result<RoomSetup, String>,
     pub conditions: Conditions,
     pub seed: u64,
-    /// Tells room, start, robot, conditions and seed from others, also tomorrow.
+    /// Key of room, start, robot, conditions and seed; stable between sessions.
     pub place: String,
-    /// The session as it was.
+    /// Snapshot of the session.
     snapshot: SessionSnapshot,
 }
 
 impl MapBase {
-    /// What the session has now.
+    /// The session's settings.
     pub fn of(session: &Session) -> Self {
         let settings = session.settings();
         Self {
@@ -39,12 +39,12 @@ impl MapBase {
         }
     }
 
-    /// Whether the session is as it was.
+    /// Whether the session is unchanged.
     pub fn is_of(&self, session: &Session) -> bool {
         self.snapshot == session.snapshot()
     }
 
-    /// The robot at the start, about to explore, and what is really there; `None` if it doesn't fit in, or isn't in the
+    /// A run with the robot at the start, and the ground truth; `None` if the robot doesn't fit or isn't in the
     /// registry.
     pub fn run(&self, setup: &MapSetup, known: Option<&Known>) -> Option<(Run, RoomTruth)> {
         let prepared = self.prepared.as_ref().ok()?;
@@ -68,7 +68,7 @@ impl MapBase {
                 let mapper = mapper(setup.tracking).knowing(known.map().clone(), known.marks().clone());
                 observer.with_mapper(mapper).with_locator(known.locator(robot, setup.odometry, self.seed)?)
             }
-            // A controller that makes a map of its own acts by that.
+            // A controller with a map of its own acts by that.
             None if controller.mapper().is_none() => observer.with_mapper(mapper(setup.tracking)),
             None => observer,
         };
@@ -79,7 +79,7 @@ impl MapBase {
     }
 }
 
-/// Tells room, start, robot, conditions and seed of a session from others, also tomorrow.
+/// Key of a session's room, start, robot, conditions and seed; stable between sessions.
 fn place_of(session: &Session) -> String {
     let kept = session.link_pairs().filter(|(key, _)| {
         ["room", "robot", "cell", "seed", "slip", "quantised", "start"].contains(&key.as_str())

@@ -1,18 +1,18 @@
 //! Map quality over time.
 
-/// Samples that are kept; when there are more, every second one is dropped.
+/// Most samples kept; beyond that every second one is dropped.
 const MOST: usize = 600;
-/// Simulated time between samples at first, steps: three seconds.
+/// Initial simulated time between samples, steps: three seconds.
 const FIRST_STRIDE: u64 = 200;
 
 /// The figures at one moment.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CurveSample {
-    /// When, s.
+    /// Simulated time, s.
     pub time_s: f64,
     /// Share of the boundary that is on the map.
     pub boundary: f64,
-    /// Distance between belief and truth, m; `None` while the robot has no idea where it is.
+    /// Distance between the estimated and the true position, m; `None` while there is no estimate.
     pub position_m: Option<f64>,
     /// The same by odometry alone, m.
     pub odometry_m: Option<f64>,
@@ -49,7 +49,7 @@ impl Curve {
         }
     }
 
-    /// Forgets what came after `time_s`, when `steps` had been taken: it will go on otherwise.
+    /// Drops the samples after `time_s`, when `steps` had been taken, as the run will continue differently.
     pub fn cut(&mut self, steps: u64, time_s: f64) {
         self.samples.retain(|sample| sample.time_s <= time_s);
         self.next = self.next.min(steps + self.stride);

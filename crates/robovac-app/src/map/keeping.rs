@@ -1,10 +1,10 @@
-//! Stores and restores the Map tab.
+//! Storing and restoring of the Map tab.
 
 use super::{Known, MapSession, StoreError, Stored, stage::Return};
 use robovac_sim::STEP_S;
 
 impl MapSession {
-    /// The survey as text, to be brought back by [`MapSession::resume`]; `None` while there is nothing worth it.
+    /// The session as text for [`MapSession::resume`]; `None` if there is nothing worth storing.
     pub fn store(&self) -> Option<String> {
         let stage = self.stage.as_ref().filter(|stage| stage.returning.is_none())?;
         let run = stage.run();
@@ -25,8 +25,8 @@ impl MapSession {
         Some(stored.to_text())
     }
 
-    /// Goes back to where a survey was left that [`MapSession::store`] has stored: its map is there at once; the robot is driven
-    /// again, by the frames that follow, through all that it did. On an error everything stays as it was.
+    /// Restores a session stored by [`MapSession::store`]. Its map is there at once; the following frames simulate the
+    /// run again. Changes nothing on an error.
     pub fn resume(&mut self, text: &str) -> Result<(), StoreError> {
         let stored = Stored::from_text(text)?;
         let robot = self.prepared().map(|prepared| &prepared.robot);
@@ -50,13 +50,13 @@ impl MapSession {
         Ok(())
     }
 
-    /// Whether the last way back to where a survey was left has led elsewhere, once: programs of other versions drive
-    /// otherwise. What was stored is still right in itself.
+    /// Whether the last restored run ended in another state, reported once: another version of the program simulates
+    /// differently. The stored map remains valid.
     pub fn take_strayed(&mut self) -> bool {
         std::mem::take(&mut self.has_strayed)
     }
 
-    /// How far the way back to where a survey was left is done, 0 to 1; `None` if there is none.
+    /// Progress of restoring a run, 0 to 1; `None` if none is being restored.
     pub fn returned(&self) -> Option<f64> {
         let stage = self.stage.as_ref()?;
         Some(stage.run().steps() as f64 / stage.returning.as_ref()?.end.max(1) as f64)

@@ -18,22 +18,22 @@ use robovac_sim::{
 };
 use std::{fmt::Write, sync::Arc};
 
-/// Stream of the places where a robot is put down that is to find itself.
+/// Stream of random places for a robot that is to relocalise.
 const STREAM: u64 = 14;
-/// Log odds of a cell that a file is sure of.
+/// Log odds of a cell that is certain in a file.
 const SURE: f64 = 5.0;
-/// Longest side of a map, m: no robot has a larger home.
+/// Longest side of a map, m; beyond any home.
 const MOST_M: f64 = 200.0;
-/// Lengths that aren't told apart, m.
+/// Lengths that differ by less are equal, m.
 const TINY: f64 = 1e-6;
 
-/// Why a map can't be given to the robot.
+/// Reasons why the robot can't use a map.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum OpenError {
-    /// There is no robot that it could be given to.
+    /// There is no robot to use it.
     #[error("the robot doesn't fit into this room, so it can't use a map; choose another room in Explore")]
     NoRoom,
-    /// There is nothing on it to find oneself by.
+    /// It has no obstacles by which to localise.
     #[error(
         "the robot can't localise on this map: it has no walls, or no floor where the robot fits; choose another map"
     )]
@@ -48,7 +48,7 @@ pub enum OpenError {
     },
 }
 
-/// A map that the robot knows and does not change.
+/// A map that the robot uses without changing it.
 #[derive(Debug, Clone)]
 pub struct Known {
     map: Arc<OccupancyMap>,
@@ -57,7 +57,7 @@ pub struct Known {
     digest: u64,
 }
 
-/// Adds walls where the floor ends with the file: its outside counts as wall.
+/// Adds walls where the floor ends at the edge of the file, as everything outside counts as wall.
 fn wall_in(map: &mut OccupancyMap, [left, right, bottom, top]: [i32; 4]) {
     let is_floor = |map: &OccupancyMap, x, y| {
         (-1..=1).any(|dy| (-1..=1).any(|dx| map.occupancy(Cell::new(x + dx, y + dy)) == Occupancy::Free))
@@ -71,9 +71,9 @@ fn wall_in(map: &mut OccupancyMap, [left, right, bottom, top]: [i32; 4]) {
 }
 
 impl Known {
-    /// The map that `plan` is, in cells of `resolution` metres, in the frame of a room whose lower-left corner lies at
-    /// `origin` in the frame of that file: as files say where their corner lies, a map that was exported comes back where it
-    /// was.
+    /// The map of `plan`, in cells of `resolution` metres, in the frame of a room whose lower-left corner lies at
+    /// `origin` in the frame of that file: as files state the position of their corner, an exported map returns to its
+    /// place.
     pub(super) fn new(plan: &FloorPlan, origin: Pose, resolution: f64, robot: &RobotModel) -> Result<Self, OpenError> {
         let [width, height] = [plan.width_m(), plan.height_m()];
         if width.max(height) > MOST_M {
@@ -112,7 +112,7 @@ impl Known {
         Self::of(map, plan.name.clone(), robot)
     }
 
-    /// A map as it is, in the frame of the room.
+    /// A given map, in the frame of the room.
     pub(super) fn of(map: OccupancyMap, name: String, robot: &RobotModel) -> Result<Self, OpenError> {
         let mut text = String::new();
         for (cell, _) in map.iter() {
@@ -125,7 +125,7 @@ impl Known {
         if try_out.is_some() { Ok(known) } else { Err(OpenError::NothingOnIt) }
     }
 
-    /// What looks for the robot on it; `None` if there is nothing to go by.
+    /// The locator for it; `None` if there are no obstacles to use.
     pub(super) fn locator(&self, robot: &RobotModel, odometry: OdometryModel, seed: u64) -> Option<Locator> {
         Locator::new(&self.map, LocatorSetup { robot: robot.clone(), odometry, seed })
     }
@@ -138,7 +138,7 @@ impl Known {
         &self.marks
     }
 
-    /// What it is called.
+    /// Its name.
     pub fn name(&self) -> &str {
         &self.name
     }
@@ -149,8 +149,7 @@ impl Known {
 }
 
 impl MapSession {
-    /// Gives the robot a map, and puts it down anywhere in the room: it has to find out where. On an error everything stays
-    /// as it was.
+    /// Gives the robot a map, and kidnaps it to a random place in the room. Changes nothing on an error.
     pub fn open(&mut self, plan: &FloorPlan) -> Result<(), OpenError> {
         let (Some(base), Some(prepared), Some(truth)) = (&self.base, self.prepared(), self.truth()) else {
             return Err(OpenError::NoRoom);
@@ -160,7 +159,7 @@ impl MapSession {
         Ok(())
     }
 
-    /// The same with the map that it has made.
+    /// The same with the map that it made.
     pub fn open_own(&mut self) -> Result<(), OpenError> {
         let (Some(estimate), Some(prepared)) = (self.estimate(), self.prepared()) else {
             return Err(OpenError::NoRoom);
@@ -175,7 +174,7 @@ impl MapSession {
         self.begin();
     }
 
-    /// Kidnaps the robot: puts it down anywhere.
+    /// Kidnaps the robot to a random place.
     pub(super) fn lose(&mut self) {
         let seed = self.base.as_ref().map_or(0, |base| base.seed);
         if let Some(stage) = &mut self.stage {
@@ -185,7 +184,7 @@ impl MapSession {
         }
     }
 
-    /// Takes the map away that it was given: it explores and maps again.
+    /// Removes the given map: the robot explores and maps again.
     pub fn close_map(&mut self) {
         if self.known.take().is_some() {
             self.begin();

@@ -2,7 +2,7 @@
 
 use robovac_sim::experiment::SettingsError;
 
-/// Layers of the picture; each can be shown or not.
+/// Layers of the picture that can be shown or hidden.
 pub const LAYERS: [&str; 12] = [
     "belief",
     "truth",
@@ -18,7 +18,7 @@ pub const LAYERS: [&str; 12] = [
     "odometry",
 ];
 
-/// Those that the page opens with.
+/// The layers shown at first.
 const FIRST: [&str; 8] = ["belief", "truth", "cleaned", "left", "goals", "uncertainty", "robot", "trails"];
 
 /// The layers that are shown.
@@ -31,7 +31,7 @@ impl Layers {
         LAYERS.iter().zip(self.0).any(|(layer, on)| *layer == name && on)
     }
 
-    /// Shows a layer, or no longer.
+    /// Shows or hides a layer.
     pub fn set(&mut self, name: &str, on: bool) -> Result<(), SettingsError> {
         let index = LAYERS.iter().position(|layer| *layer == name).ok_or_else(|| SettingsError::Unknown {
             kind: "layer",
@@ -42,18 +42,18 @@ impl Layers {
         Ok(())
     }
 
-    /// Names of those that are shown.
+    /// Names of the shown layers.
     pub fn names(self) -> Vec<&'static str> {
         LAYERS.into_iter().filter(|name| self.has(name)).collect()
     }
 
-    /// As a link has it.
+    /// The layers in a link.
     pub fn to_link(self) -> String {
         let names = self.names().join(",");
         if names.is_empty() { "none".to_owned() } else { names }
     }
 
-    /// What a link says.
+    /// The layers by the text of a link.
     pub fn from_link(text: &str) -> Result<Self, SettingsError> {
         let mut layers = Self([false; LAYERS.len()]);
         for name in text.split(',').filter(|name| !name.is_empty() && *name != "none") {

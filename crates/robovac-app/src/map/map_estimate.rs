@@ -9,22 +9,21 @@ use robovac_sim::mapping::{Mapper, Marks, OccupancyMap, PoseCovariance, locate::
 pub struct MapEstimate<'a> {
     /// The map.
     pub map: &'a OccupancyMap,
-    /// What was cleaned, and where dirt was found.
+    /// Cleaned floor, and places where dirt was found.
     pub marks: &'a Marks,
     source: EstimateSource<'a>,
 }
 
-/// Who believes it.
+/// Source of the estimates.
 #[derive(Clone, Copy)]
 enum EstimateSource<'a> {
-    /// What makes the map.
+    /// The mapper.
     Mapper(&'a Mapper),
-    /// What looks for the robot on a map that it was given.
+    /// The locator on a given map.
     Locator(&'a Locator),
-    /// Relocalises a kidnapped robot on its own map: until the robot goes by what this says, it only
-    /// guesses.
+    /// Relocalises a kidnapped robot on its own map; only a guess until the robot uses it.
     Lost(&'a Locator),
-    /// Nobody at present: it was stored.
+    /// A stored estimate.
     Store(Pose),
 }
 
@@ -45,7 +44,7 @@ impl<'a> MapEstimate<'a> {
         Self { map: &still.map, marks: &still.marks, source: EstimateSource::Store(still.pose) }
     }
 
-    /// Its estimated pose; `None` while it has no idea.
+    /// Its estimated pose; `None` while there is none.
     pub fn pose(&self) -> Option<Pose> {
         match self.source {
             EstimateSource::Mapper(mapper) => Some(mapper.pose()),
@@ -54,7 +53,7 @@ impl<'a> MapEstimate<'a> {
         }
     }
 
-    /// How sure it is of that, as far as that is known.
+    /// Covariance of that pose, if known.
     pub fn pose_covariance(&self) -> Option<PoseCovariance> {
         match self.source {
             EstimateSource::Mapper(mapper) => Some(mapper.pose_covariance()),
@@ -63,7 +62,7 @@ impl<'a> MapEstimate<'a> {
         }
     }
 
-    /// Poses that it holds possible, with their weights, which add up to 1.
+    /// Possible poses with their weights, which add up to 1.
     pub fn particles(&self) -> Vec<(Pose, f64)> {
         match self.source {
             EstimateSource::Mapper(mapper) => mapper.particles(),
@@ -72,7 +71,7 @@ impl<'a> MapEstimate<'a> {
         }
     }
 
-    /// Whether hardly any other place is possible; `None` for a robot that isn't lost.
+    /// Whether hardly any other place is possible; `None` for a robot that wasn't kidnapped.
     pub fn is_sure(&self) -> Option<bool> {
         match self.source {
             EstimateSource::Locator(locator) => Some(locator.is_sure()),

@@ -1,8 +1,8 @@
 //! The Map tab: a robot maps an unknown room.
 //!
-//! [`MapSession`] is what the page has: a room taken over from the session, a robot in it that explores and maps, and time. What it
-//! believes is in its run's mapper; [`RoomTruth`] is what quality figures compare that with, and nothing else uses it.
-//! [`Stored`] brings all of it over a reload.
+//! [`MapSession`] is the tab's state: a room taken over from the session, a robot in it that explores and maps, and
+//! time. The robot's estimates are in its run's mapper; quality figures compare them with [`RoomTruth`], which nothing
+//! else uses. [`Stored`] preserves all of it over a reload.
 
 mod base;
 mod curve;

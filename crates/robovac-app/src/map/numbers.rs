@@ -18,7 +18,7 @@ pub(super) fn to_text(bytes: &[u8]) -> String {
     text
 }
 
-/// What [`to_text`] wrote; `None` for anything else.
+/// The bytes that [`to_text`] encoded; `None` for invalid text.
 pub(super) fn from_text(text: &str) -> Option<Vec<u8>> {
     let symbols = text.as_bytes();
     if !symbols.len().is_multiple_of(4) {
@@ -41,7 +41,7 @@ pub(super) fn from_text(text: &str) -> Option<Vec<u8>> {
     Some(bytes)
 }
 
-/// Adds a whole number: seven bits a byte, the lowest first, the sign lowest of all (zigzag).
+/// Appends a whole number: seven bits a byte, the lowest first, the sign lowest of all (zigzag).
 pub(super) fn push(bytes: &mut Vec<u8>, value: i64) {
     let mut rest = (value << 1 ^ value >> 63) as u64;
     while rest >= 0x80 {
@@ -51,7 +51,7 @@ pub(super) fn push(bytes: &mut Vec<u8>, value: i64) {
     bytes.push(rest as u8);
 }
 
-/// Takes a number that [`push`] added off the front; `None` if there is none.
+/// Removes a number that [`push`] wrote from the front; `None` if there is none.
 pub(super) fn take(bytes: &mut &[u8]) -> Option<i64> {
     let mut value = 0_u64;
     for shift in (0..64).step_by(7) {
@@ -65,7 +65,7 @@ pub(super) fn take(bytes: &mut &[u8]) -> Option<i64> {
     None
 }
 
-/// A number that other texts hardly have (FNV-1a), to find out what was damaged.
+/// A hash (FNV-1a) to detect damaged texts.
 pub(super) fn digest(text: &str) -> u64 {
     text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
 }

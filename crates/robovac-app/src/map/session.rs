@@ -16,30 +16,30 @@ use std::sync::Arc;
 
 /// Robot time of a single step, s.
 const STEP_LENGTH_S: f64 = 5.0;
-/// Time in the air that a hand takes at least, s: what is shown meanwhile stands still.
+/// Least time that the robot is held when it is moved, s; the display is still meanwhile.
 const IN_THE_AIR_S: f64 = 0.6;
-/// Time on the wall between two looks at the figures while time goes on, s.
+/// Real time between two updates of the figures while playing, s.
 const FIGURES_EVERY: f64 = 0.25;
 
-/// Everything that the place Map has.
+/// State of the tab Map.
 pub struct MapSession {
     pub(super) setup: MapSetup,
     pub(super) base: Option<MapBase>,
     pub(super) stage: Option<MapStage>,
-    /// The map that the robot has been given.
+    /// The map given to the robot.
     pub(super) known: Option<Known>,
     pub(super) playing: bool,
     pub(super) pacer: FramePacer,
-    /// Grows with every run that is made.
+    /// Changes with every new run.
     pub(super) version: u32,
-    /// Time since the figures were worked out, s.
+    /// Time since the figures were computed, s.
     stale_s: f64,
-    /// Whether the way back to a survey that was left has led elsewhere.
+    /// Whether a restored run ended in another state.
     pub(super) has_strayed: bool,
 }
 
 impl MapSession {
-    /// Nothing yet: see [`MapSession::take`].
+    /// Without a room: see [`MapSession::take`].
     pub fn new() -> Self {
         Self {
             setup: MapSetup::new(),
@@ -56,8 +56,7 @@ impl MapSession {
 
     // ---- choices
 
-    /// Takes room, robot, start, conditions and seed over from the session; cheap if they are the same. A survey of them
-    /// that is under way goes on.
+    /// Takes over room, robot, start, conditions and seed from the session; cheap if unchanged, and the run continues.
     pub fn take(&mut self, session: &Session) {
         if self.base.as_ref().is_some_and(|base| base.is_of(session)) {
             return;
@@ -66,13 +65,13 @@ impl MapSession {
         let is_same = self.base.as_ref().is_some_and(|before| before.place == base.place);
         self.base = Some(base);
         if !is_same {
-            // A map of another room is of no use here.
+            // The map of another room is dropped.
             self.known = None;
             self.begin();
         }
     }
 
-    /// Sets one choice: see [`MapSetup::set`]. A choice that another run comes of begins one.
+    /// Sets one choice: see [`MapSetup::set`]. A choice that affects the run starts a new one.
     pub fn set(&mut self, key: &str, value: &str) -> Result<(), SettingsError> {
         let before = self.recipe();
         self.setup.set(key, value)?;
@@ -83,12 +82,12 @@ impl MapSession {
         Ok(())
     }
 
-    /// Shows a layer of the picture, or no longer.
+    /// Shows or hides a layer of the picture.
     pub fn show(&mut self, layer: &str, on: bool) -> Result<(), SettingsError> {
         self.setup.layers.set(layer, on)
     }
 
-    /// Takes the choices of a link. On an error everything stays as it was.
+    /// Takes the choices of a link. Changes nothing on an error.
     pub fn restore(&mut self, link: &str) -> Result<(), SettingsError> {
         let before = self.recipe();
         self.setup.restore(link)?;
@@ -98,17 +97,17 @@ impl MapSession {
         Ok(())
     }
 
-    /// What is chosen.
+    /// The choices.
     pub fn setup(&self) -> &MapSetup {
         &self.setup
     }
 
-    /// Everything that determines the run: the same recipe makes the same map, tomorrow too.
+    /// Key of everything that determines the run; equal recipes give equal maps, also in other sessions.
     pub fn recipe(&self) -> String {
         self.recipe_on(self.known.as_ref())
     }
 
-    /// The same of a run on which the robot makes its map itself.
+    /// The same for the run in which the robot makes its map itself.
     pub fn home(&self) -> String {
         self.recipe_on(None)
     }
@@ -119,7 +118,7 @@ impl MapSession {
         format!("{place} {}{known}", self.setup.recipe().trim_end())
     }
 
-    /// Forgets the map: the robot stands at the start again, and knows nothing.
+    /// Drops the map: the robot is at the start and knows nothing.
     pub fn forget(&mut self) {
         self.begin();
     }
@@ -136,7 +135,7 @@ impl MapSession {
         self.refresh();
     }
 
-    /// A run from the start, on a map that it knows or without one; `None` if the robot doesn't fit in.
+    /// A run from the start, with a given map or without; `None` if the robot doesn't fit.
     pub(super) fn new_stage(&self, known: Option<Known>) -> Option<MapStage> {
         let (run, truth) = self.base.as_ref()?.run(&self.setup, known.as_ref())?;
         Some(MapStage::new(run, truth, known))
@@ -144,7 +143,7 @@ impl MapSession {
 
     // ---- time
 
-    /// What the survey is doing.
+    /// The phase of the run.
     pub fn phase(&self) -> MapPhase {
         let Some(stage) = &self.stage else { return MapPhase::Failed };
         let run = stage.run();
@@ -159,12 +158,12 @@ impl MapSession {
         }
     }
 
-    /// Whether that may be done now.
+    /// Whether an action is allowed now.
     pub fn can(&self, deed: MapAction) -> bool {
         self.phase().allows(deed)
     }
 
-    /// Lets `elapsed_s` seconds pass, as long as `has_time` says so.
+    /// Advances by `elapsed_s` seconds, while `has_time` returns true.
     pub fn frame(&mut self, elapsed_s: f64, has_time: &mut dyn FnMut() -> bool) {
         let phase = self.phase();
         let elapsed = elapsed_s.clamp(0.0, LONGEST_FRAME);
@@ -191,12 +190,12 @@ impl MapSession {
         }
     }
 
-    /// Lets time go on.
+    /// Starts or continues.
     pub fn play(&mut self) {
         self.playing = self.can(MapAction::Play) || self.playing;
     }
 
-    /// Stops time.
+    /// Pauses.
     pub fn pause(&mut self) {
         self.playing = false;
         if let Some(stage) = &mut self.stage {
@@ -205,7 +204,7 @@ impl MapSession {
         self.refresh();
     }
 
-    /// Goes on by five seconds.
+    /// Advances by five seconds.
     pub fn step(&mut self) {
         if !self.can(MapAction::Step) {
             return;
@@ -217,7 +216,7 @@ impl MapSession {
         self.refresh();
     }
 
-    /// Goes to another point of the time simulated so far, s.
+    /// Seeks another time within the time simulated so far, s.
     pub fn seek(&mut self, time_s: f64) {
         if !self.can(MapAction::Seek) {
             return;
@@ -238,7 +237,7 @@ impl MapSession {
         self.refresh();
     }
 
-    // ---- the hand on the robot
+    // ---- lifting
 
     /// Picks the robot up.
     pub fn lift(&mut self) {
@@ -247,8 +246,8 @@ impl MapSession {
         }
     }
 
-    /// Puts a robot that was picked up down at `pose`, or at the nearest place where it fits. It isn't told where, but it has felt
-    /// its wheels hang down for a moment.
+    /// Puts the robot down at `pose`, or at the nearest place where it fits. It isn't informed of the pose, but has
+    /// sensed wheel drops.
     pub fn put_down(&mut self, pose: Pose) {
         if self.can(MapAction::PutDown) {
             if let Some(stage) = &mut self.stage {
@@ -258,7 +257,7 @@ impl MapSession {
         }
     }
 
-    /// Tells the robot to clean what is left by the map that it has, and lets time go on.
+    /// Starts cleaning the remaining floor by the robot's map.
     pub fn clean(&mut self) {
         if self.can_clean() {
             self.input(Input::Clean(self.setup.planner.id));
@@ -266,7 +265,7 @@ impl MapSession {
         }
     }
 
-    /// Whether it can be told so: it needs a map.
+    /// Whether it can clean by a map, which must exist.
     pub fn can_clean(&self) -> bool {
         self.can(MapAction::Clean) && self.estimate().is_some_and(|estimate| estimate.map.bounds().is_some())
     }
@@ -278,36 +277,36 @@ impl MapSession {
         self.refresh();
     }
 
-    // ---- what is shown
+    // ---- state
 
-    /// The room as it really is.
+    /// The true room.
     pub fn plan(&self) -> Option<&Arc<FloorPlan>> {
         self.base.as_ref().map(|base| &base.plan)
     }
 
-    /// Room and robot; `None` if it doesn't fit in.
+    /// Room and robot; `None` if the robot doesn't fit.
     pub fn prepared(&self) -> Option<&RoomSetup> {
         self.base.as_ref()?.prepared.as_ref().ok()
     }
 
-    /// Why the robot can't be put into the room; empty if it can.
+    /// Why the robot can't be placed in the room; empty if it can.
     pub fn complaint(&self) -> &str {
         let fault = self.base.as_ref().and_then(|base| base.prepared.as_ref().err());
         fault.map_or("", String::as_str)
     }
 
-    /// The run at the moment that is shown.
+    /// The run at the displayed time.
     pub fn run(&self) -> Option<&Run> {
         self.stage.as_ref().map(MapStage::run)
     }
 
-    /// Changes whenever another run, or another moment of it, is shown.
+    /// Changes whenever another run, or another time of it, is displayed.
     pub fn version(&self) -> u64 {
         let moment = self.stage.as_ref().map_or(0, |stage| stage.recording.version());
         (u64::from(self.version) << 32) + moment
     }
 
-    /// What is really there.
+    /// The ground truth.
     pub fn truth(&self) -> Option<&RoomTruth> {
         self.stage.as_ref().map(|stage| &stage.truth)
     }
@@ -318,23 +317,23 @@ impl MapSession {
         stage.left().or_else(|| stage.estimate())
     }
 
-    /// What the robot is going for; nothing while it is driven back to where it was left.
+    /// The robot's current goal; `None` while a stored run is restored.
     pub fn intent(&self) -> Option<Intent<'_>> {
         let stage = self.stage.as_ref().filter(|stage| stage.returning.is_none())?;
         stage.run().intent()
     }
 
-    /// Figures of the map, and of one by odometry alone.
+    /// Errors of the map, and of a map by odometry alone.
     pub fn figures(&self) -> Option<[MapErrorFigures; 2]> {
         self.stage.as_ref().filter(|stage| stage.returning.is_none()).map(|stage| stage.figures)
     }
 
-    /// The figures over time.
+    /// The errors over time.
     pub fn samples(&self) -> &[CurveSample] {
         self.stage.as_ref().map_or(&[], |stage| stage.curve.samples())
     }
 
-    /// Works the figures out if they aren't those of what is shown.
+    /// Recomputes the errors if they are outdated.
     fn refresh(&mut self) {
         if let Some(stage) = &mut self.stage {
             self.stale_s = 0.0;

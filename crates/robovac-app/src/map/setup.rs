@@ -11,56 +11,56 @@ use robovac_sim::{
 };
 use std::collections::BTreeMap;
 
-/// Behaviours that aren't made to explore, but get around enough for it.
+/// Behaviours that aren't made for exploring but cover enough ground for it.
 const ROVERS: [&str; 3] = ["wall_follow", "bounce", "random_walk"];
-/// The behaviour that a survey begins with, once it is in the registry.
+/// The default behaviour, if it is in the registry.
 const FIRST: &str = "explore_frontier";
-/// The planner that a survey begins with.
+/// The default planner.
 const FIRST_CLEANER: &str = "boustrophedon_cells";
-/// Simulated time per time that a survey begins with: a flat takes a robot twenty minutes.
+/// The default speed, times real time: mapping a flat takes twenty minutes.
 const SPEED: f64 = 64.0;
 
-/// Names of choices in links; parameters of the behaviour begin with `x.` beside them.
+/// Names of choices in links; the behaviour's parameters begin with `x.`.
 const KEYS: [&str; 8] = ["explorer", "track", "counts", "wheels", "senses", "layers", "pace", "clean"];
 
-/// Behaviours that a survey can be made with, those made for it first.
+/// Behaviours for mapping, those made for exploring first.
 pub fn explorers() -> impl Iterator<Item = &'static BehaviourInfo> {
     let made_for_it = BEHAVIOURS.iter().copied().filter(|b| b.claims.explores);
     made_for_it.chain(ROVERS.into_iter().filter_map(controller::find))
 }
 
-/// Planners that what is left can be planned with: those that miss nothing and take a moment, as the robot waits.
+/// Planners for the remaining floor: complete and quick ones, as the robot waits.
 pub fn cleaners() -> impl Iterator<Item = &'static PlannerInfo> {
     PLANNERS.iter().copied().filter(|info| info.claims.complete && info.claims.fast)
 }
 
-/// Everything that is chosen in the place Map; room, robot, start and seed are Explore's.
+/// Settings of the tab Map; room, robot, start and seed are Explore's.
 #[derive(Debug, Clone)]
 pub struct MapSetup {
-    /// What explores.
+    /// The exploring behaviour.
     pub behaviour: &'static BehaviourInfo,
     /// Its parameters.
     pub params: Params,
-    /// Parameters that other behaviours had when they were left, to come back to.
+    /// Parameters of other behaviours, for when they are chosen again.
     left: BTreeMap<&'static str, Params>,
-    /// How the robot keeps track of itself.
+    /// How the robot estimates its pose.
     pub tracking: Tracking,
-    /// How wheel counts become motion.
+    /// How wheel counts are converted to motion.
     pub odometry: OdometryModel,
-    /// How well the wheels hold, if not as in Explore.
+    /// Level of wheel slip, if it differs from Explore.
     pub slip: Option<SlipLevel>,
-    /// How much the sensors err, if not as in Explore.
+    /// Level of sensor noise, if it differs from Explore.
     pub noise: Option<NoiseLevel>,
-    /// What plans the cleaning of what is left.
+    /// Planner for cleaning the remaining floor.
     pub planner: &'static PlannerInfo,
-    /// What is drawn.
+    /// Layers that are drawn.
     pub layers: Layers,
-    /// Times real time; 0 for as fast as it goes.
+    /// Speed, times real time; 0 for as fast as possible.
     pub speed: f64,
 }
 
 impl MapSetup {
-    /// What the place opens with.
+    /// The defaults.
     pub fn new() -> Self {
         let behaviour = controller::find(FIRST).or_else(|| explorers().next()).unwrap_or(BEHAVIOURS[0]);
         Self {
@@ -77,7 +77,7 @@ impl MapSetup {
         }
     }
 
-    /// Chooses a behaviour, with the parameters that it had when it was left.
+    /// Chooses a behaviour, with the parameters that it had before.
     pub fn choose_behaviour(&mut self, id: &str) -> Result<(), SettingsError> {
         let chosen = explorers().find(|b| b.id == id).ok_or_else(|| SettingsError::Unknown {
             kind: "exploring behaviour",
@@ -90,7 +90,7 @@ impl MapSetup {
         Ok(())
     }
 
-    /// Sets one choice from the text of a form or a link: see [`MapSetup::to_link`] for their names.
+    /// Sets one choice from the text of a form or a link: see [`MapSetup::to_link`] for the names.
     pub fn set(&mut self, key: &str, value: &str) -> Result<(), SettingsError> {
         let unknown =
             |kind, known: &[&str]| SettingsError::Unknown { kind, id: value.to_owned(), known: known.join(", ") };
@@ -135,19 +135,18 @@ impl MapSetup {
         Ok(())
     }
 
-    /// Parameters for the behaviour. One that makes a map of its own, to act by it, has parameters for what is chosen here
-    /// for all: how the robot keeps track of itself.
+    /// Parameters for the behaviour. One with a map of its own has a parameter for the tracking chosen here.
     pub fn driving_params(&self) -> Params {
         let mut params = self.params.clone();
         for (id, value) in [("tracking", self.tracking.id()), ("odometry", self.odometry.id())] {
-            // Others don't have it.
+            // Other behaviours don't have this parameter.
             let _ = params.set_text(self.behaviour.params, id, value);
         }
         params
     }
 
-    /// Wheels and sensors as they are here, where Explore has `there`: mapping with perfect ones would be pointless, so
-    /// unless something else is asked for, what is perfect there is typical here.
+    /// Conditions of this tab, where Explore has `there`. Mapping with perfect wheels and sensors would be pointless,
+    /// so by default those that are perfect there are typical here.
     pub fn conditions(&self, there: Conditions) -> Conditions {
         let slip = self.slip.unwrap_or(match there.slip {
             SlipLevel::None => SlipLevel::Typical,
@@ -161,7 +160,7 @@ impl MapSetup {
         Conditions { slip, noise, ..there }
     }
 
-    /// What determines a run: two setups with the same text make the same map.
+    /// Key of everything that determines a run: setups with the same text make the same map.
     pub fn recipe(&self) -> String {
         self.pairs()
             .into_iter()
@@ -206,17 +205,17 @@ impl MapSetup {
         pairs
     }
 
-    /// Takes what [`MapSetup::to_link`] wrote among other pairs, joined by `&`. On an error everything stays as it was.
+    /// Reads the pairs that [`MapSetup::to_link`] wrote, among others, joined by `&`. Changes nothing on an error.
     pub fn restore(&mut self, link: &str) -> Result<(), SettingsError> {
         let mut next = Self { left: self.left.clone(), ..Self::new() };
         let mut pairs: Vec<_> =
             link.trim_start_matches('#').split('&').filter_map(|pair| pair.split_once('=')).collect();
-        // A link that says nothing of this place leaves everything as it is.
+        // A link without choices of this tab changes nothing.
         let is_ours = |key: &str| KEYS.contains(&key) || key.starts_with("x.");
         if !pairs.iter().any(|(key, _)| is_ours(key)) {
             return Ok(());
         }
-        // Parameters are those of the behaviour.
+        // The behaviour first, as parameters belong to it.
         pairs.sort_by_key(|(key, _)| *key != "explorer");
         for (key, value) in pairs {
             next.set(key, value)?;

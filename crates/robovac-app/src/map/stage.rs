@@ -3,21 +3,21 @@
 use super::{CurveSample, Known, MapErrorFigures, MapEstimate, RoomTruth, Stored, curve::Curve, store::StoredMap};
 use robovac_sim::{Input, Run, RunRecording, STEP_S};
 
-/// A run under way, and what is known of it.
+/// A mapping run with its given map and error figures.
 pub(super) struct MapStage {
     pub recording: RunRecording,
     pub truth: RoomTruth,
-    /// The map that the robot has been given.
+    /// The map given to the robot.
     pub known: Option<Known>,
     pub curve: Curve,
-    /// Figures of the map, and of one by odometry alone, after so many steps.
+    /// Errors of the map, and of a map by odometry alone, with the number of steps at which they were computed.
     pub figures: [MapErrorFigures; 2],
     counted: Option<u64>,
-    /// What was stored, while the run is driven again up to there.
+    /// The stored state, while the run is restored.
     pub returning: Option<Return>,
 }
 
-/// The way back to where a survey was left.
+/// A run being restored.
 pub(super) struct Return {
     pub still: StoredMap,
     pub end: u64,
@@ -27,14 +27,14 @@ pub(super) struct Return {
 }
 
 impl Return {
-    /// The way to where that was stored.
+    /// The start of restoring a stored run.
     pub fn to(Stored { end, shown, digest, map, marks, pose, .. }: Stored) -> Self {
         Self { still: StoredMap { map, marks, pose }, end, shown, digest, is_seeking: false }
     }
 }
 
 impl MapStage {
-    /// A run that hasn't begun yet.
+    /// A run at its start.
     pub fn new(run: Run, truth: RoomTruth, known: Option<Known>) -> Self {
         let mut stage = Self {
             recording: RunRecording::new(run),
@@ -49,21 +49,21 @@ impl MapStage {
         stage
     }
 
-    /// The run at the moment that is shown.
+    /// The run at the displayed time.
     pub fn run(&self) -> &Run {
         self.recording.run()
     }
 
-    /// Lets a person do something now.
+    /// Applies an input of a person now.
     pub fn input(&mut self, input: Input) {
         self.recording.input(input);
         let run = self.recording.run();
         self.curve.cut(run.steps(), run.time_s());
-        // Nothing was driven, and yet it may be elsewhere.
+        // The robot can be elsewhere without a step.
         self.counted = None;
     }
 
-    /// What was stored of a survey that is on its way back.
+    /// The stored estimates while a run is restored.
     pub fn left(&self) -> Option<MapEstimate<'_>> {
         self.returning.as_ref().map(|way| MapEstimate::left(&way.still))
     }
@@ -79,7 +79,7 @@ impl MapStage {
         Some(locator.map_or(MapEstimate::of(mapper), |locator| MapEstimate::lost(mapper, locator)))
     }
 
-    /// Up to `steps` steps, with a look at the figures now and then; returns how many were taken.
+    /// Up to `steps` steps, with regular updates of the figures; returns the number taken.
     pub fn advance(&mut self, steps: u64, has_time: &mut dyn FnMut() -> bool) -> u64 {
         let mut taken = 0;
         while taken < steps && has_time() {
@@ -106,7 +106,7 @@ impl MapStage {
         self.curve.add(steps, CurveSample { time_s, boundary, position_m, odometry_m });
     }
 
-    /// Works the figures out, unless they are those of this moment.
+    /// Computes the errors, unless they are current.
     pub fn count(&mut self) {
         let run = self.recording.run();
         let now = (self.recording.version() << 40) + run.steps();
@@ -120,7 +120,7 @@ impl MapStage {
         self.figures = [here, odometry].map(Option::unwrap_or_default);
     }
 
-    /// Drives on to where the survey was left. Once there, says whether everything is as it was then.
+    /// Continues restoring a run. At its end, returns whether the state is the stored one.
     pub fn go_back(&mut self, has_time: &mut dyn FnMut() -> bool) -> Option<bool> {
         let &Return { end, shown, digest, is_seeking, .. } = self.returning.as_ref()?;
         if !is_seeking {

@@ -2,53 +2,53 @@
 
 use serde::Serialize;
 
-/// What the survey is doing.
+/// Phase of a mapping run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(rename_all = "lowercase")]
 pub enum MapPhase {
-    /// The robot doesn't fit into the room.
+    /// The robot doesn't fit in the room.
     Failed,
-    /// The robot stands at the start and has never set off.
+    /// The robot stands at the start and has never moved.
     Ready,
-    /// Time goes on.
+    /// The run is playing.
     Playing,
-    /// Time stands still.
+    /// The run is paused.
     Paused,
     /// The robot is held.
     Held,
-    /// On the way to another point of time.
+    /// Seeking another time.
     Seeking,
-    /// A survey that was left is driven again up to where it was left.
+    /// A stored run is restored by simulating it again.
     Resuming,
     /// The run is over.
     Finished,
 }
 
-/// What the user may ask for.
+/// Actions of the user.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MapAction {
-    /// Let time go on.
+    /// Start or continue.
     Play,
-    /// Stop time.
+    /// Pause.
     Pause,
-    /// Go on by a few seconds.
+    /// Advance by a few seconds.
     Step,
-    /// Go to another point of time, the start above all.
+    /// Seek another time.
     Seek,
     /// Pick the robot up, and put it down elsewhere.
     Lift,
     /// Put down the robot that is held.
     PutDown,
-    /// Forget the map and begin anew.
+    /// Drop the map and start again.
     Forget,
-    /// Let the robot clean what is left by its map.
+    /// Clean the remaining floor by the robot's map.
     Clean,
-    /// Take the map away: as a room, as files.
+    /// Export the map as a room or as files.
     UseMap,
-    /// Give the robot a map that was made before.
+    /// Give the robot an existing map.
     Open,
-    /// Choose another behaviour, other wheels, ...
+    /// Change the behaviour, wheels and other choices.
     Choose,
 }
 
@@ -65,7 +65,7 @@ impl MapPhase {
         Self::Finished,
     ];
 
-    /// Whether `deed` is offered in this phase.
+    /// Whether `deed` is allowed in this phase.
     pub fn allows(self, deed: MapAction) -> bool {
         use MapAction as D;
         let allowed: &[MapAction] = match self {
@@ -75,7 +75,7 @@ impl MapPhase {
             Self::Paused => &[D::Play, D::Step, D::Seek, D::Lift, D::Forget, D::Clean, D::UseMap, D::Open, D::Choose],
             Self::Held => &[D::PutDown, D::Forget, D::UseMap, D::Choose],
             Self::Seeking => &[D::Pause, D::Seek, D::Forget, D::Choose],
-            // The map that was stored is there already.
+            // The stored map is there already.
             Self::Resuming => &[D::Forget, D::UseMap, D::Choose],
             Self::Finished => &[D::Seek, D::Forget, D::Clean, D::UseMap, D::Open, D::Choose],
         };

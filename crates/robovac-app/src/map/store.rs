@@ -1,37 +1,38 @@
 //! A mapping run as text, so that it survives a reload of the page.
 //!
-//! What is stored is the way there and what came of it. A simulated run is deterministic: its recipe, what a person did, and
-//! the number of its steps bring it back to the last bit, particles and all, by driving it again (a few seconds). The map,
-//! the marks and the believed pose are stored beside that: they are shown meanwhile, and they are what is left if a newer
-//! program drives otherwise.
+//! Both the inputs and the result are stored. A simulated run is deterministic: its recipe, a person's inputs and the
+//! number of steps reproduce it to the last bit, particles included, by simulating it again (a few seconds). The map,
+//! the marks and the estimated pose are stored as well: they are shown meanwhile, and remain valid if a newer program
+//! simulates differently.
 
 use super::numbers::{digest, from_text, push, take, to_text};
 use coverage_planners;
 use robovac_core::{geometry::Pose, grid::Cell};
 use robovac_sim::{
     Input,
-    mapping::{Mark, Marks, OccupancyMap},
+    mapping::{CellMark, Marks, OccupancyMap},
 };
 use serde::{Deserialize, Serialize};
 
-/// Version of what is stored.
+/// Version of the format.
 pub const STORE_VERSION: u32 = 2;
-/// The oldest version that it still reads: version 1 has no cleaning by the map, and no map that was given, and is else the same.
+/// The oldest version that can be read: version 1 has no cleaning by the map and no given map, and is otherwise the
+/// same.
 const OLDEST: u32 = 1;
-/// What says that a text is a stored survey.
+/// Identifies the format.
 const FORMAT: &str = "robovac-survey";
 /// Log odds are stored in hundredths.
 const UNIT: f64 = 0.01;
-/// Longest side of a stored map, cells: no robot gets further in a run.
+/// Longest side of a stored map, cells; no robot drives further in a run.
 const MOST_SIDE: i64 = 1 << 14;
 
-/// Why a text can't be brought back. The text itself is left as it is.
+/// Reasons why a text can't be restored. The text is left unchanged.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum StoreError {
-    /// It is something else.
+    /// It isn't a stored run.
     #[error("the stored map can't be read: it wasn't saved by this page ({0})")]
     NotASurvey(String),
-    /// Another version of the page has stored it.
+    /// It was stored by another version of the page.
     #[error(
         "the stored map was saved by another version of this page (format {found}, here {STORE_VERSION}), so it can't \
          be continued"
@@ -40,13 +41,13 @@ pub enum StoreError {
         /// The version that it has.
         found: u32,
     },
-    /// It isn't what was stored.
+    /// It is damaged.
     #[error("the stored map is damaged ({what}), so it can't be continued")]
     Damaged {
-        /// What is wrong.
+        /// The damaged part.
         what: &'static str,
     },
-    /// The robot was told to clean by a plan of a planner that this page doesn't have.
+    /// The run uses a planner that this page doesn't have.
     #[error(
         "the stored run uses the planner \"{id}\", which this version of the page doesn't have, so it can't be \
          continued"
@@ -55,7 +56,7 @@ pub enum StoreError {
         /// The planner's id.
         id: String,
     },
-    /// It is of another room or robot, or was made otherwise.
+    /// It belongs to another room, robot or setup.
     #[error("the stored map belongs to another run, in \"{title}\"; choose that room, robot and behaviour first")]
     Another {
         /// The room's name.
@@ -63,32 +64,32 @@ pub enum StoreError {
     },
 }
 
-/// What is stored.
+/// A stored run.
 #[derive(Debug, Clone)]
 pub struct Stored {
-    /// What the run was made from: see [`super::MapSession::recipe`].
+    /// The recipe of the run: see [`super::MapSession::recipe`].
     pub recipe: String,
     /// Name of the room.
     pub title: String,
-    /// Steps that had been simulated.
+    /// Number of simulated steps.
     pub end: u64,
-    /// Steps of the moment that was shown.
+    /// Steps of the displayed moment.
     pub shown: u64,
     /// Digest of the run at that moment.
     pub digest: u64,
-    /// What a person did, after how many steps.
+    /// A person's inputs, with the number of steps before each.
     pub inputs: Vec<(u64, Input)>,
-    /// Where the robot believed to be at that moment.
+    /// The robot's estimated pose at that moment.
     pub pose: Pose,
-    /// What it knew of the room then.
+    /// Its map at that moment.
     pub map: OccupancyMap,
-    /// What it had cleaned, and where it had found dirt.
+    /// Floor that it had cleaned, and places where it had found dirt.
     pub marks: Marks,
-    /// The map that it was given, with its name.
+    /// The map given to it, with its name.
     pub known: Option<(String, OccupancyMap)>,
 }
 
-/// Map, marks and pose of a survey that was left.
+/// Map, marks and pose of a stored run.
 #[derive(Debug, Clone)]
 pub(super) struct StoredMap {
     pub map: OccupancyMap,
@@ -105,7 +106,7 @@ struct Envelope {
     body: String,
 }
 
-/// Enough to tell which version a text is of, whatever else is in it.
+/// The fields that identify the version of any text.
 #[derive(Deserialize)]
 struct VersionStamp {
     format: String,
@@ -128,7 +129,7 @@ struct StoredBody {
     known: Option<[String; 2]>,
 }
 
-/// What a person did.
+/// A stored input of a person.
 #[derive(Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 enum StoredDeed {
@@ -144,16 +145,17 @@ impl Stored {
         let deed = |&(step, input): &(u64, Input)| match input {
             Input::Lift => Some((step, StoredDeed::Lift)),
             Input::PutDown(pose) => Some((step, StoredDeed::PutDown([pose.x, pose.y, pose.heading]))),
-            // Behaviours that explore don't listen to a joystick.
+            // Exploring behaviours have no joystick.
             Input::Command(_) => None,
             Input::Clean(planner) => Some((step, StoredDeed::Clean(planner.to_owned()))),
         };
         let packed =
             |map: &OccupancyMap| to_text(&cells(map.iter().map(|(cell, odds)| (cell, (odds / UNIT).round() as i64))));
-        let bits =
-            |cell| i64::from(self.marks.has(cell, Mark::Cleaned)) + 2 * i64::from(self.marks.has(cell, Mark::Dirty));
-        let dirty = self.marks.cells(Mark::Dirty).filter(|&cell| !self.marks.has(cell, Mark::Cleaned));
-        let noted = self.marks.cells(Mark::Cleaned).chain(dirty).map(|cell| (cell, bits(cell)));
+        let bits = |cell| {
+            i64::from(self.marks.has(cell, CellMark::Cleaned)) + 2 * i64::from(self.marks.has(cell, CellMark::Dirty))
+        };
+        let dirty = self.marks.cells(CellMark::Dirty).filter(|&cell| !self.marks.has(cell, CellMark::Cleaned));
+        let noted = self.marks.cells(CellMark::Cleaned).chain(dirty).map(|cell| (cell, bits(cell)));
         let body = StoredBody {
             recipe: self.recipe.clone(),
             title: self.title.clone(),
@@ -173,7 +175,7 @@ impl Stored {
         serde_json::to_string(&envelope).unwrap_or_default()
     }
 
-    /// What [`Stored::to_text`] wrote.
+    /// The run that [`Stored::to_text`] wrote.
     pub fn from_text(text: &str) -> Result<Self, StoreError> {
         let stamp: VersionStamp = serde_json::from_str(text).map_err(|e| StoreError::NotASurvey(e.to_string()))?;
         if stamp.format != FORMAT {
@@ -205,7 +207,7 @@ impl Stored {
         let known = body.known.as_ref().map(|[name, text]| Ok((name.clone(), unpacked(text)?))).transpose()?;
         let mut marks = Marks::new(body.resolution);
         for (cell, bits) in list(&body.marks).ok_or_else(|| damaged("its marks can't be read"))? {
-            for mark in [Mark::Cleaned, Mark::Dirty] {
+            for mark in [CellMark::Cleaned, CellMark::Dirty] {
                 if bits & mark as i64 != 0 {
                     marks.note(cell.centre(body.resolution), 0.1 * body.resolution, mark);
                 }
@@ -258,7 +260,7 @@ fn cells(values: impl Iterator<Item = (Cell, i64)>) -> Vec<u8> {
     bytes
 }
 
-/// What [`cells`] wrote; `None` if it isn't that.
+/// The cells that [`cells`] wrote; `None` if the bytes are invalid.
 fn cells_of(mut bytes: &[u8]) -> Option<Vec<(Cell, i64)>> {
     let mut values = Vec::new();
     let (mut x, mut y) = (0_i64, 0_i64);

@@ -6,35 +6,35 @@ use robovac_core::{
 };
 use robovac_sim::mapping::{self, MapQuality, OccupancyMap};
 
-/// How true a map is of one cell.
+/// Correctness of a map in one cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CellVerdict {
-    /// An obstacle that is there, to within one cell.
+    /// An obstacle that exists, to within one cell.
     Right,
-    /// An obstacle where none is.
+    /// An obstacle that doesn't exist.
     Phantom,
-    /// Floor where an obstacle is.
+    /// Floor marked where an obstacle is.
     Missed,
     /// Part of the boundary that isn't on the map yet.
     Unseen,
 }
 
-/// The room in cells of a map whose frame is the room's, with one cell of the wall that the outside is around it.
+/// The true room in cells of a map in the room's frame, surrounded by one cell of wall.
 #[derive(Debug, Clone)]
 pub struct RoomTruth {
     resolution: f64,
-    /// Cells into whose middle an obstacle reaches.
+    /// Cells whose centre is inside an obstacle.
     solid: Grid<bool>,
-    /// Cells whose middle the body can cover.
+    /// Cells whose centre the body can cover.
     covered: Grid<bool>,
-    /// Obstacles beside those: what a bumper can find.
+    /// Obstacles beside those, which a bumper can find.
     boundary: Grid<bool>,
-    /// The same as quality is measured by.
+    /// The same in the form for measuring quality.
     measure: mapping::MapTruth,
 }
 
 impl RoomTruth {
-    /// Looks at `floor` in cells of `resolution` metres, for a round body of `radius` metres.
+    /// The truth of `floor` in cells of `resolution` metres, for a round body of `radius` metres.
     pub fn new(floor: &ReachableFloor, radius: f64, resolution: f64) -> Self {
         let size = |fine: usize| (fine as f64 * floor.resolution / resolution).ceil().max(1.0) as usize + 2;
         let (width, height) = (size(floor.floor.width()), size(floor.floor.height()));
@@ -64,7 +64,7 @@ impl RoomTruth {
         Self { resolution, solid, covered, boundary, measure: mapping::MapTruth::of(floor, resolution) }
     }
 
-    /// How good a map is.
+    /// Quality of a map.
     pub fn quality(&self, map: &OccupancyMap) -> MapQuality {
         self.measure.quality(map)
     }
@@ -80,12 +80,12 @@ impl RoomTruth {
         (Cell::new(-1, -1), Cell::new(width - 2, height - 2))
     }
 
-    /// Whether an obstacle is there; the outside is one.
+    /// Whether an obstacle is there; everything outside is one.
     pub fn is_solid(&self, cell: Cell) -> bool {
         self.solid.get(inner(cell)).copied().unwrap_or(true)
     }
 
-    /// Cells whose middle the body can cover.
+    /// Cells whose centre the body can cover.
     pub fn covered(&self) -> impl Iterator<Item = Cell> {
         self.covered.iter().filter(|(_, is)| **is).map(|(at, _)| outer(at))
     }
@@ -95,8 +95,7 @@ impl RoomTruth {
         self.boundary.iter().filter(|(_, is)| **is).map(|(at, _)| outer(at))
     }
 
-    /// How true what the map says of a cell is; `None` where there is nothing to tell: floor that is floor, and what
-    /// nobody can know.
+    /// Correctness of the map in a cell; `None` for floor that is right, and for cells that can't be known.
     pub fn verdict(&self, map: &OccupancyMap, cell: Cell) -> Option<CellVerdict> {
         match map.occupancy(cell) {
             Occupancy::Occupied if around(cell).any(|near| self.is_solid(near)) => Some(CellVerdict::Right),
@@ -111,12 +110,12 @@ impl RoomTruth {
     }
 }
 
-/// A cell of the map, in the grids.
+/// A map cell in the coordinates of the grids.
 fn inner(cell: Cell) -> Cell {
     Cell::new(cell.x + 1, cell.y + 1)
 }
 
-/// A cell of the grids, on the map.
+/// A cell of the grids in the coordinates of the map.
 fn outer(at: Cell) -> Cell {
     Cell::new(at.x - 1, at.y - 1)
 }

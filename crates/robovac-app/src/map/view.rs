@@ -1,113 +1,113 @@
-//! View model of the Map tab's numbers and texts: one snapshot a frame.
+//! View model of the Map tab's numbers and texts: one snapshot per frame.
 
 use super::{MapAction, MapErrorFigures, MapPhase, MapSession};
-use robovac_sim::{Conditions, Run, mapping::Mark};
+use robovac_sim::{Conditions, Run, mapping::CellMark};
 use serde::Serialize;
 
-/// Snapshot of a survey. SI units; shares from 0 to 1.
+/// Snapshot of a mapping run. SI units; shares from 0 to 1.
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct MapView {
-    /// What the survey is doing.
+    /// Phase of the run.
     pub phase: MapPhase,
-    /// What the user may do.
+    /// Actions that are allowed now.
     pub can: MapActions,
-    /// Why the robot can't be put into the room; empty if it can.
+    /// Why the robot can't be placed in the room; empty if it can.
     pub complaint: String,
     /// Name of the room.
     pub title: String,
     /// Id of the behaviour.
     pub behaviour: &'static str,
-    /// What the robot is doing, in a few words.
+    /// The robot's activity, in a few words.
     pub activity: &'static str,
     /// Its parameters.
     pub params: robovac_core::registry::Params,
-    /// How the robot keeps track of itself.
+    /// How the robot estimates its pose.
     pub tracking: &'static str,
-    /// How wheel counts become motion.
+    /// How wheel counts are converted to motion.
     pub counts: &'static str,
-    /// How well the wheels hold.
+    /// Level of wheel slip.
     pub wheels: &'static str,
-    /// How much the sensors err; empty if each kind errs otherwise.
+    /// Level of sensor noise; empty if the kinds differ.
     pub senses: String,
     /// Layers that are shown.
     pub layers: Vec<&'static str>,
-    /// Speed asked for, times real time; 0 for as fast as it goes.
+    /// Set speed, times real time; 0 for as fast as possible.
     pub speed: f64,
-    /// Speed reached lately, times real time.
+    /// Achieved speed, times real time.
     pub speed_factor: f64,
-    /// Time shown, s.
+    /// Displayed time, s.
     pub time_s: f64,
     /// Furthest simulated time, s.
     pub end_s: f64,
-    /// How far the way back to a survey that was left is done; `None` if there is none.
+    /// Progress of restoring a stored run; `None` if none is being restored.
     pub returned: Option<f64>,
-    /// Figures of the map.
+    /// Errors of the map.
     pub figures: Option<MapErrorFigures>,
-    /// Figures of a map by odometry alone.
+    /// Errors of a map by odometry alone.
     pub odometry: Option<MapErrorFigures>,
-    /// How far off dead reckoning would be, one for each odometry model in the order of their registry: m and degrees.
+    /// Errors of dead reckoning, one for each odometry model in the order of their registry: m and degrees.
     pub drifts: Vec<[f64; 2]>,
-    /// Standard deviations that the robot believes in: along the longer axis of the ellipse (m), and heading (degrees).
+    /// Standard deviations of the estimate: along the longer axis of the ellipse (m), and heading (degrees).
     pub spread: Option<[f64; 2]>,
-    /// Name of the map that the robot was given; `None` if it makes its own.
+    /// Name of the map given to the robot; `None` if it makes its own.
     pub known: Option<String>,
-    /// Whether it is sure of its place on that; `None` if it was never lost.
+    /// Whether it has relocalised on that map; `None` if it was never lost.
     pub is_sure: Option<bool>,
-    /// Id of the planner of what is left.
+    /// Id of the planner for the remaining floor.
     pub planner: &'static str,
-    /// Pieces of unknown floor that it could go for.
+    /// Number of frontiers.
     pub frontiers: usize,
-    /// Whether it is driving along a line to somewhere.
+    /// Whether it follows a route.
     pub has_route: bool,
     /// Whether it cleans by its map.
     pub is_cleaning: bool,
-    /// Floor that it can get to by its map and believes to have swept, and all that it can get to, m²; `None` unless it cleans
-    /// by that.
+    /// Floor reachable by its map that it has swept by its estimate, and all floor reachable by its map, m²; `None`
+    /// unless it cleans by a map.
     pub by_map: Option<[f64; 2]>,
     /// Floor cleaned by the robot's own estimate, m².
     pub cleaned_m2: f64,
-    /// Share of the reachable floor that it really has cleaned.
+    /// Swept share of the reachable floor.
     pub coverage: f64,
-    /// Places where it has found dirt, m².
+    /// Area where it has found dirt, m².
     pub dirt_m2: f64,
-    /// Number of samples of the curve; grows or shrinks with them.
+    /// Number of samples of the curve; changes with them.
     pub samples: usize,
-    /// Changes whenever another run, or another moment of it, is shown.
+    /// Changes whenever another run, or another time of it, is displayed.
     pub version: f64,
-    /// Whether a hand holds the robot on the picture, which the session doesn't know.
+    /// Whether the robot is held on the picture; not part of the session.
     pub is_carried: bool,
 }
 
-/// What the user may do now.
+/// Actions that are allowed now.
 #[expect(clippy::struct_excessive_bools)]
 #[derive(Debug, Clone, Copy, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct MapActions {
-    /// Let time go on.
+    /// Start or continue.
     pub play: bool,
-    /// Stop time.
+    /// Pause.
     pub pause: bool,
-    /// Go on by a few seconds.
+    /// Advance by a few seconds.
     pub step: bool,
-    /// Go to another point of time.
+    /// Seek another time.
     pub seek: bool,
     /// Pick the robot up.
     pub lift: bool,
     /// Put it down.
     pub put_down: bool,
-    /// Begin anew.
+    /// Start again.
     pub forget: bool,
-    /// Take the map away.
+    /// Export the map.
     pub use_map: bool,
-    /// Let it clean by its map.
+    /// Clean by the map.
     pub clean: bool,
     /// Give the robot a map.
     pub open: bool,
 }
 
 impl MapSession {
-    /// What the page shows now.
+    /// The snapshot of this session.
     pub fn view(&self) -> MapView {
         let can = |deed| self.can(deed);
         let setup = self.setup();
@@ -125,7 +125,7 @@ impl MapSession {
             })
         };
         let spread = estimate
-            // Who only guesses is sure of nothing: one cloud of many says little.
+            // A single covariance says little about several clouds of particles.
             .filter(|estimate| estimate.is_sure() != Some(false))
             .and_then(|estimate| estimate.pose_covariance())
             .map(|spread| [spread.ellipse().0[0], spread.heading.to_degrees()]);
@@ -171,9 +171,9 @@ impl MapSession {
             has_route: intent.is_some_and(|intent| !intent.route.is_empty()),
             is_cleaning: reach.is_some(),
             by_map: reach.zip(estimate).and_then(|(intent, estimate)| intent.swept(estimate.marks)),
-            cleaned_m2: area(Mark::Cleaned),
+            cleaned_m2: area(CellMark::Cleaned),
             coverage: run.map_or(0.0, Run::coverage),
-            dirt_m2: area(Mark::Dirty),
+            dirt_m2: area(CellMark::Dirty),
             samples: self.samples().len(),
             version: self.version() as f64,
             is_carried: false,

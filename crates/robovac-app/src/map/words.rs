@@ -3,7 +3,7 @@
 use super::{MapPhase, MapSession};
 
 impl MapSession {
-    /// One or two sentences that stand for the picture.
+    /// One or two sentences that describe the picture.
     pub fn description(&self) -> String {
         let title = self.base.as_ref().map_or("no room", |base| &base.title);
         let Some(run) = self.run() else { return format!("Map of {title}: the robot doesn't fit into this room.") };

@@ -2,10 +2,15 @@
 
 use roomba_oi::Buttons;
 use std::{
-    io::BufRead,
-    sync::mpsc::{Receiver, TryRecvError, channel},
+    io::{BufRead, Read},
+    sync::mpsc::{Receiver, TryRecvError, sync_channel},
     thread,
 };
+
+/// Orders that are read ahead at most; whoever writes more has to wait.
+const MOST_ORDERS: usize = 64;
+/// Longest order, bytes; what follows on its line is ignored.
+const LONGEST: u64 = 200;
 
 /// Something to be done.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,9 +37,10 @@ impl Control {
         if !is_wanted {
             return Self(None);
         }
-        let (sender, receiver) = channel();
+        let (sender, receiver) = sync_channel(MOST_ORDERS);
         thread::spawn(move || {
-            for line in std::io::stdin().lock().lines().map_while(Result::ok) {
+            let mut stdin = std::io::stdin().lock();
+            while let Some(line) = read_line(&mut stdin) {
                 if sender.send(line).is_err() {
                     return;
                 }
@@ -51,6 +57,17 @@ impl Control {
             Err(TryRecvError::Disconnected) => Some(Ok(Order::Quit)),
         }
     }
+}
+
+/// The beginning of the next line; `None` at the end of the input.
+fn read_line(input: &mut impl BufRead) -> Option<String> {
+    let mut line = Vec::new();
+    let count = input.by_ref().take(LONGEST).read_until(b'\n', &mut line).ok()?;
+    let is_whole = line.last() == Some(&b'\n') || (count as u64) < LONGEST;
+    if !is_whole {
+        input.skip_until(b'\n').ok()?;
+    }
+    (count > 0).then(|| String::from_utf8_lossy(&line).trim_end().to_owned())
 }
 
 fn parse(line: &str) -> Result<Order, String> {
@@ -76,6 +93,19 @@ fn parse(line: &str) -> Result<Order, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn lines_are_read_as_far_as_orders_can_be_long() {
+        let long = "x".repeat(100_000);
+        let text = format!("lift\n{long}\nstate\r\n\u{fffd}\nquit");
+        let mut input = std::io::Cursor::new(text);
+        let lines: Vec<String> = std::iter::from_fn(|| read_line(&mut input)).collect();
+        assert_eq!(lines.len(), 5);
+        assert_eq!(
+            (lines[0].as_str(), lines[1].len(), lines[2].as_str(), lines[4].as_str()),
+            ("lift", 200, "state", "quit")
+        );
+    }
 
     #[test]
     fn orders_are_words_and_others_are_named() {

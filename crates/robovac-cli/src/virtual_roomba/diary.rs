@@ -48,7 +48,7 @@ impl Diary {
     }
 }
 
-/// Whether a command lets the wheels turn, or tells the robot to drive by itself.
+/// Whether a command makes the wheels turn, or starts one of the robot's own programs.
 pub fn moves(bytes: &[u8]) -> bool {
     match Command::parse(bytes) {
         Ok(Command::DriveDirect { right, left } | Command::DrivePwm { right, left }) => (right, left) != (0, 0),

@@ -6,26 +6,28 @@ use std::{
     io::{Read, Write},
     sync::{
         Arc, Condvar, Mutex, PoisonError,
-        mpsc::{Receiver, TryRecvError, channel},
+        mpsc::{Receiver, TryRecvError, sync_channel},
     },
     thread,
 };
 
 /// Bytes that wait for a reader at most; the oldest go first.
 const MOST_WAITING: usize = 1 << 16;
+/// Portions of standard input that are read ahead at most; whoever writes more has to wait.
+const MOST_LUMPS: usize = 4;
 
 /// The host's end of a line. Nothing here ever waits for the host.
 pub trait HostLine {
-    /// What `ready` is followed by.
+    /// The text after `ready`.
     fn name(&self) -> String;
 
     /// The host's baud rate.
     fn baud(&self) -> u32;
 
-    /// Appends what has arrived; false once nothing ever will again.
+    /// Appends received bytes; false at the end of input.
     fn read(&mut self, bytes: &mut Vec<u8>) -> Result<bool, Failure>;
 
-    /// Hands bytes on; what nobody reads is dropped, the oldest first.
+    /// Sends bytes; unread ones are dropped, the oldest first.
     fn write(&mut self, bytes: &[u8]) -> Result<(), Failure>;
 
     /// Pulls the cable out, or plugs it in again; whether that can be done.
@@ -40,7 +42,7 @@ pub fn keep_latest(queue: &mut VecDeque<u8>, bytes: &[u8]) {
     queue.drain(..queue.len().saturating_sub(MOST_WAITING));
 }
 
-/// Standard input and output, each with a thread that may wait.
+/// Standard input and output, each with a thread that can block.
 pub struct StandardStreams {
     baud: u32,
     incoming: Receiver<Vec<u8>>,
@@ -49,7 +51,7 @@ pub struct StandardStreams {
 
 impl StandardStreams {
     pub fn new(baud: u32) -> Self {
-        let (sender, incoming) = channel();
+        let (sender, incoming) = sync_channel(MOST_LUMPS);
         thread::spawn(move || {
             let mut buffer = [0; 4096];
             let mut stdin = std::io::stdin().lock();

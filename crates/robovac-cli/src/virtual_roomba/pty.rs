@@ -95,7 +95,7 @@ impl HostLine for Pty {
 
     fn baud(&self) -> u32 {
         let settings = self.ends.as_ref().and_then(|ends| tcgetattr(&ends.host).ok());
-        // Zero hangs up: nobody has chosen a rate.
+        // Zero hangs up: no rate has been set.
         settings.map(|settings| settings.output_speed()).filter(|&baud| baud > 0).unwrap_or(BAUD)
     }
 
@@ -104,7 +104,7 @@ impl HostLine for Pty {
         let mut buffer = [0; 512];
         match read(&ends.robot, &mut buffer) {
             Ok(count) => bytes.extend(buffer.get(..count).unwrap_or_default()),
-            // No host at present; this side holds the terminal open, but some systems say so all the same.
+            // No host at present; some systems report this although this side holds the terminal open.
             Err(Errno::AGAIN | Errno::INTR | Errno::IO) => {}
             Err(error) => return Err(self.fail(error)),
         }
@@ -119,7 +119,7 @@ impl HostLine for Pty {
             match write(&ends.robot, rest) {
                 Ok(count) => rest = rest.get(count..).unwrap_or_default(),
                 Err(Errno::INTR) => {}
-                // Nobody reads: what waits is older than what comes.
+                // Unread bytes are dropped, as newer ones replace them.
                 Err(Errno::AGAIN) if !is_flushed => {
                     tcflush(&ends.host, QueueSelector::IFlush).map_err(|e| self.fail(e))?;
                     is_flushed = true;

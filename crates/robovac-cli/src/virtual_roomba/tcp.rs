@@ -8,7 +8,7 @@ use std::{
     net::{SocketAddr, TcpListener, TcpStream},
 };
 
-/// The port, and who is connected.
+/// The port, and the connected host.
 pub struct TcpLine {
     listener: TcpListener,
     address: SocketAddr,
@@ -61,7 +61,7 @@ impl HostLine for TcpLine {
         match client.read(&mut buffer) {
             Ok(count @ 1..) => bytes.extend(buffer.get(..count).unwrap_or_default()),
             Err(error) if is_busy(&error) => {}
-            // Gone; another one may come.
+            // The host has gone; another one can connect.
             Ok(0) | Err(_) => self.client = None,
         }
         Ok(true)

@@ -126,7 +126,7 @@ fn start_heading_seed_robot_and_cell_are_taken_over() {
     );
 }
 
-/// What `simulate --json` writes.
+/// Output of `simulate --json`.
 fn simulated(more: &[&str]) -> Value {
     let output = text(&[&["simulate", "--json"], more].concat());
     assert_eq!(output.lines().count(), 1);
@@ -284,7 +284,7 @@ fn montecarlo_says_what_it_does_not_know() {
 
 #[test]
 fn bench_names_its_cases_and_their_times() {
-    let table = text(&["bench"]);
+    let table = text(&["bench", "--once"]);
     let simulates = |name: &str| ["simulate ", "map ", "hear "].iter().any(|word| name.starts_with(word));
     for row in table.lines().skip(1) {
         // Names are padded, and followed by milliseconds and perhaps times real time.
@@ -296,7 +296,7 @@ fn bench_names_its_cases_and_their_times() {
     for planner in PLANNERS {
         assert!(table.contains(&format!("\nplan {} 100 x 100  ", planner.id)), "{} isn't in {table}", planner.id);
     }
-    let some: Value = serde_json::from_str(&text(&["bench", "--json", "--only", "simulate"])).unwrap();
+    let some: Value = serde_json::from_str(&text(&["bench", "--once", "--json", "--only", "simulate"])).unwrap();
     let some = some.as_array().unwrap();
     assert!(!some.is_empty());
     for result in some {

@@ -26,7 +26,7 @@ fn runs_are_measured() {
     assert_eq!(text.matches("median coverage").count(), 2, "{text}");
 }
 
-// slow: the contract over all rooms, as somebody else would run it
+// slow: the contract over all rooms, as in another crate
 #[test]
 fn a_planner_of_ones_own_keeps_the_contract() {
     let text = own_planner::report().unwrap();

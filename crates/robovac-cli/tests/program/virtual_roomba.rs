@@ -21,7 +21,7 @@ use std::{
 const PATIENCE: Duration = Duration::from_secs(20);
 
 /// A running program, which ends with the test.
-struct Program {
+pub(super) struct Program {
     child: Child,
     orders: Option<ChildStdin>,
     told: BufReader<ChildStdout>,
@@ -29,7 +29,7 @@ struct Program {
 }
 
 impl Program {
-    fn start(name: &str, arguments: &[&str]) -> Self {
+    pub(super) fn start(name: &str, arguments: &[&str]) -> Self {
         let link = std::env::temp_dir().join(format!("robovac-{}-{name}", std::process::id()));
         let mut command = Command::new(env!("CARGO_BIN_EXE_robovac"));
         command.arg("virtual-roomba").args(arguments);
@@ -48,7 +48,7 @@ impl Program {
         line.trim_end().to_owned()
     }
 
-    fn ready(&mut self) -> String {
+    pub(super) fn ready(&mut self) -> String {
         self.line().strip_prefix("ready ").expect("ready").to_owned()
     }
 
@@ -56,12 +56,12 @@ impl Program {
         writeln!(self.orders.as_mut().unwrap(), "{order}").unwrap();
     }
 
-    fn state(&mut self) -> Value {
+    pub(super) fn state(&mut self) -> Value {
         self.order("state");
         serde_json::from_str(&self.line()).unwrap()
     }
 
-    /// Waits until its state is as wanted.
+    /// Waits until its state satisfies `holds`.
     fn wait_for(&mut self, what: &str, holds: impl Fn(&Value) -> bool) -> Value {
         let begin = Instant::now();
         loop {
@@ -160,7 +160,7 @@ fn programs_come_and_go_and_a_reader_that_isnt_there_blocks_nothing() {
     let mut program = Program::start("absent", &[]);
     program.ready();
     Terminal::open(&program).send(&[128, 148, 1, 100]);
-    // Nobody reads 5.6 kB a second for a while; the robot lives on.
+    // 5.6 kB a second aren't read for a while; the robot keeps running.
     let before = program.state()["time_s"].as_f64().unwrap();
     program.wait_for("time passes", |state| state["time_s"].as_f64().unwrap() > before + 3.0);
     let terminal = Terminal::open(&program);

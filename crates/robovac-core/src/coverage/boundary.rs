@@ -1,7 +1,7 @@
 //! The detectable boundary: faces of walls and furniture within reach of the sensors, and how many have been detected.
 //!
-//! Like coverage this is measured against the truth, not the robot's estimate: how fast a way of exploring meets what
-//! there is to be mapped, apart from how well the map then is.
+//! Like coverage, this is measured against the ground truth, not the robot's estimate: it shows how fast an exploration
+//! finds what there is to map, independently of the quality of the map.
 
 use super::{ReachableFloor, Walls};
 use crate::{
@@ -12,20 +12,20 @@ use crate::{
 };
 use std::sync::Arc;
 
-/// Way from the body's edge that a beam of the light bumper counts for, m (ours): a wall straight ahead is reported from 13 cm
-/// on, what is slanted or darker from less. Deep corners are farther away.
+/// Reach of a light bumper's beam from the body's edge, m (ours): a wall straight ahead is reported from 13 cm on,
+/// slanted or dark surfaces from less. Deep corners are farther away.
 const LIGHT_REACH: f64 = 0.05;
 /// Distance of the body from a wall that counts as a contact, m.
 const TOUCH: f64 = 0.01;
 /// Side of its cells, m: that of the maps that robots make here, so that a thin leg is one cell or two.
 const SIDE: f64 = 0.05;
-/// Directions that are looked at from each place.
+/// Number of directions sampled at each place.
 const DIRECTIONS: u32 = 48;
-/// How far behind a surface its cell is looked up, m.
+/// Distance behind a surface at which its cell is looked up, m.
 const BEHIND: f64 = 0.001;
 
-/// Cells of 5 cm in which there is something that a robot's sensors can meet: the face of a wall or of furniture, touched or
-/// lit from a place where the robot can stand.
+/// Cells of 5 cm with something that a robot's sensors can detect: the face of a wall or of furniture, touched or lit
+/// from a place where the robot can stand.
 #[derive(Debug)]
 pub struct Boundary {
     floor: Arc<ReachableFloor>,
@@ -34,7 +34,7 @@ pub struct Boundary {
     count: usize,
 }
 
-/// How much of a boundary has been met.
+/// The detected part of a boundary.
 #[derive(Debug, Clone)]
 pub struct BoundaryTracker {
     boundary: Arc<Boundary>,
@@ -43,8 +43,9 @@ pub struct BoundaryTracker {
 }
 
 impl Boundary {
-    /// What `robot` can meet on `floor`: from the middle of every fine cell where it can stand, the nearest point of a wall
-    /// that it touches within a cell and a half, and what beams in 48 directions meet within 5 cm of its edge.
+    /// The boundary that `robot` can detect on `floor`: from the centre of every fine cell where it can stand, the
+    /// nearest point of a wall that it touches within a cell and a half, and the ends of beams in 48 directions within
+    /// 5 cm of its edge.
     pub fn new(floor: &Arc<ReachableFloor>, robot: &RobotModel) -> Self {
         let walls = &floor.walls;
         let light = robot.sensors.light_bumper;
@@ -73,26 +74,26 @@ impl Boundary {
         Self { floor: Arc::clone(floor), light, cells, count }
     }
 
-    /// The cells, from the floor's lower left corner on with a cell more all around: what is outside is wall.
+    /// The cells, from the floor's lower left corner, with one more cell all around, as the outside is wall.
     pub fn cells(&self) -> &Grid<bool> {
         &self.cells
     }
 
-    /// How many.
+    /// Number of boundary cells.
     pub fn count(&self) -> usize {
         self.count
     }
 }
 
 impl BoundaryTracker {
-    /// Nothing met.
+    /// Nothing detected.
     pub fn new(boundary: &Arc<Boundary>) -> Self {
         let met = Grid::filled(boundary.cells.width(), boundary.cells.height(), false);
         Self { boundary: Arc::clone(boundary), met, count: 0 }
     }
 
-    /// Takes what a robot that really is at `pose` reports: a contact meets the nearest wall, a bit of the light bumper what
-    /// its beam ends at.
+    /// Records the reading of a robot whose true pose is `pose`: a contact detects the nearest wall, a bit of the light
+    /// bumper the end of its beam.
     pub fn update(&mut self, pose: Pose, sensed: &SensorReadings) {
         let boundary = Arc::clone(&self.boundary);
         let walls = &boundary.floor.walls;
@@ -114,12 +115,12 @@ impl BoundaryTracker {
         }
     }
 
-    /// Share of the boundary that has been met, 0 to 1; 1 where there is none.
+    /// Detected share of the boundary, 0 to 1; 1 if there is none.
     pub fn share(&self) -> f64 {
         if self.boundary.count == 0 { 1.0 } else { self.count as f64 / self.boundary.count as f64 }
     }
 
-    /// The cells that have been met, in the grid of [`Boundary::cells`].
+    /// The detected cells, in the grid of [`Boundary::cells`].
     pub fn met(&self) -> &Grid<bool> {
         &self.met
     }
@@ -132,14 +133,14 @@ fn touched(walls: &Walls, place: Point, reach: f64) -> Option<Cell> {
     Some(cell_at(wall + outward * BEHIND))
 }
 
-/// The cell that a beam meets within `reach` metres of a body's edge.
+/// The cell that a beam hits within `reach` metres of a body's edge.
 fn lit(walls: &Walls, place: Point, direction: Vector, reach: f64) -> Option<Cell> {
     let from = place + direction * walls.body_radius;
     let hit = walls.ray(from, direction, reach)?;
     Some(cell_at(from + direction * (hit.distance + BEHIND)))
 }
 
-/// The cell at a point, in a grid with a cell more all around.
+/// The cell at a point, in a grid with one more cell all around.
 fn cell_at(point: Point) -> Cell {
     let Cell { x, y } = Cell::at(point, SIDE);
     Cell::new(x + 1, y + 1)

@@ -1,4 +1,4 @@
-//! Furniture turned into walls, for formats with cells only.
+//! Furniture converted to walls, for formats with cells only.
 
 use super::obstacles;
 use crate::{
@@ -7,8 +7,7 @@ use crate::{
     grid::{Cell, Occupancy},
 };
 
-/// The room with every cell occupied that a piece of furniture, a leg, a dock or a lighthouse stands on, if only in part;
-/// without objects.
+/// The room with every cell occupied that a piece of furniture, a leg, a dock or a lighthouse touches; without objects.
 pub fn with_objects(plan: &FloorPlan) -> FloorPlan {
     let mut burnt = FloorPlan { objects: Vec::new(), ..plan.clone() };
     let side = plan.resolution;

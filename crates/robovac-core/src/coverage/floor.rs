@@ -11,16 +11,16 @@ use crate::{
 };
 use rand::RngExt;
 
-/// Side that fine cells should not exceed, m: a tool of 17 cm is then known to about a centimetre, whatever lanes it
-/// drives; with cells of 5 cm it would be 15 or 20 cm wide.
+/// Largest side of fine cells, m: a tool of 17 cm is then resolved to about a centimetre, whatever lanes it drives;
+/// with cells of 5 cm it would be 15 or 20 cm wide.
 const FINE_CELL: f64 = 0.025;
 /// Most cells of a fine grid; larger rooms are refined less.
 const MAX_FINE_CELLS: usize = 4_000_000;
 
-/// The standing places and the floor that one robot can reach from one start.
+/// The standing places and the floor that a robot can reach from its start.
 ///
-/// The robot is taken to be the smallest circle around its origin that holds its body: where that fits, it can turn on the
-/// spot. So a body that isn't round can get to more places than these, but never to fewer.
+/// The robot is taken to be the smallest circle around its origin that holds its body: where that fits, it can turn on
+/// the spot. So a body that isn't round can reach more places than these, but never fewer.
 ///
 /// Objects of the plan count as well. Standing places keep the body off furniture, legs and drop-offs, as if those filled
 /// every fine cell that they touch, within a cell of being exact. Floor is every fine cell whose centre lies in none of
@@ -29,10 +29,10 @@ const MAX_FINE_CELLS: usize = 4_000_000;
 pub struct ReachableFloor {
     /// Metres per fine cell: the plan's resolution or a whole fraction of it; for a robot that fills a cell, that cell.
     pub resolution: f64,
-    /// The walls and furniture as the robot's body meets them.
+    /// The walls and furniture as obstacles to the robot's body.
     pub walls: Walls,
-    /// The same with drop-offs, and beams of virtual walls if the robot sees them, which nothing but sense keeps a body off;
-    /// `None` if there are none.
+    /// The same with drop-offs, and with beams of virtual walls if the robot detects them; these don't block a body
+    /// physically. `None` if there are none.
     edges: Option<Box<Walls>>,
     /// Fine cells in whose centre the robot can stand, connected with the start by ways that leave room to steer.
     pub standing: Grid<bool>,
@@ -40,9 +40,9 @@ pub struct ReachableFloor {
     pub floor: Grid<bool>,
     /// Number of cells of `floor`, at least 1.
     pub floor_cells: usize,
-    /// Number of free fine cells that the tool can't sweep from the start: slivers, and what is closed off.
+    /// Number of free fine cells that the tool can't sweep from the start: slivers and closed-off floor.
     pub left_out_cells: usize,
-    /// Number of fine cells in whose centre the robot could stand, but which it can't get to.
+    /// Number of fine cells in whose centre the robot could stand, but which it can't reach.
     pub closed_off_cells: usize,
     /// Where the robot starts.
     pub start: Pose,
@@ -51,7 +51,7 @@ pub struct ReachableFloor {
 }
 
 impl ReachableFloor {
-    /// Works out the floor for `robot` in `plan` from `start`, or from the plan's own start, or from the first place
+    /// Computes the floor for `robot` in `plan` from `start`, or from the plan's own start, or from the first place
     /// (from the lower left) in the largest connected part of the room.
     pub fn new(plan: &FloorPlan, robot: &RobotModel, start: Option<Pose>) -> Result<Self, FloorError> {
         let occupancy = &plan.occupancy;
@@ -105,8 +105,8 @@ impl ReachableFloor {
         })
     }
 
-    /// Where a robot ends up that is put down at `pose`: there if it fits, or else at the nearest place that it can reach
-    /// from the start. `is_free` says where nobody stands in the way.
+    /// The place for a robot that is put down at `pose`: there if it fits, or else the nearest place that it can reach
+    /// from the start. `is_free` excludes places that are taken.
     pub fn place_for(&self, pose: Pose, is_free: impl Fn(Point) -> bool) -> Pose {
         let point = pose.position();
         let limits = self.limits();
@@ -117,7 +117,7 @@ impl ReachableFloor {
         Pose::new(place.x, place.y, pose.heading)
     }
 
-    /// A place and a heading drawn from all that the robot can stand at.
+    /// A random place and heading among all where the robot can stand.
     pub fn anywhere(&self, rng: &mut Rng) -> Option<Pose> {
         let places = self.standing.count();
         let chosen = (places > 0).then(|| rng.random_range(0..places))?;
@@ -126,7 +126,7 @@ impl ReachableFloor {
         Some(Pose::new(place.x, place.y, rng.random_range(-math::PI..math::PI)))
     }
 
-    /// What a careful robot's body keeps off: walls, furniture, drop-offs, and virtual walls that it sees.
+    /// The limits for a careful robot's body: walls, furniture, drop-offs, and virtual walls that it detects.
     #[inline]
     pub fn limits(&self) -> &Walls {
         self.edges.as_deref().unwrap_or(&self.walls)
@@ -154,7 +154,7 @@ impl ReachableFloor {
         self.left_out_cells as f64 * self.resolution * self.resolution
     }
 
-    /// Places where the robot could stand, but which it can't get to from the start, m².
+    /// Area of places where the robot could stand, but which it can't reach from the start, m².
     pub fn closed_off_area(&self) -> f64 {
         self.closed_off_cells as f64 * self.resolution * self.resolution
     }
@@ -181,8 +181,8 @@ pub fn fine_resolution(plan: &FloorPlan) -> f64 {
     plan.resolution / refinement(plan) as f64
 }
 
-/// Room that a robot needs beside its body to pass, m: no robot steers to the millimetre, so gaps narrower than this are
-/// closed to it. It can still move up to a wall.
+/// Room that a robot needs beside its body to pass, m: steering isn't exact, so narrower gaps are closed to it. It can
+/// still move up to a wall.
 pub(super) fn steering_margin(body_radius: f64) -> f64 {
     (0.1 * body_radius).min(0.01)
 }
@@ -205,7 +205,7 @@ fn up_to_walls(walls: &Walls, passable: Grid<bool>) -> Grid<bool> {
     standing
 }
 
-/// Centre of a cell of `standing`, moved away from those neighbours that aren't by the margin that steering needs.
+/// Centre of a cell of `standing`, moved away from neighbours outside it by the margin that steering needs.
 fn off_walls(walls: &Walls, standing: &Grid<bool>, cell: Cell) -> Point {
     let place = cell.centre(walls.resolution);
     let margin = steering_margin(walls.body_radius);
@@ -217,14 +217,15 @@ fn off_walls(walls: &Walls, standing: &Grid<bool>, cell: Cell) -> Point {
     place + Vector::new(away(Direction::Right, Direction::Left), away(Direction::Up, Direction::Down))
 }
 
-/// Fine cells per map cell, in each direction: enough to resolve the tool, as far as memory allows.
+/// Fine cells per map cell, in each direction: enough to resolve the tool, within the memory limit.
 fn refinement(plan: &FloorPlan) -> usize {
     let wanted = (plan.resolution / FINE_CELL - 1e-9).ceil().max(1.0) as usize;
     let affordable = ((MAX_FINE_CELLS / plan.occupancy.len().max(1)) as f64).sqrt() as usize;
     wanted.min(affordable.max(1))
 }
 
-/// The obstacles on a grid with cells of `resolution` metres: blocked where any map cell under it is, or none.
+/// The obstacles on a grid with cells of `resolution` metres: a cell is blocked if any map cell under it is, or if
+/// there is none.
 fn resample(plan: &FloorPlan, resolution: f64) -> Grid<bool> {
     let map = plan.blocked();
     let ratio = resolution / plan.resolution;
@@ -233,7 +234,7 @@ fn resample(plan: &FloorPlan, resolution: f64) -> Grid<bool> {
     }
     let cells = |n: usize| ((n as f64 / ratio - 1e-6).ceil() as usize).max(1);
     let (width, height) = (cells(map.width()), cells(map.height()));
-    // Map columns or rows under cell `i`; a hair's breadth of overlap doesn't count.
+    // Map columns or rows under cell `i`; an overlap by rounding doesn't count.
     let under = |i: usize| {
         let low = (i as f64 * ratio + 1e-6).floor() as i32;
         let high = ((i + 1) as f64 * ratio - 1e-6).floor() as i32;
@@ -256,7 +257,7 @@ fn check_start(plan: &FloorPlan, free: &Grid<bool>, walls: &Walls, pose: Pose) -
         return Err(FloorError::StartOutside { x, y, width: plan.width_m(), height: plan.height_m() });
     };
     if free.is_set(Cell::at(pose.position(), walls.resolution)) {
-        // A free cell promises room around its centre, not everywhere in it.
+        // A free cell guarantees room around its centre, not everywhere in it.
         let has_room = walls.has_room(pose.position(), walls.body_radius);
         return Ok(if has_room { pose } else { in_centre(pose, walls.resolution) });
     }
@@ -275,7 +276,7 @@ fn in_centre(pose: Pose, resolution: f64) -> Pose {
     Pose::new(middle.x, middle.y, pose.heading)
 }
 
-/// Centre of the cell of `free` that is nearest to `point`, of those that `is_free` agrees to.
+/// Centre of the cell of `free` that is nearest to `point` and for which `is_free` holds.
 fn nearest(free: &Grid<bool>, resolution: f64, point: Point, is_free: impl Fn(Point) -> bool) -> Option<Point> {
     free.iter()
         .filter(|&(_, &f)| f)
@@ -290,7 +291,8 @@ fn default_start(free: &Grid<bool>, resolution: f64) -> Option<Pose> {
     Some(Pose::new(point.x, point.y, 0.0))
 }
 
-/// Fine cells that are no floor: walls, and those whose centre lies in a shape or, if `is_strict`, that one touches.
+/// Fine cells that aren't floor: walls, and those whose centre lies in a shape or, if `is_strict`, those that a shape
+/// touches.
 fn covered(walls: &Walls, is_strict: bool) -> Grid<bool> {
     if is_strict {
         return walls.clearance.map(|&c| c == 0.0);
@@ -298,7 +300,7 @@ fn covered(walls: &Walls, is_strict: bool) -> Grid<bool> {
     let mut covered = walls.squares().clone();
     for (index, is_covered) in covered.values_mut().iter_mut().enumerate() {
         let cell = walls.clearance.cell(index);
-        // Where there is room there is no shape.
+        // Cells with enough clearance contain no shape.
         *is_covered |= walls.clearance[cell] == 0.0 && walls.contains(cell.centre(walls.resolution));
     }
     covered

@@ -14,12 +14,12 @@ pub enum FloorError {
         /// Diameter of the robot's body, m.
         diameter: f64,
     },
-    /// Planning cells are finer than what the map tells apart.
+    /// Planning cells are finer than the fine grid.
     #[error("planning cells of {cell_size} m are too small for this map; choose at least {least} m")]
     CellTooSmall {
-        /// Side asked for, m.
+        /// The given side, m.
         cell_size: f64,
-        /// Smallest side that would do, m.
+        /// The smallest allowed side, m.
         least: f64,
     },
     /// The start lies outside the map.
@@ -27,27 +27,27 @@ pub enum FloorError {
         "the start ({x:.2} m, {y:.2} m) lies outside the map, which is {width:.2} m x {height:.2} m; move it inside"
     )]
     StartOutside {
-        /// Start, m.
+        /// x of the start, m.
         x: f64,
-        /// Start, m.
+        /// y of the start, m.
         y: f64,
-        /// Size of the map, m.
+        /// Width of the map, m.
         width: f64,
-        /// Size of the map, m.
+        /// Height of the map, m.
         height: f64,
     },
-    /// The start lies in a wall, in furniture or where there is no floor.
+    /// The start lies in a wall, in furniture or on a drop-off.
     #[error(
         "the start ({x:.2} m, {y:.2} m) is inside a wall or an obstacle; move it to free floor, e.g. ({free_x:.2} m, {free_y:.2} m)"
     )]
     StartInWall {
-        /// Start, m.
+        /// x of the start, m.
         x: f64,
-        /// Start, m.
+        /// y of the start, m.
         y: f64,
-        /// The nearest place where the robot fits, m.
+        /// x of the nearest place where the robot fits, m.
         free_x: f64,
-        /// The nearest place where the robot fits, m.
+        /// y of the nearest place where the robot fits, m.
         free_y: f64,
     },
 }

@@ -2,8 +2,8 @@
 //!
 //! A robot of radius `r` can stand wherever no obstacle is nearer to its centre than `r`. The **reachable floor** is
 //! what its tool (a disc as wide as the strip it cleans) can sweep from all standing places that a path connects with
-//! the start. **Coverage** is the share of the reachable floor that the tool has swept. So a round robot isn't blamed for
-//! corners that it can't enter, and a planner can't shine by leaving out what is hard.
+//! the start. **Coverage** is the share of the reachable floor that the tool has swept. So corners that a round robot
+//! can't enter don't count against it, and a planner can't improve its result by leaving out difficult floor.
 //!
 //! Obstacles are walls on the plan's grid and the objects that stand in the room; stairs are no obstacle to a body, but
 //! neither floor nor a place to stand.

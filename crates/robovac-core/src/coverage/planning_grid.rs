@@ -9,17 +9,17 @@ use std::collections::VecDeque;
 
 /// Planning cells with a place to stand in each.
 ///
-/// A cell is free if the robot can stand somewhere in it; its **anchor** is the standing place nearest to its centre
-/// (a centimetre off the wall beside it), so that paths run along walls that don't lie on the lattice. Two free
-/// neighbours are always linked: straight from anchor to anchor, or by a short way round a corner. Where neither exists
-/// (a thin wall between two anchors) the cell whose anchor lies farther from its centre is given up.
+/// A cell is free if the robot can stand somewhere in it; its **anchor** is the standing place nearest to its centre (a
+/// centimetre off the wall beside it), so that paths run along walls that don't lie on the lattice. Two free neighbours
+/// are always linked: straight from anchor to anchor, or by a short way round a corner. Where neither exists (a thin
+/// wall between two anchors) the cell whose anchor lies farther from its centre is dropped.
 #[derive(Debug, Clone)]
 pub struct PlanningGrid {
     /// Side of a planning cell, m.
     pub cell_size: f64,
     /// Free planning cells, all connected with `start`.
     pub free: Grid<bool>,
-    /// The cell that the robot starts in.
+    /// The cell of the robot's start.
     pub start: Cell,
     anchors: Grid<Point>,
 }
@@ -76,12 +76,12 @@ impl PlanningGrid {
         planning_grid
     }
 
-    /// Where the robot stands in a free cell.
+    /// The anchor of a free cell.
     pub fn anchor(&self, cell: Cell) -> Point {
         self.anchors[cell]
     }
 
-    /// The anchors of a walk over free cells: roughly the line that the robot would drive. Other cells are left out.
+    /// The anchors of a walk over free cells: roughly the line that the robot would drive. Other cells are skipped.
     pub fn anchors(&self, walk: &[Cell]) -> Vec<Point> {
         walk.iter().filter(|&&cell| self.free.is_set(cell)).map(|&cell| self.anchors[cell]).collect()
     }
@@ -103,7 +103,7 @@ impl PlanningGrid {
         line
     }
 
-    /// How far along its [`PlanningGrid::polyline`] each cell of a walk is reached, m.
+    /// Distance along its [`PlanningGrid::polyline`] at which each cell of a walk is reached, m.
     pub fn arrivals(&self, floor: &ReachableFloor, walk: &[Cell]) -> Vec<f64> {
         let Some(&first) = walk.first() else { return Vec::new() };
         let (mut at, mut length) = (floor.start.position(), 0.0);
@@ -177,11 +177,11 @@ fn way(floor: &ReachableFloor, from: Point, to: Point, margin: f64) -> Option<Ve
     Some(way)
 }
 
-/// Where the anchors should be: in the middle of each cell, but towards the wall where there is no cell to go on to.
+/// Target positions of the anchors: the centre of each cell, or towards the wall where there is no neighbouring cell.
 struct Targets<'a> {
     free: &'a Grid<bool>,
     cell_size: f64,
-    /// As far as the lane beside a wall can move without leaving a strip between it and the next lane, m.
+    /// Largest shift of a lane beside a wall that leaves no gap to the next lane, m.
     shift: f64,
 }
 
@@ -200,7 +200,7 @@ impl Targets<'_> {
     }
 }
 
-/// The target itself if there is room all around it, else `place`, the centre of the standing fine cell nearest to it,
+/// The target itself if there is room around it, else `place`, the centre of the standing fine cell nearest to it,
 /// moved off the walls.
 fn settle(floor: &ReachableFloor, place: Point, target: Point) -> Point {
     let has_room = floor.cell_at(target).block().all(|c| floor.standing.is_set(c));
@@ -278,7 +278,7 @@ mod tests {
 
     #[test]
     fn lanes_in_the_open_are_straight() {
-        // Centres of cells of 0.12 m fall on borders of the fine cells of 0.05 m now and then.
+        // Centres of cells of 0.12 m sometimes fall on borders of the fine cells of 0.05 m.
         let floor = floor(&"..........\n".repeat(10), 0.25);
         let planning_grid = PlanningGrid::new(&floor, 0.12);
         for x in 4..16 {

@@ -6,34 +6,35 @@ use crate::{
     grid::Cell,
 };
 
-/// What a ray met.
+/// The end of a ray.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RayHit {
     /// Distance from where the ray began, m; 0 if that is inside.
     pub distance: f64,
     /// Cosine of the angle between the ray and the surface's normal, 0 for a ray that grazes it to 1.
     pub cosine: f64,
-    /// What it is.
+    /// The surface.
     pub surface: Surface,
 }
 
-/// What sends light back.
+/// Kinds of surfaces that reflect light.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Surface {
-    /// A wall, or whatever is drawn on the plan's grid.
+    /// A wall of the plan's grid.
     Wall,
     /// An object that stands in the room.
     Object,
-    /// Somebody's foot.
+    /// A mover's foot.
     Mover,
 }
 
 impl Walls {
-    /// What a ray from `from` in the direction of the unit vector `direction` meets within `reach` metres: exact, as
-    /// [`Walls::nearest`] is.
+    /// The first obstacle on a ray from `from` in the direction of the unit vector `direction` within `reach` metres;
+    /// exact, like [`Walls::nearest`].
     ///
-    /// It goes from cell to cell (Amanatides & Woo 1987), and in the open from one side of the largest free square around a
-    /// cell to the other. In the first cell that an object touches, all objects that can be in the way are looked at.
+    /// It goes from cell to cell (Amanatides & Woo 1987), and in the open from one side of the largest free square
+    /// around a cell to the other. In the first cell that an object touches, all objects that can be in the way are
+    /// tested.
     pub fn ray(&self, from: Point, direction: Vector, reach: f64) -> Option<RayHit> {
         let size = self.resolution;
         let mut walk = RayWalk::new(from, direction, size);
@@ -59,7 +60,7 @@ impl Walls {
         object
     }
 
-    /// The first object that a ray meets between `near` and `far` metres from where it begins.
+    /// The first object on a ray between `near` and `far` metres from its origin.
     fn first_object(&self, from: Point, direction: Vector, near: f64, far: f64) -> Option<RayHit> {
         let ends = [from + direction * near, from + direction * far];
         let mut first: Option<RayHit> = None;
@@ -77,7 +78,7 @@ impl Walls {
 }
 
 impl RayHit {
-    /// Where a ray in `direction` meets a disc whose centre is `centre` away from where it begins.
+    /// The hit of a ray in `direction` on a disc whose centre is `centre` away from the ray's origin.
     pub fn on_disc(centre: Vector, radius: f64, direction: Vector, surface: Surface) -> Option<Self> {
         let along = centre.dot(&direction);
         let outside = centre.norm_squared() - radius * radius;
@@ -93,7 +94,7 @@ impl RayHit {
         Some(Self { distance: along - half_chord, cosine: half_chord / radius, surface })
     }
 
-    /// Where a ray meets a convex polygon with counter-clockwise corners (Cyrus & Beck 1978).
+    /// The hit of a ray on a convex polygon with counter-clockwise corners (Cyrus & Beck 1978).
     fn on_convex(corners: &[Point], from: Point, direction: Vector) -> Option<Self> {
         let (mut enter, mut leave, mut cosine) = (0.0, f64::INFINITY, 1.0);
         for (a, b) in edges(corners) {
@@ -115,11 +116,11 @@ impl RayHit {
     }
 }
 
-/// A ray on its way from cell to cell. Lengths are in cells.
+/// A ray traversing cells. Lengths are in cells.
 struct RayWalk {
     from: Point,
     direction: Vector,
-    /// Way of the ray for a step along each axis; infinite for an axis that it is square to.
+    /// Length of the ray for a step along each axis; infinite for an axis perpendicular to it.
     stride: Vector,
     cell: Cell,
     /// Distance at which the ray entered the cell.
@@ -135,15 +136,15 @@ impl RayWalk {
         Self { from, direction, stride, cell: Cell::at(from, 1.0), travelled: 0.0, cosine: 1.0 }
     }
 
-    /// On to the first cell outside the square of those less than `moves` moves of a king away, which is free but for its
-    /// middle.
+    /// Moves on to the first cell outside the square of cells less than `moves` king's moves away, which is free but
+    /// for its centre.
     #[inline]
     fn leave_square(&mut self, moves: i32) {
         let Self { from, direction, stride, cell, .. } = *self;
         // The first column and row beyond the square, and where the ray crosses into them.
         let (column, in_x) = beyond(cell.x, moves, from.x, direction.x, stride.x);
         let (row, in_y) = beyond(cell.y, moves, from.y, direction.y, stride.y);
-        // The cells of a ray lie in order along both axes, whatever is rounded.
+        // The cells of a ray are in order along both axes, despite rounding.
         if in_x < in_y {
             self.travelled = in_x.max(self.travelled);
             self.cosine = direction.x.abs();

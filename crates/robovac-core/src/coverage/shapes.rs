@@ -14,22 +14,22 @@ pub const DOCK_BACK: [f64; 2] = [0.15, 0.02];
 pub const LIGHTHOUSE_RADIUS: f64 = 0.04;
 /// Half the width of a virtual wall's beam at its lighthouse, m, and how much it grows with every metre: 5 degrees (ours).
 pub const FENCE: (f64, f64) = (0.02, 0.087_488_663_525_924);
-/// Radius of the halo around a lighthouse, m: it keeps robots from pushing it away (that there is one, owners report; the
-/// figure is ours).
+/// Radius of the halo around a lighthouse, m: it keeps robots from pushing it away (owners report that there is one;
+/// the radius is ours).
 pub const HALO: f64 = 0.4;
 /// Slices of a halo.
 const SLICES: u32 = 16;
-/// Least side of a bucket of the index, m: about as wide as what asks.
+/// Least side of a bucket of the index, m: about the size of a query.
 const BUCKET: f64 = 0.5;
 /// Most buckets along a side.
 const MOST_BUCKETS: f64 = 256.0;
 
-/// The shapes of the objects of `plan` that stand in the way.
+/// The shapes of the objects of `plan` that are obstacles.
 pub fn obstacles(plan: &FloorPlan) -> Vec<Shape> {
     plan.objects.iter().flat_map(solid).collect()
 }
 
-/// Where `plan` has no floor.
+/// The shapes of drop-offs in `plan`.
 pub fn drop_offs(plan: &FloorPlan) -> Vec<Shape> {
     let outlines = plan.objects.iter().filter_map(|object| match object {
         Object::DropOff { outline } => Some(outline),
@@ -38,7 +38,7 @@ pub fn drop_offs(plan: &FloorPlan) -> Vec<Shape> {
     outlines.flat_map(|outline| pieces(outline)).collect()
 }
 
-/// The floor that virtual walls light, beam and halo, as far as `walls` let the light through, in convex pieces.
+/// The floor lit by virtual walls, beam and halo, up to `walls`, in convex pieces.
 pub fn beams(plan: &FloorPlan, walls: &Walls) -> Vec<Shape> {
     let mut lit = Vec::new();
     for object in &plan.objects {
@@ -68,7 +68,7 @@ pub fn beams(plan: &FloorPlan, walls: &Walls) -> Vec<Shape> {
     lit
 }
 
-/// What of an object stands in the way.
+/// The solid parts of an object.
 fn solid(object: &Object) -> Vec<Shape> {
     match object {
         Object::Furniture { outline } => pieces(outline),
@@ -92,7 +92,7 @@ pub fn dock_back(pose: Pose) -> Shape {
     Shape::Convex(corners.map(|[x, y]| pose.to_world(Point::new(x * depth, y * width))).to_vec())
 }
 
-/// Shapes in buckets of about half a metre, to find those in a box.
+/// Shapes in buckets of about half a metre, for box queries.
 #[derive(Debug, Clone, Default)]
 pub(super) struct ShapeIndex {
     shapes: Vec<Shape>,
@@ -101,7 +101,7 @@ pub(super) struct ShapeIndex {
     side: f64,
     width: usize,
     height: usize,
-    /// Where the numbers of each bucket's shapes begin in `members`.
+    /// Start of each bucket's shapes in `members`.
     starts: Vec<u32>,
     members: Vec<u32>,
 }
@@ -148,7 +148,7 @@ impl ShapeIndex {
                     let (shape_low, shape_high) = self.bounds[number as usize];
                     let apart =
                         shape_low.x > high.x || shape_low.y > high.y || shape_high.x < low.x || shape_high.y < low.y;
-                    // In which of the buckets that they share it is visited: the first.
+                    // A shape in several buckets is visited in the first that it shares with the box.
                     let (first_x, first_y) = self.bucket(shape_low);
                     if !apart && (x, y) == (first_x.max(x0), first_y.max(y0)) {
                         visit(&self.shapes[number as usize]);

@@ -19,7 +19,7 @@ impl DiscStamp {
     /// (`x`, `y`), both in cells.
     #[inline]
     pub fn rows(&self, x: f64, y: f64, mut visit: impl FnMut(Range<usize>)) {
-        // Half a thousandth more, for discs that end at a centre but for rounding.
+        // Half a thousandth more, for discs whose edge passes through a centre but for rounding.
         let radius = self.radius + 5e-4;
         let first = math::ceil(y - 0.5 - radius).max(0);
         let last = math::floor(y - 0.5 + radius).min(self.height as i32 - 1);

@@ -1,4 +1,4 @@
-//! Tracks which floor has been swept, and how often.
+//! Counts how often each part of the floor has been swept.
 
 use super::{ReachableFloor, stamp::DiscStamp};
 use crate::{geometry::Point, grid::Grid};
@@ -15,7 +15,7 @@ pub struct CoverageTracker {
     visits: Grid<u8>,
     /// Number of the last stamp that touched the cell, 0 for none.
     touched: Vec<u32>,
-    /// Number of the last stamp; the first one's is greater than `memory`, as if no cell had been touched for long.
+    /// Number of the last stamp; starts above `memory`, as if all cells had been left long ago.
     stamps: u32,
     /// Stamps after which a touched cell counts as left.
     memory: u32,
@@ -47,7 +47,7 @@ impl CoverageTracker {
         }
     }
 
-    /// Sweeps with the tool from where it last was to `point` in a straight line, or sets it down there.
+    /// Sweeps with the tool from its last place to `point` in a straight line, or sets it down there.
     #[inline]
     pub fn sweep_to(&mut self, floor: &ReachableFloor, point: Point) {
         let Some(last) = self.last else {
@@ -68,7 +68,7 @@ impl CoverageTracker {
         }
     }
 
-    /// Takes the tool off the floor: the next place is not swept to, but set down on.
+    /// Lifts the tool: at the next place it is set down instead of sweeping there.
     pub fn lift(&mut self) {
         self.last = None;
     }
@@ -109,7 +109,7 @@ impl CoverageTracker {
         &self.visits
     }
 
-    /// Memory taken, bytes.
+    /// Memory size, bytes.
     pub fn bytes(&self) -> usize {
         self.touched.len() * (size_of::<u8>() + size_of::<u32>())
     }

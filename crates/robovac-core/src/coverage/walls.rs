@@ -1,4 +1,4 @@
-//! Walls and furniture, and how far a body is from them.
+//! Walls and furniture, and a body's distance from them.
 
 use super::shapes::ShapeIndex;
 use crate::{
@@ -6,7 +6,7 @@ use crate::{
     grid::{Cell, Grid, chessboard, clearance},
 };
 
-/// How far clearance is known beyond the body, fine cells: where there is that much room, nobody needs to look closer.
+/// Range beyond the body in which clearance is known, fine cells; with more room no exact test is needed.
 const SPARE_CELLS: f64 = 3.0;
 
 /// The obstacles of a floor: squares of a fine grid, and convex shapes anywhere between; the outside is wall.
@@ -19,7 +19,7 @@ pub struct Walls {
     pub resolution: f64,
     /// Radius of the body, m.
     pub body_radius: f64,
-    /// Moves of a chess king from each fine cell to the nearest wall or cell that a shape touches: rays see that far.
+    /// King's moves from each fine cell to the nearest wall or cell that a shape touches; used by ray casting.
     moves: Grid<u8>,
     /// Fine cells that are wall.
     squares: Grid<bool>,
@@ -56,21 +56,21 @@ impl Walls {
         self.has_room_around_cell(point, radius) || self.nearest(point, radius).is_none()
     }
 
-    /// Like [`Walls::has_room`], but may say no where there is room: only looks at the room around the cell's centre,
-    /// which is at most 0.71 cells away.
+    /// Like [`Walls::has_room`], but can return false where there is room: checks only the room around the cell's
+    /// centre, which is at most 0.71 cells away.
     #[inline]
     pub fn has_room_around_cell(&self, point: Point, radius: f64) -> bool {
         let around = self.clearance.get(self.cell_at(point)).map_or(0.0, |&c| f64::from(c));
         around > radius + 0.7072 * self.resolution
     }
 
-    /// Whether nothing at all is within `reach` metres of a point, at a glance: may say no where nothing is.
+    /// Whether nothing is within `reach` metres of a point; quick, but can return false where nothing is.
     #[inline]
     pub fn are_far_from(&self, point: Point, reach: f64) -> bool {
         f64::from(self.moves_from(self.cell_at(point)) - 1) * self.resolution > reach
     }
 
-    /// Moves of a chess king from a fine cell to the nearest wall or cell that a shape touches; 0 there and outside.
+    /// King's moves from a fine cell to the nearest wall or cell that a shape touches; 0 there and outside.
     #[inline]
     pub(super) fn moves_from(&self, cell: Cell) -> i32 {
         self.moves.get(cell).map_or(0, |&moves| i32::from(moves))
@@ -85,7 +85,7 @@ impl Walls {
         best.1.map(|wall| (wall, best.0.sqrt()))
     }
 
-    /// Looks for a square that is nearer to `point` than the best so far (square of the distance, and where), row by row.
+    /// Searches for a square that is nearer to `point` than the best so far (squared distance, and point), row by row.
     fn nearest_square(&self, point: Point, best: &mut (f64, Option<Point>)) {
         let (cell, size) = (self.cell_at(point), self.resolution);
         if !self.in_row.contains(cell) {
@@ -119,7 +119,7 @@ impl Walls {
         }
     }
 
-    /// Calls `visit` with every obstacle that may reach into the box between `low` and `high`; squares in runs.
+    /// Calls `visit` with every obstacle that can reach into the box between `low` and `high`; squares in runs.
     #[inline]
     pub fn near<'a>(&'a self, low: Point, high: Point, mut visit: impl FnMut(Obstacle<'a>)) {
         let size = self.resolution;
@@ -165,7 +165,7 @@ impl Walls {
         is_inside
     }
 
-    /// Calls `visit` with every shape that may reach into the box between `low` and `high`.
+    /// Calls `visit` with every shape that can reach into the box between `low` and `high`.
     #[inline]
     pub fn shapes_in_box<'a>(&'a self, low: Point, high: Point, visit: impl FnMut(&'a Shape)) {
         self.shapes.in_box(low, high, visit);

@@ -8,7 +8,7 @@ pub(super) struct Bits {
 }
 
 impl Bits {
-    /// Words that a grid takes.
+    /// Number of words of a grid.
     pub fn words(width: usize, height: usize) -> usize {
         width.div_ceil(64).saturating_mul(height)
     }
@@ -23,7 +23,7 @@ impl Bits {
         self.words.iter().map(|word| word.count_ones() as usize).sum()
     }
 
-    /// Sets all bits that are set in another grid of the same size too.
+    /// Sets all bits that are set in another grid of the same size.
     pub fn add(&mut self, other: &Self) {
         self.words.iter_mut().zip(&other.words).for_each(|(word, other)| *word |= other);
     }

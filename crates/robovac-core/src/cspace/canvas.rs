@@ -1,4 +1,4 @@
-//! Rasterisation: sets cells by what covers their centres.
+//! Rasterisation: sets cells whose centres are covered.
 
 use super::{bits::Bits, sum::Sum};
 use crate::math;
@@ -22,13 +22,13 @@ impl BitCanvas {
         Self { bits: Bits::new(width, height), cell, width, height }
     }
 
-    /// Columns or rows whose centres lie between two places; may be outside.
+    /// Columns or rows whose centres lie between two places; can be outside.
     #[inline]
     pub fn between(&self, low: f64, high: f64) -> (i32, i32) {
         (math::ceil(low / self.cell - 0.5), math::floor(high / self.cell - 0.5))
     }
 
-    /// The rows among them that there are.
+    /// The rows among them that exist.
     pub fn rows(&self, (low, high): (f64, f64)) -> std::ops::RangeInclusive<i32> {
         let (first, last) = self.between(low, high);
         first.max(0)..=last.min(self.height as i32 - 1)

@@ -6,7 +6,7 @@ pub enum CspaceError {
     /// The outline is no simple polygon around the origin, too large or too small.
     #[error("{0}")]
     Outline(String),
-    /// The side of a cell is no length.
+    /// The side of a cell isn't a valid length.
     #[error("the cell size can't be {0} m; choose one above 0")]
     Cell(f64),
     /// More cells than fit into memory.

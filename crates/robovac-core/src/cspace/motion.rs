@@ -6,8 +6,8 @@ use super::{
 };
 use crate::{floor_plan::FloorPlan, geometry::Point};
 
-/// Answers for a body at heading 0: where it is stopped on a line along x, and whether a straight way is free. What
-/// is in the way is as for [`super::ConfigurationSpace`].
+/// Motion of a body at heading 0: where it is stopped on a line along x, and whether a straight way is free. Obstacles
+/// are those of [`super::ConfigurationSpace`].
 #[derive(Debug, Clone)]
 pub struct Motion {
     scene: ObstacleScene,
@@ -80,7 +80,7 @@ impl Motion {
         is_inside && !meets_run && !meets_shape()
     }
 
-    /// Rows of the plan that a body between two heights may touch, by the height of their lower edge; `reach` is the
+    /// Rows of the plan that a body between two heights can touch, by the height of their lower edge; `reach` is the
     /// region in which it touches a row at the origin.
     fn rows_near(&self, reach: (f64, f64), (bottom, top): (f64, f64)) -> impl Iterator<Item = (f64, &[(f64, f64)])> {
         let side = self.scene.resolution;

@@ -2,15 +2,14 @@
 
 use crate::grid::{Cell, Grid};
 
-/// The obstacles of a slice: FULL cells that hang together, corner to corner too. What hangs together with the
-/// outside is wall.
+/// The obstacles of a slice: connected FULL cells, including diagonally. Those connected with the outside are wall.
 ///
 /// So obstacles that leave no way between them are one to the robot, and one that leaves no way along the wall is
 /// part of it. They are numbered from 1 in the order in which a scan from the top left meets them (001, section 3:
 /// `obstacleNo`).
 #[derive(Debug, Clone)]
 pub struct ObstacleRuns {
-    /// Where the runs of every row begin in `runs`, from the bottom row.
+    /// Start of every row's runs in `runs`, from the bottom row.
     starts: Vec<u32>,
     /// First and last column of a run of FULL cells, and its obstacle's number; 0 for a wall.
     runs: Vec<(i32, i32, u32)>,
@@ -70,7 +69,7 @@ impl ObstacleRuns {
         Self { starts, runs, count }
     }
 
-    /// How many there are, walls not counted.
+    /// Number of obstacles, without walls.
     pub fn count(&self) -> u32 {
         self.count
     }
@@ -85,7 +84,7 @@ impl ObstacleRuns {
     }
 }
 
-/// The set that a set has become part of; shortens the way there (Tarjan & van Leeuwen 1984, path halving).
+/// The root of a set; shortens the way there (Tarjan & van Leeuwen 1984, path halving).
 fn root(sets: &mut [u32], mut set: u32) -> u32 {
     while sets[set as usize] != set {
         let above = sets[sets[set as usize] as usize];
@@ -95,7 +94,7 @@ fn root(sets: &mut [u32], mut set: u32) -> u32 {
     set
 }
 
-/// Makes two sets one, named by the lower number: so the wall stays the wall.
+/// Joins two sets under the lower number, so that the wall keeps its number.
 fn join(sets: &mut [u32], a: u32, b: u32) {
     let (a, b) = (root(sets, a), root(sets, b));
     sets[a.max(b) as usize] = a.min(b);

@@ -59,7 +59,7 @@ impl Outline {
         Self::checked(corners.into_iter().chain(opposite).map(|(x, y)| Point::new(x, y)).collect())
     }
 
-    /// The polygon with these corners, in either direction, if it can be a robot's outline.
+    /// The polygon with these corners, in either direction, if it is valid as a robot's outline.
     pub fn checked(mut corners: Vec<Point>) -> Result<Self, CspaceError> {
         if signed_area(&corners) < 0.0 {
             corners.reverse();
@@ -68,7 +68,7 @@ impl Outline {
         outline.check().map(|()| outline)
     }
 
-    /// Says what is wrong with the outline, if anything is.
+    /// Checks that the outline is valid.
     pub(super) fn check(&self) -> Result<(), CspaceError> {
         let refuse = |why: String| Err(CspaceError::Outline(why));
         let [least, most] = EXTENTS;
@@ -110,7 +110,7 @@ impl Outline {
         Ok(())
     }
 
-    /// Extent across the way that it looks, m: the width of the strip that it sweeps at heading 0.
+    /// Extent perpendicular to the heading, m: the width of the strip that it sweeps at heading 0.
     pub fn width(&self) -> f64 {
         let (low, high) = self.bounds();
         high.y - low.y
@@ -157,7 +157,7 @@ pub(super) fn bounds(points: &[Point]) -> (Point, Point) {
     points.iter().fold((first, first), |(low, high), p| (low.inf(p), high.sup(p)))
 }
 
-/// The farthest that points reach in a direction.
+/// Farthest extent of points in a direction.
 pub(super) fn support(points: &[Point], direction: Vector) -> f64 {
     points.iter().map(|p| p.coords.dot(&direction)).fold(f64::MIN, f64::max)
 }

@@ -11,7 +11,7 @@ use crate::{
     geometry::{Point, Shape},
 };
 
-/// What a body can't go through.
+/// The obstacles of a room.
 #[derive(Debug, Clone)]
 pub(super) struct ObstacleScene {
     /// Side of the plan's cells, m.
@@ -26,9 +26,9 @@ pub(super) struct ObstacleScene {
 /// The sums of a scene and an outline at one heading.
 #[derive(Debug, Clone)]
 pub(super) struct Sums {
-    /// Of every piece of the outline and an upright line at the origin, as high as a cell of the plan.
+    /// The sums of every piece of the outline and a vertical line at the origin, as high as a cell of the plan.
     pub line: Vec<Sum>,
-    /// Of every piece and every shape.
+    /// The sums of every piece and every shape.
     pub shapes: Vec<Sum>,
     /// The box around the outline.
     pub reach: (Point, Point),

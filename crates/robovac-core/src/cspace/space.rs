@@ -14,9 +14,9 @@ use crate::{
     math,
 };
 
-/// Most memory that a configuration space takes, bytes.
+/// Largest size of a configuration space, bytes.
 pub const MAX_BYTES: usize = 256 << 20;
-/// Most cells of a slice, which is handed out with a byte a cell.
+/// Most cells of a slice, which is returned with a byte per cell.
 const MAX_SLICE: usize = 1 << 26;
 
 /// Cells FREE or FULL over x, y and heading, bit by bit.
@@ -35,7 +35,7 @@ pub struct ConfigurationSpace {
     pub width: usize,
     /// Rows.
     pub height: usize,
-    /// FULL cells of every heading; of one if all are the same.
+    /// FULL cells of every heading; a single layer if all are the same.
     layers: Vec<Bits>,
 }
 
@@ -85,7 +85,7 @@ impl ConfigurationSpace {
     }
 }
 
-/// A slice in the making.
+/// A slice under construction.
 struct Slice {
     canvas: BitCanvas,
 }
@@ -101,7 +101,7 @@ impl Slice {
         }
     }
 
-    /// Makes FULL what is too near to the edge of the plan for an outline that reaches from `low` to `high`.
+    /// Makes cells FULL that are too near to the edge of the plan for an outline that reaches from `low` to `high`.
     fn draw_outside(&mut self, scene: &ObstacleScene, (low, high): (Point, Point)) {
         let canvas = &mut self.canvas;
         let inside = canvas.rows((-low.y - HAIR, scene.size.1 - high.y + HAIR));
@@ -121,8 +121,8 @@ impl Slice {
         }
     }
 
-    /// Makes FULL what overlaps the cells of the plan. `sum` is that of an upright line at the origin: what it says
-    /// of a row holds for every run of cells, its left end for their left and its right end for their right.
+    /// Makes cells FULL that overlap the cells of the plan. `sum` is that of a vertical line at the origin: its extent
+    /// in a row holds for every run of cells, its left end for their left and its right end for their right.
     fn draw_runs(&mut self, scene: &ObstacleScene, sum: &Sum) {
         let canvas = &mut self.canvas;
         let (low, high) = sum.rows();
@@ -136,7 +136,7 @@ impl Slice {
                 if left == f64::MAX {
                     continue;
                 }
-                // Runs that grow together are filled at once.
+                // Runs that merge are filled at once.
                 let mut all = (f64::MAX, f64::MIN);
                 for &(from, to) in runs {
                     let (from, to) = (from + left, to + right);

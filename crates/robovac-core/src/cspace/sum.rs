@@ -6,10 +6,10 @@ use super::{
 };
 use crate::geometry::{Point, Vector, edges, nearest_on_segment, outward};
 
-/// An open convex region that is asked row by row.
+/// An open convex region that is evaluated row by row.
 #[derive(Debug, Clone)]
 pub(super) enum Sum {
-    /// Where all of `normal . p < reach`.
+    /// All points with `normal . p < reach` for every plane.
     Planes {
         /// Normals of length 1, and how far the region reaches along them.
         planes: Vec<(Vector, f64)>,
@@ -20,12 +20,12 @@ pub(super) enum Sum {
     Rounded {
         /// The polygon's corners.
         corners: Vec<Point>,
-        /// m.
+        /// The radius, m.
         radius: f64,
     },
 }
 
-/// A convex piece of an outline, with what every sum with it takes.
+/// A convex piece of an outline, with data shared by all its sums.
 #[derive(Debug, Clone)]
 pub(super) struct ConvexPiece {
     pub corners: Vec<Point>,
@@ -45,10 +45,10 @@ impl ConvexPiece {
 }
 
 impl Sum {
-    /// Where a convex piece of the outline overlaps a convex polygon by more than a hair. The sides of both are all
-    /// that can part them, as in [`crate::geometry::overlap`].
+    /// Overlap of a convex piece of the outline with a convex polygon by more than `HAIR`. Only sides of the
+    /// two can separate them, as in [`crate::geometry::overlap`].
     pub fn of_polygons(obstacle: &[Point], piece: &ConvexPiece) -> Self {
-        // A side without length parts nothing.
+        // A side without length separates nothing.
         let own = edges(obstacle).map(|(a, b)| outward(a, b)).filter(|normal| *normal != Vector::zeros());
         let own = own.map(|normal| (normal, support(&piece.corners, -normal)));
         let plane = |(normal, reach): (Vector, f64)| (normal, support(obstacle, normal) + reach - HAIR);
@@ -57,13 +57,13 @@ impl Sum {
         Self::Planes { planes, rows: (low.y - own_high.y + HAIR, high.y - own_low.y - HAIR) }
     }
 
-    /// Where a convex piece of the outline overlaps a disc.
+    /// Overlap of a convex piece of the outline with a disc.
     pub fn of_disc(centre: Point, radius: f64, piece: &ConvexPiece) -> Self {
         let corners = piece.corners.iter().map(|p| centre - p.coords).collect();
         Self::Rounded { corners, radius: radius - HAIR }
     }
 
-    /// Where a round outline overlaps a convex polygon or, if that has one corner, a point.
+    /// Overlap of a round outline with a convex polygon or, if that has one corner, a point.
     pub fn of_round(corners: &[Point], radius: f64) -> Self {
         Self::Rounded { corners: corners.to_vec(), radius: radius - HAIR }
     }
@@ -79,8 +79,8 @@ impl Sum {
         }
     }
 
-    /// Whether the straight line between two points goes through the region, or through the one that this becomes
-    /// when what it is the sum of, an upright line, is drawn out from `left` to `right`.
+    /// Whether the straight line between two points goes through the region, or, for the sum of a vertical line,
+    /// through the region when that line is extended from `left` to `right`.
     pub fn meets(&self, from: Point, to: Point, (left, right): (f64, f64)) -> bool {
         match self {
             Self::Planes { planes, rows } => {
@@ -106,7 +106,7 @@ impl Sum {
         }
     }
 
-    /// Where the region begins and ends at height `y`: below and above every x if the one isn't below the other.
+    /// Left and right end of the region at height `y`; for an empty row the left one isn't below the right one.
     #[inline]
     pub fn across(&self, y: f64) -> (f64, f64) {
         match self {

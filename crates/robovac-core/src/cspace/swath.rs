@@ -14,7 +14,7 @@ use crate::{
 #[derive(Debug, Clone)]
 pub struct Swath {
     canvas: BitCanvas,
-    /// The outline's pieces mirrored: the floor under a body that moves is what its mirror image would touch.
+    /// The outline's pieces mirrored: a moving body covers the points that its mirror image would touch.
     mirrored: Vec<ConvexPiece>,
     radius: f64,
 }
@@ -55,7 +55,7 @@ impl Swath {
         }
     }
 
-    /// Number of cells of `floor` that a move straight from `from` to `to` would sweep for the first time.
+    /// Number of cells of `floor` that a straight move from `from` to `to` would sweep for the first time.
     pub fn gain(&self, floor: &Self, from: Point, to: Point) -> usize {
         let (canvas, line) = (&self.canvas, [from, to]);
         let count = |sum: &Sum| -> usize {
@@ -76,7 +76,7 @@ impl Swath {
         self.mirrored.iter().map(|piece| count(&Sum::of_polygons(&line, piece))).sum()
     }
 
-    /// Adds what another body of the same room has swept.
+    /// Adds the floor swept by another body of the same room.
     pub fn add(&mut self, other: &Self) {
         self.canvas.bits.add(&other.canvas.bits);
     }
@@ -99,7 +99,8 @@ mod tests {
             let length = 1.16_f64.sqrt();
             let mut still = Swath::new(&outline, 200, 150, 0.01);
             still.sweep(Point::new(0.5, 0.5), Point::new(0.5, 0.5));
-            // Across the way an octagon is at least as wide as from side to side, and at most as from corner to corner.
+            // Perpendicular to its motion an octagon is at least as wide as from side to side, and at most as from
+            // corner to corner.
             let area = swath.count() as f64 * 1e-4;
             let least = still.count() as f64 * 1e-4 + 0.36 * length;
             assert!(area > 0.99 * least && area < 1.09 * least, "{area} {least}");

@@ -6,15 +6,14 @@ use crate::{
 };
 use rand::RngExt;
 
-/// Share of the floor that stands full in [`random_hall`].
+/// Share of the floor that is occupied in [`random_hall`].
 const HALL_FILL: f64 = 0.1;
-/// Sides of what stands in [`random_hall`], in cells.
+/// Sides of the obstacles in [`random_hall`], in cells.
 const HALL_SIDES: std::ops::RangeInclusive<usize> = 2..=40;
 
-/// A hall of `width` x `height` cells with rectangles of 2 to 40 cells a side standing about, until a tenth of it is full.
+/// A hall of `width` x `height` cells with rectangles of 2 to 40 cells a side, until a tenth of it is occupied.
 ///
-/// True is free. The lower-left cell is free, and so is every cell that it's connected with; what the rectangles cut off
-/// from it is filled.
+/// True is free. The lower-left cell is free, and so is every cell connected with it; cells cut off from it are filled.
 pub fn random_hall(width: usize, height: usize, seed: u64) -> Grid<bool> {
     let mut rng = seeded(seed, 0);
     let mut free = Grid::filled(width, height, true);
@@ -30,7 +29,7 @@ pub fn random_hall(width: usize, height: usize, seed: u64) -> Grid<bool> {
     reachable(&free, START)
 }
 
-/// Each cell blocked with probability `share`, 0 to 1; what is not connected with the lower-left cell is filled.
+/// Each cell blocked with probability `share`, 0 to 1; cells not connected with the lower-left cell are filled.
 pub fn random_clutter(width: usize, height: usize, share: f64, seed: u64) -> Grid<bool> {
     let mut rng = seeded(seed, 0);
     let mut free = Grid::filled(width, height, true);
@@ -42,7 +41,7 @@ pub fn random_clutter(width: usize, height: usize, share: f64, seed: u64) -> Gri
 /// The cell that stays free.
 const START: Cell = Cell::new(0, 0);
 
-/// Puts a rectangle somewhere; the number of cells that were free before.
+/// Fills a rectangle at a random place; returns the number of cells that were free before.
 fn fill(free: &mut Grid<bool>, wide: usize, high: usize, rng: &mut Rng) -> usize {
     let left = rng.random_range(0..=free.width() - wide);
     let bottom = rng.random_range(0..=free.height() - high);

@@ -1,6 +1,6 @@
 //! Floor plans: walls, objects and start, before a robot drives.
 //!
-//! [`ROOMS`] ship with the program, [`load`] takes files in, [`to_ascii`], [`to_ros_map`] and [`Scenario`] write them.
+//! [`ROOMS`] are built in, [`load`] reads files, [`to_ascii`], [`to_ros_map`] and [`Scenario`] write them.
 
 #[cfg(feature = "files")]
 mod files;
@@ -23,11 +23,11 @@ use crate::{
     grid::{Cell, Grid, Occupancy},
 };
 
-/// Largest number of columns or rows of a map that is taken in.
+/// Largest number of columns or rows of a map.
 pub const MAX_SIDE: usize = 4096;
-/// Finest resolution of a map that is taken in, metres per cell.
+/// Finest resolution of a map, metres per cell.
 pub const MIN_RESOLUTION: f64 = 0.001;
-/// Coarsest resolution of a map that is taken in, metres per cell.
+/// Coarsest resolution of a map, metres per cell.
 pub const MAX_RESOLUTION: f64 = 100.0;
 
 /// A room as an occupancy grid with its scale and start.
@@ -35,15 +35,15 @@ pub const MAX_RESOLUTION: f64 = 100.0;
 pub struct FloorPlan {
     /// Short name, shown in menus.
     pub name: String,
-    /// One sentence on what the room is good for; may be empty.
+    /// One sentence on the room's purpose; can be empty.
     pub note: String,
     /// Metres per cell, greater than 0.
     pub resolution: f64,
     /// State of every cell; the outside counts as wall.
     pub occupancy: Grid<Occupancy>,
-    /// What stands, lies and moves in it.
+    /// Its objects.
     pub objects: Vec<Object>,
-    /// Where the robot starts, if the plan says so; metres from the lower-left corner.
+    /// Start of the robot, if given; metres from the lower-left corner.
     pub start: Option<Pose>,
     /// Pose of the lower-left corner in the map frame of the file it came from (ROS `origin`); kept for export.
     pub origin: Pose,

@@ -3,10 +3,10 @@
 use crate::geometry::{Point, Pose};
 use serde::{Deserialize, Serialize};
 
-/// A thing in a room. Lengths in metres from the room's lower-left corner.
+/// An object in a room. Lengths in metres from the room's lower-left corner.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Object {
-    /// Furniture that stands on the floor with its whole outline, a simple polygon.
+    /// Furniture that occupies its whole outline, a simple polygon.
     Furniture {
         /// Corners, in either direction.
         outline: Vec<Point>,
@@ -18,9 +18,9 @@ pub enum Object {
         /// Radius, m.
         radius: f64,
     },
-    /// Floor that ends: stairs down. A robot whose wheel gets there falls.
+    /// A drop-off: stairs down. A robot whose wheel passes its edge falls.
     DropOff {
-        /// Corners of where there is no floor.
+        /// Corners of the area without floor.
         outline: Vec<Point>,
     },
     /// Carpet: wheels slip more.
@@ -28,42 +28,42 @@ pub enum Object {
         /// Corners.
         outline: Vec<Point>,
     },
-    /// A spot of dirt, beyond the dust that is everywhere.
+    /// A spot of dirt, in addition to the dust that is everywhere.
     Dirt {
         /// Centre.
         at: Point,
         /// Radius, m.
         radius: f64,
     },
-    /// A dock: it stands with its back to the wall and looks along its heading, from where robots come.
+    /// A dock: its back is at the wall and it faces along its heading, where robots come from.
     Dock {
-        /// Middle of its back, and the way it looks.
+        /// Middle of its back, and its heading.
         pose: Pose,
     },
     /// A virtual wall: a beam that robots with infrared receivers don't cross.
     VirtualWall {
-        /// Where its lighthouse stands, and the way its beam goes.
+        /// Position of its lighthouse, and direction of its beam.
         pose: Pose,
         /// Length of the beam, m.
         length: f64,
     },
     /// A person or pet that walks back and forth along a line.
     Mover {
-        /// Who.
+        /// Kind of the mover.
         who: Who,
         /// Corners of the line; at least one.
         path: Vec<Point>,
     },
 }
 
-/// Who moves.
+/// Kinds of movers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Who {
     /// A person: a disc of 15 cm radius around the feet (ours), walking at 0.6 m/s. Older people walk at 0.61 m/s on
     /// average at home (Kaye et al., One walk a year to 1000 within a year, Gait & Posture 35, 2012).
     Person,
-    /// A pet: a disc of 12 cm radius, at 0.4 m/s, that stops where it likes, every 4 s on average and for up to 6 s (ours).
+    /// A pet: a disc of 12 cm radius, at 0.4 m/s, that stops at random, every 4 s on average and for up to 6 s (ours).
     Pet,
 }
 
@@ -76,7 +76,7 @@ impl Who {
         }
     }
 
-    /// How fast it walks, m/s.
+    /// Its walking speed, m/s.
     pub fn speed(self) -> f64 {
         match self {
             Self::Person => 0.6,
@@ -86,7 +86,7 @@ impl Who {
 }
 
 impl Object {
-    /// What kind of thing it is, as scenario files call it.
+    /// Its key in scenario files.
     pub fn key(&self) -> &'static str {
         match self {
             Self::Furniture { .. } => "furniture",

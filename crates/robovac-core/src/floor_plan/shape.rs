@@ -2,10 +2,10 @@
 
 use crate::geometry::{Point, Vector};
 
-/// Area below which an outline encloses nothing, m²: a square centimetre.
+/// Smallest area of an outline, m²: a square centimetre.
 const LEAST_AREA: f64 = 1e-4;
 
-/// Whether `point` lies inside; on an edge it may count either way.
+/// Whether `point` lies inside; undefined on an edge.
 pub fn encloses(outline: &[Point], point: Point) -> bool {
     let crossed = edges(outline).filter(|(a, b)| {
         (a.y > point.y) != (b.y > point.y) && point.x < a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x)
@@ -13,22 +13,22 @@ pub fn encloses(outline: &[Point], point: Point) -> bool {
     crossed.count() % 2 == 1
 }
 
-/// Middle of the smallest upright rectangle around the points; the origin if there are none.
+/// Centre of the bounding box of the points; the origin if there are none.
 pub fn middle(points: &[Point]) -> Point {
     let Some((&first, rest)) = points.split_first() else { return Point::origin() };
     let (low, high) = rest.iter().fold((first, first), |(low, high), p| (low.inf(p), high.sup(p)));
     nalgebra::center(&low, &high)
 }
 
-/// Whether the outline encloses something worth the name.
+/// Whether the outline has an area of at least a square centimetre.
 pub fn has_area(outline: &[Point]) -> bool {
-    // From the first corner, so that rooms far from the origin lose no digits.
+    // Relative to the first corner, so that rooms far from the origin lose no precision.
     let Some(&origin) = outline.first() else { return false };
     let twice: f64 = edges(outline).map(|(a, b)| cross(a - origin, b - origin)).sum();
     twice.abs() > 2.0 * LEAST_AREA
 }
 
-/// The first two edges that meet elsewhere than in a common corner, by the index of their first corners.
+/// The first two edges that meet other than in a common corner, by the index of their first corners.
 pub fn crossing(outline: &[Point]) -> Option<(usize, usize)> {
     let count = outline.len();
     let edge = |i: usize| (outline[i], outline[(i + 1) % count]);

@@ -12,7 +12,7 @@ pub type Rect = [f64; 4];
 /// Radius of a chair's or table's leg, m: on usual grids just the cell that it stands in.
 const LEG: f64 = 0.02;
 
-/// A floor plan in the making. Whatever sticks out of the plan is cut off.
+/// A floor plan under construction. Parts outside the plan are clipped.
 ///
 /// ```
 /// use robovac_core::{floor_plan::Sketch, grid::picture};
@@ -60,7 +60,8 @@ impl Sketch {
         })
     }
 
-    /// The same thing again and again: `draw` is given where, from `first` on in (number, distance in m) columns and rows.
+    /// Repeats a drawing: `draw` is called with each position, from `first` on in (number, distance in m) columns and
+    /// rows.
     pub fn repeat(
         self,
         first: (f64, f64),
@@ -104,7 +105,7 @@ impl Sketch {
         })
     }
 
-    /// Where the robot starts; heading in degrees, counter-clockwise from the right.
+    /// Start of the robot; heading in degrees, counter-clockwise from the right.
     pub fn start(mut self, x: f64, y: f64, heading_deg: f64) -> Self {
         self.start = Some(Pose::new(x, y, heading_deg.to_radians()));
         self

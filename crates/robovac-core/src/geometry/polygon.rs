@@ -7,7 +7,7 @@ pub fn signed_area(outline: &[Point]) -> f64 {
     0.5 * edges(outline).map(|(a, b)| a.x * b.y - b.x * a.y).sum::<f64>()
 }
 
-/// Whether a point lies in a polygon (even-odd rule). On the outline, either may be said.
+/// Whether a point lies in a polygon (even-odd rule). Undefined on the outline.
 ///
 /// ```
 /// use robovac_core::geometry::{Point, contains};

@@ -5,7 +5,7 @@ use crate::math;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
-/// Where a robot is and which way it looks.
+/// Position and heading of a robot.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Pose {
     /// Metres to the right of the map's lower-left corner.

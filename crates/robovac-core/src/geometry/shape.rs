@@ -134,7 +134,7 @@ pub fn overlap(a: &[Point], normals: &[Vector], b: &[Point]) -> Option<(f64, Vec
         narrow(&mut best, depth, -normal)?;
     }
     for (from, to) in edges(b) {
-        // Only a side that might part them is worth a square root.
+        // Only a side that could separate them needs a square root.
         let along = to - from;
         let across = Vector::new(along.y, -along.x);
         let depth = a.iter().fold(f64::MIN, |deepest, p| deepest.max((from - p).dot(&across)));
@@ -166,13 +166,13 @@ pub fn overlap_box(polygon: &[Point], normals: &[Vector], low: Point, high: Poin
     Some(best)
 }
 
-/// Takes a way out that is shorter than the best so far; `None` if there is nothing to leave.
+/// Keeps a way out that is shorter than the best so far; `None` if there is no overlap.
 #[inline]
 fn narrow(best: &mut (f64, Vector), depth: f64, away: Vector) -> Option<()> {
     if depth <= 0.0 {
         return None;
     }
-    // A side without length parts nothing.
+    // A side without length separates nothing.
     if depth < best.0 && away != Vector::zeros() {
         *best = (depth, away);
     }

@@ -7,7 +7,7 @@ use crate::{
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
-/// Column and row of a cell; (0, 0) is the lower-left one. May lie outside the grid.
+/// Column and row of a cell; (0, 0) is the lower-left one. Can lie outside the grid.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Cell {
     /// Column, counted to the right.
@@ -66,7 +66,7 @@ impl Cell {
         }
     }
 
-    /// Number of steps to `other` where nothing is in the way.
+    /// Number of steps to `other` without obstacles.
     #[inline]
     pub fn manhattan(self, other: Self) -> u32 {
         self.x.abs_diff(other.x) + self.y.abs_diff(other.y)

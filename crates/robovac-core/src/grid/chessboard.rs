@@ -1,9 +1,9 @@
-//! Distance to the nearest obstacle in moves of a king.
+//! Distance to the nearest obstacle in king's moves.
 
 use super::{Cell, Grid};
 
-/// How many moves a chess king needs from each cell to the nearest blocked one or out of the grid, at most 255; 0 in blocked
-/// cells. So the square of cells less than that far away is free.
+/// King's moves from each cell to the nearest blocked one or out of the grid, at most 255; 0 in blocked cells. So the
+/// square of cells less than that far away is free.
 ///
 /// Two passes over the cells (Rosenfeld & Pfaltz 1966). O(n).
 pub fn chessboard(blocked: &Grid<bool>) -> Grid<u8> {

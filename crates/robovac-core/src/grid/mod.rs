@@ -96,7 +96,7 @@ impl<T> Grid<T> {
         &self.values
     }
 
-    /// All values, row 0 first, to be changed.
+    /// All values, row 0 first, mutably.
     #[inline]
     pub fn values_mut(&mut self) -> &mut [T] {
         &mut self.values

@@ -13,7 +13,7 @@ pub enum Occupancy {
 }
 
 impl Occupancy {
-    /// Whether a robot may be there.
+    /// Whether a robot can be there.
     #[inline]
     pub fn is_free(self) -> bool {
         self == Self::Free

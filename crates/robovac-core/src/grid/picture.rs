@@ -23,7 +23,8 @@ pub fn picture<T>(grid: &Grid<T>, mut glyph: impl FnMut(&T) -> char) -> String {
 
 /// The grid drawn in `text`, top row first; surrounding blank lines and indentation are ignored.
 ///
-/// `None` if there is no row or the rows differ in length. Map files go through `floor_plan`, whose errors say more.
+/// `None` if there is no row or the rows differ in length. Map files are read by `floor_plan`, which has detailed
+/// errors.
 pub fn from_picture<T>(text: &str, mut value: impl FnMut(char) -> T) -> Option<Grid<T>> {
     let rows: Vec<&str> = text.lines().map(str::trim).filter(|line| !line.is_empty()).collect();
     let width = rows.first()?.chars().count();

@@ -1,4 +1,4 @@
-//! Which cells can be reached in 4-neighbour steps.
+//! Cells that can be reached in 4-neighbour steps.
 
 use super::{Cell, Grid};
 
@@ -24,7 +24,7 @@ pub fn largest_part(free: &Grid<bool>) -> Option<Cell> {
 
 /// Marks the free cells connected with `start` that haven't been seen, and counts them.
 ///
-/// Run by run, each marked as a whole: a cell is looked at about three times, in the order of memory.
+/// Run by run, each marked as a whole: a cell is read about three times, in the order of memory.
 fn flood(free: &Grid<bool>, start: Cell, seen: &mut Grid<bool>) -> usize {
     if !free.is_set(start) || seen[start] {
         return 0;

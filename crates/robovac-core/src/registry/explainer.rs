@@ -3,27 +3,27 @@
 use super::text::{is_same, sentences};
 use crate::floor_plan::ROOMS;
 
-/// What the page says of an algorithm to someone who doesn't know it.
+/// Introduction to an algorithm, for its panel on the page.
 #[derive(Debug, Clone, Copy)]
 pub struct Explainer {
     /// The idea in three sentences.
     pub idea: &'static str,
-    /// Time and memory in the number of cells n, as the code has them.
+    /// Time and memory of the implementation, in the number of cells n.
     pub complexity: &'static str,
     /// When to choose it, and when not to.
     pub use_when: &'static str,
-    /// A room that ships and that shows what it is good at.
+    /// A built-in room that shows its strengths.
     pub shines: Example,
-    /// A room that ships and that shows what it is bad at.
+    /// A built-in room that shows its weaknesses.
     pub fails: Example,
 }
 
 impl Explainer {
-    /// Checks that all is said, and `summary` in one sentence.
+    /// Checks that all texts are complete, and that `summary` is one sentence.
     ///
     /// # Panics
     ///
-    /// If it isn't. It is for constants, where that is an error of the compiler.
+    /// If one isn't. Meant for constants, where it is a compile error.
     pub const fn check(&self, summary: &str) {
         assert!(sentences(summary) == 1, "`summary` must be one sentence");
         assert!(sentences(self.idea) == 3, "`idea` must be three sentences; write \"about\" rather than \"approx.\"");
@@ -48,8 +48,8 @@ impl Example {
 /// A room and what an algorithm does there.
 #[derive(Debug, Clone, Copy)]
 pub struct Example {
-    /// Id of a room that ships.
+    /// Id of a built-in room.
     pub room: &'static str,
-    /// What is to be seen there, in one sentence.
+    /// What it shows, in one sentence.
     pub why: &'static str,
 }

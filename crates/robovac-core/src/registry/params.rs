@@ -10,7 +10,7 @@ pub struct ParamSpec {
     pub id: &'static str,
     /// Name in forms.
     pub label: &'static str,
-    /// One sentence: what it does.
+    /// One sentence on its effect.
     pub help: &'static str,
     /// Kind, range and default.
     pub kind: ParamKind,
@@ -25,11 +25,11 @@ pub enum ParamKind {
         min: f64,
         /// Largest value.
         max: f64,
-        /// Distance between values that a form offers; whole numbers only if it is 1.
+        /// Step of the value in forms; if it is 1, only whole numbers are valid.
         step: f64,
-        /// Value if nothing is said.
+        /// Default value.
         default: f64,
-        /// Unit shown behind the value; may be empty.
+        /// Unit shown behind the value; can be empty.
         unit: &'static str,
     },
     /// One of several words.
@@ -39,7 +39,7 @@ pub enum ParamKind {
     },
     /// Yes or no.
     Flag {
-        /// Value if nothing is said.
+        /// Default value.
         default: bool,
     },
 }
@@ -67,7 +67,7 @@ impl fmt::Display for ParamValue {
     }
 }
 
-/// What is wrong with a parameter.
+/// Errors of parameters.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ParamError {
     /// There is no such parameter.
@@ -85,7 +85,7 @@ pub enum ParamError {
         id: &'static str,
         /// The value given.
         value: String,
-        /// What it takes.
+        /// Accepted values.
         expected: String,
     },
 }
@@ -131,7 +131,7 @@ impl Params {
         Ok(())
     }
 
-    /// Sets one value from what a form, a link or a command line says.
+    /// Sets one value from the text of a form, a link or a command line.
     pub fn set_text(&mut self, specs: &[ParamSpec], id: &str, text: &str) -> Result<(), ParamError> {
         let parsed = specs.iter().find(|s| s.id == id).map(|s| s.kind.parse(text));
         self.set(specs, id, parsed.unwrap_or_else(|| ParamValue::Choice(text.to_owned())))
@@ -147,7 +147,7 @@ impl Params {
         self.0.get(id)
     }
 
-    /// Value of the number `id`; 0 if the planner's own list has no such number, which its tests would show.
+    /// Value of the number `id`; 0 if the planner's list has no such number, which its tests would detect.
     pub fn number(&self, id: &str) -> f64 {
         if let Some(ParamValue::Number(number)) = self.0.get(id) { *number } else { 0.0 }
     }
@@ -164,7 +164,7 @@ impl Params {
 }
 
 impl ParamKind {
-    /// Value if nothing is said.
+    /// Default value.
     pub fn default(&self) -> ParamValue {
         match self {
             Self::Number { default, .. } => ParamValue::Number(*default),
@@ -173,7 +173,7 @@ impl ParamKind {
         }
     }
 
-    /// The value that `text` stands for, as on a command line or in a link; a choice where it stands for nothing else.
+    /// The value of `text`, as on a command line or in a link; other texts are choices.
     pub fn parse(&self, text: &str) -> ParamValue {
         match self {
             Self::Number { .. } => text.parse().map(ParamValue::Number).ok(),

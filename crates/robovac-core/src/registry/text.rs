@@ -1,6 +1,6 @@
-//! Rules for texts that the compiler can check.
+//! Text rules that can be checked at compile time.
 
-/// Whether two texts are the same.
+/// Whether two texts are equal.
 pub const fn is_same(a: &str, b: &str) -> bool {
     let (a, b) = (a.as_bytes(), b.as_bytes());
     let mut index = 0;

@@ -19,19 +19,19 @@ pub enum WheelLayout {
     Omnidirectional,
 }
 
-/// What a robot has to sense the world with.
+/// Sensors of a robot.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SensorSuite {
-    /// Bumper; `None` for a robot that doesn't feel what it touches.
+    /// Bumper; `None` for a robot without one.
     pub bumper: Option<Bumper>,
-    /// Cliff sensors that there are: left, front left, front right, right. [`None`] where there is none; a single front
-    /// sensor is listed twice.
+    /// Cliff sensors: left, front left, front right, right. [`None`] where there is none; a single front sensor is
+    /// listed twice.
     pub cliffs: [Option<[f64; 2]>; 4],
     /// Light bumper and wall sensor.
     pub light_bumper: Option<LightBumper>,
     /// Whether it has infrared receivers for docks and virtual walls.
     pub infrared: bool,
-    /// Whether it feels its wheels drop when it is lifted.
+    /// Whether it has wheel drop switches.
     pub wheel_drops: bool,
     /// Laser scanner.
     pub laser: Option<Laser>,
@@ -51,14 +51,14 @@ pub struct Bumper {
 pub struct LightBumper {
     /// Directions of the beams, from left to right, rad. They start at the body's edge.
     pub angles: [f64; 6],
-    /// Distance from the body's edge at which nothing is seen any more, m.
+    /// Range from the body's edge, m.
     pub range: f64,
 }
 
 /// A laser scanner.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Laser {
-    /// Where it sits.
+    /// Its position.
     pub at: [f64; 2],
     /// Direction of the first beam, rad.
     pub first: f64,
@@ -68,7 +68,7 @@ pub struct Laser {
     pub beams: usize,
     /// Nearest and farthest distance that it measures, m.
     pub range: [f64; 2],
-    /// Scans a second.
+    /// Scans per second.
     pub rate_hz: f64,
 }
 

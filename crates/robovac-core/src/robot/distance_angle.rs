@@ -3,21 +3,21 @@
 use super::{RobotModel, SensorReadings};
 use crate::math::PI;
 
-/// Readings between two times that they are asked for: 0.24 s at 15 ms a reading (ours). Asked at every reading, they say
-/// nothing of slow motions; asked seldom, they say nothing of where a bend was.
+/// Readings between two polls of distance and angle: 0.24 s at 15 ms per reading (ours). More frequent polls miss slow
+/// motions; less frequent ones lose the positions of bends.
 pub const READINGS_PER_DISTANCE_ANGLE: u32 = 16;
 
-/// What packets 19 and 20 of the Open Interface tell, if they are asked for with a reading.
+/// Values of packets 19 and 20 of the Open Interface, if they are requested with a reading.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct DistanceAngle {
-    /// Way of the middle between the wheels since it was last told, mm (packet 19).
+    /// Distance of the middle between the wheels since the last report, mm (packet 19).
     pub distance_mm: i16,
-    /// Turn since it was last told, degrees, counter-clockwise positive (packet 20, of firmware from 3.4.1 on).
+    /// Turn since the last report, degrees, counter-clockwise positive (packet 20, of firmware from 3.4.1 on).
     pub angle_deg: i16,
 }
 
 impl DistanceAngle {
-    /// Both ways after each other.
+    /// Both motions after each other.
     #[must_use]
     pub fn and(self, next: Self) -> Self {
         Self {
@@ -26,7 +26,7 @@ impl DistanceAngle {
         }
     }
 
-    /// What the wheels have rolled: left and right, m.
+    /// Distance rolled by the wheels: left and right, m.
     pub fn rolled(self, wheel_base: f64) -> [f64; 2] {
         let distance = f64::from(self.distance_mm) / 1000.0;
         let half = 0.5 * wheel_base * f64::from(self.angle_deg) * PI / 180.0;
@@ -34,28 +34,29 @@ impl DistanceAngle {
     }
 }
 
-/// A robot's own reckoning of these packets, by its encoders.
+/// A robot's own computation of these packets from its encoders.
 ///
-/// Both are whole numbers, cut towards 0, that end at those of 16 bits, and telling them begins anew: what was cut off is
-/// lost (Create 2 Open Interface specification, packets 19 and 20; issue 28 of `create_robot` tells what comes of it).
+/// Both are whole numbers, truncated towards 0 and limited to 16 bits, and restart at 0 after each report, so the
+/// truncated remainder is lost (Create 2 Open Interface specification, packets 19 and 20; issue 28 of `create_robot`
+/// describes the consequences).
 #[derive(Debug, Clone)]
 pub struct DistanceAngleMeter {
     mm_per_count: f64,
     wheel_base_mm: f64,
     last: Option<[u16; 2]>,
-    /// Counts of left and right wheel since they were told.
+    /// Counts of left and right wheel since the last report.
     since: [i64; 2],
     readings: u32,
 }
 
 impl DistanceAngleMeter {
-    /// Nothing moved yet.
+    /// At rest.
     pub fn new(robot: &RobotModel) -> Self {
         let (mm_per_count, wheel_base_mm) = (1000.0 / robot.counts_per_metre, 1000.0 * robot.wheel_base);
         Self { mm_per_count, wheel_base_mm, last: None, since: [0; 2], readings: 0 }
     }
 
-    /// Takes the counters of a reading, which wrap; tells the packets with every so-many-th.
+    /// Takes the counters of a reading, which wrap; reports the packets at regular intervals.
     pub fn take(&mut self, sensed: &SensorReadings) -> Option<DistanceAngle> {
         let counts = [sensed.left_counts, sensed.right_counts];
         let last = self.last.replace(counts).unwrap_or(counts);
@@ -68,7 +69,7 @@ impl DistanceAngleMeter {
         }
         self.readings = 0;
         let [left, right] = std::mem::take(&mut self.since).map(|counts| counts as f64 * self.mm_per_count);
-        // Casts cut towards 0 and end at the limits.
+        // Casts truncate towards 0 and saturate.
         let angle = (right - left) / self.wheel_base_mm * 180.0 / PI;
         Some(DistanceAngle { distance_mm: (0.5 * (left + right)) as i16, angle_deg: angle as i16 })
     }
@@ -79,7 +80,7 @@ mod tests {
     use super::*;
     use crate::robot::model;
 
-    /// What is told of wheels that roll by so many counts at each of so many readings.
+    /// The reports for wheels that roll `by` counts at each of `readings` readings.
     fn told(by: [i16; 2], readings: u32) -> Vec<DistanceAngle> {
         let mut meter = DistanceAngleMeter::new(model("roomba600").unwrap());
         // So that they wrap.
@@ -100,7 +101,7 @@ mod tests {
 
     #[test]
     fn they_are_cut_towards_zero_and_what_is_cut_off_is_lost() {
-        // 16 readings of 10 counts at 2.249 counts/mm are 71.1 mm; the first reading only tells where the counters stand.
+        // 16 readings of 10 counts at 2.249 counts/mm are 71.1 mm; the first reading only sets the counters.
         assert_eq!(
             told([10, 10], 32),
             [DistanceAngle { distance_mm: 66, angle_deg: 0 }, DistanceAngle { distance_mm: 71, angle_deg: 0 }]
@@ -108,7 +109,7 @@ mod tests {
         assert_eq!(told([-10, -10], 32)[1].distance_mm, -71);
         // 16 counts against 16 are 14.2 mm on a base of 235 mm, or 3.47 degrees.
         assert_eq!(told([-1, 1], 32)[1], DistanceAngle { distance_mm: 0, angle_deg: 3 });
-        // Slower than a degree in all that time it is never seen.
+        // Slower than a degree in that time is never reported.
         assert!(told([0, 0], 320).iter().all(|&told| told == DistanceAngle::default()));
     }
 

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Wheel speeds asked of a robot, m/s, forward positive. The robot limits speed and acceleration.
+/// Wheel speeds commanded to a robot, m/s, forward positive. The robot limits speed and acceleration.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Drive {
     /// Left wheel.
@@ -33,7 +33,7 @@ impl Drive {
         Self { left: share * self.left, right: share * self.right, lateral: share * self.lateral }
     }
 
-    /// Whether nothing is to move.
+    /// Whether all speeds are 0.
     pub fn is_stop(&self) -> bool {
         *self == Self::STOP
     }

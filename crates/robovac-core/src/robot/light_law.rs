@@ -11,8 +11,8 @@ const LAW: (f64, f64) = (5.8, 0.017);
 /// Largest value of a signal.
 pub const MOST_LIGHT: f64 = 4095.0;
 
-/// Signal of what lies `distance` metres ahead of a sensor with that range, m. `share` is how much of the light a surface
-/// sends back: its reflectance times the cosine of the angle at which the light meets it (Lambert), 0 to 1.
+/// Signal of a surface `distance` metres ahead of a sensor with the given range, m. `share` is the share of light that
+/// the surface reflects: its reflectance times the cosine of the angle at which the light meets it (Lambert), 0 to 1.
 #[inline]
 pub fn light_at(distance: f64, share: f64, range: f64) -> f64 {
     let from_source = distance + LAW.1;
@@ -22,8 +22,8 @@ pub fn light_at(distance: f64, share: f64, range: f64) -> f64 {
     fading * light / (1.0 + (light / MOST_LIGHT) * (light / MOST_LIGHT)).sqrt()
 }
 
-/// The distance, m, from which that much light comes back: inverse to [`light_at`] to a tenth of a millimetre. 0 for more
-/// light than anything sends back, `range` for none.
+/// The distance, m, at which a surface reflects that much light: the inverse of [`light_at`] to a tenth of a
+/// millimetre. 0 for more light than anything reflects, `range` for none.
 pub fn distance_of_light(light: f64, share: f64, range: f64) -> f64 {
     let (mut near, mut far) = (0.0, range);
     while far - near > 1e-4 {
@@ -37,8 +37,8 @@ pub fn distance_of_light(light: f64, share: f64, range: f64) -> f64 {
     0.5 * (near + far)
 }
 
-/// The distance, m, at which something square to the beam would send as much light back as what lies `distance` metres ahead
-/// and sends back only that `share` of it, 0 to 1; near enough that nothing fades out.
+/// The distance, m, at which a surface perpendicular to the beam would reflect as much light as one `distance` metres
+/// ahead that reflects only `share` of it, 0 to 1; for distances without fade-out.
 #[inline]
 pub fn apparent_distance(distance: f64, share: f64) -> f64 {
     (distance + LAW.1) / share.sqrt() - LAW.1

@@ -17,11 +17,11 @@ pub struct RobotModel {
     pub radius: f64,
     /// How it moves.
     pub wheels: WheelLayout,
-    /// What it senses with.
+    /// Its sensors.
     pub sensors: SensorSuite,
     /// Brushes beside the tool.
     pub side_brushes: &'static [SideBrush],
-    /// Where its power comes from.
+    /// Its battery.
     pub battery: Battery,
     /// Width of the strip of floor that one pass cleans, m.
     pub tool_width: f64,
@@ -31,7 +31,7 @@ pub struct RobotModel {
     pub counts_per_metre: f64,
     /// Radius of the driven wheels, m.
     pub wheel_radius: f64,
-    /// Wheel speed that the motors reach, m/s.
+    /// Maximum wheel speed, m/s.
     pub max_wheel_speed: f64,
     /// Smallest wheel speed that moves the robot, and the distance between speeds that its motor controller can keep, m/s;
     /// zeros for any speed.
@@ -44,10 +44,10 @@ pub struct RobotModel {
     pub turn_wheel_speed: f64,
     /// Side of the planning cells that fits this robot, m.
     pub default_cell: f64,
-    /// Whether it lives on a grid of cells as wide as its tool: a cell is floor only if all of it is free, and standing
+    /// Whether it moves on a grid of cells as wide as its tool: a cell is floor only if all of it is free, and standing
     /// on a cell cleans all of it.
     pub fills_cell: bool,
-    /// What it draws from its battery.
+    /// Its power consumption.
     pub power: PowerDraw,
 }
 

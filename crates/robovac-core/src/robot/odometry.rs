@@ -7,7 +7,7 @@ use crate::{
 };
 use serde::{Deserialize, Serialize};
 
-/// How wheels that have rolled become a change of pose: what tells of them, and along which line that is taken.
+/// Models that convert the rolling of wheels to a change of pose: the source of the measurement, and the assumed line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
@@ -17,9 +17,9 @@ pub enum OdometryModel {
     Arc,
     /// The robot moved straight along its old heading, then turned: good for small steps only.
     Straight,
-    /// The same as [`Arc`](Self::Arc) by distance and angle in whole millimetres and degrees (packets 19 and 20).
+    /// The same as [`Arc`](Self::Arc), from distance and angle in whole millimetres and degrees (packets 19 and 20).
     PacketArc,
-    /// The same as [`Straight`](Self::Straight) by these.
+    /// The same as [`Straight`](Self::Straight), from these.
     PacketStraight,
 }
 
@@ -32,18 +32,18 @@ impl OdometryModel {
         (Self::PacketStraight, "packet_straight"),
     ];
 
-    /// Whether it goes by distance and angle instead of counts.
+    /// Whether it uses distance and angle instead of counts.
     pub fn is_by_packets(self) -> bool {
         matches!(self, Self::PacketArc | Self::PacketStraight)
     }
 
-    /// What tells it of the wheels: left, right, sideways, m. `since` are counts since the last reading.
+    /// Distances rolled by its measurement: left, right, sideways, m. `since` are counts since the last reading.
     pub fn rolled(self, sensed: &SensorReadings, since: [i16; 3], robot: RollingScale) -> [f64; 3] {
         let metres = since.map(|counts| f64::from(counts) * robot.metres_per_count);
         if !self.is_by_packets() {
             return metres;
         }
-        // No packet tells of sideways motion.
+        // No packet reports sideways motion.
         let [left, right] = sensed.moved.map_or([0.0; 2], |moved| moved.rolled(robot.wheel_base));
         [left, right, metres[2]]
     }
@@ -59,23 +59,23 @@ impl OdometryModel {
     }
 }
 
-/// What turns counts and angles into ways.
+/// Conversion of counts and angles to distances.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RollingScale {
-    /// Way of a count, m.
+    /// Distance per count, m.
     pub metres_per_count: f64,
     /// Distance between the wheels, m.
     pub wheel_base: f64,
 }
 
 impl RollingScale {
-    /// That of a robot.
+    /// The scale of a robot.
     pub fn of(robot: &RobotModel) -> Self {
         Self { metres_per_count: 1.0 / robot.counts_per_metre, wheel_base: robot.wheel_base }
     }
 }
 
-/// Dead reckoning: sums up what the wheels did since the start.
+/// Dead reckoning: sums the motion of the wheels since the start.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Odometry {
     model: OdometryModel,
@@ -86,7 +86,7 @@ pub struct Odometry {
 }
 
 impl Odometry {
-    /// An estimate that starts at `pose`; the first reading only sets where the counters stand.
+    /// An estimate that starts at `pose`; the first reading only sets the counters.
     pub fn new(robot: &RobotModel, model: OdometryModel, pose: Pose) -> Self {
         Self { model, scale: RollingScale::of(robot), last: None, pose }
     }
@@ -96,8 +96,8 @@ impl Odometry {
         self.pose
     }
 
-    /// Takes the next reading. Counters may wrap, but not by half their range (14.6 m) at once; packets of the first reading tell
-    /// of what was before.
+    /// Takes the next reading. Counters may wrap, but not by half their range (14.6 m) at once; packets of the first
+    /// reading are ignored, as they cover earlier motion.
     pub fn update(&mut self, sensed: &SensorReadings) {
         let counts = [sensed.left_counts, sensed.right_counts, sensed.lateral_counts];
         let Some(last) = self.last.replace(counts) else { return };
@@ -118,8 +118,8 @@ impl Odometry {
     }
 }
 
-/// The pose after the wheels rolled so far at constant speeds: left, right, and to the left for a robot that moves in all
-/// directions, m. Exact, as [`OdometryModel::Arc`].
+/// The pose after the wheels rolled these distances at constant speeds: left, right, and to the left for an
+/// omnidirectional robot, m. Exact, like [`OdometryModel::Arc`].
 pub fn advance_sideways(pose: Pose, [left, right, lateral]: [f64; 3], wheel_base: f64) -> Pose {
     let distance = 0.5 * (left + right);
     let turn = (right - left) / wheel_base;

@@ -3,7 +3,7 @@
 use super::DistanceAngle;
 use std::sync::Arc;
 
-/// One reading of all sensors. Controllers see nothing else of the world. What a robot doesn't have stays at its default.
+/// One reading of all sensors, a controller's only input. Sensors that a robot doesn't have stay at their defaults.
 ///
 /// Packet numbers are those of the Open Interface of the Roomba 600 and Create 2.
 #[expect(clippy::struct_excessive_bools)]
@@ -20,21 +20,21 @@ pub struct SensorReadings {
     /// No floor under the sensors at left, front left, front right and right (packets 9 to 12). A robot with three sensors
     /// reports its front one as both front left and front right.
     pub cliff: [bool; 4],
-    /// Light that the floor sends back to them, 0 to 4095 (packets 28 to 31).
+    /// Signals of the cliff sensors, 0 to 4095 (packets 28 to 31).
     pub cliff_signal: [u16; 4],
-    /// Something is near on the right: the wall sensor (packet 8).
+    /// The wall sensor on the right detects something (packet 8).
     pub wall: bool,
     /// Strength of its signal, 0 to 1023 (packet 27).
     pub wall_signal: u16,
-    /// The beam of a virtual wall is seen (packet 13).
+    /// The beam of a virtual wall is detected (packet 13).
     pub virtual_wall: bool,
-    /// Light bumper: something is near, from left to right (packet 45, bits 0 to 5).
+    /// Detections of the light bumper, from left to right (packet 45, bits 0 to 5).
     pub light_bumper: [bool; 6],
     /// Strengths of its signals, 0 to 4095: left, front left, centre left, centre right, front right, right (packets 46 to 51).
     pub light_signal: [u16; 6],
-    /// Dirt that is being picked up, 0 to 255 (packet 15).
+    /// Amount of dirt being picked up, 0 to 255 (packet 15).
     pub dirt: u8,
-    /// Infrared characters seen all around, on the left and on the right; 0 for none (packets 17, 52 and 53).
+    /// Infrared characters received all around, on the left and on the right; 0 for none (packets 17, 52 and 53).
     pub infrared: Infrared,
     /// Left wheel encoder, wraps at 65536 (packet 43).
     pub left_counts: u16,
@@ -42,7 +42,7 @@ pub struct SensorReadings {
     pub right_counts: u16,
     /// Encoder of the sideways motion, left positive, wraps at 65536; only robots that move in all directions have one.
     pub lateral_counts: u16,
-    /// Distance and angle since they were last told, if they were asked for with this reading (packets 19 and 20).
+    /// Distance and angle since the last report, if they were requested with this reading (packets 19 and 20).
     pub moved: Option<DistanceAngle>,
     /// The castor's wheel turns: the robot makes forward progress (packet 58, bit 0 toggles; here, whether it does).
     pub stasis: bool,
@@ -80,7 +80,7 @@ pub struct Overcurrent {
     pub side_brush: bool,
 }
 
-/// What the battery's electronics report.
+/// Values of the battery's electronics.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct BatteryReading {
     /// Charge, mAh (packet 25).

@@ -5,11 +5,11 @@ use robovac_core::registry::Params;
 use robovac_sim::controller::{self, Joystick as Stick, Setup};
 use roomba_oi::{Command, Lamps, Mode, Motors, ScheduleLamps, Weekdays};
 
-/// Longest row of bytes that is sent by hand.
+/// Most bytes of a raw command.
 const MOST_RAW: usize = 256;
 
 impl Connection {
-    /// Does what the user asks for, or says why not.
+    /// Executes a request, or returns why it is refused.
     pub fn request(&mut self, now: f64, request: Request) -> Result<(), RequestRefused> {
         self.now = now;
         if !matches!(request, Request::Drive { .. }) {
@@ -43,7 +43,7 @@ impl Connection {
             }
             Request::Arm { full } => {
                 sorry(can.arm, "No robot that can be controlled is connected.")?;
-                self.beaten_at = now;
+                self.page.heard(now);
                 self.driver.put_in(now, if full { Mode::Full } else { Mode::Safe });
             }
             Request::Disarm => {
@@ -77,7 +77,7 @@ impl Connection {
                     ));
                 }
                 self.end_ride("Raw bytes were sent.");
-                self.beaten_at = now;
+                self.page.heard(now);
                 self.motors_on |= self.driver.send_raw(now, &bytes).map_err(|e| RequestRefused(e.to_string()))?;
             }
             Request::Song { .. }
@@ -104,7 +104,7 @@ impl Connection {
         Ok(())
     }
 
-    /// What tells the robot where it is, and how well that is known.
+    /// Requests that set the pose and its odometry.
     fn reckon(&mut self, now: f64, request: &Request) -> Result<(), RequestRefused> {
         match *request {
             Request::Calibrate { what } => {
@@ -177,7 +177,7 @@ impl Connection {
                 let motors = Motors::from_byte(bits);
                 self.send(now, Command::Motors(motors))?;
                 self.motors_on = motors.side_brush || motors.vacuum || motors.main_brush;
-                self.beaten_at = now;
+                self.page.heard(now);
             }
             _ => {}
         }
@@ -188,9 +188,10 @@ impl Connection {
         self.driver.send(now, command).map_err(|e| RequestRefused(format!("Invalid command: {e}.")))
     }
 
-    /// A person moves the stick.
+    /// Drives by hand.
     fn steer(&mut self, now: f64, stick: Stick) -> Result<(), RequestRefused> {
-        (self.stick_at, self.beaten_at) = (now, now);
+        self.stick_at = now;
+        self.page.heard(now);
         if self.ride.as_ref().is_none_or(|ride| !ride.is_manual || ride.is_done) {
             let manual = controller::find("manual")
                 .ok_or_else(|| RequestRefused("The manual mode is missing from this build.".into()))?;

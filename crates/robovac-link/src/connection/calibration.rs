@@ -10,15 +10,15 @@ use robovac_core::{
 };
 use roomba_oi::motion::encoder_delta;
 
-/// Factors that can be true, measured by hand: more is a mistake, or another robot.
+/// Plausible factors; others are a mistake, or another robot.
 const FACTORS: std::ops::RangeInclusive<f64> = 0.8..=1.25;
-/// Counts that a nudge has to make for it to be seen: half of what ten degrees take.
+/// Least counts of a nudge that was measured: half of what ten degrees take.
 const LEAST_COUNTS: i32 = 20;
 
-/// What encoders do wrong that don't count.
+/// Text for encoders that don't count.
 pub(super) const UNCOUNTED: &str = "The encoders hardly counted. Is the robot on the floor, and are its wheels free?";
 
-/// What was found out about a robot.
+/// Result of a robot's calibrations.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Calibrated {
     /// Packets 43 and 44 are swapped.
@@ -36,7 +36,7 @@ impl Default for Calibrated {
 }
 
 impl Calibrated {
-    /// The robot with its true figures.
+    /// The robot model with the calibrated values.
     pub fn apply(&self, model: &RobotModel) -> RobotModel {
         RobotModel {
             counts_per_metre: model.counts_per_metre / self.distance_factor,
@@ -45,13 +45,13 @@ impl Calibrated {
         }
     }
 
-    /// Whether all of it can be true.
+    /// Whether all values are plausible.
     pub fn is_sound(&self) -> bool {
         FACTORS.contains(&self.distance_factor) && FACTORS.contains(&self.base_factor)
     }
 }
 
-/// How far a calibration is.
+/// Stage of a calibration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum CalibrationStage {
     Moving,
@@ -60,13 +60,13 @@ enum CalibrationStage {
     Failed,
 }
 
-/// A calibration on its way.
+/// A calibration in progress.
 #[derive(Debug, Clone)]
 pub(super) struct Calibrating {
     what: Calibration,
     stage: CalibrationStage,
     text: String,
-    /// Encoder packets 43 and 44 when it began.
+    /// Encoder packets 43 and 44 at its start.
     began: [u16; 2],
     swapped: Option<bool>,
 }
@@ -82,7 +82,7 @@ impl Calibration {
         }
     }
 
-    /// What the ride is called.
+    /// Title of its moves.
     pub(super) fn title(self) -> &'static str {
         match self {
             Self::Nudge => "Nudge",
@@ -92,7 +92,7 @@ impl Calibration {
         }
     }
 
-    /// What drives.
+    /// The controller for its moves.
     pub(super) fn controller(self, robot: &RobotModel) -> CalibrationMoves {
         let list = match self {
             Self::Nudge => vec![CalibrationMove::Turn(PI / 18.0)],
@@ -105,7 +105,7 @@ impl Calibration {
 }
 
 impl Calibrating {
-    /// Begins, with the encoders as they stand.
+    /// Starts with the current encoder values.
     pub fn new(what: Calibration, began: [u16; 2]) -> Self {
         let text = match what {
             Calibration::Nudge => "The robot turns ten degrees. Watch which way it turns.",
@@ -121,17 +121,17 @@ impl Calibrating {
         self.stage == CalibrationStage::Moving
     }
 
-    /// Whether it waits for an answer.
+    /// Whether it waits for an answer of the user.
     pub fn is_asking(&self) -> bool {
         self.stage == CalibrationStage::Asking
     }
 
-    /// The robot didn't come to the end of its moves.
+    /// The moves were ended early.
     pub fn fail(&mut self, why: &str) {
         (self.stage, self.text) = (CalibrationStage::Failed, why.to_owned());
     }
 
-    /// The robot stands again, with the encoders like this.
+    /// The moves are done, with the encoder values at their end.
     pub fn stopped(&mut self, now: [u16; 2]) {
         let [first, second] = [0, 1].map(|i| i32::from(encoder_delta(self.began[i], now[i])));
         self.stage = CalibrationStage::Asking;
@@ -159,7 +159,7 @@ impl Calibrating {
         };
     }
 
-    /// Takes the answer to its question; the text of a refusal if it can't be.
+    /// Takes the answer to its question; returns the reason if it is refused.
     pub fn answer(&mut self, value: f64, known: &mut Calibrated) -> Result<(), String> {
         let factor = |factor: f64, what: &str| {
             if FACTORS.contains(&factor) {
@@ -189,7 +189,7 @@ impl Calibrating {
             }
             Calibration::Metre => {
                 let distance = factor(known.distance_factor * value, "wheels")?;
-                // Turns are right by now, and stay so: they are the ratio of both.
+                // Turns are right by now and stay so, as they depend on the ratio of both.
                 let base = known.base_factor * distance / known.distance_factor;
                 known.base_factor = base.clamp(*FACTORS.start(), *FACTORS.end());
                 known.distance_factor = distance;
@@ -213,7 +213,7 @@ impl Calibrating {
         Ok(())
     }
 
-    /// What is shown of it, or of none.
+    /// View of a calibration, or of none.
     pub fn view(this: Option<&Self>, known: &Calibrated) -> CalibrationView {
         let Calibrated { swapped, distance_factor, base_factor } = *known;
         let mut view =

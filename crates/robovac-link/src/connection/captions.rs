@@ -1,22 +1,22 @@
-//! What a connection is doing, in words.
+//! State of a connection in words.
 
 use super::{ConnectionView, TransportKind, TransportState};
 use serde::Serialize;
 
-/// Time in control from which the battery is worth a word, s; 0.1 Ah or so by then (our own choice).
+/// Time in control after which the battery is mentioned, s; about 0.1 Ah by then (ours).
 const LONG_AWAKE_S: f64 = 120.0;
-/// Time until it sleeps from which that is worth a word, s.
+/// Time until sleep from which it is mentioned, s.
 const SOON_ASLEEP_S: f64 = 240.0;
 
 const LISTENING: &str = "Listening for a robot…";
 
-/// A few words, and a few more; these may be empty.
+/// A title and a note; both can be empty.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Caption {
     /// A title.
     pub title: String,
-    /// A sentence.
+    /// A sentence; empty for none.
     pub note: String,
 }
 
@@ -27,7 +27,7 @@ impl Caption {
 }
 
 impl ConnectionView {
-    /// Fills in what follows from the rest.
+    /// Fills in the captions, which depend on the other fields.
     pub(super) fn captioned(mut self) -> Self {
         self.is_recording = self.transport.kind == TransportKind::None && self.transport.state == TransportState::Open;
         self.is_open = self.phase != "closed" || self.transport.state != TransportState::Closed;
@@ -40,7 +40,7 @@ impl ConnectionView {
         self
     }
 
-    /// The same as part of a recording: what could be done then can't be done now.
+    /// The same for a recording: no request is allowed.
     pub fn of_recording(mut self, name: &str) -> Self {
         self.can = super::ConnectionActions { disconnect: true, ..Default::default() };
         (self.drop, self.notice) = (None, None);
@@ -52,7 +52,7 @@ impl ConnectionView {
         self.phase == "lost" || self.transport.state == TransportState::Lost
     }
 
-    /// Picture and words for who was found, while nobody is connected.
+    /// Picture and caption of the diagnosis, while not connected.
     fn found(&self) -> (&'static str, Caption) {
         let diagnosis = &self.diagnosis;
         let or_listening =
@@ -62,7 +62,7 @@ impl ConnectionView {
             return ("unplugged", or_listening(why));
         }
         if self.phase == "diagnosing" {
-            // Who is still trying doesn't send anybody to press buttons.
+            // While tests continue, no advice is given yet.
             let trying = match diagnosis.step {
                 "asking" => "Waiting for an answer…",
                 "waking" => "Waking it through the cable's wake-up wire…",
@@ -83,7 +83,7 @@ impl ConnectionView {
         (picture, or_listening(&diagnosis.text))
     }
 
-    /// Who is there while nothing can be done with it.
+    /// Picture and caption of a robot that can't be controlled yet.
     fn waited_for(&self) -> (&'static str, &'static str) {
         match self.diagnosis.finding {
             "no_stream" => ("A robot answers", "but doesn't stream its sensors"),
@@ -103,7 +103,7 @@ impl ConnectionView {
             return Caption::new("Not connected", "Connect a real robot by cable, or the virtual one.");
         }
         if self.is_recording {
-            return Caption::new(&*transport.name, "Playback: nothing can be driven.");
+            return Caption::new(&*transport.name, "Playback: you can't drive the robot.");
         }
         match self.phase {
             "connected" => Caption::new(
@@ -116,7 +116,7 @@ impl ConnectionView {
         }
     }
 
-    /// What the robot is doing.
+    /// Caption of the robot's activity.
     fn doing_now(&self) -> Caption {
         let ride = self.ride.as_ref();
         let going = ride.filter(|ride| !ride.done);
@@ -125,7 +125,7 @@ impl ConnectionView {
         if self.is_recording {
             let then = going
                 .map_or(String::new(), |ride| format!(". Then: {}", title(ride.manual, &ride.title, "driven by hand")));
-            return Caption::new("Recording", format!("nothing can be driven{then}"));
+            return Caption::new("Recording", format!("playback only{then}"));
         }
         if !self.is_open {
             return Caption::new("No robot", "connect one, or try the virtual one");
@@ -144,13 +144,17 @@ impl ConnectionView {
             return Caption::new("Calibrating", &*self.calibration.text);
         }
         let turns = self.wheels != [0.0; 2];
-        // Control by hand goes on for a while after one has let go; who stands still isn't driven.
+        // Manual control lasts a little longer than the touch; a robot at rest isn't driven.
         if let Some(ride) = going.filter(|ride| turns || !ride.manual) {
-            let activity = if ride.manual { "" } else { ride.activity };
+            let activity = match ride {
+                _ if self.is_slowed => "at half speed: this page responds slowly",
+                ride if ride.manual => "",
+                ride => ride.activity,
+            };
             return Caption::new(title(ride.manual, &ride.title, "You drive"), activity);
         }
         if turns {
-            return Caption::new("Driven by your bytes", "Stop ends it");
+            return Caption::new("Driven by raw bytes", "Stop ends it");
         }
         if self.moves_alone {
             return Caption::new("Moves by itself", "Stop ends it");
@@ -160,13 +164,13 @@ impl ConnectionView {
         }
         let program = ride.filter(|ride| !ride.manual);
         if self.drop.is_some() {
-            // Why control was lost is said above the map already.
+            // The reason for losing control is shown above the map already.
             let what = program.map_or("Not in control".to_owned(), |ride| format!("{}: ended", ride.title));
             return Caption::new(what, "take control again to drive");
         }
         if let Some(ride) = program {
             let end = if ride.ended.is_empty() { "done" } else { "ended" };
-            // Nor what a notice says.
+            // Nor the text of a notice.
             let is_said = self.notice.as_ref().is_some_and(|notice| notice.text.starts_with(&ride.ended));
             return Caption::new(format!("{}: {end}", ride.title), if is_said { "" } else { &ride.ended });
         }
@@ -176,7 +180,7 @@ impl ConnectionView {
         }
     }
 
-    /// How long the robot stays awake, where that matters.
+    /// How long the robot stays awake, if relevant.
     fn clock_words(&self) -> String {
         let clock = |seconds: f64| format!("{}:{:02}", seconds as u64 / 60, seconds as u64 % 60);
         match (self.sleeps_in_s, self.awake_s) {
@@ -184,7 +188,7 @@ impl ConnectionView {
                 format!("Falls asleep in {}; then only its Clean button wakes it.", clock(left))
             }
             (None, Some(awake)) => {
-                let drain = " It doesn't sleep or charge meanwhile: release control when you are done.";
+                let drain = " Under control it doesn't sleep or charge: release control when you are done.";
                 format!("In control for {}.{}", clock(awake), if awake > LONG_AWAKE_S { drain } else { "" })
             }
             _ => String::new(),

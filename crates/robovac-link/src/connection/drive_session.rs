@@ -2,16 +2,16 @@
 
 use robovac_sim::controller::Controller;
 
-/// A controller at work.
+/// A controller that is driving.
 pub(super) struct DriveSession {
     /// Its name.
     pub title: String,
     pub controller: Box<dyn Controller>,
-    /// Whether a person is at the controls.
+    /// Whether a person drives.
     pub is_manual: bool,
     /// Time since it began, s.
     pub time_s: f64,
     pub is_done: bool,
-    /// Why it was ended before it was done; empty if it wasn't.
+    /// Why it was ended early; empty if it wasn't.
     pub ended: String,
 }

@@ -1,13 +1,14 @@
 //! A connection to a robot: driver, controller, view model and recording.
 //!
-//! It has no clock and no line of its own. The caller passes the time in seconds and the received bytes,
-//! and sends what [`Connection::take_tx`] and [`Connection::take_line`] ask for, at once: the stop is among it.
+//! It has no clock and no line of its own. The caller passes the time in seconds and the received bytes, and must
+//! execute [`Connection::take_tx`] and [`Connection::take_line`] at once, as they include stop commands.
 
 mod asked;
 mod calibration;
 mod captions;
 mod drive_session;
 mod moves;
+mod page_watch;
 mod reading;
 mod recording;
 mod replay;
@@ -32,6 +33,7 @@ pub use view::{
 use self::{
     calibration::{Calibrated, Calibrating, UNCOUNTED},
     drive_session::DriveSession,
+    page_watch::PageWatch,
     recording::Recorder,
     traffic::Console,
     wheel_watch::WheelWatch,
@@ -42,27 +44,24 @@ use robovac_core::{
     robot::{self, Odometry, OdometryModel, RobotModel, RobotPort},
 };
 use robovac_sim::controller::Controller;
-use roomba_oi::{Mode, Readings};
+use roomba_oi::{Mode, Packet, Readings};
 use thiserror::Error;
 
-/// A page that hasn't been heard of for so long, s, hangs or is hidden: whatever moves is stopped.
-const BEAT_S: f64 = 0.15;
-/// A stick that nobody moves or holds for so long, s, is let go.
+/// Time without a stick command after which the stick counts as released, s.
 const STICK_S: f64 = 0.2;
-/// Nobody is at the controls who hasn't touched them for so long, s; time enough to roll back from an edge.
+/// Time without a stick command after which manual control ends, s; long enough to roll back from an edge.
 const LEFT_ALONE_S: f64 = 1.5;
-/// Counts the wrong way round that aren't the end of an earlier turn: 30 degrees.
+/// Counts in the wrong direction that can't be the end of an earlier turn: 30 degrees.
 const ODD_COUNTS: i32 = 138;
-/// Robots fall asleep after so long in Passive, s.
+/// Time after which robots in Passive fall asleep, s.
 const SLEEP_S: f64 = 300.0;
-/// Points of the trace that are kept until they are fetched: a minute.
+/// Most points of the trace kept until they are fetched: one minute.
 const MOST_TRACE: usize = 4 * 64 * 60;
 
-/// Marks a point of the trace as the pose that the robot is taken to have as a program sets off: what came before it is
-/// another way.
+/// Flag of a trace point at which a program begins with an assumed pose; the trail before it is separate.
 pub const SETS_OFF: u16 = 256;
 
-/// Why a request is refused. Its text is a sentence for users.
+/// Reason for refusing a request, as a sentence for users.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[error("{0}")]
 pub struct RequestRefused(pub String);
@@ -81,22 +80,23 @@ pub struct Connection {
     odometry: Odometry,
     odometry_model: OdometryModel,
     distance_m: f64,
-    /// Time of the latest call, and of the page's last sign of life.
+    /// Time of the latest call.
     now: f64,
-    beaten_at: f64,
+    page: PageWatch,
     stick_at: f64,
-    /// Counts of encoder packets 43 and 44 while it turned on the spot to the left, and whether they were complained of.
+    /// Counts of encoder packets 43 and 44 while it turned on the spot to the left, and whether they were reported as
+    /// swapped.
     turned: [i32; 2],
-    /// The latest of them: left, right.
+    /// The latest counts: left, right.
     counts: [u16; 2],
     is_odd: bool,
     wheel_watch: WheelWatch,
     transport: TransportView,
-    /// Whether it was told that packet 20 is corrected.
+    /// Whether the correction of packet 20 was reported.
     is_old: bool,
     /// Whether brushes or vacuum were switched on.
     motors_on: bool,
-    /// Since when the robot is in its mode.
+    /// The robot's mode, and since when.
     mode: Option<(Mode, f64)>,
     notice: Option<Notice>,
     notices: u32,
@@ -126,7 +126,7 @@ impl Connection {
             odometry_model: OdometryModel::Arc,
             distance_m: 0.0,
             now: 0.0,
-            beaten_at: 0.0,
+            page: PageWatch::default(),
             stick_at: f64::NEG_INFINITY,
             turned: [0; 2],
             counts: [0; 2],
@@ -146,9 +146,10 @@ impl Connection {
 
     // ---- the line
 
-    /// The transport is open at 115200 baud: finds out who is there.
+    /// The line is open at 115200 baud: starts the diagnosis.
     pub fn opened(&mut self, now: f64) {
-        (self.now, self.beaten_at) = (now, now);
+        self.now = now;
+        self.page.start(now);
         self.end_ride("The connection was reopened.");
         self.motors_on = false;
         self.recorder.note(now, RecordedEvent::Line("open".into()));
@@ -156,7 +157,7 @@ impl Connection {
         self.place(self.odometry.pose());
     }
 
-    /// The transport is gone, and why, as a sentence; `for_good` if it won't come back by itself.
+    /// The line is lost, with the reason as a sentence; `for_good` if it won't return by itself.
     pub fn lost(&mut self, now: f64, why: &str, for_good: bool) {
         self.now = now;
         self.recorder.note(now, RecordedEvent::Line(format!("lost {why}")));
@@ -186,21 +187,21 @@ impl Connection {
         self.listen();
     }
 
-    /// The page is alive.
+    /// The page's sign of life.
     pub fn beat(&mut self, now: f64) {
         if now.is_finite() {
-            self.beaten_at = now;
+            self.page.heard(now);
         }
     }
 
-    /// Stops the robot and leaves it in Passive, as the page goes away or is hidden; `why` is for the user who comes back.
+    /// Stops the robot and leaves it in Passive, as the page is closed or hidden; `why` is shown to a returning user.
     pub fn leave(&mut self, now: f64, why: &str) {
         self.now = now;
         let had_control = self.driver.target() > Mode::Passive;
         self.end_ride(why);
         self.motors_on = false;
         if self.driver.phase() != ConnectionPhase::Closed {
-            // Twice: a page that is closed takes the line with it, and nothing can be repeated later.
+            // Twice, as nothing can be repeated later: closing the page closes the line.
             self.driver.stop(now);
             self.driver.put_in(now, Mode::Passive);
         }
@@ -209,7 +210,7 @@ impl Connection {
         }
     }
 
-    /// Stops what drives: whoever has this link won't look at it for a while.
+    /// Stops what drives: the caller won't call [`Self::tick`] for a while.
     pub fn pause(&mut self, now: f64) {
         self.now = now;
         if self.is_acting() {
@@ -219,20 +220,27 @@ impl Connection {
         }
     }
 
-    /// Lets time pass; call it at least every 20 ms.
+    /// Advances the time; to be called at least every 20 ms.
     pub fn tick(&mut self, now: f64) {
         self.now = now;
         self.driver.tick(now);
         if self.driver.phase() != ConnectionPhase::Connected {
             self.wheel_watch.forget();
         }
-        if self.is_acting() && now - self.beaten_at > BEAT_S {
+        if self.recorder.has_filled_up() {
+            let text = "The recording is full. Save it; what follows is not recorded until the page is reloaded.";
+            self.say("notice", text.to_owned());
+        }
+        self.page.tick(now);
+        // A controller slows down first; brushes and raw bytes have nothing between on and off.
+        let is_silent = self.page.hangs() || (!self.rides() && self.page.share() <= 0.0);
+        if self.is_acting() && is_silent {
             self.leave(now, "The page stopped responding, so the robot was stopped.");
         }
         if self.is_acting() && self.driver.is_stalled() {
             self.stalled();
         }
-        if self.ride.as_ref().is_some_and(|ride| !ride.is_done) && !self.driver.is_armed() {
+        if self.rides() && !self.driver.is_armed() {
             let dropped = self.driver.dropped().map(ToString::to_string);
             self.end_ride(dropped.as_deref().unwrap_or("The robot is no longer under control."));
             self.motors_on = false;
@@ -240,7 +248,7 @@ impl Connection {
         self.listen();
     }
 
-    /// Bytes to be sent, now; empty if there are none.
+    /// Bytes to be sent at once; empty if there are none.
     pub fn take_tx(&mut self) -> Vec<u8> {
         let bytes = self.driver.take_tx();
         if !bytes.is_empty() {
@@ -249,7 +257,7 @@ impl Connection {
         bytes
     }
 
-    /// What is to be done with the line before the next bytes are sent.
+    /// Request to the line, to be executed before the next bytes are sent.
     pub fn take_line(&mut self) -> Option<LineRequest> {
         let request = self.driver.take_line()?;
         let words = match request {
@@ -260,7 +268,7 @@ impl Connection {
         Some(request)
     }
 
-    /// The robot isn't heard while it is to move.
+    /// The robot is silent while it should be moving.
     fn stalled(&mut self) {
         let what = self.loose();
         self.end_ride("No data from the robot, so a stop command was sent.");
@@ -272,7 +280,7 @@ impl Connection {
         );
     }
 
-    /// What to do about a robot that may be moving where nothing reaches it.
+    /// Advice for a robot that can be moving out of reach.
     fn loose(&self) -> &'static str {
         if self.driver.target() == Mode::Full {
             "It may still be moving: in Full mode nothing stops it. Hold it and press its CLEAN button."
@@ -287,19 +295,24 @@ impl Connection {
         }
     }
 
-    /// Whether the robot drives at this program's word, or is about to.
+    /// Whether a controller drives.
+    fn rides(&self) -> bool {
+        self.ride.as_ref().is_some_and(|ride| !ride.is_done)
+    }
+
+    /// Whether the robot is driven by this program, or is about to be.
     fn is_moving(&self) -> bool {
-        self.driver.wheels().sent() != (0, 0) || self.ride.as_ref().is_some_and(|ride| !ride.is_done)
+        self.driver.wheels().sent() != (0, 0) || self.rides()
     }
 
     /// Whether anything moves or is switched on.
-    fn is_acting(&self) -> bool {
-        self.motors_on || self.driver.wheels().is_moving() || self.ride.as_ref().is_some_and(|ride| !ride.is_done)
+    pub fn is_acting(&self) -> bool {
+        self.motors_on || self.driver.wheels().is_moving() || self.rides()
     }
 
     // ---- what drives
 
-    /// Lets `controller` drive, which is called `title`; the robot is taken to stand at `start`.
+    /// Starts `controller` under the name `title`; the robot's pose is set to `start`.
     pub fn ride(
         &mut self,
         now: f64,
@@ -319,7 +332,7 @@ impl Connection {
         Ok(())
     }
 
-    /// Whoever drives on leaves the place that a calibration asks about.
+    /// Refuses to drive on while a calibration asks for a measurement.
     fn nothing_asked(&self) -> Result<(), RequestRefused> {
         match &self.calibrating {
             Some(calibrating) if calibrating.is_asking() => {
@@ -329,12 +342,12 @@ impl Connection {
         }
     }
 
-    /// The robot with its true figures, as controllers had better know it.
+    /// The robot model with calibrated values, for controllers.
     pub fn calibrated(&self, model: &RobotModel) -> RobotModel {
         self.known.apply(model)
     }
 
-    /// What tells the robot where it is, and should tell what rides on it.
+    /// The odometry model in use, also for controllers.
     pub fn odometry(&self) -> OdometryModel {
         self.odometry_model
     }
@@ -342,7 +355,7 @@ impl Connection {
     fn set_off(&mut self, now: f64, title: &str, mut controller: Box<dyn Controller>, start: Pose, is_manual: bool) {
         controller.start_at(start);
         self.end_ride("Another action started.");
-        self.beaten_at = now;
+        self.page.heard(now);
         self.place(start);
         self.ride = Some(DriveSession {
             title: title.to_owned(),
@@ -354,7 +367,7 @@ impl Connection {
         });
     }
 
-    /// Takes the robot to stand at `pose`.
+    /// Sets the robot's pose.
     fn place(&mut self, pose: Pose) {
         let mut odometry = Odometry::new(&self.known.apply(&self.model), self.odometry_model, pose);
         if self.driver.readings().is_some() {
@@ -363,22 +376,22 @@ impl Connection {
         self.odometry = odometry;
     }
 
-    /// A program sets off at `pose`.
+    /// A program begins at `pose`.
     fn mark(&mut self, pose: Pose) {
         self.trace.extend([pose.x, pose.y, pose.heading, f64::from(SETS_OFF)]);
     }
 
-    /// What became of the line, for the view.
+    /// Sets the state of the line for the view.
     pub fn set_transport(&mut self, transport: TransportView) {
         self.transport = transport;
     }
 
-    /// Whether the line keeps its baud rate whatever is asked for, as a bridge does. To be said before it is opened.
+    /// Whether the line's baud rate can't be changed, as with a bridge. To be set before it is opened.
     pub fn fix_rate(&mut self, is_fixed: bool) {
         self.driver.fix_rate(is_fixed);
     }
 
-    /// Drops what is to be sent: there is no line that could take it.
+    /// Discards pending bytes, as there is no line.
     pub fn discard(&mut self) {
         let _ = self.driver.take_tx();
         while self.driver.take_line().is_some() {}
@@ -394,7 +407,7 @@ impl Connection {
         self.driver.readings().map(|Readings { left_counts, right_counts, .. }| [*left_counts, *right_counts])
     }
 
-    /// Whatever drives doesn't any more, and why.
+    /// Ends the present controller for a reason.
     fn end_ride(&mut self, why: &str) {
         let Some(ride) = self.ride.as_mut().filter(|ride| !ride.is_done) else { return };
         ride.is_done = true;
@@ -405,7 +418,7 @@ impl Connection {
         }
     }
 
-    /// The controller has come to its end by itself.
+    /// The controller is done.
     fn ride_ended(&mut self) {
         let encoders = self.encoders();
         let activity = self.ride.as_ref().map_or("", |ride| ride.controller.activity());
@@ -425,22 +438,33 @@ impl Connection {
         self.notice = Some(Notice { number: self.notices, kind, text });
     }
 
-    // ---- what is shown and kept
+    // ---- output
 
-    /// What went over the line since this was last asked for, oldest first.
+    /// Traffic since the last call, oldest first.
     pub fn take_traffic(&mut self) -> Vec<Traffic> {
         self.console.lines()
     }
 
-    /// The robot's estimated trail since this was last asked for, a reading after the other, four numbers each:
-    /// x and y in m, heading in rad, and what it felt there, as the sum of 1 bumper left, 2 bumper right, 4 cliff left, 8
-    /// cliff front left, 16 cliff front right, 32 cliff right, 64 wheel drop, 128 virtual wall; or [`SETS_OFF`].
+    /// The robot's estimated trail since the last call, four numbers for each reading: x and y in m, heading in rad,
+    /// and its contacts as the sum of 1 bumper left, 2 bumper right, 4 cliff left, 8 cliff front left, 16 cliff front
+    /// right, 32 cliff right, 64 wheel drop, 128 virtual wall; or [`SETS_OFF`].
     pub fn take_trace(&mut self) -> Vec<f64> {
         std::mem::take(&mut self.trace)
     }
 
-    /// Everything that went over the line so far, as a recording.
+    /// All traffic so far, as a recording.
     pub fn recording(&self) -> String {
         self.recorder.text()
+    }
+
+    /// What a recording of the line has had since the last call, beginning with its header. It is forgotten here: for
+    /// whoever writes it to a file, however long it becomes, or needs none.
+    pub fn take_recording(&mut self) -> String {
+        self.recorder.take()
+    }
+
+    /// Whether the robot's stream contains this packet, so that its value isn't just a default.
+    pub fn receives(&self, packet: Packet) -> bool {
+        self.driver.receives(packet)
     }
 }

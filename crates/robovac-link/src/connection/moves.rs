@@ -9,18 +9,18 @@ use robovac_sim::controller::Controller;
 
 /// Fastest wheel speed of these moves, m/s: slow enough not to slip.
 const MOST: f64 = 0.12;
-/// Slowest, m/s: below, some robots don't move at all.
+/// Slowest, m/s; some robots don't move below it.
 const LEAST: f64 = 0.03;
-/// Wheel speed per metre that is left, 1/s.
+/// Wheel speed per remaining metre, 1/s.
 const EASE: f64 = 2.0;
-/// A wheel that doesn't get on by so much, m, in so many seconds, is stuck, or isn't counted.
+/// A wheel that advances less than this, m, in this time, s, is stuck or isn't counted.
 const STUCK: (f64, f64) = (0.005, 2.0);
-/// What it does then.
+/// Activity text in that case.
 pub(super) const STUCK_WORDS: &str = "stopped: the encoders don't count";
 /// Pause between two moves, so that the robot stands still, s.
 const PAUSE_S: f64 = 0.4;
 
-/// One of them.
+/// A single move.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum CalibrationMove {
     /// On the spot, rad, to the left.
@@ -29,19 +29,19 @@ pub(super) enum CalibrationMove {
     Go(f64),
 }
 
-/// Makes them one after the other; ends early where something is in the way.
+/// A sequence of moves; ends early at an obstacle.
 #[derive(Debug, Clone)]
 pub(super) struct CalibrationMoves {
     list: Vec<CalibrationMove>,
     robot: RobotModel,
     odometry: Odometry,
-    /// Pose of the last reading and what the present move has done so far, rad or m.
+    /// Pose of the last reading and progress of the present move, rad or m.
     last: Pose,
     done: f64,
     next: usize,
     pause_s: f64,
     is_blocked: bool,
-    /// Since it last got on by a little: what is left, m, and for how long, s.
+    /// The remaining distance at the last progress, m, and the time since, s.
     still: (f64, f64),
     is_stuck: bool,
 }
@@ -81,7 +81,7 @@ impl Controller for CalibrationMoves {
         let Some(&step) = self.list.get(self.next) else { return Drive::STOP };
         let (left, spin) = match step {
             CalibrationMove::Turn(angle) => {
-                // Whichever way the encoders say: which is which may be what is to be found out.
+                // In either direction, as the encoders may be swapped.
                 self.done += turned.abs();
                 ((angle.abs() - self.done) * 0.5 * self.robot.wheel_base, angle.signum())
             }
@@ -90,7 +90,7 @@ impl Controller for CalibrationMoves {
                 (way - self.done, 0.0)
             }
         };
-        // What it rolls on while the motors brake and the reading is on its way: about two frames.
+        // Distance rolled while the motors brake and the reading arrives: about two frames.
         if left < 0.5 * math::PI / self.robot.counts_per_metre + LEAST * 0.03 {
             (self.next, self.done, self.pause_s) = (self.next + 1, 0.0, PAUSE_S);
             self.still = (f64::INFINITY, 0.0);

@@ -1,12 +1,12 @@
 //! Handling of a new sensor reading.
 
 use super::{Calibrating, Connection, LEFT_ALONE_S, MOST_TRACE, ODD_COUNTS, STICK_S};
-use robovac_core::robot::{RobotPort, SensorReadings};
+use robovac_core::robot::{Drive, RobotPort, SensorReadings};
 use robovac_sim::controller::{Joystick as Stick, drive_on};
 use roomba_oi::motion::encoder_delta;
 
 impl Connection {
-    /// Takes the reading that has just arrived.
+    /// Processes a new reading.
     pub(super) fn reading(&mut self, now: f64, dt_s: f64) {
         let sensed = self.driver.port(now).sensors().clone();
         let before = self.odometry.pose();
@@ -41,8 +41,9 @@ impl Connection {
         let is_left_alone = ride.is_manual && now - self.stick_at > LEFT_ALONE_S;
         ride.time_s += dt_s;
         let was_done = ride.controller.is_done();
-        ride.is_done = !drive_on(&mut self.driver.port(now), &mut *ride.controller, dt_s, |controller, drive| {
-            // Otherwise it might back off from an edge that somebody holds it over, an hour later.
+        let mut port = SlowedPort { port: self.driver.port(now), share: self.page.share() };
+        ride.is_done = !drive_on(&mut port, &mut *ride.controller, dt_s, |controller, drive| {
+            // Otherwise it could back off from an edge long after it was left alone.
             was_done || controller.is_done() || (is_left_alone && drive.is_stop())
         });
         if ride.is_done {
@@ -51,7 +52,8 @@ impl Connection {
         }
     }
 
-    /// Looks whether the encoders count as the wheels turn: a robot whose packets are swapped loses its way at once.
+    /// Checks that the encoders count in the direction of the wheels: a robot with swapped packets loses its pose at
+    /// once.
     fn mind_encoders(&mut self, sensed: &SensorReadings) {
         let (right, left) = self.driver.wheels().sent();
         let counts = [sensed.left_counts, sensed.right_counts];
@@ -79,7 +81,24 @@ impl Connection {
     }
 }
 
-/// What the robot feels, as bits.
+/// A robot that gets only a share of the speeds that its controller commands.
+struct SlowedPort<P> {
+    port: P,
+    share: f64,
+}
+
+impl<P: RobotPort> RobotPort for SlowedPort<P> {
+    fn sensors(&self) -> &SensorReadings {
+        self.port.sensors()
+    }
+
+    fn drive(&mut self, wanted: Drive) {
+        let [left, right, lateral] = [wanted.left, wanted.right, wanted.lateral].map(|speed| self.share * speed);
+        self.port.drive(Drive { left, right, lateral });
+    }
+}
+
+/// The robot's contacts as bits.
 fn felt(sensed: &SensorReadings) -> u8 {
     let [left, front_left, front_right, right] = sensed.cliff;
     let all = [

@@ -1,7 +1,7 @@
 //! Recording of all serial traffic, with times, as a text file.
 //!
-//! The file is read line by line. The first line is `robovac-oi-recording 1`. Every other line has a time in seconds since the
-//! recording began, a sign, and something:
+//! The first line is `robovac-oi-recording 1`. Every other line has a time in seconds since the start of the recording,
+//! a sign, and its content:
 //!
 //! | sign | what follows | meaning |
 //! |---|---|---|
@@ -10,7 +10,7 @@
 //! | `!` | words | what happened to the line or was asked for: `open`, `lost why`, `baud 19200`, `brc low`, `brc high` |
 //! | `?` | JSON | what the user asked for |
 //!
-//! Empty lines and lines that begin with `#` mean nothing.
+//! Empty lines and lines that begin with `#` are ignored.
 
 use super::traffic::hex;
 use std::fmt::Write;
@@ -18,37 +18,37 @@ use thiserror::Error;
 
 /// First line of a recording.
 pub const MAGIC: &str = "robovac-oi-recording 1";
-/// Bytes of a recording that are kept: an hour at full rate takes about 25 MB.
+/// Most bytes of a recording that is kept in memory: more than two hours at full rate.
 const MOST_BYTES: usize = 96 << 20;
-/// Longest time that is read, s: more than ten days.
+/// Longest time that can be read, s: more than ten days.
 const LONGEST_S: f64 = 1e6;
-/// Largest file that is read.
+/// Largest file that can be read.
 const MOST_READ: usize = 512 << 20;
 
-/// Something that happened.
+/// A recorded event.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum RecordedEvent {
     /// Bytes to the robot.
     Sent(Vec<u8>),
-    /// Bytes from it.
+    /// Bytes from the robot.
     Received(Vec<u8>),
-    /// To the line.
+    /// A request to the line.
     Line(String),
-    /// What the user asked for, as JSON.
+    /// A request of the user, as JSON.
     Asked(String),
 }
 
-/// What happened, and when, in s since it began.
+/// The events of a recording.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct LineRecording {
-    /// In order.
+    /// The events with their times, s since the start, in order.
     pub entries: Vec<(f64, RecordedEvent)>,
 }
 
-/// Why a file is no recording. The text names the line.
+/// Reasons why a file isn't a recording. The message names the line.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum RecordingError {
-    /// It begins with something else.
+    /// It begins with another text.
     #[error("this is not a recording: its first line should be \"{MAGIC}\", but it is \"{0}\"")]
     NotARecording(String),
     /// It is of a later version.
@@ -57,12 +57,12 @@ pub enum RecordingError {
     /// It is too long.
     #[error("the file has {0} MB; recordings can have at most {most} MB", most = MOST_READ >> 20)]
     TooLong(usize),
-    /// A line isn't as it should be.
+    /// An invalid line.
     #[error("line {line}: {what}; lines look like \"1.250 < 13 02 23 01 C7\"")]
     Line {
         /// Counted from 1.
         line: usize,
-        /// What is wrong.
+        /// Description of the error.
         what: String,
     },
 }
@@ -131,36 +131,58 @@ fn bytes(text: &str) -> Result<Vec<u8>, String> {
         .collect()
 }
 
-/// Writes a recording as things happen.
+/// Records events.
 #[derive(Debug, Default)]
 pub(super) struct Recorder {
     entries: Vec<(f64, RecordedEvent)>,
     size: usize,
     is_full: bool,
+    is_news: bool,
+    /// Time of the first entry, s.
+    began: Option<f64>,
+    has_header: bool,
 }
 
 impl Recorder {
-    /// Something happened; bytes that come at once are one entry.
+    /// Adds an event; bytes at the same time become one entry.
     pub fn note(&mut self, now: f64, entry: RecordedEvent) {
         if self.is_full {
             return;
         }
+        self.began.get_or_insert(now);
         self.size += match &entry {
             RecordedEvent::Sent(bytes) | RecordedEvent::Received(bytes) => bytes.len() + 40,
             RecordedEvent::Line(text) | RecordedEvent::Asked(text) => text.len() + 40,
         };
         if self.size > MOST_BYTES {
-            self.is_full = true;
+            (self.is_full, self.is_news) = (true, true);
             self.entries.push((now, RecordedEvent::Line("recording full: nothing after this is recorded".to_owned())));
             return;
         }
         self.entries.push((now, entry));
     }
 
+    /// Whether it has become full since the last call: no more events are recorded.
+    pub fn has_filled_up(&mut self) -> bool {
+        std::mem::take(&mut self.is_news)
+    }
+
     /// The file.
     pub fn text(&self) -> String {
-        let began = self.entries.first().map_or(0.0, |(at, _)| *at);
-        let mut text = format!("{MAGIC}\n");
+        format!("{MAGIC}\n{}", self.lines())
+    }
+
+    /// What the file has had since the last call, which is forgotten here.
+    pub fn take(&mut self) -> String {
+        let lines = self.lines();
+        self.entries.clear();
+        self.size = 0;
+        if std::mem::replace(&mut self.has_header, true) { lines } else { format!("{MAGIC}\n{lines}") }
+    }
+
+    fn lines(&self) -> String {
+        let began = self.began.unwrap_or(0.0);
+        let mut text = String::new();
         for (at, entry) in &self.entries {
             let (sign, data) = match entry {
                 RecordedEvent::Sent(bytes) => ('>', hex(bytes)),
@@ -193,6 +215,22 @@ mod tests {
         }
         let read = LineRecording::parse(&recorder.text()).unwrap().entries;
         assert_eq!(read, entries.map(|(at, entry)| (at - 10.0, entry)).map(|(at, e)| ((at * 1e4).round() / 1e4, e)));
+    }
+
+    #[test]
+    fn what_is_taken_bit_by_bit_is_the_same_file() {
+        let (mut kept, mut taken) = (Recorder::default(), Recorder::default());
+        let mut file = String::new();
+        for (number, at) in [10.0, 10.5, 10.515, 12.0].into_iter().enumerate() {
+            for recorder in [&mut kept, &mut taken] {
+                recorder.note(at, RecordedEvent::Received(vec![number as u8; 3]));
+            }
+            if number % 2 == 1 {
+                file += &taken.take();
+            }
+        }
+        assert_eq!(file, kept.text());
+        assert!(taken.take().is_empty());
     }
 
     #[test]

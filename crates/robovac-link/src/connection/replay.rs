@@ -3,11 +3,11 @@
 use super::{Connection, ConnectionView, LineRecording, RecordedEvent, Request, Traffic};
 use robovac_core::geometry::Pose;
 
-/// Time between two ticks, s, as in a worker.
+/// Time between two ticks, s; the same as in the worker.
 const TICK_S: f64 = 0.01;
 
-/// A recording that is played. What the robot sent is heard again; what was sent to it then is taken as sent, and what the
-/// driver would send now goes nowhere.
+/// Playback of a recording. The robot's bytes are received again; the recorded commands are taken as sent, and the
+/// driver's own are discarded.
 pub struct Replay {
     recording: LineRecording,
     link: Connection,
@@ -16,22 +16,22 @@ pub struct Replay {
 }
 
 impl Replay {
-    /// At its beginning.
+    /// At the start of the recording.
     pub fn new(recording: LineRecording) -> Self {
         Self { recording, link: replaying(), next: 0, time_s: 0.0 }
     }
 
-    /// How long it is, s.
+    /// Duration, s.
     pub fn duration_s(&self) -> f64 {
         self.recording.entries.last().map_or(0.0, |(at, _)| *at)
     }
 
-    /// The moment that is shown, s since its beginning.
+    /// Current time, s since the start.
     pub fn time_s(&self) -> f64 {
         self.time_s
     }
 
-    /// Goes on to `time_s`; back means from the beginning.
+    /// Advances to `time_s`; for an earlier time, restarts from the beginning.
     pub fn advance(&mut self, time_s: f64) {
         let goal = time_s.clamp(0.0, self.duration_s());
         if goal < self.time_s {
@@ -62,7 +62,7 @@ impl Replay {
         }
     }
 
-    /// What is shown at this moment. Nothing can be asked for.
+    /// The view at the current time. No request is allowed.
     pub fn view(&mut self) -> ConnectionView {
         ConnectionView { can: super::ConnectionActions::default(), ..self.link.view(self.time_s) }
     }
@@ -96,7 +96,7 @@ impl Connection {
         self.listen();
     }
 
-    /// What changes how readings are understood is asked for again; all else shows in what was sent.
+    /// Repeats requests that affect the interpretation of readings; the others are visible in the sent bytes.
     fn replay_asked(&mut self, now: f64, json: &str) {
         #[derive(serde::Deserialize)]
         struct RideStart {
@@ -108,7 +108,7 @@ impl Connection {
         } else if let Ok(request @ (Request::UseCalibration { .. } | Request::Odometry { .. })) =
             serde_json::from_str(json)
         {
-            // One that was refused then is refused again.
+            // A request that was refused then is refused again.
             let _ = self.request(now, request);
         }
     }

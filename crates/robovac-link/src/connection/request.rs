@@ -9,20 +9,20 @@ use serde::{Deserialize, Serialize};
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(tag = "do", rename_all = "snake_case")]
 pub enum Request {
-    /// Finds out anew who is there.
+    /// Starts the diagnosis again.
     Connect,
-    /// Stops the robot, ends the interface and lets the line go.
+    /// Stops the robot, ends the interface and releases the line.
     Disconnect,
-    /// Takes control: Safe, or Full.
+    /// Takes control, in Safe or Full.
     Arm {
         /// Full, without the robot's own safety features.
         full: bool,
     },
-    /// Gives control back: Passive.
+    /// Gives control up: Passive.
     Disarm,
-    /// Stops wheels, brushes and whatever drives. Always allowed.
+    /// Stops wheels, brushes and programs. Always allowed.
     Stop,
-    /// Drives by hand, within the interlocks of the manual mode; has to be repeated within 200 ms.
+    /// Drives by hand, within the interlocks of the manual mode; to be repeated within 200 ms.
     Drive {
         /// Forward, -1 to 1.
         forward: f64,
@@ -31,12 +31,12 @@ pub enum Request {
     },
     /// Presses a button of the robot.
     Press {
-        /// Which.
+        /// The button.
         button: PressedButton,
     },
-    /// Sends bytes as they are.
+    /// Sends raw bytes.
     Raw {
-        /// Some bytes, 256 at most.
+        /// At most 256 bytes.
         bytes: Vec<u8>,
     },
     /// Stores a song and plays it.
@@ -50,7 +50,7 @@ pub enum Request {
     Leds {
         /// Bits: debris, spot, dock, check.
         lamps: u8,
-        /// Of the Clean button: 0 green to 255 red.
+        /// Colour of the Clean button: 0 green to 255 red.
         colour: u8,
         /// Its brightness, 0 to 255.
         intensity: u8,
@@ -62,7 +62,7 @@ pub enum Request {
     },
     /// Sets the lights of the schedule.
     ScheduleLeds {
-        /// Bits from Sunday on.
+        /// Bits, the lowest for Sunday.
         weekdays: u8,
         /// Bits: colon, PM, AM, clock, schedule.
         lamps: u8,
@@ -72,38 +72,37 @@ pub enum Request {
         /// Bits: side brush, vacuum, main brush, side brush clockwise, main brush outward.
         bits: u8,
     },
-    /// Begins a calibration.
+    /// Starts a calibration.
     Calibrate {
-        /// Which.
+        /// The calibration.
         what: Calibration,
     },
-    /// Answers what a calibration asks: what was measured, or 1 for yes and 0 for no.
+    /// Answers a calibration's question: the measured value, or 1 for yes and 0 for no.
     Answer {
-        /// Degrees or metres, as asked.
+        /// Degrees or metres, as requested.
         value: f64,
     },
-    /// Leaves unanswered what a calibration asks.
+    /// Skips a calibration's question.
     Skip,
-    /// Uses what an earlier calibration of this robot found.
+    /// Uses the result of an earlier calibration of this robot.
     UseCalibration {
         /// Packets 43 and 44 are swapped.
         swapped: bool,
-        /// True distance over what encoders say.
+        /// True distance divided by the encoders' distance.
         distance_factor: f64,
-        /// True wheel base over 235 mm.
+        /// True wheel base divided by 235 mm.
         base_factor: f64,
     },
-    /// Chooses what tells the robot where it is: counts, or packets of distance and angle.
+    /// Chooses the odometry model: by counts, or by packets of distance and angle.
     Odometry {
         /// Its name, as in links.
         model: OdometryModel,
     },
-    /// Restarts the robot so that it tells its firmware (7). Not done unless asked for: one robot stayed in its
-    /// bootloader.
+    /// Restarts the robot so that it reports its firmware (7). Only on request, as one robot stayed in its bootloader.
     Identify,
 }
 
-/// Buttons on the page that stand for those of the robot.
+/// Buttons of the robot on the page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
@@ -112,14 +111,14 @@ pub enum PressedButton {
     Clean,
     /// Cleans a spot.
     Spot,
-    /// Looks for the dock.
+    /// Seeks the dock.
     Dock,
-    /// Goes to sleep.
+    /// Powers off.
     Power,
 }
 
 impl PressedButton {
-    /// What presses it.
+    /// The command that presses it.
     pub(super) fn command(self) -> Command<'static> {
         match self {
             Self::Clean => Command::Clean,
@@ -130,17 +129,17 @@ impl PressedButton {
     }
 }
 
-/// What can be calibrated.
+/// Kinds of calibrations.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum Calibration {
-    /// Turns 10 degrees to the left: settles which encoder is which.
+    /// Turns 10 degrees to the left: determines the sides of the encoders.
     Nudge,
-    /// Turns round once: settles the wheel base.
+    /// Turns round once: determines the wheel base.
     Spin,
-    /// Drives a metre: settles the wheels' size.
+    /// Drives a metre: determines the wheel diameter.
     Metre,
-    /// Drives a square of a metre, to see how far both are right.
+    /// Drives a square of one metre, to check both.
     Square,
 }

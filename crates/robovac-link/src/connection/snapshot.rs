@@ -11,7 +11,7 @@ use crate::{
 use roomba_oi::Mode;
 
 impl Connection {
-    /// What the page shows.
+    /// The snapshot for the page.
     pub fn view(&mut self, now: f64) -> ConnectionView {
         let driver = &self.driver;
         let pose = self.odometry.pose();
@@ -50,6 +50,7 @@ impl Connection {
             distance_m: self.distance_m,
             wheels: [metres(left), metres(right)],
             is_moving,
+            is_slowed: self.rides() && self.page.is_slow(),
             moves_alone: !is_moving && self.wheel_watch.moves_alone(now),
             transport: self.transport.clone(),
             statistics: self.statistics(now),

@@ -5,21 +5,21 @@ use crate::driver::Happening;
 use roomba_oi::{Command, CommandDecoder, Packet, ParseError, StreamFrame};
 use std::fmt::Write;
 
-/// Lines that are kept until they are fetched.
+/// Most lines kept until they are fetched.
 const MOST: usize = 1000;
-/// Values that a line names.
+/// Most values named in a line.
 const MOST_VALUES: usize = 6;
 
-/// Makes lines of what happens; what is the same over and over is one line.
+/// Converts events to lines; repeated ones become one line.
 #[derive(Debug, Default)]
 pub(super) struct Console {
     lines: Vec<Traffic>,
-    /// Bits of the last frame that was told of.
+    /// Values of the last frame described.
     last: Vec<(Packet, u16)>,
 }
 
 impl Console {
-    /// Takes something that happened.
+    /// Takes an event.
     pub fn take(&mut self, time_s: f64, happening: &Happening) {
         match happening {
             Happening::Sent(bytes) => {
@@ -47,7 +47,7 @@ impl Console {
         }
     }
 
-    /// Lines since this was last asked for, oldest first.
+    /// Lines since the last call, oldest first.
     pub fn lines(&mut self) -> Vec<Traffic> {
         std::mem::take(&mut self.lines)
     }
@@ -69,7 +69,7 @@ impl Console {
         }
     }
 
-    /// What a frame says that the last one didn't.
+    /// Values of a frame that differ from the last one.
     fn changes(&mut self, bytes: &[u8]) -> String {
         let Ok(frame) = StreamFrame::parse(bytes) else { return String::new() };
         let values: Vec<_> = frame.values().collect();
@@ -119,7 +119,7 @@ fn described(command: Result<Command<'_>, ParseError>) -> String {
         Command::Leds { lamps, colour, intensity } => {
             format!("lamps {:04b}, colour {colour}, brightness {intensity}", lamps.byte())
         }
-        Command::Song { number, notes } => format!("number {number}, {} notes", notes.len()),
+        Command::Song { number, notes } => format!("number {number}, notes: {}", notes.len()),
         Command::Play { number } => format!("number {number}"),
         Command::SensorReadings { packet } => format!("packet {packet}"),
         Command::Stream { packets } | Command::QueryList { packets } => {

@@ -1,4 +1,4 @@
-//! The line below a robot's bytes, as whoever holds it reports it.
+//! State of the line below a robot's bytes, as reported by its holder.
 
 use serde::{Deserialize, Serialize};
 
@@ -6,13 +6,13 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct TransportView {
-    /// What it is.
+    /// Kind of the line.
     pub kind: TransportKind,
-    /// Whether it is there.
+    /// State of the line.
     pub state: TransportState,
     /// Name of the adapter, bridge or personality.
     pub name: String,
-    /// A sentence on the state; empty if there is nothing to tell.
+    /// A sentence on the state; empty for none.
     pub text: String,
     /// Baud rate.
     pub baud: u32,
@@ -20,9 +20,9 @@ pub struct TransportView {
     pub can_baud: bool,
     /// The BRC wire at the adapter's RTS.
     pub brc: BrcWire,
-    /// What the adapter reported and recovered from.
+    /// Errors that the adapter reported and recovered from.
     pub errors: TransportErrors,
-    /// How often it has come back by itself.
+    /// How often the line has returned by itself.
     pub returns: u32,
 }
 
@@ -31,11 +31,11 @@ pub struct TransportView {
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum TransportKind {
-    /// None, or that of a recording.
+    /// None, or a recording's.
     #[default]
     #[serde(rename = "")]
     None,
-    /// To a virtual robot.
+    /// A virtual robot's.
     Virtual,
     /// A serial port.
     Serial,
@@ -53,23 +53,23 @@ pub enum TransportState {
     Closed,
     /// Being opened.
     Opening,
-    /// Open, maybe after it came back by itself. The robot behind it is then found out about anew and gets no command to move
-    /// before the user takes control again.
+    /// Open, possibly after it returned by itself. In that case the diagnosis starts again, and the robot gets no
+    /// motion command before the user takes control again.
     Open,
-    /// It went away and is waited for.
+    /// Lost, and expected to return.
     Lost,
 }
 
-/// The wire that wakes a robot.
+/// State of the wire that wakes a robot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum BrcWire {
     /// Pulled low.
     Low,
-    /// Let go.
+    /// Released.
     High,
-    /// There is none, as far as the adapter knows.
+    /// The adapter has no such wire.
     #[default]
     None,
 }

@@ -4,61 +4,63 @@ use super::{Caption, TransportView};
 use crate::dashboard::RoombaView;
 use serde::Serialize;
 
-/// Snapshot of a connection, for 20 looks a second.
+/// Snapshot of a connection, taken 20 times a second.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[expect(clippy::struct_excessive_bools)]
 pub struct ConnectionView {
-    /// `closed`, `diagnosing`, `waiting` (nobody answers, and it goes on trying), `connected` or `lost` (the line is open, but
-    /// nothing comes any more).
+    /// `closed`, `diagnosing`, `waiting` (no answer; it keeps trying), `connected` or `lost` (the line is open, but
+    /// frames no longer arrive).
     #[cfg_attr(feature = "types", ts(type = "\"closed\" | \"diagnosing\" | \"waiting\" | \"connected\" | \"lost\""))]
     pub phase: &'static str,
-    /// What was found out about who is there.
+    /// The diagnosis of the device on the line.
     pub diagnosis: DiagnosisView,
     /// `Passive`, `Safe` or `Full`; empty while unknown.
     #[cfg_attr(feature = "types", ts(type = "\"\" | \"Off\" | \"Passive\" | \"Safe\" | \"Full\""))]
     pub mode: &'static str,
     /// Whether the robot's mode byte is one too high.
     pub mode_offset: bool,
-    /// What drives.
+    /// The program or person that drives.
     pub ride: Option<DriveSessionView>,
-    /// What the robot's sensors report; none before the first reading, and when nobody is connected.
+    /// The robot's sensor readings; `None` before the first one and when not connected.
     pub readings: Option<RoombaView>,
     /// The robot's estimated pose: x, y in m, heading in rad.
     pub pose: [f64; 3],
-    /// Id of the odometry model that this is by.
+    /// Id of its odometry model.
     pub odometry: &'static str,
     /// Path driven, m.
     pub distance_m: f64,
     /// Requested wheel speeds that were sent last, left and right, m/s.
     pub wheels: [f64; 2],
-    /// Whether the robot drives at this program's word, or is about to.
+    /// Whether the robot is driven by this program, or is about to be.
     pub is_moving: bool,
-    /// Whether it moves otherwise: by its own program, by bytes that were sent, or pushed by somebody.
+    /// Whether it drives at half its speed because the page responds slowly.
+    pub is_slowed: bool,
+    /// Whether it moves otherwise: by its own program, by raw bytes, or pushed.
     pub moves_alone: bool,
-    /// What it is doing.
+    /// Its activity.
     pub doing: Caption,
     /// The line below its bytes.
     pub transport: TransportView,
-    /// Its name and state.
+    /// Name and state of the line.
     pub line: Caption,
-    /// Whether a line is open, or waited for.
+    /// Whether a line is open or expected to return.
     pub is_open: bool,
-    /// Whether a recording is shown, which has no line.
+    /// Whether this is a recording, which has no line.
     pub is_recording: bool,
-    /// How the line is.
+    /// Statistics of the line.
     pub statistics: Statistics,
-    /// Until the robot falls asleep, s; none unless it is Passive and off the dock.
+    /// Time until the robot falls asleep, s; `None` unless it is Passive and off the dock.
     pub sleeps_in_s: Option<f64>,
-    /// How long it has been in Safe or Full, where it doesn't charge, s.
+    /// Time in Safe or Full, without charging, s.
     pub awake_s: Option<f64>,
-    /// A sentence on these, when they matter; empty otherwise.
+    /// A sentence on these, if relevant; empty otherwise.
     pub clock: String,
-    /// Why it isn't in Safe or Full any more.
+    /// Why it left Safe or Full.
     pub drop: Option<DropView>,
-    /// The calibration that is going on, or its result.
+    /// The calibration in progress, or its result.
     pub calibration: CalibrationView,
-    /// What the robot said of its firmware.
+    /// Firmware reported by the robot.
     pub firmware: Option<String>,
     /// The latest message.
     pub notice: Option<Notice>,
@@ -66,13 +68,13 @@ pub struct ConnectionView {
     pub can: ConnectionActions,
 }
 
-/// What was found out about who is there.
+/// Diagnosis of the device on the line.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct DiagnosisView {
-    /// What is being tried: `listening`, `asking`, `waking`, `slow` (19200 baud), `create1` (57600 baud), `done`.
+    /// Current test: `listening`, `asking`, `waking`, `slow` (19200 baud), `create1` (57600 baud), `done`.
     pub step: &'static str,
-    /// What was found: `nothing` (yet), `silence`, `stream`, `charging`, `booting`, `bootloader`, `garbage`, `text`, `robot`.
+    /// Finding: `nothing` (yet), `silence`, `stream`, `charging`, `booting`, `bootloader`, `garbage`, `text`, `robot`.
     #[cfg_attr(
         feature = "types",
         ts(
@@ -82,71 +84,71 @@ pub struct DiagnosisView {
     pub finding: &'static str,
     /// One sentence on it.
     pub text: String,
-    /// What to do about it; empty if nothing.
+    /// Advice; empty for none.
     pub remedy: String,
-    /// What was tried so far, and what came of it, in order.
+    /// Tests so far and their results, in order.
     pub log: Vec<String>,
-    /// Whether it is shown: nobody is connected.
+    /// Whether it is shown, which is while not connected.
     pub is_shown: bool,
-    /// Picture of it: `listening`, `asleep`, `awake`, `dock`, `boot`, `speed` or `unplugged`.
+    /// Its picture: `listening`, `asleep`, `awake`, `dock`, `boot`, `speed` or `unplugged`.
     pub picture: &'static str,
-    /// What is being tried or was found, and what to do about it.
+    /// The test or finding with advice, in words.
     pub caption: Caption,
 }
 
-/// What drives the robot.
+/// The program or person that drives the robot.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct DriveSessionView {
     /// Name of the algorithm.
     pub title: String,
-    /// What it is doing.
+    /// Its activity.
     pub activity: &'static str,
     /// Time since it began, s.
     pub time_s: f64,
-    /// Whether it is a person with a joystick.
+    /// Whether a person drives with a joystick.
     pub manual: bool,
-    /// Why forward, left, right and backward are not obeyed, if somebody drives by hand.
+    /// Why forward, left, right and backward are blocked, if a person drives.
     pub blocked: [Option<&'static str>; 4],
-    /// Corner of the planned line that it drives to.
+    /// Index of the planned line's corner that it drives to.
     pub corner: Option<usize>,
-    /// Whether it has come to its end.
+    /// Whether it is done.
     pub done: bool,
-    /// Why it was ended before it was done; empty if it wasn't.
+    /// Why it was ended early; empty if it wasn't.
     pub ended: String,
 }
 
-/// How the line is.
+/// Statistics of the line.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Statistics {
     /// Baud rate.
     pub baud: u32,
-    /// Frames that were believed.
+    /// Accepted frames.
     pub frames: u64,
     /// Frames with a wrong checksum.
     pub bad_checksums: u64,
     /// Headers without a frame.
     pub false_headers: u64,
-    /// Frames with a right checksum and values that can't be.
+    /// Frames with a right checksum but impossible values.
     pub implausible: u64,
-    /// Frames that were believed a frame late, as something in them jumped.
+    /// Frames accepted one frame late, after a jump of a value.
     pub late: u64,
     /// Lines of text.
     pub texts: u64,
-    /// Bytes that belong to nothing.
+    /// Other bytes.
     pub noise: u64,
     /// Bytes received and sent.
     pub bytes: [u64; 2],
-    /// Frames a second, lately.
+    /// Current frames per second.
     pub rate_hz: f64,
     /// Time since the last frame, ms.
     pub age_ms: f64,
-    /// Time from a command until the robot reports it, ms; median of the last ones.
+    /// Median of the last delays from a command to the robot's report of it, ms.
     pub latency_ms: Option<f64>,
     /// The longest time without a frame, ms.
     pub longest_gap_ms: f64,
-    /// Bytes of the subscription and of the slot of 15 ms that they have to fit in.
+    /// Bytes of the subscription, and of the slot of 15 ms into which they must fit.
     pub slot: [usize; 2],
 }
 
@@ -154,11 +156,11 @@ pub struct Statistics {
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct DropView {
-    /// Mode that it was in.
+    /// The mode before.
     pub from: &'static str,
     /// One sentence.
     pub text: String,
-    /// What to do, or why it can't be taken back.
+    /// What to do, or why control can't be taken back.
     pub remedy: String,
     /// Whether control can be taken back at once.
     pub can_rearm: bool,
@@ -174,18 +176,18 @@ pub struct CalibrationView {
     /// `none`, `moving`, `asking`, `done` or `failed`.
     #[cfg_attr(feature = "types", ts(type = "\"none\" | \"moving\" | \"asking\" | \"done\" | \"failed\""))]
     pub step: &'static str,
-    /// What is going on, what is asked, or what was found.
+    /// Progress, question or result.
     pub text: String,
-    /// Unit of the answer: `yes` for yes or no, `deg`, `m`; empty if nothing is asked.
+    /// Unit of the answer: `yes` for yes or no, `deg`, `m`; empty for no question.
     #[cfg_attr(feature = "types", ts(type = "\"\" | \"yes\" | \"deg\" | \"m\""))]
     pub asks: &'static str,
-    /// The likeliest answer.
+    /// Suggested answer.
     pub suggestion: f64,
-    /// What is in use now: swapped encoders, distance factor, wheel base factor.
+    /// Whether the encoders are swapped, as in use now.
     pub swapped: bool,
-    /// True distance over what encoders say.
+    /// True distance divided by the encoders' distance, as in use now.
     pub distance_factor: f64,
-    /// True wheel base over 235 mm.
+    /// True wheel base divided by 235 mm, as in use now.
     pub base_factor: f64,
 }
 
@@ -193,12 +195,12 @@ pub struct CalibrationView {
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Notice {
-    /// Grows with every message.
+    /// Number of the message, which increases.
     pub number: u32,
     /// `notice` or `error`.
     #[cfg_attr(feature = "types", ts(type = "\"notice\" | \"error\""))]
     pub kind: &'static str,
-    /// Sentences for users.
+    /// The message for users.
     pub text: String,
 }
 
@@ -213,11 +215,11 @@ pub struct ConnectionActions {
     pub disconnect: bool,
     /// Take control.
     pub arm: bool,
-    /// Give it back.
+    /// Give control up.
     pub disarm: bool,
-    /// Drive, ride, calibrate, play, switch motors and lights.
+    /// Drive, run programs, calibrate, play songs, switch motors and lights.
     pub drive: bool,
-    /// Drive by hand: no program drives.
+    /// Drive by hand: no program is driving.
     pub steer: bool,
     /// Start a program.
     pub ride: bool,
@@ -225,23 +227,23 @@ pub struct ConnectionActions {
     pub press: bool,
 }
 
-/// Something that went over the line.
+/// A line of traffic.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Traffic {
-    /// When, s.
+    /// Time, s.
     pub time_s: f64,
-    /// What it is.
+    /// Its kind.
     pub kind: TrafficKind,
     /// As bytes.
     pub hex: String,
     /// In words.
     pub text: String,
-    /// How many of them in a row this stands for: frames come 64 times a second.
+    /// Number of consecutive events that it represents: frames come 64 times a second.
     pub times: u32,
 }
 
-/// What went over the line.
+/// Kinds of traffic.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
@@ -254,8 +256,8 @@ pub enum TrafficKind {
     Refused,
     /// Text from it.
     Text,
-    /// An answer to a question, or bytes that are nothing.
+    /// An answer to a query, or other bytes.
     Bytes,
-    /// Something about the line itself.
+    /// An event of the line itself.
     Line,
 }

@@ -1,18 +1,18 @@
-//! Whether wheels turn that nobody here drives.
+//! Detects motion of the wheels that isn't caused by this program.
 
 use roomba_oi::motion::encoder_delta;
 
-/// Counts of both wheels together that are no trembling.
+/// Least counts of both wheels together that are motion rather than jitter.
 const MOVED_COUNTS: u32 = 4;
-/// For how long wheels count as turning after they did, s.
+/// Time for which wheels count as turning after a motion, s.
 const TURNING_S: f64 = 0.6;
-/// How long wheels take to come to rest after a stop, s.
+/// Time in which wheels come to rest after a stop, s.
 const REST_S: f64 = 1.2;
 
-/// Tells a robot that moves by its own program, or is pushed, from one that is driven from here.
+/// Distinguishes a robot that moves by its own program, or is pushed, from one driven by this program.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct WheelWatch {
-    /// Encoders when the wheels turned last.
+    /// Encoders when the wheels last turned.
     counts: Option<[u16; 2]>,
     turned_at: f64,
     driven_at: f64,
@@ -25,7 +25,7 @@ impl Default for WheelWatch {
 }
 
 impl WheelWatch {
-    /// Takes the encoders of a reading, and whether the robot is driven from here.
+    /// Takes the encoders of a reading, and whether this program drives the robot.
     pub fn take(&mut self, now: f64, counts: [u16; 2], is_driven: bool) {
         if is_driven {
             self.driven_at = now;
@@ -38,7 +38,7 @@ impl WheelWatch {
         }
     }
 
-    /// Nothing is heard of the encoders: what they count until they are heard again is nobody's.
+    /// Without readings: counts until the next one are ignored.
     pub fn forget(&mut self) {
         (self.counts, self.turned_at) = (None, f64::NEG_INFINITY);
     }
@@ -61,7 +61,7 @@ mod tests {
             let now = f64::from(step) * 0.01;
             count = count.wrapping_add(1);
             watch.take(now, [count, count], step < 100);
-            // Driven until 0.99 s, and for 1.2 s they may roll out.
+            // Driven until 0.99 s, and for 1.2 s they can roll out.
             assert_eq!(watch.moves_alone(now), step > 219, "{now}");
         }
         watch.take(4.5, [count, count + 1], false);

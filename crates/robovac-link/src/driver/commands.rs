@@ -4,11 +4,11 @@ use super::{ConnectionPhase, Driver, Finding, Happening, STOP, Step, distance_an
 use robovac_core::robot::Drive;
 use roomba_oi::{Command, CommandRefusal, MAX_WRITTEN, Mode, Motors};
 
-/// Bytes that a list of packets may be taken to have.
+/// Longest possible list of packets, bytes.
 const LONGEST_LIST: usize = 255;
 
 impl Driver {
-    /// Wheel speeds from now on, for 200 ms; without effect unless it is armed.
+    /// Sets wheel speeds for 200 ms; no effect unless armed.
     pub fn drive(&mut self, now: f64, wanted: Drive) {
         if self.is_armed() && !self.is_stalled {
             self.wheels.drive(now, wanted);
@@ -16,14 +16,14 @@ impl Driver {
         }
     }
 
-    /// Stops the wheels, now. Sent whatever the mode is.
+    /// Stops the wheels at once, in every mode.
     pub fn stop(&mut self, now: f64) {
         self.wheels.stop();
         if self.phase == ConnectionPhase::Closed {
             return;
         }
         self.push(now, &STOP);
-        // What waits for the end of the stream must not be sent after the stop.
+        // A query that is waiting must not be sent after the stop.
         if self.question.take().is_some() {
             let _ = self.send(now, Command::PauseResume { state: 1 });
         }
@@ -37,8 +37,8 @@ impl Driver {
         }
     }
 
-    /// Stops everything, also a robot that cleans by itself: in Passive it doesn't hear about wheels, so it is put in Safe for a
-    /// moment, where it stands still.
+    /// Stops everything, including the robot's own programs: as Passive ignores wheel commands, the robot is put in
+    /// Safe for a moment, where it stands still.
     pub fn freeze(&mut self, now: f64) {
         let is_by_itself = self.phase != ConnectionPhase::Closed && self.target <= Mode::Passive;
         if is_by_itself {
@@ -55,7 +55,7 @@ impl Driver {
         if self.phase != ConnectionPhase::Closed {
             self.halt(now);
             if self.poll.is_wanted {
-                // A list whose length was garbled on its way swallows what comes next, were it the stop.
+                // Fills up a list with a garbled length, which would swallow the next command, even a stop.
                 self.push(now, &[0; LONGEST_LIST]);
                 self.halt(now);
             }
@@ -85,7 +85,7 @@ impl Driver {
         }
     }
 
-    /// Sends a command that doesn't concern mode or wheels, or refuses one that robots don't take.
+    /// Sends a command that affects neither mode nor wheels, or refuses an invalid one.
     pub fn send(&mut self, now: f64, command: Command<'_>) -> Result<(), CommandRefusal> {
         let mut buffer = [0; MAX_WRITTEN];
         let bytes = command.encode(&mut buffer)?;
@@ -93,7 +93,7 @@ impl Driver {
         Ok(())
     }
 
-    /// Presses a button, which lets the robot do what it does by itself; whoever had control has it no longer.
+    /// Presses a button, which starts the robot's own program; ends control.
     pub fn press(&mut self, now: f64, command: Command<'_>) {
         self.halt(now);
         let _ = self.send(now, command);
@@ -101,7 +101,7 @@ impl Driver {
         self.dropped = None;
     }
 
-    /// Restarts the robot (7), which tells its firmware, and finds out anew who is there.
+    /// Restarts the robot (7), which reports its firmware, and starts the diagnosis again.
     pub fn restart(&mut self, now: f64) {
         self.halt(now);
         let _ = self.send(now, Command::Reset);

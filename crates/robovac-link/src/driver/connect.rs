@@ -3,23 +3,23 @@
 use super::{ConnectionPhase, Driver, Finding, LineRequest, Step};
 use roomba_oi::{Command, Mode};
 
-/// Time to listen before a word is said, s.
+/// Time to listen before sending anything, s.
 const LISTEN_S: f64 = 0.4;
-/// Time to listen to a robot that boots, s, and how often.
+/// Time to listen to a booting robot, s, and how often.
 const BOOT_S: f64 = 1.5;
 const MOST_BOOTS: u32 = 4;
 /// Time for an answer, s; slower lines take longer.
 const ANSWER_S: f64 = 0.3;
-/// Questions before something else is tried.
+/// Queries before another test.
 const QUESTIONS: u32 = 2;
-/// How long BRC is low, s, and when the robot is asked after that.
+/// Duration of the low pulse on BRC, s, and delay of the query after it.
 const PULSE_S: f64 = 1.0;
 const AWAKE_S: f64 = 1.7;
-/// Time for the transport to change its baud rate, s.
+/// Time for the line to change its baud rate, s.
 const CHANGE_S: f64 = 0.3;
-/// Time between questions while nobody answers, s.
+/// Time between queries without an answer, s.
 const PATIENCE_S: f64 = 2.0;
-/// Time for the first frame, s, and how often the stream is asked for.
+/// Time for the first frame, s, and number of stream requests.
 const FRAME_WAIT_S: f64 = 0.4;
 const SUBSCRIPTIONS: u32 = 4;
 
@@ -27,7 +27,7 @@ const SUBSCRIPTIONS: u32 = 4;
 const RATES: [u32; 3] = [115_200, 19_200, 57_600];
 
 impl Driver {
-    /// Begins at the beginning.
+    /// Starts the diagnosis.
     pub(super) fn begin(&mut self, now: f64) {
         self.phase = ConnectionPhase::Diagnosing;
         self.question = None;
@@ -35,7 +35,7 @@ impl Driver {
         self.classifier.clear();
     }
 
-    /// Goes on.
+    /// Continues the diagnosis.
     pub(super) fn find_out(&mut self, now: f64) {
         let passed = now - self.diagnosis.since;
         match self.diagnosis.step {
@@ -55,7 +55,7 @@ impl Driver {
                 let patience = if self.baud < 115_200 { 2.0 * ANSWER_S } else { ANSWER_S };
                 if passed >= patience * f64::from(self.diagnosis.tries) {
                     if self.diagnosis.tries < QUESTIONS {
-                        // The end of somebody else's stream may have been in the way of the answer.
+                        // The rest of another program's stream can have garbled the answer.
                         self.classifier.clear();
                         self.question(now);
                     } else {
@@ -109,7 +109,7 @@ impl Driver {
 
     fn listen(&mut self) -> Finding {
         let finding = self.classifier.classify().finding();
-        // Silence after a charging log is still a robot that charges.
+        // Silence after a charging log still means a charging robot.
         let is_news = finding != Finding::Silence || self.diagnosis.finding == Finding::Nothing;
         if is_news {
             self.diagnosis.finding = finding;
@@ -118,7 +118,7 @@ impl Driver {
     }
 
     fn ask(&mut self, now: f64) {
-        // In a replay it was asked when it was asked.
+        // In a replay the recorded queries are used.
         if self.is_replay {
             return;
         }
@@ -127,7 +127,7 @@ impl Driver {
         self.question(now);
     }
 
-    /// Starts the interface and asks for the mode: neither moves anything.
+    /// Starts the interface and queries the mode; neither moves anything.
     fn question(&mut self, now: f64) {
         self.diagnosis.tries += 1;
         if self.diagnosis.finding == Finding::Stream {
@@ -137,13 +137,13 @@ impl Driver {
         let _ = self.send(now, Command::SensorReadings { packet: 35 });
     }
 
-    /// Whether the mode was told, and it goes on from there.
+    /// Whether the mode was received, in which case the diagnosis continues from there.
     fn take_mode(&mut self, now: f64) -> bool {
         let heard = self.classifier.classify();
-        // Just started it is Passive: 1, or 2 on those that report one too much.
+        // After Start the mode is Passive: 1, or 2 on robots whose mode byte is one too high.
         let offset = match heard.mode_byte() {
             Some(1) => 0,
-            // A Start that was lost leaves a robot in Safe, which is 2 as well: asked once more.
+            // If Start was lost, a robot in Safe reports 2 as well, so it is queried once more.
             Some(2) if !self.diagnosis.has_doubted => {
                 self.diagnosis.has_doubted = true;
                 self.classifier.clear();
@@ -177,7 +177,7 @@ impl Driver {
             }
             (_, Finding::Bootloader) => self.wait(now),
             (115_200, _) if self.is_rate_fixed && self.diagnosis.has_pulsed => self.wait(now),
-            // Garbage is a robot that is awake at another rate.
+            // Garbage means a robot that is awake at another rate.
             (115_200, finding) if !self.diagnosis.has_pulsed && finding != Finding::Garbage => {
                 self.line.push_back(LineRequest::Brc(true));
                 self.diagnosis.go(Step::Waking, now);

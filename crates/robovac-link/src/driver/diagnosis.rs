@@ -2,49 +2,49 @@
 
 use std::fmt;
 
-/// What is being tried.
+/// Step of the diagnosis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Step {
     /// Nothing.
     #[default]
     Idle,
-    /// Listens without a word: a stream, text or noise tell more than an answer.
+    /// Listens without sending: a stream, text or noise is more informative than an answer.
     Listening,
-    /// Starts the interface and asks for the mode.
+    /// Starts the interface and queries the mode.
     Asking,
-    /// Pulls the BRC wire low for a second. Once, and for longer than the 50 to 500 ms that would change the baud rate.
+    /// Pulls the BRC wire low for a second, once; longer than the 50 to 500 ms that would change the baud rate.
     Waking,
     /// The line changes to another baud rate.
     Changing,
-    /// Asks for the stream.
+    /// Requests the stream.
     Subscribing,
-    /// Nobody answers; asks again every other second, so that pressing CLEAN is enough.
+    /// No answer; queries every other second, so that pressing CLEAN is enough.
     Waiting,
-    /// Somebody is there.
+    /// A device was found.
     Done,
 }
 
-/// What was heard.
+/// Content received on the line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Finding {
-    /// Nobody has listened yet.
+    /// Not listened yet.
     #[default]
     Nothing,
-    /// Not a byte.
+    /// No byte.
     Silence,
-    /// Frames that somebody else asked for.
+    /// Frames requested by another program.
     Stream,
     /// The charging log.
     Charging,
     /// A boot banner.
     Booting,
-    /// 0xFE over and over.
+    /// The byte 0xFE repeatedly.
     Bootloader,
-    /// Bytes without sense.
+    /// Meaningless bytes.
     Garbage,
-    /// Text of another kind.
+    /// Other text.
     Text,
-    /// It answers, but sends no stream.
+    /// It answers but sends no stream.
     NoStream,
     /// A robot.
     Robot,
@@ -67,7 +67,7 @@ impl Finding {
         }
     }
 
-    /// One sentence for users on what it means.
+    /// Its meaning, in one sentence for users.
     pub fn text(self) -> &'static str {
         match self {
             Self::Nothing => "Listening to the line.",
@@ -85,7 +85,7 @@ impl Finding {
         }
     }
 
-    /// What to do about it; empty if nothing.
+    /// Advice; empty for none.
     pub fn remedy(self) -> &'static str {
         match self {
             Self::Nothing | Self::Robot | Self::Stream => "",
@@ -128,22 +128,22 @@ impl fmt::Display for Finding {
     }
 }
 
-/// What is being found out, and what was.
+/// State of the diagnosis.
 #[derive(Debug, Clone, Default)]
 pub struct Diagnosis {
-    /// What is being tried.
+    /// The present step.
     pub step: Step,
-    /// What was heard last.
+    /// The last finding.
     pub finding: Finding,
-    /// What was tried so far and what came of it, in order.
+    /// Tests so far and their results, in order.
     pub log: Vec<String>,
     /// When the step began, s.
     pub(super) since: f64,
-    /// Questions asked in this step, and how often the line was given time to boot.
+    /// Queries in this step, and how often the line was given time to boot.
     pub(super) tries: u32,
     pub(super) boots: u32,
     pub(super) has_pulsed: bool,
-    /// A mode of 2 was asked for twice.
+    /// Whether a mode of 2 was queried twice.
     pub(super) has_doubted: bool,
 }
 
@@ -151,7 +151,7 @@ pub struct Diagnosis {
 const MOST_LINES: usize = 40;
 
 impl Diagnosis {
-    /// Another line of the log.
+    /// Adds a line to the log.
     pub(super) fn note(&mut self, line: String) {
         if self.log.last() != Some(&line) && self.log.len() < MOST_LINES {
             self.log.push(line);

@@ -1,17 +1,17 @@
 //! Distance and angle (packets 19 and 20), for odometry that uses them.
 //!
 //! A robot reports them in whole millimetres and degrees, truncated towards 0, and restarts at 0: the remainder is
-//! lost. In every frame, 15 ms apart, no turn below 67 degrees a second would ever be seen. So the stream does without
-//! them, and one frame in 16 (0.24 s, as in the simulator) is of another subscription that has them: the driver asks
-//! for that, and a frame later for the usual one again. Answers to a question would have no checksum.
+//! lost. In every frame, 15 ms apart, no turn below 67 degrees a second would ever be seen. So the usual stream doesn't
+//! contain them. Every 0.24 s (as in the simulator) the driver requests another subscription with them, and one frame
+//! later the usual one again. Answers to queries would have no checksum.
 //!
 //! - If that request is lost, or the next one overtakes it before the robot sends a frame, the robot goes on summing up: nothing is
 //!   lost. If the switch back is lost, every frame reports and truncates, until it is requested again.
 //! - A lost or garbled frame loses its values, as the robot has restarted at 0. Encoder counts aren't lost.
 //! - A held-back frame is added to the next one if that confirms it or if only a signal jumped; otherwise it is lost.
 //! - The first one covers time before the request: it is ignored.
-//! - Firmware up to 3.4.0 shows a third of every angle. A robot that turns three times as far by its counts (43, 44) has it: what
-//!   was left out is reported at once, and whole angles from then on.
+//! - Firmware up to 3.4.0 shows a third of every angle. A robot that turns three times as far by its counts (43, 44)
+//!   has it: the missing part is reported at once, and whole angles from then on.
 
 use super::{ConnectionPhase, Driver, FRAME_S};
 use robovac_core::robot::{DistanceAngle, READINGS_PER_DISTANCE_ANGLE};
@@ -21,33 +21,33 @@ use roomba_oi::{
     slot_bytes,
 };
 
-/// Least time between the two requests, s: at least one frame is to come between them.
+/// Least time between the two requests, s, for at least one frame in between.
 const LEAST_S: f64 = 0.01;
-/// Time for a request to show, s; then it is repeated.
+/// Time after which a request without effect is repeated, s.
 const ECHO_S: f64 = 0.06;
-/// A stream that came to nothing so long after a request did so for another reason, s.
+/// A failure of the stream longer than this after a request has another cause, s.
 const BLAME_S: f64 = 0.5;
-/// Turn by counts after which the angles are judged, and the least one that is looked at, degrees; and its longest time, s: over
-/// a longer one, something was lost.
+/// Turn by counts after which the angles are compared, and the least one considered, degrees; and the longest time, s,
+/// beyond which something was lost.
 const JUDGED_DEG: f64 = 45.0;
 const SEEN_DEG: f64 = 6.0;
 const WHOLE_S: f64 = 0.28;
-/// What old firmware shows of them: 0.32, and less as it cuts.
+/// Share of the angle shown by old firmware: 0.32, and less by truncation.
 const OLD_SHARE: std::ops::Range<f64> = 0.15..0.5;
 
-/// What is streamed at some baud rate. No list has a 7, neither as its length nor as a packet: to a robot that missed what came
-/// before, that would be Reset.
+/// Subscriptions of the stream at a baud rate. No list contains a 7, neither as its length nor as a packet: a robot
+/// that missed the opcode would take it as Reset.
 pub(super) struct Subscriptions {
-    /// As long as nobody goes by distance and angle.
+    /// Without odometry by distance and angle.
     pub usual: &'static [u8],
-    /// As long as somebody does, and when they are due.
+    /// With it, between and during the reports.
     pub without: &'static [u8],
     pub with: &'static [u8],
-    /// Whether the requested wheel speeds are among it.
+    /// Whether they contain the requested wheel speeds.
     pub tells_speeds: bool,
 }
 
-/// Everything, or what fits into the slot.
+/// All packets, or those that fit into the slot.
 pub(super) fn subscriptions(baud: u32) -> Subscriptions {
     const ALL: &[u8] = &[100];
     // Group 1 holds bumps, wheel drops and cliffs.
@@ -60,50 +60,49 @@ pub(super) fn subscriptions(baud: u32) -> Subscriptions {
     }
 }
 
-/// How far the asking is.
+/// State of the poll.
 #[expect(clippy::struct_excessive_bools)]
 #[derive(Debug, Default)]
 pub(super) struct DistanceAnglePoll {
     pub is_wanted: bool,
-    /// It has been on this line, so that frames of either subscription may be on their way.
+    /// It was in use on this line, so frames of either subscription can arrive.
     was_wanted: bool,
     has_begun: bool,
-    /// When it was told last, when to ask next, when that was asked which isn't taken back yet, and when it was taken back
-    /// last, s.
+    /// Times of the last report, of the next request, of a request not yet reverted, and of the last reversion, s.
     told_at: Option<f64>,
     due_at: f64,
     asked_at: Option<f64>,
     back_at: Option<f64>,
-    /// What a frame told that waits for the next, and whether it is told whatever that one says.
+    /// Values of a frame that waits for the next, and whether they count regardless of it.
     held: Option<(DistanceAngle, bool)>,
-    /// Whether it has just come.
+    /// Whether it has just arrived.
     is_news: bool,
-    /// Counts when it was told last; degrees by counts and by packet 20, either way.
+    /// Counts at the last report; degrees by counts and by packet 20, in either direction.
     counts: Option<[u16; 2]>,
     turned: [f64; 2],
-    /// The angle so far, as it was shown, degrees.
+    /// The angle so far as shown by packet 20, degrees.
     shown: f64,
     is_old: bool,
 }
 
 impl DistanceAnglePoll {
-    /// As it begins on a line that is opened anew.
+    /// The initial state on a reopened line.
     pub fn anew(&self) -> Self {
         Self { is_wanted: self.is_wanted, ..Self::default() }
     }
 
-    /// A frame waits to be believed.
+    /// A frame waits for confirmation.
     pub fn hold(&mut self, frame: StreamFrame<'_>, is_sure: bool) {
         self.held = told(frame).filter(|_| self.is_wanted).map(|moved| (moved, is_sure));
         self.is_news = self.held.is_some();
     }
 
-    /// Whether a frame has just told something and waits.
+    /// Whether a frame has just reported values and waits.
     pub fn take_news(&mut self) -> bool {
         std::mem::take(&mut self.is_news)
     }
 
-    /// A frame is believed, and with it the one that waited if it is `late`; what both told.
+    /// Takes an accepted frame, and the waiting one if it is `late`; returns the sum of both reports.
     pub fn take(
         &mut self,
         frame: StreamFrame<'_>,
@@ -140,7 +139,7 @@ impl DistanceAnglePoll {
         Some(DistanceAngle { angle_deg: angle.round() as i16, ..moved })
     }
 
-    /// Holds the angles that are told against what the wheels counted.
+    /// Compares the reported angles with the counts of the wheels.
     fn judge(&mut self, moved: DistanceAngle, readings: &Readings, is_whole: bool) {
         let counts = [readings.left_counts, readings.right_counts];
         let Some(last) = self.counts.replace(counts) else { return };
@@ -158,14 +157,15 @@ impl DistanceAnglePoll {
     }
 }
 
-/// What a frame says of both.
+/// Distance and angle of a frame.
 fn told(frame: StreamFrame<'_>) -> Option<DistanceAngle> {
     let value = |wanted| frame.values().find(|&(packet, _)| packet == wanted).map(|(_, raw)| raw.cast_signed());
     Some(DistanceAngle { distance_mm: value(Packet::Distance)?, angle_deg: value(Packet::Angle)? })
 }
 
 impl Driver {
-    /// Whether somebody goes by distance and angle: then readings [tell](robovac_core::robot::SensorReadings::moved) of them now and then.
+    /// Enables or disables reports of distance and angle, which some
+    /// [readings](robovac_core::robot::SensorReadings::moved) then contain.
     pub fn tell_moved(&mut self, now: f64, is_wanted: bool) {
         if is_wanted == self.poll.is_wanted {
             return;
@@ -178,12 +178,12 @@ impl Driver {
         }
     }
 
-    /// Whether its packet 20 shows a third of every angle, and is corrected.
+    /// Whether its packet 20 shows a third of every angle and is corrected.
     pub fn has_old_angle(&self) -> bool {
         self.poll.is_old
     }
 
-    /// What is streamed, but for the frames that tell.
+    /// The subscription between reports.
     pub(super) fn subscription(&self) -> &'static [u8] {
         let Subscriptions { usual, without, .. } = subscriptions(self.baud);
         if self.poll.is_wanted { without } else { usual }
@@ -192,7 +192,7 @@ impl Driver {
     pub(super) fn subscribe(&mut self, now: f64) {
         let Subscriptions { usual, without, with, .. } = subscriptions(self.baud);
         self.poll.was_wanted |= self.poll.is_wanted;
-        // They are packets that exist.
+        // All of them exist.
         let _ =
             if self.poll.was_wanted { self.parser.expect_either([without, with]) } else { self.parser.expect(usual) };
         (self.poll.asked_at, self.poll.back_at) = (None, Some(now));
@@ -200,7 +200,8 @@ impl Driver {
         let _ = self.send(now, Command::Stream { packets: self.subscription() });
     }
 
-    /// Asks for distance and angle when they are due, and takes that back; a frame has just arrived, or time has passed.
+    /// Requests distance and angle when they are due, and reverts to the usual subscription; called after a frame and
+    /// regularly.
     pub(super) fn mind_telling(&mut self, now: f64, has_frame: bool) {
         let DistanceAnglePoll { is_wanted, told_at, asked_at, back_at, due_at, .. } = self.poll;
         if !is_wanted || self.phase != ConnectionPhase::Connected || self.question.is_some() {
@@ -212,7 +213,7 @@ impl Driver {
                 self.subscribe(now);
             }
         } else if !has_frame {
-            // A list that lost a byte on its way gives frames that nobody expects.
+            // A list that lost a byte yields unexpected frames.
             let is_silent = self.link_stats.last().is_some_and(|last| now - last > ECHO_S);
             if is_silent && (ECHO_S..BLAME_S).contains(&since_back) {
                 self.subscribe(now);

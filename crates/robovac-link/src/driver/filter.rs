@@ -1,8 +1,8 @@
 //! Plausibility filter for frames.
 //!
-//! An 8-bit sum lets one garbled frame in 256 through; flipped bits at the same place of two bytes cancel each other even
-//! more often. So what a frame says must also follow from what the last one said. A frame that doesn't isn't lost for
-//! good: it is kept, and if the next one follows from it, it was the world that changed.
+//! An 8-bit sum lets one garbled frame in 256 through; flipped bits at the same place of two bytes cancel each other
+//! even more often. So the values of a frame must also be consistent with the last one. A frame that isn't is kept: if
+//! the next one is consistent with it, it was right and is accepted late.
 
 use robovac_core::math::PI;
 use roomba_oi::{
@@ -10,33 +10,34 @@ use roomba_oi::{
     motion::{MAX_SPEED_MM_S, MM_PER_COUNT, WHEEL_BASE_MM},
 };
 
-/// Place of the distance in [`Packet::ALL`]; the angle is always told with it.
+/// Index of the distance in [`Packet::ALL`]; the angle is always reported with it.
 const DISTANCE: usize = Packet::Distance as usize - Packet::ALL[0] as usize;
 
-/// Pairs of requested wheel speeds that are remembered: all that can be on their way, as the robot reports a command two or
-/// three frames later.
+/// Pairs of requested wheel speeds that are remembered: all that can be in transit, as the robot reports a command two
+/// or three frames later.
 const REMEMBERED: usize = 16;
 
-/// Time that a reading may be older or newer than its arrival tells, s: a browser hands over bytes in lumps.
+/// Uncertainty of a reading's time, s: browsers deliver bytes in batches.
 const LUMP_S: f64 = 0.1;
 
-/// How a value follows from the one before.
+/// Allowed change of a value from frame to frame.
 #[derive(Debug, Clone, Copy)]
 enum ChangeRule {
-    /// It may change at any time: flags.
+    /// Any change: flags.
     Free,
-    /// By so much and a share of its value, one in so many, or none for 0. What jumps is believed once there is another frame.
+    /// By this amount and a share of the value (one in the second number; none for 0). A jump is accepted with the next
+    /// frame.
     Signal(i32, i32),
-    /// It changes so rarely that it's worth waiting for the next frame.
+    /// Changes so rarely that a change waits for the next frame.
     Rare,
-    /// By so much at most.
+    /// By at most this amount.
     Within(i32),
-    /// What was gone since it was last told: by 1 more or less than a frame ago, or else as much of it as wheels can roll in
-    /// the time, for every mm that one rolls.
+    /// Motion since the last report: within 1 of the last frame's, or as much as the wheels can roll in the time,
+    /// scaled per mm.
     Way(f64),
-    /// As many counts as a wheel makes in the time, modulo 65536.
+    /// As many counts as a wheel can make in the time, modulo 65536.
     Counts,
-    /// What a Drive Direct asked for.
+    /// The value of a recent Drive Direct.
     RightSpeed,
     /// See [`ChangeRule::RightSpeed`].
     LeftSpeed,
@@ -91,40 +92,40 @@ const fn rule(packet: Packet) -> ChangeRule {
     }
 }
 
-/// Bits of every packet, by its place in [`Packet::ALL`]; `None` for those that weren't in the frame.
+/// Values of every packet, by its index in [`Packet::ALL`]; `None` for those not in the frame.
 type FlagBits = [Option<u16>; Packet::ALL.len()];
 
-/// A frame, and what those before it told of other packets.
+/// A frame, with the values of other packets from earlier ones.
 #[derive(Debug, Clone, Copy)]
 struct HeardFrame {
-    /// When it came, s, and the last one with distance and angle.
+    /// Times of its arrival and of the last frame with distance and angle, s.
     at: f64,
     told_at: Option<f64>,
     bits: FlagBits,
 }
 
-/// What becomes of a frame.
+/// Verdict on a frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FrameVerdict {
-    /// It follows from the one before.
+    /// Consistent with the one before.
     Believed,
-    /// It follows from the one that waited, which was true then.
+    /// Consistent with the waiting one, which was right then.
     Late,
-    /// It may be true, if the next one follows from it.
+    /// Can be right, if the next one is consistent with it.
     Waits,
-    /// The same, but all of it follows from the one before except for signals, which may jump by themselves.
+    /// The same, but only signals jumped, which can happen.
     Jumps,
-    /// It says what no robot can report.
+    /// Contains values that no robot can report.
     Impossible,
 }
 
-/// Tells frames that can be true from those that can't.
+/// Distinguishes plausible frames from others.
 #[derive(Debug, Clone)]
 pub struct Filter {
-    /// The last frame that was believed, or that waits to be.
+    /// The last accepted or waiting frame.
     believed: Option<HeardFrame>,
     waiting: Option<HeardFrame>,
-    /// Wheel speeds that were asked for lately: right, left.
+    /// Recently commanded wheel speeds: right, left.
     asked: [(i16, i16); REMEMBERED],
     next: usize,
     refused: u64,
@@ -138,7 +139,7 @@ impl Default for Filter {
 }
 
 impl Filter {
-    /// A Drive Direct with these speeds was sent, mm/s.
+    /// Records a Drive Direct with these speeds, mm/s.
     pub fn asked(&mut self, right: i16, left: i16) {
         if let Some(slot) = self.asked.get_mut(self.next) {
             *slot = (right, left);
@@ -146,22 +147,22 @@ impl Filter {
         self.next = (self.next + 1) % REMEMBERED;
     }
 
-    /// Frames that weren't believed though their checksum was right.
+    /// Number of refused frames with a right checksum.
     pub fn refused(&self) -> u64 {
         self.refused
     }
 
-    /// Frames that had to wait for the next one, and were believed then.
+    /// Number of frames accepted late.
     pub fn late(&self) -> u64 {
         self.late
     }
 
-    /// Forgets the frames, as after a break: the next but one is believed.
+    /// Forgets the frames, as after a break: the second next one is accepted.
     pub fn forget(&mut self) {
         (self.believed, self.waiting) = (None, None);
     }
 
-    /// What to make of `frame`, which arrives at `now`.
+    /// The verdict on `frame`, which arrived at `now`.
     pub fn judge(&mut self, now: f64, frame: StreamFrame<'_>) -> FrameVerdict {
         let mut bits: FlagBits = [None; Packet::ALL.len()];
         let mut is_possible = true;
@@ -174,11 +175,11 @@ impl Filter {
         let follows = |from: &Option<HeardFrame>, is_strict: bool| {
             from.as_ref().is_some_and(|before| self.follows(before, &bits, now, is_strict))
         };
-        // A signal may go on jumping: then it is believed at every other frame at least.
+        // Signals can keep jumping; then at least every other frame is accepted.
         let is_next = is_possible && follows(&self.believed, true);
         let is_late = !is_next && is_possible && follows(&self.waiting, false);
         let is_told = bits.get(DISTANCE).is_some_and(Option::is_some);
-        // Other frames of the subscription may have other packets.
+        // Other frames of the subscription can have other packets.
         let heard = |before: Option<HeardFrame>| HeardFrame {
             at: now,
             told_at: if is_told { Some(now) } else { before.and_then(|before| before.told_at) },

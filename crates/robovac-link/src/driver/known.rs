@@ -1,15 +1,15 @@
 //! Known properties of a robot and its line.
 
 use super::{ConnectionPhase, Diagnosis, Driver, Happening, LinkStats, WheelCommand};
-use roomba_oi::{FRAMING, PacketId, Readings, StreamCounts, slot_bytes};
+use roomba_oi::{FRAMING, Packet, PacketId, Readings, StreamCounts, slot_bytes};
 
 impl Driver {
-    /// How far it is.
+    /// Phase of the connection.
     pub fn phase(&self) -> ConnectionPhase {
         self.phase
     }
 
-    /// What was found out about who is there.
+    /// Diagnosis of the device on the line.
     pub fn diagnosis(&self) -> &Diagnosis {
         &self.diagnosis
     }
@@ -19,7 +19,7 @@ impl Driver {
         self.has_read.then_some(&self.readings)
     }
 
-    /// Whether the robot has not been heard of for so long that it was stopped.
+    /// Whether the robot has been silent for so long that it was stopped.
     pub fn is_stalled(&self) -> bool {
         self.is_stalled
     }
@@ -34,22 +34,22 @@ impl Driver {
         self.baud
     }
 
-    /// Rate, gaps and round trips.
+    /// Statistics of the link.
     pub fn link_stats(&self) -> &LinkStats {
         &self.link_stats
     }
 
-    /// What came of the bytes.
+    /// Counts of frames and other bytes.
     pub fn counts(&self) -> StreamCounts {
         self.parser.counts()
     }
 
-    /// Frames with a right checksum that weren't believed.
+    /// Refused frames with a right checksum.
     pub fn implausible(&self) -> u64 {
         self.filter.refused()
     }
 
-    /// Frames that were believed a frame late, as something in them jumped.
+    /// Frames accepted one frame late, after a jump of a value.
     pub fn late(&self) -> u64 {
         self.filter.late()
     }
@@ -59,19 +59,25 @@ impl Driver {
         self.bytes
     }
 
-    /// Bytes of a frame, and of the slot that it has to fit in.
+    /// Bytes of a frame, and of the slot into which it must fit.
     pub fn slot(&self) -> [usize; 2] {
         let packets = self.subscription().iter();
         let size = packets.filter_map(|&id| PacketId::size_of(id)).map(|size| size + 1).sum::<usize>() + FRAMING;
         [size, slot_bytes(self.baud)]
     }
 
-    /// What the robot said of its firmware.
+    /// Whether the stream contains this packet.
+    pub fn receives(&self, packet: Packet) -> bool {
+        let subscribed = self.subscription().iter().filter_map(|&id| PacketId::from_byte(id));
+        subscribed.flat_map(PacketId::packets).any(|one| one == packet)
+    }
+
+    /// Firmware reported by the robot.
     pub fn firmware(&self) -> Option<&str> {
         self.firmware.as_deref()
     }
 
-    /// Takes encoder packets 43 and 44 the other way round, or as they should be.
+    /// Sets whether encoder packets 43 and 44 are swapped.
     pub fn swap_encoders(&mut self, swapped: bool) {
         if swapped != self.swapped {
             std::mem::swap(&mut self.sensors.left_counts, &mut self.sensors.right_counts);
@@ -79,7 +85,7 @@ impl Driver {
         self.swapped = swapped;
     }
 
-    /// What went over the line since this was last asked for, oldest first, with its time.
+    /// Traffic since the last call, oldest first, with times.
     pub fn take_happenings(&mut self) -> impl Iterator<Item = (f64, Happening)> + use<> {
         std::mem::take(&mut self.happenings).into_iter()
     }

@@ -3,39 +3,39 @@
 use super::Finding;
 use roomba_oi::{HEADER, Mode, Said, StreamFrame};
 
-/// Bytes that are kept for it.
+/// Most bytes kept.
 const MOST: usize = 4096;
 
-/// Bytes heard since a moment.
+/// Bytes received since [`Self::clear`].
 #[derive(Debug, Clone, Default)]
 pub struct LineClassifier {
     bytes: Vec<u8>,
 }
 
-/// What they are.
+/// Classified bytes.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct LineContent {
     /// Whole frames of a stream.
     pub frames: usize,
     /// Lines of text.
     pub lines: Vec<String>,
-    /// What is neither.
+    /// The other bytes.
     pub rest: Vec<u8>,
 }
 
 impl LineClassifier {
-    /// Begins anew.
+    /// Discards all bytes.
     pub fn clear(&mut self) {
         self.bytes.clear();
     }
 
-    /// Takes bytes.
+    /// Appends bytes.
     pub fn push(&mut self, bytes: &[u8]) {
         let room = MOST - self.bytes.len().min(MOST);
         self.bytes.extend_from_slice(bytes.get(..room).unwrap_or(bytes));
     }
 
-    /// Sorts them.
+    /// Classifies the bytes.
     pub fn classify(&self) -> LineContent {
         let mut heard = LineContent::default();
         let mut rest = &self.bytes[..];
@@ -49,7 +49,7 @@ impl LineClassifier {
             }
             let printable = rest.iter().take_while(|b| matches!(b, b' '..=b'~' | b'\t')).count();
             let ends = matches!(rest.get(printable), Some(b'\r' | b'\n'));
-            // A few printable bytes may be anything; more of them, or such with an end of line, are text.
+            // A few printable bytes can be anything; more of them, or some with a line end, are text.
             if printable >= 6 || (ends && printable >= 2) {
                 heard.lines.push(rest.iter().take(printable).map(|&b| char::from(b)).collect());
                 rest = rest.get(printable..).unwrap_or_default();
@@ -65,14 +65,14 @@ impl LineClassifier {
 }
 
 impl LineContent {
-    /// The mode byte that answers a question for it, after whatever else there is.
+    /// The mode byte that answers a query, after any other bytes.
     pub fn mode_byte(&self) -> Option<u8> {
         let is_mode = |byte: &u8| Mode::from_report(*byte, 0).is_some() || Mode::from_report(*byte, 1).is_some();
         let last = *self.rest.last()?;
         (self.rest.len() <= 4 && self.rest.iter().all(is_mode)).then_some(last)
     }
 
-    /// What that means.
+    /// The finding that follows.
     pub fn finding(&self) -> Finding {
         let said = |what: fn(&Said) -> bool| self.lines.iter().any(|line| what(&Said::of(line)));
         let is_boot_byte = |byte: &u8| matches!(byte, 0xB1 | 0xFE | 0xFF);

@@ -2,9 +2,9 @@
 
 use std::collections::VecDeque;
 
-/// Round trips that the median is taken of.
+/// Round trips in the median.
 const ROUND_TRIPS: usize = 15;
-/// Time over which the rate is measured, s.
+/// Time window of the rate, s.
 const WINDOW_S: f64 = 1.0;
 
 /// Rate, gaps and round trips.
@@ -12,13 +12,13 @@ const WINDOW_S: f64 = 1.0;
 pub struct LinkStats {
     arrivals: VecDeque<f64>,
     longest_gap_s: f64,
-    /// Command on its way: wheel speeds right and left, and when it was sent.
+    /// Command in transit: wheel speeds right and left, and its time.
     asked: Option<((i16, i16), f64)>,
     round_trips: VecDeque<f64>,
 }
 
 impl LinkStats {
-    /// A frame arrived that says which wheel speeds, right and left, the robot was asked for last.
+    /// A frame arrived that reports the requested wheel speeds, right and left.
     pub fn arrived(&mut self, now: f64, requested: (i16, i16)) {
         if let Some(&last) = self.arrivals.back() {
             self.longest_gap_s = self.longest_gap_s.max(now - last);
@@ -38,23 +38,23 @@ impl LinkStats {
         }
     }
 
-    /// Other wheel speeds than before were asked for.
+    /// Other wheel speeds than before were commanded.
     pub fn asked(&mut self, now: f64, wheels: (i16, i16)) {
         self.asked = Some((wheels, now));
     }
 
-    /// The stream was broken off on purpose: what comes now is no gap.
+    /// The stream was interrupted on purpose; the next gap doesn't count.
     pub fn pause(&mut self) {
         self.arrivals.clear();
         self.asked = None;
     }
 
-    /// When the last frame came, s.
+    /// Time of the last frame, s.
     pub fn last(&self) -> Option<f64> {
         self.arrivals.back().copied()
     }
 
-    /// Frames a second, lately.
+    /// Current frames per second.
     pub fn rate_hz(&self, now: f64) -> f64 {
         let recent = self.arrivals.iter().filter(|&&at| now - at <= WINDOW_S).count();
         let since = self.arrivals.front().map_or(WINDOW_S, |&first| (now - first).clamp(0.1, WINDOW_S));
@@ -66,7 +66,7 @@ impl LinkStats {
         self.longest_gap_s
     }
 
-    /// Time from a command until the robot reports it, s; median.
+    /// Median time from a command to the robot's report of it, s.
     pub fn round_trip_s(&self) -> Option<f64> {
         let mut sorted: Vec<f64> = self.round_trips.iter().copied().collect();
         sorted.sort_by(f64::total_cmp);

@@ -1,8 +1,9 @@
 //! The host's driver for a robot: identifies it, keeps it in Safe mode, reads its sensors, and guarantees that it
 //! stops.
 //!
-//! It has no clock and does no I/O. Whoever has both calls [`Driver::feed`] with what arrives and [`Driver::tick`] every 10 ms
-//! or so, and sends at once what [`Driver::take_line`] and [`Driver::take_tx`] say. Times are in seconds of any one clock.
+//! It has no clock and does no I/O. The caller passes received bytes to [`Driver::feed`], calls [`Driver::tick`] about
+//! every 10 ms, and executes [`Driver::take_line`] and [`Driver::take_tx`] at once. Times are in seconds of any one
+//! clock.
 //!
 //! # What keeps a robot from moving on
 //!
@@ -43,64 +44,64 @@ use std::collections::VecDeque;
 
 /// Nominal time between two frames, s.
 pub const FRAME_S: f64 = 0.015;
-/// After so long without a frame an armed robot is sent a stop command, s.
+/// Time without a frame after which an armed robot is sent a stop command, s.
 const STALL_S: f64 = 0.25;
-/// After so long without a frame the robot counts as lost, s.
+/// Time without a frame after which the robot counts as lost, s.
 const LOST_S: f64 = 1.0;
-/// The stream of a lost robot is asked for that often, s.
+/// Interval of requests for the stream of a lost robot, s.
 const REVIVE_S: f64 = 0.5;
-/// A mode that wasn't reached is commanded again after this time, and given up after three times as long, s.
+/// Time after which an unreached mode is commanded again, s; after three times as long it is given up.
 const MODE_S: f64 = 0.25;
-/// What a mode command is followed by is looked at from here on, s: frames on their way tell of before.
+/// Time after a mode command before which frames are ignored, as they can be older, s.
 const SETTLE_S: f64 = 0.06;
-/// A line that is quiet for so long has no frame on its way, s.
+/// Quiet time after which no frame is in transit, s.
 const QUIET_S: f64 = 0.03;
-/// Arrival of frames in lumps is evened out over this time, s.
+/// Time over which bursts of frames are smoothed, s.
 const LUMP_S: f64 = 0.04;
-/// Happenings that are kept until they are fetched.
+/// Most events kept until they are fetched.
 const MOST_HAPPENINGS: usize = 2000;
 
-/// What the transport is to do with the line.
+/// Request to the transport.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum LineRequest {
-    /// Go on at another baud rate: close and open again, if that is what it takes.
+    /// Change the baud rate, by reopening the line if necessary.
     Baud(u32),
-    /// Pull the BRC wire low (`true`: RTS asserted) or let it go.
+    /// Pull the BRC wire low (`true`: RTS asserted) or release it.
     Brc(bool),
 }
 
-/// How far a connection is.
+/// Phase of a connection.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum ConnectionPhase {
     /// There is no line.
     #[default]
     Closed,
-    /// It finds out who is there.
+    /// The device is being identified.
     Diagnosing,
-    /// Nobody answers; it asks again from time to time.
+    /// No answer; it queries from time to time.
     Waiting,
-    /// Sensors are streamed.
+    /// Sensors are being streamed.
     Connected,
-    /// They were, but nothing comes any more; it asks again and again.
+    /// Frames stopped; the stream is requested repeatedly.
     Lost,
 }
 
-/// Something that went over the line.
+/// An event on the line.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Happening {
     /// Bytes to the robot.
     Sent(Vec<u8>),
-    /// A frame that was believed.
+    /// An accepted frame.
     Frame(Vec<u8>),
-    /// A frame that wasn't, and why.
+    /// A refused frame, with the reason.
     Refused(Vec<u8>, String),
-    /// Text of the robot.
+    /// Text from the robot.
     Text(String),
-    /// Bytes that answer a question, and what they say.
+    /// The answer to a query, as bytes and in words.
     Answer(Vec<u8>, String),
-    /// About the line itself.
+    /// An event of the line itself.
     Line(String),
 }
 
@@ -118,26 +119,26 @@ pub struct Driver {
     poll: DistanceAnglePoll,
     readings: Readings,
     sensors: SensorReadings,
-    /// Readings of the frame before.
+    /// Readings of the previous frame.
     before: Readings,
     has_read: bool,
-    /// Seconds between the last two frames by the robot's clock, until somebody takes it; and what that clock shows.
+    /// Seconds between the last two frames by the robot's clock, until taken; and the time of that clock.
     fresh: Option<f64>,
     robot_time: Option<f64>,
     mode_offset: u8,
-    /// The mode that the robot was put in last, when, and whether it has been there since.
+    /// The last commanded mode, its time, and whether it was reached.
     target: Mode,
     target_since: f64,
     target_told: f64,
     target_reached: bool,
     dropped: Option<ModeLoss>,
     wheels: WheelCommand,
-    /// Encoder packets 43 and 44 are the other way round on this robot.
+    /// Whether encoder packets 43 and 44 are swapped on this robot.
     swapped: bool,
     question: Option<Question>,
-    /// Somebody had control of the robot on this line.
+    /// Whether the robot was controlled on this line.
     was_in_control: bool,
-    /// Its baud rate can't be changed: a bridge keeps it.
+    /// Whether the baud rate is fixed, as with a bridge.
     is_rate_fixed: bool,
     is_replay: bool,
     is_stalled: bool,
@@ -158,8 +159,8 @@ impl Driver {
 
     // ---- the line
 
-    /// The line is open at 115200 baud: finds out who is there. The first thing to be said is a stop, as whoever spoke to the
-    /// robot before may have been cut off in the middle of driving it, or of a command.
+    /// The line is open at 115200 baud: starts the diagnosis. The first command is a stop, as an earlier program can
+    /// have been interrupted while driving, or in the middle of a command.
     pub fn open(&mut self, now: f64) {
         let (firmware, swapped, bytes) = (self.firmware.take(), self.swapped, self.bytes);
         let (is_rate_fixed, is_replay, was_in_control) = (self.is_rate_fixed, self.is_replay, self.was_in_control);
@@ -178,18 +179,18 @@ impl Driver {
             last_byte_at: now,
             ..Self::default()
         };
-        // Zeros fill up a command that was cut; by themselves they mean nothing.
+        // Zeros complete an interrupted command; by themselves they do nothing.
         self.push(now, &[0; LONGEST]);
         self.push(now, &STOP);
         self.begin(now);
     }
 
-    /// Whether the baud rate of the line stays what it is, whatever is asked for.
+    /// Sets whether the baud rate of the line is fixed.
     pub fn fix_rate(&mut self, is_fixed: bool) {
         self.is_rate_fixed = is_fixed;
     }
 
-    /// Finds out anew who is there, on a line that may be at any rate by now.
+    /// Starts the diagnosis again, on a line whose rate can have changed.
     pub fn open_again(&mut self, now: f64) {
         let baud = self.baud;
         self.open(now);
@@ -199,7 +200,7 @@ impl Driver {
         }
     }
 
-    /// The line is gone. Nothing that was still to be sent will be.
+    /// The line is gone. Pending bytes are discarded.
     pub fn closed(&mut self, now: f64, why: &str) {
         self.tx.clear();
         self.line.clear();
@@ -212,18 +213,18 @@ impl Driver {
         self.happened(now, Happening::Line(why.to_owned()));
     }
 
-    /// Bytes that are to be sent now.
+    /// Bytes to be sent now.
     pub fn take_tx(&mut self) -> Vec<u8> {
         std::mem::take(&mut self.tx)
     }
 
-    /// What is to be done with the line before the next bytes are sent.
+    /// Request to the line, to be executed before the next bytes are sent.
     pub fn take_line(&mut self) -> Option<LineRequest> {
         self.line.pop_front()
     }
 
-    /// Takes bytes that arrived, up to the end of the next frame that is believed; how many it took. After that there
-    /// may be a reading to [take](Self::take_reading); call it again with the rest.
+    /// Takes received bytes, up to the end of the next accepted frame, and returns their number. There can be a reading
+    /// to [take](Self::take_reading) then; call it again with the rest.
     pub fn feed(&mut self, now: f64, bytes: &[u8]) -> usize {
         self.last_byte_at = now;
         for (index, &byte) in bytes.iter().enumerate() {
@@ -243,14 +244,14 @@ impl Driver {
         bytes.len()
     }
 
-    /// The frame that was completed, if it is believed.
+    /// The completed frame, if it is accepted.
     fn take_byte(&mut self, now: f64, byte: u8) -> Option<Believed> {
         let Self { parser, filter, poll, readings, before, firmware, happenings, phase, diagnosis, .. } = self;
         let mut read = None;
         parser.feed(&[byte], &mut |event| {
             let happening = match event {
                 StreamEvent::Frame(frame) => {
-                    // While it asks, frames are those of somebody else's stream.
+                    // During the diagnosis, frames belong to another program's stream.
                     let is_ours = match phase {
                         ConnectionPhase::Closed => false,
                         ConnectionPhase::Diagnosing | ConnectionPhase::Waiting => diagnosis.step == Step::Subscribing,
@@ -268,7 +269,7 @@ impl Driver {
                         }
                         Some(verdict @ (FrameVerdict::Waits | FrameVerdict::Jumps)) => {
                             poll.hold(frame, verdict == FrameVerdict::Jumps);
-                            Happening::Refused(bytes, "its values jump: waiting for the next one to confirm".to_owned())
+                            Happening::Refused(bytes, "its values jump: the next reading must confirm".to_owned())
                         }
                         Some(FrameVerdict::Impossible) => {
                             Happening::Refused(bytes, "its checksum is right, but its values are impossible".to_owned())
@@ -289,7 +290,7 @@ impl Driver {
         if self.swapped {
             std::mem::swap(&mut self.sensors.left_counts, &mut self.sensors.right_counts);
         }
-        // The robot's clock goes on by a frame; if it falls behind too far, frames were lost.
+        // The robot's clock advances by one frame; if it falls too far behind, frames were lost.
         let before = self.robot_time.unwrap_or(now - FRAME_S);
         let time = (before + FRAME_S).max(now - LUMP_S);
         (self.fresh, self.robot_time) = (Some(time - before), Some(time));
@@ -309,18 +310,18 @@ impl Driver {
         self.mind_telling(now, true);
     }
 
-    /// Seconds by which the robot's clock went on with a new reading; `None` if there is none since this was asked last.
+    /// Seconds by which the robot's clock advanced with a new reading; `None` without one since the last call.
     pub fn take_reading(&mut self) -> Option<f64> {
         self.fresh.take()
     }
 
-    /// Lets time pass.
+    /// Advances the time.
     pub fn tick(&mut self, now: f64) {
         if now - self.last_byte_at > QUIET_S {
             let Self { parser, happenings, firmware, .. } = self;
             parser.idle(&mut |event| {
                 let happening = match event {
-                    // Frames that a false header held back are old by now.
+                    // Frames held back by a false header are outdated.
                     StreamEvent::Frame(frame) => {
                         Happening::Refused(whole(frame.content()), "it came too late".to_owned())
                     }
@@ -378,15 +379,15 @@ impl Driver {
     }
 }
 
-/// The robot as its controllers see it, except that wheel speeds need the time: [`Driver::drive`].
+/// The robot as a port for controllers, except that wheel speeds need the time: [`Driver::drive`].
 impl Driver {
-    /// This robot as a port at that moment.
+    /// This robot as a port at time `now`.
     pub fn port(&mut self, now: f64) -> Port<'_> {
         Port { driver: self, now }
     }
 }
 
-/// A robot on a line, at one moment.
+/// A robot on a line, at a moment.
 pub struct Port<'a> {
     driver: &'a mut Driver,
     now: f64,
@@ -402,7 +403,7 @@ impl RobotPort for Port<'_> {
     }
 }
 
-/// A frame that is believed, with what it tells of distance and angle.
+/// An accepted frame, with its distance and angle.
 struct Believed {
     moved: Option<DistanceAngle>,
 }
@@ -419,7 +420,7 @@ fn happened(happenings: &mut VecDeque<(f64, Happening)>, now: f64, happening: Ha
     happenings.push_back((now, happening));
 }
 
-/// What the robot wrote; it may be the name of its firmware.
+/// Processes a line of text, which can contain the name of the firmware.
 fn said(firmware: &mut Option<String>, line: &str) -> Happening {
     if let Said::Firmware(_) = Said::of(line) {
         *firmware = Some(line.to_owned());

@@ -3,25 +3,25 @@
 use roomba_oi::{Mode, Readings};
 use std::fmt;
 
-/// A robot that left Safe or Full by itself, and what the frame that told so says about why.
+/// A robot that left Safe or Full by itself, with possible causes from the frame that reported it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ModeLoss {
-    /// The mode that it was in, or was to go to.
+    /// The mode that it was in, or was commanded to.
     pub from: Mode,
-    /// Whether it had been there.
+    /// Whether it had reached the mode.
     pub was_there: bool,
-    /// Which cliff sensors saw no floor: left, front left, front right, right.
+    /// Cliff sensors without floor: left, front left, front right, right.
     pub cliff: [bool; 4],
-    /// Which wheels hung down: left, right.
+    /// Dropped wheels: left, right.
     pub wheel_drop: [bool; 2],
-    /// It is charged, through its jack or on its dock.
+    /// Whether it charges: through its jack, on its dock.
     pub charger: [bool; 2],
-    /// One of its buttons was held.
+    /// Whether a button was pressed.
     pub button: bool,
 }
 
 impl ModeLoss {
-    /// What the latest two readings say: the cause may be gone when the mode is told.
+    /// From the latest two readings, as the cause can have ended when the mode is reported.
     pub(super) fn new(from: Mode, was_there: bool, [before, now]: [&Readings; 2]) -> Self {
         let either = |what: fn(&Readings) -> bool| what(before) || what(now);
         Self {
@@ -39,7 +39,7 @@ impl ModeLoss {
         self.charger.contains(&true)
     }
 
-    /// What to do.
+    /// Advice.
     pub fn remedy(&self) -> &'static str {
         match self {
             _ if self.charger[1] => "Take it off its dock first: there it returns to Passive at once, to charge.",
@@ -74,7 +74,7 @@ impl fmt::Display for ModeLoss {
         }
         let names = ["left", "front left", "front right", "right"];
         let cliffs: Vec<_> = names.iter().zip(self.cliff).filter(|(_, sees)| *sees).map(|(name, _)| *name).collect();
-        // On a dock all of them look at its black ramp.
+        // On a dock all of them face its black ramp.
         if self.cliff == [true; 4] && !self.charger[1] {
             causes.push("no cliff sensor detects floor".to_owned());
         } else if !cliffs.is_empty() && !self.charger[1] {

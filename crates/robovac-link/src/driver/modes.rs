@@ -4,13 +4,13 @@ use super::{ConnectionPhase, Driver, Happening, MODE_S, ModeLoss, SETTLE_S, STOP
 use roomba_oi::{Command, Mode};
 
 impl Driver {
-    /// Whether the robot has been put in Safe or Full and is there.
+    /// Whether the robot was commanded to Safe or Full and is there.
     pub fn is_armed(&self) -> bool {
         self.phase == ConnectionPhase::Connected && self.target > Mode::Passive && self.target_reached
     }
 
-    /// Puts the robot in `mode`. [`Mode::Safe`] and [`Mode::Full`] take control, [`Mode::Passive`] gives it back; with any,
-    /// the robot stands still at first.
+    /// Puts the robot in `mode`. [`Mode::Safe`] and [`Mode::Full`] take control, [`Mode::Passive`] gives it up; the
+    /// robot stands still in each case.
     pub fn put_in(&mut self, now: f64, mode: Mode) {
         self.dropped = None;
         self.halt(now);
@@ -18,7 +18,7 @@ impl Driver {
         self.tell_mode(now);
     }
 
-    /// From now on the robot is to be in `mode`: it has been told so.
+    /// Sets the target mode, whose command was sent.
     pub(super) fn aim(&mut self, mode: Mode, now: f64) {
         (self.target, self.target_since, self.target_told, self.target_reached) = (mode, now, now, false);
         self.was_in_control |= mode > Mode::Passive;
@@ -32,12 +32,12 @@ impl Driver {
             Mode::Safe => Command::Safe,
             Mode::Full => Command::Full,
         };
-        // It has no data that could be refused.
+        // It has no data that could be invalid.
         let _ = self.send(now, command);
     }
 
     pub(super) fn watch_mode(&mut self, now: f64) {
-        // Off is never reported, nor is anything above Full: the byte is one lower, or higher, than was thought.
+        // Off and modes above Full are never reported, so the offset of the mode byte must be corrected.
         match (self.mode_offset, self.readings.mode) {
             (1, 1) => self.mode_offset = 0,
             (0, 4) => self.mode_offset = 1,
@@ -49,7 +49,8 @@ impl Driver {
             return;
         }
         if self.target <= Mode::Passive && mode > Mode::Passive {
-            // It did not hear that it was given back. It may even drive: told until it has.
+            // The command to give control up was lost and the robot can even be driving; it is repeated until it
+            // arrives.
             if now - self.target_told > MODE_S {
                 self.push(now, &STOP);
                 self.tell_mode(now);
@@ -73,22 +74,22 @@ impl Driver {
         self.aim(mode.min(Mode::Passive), now);
     }
 
-    /// Why the robot left Safe or Full, until it is put in a mode again.
+    /// Why the robot left Safe or Full, until the next mode command.
     pub fn dropped(&self) -> Option<&ModeLoss> {
         self.dropped.as_ref()
     }
 
-    /// The mode that it reports.
+    /// The reported mode.
     pub fn mode(&self) -> Option<Mode> {
         self.has_read.then(|| Mode::from_report(self.readings.mode, self.mode_offset)).flatten()
     }
 
-    /// The mode that it is to be in.
+    /// The target mode.
     pub fn target(&self) -> Mode {
         self.target
     }
 
-    /// What it adds to its mode byte: 0 or 1.
+    /// Offset of its mode byte: 0 or 1.
     pub fn mode_offset(&self) -> u8 {
         self.mode_offset
     }

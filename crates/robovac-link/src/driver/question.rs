@@ -1,7 +1,7 @@
 //! A query during a stream.
 //!
-//! Answers have neither header nor checksum: between frames they couldn't be recognised. So the stream is paused, what
-//! is still on its way is waited for, and only then the question is sent.
+//! Answers have neither header nor checksum: between frames they couldn't be recognised. So the stream is paused, and
+//! the query is sent after the last frame has arrived.
 
 use roomba_oi::{Answer, Command, CommandDecoder};
 
@@ -10,7 +10,7 @@ const DRAIN_S: f64 = 0.05;
 /// Time for the answer, s: two frames, and the line's 240 bytes at most.
 const ANSWER_S: f64 = 0.1;
 
-/// Bytes that ask for something, on their way.
+/// A query in progress.
 #[derive(Debug)]
 pub(super) struct Question {
     bytes: Vec<u8>,
@@ -20,17 +20,17 @@ pub(super) struct Question {
     heard: Vec<u8>,
 }
 
-/// What is to be done next.
+/// The next action.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum Next {
     Wait,
     Send(Vec<u8>),
-    /// It is over: the answer as bytes, and in words.
+    /// Finished: the answer as bytes, and in words.
     Done(Vec<u8>, String),
 }
 
 impl Question {
-    /// A question, if those bytes ask for anything.
+    /// The query in these bytes; `None` if there is none.
     pub fn of(bytes: &[u8], now: f64) -> Option<Self> {
         let mut decoder = CommandDecoder::default();
         let mut ids = Vec::new();
@@ -44,7 +44,7 @@ impl Question {
         (!ids.is_empty()).then(|| Self { bytes: bytes.to_vec(), ids, began: now, is_sent: false, heard: Vec::new() })
     }
 
-    /// Whether what arrives now belongs to the answer.
+    /// Whether received bytes belong to the answer.
     pub fn is_sent(&self) -> bool {
         self.is_sent
     }
@@ -54,7 +54,7 @@ impl Question {
         self.heard.push(byte);
     }
 
-    /// Goes on.
+    /// Advances the query.
     pub fn advance(&mut self, now: f64) -> Next {
         let passed = now - self.began;
         if !self.is_sent && passed >= DRAIN_S {
@@ -75,14 +75,14 @@ impl Question {
         };
         let rest = answer.feed(&self.heard);
         if answer.missing() > 0 {
-            return format!("{} bytes of the answer are missing", answer.missing());
+            return format!("bytes missing from the answer: {}", answer.missing());
         }
         let values: Vec<String> = answer
             .values()
             .map(|(packet, raw)| format!("{packet} {} {}", packet.value(raw), packet.unit()).trim_end().to_owned())
             .collect();
         let doubt = if answer.is_plausible() { "" } else { "; not plausible" };
-        let more = if rest.is_empty() { String::new() } else { format!("; {} bytes too many", rest.len()) };
+        let more = if rest.is_empty() { String::new() } else { format!("; extra bytes: {}", rest.len()) };
         values.join(", ") + doubt + &more
     }
 }

@@ -4,23 +4,23 @@ use super::{ConnectionPhase, Driver, Happening, Question, Step};
 use roomba_oi::{Command, CommandDecoder, Mode, Opcode};
 use thiserror::Error;
 
-/// Why bytes that a person typed aren't sent.
+/// Reasons for refusing typed bytes.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum RawRefusal {
-    /// The robot would wait for the rest, and take the next commands for it: the stop among them.
+    /// The robot would take the next commands, even a stop, as the rest of this one.
     #[error(
         "These bytes end in the middle of {0}: the robot would read the next bytes, even a stop command, as the rest \
          of it. Complete it."
     )]
     Incomplete(Opcode),
-    /// The robot would go where this end doesn't hear it.
+    /// The robot would change to another baud rate.
     #[error("After a change of baud rate, this page could neither receive from the robot nor stop it.")]
     Baud,
 }
 
 impl Driver {
-    /// Sends bytes as they are. If they say how to drive, that holds until the next stop; if they ask for something, the
-    /// stream is paused until the answer is there. Whether brushes or vacuum may run after it.
+    /// Sends raw bytes. A motion command in them holds until the next stop; for a query the stream is paused until the
+    /// answer has arrived. Returns whether brushes or vacuum can be running afterwards.
     pub fn send_raw(&mut self, now: f64, bytes: &[u8]) -> Result<bool, RawRefusal> {
         let mut decoder = CommandDecoder::default();
         let mut has_motors = false;
@@ -65,7 +65,7 @@ impl Driver {
         self.push(now, bytes);
     }
 
-    /// From now on, what this end would send goes nowhere: what was sent is told by [`Self::was_sent`].
+    /// Switches to replay: own bytes are discarded, and sent bytes are reported by [`Self::was_sent`].
     pub fn replay(&mut self) {
         self.is_replay = true;
     }

@@ -1,21 +1,20 @@
 //! Motion commands, with the timeout that stops the robot.
 //!
 //! The interface has no timeout: a robot executes its last command for ever. So wheel speeds hold for [`DEAD_MAN_S`]
-//! only, the stop is repeated until the robot says that it has heard it, and a robot that reports other speeds than it
-//! was told is told again.
+//! only, a stop is repeated until the robot reports it, and speeds are sent again to a robot that reports others.
 
 use robovac_core::robot::Drive;
 use roomba_oi::{Command, motion::MAX_SPEED_MM_S};
 
 /// Time for which wheel speeds hold unless they are renewed, s.
 pub const DEAD_MAN_S: f64 = 0.2;
-/// Speeds are sent again that often, s, in case that they didn't arrive.
+/// Interval at which speeds are sent again in case they were lost, s.
 const REFRESH_S: f64 = 0.06;
 /// Times between repeated stops, s.
 const STOP_EVERY_S: f64 = 0.03;
-/// A stop is sent that many times at least.
+/// Least number of times a stop is sent.
 const LEAST_STOPS: u32 = 3;
-/// Time after which the robot should report what it was told, s: three frames and the way there.
+/// Time after which the robot should report a command, s: three frames and the transmission.
 const ECHO_S: f64 = 0.12;
 
 /// The wheel commands.
@@ -24,15 +23,15 @@ pub struct WheelCommand {
     /// Speeds of the right and left wheel, mm/s.
     wanted: (i16, i16),
     renewed_at: f64,
-    /// What was sent last, and when.
+    /// The last sent speeds, and their time.
     sent: (i16, i16),
     sent_at: f64,
-    /// When what was sent last began to differ from what was sent before.
+    /// Time of the last change of the sent speeds.
     changed_at: f64,
     stops_due: u32,
-    /// Speeds were typed by hand, and hold until the next stop.
+    /// Speeds were sent as raw bytes, and hold until the next stop.
     is_by_hand: bool,
-    /// They were typed as radius or power: it moves, and isn't told otherwise.
+    /// They were sent as radius or power: the robot moves and isn't corrected.
     is_other: bool,
 }
 
@@ -53,7 +52,7 @@ impl Default for WheelCommand {
 }
 
 impl WheelCommand {
-    /// Wheel speeds from now on, for [`DEAD_MAN_S`].
+    /// Sets wheel speeds for [`DEAD_MAN_S`].
     pub fn drive(&mut self, now: f64, wanted: Drive) {
         let Command::DriveDirect { right, left } = crate::sensors::drive_command(wanted) else { return };
         if (right, left) == (0, 0) && self.wanted != (0, 0) {
@@ -62,7 +61,7 @@ impl WheelCommand {
         (self.wanted, self.renewed_at, self.is_by_hand, self.is_other) = ((right, left), now, false, false);
     }
 
-    /// No motion from now on. What is due is due at once.
+    /// Stops. A pending transmission is due at once.
     pub fn stop(&mut self) {
         self.wanted = (0, 0);
         (self.is_by_hand, self.is_other) = (false, false);
@@ -70,7 +69,7 @@ impl WheelCommand {
         self.sent_at = f64::NEG_INFINITY;
     }
 
-    /// Somebody typed speeds by hand, right and left.
+    /// Speeds were sent as raw bytes, right and left.
     pub fn by_hand(&mut self, now: f64, right: i16, left: i16) {
         let within = |v: i16| v.clamp(-MAX_SPEED_MM_S, MAX_SPEED_MM_S);
         self.wanted = (within(right), within(left));
@@ -79,7 +78,7 @@ impl WheelCommand {
         (self.is_other, self.stops_due) = (false, 0);
     }
 
-    /// Somebody typed a way to drive that isn't wheel speeds.
+    /// Another motion command was sent as raw bytes.
     pub fn by_other_hand(&mut self) {
         (self.is_by_hand, self.is_other, self.stops_due) = (true, true, 0);
     }
@@ -89,13 +88,12 @@ impl WheelCommand {
         self.wanted != (0, 0) || self.is_other
     }
 
-    /// Speeds of the right and left wheel that were sent last, mm/s.
+    /// The last sent speeds of the right and left wheel, mm/s.
     pub fn sent(&self) -> (i16, i16) {
         self.sent
     }
 
-    /// The speeds, right and left, that are to be sent now, if any. `reported` is what the robot says it was told, if it is
-    /// known and its latest word.
+    /// The speeds, right and left, to be sent now, if any. `reported` are those in the robot's latest report, if known.
     pub fn due(&mut self, now: f64, reported: Option<(i16, i16)>) -> Option<(i16, i16)> {
         if self.is_moving() && !self.is_by_hand && now - self.renewed_at > DEAD_MAN_S {
             self.stop();

@@ -1,8 +1,8 @@
 //! Built-in programs: Clean, Spot, Max and Seek Dock, using the project's own behaviours.
 //!
-//! How a Roomba cleans is its maker's secret. Here Clean is the cleaning cycle for 45 minutes, and if it began on the dock,
-//! the robot goes home then; Spot is the growing spiral for 75 seconds; Max is the random walk until the battery is low;
-//! Dock is the return to the dock. The times are ours.
+//! The maker's algorithm isn't published. Here Clean is the cleaning cycle for 45 minutes, followed by the return to
+//! the dock if it began there; Spot is the growing spiral for 75 seconds; Max is the random walk until the battery is
+//! low; Dock is the return to the dock. The times are ours.
 
 use robovac_core::{
     registry::Params,
@@ -13,7 +13,7 @@ use robovac_sim::{
     controller::{self, Controller, Setup},
 };
 
-/// One of them.
+/// A program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Chore {
     Clean,
@@ -22,14 +22,14 @@ pub(super) enum Chore {
     Dock,
 }
 
-/// An errand under way.
+/// A program in progress.
 pub(super) struct BuiltinProgram {
     pub chore: Chore,
     controller: Box<dyn Controller>,
     /// Time left, s.
     left: f64,
     pub is_paused: bool,
-    /// Whether the robot goes home when it has cleaned.
+    /// Whether the robot returns to its dock afterwards.
     pub goes_home: bool,
 }
 
@@ -40,7 +40,7 @@ impl Clone for BuiltinProgram {
 }
 
 impl BuiltinProgram {
-    /// Sets out; `None` can't happen as long as the behaviours are in the registry.
+    /// Starts a program; `None` only if its behaviour isn't in the registry.
     pub fn new(chore: Chore, robot: &RobotModel, seed: u64, on_dock: bool) -> Option<Self> {
         let (id, left) = match chore {
             Chore::Clean => ("cleaning_cycle", 45.0 * 60.0),
@@ -68,7 +68,7 @@ impl BuiltinProgram {
         controller::drive_on(robot, &mut *self.controller, dt_s, |_, _| false);
     }
 
-    /// Whether it has come to its end.
+    /// Whether it is done.
     pub fn is_done(&self) -> bool {
         self.left <= 0.0 || self.controller.is_done()
     }

@@ -1,6 +1,6 @@
 //! The clock and the weekly schedule (opcodes 168 and 167): they make a robot clean by itself, in Off and Passive.
 //!
-//! Without a clock that was set, nothing happens; a robot that lost power has forgotten both.
+//! Nothing happens before the clock is set; a power loss clears both.
 
 use super::clock::{Nanos, SECOND};
 use roomba_oi::{Time, Weekdays};
@@ -11,11 +11,11 @@ const WEEK_MINUTES: u64 = 7 * DAY_MINUTES;
 /// Clock and schedule.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Calendar {
-    /// When the clock was set, and to which minute of the week.
+    /// When the clock was set, and its minute of the week.
     set: Option<(Nanos, u64)>,
     days: Weekdays,
     times: [Time; 7],
-    /// Minutes since the clock was set that have been looked at.
+    /// Minutes since the clock was set that have been checked.
     looked_at: u64,
 }
 
@@ -31,7 +31,7 @@ impl Calendar {
         (self.days, self.times) = (days, times);
     }
 
-    /// Whether a time to clean has come since this was asked last.
+    /// Whether a time to clean has passed since the last call.
     pub fn is_due(&mut self, now: Nanos) -> bool {
         let Some((set, first)) = self.set else { return false };
         let passed = (now - set) / (60 * SECOND);
@@ -57,7 +57,7 @@ mod tests {
         let wednesday = Weekdays { wednesday: true, ..Weekdays::default() };
         calendar.set_schedule(wednesday, [[15, 0]; 7]);
         assert!(!calendar.is_due(100 * SECOND));
-        // Tuesday, 14:58, a week long.
+        // Tuesday, 14:58, for a week.
         calendar.set_clock(0, 2, [14, 58]);
         let due: Vec<u64> = (0..7 * 24 * 60).filter(|minute| calendar.is_due(minute * 60 * SECOND)).collect();
         assert_eq!(due, [24 * 60 + 2]);

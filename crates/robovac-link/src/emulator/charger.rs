@@ -12,28 +12,28 @@ use robovac_core::robot::BatteryReading;
 use robovac_sim::Supply;
 use roomba_oi::ChargingState;
 
-/// Time that a charger takes to begin.
+/// Time before charging starts.
 const WAITS: Nanos = 2 * SECOND;
-/// mA.
+/// Charging current, mA.
 const FULL: f64 = 1232.0;
 const RECOVERY: f64 = 302.0;
 const TRICKLE: f64 = 60.0;
-/// Share of the charge below which a battery counts as run down.
+/// Share of the charge below which a battery counts as deeply discharged.
 const RUN_DOWN: f64 = 0.03;
-/// W.
+/// Power consumption while awake, W.
 const AWAKE: f64 = 2.0;
 const ASLEEP: f64 = 0.05;
 /// Full power of main brush, side brush and vacuum, W.
 pub(super) const CLEANING: [f64; 3] = [8.0, 2.0, 9.0];
 
-/// Where current can come from.
+/// Sources of current.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Charger {
-    /// Whether one is plugged into the jack.
+    /// Whether a charger is plugged into the jack.
     pub is_plugged: bool,
     /// Whether the robot stands on its dock.
     pub on_dock: bool,
-    /// When the present one was connected.
+    /// Time of the present connection.
     since: Option<Nanos>,
     pub state: ChargingState,
 }
@@ -44,13 +44,13 @@ impl Charger {
         self.is_plugged || self.on_dock
     }
 
-    /// How long it has been connected.
+    /// Time since it was connected.
     pub fn connected_for(&self, now: Nanos) -> Option<Nanos> {
         self.since.map(|since| now - since)
     }
 
-    /// Looks at the battery anew; what flows until the next look. `motors` are main brush, side brush and vacuum, as
-    /// shares of their power.
+    /// Updates the state and returns the current until the next step. `motors` are main brush, side brush and vacuum,
+    /// as shares of their power.
     pub fn step(
         &mut self,
         now: Nanos,
@@ -66,7 +66,7 @@ impl Charger {
             Some(since) if may_charge => match self.state {
                 _ if now < since + WAITS => ChargingState::Waiting,
                 _ if share < RUN_DOWN => ChargingState::Reconditioning,
-                // A full battery isn't charged again for the little that it loses.
+                // A full battery isn't charged again for a small loss.
                 ChargingState::Trickle if share > 0.99 => ChargingState::Trickle,
                 _ if share < 1.0 => ChargingState::Full,
                 _ => ChargingState::Trickle,

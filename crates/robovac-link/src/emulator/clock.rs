@@ -9,7 +9,7 @@ pub(super) const STEP: Nanos = 15_000_000;
 /// A second.
 pub(super) const SECOND: Nanos = 1_000_000_000;
 
-/// So many milliseconds.
+/// Milliseconds in nanoseconds.
 pub(super) const fn ms(milliseconds: u64) -> Nanos {
     milliseconds * 1_000_000
 }

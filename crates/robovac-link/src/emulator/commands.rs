@@ -1,15 +1,15 @@
 //! Execution of commands.
 //!
-//! Which mode allows which command, and the mode after it, is [`Mode::after_command`]'s table; the others are ignored, with
-//! their data. What values out of range do isn't described. Here **amounts** are brought into their range - speeds, radii,
-//! duty cycles - while a command with a **name** that means nothing is ignored as a whole: a baud code above 11, a song
-//! above 3 or without or with more than 16 notes, a packet that doesn't exist (lists: only that one), a state of the stream
-//! other than 0 and 1, a character that isn't printable, a time that no clock shows.
+//! [`Mode::after_command`] defines which mode allows which command, and the mode after it; others are ignored, with
+//! their data. The effect of values out of range isn't documented. Here **amounts** are brought into their range -
+//! speeds, radii, duty cycles - while a command with a **name** that means nothing is ignored as a whole: a baud code
+//! above 11, a song above 3 or without or with more than 16 notes, a packet that doesn't exist (lists: only that one),
+//! a state of the stream other than 0 and 1, a character that isn't printable, a time that no clock shows.
 //!
-//! Also not described, and decided here:
+//! Also undocumented, and decided here:
 //! - Start in Safe and Full stops the wheels and brushes, as every way into Passive or Off does.
-//! - Safe and Full end an errand. From Full to Safe and back wheels and brushes go on.
-//! - Start and Stop leave an errand alone: the robot does that by itself, not for the interface.
+//! - Safe and Full end a built-in program. Wheels and brushes keep running between Full and Safe.
+//! - Start and Stop don't end a built-in program, which doesn't depend on the interface.
 //! - Packets 39 to 42 are 0 again after a stop by mode.
 
 use super::{
@@ -24,7 +24,7 @@ use super::{
 use roomba_oi::{BAUD_RATES, Buttons, Command, Mode};
 
 impl Machine {
-    /// Takes a command; whether it was one that it takes now.
+    /// Takes a command; returns whether the robot accepted it.
     pub fn obey(&mut self, command: Command<'_>) -> bool {
         let command = command.clamped();
         let is_list = matches!(command, Command::Stream { .. } | Command::QueryList { .. });
@@ -70,7 +70,7 @@ impl Machine {
         true
     }
 
-    /// Takes a command that leaves the mode alone.
+    /// Executes a command that doesn't change the mode.
     fn act(&mut self, command: Command<'_>) {
         if self.told.take(command) || self.lights.take(command) {
             return;
@@ -106,7 +106,7 @@ impl Machine {
         }
     }
 
-    /// Changes the mode, with all that comes of it.
+    /// Changes the mode, with all consequences.
     pub fn enter(&mut self, mode: Mode) {
         let before = core::mem::replace(&mut self.mode, mode);
         match (before >= Mode::Safe, mode >= Mode::Safe) {
@@ -116,7 +116,7 @@ impl Machine {
                 self.active = self.now;
             }
             (false, true) => {
-                // What the robot shows by itself stays on in Full until it is told otherwise.
+                // Lights set by the robot itself stay on in Full until commanded otherwise.
                 self.lights = super::lights::Lights::of(self.condition());
                 self.builtin_program = None;
                 self.is_in_trouble = false;
@@ -129,8 +129,8 @@ impl Machine {
         }
     }
 
-    /// What buttons do, whether a finger presses them or opcode 165: one errand each, and nothing in Safe and Full, which
-    /// see them all the same (packet 18).
+    /// Effect of buttons, pressed by hand or by opcode 165: each starts a built-in program. No effect in Safe and Full,
+    /// which only report them (packet 18).
     pub fn push(&mut self, buttons: Buttons) {
         self.hold(buttons);
         self.active = self.now;
@@ -143,8 +143,8 @@ impl Machine {
         }
     }
 
-    /// Sets out on an errand, or pauses the one under way: Clean, Spot and Max pause each other, as their buttons do, and
-    /// the same once more goes on. The dock is looked for from any errand; asked for twice, that pauses as well.
+    /// Starts a built-in program, or pauses the present one: Clean, Spot and Max pause each other, as their buttons do,
+    /// and the same button continues. Seek Dock replaces any program; a second press pauses it as well.
     pub fn ask(&mut self, chore: Chore) {
         self.is_in_trouble = false;
         let goes_home_from_cleaning = |builtin_program: &super::builtin_program::BuiltinProgram| {
@@ -161,7 +161,7 @@ impl Machine {
         }
     }
 
-    /// Sets out on an errand, unless a charger is plugged in or a wheel hangs down.
+    /// Starts a built-in program, unless a charger is plugged in or a wheel is dropped.
     pub fn begin(&mut self, chore: Chore) {
         use robovac_core::robot::RobotPort;
         if self.charger.is_plugged || self.robot.sensors().wheel_dropped() {
@@ -174,7 +174,7 @@ impl Machine {
         self.sound.sound(sound::BEGINS);
     }
 
-    /// Looks after an errand under way.
+    /// Checks the present program.
     pub fn go_on(&mut self) {
         let Some(builtin_program) = &self.builtin_program else { return };
         if !builtin_program.is_paused {
@@ -187,13 +187,13 @@ impl Machine {
         }
     }
 
-    /// Gives up, and says so.
+    /// Ends the program with the tune for trouble.
     pub fn trouble(&mut self) {
         self.is_in_trouble = true;
         self.sound.sound(sound::TROUBLE);
     }
 
-    /// A finger presses buttons.
+    /// Buttons pressed by hand.
     pub fn press(&mut self, buttons: Buttons) {
         match self.power {
             PowerState::Awake => self.push(buttons),
@@ -202,7 +202,7 @@ impl Machine {
         }
     }
 
-    /// Lets what it slept be known, and wakes up.
+    /// Logs the time asleep, and wakes up.
     pub fn wake(&mut self, slept: Nanos, by_button: bool) {
         self.power = PowerState::Awake;
         self.active = self.now;

@@ -1,14 +1,14 @@
 //! LEDs and digit display.
 //!
-//! In Off and Passive the robot controls its display; Safe switches everything off and obeys commands, and so does
-//! Full, which leaves on what was (the specification speaks of Safe alone). What a robot shows by itself is ours, after its
-//! manual: the Clean button is green, or red with a low battery, orange while it charges, and dark while it sleeps; Spot and
-//! Dock light up while it does that, and Check Robot when it has given up.
+//! In Off and Passive the robot controls its display; Safe switches everything off and obeys commands; Full obeys them
+//! too but keeps the display (the specification mentions Safe only). The robot's own display is ours, after its manual:
+//! the Clean button is green, or red with a low battery, orange while it charges, and dark while it sleeps; Spot and
+//! Dock light up during these programs, and Check Robot after trouble.
 
 use super::{Display, builtin_program::Chore};
 use roomba_oi::{Command, Lamps, ScheduleLamps, Weekdays};
 
-/// What is lit by command.
+/// Lights set by command.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Lights {
     lamps: Lamps,
@@ -28,7 +28,7 @@ impl Default for Digits {
     }
 }
 
-/// What a robot's own lights tell of.
+/// State shown by a robot's own lights.
 #[expect(clippy::struct_excessive_bools)]
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Condition {
@@ -40,7 +40,7 @@ pub(super) struct Condition {
 }
 
 impl Lights {
-    /// Takes a command; whether it was one for lights. Opcode 163 doesn't work on this firmware, and shows nothing.
+    /// Takes a command; returns whether it was one for lights. Opcode 163 has no effect on this firmware.
     pub fn take(&mut self, command: Command<'_>) -> bool {
         match command {
             Command::Leds { lamps, colour, intensity } => (self.lamps, self.clean) = (lamps, [colour, intensity]),
@@ -52,7 +52,7 @@ impl Lights {
         true
     }
 
-    /// What the robot shows by itself.
+    /// The robot's own display.
     pub fn of(condition: Condition) -> Self {
         let Condition { is_awake, is_charging, is_low, is_in_trouble, chore } = condition;
         if !is_awake {
@@ -72,7 +72,7 @@ impl Lights {
         Self { lamps, clean: [colour, 255], ..Self::default() }
     }
 
-    /// Shows it.
+    /// Copies the lights to the display.
     pub fn show(&self, display: &mut Display) {
         display.lamps = self.lamps;
         display.clean_light = self.clean;

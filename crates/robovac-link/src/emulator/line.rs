@@ -11,34 +11,34 @@ use std::collections::VecDeque;
 
 /// Stream of the random numbers.
 const STREAM: u64 = 6;
-/// Bytes that wait to be sent at most. What doesn't fit is lost: so a stream that overruns its slots is corrupted after a
-/// while, as the specification warns. The size is ours.
+/// Most bytes waiting to be sent. Others are lost, so a stream that overruns its slots is corrupted after a while, as
+/// the specification warns. The size is ours.
 const BUFFER: usize = 1024;
-/// Bytes that were sent and not fetched by any host, at most; the oldest go first.
+/// Most bytes sent and not fetched; the oldest are dropped first.
 const UNFETCHED: usize = 1 << 16;
-/// Time after a change of rate in which nothing is heard or sent (opcode 129).
+/// Time after a change of rate in which nothing is received or sent (opcode 129).
 const CHANGE: Nanos = ms(100);
 
 /// Both directions.
 #[derive(Debug, Clone)]
 pub(super) struct SerialLine {
     baud: u32,
-    /// Nothing is heard before.
+    /// Time before which nothing is received.
     deaf_until: Nanos,
-    /// Bytes from the host, with their rate, and when each began.
+    /// Bytes from the host, with their rate and start.
     arriving: VecDeque<(u8, u32, Nanos)>,
-    /// When the host's side is free again.
+    /// Time at which the host's direction is free again.
     host_free: Nanos,
     ear: Uart,
     heard: VecDeque<u8>,
     /// Bytes to the host, with their rate.
     waiting: VecDeque<(u8, u32)>,
-    /// When the robot's side is free again.
+    /// Time at which the robot's direction is free again.
     free: Nanos,
-    /// Bytes that were sent, with their rate, and when each began.
+    /// Bytes that were sent, with their rate and start.
     sent: VecDeque<(u8, u32, Nanos)>,
     host_ear: Uart,
-    /// To the host: lost, flipped. To the robot: lost.
+    /// Probabilities: lost to the host, flipped to the host, lost to the robot.
     faults: [f64; 3],
     is_cut: bool,
     rng: Rng,
@@ -68,7 +68,7 @@ impl SerialLine {
         self.baud
     }
 
-    /// Changes the robot's rate; what waits to be sent still goes at the old one.
+    /// Changes the robot's rate; waiting bytes are still sent at the old one.
     pub fn set_baud(&mut self, now: Nanos, baud: u32) {
         self.baud = baud;
         self.deaf_until = now + CHANGE;
@@ -76,12 +76,12 @@ impl SerialLine {
         self.heard.clear();
     }
 
-    /// Whether the robot changes its rate at the moment.
+    /// Whether the robot's rate is changing at the moment.
     pub fn is_changing(&self, now: Nanos) -> bool {
         now < self.deaf_until
     }
 
-    /// The robot goes down: what it hasn't sent is lost, and so is what it hasn't heard.
+    /// The robot loses power: unsent and unread bytes are lost.
     pub fn power_down(&mut self, now: Nanos) {
         self.carry(now);
         self.waiting.clear();
@@ -89,7 +89,7 @@ impl SerialLine {
         self.ear = Uart::default();
     }
 
-    /// Takes bytes that the host begins to send now, or as soon as the line is free.
+    /// Takes bytes that the host starts to send now, or as soon as the line is free.
     pub fn receive(&mut self, now: Nanos, bytes: &[u8], baud: u32) {
         for &byte in bytes {
             let start = now.max(self.host_free);
@@ -100,17 +100,17 @@ impl SerialLine {
         }
     }
 
-    /// Bytes from the host that are still on their way.
+    /// Bytes from the host that are still in transit.
     pub fn backlog(&self) -> usize {
         self.arriving.len()
     }
 
-    /// When the next byte from the host has arrived.
+    /// Arrival time of the next byte from the host.
     pub fn next_arrival(&self) -> Option<Nanos> {
         self.arriving.front().map(|&(_, baud, start)| start + byte_time(baud))
     }
 
-    /// The next byte that the robot has heard by now.
+    /// The next byte received by the robot so far.
     pub fn hear(&mut self, now: Nanos) -> Option<u8> {
         while self.heard.is_empty() && self.next_arrival().is_some_and(|at| at <= now) {
             let (byte, baud, start) = self.arriving.pop_front()?;
@@ -120,7 +120,7 @@ impl SerialLine {
             }
         }
         if self.heard.is_empty() {
-            // A byte that is under way isn't rest.
+            // A byte in transit isn't rest.
             let quiet = self.arriving.front().map_or(now, |&(_, _, start)| start.min(now));
             let heard = &mut self.heard;
             self.ear.rest(quiet, self.baud, |b| heard.push_back(b));
@@ -128,7 +128,7 @@ impl SerialLine {
         self.heard.pop_front()
     }
 
-    /// Sends bytes; those that find no room in the buffer are lost.
+    /// Sends bytes; those that don't fit into the buffer are lost.
     pub fn send(&mut self, now: Nanos, bytes: &[u8]) {
         self.carry(now);
         if self.waiting.is_empty() {
@@ -138,7 +138,7 @@ impl SerialLine {
         self.waiting.extend(bytes.iter().take(room).map(|&byte| (byte, self.baud)));
     }
 
-    /// Moves what the line has carried by now.
+    /// Moves the bytes transmitted so far.
     pub fn carry(&mut self, now: Nanos) {
         while let Some(&(byte, baud)) = self.waiting.front() {
             let end = self.free + byte_time(baud);
@@ -159,20 +159,20 @@ impl SerialLine {
         }
     }
 
-    /// Hands out what a host hears that listens at `baud`.
+    /// Passes on the bytes that a host receives at `baud`.
     pub fn transmit(&mut self, now: Nanos, baud: u32, out: &mut Vec<u8>) {
         self.carry(now);
         let ear = &mut self.host_ear;
         for (byte, sender, start) in self.sent.drain(..) {
             ear.hear(byte, start, [sender, baud], |b| out.push(b));
         }
-        // A byte that is under way isn't rest.
+        // A byte in transit isn't rest.
         let quiet = if self.waiting.is_empty() { now } else { self.free.min(now) };
         ear.rest(quiet, baud, |b| out.push(b));
     }
 }
 
-/// True with this probability; draws nothing where it is 0.
+/// True with this probability; draws no number if it is 0.
 fn happens(rng: &mut Rng, probability: f64) -> bool {
     probability > 0.0 && rng.random_range(0.0..1.0) < probability
 }

@@ -23,7 +23,7 @@ use robovac_sim::{Input, Life, RunSetup, STEP_S, SimRobot, World};
 use roomba_oi::{Buttons, ChargingState, Hazard, Mode, motion::WheelSpeeds};
 use std::sync::Arc;
 
-/// Time for which a button that opcode 165 or a finger presses is down: 1/6 s.
+/// Duration of a button press by opcode 165 or by hand: 1/6 s.
 const PRESS: Nanos = SECOND / 6;
 /// Share of the charge below which a battery is low (ours).
 const LOW: f64 = 0.1;
@@ -33,10 +33,10 @@ const DOCK_GAP: f64 = 0.003;
 /// Body, electronics and interface of one robot.
 pub(super) struct Machine {
     pub who: Personality,
-    /// Added to the counts of the left and right wheel, which are reported from the personality's on after every boot.
+    /// Offsets of the counts of the left and right wheel, which start at the personality's values after every boot.
     pub counts_offset: [u16; 2],
     pub now: Nanos,
-    /// When the next step is due.
+    /// Time of the next step.
     next_step: Nanos,
     model: RobotModel,
     seed: u64,
@@ -49,9 +49,9 @@ pub(super) struct Machine {
     pub power: PowerState,
     pub powered_on: Nanos,
     pub brc: Brc,
-    /// When something was last done with it.
+    /// Time of the last activity.
     pub active: Nanos,
-    /// What was asked for and not answered: numbers of packets and groups.
+    /// Pending queries: numbers of packets and groups.
     pub asked: Vec<u8>,
     pub stream: Stream,
     pub told: Told,
@@ -61,13 +61,13 @@ pub(super) struct Machine {
     pub sound: Sound,
     pub charger: Charger,
     pub builtin_program: Option<BuiltinProgram>,
-    /// Errands so far: each is led by other random numbers.
+    /// Number of built-in programs so far: each has its own random numbers.
     pub errands: u64,
     pub is_in_trouble: bool,
-    /// Buttons that are down, and until when.
+    /// Pressed buttons, and until when.
     pub pressed: (Buttons, Nanos),
     pub calendar: Calendar,
-    /// When the next line of the log is due, and when the log began.
+    /// Time of the next line of the log, and start of the log.
     log: (Nanos, Nanos),
 }
 
@@ -110,32 +110,32 @@ impl Machine {
         }
     }
 
-    /// Whether it listens.
+    /// Whether it is awake.
     pub fn is_awake(&self) -> bool {
         self.power == PowerState::Awake
     }
 
-    /// When the next step is due.
+    /// Time of the next step.
     pub fn next_step(&self) -> Nanos {
         self.next_step
     }
 
-    /// Buttons that are down (packet 18).
+    /// Pressed buttons (packet 18).
     pub fn buttons(&self) -> Buttons {
         if self.now < self.pressed.1 { self.pressed.0 } else { Buttons::default() }
     }
 
-    /// Holds buttons down for a moment.
+    /// Presses buttons for a moment.
     pub fn hold(&mut self, buttons: Buttons) {
         self.pressed = (Buttons::from_byte(self.buttons().byte() | buttons.byte()), self.now + PRESS);
     }
 
-    /// Wheel speeds that a command or an errand asks for at present, mm/s.
+    /// Wheel speeds commanded at present by a host or a program, mm/s.
     pub fn asked_speeds(&self) -> WheelSpeeds {
         if self.mode >= Mode::Safe { self.told.speeds(self.is_on_carpet()) } else { WheelSpeeds::default() }
     }
 
-    /// One step: moves, senses, reacts, answers.
+    /// One step: moves, senses, reacts, reports.
     pub fn step(&mut self) {
         self.next_step += STEP;
         self.drive();
@@ -149,7 +149,7 @@ impl Machine {
         self.say();
     }
 
-    /// Lets a hand pick the robot up or put it down.
+    /// Lifts the robot or puts it down.
     pub fn apply(&mut self, input: Input) {
         match input {
             Input::Lift => self.robot.lift(),
@@ -158,25 +158,25 @@ impl Machine {
                 let is_free = |at: Point| movers.iter().all(|&(centre, radius)| (at - centre).norm() > radius + body);
                 self.robot.put_down(self.floor.place_for(pose, is_free));
             }
-            // What drives it is at the other end of the line.
+            // Its controller is at the other end of the line.
             Input::Command(_) | Input::Clean(_) => {}
         }
     }
 
-    /// Tells the wheels what to do until the next step.
+    /// Sets the wheel speeds until the next step.
     fn drive(&mut self) {
         let (is_awake, asked) = (self.is_awake(), self.asked_speeds());
         match &mut self.builtin_program {
             _ if is_awake && self.mode >= Mode::Safe => self.robot.drive(to_drive(asked)),
             Some(builtin_program) if is_awake => builtin_program.drive_on(&mut self.robot, STEP_S),
-            // Nothing drives it any more. A command to stand still, above, is a speed like any other.
+            // Nothing drives it. A command to stand still, above, is a speed like any other.
             _ => self.robot.brake(),
         }
         let brushes = self.running();
         self.robot.set_sweeping(brushes != Brushes::default());
     }
 
-    /// Brushes and vacuum that run.
+    /// The brushes and the vacuum.
     pub fn running(&self) -> Brushes {
         match &self.builtin_program {
             _ if !self.is_awake() => Brushes::default(),
@@ -205,7 +205,7 @@ impl Machine {
         }
     }
 
-    /// Reacts to what it senses: the safety features, and what ends an errand.
+    /// Reacts to sensors: the safety features, and the ends of programs.
     fn look_out(&mut self) {
         let sensed = self.robot.sensors();
         let has_dropped = sensed.wheel_dropped();
@@ -232,7 +232,7 @@ impl Machine {
         }
     }
 
-    /// What goes on by itself: errands, schedule, sleep, boot, log.
+    /// Background activities: programs, schedule, sleep, boot, log.
     fn live(&mut self) {
         if self.is_awake() {
             self.go_on();
@@ -252,7 +252,7 @@ impl Machine {
         }
     }
 
-    /// Answers, streams, and writes its log.
+    /// Sends answers, the stream and the log.
     fn say(&mut self) {
         if !self.is_awake() {
             return;
@@ -274,7 +274,7 @@ impl Machine {
         }
     }
 
-    /// What the robot's own lights tell of.
+    /// State for the robot's own lights.
     pub fn condition(&self) -> Condition {
         Condition {
             is_awake: self.is_awake(),
@@ -285,7 +285,7 @@ impl Machine {
         }
     }
 
-    /// What errands are made from: the robot, and a seed of their own.
+    /// Parameters of a built-in program: the robot, and a seed.
     pub fn errand_setup(&self) -> (&RobotModel, u64) {
         (&self.model, self.seed.wrapping_add(self.errands.wrapping_mul(0x9e37_79b9_7f4a_7c15)))
     }
@@ -295,7 +295,7 @@ impl Machine {
     }
 }
 
-/// The world, and where the robot is in it at the start: on a dock, if it should be.
+/// The world, and the robot's pose at the start: on a dock, if required.
 fn placed(setup: &RunSetup, who: &Personality) -> (Arc<World>, Pose) {
     let (world, start) = (Arc::clone(&setup.world), setup.floor.start);
     if !who.starts_docked {

@@ -1,13 +1,13 @@
 //! Roomba emulator: a simulated robot behind the Open Interface.
 //!
-//! It has no clock and does no I/O: whoever has it says how much time passes, brings bytes and takes bytes. Everything takes
-//! its time: a byte reaches the robot when the line has carried it, an answer leaves at the next refresh of the readings,
-//! every 15 ms, and arrives byte by byte. So nothing that [`Emulator::receive`] takes shows before [`Emulator::advance`].
+//! It has no clock and does no I/O: the caller passes the elapsed time and moves the bytes. Transmission takes time: a
+//! byte reaches the robot after its time on the line, and an answer is sent at the next refresh of the readings, every
+//! 15 ms, byte by byte. So [`Emulator::receive`] has no effect before [`Emulator::advance`].
 //!
-//! The same seed and the same calls give the same bytes, natively and in the browser, and how time is cut into pieces
-//! changes nothing. The source is the specification of 2016 and the project's fact sheet; what neither says is decided in the
-//! file that it concerns: [modes and commands](Command), sleep, reset and BRC, the line, chargers, errands. What real
-//! robots do differently is a [`Personality`].
+//! The same seed and the same calls give the same bytes, natively and in the browser, however time is divided. The
+//! source is the specification of 2016 and the project's fact sheet; undocumented details are decided in the respective
+//! file: [modes and commands](Command), sleep, reset and BRC, the line, chargers, built-in programs. Deviations of real
+//! robots are a [`Personality`].
 //!
 //! ```
 //! use robovac_sim::{experiment::planning::{Placement, choose_robot}, Conditions};
@@ -61,21 +61,21 @@ use std::sync::Arc;
 #[cfg(doc)]
 use roomba_oi::Command;
 
-/// Longest time that passes at once, s: a day.
+/// Longest time advanced at once, s: a day.
 const LONGEST: f64 = 86_400.0;
-/// Most commands that are kept until they are fetched; the oldest go first.
+/// Most commands kept until they are fetched; the oldest are dropped first.
 const MOST_HEARD: usize = 4096;
 
 /// A robot that speaks the Open Interface.
 pub struct Emulator {
     decoder: CommandDecoder,
     machine: Machine,
-    /// Time that was let pass beyond whole nanoseconds; negative if they were rounded up.
+    /// Elapsed time beyond whole nanoseconds; negative if they were rounded up.
     rest: f64,
     heard: Option<Vec<ReceivedCommand>>,
 }
 
-/// What can be seen and heard of it.
+/// Visible and audible state of the robot.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Display {
     /// Lights around the Clean button.
@@ -88,61 +88,61 @@ pub struct Display {
     pub weekdays: Weekdays,
     /// Lights of the schedule.
     pub schedule: ScheduleLamps,
-    /// Brushes and vacuum that run.
+    /// Running brushes and vacuum.
     pub motors: Motors,
-    /// Songs and beeps that began to sound since this was last asked for, one after the other.
+    /// Songs and beeps started since the last call, in order.
     pub tunes: Vec<Vec<Note>>,
 }
 
-/// A command that arrived, or a byte that is none.
+/// A received command, or an invalid byte.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReceivedCommand {
-    /// When its last byte had arrived, s since the start.
+    /// Arrival time of its last byte, s since the start.
     pub time_s: f64,
-    /// As it was on the line.
+    /// Its bytes.
     pub bytes: Vec<u8>,
-    /// Whether the robot did something about it: its mode allowed it, and its values made sense.
+    /// Whether the robot executed it: its mode allowed it, and its values were valid.
     pub was_obeyed: bool,
 }
 
 impl Emulator {
-    /// A robot at the start of a floor.
+    /// A robot at the start of a run.
     pub fn new(setup: &RunSetup, who: &Personality) -> Self {
         Self { decoder: CommandDecoder::default(), machine: Machine::new(setup, who), rest: 0.0, heard: None }
     }
 
-    /// Takes bytes that a host begins to send now at `baud`, or as soon as it has sent those before.
+    /// Takes bytes that a host starts to send now at `baud`, or after the earlier ones.
     pub fn receive(&mut self, bytes: &[u8], baud: u32) {
         let machine = &mut self.machine;
         machine.line.receive(machine.now, bytes, baud);
     }
 
-    /// Bytes from the host that are still on their way: a host that can wait should, while there are many.
+    /// Bytes from the host that are still in transit; a host should wait while there are many.
     pub fn backlog(&self) -> usize {
         self.machine.line.backlog()
     }
 
-    /// Pulls the BRC wire low, or lets it go.
+    /// Pulls the BRC wire low, or releases it.
     pub fn set_brc(&mut self, is_low: bool) {
         self.machine.set_brc(is_low);
     }
 
-    /// Presses buttons on the robot for a moment.
+    /// Presses buttons of the robot for a moment.
     pub fn press(&mut self, buttons: Buttons) {
         self.machine.press(buttons);
     }
 
-    /// Plugs a charger into the robot's jack, or pulls it out.
+    /// Plugs a charger into the robot's jack, or unplugs it.
     pub fn plug_charger(&mut self, is_plugged: bool) {
         self.machine.charger.is_plugged = is_plugged;
     }
 
-    /// Lets a hand pick it up or put it down. Commands of a joystick are for controllers and ignored here.
+    /// Lifts the robot or puts it down. Joystick commands are for controllers and ignored here.
     pub fn apply(&mut self, input: Input) {
         self.machine.apply(input);
     }
 
-    /// Lets time pass, s; a day at most. Nothing happens for what isn't a positive number.
+    /// Advances the time, s; at most a day. Values that aren't positive are ignored.
     pub fn advance(&mut self, seconds: f64) {
         if seconds.is_nan() || seconds <= 0.0 {
             return;
@@ -164,7 +164,7 @@ impl Emulator {
         }
     }
 
-    /// Takes what has arrived by now.
+    /// Processes the bytes received so far.
     fn listen(&mut self) {
         let machine = &mut self.machine;
         while let Some(byte) = machine.line.hear(machine.now) {
@@ -187,13 +187,13 @@ impl Emulator {
         }
     }
 
-    /// Appends what it has sent by now to `out`, as a host hears it that listens at `baud`.
+    /// Appends the bytes sent so far to `out`, as received by a host at `baud`.
     pub fn transmit(&mut self, baud: u32, out: &mut Vec<u8>) {
         let machine = &mut self.machine;
         machine.line.transmit(machine.now, baud, out);
     }
 
-    /// The commands that arrived since this was last asked for; from the first time on that it is.
+    /// The commands received since the last call; recorded from the first call on.
     pub fn take_heard(&mut self) -> Vec<ReceivedCommand> {
         self.heard.replace(Vec::new()).unwrap_or_default()
     }
@@ -208,7 +208,7 @@ impl Emulator {
         self.machine.mode
     }
 
-    /// Whether it listens at all.
+    /// Whether it is awake.
     pub fn is_awake(&self) -> bool {
         self.machine.is_awake()
     }
@@ -218,17 +218,17 @@ impl Emulator {
         self.machine.line.baud()
     }
 
-    /// Wheel speeds that the host asks for at present; none in Off and Passive, where the robot drives as it likes.
+    /// Wheel speeds commanded by the host at present; 0 in Off and Passive, where built-in programs drive.
     pub fn asked_speeds(&self) -> WheelSpeeds {
         self.machine.asked_speeds()
     }
 
-    /// Whether it cleans or looks for its dock by itself.
+    /// Whether a built-in program is running.
     pub fn is_on_errand(&self) -> bool {
         self.machine.builtin_program.as_ref().is_some_and(|builtin_program| !builtin_program.is_paused)
     }
 
-    /// Where it really is.
+    /// Its true pose.
     pub fn pose(&self) -> Pose {
         self.machine.robot.pose()
     }
@@ -238,12 +238,12 @@ impl Emulator {
         &self.machine.robot
     }
 
-    /// What it really senses, whatever it says.
+    /// Its true sensor readings, whatever it reports.
     pub fn sensors(&self) -> &SensorReadings {
         self.machine.robot.sensors()
     }
 
-    /// What moves and is used up around it.
+    /// Moving and consumable objects around it.
     pub fn life(&self) -> &Life {
         &self.machine.life
     }
@@ -253,7 +253,7 @@ impl Emulator {
         &self.machine.world
     }
 
-    /// What it shows; takes the tunes.
+    /// Its display; takes the tunes.
     pub fn take_display(&mut self) -> Display {
         let machine = &mut self.machine;
         let tunes = core::mem::take(&mut machine.sound.tunes);

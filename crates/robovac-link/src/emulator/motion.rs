@@ -10,7 +10,7 @@ use roomba_oi::{
     motion::{MAX_SPEED_MM_S, MM_PER_COUNT, WHEEL_BASE_MM, WheelSpeeds, encoder_delta},
 };
 
-/// Greatest duty cycles of the wheels that don't move a robot, on hard floor and on carpet.
+/// Largest duty cycles at which the wheels don't move, on hard floor and on carpet.
 const DEAD: [f64; 2] = [20.0, 39.0];
 
 /// The last wheel command.
@@ -37,7 +37,7 @@ impl Default for How {
 }
 
 impl Told {
-    /// Takes a motion command; whether it was one.
+    /// Takes a motion command; returns whether it was one.
     pub fn take(&mut self, command: Command<'_>) -> bool {
         match command {
             Command::Drive { velocity, radius } => {
@@ -54,7 +54,7 @@ impl Told {
         true
     }
 
-    /// Wheel speeds that it asks for, mm/s.
+    /// The commanded wheel speeds, mm/s.
     pub fn speeds(&self, is_on_carpet: bool) -> WheelSpeeds {
         match self.how {
             How::Speeds(speeds) => speeds,
@@ -71,15 +71,15 @@ impl Told {
     }
 }
 
-/// Speeds in mm/s as the robot takes them.
+/// Speeds in mm/s as a drive command of the simulated robot.
 pub(super) fn to_drive(speeds: WheelSpeeds) -> Drive {
     Drive::wheels(speeds.left / 1000.0, speeds.right / 1000.0)
 }
 
-/// Packets 19 and 20: what the wheels did since each was read last.
+/// Packets 19 and 20: motion of the wheels since each was last read.
 ///
-/// Both are whole numbers, cut towards 0, and reading one begins anew: what was cut off is lost. So a slow motion that is
-/// read every 15 ms is never seen, and 67 degrees a second is the least turn that is (fact sheet, section 7).
+/// Both are whole numbers, truncated towards 0, and reading one resets it: the remainder is lost. So with reads every
+/// 15 ms slow motions are never reported; turns are from 67 degrees a second on (fact sheet, section 7).
 #[derive(Debug, Clone, Default)]
 pub(super) struct DistanceAngleSum {
     last: [u16; 2],
@@ -129,10 +129,10 @@ pub(super) struct Brushes {
 }
 
 impl Brushes {
-    /// As the robot cleans by itself.
+    /// The values while the robot cleans by itself.
     pub const CLEANING: Self = Self { main: 1.0, side: 1.0, vacuum: 1.0 };
 
-    /// What Motors (138) asks for.
+    /// The values of Motors (138).
     pub fn of_motors(motors: Motors) -> Self {
         let duty = |is_on: bool, is_reversed: bool| match (is_on, is_reversed) {
             (false, _) => 0.0,
@@ -146,12 +146,12 @@ impl Brushes {
         }
     }
 
-    /// What PWM Motors (144) asks for.
+    /// The values of PWM Motors (144).
     pub fn of_pwm(main: i8, side: i8, vacuum: u8) -> Self {
         Self { main: f64::from(main) / 128.0, side: f64::from(side) / 128.0, vacuum: f64::from(vacuum) / 128.0 }
     }
 
-    /// As bits: what runs, and which way.
+    /// As bits: running motors and their directions.
     pub fn motors(&self) -> Motors {
         Motors {
             side_brush: self.side != 0.0,

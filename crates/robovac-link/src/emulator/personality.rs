@@ -1,7 +1,7 @@
 //! Personalities: how real robots deviate from the specification.
 //!
 //! Each is a robot, a cable or a firmware seen in practice; the sources are in the project's fact sheet on the Open
-//! Interface (sections 1, 2 and 7). Rates of faults are ours where nothing else is said.
+//! Interface (sections 1, 2 and 7). Rates of faults are ours unless stated otherwise.
 
 use roomba_oi::motion::ANGLE_ERROR;
 
@@ -13,37 +13,37 @@ pub struct Personality {
     pub id: &'static str,
     /// Name in menus.
     pub title: &'static str,
-    /// One sentence: what it does, and how one meets it.
+    /// One sentence: its effect, and where it occurs.
     pub summary: &'static str,
     /// Baud rate after power-on.
     pub default_baud: u32,
-    /// Baud rate at the start, as somebody has left it.
+    /// Baud rate at the start, as set by an earlier program.
     pub baud: u32,
     /// Whether it sleeps at the start.
     pub starts_asleep: bool,
-    /// Whether it stands on its dock at the start, whatever the floor plan says. A dock is put there if there is none.
+    /// Whether it stands on its dock at the start, regardless of the floor plan. A dock is added if there is none.
     pub starts_docked: bool,
     /// Whether the cable has the wire for BRC.
     pub has_brc: bool,
     /// Added to the mode in packet 35.
     pub mode_offset: u8,
-    /// What packet 20 shows of a true angle, as a factor.
+    /// Factor from the true angle to packet 20.
     pub angle_factor: f64,
-    /// Whether packets 43 and 44 stand for the wheels the other way round.
+    /// Whether packets 43 and 44 are swapped.
     pub swaps_encoders: bool,
     /// Counts of the left and right wheel at the start and after a reset.
     pub first_counts: [u16; 2],
-    /// Last packet that it knows; groups with later ones are unknown as well.
+    /// Last supported packet; groups with later ones are unsupported as well.
     pub last_packet: u8,
-    /// What it writes when it boots.
+    /// Text written when it boots.
     pub banner: Banner,
     /// Whether it stays in its boot loader after a reset.
     pub stays_in_boot_loader: bool,
-    /// When it writes its charging log, a line a second.
+    /// When it writes its charging log, one line per second.
     pub log: Log,
-    /// Whether it writes that it falls asleep and wakes up.
+    /// Whether it reports falling asleep and waking up.
     pub tells_of_sleep: bool,
-    /// Whether anything that it sends arrives.
+    /// Whether its bytes arrive at all.
     pub is_heard: bool,
     /// Share of the bytes to the host that are lost.
     pub lost_to_host: f64,
@@ -51,18 +51,18 @@ pub struct Personality {
     pub flipped_to_host: f64,
     /// Share of the bytes to the robot that are lost.
     pub lost_to_robot: f64,
-    /// Time on the dock after which it falls silent and can't be woken by BRC, s.
+    /// Time on the dock after which it becomes silent and can't be woken by BRC, s.
     pub silent_on_dock_s: Option<f64>,
 }
 
-/// What a robot writes when it boots.
+/// Text written by a booting robot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Banner {
-    /// The newer processor's, of release 3.7.1.
+    /// That of the newer processor, release 3.7.1.
     Stm32,
-    /// The older processor's, of release 3.4.0.
+    /// That of the older processor, release 3.4.0.
     Str730,
-    /// Nothing: a 690 does that.
+    /// Nothing, as on a 690.
     None,
 }
 
@@ -102,7 +102,7 @@ const BY_THE_BOOK: Personality = Personality {
     silent_on_dock_s: None,
 };
 
-/// All personalities; the first is a robot as it should be.
+/// All personalities; the first is a robot that follows the specification.
 pub const PERSONALITIES: &[Personality] = &[
     BY_THE_BOOK,
     Personality {
@@ -139,8 +139,8 @@ pub const PERSONALITIES: &[Personality] = &[
         id: "chatty",
         title: "Chatty",
         summary: "Mixes text about its battery into the data every second, and when it wakes or sleeps.",
-        // Most robots do so only while they charge (see "docked"). Some were read with text in the data of an active
-        // interface, away from any dock: the worse case, and the one that a driver must stand.
+        // Most robots do so only while they charge (see "docked"). Some logged text within the data of an active
+        // interface, away from any dock: the worse case, which a driver must handle.
         log: Log::Always,
         tells_of_sleep: true,
         ..BY_THE_BOOK
@@ -202,7 +202,7 @@ pub const PERSONALITIES: &[Personality] = &[
     },
     Personality {
         id: "bootloader",
-        title: "Stuck in its boot loader",
+        title: "Stuck in its bootloader",
         summary: "Works until it is reset, then sends only 254, as seen on a robot of the 600 series.",
         stays_in_boot_loader: true,
         ..BY_THE_BOOK

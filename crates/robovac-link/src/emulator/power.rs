@@ -1,14 +1,14 @@
 //! Power states (awake, asleep, booting) and the BRC wire.
 //!
-//! - In Passive it falls asleep after five minutes without a command, a button, a pulse on BRC or an errand of its own;
+//! - In Passive it falls asleep after five minutes without a command, a button, a pulse on BRC or a built-in program;
 //!   in Safe and Full never. In Off the interface isn't running, and no source mentions sleep: it stays awake.
-//! - Asleep it is silent, and no byte wakes it. Its Clean button does, and so does the end of a low pulse on BRC.
-//!   Mode, rate and stream are those from before: none of the documented ways into Off leads through sleep.
+//! - Asleep it is silent, and no byte wakes it. Its Clean button and the end of a low pulse on BRC do. Mode, rate and
+//!   stream are kept: sleep isn't among the documented ways into Off.
 //! - Three low pulses on BRC of 50 to 500 ms each, two seconds or more after power-on, set 19200 baud. That they follow each
 //!   other within two seconds is ours.
-//! - Reset (7) takes five seconds, as if the battery had been taken out: rate and mode are those of power-on. The times of the
-//!   banner are those that yarc's source notes (15 ms, 1 s, 3 s, 4 s), as is its text; the older one is of a 700, from
-//!   owners' logs. When it listens again, 4.5 s, is ours.
+//! - Reset (7) takes five seconds, as if the battery had been taken out: rate and mode are those of power-on. The times
+//!   of the banner (15 ms, 1 s, 3 s, 4 s) and its text are from yarc's source; the older one is of a 700, from owners'
+//!   logs. When it listens again, 4.5 s, is ours.
 
 use super::{
     calendar::Calendar,
@@ -26,34 +26,34 @@ pub(super) const SLEEPS_AFTER: Nanos = 300 * SECOND;
 const BOOT: Nanos = ms(4500);
 /// Time between two bytes of a boot loader that is stuck (ours).
 const REPEATS: Nanos = ms(100);
-/// Length of a pulse on BRC that counts for the change to 19200 baud.
+/// Length of a BRC pulse that counts for the change to 19200 baud.
 const PULSE: [Nanos; 2] = [ms(50), ms(500)];
-/// Time after power-on before which such pulses don't count.
+/// Time after power-on before which pulses don't count.
 const SETTLES: Nanos = 2 * SECOND;
-/// The rate that they set.
+/// The rate that they select.
 const SLOW_BAUD: u32 = 19_200;
-/// Longest time between two of them.
+/// Longest time between two pulses.
 const BETWEEN: Nanos = 2 * SECOND;
 
-/// What the robot's processor does.
+/// State of the robot's processor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum PowerState {
     /// Listens.
     Awake,
-    /// Since then.
+    /// Asleep, since this time.
     Asleep(Nanos),
-    /// Boots since then; so many parts of the banner are written.
+    /// Booting, since this time, with the number of banner parts written.
     Booting(Nanos, usize),
-    /// Stays in its boot loader; when it sends its next byte.
+    /// Stuck in its boot loader, with the time of its next byte.
     BootLoader(Nanos),
     /// The battery is empty.
     Flat,
 }
 
-/// Something that the wire does to the robot.
+/// Effect of a pulse on BRC.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Pulse {
-    /// A pulse has begun: the robot keeps awake.
+    /// A pulse has begun: the robot stays awake.
     Began,
     /// A pulse has ended: a sleeping robot wakes.
     Ended,
@@ -70,7 +70,7 @@ pub(super) struct Brc {
 }
 
 impl Brc {
-    /// The wire goes low or high; what comes of it. `powered_on` is when the robot was.
+    /// Sets the wire low or high; returns the effect. `powered_on` is the time of power-on.
     fn set(&mut self, now: Nanos, is_low: bool, powered_on: Nanos) -> Option<Pulse> {
         match (self.low_since, is_low) {
             (None, true) => {
@@ -98,7 +98,7 @@ impl Brc {
     }
 }
 
-/// The robot listens again.
+/// The robot is awake again.
 struct Booted;
 
 /// The next part of a banner, after `written` parts of it and at most `passed` after the reset.
@@ -128,14 +128,14 @@ fn boot(banner: Banner, written: usize, passed: Nanos) -> Result<Option<&'static
     }
 }
 
-/// What a robot writes that wakes up.
+/// Text written by a robot that wakes up.
 pub(super) fn woken(slept: Nanos, by_button: bool) -> String {
     let seconds = slept / SECOND;
     let why = if by_button { "key-wakeup \r\n" } else { "" };
     format!("{why}slept for {} minutes {} seconds\r\n", seconds / 60, seconds % 60)
 }
 
-/// What a robot writes that falls asleep.
+/// Text written by a robot that falls asleep.
 const FALLS_ASLEEP: &[u8] = b"processor-sleep\r\n";
 
 impl Machine {
@@ -159,7 +159,7 @@ impl Machine {
         }
     }
 
-    /// Falls asleep: what it hasn't said is never said.
+    /// Falls asleep; pending output is lost.
     pub fn fall_asleep(&mut self) {
         if self.who.tells_of_sleep {
             self.line.send(self.now, FALLS_ASLEEP);
@@ -171,7 +171,7 @@ impl Machine {
         self.power = PowerState::Asleep(self.now);
     }
 
-    /// Loses all that it remembers and does nothing any more.
+    /// Loses its memory and stops.
     pub fn go_down(&mut self) {
         self.enter(Mode::Off);
         self.builtin_program = None;
@@ -192,7 +192,7 @@ impl Machine {
         };
     }
 
-    /// What it does while it doesn't listen.
+    /// Activity while it isn't awake.
     pub fn go_up(&mut self) {
         match self.power {
             PowerState::Booting(since, written) => match boot(self.who.banner, written, self.now - since) {

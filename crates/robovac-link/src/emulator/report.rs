@@ -3,18 +3,18 @@
 //! Readings are refreshed every 15 ms, and answers are sent at the next refresh, in the order of the queries; then
 //! comes the stream's frame. All of it goes through one buffer, at the line's rate.
 //!
-//! Packets that don't exist are left out of answers and of streams (not described). A stream without packets sends nothing,
-//! which is how one driver ends it. A frame of more than 255 bytes, whose length can't be said, is sent with the low byte of
-//! its length, and so is no frame (not described either).
+//! Packets that don't exist are left out of answers and of streams (not described). A stream without packets sends
+//! nothing, which is how one driver ends it. A frame of more than 255 bytes is sent with the low byte of its length,
+//! and so is invalid (undocumented as well).
 
 use super::machine::Machine;
 use robovac_core::robot::RobotPort;
 use roomba_oi::{ChargingLog, HEADER, Packet, PacketId, Readings};
 
-/// Packet 25 of an empty battery, -7 mAh, as owners have read it.
+/// Packet 25 of an empty battery, -7 mAh, as logged by owners.
 const EMPTY_MAH: u16 = 65_529;
-/// Currents, mA: of a wheel's motor at rest on the move, and more for each m/s; of a stalled one; of brushes. Nothing is
-/// known of what robots report: these are ours, and fit the power that the model draws.
+/// Currents, mA: of a wheel's motor at rest on the move, and more for each m/s; of a stalled one; of brushes. Robots'
+/// values aren't known: these are ours, and match the model's power consumption.
 const WHEEL_MA: (f64, f64) = (60.0, 250.0);
 const STALLED_MA: f64 = 1200.0;
 const MAIN_BRUSH_MA: f64 = 550.0;
@@ -28,12 +28,12 @@ pub(super) struct Stream {
 }
 
 impl Machine {
-    /// The packet or group with that number, if this robot knows it.
+    /// The packet or group with that number, if this robot supports it.
     pub fn packet(&self, id: u8) -> Option<PacketId> {
         PacketId::from_byte(id).filter(|id| id.packets().all(|packet| packet as u8 <= self.who.last_packet))
     }
 
-    /// Sends what was asked for, and the stream's frame.
+    /// Sends pending answers and the stream's frame.
     pub fn report(&mut self) {
         let has_stream = !self.stream.is_paused && !self.stream.packets.is_empty();
         if self.asked.is_empty() && !has_stream {
@@ -65,7 +65,7 @@ impl Machine {
         self.line.send(self.now, &bytes);
     }
 
-    /// Appends a packet or group. Distance and angle begin anew once they are written.
+    /// Appends a packet or group. Distance and angle are reset when written.
     fn write(&mut self, readings: &mut Readings, id: PacketId, bytes: &mut Vec<u8>) {
         let begin = bytes.len();
         bytes.resize(begin + id.size(), 0);
@@ -87,7 +87,7 @@ impl Machine {
         }
     }
 
-    /// All that it would report now.
+    /// All current packet values.
     pub fn readings(&self) -> Readings {
         let sensed = self.robot.sensors();
         let speed = self.robot.speed();
@@ -126,7 +126,7 @@ impl Machine {
         readings
     }
 
-    /// A line of the charging log. What its state and mode mean isn't known: they are those of the line on record.
+    /// A line of the charging log. The meaning of its state and mode isn't known: they are those of a recorded line.
     pub fn log_line(&self, since: super::clock::Nanos) -> String {
         let battery = self.robot.sensors().battery;
         let seconds = (since / super::clock::SECOND) as i32;

@@ -6,29 +6,29 @@
 use super::clock::{Nanos, SECOND};
 use roomba_oi::{Note, SONGS};
 
-/// Most tunes that are kept until they are fetched.
+/// Most tunes kept until they are fetched.
 const MOST: usize = 64;
 
 /// The beep of Start in Off.
 pub(super) const HELLO: &[Note] = &[[72, 8], [79, 8]];
 /// The tune of Stop.
 pub(super) const BYE: &[Note] = &[[79, 8], [72, 8]];
-/// Descends: the rate is 19200 baud now.
+/// Falling notes for the change to 19200 baud.
 pub(super) const SLOW: &[Note] = &[[84, 8], [79, 8], [76, 8], [72, 16]];
-/// An errand begins, or ends.
+/// Start and end of a built-in program.
 pub(super) const BEGINS: &[Note] = &[[76, 8], [84, 8]];
 pub(super) const DONE: &[Note] = &[[72, 8], [76, 8], [79, 16]];
-/// Something is wrong.
+/// Trouble.
 pub(super) const TROUBLE: &[Note] = &[[60, 16], [55, 32]];
 
-/// What the loudspeaker does.
+/// State of the loudspeaker.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Sound {
     songs: [Vec<Note>; SONGS as usize],
-    /// The song that was chosen last (packet 36).
+    /// The last selected song (packet 36).
     pub number: u8,
     plays_until: Nanos,
-    /// What began to sound and wasn't fetched.
+    /// Tunes started since the last fetch.
     pub tunes: Vec<Vec<Note>>,
 }
 
@@ -40,7 +40,7 @@ impl Sound {
         }
     }
 
-    /// Plays a stored one, unless one plays.
+    /// Plays a stored song, unless one is playing.
     pub fn play(&mut self, now: Nanos, number: u8) {
         let notes = self.songs.get(usize::from(number)).cloned().unwrap_or_default();
         if notes.is_empty() || self.is_playing(now) {
@@ -52,7 +52,7 @@ impl Sound {
         self.sound(&notes);
     }
 
-    /// Plays a tune of the robot's own; packet 37 is about songs alone.
+    /// Plays one of the robot's own tunes, which packet 37 doesn't report.
     pub fn sound(&mut self, notes: &[Note]) {
         if self.tunes.len() == MOST {
             self.tunes.remove(0);
@@ -60,12 +60,12 @@ impl Sound {
         self.tunes.push(notes.to_vec());
     }
 
-    /// Whether a song plays (packet 37).
+    /// Whether a song is playing (packet 37).
     pub fn is_playing(&self, now: Nanos) -> bool {
         now < self.plays_until
     }
 
-    /// Forgets the songs: the robot has lost power.
+    /// Clears the songs, as after a power loss.
     pub fn power_down(&mut self) {
         let tunes = core::mem::take(&mut self.tunes);
         *self = Self { tunes, ..Self::default() };

@@ -1,16 +1,16 @@
 //! A bit-level UART receiver: how bytes sent at another baud rate are garbled.
 //!
-//! The line is high at rest. A byte is a low start bit, eight data bits, the lowest first, and a high stop bit. A receiver
-//! waits for the line to fall, then looks at the middle of every bit by its own clock. One that runs at a wrong rate
-//! so takes one byte for several or several for one, always in the same way. A stop bit that is low is an error, which
-//! neither end cares about: the byte is taken all the same (as terminals do unless told otherwise).
+//! The line is high at rest. A byte is a low start bit, eight data bits, the lowest first, and a high stop bit. A
+//! receiver waits for a falling edge, then samples the middle of every bit by its own clock. At a wrong rate it so
+//! takes one byte as several or several as one, deterministically. A low stop bit is an error that both ends ignore:
+//! the byte is accepted (as terminals do by default).
 
 use super::clock::Nanos;
 
-/// Rates that differ by no more than this share of the greater understand each other: half a bit in ten.
+/// Largest relative difference of rates at which bytes are received correctly: half a bit in ten.
 const TOLERANCE: f64 = 0.045;
 
-/// Time that a byte takes on the line: ten bits.
+/// Transmission time of a byte: ten bits.
 pub(super) fn byte_time(baud: u32) -> Nanos {
     bits(10, baud)
 }
@@ -22,12 +22,12 @@ fn bits(count: u64, baud: u32) -> Nanos {
 /// One receiver.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Uart {
-    /// The byte under way: when the line fell, how many bits have been looked at, and those.
+    /// The byte in progress: time of its falling edge, number of sampled bits, and the bits.
     byte: Option<(Nanos, u64, u8)>,
 }
 
 impl Uart {
-    /// Takes a byte that was sent from `from` on at the rate `sender`; hands out what a receiver hears at the rate `own`.
+    /// Takes a byte sent from time `from` at the rate `sender`; passes on what a receiver at the rate `own` receives.
     pub fn hear(&mut self, byte: u8, from: Nanos, [sender, own]: [u32; 2], mut out: impl FnMut(u8)) {
         self.rest(from, own, &mut out);
         let difference = f64::from(sender.abs_diff(own));
@@ -35,7 +35,7 @@ impl Uart {
             out(byte);
             return;
         }
-        // Start, data, stop; a bit before is the stop bit of what went before, or rest.
+        // Start, data, stop; the bit before is the last stop bit, or rest.
         let levels = (u32::from(byte) << 1) | 1 << 9;
         let level = |bit: u64| bit >= 10 || levels >> bit & 1 == 1;
         let (mut at, end) = (from, from + byte_time(sender));
@@ -56,7 +56,7 @@ impl Uart {
         }
     }
 
-    /// Lets the line rest until `until`.
+    /// The line is at rest until `until`.
     pub fn rest(&mut self, until: Nanos, own: u32, mut out: impl FnMut(u8)) {
         while let Some((start, seen, _)) = self.byte
             && start + bits(2 * seen + 3, own) / 2 < until
@@ -65,7 +65,7 @@ impl Uart {
         }
     }
 
-    /// Looks at a bit.
+    /// Processes a sampled bit.
     fn see(&mut self, is_high: bool, out: &mut impl FnMut(u8)) {
         let Some((start, seen, byte)) = self.byte else { return };
         if seen == 8 {
@@ -99,7 +99,7 @@ mod tests {
         assert_eq!(heard(&all, 115_200, 117_000), all);
     }
 
-    /// Looking bit by bit gives the same where the rates agree: the short cut above changes nothing.
+    /// Sampling bit by bit gives the same result where the rates agree: the short cut above changes nothing.
     #[test]
     fn bits_make_the_byte_again() {
         for byte in 0..=255 {

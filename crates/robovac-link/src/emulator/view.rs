@@ -13,17 +13,17 @@ pub struct PersonalityView {
 }
 
 impl PersonalityView {
-    /// All of them.
+    /// All personalities.
     pub fn all() -> Vec<Self> {
         PERSONALITIES.iter().map(|p| Self { id: p.id, title: p.title, summary: p.summary }).collect()
     }
 }
 
-/// What is seen and heard of the virtual robot. Sets of bits are as on the line.
+/// Visible and audible state of the virtual robot. Bit sets are encoded as on the line.
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct VirtualView {
-    /// Where it really is: x, y in m, heading in rad.
+    /// Its true pose: x, y in m, heading in rad.
     pose: [f64; 3],
     mode: String,
     awake: bool,
@@ -36,12 +36,12 @@ pub struct VirtualView {
     weekdays: u8,
     schedule: u8,
     motors: u8,
-    /// Tunes that began to sound since the view before: notes of MIDI number and 1/64 s.
+    /// Tunes started since the last view: notes of MIDI number and 1/64 s.
     tunes: Vec<Vec<[u8; 2]>>,
 }
 
 impl Emulator {
-    /// What is seen and heard of it.
+    /// The snapshot of this robot.
     pub fn view(&mut self) -> VirtualView {
         let Display { lamps, clean_light, digits, weekdays, schedule, motors, tunes } = self.take_display();
         let pose = self.pose();

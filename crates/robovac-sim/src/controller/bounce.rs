@@ -1,4 +1,5 @@
-//! Straight ahead until a contact, then a turn by a random angle: the baseline, and most of what early Roombas did.
+//! Straight ahead until a contact, then a turn by a random angle: the baseline, and the main behaviour of early
+//! Roombas.
 //!
 //! Jones 2006 describes why the Roomba used it: no map, no localisation, and yet all of the floor in the end. The
 //! patent of its modes (Jones & Mass 2004, US 6,809,490: random bounce, spiral, obstacle following) has the robot turn away
@@ -6,9 +7,9 @@
 //!
 //! # Where the sources are silent, and what is ours
 //!
-//! - *The angle* is drawn between a quarter and half a turn unless asked for otherwise, away from the side that was hit.
+//! - *The angle* is drawn between a quarter and half a turn by default, away from the side that was hit.
 //! - *Backing up* by 3 cm before turning: for robots that aren't round.
-//! - *Cliffs and beams* are answered like bumps; from a cliff the robot backs off over the ground that it knows first.
+//! - *Cliffs and beams* are answered like bumps; from a cliff the robot first backs off over known ground.
 //!
 //! ```
 //! use robovac_sim::controller::*;

@@ -6,7 +6,8 @@
 //!
 //! # Where the paper is silent
 //!
-//! - *When the floor is clean* the robot can't know: it has no map. It goes on until a time that can be set, or for ever.
+//! - *When the floor is clean* is unknown to a robot without a map. It continues for a time that can be set, or for
+//!   ever.
 //! - *How long at random*: each time, the time is drawn between two limits, which can be set as well.
 //! - *A spiral that ends* at an obstacle hands over before its time is up.
 //! - *Handing over* waits until the robot is done with turning away from something.
@@ -62,7 +63,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         shines: Example { room: "thesis226", why: "One room with a few obstacles, where each of the four is useful." },
         fails: Example {
             room: "clutter",
-            why: "Three of the four are useless among so many obstacles, but still take their time.",
+            why: "Three of the four are useless among so many obstacles, but still take up time.",
         },
     },
     claims: BehaviourClaims { ends: false, cleans: true, walls_only: false, manual: false, explores: false },
@@ -92,7 +93,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
 
 pub(super) const BUILD: BuildBehaviour = |setup| Reactive::boxed(setup, CleaningCycle::new(setup));
 
-/// The habit.
+/// The behaviour.
 struct CleaningCycle {
     parts: [Box<dyn Behaviour>; 4],
     times: Times,
@@ -116,7 +117,7 @@ impl CleaningCycle {
         let times = if setup.params.choice("durations") == "set" && set.iter().any(|&time| time > 0.0) {
             Times::Set(set)
         } else {
-            // Nobody can take no time at all in turn for ever.
+            // At least a second, as turns of 0 s would never end.
             let shortest = number("shortest").max(1.0);
             Times::Random(shortest, number("longest").max(shortest))
         };

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Position of a joystick. Both values lie in -1 to 1; outside, they are taken as the nearest of these.
+/// Position of a joystick. Both values are clamped to -1 to 1.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Joystick {
     /// Forward, as a share of the robot's cruise speed; negative for backward.

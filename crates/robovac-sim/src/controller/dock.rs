@@ -1,12 +1,12 @@
 //! Return to the dock by its infrared beams.
 //!
 //! A Roomba's dock sends a green and a red beam that overlap in front of its middle, and a force field around it (Open
-//! Interface specification, infrared characters 160 to 173). A robot that faces the dock has the green beam on its left and
-//! the red one on its right. The specification says what the characters mean; how a Roomba drives by them is nowhere
-//! written, and what follows is ours:
+//! Interface specification, infrared characters 160 to 173). A robot that faces the dock has the green beam on its left
+//! and the red one on its right. The specification defines the characters; the Roomba's algorithm isn't published, and
+//! the following is ours:
 //!
-//! 1. *Search.* Random walk and wall follow in turn until a beam is seen. The force field alone, beside the dock, is
-//!    nothing to go by.
+//! 1. *Search.* Random walk and wall follow in turn until a beam is seen. The force field alone doesn't give a
+//!    direction.
 //! 2. *Cross.* In one beam alone the robot is off the middle: it keeps the dock on that side where it would pass the middle,
 //!    and drives until it sees both beams.
 //! 3. *Approach.* Seeing both, it drives to where both of its front receivers see the dock, slowly within the force field.
@@ -44,17 +44,17 @@ use robovac_core::{
 const SPEED: (f64, f64) = (0.2, 0.07);
 /// Turn rates, rad/s: on the spot to find it, along an arc from afar, and close to it.
 const TURN: (f64, f64, f64) = (0.8, 0.5, 0.3);
-/// Time without a sight of the beams after which they are lost, s.
+/// Time without beams after which they are lost, s.
 const LOST_S: f64 = 4.0;
 /// Way back for another try, m.
 const BACK: f64 = 0.45;
-/// Tries before it searches anew.
+/// Tries before another search.
 const TRIES: u32 = 4;
-/// How long it searches at random and along walls, s.
+/// Durations of random walk and wall follow during the search, s.
 const SEARCH_S: (f64, f64) = (60.0, 60.0);
-/// Time on the contacts after which it has come to rest there, s.
+/// Time on the contacts after which the robot is docked, s.
 const RESTS_S: f64 = 0.5;
-/// Time after a search began anew for which it doesn't look at beams, s: it must get elsewhere first.
+/// Time at the start of another search in which beams are ignored, s: the robot must move away first.
 const BLIND_S: f64 = 8.0;
 
 pub(super) const INFO: BehaviourInfo = BehaviourInfo {
@@ -69,7 +69,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
                sends a green beam to one side of its centre line and a red one to the other; both are visible on the \
                line. The robot steers towards whichever beam it loses, slowing down as it gets closer, until its \
                contacts touch.",
-        complexity: "O(1) time and memory a step.",
+        complexity: "O(1) time and memory per step.",
         use_when: "When the battery runs low. It needs infrared receivers; in large or winding rooms the search is \
             slow.",
         shines: Example { room: "room12ft", why: "In a single room the beams are found quickly." },
@@ -81,7 +81,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
 
 pub(super) const BUILD: BuildBehaviour = |setup| Reactive::boxed(setup, Dock::new(setup));
 
-/// The habit.
+/// The behaviour.
 #[derive(Debug, Clone)]
 pub(super) struct Dock {
     walk: RandomWalk,
@@ -95,9 +95,9 @@ pub(super) struct Dock {
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum DockPhase {
-    /// For so long, s; along walls or at random; without looking at beams for so long, s.
+    /// Searches for so long, s, along walls or at random; ignores beams for so long, s.
     Search { left: f64, along_walls: bool, blind: f64 },
-    /// Hasn't seen the beams for so long, s; when it saw the dock last, it was on the left.
+    /// Drives by the beams, without them for so long, s; when last seen, the dock was on the left.
     Home { unseen: f64, was_left: bool },
     /// On the contacts for so long, s.
     Docked { since: f64 },
@@ -124,7 +124,7 @@ impl Dock {
         if along_walls { self.walls.begin(pilot) } else { self.walk.begin(pilot) }
     }
 
-    /// Drives by what is seen of the dock, which was on the left when it was seen last.
+    /// Drives by the beams, with the side on which the dock was last seen.
     fn by_beams(&self, pilot: &Pilot, was_left: bool) -> Drive {
         let is_near = self.beacon.is_near();
         let speed = if is_near { SPEED.1 } else { SPEED.0 }.min(pilot.speed);
@@ -156,7 +156,7 @@ impl Behaviour for Dock {
         self.beacon.update(sensed, dt_s);
         match &mut self.phase {
             DockPhase::Docked { since } if sensed.battery.on_dock => *since += dt_s,
-            // Rolled over them.
+            // Has rolled over the contacts.
             DockPhase::Docked { .. } => self.phase = DockPhase::Home { unseen: 0.0, was_left: false },
             phase if sensed.battery.on_dock => *phase = DockPhase::Docked { since: 0.0 },
             DockPhase::Search { left, blind, .. } => {

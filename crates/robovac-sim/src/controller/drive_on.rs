@@ -1,10 +1,10 @@
-//! The loop that drives every robot, simulated or real.
+//! The control loop of every robot, simulated or real.
 
 use super::Controller;
 use robovac_core::robot::{Drive, RobotPort};
 
-/// One turn of the loop: senses, decides, drives, `dt_s` seconds after the last turn. Returns whether it drives on: `ends`
-/// has the last word, once the controller has decided, and then the robot gets no new speeds.
+/// One iteration: senses, decides, drives, `dt_s` seconds after the last one. Returns whether to continue: if `ends`
+/// returns true after the controller's decision, the robot gets no new speeds.
 #[inline]
 pub fn drive_on(
     port: &mut impl RobotPort,

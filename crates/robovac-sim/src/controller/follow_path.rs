@@ -10,24 +10,24 @@ use std::sync::Arc;
 
 /// A turn or a straight piece counts as done when this much wheel travel is left, m.
 const CLOSE_ENOUGH: f64 = 0.001;
-/// How far to back off from a wall, m.
+/// Way back from a wall, m.
 const BACK_OFF: f64 = 0.03;
-/// How far to back off from an edge, m: so far that turning on the spot brings no wheel over it. Never farther than the
-/// robot has come since it last turned.
+/// Way back from an edge, m, enough that turning on the spot brings no wheel over it; never more than the robot has
+/// driven since it last turned.
 const BACK_FROM_EDGE: f64 = 0.1;
-/// How long to wait for somebody who stands in the way, s, and how much of a piece must be left to make it worth while, m.
+/// How long to wait for a person or pet in the way, s, and the least rest of a piece for which to wait, m.
 const WAIT: (f64, f64) = (3.0, 0.3);
-/// How far to back off from an edge that comes near while turning, m.
+/// Way back from an edge detected while turning, m.
 const SHY: f64 = 0.04;
-/// After so long with one wheel over an edge it gives up, s.
+/// Time with one wheel over an edge after which it gives up, s.
 const HUNG_S: f64 = 10.0;
-/// How often to wait.
+/// Most waits.
 const MOST_WAITS: u32 = 3;
-/// How far the line is shifted away from the side that was bumped, m.
+/// Shift of the line away from the side that was bumped, m.
 const NUDGE: f64 = 0.015;
 /// Bumps after which the rest of a straight piece is given up.
 const MOST_BUMPS: u32 = 4;
-/// Readings without a count after which the wheels are taken to stand still.
+/// Readings without a count after which the wheels count as at rest.
 const STILL: u32 = 3;
 /// Heading correction per metre off the line, rad/m, and its limit, rad.
 const STEER: (f64, f64) = (6.0, 0.5);
@@ -37,14 +37,14 @@ const TURN_GAIN: f64 = 6.0;
 /// Speed back to the line per metre off it, 1/s, for a robot that moves in all directions.
 const SIDESTEP: f64 = 3.0;
 
-/// Follows a line of corners: turns on the spot towards the next corner, drives straight to it, and so on. A robot that
-/// moves in all directions keeps its heading instead, and turns nowhere.
+/// Follows a line of corners: turns on the spot towards the next corner, drives straight to it, and so on. An
+/// omnidirectional robot keeps its heading instead.
 ///
 /// It steers by its own estimate of the pose, from encoder counts. A wall where the line should be free means that the
-/// estimate is off: the robot backs off, shifts the piece of line away from the side that it bumped, and tries again;
-/// a frontal bump or the fourth one ends the piece, but if much of it is left, somebody may be in the way who goes on: it
-/// waits three times. An edge or the beam of a virtual wall ends the piece at once. So it always comes to the end of the
-/// line.
+/// estimate is off: the robot backs off, shifts the piece of line away from the side that it bumped, and tries again; a
+/// frontal bump or the fourth one ends the piece, but if much of it is left, it waits up to three times, as the
+/// obstacle can be a person or pet. An edge or the beam of a virtual wall ends the piece at once. So it always comes to
+/// the end of the line.
 #[derive(Debug, Clone)]
 pub struct FollowPath {
     robot: RobotModel,
@@ -57,14 +57,14 @@ pub struct FollowPath {
     waits: u32,
     /// How long one wheel has hung over an edge, s.
     hung_s: f64,
-    /// Where the robot last turned or began.
+    /// Where the robot last turned or started.
     began: Point,
     /// Shift of the present piece to the left of its direction, m.
     shift: f64,
     /// Fastest speed straight ahead, m/s.
     cruise: f64,
     is_careful: bool,
-    /// Seconds left before the present piece is given up: slip and walls must not hold the robot for ever.
+    /// Seconds after which the present piece is given up, so that slip and walls don't hold the robot for ever.
     patience: f64,
     /// The encoders' last counts, and how many readings ago they changed.
     counts: [u16; 3],
@@ -97,7 +97,7 @@ enum AfterBump {
 }
 
 impl FollowPath {
-    /// Follows `line`, metres, from `start`, which it takes to be where the robot stands.
+    /// Follows `line`, metres, with the robot at `start`.
     pub fn new(robot: &RobotModel, odometry: OdometryModel, start: Pose, line: Arc<[Point]>) -> Self {
         let mut follower = Self {
             robot: robot.clone(),
@@ -121,8 +121,8 @@ impl FollowPath {
         follower
     }
 
-    /// For rooms with stairs: no faster than it can stop before an edge that its cliff sensors see, and always in the
-    /// direction in which they look.
+    /// For rooms with stairs: no faster than it can stop before an edge that its cliff sensors detect, and always in
+    /// the direction of these sensors.
     pub fn carefully(mut self) -> Self {
         self.cruise = safe_speed(&self.robot);
         self.is_careful = true;
@@ -164,7 +164,7 @@ impl FollowPath {
         }
         let pose = self.odometry.pose();
         let (from, to) = self.piece();
-        // From close by, the bearing of the corner says little; the direction of the line is what counts.
+        // Close to a corner its bearing is inaccurate; the direction of the line is used.
         let aim = to - pose.position();
         let aim = if aim.norm() > 2.0 * NUDGE + BACK_OFF { aim } else { to - from };
         self.phase = FollowPhase::Turn(math::atan2(aim.y, aim.x));
@@ -207,7 +207,7 @@ impl FollowPath {
         let correction = (-STEER.0 * off_line).clamp(-STEER.1, STEER.1);
         let heading = math::atan2(along.y, along.x) + correction;
         let speed = self.braking_speed(left_over).min(self.cruise);
-        // No sharper than the speed allows, so that the robot doesn't wag where it stops.
+        // Limited by the speed, so that the robot doesn't oscillate where it stops.
         let sharpest = speed / self.robot.wheel_base;
         let turn_rate = (TURN_GAIN * difference(pose.heading, heading)).clamp(-sharpest, sharpest);
         Drive::from_twist(speed, turn_rate, self.robot.wheel_base)
@@ -222,7 +222,7 @@ impl FollowPath {
         Drive { lateral: ahead.perp(&velocity), ..drive }
     }
 
-    /// The speed from which the robot can still stop within `distance` metres, with a tenth in hand.
+    /// The speed from which the robot can stop within `distance` metres, with a margin of a tenth.
     fn braking_speed(&self, distance: f64) -> f64 {
         (2.0 * 0.9 * self.robot.acceleration * distance).sqrt()
     }
@@ -230,7 +230,8 @@ impl FollowPath {
     fn bumped(&mut self, sensed: &SensorReadings) {
         self.bumps += 1;
         if self.moves_sideways() {
-            // Its bumper tells sides of the body, not of the line: it tries one side, then the other, farther each time.
+            // The bumper's sides are those of the body, not of the line: it tries one side, then the other, farther
+            // each time.
             let side = if self.bumps.is_multiple_of(2) { -1.0 } else { 1.0 };
             self.shift = side * NUDGE * f64::from(self.bumps.div_ceil(2));
             let then = if self.bumps >= MOST_BUMPS { AfterBump::GiveUp } else { AfterBump::TryAgain };
@@ -249,14 +250,14 @@ impl FollowPath {
         self.phase = FollowPhase::BackOff(at, BACK_OFF, then);
     }
 
-    /// There is no floor ahead, or it isn't to be entered: back over the way that it has come.
+    /// Reacts to an edge or a virtual wall ahead: back over the way that it has come.
     fn turned_back(&mut self) {
         let at = self.odometry.pose().position();
         let way = BACK_FROM_EDGE.min((at - self.began).norm());
         self.phase = FollowPhase::BackOff(at, way, AfterBump::GiveUp);
     }
 
-    /// An edge comes near while it turns, and a wheel with it: a little back, and once more.
+    /// Reacts to an edge that a wheel approaches in a turn: a little back, then the turn again.
     fn shied(&mut self) {
         self.bumps += 1;
         let then = if self.bumps >= MOST_BUMPS { AfterBump::GiveUp } else { AfterBump::TryAgain };
@@ -291,7 +292,7 @@ impl Controller for FollowPath {
     fn step(&mut self, sensed: &SensorReadings, dt_s: f64) -> Drive {
         self.odometry.update(sensed);
         if sensed.wheel_dropped() {
-            // In somebody's hand both hang down; with one over an edge it can't get away.
+            // A lifted robot has both wheels dropped; with one over an edge it can't get away.
             let is_held = sensed.wheel_drop_left && sensed.wheel_drop_right;
             self.hung_s = if is_held { 0.0 } else { self.hung_s + dt_s };
             if self.hung_s > HUNG_S {
@@ -300,7 +301,7 @@ impl Controller for FollowPath {
             return Drive::STOP;
         }
         self.hung_s = 0.0;
-        // On a dock, whose ramp is black, all cliff sensors see an edge that is none.
+        // On a dock, whose ramp is black, all cliff sensors report an edge.
         let sees_edge = sensed.sees_cliff() && !sensed.battery.on_dock;
         match self.phase {
             FollowPhase::Drive if sees_edge || sensed.virtual_wall => self.turned_back(),

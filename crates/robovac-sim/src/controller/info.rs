@@ -5,22 +5,22 @@ use robovac_core::{
     robot::RobotModel,
 };
 
-/// What menus, forms and tests know of a behaviour.
+/// Metadata of a behaviour for menus, forms and tests.
 #[derive(Debug)]
 pub struct BehaviourInfo {
     /// Name in links, files and on the command line: lower case, `_` between words; no planner has the same.
     pub id: &'static str,
     /// Name in menus.
     pub title: &'static str,
-    /// One sentence: how it goes about it.
+    /// One sentence on how it works.
     pub summary: &'static str,
     /// Where it comes from: authors, year, title, section.
     pub source: &'static str,
     /// Address of the source or of a good description; empty if there is none.
     pub link: &'static str,
-    /// What its panel explains.
+    /// The explanation shown in its panel.
     pub explainer: Explainer,
-    /// What the contract test holds it to.
+    /// The properties that the contract tests check.
     pub claims: BehaviourClaims,
     /// Its parameters, the important ones first.
     pub params: &'static [ParamSpec],
@@ -31,7 +31,8 @@ impl BehaviourInfo {
     ///
     /// # Panics
     ///
-    /// If they aren't as they must be. The registry has `const _: () = INFO.check();`, so that it is an error of the compiler.
+    /// If one of them is invalid. The registry has `const _: () = INFO.check();`, so an invalid entry is a compile
+    /// error.
     pub const fn check(&self) {
         self.explainer.check(self.summary);
         assert!(!self.source.is_empty(), "`source` is empty");
@@ -42,19 +43,19 @@ impl BehaviourInfo {
 #[expect(clippy::struct_excessive_bools)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct BehaviourClaims {
-    /// Comes to an end by itself; others go on until the battery is empty.
+    /// Ends by itself; others continue until the battery is empty.
     pub ends: bool,
-    /// Cleans: covers more and more floor. Others serve another purpose, such as going home.
+    /// Cleans: covers more and more floor. Others serve another purpose, such as docking.
     pub cleans: bool,
     /// Cleans along walls and furniture only.
     pub walls_only: bool,
     /// Is driven by a person.
     pub manual: bool,
-    /// Explores: is there to see walls and furniture, for a map. What it cleans on the way doesn't count.
+    /// Explores: its purpose is to detect walls and furniture for a map. Cleaned floor doesn't count.
     pub explores: bool,
 }
 
-/// What a behaviour is made from.
+/// Parameters for making a behaviour.
 #[derive(Debug, Clone, Copy)]
 pub struct Setup<'a> {
     /// The robot that it drives.

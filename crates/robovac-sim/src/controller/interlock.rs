@@ -1,11 +1,12 @@
-//! Which manual commands are allowed: Tables I and II of 002 (Hasan, Al-Nahid & Reza 2014, section IV.B).
+//! Interlock of manual commands: Tables I and II of 002 (Hasan, Al-Nahid & Reza 2014, section IV.B).
 //!
-//! In manual mode nobody backs away by himself, so what would do harm isn't obeyed: forward with anything in the way, and turns
-//! to the side on which a bumper switch is pressed or a cliff sensor sees no floor. Backward is always allowed.
+//! In manual mode the robot doesn't back away by itself, so dangerous commands are blocked: forward with anything in
+//! the way, and turns to the side on which a bumper switch is pressed or a cliff sensor sees no floor. Backward is
+//! always allowed.
 //!
-//! The tables know two bumper switches and three cliff sensors. Where both front sensors of a Roomba stand for the one in
-//! front, they hold for it as well. Beyond the tables: a wheel that hangs down allows nothing, a virtual wall blocks
-//! forward, and what cliff sensors see on a dock is its black ramp.
+//! The tables cover two bumper switches and three cliff sensors. They apply to a Roomba if its two front sensors are
+//! combined. Beyond the tables: a dropped wheel blocks everything, a virtual wall blocks forward, and cliff sensors are
+//! ignored on a dock, whose ramp is black.
 //!
 //! ```
 //! use robovac_sim::controller::interlock;
@@ -20,7 +21,7 @@
 use crate::controller::Joystick;
 use robovac_core::robot::SensorReadings;
 
-/// Which commands are obeyed.
+/// Allowed commands.
 #[expect(clippy::struct_excessive_bools)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Allowed {
@@ -34,7 +35,7 @@ pub struct Allowed {
     pub right: bool,
 }
 
-/// Why commands aren't obeyed; `None` for those that are.
+/// Reasons why commands are blocked; `None` for allowed ones.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Blocked {
     /// Drive ahead.
@@ -47,12 +48,12 @@ pub struct Blocked {
     pub right: Option<&'static str>,
 }
 
-/// What is allowed.
+/// The allowed commands.
 pub fn allowed(sensed: &SensorReadings) -> Allowed {
     blocked(sensed).allowed()
 }
 
-/// What is blocked, and why.
+/// The blocked commands, with reasons.
 pub fn blocked(sensed: &SensorReadings) -> Blocked {
     if sensed.wheel_dropped() {
         let why = Some("wheel drop");
@@ -76,7 +77,7 @@ pub fn blocked(sensed: &SensorReadings) -> Blocked {
 }
 
 impl Blocked {
-    /// What is left.
+    /// The allowed commands.
     pub fn allowed(&self) -> Allowed {
         let Self { forward, backward, left, right } = self;
         Allowed {
@@ -89,7 +90,7 @@ impl Blocked {
 }
 
 impl Allowed {
-    /// What of a command is obeyed: each of its two parts, or nothing of it.
+    /// The allowed part of a command: each of its two components is kept or set to 0.
     pub fn cut(&self, command: Joystick) -> Joystick {
         let part = |value: f64, plus: bool, minus: bool| {
             let is_allowed = if value > 0.0 { plus } else { minus };

@@ -6,11 +6,11 @@
 //!
 //! # Beyond the paper
 //!
-//! - *Brakes take a way.* The tables take the robot to stand where a sensor has seen an edge; by the time that it really stands
-//!   it is nearer, and turning there could get a wheel over the edge. So it rolls back by that way and a little more, and
+//! - *Brakes take a way.* The tables assume that the robot stops where a sensor detects an edge; in reality it stops
+//!   nearer to it, where turning could bring a wheel over the edge. So it rolls back by that way and a little more, and
 //!   doesn't drive ahead again until the stick has been let go.
-//! - *No rear sensors.* Backward is always allowed by the tables, even down stairs. If asked to be careful, the
-//!   robot reverses only the way that it came.
+//! - *No rear sensors.* Backward is always allowed by the tables, even down stairs. With the parameter for caution, the
+//!   robot reverses only over known ground.
 //!
 //! ```
 //! use robovac_sim::controller::*;
@@ -80,9 +80,9 @@ struct Manual {
     is_careful: bool,
     command: Joystick,
     blocked: Blocked,
-    /// Why it doesn't go ahead until the stick is let go.
+    /// Why it doesn't drive ahead until the stick is released.
     held: Option<&'static str>,
-    /// Whether it has rolled back from the edge that it sees.
+    /// Whether it has rolled back from the detected edge.
     has_recoiled: bool,
     obeyed: Drive,
 }

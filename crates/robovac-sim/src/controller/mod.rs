@@ -39,7 +39,7 @@ use robovac_core::{
 
 /// What drives a robot. Pure: the same readings give the same commands, on the simulated and on a real robot.
 pub trait Controller {
-    /// Takes a sensor reading, `dt_s` seconds after the last one, and says how to drive until the next.
+    /// Takes a sensor reading, `dt_s` seconds after the last one, and returns the drive command until the next.
     fn step(&mut self, sensed: &SensorReadings, dt_s: f64) -> Drive;
 
     /// Whether there is nothing left to do.
@@ -50,20 +50,20 @@ pub trait Controller {
         self.mapper().map(Mapper::pose)
     }
 
-    /// Index of the corner that it drives to, if it follows a line; the number of corners once it has come to the end.
+    /// Index of the corner that it drives to, if it follows a line; the number of corners at its end.
     fn corner(&self) -> Option<usize> {
         None
     }
 
-    /// What it is doing, in a few words that go on "The robot is ...": `backing up`; empty if there is nothing to tell.
+    /// Its activity, in a few words that complete "The robot is ...": `backing up`; empty for none.
     fn activity(&self) -> &'static str {
         ""
     }
 
-    /// What a person at the controls wants; ignored by those that drive by themselves.
+    /// A person's joystick command; ignored by autonomous controllers.
     fn command(&mut self, _: Joystick) {}
 
-    /// What of a person's commands it doesn't obey at present, and why; `None` if nobody is at the controls.
+    /// The blocked part of a person's commands, with reasons; `None` for autonomous controllers.
     fn blocked(&self) -> Option<interlock::Blocked> {
         None
     }
@@ -73,34 +73,33 @@ pub trait Controller {
         None
     }
 
-    /// What it is going for on its map, if it makes one and drives by it.
+    /// Its goal on its map, if it makes one and drives by it.
     fn intent(&self) -> Option<Intent<'_>> {
         None
     }
 
-    /// Learns where it starts, in the frame that its map is to have; to be called before the first step, by those who know.
-    /// A map that nobody tells of begins at the origin, heading along x.
+    /// Sets its start in the frame that its map is to have; to be called before the first step, if known. By default a
+    /// map begins at the origin, heading along x.
     fn start_at(&mut self, _: Pose) {}
 
-    /// Roughly the memory that its map takes, bytes.
+    /// Approximate memory of its map, bytes.
     fn bytes(&self) -> usize {
         self.mapper().map_or(0, Mapper::bytes)
     }
 
-    /// A copy in the same state, so that a run can be recorded and gone back to.
+    /// A copy in the same state, for key frames of recordings.
     fn boxed_clone(&self) -> Box<dyn Controller>;
 }
 
 /// Makes a behaviour.
 pub type BuildBehaviour = fn(&Setup<'_>) -> Box<dyn Controller>;
 
-/// Behaviours to choose from, and how they are made. A program that knows only some of them is smaller: what isn't listed
-/// isn't linked.
+/// A list of behaviours with their constructors. A program with only some of them is smaller, as others aren't linked.
 #[derive(Debug, Clone, Copy)]
 pub struct Behaviours(&'static [(&'static BehaviourInfo, BuildBehaviour)]);
 
 impl Behaviours {
-    /// What they say of themselves, in the order of the menus.
+    /// Their metadata, in the order of the menus.
     pub fn infos(self) -> impl Iterator<Item = &'static BehaviourInfo> + Clone {
         self.0.iter().map(|(info, _)| *info)
     }
@@ -116,7 +115,7 @@ impl Behaviours {
     }
 }
 
-/// Lists of the same behaviours: all, those that need no map, and what they say of themselves.
+/// Lists of the same behaviours: all, those that need no map, and their metadata.
 macro_rules! registry {
     (mapless { $($plain:ident),* $(,)? } exploring { $($($explorer:ident)::+),* $(,)? }) => {
         /// Behaviours that need no map: they clean, dock or are driven by a person.
@@ -125,14 +124,14 @@ macro_rules! registry {
         pub const ALL: Behaviours = Behaviours(
             &[$((&$plain::INFO, $plain::BUILD),)* $((&$($explorer::)+INFO, $($explorer::)+BUILD)),*]
         );
-        /// What all behaviours say of themselves.
+        /// Metadata of all behaviours.
         pub const BEHAVIOURS: &[&BehaviourInfo] = &[$(&$plain::INFO,)* $(&$($explorer::)+INFO),*];
         $(const _: () = $plain::INFO.check();)*
         $(const _: () = $($explorer::)+INFO.check();)*
     };
 }
 
-// One line a behaviour.
+// One line per behaviour.
 registry! {
     mapless {
         random_walk,

@@ -11,9 +11,9 @@
 //!   where it is; one with corners can't. Here it backs up a little, and not at all if the parameter is 0.
 //! - *Hit straight ahead*, on both switches: it turns to a random side.
 //! - *The printed figure.* R = 12 cm, r = 4 cm, N = 1.2, theta = 120 degrees give 0.4167 s; "0.41" is cut, not rounded.
-//! - *Motors* need time to get to speed. A command of T seconds turns by as much as the formula says all the same: what is
-//!   missing when the wheels start is what they roll on when they stop, and the robot waits for that. Where T is too
-//!   short to get to speed, it lasts as long as that angle takes (see [`Timing`]).
+//! - *Motors* need time to get to speed. A command of T seconds still turns by the formula's angle: the wheels roll on
+//!   after it by as much as is missing at the start, and the robot waits for that. Where T is too short to get to
+//!   speed, it lasts as long as that angle takes (see [`Timing`]).
 //! - *Cliffs* are obstacles, and the robot always backs away from them: on the spot, its wheels could get over the edge.
 //!
 //! ```
@@ -88,12 +88,12 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
 pub(super) const BUILD: BuildBehaviour =
     |setup| Reactive::boxed(setup, RandomWalk::new(setup, setup.params.number("back") / 100.0));
 
-/// The habit.
+/// The behaviour.
 #[derive(Debug, Clone)]
 pub(super) struct RandomWalk {
     /// Wheel speed of turns, m/s.
     speed: f64,
-    /// Minimum turn and most that is added by chance, rad.
+    /// Minimum turn, and most that is added at random, rad.
     turn: (f64, f64),
     back: f64,
 }
@@ -104,7 +104,7 @@ impl RandomWalk {
         Self::with(setup, (setup.params.number("least"), setup.params.number("random")), back)
     }
 
-    /// As the paper has it, but for these `shares` of the least and the random turn.
+    /// As in the paper, but with these `shares` of the least and the random turn.
     pub(super) fn with(setup: &Setup<'_>, shares: (f64, f64), back: f64) -> Self {
         let speed = setup.robot.cruise_speed;
         let theta_deg = 2.0 * setup.robot.sensors.bumper.map_or(90.0, |bumper| bumper.half_arc.to_degrees());

@@ -39,7 +39,7 @@ use robovac_core::{
     robot::{Drive, SensorReadings},
 };
 
-/// Collisions in a row without a lane between them after which the robot turns by chance.
+/// Collisions in a row without a lane between them after which the robot turns by a random angle.
 const MOST_SHORT: u32 = 5;
 /// A lane is longer than so many L.
 const LANE: f64 = 3.0;
@@ -97,20 +97,20 @@ pub(super) const BUILD: BuildBehaviour = |setup| {
     )
 };
 
-/// The habit.
+/// The behaviour.
 #[derive(Debug, Clone)]
 pub(super) struct SPath {
     by: By,
     turn_speed: f64,
-    /// Way back, and from lane to lane, m.
+    /// Distances back, and from lane to lane, m.
     back: f64,
     go: f64,
-    /// Corners before it turns by chance.
+    /// Corners before it turns by a random angle.
     most_corners: u32,
     corners: u32,
-    /// Where to turn next: 1 to the left, -1 to the right.
+    /// Next direction of turn: 1 for left, -1 for right.
     side: f64,
-    /// Where the lane began, m ahead; `None` while the robot goes aside.
+    /// Start of the lane, m ahead; `None` during the move to the next lane.
     lane_from: Option<f64>,
     short: u32,
 }

@@ -1,8 +1,8 @@
 //! Spiral: circles that grow until something is in the way (002, section IV.A.ii).
 //!
-//! Hasan, Al-Nahid & Reza 2014: the robot first checks whether there is enough place. If so, it convolutes to the left with a
-//! growing radius: the right wheel runs at full speed, the left wheel's speed rises with time. When an obstacle is sensed,
-//! the spiral is over.
+//! Hasan, Al-Nahid & Reza 2014: the robot first checks for enough room. If there is, it spirals to the left with a
+//! growing radius: the right wheel runs at full speed, the left wheel's speed rises with time. When an obstacle is
+//! sensed, the spiral is over.
 //!
 //! # Where the paper is silent
 //!
@@ -52,7 +52,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     explainer: Explainer {
         idea: "The right wheel runs at full speed and the left one gradually speeds up, so that the robot drives \
                growing circles. Each circle lies just outside the last one, so no floor is cleaned twice until an \
-               obstacle is met. Then the robot moves on in a random direction and starts again where there is room.",
+               obstacle is hit. Then the robot moves on in a random direction and starts again where there is room.",
         complexity: "O(1) time and memory per step; no map.",
         use_when: "On open floor, or to clean one spot thoroughly. Among furniture its circles end almost at once.",
         shines: Example { room: "tshape", why: "Few obstacles: circles grow until they reach the walls." },
@@ -91,7 +91,7 @@ pub(super) enum After {
     End,
 }
 
-/// The habit.
+/// The behaviour.
 #[derive(Debug, Clone)]
 pub(super) struct SpiralBehaviour {
     walk: RandomWalk,

@@ -8,7 +8,7 @@
 
 use robovac_core::{math, robot::RobotModel};
 
-/// What the formulas are made of.
+/// Quantities of the formulas.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Timing {
     /// Wheel radius r, m.

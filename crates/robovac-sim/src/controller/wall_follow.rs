@@ -46,14 +46,14 @@ use robovac_core::{
 const SIGNAL: f64 = 1000.0;
 /// Way back from a wall that was bumped into, m.
 const BACK: f64 = 0.015;
-/// Turns away from what was hit, rad: on the right, straight ahead, on the left.
+/// Turns away from a contact, rad: on the right, straight ahead, on the left.
 const AWAY: [f64; 3] = [0.35, 0.9, 1.6];
-/// Turn away from what isn't a wall, rad, drawn between these.
+/// Turn away from obstructions that aren't walls, rad, drawn from this range.
 const LEAVE: (f64, f64) = (1.6, 2.6);
 /// Turn, rad, after which a wall that wasn't met again is lost: a circle and a half.
 const LOST: f64 = 1.5 * math::TAU;
-/// Steering by light: turn rate for a signal that is off by all of its set value, and for one that changes by that much
-/// in a second (rad/s, rad).
+/// Steering by light: turn rate for a signal error of all of its set value, and for a change by that much in a second
+/// (rad/s, rad).
 const GAINS: (f64, f64) = (1.2, 0.4);
 /// Fastest steering, rad/s.
 const STEER: f64 = 1.4;
@@ -130,7 +130,7 @@ pub(super) const BUILD: BuildBehaviour = |setup| {
     Reactive::boxed(setup, WallFollow::new(setup, light, number("rounds") as u32, number("arc") / 100.0))
 };
 
-/// The habit.
+/// The behaviour.
 #[derive(Debug, Clone)]
 pub(super) struct WallFollow {
     /// Signal to keep; `None` to follow by the bumper.
@@ -146,7 +146,7 @@ pub(super) struct WallFollow {
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum WallPhase {
     Seek,
-    /// Along a wall that it met with this much turned, rad, and felt last with that much.
+    /// Follows a wall; total turn when it was met, and at the last detection, rad.
     Follow {
         met: f64,
         felt: f64,
@@ -161,12 +161,12 @@ impl WallFollow {
         Self { light, rounds, arc: setup.robot.radius + wider, phase: WallPhase::Seek, last: 0.0 }
     }
 
-    /// As the parameters have it unless asked for otherwise.
+    /// With the default parameters.
     pub(super) fn usual(setup: &Setup<'_>) -> Self {
         Self::new(setup, Some(SIGNAL), 1, 0.08)
     }
 
-    /// Along whatever it meets, round and round.
+    /// Follows any wall without leaving it.
     pub(super) fn endless(setup: &Setup<'_>) -> Self {
         Self::new(setup, Some(SIGNAL), 0, 0.08)
     }
@@ -181,7 +181,7 @@ impl WallFollow {
         self.phase = WallPhase::Follow { met, felt: turned };
     }
 
-    /// Steers by the light that comes back from the wall; `None` where there is no wall.
+    /// Steers by the light reflected by the wall; `None` without a wall.
     fn by_light(&mut self, pilot: &Pilot, sensed: &SensorReadings, set: f64, dt_s: f64) -> Option<Drive> {
         let [_, front_left, left, right, front_right, side] = sensed.light_signal.map(f64::from);
         let before = self.last;

@@ -10,7 +10,7 @@ use robovac_core::registry::{Explainer, ParamSpec};
 pub enum Algorithm {
     /// Plans a path first; the robot follows it.
     Planner(&'static PlannerInfo),
-    /// Drives by what the robot senses.
+    /// Drives by sensor readings.
     Behaviour(&'static BehaviourInfo),
 }
 
@@ -26,7 +26,7 @@ impl Algorithm {
         planners.chain(behaviours.infos().map(Self::Behaviour))
     }
 
-    /// The one of `these` with that id; they are of that `kind`.
+    /// The algorithm of that `kind` with that id, among `these`.
     pub fn find(
         kind: &'static str,
         id: &str,
@@ -60,7 +60,7 @@ impl Algorithm {
         }
     }
 
-    /// What links and files call this kind of algorithm.
+    /// Name of its kind in links and files.
     pub fn kind(self) -> &'static str {
         match self {
             Self::Planner(_) => "planner",
@@ -92,7 +92,7 @@ impl Algorithm {
         }
     }
 
-    /// What its panel explains.
+    /// The explanation shown in its panel.
     pub fn explainer(self) -> &'static Explainer {
         match self {
             Self::Planner(info) => &info.explainer,

@@ -6,13 +6,13 @@ use robovac_core::{
     coverage::FloorError, floor_plan::FloorPlan, geometry::Pose, grid::Cell, registry::Params, robot::RobotModel,
 };
 
-/// A room laid out for a robot, with what no walk in it can do without: the same for all that compete there.
+/// A room laid out for a robot, with its lower bounds: the same for all entrants.
 pub struct Arena {
     prepared: RoomSetup,
     bounds: Bounds,
 }
 
-/// What a planner reached.
+/// Result of a planner.
 #[derive(Debug, Clone)]
 pub struct PlanOutcome {
     /// Its numbers.
@@ -21,16 +21,16 @@ pub struct PlanOutcome {
     pub cells: Vec<Cell>,
 }
 
-/// Why a planner reached nothing.
+/// Reasons for a trial without a result.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum TrialError {
-    /// The robot can't be put into the room.
+    /// The robot can't be placed in the room.
     #[error(transparent)]
     Floor(#[from] FloorError),
-    /// The planner gave up.
+    /// The planner failed.
     #[error(transparent)]
     Plan(#[from] PlanError),
-    /// The planner is wrong.
+    /// The planner returned an invalid walk.
     #[error("the planner returned an invalid walk: {0}")]
     Path(#[from] PathError),
 }
@@ -43,12 +43,12 @@ impl Arena {
         Ok(Self { prepared, bounds })
     }
 
-    /// What no walk in this room can do without.
+    /// Lower bounds in this room.
     pub fn bounds(&self) -> Bounds {
         self.bounds
     }
 
-    /// Lets a planner try. `clock` returns seconds since any moment.
+    /// Runs a planner. `clock` returns seconds since any moment.
     pub fn run(
         &self,
         planner: &'static PlannerInfo,

@@ -14,14 +14,14 @@ pub struct Entrant {
     pub params: Params,
 }
 
-/// The kinds of algorithms, as [`Algorithm::kind`] has them.
+/// The kinds of algorithms, see [`Algorithm::kind`].
 pub const PLANNER: &str = "planner";
 /// See [`PLANNER`].
 pub const BEHAVIOUR: &str = "behaviour";
 
-/// Between an algorithm and its parameters, and between two of them; neither it nor [`IS`] needs escaping in links.
+/// Separates an algorithm and its parameters; neither it nor [`IS`] needs escaping in links.
 const AND: char = '~';
-/// Between a parameter and its value.
+/// Separates a parameter and its value.
 const IS: char = ':';
 
 impl Entrant {
@@ -30,7 +30,7 @@ impl Entrant {
         Self { algorithm, params: Params::defaults(algorithm.params()) }
     }
 
-    /// What [`Display`](fmt::Display) wrote of a `planner` or a `behaviour`: `snake`, or `snake~patience:3`.
+    /// Parses the text of [`Display`](fmt::Display) for a `planner` or a `behaviour`: `snake`, or `snake~patience:3`.
     pub fn parse(kind: &'static str, text: &str) -> Result<Self, SettingsError> {
         let mut parts = text.split(AND);
         let mut entrant = Self::new(Algorithm::find_kind(kind, parts.next().unwrap_or_default())?);
@@ -41,10 +41,10 @@ impl Entrant {
         Ok(entrant)
     }
 
-    /// A planner with its parameters; where only planners take part, nothing else is known.
+    /// A planner with its parameters; behaviours aren't accepted.
     pub fn parse_planner(text: &str) -> Result<(Self, &'static PlannerInfo), SettingsError> {
         let entrant = Self::parse(PLANNER, text)?;
-        // What was found among the planners is one.
+        // An entrant found among the planners is one.
         let planner = entrant.algorithm.planner().unwrap_or(coverage_planners::PLANNERS[0]);
         Ok((entrant, planner))
     }
@@ -54,23 +54,23 @@ impl Entrant {
         self.algorithm.id()
     }
 
-    /// Whether it comes to the same every time, whatever the seed.
+    /// Whether its result doesn't depend on the seed.
     pub fn is_deterministic(&self) -> bool {
         self.algorithm.planner().is_some_and(|planner| planner.claims.deterministic)
     }
 
-    /// Whether it explores: then what counts is the boundary that it has met, and not the floor that it has swept.
+    /// Whether it explores: then the detected boundary is measured instead of the swept floor.
     pub fn explores(&self) -> bool {
         self.algorithm.behaviour().is_some_and(|info| info.claims.explores)
     }
 
-    /// Sets a parameter from what a form or a link says.
+    /// Sets a parameter from the text of a form or a link.
     pub fn set(&mut self, id: &str, text: &str) -> Result<(), SettingsError> {
         Ok(self.params.set_text(self.algorithm.params(), id, text)?)
     }
 }
 
-/// The algorithm's id, then the parameters that aren't the default.
+/// The algorithm's id, then the parameters that differ from their defaults.
 impl fmt::Display for Entrant {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.id())?;

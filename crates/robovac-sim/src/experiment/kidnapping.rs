@@ -1,4 +1,4 @@
-//! Kidnapped robot trials: how long until a robot with a map relocalises?
+//! Kidnapped robot trials: the time until a robot with a map relocalises.
 
 use crate::{
     Conditions, Input, STEP_S,
@@ -22,50 +22,50 @@ use robovac_core::{
 
 /// Stream of the places where it is put down.
 const STREAM: u64 = 13;
-/// Steps that it drives before it is picked up, and for which it hangs in the air.
+/// Steps before it is picked up, and for which it is held.
 const BEFORE: u64 = 1000;
 const IN_THE_AIR: u64 = 200;
-/// An estimate is right if it is off by less, m.
+/// An estimate is right if its error is smaller, m.
 pub const RIGHT_M: f64 = 0.1;
 
-/// What all trials have in common.
+/// Settings that all trials have in common.
 #[derive(Debug, Clone)]
 pub struct Kidnapping<'a> {
-    /// The room, which the robot knows as it is, furniture included.
+    /// The room, of which the robot has an exact map, furniture included.
     pub plan: &'a FloorPlan,
     /// The room laid out for the robot.
     pub prepared: &'a RoomSetup,
     /// The robot.
     pub robot: &'a RobotModel,
-    /// What drives it, with its parameters.
+    /// The behaviour that drives it.
     pub behaviour: &'static BehaviourInfo,
-    /// Their values.
+    /// Its parameters.
     pub params: &'a Params,
-    /// How true wheels and sensors are.
+    /// Slip and noise.
     pub conditions: Conditions,
-    /// How wheel counts become motion.
+    /// How wheel counts are converted to motion.
     pub odometry: OdometryModel,
     /// Time after it was put down, s.
     pub duration_s: f64,
 }
 
-/// What came out of one trial.
+/// Result of a trial.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Kidnapped {
     /// Seed of everything random in it.
     pub seed: u64,
-    /// When it was sure of its place, and right, and stayed so to the end, s after it was put down; `None` if never.
+    /// Time from being put down until it was sure of the right place, to the end, s; `None` if never.
     pub found_s: Option<f64>,
-    /// For how long it was sure of a wrong place, s.
+    /// Time for which it was sure of a wrong place, s.
     pub deluded_s: f64,
-    /// How far off its estimate was in the end, m and rad; `None` if it had none.
+    /// Final error of its estimate, m and rad; `None` without an estimate.
     pub error: Option<(f64, f64)>,
-    /// Whether it was sure in the end.
+    /// Whether it was sure at the end.
     pub is_sure: bool,
 }
 
 impl Kidnapping<'_> {
-    /// One trial; `None` if the behaviour isn't in the registry, or the room is empty of walls.
+    /// Runs a trial; `None` if the behaviour isn't in the registry, or the room has no walls.
     pub fn run(&self, seed: u64) -> Option<Kidnapped> {
         let map = OccupancyMap::of(&with_objects(self.plan));
         let setup = LocatorSetup { robot: self.robot.clone(), odometry: self.odometry, seed };

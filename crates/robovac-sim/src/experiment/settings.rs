@@ -11,28 +11,28 @@ use robovac_core::{
 };
 use std::collections::BTreeMap;
 
-/// Sides of planning cells that are offered, m.
+/// Cell sizes in the menu, m.
 pub const CELL_SIZES: [f64; 8] = [0.1, 0.12, 0.15, 0.2, 0.25, 0.3, 0.35, 0.5];
-/// Speeds that are offered, times real time; 0 stands for as fast as it goes.
+/// Speeds in the menu, times real time; 0 for as fast as possible.
 pub const SPEEDS: [f64; 7] = [1.0, 4.0, 16.0, 64.0, 256.0, 1024.0, 0.0];
 
-/// Speed that robots are watched at, and at which people drive them, times real time.
+/// Default speed for watching, and for manual driving, times real time.
 const DEFAULT_SPEED: f64 = 16.0;
 const MANUAL_SPEED: f64 = 1.0;
 
-/// Largest seed that is taken. JavaScript must be able to hold it exactly.
+/// Largest seed, which JavaScript can represent exactly.
 const MAX_SEED: u64 = u32::MAX as u64;
 
-/// Everything that determines a run, but for the room.
+/// Everything that determines a run, except for the room.
 #[derive(Debug, Clone)]
 pub struct Settings {
-    /// Behaviours that can be chosen, beside all planners.
+    /// Available behaviours, in addition to all planners.
     behaviours: Behaviours,
-    /// What cleans.
+    /// The algorithm.
     pub algorithm: Algorithm,
     /// Its parameters.
     pub params: Params,
-    /// Parameters that other algorithms had when they were left, to come back to.
+    /// Parameters of other algorithms, for when they are chosen again.
     left: BTreeMap<&'static str, Params>,
     /// Id of the robot.
     pub robot: &'static str,
@@ -40,41 +40,41 @@ pub struct Settings {
     pub cell_size: f64,
     /// Seed of everything random.
     pub seed: u64,
-    /// How true wheels and sensors are.
+    /// Slip and noise.
     pub conditions: Conditions,
     /// How the follower computes its pose.
     pub odometry: OdometryModel,
     /// Start chosen by the user, if not the room's own.
     pub start: Option<Pose>,
-    /// Times real time; 0 for as fast as it goes.
+    /// Speed, times real time; 0 for as fast as possible.
     pub speed: f64,
-    /// Speed that was left when a person took the controls, to come back to.
+    /// Speed before manual driving, for afterwards.
     left_speed: f64,
-    /// What is drawn on the floor.
+    /// Layers drawn on the floor.
     pub shows: Shows,
 }
 
-/// Why a setting can't be taken.
+/// Errors of settings.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SettingsError {
     /// No such planner, robot, room, ...
     #[error("there is no {kind} \"{id}\"; there are: {known}")]
     Unknown {
-        /// What was looked for.
+        /// Kind of the setting.
         kind: &'static str,
         /// The name given.
         id: String,
-        /// The names that exist.
+        /// The available names.
         known: String,
     },
-    /// A number isn't one or is out of range.
+    /// A number that is invalid or out of range.
     #[error("{kind} can't be \"{value}\"; use {expected}")]
     Invalid {
-        /// Which setting.
+        /// Name of the setting.
         kind: &'static str,
         /// The value given.
         value: String,
-        /// What it takes.
+        /// Accepted values.
         expected: &'static str,
     },
     /// A planner's parameter.
@@ -83,12 +83,12 @@ pub enum SettingsError {
 }
 
 impl Settings {
-    /// What the page opens with.
+    /// The defaults of the page.
     pub fn new() -> Self {
         Self::with(controller::ALL)
     }
 
-    /// The same with only these behaviours to choose from.
+    /// The same with only these behaviours available.
     pub fn with(behaviours: Behaviours) -> Self {
         let algorithm = Algorithm::Planner(coverage_planners::PLANNERS[0]);
         Self {
@@ -108,17 +108,17 @@ impl Settings {
         }
     }
 
-    /// What it began with.
+    /// The initial settings.
     pub fn defaults(&self) -> Self {
         Self::with(self.behaviours)
     }
 
-    /// Behaviours that can be chosen.
+    /// The available behaviours.
     pub fn behaviours(&self) -> Behaviours {
         self.behaviours
     }
 
-    /// Chooses a planner or behaviour, with the parameters that it had when it was left.
+    /// Chooses a planner or behaviour, with the parameters that it had before.
     pub fn select_algorithm(&mut self, id: &str) -> Result<(), SettingsError> {
         let chosen = Algorithm::find("algorithm", id, Algorithm::with(self.behaviours))?;
         self.left.insert(self.algorithm.id(), self.params.clone());
@@ -137,20 +137,20 @@ impl Settings {
         is_manual(self.algorithm)
     }
 
-    /// Chooses a planner or behaviour with its default parameters, as links and scenarios mean it.
+    /// Chooses a planner or behaviour with its default parameters, for links and scenarios.
     pub fn select_fresh_algorithm(&mut self, id: &str) -> Result<(), SettingsError> {
         self.select_algorithm(id)?;
         self.params = Params::defaults(self.algorithm.params());
         Ok(())
     }
 
-    /// The same of a `planner` or a `behaviour`.
+    /// The same for a `planner` or a `behaviour`.
     pub fn select_fresh_of_kind(&mut self, kind: &'static str, id: &str) -> Result<(), SettingsError> {
         Algorithm::find(kind, id, Algorithm::with(self.behaviours).filter(|algorithm| algorithm.kind() == kind))?;
         self.select_fresh_algorithm(id)
     }
 
-    /// Chooses a robot, with the cell size that fits it.
+    /// Chooses a robot, with its default cell size.
     pub fn select_robot(&mut self, id: &str) -> Result<(), SettingsError> {
         let known = || robovac_core::robot::MODELS.iter().map(|m| m.id).collect::<Vec<_>>().join(", ");
         let chosen =
@@ -170,7 +170,7 @@ impl Settings {
         Ok(())
     }
 
-    /// Sets the seed from what a link or a scenario says; `text` is how it says it.
+    /// Sets the seed of a link or a scenario, whose text is `text`.
     pub fn set_seed(&mut self, seed: Option<u64>, text: &str) -> Result<(), SettingsError> {
         self.seed = seed.filter(|&seed| seed <= MAX_SEED).ok_or_else(|| SettingsError::Invalid {
             kind: "the seed",
@@ -180,12 +180,12 @@ impl Settings {
         Ok(())
     }
 
-    /// Sets one parameter of the algorithm from what a form or a link says.
+    /// Sets one parameter of the algorithm from the text of a form or a link.
     pub fn set_param(&mut self, id: &str, text: &str) -> Result<(), SettingsError> {
         Ok(self.params.set_text(self.algorithm.params(), id, text)?)
     }
 
-    /// Chooses how well the wheels hold.
+    /// Chooses the level of wheel slip.
     pub fn set_slip(&mut self, id: &str) -> Result<(), SettingsError> {
         let known = || SlipLevel::ALL.map(|(_, name)| name).join(", ");
         self.conditions.slip = SlipLevel::parse(id).ok_or_else(|| SettingsError::Unknown {
@@ -196,7 +196,7 @@ impl Settings {
         Ok(())
     }
 
-    /// Chooses how much sensors err: all of them, or one kind if `sensor` names it.
+    /// Chooses the level of noise: of all sensors, or of the kind `sensor`.
     pub fn set_noise(&mut self, sensor: Option<&str>, level: &str) -> Result<(), SettingsError> {
         let unknown = |kind, id: &str, known: Vec<&str>| SettingsError::Unknown {
             kind,
@@ -228,7 +228,7 @@ impl Settings {
         Ok(())
     }
 
-    /// Whether the same room gets the same plan with `other`.
+    /// Whether `other` gives the same plan in the same room.
     pub fn plans_like(&self, other: &Self) -> bool {
         (self.algorithm.id(), &self.params, self.robot, self.cell_size, self.seed)
             == (other.algorithm.id(), &other.params, other.robot, other.cell_size, other.seed)
@@ -242,7 +242,7 @@ impl Settings {
         }
     }
 
-    /// The settings as `key=value` pairs for a link; what is as it was at first is left out.
+    /// The settings as `key=value` pairs for a link, without defaults.
     pub fn to_link(&self) -> Vec<(String, String)> {
         let default = self.defaults();
         let mut pairs = Vec::new();
@@ -282,7 +282,7 @@ impl Settings {
         pairs
     }
 
-    /// Takes one `key=value` pair of a link. Unknown keys are left alone, as links of other versions may have more.
+    /// Reads one `key=value` pair of a link. Unknown keys are ignored, as links of other versions can have more.
     pub fn take_link(&mut self, key: &str, value: &str) -> Result<(), SettingsError> {
         let number = |kind, expected| {
             let wrong = || SettingsError::Invalid { kind, value: value.to_owned(), expected };
@@ -321,7 +321,7 @@ impl Settings {
     }
 }
 
-/// Whether a person drives by it.
+/// Whether a person drives with this algorithm.
 fn is_manual(algorithm: Algorithm) -> bool {
     algorithm.behaviour().is_some_and(|behaviour| behaviour.claims.manual)
 }

@@ -3,23 +3,23 @@
 use super::SettingsError;
 use serde::Serialize;
 
-/// Layers of the picture that can be shown or not.
+/// Layers of the picture that can be shown or hidden.
 #[expect(clippy::struct_excessive_bools)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Shows {
-    /// How often the floor was swept.
+    /// Passes over the floor.
     pub coverage: bool,
-    /// Dirt that is left.
+    /// Remaining dirt.
     pub dirt: bool,
-    /// What the sensors look at, and what they see.
+    /// Sensor beams and detections.
     pub sensors: bool,
     /// The robot's estimated trail.
     pub estimate: bool,
 }
 
 impl Shows {
-    /// What the page opens with.
+    /// The defaults of the page.
     pub const DEFAULT: Self = Self { coverage: true, dirt: true, sensors: false, estimate: false };
 
     /// The layers with their names in links.
@@ -28,7 +28,7 @@ impl Shows {
         [("coverage", coverage), ("dirt", dirt), ("sensors", sensors), ("estimate", estimate)]
     }
 
-    /// Shows a layer, or no longer.
+    /// Shows or hides a layer.
     pub fn set(&mut self, name: &str, on: bool) -> Result<(), SettingsError> {
         let mut layers = self.layers();
         let known = layers.each_ref().map(|(name, _)| *name).join(", ");
@@ -39,14 +39,14 @@ impl Shows {
         Ok(())
     }
 
-    /// As a link has it: the layers that are shown.
+    /// The shown layers, for a link.
     pub fn to_link(mut self) -> String {
         let shown = self.layers().into_iter().filter(|(_, on)| **on).map(|(name, _)| name);
         let names = shown.collect::<Vec<_>>().join(",");
         if names.is_empty() { "none".to_owned() } else { names }
     }
 
-    /// What a link says.
+    /// The layers by the text of a link.
     pub fn from_link(text: &str) -> Result<Self, SettingsError> {
         let mut shows = Self { coverage: false, dirt: false, sensors: false, estimate: false };
         for name in text.split(',').filter(|name| !name.is_empty() && *name != "none") {

@@ -1,4 +1,4 @@
-//! A trial as plain values that can be sent to a worker.
+//! A trial as plain values for a worker.
 
 use super::{Arena, Entrant, PlanOutcome};
 use crate::experiment::planning::{CELL_ROBOT, choose_robot};
@@ -15,11 +15,11 @@ use serde::{Deserialize, Serialize};
 pub struct TrialRequest {
     /// Number of the trial.
     pub id: u32,
-    /// A room that ships, by its id; else `scenario` has it.
+    /// Id of a built-in room; otherwise see `scenario`.
     pub room: Option<String>,
-    /// The room as a scenario file, if it doesn't ship.
+    /// The room as a scenario file, if it isn't built in.
     pub scenario: Option<String>,
-    /// Where the robot starts, if not where the room says: x, y in metres, heading in radians.
+    /// Start of the robot if it isn't the room's: x, y in metres, heading in radians.
     pub start: Option<[f64; 3]>,
     /// Id of the robot.
     pub robot: String,
@@ -29,7 +29,7 @@ pub struct TrialRequest {
     pub entrant: String,
     /// Seed of its random numbers.
     pub seed: u64,
-    /// Changes with room, start, robot and cell size: the same place has the same [`Arena`].
+    /// Key of room, start, robot and cell size: equal places have the same [`Arena`].
     pub place: String,
 }
 
@@ -45,7 +45,7 @@ impl TrialRequest {
         Arena::new(&plan, &robot, self.cell_size, start).map_err(|e| e.to_string())
     }
 
-    /// Lets the planner try in `arena`. `clock` returns seconds since any moment. Errors are for users.
+    /// Runs the planner in `arena`. `clock` returns seconds since any moment. Errors are for users.
     pub fn run(
         &self,
         arena: &Arena,

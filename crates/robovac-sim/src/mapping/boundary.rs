@@ -8,21 +8,21 @@ use robovac_core::{
 
 /// Side of the cells that hold one patch each, m.
 const SIDE: f64 = 0.05;
-/// Cosine between normals of patches that are taken for one surface.
+/// Cosine between normals of patches that count as one surface.
 const SAME: f64 = 0.8;
-/// Points after which a patch stays where it is: what was seen first was seen with less drift (ours).
+/// Points after which a patch doesn't move any more: earlier observations have less drift (ours).
 const MOST: f32 = 40.0;
 
-/// A few centimetres of a surface, flat as far as anybody knows.
+/// A few centimetres of a surface, assumed flat.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct BoundaryPatch {
     /// Points that it is the mean of; 0 for none.
     weight: f32,
-    /// Less the centre of its cell, m.
+    /// Position relative to the centre of its cell, m.
     offset: [f32; 2],
-    /// Out of the thing, towards free floor; a unit vector.
+    /// Outward normal, towards free floor; a unit vector.
     normal: [f32; 2],
-    /// How far the robot had driven when it found it, m.
+    /// Distance driven when it was found, m.
     found: f32,
 }
 
@@ -30,12 +30,12 @@ pub(super) struct BoundaryPatch {
 #[derive(Debug, Clone)]
 pub(super) struct BoundaryPatches(TiledLayer<BoundaryPatch>);
 
-/// A patch as the filter takes it.
+/// A patch in the form for the filter.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FlatPatch {
     pub point: Point,
     pub normal: Vector,
-    /// How far the robot had driven when it found it, m.
+    /// Distance driven when it was found, m.
     pub found: f64,
 }
 
@@ -44,7 +44,7 @@ impl BoundaryPatches {
         Self(TiledLayer::new())
     }
 
-    /// Notes a point with its normal, found after so many metres.
+    /// Adds a point with its normal, found after a distance in metres.
     pub fn add(&mut self, point: Point, normal: Vector, way: f64) {
         let cell = Cell::at(point, SIDE);
         let offset = point - cell.centre(SIDE);
@@ -57,7 +57,7 @@ impl BoundaryPatches {
             }
             let agree = f64::from(old.normal[0] * normal[0] + old.normal[1] * normal[1]);
             if agree < SAME {
-                // The edge of something: whichever is known better.
+                // An edge of an object: the better known patch is kept.
                 let weaker = BoundaryPatch { weight: old.weight - 0.5 * weight, ..old };
                 return if weaker.weight > 0.0 { weaker } else { fresh };
             }
@@ -74,9 +74,9 @@ impl BoundaryPatches {
         });
     }
 
-    /// The patch that a point seen there belongs to best, if any lies within `reach` cells: the one whose surface is
-    /// nearest, among those beside the point and not along the surface from it. `facing` is the point's normal, or
-    /// roughly the direction that it was seen from; only patches whose normal is within that cosine of it are asked.
+    /// The best patch for an observed point within `reach` cells: the one with the nearest surface, among those beside
+    /// the point rather than along the surface from it. `facing` is the point's normal, or about the direction from
+    /// which it was observed; only patches whose normal is within that cosine of it are considered.
     pub fn nearest(&self, point: Point, facing: Vector, cosine: f64, reach: i32) -> Option<FlatPatch> {
         let cell = Cell::at(point, SIDE);
         let mut best: Option<(f64, FlatPatch)> = None;
@@ -107,7 +107,7 @@ impl BoundaryPatches {
         best.map(|(_, surface)| surface)
     }
 
-    /// Roughly the memory that it takes, bytes.
+    /// Approximate memory, bytes.
     pub fn bytes(&self) -> usize {
         self.0.bytes()
     }

@@ -7,7 +7,7 @@ use std::sync::Arc;
 const SIDE: i32 = 1 << SHIFT;
 const SHIFT: u32 = 5;
 
-/// A value for every cell of the plane, the default where none was ever set.
+/// A value for every cell of the plane, by default `T::default()`.
 ///
 /// Clones share their tiles until one of them changes: a copy costs no more than the list of tiles, so that every particle of
 /// a filter and every key frame of a recording can have a map of its own.
@@ -32,7 +32,7 @@ impl<T: Copy + Default + PartialEq> TiledLayer<T> {
         self.tile(cell).and_then(|index| self.tiles[index].as_deref()).map_or(T::default(), |tile| tile[within(cell)])
     }
 
-    /// Sets the value of a cell to what `change` makes of it.
+    /// Sets the value of a cell to the result of `change`.
     pub fn update(&mut self, cell: Cell, change: impl FnOnce(T) -> T) {
         let before = self.get(cell);
         let after = change(before);
@@ -64,7 +64,7 @@ impl<T: Copy + Default + PartialEq> TiledLayer<T> {
         )
     }
 
-    /// Roughly the memory that it takes if it shares nothing, bytes.
+    /// Approximate memory if nothing is shared, bytes.
     pub fn bytes(&self) -> usize {
         let tiles = self.tiles.iter().flatten().count();
         self.tiles.len() * size_of::<Option<Arc<[T]>>>() + tiles * (SIDE * SIDE) as usize * size_of::<T>()

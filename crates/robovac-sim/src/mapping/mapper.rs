@@ -1,7 +1,7 @@
 //! Builds the map and estimates the robot's pose on it.
 
 use super::{
-    Mark, Marks, OccupancyMap, PoseCovariance,
+    CellMark, Marks, OccupancyMap, PoseCovariance,
     memo::ReadingMemory,
     multiscan::Multiscan,
     observation::SensorModel,
@@ -19,42 +19,43 @@ use robovac_core::{
 
 /// Stream of its random numbers.
 const STREAM: u64 = 60;
-/// Dirt sensor values up to this are the brush's own noise (ours).
+/// Dirt sensor values up to this are noise of the brush (ours).
 const DIRTY: u8 = 24;
-/// Poses that represent its estimate.
+/// Number of poses that represent its estimate.
 const PARTICLES: usize = 24;
-/// Way and turn after which the pose is corrected, m and rad (ours: as long as odometry is good to a few millimetres).
+/// Distance and turn between two corrections, m and rad (ours: as long as odometry is accurate to a few millimetres).
 const STRETCH: (f64, f64) = (0.5, 1.6);
-/// Readings after which a bumper that is pressed again is a new contact: switches bounce.
+/// Readings after which another press of the bumper is a new contact, as switches bounce.
 const BOUNCE: u32 = 10;
-/// What a robot that was picked up may have been moved by, as a standard deviation: m and rad.
+/// Possible displacement of a robot that was picked up, as a standard deviation: m and rad.
 const LIFTED: (f64, f64) = (1.0, 1.8);
-/// How exactly a dock is met again, as a standard deviation: m and rad; and the way after which it counts as again, m (ours).
+/// Accuracy of a dock's position, as a standard deviation: m and rad; and the least distance driven before it is met
+/// again, m (ours).
 const DOCK: [f64; 2] = [0.01, 0.03];
 const UNDOCKED: f64 = 0.5;
-/// Ways after which all readings are gone over again, m, and how much less sure the filter then is of the wheels than it was:
-/// it is to hear the same evidence twice (ours).
+/// Distances driven after which all readings are processed again, m, and factor by which the filter's uncertainty of
+/// the wheels is increased before, as it gets the same evidence twice (ours).
 const LOOKS: [f64; 3] = [10.0, 25.0, 60.0];
 const AGAIN: f64 = 3.0;
 
-/// Side of the map's cells, m (ours: half of the thesis', which are as wide as a shoe).
+/// Side of the map's cells, m (ours: half of the thesis').
 pub const RESOLUTION: f64 = 0.05;
 
-/// How a mapper keeps track of the robot.
+/// How a mapper tracks the robot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Tracking {
     /// By wheel counts alone.
     Odometry,
-    /// By wheel counts, corrected by what bumper and light bumper meet.
+    /// By wheel counts, corrected by contacts and the light bumper.
     #[default]
     Corrected,
 }
 
 impl Tracking {
-    /// All ways, with their names in links and on the command line.
+    /// All kinds, with their names in links and on the command line.
     pub const ALL: [(Self, &'static str); 2] = [(Self::Odometry, "odometry"), (Self::Corrected, "corrected")];
 
-    /// The way of that name.
+    /// The kind of that name.
     pub fn parse(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|(_, n)| *n == name).map(|(way, _)| way)
     }
@@ -65,28 +66,28 @@ impl Tracking {
     }
 }
 
-/// What a mapper is made from.
+/// Parameters of a mapper.
 #[derive(Debug, Clone)]
 pub struct MapperSetup {
-    /// The robot that carries it.
+    /// The robot.
     pub robot: RobotModel,
-    /// Where it stands, in the frame that the map is to have.
+    /// Its start, in the frame that the map is to have.
     pub start: Pose,
-    /// How it keeps track.
+    /// How it tracks the robot.
     pub tracking: Tracking,
-    /// How wheel counts become motion.
+    /// How wheel counts are converted to motion.
     pub odometry: OdometryModel,
     /// Seed of its random numbers.
     pub seed: u64,
 }
 
-/// Makes a map of what a robot meets, and keeps track of the robot on it.
+/// Makes a map from a robot's readings, and tracks the robot on it.
 #[derive(Debug, Clone)]
 pub struct Mapper {
     setup: MapperSetup,
     sensors: SensorModel,
     rolling: Rolling,
-    /// The way since the last correction, and what was seen on it.
+    /// Motion and observations since the last correction.
     way: Reckoning,
     scan: Multiscan,
     ekf: PoseEkf,
@@ -96,17 +97,16 @@ pub struct Mapper {
     untouched: u32,
     is_lifted: bool,
     is_lost: bool,
-    /// Way since the start, and how long it was when the robot stood on its dock last; no dock counts if it didn't start on
-    /// one. m.
+    /// Distance driven since the start, and at the last visit to the dock, m; no dock counts if it didn't start on one.
     travelled: f64,
     docked: Option<f64>,
-    /// Readings so far, as long as they may be looked at again, and how often they have been.
+    /// Readings so far, while they can be processed again, and how often they have been.
     memory: Option<ReadingMemory>,
     looks: usize,
 }
 
 impl Mapper {
-    /// Nothing known but where it starts.
+    /// A mapper that knows only its start.
     pub fn new(setup: MapperSetup) -> Self {
         Self {
             sensors: SensorModel::new(&setup.robot),
@@ -127,8 +127,8 @@ impl Mapper {
         }
     }
 
-    /// The same with a map that was made before, on which it has yet to find itself: until [`Mapper::relocate`], it is lost. What
-    /// corrects its pose then is what it meets from there on, as that is kept finer than the cells of a map.
+    /// The same with an existing map, on which it must relocalise: it is lost until [`Mapper::relocate`]. From then on
+    /// its pose is corrected by new observations, which are stored at a finer resolution than the cells of a map.
     pub fn knowing(mut self, map: OccupancyMap, marks: Marks) -> Self {
         (self.map, self.marks) = (map, marks);
         (self.memory, self.is_lost) = (None, true);
@@ -146,7 +146,7 @@ impl Mapper {
         }
     }
 
-    /// Lets go of where it was: it is at `pose` now, as sure of it as `spread` says. The map is kept.
+    /// Sets the pose to `pose`, with the uncertainty `spread`. The map is kept.
     pub fn relocate(&mut self, pose: Pose, spread: &PoseCovariance) {
         self.memory = None;
         self.ekf.relocate(pose, spread);
@@ -154,18 +154,18 @@ impl Mapper {
         self.is_lost = false;
     }
 
-    /// Whether it was picked up and hasn't been told since where it is. Until [`Mapper::relocate`] does, the map is left
-    /// alone. By odometry alone it never knows.
+    /// Whether it was picked up and not relocalised since. Until [`Mapper::relocate`] the map doesn't change. Always
+    /// false with odometry alone.
     pub fn is_lost(&self) -> bool {
         self.is_lost
     }
 
-    /// Whether it stood on a dock before it had gone anywhere.
+    /// Whether it stood on a dock before it first moved.
     pub fn began_on_dock(&self) -> bool {
         self.docked.is_some()
     }
 
-    /// What it is made from.
+    /// Its parameters.
     pub fn setup(&self) -> &MapperSetup {
         &self.setup
     }
@@ -175,7 +175,7 @@ impl Mapper {
         self.ekf.after(&self.way)
     }
 
-    /// How sure it is of that.
+    /// Covariance of the pose.
     pub fn pose_covariance(&self) -> PoseCovariance {
         let covariance = self.covariance();
         let variance = |i: usize| covariance[(i, i)].max(0.0);
@@ -185,8 +185,8 @@ impl Mapper {
         }
     }
 
-    /// Poses that it holds possible, with their weights, which add up to 1: drawn from its estimate, always in the same
-    /// way, so that they move as that does.
+    /// Possible poses with their weights, which add up to 1: drawn from its estimate with fixed random numbers, so that
+    /// they move with the estimate.
     pub fn particles(&self) -> Vec<(Pose, f64)> {
         let (pose, weight) = (self.pose(), 1.0 / PARTICLES as f64);
         let covariance = self.covariance() + Matrix3::identity() * 1e-12;
@@ -204,19 +204,19 @@ impl Mapper {
         &self.map
     }
 
-    /// What was cleaned, and where dirt was found.
+    /// Cleaned floor, and places where dirt was found.
     pub fn marks(&self) -> &Marks {
         &self.marks
     }
 
-    /// What the wheels are taken for: right wheel's size less the left one's, and the wheel base less the nominal one,
+    /// Estimated errors of the wheels: right wheel's size less the left one's, and the wheel base less the nominal one,
     /// both as shares.
     pub fn wheels(&self) -> [f64; 2] {
         let wheels = self.ekf.wheels();
         [wheels.unequal, wheels.base]
     }
 
-    /// Roughly the memory that it takes, bytes.
+    /// Approximate memory, bytes.
     pub fn bytes(&self) -> usize {
         let memory = self.memory.as_ref().map_or(0, ReadingMemory::bytes);
         self.ekf.bytes() + self.map.bytes() + self.marks.bytes() + memory
@@ -246,15 +246,15 @@ impl Mapper {
         }
         let mut seen = self.sensors.observe(sensed);
         if !is_new_contact {
-            // It slides along what it touched.
+            // It slides along the obstacle.
             seen.contact = None;
         }
         let pose = self.pose();
         paint(&mut self.map, pose, &seen, &self.sensors);
         let radius = 0.5 * self.setup.robot.tool_width;
-        self.marks.note(pose.position(), radius, Mark::Cleaned);
+        self.marks.note(pose.position(), radius, CellMark::Cleaned);
         if sensed.dirt > DIRTY {
-            self.marks.note(pose.position(), radius, Mark::Dirty);
+            self.marks.note(pose.position(), radius, CellMark::Dirty);
         }
         if !corrects {
             return;
@@ -265,7 +265,7 @@ impl Mapper {
         }
     }
 
-    /// Ends the stretch: looks at what was seen from its end.
+    /// Ends the stretch: corrects the pose by its observations.
     fn correct(&mut self) {
         self.way.settle();
         let features = std::mem::take(&mut self.scan).features(&self.way, &self.sensors);
@@ -276,7 +276,7 @@ impl Mapper {
         self.begin_stretch();
     }
 
-    /// It stands on its dock. If it began there, that is where it is.
+    /// It is on its dock, whose pose is known if it began there.
     fn dock(&mut self) {
         let travelled = self.travelled + self.way.way;
         let is_again = self.docked.is_some_and(|last| travelled - last > UNDOCKED);
@@ -289,7 +289,7 @@ impl Mapper {
         }
     }
 
-    /// It was picked up and stands again, somewhere.
+    /// It was picked up and put down at an unknown place.
     fn put_down(&mut self) {
         self.is_lifted = false;
         self.is_lost = self.setup.tracking == Tracking::Corrected;
@@ -306,7 +306,7 @@ impl Mapper {
         self.scan = Multiscan::default();
     }
 
-    /// Goes over all readings again with what is known of the wheels by now.
+    /// Processes all readings again with the present estimate of the wheels.
     fn look_again(&mut self) {
         let Some(memory) = self.memory.take() else { return };
         let mut fresh = Self::new(self.setup.clone());

@@ -3,16 +3,16 @@
 use super::TiledLayer;
 use robovac_core::{geometry::Point, grid::Cell};
 
-/// What can be noted of a cell.
+/// A state of a cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Mark {
-    /// The brush went over its middle.
+pub enum CellMark {
+    /// The brush passed over its centre.
     Cleaned = 1,
-    /// The dirt sensor spoke while it did.
+    /// The dirt sensor responded there.
     Dirty = 2,
 }
 
-/// Notes on cells of the map, at the poses that the robot believed in when it made them.
+/// States of map cells, at the robot's estimated poses.
 #[derive(Debug, Clone)]
 pub struct Marks {
     resolution: f64,
@@ -20,7 +20,7 @@ pub struct Marks {
 }
 
 impl Marks {
-    /// No notes; cells of `resolution` metres.
+    /// No states; cells of `resolution` metres.
     pub fn new(resolution: f64) -> Self {
         Self { resolution, noted: TiledLayer::new() }
     }
@@ -30,8 +30,8 @@ impl Marks {
         self.resolution
     }
 
-    /// Notes something on all cells whose middles lie within `radius` metres of `point`.
-    pub fn note(&mut self, point: Point, radius: f64, mark: Mark) {
+    /// Sets a state for all cells whose centres lie within `radius` metres of `point`.
+    pub fn note(&mut self, point: Point, radius: f64, mark: CellMark) {
         let reach = (radius / self.resolution).ceil() as i32;
         let middle = Cell::at(point, self.resolution);
         for y in middle.y - reach..=middle.y + reach {
@@ -44,18 +44,18 @@ impl Marks {
         }
     }
 
-    /// Whether that was noted of a cell.
+    /// Whether a cell has a state.
     #[inline]
-    pub fn has(&self, cell: Cell, mark: Mark) -> bool {
+    pub fn has(&self, cell: Cell, mark: CellMark) -> bool {
         self.noted.get(cell) & mark as u8 != 0
     }
 
-    /// Cells of which that was noted.
-    pub fn cells(&self, mark: Mark) -> impl Iterator<Item = Cell> {
+    /// Cells with a state.
+    pub fn cells(&self, mark: CellMark) -> impl Iterator<Item = Cell> {
         self.noted.iter().filter(move |(_, bits)| bits & mark as u8 != 0).map(|(cell, _)| cell)
     }
 
-    /// Roughly the memory that they take, bytes.
+    /// Approximate memory, bytes.
     pub fn bytes(&self) -> usize {
         self.noted.bytes()
     }

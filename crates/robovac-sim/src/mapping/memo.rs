@@ -1,16 +1,16 @@
 //! The first readings, kept to be processed again.
 //!
-//! What the wheels are really like shows after some metres along walls; until then the heading drifts by a degree every few
-//! metres, and all that is mapped later hangs on what was mapped then. So the filter goes over its first readings again
-//! once it knows the wheels.
+//! The errors of the wheels can be estimated after some metres along walls; until then the heading drifts by a degree
+//! every few metres, which affects all later mapping. So the filter processes its first readings again once it knows
+//! the wheels.
 
 use robovac_core::robot::{BatteryReading, DistanceAngle, SensorReadings};
 use std::sync::Arc;
 
-/// Readings of one piece of the list.
+/// Readings per piece of the list.
 const PIECE: usize = 512;
 
-/// What the filter takes of a reading.
+/// The parts of a reading that the filter uses.
 #[derive(Debug, Clone, Copy)]
 struct Memo {
     counts: [u16; 3],
@@ -22,7 +22,7 @@ struct Memo {
     dirt: u8,
 }
 
-/// A list of readings whose copies share what is complete.
+/// A list of readings whose copies share complete pieces.
 #[derive(Debug, Clone, Default)]
 pub(super) struct ReadingMemory {
     complete: Vec<Arc<[Memo]>>,

@@ -1,10 +1,10 @@
 //! A multiscan: observations combined over a stretch of the path.
 //!
-//! Six short-range beams see too little at once to localise the robot. Beevers & Huang (2006, SLAM with
-//! sparse sensing, ICRA) gather such readings over a stretch of the way, as long as odometry can be trusted, and take
-//! them for one scan with lines in it. So does this. How far an echo comes from depends on the angle at which the light
-//! meets the surface, which a line tells: so a line is tried with the distances that it implies, and the one that explains
-//! most echoes is taken, then the next (RANSAC, Fischler & Bolles 1981, with pairs picked in turn and not at random).
+//! Six short-range beams see too little at once to localise the robot. Beevers & Huang (2006, SLAM with sparse sensing,
+//! ICRA) gather such readings over a stretch of the way, as long as odometry is accurate, and extract lines from them
+//! as from one scan. So does this module. The distance of an echo depends on the angle of incidence, which a line
+//! determines: so each line is tried with the distances that it implies, and the one that explains most echoes is
+//! chosen, then the next (RANSAC, Fischler & Bolles 1981, with pairs picked in turn and not at random).
 
 use super::{
     observation::{BEAMS, COSINE, ContactPoint, Observation, REFLECTANCE, SensorModel},
@@ -35,31 +35,31 @@ const LINE: f64 = 0.06;
 const WALL: f64 = 0.2;
 /// Least cosine of the angle at which light meets a line.
 const STEEP: f64 = 0.3;
-/// What a wall's direction is uncertain by in any case, rad: the way while it was measured wasn't quite straight.
+/// Least uncertainty of a wall's direction, rad, as the way along it isn't quite straight.
 const WALL_DEVIATION: f64 = 0.004;
 /// Distance of a sensor's source behind the body's edge, m, as in the law of light.
 const SOURCE: f64 = 0.017;
 
-/// A beam's echo, and where the robot was then.
+/// A beam's echo, and the robot's pose at the time.
 #[derive(Debug, Clone, Copy)]
 struct Sighting {
     light: f64,
-    /// Where the beam leaves the body, and its direction.
+    /// Start of the beam on the body's edge, and its direction.
     edge: Point,
     sight: Vector,
-    /// Distance if nothing is known of the surface, m.
+    /// Distance without knowledge of the surface, m.
     distance: f64,
     deviation: f64,
 }
 
-/// What was seen since the stretch began, in the frame of that place.
+/// Observations since the start of the stretch, in the frame of its first pose.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Multiscan {
     sightings: Vec<Sighting>,
     contacts: Vec<(Pose, ContactPoint)>,
 }
 
-/// A point of a boundary, as seen from where the stretch ended.
+/// A point of a boundary, in the frame of the end of the stretch.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct BoundaryPoint {
     pub at: Point,
@@ -67,7 +67,7 @@ pub(super) struct BoundaryPoint {
     pub normal: Vector,
     /// Whether the normal is that of the surface, or just the direction from which it was seen.
     pub is_oriented: bool,
-    /// Standard deviation along the normal that is its own, and that it shares with the others of its group, m.
+    /// Standard deviations along the normal: its own, and the one shared with its group, m.
     pub own: f64,
     pub shared: f64,
     /// Points of one line have the same number.
@@ -77,11 +77,11 @@ pub(super) struct BoundaryPoint {
 /// A straight wall.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct WallLine {
-    /// Direction as seen from where the stretch ended, rad; there is no telling it from the opposite one.
+    /// Direction in the frame of the end of the stretch, rad; ambiguous by half a turn.
     pub direction: f64,
-    /// rad.
+    /// Its standard deviation, rad.
     pub deviation: f64,
-    /// m.
+    /// Length, m.
     pub length: f64,
 }
 
@@ -93,7 +93,7 @@ pub(super) struct Features {
 }
 
 impl Multiscan {
-    /// Notes what was seen from that place.
+    /// Adds the observations at a pose.
     pub fn add(&mut self, from: Pose, seen: &Observation, sensors: &SensorModel) {
         for (beam, echo) in seen.echoes.iter().enumerate().take(BEAMS) {
             let Some(echo) = echo.filter(|echo| echo.distance < FAR) else { continue };
@@ -109,7 +109,7 @@ impl Multiscan {
         self.contacts.extend(seen.contact.map(|contact| (from, contact)));
     }
 
-    /// Points and walls, as seen from where `way` ends.
+    /// Points and walls, in the frame of the end of `way`.
     pub fn features(mut self, way: &Reckoning, sensors: &SensorModel) -> Features {
         let mut features = Features::default();
         let mut lines: Vec<StraightLine> = Vec::new();
@@ -134,7 +134,7 @@ impl Multiscan {
         features
     }
 
-    /// The line that explains most of what was seen.
+    /// The line that explains most observations.
     fn find_line(&self, sensors: &SensorModel) -> Option<StraightLine> {
         let seen = &self.sightings;
         if seen.len() < LEAST_ECHOES {
@@ -189,7 +189,7 @@ impl Features {
         self.points.extend(points);
     }
 
-    /// What belongs to no line: only what is near enough to be known well, and one for all in a place.
+    /// Adds points without a line: only those near enough to be accurate, and one per place.
     fn add_lone(&mut self, seen: &[Sighting]) {
         let mut near: Vec<&Sighting> = seen.iter().filter(|s| s.distance < NEAR).collect();
         near.sort_by(|a, b| a.distance.total_cmp(&b.distance));
@@ -206,7 +206,7 @@ impl Features {
         }
     }
 
-    /// Where the body was touched. If that was by a line, the line tells the direction.
+    /// Adds a contact. The direction is that of a line, if there is one.
     fn add_contact(&mut self, from: Pose, contact: ContactPoint, lines: &[StraightLine], radius: f64) {
         let direction = from.heading + contact.direction;
         let by_line = lines.iter().find(|line| {
@@ -229,7 +229,7 @@ impl Features {
 }
 
 impl Sighting {
-    /// Distance if the light met the surface at an angle with that cosine; near enough for a first look.
+    /// Distance for an angle of incidence with that cosine; near enough for a first estimate.
     #[inline]
     fn distance_at(&self, cosine: f64) -> f64 {
         (self.distance + SOURCE) * (cosine / COSINE.0).sqrt() - SOURCE
@@ -246,11 +246,11 @@ struct StraightLine {
     middle: Point,
     /// Unit vector towards the robot.
     normal: Vector,
-    /// From end to end, m; 0 as long as it is only tried.
+    /// From end to end, m; 0 while it is being tried.
     length: f64,
     /// Root mean square of its points' distances, m.
     off: f64,
-    /// What the unknown reflectance may turn it by, rad.
+    /// Possible error of its direction due to the unknown reflectance, rad.
     tilt: f64,
 }
 
@@ -274,7 +274,7 @@ impl StraightLine {
         line
     }
 
-    /// With the least sum of squared distances from echoes; `before` tells at which angles they met it.
+    /// The least-squares line of echoes; `before` gives their angles of incidence.
     fn through(seen: &[Sighting], before: &Self, sensors: &SensorModel) -> Option<Self> {
         let mut points = Vec::with_capacity(seen.len());
         for sighting in seen {

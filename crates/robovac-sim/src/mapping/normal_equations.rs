@@ -11,7 +11,7 @@ pub(super) struct NormalEquations {
     pub gradient: Vector6<f64>,
 }
 
-/// Residuals of the pose with an error in common: points of one wall are all nearer or all farther than they seem.
+/// Residuals of the pose with a common error: points of one wall are all nearer or all farther than they seem.
 #[derive(Debug, Default)]
 pub(super) struct Group {
     information: Matrix3<f64>,
@@ -22,13 +22,13 @@ pub(super) struct Group {
     weight: f64,
     /// Variance of the error in common.
     shared: f64,
-    /// Sum of how much is news, and number of points that it is of.
+    /// Sum of the shares of new information, and number of points.
     news: f64,
     count: f64,
 }
 
 impl NormalEquations {
-    /// Whether nothing was said.
+    /// Whether there are no observations.
     pub fn is_empty(&self) -> bool {
         self.information == Matrix6::zeros()
     }
@@ -39,7 +39,8 @@ impl NormalEquations {
         self.gradient += row * (off * weight);
     }
 
-    /// The error in common is integrated out (Sherman & Morrison's formula); of the rest counts what is news.
+    /// Adds a group. The common error is integrated out (Sherman & Morrison's formula); the rest counts by its new
+    /// information.
     pub fn add_group(&mut self, group: &Group) {
         if group.weight == 0.0 {
             return;
@@ -56,7 +57,7 @@ impl NormalEquations {
 }
 
 impl Group {
-    /// A residual with the variance `shared` in common with the others; `news` is the share of it that counts.
+    /// Adds a residual with the common variance `shared`; `news` is the share of it that counts.
     pub fn add(&mut self, row: &Vector3<f64>, off: f64, weight: f64, shared: f64, news: f64) {
         self.information += row * row.transpose() * weight;
         self.gradient += row * (off * weight);

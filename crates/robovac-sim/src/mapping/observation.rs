@@ -1,12 +1,13 @@
 //! The sensor model: from a reading to observations in the robot's frame.
 //!
-//! - A *beam* of the light bumper measures a distance, by the law of [`robovac_core::robot::light_at`]. How much of the light
-//!   a surface sends back isn't known: reflectances of 0.6 to 1 and the cosine at which the light meets it. So the distance
-//!   from the sensor's source is uncertain by a share, which the filter makes smaller once it knows the wall's direction.
+//! - A *beam* of the light bumper measures a distance, by the law of [`robovac_core::robot::light_at`]. The share of
+//!   reflected light isn't known: it depends on reflectances of 0.6 to 1 and the cosine of incidence. So the distance
+//!   from the sensor's source is uncertain by a share, which the filter makes smaller once it knows the wall's
+//!   direction.
 //! - A *contact* touches the body in the direction of the switches: the left half, the right half, or both, which is
-//!   within the angle of the model. Where there is a light bumper, a straight wall that touches the body in a certain
-//!   direction sends back certain amounts to the beams beside it; the direction that explains them best is taken.
-//! - *Nothing seen* says that there is no obstacle within range.
+//!   within the angle of the model. With a light bumper, a straight wall that touches the body in a certain direction
+//!   returns certain amounts of light to the beams beside it; the direction that explains them best is chosen.
+//! - *No echo* means that there is no obstacle within range.
 
 use robovac_core::{
     geometry::{Point, Vector},
@@ -16,31 +17,32 @@ use robovac_core::{
 
 /// Beams of a light bumper.
 pub const BEAMS: usize = 6;
-/// Signal with nothing there: the middle of a Roomba's 2 to 32 (Open Interface facts, section 6).
+/// Signal without an obstacle: the middle of a Roomba's 2 to 32 (Open Interface facts, section 6).
 const IDLE: f64 = 17.0;
-/// Least signal above that which counts as an echo (ours: seven times the standard deviation of what is read idly).
+/// Least signal above that which counts as an echo (ours: seven times the standard deviation of idle readings).
 const LEAST: f64 = 65.0;
-/// Reflectance that is expected, and its uncertainty as a share (ours: between dark furniture and white walls).
+/// Expected reflectance, and its relative uncertainty (ours: between dark furniture and white walls).
 pub const REFLECTANCE: (f64, f64) = (0.92, 0.15);
-/// Cosine that is expected, and its uncertainty, where the direction of the surface isn't known (ours).
+/// Expected cosine, and its uncertainty, for an unknown direction of the surface (ours).
 pub const COSINE: (f64, f64) = (0.88, 0.15);
-/// Distance that a beam certainly sees, m: what a dark surface at 60 degrees sends back from there is an echo.
+/// Distance within which a beam certainly detects obstacles, m: a dark surface at 60 degrees is still an echo there.
 const SEEN: f64 = 0.08;
-/// Directions of a contact that are tried, rad apart.
+/// Step between tried directions of a contact, rad.
 const TRIES: f64 = 0.05;
-/// Direction of a contact beyond which a robot that pushes ahead makes progress, rad: it slides by the sine of that, and the
-/// castor takes less than three tenths for nothing.
+/// Direction of a contact beyond which a robot that pushes ahead still moves, rad: it slides by the sine of that, and
+/// the castor reports motion from three tenths on.
 const SLIDES: f64 = 0.3;
-/// Difference of the wheels' ways in a reading from which a robot curves, m, and where it then touches what it curves around,
-/// as a share of the bumper's half arc (ours, measured: a robot that follows walls goes on at 93 % of what its wheels roll).
+/// Least difference of the wheels' distances in a reading that counts as a curve, m, and the direction of the contact
+/// with the obstacle inside the curve, as a share of the bumper's half arc (ours, measured: a robot that follows walls
+/// moves by 93 % of the distance rolled).
 const AROUND: (f64, f64) = (0.0005, 0.85);
 /// Uncertainty of a contact's direction found by light, rad (ours).
 const BY_LIGHT: f64 = 0.1;
 
-/// Something that a beam sees.
+/// An echo of a beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Echo {
-    /// Light above what is read idly.
+    /// Light above the idle signal.
     pub light: f64,
     /// Distance from the body's edge along the beam, m.
     pub distance: f64,
@@ -48,7 +50,7 @@ pub struct Echo {
     pub deviation: f64,
 }
 
-/// Something that the body touches.
+/// A contact of the body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactPoint {
     /// Direction from the body's origin, rad.
@@ -57,12 +59,12 @@ pub struct ContactPoint {
     pub deviation: f64,
 }
 
-/// What a reading says.
+/// The observations of a reading.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Observation {
-    /// What the beams see, from left to right.
+    /// Echoes of the beams, from left to right.
     pub echoes: [Option<Echo>; BEAMS],
-    /// What is touched.
+    /// The contact, if any.
     pub contact: Option<ContactPoint>,
 }
 
@@ -78,7 +80,8 @@ pub struct SensorModel {
 struct Light {
     bumper: LightBumper,
     directions: [Vector; BEAMS],
-    /// For directions of a contact from -half arc upwards, [`TRIES`] apart: square roots of the signals of a straight wall.
+    /// For directions of a contact from -half arc upwards, in steps of [`TRIES`]: square roots of the signals of a
+    /// straight wall.
     walls: Vec<[f64; BEAMS]>,
 }
 
@@ -98,7 +101,7 @@ impl SensorModel {
         Self { radius: robot.radius, bumper, light }
     }
 
-    /// What a reading says.
+    /// The observations of a reading.
     pub fn observe(&self, sensed: &SensorReadings) -> Observation {
         let mut echoes = [None; BEAMS];
         if self.light.is_some() {
@@ -110,8 +113,8 @@ impl SensorModel {
         Observation { echoes, contact: self.contact(sensed, false) }
     }
 
-    /// What is touched; much quicker than all of [`SensorModel::observe`]. `pushes` says whether the wheels roll ahead: then
-    /// the castor tells whether the body slides along what it touches or stands.
+    /// The contact of a reading; much faster than [`SensorModel::observe`]. `pushes` is whether the wheels roll ahead:
+    /// then the castor shows whether the body slides along the obstacle or stands.
     pub fn contact(&self, sensed: &SensorReadings, pushes: bool) -> Option<ContactPoint> {
         let [half_arc, both_within] = self.bumper?;
         let (least, most) = match (sensed.bump_left, sensed.bump_right) {
@@ -120,7 +123,7 @@ impl SensorModel {
             (true, false) => (both_within, half_arc),
             (false, true) => (-half_arc, -both_within),
         };
-        // Where it stands still although it pushes, or slides.
+        // Directions in which it would stand although it pushes, or slide.
         let (least, most) = match (pushes, sensed.stasis) {
             (true, true) if least.abs() < SLIDES && most > 0.0 && least >= 0.0 => (SLIDES.max(least), most),
             (true, true) if most.abs() < SLIDES && least < 0.0 && most <= 0.0 => (least, (-SLIDES).min(most)),
@@ -132,13 +135,13 @@ impl SensorModel {
         let Some(light) = &self.light else { return Some(by_switches) };
         let roots = sensed.light_signal.map(|signal| (f64::from(signal) - IDLE).max(0.0).sqrt());
         let brightest = roots.iter().copied().fold(0.0, f64::max);
-        // Something too narrow for the beams.
+        // An obstacle too narrow for the beams.
         if brightest < 20.0 {
             return Some(by_switches);
         }
         let misfit = |wall: &[f64; BEAMS]| wall.iter().zip(&roots).map(|(a, b)| (a - b) * (a - b)).sum::<f64>();
         let direction = |i: usize| TRIES * i as f64 - half_arc;
-        // A bit beyond, as switches bounce.
+        // With a margin, as switches bounce.
         let within = |i: usize| {
             let slides = direction(i).abs() > SLIDES;
             (least - 0.15..=most + 0.15).contains(&direction(i)) && (!pushes || slides == sensed.stasis)
@@ -146,14 +149,14 @@ impl SensorModel {
         let tries = light.walls.iter().enumerate().filter(|&(i, _)| within(i)).map(|(i, wall)| (i, misfit(wall)));
         let best = tries.min_by(|a, b| a.1.total_cmp(&b.1));
         let Some((best, misfit)) = best else { return Some(by_switches) };
-        // What explains less than nine tenths is no straight wall.
+        // With less than nine tenths explained it isn't a straight wall.
         let total: f64 = roots.iter().map(|root| root * root).sum();
         let deviation = if misfit < 0.1 * total { BY_LIGHT } else { 0.3 };
         Some(ContactPoint { direction: direction(best), deviation: deviation.min(by_switches.deviation) })
     }
 
-    /// What is known better of a contact from the way that the robot drives, where the right wheel rolls so much more than
-    /// the left one, m: along an edge or a leg that it curves around, it goes on.
+    /// A contact corrected by the robot's motion, where the right wheel rolls so much more than the left one, m: a
+    /// robot that curves around an edge or a leg keeps moving.
     pub(super) fn aside(&self, contact: ContactPoint, curve: f64) -> ContactPoint {
         let half_arc = self.bumper.map_or(0.0, |[half_arc, _]| half_arc);
         let is_around = curve * contact.direction > 0.0 && curve.abs() > AROUND.0;
@@ -163,19 +166,19 @@ impl SensorModel {
         ContactPoint { direction: (AROUND.1 * half_arc).copysign(contact.direction), ..contact }
     }
 
-    /// The distance of what sends back so much light, if the light meets it at an angle whose cosine is known up to
-    /// `uncertain`; `None` without a light bumper.
+    /// The distance of an obstacle that returns so much light at an angle whose cosine is known up to `uncertain`;
+    /// `None` without a light bumper.
     pub fn echo(&self, light: f64, cosine: f64, uncertain: f64) -> Option<Echo> {
         let range = self.light.as_ref()?.bumper.range;
         let distance = distance_of_light(light, REFLECTANCE.0 * cosine, range);
         // Light falls with the square of the distance.
         let share = 0.5 * (REFLECTANCE.1 * REFLECTANCE.1 + uncertain * uncertain).sqrt() + 0.02;
-        // Idle values differ by 9.
+        // Idle values have a standard deviation of 9.
         let idle = 0.5 * 9.0 / light.max(9.0);
         Some(Echo { light, distance, deviation: 0.002 + (share + idle) * (distance + 0.017) })
     }
 
-    /// Where a beam is `distance` metres from the body's edge, as seen from the robot.
+    /// Point on a beam at `distance` metres from the body's edge, in the robot's frame.
     #[inline]
     pub fn along(&self, beam: usize, distance: f64) -> Point {
         self.light.as_ref().map_or(Point::origin(), |light| {
@@ -189,7 +192,7 @@ impl SensorModel {
         self.light.as_ref().map_or(Vector::x(), |light| light.directions[beam.min(BEAMS - 1)])
     }
 
-    /// Distance from the body's edge that a beam which sees nothing shows to be free, m; 0 without a light bumper.
+    /// Distance from the body's edge that is free if a beam has no echo, m; 0 without a light bumper.
     pub fn seen(&self) -> f64 {
         self.light.as_ref().map_or(0.0, |light| SEEN.min(0.5 * light.bumper.range))
     }
@@ -200,7 +203,7 @@ impl SensorModel {
     }
 }
 
-/// Square roots of the signals when a straight wall touches the body in that direction.
+/// Square roots of the signals of a straight wall that touches the body in that direction.
 fn touching(light: &LightBumper, radius: f64, direction: f64) -> [f64; BEAMS] {
     light.angles.map(|angle| {
         let cosine = math::cos(angle - direction);
@@ -225,8 +228,8 @@ mod tests {
         (robot, SensorModel::new(robot))
     }
 
-    /// What the simulated sensors read with a straight wall of that reflectance, `gap` metres from the body at the nearest
-    /// point, which is seen in that direction.
+    /// Simulated readings beside a straight wall of that reflectance, `gap` metres from the body at the nearest point,
+    /// which lies in that direction.
     fn beside_a_wall(direction: f64, gap: f64, reflectance: f64) -> SensorReadings {
         let (robot, _) = roomba();
         let light = robot.sensors.light_bumper.unwrap();
@@ -249,7 +252,7 @@ mod tests {
                 let seen = model.observe(&beside_a_wall(angles[2], gap, reflectance));
                 let echo = seen.echoes[2].unwrap();
                 assert!((echo.distance - gap).abs() < 2.5 * echo.deviation, "{gap} m at {reflectance}: {echo:?}");
-                // Once the angle is known, only the reflectance is left.
+                // With a known angle, only the reflectance is uncertain.
                 let better = model.echo(echo.light, 1.0, 0.05).unwrap();
                 assert!(better.deviation < echo.deviation);
                 assert!((better.distance - gap).abs() < 0.2 * (gap + 0.017), "{gap} m at {reflectance}: {better:?}");

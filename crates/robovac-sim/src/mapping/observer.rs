@@ -1,4 +1,4 @@
-//! Maps that are made during a run.
+//! Mapping during a run.
 
 use super::{Mapper, locate::Locator};
 use crate::{
@@ -10,7 +10,7 @@ use robovac_core::{
     robot::{Odometry, OdometryModel, RobotModel, SensorReadings},
 };
 
-/// Makes maps and estimates poses while a robot drives, whoever drives it, and lets it clean by what it has mapped.
+/// Makes maps and estimates poses during a run, independently of its controller, and can clean by its map.
 #[derive(Clone, Default)]
 pub struct MapObserver {
     mapper: Option<Box<Mapper>>,
@@ -20,22 +20,22 @@ pub struct MapObserver {
 }
 
 impl MapObserver {
-    /// Lets the robot make a map. A controller that makes one of its own keeps to that.
+    /// Adds a mapper. A controller with its own mapper uses that.
     pub fn with_mapper(self, mapper: Mapper) -> Self {
         Self { mapper: Some(Box::new(mapper)), ..self }
     }
 
-    /// Lets a second mapper see the same, for comparison: nobody acts on what it believes.
+    /// Adds a second mapper for comparison, which doesn't affect the run.
     pub fn with_baseline(self, mapper: Mapper) -> Self {
         Self { baseline: Some(Box::new(mapper)), ..self }
     }
 
-    /// Lets something look for the robot on a map that it knows.
+    /// Adds a locator on a known map.
     pub fn with_locator(self, locator: Locator) -> Self {
         Self { locator: Some(Box::new(locator)), ..self }
     }
 
-    /// Lets dead reckoning of all ways go along from `start`, for comparison.
+    /// Adds dead reckoning by all models from `start`, for comparison.
     pub fn with_reckoning(self, robot: &RobotModel, start: Pose) -> Self {
         Self { reckoned: OdometryModel::ALL.map(|(model, _)| Odometry::new(robot, model, start)).into(), ..self }
     }
@@ -59,7 +59,7 @@ impl RunObserver for MapObserver {
     }
 
     fn cleaner(&mut self, planner: &'static str, driver: &dyn Controller) -> Option<Box<dyn Controller>> {
-        // What it was given to know counts, whatever the behaviour has mapped since.
+        // A given map takes precedence over the behaviour's own.
         let mut mapper = self.mapper.take().map(|mapper| *mapper).or_else(|| driver.mapper().cloned())?;
         if let Some(locator) = self.locator.take().filter(|locator| locator.is_sure())
             && let Some((pose, spread)) = locator.pose().zip(locator.pose_covariance())
@@ -78,9 +78,9 @@ impl RunObserver for MapObserver {
     }
 }
 
-/// What is known of a run by a [`MapObserver`] that goes along, and by a controller that drives by a map of its own.
+/// The map and estimates of a run with a [`MapObserver`], or with a controller that has a mapper.
 impl Run {
-    /// The map that the robot makes, and its place on it.
+    /// The robot's mapper.
     pub fn mapper(&self) -> Option<&Mapper> {
         self.controller().mapper().or_else(|| self.observer::<MapObserver>()?.mapper.as_deref())
     }
@@ -90,12 +90,12 @@ impl Run {
         self.observer::<MapObserver>()?.baseline.as_deref()
     }
 
-    /// What looks for the robot on a map that it knows.
+    /// The locator on a known map.
     pub fn locator(&self) -> Option<&Locator> {
         self.observer::<MapObserver>()?.locator.as_deref()
     }
 
-    /// How far off the ways of dead reckoning are, in the order of [`OdometryModel::ALL`]: m and rad; empty unless they go along.
+    /// Errors of dead reckoning, in the order of [`OdometryModel::ALL`]: m and rad; empty if not enabled.
     pub fn drifts(&self) -> Vec<[f64; 2]> {
         let truth = self.pose();
         let off =
@@ -104,7 +104,7 @@ impl Run {
         reckoned.iter().map(|odometry| off(odometry.pose())).collect()
     }
 
-    /// What its controller is going for on its map.
+    /// Its controller's goal on its map.
     pub fn intent(&self) -> Option<Intent<'_>> {
         self.controller().intent()
     }

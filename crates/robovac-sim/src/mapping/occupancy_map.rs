@@ -1,4 +1,4 @@
-//! An occupancy grid in log odds that grows as the robot goes.
+//! An occupancy grid in log odds that grows with the robot's motion.
 
 use super::TiledLayer;
 use robovac_core::{
@@ -7,16 +7,16 @@ use robovac_core::{
     grid::{Cell, Grid, Occupancy},
 };
 
-/// Log odds are kept in hundredths.
+/// Log odds are stored in hundredths.
 const UNIT: f64 = 0.01;
-/// Log odds are kept within these: what was seen a hundred times can still change (ours).
+/// Limit of log odds, so that cells observed a hundred times can still change (ours).
 const MOST: i16 = 500;
-/// Log odds above which a cell counts as occupied, and below which as free: probabilities of 0.65 and 0.25, as nav2's
-/// `map_saver` has them.
+/// Log odds above which a cell counts as occupied, and below which as free: probabilities of 0.65 and 0.25, as in
+/// nav2's `map_saver`.
 const OCCUPIED: i16 = 62;
 const FREE: i16 = -110;
 
-/// What is known of every cell of the plane: log odds that it is occupied, 0 where nothing is known.
+/// Log odds of occupation for every cell of the plane, 0 where unknown.
 #[derive(Debug, Clone)]
 pub struct OccupancyMap {
     resolution: f64,
@@ -24,12 +24,12 @@ pub struct OccupancyMap {
 }
 
 impl OccupancyMap {
-    /// Nothing known; cells of `resolution` metres, whose corners lie on multiples of it.
+    /// An unknown map with cells of `resolution` metres, whose corners lie on multiples of it.
     pub fn new(resolution: f64) -> Self {
         Self { resolution, odds: TiledLayer::new() }
     }
 
-    /// A map that knows what `plan` says, with certainty; its lower-left corner becomes the origin.
+    /// The map of `plan`, with certainty; its lower-left corner becomes the origin.
     pub fn of(plan: &FloorPlan) -> Self {
         let mut map = Self::new(plan.resolution);
         for (cell, &occupancy) in plan.occupancy.iter() {
@@ -61,13 +61,13 @@ impl OccupancyMap {
         cell.centre(self.resolution)
     }
 
-    /// Log odds that a cell is occupied: 0 where nothing is known.
+    /// Log odds that a cell is occupied: 0 if unknown.
     #[inline]
     pub fn log_odds(&self, cell: Cell) -> f64 {
         f64::from(self.odds.get(cell)) * UNIT
     }
 
-    /// What the map says of a cell.
+    /// Occupancy of a cell on the map.
     #[inline]
     pub fn occupancy(&self, cell: Cell) -> Occupancy {
         match self.odds.get(cell) {
@@ -77,25 +77,25 @@ impl OccupancyMap {
         }
     }
 
-    /// Adds evidence: log odds that the cell is occupied, given what was seen alone.
+    /// Adds evidence: log odds that the cell is occupied, given the observation alone.
     #[inline]
     pub fn add(&mut self, cell: Cell, log_odds: f64) {
         let change = (log_odds / UNIT) as i16;
         self.odds.update(cell, |odds| (odds + change).clamp(-MOST, MOST));
     }
 
-    /// Lowest and highest cells of an area that holds everything known.
+    /// Lowest and highest cells of an area that contains all known cells.
     pub fn bounds(&self) -> Option<(Cell, Cell)> {
         self.odds.bounds()
     }
 
-    /// Cells of which something is known, with their log odds.
+    /// Known cells with their log odds.
     pub fn iter(&self) -> impl Iterator<Item = (Cell, f64)> {
         self.odds.iter().map(|(cell, odds)| (cell, f64::from(odds) * UNIT))
     }
 
-    /// The map as a floor plan, just large enough for what is known; its `origin` says where its lower-left corner lies in
-    /// the frame of the map. `None` if nothing is known.
+    /// The map as a floor plan, just large enough for the known cells; its `origin` is the position of its lower-left
+    /// corner in the frame of the map. `None` if nothing is known.
     pub fn to_plan(&self, name: &str) -> Option<FloorPlan> {
         let known = || self.odds.iter().filter(|&(cell, _)| self.occupancy(cell) != Occupancy::Unknown);
         let low = known().map(|(cell, _)| cell).reduce(|a, b| Cell::new(a.x.min(b.x), a.y.min(b.y)))?;
@@ -118,7 +118,7 @@ impl OccupancyMap {
         })
     }
 
-    /// Roughly the memory that it takes, bytes.
+    /// Approximate memory, bytes.
     pub fn bytes(&self) -> usize {
         self.odds.bytes()
     }

@@ -1,11 +1,11 @@
 //! The inverse sensor model: log-odds updates of cells by a reading.
 //!
-//! - Floor under the body is free, certainly: the body is there.
-//! - A beam's way up to the echo, or as far as it certainly sees, is free.
-//! - What an echo or a contact comes from is occupied: the cell a centimetre behind the surface, as surfaces often lie
-//!   between two cells. An echo says so the more strongly the nearer it is.
+//! - Floor under the body is certainly free.
+//! - A beam is free up to the echo, or within its certain range.
+//! - The source of an echo or a contact is occupied: the cell a centimetre behind the surface, as surfaces often lie
+//!   between two cells. Nearer echoes are stronger evidence.
 //!
-//! How strongly is ours: three or four sights settle a cell, and what was met by mistake is gone once the body has been
+//! The strengths are ours: three or four observations settle a cell, and errors are removed once the body has been
 //! there.
 
 use super::{
@@ -21,14 +21,14 @@ use robovac_core::{
 /// Log odds of floor under the body, and along a beam.
 const UNDER_BODY: f64 = -0.4;
 const ALONG_BEAM: f64 = -0.12;
-/// Log odds of what is touched, and of an echo from right ahead.
+/// Log odds of a contact, and of an echo from directly ahead.
 const TOUCHED: f64 = 1.2;
 const ECHO: f64 = 0.45;
 /// Farthest echo that makes a cell occupied, m from the body's edge.
 const FAR: f64 = 0.1;
-/// How far behind the surface, m.
+/// Distance behind the surface, m.
 const BEHIND: f64 = 0.012;
-/// What is off by more than this in direction says little about a cell, rad.
+/// Uncertainty of direction above which a contact says little about a cell, rad.
 const VAGUE: f64 = 0.35;
 /// Adds a reading taken at `pose`.
 pub(super) fn paint(map: &mut OccupancyMap, pose: Pose, seen: &Observation, sensors: &SensorModel) {
@@ -65,7 +65,7 @@ pub(super) fn paint(map: &mut OccupancyMap, pose: Pose, seen: &Observation, sens
     }
 }
 
-/// What a beam passes is free; each cell counts once.
+/// Marks the cells along a beam as free, each once.
 fn ray(map: &mut OccupancyMap, from: Point, direction: Vector, length: f64) {
     let step = 0.5 * map.resolution();
     let mut last = None;

@@ -14,22 +14,22 @@ use robovac_core::{
     math::{self, FRAC_PI_2},
 };
 
-/// What the wheels may be off by, as standard deviations: between the simulator's typical robot and its harsh one.
+/// Errors of the wheels, as standard deviations: between the simulator's levels *typical* and *harsh*.
 const UNEQUAL: f64 = 0.003;
 const BASE: f64 = 0.012;
-/// What points of the map are off by: each for itself, and all of one wall together, m (ours).
+/// Errors of points of the map: individual, and common to a wall, m (ours).
 const MAP: (f64, f64) = (0.004, 0.008);
-/// Walls of one room that are meant to be parallel or at right angles are so within this, rad (ours).
+/// Deviation from parallel or right angles of walls of a room, rad (ours).
 const SQUARE: f64 = 0.006;
-/// How much of what a point tells is news, where the map's boundary was just found and where it was found long ago, and what
-/// is long, m (ours, tuned on twelve seeds in the furnished flat and in the attic). A patch that was drawn from the present
-/// pose can't correct it; and one that could does so once, not with every look.
+/// Share of new information in a point, for boundary just found and boundary found long ago, and the distance that
+/// counts as long, m (ours, tuned on twelve seeds in the furnished flat and in the attic). A patch added from the
+/// present pose can't correct it; and others can only once, not with every observation.
 const NEWS: (f64, f64, f64) = (0.02, 0.3, 25.0);
-/// How much the axes of the map's frame are believed in at first, as a length of wall, m, of one metre, and how well walls
-/// then follow them, rad (ours). Plans are drawn along the walls, and a robot that leaves its dock, or that somebody puts
-/// down, mostly looks straight away from a wall; as nobody sets it down to a degree, the walls have the last word.
+/// Initial weight of the map frame's axes, as a length of wall, m, of one metre, and how well walls then follow them,
+/// rad (ours). Plans are drawn along the walls, and a robot that leaves its dock or is put down usually faces straight
+/// away from a wall; as this isn't accurate to a degree, the walls override it.
 const FRAME: (f64, f64) = (0.8, 0.006);
-/// What is farther off than this many standard deviations counts little.
+/// Residuals of more than this many standard deviations count little.
 const OUTLIER: f64 = 1.5;
 /// Rounds of the search for the likeliest pose.
 const ROUNDS: usize = 4;
@@ -45,7 +45,7 @@ pub(super) struct PoseEkf {
     covariance: Matrix6<f64>,
     /// Length of walls along the room's axes, and of all, m; `None` while no axes are known.
     squared: Option<[f64; 2]>,
-    /// Way since the start, m.
+    /// Distance driven since the start, m.
     driven: f64,
     boundary: BoundaryPatches,
 }
@@ -80,7 +80,7 @@ impl PoseEkf {
         Pose::new(at.x, at.y, self.state[HEADING] + way.turn)
     }
 
-    /// Takes over what another knows of the wheels, as many times less sure.
+    /// Takes over another filter's estimate of the wheels, with its uncertainty increased by a factor.
     pub fn know_wheels(&mut self, other: &Self, unsure: f64) {
         for i in [UNEQUAL_AT, BASE_AT] {
             self.state[i] = other.state[i];
@@ -98,7 +98,7 @@ impl PoseEkf {
         self.covariance.fixed_view::<3, 3>(0, 0).into()
     }
 
-    /// Believes to be somewhere else.
+    /// Sets another pose, with its uncertainty.
     pub fn relocate(&mut self, pose: Pose, spread: &PoseCovariance) {
         (self.state[0], self.state[1], self.state[HEADING]) = (pose.x, pose.y, pose.heading);
         self.loosen(spread);
@@ -112,7 +112,7 @@ impl PoseEkf {
         self.covariance[(HEADING, HEADING)] = (spread.heading * spread.heading).max(1e-8);
     }
 
-    /// Is less sure of its pose by that much.
+    /// Increases the uncertainty of the pose.
     pub fn loosen(&mut self, by: &PoseCovariance) {
         let [xx, xy, yy] = by.position;
         self.covariance[(0, 0)] += xx;
@@ -122,7 +122,7 @@ impl PoseEkf {
         self.covariance[(HEADING, HEADING)] += by.heading * by.heading;
     }
 
-    /// Goes a stretch.
+    /// Advances by a stretch.
     pub fn advance(&mut self, way: &Reckoning) {
         self.driven += way.way;
         let (sin, cos) = math::sin_cos(self.state[HEADING]);
@@ -143,9 +143,9 @@ impl PoseEkf {
         block += noise;
     }
 
-    /// Corrects the state by what was seen on the stretch that ends here: the likeliest state is searched for by Gauss and
-    /// Newton's method (an iterated extended Kalman filter, Bell & Cathey 1993), as points match other patches from a better
-    /// pose.
+    /// Corrects the state by the observations of the stretch that ends here: the likeliest state is searched for by
+    /// Gauss and Newton's method (an iterated extended Kalman filter, Bell & Cathey 1993), as points match other
+    /// patches from a better pose.
     pub fn correct(&mut self, features: &Features) {
         self.solve(|ekf, equations| {
             ekf.match_points(&features.points, equations);
@@ -153,7 +153,7 @@ impl PoseEkf {
         });
     }
 
-    /// Corrects the state by a pose that is known from elsewhere, with standard deviations in m and rad.
+    /// Corrects the state by a known pose, with standard deviations in m and rad.
     pub fn meet(&mut self, pose: Pose, [position, heading]: [f64; 2]) {
         let deviations = [position, position, heading];
         self.solve(|ekf, equations| {
@@ -176,7 +176,7 @@ impl PoseEkf {
             if equations.is_empty() {
                 break;
             }
-            // In this form the covariance may be singular: at the start the pose is known.
+            // In this form the covariance can be singular: at the start the pose is known.
             let system = Matrix6::identity() + self.covariance * equations.information;
             let Some(inverse) = system.try_inverse() else { break };
             let off = self.state - before;
@@ -198,12 +198,12 @@ impl PoseEkf {
         }
     }
 
-    /// Learns the room's axes from walls, once the pose is corrected.
+    /// Learns the room's axes from walls, after the pose is corrected.
     pub fn learn_axes(&mut self, walls: &[WallLine]) {
         for wall in walls {
             let direction = self.state[HEADING] + wall.direction;
             let Some([along, all]) = self.squared else {
-                // The first wall: its direction is as uncertain as the heading, and by the same error.
+                // The first wall: its direction is as uncertain as the heading, with the same error.
                 self.state[AXIS] = direction;
                 for i in 0..5 {
                     let shared = self.covariance[(HEADING, i)];
@@ -217,12 +217,12 @@ impl PoseEkf {
             let off = quarter(direction - self.state[AXIS]).abs();
             let fits = if off < 0.06 { wall.length } else { 0.0 };
             let [along, all] = [along + fits, all + wall.length];
-            // A room whose walls mostly don't agree with the first one.
+            // A room whose walls mostly disagree with the first one.
             self.squared = (all < 2.5 || along > 0.35 * all).then_some([along, all]);
         }
     }
 
-    /// How likely a wall is along the room's axes.
+    /// Probability that a wall is along the room's axes.
     fn squareness(&self) -> f64 {
         self.squared.map_or(0.0, |[along, all]| (along + 0.7) / (all + 1.0))
     }
@@ -281,7 +281,7 @@ impl PoseEkf {
         equations.add_group(&group);
     }
 
-    /// Adds the points to the map of boundaries.
+    /// Adds the points to the boundary patches.
     pub fn draw(&mut self, points: &[BoundaryPoint]) {
         let pose = self.pose();
         let ahead = pose.direction();
@@ -294,7 +294,7 @@ impl PoseEkf {
         }
     }
 
-    /// Roughly the memory that it takes, bytes.
+    /// Approximate memory, bytes.
     pub fn bytes(&self) -> usize {
         self.boundary.bytes()
     }

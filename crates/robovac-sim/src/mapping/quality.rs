@@ -1,9 +1,9 @@
-//! Map quality against ground truth: one definition for the page, the command line and the tests.
+//! Map quality against ground truth, defined once for the page, the command line and the tests.
 //!
-//! The truth is a room's floor as a robot reaches it, in cells of the map's size: a cell is *occupied* if anything stands in
-//! it, in nine places that are looked at, and *free* otherwise; all beyond the plan is occupied. The *reachable floor* are
-//! the free cells that the body covers from some standing place, the *reachable boundary* the occupied ones that it touches
-//! from there.
+//! The truth is a room's floor as a robot reaches it, in cells of the map's size: a cell is *occupied* if there is an
+//! obstacle at any of nine sample points, and *free* otherwise; everything outside the plan is occupied. The *reachable
+//! floor* are the free cells that the body covers from some standing place, the *reachable boundary* the occupied ones
+//! that it touches from there.
 
 use super::OccupancyMap;
 use robovac_core::{
@@ -12,16 +12,16 @@ use robovac_core::{
     grid::{Cell, Grid, Occupancy, clearance},
 };
 
-/// Farthest distance that errors of the boundary are measured to, cells.
+/// Largest distance for errors of the boundary, cells.
 const FARTHEST: f32 = 20.0;
 
-/// What a map ought to show.
+/// The ground truth of a map.
 #[derive(Debug, Clone)]
 pub struct MapTruth {
     resolution: f64,
-    /// Cells around the plan, so that what stands at its edge has its place.
+    /// Margin around the plan, for obstacles at its edge, cells.
     margin: i32,
-    /// Which cells have something free, and which have something occupied, within one cell.
+    /// Cells with a free one, and with an occupied one, within one cell.
     near_free: Grid<bool>,
     near_occupied: Grid<bool>,
     floor: Grid<bool>,
@@ -31,15 +31,15 @@ pub struct MapTruth {
     off_boundary: Grid<f32>,
 }
 
-/// How good a map is. Shares are from 0 to 1.
+/// Quality of a map. Shares are from 0 to 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MapQuality {
     /// Share of the known cells, free or occupied, that are right within one cell: the truth has a cell of that kind there
     /// or among the eight around. 1 for an empty map.
     pub right: f64,
-    /// Share of the reachable floor of which the map knows something.
+    /// Share of the reachable floor that is known on the map.
     pub known: f64,
-    /// Share of the reachable boundary within one cell of which the map has something occupied.
+    /// Share of the reachable boundary with an occupied cell of the map within one cell.
     pub boundary: f64,
     /// Mean distance from the map's occupied cells to the nearest edge of anything, m: 0 for the cell itself. `None` if the
     /// map has none.
@@ -74,7 +74,7 @@ impl MapTruth {
         Self::new(&occupied, &standing, radius / resolution, resolution, margin)
     }
 
-    /// From what stands where and where the robot can stand; `radius` in cells.
+    /// From the occupied cells and the standing places; `radius` in cells.
     fn new(occupied: &Grid<bool>, standing: &Grid<bool>, radius: f64, resolution: f64, margin: i32) -> Self {
         let away = clearance(standing, radius as f32 + 2.0);
         // From centre to centre, along an axis.
@@ -113,14 +113,14 @@ impl MapTruth {
         }
     }
 
-    /// How good `map` is; its cells must be as large as those of the truth.
+    /// Quality of `map`, whose cells must be as large as those of the truth.
     pub fn quality(&self, map: &OccupancyMap) -> MapQuality {
         let shift = |cell: Cell| Cell::new(cell.x + self.margin, cell.y + self.margin);
         let (mut cells, mut right, mut known, mut occupied, mut off) = (0, 0, 0, 0_usize, 0.0);
         for (at, _) in map.iter() {
             let cell = shift(at);
             let says = map.occupancy(at);
-            // Beyond the plan all is occupied.
+            // Everything outside the plan is occupied.
             let (fits, is_floor) = match says {
                 Occupancy::Unknown => continue,
                 Occupancy::Free => (self.near_free.is_set(cell), self.floor.is_set(cell)),
@@ -158,7 +158,7 @@ impl MapTruth {
         self.boundary.iter().map(|cell| Cell::new(cell.x - self.margin, cell.y - self.margin))
     }
 
-    /// What is at a cell of the map that can be reached: `None` for what is neither reachable floor nor near anything.
+    /// The true state of a reachable cell: `None` if it is neither reachable floor nor boundary.
     pub fn at(&self, cell: Cell) -> Option<Occupancy> {
         let cell = Cell::new(cell.x + self.margin, cell.y + self.margin);
         if self.floor.is_set(cell) {

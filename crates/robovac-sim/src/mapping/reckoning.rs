@@ -1,10 +1,10 @@
 //! Dead reckoning over a stretch of the path, with its uncertainty.
 //!
-//! The two systematic errors of a robot are wheels of unequal size and a wheel base that isn't what it is
-//! taken for (Borenstein & Feng 1996, Measurement and correction of systematic odometry errors in mobile robots, IEEE
+//! The two systematic errors of a robot are wheels of unequal size and a wheel base that differs from the nominal one
+//! (Borenstein & Feng 1996, Measurement and correction of systematic odometry errors in mobile robots, IEEE
 //! Transactions on Robotics and Automation 12(6)). Both act on the heading, and both act linearly as long as they are
 //! small; so a stretch keeps, beside its pose and covariance, the derivatives of the pose by them, and the filter can
-//! estimate them while it drives. What slips at random grows with the way (Thrun, Burgard & Fox 2005, Probabilistic
+//! estimate them while it drives. Random slip grows with the distance (Thrun, Burgard & Fox 2005, Probabilistic
 //! Robotics, section 5.4).
 
 use nalgebra::{Matrix3, Matrix3x2};
@@ -16,14 +16,14 @@ use robovac_core::{
 
 /// Standard deviation of each wheel's slip after one metre, m: a little more than at the simulator's typical level.
 const SLIP: f64 = 0.0012;
-/// Share by which the way along a contact is uncertain, and the way over which that is one and the same error, m (ours).
+/// Relative uncertainty of the distance along a contact, and the distance over which that error is constant, m (ours).
 const SLIDE: (f64, f64) = (0.3, 0.05);
-/// Way and turn after which covariances are brought up to date, m and rad.
+/// Distance and turn between two updates of the covariances, m and rad.
 const STRIDE: (f64, f64) = (0.02, 0.06);
-/// Counts of one reading beyond which the wheels can't have done it: a lost connection, or another robot's numbers, m.
+/// Largest plausible distance of a reading, m; larger ones mean a lost connection, or another robot.
 const MOST_AT_ONCE: f64 = 0.5;
 
-/// What the wheels are taken for: both errors are estimates of the filter.
+/// Errors of the wheels, both estimated by the filter.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct WheelErrors {
     /// Right wheel's size less the left one's, as a share of both.
@@ -32,7 +32,7 @@ pub(super) struct WheelErrors {
     pub base: f64,
 }
 
-/// Counts as they come, turned into ways of the wheels.
+/// Conversion of counts to distances rolled.
 #[derive(Debug, Clone)]
 pub(super) struct Rolling {
     scale: RollingScale,
@@ -45,7 +45,7 @@ impl Rolling {
         Self { scale: RollingScale::of(robot), model, last: None }
     }
 
-    /// What the wheels have rolled since the last reading: left, right, sideways, m.
+    /// Distances rolled since the last reading: left, right, sideways, m.
     pub fn take(&mut self, sensed: &SensorReadings) -> [f64; 3] {
         let counts = [sensed.left_counts, sensed.right_counts, sensed.lateral_counts];
         let Some(last) = self.last.replace(counts) else { return [0.0; 3] };
@@ -55,25 +55,25 @@ impl Rolling {
     }
 }
 
-/// The way since some pose.
+/// Motion since a pose.
 #[derive(Debug, Clone)]
 pub(super) struct Reckoning {
-    /// Present pose as seen from where the stretch began.
+    /// Present pose in the frame of the start of the stretch.
     pub at: Pose,
-    /// Heading less that at the beginning, not normalised, rad.
+    /// Turn since the start, not normalised, rad.
     pub turn: f64,
-    /// Covariance of `at` (x, y, heading) by what slips at random.
+    /// Covariance of `at` (x, y, heading) by random slip.
     pub noise: Matrix3<f64>,
     /// Derivatives of `at` by [`WheelErrors::unequal`] and [`WheelErrors::base`].
     pub by_wheels: Matrix3x2<f64>,
-    /// What the wheels were taken for.
+    /// Assumed errors of the wheels.
     pub wheels: WheelErrors,
-    /// Way, m, and all turning, rad.
+    /// Distance, m, and sum of all turning, rad.
     pub way: f64,
     pub turned: f64,
     wheel_base: f64,
     model: OdometryModel,
-    /// Since covariances were brought up to date: where that was, and rolled by the wheels, m.
+    /// Pose at the last update of the covariances, and distances rolled since, m.
     since: Pose,
     rolled: [f64; 2],
     rolled_either_way: f64,
@@ -100,8 +100,8 @@ impl Reckoning {
         }
     }
 
-    /// Goes on; `contact` is the direction in which something is touched, if the bumper is pressed. Then the wheels spin
-    /// where they push against it, and the body slides along it. Returns whether a stride is complete.
+    /// Advances; `contact` is the direction of a contact, if the bumper is pressed: then the wheels spin where they
+    /// push against the obstacle, and the body slides along it. Returns whether a stride is complete.
     pub fn roll(&mut self, [left, right, lateral]: [f64; 3], contact: Option<f64>) -> bool {
         let half = 0.5 * self.wheels.unequal;
         let (left, right) = ((1.0 - half) * left, (1.0 + half) * right);
@@ -131,7 +131,7 @@ impl Reckoning {
         is_complete
     }
 
-    /// Brings covariances up to date.
+    /// Updates the covariances.
     pub fn settle(&mut self) {
         let (dx, dy) = (self.at.x - self.since.x, self.at.y - self.since.y);
         let shift = Matrix3::new(1.0, 0.0, -dy, 0.0, 1.0, dx, 0.0, 0.0, 1.0);
@@ -156,7 +156,7 @@ impl Reckoning {
         (self.since, self.rolled, self.rolled_either_way, self.slid) = (self.at, [0.0; 2], 0.0, 0.0);
     }
 
-    /// A place in the frame of where the stretch began, as seen from here.
+    /// A point in the frame of the start of the stretch, transformed to the present pose.
     pub fn seen_from_here(&self, point: Point) -> Point {
         let (offset, ahead) = (point - self.at.position(), self.at.direction());
         Point::new(ahead.dot(&offset), ahead.perp(&offset))

@@ -1,5 +1,5 @@
-//! The occupancy grid of Krapinec 2025 (004, sections 3.3.1 and 7.1), as printed: what an [`OccupancyMap`](super::OccupancyMap)
-//! is to be compared with.
+//! The occupancy grid of Krapinec 2025 (004, sections 3.3.1 and 7.1), as printed, for comparison with an
+//! [`OccupancyMap`](super::OccupancyMap).
 //!
 //! 100 x 100 cells of 10 cm, the robot in the middle at the start. A bit of the light bumper marks one cell beside the robot
 //! as occupied, whatever it was; a movement forward marks the robot's own four cells as empty. The cells are looked up with
@@ -13,10 +13,10 @@
 //!   part of a quaternion, the sine of half the angle: 90 degrees give 0.71, and the thresholds 0.2 and 0.8 are 23 and 106
 //!   degrees.
 //! - *Clockwise* is said of positive values; by ROS' convention (REP 103) they are counter-clockwise.
-//! - *Two rules for 0.2 < z <= 0.8*: the second one turns by a quarter clockwise, and the third, `-0.8 > z or z > 0.2`, by a half
-//!   more; it ought to ask for `z > 0.8`. By luck the sum is a quarter counter-clockwise, which is right. At exactly 0.2 only
-//!   the second one holds. A robot that looks to its right gets a quarter counter-clockwise too, which is wrong: its
-//!   obstacles are marked on the other side.
+//! - *Two rules for 0.2 < z <= 0.8*: the second one turns by a quarter clockwise, and the third, `-0.8 > z or z > 0.2`,
+//!   by a half more; it should test for `z > 0.8`. By coincidence the sum is a quarter counter-clockwise, which is
+//!   right. At exactly 0.2 only the second one holds. A robot that looks to its right gets a quarter counter-clockwise
+//!   too, which is wrong: its obstacles are marked on the other side.
 //! - *The middle of the robot* is taken to be half a cell off, at -0.5.
 //! - *`grid_index`* cuts towards zero and the range of the index alone is checked: what lies beyond the right edge comes in
 //!   again at the left, a row higher, and a coordinate between -1 and 0 counts as 0.
@@ -39,7 +39,7 @@ const LIGHT_OFFSETS: [[f64; 2]; 6] = [[0.0, 1.0], [1.0, 1.0], [1.0, 0.0], [1.0, 
 /// `robot_offset`: the cells that the robot occupies.
 const ROBOT_OFFSETS: [[f64; 2]; 4] = [[0.0, 0.0], [0.0, -1.0], [-1.0, 0.0], [-1.0, -1.0]];
 
-/// What the grid says of a cell: the thesis' `CellStatus` with its values.
+/// State of a cell: the thesis' `CellStatus` with its values.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[repr(u8)]
 pub enum CellStatus {
@@ -57,7 +57,7 @@ pub enum CellStatus {
 pub struct ThesisGrid {
     grid: Vec<CellStatus>,
     odometry: Odometry,
-    /// Way ahead at the last reading, to tell movements forward, m.
+    /// Pose at the last reading, to detect movements forward.
     at: Pose,
 }
 
@@ -98,7 +98,7 @@ impl ThesisGrid {
         }
     }
 
-    /// What it says of a cell; (0, 0) is the lower left one, 5 m to the left and below where the robot started.
+    /// State of a cell; (0, 0) is the lower left one, 5 m to the left and below the robot's start.
     pub fn status(&self, cell: Cell) -> Option<CellStatus> {
         let is_within = (0..SIZE as i32).contains(&cell.x) && (0..SIZE as i32).contains(&cell.y);
         is_within.then(|| self.grid[(cell.y * SIZE as i32 + cell.x) as usize])
@@ -109,13 +109,13 @@ impl ThesisGrid {
         RESOLUTION
     }
 
-    /// Where its lower left corner lies in the frame of the robot's start: the printed `origin`.
+    /// Position of its lower left corner in the frame of the robot's start: the printed `origin`.
     pub fn origin(&self) -> Pose {
         let corner = -0.5 * SIZE as f64 * RESOLUTION;
         Pose::new(corner, corner, 0.0)
     }
 
-    /// The grid with the values that all other grids here have.
+    /// The grid with the usual values of occupancy.
     pub fn to_occupancy(&self) -> Grid<Occupancy> {
         let mut occupancy = Grid::filled(SIZE as usize, SIZE as usize, Occupancy::Unknown);
         for (value, status) in occupancy.values_mut().iter_mut().zip(&self.grid) {

@@ -7,7 +7,7 @@ use robovac_core::{registry::Params, robot::OdometryModel};
 use serde::Serialize;
 use std::fmt::Write;
 
-/// What all runs have in common.
+/// Settings that all runs have in common.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub struct StudyHeader<'a> {
     /// Name of the room.
@@ -16,7 +16,7 @@ pub struct StudyHeader<'a> {
     pub robot: &'a str,
     /// Side of the planning cells, m.
     pub cell_size_m: f64,
-    /// How true wheels and sensors are.
+    /// Slip and noise.
     #[serde(skip)]
     pub conditions: Conditions,
     /// How followers of planned paths compute their poses.
@@ -25,7 +25,7 @@ pub struct StudyHeader<'a> {
     pub minutes: f64,
 }
 
-/// An algorithm with its runs, or why there are none.
+/// An algorithm with its runs, or the reason for the failure.
 pub type EntrantRuns<'a> = (&'a Entrant, Result<Vec<&'a RunOutcome>, &'a str>);
 
 #[derive(Serialize)]
@@ -35,7 +35,7 @@ struct JsonStudy<'a> {
     slip: SlipLevel,
     noise: String,
     quantised: bool,
-    /// The moments of all curves, s.
+    /// The times of all curves' samples, s.
     times_s: Vec<f64>,
     algorithms: Vec<JsonAlgorithm<'a>>,
 }
@@ -44,7 +44,7 @@ struct JsonStudy<'a> {
 struct JsonAlgorithm<'a> {
     algorithm: &'static str,
     kind: &'static str,
-    /// What coverage and times are of.
+    /// Whether coverage and times refer to floor or boundary.
     measure: &'static str,
     params: &'a Params,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -68,7 +68,7 @@ struct JsonCurve {
 struct JsonRun {
     seed: u64,
     coverage: f64,
-    /// When the shares of the goals had been swept, s; `null` if that didn't happen.
+    /// Times at which the goals were reached, s; `null` if they weren't.
     reached_s: [Option<f64>; GOALS.len()],
     time_s: f64,
     distance_m: f64,
@@ -78,7 +78,7 @@ struct JsonRun {
     digest: String,
 }
 
-/// A JSON object: what was run where, and for each algorithm quantiles over its runs and every single run.
+/// A JSON object: the settings, and for each algorithm quantiles over its runs and every single run.
 pub fn to_json(head: &StudyHeader<'_>, entries: &[EntrantRuns<'_>]) -> String {
     let study = JsonStudy {
         head: *head,
@@ -88,11 +88,11 @@ pub fn to_json(head: &StudyHeader<'_>, entries: &[EntrantRuns<'_>]) -> String {
         times_s: (0..=SAMPLES).map(|i| 60.0 * head.minutes * i as f64 / SAMPLES as f64).collect(),
         algorithms: entries.iter().map(JsonAlgorithm::of).collect(),
     };
-    // Only maps with keys that aren't text can fail.
+    // Fails only for maps whose keys aren't strings.
     serde_json::to_string(&study).unwrap_or_default() + "\n"
 }
 
-/// A table with a head line, a run a line; empty where something didn't happen.
+/// A table with a header line, one line per run; empty for missing values.
 pub fn to_csv(head: &StudyHeader<'_>, entries: &[EntrantRuns<'_>]) -> String {
     let mut csv = String::from(
         "room,robot,slip,noise,quantised,minutes,kind,algorithm,seed,error,coverage [%],time to 90 % [s],time to 99 % [s],\
@@ -127,7 +127,7 @@ pub fn to_csv(head: &StudyHeader<'_>, entries: &[EntrantRuns<'_>]) -> String {
     csv
 }
 
-/// What a share of is told: floor that was swept, or boundary that was met.
+/// What shares refer to: swept floor or detected boundary.
 fn measure(entrant: &Entrant) -> &'static str {
     if entrant.explores() { "boundary" } else { "floor" }
 }

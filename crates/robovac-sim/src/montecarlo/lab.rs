@@ -21,10 +21,10 @@ use std::{
 
 use super::RunOutcome;
 
-/// What all runs of a study have in common beside room and robot.
+/// Settings of all runs of a study besides room and robot.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Terms {
-    /// How true wheels and sensors are.
+    /// Slip and noise.
     pub conditions: Conditions,
     /// How followers of planned paths compute their poses.
     pub odometry: OdometryModel,
@@ -41,9 +41,9 @@ pub struct Terms {
 pub struct Lab {
     prepared: RoomSetup,
     terms: Terms,
-    /// By the names of the entrants.
+    /// Planned lines, by the names of the entrants.
     lines: BTreeMap<String, Result<Arc<[Point]>, TrialError>>,
-    /// What there is to be met by those that explore, once one of them is run.
+    /// The boundary for exploring behaviours, once needed.
     boundary: OnceLock<Arc<Boundary>>,
 }
 
@@ -59,12 +59,12 @@ impl Lab {
         Ok(Self::on(RoomSetup::new(plan, robot, cell_size, start)?, terms))
     }
 
-    /// A lab where everything has been laid out already.
+    /// A lab in a room that is laid out already.
     pub fn on(prepared: RoomSetup, terms: Terms) -> Self {
         Self { prepared, terms, lines: BTreeMap::new(), boundary: OnceLock::new() }
     }
 
-    /// Lets an entrant plan that plans and hasn't yet. To be called before its runs.
+    /// Plans for an entrant, if it is a planner and hasn't planned yet. To be called before its runs.
     pub fn plan(&mut self, entrant: &Entrant, observer: Option<Observer<'_>>) -> Result<(), TrialError> {
         let Algorithm::Planner(planner) = entrant.algorithm else { return Ok(()) };
         let name = entrant.to_string();

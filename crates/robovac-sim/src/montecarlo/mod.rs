@@ -1,9 +1,9 @@
 //! Monte Carlo studies: many runs of the same algorithms with different seeds.
 //!
-//! A run is one algorithm with one seed, made in a [`Lab`]; its [`RunOutcome`] is coverage over time and what happened on
-//! the way. For behaviours that explore, the share of the [boundary](robovac_core::coverage::Boundary) that they have met takes the
-//! place of coverage. A [`RunTally`] takes outcomes as they come, in any order, and sums them up. `Study` of `robovac-app` is the page's:
-//! it says which runs are missing and keeps what came out. The command line makes the same runs on all cores.
+//! A run is one algorithm with one seed, made in a [`Lab`]; its [`RunOutcome`] is coverage over time with other
+//! results. For exploring behaviours the detected share of the [boundary](robovac_core::coverage::Boundary) replaces
+//! coverage. A [`RunTally`] takes outcomes in any order and summarises them. `Study` of `robovac-app` is the page's
+//! study: it schedules missing runs and keeps their results. The command line makes the same runs on all cores.
 
 mod export;
 mod lab;

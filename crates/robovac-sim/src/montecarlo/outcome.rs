@@ -3,9 +3,9 @@
 use crate::{Run, STEP_S};
 use robovac_core::coverage::BoundaryTracker;
 
-/// Shares whose times are taken: of the reachable floor, or of the boundary for those that explore.
+/// Shares whose times are recorded: of the reachable floor, or of the boundary for exploring behaviours.
 pub const GOALS: [f64; 2] = [0.9, 0.99];
-/// Coverage is taken so often, at equal distances in time, and at the start.
+/// Number of coverage samples, at equal intervals, in addition to the one at the start.
 pub const SAMPLES: usize = 200;
 
 /// Result of one run.
@@ -13,22 +13,22 @@ pub const SAMPLES: usize = 200;
 pub struct RunOutcome {
     /// Seed of everything random in it.
     pub seed: u64,
-    /// Swept share of the reachable floor, or share of the boundary that has been met, 0 to 1, at the start and at the end of
-    /// each of [`SAMPLES`] equal parts of the time. After the end of a run that ended by itself it stays.
+    /// Swept share of the reachable floor, or detected share of the boundary, 0 to 1, at the start and at the end of
+    /// each of [`SAMPLES`] equal parts of the time. After a run has ended by itself it stays constant.
     pub curve: Vec<f64>,
-    /// When the shares of [`GOALS`] had been swept or met, s; infinite if that didn't happen in time.
+    /// Times at which the shares of [`GOALS`] were reached, s; infinite if they weren't.
     pub reached_s: [f64; GOALS.len()],
-    /// Simulated time, s; less than was given if the run ended by itself.
+    /// Simulated time, s; shorter than the limit if the run ended by itself.
     pub time_s: f64,
     /// Distance driven, m.
     pub distance_m: f64,
-    /// How often the bumper was pressed.
+    /// Number of bumps.
     pub bumps: u32,
-    /// How often the robot fell down a drop-off.
+    /// Number of falls down a drop-off.
     pub falls: u32,
-    /// Share of the dirt that was left at the end, 0 to 1; `None` where there was none.
+    /// Remaining share of the dirt at the end, 0 to 1; `None` if there was none.
     pub dirt_left: Option<f64>,
-    /// Tells the last state of the run from others, to the last bit.
+    /// Digest of the final state, exact to the last bit.
     pub digest: u64,
 }
 
@@ -36,12 +36,12 @@ pub struct RunOutcome {
 const HEAD: usize = 9 + GOALS.len();
 
 impl RunOutcome {
-    /// Makes `run`, which was made with `seed`, go on for `duration_s` seconds from its start.
+    /// Continues `run`, which was made with `seed`, until `duration_s` seconds from its start.
     pub fn of(run: Run, seed: u64, duration_s: f64) -> Self {
         Self::by(run, seed, duration_s, Run::coverage)
     }
 
-    /// The same for an exploring run: what counts is how much of the boundary it has met.
+    /// The same for an exploring run, measured by the detected boundary.
     pub fn of_exploring(run: Run, seed: u64, duration_s: f64, mut tracker: BoundaryTracker) -> Self {
         Self::by(run, seed, duration_s, |run| {
             tracker.update(run.pose(), run.sensors());
@@ -49,7 +49,7 @@ impl RunOutcome {
         })
     }
 
-    /// By the share that `share` returns after each step.
+    /// Measured by `share`, which is called after each step.
     fn by(mut run: Run, seed: u64, duration_s: f64, mut share: impl FnMut(&Run) -> f64) -> Self {
         let steps = (duration_s / STEP_S).round() as u64;
         let mut curve = Vec::with_capacity(SAMPLES + 1);
@@ -88,7 +88,7 @@ impl RunOutcome {
         self.curve.last().copied().unwrap_or(0.0)
     }
 
-    /// All of it as numbers, to cross to another thread of a browser.
+    /// All of it as numbers, for transfer to another thread of a browser.
     pub fn to_numbers(&self) -> impl Iterator<Item = f64> {
         let halves = [(self.digest >> 32) as u32, self.digest as u32].map(f64::from);
         let counts = [self.bumps, self.falls].map(f64::from);
@@ -97,7 +97,7 @@ impl RunOutcome {
         head.into_iter().chain(counts).chain(halves).chain(self.reached_s).chain(self.curve.iter().copied())
     }
 
-    /// The inverse of [`RunOutcome::to_numbers`] for several after one another; those that are cut off are left out.
+    /// The inverse of [`RunOutcome::to_numbers`] for several in sequence; incomplete ones are dropped.
     pub fn from_numbers(mut numbers: &[f64]) -> Vec<Self> {
         let mut outcomes = Vec::new();
         while let Some((head, rest)) = numbers.split_first_chunk::<HEAD>() {

@@ -5,12 +5,12 @@
 /// Between the two values around the place `p (n - 1)`, counted from 0, it is interpolated linearly (definition 7 of
 /// Hyndman & Fan 1996, Sample Quantiles in Statistical Packages; the default of R and `NumPy`).
 ///
-/// What didn't happen before the end of a run is infinite. All runs of a study end at the same time, so that a quantile
-/// that comes out finite is exactly what it would be if the runs had gone on for ever.
+/// Events after the end of a run are infinite. All runs of a study end at the same time, so a finite quantile is the
+/// same as for unlimited runs.
 pub fn quantile(sorted: &[f64], p: f64) -> Option<f64> {
     let place = p.clamp(0.0, 1.0) * sorted.len().checked_sub(1)? as f64;
     let (low, share) = (sorted[place.floor() as usize], place.fract());
-    // Not even a share of 0 of something infinite may come in.
+    // Even a share of 0 of infinity must not be added.
     Some(if share == 0.0 || low.is_infinite() { low } else { low + share * (sorted[place.ceil() as usize] - low) })
 }
 

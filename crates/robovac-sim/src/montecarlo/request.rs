@@ -1,4 +1,4 @@
-//! Run requests as plain values that can be sent to a worker.
+//! Run requests as plain values for a worker.
 
 use super::{Lab, RunOutcome, Terms};
 use crate::experiment::{BEHAVIOUR, Entrant, PLANNER, Settings, plan_of};
@@ -10,9 +10,9 @@ use serde::{Deserialize, Serialize};
 pub struct RunsRequest {
     /// Number of the request.
     pub id: u32,
-    /// A room that ships, by its id; else `scenario` has it.
+    /// Id of a built-in room; otherwise see `scenario`.
     pub room: Option<String>,
-    /// The room as a scenario file, if it doesn't ship.
+    /// The room as a scenario file, if it isn't built in.
     pub scenario: Option<String>,
     /// Robot, cell size, start and conditions, as [`Settings::take_link`] reads them, joined by `&`.
     pub settings: String,
@@ -26,12 +26,12 @@ pub struct RunsRequest {
     pub entrant: String,
     /// The seeds of the runs.
     pub seeds: Vec<u64>,
-    /// Changes with everything but entrant and seeds: the same place has the same [`Lab`].
+    /// Key of everything but entrant and seeds: equal places have the same [`Lab`].
     pub place: String,
 }
 
 impl RunsRequest {
-    /// Where the runs are to be made. Errors are for users.
+    /// The lab for the runs. Errors are for users.
     pub fn lab(&self) -> Result<Lab, String> {
         let plan = plan_of(self.room.as_deref(), self.scenario.as_deref())?;
         let mut settings = Settings::new();

@@ -4,10 +4,10 @@ use super::{GOALS, RunOutcome, SAMPLES, quantile};
 use serde::Serialize;
 use std::{array, collections::BTreeMap};
 
-/// The quantiles that bands are made of: one run in ten is below, half of them, one in ten above.
+/// The quantiles of a band: lowest tenth, median, highest tenth.
 const QUANTILES: [f64; 3] = [0.1, 0.5, 0.9];
 
-/// The middle of many values and where four in five of them lie; see [`quantile`] for the definition.
+/// Median and central 80 % of values; see [`quantile`] for the definition.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Band {
@@ -19,22 +19,22 @@ pub struct Band {
     pub high: f64,
 }
 
-/// When runs had swept a share of the floor.
+/// Time at which runs reached a share of the floor.
 ///
-/// The time of a run that didn't get there is only known to be longer than the run. Times that depend on such a run are
-/// `None`: the median, unless more than half of the runs got there.
+/// The time of a run that didn't reach it is only known to be longer than the run. Times that depend on such a run are
+/// `None`: the median, unless more than half of the runs reached it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct TimeTo {
     /// The share, %.
     pub percent: f64,
-    /// Runs that got there.
+    /// Number of runs that reached it.
     pub reached: usize,
-    /// One run in ten was there by then, s.
+    /// Time by which one run in ten reached it, s.
     pub low_s: Option<f64>,
-    /// Half of the runs were there by then, s.
+    /// Time by which half of the runs reached it, s.
     pub median_s: Option<f64>,
-    /// Nine runs in ten were there by then, s.
+    /// Time by which nine runs in ten reached it, s.
     pub high_s: Option<f64>,
 }
 
@@ -42,28 +42,28 @@ pub struct TimeTo {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Summary {
-    /// How many.
+    /// Number of runs.
     pub runs: usize,
     /// Swept share of the reachable floor at the end, 0 to 1.
     pub coverage: Band,
-    /// When it had swept the shares of [`GOALS`].
+    /// Times to the shares of [`GOALS`].
     pub time_to: [TimeTo; GOALS.len()],
     /// Distance driven, m.
     pub distance_m: Band,
-    /// How often the bumper was pressed.
+    /// Number of bumps.
     pub bumps: Band,
     /// Falls of all runs together.
     pub falls: u32,
-    /// Share of the dirt that was left, 0 to 1; `None` where there was none.
+    /// Remaining share of the dirt, 0 to 1; `None` if there was none.
     pub dirt_left: Option<Band>,
 }
 
-/// Outcomes of one algorithm by their seeds. The order in which they come makes no difference.
+/// Outcomes of one algorithm by their seeds. Their order makes no difference.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct RunTally(BTreeMap<u64, RunOutcome>);
 
 impl RunTally {
-    /// Takes a run; one with the same seed is replaced, as it was the same.
+    /// Adds a run; one with the same seed is replaced, as it is equal.
     pub fn add(&mut self, outcome: RunOutcome) {
         self.0.insert(outcome.seed, outcome);
     }
@@ -80,7 +80,7 @@ impl RunTally {
 }
 
 impl Summary {
-    /// Sums up `runs`; `None` if there are none.
+    /// Summary of `runs`; `None` if there are none.
     pub fn of(runs: &[&RunOutcome]) -> Option<Self> {
         Some(Self {
             runs: runs.len(),

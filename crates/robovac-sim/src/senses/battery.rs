@@ -1,8 +1,8 @@
 //! Battery and charger.
 //!
-//! The battery loses what the model's [`PowerDraw`](robovac_core::robot::PowerDraw) says: standing power all the time, wheel power in
-//! proportion to wheel speed, which gives the model's straight and turning power at the speeds of path following. On the
-//! dock it takes the model's charging current until it is full.
+//! The battery is discharged by the model's [`PowerDraw`](robovac_core::robot::PowerDraw): standing power all the time,
+//! wheel power in proportion to wheel speed, which gives the model's straight and turning power at the speeds of path
+//! following. On the dock it is charged by the model's charging current until it is full.
 //!
 //! Voltage over charge is a Roomba's with 14.4 V: 13.9 V at 14 % and 16.0 V at 91 % (Open Interface facts, section 6),
 //! straight between and beyond, and down to 12 V, 1 V a cell, when empty (ours); other batteries have the same curve
@@ -10,7 +10,7 @@
 //!
 //! A [`Supply`] from outside - an interface that switches brushes and charger - replaces standing power and dock.
 //!
-//! Noise: at "typical" a standard deviation of 20 mV and 10 mA, so that a standing robot reads what is reported of it
+//! Noise: at "typical" a standard deviation of 20 mV and 10 mA, so that a standing robot has the reported readings
 //! (-111 to -151 mA); at "harsh" 100 mV and 50 mA, and a worn battery whose gauge is off by up to 15 %, the same all
 //! the time.
 
@@ -23,7 +23,7 @@ use robovac_core::{
     robot::{BatteryReading, RobotModel, SensorReadings},
 };
 
-/// Stream of what is drawn once for a battery.
+/// Stream of a battery's constant errors.
 const STREAM: u64 = 4;
 /// Points of the voltage curve: share of the charge, and voltage as a share of the nominal one.
 const CURVE: [(f64, f64); 4] = [(0.0, 12.0 / 14.4), (0.14, 13.9 / 14.4), (0.91, 16.0 / 14.4), (1.0, 16.2454 / 14.4)];
@@ -31,35 +31,35 @@ const CURVE: [(f64, f64); 4] = [(0.0, 12.0 / 14.4), (0.14, 13.9 / 14.4), (0.91, 
 const STALLED_W: f64 = 10.0;
 /// Additional power on carpet, W.
 const CARPET_W: f64 = 5.0;
-/// Temperature of the room, degrees Celsius, and of the battery above it for every watt, and how fast that comes, s.
+/// Temperature of the room, degrees Celsius, rise of the battery's temperature per watt, and its time constant, s.
 const WARMTH: (f64, f64, f64) = (22.0, 0.4, 900.0);
 
-/// What draws from a battery beside the wheels, and what flows into it, as decided outside of the simulation.
+/// Power and charging current set from outside the simulation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Supply {
     /// Electronics and cleaning motors, W.
     pub standing_w: f64,
-    /// Current from a charger, mA. None flows out of the battery while there is any.
+    /// Current from a charger, mA. While there is any, none flows out of the battery.
     pub charge_ma: f64,
 }
 
 /// The battery of one robot.
 #[derive(Debug, Clone)]
 pub(super) struct BatteryCells {
-    /// When new, J.
+    /// Capacity when new, J.
     capacity: f64,
-    /// J.
+    /// Charge, J.
     charge: f64,
-    /// Power out of it in the last step, W; negative while it is charged.
+    /// Power out of it in the last step, W; negative while charging.
     power: f64,
     temperature: f64,
     on_dock: bool,
     supply: Option<Supply>,
-    /// Whether somebody changes it when it is empty.
+    /// Whether it is replaced when it is empty.
     has_spares: bool,
-    /// What the gauge reads, as a share of what is in it.
+    /// Reading of the gauge, as a share of the charge.
     gauge: f64,
-    /// Standard deviations, mV and mA.
+    /// Standard deviations of voltage and current, mV and mA.
     noise: (f64, f64),
     nominal: f64,
     capacity_mah: f64,
@@ -95,7 +95,7 @@ impl BatteryCells {
         self.charge <= 0.0
     }
 
-    /// Lets something outside decide over what is drawn and charged.
+    /// Sets power and charging current from outside.
     pub fn supply(&mut self, supply: Supply) {
         self.supply = Some(supply);
     }
@@ -104,7 +104,7 @@ impl BatteryCells {
         self.nominal * curve(self.charge / self.capacity)
     }
 
-    /// One step of drawing or charging.
+    /// One step of discharging or charging.
     pub fn step(&mut self, model: &RobotModel, world: &World, carrier: &Carrier, on_dock: bool, is_stalled: bool) {
         self.on_dock = on_dock;
         let wheels = 0.5 * (carrier.speed.left.abs() + carrier.speed.right.abs()) + carrier.speed.lateral.abs();
@@ -128,7 +128,7 @@ impl BatteryCells {
         self.temperature += STEP_S / WARMTH.2 * (WARMTH.0 + WARMTH.1 * self.power.abs() - self.temperature);
     }
 
-    /// What its electronics report; `deviate` is a normal deviate.
+    /// Readings of its electronics; `deviate` is a normal deviate.
     pub fn report(&self, deviate: f64, sensors: &mut SensorReadings) {
         sensors.battery.on_dock = self.on_dock;
         if !self.has_gauge {

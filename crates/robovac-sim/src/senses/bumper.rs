@@ -1,8 +1,8 @@
 //! Bumper switches.
 //!
-//! Noise: a switch bounces when it closes, so that it may be read open for a while (002, section III.A, finds that its
+//! Noise: a switch bounces when it closes, so that it can read open for a while (002, section III.A, finds that its
 //! switches need no filter: at "typical" it is one reading in four, in the first 15 ms only). At "harsh" the bumper is
-//! stiff: each half is read open every other time during the first 60 ms. The figures are ours.
+//! stiff: each half reads open every other time during the first 60 ms. The figures are ours.
 
 use super::{Carrier, Noisy};
 use crate::SensorKind;
@@ -31,7 +31,7 @@ impl Switches {
     }
 }
 
-/// Which halves of the bumper are touched. What touches the body outside the bumper's arc presses nothing.
+/// The touched halves of the bumper. Contacts outside its arc press nothing.
 fn touched(model: &RobotModel, carrier: &Carrier) -> [bool; 2] {
     let mut halves = [false; 2];
     let Some(bumper) = model.sensors.bumper else { return halves };

@@ -1,8 +1,8 @@
 //! Cliff sensors: light reflected by the floor.
 //!
 //! A Roomba's reads 2500 to 2680 over floor, and 0 with a cliff reported on all four while it stands on its dock, whose
-//! ramp is black to them (Open Interface facts, section 6: measured on a 690). Both are kept: so a controller has to
-//! know that a cliff on the dock is none. Lifted, it sees no floor. The spot that a sensor looks at is taken for a point.
+//! ramp is black to them (Open Interface facts, section 6: measured on a 690). Both are simulated, so controllers must
+//! ignore cliffs on the dock. Lifted, it detects no floor. A sensor senses a single point.
 //!
 //! Noise: at "typical", the signal has a standard deviation of 30, which gives the range above. At "harsh" it has 150,
 //! and one in 256 tiles of the floor, 10 cm wide, is so dark that it reads as a cliff, as owners of dark carpets know.
@@ -15,16 +15,16 @@ use robovac_core::{
     robot::{RobotModel, SensorReadings},
 };
 
-/// Signal over light floor: the middle of what was measured.
+/// Signal over light floor: the middle of the measurements.
 const FLOOR: f64 = 2590.0;
 /// Signal over floor that is too dark.
 const DARK: f64 = 400.0;
 /// Signals below this are a cliff.
 const THRESHOLD: u16 = 1000;
-/// Side of a tile, m, and how many tiles there are to a dark one.
+/// Side of a tile, m, and number of tiles per dark one.
 const TILE: (f64, u64) = (0.1, 256);
 
-/// Where the sensors sit.
+/// Positions of the sensors.
 #[derive(Debug, Clone)]
 pub(super) struct Edges {
     places: [Option<[f64; 2]>; 4],
@@ -80,7 +80,8 @@ impl Edges {
         }
     }
 
-    /// Whether the tile that holds `point` is dark: decided by a hash of its place (`SplitMix64`, Steele et al. 2014).
+    /// Whether the tile that holds `point` is dark: determined by a hash of its position (`SplitMix64`, Steele et al.
+    /// 2014).
     fn is_dark(&self, point: Point) -> bool {
         let tile = |x: f64| (x / TILE.0).floor() as i64 as u64;
         let mut hash = self.seed ^ tile(point.x).wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ tile(point.y).rotate_left(32);

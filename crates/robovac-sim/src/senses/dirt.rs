@@ -6,12 +6,12 @@
 use super::Noisy;
 use crate::SensorKind;
 
-/// Amount of dirt in one step that the sensor reads as 255, m² of a spot: what a strip 17 cm wide gives at 0.3 m/s.
+/// Amount of dirt in one step with a reading of 255, m² of a spot: from a strip 17 cm wide at 0.3 m/s.
 const FULL: f64 = 7.65e-4;
-/// Share of a reading that is left after a step: it dies away within about a tenth of a second.
+/// Share of a reading that remains after a step: it decays within about a tenth of a second.
 const FADES: f64 = 0.7;
 
-/// What the sensor has heard lately, 0 to 255.
+/// The decaying signal, 0 to 255.
 #[derive(Debug, Clone, Default)]
 pub(super) struct DirtSensor(f64);
 

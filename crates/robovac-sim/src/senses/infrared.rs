@@ -9,8 +9,8 @@
 //! The receiver all around is 153 mm ahead of the Roomba's middle (Create 3's place, at the front edge), and so are the
 //! two front receivers, which look 35 degrees to their side and see 45 degrees to either side of that (ours).
 //!
-//! A virtual wall's beam widens by 5 degrees to either side of its line, and a halo of 0.4 m keeps robots from pushing the
-//! lighthouse away (that there is one, owners report; the figures are ours).
+//! A virtual wall's beam widens by 5 degrees to either side of its line, and a halo of 0.4 m keeps robots from pushing
+//! the lighthouse away (owners report that there is one; the figures are ours).
 //!
 //! Noise: at "typical" a receiver misses one character in twenty, at "harsh", in sunlight, every third (ours).
 
@@ -24,9 +24,9 @@ use robovac_core::{
 
 /// Place of the receivers ahead of the origin, as a share of the body's radius.
 const RECEIVERS: f64 = 0.878;
-/// Direction in which the left front receiver looks, (ahead, left): cosine and sine of 35 degrees.
+/// Direction of the left front receiver, (ahead, left): cosine and sine of 35 degrees.
 const LOOKS: [f64; 2] = [0.819_152_044_288_992, 0.573_576_436_351_046];
-/// Cosine of half the angle that a front receiver sees.
+/// Cosine of half the field of view of a front receiver.
 const FIELD: f64 = core::f64::consts::FRAC_1_SQRT_2;
 /// Length of a dock's beams, m.
 const BEAMS: f64 = 2.5;
@@ -34,18 +34,18 @@ const BEAMS: f64 = 2.5;
 const BEAM: (f64, f64) = (0.466_307_658_154_999, 0.087_488_663_525_924);
 /// Radius of a dock's force field, m.
 const FORCE_FIELD: f64 = 0.6096;
-/// Emitters may be this deep in a wall, m.
+/// Depth in a wall at which emitters still work, m.
 const SLACK: f64 = 0.05;
 /// Character of a virtual wall.
 const VIRTUAL_WALL: u8 = 162;
 /// Characters of a dock are sums of these: all, force field, green and red beam.
 const DOCK: [u8; 4] = [160, 1, 4, 8];
-/// How far the robot's front may be from the dock's solid back while it is charged, m, how far it may be off the dock's
-/// middle, m, and the sine of the angle that it may be turned. The dock's contacts are strips that meet those of the
-/// robot, 47 mm behind its front and 44 mm to either side (Open Interface facts, section 6); their size is ours.
+/// Largest distance of the robot's front from the dock's solid back while charging, m, largest offset from the dock's
+/// middle, m, and sine of the largest angle. The dock's contacts are strips that meet those of the robot, 47 mm behind
+/// its front and 44 mm to either side (Open Interface facts, section 6); their size is ours.
 const CONTACT: (f64, f64, f64) = (0.015, 0.025, 0.15);
 
-/// Whether the robot stands on a dock so that its contacts touch.
+/// Whether the robot is on a dock with its contacts touching.
 pub(super) fn is_docked(model: &RobotModel, world: &World, frame: &BodyFrame) -> bool {
     let is_on = |dock: &Pose| {
         let way = frame.position - dock.position();
@@ -105,7 +105,7 @@ pub(super) fn read(
     }
 }
 
-/// The dock's character where the receiver is; 0 for none.
+/// The dock's character at the receiver; 0 for none.
 fn character(around: Around<'_>, receiver: Point, dock: Pose) -> u8 {
     let way = receiver - dock.position();
     let distance_squared = way.norm_squared();
@@ -124,7 +124,7 @@ fn character(around: Around<'_>, receiver: Point, dock: Pose) -> u8 {
     bits.iter().zip(&DOCK[1..]).fold(DOCK[0], |sum, (&is_seen, bit)| sum + if is_seen { *bit } else { 0 })
 }
 
-/// Whether the beam of a lighthouse, or its halo, meets the receiver.
+/// Whether the receiver is in the beam of a lighthouse, or in its halo.
 fn is_in_fence(around: Around<'_>, receiver: Point, lighthouse: Pose, length: f64) -> bool {
     let way = receiver - lighthouse.position();
     let distance_squared = way.norm_squared();
@@ -137,7 +137,7 @@ fn is_in_fence(around: Around<'_>, receiver: Point, lighthouse: Pose, length: f6
     (is_in_beam || distance_squared < HALO * HALO) && sight::is_in_sight(around, receiver, lighthouse.position(), SLACK)
 }
 
-/// A way as seen from an emitter: ahead of it, and to its left.
+/// A displacement in an emitter's frame: ahead of it, and to its left.
 fn resolve(way: Vector, emitter: Pose) -> (f64, f64) {
     let looks = emitter.direction();
     (looks.dot(&way), looks.perp(&way))

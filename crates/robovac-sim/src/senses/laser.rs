@@ -1,7 +1,7 @@
 //! Laser scanner: distances all around, several times a second.
 //!
-//! All beams of a scan are taken at once, where the robot stands when the scan is due. What is nearer than the scanner's
-//! least distance is not seen, nor what is farther than its greatest.
+//! All beams of a scan are measured at once, at the robot's pose when the scan is due. Obstacles out of the scanner's
+//! range aren't detected.
 //!
 //! Noise, from data sheets: at "typical" the error of Hokuyo's URG-04LX, 10 mm up to 1 m and 1 % beyond; at "harsh" that of
 //! its cheaper twin URG-04LX-UG01, 30 mm and 3 %, while one beam in fifty gets lost, as on dark or shining surfaces (Kneip,
@@ -18,9 +18,9 @@ use robovac_core::{
 };
 use std::sync::Arc;
 
-/// Stream of its random numbers, of which it takes many now and then.
+/// Stream of its random numbers, of which it draws many at a time.
 const STREAM: u64 = 40;
-/// One beam in so many gets lost.
+/// One beam in this many is lost.
 const LOST: u64 = 50;
 
 /// The scanner of one robot.
@@ -34,7 +34,7 @@ pub(super) struct Scanner {
     errors: Option<Errors>,
 }
 
-/// How distances err.
+/// Errors of distances.
 #[derive(Debug, Clone)]
 struct Errors {
     rng: Rng,
@@ -78,7 +78,7 @@ impl Scanner {
 }
 
 impl Errors {
-    /// What is measured; nothing if the beam gets lost.
+    /// The measured distance; `None` if the beam is lost.
     fn apply(&mut self, distance: f64) -> Option<f64> {
         let bits = self.rng.next_u64();
         let is_lost = self.loses_beams && (bits >> 8).is_multiple_of(LOST);

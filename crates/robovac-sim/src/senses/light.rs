@@ -1,10 +1,10 @@
 //! Light bumper and wall sensor: infrared light reflected by obstacles.
 //!
-//! How the signal falls with distance is the law in [`robovac_core::robot::light_at`].
+//! The signal as a function of distance is [`robovac_core::robot::light_at`].
 //!
-//! The light comes back with the cosine of the angle at which it meets the surface (Lambert), and with the
-//! surface's reflectance: 1 for walls, 0.7 for furniture, 0.6 for what moves, in shoes and fur (ours). One ray stands for the beam of about 10
-//! degrees. With nothing there, a Roomba's sensors read 2 to 32 (Open Interface facts, section 6).
+//! It is proportional to the cosine of the angle of incidence (Lambert) and to the surface's reflectance: 1 for walls,
+//! 0.7 for furniture, 0.6 for movers, in shoes and fur (ours). One ray stands for the beam of about 10 degrees. Without
+//! an obstacle, a Roomba's sensors read 2 to 32 (Open Interface facts, section 6).
 //!
 //! Noise: at "typical" a standard deviation of 3 % and the idle values above; at "harsh" 15 % and idle values up to 160,
 //! as in sunlight. The percentages and the threshold are ours.
@@ -18,7 +18,7 @@ use robovac_core::{
     robot::{LightBumper, MOST_LIGHT, SensorReadings, light_at},
 };
 
-/// Value with nothing there and no noise.
+/// Value without an obstacle and without noise.
 const IDLE: f64 = 12.0;
 /// Signals above this mean that something is near: a wall ahead at 13 cm.
 const THRESHOLD: u16 = 200;
@@ -30,7 +30,7 @@ pub(super) struct LightBeams {
     directions: [[f64; 2]; 6],
     /// Distance from the body's origin at which beams start, m.
     start: f64,
-    /// m.
+    /// Range, m.
     range: f64,
 }
 
@@ -68,7 +68,7 @@ impl LightBeams {
         sensors.wall_signal = sensors.light_signal[5] / 4;
     }
 
-    /// Whether nothing is as near to the body's origin as a beam reaches, at a glance.
+    /// Whether nothing is within the range of any beam; a quick test.
     fn is_all_out_of_reach(&self, around: Around<'_>, origin: Point) -> bool {
         let reach = self.start + self.range;
         let is_near =
@@ -76,7 +76,7 @@ impl LightBeams {
         around.walls.are_far_from(origin, reach) && !around.life.movers().iter().any(is_near)
     }
 
-    /// What comes back to one of them.
+    /// The light returned to a beam.
     fn light(&self, around: Around<'_>, frame: &BodyFrame, direction: [f64; 2]) -> f64 {
         let direction = frame.direction(direction);
         let middle = frame.position + direction * (self.start + 0.5 * self.range);
@@ -88,7 +88,7 @@ impl LightBeams {
     }
 }
 
-/// Signal of what a beam meets.
+/// Signal of a hit.
 fn strength(hit: RayHit, range: f64) -> f64 {
     let reflectance = match hit.surface {
         Surface::Wall => 1.0,

@@ -1,4 +1,4 @@
-//! Simulated sensors, one kind a file.
+//! Simulated sensors, one kind per file.
 
 mod battery;
 mod bumper;
@@ -28,46 +28,46 @@ use robovac_core::{
     robot::{DistanceAngleMeter, Drive, RobotModel, SensorReadings},
 };
 
-/// Everything that can be sensed from outside.
+/// The surroundings that sensors can detect.
 #[derive(Clone, Copy)]
 pub struct Around<'a> {
     /// Walls and furniture.
     pub walls: &'a Walls,
-    /// What lies on the floor and shines.
+    /// Objects on the floor, and emitters.
     pub world: &'a World,
-    /// What moves.
+    /// Movers and dirt.
     pub life: &'a Life,
 }
 
 /// The body that carries the sensors, after a step.
 #[derive(Debug, Clone, Copy)]
 pub struct Carrier {
-    /// Where it is.
+    /// Its pose.
     pub pose: Pose,
-    /// Where it is touched.
+    /// Its contacts.
     pub touch: Touch,
-    /// Wheel speeds that were asked for.
+    /// Commanded wheel speeds.
     pub wanted: Drive,
     /// Wheel speeds.
     pub speed: Drive,
-    /// What the wheels have rolled since the start: left, right, sideways, m.
+    /// Distances rolled by the wheels since the start: left, right, sideways, m.
     pub rolled: [f64; 3],
-    /// How far the body really moved in the step, m.
+    /// Actual distance moved in the step, m.
     pub moved: f64,
-    /// Whether it hangs in the air.
+    /// Whether it is lifted.
     pub is_lifted: bool,
-    /// Which wheels hang over a drop-off, left and right; both once the robot has fallen.
+    /// Dropped wheels, left and right; both once the robot has fallen.
     pub dropped: [bool; 2],
-    /// Dirt that was picked up in the step: 1 is what lies on 10 cm² of a spot of dirt. A Roomba at 0.3 m/s gets 0.77.
+    /// Dirt that was picked up in the step: 1 is the dirt on 10 cm² of a spot. A Roomba at 0.3 m/s gets 0.77.
     pub dirt: f64,
 }
 
-/// The sensors of one robot, with what they remember and how they err.
+/// The sensors of one robot, with their memory and errors.
 #[derive(Debug, Clone)]
 pub struct Senses {
     model: RobotModel,
     noise: Noise,
-    /// None as long as no sensor errs.
+    /// `None` if no sensor errs.
     source: Option<NoiseSource>,
     switches: Switches,
     edges: Edges,
@@ -81,7 +81,7 @@ pub struct Senses {
 }
 
 impl Senses {
-    /// The sensors of `model`; `seed` decides over their noise.
+    /// The sensors of `model`; `seed` determines their noise.
     pub fn new(model: &RobotModel, conditions: Conditions, seed: u64) -> Self {
         let noise = conditions.noise;
         let cells = BatteryCells::new(model, conditions, seed);
@@ -115,7 +115,7 @@ impl Senses {
         self.cells.is_empty()
     }
 
-    /// Lets something outside decide over what is drawn from the battery and charged.
+    /// Sets the battery's power and charging current from outside.
     pub fn supply(&mut self, supply: Supply) {
         self.cells.supply(supply);
     }
@@ -126,7 +126,7 @@ impl Senses {
         let draw = source.as_mut().map(NoiseSource::draw);
         let noise = Noisy { levels: *noise, draw };
         let frame = BodyFrame::new(carrier.pose);
-        // Rounded down, as `floor` does, which is a call.
+        // Rounded down, like `floor`, which is a function call.
         let counts = |rolled: f64| {
             let counts = rolled * model.counts_per_metre;
             (counts as i64 - i64::from(counts as i64 as f64 > counts)) as u16
@@ -155,7 +155,7 @@ impl Senses {
     }
 }
 
-/// The body's pose, ready to place sensors.
+/// The body's pose in a form for placing sensors.
 #[derive(Debug, Clone, Copy)]
 struct BodyFrame {
     position: Point,
@@ -168,14 +168,14 @@ impl BodyFrame {
         Self { position: pose.position(), ahead: pose.direction() }
     }
 
-    /// A direction given as (ahead, left), in the world.
+    /// The world direction of (ahead, left).
     #[inline]
     fn direction(&self, [ahead, left]: [f64; 2]) -> Vector {
         let (x, y) = (self.ahead.x, self.ahead.y);
         Vector::new(x * ahead - y * left, y * ahead + x * left)
     }
 
-    /// A place given as (ahead, left) of the body's origin, in the world.
+    /// The world position of (ahead, left) of the body's origin.
     #[inline]
     fn point(&self, place: [f64; 2]) -> Point {
         self.position + self.direction(place)
@@ -185,12 +185,12 @@ impl BodyFrame {
 /// Levels of noise, with the random bytes of this step.
 struct Noisy<'a> {
     levels: Noise,
-    /// None if no sensor errs.
+    /// `None` if no sensor errs.
     draw: Option<NoiseDraw<'a>>,
 }
 
 impl Noisy<'_> {
-    /// The one of three values, for off, typical and harsh, that holds for `kind`.
+    /// One of three values, for off, typical and harsh, by the level of `kind`.
     #[inline]
     fn pick<T: Copy>(&self, kind: SensorKind, values: [T; NoiseLevel::ALL.len()]) -> T {
         values[self.levels.of(kind) as usize]

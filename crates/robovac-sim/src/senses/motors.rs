@@ -6,7 +6,7 @@ use robovac_core::robot::SensorReadings;
 
 /// The castor turns if the body moves at least this share of what the wheels roll.
 const PROGRESS: f64 = 0.3;
-/// A wheel that is held for this long draws too much current, s.
+/// Time after which a held wheel draws too much current, s.
 const STUCK_S: f64 = 0.5;
 /// Slowest forward or backward speed at which a robot can be stuck, m/s.
 const SLOWEST: f64 = 0.02;
@@ -18,13 +18,13 @@ pub(super) struct Motors {
 }
 
 impl Motors {
-    /// Whether the wheels push in vain.
+    /// Whether the wheels push without moving.
     pub fn is_stalled(&self) -> bool {
         self.stuck_s >= STUCK_S
     }
 
-    /// Packets 58 and 14. Wheels that push against something that doesn't give way are taken to stall; brushes never are:
-    /// nothing here winds around them.
+    /// Packets 58 and 14. Wheels that push against an obstacle stall; brushes never do, as nothing winds around them
+    /// here.
     pub fn read(&mut self, carrier: &Carrier, sensors: &mut SensorReadings) {
         let speed = 0.5 * (carrier.speed.left + carrier.speed.right);
         let progresses = carrier.moved > PROGRESS * speed.abs() * STEP_S;

@@ -6,7 +6,7 @@ use robovac_core::{
     geometry::{Point, Vector},
 };
 
-/// The nearest thing on the way from `from` along the unit vector `direction` within `reach` metres.
+/// The nearest hit from `from` along the unit vector `direction` within `reach` metres.
 pub(super) fn look(around: Around<'_>, from: Point, direction: Vector, reach: f64) -> Option<RayHit> {
     let mut nearest = around.walls.ray(from, direction, reach);
     for &(centre, radius) in around.life.movers() {
@@ -17,7 +17,7 @@ pub(super) fn look(around: Around<'_>, from: Point, direction: Vector, reach: f6
     nearest
 }
 
-/// Whether nothing is in the way between two points; things nearer than `slack` metres to the second don't count.
+/// Whether nothing is between two points; obstacles nearer than `slack` metres to the second don't count.
 pub(super) fn is_in_sight(around: Around<'_>, from: Point, to: Point, slack: f64) -> bool {
     let way = to - from;
     let distance = way.norm();

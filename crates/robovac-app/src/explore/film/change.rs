@@ -1,20 +1,20 @@
-//! What one improvement changes in a walk.
+//! The change of a walk by one improvement.
 
 use robovac_core::grid::{Cell, Direction};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The difference of two walks, whichever way round they are walked.
+/// The difference of two walks, regardless of their direction.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct WalkDiff {
     /// Cells that they pass in different ways, row by row.
     pub cells: Vec<Cell>,
     /// The parts of the former walk that stay, in its order.
     pub parts: Vec<Vec<Cell>>,
-    /// What is new in the latter walk, in its order.
+    /// The new parts of the latter walk, in its order.
     pub links: Vec<Vec<Cell>>,
-    /// Steps that the latter has less; negative if it has more.
+    /// Steps saved; negative if the latter walk has more.
     pub steps: i64,
-    /// Quarter turns that it has less.
+    /// Quarter turns saved.
     pub turns: i64,
 }
 
@@ -42,7 +42,7 @@ impl WalkDiff {
 type WalkEdge = (Cell, Cell);
 /// How a cell is passed: the sides that the walk comes from and leaves by, in either order, or just one at its ends.
 type Passage = (Cell, [Option<Direction>; 2]);
-/// How often there is something.
+/// A multiset.
 type Bag<T> = BTreeMap<T, usize>;
 
 fn edge(a: Cell, b: Cell) -> WalkEdge {
@@ -72,12 +72,12 @@ fn passages(walk: &[Cell]) -> Bag<Passage> {
     bag((0..walk.len()).map(|index| passage(walk, index)))
 }
 
-/// Takes one out of the bag, if there is one.
+/// Removes one element from the bag; returns whether there was one.
 fn take<T: Ord>(bag: &mut Bag<T>, thing: &T) -> bool {
     bag.get_mut(thing).filter(|count| **count > 0).map(|count| *count -= 1).is_some()
 }
 
-/// Cuts a walk into the pieces that are in another one, too, and those that aren't.
+/// Cuts a walk into pieces that another walk shares, and the others.
 fn pieces(walk: &[Cell], steps: &mut Bag<WalkEdge>, ways: &mut Bag<Passage>) -> (Vec<Vec<Cell>>, Vec<Vec<Cell>>) {
     let (mut kept, mut torn): (Vec<Vec<Cell>>, Vec<Vec<Cell>>) = (Vec::new(), Vec::new());
     let mut was_kept = None;

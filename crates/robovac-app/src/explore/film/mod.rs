@@ -1,4 +1,4 @@
-//! Film of a search: the intermediate walks of a planner that improves its walk.
+//! Film of a search: the improvements of an anytime planner's walk.
 
 mod change;
 mod showing;

@@ -4,59 +4,59 @@ use super::{
     WalkDiff,
     change::{steps, turns},
 };
+use crate::amount::amount;
 use coverage_planners::{FilmFrame, Proof};
 use robovac_core::{coverage::PlanningGrid, geometry::Point, grid::Cell};
 
-/// Improvements that are shown, the largest ones: all together last about half a minute (ours).
+/// Most improvements that are shown, the largest ones; together they last about half a minute (ours).
 const MOST_SHOWN: usize = 7;
-/// How long pictures are shown, s (ours): a walk to begin with; the three of an improvement when one sees that for the
-/// first time, and later.
+/// Durations of pictures, s (ours): of an initial walk; of an improvement's three pictures the first time, and later.
 const FIRST_S: f64 = 1.8;
 const SLOW_S: [f64; 3] = [1.6, 2.0, 2.0];
 const QUICK_S: [f64; 3] = [0.9, 1.1, 1.3];
 
-/// What a line is.
+/// Kind of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FilmInk {
     /// A walk.
     Walk,
-    /// A part of one that was taken apart, by its number.
+    /// A part of a walk that is taken apart, by its number.
     Part(usize),
-    /// What has just come to a walk.
+    /// A new part of a walk.
     New,
 }
 
-/// What is seen at one moment.
+/// One picture of a film.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Picture {
     /// Lines, m, the later ones above the earlier.
     pub lines: Vec<(FilmInk, Vec<Point>)>,
-    /// Cells where something changes.
+    /// Cells where the walk changes.
     pub tinted: Vec<Cell>,
-    /// The same in words.
+    /// Its caption.
     text: String,
-    /// How long it is looked at, s.
+    /// Its duration, s.
     seconds: f64,
 }
 
-/// A film that is shown.
+/// A film being shown.
 #[derive(Debug)]
 pub struct Showing {
     pictures: Vec<Picture>,
-    /// The picture that is shown; their number once it's over.
+    /// Index of the current picture; the number of pictures once the film is over.
     at: usize,
-    /// How long it has been, s.
+    /// Time since it appeared, s.
     since: f64,
-    /// Whether it goes on only when asked to.
+    /// Whether it waits for the user.
     is_held: bool,
 }
 
 impl Showing {
-    /// From the beginning; `None` if there is nothing to be seen. One that `is_held` goes on only when asked to.
+    /// A film at its beginning; `None` without pictures. If `is_held` it waits for the user.
     pub fn new(frames: &[FilmFrame], planning_grid: &PlanningGrid, is_held: bool) -> Option<Self> {
         let (firsts, search): (Vec<&FilmFrame>, Vec<&FilmFrame>) =
             frames.iter().partition(|frame| frame.proof.is_none());
-        // A closed tour goes on from there, back to the start.
+        // A closed tour continues from there, back to the start.
         let begun =
             search.first().and_then(|begun| firsts.iter().position(|frame| begun.walk.starts_with(&frame.walk)));
         let mut pictures: Vec<Picture> = Vec::new();
@@ -71,12 +71,12 @@ impl Showing {
         (!pictures.is_empty()).then_some(Self { pictures, at: 0, since: 0.0, is_held })
     }
 
-    /// Begins again.
+    /// Rewinds to the beginning.
     pub fn rewind(&mut self) {
         (self.at, self.since) = (0, 0.0);
     }
 
-    /// Lets time pass.
+    /// Advances by a time, s.
     pub fn go_on(&mut self, elapsed_s: f64) {
         let Some(picture) = self.picture().filter(|_| !self.is_held) else { return };
         let seconds = picture.seconds;
@@ -86,13 +86,13 @@ impl Showing {
         }
     }
 
-    /// Goes to the next picture, or back to the one before, and stays there.
+    /// Goes to the next or the previous picture, and holds.
     pub fn turn(&mut self, forward: bool) {
         let at = if forward { self.at + 1 } else { self.at.saturating_sub(1) };
         (self.at, self.since, self.is_held) = (at.min(self.pictures.len()), 0.0, true);
     }
 
-    /// Stays at a picture, or goes on; from the beginning if it was over.
+    /// Holds, or continues; from the beginning if it was over.
     pub fn hold(&mut self, is_held: bool) {
         self.is_held = is_held;
         if !is_held && self.is_over() {
@@ -100,33 +100,33 @@ impl Showing {
         }
     }
 
-    /// Whether it goes on only when asked to.
+    /// Whether it waits for the user.
     pub fn is_held(&self) -> bool {
         self.is_held
     }
 
-    /// Whether all has been seen.
+    /// Whether the film is over.
     pub fn is_over(&self) -> bool {
         self.at >= self.pictures.len()
     }
 
-    /// How far it is: the number of the picture, and how many there are.
+    /// Index of the picture, and number of pictures.
     pub fn place(&self) -> [usize; 2] {
         [self.at, self.pictures.len()]
     }
 
-    /// What is seen; `None` once it's over.
+    /// The current picture; `None` once the film is over.
     pub fn picture(&self) -> Option<&Picture> {
         self.pictures.get(self.at)
     }
 
-    /// What is seen, in words; `end` is what is proven of the plan.
+    /// The caption; `end` is the proof of the final plan.
     pub fn text(&self, end: Option<Proof>) -> String {
         self.picture().map_or_else(|| format!("Search finished: the plan is {}.", good(end)), |it| it.text.clone())
     }
 }
 
-/// The pairs of walks between which most was won, in their order.
+/// The largest improvements, in their order.
 fn largest<'f>(search: &[&'f FilmFrame]) -> Vec<[&'f FilmFrame; 2]> {
     let mut pairs: Vec<(f64, [&FilmFrame; 2])> =
         search.windows(2).map(|pair| (won(pair[0], pair[1]), [pair[0], pair[1]])).collect();
@@ -136,13 +136,13 @@ fn largest<'f>(search: &[&'f FilmFrame]) -> Vec<[&'f FilmFrame; 2]> {
     pairs.into_iter().map(|(_, pair)| pair).collect()
 }
 
-/// What was won from one walk to the next, as a share of the bound.
+/// The improvement from one walk to the next, as a share of the bound.
 fn won(former: &FilmFrame, latter: &FilmFrame) -> f64 {
     let (Some(former), Some(latter)) = (former.proof, latter.proof) else { return 0.0 };
     former.cost.saturating_sub(latter.cost) as f64 / latter.bound.max(1) as f64
 }
 
-/// A walk that the search could begin with.
+/// The picture of a walk that the search could start from.
 fn first(frame: &FilmFrame, (number, all): (usize, usize), is_chosen: bool, planning_grid: &PlanningGrid) -> Picture {
     let FilmFrame { walk, planner, .. } = frame;
     let (steps, turns) = (amount(steps(walk), "step"), amount(turns(walk), "turn"));
@@ -155,7 +155,7 @@ fn first(frame: &FilmFrame, (number, all): (usize, usize), is_chosen: bool, plan
     }
 }
 
-/// The walk before with what will change, what stays of it, and the walk after.
+/// The pictures of an improvement: the walk before with the changing parts, the parts that stay, and the walk after.
 fn improvement(
     [former, latter]: [&FilmFrame; 2],
     total: u32,
@@ -177,8 +177,8 @@ fn improvement(
     let share = if share < 0.05 { "less than 0.1".to_owned() } else { format!("{share:.1}") };
     let texts = [
         format!("{which}: the tinted cells will change."),
-        format!("{which}: the walk is taken apart there; {} remain{s}.", amount(stay as i64, "part")),
-        format!("{which}: merged again, {} ({share} % of the bound); now {}.", less(&change), good(latter.proof)),
+        format!("{which}: the walk is cut there; {} remain{s}.", amount(stay as i64, "part")),
+        format!("{which}: rejoined, {} ({share} % of the bound); now {}.", less(&change), good(latter.proof)),
     ];
     let [marked, apart, merged_text] = texts;
     let picture = |lines, text, seconds| Picture { lines, tinted: change.cells.clone(), text, seconds };
@@ -189,11 +189,11 @@ fn improvement(
     ]
 }
 
-/// What was won, in steps and turns.
+/// Savings in steps and turns, in words.
 fn less(change: &WalkDiff) -> String {
     let (steps, turns) = (change.steps, change.turns);
     let each = |difference: i64, unit: &str| {
-        let more = if difference < 0 { "more" } else { "less" };
+        let more = if difference < 0 { "more" } else { "fewer" };
         format!("{} {more}", amount(difference.abs(), unit))
     };
     match (steps, turns) {
@@ -205,18 +205,12 @@ fn less(change: &WalkDiff) -> String {
     }
 }
 
-/// A number of things.
-fn amount(number: i64, unit: &str) -> String {
-    let s = if number == 1 { "" } else { "s" };
-    format!("{number} {unit}{s}")
-}
-
-/// How good a walk is known to be.
+/// The proof of a walk, in words.
 fn good(proof: Option<Proof>) -> String {
     match proof.map(Proof::gap) {
         None => "not yet compared with a bound".to_owned(),
         Some(gap) if gap <= 0.0 => "proven optimal".to_owned(),
-        // Rounded up, as the page does: nothing but the best is 0 % above.
+        // Rounded up, as on the page: only an optimal walk is 0 % above.
         Some(gap) => format!("{:.1} % above the proven bound", (1000.0 * gap - 1e-6).ceil() / 10.0),
     }
 }

@@ -25,18 +25,18 @@ use robovac_sim::{
 };
 use std::sync::Arc;
 
-/// What is told of a robot that was put down elsewhere and can't feel that.
+/// Message for a robot that was put down elsewhere and can't sense that.
 const CARRIED: &str = "The robot follows its plan by odometry and can't detect that it was kidnapped.";
-/// How far from its estimated position a robot must be put down for a message, m.
+/// Least distance from its estimated position at which a robot is put down for that message, m.
 const CARRIED_M: f64 = 0.1;
 
-/// What links say of a room that was drawn or loaded: it stays what it is.
+/// Name in links of a room that was drawn or loaded: it is kept.
 const OWN_ROOM: &str = "own";
 
-/// Room, settings, plan and run, and what may be done with them.
+/// Room, settings, plan and run, with all actions on them.
 ///
-/// The session has no clock and no thread: [`Session::frame`] is told how much time has passed and asks whether it may
-/// go on; planning happens wherever [`Session::take_plan_request`] is served.
+/// The session has no clock and no thread: [`Session::frame`] receives the elapsed time and a callback that limits its
+/// work; planning happens wherever [`Session::take_plan_request`] is served.
 #[expect(clippy::struct_excessive_bools)]
 pub struct Session {
     settings: Settings,
@@ -48,25 +48,25 @@ pub struct Session {
     playing: bool,
     pacer: FramePacer,
     requests: u32,
-    /// Whether nothing but the opening scene has been asked for so far: its plan is there already.
+    /// Whether this is still the unchanged opening scene, whose plan is precomputed.
     is_opening: bool,
-    /// Walks that planners have reported, on their way and at the end.
+    /// Number of walks reported by planners, intermediate and final.
     previews: u64,
     message: Option<Message>,
-    /// Whether the planner's decisions are to be shown, and they, once they are known.
+    /// Whether the planner's decisions are shown, and the decisions, once known.
     shows_search: bool,
     search: Option<PlanSearch>,
-    /// How the plan came to be, if it was filmed, and whether films go on only when asked to.
+    /// The film of the plan, if there is one, and whether films wait for the user.
     film: Option<Showing>,
     holds_films: bool,
     /// The picture of it that was shown last.
     film_at: Option<usize>,
 }
 
-/// Why files can't be taken.
+/// Reasons why files can't be loaded.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum LoadError {
-    /// They are no map.
+    /// They aren't a map.
     #[error(transparent)]
     Import(#[from] ImportError),
     /// They are a scenario that can't be run.
@@ -74,21 +74,21 @@ pub enum LoadError {
     Scenario(#[from] ScenarioError),
 }
 
-/// A planner at work elsewhere.
+/// A planner running elsewhere.
 struct Planning {
     request: Option<PlanRequest>,
     id: u32,
     progress: f64,
-    /// The best walk so far, and as the line that the robot would drive.
+    /// The best walk so far, and its line.
     walk: Vec<Cell>,
     preview: Vec<Point>,
-    /// How good that walk is known to be.
+    /// Its proof.
     proof: Option<Proof>,
     /// The walks so far.
     film: Film,
 }
 
-/// Something to tell the user.
+/// A message for the user.
 #[derive(Debug, Clone)]
 struct Message {
     kind: &'static str,
@@ -96,12 +96,12 @@ struct Message {
 }
 
 impl Session {
-    /// The opening scene: the furnished flat, about to be cleaned.
+    /// The opening scene: the furnished flat before cleaning.
     pub fn new() -> Self {
         Self::with(controller::ALL)
     }
 
-    /// The same with only these behaviours to choose from.
+    /// The same with only these behaviours available.
     pub fn with(behaviours: Behaviours) -> Self {
         let room = &floor_plan::ROOMS[0];
         let mut session = Self {
@@ -127,7 +127,7 @@ impl Session {
         session
     }
 
-    // ---- what is shown
+    // ---- state
 
     /// What the session is doing.
     pub fn state(&self) -> SessionState {
@@ -144,29 +144,29 @@ impl Session {
         }
     }
 
-    /// The room, its walls as they are now.
+    /// The room with its current walls.
     pub fn plan(&self) -> &Arc<FloorPlan> {
         self.editor.plan()
     }
 
-    /// Id of the room if it ships and hasn't been changed.
+    /// Id of the room if it is built in and unchanged.
     pub fn room(&self) -> Option<&'static str> {
         self.editor.room()
     }
 
-    /// Name of the room; one that shipped and was changed says so.
+    /// Name of the room, with a remark if a built-in one was changed.
     pub fn room_title(&self) -> String {
         let name = &self.plan().name;
         let is_changed = self.room().is_none() && floor_plan::ROOMS.iter().any(|room| room.title == name);
         if is_changed { format!("{name} (changed)") } else { name.clone() }
     }
 
-    /// Where the user has put the start, if anywhere.
+    /// The start set by the user, if any.
     pub fn start(&self) -> Option<Pose> {
         self.editor.start()
     }
 
-    /// Grows with every change of walls.
+    /// Changes with every change of walls.
     pub fn plan_version(&self) -> u64 {
         self.editor.version()
     }
@@ -181,7 +181,7 @@ impl Session {
         self.planned.as_ref()
     }
 
-    /// The line of the best walk so far while a planner is at work.
+    /// The line of the best walk so far while a planner is running.
     pub fn preview(&self) -> &[Point] {
         self.planning.as_ref().map_or(&[], |p| &p.preview)
     }
@@ -203,7 +203,7 @@ impl Session {
 
     // ---- time
 
-    /// Lets `elapsed_s` seconds pass, as long as `has_time` says so.
+    /// Advances by `elapsed_s` seconds, while `has_time` returns true.
     pub fn frame(&mut self, elapsed_s: f64, has_time: &mut dyn FnMut() -> bool) {
         self.film_goes_on(elapsed_s.clamp(0.0, LONGEST_FRAME));
         let state = self.state();
@@ -227,7 +227,7 @@ impl Session {
         }
     }
 
-    /// Lets time go on; from the start if the run was over, with a new plan if there is none.
+    /// Starts or continues; from the start if the run was over, with a new plan if there is none.
     pub fn play(&mut self) {
         let state = self.state();
         if state == SessionState::Finished {
@@ -240,7 +240,7 @@ impl Session {
         }
     }
 
-    /// Stops time.
+    /// Pauses.
     pub fn pause(&mut self) {
         self.playing = false;
         if let Some(recording) = &mut self.recording {
@@ -248,7 +248,7 @@ impl Session {
         }
     }
 
-    /// Goes on by one move: one planning cell or one turn, at most five seconds.
+    /// Advances by one move: one planning cell or one turn, at most five seconds.
     pub fn step(&mut self) {
         let allowed = self.state().allows(Action::Step);
         self.pause();
@@ -264,23 +264,23 @@ impl Session {
         }
     }
 
-    /// Back to the start, time standing still.
+    /// Returns to the start and pauses.
     pub fn reset(&mut self) {
         self.pause();
         self.seek(0.0);
     }
 
-    /// Goes to another point of the time simulated so far, s.
+    /// Seeks another time within the time simulated so far, s.
     pub fn seek(&mut self, time_s: f64) {
         self.message.take_if(|message| message.text == CARRIED);
         if let Some(recording) = &mut self.recording {
             recording.seek(time_s);
-            // The state right at a key frame, the start above all, is there at once; the rest follows with the frames.
+            // A key frame's state, such as the start, is there at once; the rest follows with the frames.
             recording.seek_on(&mut || false);
         }
     }
 
-    // ---- the hand on the robot
+    // ---- lifting and driving
 
     /// Moves the joystick; ignored by robots that drive by themselves.
     pub fn command(&mut self, command: Joystick) {
@@ -342,23 +342,23 @@ impl Session {
         Ok(())
     }
 
-    /// Shows a layer of the picture, or no longer.
+    /// Shows or hides a layer of the picture.
     pub fn show(&mut self, layer: &str, on: bool) -> Result<(), SettingsError> {
         self.settings.shows.set(layer, on)
     }
 
-    /// Sets the speed, times real time; 0 for as fast as it goes.
+    /// Sets the speed, times real time; 0 for as fast as possible.
     pub fn set_speed(&mut self, times: f64) {
         self.settings.speed = if times.is_finite() { times.max(0.0) } else { 0.0 };
         self.pacer.restart();
     }
 
-    /// Takes a map or scenario from files that belong together. On an error everything stays as it was.
+    /// Loads a map or scenario from files that belong together. Changes nothing on an error.
     pub fn load(&mut self, files: &[SourceFile]) -> Result<(), LoadError> {
         Ok(self.take_import(Import::read(files)?)?)
     }
 
-    /// Takes what was read from files. On an error everything stays as it was.
+    /// Takes the result of reading files. Changes nothing on an error.
     pub fn take_import(&mut self, import: Import) -> Result<(), ScenarioError> {
         if let Some(choices) = &import.choices {
             self.settings = choices.settings(&self.settings)?;
@@ -369,13 +369,13 @@ impl Session {
         Ok(())
     }
 
-    /// Takes a link's `key=value` pairs, joined by `&`. On an error everything stays as it was.
+    /// Takes a link's `key=value` pairs, joined by `&`. Changes nothing on an error.
     pub fn restore(&mut self, link: &str) -> Result<(), SettingsError> {
         let mut settings = self.settings.clone();
         let mut room = None;
         let pairs = link.trim_start_matches('#').split('&').filter(|p| !p.is_empty());
         let mut pairs: Vec<(&str, &str)> = pairs.map(|p| p.split_once('=').unwrap_or((p, ""))).collect();
-        // Robot and planner bring defaults of their own, which must not undo what else the link says.
+        // Robot and planner bring defaults of their own, which must not override the link's other values.
         pairs.sort_by_key(|(key, _)| !matches!(*key, "robot" | "planner" | "behaviour"));
         for (key, value) in pairs {
             if key == "room" {
@@ -390,7 +390,7 @@ impl Session {
         Ok(())
     }
 
-    /// Takes settings, another room if there is one, and a start in it, as one change to be undone at once.
+    /// Applies settings, another room if there is one, and a start in it, as one undoable change.
     pub(super) fn replace(
         &mut self,
         settings: Settings,
@@ -407,7 +407,7 @@ impl Session {
         self.prepare();
     }
 
-    /// Room and settings as a scenario file, which [`Session::load`] takes back.
+    /// Room and settings as a scenario file that [`Session::load`] reads.
     pub fn scenario_json(&self) -> String {
         let settings = &self.settings;
         let defaults = Params::defaults(settings.algorithm.params());
@@ -431,7 +431,7 @@ impl Session {
     /// The room and the robot's start in it.
     pub fn own_room(&self) -> Scenario {
         let mut scenario = Scenario::of(self.plan());
-        // A start that was walled in would be refused, and is of no use to anyone.
+        // A start inside a wall would be refused, and is of no use.
         let start = self.editor.start().or(self.plan().start);
         scenario.start = start.filter(|_| self.prepared.is_some()).map(Into::into);
         scenario
@@ -462,12 +462,12 @@ impl Session {
         self.editor.go_on(at);
     }
 
-    /// Takes back what is being drawn.
+    /// Cancels the current stroke.
     pub fn abandon_stroke(&mut self) {
         self.editor.abandon();
     }
 
-    /// Ends drawing and plans anew; walls can't go where something is that needs floor.
+    /// Ends drawing and plans again; walls can't replace floor needed by objects.
     pub fn end_stroke(&mut self) {
         if let Err(refusal) = self.plan().check_objects(None) {
             self.editor.abandon();
@@ -479,7 +479,7 @@ impl Session {
         }
     }
 
-    /// Moves the start; if the robot can't stand there, says so and leaves it.
+    /// Moves the start; if the robot can't stand there, reports that and leaves it.
     pub fn move_start(&mut self, to: Pose) {
         if let Err(refusal) = self.plan().check_objects(Some(to)) {
             self.say("error", sentence(&refusal.fault.to_string()));
@@ -496,7 +496,7 @@ impl Session {
         }
     }
 
-    /// Takes the last change of the room back.
+    /// Undoes the last change of the room.
     pub fn undo(&mut self) {
         if self.editor.undo() {
             self.message = None;
@@ -504,7 +504,7 @@ impl Session {
         }
     }
 
-    /// Makes the last undone change again.
+    /// Redoes the last undone change.
     pub fn redo(&mut self) {
         if self.editor.redo() {
             self.message = None;
@@ -512,12 +512,12 @@ impl Session {
         }
     }
 
-    /// Makes the room as it is now the beginning: there is nothing to undo or redo.
+    /// Clears the undo and redo history.
     pub fn forget_changes(&mut self) {
         self.editor.forget();
     }
 
-    /// Tells the user that something went wrong outside.
+    /// Reports an error from outside to the user.
     pub fn report_error(&mut self, text: &str) {
         self.say("error", sentence(text));
     }
@@ -533,7 +533,7 @@ impl Default for Session {
     }
 }
 
-/// The room that ships with that id.
+/// The built-in room with that id.
 pub(super) fn known_room(id: &str) -> Result<&'static RoomInfo, SettingsError> {
     floor_plan::room(id).ok_or_else(|| {
         let known = floor_plan::ROOMS.iter().map(|r| r.id).collect::<Vec<_>>().join(", ");
@@ -541,7 +541,7 @@ pub(super) fn known_room(id: &str) -> Result<&'static RoomInfo, SettingsError> {
     })
 }
 
-/// To millimetres and tenths of a degree, as links have it: a link must bring back the very same run.
+/// Rounded to millimetres and tenths of a degree, as in links: a link must reproduce exactly the same run.
 fn rounded(pose: Pose) -> Pose {
     let round = |value: f64, unit: f64| (value / unit).round() * unit;
     let heading = round(pose.heading.to_degrees(), 0.1).to_radians();

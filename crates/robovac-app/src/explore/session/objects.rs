@@ -4,14 +4,14 @@ use super::{Session, sentence};
 use robovac_core::floor_plan::{FloorPlan, Object};
 
 impl Session {
-    /// Puts objects into the room, as one change; says whether they can be there, and tells the user if they can't.
+    /// Adds objects to the room, as one change; returns whether they fit, and reports an error if not.
     pub fn add_objects(&mut self, objects: Vec<Object>) -> bool {
         let mut all = self.plan().objects.clone();
         all.extend(objects);
         self.take_objects(all)
     }
 
-    /// Puts something else in the place of an object; says whether it can be there.
+    /// Replaces an object; returns whether the new one fits.
     pub fn change_object(&mut self, index: usize, object: Object) -> bool {
         let mut all = self.plan().objects.clone();
         let Some(place) = all.get_mut(index) else { return false };
@@ -19,7 +19,7 @@ impl Session {
         self.take_objects(all)
     }
 
-    /// Takes an object away.
+    /// Removes an object.
     pub fn remove_object(&mut self, index: usize) {
         let mut all = self.plan().objects.clone();
         if index < all.len() {

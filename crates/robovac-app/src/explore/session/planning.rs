@@ -13,13 +13,13 @@ use robovac_sim::{
 };
 use std::ops::ControlFlow;
 
-/// Share of the reachable floor below which a plan is worth a warning.
+/// Least coverage of the reachable floor without a warning.
 const LEAST_COVERAGE: f64 = 0.75;
 
 impl Session {
-    /// The plan that has to be made, once. Serve it wherever there is time, and answer with the methods below.
+    /// The pending plan request, returned once. Answer it with the methods below.
     ///
-    /// For the opening scene there is nothing to be made: it gets the plan that is kept of it.
+    /// The opening scene uses its precomputed plan instead.
     pub fn take_plan_request(&mut self) -> Option<PlanRequest> {
         let request = self.planning.as_mut()?.request.take()?;
         if !self.is_opening {
@@ -32,7 +32,7 @@ impl Session {
         None
     }
 
-    /// Makes the plan here and now; for small rooms and tests. `clock` gives seconds.
+    /// Plans synchronously; for small rooms and tests. `clock` returns seconds.
     pub fn plan_now(&mut self, clock: impl Fn() -> f64) {
         let Some(request) = self.take_plan_request() else { return };
         let mut film = request.film();
@@ -52,7 +52,7 @@ impl Session {
         }
     }
 
-    /// A planner reports how far it is, its best walk so far, and what is proven of that.
+    /// Progress of a planner: its share done, its best walk so far, and the proof.
     pub fn plan_progress(&mut self, id: u32, ProgressReport { done, walk, proof }: ProgressReport<'_>) {
         let Some(planning) = self.planning.as_mut().filter(|p| p.id == id) else { return };
         (planning.progress, planning.proof) = (done, proof);
@@ -64,7 +64,7 @@ impl Session {
         }
     }
 
-    /// What a planner was filmed at since this was told last.
+    /// New frames of a planner's film since the last call.
     pub fn plan_filmed(&mut self, id: u32, frames: Vec<FilmFrame>) {
         if let Some(planning) = self.planning.as_mut().filter(|p| p.id == id) {
             for frame in frames {
@@ -73,13 +73,14 @@ impl Session {
         }
     }
 
-    /// Whether the planner at work may be stopped with a walk that cleans all: only of such a one anything is proven.
+    /// Whether the running planner can be stopped with a walk that cleans everything: only such planners report a
+    /// proof.
     pub(super) fn can_keep(&self) -> bool {
         let is_anytime = self.settings.algorithm.planner().is_some_and(PlannerInfo::is_anytime);
         is_anytime && self.planning.as_ref().is_some_and(|planning| planning.proof.is_some())
     }
 
-    /// The user is content with the best walk so far, `seconds` after the planner began. Cancels if there is none.
+    /// Ends planning with the best walk so far, `seconds` after the planner began. Cancels if there is none.
     pub fn keep_plan(&mut self, seconds: f64) {
         let Some(planning) = self.planning.as_mut() else { return };
         let (id, proof, cells, done) = (planning.id, planning.proof, planning.walk.clone(), planning.progress);
@@ -93,7 +94,7 @@ impl Session {
         }
     }
 
-    /// How good the plan of a request is, as plans are compared, was proven after it had been made.
+    /// A proof of a request's plan, in the weights of comparisons, found after planning.
     pub fn plan_proven(&mut self, id: u32, proof: Proof) {
         if id == self.requests
             && let Some(planned) = &mut self.planned
@@ -102,7 +103,7 @@ impl Session {
         }
     }
 
-    /// A planner is done.
+    /// A planner has finished.
     pub fn plan_finished(&mut self, id: u32, answer: PlanAnswer) {
         let Some(mut planning) = self.planning.take_if(|p| p.id == id) else { return };
         self.previews += 1;
@@ -124,7 +125,7 @@ impl Session {
         }
     }
 
-    /// A planner gave up.
+    /// A planner has failed.
     pub fn plan_failed(&mut self, id: u32, text: &str) {
         if self.planning.as_ref().is_some_and(|p| p.id == id) {
             self.planning = None;
@@ -136,17 +137,17 @@ impl Session {
         self.say("error", format!("The planner failed: {text}. Try another planner or room."));
     }
 
-    /// The user doesn't want to wait for the planner.
+    /// Cancels planning.
     pub fn cancel_plan(&mut self) {
         if self.planning.take().is_some() {
             self.playing = false;
-            // What it had found so far is no longer drawn.
+            // Its preview is no longer drawn.
             self.previews += 1;
             self.say("notice", "Planning was cancelled. Press play to plan again, or change the settings.".into());
         }
     }
 
-    /// Whoever starts in a closet should know why the rest stays dirty.
+    /// Warns if much of the floor can't be reached from the start.
     fn warn_of_closed_off(&mut self, prepared: &RoomSetup) {
         let floor = &prepared.floor;
         if floor.closed_off_area() > floor.area() {
@@ -161,7 +162,7 @@ impl Session {
         }
     }
 
-    /// A plan may cover all its cells and yet hardly any floor.
+    /// Warns of a plan that covers all its cells but little of the floor.
     fn warn_of_coarse_cells(&mut self, coverage: f64) {
         if coverage < LEAST_COVERAGE && self.message.is_none() {
             let (percent, cell) = (100.0 * coverage, 100.0 * self.settings.cell_size);
@@ -175,9 +176,9 @@ impl Session {
         }
     }
 
-    /// Lays the room out anew and asks for a plan.
+    /// Lays the room out again and requests a plan.
     pub(super) fn prepare(&mut self) {
-        // Whoever has watched a run to its end and changes something wants to watch the next one.
+        // After a finished run a change starts the next one.
         self.playing |= self.state() == SessionState::Finished;
         self.planned = None;
         self.search = None;
@@ -210,7 +211,7 @@ impl Session {
                             film: Film::default(),
                         });
                     }
-                    // Nothing to wait for: it knows nothing of the room.
+                    // No planning: a behaviour doesn't know the room.
                     Algorithm::Behaviour(behaviour) => {
                         let behaviours = self.settings.behaviours();
                         let run = prepared.run_one_of(behaviours, behaviour, params, conditions, seed);

@@ -9,7 +9,7 @@ use coverage_planners::{MOST_FILMED_CELLS, TraceStep};
 use robovac_sim::experiment::planning::MOST_SEARCH_CELLS;
 
 impl Session {
-    /// Shows the planner's search from now on, or no longer. A film has the floor for itself: time stops when it begins.
+    /// Shows or hides the planner's search. Time pauses when a film begins.
     pub fn show_search(&mut self, on: bool) {
         self.shows_search = on;
         if let Some(film) = &mut self.film {
@@ -19,19 +19,19 @@ impl Session {
         self.begin_film();
     }
 
-    /// Makes films wait for [`Session::turn_film`], for those who don't want to see anything move by itself.
+    /// Makes films wait for [`Session::turn_film`], for users who prefer reduced motion.
     pub fn hold_films(&mut self) {
         self.holds_films = true;
     }
 
-    /// Stops time if there is a film to be seen.
+    /// Pauses if there is a film to show.
     pub(super) fn begin_film(&mut self) {
         if self.shows_search && self.film.is_some() {
             self.pause();
         }
     }
 
-    /// The next picture of the film, or the one before, and no other by itself.
+    /// Shows the next picture of the film, or the previous one, and holds it.
     pub fn turn_film(&mut self, forward: bool) {
         self.pause();
         if let Some(film) = &mut self.film {
@@ -39,7 +39,7 @@ impl Session {
         }
     }
 
-    /// Holds the film, or lets it go on; from the beginning if it was over.
+    /// Holds the film, or continues it; from the beginning if it was over.
     pub fn hold_film(&mut self, is_held: bool) {
         self.pause();
         if let Some(film) = &mut self.film {
@@ -60,7 +60,7 @@ impl Session {
         }
     }
 
-    /// What is seen of the film; nothing while the robot drives, as that is to be seen then.
+    /// The current picture of the film; `None` while the robot drives.
     pub fn picture(&self) -> Option<&Picture> {
         self.shown_film().filter(|_| !self.is_driving())?.picture()
     }
@@ -77,7 +77,7 @@ impl Session {
         }
     }
 
-    /// How far the film is, and whether it goes on by itself.
+    /// Progress of the film.
     fn film_view(&self) -> Option<FilmView> {
         let film = self.shown_film()?;
         let [at, pictures] = film.place();
@@ -93,7 +93,7 @@ impl Session {
         matches!(self.state(), SessionState::Playing | SessionState::Seeking)
     }
 
-    /// Whether the planner can say what it decides.
+    /// Whether the planner traces its decisions.
     pub fn offers_search(&self) -> bool {
         self.settings.algorithm.planner().is_some_and(|planner| planner.claims.traces || planner.is_anytime())
     }
@@ -109,20 +109,20 @@ impl Session {
         if !self.offers_search() || cells <= most {
             return String::new();
         }
-        format!("Rooms with more than {most} planning cells aren't {shown}; this one has {cells}.")
+        format!("The search is {shown} only in rooms of up to {most} planning cells; this one has {cells}.")
     }
 
-    /// The decisions behind the plan, if the planner tells them.
+    /// The decisions of the plan, if the planner traces them.
     pub fn search(&self) -> Option<&PlanSearch> {
         self.search.as_ref()
     }
 
-    /// The decision that the robot is carrying out, if it is to be shown.
+    /// The decision that the robot is carrying out, if it is shown.
     pub fn decision(&self) -> Option<&TraceStep> {
         self.search().filter(|_| self.shows_search)?.decision(self.recording.as_ref()?.run())
     }
 
-    /// What is shown of the search, in words.
+    /// The shown part of the search, in words.
     fn search_text(&self) -> String {
         let Some(planned) = self.planned.as_ref().filter(|_| self.shows_search && self.offers_search()) else {
             return String::new();

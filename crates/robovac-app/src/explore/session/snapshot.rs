@@ -16,7 +16,7 @@ use robovac_sim::experiment::Shows;
 use robovac_sim::{Run, RunRecording, SensorKind, SlipLevel, What};
 
 impl Session {
-    /// What is to be drawn, but for what the pointer is doing.
+    /// The scene, without the pointer's tools.
     pub fn scene(&self) -> Scene<'_> {
         let run = self.recording.as_ref().map(RunRecording::run);
         let model = self.settings.robot_model();
@@ -24,7 +24,7 @@ impl Session {
         let is_lost = self.settings.conditions.slip != SlipLevel::None;
         let robot = run.map(|run| RobotView::of(run, &model, estimate || is_lost));
         let film = self.picture().map(|picture| FilmScene { picture, cell_size: self.settings.cell_size });
-        // A picture of the film is about the plan alone: no robot stands on it.
+        // A picture of the film shows the plan alone, without the robot.
         let robot = robot.filter(|_| film.is_none());
         let coverage = self.settings.shows.coverage && film.is_none();
         Scene {
@@ -121,7 +121,7 @@ impl Session {
         }
     }
 
-    /// What a quarter turn counts as for a planner that proves its plans, in steps, and whether that is the robot's time.
+    /// Steps that a quarter turn counts as for a planner that proves its plans, and whether that is the robot's time.
     fn turn_weight(&self) -> Option<(f64, bool)> {
         let turn = self.settings.algorithm.planner()?.turn_weight(&self.settings.params)?;
         if turn > 0.0 {
@@ -161,7 +161,7 @@ impl Session {
         })
     }
 
-    /// One or two sentences that stand for the picture.
+    /// One or two sentences that describe the picture.
     pub fn description(&self) -> String {
         let view = self.view();
         let room = format!("{}, {:.1} m by {:.1} m", view.room.title, view.room.width_m, view.room.height_m);
@@ -175,9 +175,9 @@ impl Session {
         };
         let search = if view.search.text.is_empty() { String::new() } else { format!(" {}", view.search.text) };
         let objects = in_words(&self.plan().objects);
-        let objects = if objects.is_empty() { objects } else { format!(" In it: {objects}.") };
+        let objects = if objects.is_empty() { objects } else { format!(" Objects: {objects}.") };
         format!(
-            "Floor plan of {room}.{objects} {}: {doing}, {:.0} % of the reachable floor is clean after {:.0} minutes.{search}",
+            "Floor plan of {room}.{objects} {}: {doing}, {:.0} % of the reachable floor is clean after {:.0} min.{search}",
             self.settings.algorithm.title(),
             100.0 * view.coverage,
             view.time_s / 60.0
@@ -185,7 +185,7 @@ impl Session {
     }
 }
 
-/// What the robot is doing, in a few words. One that was put down while time stands still hasn't felt that yet.
+/// The robot's activity, in a few words. A robot that was put down while paused hasn't sensed that yet.
 fn activity(run: &Run) -> &'static str {
     let last = run.events().back();
     let is_put_down = last.is_some_and(|event| event.what == What::PutDown && event.step >= run.steps());

@@ -8,8 +8,8 @@
 //! ....#..?
 //! ```
 //!
-//! `#` is wall, `.` floor, `?` unknown, `S` floor on which the robot starts, heading right. Lines that begin with `;` set
-//! `resolution` (metres per cell), `name` and `note`; other words are left alone, so that tools may add theirs.
+//! `#` is wall, `.` floor, `?` unknown, `S` floor on which the robot starts, heading right. Lines that begin with `;`
+//! set `resolution` (metres per cell), `name` and `note`; other keys are ignored, so that tools can add theirs.
 
 use super::{FloorPlan, MAX_SIDE, MapError, error::checked_resolution, stem};
 use crate::{
@@ -17,10 +17,10 @@ use crate::{
     grid::{Cell, Grid, Occupancy, picture},
 };
 
-/// Metres per cell of a text map that doesn't say.
+/// Metres per cell of a text map without a resolution.
 pub const DEFAULT_ASCII_RESOLUTION: f64 = 0.1;
 
-/// Whether a text is meant as a map: its first line is a header or consists of cells only.
+/// Whether a text looks like a map: its first line is a header or consists of cells only.
 pub(super) fn is_ascii(text: &str) -> bool {
     let first = text.lines().map(str::trim).find(|line| !line.is_empty());
     first.is_some_and(|line| line.starts_with(';') || line.chars().all(|c| "#.?S".contains(c)))
@@ -41,7 +41,7 @@ pub(super) fn read(name: &str, text: &str) -> Result<FloorPlan, MapError> {
     plan.with_cells(name, &rows)
 }
 
-/// Writes a floor plan as a text map. The start's place within its cell and its heading don't fit in and are lost.
+/// Writes a floor plan as a text map. The start's position within its cell and its heading are lost.
 ///
 /// ```
 /// use robovac_core::floor_plan::{Sketch, to_ascii};
@@ -86,7 +86,7 @@ pub(super) const fn cell_of(glyph: char) -> Option<Occupancy> {
     }
 }
 
-/// What the lines with a semicolon say.
+/// The values of the header lines.
 struct Header {
     name: String,
     note: String,
@@ -127,7 +127,7 @@ impl Header {
     }
 }
 
-/// Cells as they come, from the top.
+/// Cells in the file's order, from the top.
 #[derive(Default)]
 struct Rows {
     width: usize,

@@ -11,12 +11,12 @@ pub const MAX_CORNERS: usize = 200;
 pub const RADII: [f64; 2] = [0.005, 5.0];
 /// Shortest and longest beam of a virtual wall, m.
 pub const BEAMS: [f64; 2] = [0.1, 20.0];
-/// How far in front of the back of a dock or lighthouse there must be floor, m: about the middle of such a thing.
+/// Distance in front of the back of a dock or lighthouse where there must be floor, m: about its middle.
 const FRONT: f64 = 0.05;
-/// Points this close to the border lie inside, m: what files round off.
+/// Points this close to the border lie inside, m; allows for rounding in files.
 const BORDER: f64 = 1e-6;
 
-/// Why something can't be where it is: the cause, and what to do.
+/// Reasons why an object can't be placed: the cause, and the remedy.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum PlacementFault {
     /// A number is out of range.
@@ -24,31 +24,31 @@ pub enum PlacementFault {
     Range {
         /// The number found.
         value: f64,
-        /// Lowest number that would do.
+        /// Smallest allowed number.
         low: f64,
-        /// Highest number that would do.
+        /// Largest allowed number.
         high: f64,
-        /// What it counts.
+        /// Its unit.
         unit: &'static str,
     },
-    /// More of something than is taken.
+    /// Too many elements.
     #[error("there are {found} {what}, but at most {most} are allowed; remove some")]
     TooMany {
-        /// Their number.
+        /// The given number.
         found: usize,
         /// The largest number.
         most: usize,
-        /// What they are.
+        /// Their name.
         what: &'static str,
     },
-    /// Fewer corners or points than it takes.
+    /// Too few corners or points.
     #[error("there are {found} {what}, but at least {least} are needed; add the missing ones")]
     TooFew {
-        /// Their number.
+        /// The given number.
         found: usize,
         /// The smallest number.
         least: usize,
-        /// What they are.
+        /// Their name.
         what: &'static str,
     },
     /// An outline crosses or touches itself.
@@ -70,37 +70,37 @@ pub enum PlacementFault {
         "the {what} at ({x:.3} m, {y:.3} m) lies outside the room, which is {width:.2} m x {height:.2} m; move it inside"
     )]
     Outside {
-        /// What it is.
+        /// The name of the point.
         what: &'static str,
-        /// The point, m.
+        /// x of the point, m.
         x: f64,
-        /// The point, m.
+        /// y of the point, m.
         y: f64,
-        /// Size of the room, m.
+        /// Width of the room, m.
         width: f64,
-        /// Size of the room, m.
+        /// Height of the room, m.
         height: f64,
     },
-    /// Something that needs floor stands in a wall or an object.
+    /// An object that needs floor stands in a wall or another object.
     #[error("the {what} at ({x:.3} m, {y:.3} m) lies in {place}; move it to free floor")]
     NoFloor {
-        /// What stands there.
+        /// Name of the object.
         what: &'static str,
-        /// The point, m.
+        /// x of the point, m.
         x: f64,
-        /// The point, m.
+        /// y of the point, m.
         y: f64,
         /// What is there instead of floor.
         place: &'static str,
     },
-    /// Something that looks into the room stands where there is none.
+    /// A dock or lighthouse without floor in front of it.
     #[error("the {what} at ({x:.3} m, {y:.3} m) faces {place}; put its back to a wall so that it faces the room")]
     NothingBefore {
-        /// What stands there.
+        /// Name of the object.
         what: &'static str,
-        /// Where, m.
+        /// x of the point, m.
         x: f64,
-        /// Where, m.
+        /// y of the point, m.
         y: f64,
         /// What is there instead of floor.
         place: &'static str,
@@ -108,24 +108,24 @@ pub enum PlacementFault {
     /// A mover's path crosses a wall.
     #[error("the path crosses a wall at ({x:.2} m, {y:.2} m); add points to lead it around")]
     PathInWall {
-        /// Where, m.
+        /// x of the crossing, m.
         x: f64,
-        /// Where, m.
+        /// y of the crossing, m.
         y: f64,
     },
 }
 
-/// A fault, and where in a scenario's JSON it would be.
+/// A fault with its path in a scenario's JSON.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlacementRefusal {
     /// The value, e.g. `objects[3].leg.radius`.
     pub path: String,
-    /// What is wrong with it.
+    /// The fault.
     pub fault: PlacementFault,
 }
 
 impl FloorPlan {
-    /// Checks the objects, and that a robot can be put down at `start` (only its centre is looked at).
+    /// Checks the objects, and that a robot can be put down at `start` (only its centre is checked).
     pub fn check_objects(&self, start: Option<Pose>) -> Result<(), PlacementRefusal> {
         let refuse = |path: String, fault| Err(PlacementRefusal { path, fault });
         let found = self.objects.len();
@@ -143,7 +143,7 @@ impl FloorPlan {
         }
     }
 
-    /// The key under which something is wrong with `object`, with a dot before it, and what that is.
+    /// The key of the invalid value in `object`, with a dot before it, and the fault.
     fn check(&self, object: &Object) -> Result<(), (String, PlacementFault)> {
         match object {
             Object::Furniture { outline } | Object::DropOff { outline } | Object::Carpet { outline } => {
@@ -195,7 +195,7 @@ impl FloorPlan {
     fn check_inside(&self, point: Point, what: &'static str) -> Result<(), PlacementFault> {
         let (Point { coords, .. }, width, height) = (point, self.width_m(), self.height_m());
         let (x, y) = (coords.x, coords.y);
-        // Said this way round as no comparison holds for what isn't a number.
+        // In this form it also refuses NaN, for which every comparison is false.
         if (-BORDER..=width + BORDER).contains(&x) && (-BORDER..=height + BORDER).contains(&y) {
             Ok(())
         } else {
@@ -209,7 +209,7 @@ impl FloorPlan {
         self.place_without_floor(point).map_or(Ok(()), |place| Err(no_floor(place)))
     }
 
-    /// Docks and lighthouses may have their backs to a wall, but look into the room.
+    /// Docks and lighthouses can have their backs to a wall, but must face floor.
     fn check_device(&self, pose: &Pose, what: &'static str) -> Result<(), (String, PlacementFault)> {
         let nothing_before = |place| PlacementFault::NothingBefore { what, x: pose.x, y: pose.y, place };
         let before = self.place_without_floor(pose.to_world(Point::new(FRONT, 0.0)));
@@ -218,7 +218,7 @@ impl FloorPlan {
         checked.map_err(|fault| (String::new(), fault))
     }
 
-    /// What is at a point where nothing can stand; `None` if there is floor.
+    /// The obstacle at a point; `None` if there is floor.
     fn place_without_floor(&self, point: Point) -> Option<&'static str> {
         if !self.occupancy.get(self.cell_at(point)).is_some_and(|o| o.is_free()) {
             return Some("a wall or unknown floor");
@@ -231,7 +231,7 @@ impl FloorPlan {
         })
     }
 
-    /// Whether somebody can walk from `a` to `b`, as far as walls go.
+    /// Whether the way from `a` to `b` is free of walls.
     fn check_way(&self, a: Point, b: Point) -> Result<(), PlacementFault> {
         let steps = ((b - a).norm() / (0.5 * self.resolution)).ceil().max(1.0) as u32;
         for i in 0..=steps {

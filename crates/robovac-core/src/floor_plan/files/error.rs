@@ -2,7 +2,7 @@
 
 use super::{JsonPlace, MAX_RESOLUTION, MAX_SIDE, MIN_RESOLUTION, PlacementFault, SCENARIO_VERSION};
 
-/// Why files don't make a floor plan. Every message names the cause, the place and what to do.
+/// Reasons why files aren't a valid floor plan. Every message names the cause, the place and the remedy.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum MapError {
     /// No file was given.
@@ -14,7 +14,7 @@ pub enum MapError {
         /// The file.
         name: String,
     },
-    /// A file is of a kind that isn't read.
+    /// A file of an unsupported type.
     #[error(
         "\"{name}\" is {kind}, not a supported map; use a PNG or PGM image, a ROS map (YAML and its image), a text map \
          of # and . or a scenario"
@@ -22,7 +22,7 @@ pub enum MapError {
     NotAMap {
         /// The file.
         name: String,
-        /// What it seems to be, e.g. "a JPEG image".
+        /// Its likely type, e.g. "a JPEG image".
         kind: &'static str,
     },
     /// The map has too many rows or columns.
@@ -35,15 +35,15 @@ pub enum MapError {
         name: String,
         /// Columns.
         width: usize,
-        /// Rows, as far as they were counted.
+        /// Rows counted so far.
         height: usize,
     },
-    /// The file ends before its content does.
+    /// The file ends prematurely.
     #[error("\"{name}\" is cut off: its {part} ends too early; copy or export the file again")]
     Truncated {
         /// The file.
         name: String,
-        /// What ends too early.
+        /// The part that isn't complete.
         part: &'static str,
     },
     /// An image can't be decoded.
@@ -51,10 +51,10 @@ pub enum MapError {
     BadImage {
         /// The file.
         name: String,
-        /// What the decoder says.
+        /// The decoder's message.
         cause: String,
     },
-    /// A text map contains a character without a meaning.
+    /// A text map contains an unknown character.
     #[error(
         "\"{name}\", line {line}, column {column}: '{found}' is not allowed in a text map; use # for walls, . for \
          floor, ? for unknown and one S for the start"
@@ -101,21 +101,21 @@ pub enum MapError {
         name: String,
         /// Where in the file.
         place: String,
-        /// What the value is for.
+        /// Name of the value.
         key: &'static str,
         /// The value found.
         value: String,
-        /// What would do.
+        /// Accepted values.
         expected: String,
     },
-    /// A ROS map leaves out something that it needs.
+    /// A ROS map lacks a required key.
     #[error("\"{name}\" has no \"{key}\"; add the line \"{key}: {example}\"")]
     MissingKey {
         /// The file.
         name: String,
-        /// What is missing.
+        /// The missing key.
         key: &'static str,
-        /// A value that would do.
+        /// An example of its value.
         example: &'static str,
     },
     /// YAML or JSON is malformed.
@@ -127,10 +127,10 @@ pub enum MapError {
         line: usize,
         /// Column, counted from 1.
         column: usize,
-        /// What the parser says.
+        /// The parser's message.
         cause: String,
     },
-    /// A ROS map came without its image.
+    /// A ROS map without its image.
     #[error("\"{name}\" only describes a map; its cells are in \"{image}\"; choose both files together")]
     ImageMissing {
         /// The YAML file.
@@ -138,7 +138,7 @@ pub enum MapError {
         /// The image that it names.
         image: String,
     },
-    /// A ROS map came with another image than its own.
+    /// A ROS map with another image than its own.
     #[error(
         "\"{name}\" names the image \"{wanted}\", but \"{given}\" was given; \
          choose \"{wanted}\" instead or change the line \"image\""
@@ -148,10 +148,10 @@ pub enum MapError {
         name: String,
         /// The image that it names.
         wanted: String,
-        /// The image that came.
+        /// The image that was given.
         given: String,
     },
-    /// More files than one map has.
+    /// More files than one map can have.
     #[error("\"{first}\" and \"{second}\" are two maps; choose one of them, or one YAML file with its image")]
     TwoMaps {
         /// One file.
@@ -159,7 +159,7 @@ pub enum MapError {
         /// Another one.
         second: String,
     },
-    /// There is nowhere to drive.
+    /// A map without free cells.
     #[error(
         "\"{name}\" has no free cell; floor is . in text and light in images \
          (for ROS maps check negate, free_thresh and mode)"
@@ -168,7 +168,7 @@ pub enum MapError {
         /// The file.
         name: String,
     },
-    /// JSON, but something else than a scenario.
+    /// JSON that isn't a scenario.
     #[error(
         "\"{name}\" is JSON but not a scenario (no \"format\": \"robovac-scenario\"); choose a file that was saved here"
     )]
@@ -176,39 +176,39 @@ pub enum MapError {
         /// The file.
         name: String,
     },
-    /// JSON that isn't what a scenario is made of.
+    /// JSON that doesn't match the schema of scenarios.
     #[error("\"{name}\", {place}: {cause}; fix that line or export the file again")]
     BadJson {
         /// The file.
         name: String,
         /// Where in the file.
         place: JsonPlace,
-        /// What the parser says.
+        /// The parser's message.
         cause: String,
     },
-    /// A scenario that can't be.
+    /// An invalid scenario.
     #[error("\"{name}\", {place}: {flaw}")]
     BadScenario {
         /// The file.
         name: String,
         /// Where in the file.
         place: JsonPlace,
-        /// What is wrong there.
+        /// The flaw at that place.
         flaw: Box<Flaw>,
     },
 }
 
-/// What can be wrong with a value of a scenario: the cause, and what to do.
+/// Flaws of a value of a scenario: the cause, and the remedy.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Flaw {
-    /// A scenario of another program.
+    /// A scenario of another version.
     #[error(
         "this scenario has version {found}, but this program reads 1 and {known}; reload the page or update the program"
     )]
     Version {
         /// Its version.
         found: String,
-        /// The latest version that is read.
+        /// The latest version that can be read.
         known: u64,
     },
     /// A key that an older version doesn't have.
@@ -220,7 +220,7 @@ pub enum Flaw {
     /// Rows don't match the size.
     #[error("found {found}, but \"{key}\" is {expected}; correct \"{key}\" or the rows")]
     WrongSize {
-        /// The size that isn't kept.
+        /// The key of the size.
         key: &'static str,
         /// Cells or rows found.
         found: usize,
@@ -233,16 +233,16 @@ pub enum Flaw {
         /// Rows or columns.
         found: usize,
     },
-    /// A character that stands for no cell.
+    /// An unknown character in the map.
     #[error("a cell can't be \"{found}\"; write # for wall, . for floor or ? for unknown")]
     Cell {
         /// The character, escaped where it can't be shown.
         found: String,
     },
-    /// There is nowhere to drive.
+    /// A map without free cells.
     #[error("there is no free cell; write . for floor")]
     NoFreeCell,
-    /// A number out of range, or an object that can't be there.
+    /// A number out of range, or an object that can't be placed.
     #[error(transparent)]
     Fault(#[from] PlacementFault),
 }

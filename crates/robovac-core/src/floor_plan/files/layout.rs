@@ -6,7 +6,7 @@ use std::io::{Result, Write};
 /// Breaks the lines of the outermost object and of the lists in it, nothing deeper.
 #[derive(Debug, Default)]
 pub(super) struct Layout {
-    /// For everything that is open, whether it is broken into lines.
+    /// For every open list or object, whether it is broken into lines.
     open: Vec<bool>,
     is_empty: bool,
 }

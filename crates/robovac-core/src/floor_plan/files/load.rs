@@ -8,16 +8,16 @@ use super::{
 use crate::geometry::Pose;
 use image::ImageFormat;
 
-/// A file as it was chosen, dropped or read.
+/// A file with its name and content.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SourceFile {
-    /// Its name; folders in front of it don't matter.
+    /// Its name; leading folders are ignored.
     pub name: String,
     /// Its content.
     pub bytes: Vec<u8>,
 }
 
-/// More text than a ROS map's description ever has; what is longer isn't one.
+/// Largest description of a ROS map, bytes; a longer text isn't one.
 const MAX_YAML_BYTES: usize = 1 << 16;
 
 /// First bytes of common file types, with their names.
@@ -32,11 +32,11 @@ const OTHERS: &[(&[u8], &str)] = &[
     (b"P7", "a PAM image"),
 ];
 
-/// What a file turned out to be.
+/// The content of a file by its type.
 enum FileContent {
     Image(ImageFormat),
     Yaml(MapYaml),
-    /// A map that is complete by itself.
+    /// A map that needs no other file.
     Plan(Box<FloorPlan>),
 }
 
@@ -46,7 +46,7 @@ enum FileContent {
 /// - PNG, PGM (P2, P5; other Netpbm too), 8 or 16 bits, grey or colour, alpha laid on white. Dark is wall, light is floor,
 ///   grey between is unknown ([`Shading::default`]); a pixel is [`DEFAULT_IMAGE_RESOLUTION`] unless a YAML file says more.
 /// - ROS `map_server` YAML with its modes, see [`super::OccupancyMode`].
-/// - Scenario, see [`Scenario`]; what else it says is read by [`Scenario::read`].
+/// - Scenario, see [`Scenario`]; its other content is read by [`Scenario::read`].
 pub fn load(files: &[SourceFile]) -> Result<FloorPlan, MapError> {
     let (mut image, mut yaml, mut plan) = (None, None, None);
     for file in files {
@@ -70,17 +70,17 @@ pub fn load(files: &[SourceFile]) -> Result<FloorPlan, MapError> {
     }
 }
 
-/// The image that a file needs beside it, as its YAML names it (a path relative to the file); `None` if it needs none.
+/// The image that a file requires, as named by its YAML (a path relative to the file); `None` if it requires none.
 pub fn image_of(file: &SourceFile) -> Option<String> {
     if let Ok(FileContent::Yaml(yaml)) = recognise(file) { Some(yaml.image) } else { None }
 }
 
-/// Whether a file is an image that [`load`] takes without another one beside it.
+/// Whether a file is an image that [`load`] accepts alone.
 pub fn is_image(file: &SourceFile) -> bool {
     raster::format_of(&file.bytes).is_some()
 }
 
-/// Reads an image whose shades mean what `shading` says.
+/// Reads an image with the given meaning of shades.
 pub fn load_image(file: &SourceFile, shading: &Shading) -> Result<FloorPlan, MapError> {
     let format = raster::format_of(&file.bytes);
     let not_an_image = || MapError::NotAMap { name: base_name(&file.name).to_owned(), kind: "no image" };

@@ -24,7 +24,7 @@ pub use scenario::{SCENARIO_FORMAT, SCENARIO_SCHEMA, SCENARIO_VERSION, Scenario,
 use super::{FloorPlan, MAX_RESOLUTION, MAX_SIDE, MIN_RESOLUTION, Object, Who, crossing, encloses, has_area, stem};
 
 impl FloorPlan {
-    /// The plan itself if there is floor in it; `file` is named in errors.
+    /// The plan itself if it has free cells; `file` is named in errors.
     fn checked(self, file: &str) -> Result<Self, MapError> {
         if !self.occupancy.values().iter().any(|o| o.is_free()) {
             return Err(MapError::NoFreeCell { name: file.to_owned() });

@@ -13,12 +13,12 @@ pub struct JsonPlace {
 }
 
 impl JsonPlace {
-    /// The place of the value with that path; for one that is left out, that of what it is missing from.
+    /// The place of the value with that path; for a missing value, that of the one that should contain it.
     pub(super) fn of(path: &str, bytes: &[u8]) -> Self {
         let steps: Vec<&str> =
             path.split(['.', '[']).map(|step| step.trim_end_matches(']')).filter(|step| !step.is_empty()).collect();
         let at = (0..=steps.len()).rev().find_map(|count| {
-            // What was looked for is told as an error, as only errors know their place.
+            // The place is returned as an error, as only errors know their place.
             let error = Seek(&steps[..count]).deserialize(&mut serde_json::Deserializer::from_slice(bytes)).err()?;
             Some((error.line(), error.column()))
         });
@@ -35,7 +35,7 @@ impl fmt::Display for JsonPlace {
     }
 }
 
-/// Goes the steps, each a key or an index, and fails at their end.
+/// Follows the steps, each a key or an index, and fails at their end.
 struct Seek<'a>(&'a [&'a str]);
 
 impl Seek<'_> {

@@ -5,19 +5,19 @@ use crate::grid::{Grid, Occupancy};
 use image::{ColorType, ImageDecoder, ImageError, ImageFormat, ImageReader, Limits};
 use std::io::{Cursor, ErrorKind};
 
-/// Metres per pixel of an image that comes without a YAML file.
+/// Metres per pixel of an image without a YAML file.
 pub const DEFAULT_IMAGE_RESOLUTION: f64 = 0.05;
 
-/// Most bytes that a decoder may take: the largest map with four channels of 16 bits, twice.
+/// Most bytes for a decoder: the largest map with four channels of 16 bits, twice.
 const MAX_DECODER_BYTES: u64 = (2 * 8 * MAX_SIDE * MAX_SIDE) as u64;
 
-/// How shades turn into cells. The default is what the ROS 1 map server assumes, and what map files usually say.
+/// How shades are converted to cells. The default is that of the ROS 1 map server, which map files usually contain.
 ///
 /// A pixel's shade is the mean of its colour channels, from 0 (black) to 1 (white). Its occupancy is `1 - shade`, or
 /// `shade` if `negate` is set.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Shading {
-    /// What becomes of occupancies between the two thresholds.
+    /// Treatment of occupancies between the two thresholds.
     pub mode: OccupancyMode,
     /// Whether light pixels are walls.
     pub negate: bool,
@@ -29,8 +29,8 @@ pub struct Shading {
 
 /// The modes of the ROS map server (`nav2_map_server`, `map_io.cpp`).
 ///
-/// The map server publishes a value from 0 to 100 or -1 for unknown. Planning needs a yes or no: only what is surely
-/// free is driven on, and values in between count as unknown.
+/// The map server publishes a value from 0 to 100, or -1 for unknown. Planning distinguishes free and other cells: only
+/// certainly free ones are driven on, and values in between count as unknown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum OccupancyMode {
     /// Free, occupied, and unknown between the thresholds. Transparency is laid on white, as browsers show it. (The map
@@ -92,7 +92,7 @@ impl Shading {
     }
 }
 
-/// The format that the first bytes announce, if it is one of those that are read.
+/// The format announced by the first bytes, if it is supported.
 pub(super) fn format_of(bytes: &[u8]) -> Option<ImageFormat> {
     match bytes {
         [0x89, b'P', b'N', b'G', ..] => Some(ImageFormat::Png),
@@ -102,7 +102,7 @@ pub(super) fn format_of(bytes: &[u8]) -> Option<ImageFormat> {
     }
 }
 
-/// Decodes the image in the file `name`. Its size is checked before any pixel is.
+/// Decodes the image in the file `name`. Its size is checked before any pixel is decoded.
 pub(super) fn read(
     name: &str,
     bytes: &[u8],
@@ -139,7 +139,7 @@ fn cells<'a>(row: &'a [u8], colour: ColorType, shading: &'a Shading) -> impl Ite
         let value = |channel: &[u8]| match *channel {
             [byte] => f64::from(byte) / f64::from(u8::MAX),
             [low, high] => f64::from(u16::from_ne_bytes([low, high])) / f64::from(u16::MAX),
-            // The decoders in use know no other depth.
+            // The decoders in use have no other depth.
             _ => 1.0,
         };
         let sum: f64 = pixel[..colours * size].chunks_exact(size).map(value).sum();
@@ -148,7 +148,7 @@ fn cells<'a>(row: &'a [u8], colour: ColorType, shading: &'a Shading) -> impl Ite
     })
 }
 
-/// What the decoder's error means to the owner of the file.
+/// A decoder's error as a message for the user.
 fn explain(name: &str, error: ImageError) -> MapError {
     let name = name.to_owned();
     match error {
@@ -156,7 +156,7 @@ fn explain(name: &str, error: ImageError) -> MapError {
             MapError::Truncated { name, part: "picture" }
         }
         ImageError::Limits(_) => MapError::BadImage { name, cause: "decoding it takes too much memory".to_owned() },
-        // The decoder of plain PGM has no kind of its own for this.
+        // The decoder of plain PGM has no error kind of its own for this.
         other if other.to_string().contains("Not enough data") => MapError::Truncated { name, part: "picture" },
         other => MapError::BadImage { name, cause: other.to_string() },
     }
@@ -172,7 +172,7 @@ mod tests {
 
     #[test]
     fn the_usual_grey_is_unknown() {
-        // (255 - 205) / 255 is just above 0.196: what gmapping and the map saver write for unexplored floor.
+        // (255 - 205) / 255 is just above 0.196: gmapping and the map saver write this value for unexplored floor.
         assert_eq!(cell(OccupancyMode::Trinary, 205, 1.0), Occupancy::Unknown);
         assert_eq!(cell(OccupancyMode::Trinary, 206, 1.0), Occupancy::Free);
         assert_eq!(cell(OccupancyMode::Trinary, 90, 1.0), Occupancy::Unknown);

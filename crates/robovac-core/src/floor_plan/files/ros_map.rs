@@ -1,4 +1,4 @@
-//! A room as a ROS map: an image and the YAML file that describes it, as `map_server` and `nav2_map_server` read them.
+//! A room as a ROS map: an image and the YAML file that describes it, for `map_server` and `nav2_map_server`.
 
 use super::{FloorPlan, OccupancyMode, Shading};
 use crate::grid::{Grid, Occupancy};
@@ -31,10 +31,10 @@ pub struct RosMap {
     pub image: Vec<u8>,
 }
 
-/// Why a room can't be written as a ROS map.
+/// Reasons why a room can't be written as a ROS map.
 #[derive(Debug, thiserror::Error)]
 pub enum RosMapError {
-    /// A PGM has no opacity, and that is how the mode says unknown.
+    /// A PGM has no opacity, which the mode uses for unknown cells.
     #[error("in scale mode unknown cells are transparent, which PGM doesn't support; choose PNG or trinary mode")]
     NoOpacity,
     /// The image can't be written.
@@ -42,11 +42,11 @@ pub enum RosMapError {
     Image(#[from] image::ImageError),
 }
 
-/// Shade of unknown cells in trinary mode, as `map_saver` writes it: between the thresholds, but only just.
+/// Shade of unknown cells in trinary mode, as written by `map_saver`: just between the thresholds.
 const UNKNOWN: u8 = 205;
-/// Shade of free cells in trinary mode, as `map_saver` writes it.
+/// Shade of free cells in trinary mode, as written by `map_saver`.
 const FREE: u8 = 254;
-/// What no percentage is: unknown in raw mode.
+/// A value that isn't a percentage: unknown in raw mode.
 const NO_VALUE: u8 = 255;
 
 impl MapImage {
@@ -59,9 +59,9 @@ impl MapImage {
     }
 }
 
-/// Writes `plan` as files called `stem`, in the given mode; with `negate`, light and dark change places (raw values stay, as
-/// the map server ignores `negate` there). The thresholds are those of [`Shading::default`]. What stands on the cells is
-/// left out: the map server knows cells alone.
+/// Writes `plan` as files called `stem`, in the given mode; with `negate`, light and dark change places (raw values
+/// stay, as the map server ignores `negate` there). The thresholds are those of [`Shading::default`]. Objects are left
+/// out, as the map server has only cells.
 pub fn to_ros_map(
     plan: &FloorPlan,
     stem: &str,
@@ -135,7 +135,7 @@ fn pgm(cells: &Grid<Occupancy>, mode: OccupancyMode, negate: bool) -> ImageResul
 }
 
 fn png(cells: &Grid<Occupancy>, mode: OccupancyMode, negate: bool) -> ImageResult<Vec<u8>> {
-    // Opacity only where it says something: some readers count it as a colour.
+    // Opacity only where needed: some readers count it as a colour.
     let (values, colour): (Vec<u8>, _) = if mode == OccupancyMode::Scale {
         (pixels(cells, mode, negate).flatten().collect(), ExtendedColorType::La8)
     } else {

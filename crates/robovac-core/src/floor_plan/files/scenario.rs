@@ -1,7 +1,7 @@
 //! Scenario files: a room, its objects, the robot's start, and the algorithm to run.
 //!
-//! JSON with the map as `#.?` rows, the top row first, so that a scenario can be read and changed by hand. The schema in
-//! `docs/scenario.schema.json` says what may be in it. Version 2 came with objects, behaviours, noise and slip.
+//! JSON with the map as `#.?` rows, the top row first, so that a scenario can be read and changed by hand. Its schema
+//! is `docs/scenario.schema.json`. Version 2 added objects, behaviours, noise and slip.
 
 use super::{
     Flaw, FloorPlan, JsonPlace, MAX_RESOLUTION, MAX_SIDE, MIN_RESOLUTION, MapError, Object, PlacementFault,
@@ -17,18 +17,19 @@ use crate::{
 use serde::{Deserialize, Serialize, de::IgnoredAny};
 use std::collections::BTreeMap;
 
-/// What the key `format` says.
+/// Value of the key `format`.
 pub const SCENARIO_FORMAT: &str = "robovac-scenario";
-/// The version that is written; older ones are read as well. To be raised when older programs would misread a file.
+/// The version that is written; older ones can be read as well. To be increased when older programs would misread a
+/// file.
 pub const SCENARIO_VERSION: u64 = 2;
-/// What the key `$schema` says: the schema's name, to be looked for beside the file. The page has it beside itself.
+/// Value of the key `$schema`: the schema's name, relative to the file. The page serves it beside itself.
 pub const SCENARIO_SCHEMA: &str = "scenario.schema.json";
 
 /// Content of a scenario file.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Scenario {
-    /// Where editors find the schema; it says nothing to us.
+    /// Where editors find the schema; ignored when reading.
     #[serde(rename = "$schema", default)]
     schema: String,
     format: String,
@@ -36,7 +37,7 @@ pub struct Scenario {
     /// Short name of the room.
     #[serde(default)]
     pub name: String,
-    /// One sentence on what it is good for.
+    /// One sentence on its purpose.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub note: String,
     /// Metres per cell.
@@ -50,10 +51,10 @@ pub struct Scenario {
     /// Pose of the lower-left corner in the map frame that the room came from.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub origin: Option<ScenarioPose>,
-    /// What stands, lies and moves in the room, from the lower-left corner.
+    /// Objects of the room, in coordinates from the lower-left corner.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     objects: Vec<ScenarioObject>,
-    /// Where the robot starts, from the lower-left corner.
+    /// Start of the robot, in coordinates from the lower-left corner.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub start: Option<ScenarioPose>,
     /// Id of the robot.
@@ -74,13 +75,13 @@ pub struct Scenario {
     /// Seed of all random numbers.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub seed: Option<u64>,
-    /// How well the wheels hold.
+    /// Level of wheel slip.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub slip: Option<String>,
-    /// How much each kind of sensor errs; kinds that it doesn't name don't.
+    /// Level of noise of each kind of sensor; missing ones are *off*.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub noise: Option<BTreeMap<String, String>>,
-    /// Whether wheel speeds come in the steps that the robot's interface knows.
+    /// Whether wheel speeds are limited to the steps of the robot's interface.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub quantised: Option<bool>,
     /// How the robot computes its pose.
@@ -88,7 +89,7 @@ pub struct Scenario {
     pub odometry: Option<String>,
 }
 
-/// What has to be known before the rest makes sense, and the keys that version 1 doesn't have.
+/// The fields that determine how to read the rest, and the keys that version 1 doesn't have.
 #[derive(Deserialize)]
 struct ScenarioHeader {
     format: Option<serde_json::Value>,
@@ -118,7 +119,7 @@ impl From<Pose> for ScenarioPose {
     fn from(pose: Pose) -> Self {
         let exact = pose.heading.to_degrees();
         let round = (exact * 1e6).round() / 1e6;
-        // Of all numbers that lead back to the same heading, the one that people would write: what is read must run alike.
+        // Of all numbers that give the same heading, the roundest: a file that is read must run the same way.
         let candidates = [round, exact, exact.next_up(), exact.next_down()];
         let heading_deg = candidates.into_iter().find(|deg| deg.to_radians() == pose.heading).unwrap_or(exact);
         Self { x: pose.x, y: pose.y, heading_deg }
@@ -132,7 +133,7 @@ impl From<ScenarioPose> for Pose {
 }
 
 impl ScenarioHeader {
-    /// A value of the head that a scenario can't have, by its path.
+    /// An invalid value of the header, by its path.
     fn flaw(&self) -> Option<(&'static str, Flaw)> {
         let version = self.version.as_ref()?;
         let Self { objects, behaviour, slip, noise, quantised, odometry, .. } = self;
@@ -184,14 +185,14 @@ impl Scenario {
         }
     }
 
-    /// Reads and checks the file `name`; [`Scenario::plan`] then finds nothing to complain about.
+    /// Reads and checks the file `name`; [`Scenario::plan`] of the result doesn't fail.
     pub fn read(name: &str, bytes: &[u8]) -> Result<Self, MapError> {
         let refused = |path: &str, flaw| MapError::BadScenario {
             name: name.to_owned(),
             place: JsonPlace::of(path, bytes),
             flaw: Box::new(flaw),
         };
-        // The head first, so that files of other kinds and versions aren't blamed for details.
+        // The header first, so that files of other kinds and versions give the right error.
         let head: ScenarioHeader =
             serde_json::from_slice(bytes).map_err(|error| explain(name, String::new(), &error))?;
         if head.format.as_ref().and_then(|v| v.as_str()) != Some(SCENARIO_FORMAT) {
@@ -204,7 +205,7 @@ impl Scenario {
         let mut scenario: Self = serde_path_to_error::deserialize(&mut json)
             .map_err(|error| explain(name, error.path().to_string(), error.inner()))?;
         scenario.built().map_err(|(path, flaw)| refused(&path, flaw))?;
-        // Whatever it was: what it means can be written as of now.
+        // An older version is written as the present one.
         scenario.version = SCENARIO_VERSION;
         SCENARIO_SCHEMA.clone_into(&mut scenario.schema);
         Ok(scenario)
@@ -213,7 +214,7 @@ impl Scenario {
     /// The file's text.
     pub fn to_json(&self) -> String {
         let mut text = Vec::new();
-        // Strings, numbers and maps with string keys: nothing in here can fail to be written.
+        // Strings, numbers and maps with string keys can always be serialised.
         let _ = self.serialize(&mut serde_json::Serializer::with_formatter(&mut text, Layout::default()));
         text.push(b'\n');
         String::from_utf8(text).unwrap_or_default()
@@ -228,7 +229,7 @@ impl Scenario {
         })
     }
 
-    /// The room, or the path of what is wrong with it.
+    /// The room, or the path of its flaw.
     fn built(&self) -> Result<FloorPlan, (String, Flaw)> {
         if self.planner.is_some() && self.behaviour.is_some() {
             return Err(("behaviour".to_owned(), Flaw::TwoAlgorithms));
@@ -298,12 +299,12 @@ fn checked_pose(path: &str, pose: Option<ScenarioPose>) -> Result<Option<Pose>, 
     Ok(pose.map(Into::into))
 }
 
-/// What is wrong with the JSON, and where.
+/// The message for invalid JSON, with its place.
 fn explain(name: &str, path: String, error: &serde_json::Error) -> MapError {
     if error.is_eof() {
         return MapError::Truncated { name: name.to_owned(), part: "JSON" };
     }
-    // The library's own text ends with the place, which the message already names.
+    // The library's message ends with the place, which ours already names.
     let cause = error.to_string();
     let cause = cause.split(" at line ").next().unwrap_or_default();
     let cause = [("usize", "a whole number"), ("u64", "a whole number"), ("f64", "a number")]

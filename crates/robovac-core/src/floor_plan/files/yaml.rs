@@ -13,17 +13,17 @@ pub(super) struct MapYaml {
     pub resolution: f64,
     /// Pose of the lower-left pixel.
     pub origin: Pose,
-    /// How shades turn into cells.
+    /// How shades are converted to cells.
     pub shading: Shading,
 }
 
-/// Values under one key, and where they are.
+/// The values of a key, and their place.
 struct YamlEntry {
     line: usize,
     values: Vec<String>,
 }
 
-/// Whether a text is meant as the description of a ROS map.
+/// Whether a text looks like the description of a ROS map.
 pub(super) fn is_yaml(text: &str) -> bool {
     let keys = ["image", "resolution", "origin", "occupied_thresh", "free_thresh", "negate", "mode"];
     let key_of = |line: &str| line.split_once(':').map(|(key, _)| key.trim().trim_matches(['"', '\'']).to_owned());
@@ -31,7 +31,8 @@ pub(super) fn is_yaml(text: &str) -> bool {
 }
 
 impl MapYaml {
-    /// Reads the file `name`. Only image and resolution must be given; the rest has the map server's usual values.
+    /// Reads the file `name`. Only image and resolution must be given; the others default to the map server's usual
+    /// values.
     pub fn read(name: &str, text: &str) -> Result<Self, MapError> {
         let fields = Fields { name, entries: entries(name, text)? };
         let image = fields.word("image")?.ok_or_else(|| fields.missing("image", "map.pgm"))?;
@@ -135,10 +136,10 @@ impl Fields<'_> {
 /// The keys with their values, as `map_saver` and people write them: a line `key: value` each, where a value is a word,
 /// quoted or not, a list in brackets, or a list of `- value` lines below; with comments.
 ///
-/// A whole YAML parser would be a twelfth of what the page's visitors download, for a file of seven lines.
+/// A whole YAML parser would be a twelfth of the page's download, for a file of seven lines.
 fn entries(name: &str, text: &str) -> Result<BTreeMap<String, YamlEntry>, MapError> {
     let mut entries: BTreeMap<String, YamlEntry> = BTreeMap::new();
-    // The list in brackets that goes on on the next line, and the key that the lines below belong to.
+    // The list in brackets that continues on the next line, and the key of the lines below.
     let mut open_list = String::new();
     let mut last_key: Option<String> = None;
     for (index, raw) in text.lines().enumerate() {

@@ -21,7 +21,7 @@ const WALLS: &[Rect] = &[
 pub(super) const ROOM: RoomInfo = RoomInfo {
     id: "comb",
     title: "Comb of alcoves",
-    note: "Good for the order of cells: many alcoves off one aisle, where sweeping the wrong way costs turns.",
+    note: "Good for lane direction: many alcoves off one aisle, where sweeping the wrong way costs turns.",
     kind: RoomKind::Maze,
     is_benchmark: true,
     build: || Sketch::open(7.2, 5.0, 0.1).fill(WALLS).start(0.3, 2.2, 0.0).finish(ROOM.title, ROOM.note),

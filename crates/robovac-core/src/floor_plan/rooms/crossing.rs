@@ -6,7 +6,7 @@ use crate::floor_plan::Sketch;
 pub(super) const ROOM: RoomInfo = RoomInfo {
     id: "crossing",
     title: "Crossing corridors",
-    note: "Good for crossings: six corridors cross nine times, so the lanes of one cut those of the others.",
+    note: "Good for crossings: six corridors cross nine times, so the lanes of one cross those of others.",
     kind: RoomKind::Corridor,
     is_benchmark: true,
     build: || {

@@ -27,7 +27,7 @@ const DOORS: &[Rect] = &[
     [10.45, 4.95, 10.5, 5.85],
 ];
 
-// What isn't built in stands 5 cm off the wall, as at home; in a picture that tells furniture from walls.
+// What isn't built in stands 5 cm off the wall, as at home; this separates furniture from walls in pictures.
 
 const LIVING: &[Rect] = &[
     // Sofa with a chaise longue, facing the television's sideboard.

@@ -16,7 +16,7 @@ const ARMCHAIR: &[(f64, f64)] = &[(4.0, 1.05), (4.55, 1.6), (4.0, 2.15), (3.45, 
 const LEGS: &[(f64, f64)] = &[(1.65, 1.7), (2.75, 1.7), (2.75, 2.4), (1.65, 2.4)];
 /// Carpet under it.
 const CARPET: &[(f64, f64)] = &[(1.2, 1.2), (3.3, 1.2), (3.3, 2.9), (1.2, 2.9)];
-/// Where the cat goes.
+/// The cat's way.
 const CAT: &[(f64, f64)] = &[(0.55, 1.8), (1.3, 0.95), (3.0, 0.9), (3.2, 2.6), (4.4, 3.6)];
 
 pub(super) const ROOM: RoomInfo = RoomInfo {

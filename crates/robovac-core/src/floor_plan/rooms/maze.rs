@@ -20,7 +20,7 @@ const SEED: u64 = 8;
 pub(super) const ROOM: RoomInfo = RoomInfo {
     id: "maze",
     title: "Maze",
-    note: "Good for dead ends: all branches but one end, which shows the cost of driving back.",
+    note: "Good for dead ends: every branch but one is a dead end, which shows the cost of driving back.",
     kind: RoomKind::Maze,
     is_benchmark: true,
     build: || carved(SEED, &[]).finish(ROOM.title, ROOM.note),

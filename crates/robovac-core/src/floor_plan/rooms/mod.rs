@@ -1,4 +1,4 @@
-//! The rooms that ship. To add one, write its file and list it in [`ROOMS`].
+//! The built-in rooms. To add one, write its file and list it in [`ROOMS`].
 
 mod bedroom;
 mod classroom;
@@ -41,17 +41,17 @@ pub struct RoomInfo {
     pub id: &'static str,
     /// Name in menus.
     pub title: &'static str,
-    /// One sentence: what the room is good for.
+    /// One sentence on the room's purpose.
     pub note: &'static str,
-    /// What makes it easy or hard.
+    /// Its kind of difficulty.
     pub kind: RoomKind,
-    /// Whether it belongs to the set that planners are compared on; those of the thesis have too few cells to tell much.
+    /// Whether it belongs to the benchmark set of planners; the rooms of the thesis have too few cells for that.
     pub is_benchmark: bool,
     /// Draws the room; takes a few milliseconds at most.
     pub build: fn() -> FloorPlan,
 }
 
-/// What makes a room easy or hard.
+/// Kinds of rooms by their difficulty.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum RoomKind {
@@ -59,9 +59,9 @@ pub enum RoomKind {
     Simple,
     /// A room full of furniture.
     Cluttered,
-    /// Rooms and desks of the same kind, side by side.
+    /// Similar rooms and desks, side by side.
     Office,
-    /// Ways that wind, end or come back.
+    /// Winding ways, dead ends and loops.
     Maze,
     /// Long and narrow floor.
     Corridor,

@@ -1,8 +1,8 @@
 //! A room of exactly 226 cells of 20 cm: our own reconstruction of the one of the thesis' Table 2 (000, section 5).
 //!
 //! The figure is lost. Its size follows from the printed lengths: 45.2 m without a revisit are 226 cells of 20 cm. Of
-//! many ways to put three pieces of furniture, this one was taken because the snake does about there what is printed of
-//! it; the other rows of the table are what can be compared.
+//! the many ways to place three pieces of furniture, this one was chosen because the snake's result is close to the
+//! printed one; the other rows of the table can be compared.
 
 use super::{RoomInfo, RoomKind};
 use crate::floor_plan::{Rect, Sketch};

@@ -24,9 +24,9 @@ const STEP: f64 = TAU / 1024.0;
 /// ahead, 600 scans a minute (Hokuyo, Communication Protocol Specification SCIP 2.0, command PP).
 ///
 /// Ours: the axle is in the middle, between the castors; encoders as the Roomba's; a bumper on its front half and four
-/// cliff sensors (the thesis counts four sensors but names the scanner only, and its rooms have no stairs; without these
-/// its robot couldn't be let loose in a flat). It cleans a strip as wide as itself, 0.2 m, which is the thesis' grid
-/// cell. It drives as fast as the Roomba and has its battery and power, because the thesis says nothing of them.
+/// cliff sensors (the thesis counts four sensors but names the scanner only, and its rooms have no stairs; without
+/// these its robot couldn't drive safely in a flat). It cleans a strip as wide as itself, 0.2 m, which is the thesis'
+/// grid cell. It drives as fast as the Roomba and has its battery and power, because the thesis doesn't mention them.
 pub(super) const CBOT: RobotModel = RobotModel {
     id: "cbot",
     title: "CBot",

@@ -11,9 +11,9 @@ pub(super) const CELL_20: RobotModel = cell_robot(0.2);
 
 /// An idealised robot that fills one grid cell of side `cell` metres and cleans the cell it stands on.
 ///
-/// Its body is 90 % of the cell, so that it drives through corridors of one cell without rubbing along both walls.
-/// The wheel base is three quarters of the body, it drives like the Roomba, and its encoders count hundredths of a
-/// millimetre: a textbook's robot knows where it is.
+/// Its body is 90 % of the cell, so that it drives through corridors of one cell without rubbing along both walls. The
+/// wheel base is three quarters of the body, it drives like the Roomba, and its encoders count hundredths of a
+/// millimetre, as a textbook's robot knows its position.
 ///
 /// Its power is the DVR-1's: 6 V x 4.5 Ah last for about an hour, 27 W, split as its motors are rated: 5 A for the vacuum,
 /// two brushes of 0.5 A, two wheels of 2 A (002, section IV); turning as for the Roomba.

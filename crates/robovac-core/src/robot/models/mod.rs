@@ -1,4 +1,4 @@
-//! The available robots, one a file, with a source for every value.
+//! The available robots, one per file, with a source for every value.
 
 mod cbot;
 mod cell;
@@ -10,7 +10,7 @@ pub use cell::cell_robot;
 
 use super::RobotModel;
 
-/// The robots that ship.
+/// The built-in robots.
 pub const MODELS: &[&RobotModel] = &[
     // In the order of the menus.
     &roomba600::ROOMBA_600,

@@ -10,8 +10,8 @@ use crate::robot::{
 ///
 /// Wheel base 235 mm, wheel diameter 72 mm, 508.8 counts a revolution and at most 500 mm/s are of the Create 2 Open
 /// Interface specification; the bumper's diameter of 348.5 mm is of its dimension drawing. The width of the brush,
-/// about 170 mm, is what owners measure (the specification doesn't say; the side brush isn't counted). Acceleration
-/// and the two speeds for following paths are ours: 300 mm/s is about what the robot's own programs drive.
+/// about 170 mm, was measured by owners (it isn't in the specification; the side brush isn't counted). Acceleration and
+/// the two speeds for following paths are ours: 300 mm/s is about the speed of the robot's own programs.
 ///
 /// Power: 14.4 V x 3 Ah last for up to 100 minutes of cleaning, which is 26 W, and about 500 mA, 7 W, are drawn while
 /// driving with the cleaning motors off (Kurt, Hacking Roomba, 2006, chapters 1 and 15; of the 400 series, which has the
@@ -43,7 +43,7 @@ pub(super) const ROOMBA_600: RobotModel = RobotModel {
     acceleration: 0.8,
     cruise_speed: 0.3,
     turn_wheel_speed: 0.2,
-    // Lanes overlap by 5 cm: that is how far walls off the lattice move them.
+    // Lanes overlap by 5 cm, the distance by which walls off the lattice can move them.
     default_cell: 0.12,
     fills_cell: false,
     power: PowerDraw { standing: 21.0, straight: 5.0, turning: 3.3 },

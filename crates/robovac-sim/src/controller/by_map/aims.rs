@@ -6,15 +6,15 @@ use super::{
 };
 use crate::{
     controller::parts::{Behaviour, Pilot, Route},
-    mapping::Mark,
+    mapping::CellMark,
 };
 use coverage_planners::{self, PlanContext};
 use robovac_core::{geometry::Point, registry::Params};
 use std::sync::Arc;
 
-/// What it goes for, the first of these before the next. At first it keeps off obstacles, as what lies along walls is mostly clean
-/// after exploring; then come strips between lanes and along walls; in the end it squeezes through. Small pieces aren't worth
-/// the way by then.
+/// Its aims, in order. At first it keeps off obstacles, as strips along walls are mostly clean after exploring; then
+/// come strips between lanes and along walls; in the end it accepts narrow gaps. Small pieces aren't worth the way by
+/// then.
 const AIMS: [Aim; 5] = [
     Aim { slack: -0.04, share: 0.4, cells: 1 },
     Aim { slack: 0.0, share: 0.4, cells: 2 },
@@ -22,22 +22,23 @@ const AIMS: [Aim; 5] = [
     Aim { slack: 0.01, share: 0.2, cells: 4 },
     Aim { slack: 0.05, share: 0.4, cells: 4 },
 ];
-/// How long a line may take: s, s/m, and s for every corner.
+/// Time limit for a line: s, s/m, and s for every corner.
 const PATIENCE: (f64, f64, f64) = (8.0, 6.0, 3.0);
-/// Cells of the map that it must have swept since nothing seemed left for it to look around once more: half a square metre.
+/// Map cells that must have been swept since nothing seemed left before it looks around again: half a square metre.
 const WORTH: usize = 200;
-/// How far before its dock it leaves the rest of the way to its beams, m.
+/// Distance from the dock at which it continues by the beams, m.
 const BEFORE_DOCK: f64 = 0.7;
 
 impl ByMap {
-    /// Looks for what is next: the nearest part of what is left. Where the map shows no way, it squeezes through.
+    /// Chooses the next goal: the nearest part of the remaining floor. Without a way on the map, it accepts narrower
+    /// gaps.
     pub(super) fn decide(&mut self, pilot: &mut Pilot) {
         for aim in AIMS {
             if self.set_out(pilot, aim) {
                 return;
             }
         }
-        let swept = self.mapper.marks().cells(Mark::Cleaned).count();
+        let swept = self.mapper.marks().cells(CellMark::Cleaned).count();
         if swept > self.swept + WORTH {
             self.swept = swept;
             self.barred.forget();
@@ -47,7 +48,7 @@ impl ByMap {
         self.finish(pilot);
     }
 
-    /// Whether there is something to set out for.
+    /// Whether there is a goal for this aim; starts towards it.
     fn set_out(&mut self, pilot: &Pilot, aim: Aim) -> bool {
         let is_spent = |cell| self.budget.is_spent(cell);
         let look = Look { robot: &pilot.robot, aim, barred: &self.barred, is_spent: &is_spent };
@@ -69,7 +70,7 @@ impl ByMap {
         true
     }
 
-    /// Notes where it can get to. Where it stands in a nook, that isn't much less than before.
+    /// Stores the reachable floor. In a nook it is not much less than before.
     fn look_around(&mut self, remains: &Remains) {
         let reach = remains.reach();
         if 2 * reach.iter().count() > self.reach.iter().count() {
@@ -85,7 +86,7 @@ impl ByMap {
         (route, patience)
     }
 
-    /// Nothing is left: back to its dock, if it began there.
+    /// Nothing is left: returns to its dock, if it began there.
     fn finish(&mut self, pilot: &mut Pilot) {
         let look = Look { robot: &pilot.robot, aim: AIMS[1], barred: &self.barred, is_spent: &|_| false };
         let remains = Remains::new(&self.mapper, &look);

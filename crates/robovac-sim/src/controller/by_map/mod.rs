@@ -1,18 +1,18 @@
 //! Cleaning by the robot's own map: the remaining floor is planned on it and driven by the estimated pose.
 //!
-//! 1. *What is left* is floor that the robot can get to by its map, less what its [`Marks`](crate::mapping::Marks) say is
-//!    swept. It falls into connected parts.
-//! 2. The *nearest part* is next. One of the planners plans a walk that covers it, which is driven as a line. Then what
-//!    is left is computed again: by then the map has grown, and the pose has been corrected.
-//! 3. *What the map doesn't have* and the robot meets is barred, beside what the mapper makes of it, and what is left is looked at
-//!    anew. Edges and virtual walls are barred for ever; what else was met gets another chance when nothing else is left.
-//! 4. A robot that was *picked up* doesn't know where it is. It follows walls until there is only one place on its map where
-//!    it can be ([`locate`](crate::mapping::locate)), and goes on cleaning.
-//! 5. It is *done* when nothing is left that it can get to, also by squeezing through where the map shows too little room. If it
-//!    began on its dock, it goes there.
+//! 1. *Remaining floor* is the floor reachable by the map, less the floor swept by its
+//!    [`Marks`](crate::mapping::Marks). It consists of connected parts.
+//! 2. The *nearest part* is next. One of the planners plans a walk that covers it, which is driven as a line. Then the
+//!    remaining floor is computed again, with the new map and pose.
+//! 3. *Obstacles that aren't on the map* are barred, in addition to the mapper's update, and the remaining floor is
+//!    computed again. Edges and virtual walls are barred for ever; other obstacles get another chance when nothing else
+//!    is left.
+//! 4. A robot that was *picked up* doesn't know its pose. It follows walls until only one pose on its map is possible
+//!    ([`locate`](crate::mapping::locate)), and continues cleaning.
+//! 5. It is *done* when no reachable floor is left, narrow gaps included. If it began on its dock, it goes there.
 //!
-//! It ends, whatever happens: every way that it sets out for, every place that it comes by and every stop is counted
-//! ([`AttemptBudget`]), and ways that take too long are given up.
+//! It always ends: every start, every passed place and every stop is counted ([`AttemptBudget`]), and ways that take
+//! too long are given up.
 //!
 //! Planning by parts of what is left, on a map that changes, and all figures here are ours.
 
@@ -39,31 +39,31 @@ use robovac_core::{
 };
 use std::sync::Arc;
 
-/// A robot that has moved less than that in so long is stuck, m and s; and how often it may be.
+/// A robot that moves less than this distance in this time is stuck, m and s; and how often that can happen.
 const STUCK: (f64, f64) = (0.15, 25.0);
 const MOST_STUCK: u32 = 12;
-/// Way back and turn away when it is stuck, m and rad.
+/// Way back and turn when stuck, m and rad.
 const LOOSE: (f64, f64) = (0.1, 1.2);
-/// Way back from what was met and from the edge of the floor, m.
+/// Way back from obstacles and from the edge of the floor, m.
 const BACK: f64 = 0.03;
 const BACK_FROM_EDGE: f64 = 0.15;
-/// Directions of what the bumper felt on one side, rad.
+/// Direction of a bumper contact on one side, rad.
 const SIDE: f64 = 0.6;
 /// Share of the speed with something in sight.
 const CAREFUL: f64 = 0.45;
-/// How long it tries to get onto its dock, s.
+/// Time limit for docking, s.
 const DOCK_S: f64 = 400.0;
 
-/// Cleans what `mapper` has left, by a plan of the planner with that id.
+/// Cleans the floor that `mapper` has left, with plans of the planner `planner`.
 pub fn clean_by_map(mapper: Mapper, planner: &'static str) -> Box<dyn Controller> {
     let (robot, seed) = (mapper.setup().robot.clone(), mapper.setup().seed);
-    // Who hasn't begun on a dock doesn't know of any.
+    // A robot that didn't begin on a dock doesn't know of one.
     let params = Params::defaults(if mapper.began_on_dock() { &[GO_HOME, LEAVE_HOME] } else { &[] });
     let setup = Setup { robot: &robot, params: &params, seed };
     Reactive::boxed(&setup, ByMap::new(&setup, mapper, planner))
 }
 
-/// The habit.
+/// The behaviour.
 #[derive(Clone)]
 struct ByMap {
     mapper: Mapper,
@@ -73,14 +73,14 @@ struct ByMap {
     budget: AttemptBudget,
     /// The planning cell that it is in.
     at: Option<Cell>,
-    /// What it can get to, in cells of the map.
+    /// Reachable floor, in cells of the map.
     reach: Arc<TiledLayer<bool>>,
-    /// Cells that were swept when it last thought that nothing was left.
+    /// Cells swept when it last found nothing left.
     swept: usize,
     stuck: u32,
-    /// Where it was last seen to move, and how long ago, s.
+    /// Position of the last motion, and time since, s.
     moved: (Point, f64),
-    /// Whether it is, or was, held.
+    /// Whether it is, or was, lifted.
     is_lifted: bool,
     search: RelocaliseSearch,
     dock: Dock,
@@ -90,7 +90,7 @@ struct ByMap {
 enum CleaningPhase {
     /// Decides what is next.
     Choose,
-    /// Cleans along a line, for so long yet, s.
+    /// Cleans along a line, with a time limit, s.
     Clean {
         route: Route,
         patience: f64,
@@ -98,13 +98,13 @@ enum CleaningPhase {
     },
     /// Relocalises on its map.
     Search,
-    /// Goes back to where it began, for so long yet, s.
+    /// Returns to its start, with a time limit, s.
     Return {
         route: Route,
         patience: f64,
         end: RunEnd,
     },
-    /// Drives onto its dock, for so long yet, s.
+    /// Drives onto its dock, with a time limit, s.
     Dock {
         patience: f64,
         end: RunEnd,
@@ -112,7 +112,7 @@ enum CleaningPhase {
     Done(RunEnd),
 }
 
-/// How it ends.
+/// Outcome of the run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum RunEnd {
     Clean,
@@ -140,7 +140,7 @@ impl ByMap {
         }
     }
 
-    /// Something stops it: what it was going for, it won't go for again and again.
+    /// Records a stop on the way to the present goal, which limits further attempts.
     fn stop(&mut self) {
         if let CleaningPhase::Clean { goal, .. } = self.phase {
             self.budget.stopped(goal);
@@ -152,19 +152,19 @@ impl ByMap {
         }
         match self.phase {
             CleaningPhase::Clean { .. } => self.phase = CleaningPhase::Choose,
-            // By its beams it may get there from here as well.
+            // It can still be able to dock by the beams.
             CleaningPhase::Return { end, .. } => self.phase = CleaningPhase::Dock { patience: DOCK_S, end },
             _ => {}
         }
     }
 
-    /// Starts to look for itself.
+    /// Starts to relocalise.
     fn search(&mut self, pilot: &mut Pilot) {
         let can = self.search.begin(pilot, &self.mapper);
         self.phase = if can { CleaningPhase::Search } else { CleaningPhase::Done(RunEnd::Lost) };
     }
 
-    /// Whether it hasn't got anywhere for long.
+    /// Whether it has made no progress for long.
     fn is_stuck(&mut self, dt_s: f64) -> bool {
         let here = self.mapper.pose().position();
         let (place, since) = self.moved;
@@ -172,7 +172,7 @@ impl ByMap {
         self.moved.1 > STUCK.1
     }
 
-    /// Backs off and turns away from wherever it hangs.
+    /// Backs off and turns away when stuck.
     fn get_loose(&mut self, pilot: &mut Pilot) {
         self.moved.1 = 0.0;
         self.stuck += 1;
@@ -190,7 +190,7 @@ impl ByMap {
         name_at(place, &self.mapper.setup().robot, self.mapper.map().resolution())
     }
 
-    /// Notes where it comes by.
+    /// Records that it passes a place.
     fn come_by(&mut self) {
         let cell = self.name(self.mapper.pose().position());
         if self.at.replace(cell) != Some(cell) {
@@ -281,7 +281,7 @@ impl Behaviour for ByMap {
             self.stop();
             return;
         }
-        // Turned away from what it touches, it may drive off.
+        // After turning away from a contact it can start.
         if matches!(&self.phase, CleaningPhase::Clean { route, .. } | CleaningPhase::Return { route, .. } if !route.is_driving())
         {
             return;

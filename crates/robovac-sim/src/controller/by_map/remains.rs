@@ -2,7 +2,7 @@
 
 use crate::{
     controller::parts::Barred,
-    mapping::{Mapper, Mark, Marks, OccupancyMap, TiledLayer},
+    mapping::{CellMark, Mapper, Marks, OccupancyMap, TiledLayer},
 };
 use coverage_planners::CoverageJob;
 use robovac_core::{
@@ -15,24 +15,24 @@ use robovac_core::{
 };
 use std::collections::VecDeque;
 
-/// Room around what is known, cells of the map.
+/// Margin around the known area, cells of the map.
 const MARGIN: i32 = 8;
-/// Half the width of a gap of unknown cells within known floor that counts as floor, m: a robot that crosses a room in lanes
-/// leaves gaps that it would have met something in.
+/// Half the width of gaps of unknown cells that count as floor, m: a robot that crosses a room in lanes would have met
+/// an obstacle there.
 const GAP: f64 = 0.125;
-/// Around the robot, what isn't occupied is floor, m beyond its radius: it stands there.
+/// Cells around the robot that aren't occupied are floor, m beyond its radius.
 const AROUND: f64 = 0.05;
-/// How much narrower than the tool a planning cell is at least, m: lanes overlap by so much.
+/// Least difference between the tool and a planning cell, m: the overlap of lanes.
 const OVERLAP: f64 = 0.02;
 
-/// Where the robot can get to on its map, and what of it is not clean yet. Planning cells are whole cells of the map, always
-/// the same ones whatever is known: what is noted of one today is true of it tomorrow.
+/// Reachable floor on the robot's map, and its uncleaned part. Planning cells consist of whole map cells and don't
+/// change as the map grows, so records about them stay valid.
 pub(super) struct Remains {
     floor: ReachableFloor,
     planning_grid: PlanningGrid,
     /// Planning cells that are left.
     left: Grid<bool>,
-    /// Lower left corner, in the frame of the map: m, cells of the map, planning cells.
+    /// Lower left corner, in the frame of the map: in m, map cells and planning cells.
     corner: Vector,
     low: Cell,
     first: Cell,
@@ -40,32 +40,33 @@ pub(super) struct Remains {
     side: f64,
 }
 
-/// What is worth going for.
+/// Criteria for goals.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Aim {
-    /// How much nearer to an obstacle of the map than its radius the robot may come, m: maps are blurred, and err.
+    /// How much nearer to an obstacle of the map than its radius the robot can come, m, as maps are blurred and
+    /// inaccurate.
     pub slack: f64,
-    /// Share of a planning cell that must be left for it to be cleaned. Strips along walls as thin as a cell of the map, which
-    /// come and go with its blur, are a third of one of 15 cm.
+    /// Share of a planning cell that must be left for it to be cleaned. Strips along walls as thin as a map cell, which
+    /// vary with its blur, are a third of one of 15 cm.
     pub share: f64,
     /// Fewest planning cells of a part.
     pub cells: usize,
 }
 
-/// One way of looking at the map.
+/// Parameters for computing the remaining floor.
 pub(super) struct Look<'a> {
     /// The robot.
     pub robot: &'a RobotModel,
-    /// What is worth going for.
+    /// Criteria for goals.
     pub aim: Aim,
-    /// What isn't to be driven over all the same.
+    /// Cells that must not be entered.
     pub barred: &'a Barred,
-    /// What is not to be gone for any more, in planning cells.
+    /// Planning cells whose attempts are used up.
     pub is_spent: &'a dyn Fn(Cell) -> bool,
 }
 
 impl Remains {
-    /// What `mapper` has left; `None` if it can get nowhere.
+    /// The floor that `mapper` has left; `None` if nothing is reachable.
     pub fn new(mapper: &Mapper, look: &Look<'_>) -> Option<Self> {
         let (map, pose) = (mapper.map(), mapper.pose());
         let side = map.resolution();
@@ -82,7 +83,7 @@ impl Remains {
         Some(remains)
     }
 
-    /// Takes out what is clean, or not to be gone for.
+    /// Removes floor that is clean or given up.
     fn leave(&mut self, marks: &Marks, columns: i32, look: &Look<'_>) {
         for index in 0..self.left.len() {
             let cell = self.left.cell(index);
@@ -93,7 +94,7 @@ impl Remains {
             for (dx, dy) in (0..columns).flat_map(|dy| (0..columns).map(move |dx| (dx, dy))) {
                 let inner = Cell::new(cell.x * columns + dx, cell.y * columns + dy);
                 if self.floor.floor.is_set(self.floor.cell_at(inner.centre(self.side))) {
-                    left += i32::from(!marks.has(self.outer(inner), Mark::Cleaned));
+                    left += i32::from(!marks.has(self.outer(inner), CellMark::Cleaned));
                 }
             }
             let is_left = f64::from(left) >= look.aim.share * f64::from(columns * columns);
@@ -101,18 +102,18 @@ impl Remains {
         }
     }
 
-    /// A cell of the plan as the map has it.
+    /// A cell of the plan in the coordinates of the map.
     fn outer(&self, cell: Cell) -> Cell {
         Cell::new(cell.x + self.low.x, cell.y + self.low.y)
     }
 
-    /// What a planning cell is called, whatever is known.
+    /// The permanent coordinates of a planning cell.
     pub fn name(&self, cell: Cell) -> Cell {
         Cell::new(cell.x + self.first.x, cell.y + self.first.y)
     }
 
-    /// The part of what is left that is nearest to the robot, of those with at least so many planning cells, and where to begin
-    /// with it; `None` if there is none that it can get to. A part is connected floor.
+    /// The nearest connected part of the remaining floor with at least `least` planning cells, and the cell to start
+    /// in; `None` if there is no reachable one.
     pub fn nearest(&self, least: usize) -> Option<(Grid<bool>, Cell)> {
         let mut rest = self.left.clone();
         loop {
@@ -127,7 +128,7 @@ impl Remains {
         }
     }
 
-    /// The line to about a place, in the frame of the map, if it can get there.
+    /// The line to near a place, in the frame of the map, if it is reachable.
     pub fn way(&self, to: Point) -> Option<Vec<Point>> {
         let near = self.planning_grid.cell_size;
         let (cell, before) = self.search(|cell| (self.planning_grid.anchor(cell) + self.corner - to).norm() < near)?;
@@ -139,7 +140,7 @@ impl Remains {
         Some(self.line(&walk))
     }
 
-    /// The nearest cell that is wanted, by steps, and before each cell the one that it was reached from.
+    /// The nearest cell with `is_wanted`, by steps, and the predecessor of each cell.
     fn search(&self, is_wanted: impl Fn(Cell) -> bool) -> Option<(Cell, Grid<Option<Cell>>)> {
         let free = &self.planning_grid.free;
         let mut before = free.map(|_| None);
@@ -182,7 +183,7 @@ impl Remains {
         self.planning_grid.polyline(&self.floor, walk).into_iter().skip(1).map(|at| at + self.corner).collect()
     }
 
-    /// Cells of the map that the tool can get to.
+    /// Cells of the map that the tool can reach.
     pub fn reach(&self) -> TiledLayer<bool> {
         let mut reach = TiledLayer::new();
         let [width, height] = [self.floor.floor.width(), self.floor.floor.height()]
@@ -197,7 +198,7 @@ impl Remains {
     }
 }
 
-/// The planning cell that holds a point, by its name.
+/// The planning cell of a point, in permanent coordinates.
 pub(super) fn name_at(point: Point, robot: &RobotModel, side: f64) -> Cell {
     Cell::at(point, side * f64::from(columns(robot, side)))
 }
@@ -210,7 +211,7 @@ fn columns(robot: &RobotModel, side: f64) -> i32 {
 /// The map as a floor plan for `look`, and the cell of the map that is its lower left one, a multiple of `columns`; `None` if
 /// nothing is known.
 ///
-/// What is unknown is no floor, but for gaps within known floor and around the robot at `pose`.
+/// Unknown cells aren't floor, except for gaps within known floor and around the robot at `pose`.
 fn plan(map: &OccupancyMap, look: &Look<'_>, pose: Pose, columns: i32) -> Option<(FloorPlan, Cell)> {
     let known = map.to_plan("")?;
     let side = map.resolution();

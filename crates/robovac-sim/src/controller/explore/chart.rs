@@ -12,23 +12,23 @@ use std::{
 
 /// Room around the known part, cells.
 const MARGIN: i32 = 12;
-/// How much nearer to an obstacle of the map than its radius the robot may come, m: maps are blurred, and err.
+/// How much nearer to an obstacle of the map than its radius the robot can come, m, as maps are blurred and inaccurate.
 pub(super) const SLACK: [f64; 3] = [0.04, 0.08, 0.12];
 /// Room beyond that which is worth a detour, m.
 const EASY: f64 = 0.08;
 /// Cost of a step in cells: straight and diagonal, in thousandths, and how many times as much where there is little room.
 const STEP: (u32, u32) = (1000, 1414);
 const NARROW: u32 = 3;
-/// Around the robot, all that isn't occupied can be driven over, m: it stands there.
+/// Cells around the robot that aren't occupied can be driven over, m.
 const AROUND: f64 = 0.2;
-/// Shortest piece of unknown floor that is worth going to, cells.
+/// Shortest piece of unknown floor that is worth a visit, cells.
 const SHORTEST: usize = 4;
-/// What a metre of a lane is worth, as a way, and how many metres count.
+/// Value of a metre of a lane, as a distance, and the number of metres that count.
 const WORTH: (f64, f64) = (0.5, 2.0);
 /// Known cells that a lane may cross between unknown ones.
 const BRIDGE: usize = 6;
 
-/// What is known of the floor, and where the robot can stand.
+/// Known floor, and standing places of the robot.
 pub(super) struct Chart {
     /// The cell of the map that is (0, 0) here.
     low: Cell,
@@ -41,14 +41,14 @@ pub(super) struct Chart {
     least: f64,
 }
 
-/// The ways from one place to all that the robot can reach on known floor.
+/// The ways from one place to all that are reachable on known floor.
 pub(super) struct ReachableWays {
-    /// Thousandths of cells; `u32::MAX` where it can't get.
+    /// Cost in thousandths of cells; `u32::MAX` if unreachable.
     cost: Grid<u32>,
     before: Grid<Option<Cell>>,
 }
 
-/// Unknown floor in a line.
+/// A line of unknown floor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct UnknownLane {
     /// The last known cell before it, which can be reached.
@@ -63,15 +63,15 @@ pub(super) struct UnknownLane {
 }
 
 impl UnknownLane {
-    /// What it costs to see it, m.
+    /// Cost of visiting it, m.
     pub fn cost(&self) -> f64 {
         self.way - WORTH.0 * self.length.min(WORTH.1)
     }
 }
 
 impl Chart {
-    /// What `map` says to a robot of `radius` metres at `robot`; cells that are `barred` count as occupied. At obstacles it
-    /// allows for `slack` metres.
+    /// The chart of `map` for a robot of `radius` metres at `robot`; `barred` cells count as occupied. The robot can
+    /// come `slack` metres nearer to obstacles than its radius.
     pub fn new(map: &OccupancyMap, barred: &Barred, robot: Point, (radius, slack): (f64, f64)) -> Self {
         let here = map.cell_at(robot);
         let (low, high) = map.bounds().unwrap_or((here, here));
@@ -101,7 +101,7 @@ impl Chart {
         Cell::new(cell.x + self.low.x, cell.y + self.low.y).centre(self.resolution)
     }
 
-    /// Whether the robot can stand on a cell, as far as the map knows.
+    /// Whether the robot can stand on a cell, by the map.
     fn has_room(&self, cell: Cell) -> bool {
         self.room.get(cell).is_some_and(|&room| f64::from(room) > self.least)
     }
@@ -169,7 +169,7 @@ impl Chart {
         lanes
     }
 
-    /// The lane that costs least to see.
+    /// The lane of least cost.
     pub fn nearest(lanes: Vec<UnknownLane>) -> Option<UnknownLane> {
         lanes.into_iter().min_by(|a, b| a.cost().total_cmp(&b.cost()).then(a.entry.cmp(&b.entry)))
     }
@@ -190,7 +190,7 @@ impl Chart {
         (end, unknown)
     }
 
-    /// The way to a cell that `ways` reach, with as few corners as there is room for.
+    /// The way to a reachable cell, with few corners where there is room.
     pub fn line(&self, ways: &ReachableWays, to: Cell) -> Vec<Point> {
         let mut cells = VecDeque::from([to]);
         let mut at = to;

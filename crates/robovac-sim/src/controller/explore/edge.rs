@@ -10,8 +10,8 @@
 //!
 //! # Where the thesis is silent
 //!
-//! - *Edges of the floor and virtual walls*: the robot backs off as all behaviours here do, turns away by a random angle, and
-//!   begins anew.
+//! - *Edges of the floor and virtual walls*: the robot backs off as all behaviours here do, turns away by a random
+//!   angle, and starts again.
 //! - *Robots without a light bumper* report no light. They find out what they follow by the bumper alone and lose it at once:
 //!   all that is left is the random rotation.
 //!
@@ -56,7 +56,7 @@ const LATCH_S: f64 = 0.2;
 pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
     id: "explore_edge",
     title: "Edge following",
-    summary: "Finds an obstacle, turns alongside it, and follows its edge and ends, by the thesis' printed rules.",
+    summary: "Finds an obstacle, turns alongside it and follows it round its ends, by the thesis' printed rules.",
     source: "Krapinec 2025, Enhancing Robotic Vacuum Cleaner Performance through Improved Map Building, master's thesis, \
              FER Zagreb: chapter 7, phase 6, and section 7.1, move_to_empty_space",
     link: THESIS,
@@ -104,7 +104,7 @@ pub(in crate::controller) const BUILD: BuildBehaviour = |setup| {
     Reactive::boxed(setup, EdgeBehaviour { machine: EdgeMachine::new(text), speeds, since_call: 0.0, latched: None })
 };
 
-/// The habit.
+/// The behaviour.
 #[derive(Debug, Clone)]
 struct EdgeBehaviour {
     machine: EdgeMachine,
@@ -117,7 +117,7 @@ struct EdgeBehaviour {
 }
 
 impl EdgeBehaviour {
-    /// Nothing is followed and nothing was told.
+    /// Resets the state.
     fn restart(&mut self) {
         self.machine = EdgeMachine::new(self.machine.text);
         self.since_call = 0.0;
@@ -151,7 +151,7 @@ impl Behaviour for EdgeBehaviour {
     }
 
     fn on_obstruction(&mut self, pilot: &mut Pilot, obstruction: Obstruction) {
-        // The rules know what to do about a bump.
+        // The rules handle bumps.
         if obstruction.kind != ObstructionKind::Bump {
             turn_back(pilot, obstruction);
             self.restart();

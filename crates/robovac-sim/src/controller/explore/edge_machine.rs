@@ -14,22 +14,22 @@
 //! | "For every three movements forward": every third count rotates, so that two movements lie between. | As the code. |
 //! | "Lost left light rotate left" logs the opposite of what is set. | As the code: away from the obstacle that the front sensor sees. |
 //!
-//! A call that returns without a command leaves the robot as it is: the driver (create\_robot, chapter 6) holds the last
-//! command for `latch_cmd_duration`, 0.2 s unless set otherwise, and then stops.
+//! A call without a command doesn't change the motion: the driver (create\_robot, chapter 6) holds the last command for
+//! `latch_cmd_duration`, 0.2 s unless set otherwise, and then stops.
 
 use super::position::{Position, Rotation};
 use robovac_core::robot::SensorReadings;
 
-/// Which text is followed where code and prose differ.
+/// Which text to follow where code and prose differ.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum ThesisText {
-    /// The code, to the letter, as far as it goes on at all.
+    /// The code, literally, as far as it can run.
     Printed,
-    /// What the prose means.
+    /// The meaning of the prose.
     Mended,
 }
 
-/// What is published as a Twist.
+/// The published Twist.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Twist {
     /// `turn_left`: 0.5 rad/s.
@@ -40,11 +40,11 @@ pub(super) enum Twist {
     Forward,
 }
 
-/// What a group of rules says.
+/// Result of a group of rules.
 enum Ruled {
-    /// None of them holds: the next ones are asked.
+    /// None applies: the next group is tried.
     Not,
-    /// One does, and gives a command or none.
+    /// One applies, with a command or none.
     Told(Option<Twist>),
 }
 
@@ -69,7 +69,7 @@ const ZIGZAG: u32 = 3;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct EdgeMachine {
     pub text: ThesisText,
-    /// Where the obstacle is that it follows.
+    /// Position of the obstacle that it follows.
     pub obstacle: Position,
     pub rotation: Rotation,
     /// 0, or the step on the way around the end of an edge.
@@ -80,7 +80,7 @@ pub(super) struct EdgeMachine {
 }
 
 impl EdgeMachine {
-    /// As `__init__` leaves it.
+    /// The state after `__init__`.
     pub fn new(text: ThesisText) -> Self {
         Self {
             text,
@@ -133,7 +133,7 @@ impl EdgeMachine {
         let counter = self.rotation.counter;
         match self.text {
             ThesisText::Printed => self.random_number == Some(counter),
-            // Below the limit, the number is a former one.
+            // Below the limit, the number is from an earlier rotation.
             ThesisText::Mended => counter > STUCK.0 && self.random_number.is_some_and(|number| counter >= number),
         }
     }
@@ -192,7 +192,7 @@ impl EdgeMachine {
         Some(if is_mended && self.obstacle.is_left() { Twist::Left } else { Twist::Right })
     }
 
-    /// "Narrow corner, go back": follows what is on the other side from now on.
+    /// "Narrow corner, go back": changes to the obstacle on the other side.
     fn change_sides(&mut self) -> Option<Twist> {
         self.obstacle = self.obstacle.switched();
         self.reset_status();
@@ -214,7 +214,7 @@ impl EdgeMachine {
         Ruled::Told(Some(twist))
     }
 
-    /// What the bumper has met.
+    /// Reacts to the bumper.
     fn meet(&mut self, bumper: &SensorReadings, seen: &Seen) -> Ruled {
         let [_, front_left, .., front_right, _] = bumper.light_bumper;
         if bumper.bump_left && bumper.bump_right {
@@ -233,7 +233,7 @@ impl EdgeMachine {
         if seen.bumper { Ruled::Told(Some(self.away())) } else { Ruled::Not }
     }
 
-    /// What the light sensors have lost.
+    /// Reacts to lights that went off.
     fn keep_to_the_edge(&mut self, bumper: &SensorReadings, seen: &Seen) -> Ruled {
         if self.obstacle.is_none() {
             return Ruled::Not;
@@ -258,7 +258,7 @@ impl EdgeMachine {
     }
 }
 
-/// What the print asks of the side on which the obstacle is; all false without one.
+/// The sensors on the obstacle's side; all false without an obstacle.
 #[expect(clippy::struct_excessive_bools)]
 struct Seen {
     /// The bumper on that side.

@@ -1,16 +1,16 @@
 //! Phase 1: forward or rotate, at random (004, chapter 7).
 //!
-//! Krapinec 2025 begins with two options, a fixed way forward and a fixed rotation; one of them is drawn when the last one
-//! is done. There is no rule for obstacles: the wheels roll their distance even where a wall holds the robot, and whoever
-//! counts them is misled, as the thesis says. It likens the strategy to bogosort.
+//! Krapinec 2025 begins with two options, a fixed way forward and a fixed rotation; one of them is drawn when the last
+//! one is done. There is no rule for obstacles: the wheels roll their distance even where a wall holds the robot, which
+//! misleads odometry, as the thesis says. It likens the strategy to bogosort.
 //!
 //! # Where the thesis is silent
 //!
 //! - *Figures*: no distance and no angle are printed. 20 cm and 30 degrees are ours, as are the robot's own speeds.
-//! - *The way it rotates*: counter-clockwise; phase 2 is the first to tell left from right.
+//! - *The way it rotates*: counter-clockwise; only phase 2 adds rotations to the right.
 //! - *The end*: "until a comprehensive map is generated", but no rule defines that. It continues.
-//! - *Edges of the floor and virtual walls* end a motion: the robot backs off and turns away by a random angle. Where it has
-//!   seen an edge, it no longer pushes walls: pushing it slips, and what slips doesn't know its way back.
+//! - *Edges of the floor and virtual walls* end a motion: the robot backs off and turns away by a random angle. After
+//!   the first edge it no longer pushes walls: pushing causes slip, after which the way back isn't known.
 //!
 //! ```
 //! use robovac_sim::controller::*;

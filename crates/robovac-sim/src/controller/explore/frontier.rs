@@ -1,18 +1,18 @@
 //! Frontier-based exploration (Yamauchi 1997).
 //!
-//! Yamauchi's robot sees far, and drives to the nearest border between free and unknown cells that it can reach. A Roomba
-//! sees a few centimetres, and knows floor only where it was. So there are two kinds of borders here:
+//! Yamauchi's robot sees far, and drives to the nearest border between free and unknown cells that it can reach. A
+//! Roomba senses a few centimetres, and knows only floor that it has visited. So there are two kinds of borders here:
 //!
-//! - *Walls*, which are followed by light, with the law of [`wall_follow`](super::super::wall_follow), until the robot comes
-//!   to where it followed one before. After a number of metres it leaves a wall for what is near and comes back later, so
-//!   that loops stay short, and walls are met again while the error of the pose is small.
+//! - *Walls*, which are followed by light, with the law of [`wall_follow`](super::super::wall_follow), until the robot
+//!   reaches a part that it has followed before. After a number of metres it leaves a wall for nearer goals and returns
+//!   later, so that loops stay short, and walls are revisited while the error of the pose is small.
 //! - *Floor*, which is crossed in lanes. A lane is a line of unknown cells on which the robot fits, entered from known floor.
 //!   The nearest one is next, long ones before short ones. A wall that it meets there for the first time is followed.
 //!
-//! All of it is planned on the map of the robot's own [`Mapper`] and driven by the Mapper's pose. Poses may jump and maps err:
-//! no place is gone for again and again, what shouldn't be there is driven around, edges and virtual walls are barred,
-//! and what takes too long is given up. The map is complete when no lane is left. A kidnapped robot relocalises on its
-//! map so far before it continues.
+//! All of it is planned on the map of the robot's own [`Mapper`] and driven by the Mapper's pose. As poses can jump and
+//! maps can be wrong, attempts at each place are limited, unexpected obstacles are driven around, edges and virtual
+//! walls are barred, and ways that take too long are given up. The map is complete when no lane is left. A kidnapped
+//! robot relocalises on its map so far before it continues.
 //!
 //! Distances, numbers of tries and the order of the two kinds are ours.
 //!
@@ -47,21 +47,21 @@ use robovac_core::{
     robot::{Drive, OdometryModel, SensorReadings},
 };
 
-/// Way along a wall that was followed before after which it is known, m.
+/// Distance along a known wall after which following ends, m.
 const OVERLAP: f64 = 0.6;
-/// How often it sets out for the start.
+/// How often it tries to return to the start.
 const WAYS_HOME: u32 = 5;
-/// Way back from what was met, m.
+/// Way back from obstacles, m.
 const BACK: f64 = 0.03;
-/// Directions of what the bumper felt on one side, rad.
+/// Direction of a bumper contact on one side, rad.
 const SIDE: f64 = 0.6;
-/// Signal of the two middle light sensors at which something is met: a wall at 8 cm.
+/// Signal of the two middle light sensors that counts as an obstacle ahead: a wall at 8 cm.
 const AHEAD: u16 = 600;
 /// Share of the speed with something in sight.
 const CAREFUL: f64 = 0.45;
-/// How far it looks for a wall that it has lost, m.
+/// Distance for which it searches for a lost wall, m.
 const LOST: f64 = 1.5;
-/// A robot that has moved less than that in so long is stuck, m and s.
+/// A robot that moves less than this distance in this time is stuck, m and s.
 const STUCK: (f64, f64) = (0.15, 25.0);
 
 pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
@@ -93,7 +93,7 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
         ParamSpec {
             id: "tracking",
             label: "Pose",
-            help: "Odometry alone, or with its drift corrected by matching contacts to earlier ones.",
+            help: "Odometry alone, or corrected for drift by matching contacts to earlier ones.",
             kind: ParamKind::Choice { options: &[("corrected", "corrected"), ("odometry", "odometry alone")] },
         },
         ParamSpec {
@@ -138,46 +138,46 @@ pub(in crate::controller) const BUILD: BuildBehaviour = |setup| {
     Reactive::boxed(setup, Frontier::new(setup, Mapper::new(mapper)))
 };
 
-/// The habit.
+/// The behaviour.
 #[derive(Clone)]
 pub(super) struct Frontier {
     pub(super) mapper: Mapper,
-    /// Lanes are so many cells apart.
+    /// Distance between lanes, cells.
     pub(super) spacing: i32,
-    /// Metres along a wall.
+    /// Distance along a wall before it is left, m.
     leg: f64,
-    /// How often it may still set out for the start.
+    /// How often it can still try to return to the start.
     pub(super) ways_home: u32,
     wall: WallFollow,
     pub(super) trace: WallTrace,
     pub(super) phase: ExplorePhase,
-    /// Where it left walls that go on.
+    /// Poses at which it left unfinished walls.
     pub(super) ends: Vec<Pose>,
-    /// How often places have been gone for.
+    /// Attempts at places.
     pub(super) budget: AttemptBudget,
-    /// Cells of the map that are not to be entered.
+    /// Cells of the map that must not be entered.
     pub(super) barred: Barred,
     pub(super) doubts: u32,
-    /// Lanes that it could go for when it last chose, m.
+    /// Candidate lanes of the last decision, m.
     pub(super) lanes: Vec<[Point; 2]>,
-    /// Where it was last seen to move, and how long ago, s.
+    /// Position of the last motion, and time since, s.
     moved: (Point, f64),
-    /// Whether it is, or was, held.
+    /// Whether it is, or was, lifted.
     is_lifted: bool,
     search: RelocaliseSearch,
 }
 
 #[derive(Clone)]
 pub(super) enum ExplorePhase {
-    /// Looks for a wall or follows one; it was so far ahead (m, of the pilot) when it began, and when it last felt one.
+    /// Searches for a wall or follows one; distances of the pilot, m, at the start and at the last contact.
     Follow {
         began: f64,
         felt: f64,
         has_met: bool,
     },
-    /// Decides where to go.
+    /// Chooses the next goal.
     Choose,
-    /// Drives somewhere, for so long yet, s.
+    /// Drives to a goal, with a time limit, s.
     Drive {
         route: Route,
         patience: f64,
@@ -187,18 +187,18 @@ pub(super) enum ExplorePhase {
     /// Relocalises on its map: it was kidnapped.
     Search,
     Done,
-    /// It hasn't found itself, or there was nothing to find itself by.
+    /// It couldn't relocalise.
     Lost {
         has_looked: bool,
     },
 }
 
-/// What it drives for.
+/// Goal of a drive.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum DriveGoal {
-    /// To see a lane.
+    /// To explore a lane.
     Floor,
-    /// To go on along a wall where it left it.
+    /// To continue along a wall where it was left.
     Wall(Pose),
     Home,
 }
@@ -230,7 +230,7 @@ impl Frontier {
         self.phase = ExplorePhase::Follow { began: pilot.ahead(), felt: pilot.ahead(), has_met: false };
     }
 
-    /// The wall that it was following or driving to when it was kidnapped: the pose is still that of the lift.
+    /// The wall that it was following or approaching when it was kidnapped; the pose is still that of the lift.
     fn unfinished(&self) -> Option<Pose> {
         match self.phase {
             ExplorePhase::Follow { has_met: true, .. } => Some(self.mapper.pose()),
@@ -247,8 +247,8 @@ impl Frontier {
         self.phase = ExplorePhase::Choose;
     }
 
-    /// Something is in the way of a route, so far to the left of straight ahead, rad: a wall that is new is followed, anything
-    /// else driven around.
+    /// Reacts to an obstacle on a route, at an angle to the left of straight ahead, rad: a new wall is followed,
+    /// anything else driven around.
     fn meet(&mut self, pilot: &mut Pilot, aside: f64) {
         let pose = self.mapper.pose();
         if let ExplorePhase::Drive { to: DriveGoal::Wall(end), .. } = self.phase {
@@ -266,7 +266,7 @@ impl Frontier {
         }
     }
 
-    /// Whether it hasn't got anywhere for long.
+    /// Whether it has made no progress for long.
     fn is_stuck(&mut self, dt_s: f64) -> bool {
         let here = self.mapper.pose().position();
         let (place, since) = self.moved;
@@ -358,7 +358,7 @@ impl Behaviour for Frontier {
                     match to {
                         DriveGoal::Wall(_) => self.follow(pilot),
                         DriveGoal::Floor => self.choose(),
-                        // Where it gave up on the way, it may try again.
+                        // After an interrupted return it can try again.
                         DriveGoal::Home if *patience < 0.0 => self.choose(),
                         DriveGoal::Home => self.phase = ExplorePhase::Done,
                     }
@@ -381,7 +381,7 @@ impl Behaviour for Frontier {
         }
         match &self.phase {
             ExplorePhase::Follow { .. } => self.wall.on_obstruction(pilot, obstruction),
-            // Turned away from what it touches, it may drive off.
+            // After turning away from a contact it can start.
             ExplorePhase::Drive { route, .. } if !route.is_driving() => {}
             ExplorePhase::Drive { to: DriveGoal::Floor, .. } if !self.trace.has_any(pose) => {
                 self.follow(pilot);

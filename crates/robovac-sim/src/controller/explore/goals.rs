@@ -8,17 +8,17 @@ use crate::controller::parts::AttemptBudget;
 use crate::controller::parts::{Pilot, Route};
 use robovac_core::geometry::{Point, Pose};
 
-/// How long a route may take: s, and s/m.
+/// Time limit for a route: s, and s/m.
 const PATIENCE: (f64, f64) = (8.0, 8.0);
-/// Way below which it is at the end of a wall, m.
+/// Distance at which it is at the end of a wall, m.
 const AT_END: f64 = 0.2;
-/// How much farther away than unknown floor the end of a wall may be and still come first, m.
+/// By how much the end of a wall can be farther away than unknown floor and still be chosen first, m.
 const WALL_FIRST: f64 = 3.0;
-/// How often it looks around once more when nothing seems left.
+/// How often it looks around again when nothing seems left.
 const DOUBTS: u32 = 2;
 
 impl Frontier {
-    /// Looks for the next goal. A map that errs may show no way where there is one: then it squeezes through.
+    /// Chooses the next goal. As maps can wrongly show no way, it then accepts narrower gaps.
     pub(super) fn decide(&mut self, pilot: &mut Pilot) {
         let here = self.mapper.pose().position();
         let trace = &self.trace;
@@ -39,7 +39,7 @@ impl Frontier {
         }
     }
 
-    /// Whether there is something to go for.
+    /// Starts towards the nearest goal; returns whether there is one.
     fn go_for_the_nearest(&mut self, pilot: &mut Pilot, chart: &Chart, ways: &ReachableWays, here: Point) -> bool {
         let lanes = chart.lanes(ways, self.spacing, |place| !self.budget.is_spent(AttemptBudget::cell(place)));
         self.lanes = lanes.iter().map(|lane| [lane.entry, lane.end].map(|cell| chart.centre(cell))).collect();
@@ -66,7 +66,7 @@ impl Frontier {
         true
     }
 
-    /// Whether it sets out for the start.
+    /// Starts to return; returns whether it can.
     fn go_home(&mut self, pilot: &Pilot, here: Point) -> bool {
         for slack in SLACK {
             let chart = Chart::new(self.mapper.map(), &self.barred, here, (pilot.robot.radius, slack));
@@ -81,7 +81,7 @@ impl Frontier {
         false
     }
 
-    /// The end of a wall that is nearest, by its index, and the way to it, m.
+    /// The nearest end of a wall, by its index, and the distance to it, m.
     fn nearest_end(&self, chart: &Chart, ways: &ReachableWays) -> Option<(usize, f64)> {
         let resolution = self.mapper.map().resolution();
         let ends =
@@ -99,7 +99,7 @@ impl Frontier {
     }
 }
 
-/// A little farther on.
+/// A pose a little farther on.
 fn beyond(pose: Pose) -> Pose {
     let Point { coords, .. } = pose.to_world(Point::new(0.3, 0.0));
     Pose::new(coords.x, coords.y, pose.heading)

@@ -1,4 +1,4 @@
-//! How the frontier explorer handles kidnapping, reading by reading.
+//! Tests of the frontier explorer with kidnapping, reading by reading.
 
 use super::frontier::{DriveGoal, ExplorePhase, Frontier};
 use crate::{

@@ -1,4 +1,4 @@
-//! Phase 4: looking after every option (004, chapter 7).
+//! Phase 4: looking after every option is drawn (004, chapter 7).
 //!
 //! Krapinec 2025 has the robot process what it senses after selecting any option: if an obstacle is detected solely on the
 //! side that it is to rotate to, it doesn't rotate; with obstacles on both sides it rotates as selected.
@@ -37,8 +37,8 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
     link: THESIS,
     explainer: Explainer {
         idea: "One of three motions is chosen at random: a fixed distance forward, or a fixed rotation to the left or \
-            to the right. Driving forward is excluded if something is ahead, and so is turning towards a side where \
-            alone something is detected. Then it chooses again.",
+            to the right. Driving forward is excluded if something is ahead, and so is turning towards the only \
+            side on which something is detected. Then it chooses again.",
         complexity: "O(1) time and memory per step; it stores at most the last contact.",
         use_when: "To see the effect of checking the sides: the robot leaves walls sooner, but still moves at random.",
         shines: Example { room: "kitchen", why: "It turns away from obstacles beside it and soon leaves corners." },

@@ -1,11 +1,11 @@
 //! Exploring behaviours: they drive so that the room can be mapped with a bumper and a light bumper of short range.
 //!
-//! The first six are the phases of the exploration strategy that Krapinec 2025 (004, chapter 7) grew, from chance to the
-//! following of edges; what they share is in [`options`] (phases 1 to 4) and [`obstacles`] (what counts as an obstacle).
-//! The thesis prints code for the last phase only and describes the others in a paragraph each.
+//! The first six are the phases of the exploration strategy of Krapinec 2025 (004, chapter 7), from random motion to
+//! edge following; [`options`] (phases 1 to 4) and [`obstacles`] (definition of obstacles) are shared. The thesis
+//! prints code for the last phase only and describes the others in a paragraph each.
 //!
-//! The seventh, [`frontier`], makes a map as it goes and drives by it: [`chart`] says where it can go and what is worth going
-//! for, [`trace`] which walls it has followed, [`AttemptBudget`](super::parts::AttemptBudget) what is to be left alone.
+//! The seventh, [`frontier`], makes a map as it goes and drives by it: [`chart`] finds reachable floor and goals,
+//! [`trace`] records followed walls, [`AttemptBudget`](super::parts::AttemptBudget) limits attempts.
 
 mod chart;
 pub(super) mod edge;
@@ -30,14 +30,14 @@ mod kidnapped;
 use super::parts::{Move, Obstruction, Pilot};
 use rand::RngExt;
 
-/// Where the thesis is kept.
+/// Address of the thesis.
 const THESIS: &str = "https://urn.nsk.hr/urn:nbn:hr:168:101738";
-/// Way back from the edge of the floor, m, if so much is known: whoever turns by chance had better not do it there (ours).
+/// Way back from the edge of the floor, m, over known ground: safer for random turns (ours).
 const BACK_FROM_EDGE: f64 = 0.15;
-/// Turn away from the edge of the floor or from a virtual wall, rad, drawn between these (ours).
+/// Turn away from the edge of the floor or from a virtual wall, rad, drawn from this range (ours).
 const LEAVE: (f64, f64) = (1.6, 2.6);
 
-/// What all phases do where the floor ends or a virtual wall is: the thesis knows neither.
+/// Reaction of all phases to edges and virtual walls, which aren't in the thesis.
 fn turn_back(pilot: &mut Pilot, obstruction: Obstruction) {
     let side = pilot.away_from(obstruction);
     let turn = leave(pilot, side);

@@ -1,4 +1,4 @@
-//! What counts as an obstacle: light bumper readings and bumper contacts.
+//! The definition of obstacles: light bumper readings and bumper contacts.
 
 use crate::controller::parts::{Obstruction, ObstructionKind, ObstructionSide};
 use robovac_core::{math, robot::SensorReadings};
@@ -6,7 +6,7 @@ use robovac_core::{math, robot::SensorReadings};
 /// Turn after which a contact is no longer ahead, rad (ours).
 const TURNED_AWAY: f64 = 0.5 * math::FRAC_PI_2;
 
-/// Where obstacles are, as the robot looks.
+/// Directions of obstacles, as seen by the robot.
 #[expect(clippy::struct_excessive_bools)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct SensedObstacles {
@@ -20,18 +20,18 @@ pub(super) struct SensedObstacles {
     pub right: bool,
 }
 
-/// The last contact, which the bumper no longer feels once the robot has backed off.
+/// The last contact, which the bumper no longer reports once the robot has backed off.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct LastContact {
     side: ObstructionSide,
-    /// How far the robot had turned in all by then, rad.
+    /// Total turn at that time, rad.
     turned: f64,
 }
 
 impl LastContact {
-    /// What was met after so much turning, rad.
+    /// A contact after a total turn, rad.
     pub fn of(obstruction: Obstruction, turned: f64) -> Self {
-        // An edge or a beam shows no side that could be trusted.
+        // The side of an edge or a beam isn't reliable.
         let side = if obstruction.kind == ObstructionKind::Bump { obstruction.side } else { ObstructionSide::Front };
         Self { side, turned }
     }
@@ -43,7 +43,7 @@ impl LastContact {
 }
 
 impl SensedObstacles {
-    /// What a reading and the last contact tell.
+    /// The obstacles of a reading and the last contact.
     pub fn of(sensed: &SensorReadings, contact: Option<LastContact>) -> Self {
         let [left, front_left, middle_left, middle_right, front_right, right] = sensed.light_bumper;
         let is_felt = contact.is_some() || sensed.bumped();

@@ -16,10 +16,10 @@ use robovac_core::{
     robot::{Drive, SensorReadings},
 };
 
-/// Way back from what was felt, m.
+/// Way back after a contact, m.
 const BACK: f64 = 0.02;
 
-/// How far one motion ahead goes. The thesis has it fixed and prints no figure.
+/// Length of a motion ahead. Fixed in the thesis, without a figure.
 pub(super) const DISTANCE: ParamSpec = ParamSpec {
     id: "distance",
     label: "Forward",
@@ -27,7 +27,7 @@ pub(super) const DISTANCE: ParamSpec = ParamSpec {
     kind: ParamKind::Number { min: 5.0, max: 100.0, step: 1.0, default: 20.0, unit: "cm" },
 };
 
-/// How far one rotation turns. The thesis has it fixed and prints no figure.
+/// Angle of a rotation. Fixed in the thesis, without a figure.
 pub(super) const ANGLE: ParamSpec = ParamSpec {
     id: "angle",
     label: "Rotation",
@@ -35,7 +35,7 @@ pub(super) const ANGLE: ParamSpec = ParamSpec {
     kind: ParamKind::Number { min: 5.0, max: 180.0, step: 5.0, default: 30.0, unit: "°" },
 };
 
-/// What a contact does to a motion ahead that nobody looked out for.
+/// Effect of an unexpected contact on a motion ahead.
 pub(super) const PUSHES: ParamSpec = ParamSpec {
     id: "bump",
     label: "At a wall",
@@ -44,7 +44,7 @@ pub(super) const PUSHES: ParamSpec = ParamSpec {
     kind: ParamKind::Choice { options: &[("push", "rolls on, as printed"), ("stop", "stops and backs up")] },
 };
 
-/// What a phase adds to the one before.
+/// Additions of a phase to the one before.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Rules {
     /// Phase 2: turns to the right as well.
@@ -63,7 +63,7 @@ enum MotionChoice {
     Right,
 }
 
-/// The habit.
+/// The behaviour.
 #[derive(Debug, Clone)]
 pub(super) struct Options {
     rules: Rules,
@@ -74,23 +74,23 @@ pub(super) struct Options {
     pushes: bool,
     contact: Option<LastContact>,
     came: Option<Came>,
-    /// Where the motion ahead that is under way began, m ahead.
+    /// Start of the present motion ahead, m ahead.
     since: Option<f64>,
-    /// How far it is to back off once it has turned back to where it came from, m.
+    /// How far to back off after turning back to where it came from, m.
     retreat: Option<f64>,
 }
 
-/// How the robot came to where it turns now: all that it knows of the floor there.
+/// The way by which the robot came to its present place: all that it knows of the floor there.
 #[derive(Debug, Clone, Copy)]
 struct Came {
     /// Way straight ahead, m.
     way: f64,
-    /// How far it had turned in all by then, rad.
+    /// Total turn at that time, rad.
     turned: f64,
 }
 
 impl Rules {
-    /// Whether a motion that was drawn is made.
+    /// Whether a drawn motion is allowed.
     fn allow(self, choice: MotionChoice, seen: SensedObstacles) -> bool {
         match choice {
             MotionChoice::Forward => !(self.looks_ahead && seen.ahead),
@@ -107,7 +107,7 @@ impl Options {
             rules,
             distance: setup.params.number(DISTANCE.id) / 100.0,
             angle: setup.params.number(ANGLE.id).to_radians(),
-            // Who looks out for obstacles doesn't push them.
+            // Robots that look ahead don't push obstacles.
             pushes: !rules.looks_ahead && setup.params.choice(PUSHES.id) == "push",
             contact: None,
             came: None,
@@ -116,7 +116,7 @@ impl Options {
         }
     }
 
-    /// Backs off from an edge. Where it has just turned it knows no ground behind it: it turns back first, as it came.
+    /// Backs off from an edge. After a turn no ground behind is known, so it first turns back the way it came.
     fn leave_edge(&mut self, pilot: &mut Pilot, obstruction: Obstruction) {
         self.since = None;
         let came = self.came.take().filter(|_| pilot.way_back() < BACK_FROM_EDGE);
@@ -153,7 +153,7 @@ impl Behaviour for Options {
         self.contact = self.contact.filter(|contact| !contact.is_past(turned));
         let all = [MotionChoice::Forward, MotionChoice::Left, MotionChoice::Right];
         let choice = all[pilot.rng.random_range(0..if self.rules.turns_right { 3 } else { 2 })];
-        // What isn't allowed is drawn again with the next reading.
+        // A motion that isn't allowed is drawn again at the next reading.
         if self.rules.allow(choice, SensedObstacles::of(sensed, self.contact)) {
             let step = match choice {
                 MotionChoice::Forward => Move::Ahead(self.distance),
@@ -167,10 +167,10 @@ impl Behaviour for Options {
     }
 
     fn on_obstruction(&mut self, pilot: &mut Pilot, obstruction: Obstruction) {
-        // Where floors end, nothing is pushed: a robot that slips doesn't know its way back.
+        // After an edge no obstacle is pushed: with slip the way back isn't known.
         self.pushes &= obstruction.kind != ObstructionKind::Cliff;
         if self.pushes && obstruction.kind == ObstructionKind::Bump && obstruction.side == ObstructionSide::Front {
-            // The wheels slip: what they roll is no way.
+            // The wheels slip, so their rolling isn't a distance.
             (self.came, self.since) = (None, None);
             return;
         }
@@ -196,7 +196,7 @@ impl Behaviour for Options {
 mod tests {
     use super::*;
 
-    /// 004, chapter 7: what phases 3 and 4 leave undone, by where obstacles are.
+    /// 004, chapter 7: motions excluded by phases 3 and 4, by the positions of obstacles.
     #[test]
     fn each_phase_leaves_out_what_it_says() {
         let seen = |text: &str| SensedObstacles {
@@ -208,7 +208,7 @@ mod tests {
         let phase_2 = Rules { turns_right: true, looks_ahead: false, looks_aside: false };
         let phase_3 = Rules { looks_ahead: true, ..phase_2 };
         let phase_4 = Rules { looks_aside: true, ..phase_3 };
-        // Obstacles, and the motions that are left: forward, left, right.
+        // Obstacles, and the allowed motions: forward, left, right.
         let table = [
             (phase_2, "ALR", "FLR"),
             (phase_3, "", "FLR"),

@@ -1,6 +1,6 @@
 //! The thesis' helper classes (004, section 7.1).
 
-/// On which side of the robot something is: the thesis' `PositionEnum` (LEFT -1, NONE 0, RIGHT 1) and `Position`.
+/// The side of the robot on which something is: the thesis' `PositionEnum` (LEFT -1, NONE 0, RIGHT 1) and `Position`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) enum Position {
     Left,
@@ -9,17 +9,17 @@ pub(super) enum Position {
     Right,
 }
 
-/// To which side the robot is to rotate, and how often it was told to: the thesis' `Rotation`.
+/// The side to rotate to, and how often that was commanded: the thesis' `Rotation`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct Rotation {
     /// The side.
     pub position: Position,
-    /// How often it was told to; phase 3 of the end of an edge counts other things with it.
+    /// Number of commands; phase 3 of the end of an edge counts other things with it.
     pub counter: u32,
 }
 
 impl Position {
-    /// `switch`: over to the other side; nowhere stays nowhere.
+    /// `switch`: changes to the other side; none stays none.
     pub fn switched(self) -> Self {
         match self {
             Self::Left => Self::Right,
@@ -42,8 +42,8 @@ impl Position {
 impl Rotation {
     /// `set_position`, which resets the counter.
     ///
-    /// `Rotation.switch` is printed too, as `super().switch(self)`, which Python refuses for an argument too many; nothing
-    /// calls it, and it isn't here.
+    /// `Rotation.switch` is printed too, as `super().switch(self)`, which fails in Python for an extra argument;
+    /// nothing calls it, and it isn't included.
     pub fn set_position(&mut self, position: Position) {
         *self = Self { position, counter: 0 };
     }

@@ -6,28 +6,28 @@ use std::collections::VecDeque;
 
 /// Side of its cells, m.
 const SIDE: f64 = 0.05;
-/// How far from where the robot was a place counts as the same, m.
+/// Distance within which a place counts as the same, m.
 const REACH: f64 = 0.15;
 /// Sectors of headings.
 const SECTORS: f64 = 8.0;
-/// Way that lies between a place and its coming back, at least, m.
+/// Least distance driven before a place can count as visited again, m.
 const LATER: f64 = 1.0;
 /// Distance between marks, m.
 const SPACING: f64 = 0.05;
 
-/// Places where the robot followed a wall, with the direction in which it did.
+/// Places where the robot followed a wall, with its direction.
 #[derive(Debug, Clone, Default)]
 pub(super) struct WallTrace {
     /// A bit for each sector of headings.
     marks: TiledLayer<u8>,
-    /// The last marks, oldest first, which aren't among the others yet.
+    /// The last marks, oldest first, which aren't in `marks` yet.
     recent: VecDeque<Pose>,
-    /// Way in marked places without a break, m.
+    /// Uninterrupted distance over marked places, m.
     overlap: f64,
 }
 
 impl WallTrace {
-    /// The robot follows a wall, and is at `pose`; returns for how long it has been where it had followed one before, m.
+    /// Records that the robot follows a wall at `pose`; returns for how far it has been following a known one, m.
     pub fn follow(&mut self, pose: Pose) -> f64 {
         let step = self.recent.back().map(|last| (pose.position() - last.position()).norm());
         if step.is_none_or(|step| step >= SPACING) {
@@ -40,7 +40,7 @@ impl WallTrace {
         self.overlap
     }
 
-    /// It no longer does.
+    /// It no longer follows a wall.
     pub fn stop(&mut self) {
         for pose in std::mem::take(&mut self.recent) {
             self.mark(pose);
@@ -48,12 +48,12 @@ impl WallTrace {
         self.overlap = 0.0;
     }
 
-    /// Whether it has followed a wall at `pose`, looking about that way.
+    /// Whether it has followed a wall at `pose` with about this heading.
     pub fn has(&self, pose: Pose) -> bool {
         self.marks.get(Cell::at(pose.position(), SIDE)) & sectors(pose.heading, 1) != 0
     }
 
-    /// Whether it has followed a wall there, whichever way it looked.
+    /// Whether it has followed a wall at `pose`, with any heading.
     pub fn has_any(&self, pose: Pose) -> bool {
         self.marks.get(Cell::at(pose.position(), SIDE)) != 0
     }
@@ -71,7 +71,7 @@ impl WallTrace {
     }
 }
 
-/// The bit of a heading's sector, with those of so many sectors to either side.
+/// The bit of a heading's sector, with those of `beside` sectors to either side.
 fn sectors(heading: f64, beside: i32) -> u8 {
     let sector = math::floor(heading * SECTORS / math::TAU + 0.5);
     (sector - beside..=sector + beside).fold(0, |bits, sector| bits | 1 << sector.rem_euclid(SECTORS as i32))

@@ -35,7 +35,7 @@ use robovac_core::{
     robot::{Drive, SensorReadings},
 };
 
-/// Way back from what was felt, m.
+/// Way back after a contact, m.
 const BACK: f64 = 0.02;
 
 pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
@@ -49,7 +49,7 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
         idea: "The robot drives straight until something is in its path. It rotates, always in the same direction, \
                until nothing is in front, and drives on. So it circulates along whatever encloses it.",
         complexity: "O(1) time and memory per step; no map.",
-        use_when: "To see why a rule without randomness or memory isn't enough: it may repeat the same loop for ever.",
+        use_when: "To see why a rule without randomness or memory isn't enough: it can repeat the same loop for ever.",
         shines: Example { room: "ring", why: "Walls guide it along the corridor at full speed, all the way round." },
         fails: Example { room: "flat", why: "It circles the same few pieces of furniture and misses every door." },
     },
@@ -75,7 +75,7 @@ pub(in crate::controller) const BUILD: BuildBehaviour = |setup| {
     Reactive::boxed(setup, UntilObstacle { way, angle: setup.params.number("angle").to_radians(), is_turning: false })
 };
 
-/// The habit.
+/// The behaviour.
 #[derive(Debug, Clone)]
 struct UntilObstacle {
     /// 1 to rotate counter-clockwise, -1 for clockwise.

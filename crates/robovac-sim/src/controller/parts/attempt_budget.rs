@@ -1,20 +1,20 @@
-//! Attempts at places are counted, so that no place is tried for ever.
+//! Counts attempts at places, so that no place is tried for ever.
 
 use crate::mapping::TiledLayer;
 use robovac_core::{geometry::Point, grid::Cell};
 
-/// Attempts' cost at which a place is given up (ours).
+/// Cost of attempts at which a place is given up (ours).
 const MOST: u8 = 8;
-/// What it costs to set out for a place, to come by, and to be stopped before it.
+/// Costs of starting towards a place, of passing it, and of being stopped before it.
 const SET_OUT: u8 = 1;
 const CAME_BY: u8 = 2;
 const STOPPED: u8 = 3;
-/// Side of the cells that attempts at points are counted in, m.
+/// Side of the cells in which attempts at points are counted, m.
 const SIDE: f64 = 0.1;
-/// How near to a point counts as there, m.
+/// Distance at which a point counts as reached, m.
 pub(in crate::controller) const THERE: f64 = 0.4;
 
-/// What attempts have cost so far, cell by cell. Whatever happens, so much comes to an end.
+/// Cost of attempts so far, cell by cell. It guarantees that attempts end.
 #[derive(Debug, Clone, Default)]
 pub(in crate::controller) struct AttemptBudget(TiledLayer<u8>);
 
@@ -24,22 +24,22 @@ impl AttemptBudget {
         Cell::at(point, SIDE)
     }
 
-    /// The robot sets out for a cell.
+    /// Counts a start towards a cell.
     pub(in crate::controller) fn set_out(&mut self, cell: Cell) {
         self.spend(cell, SET_OUT);
     }
 
-    /// It has come to a cell: if that isn't clean by now, it hardly ever will be.
+    /// Counts a passed cell: if it isn't clean by now, it hardly ever will be.
     pub(in crate::controller) fn came_by(&mut self, cell: Cell) {
         self.spend(cell, CAME_BY);
     }
 
-    /// Something has stopped it on the way to a cell.
+    /// Counts a stop on the way to a cell.
     pub(in crate::controller) fn stopped(&mut self, cell: Cell) {
         self.spend(cell, STOPPED);
     }
 
-    /// It was stopped `at` a point on its way to a goal: only if that is near, the goal can't be reached.
+    /// Counts a stop `at` a point on the way to a goal; only if they are near, the goal can't be reached.
     pub(in crate::controller) fn stopped_at(&mut self, at: Point, goal: Point) {
         if (at - goal).norm() < THERE {
             self.stopped(Self::cell(goal));
@@ -51,7 +51,7 @@ impl AttemptBudget {
         self.0.get(cell) >= MOST
     }
 
-    /// Cells that were given up get another chance, one.
+    /// Gives cells that were given up one more chance.
     pub(in crate::controller) fn forgive(&mut self) {
         let spent: Vec<Cell> = self.0.iter().filter(|&(_, cost)| cost >= MOST).map(|(cell, _)| cell).collect();
         for cell in spent {

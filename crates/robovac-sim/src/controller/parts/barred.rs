@@ -7,14 +7,14 @@ use robovac_core::{
     math,
 };
 
-/// Distance from the body and radius of what is barred, m: where the floor ends, and where something was met.
+/// Distance from the body and radius of a barred disc, m: at an edge, and at an obstacle.
 const EDGE: (f64, f64) = (0.05, 0.1);
 const MET: (f64, f64) = (0.03, 0.05);
-/// Values of barred cells: for as long as there is something else to do, and for ever.
+/// Values of barred cells: while there are other goals, and for ever.
 const FOR_NOW: u8 = 1;
 const FOR_EVER: u8 = 2;
 
-/// Cells of a map.
+/// Barred cells of a map.
 #[derive(Debug, Clone)]
 pub(in crate::controller) struct Barred {
     /// Side of the cells, m.
@@ -23,7 +23,7 @@ pub(in crate::controller) struct Barred {
 }
 
 impl Barred {
-    /// None, of cells of `side` metres.
+    /// No barred cells, with cells of `side` metres.
     pub(in crate::controller) fn new(side: f64) -> Self {
         Self { side, cells: TiledLayer::new() }
     }
@@ -33,12 +33,12 @@ impl Barred {
         self.cells.get(cell) > 0
     }
 
-    /// The floor ends, or a virtual wall is, ahead of a body of that radius, m.
+    /// Bars an edge or a virtual wall ahead of a body of that radius, m.
     pub(in crate::controller) fn edge(&mut self, pose: Pose, body: f64) {
         self.bar(pose.to_world(Point::new(body + EDGE.0, 0.0)), EDGE.1, FOR_EVER);
     }
 
-    /// Something that should not be there was met, so far to the left of straight ahead, rad.
+    /// Bars an unexpected obstacle at an angle to the left of straight ahead, rad.
     pub(in crate::controller) fn met(&mut self, pose: Pose, body: f64, aside: f64) {
         let (sin, cos) = math::sin_cos(aside);
         self.bar(pose.to_world(Point::new(cos, sin) * (body + MET.0)), MET.1, FOR_NOW);
@@ -56,7 +56,7 @@ impl Barred {
         }
     }
 
-    /// What was met may be gone.
+    /// Unbars obstacles, which can have gone.
     pub(in crate::controller) fn forget(&mut self) {
         let met: Vec<Cell> = self.cells.iter().filter(|(_, how)| *how == FOR_NOW).map(|(cell, _)| cell).collect();
         for cell in met {

@@ -2,7 +2,7 @@
 
 use robovac_core::robot::SensorReadings;
 
-/// How long a sight lasts, s: at 15 ms a reading, so many misses in a row are rare even in sunlight.
+/// Duration of a detection, s: at 15 ms per reading, so many misses in a row are rare even in sunlight.
 const LASTS_S: f64 = 0.12;
 /// Bits of a dock's characters (Open Interface specification): force field, green beam, red beam. All have the base.
 const BASE: u8 = 160;
@@ -10,10 +10,10 @@ const FIELD: u8 = 1;
 const GREEN: u8 = 4;
 const RED: u8 = 8;
 
-/// Sights of a dock.
+/// Recent detections of a dock.
 #[derive(Debug, Clone, Default)]
 pub(in crate::controller) struct Beacon {
-    /// Time left for which each was seen lately, s: force field, green beam, red beam; by the left and the right receiver.
+    /// Remaining time of each detection, s: force field, green beam, red beam; by the left and the right receiver.
     left: [f64; 5],
 }
 
@@ -24,7 +24,7 @@ impl Beacon {
         let all = [seen.omni, seen.left, seen.right];
         let is_of_dock = |character: u8| character & !(FIELD | GREEN | RED) == BASE && character != BASE;
         let has = |bit: u8| all.iter().any(|&character| is_of_dock(character) && character & bit != 0);
-        // Directions are those of the beams: the force field is thrown back from everywhere.
+        // Only beams give a direction: the force field is reflected from everywhere.
         let beams = |character: u8| is_of_dock(character) && character & (GREEN | RED) != 0;
         let now = [has(FIELD), has(GREEN), has(RED), beams(seen.left), beams(seen.right)];
         for (left, now) in self.left.iter_mut().zip(now) {
@@ -37,12 +37,12 @@ impl Beacon {
         self.left[0] > 0.0
     }
 
-    /// Whether the beam on the left and that on the right of the dock's middle are seen, by a robot that faces it.
+    /// Whether the beams to the left and to the right of the dock's middle are detected, for a robot that faces it.
     pub(in crate::controller) fn beams(&self) -> (bool, bool) {
         (self.left[1] > 0.0, self.left[2] > 0.0)
     }
 
-    /// Whether the dock is seen by the receiver that looks to the left and by that to the right.
+    /// Whether the left and the right receiver detect the dock.
     pub(in crate::controller) fn sides(&self) -> (bool, bool) {
         (self.left[3] > 0.0, self.left[4] > 0.0)
     }

@@ -1,28 +1,28 @@
-//! How fast a robot may drive if it is to stop before a wheel gets over an edge that its cliff sensors have seen.
+//! The speed at which a robot can stop before a wheel passes an edge that its cliff sensors have detected.
 
 use robovac_core::{math, robot::RobotModel};
 
-/// Time from an edge under a sensor to brakes that grip, s: one reading.
+/// Time from detecting an edge to braking, s: one reading.
 const REACTION_S: f64 = 0.015;
-/// Floor that must be left under the wheel, m.
+/// Least floor left under the wheel, m.
 const MARGIN: f64 = 0.002;
-/// Floor that must be left around the circle on which the wheels turn, m: brakes come in while the robot still rolls.
+/// Least floor left around the circle on which the wheels turn, m: braking starts while the robot still rolls.
 const TURN_MARGIN: f64 = 0.025;
 /// Least way back from an edge, m.
 const LEAST_BACK: f64 = 0.06;
-/// Slowest speed that is worth driving, m/s.
+/// Least useful speed, m/s.
 const LEAST: f64 = 0.08;
-/// Directions of corners that are looked at to either side of straight ahead, and their distance, rad.
+/// Directions of corners that are tested to either side of straight ahead, and their distance, rad.
 const DIRECTIONS: (i32, f64) = (16, 5.0 * math::PI / 180.0);
-/// Places of corners that are looked at to either side of the middle, as shares of the half wheel base.
+/// Positions of corners that are tested to either side of the middle, as shares of the half wheel base.
 const PLACES: i32 = 32;
 
 /// The fastest speed straight ahead, m/s, at most the model's cruise speed.
 ///
-/// What has no floor is taken to reach into the floor with right-angled corners, of any direction and anywhere ahead;
-/// straight edges are no worse. A corner is first seen by one of the sensors, which may be a side sensor late in the day.
-/// From there to the moment when a wheel gets over the edge the robot has a certain way, in which it must react and
-/// brake. Without cliff sensors there is nothing to be careful about.
+/// Drop-offs are assumed to have right-angled corners, of any direction and anywhere ahead; straight edges are no
+/// worse. A corner is first detected by one of the sensors, possibly late by a side sensor. From there to the moment
+/// when a wheel gets over the edge the robot has a certain way, in which it must react and brake. Without cliff sensors
+/// it is the cruise speed.
 pub(in crate::controller) fn safe_speed(robot: &RobotModel) -> f64 {
     let half_base = 0.5 * robot.wheel_base;
     let mut way = f64::INFINITY;

@@ -12,10 +12,10 @@ use robovac_core::{
     robot::SensorReadings,
 };
 
-/// Way off the dock before it turns round, m.
+/// Distance from the dock before it turns round, m.
 const LEAVE: f64 = 0.5;
 
-/// When it goes home.
+/// Charge at which it returns to the dock.
 pub(in crate::controller) const GO_HOME: ParamSpec = ParamSpec {
     id: "home_at",
     label: "Recharge below",
@@ -23,7 +23,7 @@ pub(in crate::controller) const GO_HOME: ParamSpec = ParamSpec {
     kind: ParamKind::Number { min: 0.0, max: 90.0, step: 1.0, default: 15.0, unit: "%" },
 };
 
-/// When it leaves again.
+/// Charge at which it leaves again.
 pub(in crate::controller) const LEAVE_HOME: ParamSpec = ParamSpec {
     id: "leave_at",
     label: "Resume at",
@@ -34,7 +34,7 @@ pub(in crate::controller) const LEAVE_HOME: ParamSpec = ParamSpec {
 /// Watches the battery.
 #[derive(Debug, Clone)]
 pub(super) struct Home {
-    /// Shares of the charge at which it goes and leaves.
+    /// Shares of the charge at which it returns and leaves.
     low: f64,
     full: f64,
     dock: Dock,
@@ -43,7 +43,7 @@ pub(super) struct Home {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum HomePhase {
-    /// The habit is at work.
+    /// The behaviour is active.
     Away,
     Going,
     Charging,
@@ -51,17 +51,17 @@ enum HomePhase {
 }
 
 impl Home {
-    /// With the parameters of `setup`; `None` if it has none or if the robot has no receivers, contacts or gauge.
+    /// With the parameters of `setup`; `None` without them or for a robot without receivers, contacts or gauge.
     pub(super) fn new(setup: &Setup<'_>) -> Option<Self> {
         let share = |id| setup.params.number(id) / 100.0;
         let (low, battery) = (share(GO_HOME.id), setup.robot.battery);
         let is_able = setup.robot.sensors.infrared && battery.charge_ma > 0.0 && battery.has_gauge;
-        // A robot that left before it wants to go home would never get away.
+        // A robot that left below the charge for returning would never get away.
         let full = share(LEAVE_HOME.id).max(low + 0.02).min(1.0);
         (is_able && low > 0.0).then(|| Self { low, full, dock: Dock::new(setup), phase: HomePhase::Away })
     }
 
-    /// Watches a reading; returns whether the robot stands and is charged, and whether the habit is to begin anew.
+    /// Takes a reading; returns whether the robot must stand still to charge, and whether the behaviour starts again.
     pub(super) fn watch(&mut self, pilot: &mut Pilot, sensed: &SensorReadings, dt_s: f64) -> (bool, bool) {
         let share = sensed.battery.share();
         if self.phase == HomePhase::Going {
@@ -77,15 +77,15 @@ impl Home {
                 pilot.go(&[]);
             }
             HomePhase::Charging if !sensed.battery.on_dock => {
-                // Pushed or carried off.
+                // Pushed or carried off the dock.
                 self.phase = HomePhase::Going;
                 self.dock.begin(pilot);
             }
-            // Charge is told in whole mAh.
+            // Charge is reported in whole mAh.
             HomePhase::Charging if share >= self.full - 0.001 => {
                 self.phase = HomePhase::Leaving;
                 let turn = math::PI * pilot.rng.random_range(0.7..1.3);
-                // What is behind a robot on its dock is where it came from.
+                // The floor behind a robot on its dock is the way it came.
                 pilot.assume_way_back(LEAVE);
                 pilot.go(&[Move::Back(LEAVE), Move::Turn(turn)]);
             }
@@ -98,12 +98,12 @@ impl Home {
         (self.phase == HomePhase::Charging, false)
     }
 
-    /// What drives instead of the habit, if anything does.
+    /// The controller that replaces the behaviour, if any.
     pub(super) fn driver(&mut self) -> Option<&mut Dock> {
         (self.phase == HomePhase::Going).then_some(&mut self.dock)
     }
 
-    /// What it is doing; `None` while the habit is at work.
+    /// Its activity; `None` while the behaviour is active.
     pub(super) fn activity(&self) -> Option<&'static str> {
         match self.phase {
             HomePhase::Away => None,

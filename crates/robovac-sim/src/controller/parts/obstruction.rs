@@ -2,19 +2,19 @@
 
 use robovac_core::robot::SensorReadings;
 
-/// Something in the way.
+/// An obstruction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::controller) struct Obstruction {
-    /// What it is.
+    /// Its kind.
     pub kind: ObstructionKind,
-    /// Where it is.
+    /// Its side.
     pub side: ObstructionSide,
 }
 
-/// Kinds of things that stop a robot.
+/// Kinds of obstructions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::controller) enum ObstructionKind {
-    /// A wall or furniture, felt by the bumper.
+    /// A wall or furniture, by the bumper.
     Bump,
     /// No floor.
     Cliff,
@@ -22,7 +22,7 @@ pub(in crate::controller) enum ObstructionKind {
     Beam,
 }
 
-/// Where something is, as the robot looks.
+/// Side of an obstruction, as seen by the robot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::controller) enum ObstructionSide {
     Left,
@@ -31,7 +31,7 @@ pub(in crate::controller) enum ObstructionSide {
 }
 
 impl ObstructionSide {
-    /// From what is reported on the left and on the right.
+    /// From detections on the left and on the right.
     fn of(left: bool, right: bool) -> Option<Self> {
         match (left, right) {
             (true, true) => Some(Self::Front),
@@ -43,7 +43,7 @@ impl ObstructionSide {
 }
 
 impl Obstruction {
-    /// The worst of what a reading tells. On a dock, whose ramp is black, all cliff sensors see a cliff that is none.
+    /// The most dangerous obstruction in a reading. On a dock, whose ramp is black, the cliff sensors are ignored.
     pub(super) fn of(sensed: &SensorReadings, heeds_beam: bool) -> Option<Self> {
         let [left, front_left, front_right, right] = sensed.cliff;
         let edge = ObstructionSide::of(left || front_left, right || front_right).filter(|_| !sensed.battery.on_dock);
@@ -53,7 +53,7 @@ impl Obstruction {
         if let Some(side) = ObstructionSide::of(sensed.bump_left, sensed.bump_right) {
             return Some(Self { kind: ObstructionKind::Bump, side });
         }
-        // What holds the wheels, though the bumper doesn't feel it: a narrow bumper between two walls.
+        // Held wheels without a bumper contact, as with a narrow bumper between two walls.
         if sensed.overcurrent.left_wheel && sensed.overcurrent.right_wheel {
             return Some(Self { kind: ObstructionKind::Bump, side: ObstructionSide::Front });
         }

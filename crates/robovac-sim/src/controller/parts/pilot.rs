@@ -19,53 +19,53 @@ use std::collections::VecDeque;
 
 /// Stream of the behaviours' random numbers.
 const STREAM: u64 = 3;
-/// Reversing is this share of the forward speed: nothing looks back.
+/// Speed of reversing as a share of the forward speed, as there are no rear sensors.
 const REVERSE: f64 = 0.6;
-/// Wheel travel that may be left when a distance or angle counts as done, m.
+/// Remaining wheel travel at which a distance or angle counts as done, m.
 const CLOSE_ENOUGH: f64 = 0.001;
-/// Slowest wheel speed of a motion that isn't done, m/s: slower, and quantised wheels would stand.
+/// Slowest wheel speed of a motion, m/s; quantised wheels would stop below it.
 const LEAST_SPEED: f64 = 0.025;
-/// Way back after the beam of a virtual wall is no longer seen, m.
+/// Way back after leaving the beam of a virtual wall, m.
 const OFF_BEAM: f64 = 0.05;
-/// Time without a sight of the beam after which the robot is out of it, s.
+/// Time without the beam after which the robot is out of it, s.
 const BEAM_GONE_S: f64 = 0.3;
-/// Way back before a turn is tried again that would have got a wheel over an edge, m.
+/// Way back before repeating a turn that would have brought a wheel over an edge, m.
 const OFF_TURN: f64 = 0.04;
-/// Turns that are undone before one is made all the same.
+/// Undone turns after which one is made regardless.
 const MOST_UNDONE: u32 = 5;
-/// Way between two hits below which the robot has got nowhere, and goes on turning the way it has begun, m.
+/// Least distance between two hits that counts as progress; below it the robot keeps turning the same way, m.
 const NOWHERE: f64 = 0.03;
 
-/// How distances and angles are told.
+/// How distances and angles are measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::controller) enum By {
     /// By the encoders' counts.
     Counts,
-    /// By the clock: wheel travel divided by wheel speed, as robots without encoders do.
+    /// By time: wheel travel divided by wheel speed, as robots without encoders do.
     Time,
 }
 
 /// A motion from rest to rest.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::controller) enum Move {
-    /// So far backward, m, but never farther than over ground that was driven just before.
+    /// Backward by a distance, m, but only over ground just driven.
     Back(f64),
     /// Backward until the beam of a virtual wall is no longer seen.
     BackOutOfBeam,
-    /// So far ahead, m.
+    /// Ahead by a distance, m.
     Ahead(f64),
     /// On the spot, rad, counter-clockwise positive.
     Turn(f64),
-    /// Back from a turn that would have got a wheel over an edge.
+    /// Back from a turn that would have brought a wheel over an edge.
     Undo(f64),
 }
 
-/// Where a motion stands.
+/// Phase of a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum MotionPhase {
     /// Waits until the wheels stand still.
     Settle,
-    /// Under way since the wheels had rolled this far (ahead, m; turned, rad), for so long, s.
+    /// In progress since these values of distance (m) and turn (rad), for so long, s.
     Under { ahead: f64, turned: f64, clock: f64 },
 }
 
@@ -74,33 +74,33 @@ enum MotionPhase {
 pub(in crate::controller) struct Pilot {
     /// The robot.
     pub robot: RobotModel,
-    /// Random numbers of whatever behaves.
+    /// Random numbers of the behaviour.
     pub rng: Rng,
     /// Wheel speed ahead, m/s: cruise speed, or less where the cliff sensors sit too near the wheels for it.
     pub speed: f64,
     /// Wheel speed of turns on the spot, m/s.
     pub turn_speed: f64,
-    /// How motions are told.
+    /// How motions are measured.
     pub by: By,
-    /// Way back from an edge, beside the braking distance, m.
+    /// Way back from an edge, in addition to the braking distance, m.
     off_edge: f64,
     travel: EncoderTravel,
     trail: WheelTrail,
     voids: Voids,
-    /// Whether it was told to go back along the trail.
+    /// Whether it reverses along the trail.
     is_retreating: bool,
-    /// How many turns of the motions under way were undone.
+    /// Number of undone turns in the present motions.
     undone: u32,
     moves: VecDeque<Move>,
     phase: MotionPhase,
-    /// What the motions answer, which need not be answered again.
+    /// The obstruction to which the present motions react.
     answering: Option<ObstructionKind>,
-    /// Whether the robot is on its way out of the beam of a virtual wall, and for how long it hasn't seen it, s.
+    /// Whether the robot is leaving the beam of a virtual wall, and the time without the beam, s.
     leaving_beam: bool,
     beam_unseen: f64,
-    /// Where the last answer ended, m ahead, and the way it turned.
+    /// End of the last reaction, m ahead, and its direction of turn.
     last: (f64, f64),
-    /// Where the last hit was, m ahead.
+    /// Position of the last hit, m ahead.
     hit_at: f64,
 }
 
@@ -134,7 +134,7 @@ impl Pilot {
     pub(super) fn sense(&mut self, sensed: &SensorReadings, dt_s: f64) {
         let rolled = self.travel.update(sensed);
         self.voids.update(sensed, &self.robot.sensors.cliffs);
-        // Whether the trail is to outlast what the wheels do: turns are undone where an edge comes too near.
+        // Whether to keep the trail regardless of the wheels: turns are undone near edges.
         let is_backing = self.is_retreating || self.moves.front().is_some_and(|step| !matches!(step, Move::Ahead(_)));
         self.trail.roll(rolled, sensed.bumped(), is_backing);
         self.is_retreating = false;
@@ -142,7 +142,7 @@ impl Pilot {
         self.leaving_beam &= self.beam_unseen < BEAM_GONE_S;
     }
 
-    /// Forgets what it was at and what it knows: the robot was kidnapped.
+    /// Resets all motions and knowledge: the robot was kidnapped.
     pub(super) fn reset(&mut self) {
         self.moves.clear();
         self.trail.clear();
@@ -152,14 +152,14 @@ impl Pilot {
         self.leaving_beam = false;
     }
 
-    /// What is in the way, unless the robot isn't going ahead or is already answering it.
+    /// The obstruction in a reading, unless the robot isn't driving ahead or is already reacting to it.
     pub(super) fn obstruction(&mut self, sensed: &SensorReadings) -> Option<Obstruction> {
         let is_rolling = self.phase == MotionPhase::Settle && !self.travel.is_resting();
         let goes_ahead = match (self.moves.front(), self.answering) {
             (None, _) => self.phase == MotionPhase::Settle,
             (Some(Move::Ahead(_)), _) => true,
             (Some(_), None) => is_rolling,
-            // Braking before a wall, it may slide along it to an edge.
+            // Braking before a wall, it can slide along it to an edge.
             (Some(_), Some(ObstructionKind::Bump | ObstructionKind::Beam)) => is_rolling && sensed.sees_cliff(),
             (Some(_), Some(ObstructionKind::Cliff)) => false,
         };
@@ -172,7 +172,7 @@ impl Pilot {
         Some(obstruction)
     }
 
-    /// Replaces what is under way by `moves`.
+    /// Replaces the present motions by `moves`.
     pub(in crate::controller) fn go(&mut self, moves: &[Move]) {
         self.moves.clear();
         self.moves.extend(moves);
@@ -181,7 +181,7 @@ impl Pilot {
         self.answering = None;
     }
 
-    /// Answers a hit: back by at least `back` metres and farther if need be, then `moves`.
+    /// Reacts to a hit: back by at least `back` metres, then `moves`.
     pub(in crate::controller) fn answer(&mut self, obstruction: Obstruction, back: f64, moves: &[Move]) {
         self.go(moves);
         self.answering = Some(obstruction.kind);
@@ -196,10 +196,11 @@ impl Pilot {
         }
     }
 
-    /// The way to turn away from a hit, 1 for left and -1 for right: to the other side; by chance if it is straight ahead.
+    /// The direction to turn away from a hit, 1 for left and -1 for right: to the other side; random if it is straight
+    /// ahead.
     ///
-    /// A robot that got nowhere since the last hit goes on turning the same way, or it would swing to and fro before an
-    /// edge that it sees on both sides.
+    /// Without progress since the last hit it keeps the direction; otherwise the robot would oscillate before an edge
+    /// that it detects on both sides.
     pub(in crate::controller) fn away_from(&mut self, obstruction: Obstruction) -> f64 {
         let chance = if self.rng.random_bool(0.5) { 1.0 } else { -1.0 };
         let way = match obstruction.side {
@@ -212,12 +213,12 @@ impl Pilot {
         way
     }
 
-    /// Whether motions are under way.
+    /// Whether there are motions in progress.
     pub(in crate::controller) fn is_busy(&self) -> bool {
         !self.moves.is_empty()
     }
 
-    /// Way ahead less way back since the start, m.
+    /// Distance ahead less distance back since the start, m.
     pub(in crate::controller) fn ahead(&self) -> f64 {
         self.travel.ahead()
     }
@@ -227,7 +228,7 @@ impl Pilot {
         self.travel.turned()
     }
 
-    /// Speed and turn rate (rad/s, counter-clockwise positive) as wheel speeds of this robot.
+    /// Wheel speeds of this robot for a speed and turn rate (rad/s, counter-clockwise positive).
     pub(in crate::controller) fn twist(&self, speed: f64, turn_rate: f64) -> Drive {
         Drive::from_twist(speed, turn_rate, self.robot.wheel_base)
     }
@@ -237,22 +238,22 @@ impl Pilot {
         Drive::wheels(self.speed, self.speed)
     }
 
-    /// Whether it knows the ground behind it.
+    /// Whether the ground behind is known.
     pub(in crate::controller) fn knows_way_back(&self) -> bool {
         self.trail.length() > CLOSE_ENOUGH
     }
 
-    /// How much of the ground behind it it knows, m.
+    /// Length of the known ground behind, m.
     pub(in crate::controller) fn way_back(&self) -> f64 {
         self.trail.length()
     }
 
-    /// Takes so many metres straight behind it for known ground.
+    /// Sets the known ground straight behind, m.
     pub(in crate::controller) fn assume_way_back(&mut self, metres: f64) {
         self.trail.assume(metres);
     }
 
-    /// Back the way it came, at a share of the speed for that; stops where that ends.
+    /// Reverses over the way it came, at a share of the reversing speed; stops at its end.
     pub(in crate::controller) fn retreat(&mut self, share: f64) -> Drive {
         self.is_retreating = true;
         let Some(way) = self.trail.back() else { return Drive::STOP };
@@ -260,7 +261,7 @@ impl Pilot {
         Drive::wheels(way[0], way[1]).times(share * speed.max(LEAST_SPEED))
     }
 
-    /// Goes on with what is under way; `None` if nothing is.
+    /// Continues the present motions; `None` if there are none.
     pub(super) fn perform(&mut self, sensed: &SensorReadings, dt_s: f64) -> Option<Drive> {
         loop {
             let Some(&step) = self.moves.front() else {
@@ -290,7 +291,7 @@ impl Pilot {
                     let left = distance - (self.travel.ahead() - ahead);
                     match self.pace(left, distance, self.speed, (clock, dt_s)) {
                         Some(v) => Some(Drive::wheels(v, v)),
-                        // As long as it rolls ahead, it must look ahead.
+                        // While it rolls ahead, it must look ahead.
                         None => (!self.travel.is_resting()).then_some(Drive::STOP),
                     }
                 }
@@ -323,7 +324,7 @@ impl Pilot {
         }
     }
 
-    /// Where a motion counts from, m ahead: for the way back from an edge, where it was first seen.
+    /// Start of a motion, m ahead: for the way back from an edge, the place of its first detection.
     fn begin(&self, step: Move) -> f64 {
         match step {
             Move::Back(way) if self.answering == Some(ObstructionKind::Cliff) && way > OFF_TURN => self.hit_at,
@@ -331,7 +332,7 @@ impl Pilot {
         }
     }
 
-    /// Speed with `left` metres of wheel travel to go of `all`, so as to come to rest there; `None` if it is time to stop.
+    /// Speed with `left` of `all` metres of wheel travel to go, so as to stop at the end; `None` if it is time to stop.
     ///
     /// By the clock, a motion of d metres at v lasts d / v: the wheels then roll on as far as they fell short while they
     /// picked up speed. A motion too short to reach v lasts sqrt(d / a) instead, for the same reason.
@@ -340,7 +341,7 @@ impl Pilot {
         match self.by {
             By::Time => {
                 let lasts = (all / speed).max((all / a).sqrt());
-                // Commands last for whole steps; what is too much in time is taken off the speed.
+                // Commands last for whole steps; the excess time is compensated by the speed.
                 let steps = (lasts / dt_s).ceil();
                 (clock + 0.5 * dt_s < steps * dt_s).then_some(speed * lasts / (steps * dt_s))
             }
@@ -353,7 +354,7 @@ impl Pilot {
         let way = self.trail.back()?;
         let known = self.trail.length();
         let speed = match self.by {
-            // An edge is no matter of the clock: it wants to be left behind by the way that was driven towards it.
+            // Leaving an edge isn't timed but measured by the distance driven towards it.
             By::Time if self.answering != Some(ObstructionKind::Cliff) => {
                 self.pace(left, all, self.speed, (clock, dt_s))?
             }
@@ -372,7 +373,7 @@ impl Pilot {
             Some(_) => None,
             None => {
                 if !is_out {
-                    // Still in it where the way back ends: turn round and go, wherever that leads.
+                    // Still in the beam at the end of the known ground: turns round and drives on.
                     let turn = math::PI * self.rng.random_range(0.8..1.2);
                     self.moves.clear();
                     self.moves.extend([Move::BackOutOfBeam, Move::Turn(turn)]);
@@ -382,7 +383,7 @@ impl Pilot {
         }
     }
 
-    /// What it is doing; empty if nothing is under way.
+    /// Its activity; empty if there are no motions.
     pub(super) fn activity(&self) -> &'static str {
         match self.moves.front() {
             None => "",

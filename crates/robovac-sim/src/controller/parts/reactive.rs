@@ -10,18 +10,18 @@ use robovac_core::{
     robot::{Drive, SensorReadings},
 };
 
-/// What is a behaviour's own: how it drives on free floor, and what it does when something is in the way.
+/// The specific part of a behaviour: driving on free floor, and reactions to obstructions.
 pub(in crate::controller) trait Behaviour {
-    /// Starts, or starts over: the robot was moved, or another habit hands over.
+    /// Starts, or starts over: after the robot was moved, or when another behaviour hands over.
     fn begin(&mut self, _: &mut Pilot) {}
 
-    /// Sees every reading, whatever is under way.
+    /// Takes every reading, even during motions.
     fn watch(&mut self, _: &SensorReadings, _dt_s: f64) {}
 
-    /// Takes what a person wants.
+    /// Takes a joystick command.
     fn command(&mut self, _: Joystick) {}
 
-    /// What it doesn't obey.
+    /// The blocked part of commands.
     fn blocked(&self) -> Option<Blocked> {
         None
     }
@@ -31,33 +31,33 @@ pub(in crate::controller) trait Behaviour {
         None
     }
 
-    /// What it is going for on that map.
+    /// Its goal on that map.
     fn intent(&self) -> Option<Intent<'_>> {
         None
     }
 
-    /// Learns where it starts, in the frame that its map is to have.
+    /// Sets its start in the frame that its map is to have.
     fn start_at(&mut self, _: Pose) {}
 
-    /// Drives on; called while no motions of the pilot are under way. It may order some instead.
+    /// Continues driving; called while the pilot has no motions. It can order some instead.
     fn roam(&mut self, pilot: &mut Pilot, sensed: &SensorReadings, dt_s: f64) -> Drive;
 
-    /// Decides what to do about something in the way.
+    /// Reacts to an obstruction.
     fn on_obstruction(&mut self, pilot: &mut Pilot, obstruction: Obstruction);
 
-    /// Whether it has nothing left to do.
+    /// Whether it is done.
     fn is_done(&self) -> bool {
         false
     }
 
-    /// What it is doing while no motions are under way.
+    /// Its activity while the pilot has no motions.
     fn activity(&self) -> &'static str;
 
     /// A copy in the same state.
     fn boxed_clone(&self) -> Box<dyn Behaviour>;
 }
 
-/// A habit with a pilot, and with a home to go to if its parameters and the robot say so.
+/// A behaviour with a pilot, and with a dock to return to if its parameters and the robot allow it.
 pub(in crate::controller) struct Reactive {
     pilot: Pilot,
     behaviour: Box<dyn Behaviour>,
@@ -72,7 +72,7 @@ impl Reactive {
         Box::new(Self { pilot, behaviour, home: Home::new(setup), is_lifted: false })
     }
 
-    /// Whether the robot is to stand still whatever the habit wants.
+    /// Whether the robot must stand still regardless of the behaviour.
     fn watch(&mut self, sensed: &SensorReadings, dt_s: f64) -> bool {
         let Self { pilot, behaviour, home, is_lifted } = self;
         pilot.sense(sensed, dt_s);

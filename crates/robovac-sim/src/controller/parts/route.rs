@@ -1,4 +1,4 @@
-//! Follows a path by an external pose estimate, which may jump when it is corrected.
+//! Follows a path by an external pose estimate, which can jump when it is corrected.
 
 use robovac_core::{
     geometry::{Point, Pose, difference},
@@ -8,7 +8,7 @@ use robovac_core::{
 
 /// Distance from a corner at which it counts as reached, m.
 const REACHED: f64 = 0.03;
-/// Distance off the line from which on the robot drives straight to the corner instead of back to the line, m.
+/// Distance off the line beyond which the robot drives straight to the corner instead of back to the line, m.
 const ASTRAY: f64 = 0.25;
 /// Heading correction per metre off the line, rad/m, and its limit, rad.
 const STEER: (f64, f64) = (5.0, 0.6);
@@ -24,7 +24,7 @@ const LEAST_SPEED: f64 = 0.05;
 /// A line to drive along.
 #[derive(Debug, Clone)]
 pub(in crate::controller) struct Route {
-    /// Where the present piece begins: a corner, or wherever the robot was.
+    /// Start of the present piece: a corner, or the robot's position.
     from: Point,
     line: Vec<Point>,
     /// Index of the corner that it drives to.
@@ -33,29 +33,29 @@ pub(in crate::controller) struct Route {
 }
 
 impl Route {
-    /// From where the robot is along `line`, m, in the frame of the poses that [`Route::steer`] gets.
+    /// From the robot's position along `line`, m, in the frame of the poses for [`Route::steer`].
     pub(in crate::controller) fn new(from: Point, line: Vec<Point>) -> Self {
         Self { from, line, next: 0, is_turning: true }
     }
 
-    /// Length that is left, m.
+    /// Remaining length, m.
     pub(in crate::controller) fn left(&self, at: Point) -> f64 {
         let rest = self.rest();
         let corners = std::iter::once(&at).chain(rest);
         corners.zip(rest).map(|(a, b)| (b - a).norm()).sum()
     }
 
-    /// Corners that are left.
+    /// Remaining corners.
     pub(in crate::controller) fn rest(&self) -> &[Point] {
         self.line.get(self.next..).unwrap_or_default()
     }
 
-    /// Whether it drives ahead, and doesn't turn on the spot.
+    /// Whether it drives ahead rather than turning on the spot.
     pub(in crate::controller) fn is_driving(&self) -> bool {
         !self.is_turning
     }
 
-    /// How to drive on from `pose`, at most at `speed` m/s; `None` at the end of the line.
+    /// The drive command at `pose`, at most at `speed` m/s; `None` at the end of the line.
     ///
     /// It turns on the spot where a corner is sharp, and slows down before it.
     pub(in crate::controller) fn steer(&mut self, pose: Pose, robot: &RobotModel, speed: f64) -> Option<Drive> {
@@ -87,7 +87,7 @@ impl Route {
             let rate = if rate.abs() < LEAST_TURN { LEAST_TURN * error.signum() } else { rate };
             return Some(Drive::from_twist(0.0, rate, robot.wheel_base));
         }
-        // Time to stop before the corner, and less speed the farther the robot looks elsewhere.
+        // Slow enough to stop before the corner, and slower with larger heading errors.
         let braking = (2.0 * 0.8 * robot.acceleration * left).sqrt();
         let speed = speed.min(braking).max(LEAST_SPEED) * (1.0 - 0.7 * (error.abs() / TURNS.0).min(1.0));
         Some(Drive::from_twist(speed, (TURN_GAIN * error).clamp(-0.8 * most, 0.8 * most), robot.wheel_base))

@@ -11,42 +11,42 @@ use crate::{
 };
 use robovac_core::robot::{Drive, SensorReadings};
 
-/// How long it tries to relocalise, s (ours).
+/// Time limit for relocalising, s (ours).
 const SEARCH_S: f64 = 900.0;
-/// How long there has to be only one place, s (ours). On a map that isn't complete the first that fits is often wrong: in the
-/// furnished flat, put down anywhere after ten minutes of exploring, 6 of 20 robots found themselves elsewhere without this, and
-/// none with it.
+/// Time for which only one place must be possible, s (ours). On an incomplete map the first place that fits is often
+/// wrong: in the furnished flat, kidnapped after ten minutes of exploring, 6 of 20 robots relocalised at a wrong place
+/// without this, and none with it.
 const SURE_S: f64 = 30.0;
 
-/// How a search stands.
+/// State of a search.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::controller) enum Searched {
-    /// It goes on.
+    /// In progress.
     Looking,
-    /// The mapper knows where it is again.
+    /// The mapper has been relocalised.
     Found,
-    /// It took too long.
+    /// The time limit has passed.
     InVain,
 }
 
-/// The search, and what drives the robot meanwhile.
+/// The search, and the behaviour that drives the robot meanwhile.
 #[derive(Clone)]
 pub(in crate::controller) struct RelocaliseSearch {
     walls: WallFollow,
     locator: Option<Box<Locator>>,
-    /// How long it goes on looking, s.
+    /// Remaining time, s.
     patience: f64,
-    /// For how long there has been only one place, s.
+    /// Time for which only one place has been possible, s.
     sure_s: f64,
 }
 
 impl RelocaliseSearch {
-    /// None yet.
+    /// No search.
     pub(in crate::controller) fn new(setup: &Setup<'_>) -> Self {
         Self { walls: WallFollow::usual(setup), locator: None, patience: 0.0, sure_s: 0.0 }
     }
 
-    /// Starts to look for itself on the map of `mapper`; `false` if there is nothing on it to find oneself by.
+    /// Starts to relocalise on the map of `mapper`; `false` if the map has no obstacles.
     pub(in crate::controller) fn begin(&mut self, pilot: &mut Pilot, mapper: &Mapper) -> bool {
         let setup = mapper.setup();
         let setup = LocatorSetup { robot: setup.robot.clone(), odometry: setup.odometry, seed: setup.seed };
@@ -56,7 +56,7 @@ impl RelocaliseSearch {
         self.locator.is_some()
     }
 
-    /// Takes the next reading, which `mapper` has had before; tells it where it is as soon as that is sure.
+    /// Takes the next reading, after `mapper` has; relocalises `mapper` as soon as the place is certain.
     pub(in crate::controller) fn watch(&mut self, mapper: &mut Mapper, sensed: &SensorReadings, dt_s: f64) -> Searched {
         self.patience -= dt_s;
         let Some(locator) = &mut self.locator else { return Searched::InVain };
@@ -76,12 +76,12 @@ impl RelocaliseSearch {
         self.walls.roam(pilot, sensed, dt_s)
     }
 
-    /// Something is in the way.
+    /// Reacts to an obstruction.
     pub(in crate::controller) fn on_obstruction(&mut self, pilot: &mut Pilot, obstruction: Obstruction) {
         self.walls.on_obstruction(pilot, obstruction);
     }
 
-    /// What looks for it.
+    /// The locator.
     pub(in crate::controller) fn locator(&self) -> Option<&Locator> {
         self.locator.as_deref()
     }

@@ -8,37 +8,37 @@ const SPACING: f64 = 0.008;
 const MOST: usize = 250;
 /// A mark counts as reached when it is this near, m.
 const REACHED: f64 = 0.003;
-/// Wheel travel against each other, m, without way ahead, that makes a turn on the spot: what lies behind is another
-/// ground then.
+/// Opposite wheel travel, m, without distance ahead, that counts as a turn on the spot, after which the ground behind
+/// is another.
 const TURN: f64 = 0.02;
 
-/// Marks of where the wheels were while the robot drove forward, as what they had rolled.
+/// Marks of the wheels' positions while the robot drove forward, as distances rolled.
 #[derive(Debug, Clone, Default)]
 pub(super) struct WheelTrail {
-    /// Where the wheels are now, m: what they rolled, less what they slipped against a wall.
+    /// Present position of the wheels, m: rolled distance less slip against walls.
     at: [f64; 2],
     marks: VecDeque<[f64; 2]>,
 }
 
-/// Way of the middle between the wheels from one mark to another, m.
+/// Distance of the middle between the wheels from one mark to another, m.
 fn ahead(from: [f64; 2], to: [f64; 2]) -> f64 {
     0.5 * (to[0] - from[0] + to[1] - from[1])
 }
 
 impl WheelTrail {
-    /// Forgets where it was: nothing behind the robot is known.
+    /// Forgets the trail.
     pub(super) fn clear(&mut self) {
         self.marks.clear();
     }
 
-    /// Takes so many metres straight behind it for known.
+    /// Sets the known ground straight behind, m.
     pub(super) fn assume(&mut self, metres: f64) {
         self.marks.clear();
         let count = (metres / SPACING) as usize;
         self.marks.extend((0..=count.min(MOST - 1)).rev().map(|i| self.at.map(|wheel| wheel - SPACING * i as f64)));
     }
 
-    /// The wheels rolled this far, m; `is_held` if something in front held the body while they did.
+    /// The wheels rolled this far, m; `is_held` if an obstacle in front held the body meanwhile.
     pub(super) fn roll(&mut self, rolled: [f64; 2], is_held: bool, is_backing: bool) {
         let is_forward = rolled[0] + rolled[1] > 0.0;
         if is_held && is_forward {
@@ -62,7 +62,7 @@ impl WheelTrail {
         }
     }
 
-    /// How far it is known to go back, m.
+    /// Length of the trail, m.
     pub(super) fn length(&self) -> f64 {
         self.marks.front().map_or(0.0, |&first| ahead(first, self.at).max(0.0))
     }
@@ -72,7 +72,7 @@ impl WheelTrail {
         while self.marks.len() > 1 && self.marks.back().is_some_and(|&mark| ahead(mark, self.at) < REACHED) {
             self.marks.pop_back();
         }
-        // A few marks farther on, the direction depends less on where exactly the wheels are now.
+        // A mark a few places farther on makes the direction less sensitive to the wheels' position.
         let target = *self.marks.get(self.marks.len().checked_sub(1)?.saturating_sub(2))?;
         if ahead(target, self.at) < REACHED {
             return None;

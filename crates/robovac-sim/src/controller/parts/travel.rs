@@ -2,7 +2,7 @@
 
 use robovac_core::robot::{RobotModel, SensorReadings};
 
-/// Readings without a count after which the wheels are taken to stand still.
+/// Readings without a count after which the wheels count as at rest.
 const STILL: u32 = 3;
 
 /// Sums up the encoders' counts, which wrap.
@@ -11,7 +11,7 @@ pub(in crate::controller) struct EncoderTravel {
     metres_per_count: f64,
     wheel_base: f64,
     last: Option<(u16, u16)>,
-    /// What the wheels have rolled, m: left, right.
+    /// Distances rolled by the wheels, m: left, right.
     wheels: [f64; 2],
     still: u32,
 }
@@ -22,7 +22,7 @@ impl EncoderTravel {
         Self { metres_per_count, wheel_base: robot.wheel_base, last: None, wheels: [0.0; 2], still: 0 }
     }
 
-    /// Takes the next reading; returns what the wheels rolled since the last one, m.
+    /// Takes the next reading; returns the distances rolled since the last one, m.
     pub(super) fn update(&mut self, sensed: &SensorReadings) -> [f64; 2] {
         let counts = (sensed.left_counts, sensed.right_counts);
         let last = self.last.replace(counts).unwrap_or(counts);
@@ -43,7 +43,7 @@ impl EncoderTravel {
         (self.wheels[1] - self.wheels[0]) / self.wheel_base
     }
 
-    /// Whether the wheels stand still, as far as the encoders tell.
+    /// Whether the wheels are at rest, by the encoders.
     pub(super) fn is_resting(&self) -> bool {
         self.still >= STILL
     }

@@ -7,14 +7,14 @@ use robovac_core::{
 };
 use std::collections::VecDeque;
 
-/// Most places that are kept, and their least distance, m.
+/// Most remembered places, and their least distance, m.
 const KEPT: (usize, f64) = (24, 0.015);
 /// Floor that must be left around the circle on which the wheels turn, m.
 const MARGIN: f64 = 0.012;
-/// Way ahead of the wheels' axis from which on a place is left behind, m.
+/// Distance ahead of the wheels' axis at which a place is behind, m.
 const AHEAD: f64 = 0.01;
 
-/// The last places without floor, as dead reckoning has them: good for the next decimetres.
+/// The last places without floor, by dead reckoning: accurate for the next decimetres.
 #[derive(Debug, Clone)]
 pub(super) struct Voids {
     odometry: Odometry,
@@ -47,14 +47,14 @@ impl Voids {
         }
     }
 
-    /// Forgets them: the robot was carried elsewhere.
+    /// Forgets all places: the robot was kidnapped.
     pub(super) fn clear(&mut self) {
         self.places.clear();
     }
 
-    /// On which side one of them lies that is within the wheels' circle and that driving ahead brings nearer.
+    /// The side of a place within the wheels' circle that driving ahead brings nearer.
     ///
-    /// The inner wheel of an arc cuts corners which the sensors have passed.
+    /// The inner wheel of an arc can pass corners that the sensors have passed.
     pub(super) fn ahead(&self) -> Option<ObstructionSide> {
         let pose = self.odometry.pose();
         let ways = self.places.iter().map(|place| place - pose.position());

@@ -9,9 +9,9 @@ pub enum PlanningError {
     /// No planning cells of that size can be laid over this map.
     #[error("planning cells of {cell_size} m don't suit this map; choose {least} m to {MAX_RESOLUTION} m")]
     CellSize {
-        /// The side asked for, m.
+        /// The given side, m.
         cell_size: f64,
-        /// Smallest side that would do, m.
+        /// The smallest allowed side, m.
         least: f64,
     },
     /// The heading isn't a number.
@@ -23,7 +23,7 @@ pub enum PlanningError {
          choose x from 0 to {}, y from 0 to {} (counted from the lower left)", width - 1, height - 1
     )]
     StartOutside {
-        /// The cell asked for.
+        /// The given cell.
         start: Cell,
         /// Columns of planning cells.
         width: usize,
@@ -33,9 +33,9 @@ pub enum PlanningError {
     /// The start lies in a wall.
     #[error("the start cell {start} is inside a wall; the nearest cell where the robot fits is {nearest}")]
     StartInWall {
-        /// The cell asked for.
+        /// The given cell.
         start: Cell,
-        /// The nearest one that would do.
+        /// The nearest allowed one.
         nearest: Cell,
     },
     /// The robot doesn't fit between the walls around the start.
@@ -44,25 +44,25 @@ pub enum PlanningError {
          {nearest}"
     )]
     StartTooTight {
-        /// The cell asked for.
+        /// The given cell.
         start: Cell,
-        /// The nearest one that would do.
+        /// The nearest allowed one.
         nearest: Cell,
         /// Diameter of the robot, m.
         diameter: f64,
     },
-    /// The robot can't be put into the room.
+    /// The robot can't be placed in the room.
     #[error(transparent)]
     Floor(#[from] FloorError),
-    /// The planner gave up.
+    /// The planner failed.
     #[error(transparent)]
     Plan(#[from] PlanError),
-    /// The planner is wrong.
+    /// The planner returned an invalid walk.
     #[error("planner \"{planner}\" returned an invalid walk: {error}; please report this with the map")]
     BadPath {
         /// Id of the planner.
         planner: &'static str,
-        /// What is wrong with its walk.
+        /// The violation.
         error: PathError,
     },
 }

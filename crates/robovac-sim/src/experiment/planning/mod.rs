@@ -1,7 +1,7 @@
 //! From a floor plan to a checked walk with its metrics, for the page and the command line.
 //!
-//! There is one way, [`RoomSetup`] to [`PlanRequest`] to [`Planned`]. The page goes it with a start in metres and serves
-//! the request in a worker; the command line goes it at once, with a start in planning cells ([`PlanningTask`]).
+//! The steps are [`RoomSetup`], [`PlanRequest`] and [`Planned`]. The page has a start in metres and serves the request
+//! in a worker; the command line has a start in planning cells and plans at once ([`PlanningTask`]).
 
 mod error;
 mod pipeline;

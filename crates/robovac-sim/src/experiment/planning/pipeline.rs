@@ -21,19 +21,19 @@ use std::sync::Arc;
 /// A room laid out for one robot, one start and one cell size.
 #[derive(Debug, Clone)]
 pub struct RoomSetup {
-    /// What the robot can reach.
+    /// The reachable floor.
     pub floor: Arc<ReachableFloor>,
     /// The planning grid.
     pub planning_grid: Arc<PlanningGrid>,
     /// The planner's job on it.
     pub job: CoverageJob,
-    /// What is in the room beside its walls.
+    /// Objects of the room other than walls.
     pub world: Arc<World>,
     /// The robot.
     pub robot: RobotModel,
 }
 
-/// A job for a planner, which may run elsewhere.
+/// A job for a planner, which can run in a worker.
 #[derive(Debug, Clone)]
 pub struct PlanRequest {
     /// Number of the request; answers carry it, and answers to older requests are dropped.
@@ -44,24 +44,24 @@ pub struct PlanRequest {
     pub params: Params,
     /// Seed of its random numbers.
     pub seed: u64,
-    /// What is to be planned.
+    /// The job.
     pub job: CoverageJob,
 }
 
-/// What a planner answers.
+/// Result of a planner.
 #[derive(Debug, Clone)]
 pub struct PlanAnswer {
     /// The walk.
     pub path: CoveragePath,
-    /// Time that planning took, s.
+    /// Planning time, s.
     pub seconds: f64,
-    /// How good the walk is known to be, for planners that prove it.
+    /// The proof of the walk, for planners that have one.
     pub proof: Option<Proof>,
-    /// The planner's decisions, if it tells them and the room isn't larger than [`MOST_SEARCH_CELLS`].
+    /// The planner's decisions, if it traces them and the room isn't larger than [`MOST_SEARCH_CELLS`].
     pub trace: Vec<TraceStep>,
 }
 
-/// Free cells up to which decisions are recorded: a record for every step is far larger than the step.
+/// Most free cells for which decisions are recorded: a record of a step is far larger than the step.
 pub const MOST_SEARCH_CELLS: usize = 20_000;
 
 /// A plan with its numbers, ready to be driven.
@@ -73,20 +73,20 @@ pub struct Planned {
     pub walk: WalkMetrics,
     /// Numbers of the line driven without noise.
     pub drive: DriveMetrics,
-    /// Time that planning took, s.
+    /// Planning time, s.
     pub planning_s: f64,
-    /// How good its planner knows the walk to be, in the weights of that.
+    /// Its planner's proof of the walk, in the planner's weights.
     pub proof: Option<Proof>,
-    /// How good it is known to be in steps + 2 x quarter turns, as plans are compared, once somebody has proven it.
+    /// Its proof in steps + 2 x quarter turns, the weights of comparisons, once available.
     pub compared: Option<Proof>,
-    /// Share of the search after which somebody was content with it before its planner was.
+    /// Share of the search after which the user ended it, if so.
     pub kept_at: Option<f64>,
 }
 
 impl RoomSetup {
     /// Lays out `plan` for `robot` with planning cells of `cell_size` metres.
     pub fn new(plan: &FloorPlan, robot: &RobotModel, cell_size: f64, start: Option<Pose>) -> Result<Self, FloorError> {
-        // Finer cells would have no fine cell's centre in them, and for a robot that fills one there could be billions.
+        // Finer cells would contain no fine cell's centre, and for a robot that fills a cell there could be billions.
         let least = fine_resolution(plan);
         if cell_size < least * (1.0 - 1e-9) {
             return Err(FloorError::CellTooSmall { cell_size, least });
@@ -104,14 +104,14 @@ impl RoomSetup {
 }
 
 impl RoomSetup {
-    /// What a run on this floor is made of.
+    /// The setup of a run on this floor.
     pub fn setup(&self, conditions: Conditions, seed: u64) -> RunSetup {
         let Self { floor, world, robot, .. } = self;
         RunSetup { floor: Arc::clone(floor), world: Arc::clone(world), robot: robot.clone(), conditions, seed }
     }
 
-    /// The robot at the start, about to drive along `line` (corners, m) by dead reckoning. It gets another battery when one
-    /// is empty: plans are compared by what they clean, and what they take is a number of its own.
+    /// A run along `line` (corners, m) by dead reckoning. Empty batteries are replaced, as plans are compared by the
+    /// floor that they clean, with energy as a separate number.
     pub fn run_along(&self, line: &Arc<[Point]>, conditions: Conditions, odometry: OdometryModel, seed: u64) -> Run {
         let follower = self.follower(&self.robot, line, odometry);
         let follower = if self.world.drop_offs.is_empty() { follower } else { follower.carefully() };
@@ -119,12 +119,12 @@ impl RoomSetup {
         Run::new(&self.setup(conditions, seed), Box::new(follower))
     }
 
-    /// What drives `robot`, this one as it is or as it was calibrated, along `line` (corners, m) from the start.
+    /// The follower of `line` (corners, m) from the start, for `robot`, which is this one or its calibrated model.
     pub fn follower(&self, robot: &RobotModel, line: &Arc<[Point]>, odometry: OdometryModel) -> FollowPath {
         FollowPath::new(robot, odometry, self.floor.start, Arc::clone(line))
     }
 
-    /// The robot at the start, about to do what `behaviour` does; `None` for one that isn't in the registry.
+    /// A run of `behaviour`; `None` for one that isn't in the registry.
     pub fn run_behaviour(
         &self,
         behaviour: &BehaviourInfo,
@@ -135,7 +135,7 @@ impl RoomSetup {
         self.run_one_of(controller::ALL, behaviour, params, conditions, seed)
     }
 
-    /// The same for one that must be among `behaviours`.
+    /// The same, restricted to `behaviours`.
     pub fn run_one_of(
         &self,
         behaviours: Behaviours,
@@ -150,14 +150,14 @@ impl RoomSetup {
 }
 
 impl PlanRequest {
-    /// A film of the search, to be shown what the planner reports; `None` for planners that don't improve a walk, and for
+    /// A film of the search, which takes the planner's reports; `None` for planners that don't improve a walk, and for
     /// rooms of more than [`MOST_FILMED_CELLS`].
     pub fn film(&self) -> Option<Film> {
         let is_filmed = self.planner.is_anytime() && self.job.cells() <= MOST_FILMED_CELLS;
         is_filmed.then(|| Film::of(self.planner, &self.params, &self.job))
     }
 
-    /// Plans here and now. `clock` returns seconds since any moment, as the core has no clock of its own.
+    /// Plans synchronously. `clock` returns seconds since any moment, as the core has no clock of its own.
     pub fn serve(&self, clock: impl Fn() -> f64, observer: Option<Observer<'_>>) -> Result<PlanAnswer, PlanError> {
         let planner = self.planner.build(&self.params);
         let mut ctx = match observer {
@@ -177,7 +177,7 @@ impl PlanRequest {
 }
 
 impl Planned {
-    /// Checks a walk and works out its line and numbers.
+    /// Checks a walk and computes its line and metrics.
     pub fn new(prepared: &RoomSetup, answer: &PlanAnswer) -> Result<Self, PathError> {
         let PlanAnswer { path, seconds, proof, .. } = answer;
         path.check(&prepared.job)?;
@@ -193,13 +193,13 @@ impl Planned {
         })
     }
 
-    /// All numbers for a table, with the bounds of the job if they have been worked out.
+    /// All metrics for a table, with the bounds of the job if they have been computed.
     pub fn numbers(&self, bounds: Option<Bounds>) -> PlanNumbers {
         let Self { walk, drive, planning_s, .. } = *self;
         PlanNumbers { walk, drive, planning_s, bounds }
     }
 
-    /// The robot at the start, about to drive the line by dead reckoning.
+    /// A run along the line by dead reckoning.
     pub fn run(&self, prepared: &RoomSetup, conditions: Conditions, odometry: OdometryModel, seed: u64) -> Run {
         prepared.run_along(&self.line, conditions, odometry, seed)
     }

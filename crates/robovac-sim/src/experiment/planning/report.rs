@@ -9,13 +9,13 @@ use coverage_planners::{
 use robovac_core::{grid::Cell, registry::Params};
 use serde::Serialize;
 
-/// What was asked for; the head of every answer.
+/// The task; the header of every report.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct TaskReport {
-    /// Id of the planner, if a planner is at work.
+    /// Id of the planner, if it is a planner.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub planner: Option<&'static str>,
-    /// Id of the behaviour, if there is no planner.
+    /// Id of the behaviour, if it isn't a planner.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub behaviour: Option<&'static str>,
     /// All its parameters.
@@ -48,7 +48,7 @@ pub struct RoomReport {
 /// A walk with its numbers.
 #[derive(Debug, Clone, Serialize)]
 pub struct PlanReport {
-    /// What was asked for.
+    /// The task.
     #[serde(flatten)]
     pub task: TaskReport,
     /// The walk over planning cells, `[x, y]` with x right and y up from the lower-left one, the start included.
@@ -59,16 +59,16 @@ pub struct PlanReport {
     /// Numbers of the line that the robot drives.
     #[serde(flatten)]
     pub drive: DriveMetrics,
-    /// Time that the planner took, s.
+    /// Planning time, s.
     pub planning_s: f64,
-    /// What no walk can be better than.
+    /// Lower bounds of any walk.
     pub bounds: Bounds,
-    /// How much more the walk's steps + 2 x quarter turns are than that, %; `None` if the walk misses cells.
+    /// Cost of the walk above the bound, steps + 2 x quarter turns, %; `None` if the walk misses cells.
     pub above_bound_percent: Option<f64>,
 }
 
 impl TaskReport {
-    /// What is asked of `algorithm`, with the start as it turned out.
+    /// The header for `algorithm`, with the actual start.
     pub fn new(algorithm: Algorithm, params: &Params, seed: u64, placement: &Placement, prepared: &RoomSetup) -> Self {
         Self {
             planner: algorithm.planner().map(|info| info.id),
@@ -89,7 +89,7 @@ impl TaskReport {
 }
 
 impl PlanReport {
-    /// The numbers of `solution`.
+    /// The report of `solution`.
     pub fn new(task: &PlanningTask, solution: PlanSolution) -> Self {
         let bounds = Bounds::of(&solution.prepared.job);
         let numbers = solution.planned.numbers(Some(bounds));

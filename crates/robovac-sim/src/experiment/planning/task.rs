@@ -1,4 +1,4 @@
-//! Planning tasks of the command line: the start in planning cells is kept or refused.
+//! Planning tasks of the command line, whose start in planning cells is used exactly or refused.
 
 use super::{PlanRequest, Planned, PlanningError, RoomSetup};
 use coverage_planners::{CoveragePath, Observer, PlannerInfo};
@@ -14,7 +14,7 @@ use robovac_core::{
 /// Id of the robot that fills one cell, whatever the cell's size.
 pub const CELL_ROBOT: &str = "cell";
 
-/// A robot put into a room, from where it is to clean.
+/// A robot in a room, with its start.
 #[derive(Debug, Clone)]
 pub struct Placement {
     /// The room.
@@ -23,13 +23,14 @@ pub struct Placement {
     pub robot: RobotModel,
     /// Side of the planning cells, m.
     pub cell_size: f64,
-    /// Planning cell to start in; the plan's own start if `None`, or else a corner.
+    /// Planning cell of the start; `None` for the plan's own start, or else a corner.
     pub start: Option<Cell>,
-    /// Degrees counter-clockwise from the right; if `None`, 0 in a given start cell and the plan's own heading else.
+    /// Degrees counter-clockwise from the right; `None` for 0 in a given start cell and the plan's own heading
+    /// otherwise.
     pub heading_deg: Option<f64>,
 }
 
-/// All that determines a walk.
+/// Everything that determines a walk.
 #[derive(Debug, Clone)]
 pub struct PlanningTask {
     /// Room and robot.
@@ -42,7 +43,7 @@ pub struct PlanningTask {
     pub seed: u64,
 }
 
-/// A walk with everything that it was planned on.
+/// A walk with its setup and numbers.
 #[derive(Debug, Clone)]
 pub struct PlanSolution {
     /// The room laid out for the robot.
@@ -53,7 +54,7 @@ pub struct PlanSolution {
     pub planned: Planned,
 }
 
-/// The robot with that id and the planning cells that it gets in `plan`, m, unless `cell_size` says otherwise.
+/// The robot with that id and its planning cells in `plan`, m; `cell_size` overrides the default.
 ///
 /// The grid robot has the size of a planning cell, which is a map cell by default: so it reaches exactly the free cells
 /// that are connected with its start.
@@ -66,7 +67,8 @@ pub fn choose_robot(id: &str, plan: &FloorPlan, cell_size: Option<f64>) -> Optio
 }
 
 impl PlanningTask {
-    /// Plans a walk and measures it. `clock` returns seconds since any moment, as the core has no clock of its own.
+    /// Plans a walk and computes its metrics. `clock` returns seconds since any moment, as the core has no clock of its
+    /// own.
     pub fn solve(
         &self,
         clock: impl Fn() -> f64,
@@ -88,16 +90,16 @@ impl PlanningTask {
 }
 
 impl Placement {
-    /// The room laid out for the robot, with everything checked that was asked for.
+    /// The room laid out for the robot, after checking all inputs.
     ///
-    /// A start cell that was asked for is kept or refused, never moved.
+    /// A given start cell is used exactly or refused.
     pub fn prepare(&self) -> Result<RoomSetup, PlanningError> {
         Ok(RoomSetup::on(&self.plan, self.floor()?, &self.robot, self.cell_size))
     }
 
-    /// The floor as reached from the start, with everything checked that was asked for.
+    /// The floor as reached from the start, after checking all inputs.
     fn floor(&self) -> Result<ReachableFloor, PlanningError> {
-        // Cells without a fine cell's centre in them would tear the planning grid apart.
+        // Cells without a fine cell's centre would disconnect the planning grid.
         let least = fine_resolution(&self.plan);
         if !(least * (1.0 - 1e-9)..=MAX_RESOLUTION).contains(&self.cell_size) {
             return Err(PlanningError::CellSize { cell_size: self.cell_size, least });
@@ -141,7 +143,7 @@ impl Placement {
         Ok(floor)
     }
 
-    /// Planning cells along `length` metres; the last one may stick out.
+    /// Planning cells along `length` metres; the last one can extend beyond.
     fn cells_along(&self, length: f64) -> usize {
         ((length / self.cell_size - 1e-6).ceil() as usize).max(1)
     }
@@ -152,7 +154,7 @@ impl Placement {
         Cell::new(index(point.x, self.plan.width_m()), index(point.y, self.plan.height_m()))
     }
 
-    /// Centre of a planning cell, of its part inside the map for one that sticks out.
+    /// Centre of a planning cell; for one that extends beyond the map, of its part inside.
     fn centre_of(&self, cell: Cell) -> Point {
         let centre = |index: i32, length: f64| {
             let low = f64::from(index) * self.cell_size;

@@ -6,13 +6,13 @@ use robovac_core::{
     grid::{Cell, Grid, Occupancy, clearance},
 };
 
-/// Farthest distance that is told apart, m: beyond what a light bumper sees from the middle of a robot.
+/// Largest distance of the field, m: beyond the range of a light bumper from the middle of a robot.
 const FAR: f64 = 0.6;
 /// Cells around the map, so that walls at its border have a free side.
 const MARGIN: i32 = 2;
-/// Depth inside of obstacles that is told apart, cells.
+/// Largest depth inside obstacles, cells.
 const DEEP: f32 = 2.0;
-/// A beam ends this near to something, m.
+/// Distance to an obstacle at which a beam ends, m.
 const TOUCH: f64 = 0.004;
 
 /// Distance to the nearest occupied cell, m, as a continuous function of the place; negative inside.
@@ -27,7 +27,7 @@ pub struct DistanceField {
 }
 
 impl DistanceField {
-    /// The field of a map; `None` if nothing on it is occupied. What is unknown counts as open.
+    /// The field of a map; `None` without occupied cells. Unknown cells count as open.
     pub fn new(map: &OccupancyMap) -> Option<Self> {
         let (low, high) = map.bounds()?;
         let low = Cell::new(low.x - MARGIN, low.y - MARGIN);
@@ -48,7 +48,8 @@ impl DistanceField {
         }
         let resolution = map.resolution();
         let limit = (FAR / resolution) as f32;
-        // Negative inside of obstacles: so what is interpolated is zero at their surface, not in the middle of their cells.
+        // Negative inside obstacles, so that the interpolated value is 0 at their surface rather than in the middle of
+        // their cells.
         let (outside, inside) = (clearance(&blocked, limit), clearance(&blocked.map(|&b| !b), DEEP));
         let metres = |(_, &out): (Cell, &f32), (_, &deep): (Cell, &f32)| (out - deep) * resolution as f32;
         let values = outside.iter().zip(inside.iter()).map(|(out, deep)| metres(out, deep)).collect();
@@ -77,7 +78,7 @@ impl DistanceField {
         low * (1.0 - v) + high * v
     }
 
-    /// Direction in which the distance grows, of any length; zero far from everything.
+    /// Gradient of the distance, of any length; zero far from everything.
     #[inline]
     pub fn away(&self, at: Point) -> Vector {
         let step = 0.6 * self.resolution;
@@ -85,7 +86,7 @@ impl DistanceField {
         Vector::new(along(Vector::new(step, 0.0)), along(Vector::new(0.0, step)))
     }
 
-    /// How far a beam gets from `from` in a direction of unit length, m; `None` if it meets nothing within `range`.
+    /// Length of a beam from `from` in a direction of unit length, m; `None` if it hits nothing within `range`.
     #[inline]
     pub fn ray(&self, from: Point, direction: Vector, range: f64) -> Option<f64> {
         let mut gone = 0.0;
@@ -94,13 +95,13 @@ impl DistanceField {
             if room < TOUCH {
                 return Some(gone);
             }
-            // What is interpolated can be a little too far.
+            // The interpolated distance can be a little too large.
             gone += (0.9 * room).max(TOUCH);
         }
         None
     }
 
-    /// Middles of known free cells that are at least that far from everything, m.
+    /// Centres of known free cells at least that far from everything, m.
     pub fn places(&self, least: f64) -> Vec<Point> {
         let cells = self.free.iter().filter(|(_, is_free)| **is_free);
         let cells = cells.map(|(cell, _)| Cell::new(cell.x + self.low.x, cell.y + self.low.y).centre(self.resolution));

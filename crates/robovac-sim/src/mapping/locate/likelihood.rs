@@ -7,26 +7,26 @@ use robovac_core::{
     robot::{RobotModel, SensorReadings, apparent_distance, distance_of_light},
 };
 
-/// Signals below this say that nothing is near: above what sensors read in the dark.
+/// Signals below this mean that nothing is near; above the values read in the dark.
 const SEEN: u16 = 150;
-/// Share of the light that obstacles send back, between walls and furniture (ours).
+/// Assumed reflectance of obstacles, between walls and furniture (ours).
 const REFLECTANCE: f64 = 0.85;
-/// Least cosine of the incidence that is reckoned with: normals of cells aren't exact.
+/// Least cosine of incidence, as normals of cells aren't exact.
 const GRAZING: f64 = 0.3;
-/// Error of an echo's distance: m, and as a share of it (ours: the map's cells, and reflectances that aren't known).
+/// Error of an echo's distance: m, and as a share of it (ours: due to the map's cells, and unknown reflectances).
 const ECHO: (f64, f64) = (0.015, 0.1);
-/// An obstacle so near must be seen, m.
+/// An obstacle nearer than this must be detected, m.
 const MUST_SEE: f64 = 0.08;
-/// Error of where a body is when it touches, m.
+/// Error of the body's position at a contact, m.
 const TOUCH: f64 = 0.025;
-/// Likelihood of what doesn't fit, of the best: people, moved chairs, legs thinner than a cell.
+/// Likelihood of readings that don't fit, relative to the best: people, moved chairs, legs thinner than a cell.
 const ODD: f64 = 0.08;
 
-/// What a reading says, made ready to be held against many poses.
+/// A reading prepared for comparison with many poses.
 #[derive(Debug, Clone)]
 pub(super) struct Reading {
-    /// Unit vectors and distances from the robot's origin at which beams start, and the distance at which a wall square
-    /// to the beam would send that signal back; `None` if nothing came back.
+    /// Unit vectors and distances from the robot's origin at which beams start, and the distance at which a wall
+    /// perpendicular to the beam would return that signal; `None` without an echo.
     beams: Vec<(Vector, Option<f64>)>,
     start: f64,
     range: f64,
@@ -37,7 +37,7 @@ pub(super) struct Reading {
 }
 
 impl Reading {
-    /// What `robot` reads.
+    /// The reading of `robot`.
     pub fn new(robot: &RobotModel, sensed: &SensorReadings) -> Self {
         let light = robot.sensors.light_bumper;
         let beams = light.map_or_else(Vec::new, |light| {
@@ -62,21 +62,21 @@ impl Reading {
         }
     }
 
-    /// Whether it says that something is near.
+    /// Whether it detects anything.
     pub fn meets_something(&self) -> bool {
         self.bumped != [false; 2] || self.beams.iter().any(|(_, echo)| echo.is_some())
     }
 
-    /// Farthest from the body's edge that what it meets can be, m.
+    /// Largest distance of detected obstacles from the body's edge, m.
     pub fn reach(&self) -> f64 {
         if self.bumped == [false; 2] { self.range } else { 2.0 * TOUCH }
     }
 
-    /// Natural logarithm of how well the reading fits `pose`, 0 at best.
+    /// Natural logarithm of the likelihood of the reading at `pose`, 0 at best.
     pub fn fit(&self, field: &DistanceField, pose: Pose) -> f64 {
         let position = pose.position();
         let room = field.distance(position) - self.body;
-        // No body stands in a wall.
+        // The body can't be inside a wall.
         let mut fit = if room < 0.0 { -0.5 * square(room / TOUCH) } else { 0.0 };
         if fit < -12.0 {
             return fit;
@@ -114,7 +114,7 @@ impl Reading {
         fit
     }
 
-    /// Whether what is nearest lies where the pressed half of the bumper is.
+    /// Whether the nearest obstacle lies on the pressed side of the bumper.
     fn is_on_side(&self, field: &DistanceField, at: Point, (sin, cos): (f64, f64)) -> bool {
         let away = field.away(at);
         if away.norm_squared() == 0.0 {

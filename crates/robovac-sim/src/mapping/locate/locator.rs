@@ -13,65 +13,65 @@ use std::{collections::BTreeMap, sync::Arc};
 
 /// Stream of its random numbers.
 const STREAM: u64 = 12;
-/// Way and turn after which it looks again, m and rad.
+/// Distance and turn between two updates, m and rad.
 const STRIDE: (f64, f64) = (0.06, 0.15);
-/// Poses that are drawn at once while it knows nothing, and how many times.
+/// Poses drawn at once in a global search, and number of draws.
 const DRAWS: (usize, u32) = (20_000, 10);
-/// While it isn't sure, it draws so many at every so many-th look.
+/// While it isn't sure, poses drawn in every so many-th update.
 const AGAIN: (usize, u32) = (6000, 6);
 /// Weight of these, as a share of all.
 const CHANCE: f64 = 0.03;
 /// Fewest and most particles.
 const COUNT: (usize, usize) = (400, 8000);
-/// Particles for each place that is still possible.
+/// Particles for each possible place.
 const PER_PLACE: usize = 40;
-/// Side of a place, m and rad.
+/// Extent of a place, m and rad.
 const PLACE: (f64, f64) = (0.2, 0.35);
 /// Errors of motion: rad per square root of a metre, rad per rad, m per square root of a metre.
 const MOTION: (f64, f64, f64) = (0.02, 0.03, 0.01);
-/// Share of a reading's weight that counts: readings of one wall say much the same.
+/// Share of a reading's weight that counts, as readings of one wall are correlated.
 const TEMPER: f64 = 0.35;
-/// Weights of the latest fit in the short and the long memory.
+/// Weights of the latest fit in the short and the long average.
 const MEMORY: (f64, f64) = (0.1, 0.01);
-/// Readings fit so much worse than before that it must be elsewhere, mean logarithm of the fit.
+/// Decrease of the mean log fit at which it must be elsewhere.
 const LOST: f64 = 1.5;
-/// It is sure if so much of the weight lies within so many metres of its estimate.
+/// It is sure if this share of the weight lies within this many metres of its estimate.
 const SURE: (f64, f64) = (0.85, 0.25);
-/// And for so many looks.
+/// And for this many updates.
 const SURE_LOOKS: u32 = 30;
 
-/// What a locator is made from.
+/// Parameters of a locator.
 #[derive(Debug, Clone)]
 pub struct LocatorSetup {
     /// The robot.
     pub robot: RobotModel,
-    /// How wheel counts become motion.
+    /// How wheel counts are converted to motion.
     pub odometry: OdometryModel,
     /// Seed of its random numbers.
     pub seed: u64,
 }
 
-/// Finds a robot on a map that it knows, and keeps track of it there.
+/// Localises a robot on a known map, and tracks it there.
 #[derive(Debug, Clone)]
 pub struct Locator {
     setup: LocatorSetup,
     field: Arc<DistanceField>,
-    /// Where the robot can stand, and those of these places that are near to something.
+    /// Places where the robot can stand, and those of them near obstacles.
     places: Arc<[Point]>,
     near: Arc<[Point]>,
     rng: Rng,
     odometry: Odometry,
-    /// Where the odometry was when it last looked.
+    /// Odometry at the last update.
     looked: Pose,
     bumped: bool,
     lifted: bool,
-    /// Draws that are left of a search all over the map.
+    /// Remaining draws of a global search.
     draws: u32,
-    /// Looks since the search, and those for which nearly all the weight has been in one place.
+    /// Updates since the search, and those with nearly all weight in one place.
     looks: u32,
     agreed: u32,
     particles: Vec<Particle>,
-    /// Mean fits of the latest readings: short and long memory.
+    /// Average fits of the latest readings: short and long.
     fits: Option<(f64, f64)>,
     estimate: Option<Estimate>,
 }
@@ -87,12 +87,12 @@ struct Particle {
 struct Estimate {
     pose: Pose,
     spread: PoseCovariance,
-    /// Odometry at the moment of the estimate.
+    /// Odometry at the time of the estimate.
     odometry: Pose,
 }
 
 impl Locator {
-    /// A robot that stands anywhere on `map`; `None` if the map has no walls or no room for it.
+    /// A robot anywhere on `map`; `None` if the map has no walls or no room for it.
     pub fn new(map: &OccupancyMap, setup: LocatorSetup) -> Option<Self> {
         let field = DistanceField::new(map)?;
         let radius = setup.robot.radius;
@@ -150,7 +150,7 @@ impl Locator {
         }
     }
 
-    /// Knows nothing any more but the map.
+    /// Forgets everything except the map.
     pub fn forget(&mut self) {
         self.particles.clear();
         self.draws = DRAWS.1;
@@ -160,13 +160,13 @@ impl Locator {
         self.looked = self.odometry.pose();
     }
 
-    /// Its estimated pose; `None` while it hasn't met anything yet.
+    /// Its estimated pose; `None` before the first contact.
     pub fn pose(&self) -> Option<Pose> {
         let Estimate { pose, odometry, .. } = self.estimate?;
         Some(moved(pose, odometry, self.odometry.pose()))
     }
 
-    /// How far the possible poses are spread; `None` while it knows nothing.
+    /// Covariance of the possible poses; `None` while there are none.
     pub fn pose_covariance(&self) -> Option<PoseCovariance> {
         self.estimate.map(|estimate| estimate.spread)
     }
@@ -176,13 +176,13 @@ impl Locator {
         self.agreed >= SURE_LOOKS
     }
 
-    /// Poses that are possible, with their weights, which add up to 1.
+    /// Possible poses with their weights, which add up to 1.
     pub fn particles(&self) -> Vec<(Pose, f64)> {
         let weights = self.weights();
         self.particles.iter().map(|p| p.pose).zip(weights).collect()
     }
 
-    /// Moves all particles as the wheels say, each with errors of its own.
+    /// Moves all particles by the wheels' motion, each with its own errors.
     fn advance(&mut self, now: Pose, gone: f64, turned: f64) {
         let from = std::mem::replace(&mut self.looked, now);
         let (heading, along) = (MOTION.0 * gone.sqrt() + MOTION.1 * turned, MOTION.2 * gone.sqrt());
@@ -193,7 +193,7 @@ impl Locator {
         }
     }
 
-    /// While it searches, draws poses that fit the reading, wherever something is near.
+    /// During a search, draws poses that fit the reading, wherever an obstacle is near.
     fn draw(&mut self, reading: &Reading) {
         let count = match self.draws {
             0 if !self.is_sure() && self.looks.is_multiple_of(AGAIN.1) => AGAIN.0,
@@ -224,13 +224,13 @@ impl Locator {
             }
         }
         let drawn = resampled(&drawn, share.min(drawn.len()), &mut self.rng);
-        // Those that have come so far have earned as much as the new ones.
+        // Existing particles have earned as much weight as new ones.
         let old = self.particles.len().max(1) as f64;
         let top = self.particles.iter().map(|p| p.weight).fold(f64::NEG_INFINITY, f64::max);
         let mean = self.particles.iter().map(|p| math::exp(p.weight - top)).sum::<f64>() / old;
         let mut weight = if self.particles.is_empty() { 0.0 } else { top + math::ln(mean.max(1e-300)) };
         if !is_searching {
-            // All new ones together are given a small chance.
+            // All new ones together have a small weight.
             weight += math::ln(CHANCE * old / drawn.len().max(1) as f64);
         }
         self.particles.extend(drawn.into_iter().map(|p| Particle { weight, ..p }));
@@ -259,7 +259,7 @@ impl Locator {
         self.judge();
     }
 
-    /// Notices when readings have got so much worse that it must be somewhere else.
+    /// Detects that readings fit so much worse that the robot must be elsewhere.
     fn remember(&mut self, fit: f64) {
         let (mut short, mut long) = self.fits.unwrap_or((fit, fit));
         short += MEMORY.0 * (fit - short);
@@ -270,7 +270,7 @@ impl Locator {
         }
     }
 
-    /// Number of places that hold nearly all the weight.
+    /// Number of places that contain nearly all the weight.
     fn possible(&self, weights: &[f64]) -> usize {
         let mut places: BTreeMap<(i32, i32, i32), f64> = BTreeMap::new();
         for (particle, weight) in self.particles.iter().zip(weights) {
@@ -281,7 +281,7 @@ impl Locator {
         places.values().filter(|&&weight| weight > 1e-4).count()
     }
 
-    /// Finds the estimate: the mean of those near to the best place.
+    /// Computes the estimate: the mean around the best place.
     fn judge(&mut self) {
         let weights = self.weights();
         let mut places: BTreeMap<(i32, i32), f64> = BTreeMap::new();
@@ -321,7 +321,7 @@ impl Locator {
         normalised(&self.particles)
     }
 
-    /// Where the robot can stand, as middles of cells.
+    /// Places where the robot can stand, as centres of cells.
     pub fn places(&self) -> &[Point] {
         &self.places
     }

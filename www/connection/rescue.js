@@ -1,0 +1,45 @@
+// @ts-check
+// Sends a last stop over a line whose worker no longer answers: opens it once more, writes, closes.
+import { findPort } from "./ports.js";
+import { OpenPort } from "./serial-port.js";
+
+/** How long it is tried, ms. A worker that hangs lets go of its port only when the browser ends it, which takes two seconds. */
+const PATIENCE_MS = 6000;
+const AGAIN_MS = 10;
+
+/**
+ * Says whether the bytes were sent.
+ * @param {import("./types").LineTarget} target @param {number} baud @param {Uint8Array} bytes
+ */
+export async function rescue(target, baud, bytes) {
+  const end = performance.now() + PATIENCE_MS;
+  while (performance.now() < end) {
+    try {
+      await (target.kind === "serial" ? overSerial(target.address, baud, bytes) : overSocket(target.url, bytes));
+      return true;
+    } catch {
+      await new Promise((later) => setTimeout(later, AGAIN_MS));
+    }
+  }
+  return false;
+}
+
+/** @param {import("./types").PortAddress} address @param {number} baud @param {Uint8Array} bytes */
+async function overSerial(address, baud, bytes) {
+  const port = new OpenPort(await findPort(address), { onbytes: () => {}, onerror: () => {}, onlost: () => {} });
+  await port.open(baud);
+  port.write(bytes);
+  await port.close();
+}
+
+/** @param {string} url @param {Uint8Array} bytes */
+function overSocket(url, bytes) {
+  return new Promise((resolve, reject) => {
+    const socket = new WebSocket(url);
+    socket.onopen = () => {
+      socket.send(Uint8Array.from(bytes));
+      socket.close();
+    };
+    socket.onclose = ({ wasClean }) => (wasClean ? resolve(undefined) : reject(new Error("closed")));
+  });
+}
