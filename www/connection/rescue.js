@@ -1,5 +1,6 @@
 // @ts-check
 // Sends a last stop over a line whose worker no longer answers: opens it once more, writes, closes.
+import { bridgeAddress } from "./bridge-words.js";
 import { findPort } from "./ports.js";
 import { OpenPort } from "./serial-port.js";
 
@@ -35,7 +36,7 @@ async function overSerial(address, baud, bytes) {
 /** @param {string} url @param {Uint8Array} bytes */
 function overSocket(url, bytes) {
   return new Promise((resolve, reject) => {
-    const socket = new WebSocket(url);
+    const socket = new WebSocket(bridgeAddress(url) ?? url);
     socket.onopen = () => {
       socket.send(Uint8Array.from(bytes));
       socket.close();

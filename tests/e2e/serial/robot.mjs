@@ -11,7 +11,7 @@ export const now = () => (performance.timeOrigin + performance.now()) / 1000;
 
 let program;
 /** The native program: $ROBOVAC, or built if it isn't. */
-function robovac() {
+export function robovac() {
   program ??= process.env.ROBOVAC;
   if (!program) {
     execFileSync("cargo", ["build", "--locked", "--quiet", "--bin", "robovac"], { cwd: ROOT, stdio: ["ignore", "ignore", "inherit"] });
