@@ -153,10 +153,9 @@ async function open(target) {
   opened();
 }
 
-/** The line is open, at the rate that it can have. */
 function opened() {
-  connection.fix_rate(!line?.view.can_baud);
-  safely(() => connection.opened(now()));
+  const view = line?.view;
+  if (view) safely(() => connection.opened(now(), view));
 }
 
 async function close() {

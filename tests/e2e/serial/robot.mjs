@@ -75,6 +75,11 @@ export class Robot {
     return this.#until(() => this.heard().at(-1)?.opcode === opcode);
   }
 
+  /** Waits until a command has moved it. */
+  drives() {
+    return this.#until(() => this.heard().some(moves));
+  }
+
   /** Waits until it stands still. */
   rests() {
     return this.#until(() => this.isAtRest());
