@@ -57,8 +57,8 @@ aside() {
         echo $? >"target/$name.status"
     ) &
     set +m
-    # shellcheck disable=SC2064 # this one, whatever comes after it
-    trap "kill -- -$! 2>/dev/null || true" EXIT
+    ASIDE+=("-$!")
+    trap 'kill -- "${ASIDE[@]}" 2>/dev/null || true' EXIT
 }
 joined() {
     until [[ -e target/$1.status ]]; do sleep 0.2; done

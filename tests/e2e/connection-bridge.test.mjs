@@ -11,7 +11,7 @@ import { underLoad } from "./serial/load.mjs";
 import { Robot, lastStop, moves, now } from "./serial/robot.mjs";
 
 const skip = process.platform === "win32" ? "pseudo-terminals are needed" : false;
-const ROUNDS = Number(process.env.LINK_ROUNDS ?? 3);
+const ROUNDS = Number(process.env.LINK_ROUNDS ?? 2);
 const LIMIT_MS = 250;
 underLoad(Number(process.env.LOAD ?? 0));
 

@@ -7,7 +7,7 @@ import { underLoad } from "./serial/load.mjs";
 import { Robot, lastStop, moves, now, stops } from "./serial/robot.mjs";
 
 const skip = noSerial() || false;
-const ROUNDS = Number(process.env.LINK_ROUNDS ?? 5);
+const ROUNDS = Number(process.env.LINK_ROUNDS ?? 3);
 const LIMIT_MS = 250;
 underLoad(Number(process.env.LOAD ?? 0));
 

@@ -65,10 +65,16 @@ impl<'a> Bench<'a> {
         Self { only: text, ..self }
     }
 
-    /// Runs each case a single time, if `once`: enough to see that it works, too little for a measurement.
+    /// Runs each case a single time and most of them on less, if `once`: enough to see that it works, too little for a
+    /// measurement.
     #[must_use]
     pub fn once_each(self, once: bool) -> Self {
         Self { once, ..self }
+    }
+
+    /// `whole`, or `small` if each case runs only once.
+    fn size(&self, whole: usize, small: usize) -> usize {
+        if self.once { small } else { whole }
     }
 
     /// The results.
