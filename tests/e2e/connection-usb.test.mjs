@@ -14,7 +14,8 @@ import { Ch340, Cp210x, Ftdi, Pl2303 } from "./serial/usb-chips.mjs";
 import { TURN, WAYS, stoppedAfter } from "./serial/ways.mjs";
 
 const skip = process.platform === "linux" ? false : "the emulator needs a pseudo terminal as Linux has them";
-const LIMIT_MS = 250;
+/** Twice as long as over Web Serial (docs/safety.md): the stand-in takes its time, too. */
+const LIMIT_MS = 500;
 
 const make = (Chip, descriptor = {}, options = {}) => {
   const chip = Object.assign(new Chip(), options);
@@ -139,24 +140,31 @@ test("WebUSB is offered where Web Serial is missing, and on Android, and nowhere
 });
 
 for (const [kind, Chip] of Object.entries(KINDS)) {
-  test(`${kind}: connects, drives, stops when the tab is closed`, { skip }, async (t) => {
-    const { desk, robot, adapter } = await openUsb(t, new Chip());
+  test(`${kind}: another program has it; wakes, drives, is unplugged, comes back, and stops when the tab is closed`, { skip }, async (t) => {
+    const { desk, bus, robot, adapter } = await openUsb(t, new Chip(), "--personality", "asleep");
+    adapter.isTaken = true;
+    const taken = await refusal(desk);
+    assert.equal(taken.kind, "busy");
+    assert.match(taken.what, /another app, another tab or the system's own driver/);
+    assert.match(taken.remedy, /Chrome.*140/);
+    adapter.isTaken = false;
+
     // As users do it.
     await desk.tab.getByRole("button", { name: "Choose a port" }).click();
-    const { transport, statistics } = await desk.until((v) => v.phase === "connected" && v.statistics.frames > 100);
+    const { transport, statistics } = await desk.until((v) => v.phase === "connected" && v.statistics.frames > 20);
     assert.match(transport.name, kind === "PL2303" ? /^Prolific adapter/ : new RegExp(`^${kind} adapter`));
-    assert.deepEqual([transport.baud, transport.brc, statistics.bad_checksums, statistics.noise], [115_200, "high", 0, 0]);
+    assert.deepEqual([transport.baud, transport.brc, statistics.bad_checksums], [115_200, "high", 0]);
     has(adapter.chip, RATES[kind][115_200]);
     assert.deepEqual(robot.heard().filter(moves), []);
-    await desk.arm();
-    await desk.drive(TURN);
-    const taken = await stoppedAfter(robot, await WAYS["the tab is closed"](desk));
-    assert.ok(taken < LIMIT_MS, `stopped after ${taken} ms`);
-  });
+    // BRC is wired to RTS. Three pulses of 50 to 500 ms each put a robot at 19200 baud (OI specification, "Baud code").
+    const [first, low, high, ...more] = adapter.rts;
+    assert.deepEqual([first.isOn, low.isOn, high.isOn, more], [false, true, false, []]);
+    assert.ok(high.time - low.time > 700 && high.time - low.time < 1500, `${high.time - low.time} ms`);
+    for (const error of "report" in adapter.chip ? ["break", "framing", "parity", "overrun"] : []) {
+      adapter.report(error);
+      await desk.until((v, what) => v.transport.errors[what] === 1, error);
+    }
 
-  test(`${kind}: unplugged while it drives, and plugged in again`, { skip }, async (t) => {
-    const { desk, bus, robot, adapter } = await openUsb(t, new Chip());
-    await desk.connect();
     await desk.arm();
     await desk.drive();
     bus.unplug(adapter);
@@ -171,34 +179,26 @@ for (const [kind, Chip] of Object.entries(KINDS)) {
     // Zeros before it fill up a command that was cut.
     assert.ok(stops(heard.find(({ opcode }) => opcode !== 0)), "the first thing said was no stop");
     assert.deepEqual(heard.filter(moves), []);
-    await desk.letGo();
-    await desk.arm();
-    await desk.drive();
-    assert.ok(robot.heard().some(moves));
-  });
 
-  test(`${kind}: taken by another program at first; then a sleeping robot is woken by RTS, which BRC is wired to`, { skip }, async (t) => {
-    const { desk, adapter } = await openUsb(t, new Chip(), "--personality", "asleep");
-    adapter.isTaken = true;
-    const { kind: why, what, remedy } = await refusal(desk);
-    assert.equal(why, "busy");
-    assert.match(what, /another app, another tab or the system's own driver/);
-    assert.match(remedy, /Chrome.*140/);
-    adapter.isTaken = false;
-    await desk.connect();
-    const pulses = adapter.rts.filter(({ isOn }) => isOn);
-    assert.equal(pulses.length, 1);
-    const pulse = adapter.rts[adapter.rts.indexOf(pulses[0]) + 1].time - pulses[0].time;
-    // Three of 50 to 500 ms each put it at 19200 baud (OI specification, "Baud code").
-    assert.ok(pulse > 700 && pulse < 1500, `${pulse} ms`);
+    await desk.letGo();
+    robot.forget();
+    await desk.arm();
+    await desk.drive(TURN);
+    const after = await stoppedAfter(robot, await WAYS["the tab is closed"](desk));
+    assert.ok(after < LIMIT_MS, `stopped after ${after} ms`);
   });
 }
 
-test("a robot at 19200 baud is found", { skip }, async (t) => {
-  const { desk, adapter } = await openUsb(t, new Ch340(), "--personality", "slow");
+test("a robot at 19200 baud is found, and hears the goodbye to its end", { skip }, async (t) => {
+  // A CP210x forgets what it hasn't sent when it is closed.
+  const { desk, robot, adapter } = await openUsb(t, new Cp210x(), "--personality", "slow");
   const { statistics } = await desk.connect();
   assert.equal(statistics.baud, 19_200);
-  has(adapter.chip, RATES.CH340[19_200]);
+  has(adapter.chip, RATES.CP210x[19_200]);
+  await desk.tab.evaluate(() => window.connection.close());
+  await robot.hears(173);
+  assert.deepEqual(robot.heard().slice(-2).map(({ opcode }) => opcode), [128, 173]);
+  assert.equal(adapter.owner, null);
 });
 
 test("chips of versions that there is no driver for are refused with their names", { skip }, async (t) => {
@@ -221,19 +221,6 @@ test("chips of versions that there is no driver for are refused with their names
   }
 });
 
-test("errors that the chips report are counted", { skip }, async (t) => {
-  for (const Chip of [Ftdi, Pl2303]) {
-    const { desk, adapter } = await openUsb(t, new Chip());
-    await desk.connect();
-    for (const [error, sum] of [["break", 1], ["framing", 2], ["parity", 3], ["overrun", 4]]) {
-      if (Chip === Ftdi) adapter.chip.report(error);
-      else adapter.report(error);
-      const seen = await desk.until((v, total) => Object.values(v.transport.errors).reduce((a, b) => a + b) >= total, sum);
-      assert.equal(seen.transport.errors[error], 1);
-    }
-  }
-});
-
 test("a second tab is told that the robot is taken", { skip }, async (t) => {
   const { desk, open } = await openUsb(t, new Ftdi());
   await desk.connect();
@@ -245,22 +232,23 @@ test("a second tab is told that the robot is taken", { skip }, async (t) => {
 });
 
 const chips = Object.values(KINDS);
-for (const [number, [way, go]] of Object.entries(WAYS).entries()) {
-  if (way === "the tab is closed") continue;
-  test(`over WebUSB, stops when ${way}`, { skip }, async (t) => {
+const ways = {
+  ...WAYS,
+  "the page is hidden": ({ tab }) =>
+    tab.evaluate(() => {
+      Object.defineProperty(document, "visibilityState", { value: "hidden" });
+      document.dispatchEvent(new Event("visibilitychange"));
+      return (performance.timeOrigin + performance.now()) / 1000;
+    }),
+};
+delete ways["the tab is closed"];
+for (const [number, [way, go]] of Object.entries(ways).entries()) {
+  test(`stops when ${way}`, { skip }, async (t) => {
     const { desk, robot } = await openUsb(t, new chips[number % chips.length]());
     await desk.connect();
     await desk.arm();
     await desk.drive(TURN);
-    const taken = await stoppedAfter(robot, await go(desk));
-    assert.ok(taken < LIMIT_MS, `stopped after ${taken} ms`);
+    const after = await stoppedAfter(robot, await go(desk));
+    assert.ok(after < LIMIT_MS, `stopped after ${after} ms`);
   });
 }
-
-test("the robot hears the goodbye to its end", { skip }, async (t) => {
-  const { desk, robot } = await openUsb(t, new Cp210x());
-  await desk.connect();
-  await desk.tab.evaluate(() => window.connection.close());
-  await robot.hears(173);
-  assert.deepEqual(robot.heard().slice(-2).map(({ opcode }) => opcode), [128, 173]);
-});

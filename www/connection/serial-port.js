@@ -15,7 +15,9 @@ export const WRITE_MS = 1000;
 /** Errors that adapters recover from: the stream ends, and there is a new one. */
 const RECOVERABLE = /** @type {const} */ ({ BreakError: "break", FramingError: "framing", ParityError: "parity", BufferOverrunError: "overrun" });
 
-/** @implements {import("./types").OpenablePort} */
+/** @typedef {import("./types").OpenablePort} OpenablePort */
+
+/** @implements {OpenablePort} */
 export class OpenPort {
   #port;
   #events;

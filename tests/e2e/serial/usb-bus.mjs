@@ -14,6 +14,8 @@ class Adapter {
   #rate = 0;
   #queue = [];
   #waiting = [];
+  /** When all is sent, ms. */
+  #sentAt = 0;
   owner = null;
   /** What RTS was switched to, and when, in ms. @type {{ isOn: boolean, time: number }[]} */
   rts = [];
@@ -70,8 +72,12 @@ class Adapter {
     this.#deliver();
   }
 
+  /** The chip takes its time to send; what it hasn't sent when it is switched off is lost. */
   send(bytes) {
-    if (this.chip.isReady) this.#terminal?.write(Buffer.from(bytes));
+    const { chip } = this;
+    const now = performance.now();
+    this.#sentAt = Math.max(this.#sentAt, now) + (10_000 * bytes.length) / chip.baud;
+    setTimeout(() => chip.isReady && this.#terminal?.write(Buffer.from(bytes)), this.#sentAt - now);
   }
 
   /** The chip reports an error of the line; FTDI's do with the next bytes. */

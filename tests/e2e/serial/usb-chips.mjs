@@ -82,7 +82,7 @@ export class Ftdi extends Chip {
       const payload = queue.splice(0, 62);
       // Modem lines, then errors with "transmitter empty" (bits 5 and 6).
       packets.push(0x01, 0x60 | this.lineStatus, ...payload);
-      this.lineStatus = 0;
+      if (payload.length > 0) this.lineStatus = 0;
       if (payload.length < 62) break;
     } while (packets.length + 64 <= length);
     return packets;

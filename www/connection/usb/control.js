@@ -1,6 +1,7 @@
 // @ts-check
 // Control transfers to an adapter's chip.
 
+/** @typedef {import("./types").Control} Control */
 /** @typedef {import("./types").UsbDevice} UsbDevice */
 /** @typedef {import("./types").UsbSetup} UsbSetup */
 
@@ -12,7 +13,7 @@ export class Refused extends Error {
   }
 }
 
-/** @implements {import("./types").Control} */
+/** @implements {Control} */
 export class DeviceControl {
   #endpoints;
 

@@ -5,6 +5,7 @@ import { CLOSE_MS, LAST_WORDS_MS, OPEN_MS, WRITE_MS, within } from "../serial-po
 import { chipOf } from "./chips.js";
 import { DeviceControl, Refused, bytesOf } from "./control.js";
 
+/** @typedef {import("../types").OpenablePort} OpenablePort */
 /** @typedef {import("./types").UsbDevice} UsbDevice */
 /** @typedef {import("./types").UsbEndpoint} UsbEndpoint */
 
@@ -15,7 +16,7 @@ import { DeviceControl, Refused, bytesOf } from "./control.js";
 const PACKETS = 8;
 const TRANSFERS = 4;
 
-/** @implements {import("../types").OpenablePort} */
+/** @implements {OpenablePort} */
 export class UsbPort {
   #device;
   #events;
