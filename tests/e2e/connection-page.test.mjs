@@ -132,6 +132,7 @@ test("on a phone, the page says which cables it can use, and asks WebUSB for the
   await page.locator("#connection-serial").click();
   await page.locator("#connection-ask-yes").click();
   await page.waitForFunction(() => window.asked.length === 1);
+  await page.locator("#connection-ports summary").click();
   await page.locator("#connection-other").click();
   await page.waitForFunction(() => window.asked.length === 2);
   const [[usb, filters], [serial]] = await page.evaluate(() => window.asked);

@@ -28,7 +28,7 @@ export function startConnect(it) {
   };
   setHidden(byId("connection-usb"), !can.usb);
   // On Android, serial ports are the few adapters that the system knows.
-  setHidden(button("connection-other"), !(can.usb && can.serial));
+  setHidden(byId("connection-ports"), !(can.usb && can.serial));
   button("connection-serial").addEventListener("click", () => connect(can.usb ? "usb" : "serial"));
   button("connection-other").addEventListener("click", () => connect("serial"));
   setAttribute(button("connection-serial"), "aria-disabled", String(!can.usb && !can.serial));
