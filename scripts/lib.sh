@@ -14,6 +14,8 @@ DRIVERS=$ROOT/target/drivers
 ROBOVAC=$(realpath -m "${CARGO_TARGET_DIR:-$ROOT/target}")/debug/robovac
 
 WASM_TARGET=wasm32-unknown-unknown
+# Such as an ESP32-C3.
+BARE_METAL_TARGET=riscv32imc-unknown-none-elf
 TRUNK_VERSION=0.22.1
 # The command-line tool must equal the crate exactly, so the lock file decides.
 WASM_BINDGEN_VERSION=$(awk '/^name = "wasm-bindgen"$/ { getline; gsub(/[^0-9.]/, ""); print; exit }' Cargo.lock)

@@ -2,22 +2,29 @@
 # Installs whatever is missing, from package registries alone. Every function returns at once when there is nothing to do.
 # Sourced by ./dev after lib.sh.
 
-have_wasm_std() { [[ -n $(find "$(rustc --print target-libdir --target "$WASM_TARGET")" -name 'libstd-*.rlib' 2>/dev/null) ]]; }
+# have_std TARGET: whether its library is there, or that part of it that targets without an operating system have.
+have_std() { [[ -n $(find "$(rustc --print target-libdir --target "$1")" -name 'libcore-*.rlib' 2>/dev/null) ]]; }
 
 need_rust() {
     have rustup || have cargo || die "Rust is missing: install rustup, or rustc and cargo $(sed -n 's/^channel = //p' rust-toolchain.toml)"
     rustc --version >/dev/null 2>&1 || step "Installing the Rust tool chain" rustup toolchain install
     cargo fmt --version >/dev/null 2>&1 || step "Installing rustfmt" rustup component add rustfmt
     cargo clippy --version >/dev/null 2>&1 || step "Installing clippy" rustup component add clippy
-    have_wasm_std || step "Installing the $WASM_TARGET standard library" install_wasm_std
+    need_std "$WASM_TARGET" std,panic_abort,panic_unwind,test
 }
 
-install_wasm_std() {
-    if [[ -z ${ROBOVAC_WASM_STD_FROM_DEBIAN:-} ]] && have rustup && rustup target add "$WASM_TARGET"; then
+# For the check that the bridge's rules need no operating system.
+need_bare_metal() { need_std "$BARE_METAL_TARGET" core; }
+
+# need_std TARGET CRATES
+need_std() { have_std "$1" || step "Installing the standard library for $1" install_std "$@"; }
+
+install_std() {
+    if [[ -z ${ROBOVAC_STD_FROM_DEBIAN:-} ]] && have rustup && rustup target add "$1"; then
         return
     fi
     say "rustup could not fetch it; building it from Debian's copy of the library source instead"
-    bash scripts/wasm-std.sh
+    bash scripts/build-std.sh "$@"
 }
 
 # cargo_tool CRATE VERSION OPTION...: into its own folder. Quick to build beats quick to run for tools that take a second.

@@ -1092,7 +1092,9 @@ brc: BrcWire,
 /** Errors that the adapter reported and recovered from. */
 errors: TransportErrors,
 /** How often the line has returned by itself. */
-returns: number, };
+returns: number,
+/** Another client of the bridge drives: what is sent from here doesn't reach the robot. */
+is_watching: boolean, };
 
 /** A unit in the menu. */
 export type UnitView = {

@@ -21,19 +21,20 @@ impl Connection {
         Self { link: connection::Connection::new() }
     }
 
-    /// The line is open at 115200 baud: starts the diagnosis.
-    pub fn opened(&mut self, now: f64) {
+    /// The line is open at 115200 baud: starts the diagnosis. `transport` is its state.
+    pub fn opened(
+        &mut self,
+        now: f64,
+        #[wasm_bindgen(unchecked_param_type = "rust.TransportView")] transport: JsValue,
+    ) -> Result<(), JsValue> {
+        self.link.set_transport(serde_wasm_bindgen::from_value(transport)?);
         self.link.opened(now);
+        Ok(())
     }
 
     /// The line is lost, with the reason as a sentence for users; `for_good` if it won't return by itself.
     pub fn lost(&mut self, now: f64, why: &str, for_good: bool) {
         self.link.lost(now, why, for_good);
-    }
-
-    /// Whether the line's baud rate can't be changed, as with a bridge. To be set before it is opened.
-    pub fn fix_rate(&mut self, is_fixed: bool) {
-        self.link.fix_rate(is_fixed);
     }
 
     /// Discards pending bytes, as there is no line.

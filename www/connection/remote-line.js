@@ -34,6 +34,7 @@ export class RemoteLine {
       brc: "none",
       errors: { break: 0, framing: 0, parity: 0, overrun: 0 },
       returns: 0,
+      is_watching: false,
     };
     port.onmessage = ({ data }) => this.#heard(data);
   }

@@ -1,6 +1,7 @@
 // @ts-check
 // Sends a last stop over a line whose worker no longer answers: opens it once more, writes, closes.
 import { accessBy } from "./access.js";
+import { bridgeAddress } from "./bridge-words.js";
 import { findPort } from "./ports.js";
 
 /** How long it is tried, ms. A worker that hangs lets go of its port only when the browser ends it, which takes two seconds. */
@@ -35,7 +36,7 @@ async function overSerial(access, address, baud, bytes) {
 /** @param {string} url @param {Uint8Array} bytes */
 function overSocket(url, bytes) {
   return new Promise((resolve, reject) => {
-    const socket = new WebSocket(url);
+    const socket = new WebSocket(bridgeAddress(url) ?? url);
     socket.onopen = () => {
       socket.send(Uint8Array.from(bytes));
       socket.close();

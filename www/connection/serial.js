@@ -46,6 +46,7 @@ export class SerialLine {
       brc: "none",
       errors: { break: 0, framing: 0, parity: 0, overrun: 0 },
       returns: 0,
+      is_watching: false,
     };
   }
 

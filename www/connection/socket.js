@@ -1,6 +1,8 @@
 // @ts-check
-// A line over a WebSocket, for bridges to the robot's serial line: an ESP's firmware, or websockify before ser2net. Binary
-// frames hold the robot's bytes as they are.
+// A line over a WebSocket, for bridges to the robot's serial line: `robovac bridge`, which watches this page and can set the
+// baud rate; or an ESP's firmware, or websockify before ser2net. Binary messages hold the robot's bytes as they are.
+import { ALIVE_MS, CLOSED_BY_BRIDGE, haltedBecause, isHello, wellFormed } from "./bridge-words.js";
+import { unreachable } from "./local-network.js";
 import { takeLock } from "./lock.js";
 import { failure } from "./ports.js";
 import { within } from "./serial-port.js";
@@ -9,8 +11,14 @@ import { within } from "./serial-port.js";
 const OPEN_MS = 8000;
 const STALL_MS = 1500;
 
+/** How long a bridge's first message is waited for: only ours sends one, or closes the connection, ms. */
+const HELLO_MS = 150;
+
 /** When a bridge that was lost is tried again, ms. */
 const AGAIN_MS = 2000;
+
+/** How long it is shown that the bridge stopped the robot, ms. */
+const SHOWN_MS = 8000;
 
 /** @typedef {import("./types").Transport} Transport */
 
@@ -20,6 +28,8 @@ export class SocketLine {
   view;
 
   #url;
+  /** @type {URL | undefined} */
+  #address;
   #events;
   /** @type {WebSocket | undefined} */
   #socket;
@@ -27,6 +37,10 @@ export class SocketLine {
   #unlock = () => {};
   /** Since when bytes wait to be sent. */
   #stalledAt = Infinity;
+  /** Whether it is `robovac bridge`. */
+  #isOurs = false;
+  /** @type {ReturnType<typeof setInterval> | undefined} */
+  #beating;
 
   /** @param {string} url @param {import("./types").TransportEvents} events */
   constructor(url, events) {
@@ -42,6 +56,7 @@ export class SocketLine {
       brc: "none",
       errors: { break: 0, framing: 0, parity: 0, overrun: 0 },
       returns: 0,
+      is_watching: false,
     };
   }
 
@@ -52,6 +67,9 @@ export class SocketLine {
       const unlock = await takeLock(`bridge ${address.host}${address.pathname}`);
       if (!unlock) throw failure("busy", "Another tab of this page is connected to that robot.", "Disconnect there, or close that tab.");
       this.#unlock = unlock;
+      this.#address = address;
+      // A token is nobody's business.
+      this.view.name = `${address.origin}${address.pathname}`;
       await this.#connect();
     } catch (error) {
       await this.close();
@@ -69,50 +87,100 @@ export class SocketLine {
     socket.send(Uint8Array.from(bytes));
   }
 
-  /** The bridge's baud rate is its own affair. */
-  async setBaud() {}
+  /** Other bridges' baud rate is their own affair. @param {number} baud */
+  async setBaud(baud) {
+    this.#say(`baud ${baud}`);
+    if (this.#isOurs) this.view.baud = baud;
+  }
 
-  /** Bridges have no way to say it. */
-  async setBrc() {}
+  /** Other bridges have no way to say it. @param {boolean} isLow */
+  async setBrc(isLow) {
+    this.#say(`brc ${isLow ? "low" : "high"}`);
+    if (this.#isOurs) this.view.brc = isLow ? "low" : "high";
+  }
+
+  /** @param {string} word */
+  #say(word) {
+    if (this.#isOurs && this.#socket?.readyState === WebSocket.OPEN) this.#socket.send(word);
+  }
 
   async close() {
     this.#isClosed = true;
     this.view.state = "closed";
     const socket = this.#socket;
     this.#socket = undefined;
+    clearInterval(this.#beating);
     if (socket) await within(1000, new Promise((done) => (socket.addEventListener("close", done), socket.close()))).catch(() => {});
     this.#unlock();
   }
 
   async #connect() {
-    const socket = new WebSocket(this.#url);
+    const address = /** @type {URL} */ (this.#address);
+    const socket = new WebSocket(address);
     socket.binaryType = "arraybuffer";
+    /** What came before the line was open. @type {MessageEvent[]} */
+    const early = [];
+    /** @type {CloseEvent | undefined} */
+    let closed;
     try {
       await within(OPEN_MS, new Promise((resolve, reject) => ((socket.onopen = resolve), (socket.onerror = socket.onclose = reject))));
+      await within(HELLO_MS, new Promise((resolve) => ((socket.onmessage = (message) => resolve(early.push(message))), (socket.onclose = (event) => resolve((closed = event)))))).catch(() => {});
     } catch {
       socket.close();
-      // Browsers don't report the reason to pages.
-      throw failure("unreachable", `The bridge at ${this.#url} doesn't answer.`, "Check that it is on and on the same network, and that address, port and path are right.");
+      throw await unreachable(address);
     }
+    if (closed) throw failure("denied", `The bridge closed the connection${closed.code === CLOSED_BY_BRIDGE ? `: ${closed.reason}.` : "."}`, "");
     if (this.#isClosed) {
       socket.close();
       throw failure("failed", "The connection was closed before it was established.", "");
     }
-    const text = new TextEncoder();
-    socket.onmessage = ({ data }) => this.#socket === socket && this.#events.onbytes(typeof data === "string" ? text.encode(data) : new Uint8Array(data));
-    socket.onerror = null;
-    socket.onclose = () => this.#socket === socket && this.#lose("The bridge closed the connection.");
-    this.#socket = socket;
+    try {
+      this.#isOurs = isHello(early[0]?.data);
+    } catch (why) {
+      socket.close();
+      throw failure("failed", String(why), "");
+    }
+    this.view.can_baud = this.#isOurs;
+    this.view.brc = this.#isOurs ? "high" : "none";
+    this.view.baud = 115200;
+    this.view.is_watching = false;
     this.view.state = "open";
     this.view.text = "";
+    this.#socket = socket;
+    socket.onmessage = ({ data }) => this.#socket === socket && this.#heard(data);
+    socket.onerror = null;
+    socket.onclose = ({ code, reason }) => this.#socket === socket && this.#lose(code === CLOSED_BY_BRIDGE ? `The bridge closed the connection: ${reason}.` : "The bridge closed the connection.");
+    clearInterval(this.#beating);
+    if (this.#isOurs) this.#beating = setInterval(() => this.#say("alive"), ALIVE_MS);
+    for (const { data } of this.#isOurs ? early.slice(1) : early) this.#heard(data);
+  }
+
+  /** @param {unknown} data */
+  #heard(data) {
+    if (typeof data !== "string") this.#events.onbytes(new Uint8Array(/** @type {ArrayBuffer} */ (data)));
+    else if (!this.#isOurs) this.#events.onbytes(new TextEncoder().encode(data));
+    else if (data === "watch") {
+      this.view.is_watching = true;
+      this.view.text = "Another client drives this robot. You are watching.";
+    } else if (data === "drive" && this.view.is_watching) {
+      this.view.is_watching = false;
+      this.view.text = "";
+      // The robot is in this page's hands now, which begin as on any other line.
+      this.#events.onopened();
+    } else if (data.startsWith("halted ")) {
+      const text = (this.view.text = haltedBecause(data.slice(7)));
+      setTimeout(() => this.view.text === text && (this.view.text = ""), SHOWN_MS);
+    }
   }
 
   /** @param {string} why */
   #lose(why) {
     this.#socket?.close();
     this.#socket = undefined;
+    clearInterval(this.#beating);
     if (this.#isClosed) return;
     this.view.state = "lost";
+    this.view.is_watching = false;
     this.view.text = `${why} Retrying every ${AGAIN_MS / 1000} s.`;
     this.#events.onlost(why, false);
     void this.#comeBack();
@@ -131,22 +199,4 @@ export class SocketLine {
       this.#events.onopened();
     }
   }
-}
-
-/** @param {string} text */
-function wellFormed(text) {
-  const url = URL.canParse(text) ? new URL(text) : null;
-  if (!url || !/^wss?:$/.test(url.protocol)) {
-    throw failure("failed", `"${text}" isn't the address of a bridge.`, "The address must begin with ws:// or wss://, as in ws://192.168.1.50:81/.");
-  }
-  // Browsers count this computer as safe.
-  const isHere = /^(localhost|127\..*|\[::1\])$/.test(url.hostname);
-  if (self.location.protocol === "https:" && url.protocol === "ws:" && !isHere) {
-    throw failure(
-      "mixed",
-      "A page loaded over https:// can't connect to a bridge at ws://.",
-      "Use a bridge with wss://, or open a copy of this page over http:// in your own network: for a bridge, that is enough.",
-    );
-  }
-  return url;
 }

@@ -35,6 +35,7 @@ export class VirtualLine {
       brc: "high",
       errors: { break: 0, framing: 0, parity: 0, overrun: 0 },
       returns: 0,
+      is_watching: false,
     };
   }
 

@@ -139,11 +139,10 @@ async function open(target) {
   /** @type {import("./types").TransportEvents} */
   const events = {
     onbytes: (bytes) => safely(() => connection.feed(now(), bytes)),
-    onopened: () => safely(() => connection.opened(now())),
+    onopened: () => opened(),
     onlost: (why, forGood) => safely(() => connection.lost(now(), why, forGood)),
   };
   line = lineTo(target, mirror, holder, events);
-  connection.fix_rate(target.kind === "socket");
   try {
     await line.open();
   } catch (error) {
@@ -151,7 +150,12 @@ async function open(target) {
     line = undefined;
     throw error;
   }
-  safely(() => connection.opened(now()));
+  opened();
+}
+
+function opened() {
+  const view = line?.view;
+  if (view) safely(() => connection.opened(now(), view));
 }
 
 async function close() {

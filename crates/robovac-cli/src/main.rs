@@ -2,66 +2,34 @@
 //!
 //! One file a sub-command; each turns its arguments into text or a [`failure::Failure`].
 
-#[cfg(not(target_arch = "wasm32"))]
 mod bench;
-#[cfg(not(target_arch = "wasm32"))]
+mod bridge;
 mod clean;
-#[cfg(not(target_arch = "wasm32"))]
 mod compare;
-#[cfg(not(target_arch = "wasm32"))]
 mod conditions;
-#[cfg(not(target_arch = "wasm32"))]
 mod convert;
-#[cfg(not(target_arch = "wasm32"))]
 mod drawing;
-#[cfg(not(target_arch = "wasm32"))]
 mod failure;
-#[cfg(not(target_arch = "wasm32"))]
 mod list;
-#[cfg(not(target_arch = "wasm32"))]
 mod locate;
-#[cfg(not(target_arch = "wasm32"))]
 mod map;
-#[cfg(not(target_arch = "wasm32"))]
 mod monitor;
-#[cfg(not(target_arch = "wasm32"))]
 mod montecarlo;
-#[cfg(not(target_arch = "wasm32"))]
 mod output;
-#[cfg(not(target_arch = "wasm32"))]
 mod plan;
-#[cfg(not(target_arch = "wasm32"))]
 mod signals;
-#[cfg(not(target_arch = "wasm32"))]
 mod simulate;
-#[cfg(not(target_arch = "wasm32"))]
 mod source;
-#[cfg(not(target_arch = "wasm32"))]
 mod sweep;
-#[cfg(not(target_arch = "wasm32"))]
 mod task;
-#[cfg(not(target_arch = "wasm32"))]
 mod virtual_roomba;
 
-/// In the browser the page takes its place.
-#[cfg(target_arch = "wasm32")]
-fn main() {}
+use clap::{Parser, Subcommand};
+use failure::OK;
+use output::print;
+use std::{io::Write, process::ExitCode};
 
-#[cfg(not(target_arch = "wasm32"))]
-fn main() -> std::process::ExitCode {
-    native::main()
-}
-
-#[cfg(not(target_arch = "wasm32"))]
-mod native {
-    use super::{
-        bench, clean, compare, convert, failure::OK, list, locate, map, monitor, montecarlo, output::print, plan,
-        simulate, sweep, virtual_roomba,
-    };
-    use clap::{Parser, Subcommand};
-    use std::{io::Write, process::ExitCode};
-
-    const EXIT_CODES: &str = "\
+const EXIT_CODES: &str = "\
 Exit codes:
   0  done
   1  a file can't be read or written
@@ -70,71 +38,72 @@ Exit codes:
   4  the robot or its start doesn't fit into the room
   5  the planner failed";
 
-    /// Plan and simulate floor coverage by robot vacuum cleaners. Lengths are in metres, angles in degrees
-    /// counter-clockwise from 0 = right; cells are counted from the lower left.
-    #[derive(Parser)]
-    #[command(name = "robovac", version, after_help = EXIT_CODES)]
-    struct Arguments {
-        #[command(subcommand)]
-        command: Command,
-    }
+/// Plan and simulate floor coverage by robot vacuum cleaners. Lengths are in metres, angles in degrees
+/// counter-clockwise from 0 = right; cells are counted from the lower left.
+#[derive(Parser)]
+#[command(name = "robovac", version, after_help = EXIT_CODES)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
 
-    #[derive(Subcommand)]
-    enum Command {
-        /// List the planners: id, then title
-        Planners,
-        /// List the behaviours (reactive controllers): id, then title
-        Behaviours,
-        /// List the built-in rooms: id, then title
-        Rooms,
-        /// List the robots: id, then title
-        Robots,
-        /// List the personalities of the virtual Roomba: id, then title
-        Personalities,
-        /// List the metrics of plans: id, then definition
-        Metrics,
-        Plan(plan::Arguments),
-        Sweep(sweep::Arguments),
-        Simulate(simulate::Arguments),
-        Montecarlo(montecarlo::Arguments),
-        Clean(clean::Arguments),
-        Compare(compare::Arguments),
-        Locate(locate::Arguments),
-        Convert(convert::Arguments),
-        Bench(bench::Arguments),
-        Map(map::Arguments),
-        Monitor(monitor::Arguments),
-        VirtualRoomba(virtual_roomba::Arguments),
-    }
+#[derive(Subcommand)]
+enum Command {
+    /// List the planners: id, then title
+    Planners,
+    /// List the behaviours (reactive controllers): id, then title
+    Behaviours,
+    /// List the built-in rooms: id, then title
+    Rooms,
+    /// List the robots: id, then title
+    Robots,
+    /// List the personalities of the virtual Roomba: id, then title
+    Personalities,
+    /// List the metrics of plans: id, then definition
+    Metrics,
+    Plan(plan::Arguments),
+    Sweep(sweep::Arguments),
+    Simulate(simulate::Arguments),
+    Montecarlo(montecarlo::Arguments),
+    Clean(clean::Arguments),
+    Compare(compare::Arguments),
+    Locate(locate::Arguments),
+    Convert(convert::Arguments),
+    Bench(bench::Arguments),
+    Bridge(bridge::Arguments),
+    Map(map::Arguments),
+    Monitor(monitor::Arguments),
+    VirtualRoomba(virtual_roomba::Arguments),
+}
 
-    pub(super) fn main() -> ExitCode {
-        let result = match Arguments::parse().command {
-            Command::Planners => Ok(list::planners()),
-            Command::Behaviours => Ok(list::behaviours()),
-            Command::Rooms => Ok(list::rooms()),
-            Command::Robots => Ok(list::robots()),
-            Command::Personalities => Ok(list::personalities()),
-            Command::Metrics => Ok(list::metrics()),
-            Command::Plan(arguments) => plan::run(&arguments),
-            Command::Sweep(arguments) => sweep::run(&arguments),
-            Command::Simulate(arguments) => simulate::run(&arguments),
-            Command::Montecarlo(arguments) => montecarlo::run(&arguments),
-            Command::Clean(arguments) => clean::run(&arguments),
-            Command::Compare(arguments) => compare::run(&arguments),
-            Command::Locate(arguments) => locate::run(&arguments),
-            Command::Convert(arguments) => convert::run(&arguments),
-            Command::Bench(arguments) => bench::run(&arguments),
-            Command::Map(arguments) => map::run(&arguments),
-            Command::Monitor(arguments) => monitor::run(&arguments),
-            Command::VirtualRoomba(arguments) => virtual_roomba::run(&arguments),
-        };
-        match result.and_then(|text| print(&text)) {
-            Ok(()) => OK.into(),
-            Err(failure) => {
-                // If this fails, too, the error can't be reported.
-                let _ = writeln!(std::io::stderr(), "robovac: {failure}");
-                failure.code.into()
-            }
+fn main() -> ExitCode {
+    let result = match Arguments::parse().command {
+        Command::Planners => Ok(list::planners()),
+        Command::Behaviours => Ok(list::behaviours()),
+        Command::Rooms => Ok(list::rooms()),
+        Command::Robots => Ok(list::robots()),
+        Command::Personalities => Ok(list::personalities()),
+        Command::Metrics => Ok(list::metrics()),
+        Command::Plan(arguments) => plan::run(&arguments),
+        Command::Sweep(arguments) => sweep::run(&arguments),
+        Command::Simulate(arguments) => simulate::run(&arguments),
+        Command::Montecarlo(arguments) => montecarlo::run(&arguments),
+        Command::Clean(arguments) => clean::run(&arguments),
+        Command::Compare(arguments) => compare::run(&arguments),
+        Command::Locate(arguments) => locate::run(&arguments),
+        Command::Convert(arguments) => convert::run(&arguments),
+        Command::Bench(arguments) => bench::run(&arguments),
+        Command::Bridge(arguments) => bridge::run(&arguments),
+        Command::Map(arguments) => map::run(&arguments),
+        Command::Monitor(arguments) => monitor::run(&arguments),
+        Command::VirtualRoomba(arguments) => virtual_roomba::run(&arguments),
+    };
+    match result.and_then(|text| print(&text)) {
+        Ok(()) => OK.into(),
+        Err(failure) => {
+            // If this fails, too, the error can't be reported.
+            let _ = writeln!(std::io::stderr(), "robovac: {failure}");
+            failure.code.into()
         }
     }
 }

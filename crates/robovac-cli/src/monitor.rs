@@ -1,6 +1,6 @@
 //! `monitor`: listens to a robot on a serial port, with the same driver as the page.
 
-use super::{failure::Failure, signals::end_requested, simulate::parse_seconds};
+use super::{bridge::cannot_open, failure::Failure, output::say, signals::end_requested, simulate::parse_seconds};
 use robovac_link::{
     connection::{Connection, ConnectionView, Request, Traffic, TrafficKind},
     driver::LineRequest,
@@ -9,7 +9,7 @@ use roomba_oi::Packet;
 use serialport::{ClearBuffer, SerialPort};
 use std::{
     fs::File,
-    io::{self, ErrorKind, IsTerminal, Write, stderr, stdout},
+    io::{self, ErrorKind, IsTerminal, Write, stderr},
     path::{Path, PathBuf},
     sync::atomic::{AtomicBool, Ordering},
     time::{Duration, Instant},
@@ -48,7 +48,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let mut record = arguments.record.as_deref().map(RecordingFile::create).transpose()?;
     let is_over = end_requested()?;
     let mut port =
-        serialport::new(&arguments.port, BAUD).timeout(LOOK).open().map_err(|e| cannot_open(arguments, &e))?;
+        serialport::new(&arguments.port, BAUD).timeout(LOOK).open().map_err(|e| cannot_open(&arguments.port, &e))?;
     // Opening can have pulled the wake-up wire low: release it.
     let _ = (port.write_request_to_send(false), port.write_data_terminal_ready(false), port.clear(ClearBuffer::Input));
     let mut link = Connection::new();
@@ -181,28 +181,10 @@ fn told_of(line: &Traffic) -> String {
     format!("{:7.3} {sign} {}", line.time_s, line.text)
 }
 
-/// If this fails, the reader has gone away.
-fn say(line: &str) {
-    let _ = writeln!(stdout(), "{line}").and_then(|()| stdout().flush());
-}
-
 fn list() -> Result<String, Failure> {
     let ports = serialport::available_ports().map_err(|e| Failure::usage(format!("can't list serial ports: {e}")))?;
     if ports.is_empty() && stderr().is_terminal() {
         say("No serial port found. Is the cable plugged in?");
     }
     Ok(ports.into_iter().map(|port| port.port_name + "\n").collect())
-}
-
-fn cannot_open(arguments: &Arguments, error: &serialport::Error) -> Failure {
-    let hint = match error.kind() {
-        serialport::ErrorKind::NoDevice | serialport::ErrorKind::Io(ErrorKind::NotFound) => {
-            "\"robovac monitor list\" lists the ports"
-        }
-        serialport::ErrorKind::Io(ErrorKind::PermissionDenied) => {
-            "permission denied: on Linux, add your user to the group dialout"
-        }
-        _ => "another program may be using it",
-    };
-    Failure::usage(format!("can't open {}: {error}; {hint}", arguments.port))
 }

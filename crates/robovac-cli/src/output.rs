@@ -15,6 +15,12 @@ pub fn print(text: &str) -> Result<(), Failure> {
     }
 }
 
+/// Writes a line at once. If this fails, the reader has gone away.
+pub fn say(line: &str) {
+    let mut out = std::io::stdout().lock();
+    let _ = writeln!(out, "{line}").and_then(|()| out.flush());
+}
+
 /// One line of JSON.
 pub fn json(value: &impl Serialize) -> String {
     // Numbers, strings and lists can always be serialised.

@@ -11,7 +11,7 @@ export const now = () => (performance.timeOrigin + performance.now()) / 1000;
 
 let program;
 /** The native program: $ROBOVAC, or built if it isn't. */
-function robovac() {
+export function robovac() {
   program ??= process.env.ROBOVAC;
   if (!program) {
     execFileSync("cargo", ["build", "--locked", "--quiet", "--bin", "robovac"], { cwd: ROOT, stdio: ["ignore", "ignore", "inherit"] });
@@ -73,6 +73,11 @@ export class Robot {
   /** Waits until this is what it has heard last; its log is a little behind. */
   hears(opcode) {
     return this.#until(() => this.heard().at(-1)?.opcode === opcode);
+  }
+
+  /** Waits until a command has moved it. */
+  drives() {
+    return this.#until(() => this.heard().some(moves));
   }
 
   /** Waits until it stands still. */

@@ -1,5 +1,6 @@
 //! The program as people and other programs run it.
 
+mod bridge;
 mod cli;
 mod examples;
 mod monitor;

@@ -24,6 +24,11 @@ impl Connection {
     fn serve(&mut self, now: f64, request: Request) -> Result<(), RequestRefused> {
         let can = self.can();
         let sorry = |allowed: bool, why: &str| if allowed { Ok(()) } else { refuse(why) };
+        if self.transport.is_watching && request.is_for_robot() {
+            return refuse(
+                "Another client of the bridge drives this robot. You can watch; you can drive when it has left.",
+            );
+        }
         let in_control = || sorry(can.drive, "Take control of the robot first.");
         match request {
             Request::Connect => {

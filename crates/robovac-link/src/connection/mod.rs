@@ -381,14 +381,11 @@ impl Connection {
         self.trace.extend([pose.x, pose.y, pose.heading, f64::from(SETS_OFF)]);
     }
 
-    /// Sets the state of the line for the view.
+    /// Sets the state of the line: for the view, and for what can be done on it.
     pub fn set_transport(&mut self, transport: TransportView) {
+        self.driver.fix_rate(!transport.can_baud);
+        self.driver.watch(transport.is_watching);
         self.transport = transport;
-    }
-
-    /// Whether the line's baud rate can't be changed, as with a bridge. To be set before it is opened.
-    pub fn fix_rate(&mut self, is_fixed: bool) {
-        self.driver.fix_rate(is_fixed);
     }
 
     /// Discards pending bytes, as there is no line.

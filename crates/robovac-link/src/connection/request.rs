@@ -102,6 +102,22 @@ pub enum Request {
     Identify,
 }
 
+impl Request {
+    /// Whether it is for the robot, rather than for the connection or its pose.
+    pub(super) fn is_for_robot(&self) -> bool {
+        !matches!(
+            self,
+            Self::Connect
+                | Self::Disconnect
+                | Self::Stop
+                | Self::Answer { .. }
+                | Self::Skip
+                | Self::UseCalibration { .. }
+                | Self::Odometry { .. }
+        )
+    }
+}
+
 /// Buttons of the robot on the page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]

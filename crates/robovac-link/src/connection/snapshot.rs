@@ -132,17 +132,18 @@ impl Connection {
     pub(super) fn can(&self) -> ConnectionActions {
         let phase = self.driver.phase();
         let is_connected = phase == ConnectionPhase::Connected;
+        let reaches = is_connected && !self.transport.is_watching;
         let drive = self.driver.is_armed() && !self.driver.is_stalled();
         let is_asking = self.calibrating.as_ref().is_some_and(Calibrating::is_asking);
         ConnectionActions {
             connect: matches!(phase, ConnectionPhase::Waiting | ConnectionPhase::Diagnosing),
             disconnect: phase != ConnectionPhase::Closed,
-            arm: is_connected && !self.driver.is_armed(),
+            arm: reaches && !self.driver.is_armed(),
             disarm: is_connected && self.driver.target() > Mode::Passive,
             drive,
             steer: drive && self.ride.as_ref().is_none_or(|ride| ride.is_done || ride.is_manual),
             ride: drive && !self.is_moving() && !is_asking,
-            press: is_connected,
+            press: reaches,
         }
     }
 }

@@ -24,6 +24,9 @@ pub struct TransportView {
     pub errors: TransportErrors,
     /// How often the line has returned by itself.
     pub returns: u32,
+    /// Another client of the bridge drives: what is sent from here doesn't reach the robot.
+    #[serde(default)]
+    pub is_watching: bool,
 }
 
 /// Kinds of lines.

@@ -37,6 +37,11 @@ impl Driver {
 
     /// Continues the diagnosis.
     pub(super) fn find_out(&mut self, now: f64) {
+        if self.is_watching {
+            // The first frame connects.
+            self.diagnosis.step = Step::Subscribing;
+            return;
+        }
         let passed = now - self.diagnosis.since;
         match self.diagnosis.step {
             Step::Idle | Step::Done => {}

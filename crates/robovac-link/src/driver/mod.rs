@@ -140,6 +140,8 @@ pub struct Driver {
     was_in_control: bool,
     /// Whether the baud rate is fixed, as with a bridge.
     is_rate_fixed: bool,
+    /// Whether it only listens: another program drives the robot, and has its sensors streamed.
+    is_watching: bool,
     is_replay: bool,
     is_stalled: bool,
     revived_at: f64,
@@ -164,6 +166,7 @@ impl Driver {
     pub fn open(&mut self, now: f64) {
         let (firmware, swapped, bytes) = (self.firmware.take(), self.swapped, self.bytes);
         let (is_rate_fixed, is_replay, was_in_control) = (self.is_rate_fixed, self.is_replay, self.was_in_control);
+        let is_watching = self.is_watching;
         let happenings = std::mem::take(&mut self.happenings);
         let poll = self.poll.anew();
         *self = Self {
@@ -173,6 +176,7 @@ impl Driver {
             bytes,
             happenings,
             is_rate_fixed,
+            is_watching,
             is_replay,
             was_in_control,
             baud: 115_200,
@@ -188,6 +192,11 @@ impl Driver {
     /// Sets whether the baud rate of the line is fixed.
     pub fn fix_rate(&mut self, is_fixed: bool) {
         self.is_rate_fixed = is_fixed;
+    }
+
+    /// Sets whether it only listens: nothing is sent, and the stream that another program requested is taken for its own.
+    pub fn watch(&mut self, is_watching: bool) {
+        self.is_watching = is_watching;
     }
 
     /// Starts the diagnosis again, on a line whose rate can have changed.
@@ -215,11 +224,15 @@ impl Driver {
 
     /// Bytes to be sent now.
     pub fn take_tx(&mut self) -> Vec<u8> {
-        std::mem::take(&mut self.tx)
+        let bytes = std::mem::take(&mut self.tx);
+        if self.is_watching { Vec::new() } else { bytes }
     }
 
     /// Request to the line, to be executed before the next bytes are sent.
     pub fn take_line(&mut self) -> Option<LineRequest> {
+        if self.is_watching {
+            self.line.clear();
+        }
         self.line.pop_front()
     }
 

@@ -1,0 +1,249 @@
+//! `bridge`: the serial port of a robot as a WebSocket, for the page and for programs on other computers.
+
+mod clients;
+mod gate;
+mod robot_port;
+
+use super::{failure::Failure, output::say, signals::end_requested};
+use clients::{Clients, Heard};
+use gate::Gate;
+use robot_port::RobotPort;
+pub use robot_port::cannot_open;
+use roomba_bridge::{Bridge, ClientId, Ends, FromBridge, Full, Limits};
+use std::{
+    net::{SocketAddr, TcpListener, ToSocketAddrs},
+    sync::atomic::{AtomicBool, Ordering},
+    thread,
+    time::{Duration, Instant},
+};
+
+/// Time between two attempts to open a serial port that is gone.
+const AGAIN: Duration = Duration::from_millis(500);
+/// Time for the last messages to leave.
+const LAST_WORDS: Duration = Duration::from_millis(300);
+
+/// Connect a robot's serial port to the network, for the page's tab Robot. Stops the robot when the page is silent for
+/// 0.2 s, when its connection ends, and when the bridge starts or ends. One page drives, others can watch
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Serial port, such as /dev/ttyUSB0 or COM3 [default: the only USB serial port]
+    #[arg(long)]
+    port: Option<String>,
+    /// Address and TCP port to listen on; 0.0.0.0:7626 for all networks of this computer
+    #[arg(long, value_name = "ADDRESS", default_value = "127.0.0.1:7626")]
+    listen: String,
+    /// Secret that clients must give, at least 8 letters or digits. Without it, one is made up and printed at every start,
+    /// except on addresses of this computer alone, which need none
+    #[arg(long, value_name = "SECRET", env = "ROBOVAC_TOKEN", hide_env_values = true, value_parser = parse_token)]
+    token: Option<String>,
+    /// Accept all clients without a token, in a network that is yours alone
+    #[arg(long, conflicts_with = "token")]
+    no_token: bool,
+    /// Also accept pages of this origin, such as `https://example.org`. Pages of localhost are always accepted
+    #[arg(long = "origin", value_name = "ORIGIN", value_parser = parse_origin)]
+    origins: Vec<String>,
+    /// Baud rate of the robot at the start
+    #[arg(long, default_value_t = 115_200, value_parser = parse_baud)]
+    baud: u32,
+}
+
+fn parse_token(text: &str) -> Result<String, String> {
+    let fits = text.len() >= 8 && text.bytes().all(|byte| byte.is_ascii_alphanumeric());
+    fits.then(|| text.to_owned()).ok_or_else(|| "it needs at least 8 letters or digits, and nothing else".to_owned())
+}
+
+fn parse_origin(text: &str) -> Result<String, String> {
+    let rest = text.strip_prefix("https://").or_else(|| text.strip_prefix("http://")).unwrap_or_default();
+    let fits = !rest.is_empty() && !rest.contains(['/', '?', '#', ' ']);
+    fits.then(|| text.to_ascii_lowercase())
+        .ok_or_else(|| "an origin is a scheme and a host, such as https://example.org, without a path".to_owned())
+}
+
+fn parse_baud(text: &str) -> Result<u32, String> {
+    let rates = roomba_oi::BAUD_RATES;
+    text.parse()
+        .ok()
+        .filter(|baud| rates.contains(baud))
+        .ok_or_else(|| format!("the Open Interface has {}", rates.map(|rate| rate.to_string()).join(", ")))
+}
+
+pub fn run(arguments: &Arguments) -> Result<String, Failure> {
+    let is_over = end_requested()?;
+    let listener = TcpListener::bind(&arguments.listen).map_err(|e| Failure::io(&arguments.listen, &e))?;
+    let address = listener.local_addr().map_err(|e| Failure::io(&arguments.listen, &e))?;
+    let is_local = arguments.listen.to_socket_addrs().is_ok_and(|mut all| all.all(|one| one.ip().is_loopback()));
+    let token = match &arguments.token {
+        Some(token) => Some(token.clone()),
+        None if is_local || arguments.no_token => None,
+        None => Some(new_token()?),
+    };
+    // Before anybody is told that it is ready: a wrong port should be noticed at once.
+    let port = RobotPort::open(arguments.port.as_deref(), arguments.baud)?;
+    let clients = Clients::new(listener, Gate::new(token.clone(), arguments.origins.clone()))?;
+    say(&format!("ready {}", address_for_users(address, token.as_deref())));
+    Host { arguments, began: Instant::now(), clients, port: Some(port), bridge: Bridge::new(Limits::default()) }
+        .run(&is_over);
+    Ok(String::new())
+}
+
+/// 16 hexadecimal digits.
+fn new_token() -> Result<String, Failure> {
+    let mut bytes = [0; 8];
+    getrandom::fill(&mut bytes)
+        .map_err(|e| Failure::usage(format!("can't make up a token: {e}; give one with --token")))?;
+    Ok(format!("{:016x}", u64::from_le_bytes(bytes)))
+}
+
+fn address_for_users(address: SocketAddr, token: Option<&str>) -> String {
+    let host = if address.ip().is_unspecified() { "ADDRESS-OF-THIS-COMPUTER".to_owned() } else { ip_in_url(address) };
+    let token = token.map(|token| format!("?token={token}")).unwrap_or_default();
+    format!("ws://{host}:{}/{token}", address.port())
+}
+
+fn ip_in_url(address: SocketAddr) -> String {
+    if address.is_ipv6() { format!("[{}]", address.ip()) } else { address.ip().to_string() }
+}
+
+/// The rules with what they are applied to.
+struct Host<'a> {
+    arguments: &'a Arguments,
+    began: Instant,
+    bridge: Bridge,
+    clients: Clients,
+    /// None while it is gone.
+    port: Option<RobotPort>,
+}
+
+/// What the rules act on.
+struct Wires<'a> {
+    began: Instant,
+    clients: &'a mut Clients,
+    port: Option<&'a mut RobotPort>,
+}
+
+impl Ends for Wires<'_> {
+    fn robot(&mut self, bytes: &[u8]) {
+        if let Some(port) = &mut self.port {
+            port.write(bytes);
+        }
+    }
+
+    fn baud(&mut self, baud: u32) {
+        if let Some(port) = &mut self.port {
+            port.set_baud(baud);
+        }
+    }
+
+    fn brc(&mut self, is_low: bool) {
+        if let Some(port) = &mut self.port {
+            port.set_brc(is_low);
+        }
+    }
+
+    fn tell(&mut self, client: ClientId, word: FromBridge) {
+        match word {
+            FromBridge::Drive => report(self.began, &format!("client {client} drives")),
+            FromBridge::Watch => report(self.began, &format!("client {client} watches")),
+            _ => {}
+        }
+        self.clients.tell(client, &word.to_string());
+    }
+
+    fn close(&mut self, client: ClientId, why: &str) {
+        report(self.began, &format!("client {client} is disconnected: {why}"));
+        self.clients.close(client, why);
+    }
+}
+
+fn report(began: Instant, text: &str) {
+    say(&format!("{:9.3}  {text}", began.elapsed().as_secs_f64()));
+}
+
+impl Host<'_> {
+    fn run(mut self, is_over: &AtomicBool) {
+        self.opened();
+        let mut buffer = [0; 4096];
+        while !is_over.load(Ordering::Relaxed) {
+            match self.port.as_mut().map(|port| port.read(&mut buffer)) {
+                Some(Ok(count)) => self.clients.send_all(buffer.get(..count).unwrap_or_default()),
+                Some(Err(error)) => self.lost(&error.to_string()),
+                None => self.find_again(),
+            }
+            for heard in self.clients.listen(self.port.as_mut().is_none_or(RobotPort::has_room)) {
+                self.take(heard);
+            }
+            let now_ms = self.now_ms();
+            let was_on = self.bridge.is_on();
+            let (bridge, mut wires) = self.parts();
+            bridge.tick(now_ms, &mut wires);
+            if was_on && !self.bridge.is_on() {
+                report(self.began, "the robot was stopped");
+            }
+        }
+        let (bridge, mut wires) = self.parts();
+        bridge.ended(&mut wires);
+        self.clients.finish(LAST_WORDS);
+        if let Some(port) = &mut self.port {
+            port.finish();
+        }
+    }
+
+    fn parts(&mut self) -> (&mut Bridge, Wires<'_>) {
+        let wires = Wires { began: self.began, clients: &mut self.clients, port: self.port.as_mut() };
+        (&mut self.bridge, wires)
+    }
+
+    fn now_ms(&self) -> u64 {
+        u64::try_from(self.began.elapsed().as_millis()).unwrap_or(u64::MAX)
+    }
+
+    fn take(&mut self, heard: Heard) {
+        let now_ms = self.now_ms();
+        let is_there = self.port.is_some();
+        let began = self.began;
+        let (bridge, mut wires) = self.parts();
+        match heard {
+            Heard::Joined(client, from) => {
+                report(began, &format!("client {client} connects from {from}"));
+                if !is_there {
+                    wires.close(client, "the robot's serial port is gone: plug it in");
+                } else if bridge.joined(client, now_ms, &mut wires) == Err(Full) {
+                    wires.close(client, "there are too many clients");
+                }
+            }
+            Heard::Bytes(client, bytes) => bridge.bytes(client, &bytes, now_ms, &mut wires),
+            Heard::Text(client, text) => bridge.text(client, &text, now_ms, &mut wires),
+            Heard::Left(client) => {
+                report(began, &format!("client {client} has left"));
+                bridge.left(client, now_ms, &mut wires);
+            }
+            Heard::Refused(from, why) => report(began, &format!("refused {from}: {why}")),
+        }
+    }
+
+    fn opened(&mut self) {
+        if let Some(port) = &mut self.port {
+            report(self.began, &format!("{} is open; the robot is stopped and woken", port.name()));
+        }
+        let (bridge, mut wires) = self.parts();
+        bridge.opened(&mut wires);
+        if let Some(port) = &mut self.port {
+            port.wake();
+        }
+    }
+
+    fn lost(&mut self, why: &str) {
+        let name = self.port.take().map(|port| port.name().to_owned()).unwrap_or_default();
+        report(self.began, &format!("{name} is lost: {why}"));
+        let (bridge, mut wires) = self.parts();
+        bridge.closed("the robot's serial port is gone: plug it in", &mut wires);
+    }
+
+    fn find_again(&mut self) {
+        thread::sleep(AGAIN);
+        self.port = RobotPort::open(self.arguments.port.as_deref(), self.arguments.baud).ok();
+        if self.port.is_some() {
+            self.opened();
+        }
+    }
+}

@@ -1,0 +1,236 @@
+//! The WebSocket connections.
+
+use super::gate::Gate;
+use crate::failure::Failure;
+use roomba_bridge::ClientId;
+use std::{
+    collections::VecDeque,
+    io::ErrorKind,
+    net::{SocketAddr, TcpListener, TcpStream},
+    thread,
+    time::{Duration, Instant},
+};
+use tungstenite::{
+    Bytes, Error, HandshakeError, Message, WebSocket, accept_hdr_with_config,
+    handshake::{MidHandshake, server::ServerHandshake},
+    protocol::{CloseFrame, WebSocketConfig, frame::coding::CloseCode},
+};
+
+/// Connections at once, refused ones and such that haven't asked for anything yet included.
+const MOST: usize = 16;
+/// Time limit for the request of a connection, and for the end of one that is closed.
+const PATIENCE: Duration = Duration::from_secs(3);
+/// Messages of a connection that are read before the others have their turn.
+const MOST_AT_ONCE: usize = 16;
+/// Longest message. The longest command has 513 bytes.
+const MOST_BYTES: usize = 4096;
+/// Bytes that wait for a client that doesn't read; then it is dropped.
+const MOST_WAITING: usize = 1 << 16;
+/// The code of all closures by the bridge: one for private use.
+const CLOSED_BY_BRIDGE: u16 = 4000;
+
+type Handshake = ServerHandshake<TcpStream, Gate>;
+
+/// What the clients did.
+pub enum Heard {
+    Joined(ClientId, SocketAddr),
+    Bytes(ClientId, Bytes),
+    Text(ClientId, String),
+    Left(ClientId),
+    Refused(SocketAddr, &'static str),
+}
+
+pub struct Clients {
+    listener: TcpListener,
+    gate: Gate,
+    connections: Vec<Connection>,
+    last_id: ClientId,
+}
+
+struct Connection {
+    id: ClientId,
+    from: SocketAddr,
+    since: Instant,
+    gate: Gate,
+    stage: Stage,
+    /// Whether its arrival was reported.
+    is_known: bool,
+}
+
+enum Stage {
+    /// Its request is still on its way.
+    Asking(Option<Box<MidHandshake<Handshake>>>),
+    Open(Box<WebSocket<TcpStream>>),
+    /// The last message waits to be sent or answered.
+    Closing(Box<WebSocket<TcpStream>>),
+    Gone,
+}
+
+fn config() -> WebSocketConfig {
+    WebSocketConfig::default()
+        .read_buffer_size(MOST_BYTES)
+        .write_buffer_size(0)
+        .max_write_buffer_size(MOST_WAITING)
+        .max_message_size(Some(MOST_BYTES))
+        .max_frame_size(Some(MOST_BYTES))
+}
+
+fn is_busy(error: &Error) -> bool {
+    matches!(error, Error::Io(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::Interrupted))
+}
+
+impl Clients {
+    pub fn new(listener: TcpListener, gate: Gate) -> Result<Self, Failure> {
+        listener.set_nonblocking(true).map_err(|e| Failure::io("the listening socket", &e))?;
+        Ok(Self { listener, gate, connections: Vec::new(), last_id: 0 })
+    }
+
+    /// What has arrived; messages of the clients only if `reads`. Never waits.
+    pub fn listen(&mut self, reads: bool) -> Vec<Heard> {
+        self.accept();
+        let mut heard = Vec::new();
+        for connection in &mut self.connections {
+            connection.go_on(reads, &mut heard);
+        }
+        self.connections.retain(|connection| !matches!(connection.stage, Stage::Gone));
+        heard
+    }
+
+    /// Sends a text message.
+    pub fn tell(&mut self, client: ClientId, text: &str) {
+        self.connections.iter_mut().filter(|one| one.id == client).for_each(|one| one.send(Message::text(text)));
+    }
+
+    /// Sends bytes to all.
+    pub fn send_all(&mut self, bytes: &[u8]) {
+        if bytes.is_empty() {
+            return;
+        }
+        let bytes = Bytes::copy_from_slice(bytes);
+        self.connections.iter_mut().for_each(|one| one.send(Message::Binary(bytes.clone())));
+    }
+
+    /// Disconnects a client; the reason reaches it.
+    pub fn close(&mut self, client: ClientId, why: &str) {
+        self.connections.iter_mut().filter(|one| one.id == client).for_each(|one| one.close(why));
+    }
+
+    /// Waits until the last messages were sent and answered, but not for ever.
+    pub fn finish(&mut self, patience: Duration) {
+        let began = Instant::now();
+        while self.connections.iter().any(|one| matches!(one.stage, Stage::Closing(_))) && began.elapsed() < patience {
+            self.listen(true);
+            thread::sleep(Duration::from_millis(2));
+        }
+    }
+
+    fn accept(&mut self) {
+        while let Ok((stream, from)) = self.listener.accept() {
+            // Dropped, which closes it: whoever comes in such numbers needs no reason.
+            if self.connections.len() >= MOST || stream.set_nonblocking(true).is_err() {
+                continue;
+            }
+            // Every few bytes count; if it can't be set, they come a little later.
+            let _ = stream.set_nodelay(true);
+            self.last_id = self.last_id.wrapping_add(1);
+            let gate = self.gate.for_next();
+            let stage = Stage::after(accept_hdr_with_config(stream, gate.clone(), Some(config())));
+            let since = Instant::now();
+            self.connections.push(Connection { id: self.last_id, from, since, gate, stage, is_known: false });
+        }
+    }
+}
+
+impl Stage {
+    fn after(shaken: Result<WebSocket<TcpStream>, HandshakeError<Handshake>>) -> Self {
+        match shaken {
+            Ok(socket) => Self::Open(Box::new(socket)),
+            Err(HandshakeError::Interrupted(rest)) => Self::Asking(Some(Box::new(rest))),
+            Err(HandshakeError::Failure(_)) => Self::Gone,
+        }
+    }
+}
+
+impl Connection {
+    fn go_on(&mut self, reads: bool, heard: &mut Vec<Heard>) {
+        match &mut self.stage {
+            Stage::Asking(rest) => {
+                if let Some(rest) = rest.take() {
+                    self.stage = Stage::after(rest.handshake());
+                }
+                if matches!(self.stage, Stage::Asking(_)) && self.since.elapsed() > PATIENCE {
+                    self.stage = Stage::Gone;
+                }
+            }
+            Stage::Open(_) if !self.is_known => {
+                self.is_known = true;
+                match self.gate.refused() {
+                    None => heard.push(Heard::Joined(self.id, self.from)),
+                    Some(why) => {
+                        heard.push(Heard::Refused(self.from, why));
+                        self.close(why);
+                    }
+                }
+            }
+            Stage::Open(socket) => {
+                if reads && !read(self.id, socket, heard) {
+                    heard.push(Heard::Left(self.id));
+                    self.stage = Stage::Gone;
+                }
+            }
+            Stage::Closing(socket) => {
+                let mut rest = VecDeque::new();
+                let is_over = socket.flush().is_err_and(|e| !is_busy(&e)) || !drain(socket, &mut rest);
+                if is_over || self.since.elapsed() > PATIENCE {
+                    self.stage = Stage::Gone;
+                }
+            }
+            Stage::Gone => {}
+        }
+    }
+
+    fn send(&mut self, message: Message) {
+        let Stage::Open(socket) = &mut self.stage else { return };
+        if !self.is_known {
+            return;
+        }
+        match socket.send(message) {
+            Err(error) if is_busy(&error) => {}
+            // It doesn't read: closed here, so that the next read reports that it has left.
+            Err(_) => drop(socket.get_ref().shutdown(std::net::Shutdown::Both)),
+            Ok(()) => {}
+        }
+    }
+
+    fn close(&mut self, why: &str) {
+        let Stage::Open(mut socket) = std::mem::replace(&mut self.stage, Stage::Gone) else { return };
+        let frame = CloseFrame { code: CloseCode::from(CLOSED_BY_BRIDGE), reason: why.into() };
+        if socket.close(Some(frame)).map_or_else(|error| is_busy(&error), |()| true) {
+            self.since = Instant::now();
+            self.stage = Stage::Closing(socket);
+        }
+    }
+}
+
+/// Reads messages; false at the end of the connection.
+fn read(id: ClientId, socket: &mut WebSocket<TcpStream>, heard: &mut Vec<Heard>) -> bool {
+    let mut messages = VecDeque::new();
+    let is_there = drain(socket, &mut messages);
+    heard.extend(messages.into_iter().filter_map(|message| match message {
+        Message::Binary(bytes) => Some(Heard::Bytes(id, bytes)),
+        Message::Text(text) => Some(Heard::Text(id, text.to_string())),
+        // Answered by the library.
+        Message::Ping(_) | Message::Pong(_) | Message::Close(_) | Message::Frame(_) => None,
+    }));
+    is_there
+}
+
+fn drain(socket: &mut WebSocket<TcpStream>, messages: &mut VecDeque<Message>) -> bool {
+    for _ in 0..MOST_AT_ONCE {
+        match socket.read() {
+            Ok(message) => messages.push_back(message),
+            Err(error) => return is_busy(&error),
+        }
+    }
+    true
+}

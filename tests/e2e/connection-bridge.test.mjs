@@ -1,0 +1,201 @@
+// `robovac bridge` between page and robot: it stops the robot when page, browser, network or the bridge itself goes away.
+// LINK_ROUNDS=100 tries what kills as often, LOAD=2 with that many busy processes per core beside.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { test } from "node:test";
+import { chromium } from "playwright-core";
+import { CHROMIUM_FLAGS, chromiumPath } from "./browser.mjs";
+import { Bridge } from "./serial/bridge.mjs";
+import { FloorPlanTab, openDesk } from "./serial/desk.mjs";
+import { underLoad } from "./serial/load.mjs";
+import { Robot, lastStop, moves, now } from "./serial/robot.mjs";
+
+const skip = process.platform === "win32" ? "pseudo-terminals are needed" : false;
+const ROUNDS = Number(process.env.LINK_ROUNDS ?? 3);
+const LIMIT_MS = 250;
+underLoad(Number(process.env.LOAD ?? 0));
+
+/** Never meets a wall. */
+const TURN = { forward: 0, left: 1 };
+
+async function connect(desk, bridge) {
+  assert.ok(await desk.tab.evaluate((url) => window.connection.open({ kind: "socket", url }), bridge.address), JSON.stringify(await desk.failures()));
+  return desk.until((view) => view.phase === "connected");
+}
+
+async function ride(desk, bridge, robot) {
+  robot.forget();
+  await connect(desk, bridge);
+  await desk.arm();
+  await desk.drive(TURN);
+  await robot.drives();
+}
+
+/** Waits until the robot rests; returns how long after `since`, in s, it was commanded to stop, in ms. */
+async function stoppedAfter(robot, since) {
+  await robot.rests();
+  const heard = robot.heard();
+  assert.ok(!moves(heard[0]) && heard.some(moves), "it moved, but not first");
+  return (lastStop(heard).time - since) * 1000;
+}
+
+/** A browser of its own, which a test can kill or freeze with all its processes. */
+async function ownBrowser(t, server) {
+  const host = await chromium.launchServer({ executablePath: process.env.PAGE_BROWSER || chromiumPath(), args: CHROMIUM_FLAGS });
+  const group = host.process().pid;
+  const signal = (what) => {
+    const at = now();
+    process.kill(-group, what);
+    return at;
+  };
+  // Its other processes are named by a type; some systems start it by a script.
+  const killFirst = () => {
+    const all = execFileSync("pgrep", ["-g", group, "-a"], { encoding: "utf8" }).trim().split("\n");
+    const first = all.filter((line) => /chrom/.test(line) && !/--type=| \/bin\/sh |crashpad/.test(line)).map((line) => Number.parseInt(line, 10));
+    const at = now();
+    for (const pid of first) process.kill(pid, "SIGKILL");
+    return at;
+  };
+  const ended = new Promise((resolve) => host.process().once("exit", resolve));
+  t.after(() => host.kill().catch(() => {}));
+  const browser = await chromium.connect(host.wsEndpoint());
+  const desk = new FloorPlanTab(await browser.newPage(), server);
+  await desk.load();
+  return { desk, signal, killFirst, ended };
+}
+
+/** The first pages are loaded beside: only the server is of interest. */
+const serve = async (t) => (await openDesk(t, { allow: [/WebSocket/] })).server;
+
+const DEATHS = {
+  "the browser's first process is killed": ({ killFirst }) => killFirst(),
+  "all processes of the browser are killed": ({ signal }) => signal("SIGKILL"),
+  // As a computer that freezes, or a network that is cut: the connection stays open, and nothing comes.
+  "the browser freezes": ({ signal }) => signal("SIGSTOP"),
+};
+
+for (const [death, kill] of Object.entries(DEATHS)) {
+  test(`stops when ${death}`, { skip, timeout: 60_000 + 15_000 * ROUNDS }, async (t) => {
+    const robot = await Robot.start(t);
+    const bridge = await Bridge.start(t, robot);
+    const server = await serve(t);
+    const taken = [];
+    for (let round = 0; round < ROUNDS; round++) {
+      const browser = await ownBrowser(t, server);
+      await ride(browser.desk, bridge, robot);
+      taken.push(await stoppedAfter(robot, kill(browser)));
+      if (death.includes("freezes")) browser.signal("SIGKILL");
+      await browser.ended;
+    }
+    const sorted = taken.toSorted((a, b) => a - b).map(Math.round);
+    t.diagnostic(`${taken.length} of ${ROUNDS} stopped: median ${sorted[sorted.length >> 1]} ms, longest ${sorted.at(-1)} ms`);
+    assert.ok(sorted.at(-1) <= LIMIT_MS, `stopped after ${sorted.at(-1)} ms`);
+  });
+}
+
+test("a browser that thaws drives no more, and can be given control again", { skip }, async (t) => {
+  const robot = await Robot.start(t);
+  const bridge = await Bridge.start(t, robot);
+  const { desk, signal } = await ownBrowser(t, await serve(t));
+  await ride(desk, bridge, robot);
+  signal("SIGSTOP");
+  // The wheels, and a second later all of it.
+  await robot.hears(128);
+  robot.forget();
+  signal("SIGCONT");
+  await desk.letGo();
+  await desk.until((view) => view.transport.returns === 1 && view.phase === "connected");
+  assert.ok(!robot.heard().some(moves), "it moved");
+  await desk.arm();
+  await desk.drive(TURN);
+});
+
+test("the bridge that is ended stops the robot; one that was killed does so as soon as it is started again", { skip }, async (t) => {
+  for (const signal of ["SIGTERM", "SIGINT", "SIGKILL"]) {
+    const robot = await Robot.start(t);
+    const bridge = await Bridge.start(t, robot);
+    const { desk } = await openDesk(t, { allow: [/WebSocket/] });
+    await ride(desk, bridge, robot);
+    const at = now();
+    await bridge.end(signal);
+    await desk.until((view) => view.transport.state === "lost");
+    if (signal === "SIGKILL") {
+      robot.forget();
+      const again = await Bridge.start(t, robot);
+      await robot.rests();
+      assert.ok(!robot.heard().some(moves));
+      await again.end("SIGTERM");
+    } else {
+      assert.match((await desk.view()).transport.text, /bridge was ended/);
+      assert.ok((await stoppedAfter(robot, at)) < LIMIT_MS);
+    }
+    await desk.tab.evaluate(() => window.connection.close());
+  }
+});
+
+test("one page drives, the other watches until it has left", { skip }, async (t) => {
+  const robot = await Robot.start(t);
+  const bridge = await Bridge.start(t, robot);
+  const { desk: driver, server } = await openDesk(t, { allow: [/WebSocket/] });
+  // Another browser: tabs of one know of each other.
+  const { desk: watcher } = await ownBrowser(t, server);
+  await ride(driver, bridge, robot);
+  await watcher.tab.evaluate((url) => window.connection.open({ kind: "socket", url }), bridge.address);
+  const seen = await watcher.until((view) => view.phase === "connected" && view.wheels[1] !== undefined && view.transport.is_watching);
+  assert.match(seen.transport.text, /watching/);
+  assert.deepEqual([seen.can.arm, seen.can.press], [false, false]);
+  assert.equal(await watcher.ask({ do: "arm", full: false }), false);
+  assert.match((await watcher.failures())[0].what, /Another client of the bridge drives/);
+  robot.forget();
+  await watcher.ask({ do: "raw", bytes: [131, 145, 0, 100, 0, 100] });
+  await watcher.ask({ do: "stop" });
+  await driver.letGo();
+  await driver.tab.evaluate(() => window.connection.close());
+  await watcher.until((view) => !view.transport.is_watching && view.phase === "connected" && view.can.arm);
+  lastStop(robot.heard());
+  await watcher.arm();
+  await watcher.drive(TURN);
+});
+
+test("the robot's cable is pulled out and put back: nothing moves until the user says so", { skip }, async (t) => {
+  const robot = await Robot.start(t);
+  const bridge = await Bridge.start(t, robot);
+  const { desk } = await openDesk(t, { allow: [/WebSocket/] });
+  await ride(desk, bridge, robot);
+  await robot.unplug();
+  await desk.until((view) => view.transport.state === "lost" && /serial port is gone/.test(view.transport.text));
+  robot.forget();
+  await robot.plug();
+  await desk.until((view) => view.transport.state === "open" && view.phase === "connected");
+  await robot.rests();
+  assert.ok(!robot.heard().some(moves), "it moved");
+  await desk.letGo();
+});
+
+test("a slow robot is found through the bridge, which changes its baud rate", { skip }, async (t) => {
+  const robot = await Robot.start(t, "--personality", "slow");
+  const bridge = await Bridge.start(t, robot);
+  const { desk } = await openDesk(t, { allow: [/WebSocket/] });
+  const view = await connect(desk, bridge);
+  assert.deepEqual([view.transport.baud, view.transport.can_baud], [19200, true]);
+});
+
+test("a stranger is refused, and told why: by its page's origin, or for want of the token", { skip }, async (t) => {
+  const robot = await Robot.start(t);
+  const bridge = await Bridge.start(t, robot, "--listen", "0.0.0.0:0");
+  const { desk, server } = await openDesk(t, { allow: [/WebSocket/] });
+  const open = (url) => desk.tab.evaluate((address) => window.connection.open({ kind: "socket", url: address }), url);
+  const [, port, token] = /:(\d+)\/\?token=([0-9a-f]{16})$/.exec(bridge.address);
+  assert.equal(await open(`ws://127.0.0.3:${port}/`), false);
+  assert.equal(await open(`ws://127.0.0.3:${port}/?token=${token}0`), false);
+  assert.deepEqual((await desk.failures()).map(({ what }) => /needs a token|token is wrong/.exec(what)?.[0]), ["needs a token", "token is wrong"]);
+  assert.equal(await open(`ws://127.0.0.3:${port}/?token=${token}`), true);
+  await desk.until((view) => view.phase === "connected");
+  assert.ok(!(await desk.view()).transport.name.includes(token));
+  await desk.tab.evaluate(() => window.connection.close());
+  // The same page at another origin. Every name below localhost is this computer.
+  await desk.tab.goto(`${server.url.replace("127.0.0.1", "other.localhost")}desk.html`);
+  await desk.tab.waitForFunction(() => window.connection);
+  assert.equal(await open(`ws://127.0.0.3:${port}/?token=${token}`), false);
+  assert.match((await desk.failures())[0].what, /origin/);
+});
