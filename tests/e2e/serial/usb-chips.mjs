@@ -2,53 +2,7 @@
 // chips do it, apart from the drivers that are tested with it. Facts: Linux, drivers/usb/serial/{ftdi_sio,cp210x,ch341,pl2303}.c;
 // FTDI AN232B-05; Silicon Labs AN571. Everything that a chip doesn't know stalls.
 
-const STALL = { status: "stall" };
-const OK = { status: "ok" };
-const answer = (...bytes) => ({ status: "ok", data: bytes });
-
-/** What is common: a UART that transmits only when all of it is set. */
-class Chip {
-  baud = 0;
-  rts = null;
-  dtr = null;
-  is8n1 = false;
-  hasFlowControl = true;
-  isOn = true;
-  /** Control transfers that were accepted, as [request type, request, value, index, data]. */
-  log = [];
-
-  get isReady() {
-    return this.isOn && this.baud > 0 && this.is8n1 && !this.hasFlowControl;
-  }
-
-  /** As WebUSB shows it. */
-  get info() {
-    const { bcdUSB, bcdDevice, idVendor, idProduct, deviceClass, serialNumber, interface: kind, endpoints } = this.descriptor;
-    const version = (name, bcd) => ({ [`${name}VersionMajor`]: bcd >> 8, [`${name}VersionMinor`]: (bcd >> 4) & 15, [`${name}VersionSubminor`]: bcd & 15 });
-    const ends = endpoints.map(([address, type, packetSize]) => ({ endpointNumber: address & 15, direction: address & 128 ? "in" : "out", type, packetSize }));
-    const [interfaceClass, interfaceSubclass, interfaceProtocol] = kind;
-    return {
-      ...{ vendorId: idVendor, productId: idProduct, deviceClass, serialNumber, ...version("usb", bcdUSB), ...version("device", bcdDevice) },
-      interfaces: [{ interfaceNumber: 0, alternate: { interfaceClass, interfaceSubclass, interfaceProtocol, endpoints: ends } }],
-    };
-  }
-
-  control(type, request, value, index, data) {
-    const { descriptor: d } = this;
-    const [u16, none] = [(n) => [n & 255, n >> 8], 0];
-    if (type === 0x80 && request === 6 && value === 0x100) {
-      return answer(18, 1, ...u16(d.bcdUSB), d.deviceClass, none, none, d.maxPacketSize0, ...u16(d.idVendor), ...u16(d.idProduct), ...u16(d.bcdDevice), 1, 2, d.serialNumber ? 3 : 0, 1);
-    }
-    const result = this.request(type, request, value, index, data);
-    if (result.status === "ok") this.log.push([type, request, value, index, ...(data?.length ? [[...data]] : [])]);
-    return result;
-  }
-
-  /** Up to `length` bytes for the computer as a transfer brings them; takes them from `queue`. */
-  pack(queue, length) {
-    return queue.splice(0, length);
-  }
-}
+import { Chip, OK, STALL, answer } from "./usb-chip.mjs";
 
 /** FT232R: lsusb of an FT232RL. */
 export class Ftdi extends Chip {
@@ -204,4 +158,13 @@ export class Pl2303 extends Chip {
   report(error) {
     return [0xa1, 0x20, 0, 0, 0, 0, 2, 0, { break: 4, framing: 0x10, parity: 0x20, overrun: 0x40 }[error], 0];
   }
+}
+
+export const CHIPS = { FTDI: Ftdi, CP210x: Cp210x, CH340: Ch340, PL2303: Pl2303 };
+
+/** A chip with other numbers in its descriptor, or other properties. */
+export function make(Kind, descriptor = {}, properties = {}) {
+  const chip = Object.assign(new Kind(), properties);
+  Object.assign(chip.descriptor, descriptor);
+  return chip;
 }
