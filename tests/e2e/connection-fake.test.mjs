@@ -164,7 +164,7 @@ test("a bridge: connects, drives, and is tried again when it is lost", { skip },
 
 test("where there are no serial ports, it is said why and what works instead", async (t) => {
   const { desk, context, server } = await openDesk(t, { allow: [/blocked|insecure|Mixed Content/] });
-  assert.deepEqual(await desk.tab.evaluate(() => window.support()), { serial: true, socket: true, why: "", instead: "" });
+  assert.deepEqual(await desk.tab.evaluate(() => window.support()), { serial: true, usb: false, socket: true, why: "", instead: "" });
   // The same page under other addresses.
   await context.route(/^https?:\/\/desk\.test\//, async (route) => {
     const { pathname, search } = new URL(route.request().url());
@@ -188,7 +188,10 @@ test("where there are no serial ports, it is said why and what works instead", a
   assert.deepEqual(kinds, ["policy"]);
   assert.match(why, /permissions policy/);
   // Safari and other browsers without.
-  await context.addInitScript(() => delete Navigator.prototype.serial);
+  await context.addInitScript(() => {
+    delete Navigator.prototype.serial;
+    delete Navigator.prototype.usb;
+  });
   [kinds, { why, instead }] = await failuresAt("https://desk.test/desk.html", { kind: "serial" });
   assert.deepEqual(kinds, ["unsupported"]);
   assert.match(why, /This browser can't use serial ports/);

@@ -108,13 +108,36 @@ test("before the first real robot, it says what can happen", async (t) => {
 });
 
 test("a browser without serial ports says what works instead", async (t) => {
-  const init = () => Object.defineProperty(Navigator.prototype, "serial", { get: () => undefined });
+  const init = () => ["serial", "usb"].forEach((name) => Object.defineProperty(Navigator.prototype, name, { get: () => undefined }));
   const { page, robot } = await openRobot(t, { init });
   assert.match(await page.locator("#connection-unsupported").innerText(), /virtual robot/);
   await page.locator("#connection-serial").click({ force: true });
   await page.locator("#message").waitFor();
   assert.match(await page.locator("#message-text").innerText(), /Web Serial/);
   await robot.connect();
+});
+
+test("on a phone, the page says which cables it can use, and asks WebUSB for them", async (t) => {
+  const init = () => {
+    window.asked = [];
+    const asks = (way) => ({ get: () => Object.assign(new EventTarget(), { [way]: async (what) => (window.asked.push([way, what?.filters?.length]), Promise.reject(new DOMException("", "NotFoundError"))) }) });
+    Object.defineProperty(Navigator.prototype, "usb", asks("requestDevice"));
+    Object.defineProperty(Navigator.prototype, "serial", asks("requestPort"));
+  };
+  const userAgent = "Mozilla/5.0 (Linux; Android 10; K) AppleWebKit/537.36 (KHTML, like Gecko) Chrome/150.0.0.0 Mobile Safari/537.36";
+  const { page, screenshot } = await openRobot(t, { init, userAgent, ...PHONE });
+  assert.match(await page.locator("#connection-usb").innerText(), /FTDI, CP210x, CH340 or PL2303/);
+  await page.locator("#connection-serial").scrollIntoViewIfNeeded();
+  await screenshot("robot-usb");
+  await page.locator("#connection-serial").click();
+  await page.locator("#connection-ask-yes").click();
+  await page.waitForFunction(() => window.asked.length === 1);
+  await page.locator("#connection-ports summary").click();
+  await page.locator("#connection-other").click();
+  await page.waitForFunction(() => window.asked.length === 2);
+  const [[usb, filters], [serial]] = await page.evaluate(() => window.asked);
+  assert.deepEqual([usb, serial], ["requestDevice", "requestPort"]);
+  assert.ok(filters > 10);
 });
 
 test("a sleeping robot is told apart from a dead cable, and woken", async (t) => {

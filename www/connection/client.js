@@ -1,6 +1,7 @@
 // @ts-check
 // The page's end of a connection to a robot. Everything critical runs in two workers, as the page can be busy: one drives, the
 // other holds the line, and each watches the other.
+import { accessBy } from "./access.js";
 import { choosePort } from "./ports.js";
 import { watchPage } from "./safety.js";
 
@@ -79,14 +80,14 @@ export class ConnectionClient {
   }
 
   /**
-   * Connects; what was connected before is closed. For a serial port without `port` this has to be called by a click.
+   * Connects; what was connected before is closed. For an adapter without `port` this has to be called by a click.
    * Resolves to `false` if nothing was opened, which `onfailed` reports unless the user chose no port.
    * @param {import("./types").Target} target
    * @returns {Promise<boolean>}
    */
   async open(target) {
     try {
-      const known = target.kind === "serial" ? await choosePort(target.port) : target;
+      const known = target.kind === "serial" || target.kind === "usb" ? await choosePort(accessBy(target.kind), target.port) : target;
       if (!known) return false;
       if (this.isOpen) await this.close();
       this.#revive();

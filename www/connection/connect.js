@@ -22,14 +22,16 @@ export function startConnect(it) {
 
   setHidden(byId("connection-unsupported"), can.why === "");
   setText(byId("connection-unsupported"), `${can.why} ${can.instead}`);
-  button("connection-serial").addEventListener("click", async () => {
-    if (!can.serial) {
-      it.complain(`${can.why} ${can.instead}`);
-      return;
-    }
-    if (await readSafety()) await it.open({ kind: "serial" });
-  });
-  setAttribute(button("connection-serial"), "aria-disabled", String(!can.serial));
+  const connect = async (/** @type {"serial" | "usb"} */ kind) => {
+    if (!can[kind]) it.complain(`${can.why} ${can.instead}`);
+    else if (await readSafety()) await it.open({ kind });
+  };
+  setHidden(byId("connection-usb"), !can.usb);
+  // On Android, serial ports are the few adapters that the system knows.
+  setHidden(byId("connection-ports"), !(can.usb && can.serial));
+  button("connection-serial").addEventListener("click", () => connect(can.usb ? "usb" : "serial"));
+  button("connection-other").addEventListener("click", () => connect("serial"));
+  setAttribute(button("connection-serial"), "aria-disabled", String(!can.usb && !can.serial));
   button("connection-virtual").addEventListener("click", () => void it.open({ kind: "virtual", personality: choice.value }));
   input("connection-url").value = kept(URL_KEPT) ?? "";
   byId("connection-socket").addEventListener("submit", async (event) => {

@@ -1,6 +1,7 @@
 // @ts-check
 // Holds the line to a robot and does nothing else: bytes both ways, and a stop as soon as the driver's worker falls silent. There
 // is no WebAssembly here and nothing that takes long, so that a mistake or a hang elsewhere can't keep a stop from being sent.
+import { accessBy } from "./access.js";
 import { failure } from "./ports.js";
 import { HALT, STOP, Watch } from "./safety.js";
 import { SerialLine } from "./serial.js";
@@ -11,7 +12,7 @@ const TICK_MS = 10;
 /** How many of these steps there are from view to view of the line. */
 const VIEW_TICKS = 20;
 
-/** @type {SerialLine | SocketLine | undefined} */
+/** @type {import("./types").Transport | undefined} */
 let line;
 /** @type {MessagePort} */
 let driver;
@@ -53,7 +54,7 @@ async function open(target) {
     onopened: () => say({ type: "opened", view: view() }),
     onlost: (why, forGood) => say({ type: "lost", why, forGood, view: view() }),
   };
-  line = target.kind === "serial" ? new SerialLine(target.address, events) : new SocketLine(target.url, events);
+  line = target.kind === "socket" ? new SocketLine(target.url, events) : new SerialLine(accessBy(target.kind), target.address, events);
   await line.open();
 }
 

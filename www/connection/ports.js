@@ -1,5 +1,5 @@
 // @ts-check
-// Serial ports that the user has granted, and how page and worker mean the same one.
+// Serial adapters that the user has granted, and how page and worker mean the same one.
 import { support } from "./support.js";
 
 /** @typedef {import("./types").Failure} Failure */
@@ -8,8 +8,11 @@ import { support } from "./support.js";
 export function portId(port) {
   const { usbVendorId, usbProductId, bluetoothServiceClassId } = port.getInfo();
   if (bluetoothServiceClassId !== undefined) return `bluetooth ${bluetoothServiceClassId}`;
-  return [usbVendorId, usbProductId].flatMap((id) => (id === undefined ? [] : id.toString(16).padStart(4, "0"))).join(":");
+  return usbId(usbVendorId, usbProductId);
 }
+
+/** @param {(number | undefined)[]} ids of vendor and product */
+export const usbId = (...ids) => ids.flatMap((id) => (id === undefined ? [] : id.toString(16).padStart(4, "0"))).join(":");
 
 /** Makers of the chips that adapters are built with, by USB vendor. @type {Record<string, string>} */
 const MAKERS = { "0403": "FTDI", "067b": "Prolific", "10c4": "CP210x", "1a86": "CH340", "2341": "Arduino", "2e8a": "Raspberry Pi", "303a": "Espressif" };
@@ -26,43 +29,46 @@ export function portName(id) {
  * Where the worker finds a port, which the user chooses unless it is given. `null` if the user chose none; throws a
  * `Failure`.
  *
- * A `SerialPort` can't be sent to a worker, which gets the same ports by its own `getPorts()`. Browsers list the granted
- * ports in one order everywhere (Chromium's device service keeps them sorted by a token that lives as long as the device), so
- * the place in that list says which one is meant, even among adapters of the same make. The ids of all go along: if the
- * worker's list differs, something was plugged in or out meanwhile.
- * @param {SerialPort} [port]
- * @returns {Promise<{ kind: "serial", address: import("./types").PortAddress } | null>}
+ * A `SerialPort` or `USBDevice` can't be sent to a worker, which gets the same ones by its own `getPorts()` or
+ * `getDevices()`. Browsers list the granted ones in one order everywhere (Chromium's device service keeps them sorted by a
+ * token that lives as long as the device), so the place in that list says which one is meant, even among adapters of the same
+ * make. The ids of all go along: if the worker's list differs, something was plugged in or out meanwhile.
+ * @param {import("./types").PortAccess<any>} access
+ * @param {unknown} [port]
+ * @returns {Promise<{ kind: "serial" | "usb", address: import("./types").PortAddress } | null>}
  */
-export async function choosePort(port) {
-  const { serial, why, instead } = support();
-  if (!serial) throw failure(window.isSecureContext ? ("serial" in navigator ? "policy" : "unsupported") : "insecure", why, instead);
+export async function choosePort(access, port) {
+  const { why, instead, ...can } = support();
+  if (!can[access.kind]) throw failure(window.isSecureContext ? (access.kind in navigator ? "policy" : "unsupported") : "insecure", why, instead);
   try {
-    const chosen = port ?? (await navigator.serial.requestPort());
-    const ports = await navigator.serial.getPorts();
+    const chosen = port ?? (await access.ask());
+    const ports = await access.list();
     const index = ports.indexOf(chosen);
-    if (index >= 0) return { kind: "serial", address: { ids: ports.map(portId), index } };
+    if (index >= 0) return { kind: access.kind, address: { ids: ports.map(access.id), index } };
   } catch (error) {
     const { name, message } = /** @type {Error} */ (error);
     // Dismissed: the user knows.
     if (name === "NotFoundError") return null;
-    if (/gesture/.test(message)) throw failure("denied", "The browser shows its list of ports only after a click.", "Press Connect.");
-    if (name === "SecurityError") throw failure("policy", "This site isn't allowed to use serial ports.", "Allow them in the browser's settings for this site, if they were blocked there.");
-    throw failure("failed", `The browser couldn't list its ports (${message}).`, "");
+    if (/gesture/.test(message)) throw failure("denied", "The browser shows its list of adapters only after a click.", "Press Connect.");
+    if (name === "SecurityError") throw failure("policy", "This site isn't allowed to use serial adapters.", "Allow them in the browser's settings for this site, if they were blocked there.");
+    throw failure("failed", `The browser couldn't list the adapters (${message}).`, "");
   }
   throw failure("absent", "That adapter is no longer plugged in.", "Plug it in and choose it again.");
 }
 
 /**
  * The worker's port with that address. Throws a `Failure`.
+ * @template P
+ * @param {import("./types").PortAccess<P>} access
  * @param {import("./types").PortAddress} address
  */
-export async function findPort({ ids, index }) {
-  // In a browser that has no serial ports in workers, there is nothing to be found.
-  if (!("serial" in navigator)) throw failure("unsupported", "This browser offers serial ports to pages, but not to web workers.", "Use Chrome or Edge on a computer.");
+export async function findPort(access, { ids, index }) {
+  // In a browser that has none in workers, there is nothing to be found.
+  if (!(access.kind in navigator)) throw failure("unsupported", "This browser offers serial adapters to pages, but not to web workers.", "Use Chrome or Edge.");
   for (let tries = 0; tries < 5; tries++) {
-    const ports = await navigator.serial.getPorts();
-    if (ports.map(portId).join() === ids.join()) return ports[index];
-    const alike = ports.filter((port) => portId(port) === ids[index]);
+    const ports = await access.list();
+    if (ports.map(access.id).join() === ids.join()) return ports[index];
+    const alike = ports.filter((port) => access.id(port) === ids[index]);
     if (alike.length === 1) return alike[0];
     await new Promise((later) => setTimeout(later, 100));
   }

@@ -23,14 +23,14 @@ export class RemoteLine {
     this.#port = port;
     this.#target = target;
     this.#events = events;
-    const isSerial = target.kind === "serial";
+    const isSocket = target.kind === "socket";
     this.view = {
-      kind: target.kind,
+      kind: isSocket ? "socket" : "serial",
       state: "opening",
-      name: isSerial ? "" : target.url,
+      name: isSocket ? target.url : "",
       text: "",
       baud: 115200,
-      can_baud: isSerial,
+      can_baud: !isSocket,
       brc: "none",
       errors: { break: 0, framing: 0, parity: 0, overrun: 0 },
       returns: 0,

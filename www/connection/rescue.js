@@ -1,8 +1,8 @@
 // @ts-check
 // Sends a last stop over a line whose worker no longer answers: opens it once more, writes, closes.
+import { accessBy } from "./access.js";
 import { bridgeAddress } from "./bridge-words.js";
 import { findPort } from "./ports.js";
-import { OpenPort } from "./serial-port.js";
 
 /** How long it is tried, ms. A worker that hangs lets go of its port only when the browser ends it, which takes two seconds. */
 const PATIENCE_MS = 6000;
@@ -16,7 +16,7 @@ export async function rescue(target, baud, bytes) {
   const end = performance.now() + PATIENCE_MS;
   while (performance.now() < end) {
     try {
-      await (target.kind === "serial" ? overSerial(target.address, baud, bytes) : overSocket(target.url, bytes));
+      await (target.kind === "socket" ? overSocket(target.url, bytes) : overSerial(accessBy(target.kind), target.address, baud, bytes));
       return true;
     } catch {
       await new Promise((later) => setTimeout(later, AGAIN_MS));
@@ -25,9 +25,9 @@ export async function rescue(target, baud, bytes) {
   return false;
 }
 
-/** @param {import("./types").PortAddress} address @param {number} baud @param {Uint8Array} bytes */
-async function overSerial(address, baud, bytes) {
-  const port = new OpenPort(await findPort(address), { onbytes: () => {}, onerror: () => {}, onlost: () => {} });
+/** @param {import("./types").PortAccess<any>} access @param {import("./types").PortAddress} address @param {number} baud @param {Uint8Array} bytes */
+async function overSerial(access, address, baud, bytes) {
+  const port = access.open(await findPort(access, address), { onbytes: () => {}, onerror: () => {}, onlost: () => {} });
   await port.open(baud);
   port.write(bytes);
   await port.close();

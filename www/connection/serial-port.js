@@ -6,17 +6,18 @@ import { failure } from "./ports.js";
 const BUFFER_BYTES = 16384;
 
 /** Time limit for closing, opening and writing, ms. */
-const CLOSE_MS = 1000;
+export const CLOSE_MS = 1000;
 /** Time for the last bytes to be transmitted before the port is closed, ms. */
-const LAST_WORDS_MS = 60;
-const OPEN_MS = 15_000;
-const WRITE_MS = 1000;
+export const LAST_WORDS_MS = 60;
+export const OPEN_MS = 15_000;
+export const WRITE_MS = 1000;
 
 /** Errors that adapters recover from: the stream ends, and there is a new one. */
 const RECOVERABLE = /** @type {const} */ ({ BreakError: "break", FramingError: "framing", ParityError: "parity", BufferOverrunError: "overrun" });
 
-/** @typedef {{ onbytes(bytes: Uint8Array): void, onerror(kind: "break" | "framing" | "parity" | "overrun"): void, onlost(why: string): void }} PortEvents */
+/** @typedef {import("./types").OpenablePort} OpenablePort */
 
+/** @implements {OpenablePort} */
 export class OpenPort {
   #port;
   #events;
@@ -28,7 +29,7 @@ export class OpenPort {
   /** When the writes began that aren't done yet. @type {number[]} */
   #writes = [];
 
-  /** @param {SerialPort} port @param {PortEvents} events */
+  /** @param {SerialPort} port @param {import("./types").PortEvents} events */
   constructor(port, events) {
     this.#port = port;
     this.#events = events;

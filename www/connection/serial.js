@@ -1,34 +1,38 @@
 // @ts-check
-// A line over a serial port (Web Serial, in this worker), which comes back when its adapter is plugged in again.
+// A line over a serial adapter, in this worker, which comes back when the adapter is plugged in again.
 import { takeLock } from "./lock.js";
-import { failure, findPort, portId, portName } from "./ports.js";
-import { OpenPort } from "./serial-port.js";
+import { failure, findPort, portName } from "./ports.js";
 
 /** Interval of searches for a lost port if the browser doesn't report it, ms. */
 const LOOK_MS = 1000;
 
 /** @typedef {import("./types").Transport} Transport */
 
-/** @implements {Transport} */
+/**
+ * @template P A port.
+ * @implements {Transport}
+ */
 export class SerialLine {
   /** @type {import("./types").TransportView} */
   view;
 
+  #access;
   #address;
   #events;
   #id;
-  /** @type {OpenPort | undefined} */
+  /** @type {import("./types").OpenablePort | undefined} */
   #line;
-  /** @type {SerialPort | undefined} */
+  /** @type {P | undefined} */
   #port;
   #isClosed = false;
   #unlock = () => {};
-  /** Ports that were there besides: when ours comes back, it is none of them. @type {SerialPort[]} */
+  /** Ports that were there besides: when ours comes back, it is none of them. @type {P[]} */
   #others = [];
   #wake = () => {};
 
-  /** @param {import("./types").PortAddress} address @param {import("./types").TransportEvents} events */
-  constructor(address, events) {
+  /** @param {import("./types").PortAccess<P>} access @param {import("./types").PortAddress} address @param {import("./types").TransportEvents} events */
+  constructor(access, address, events) {
+    this.#access = access;
     this.#address = address;
     this.#events = events;
     this.#id = address.ids[address.index];
@@ -51,11 +55,11 @@ export class SerialLine {
     try {
       const { ids, index } = this.#address;
       const place = ids.slice(0, index).filter((id) => id === this.#id).length;
-      const unlock = await takeLock(`serial port ${this.#id} ${place}`);
+      const unlock = await takeLock(`${this.#access.kind} port ${this.#id} ${place}`);
       if (!unlock) throw failure("busy", "Another tab of this page is connected to that robot.", "Disconnect there, or close that tab.");
       this.#unlock = unlock;
-      this.#port = await findPort(this.#address);
-      this.#others = (await navigator.serial.getPorts()).filter((port) => port !== this.#port);
+      this.#port = await findPort(this.#access, this.#address);
+      this.#others = (await this.#access.list()).filter((port) => port !== this.#port);
       await this.#openPort(this.#port);
     } catch (error) {
       await this.close();
@@ -68,7 +72,7 @@ export class SerialLine {
     this.#line?.write(bytes);
   }
 
-  /** Serial ports can't change their rate while they are open. @param {number} baud */
+  /** Ports of Web Serial can't change their rate while they are open. @param {number} baud */
   async setBaud(baud) {
     this.view.baud = baud;
     const line = this.#line;
@@ -97,9 +101,9 @@ export class SerialLine {
     this.#unlock();
   }
 
-  /** @param {SerialPort} port */
+  /** @param {P} port */
   async #openPort(port) {
-    const line = new OpenPort(port, {
+    const line = this.#access.open(port, {
       onbytes: this.#events.onbytes,
       onerror: (kind) => (this.view.errors[kind] += 1),
       onlost: (why) => this.#line === line && this.#lose(why),
@@ -130,15 +134,16 @@ export class SerialLine {
    */
   async #comeBack() {
     const connected = () => this.#wake();
-    navigator.serial.addEventListener("connect", connected);
+    const source = this.#access.source();
+    source.addEventListener("connect", connected);
     try {
       while (!this.#isClosed && this.view.state === "lost") {
         await new Promise((/** @type {(value: void) => void} */ resolve) => {
           this.#wake = () => resolve();
           setTimeout(resolve, LOOK_MS);
         });
-        const ports = await navigator.serial.getPorts();
-        const port = ports.find((port) => portId(port) === this.#id && !this.#others.includes(port));
+        const ports = await this.#access.list();
+        const port = ports.find((port) => this.#access.id(port) === this.#id && !this.#others.includes(port));
         if (!port || this.#isClosed) continue;
         // A robot that was lost can be at any rate, so the diagnosis starts again.
         this.view.baud = 115200;
@@ -152,7 +157,7 @@ export class SerialLine {
         this.#events.onopened();
       }
     } finally {
-      navigator.serial.removeEventListener("connect", connected);
+      source.removeEventListener("connect", connected);
     }
   }
 }

@@ -1,5 +1,6 @@
 // Messages between the page, its worker and lines to robots. What comes from Rust is in ../types.d.ts.
-import type { ConnectionView as View, Request, SessionSnapshot, Traffic, TransportView, VirtualView } from "../types";
+import type { ConnectionView as View, Request, SessionSnapshot, Traffic, TransportErrors, TransportView, VirtualView } from "../types";
+import type { UsbDevice } from "./usb/types";
 export * from "../types";
 
 /** An action of a person on the virtual robot. */
@@ -16,6 +17,7 @@ export type Target =
   | { kind: "virtual"; personality: string }
   /** Without a port, the user chooses one, which requires a click. */
   | { kind: "serial"; port?: SerialPort }
+  | { kind: "usb"; port?: UsbDevice }
   | { kind: "socket"; url: string };
 
 /** The argument of `onview`. */
@@ -41,9 +43,12 @@ export type Failure = {
 
 /** Connections that this browser supports. */
 export type Support = {
+  /** Serial ports of the system, by Web Serial. */
   serial: boolean;
+  /** Adapters that the page drives itself, by WebUSB. Only where Web Serial is missing or, on Android, lacks most adapters. */
+  usb: boolean;
   socket: boolean;
-  /** Why serial ports can't be used, a sentence; "" if they can. */
+  /** Why no adapter can be used, a sentence; "" if one can. */
   why: string;
   /** Alternatives; "" if nothing is missing. */
   instead: string;
@@ -57,7 +62,7 @@ export type PortAddress = { ids: string[]; index: number };
 
 export type WorkerTarget =
   | { kind: "virtual"; personality: string }
-  | { kind: "serial"; address: PortAddress }
+  | { kind: "serial" | "usb"; address: PortAddress }
   | { kind: "socket"; url: string };
 
 /** A line that the line's worker holds. */
@@ -116,6 +121,38 @@ export type TransportEvents = {
   onopened(): void;
   /** It went away; `forGood` if it isn't waited for. */
   onlost(why: string, forGood: boolean): void;
+};
+
+/** Errors of a line that an adapter reports and recovers from. */
+export type LineError = keyof TransportErrors;
+export type PortEvents = { onbytes(bytes: Uint8Array): void; onerror(error: LineError): void; onlost(why: string): void };
+
+/** A port that can be opened once. */
+export interface OpenablePort {
+  /** Whether the adapter has control lines, once it is open; BRC can be wired to one. */
+  readonly hasSignals: boolean;
+  /** Opens it with BRC let go; throws a `Failure`. */
+  open(baud: number): Promise<void>;
+  /** Pulls BRC low, or lets it go; says whether the adapter can. */
+  setBrc(isLow: boolean): Promise<boolean>;
+  write(bytes: Uint8Array): void;
+  /** Sends what was written and closes; takes a second at most. */
+  close(): Promise<void>;
+}
+
+/** A browser's way to ports. */
+export type PortAccess<P> = {
+  /** As `navigator` has it. */
+  kind: "serial" | "usb";
+  /** Where "connect" is fired. */
+  source(): EventTarget;
+  /** The granted ports. */
+  list(): Promise<P[]>;
+  /** Has the user choose one; only in a page. */
+  ask(): Promise<P>;
+  /** USB ids of a port's adapter. */
+  id(port: P): string;
+  open(port: P, events: PortEvents): OpenablePort;
 };
 
 /** A line to a robot. */

@@ -42,8 +42,12 @@ export async function startBus(t, robots, { through = (bytes) => bytes, port } =
   };
 }
 
-function openTerminal(pty, baud) {
+export function setRate(pty, baud) {
   execFileSync("stty", ["-F", pty, "raw", "-echo", String(baud)]);
+}
+
+export function openTerminal(pty, baud) {
+  setRate(pty, baud);
   const flags = fs.constants.O_RDWR | fs.constants.O_NOCTTY | fs.constants.O_NONBLOCK;
   const reading = new tty.ReadStream(fs.openSync(pty, flags));
   const writing = new tty.WriteStream(fs.openSync(pty, flags));
@@ -53,11 +57,11 @@ function openTerminal(pty, baud) {
   return reading;
 }
 
-/** Files that put the fake into the page and its worker: for `also` of `openDesk`. */
-export function fakeFiles(config) {
+/** Files that put a fake, fake.js or usb-fake.js, into the page and its workers: for `also` of `openDesk`. */
+export function fakeFiles(config, fake = "fake.js") {
   const read = (file) => fs.readFileSync(file, "utf8");
   return {
-    "/fake.js": `const FAKE = ${JSON.stringify(config)};\n${read(path.join(HERE, "fake.js"))}`,
+    "/fake.js": `const FAKE = ${JSON.stringify(config)};\n${read(path.join(HERE, fake))}`,
     "/desk.html": read(path.join(HERE, "page.html")).replace('<script type="module">', '<script src="/fake.js"></script>$&'),
     // Each worker that opens ports.
     ...Object.fromEntries(["worker.js", "line-worker.js"].map((name) => [`/www/connection/${name}`, `import "/fake.js";\n${read(path.join(DIST, "www/connection", name))}`])),

@@ -124,11 +124,12 @@ export class FloorPlanTab {
     await this.tab.waitForFunction(() => window.connection);
   }
 
-  /** Opens the port that the page was granted. */
+  /** Opens the port, or USB device, that the page was granted. */
   async openSerial() {
     return this.tab.evaluate(async () => {
-      const [port] = await navigator.serial.getPorts();
-      return window.connection.open({ kind: "serial", port });
+      const byUsb = window.support().usb;
+      const [port] = await (byUsb ? navigator.usb.getDevices() : navigator.serial.getPorts());
+      return window.connection.open({ kind: byUsb ? "usb" : "serial", port });
     });
   }
 
