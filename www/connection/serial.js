@@ -1,7 +1,7 @@
 // @ts-check
 // A line over a serial port (Web Serial, in this worker), which comes back when its adapter is plugged in again.
 import { takeLock } from "./lock.js";
-import { failure, findPort, portId, portName } from "./ports.js";
+import { failure, findPort, isOwnUsb, portId, portName } from "./ports.js";
 import { OpenPort } from "./serial-port.js";
 
 /** Interval of searches for a lost port if the browser doesn't report it, ms. */
@@ -38,7 +38,8 @@ export class SerialLine {
       name: portName(this.#id),
       text: "",
       baud: 115200,
-      can_baud: true,
+      can_baud: !isOwnUsb(this.#id),
+      is_own_usb: isOwnUsb(this.#id),
       brc: "none",
       errors: { break: 0, framing: 0, parity: 0, overrun: 0 },
       returns: 0,
@@ -83,7 +84,7 @@ export class SerialLine {
 
   /** @param {boolean} isLow */
   async setBrc(isLow) {
-    if (await this.#line?.setBrc(isLow)) this.view.brc = isLow ? "low" : "high";
+    if (!this.view.is_own_usb && (await this.#line?.setBrc(isLow))) this.view.brc = isLow ? "low" : "high";
   }
 
   async close() {
@@ -110,7 +111,7 @@ export class SerialLine {
     }
     this.#line = line;
     this.#port = port;
-    this.view.brc = line.hasSignals ? "high" : "none";
+    this.view.brc = line.hasSignals && !this.view.is_own_usb ? "high" : "none";
     this.view.state = "open";
     this.view.text = "";
   }

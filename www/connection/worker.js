@@ -139,11 +139,10 @@ async function open(target) {
   /** @type {import("./types").TransportEvents} */
   const events = {
     onbytes: (bytes) => safely(() => connection.feed(now(), bytes)),
-    onopened: () => safely(() => connection.opened(now())),
+    onopened: () => opened(),
     onlost: (why, forGood) => safely(() => connection.lost(now(), why, forGood)),
   };
   line = lineTo(target, mirror, holder, events);
-  connection.fix_rate(target.kind === "socket");
   try {
     await line.open();
   } catch (error) {
@@ -151,6 +150,12 @@ async function open(target) {
     line = undefined;
     throw error;
   }
+  opened();
+}
+
+/** The line is open, at the rate that it can have. */
+function opened() {
+  connection.fix_rate(!line?.view.can_baud);
   safely(() => connection.opened(now()));
 }
 

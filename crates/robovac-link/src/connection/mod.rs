@@ -386,7 +386,8 @@ impl Connection {
         self.transport = transport;
     }
 
-    /// Whether the line's baud rate can't be changed, as with a bridge. To be set before it is opened.
+    /// Whether the line has neither a baud rate to try nor a BRC wire, as a bridge or a robot's own USB port. To be set
+    /// before it is opened.
     pub fn fix_rate(&mut self, is_fixed: bool) {
         self.driver.fix_rate(is_fixed);
     }
