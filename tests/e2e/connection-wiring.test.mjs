@@ -107,7 +107,7 @@ test("the dialog explains cable and wiring, and begins where it is asked to", as
 });
 
 test("no text of a drawing is cut or lies on another, and each says what it shows", async (t) => {
-  const { page } = await openPage(t, { address: "www/bench.html" });
+  const { page } = await openPage(t, { address: "www/help.html" });
   for (const name of NAMES) {
     assert.ok(label(name)?.length > 20, `${name}: ${label(name)}`);
     const wrong = await page.evaluate((drawing) => {

@@ -71,9 +71,11 @@ const EXPLAINED = { asleep: "transistor", dock: "waking", usb: "usb" };
 
 /** @param {ConnectionView["diagnosis"]} diagnosis */
 function showDiagnosis({ picture, caption, log }) {
+  if (changed(byId("connection-diagnosis"), "picture", picture)) byId("connection-diagnosis").scrollTop = 0;
   void showPicture(byId("connection-picture"), picture);
   setAttribute(byId("connection-diagnosis-wiring"), "data-wiring", EXPLAINED[picture] ?? "socket");
   setText(byId("connection-found"), caption.title);
   setText(byId("connection-remedy"), caption.note);
+  setHidden(byId("connection-remedy"), caption.note === "");
   if (changed(byId("connection-tried"), "log", log.join("\n"))) byId("connection-tried").replaceChildren(...log.map((line) => make("li", {}, line)));
 }

@@ -33,7 +33,7 @@ function connect(url) {
   const { pathname, searchParams } = new URL(url);
   const line = transport(searchParams.has("usb"));
   const arrives = LINES[pathname.slice(1)];
-  connection.fix_rate(line.is_own_usb);
+  connection.fix_rate(!line.can_baud);
   connection.opened(now);
   let sent = [];
   for (let step = 0; connection.view(now, line).phase !== "waiting"; step++) {
