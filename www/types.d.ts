@@ -197,7 +197,8 @@ can: ConnectionActions, };
 export type DiagnosisView = {
 /** Current test: `listening`, `asking`, `waking`, `slow` (19200 baud), `create1` (57600 baud), `done`. */
 step: string,
-/** Finding: `nothing` (yet), `silence`, `stream`, `charging`, `booting`, `bootloader`, `garbage`, `text`, `robot`. */
+/** Finding: `nothing` (yet), `silence`, `stream`, `charging`, `booting`, `bootloader`, `garbage`, `text`,
+ * `no_stream`, `robot`. */
 finding: "" | "nothing" | "silence" | "stream" | "charging" | "booting" | "bootloader" | "garbage" | "text" | "no_stream" | "robot",
 /** One sentence on it. */
 text: string,
