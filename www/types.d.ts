@@ -197,7 +197,8 @@ can: ConnectionActions, };
 export type DiagnosisView = {
 /** Current test: `listening`, `asking`, `waking`, `slow` (19200 baud), `create1` (57600 baud), `done`. */
 step: string,
-/** Finding: `nothing` (yet), `silence`, `stream`, `charging`, `booting`, `bootloader`, `garbage`, `text`, `robot`. */
+/** Finding: `nothing` (yet), `silence`, `stream`, `charging`, `booting`, `bootloader`, `garbage`, `text`,
+ * `no_stream`, `robot`. */
 finding: "" | "nothing" | "silence" | "stream" | "charging" | "booting" | "bootloader" | "garbage" | "text" | "no_stream" | "robot",
 /** One sentence on it. */
 text: string,
@@ -207,7 +208,7 @@ remedy: string,
 log: Array<string>,
 /** Whether it is shown, which is while not connected. */
 is_shown: boolean,
-/** Its picture: `listening`, `asleep`, `awake`, `dock`, `boot`, `speed` or `unplugged`. */
+/** Its picture: a file in `www/connection/pictures/`, without `.svg`. */
 picture: string,
 /** The test or finding with advice, in words. */
 caption: Caption, };
@@ -1087,6 +1088,8 @@ text: string,
 baud: number,
 /** Whether the baud rate can be changed. */
 can_baud: boolean,
+/** Whether it is the USB port of a robot itself, without an adapter. */
+is_own_usb: boolean,
 /** The BRC wire at the adapter's RTS. */
 brc: BrcWire,
 /** Errors that the adapter reported and recovered from. */

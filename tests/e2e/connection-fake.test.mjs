@@ -11,6 +11,8 @@ import { Robot, lastStop, moves } from "./serial/robot.mjs";
 
 const skip = process.platform === "linux" ? false : "the emulator needs a pseudo terminal as Linux has them";
 const FTDI = { usbVendorId: 0x0403, usbProductId: 0x6001 };
+/** The micro USB socket of a Roomba 980. */
+const ROOMBA = { usbVendorId: 0x27a6, usbProductId: 0x0002 };
 
 async function openFake(t, { ports = [FTDI], robots = 1, personality = [], chooses = 0, ...options } = {}) {
   const all = [];
@@ -54,6 +56,21 @@ test("a silent robot is woken once, by a pulse too long to change its baud rate,
   const pulse = signals[low + 1].time - signals[low].time;
   // Three of 50 to 500 ms each put it at 19200 baud (OI specification, "Baud code").
   assert.ok(pulse > 700 && pulse < 1500, `${pulse} ms`);
+  assert.deepEqual(robot.heard().filter(moves), []);
+});
+
+test("a robot's own USB port is recognised, and neither woken nor asked at other rates", { skip }, async (t) => {
+  let isAwake = false;
+  const { desk, bus, robot } = await openFake(t, { ports: [ROOMBA], through: (bytes) => (isAwake ? bytes : []) });
+  assert.ok(await desk.openSerial());
+  const { transport, diagnosis } = await desk.until((v) => v.phase === "waiting");
+  assert.deepEqual([transport.name, transport.is_own_usb, transport.can_baud, transport.brc], ["Roomba's own USB port (27a6:0002)", true, false, "none"]);
+  assert.deepEqual([diagnosis.picture, diagnosis.caption.title], ["usb", "No answer over the robot's own USB port."]);
+  isAwake = true;
+  const { line } = await desk.until((v) => v.phase === "connected");
+  assert.match(line.note, /never tried/);
+  assert.deepEqual(bus.events.flatMap(({ baud }) => baud ?? []), [115_200]);
+  assert.ok(bus.events.every(({ requestToSend }) => !requestToSend));
   assert.deepEqual(robot.heard().filter(moves), []);
 });
 

@@ -147,7 +147,7 @@ test("a sleeping robot is told apart from a dead cable, and woken", async (t) =>
   await robot.phase("waiting");
   assert.match(await page.locator("#connection-remedy").innerText(), /CLEAN/);
   assert.ok((await page.locator("#connection-tried li").count()) >= 4);
-  assert.equal(await page.locator("#connection-picture").getAttribute("href"), "#p-asleep");
+  await page.locator("#connection-picture[data-picture=asleep] svg").waitFor();
   await page.locator("#hand-clean").click();
   await robot.phase("connected");
 });

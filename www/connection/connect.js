@@ -3,7 +3,9 @@
 import { VirtualRobot } from "../../workshop.js";
 import { button, byId, changed, fill, input, make, select, setAttribute, setHidden, setText } from "../dom.js";
 import { kept, keep, readSafety } from "./dialogs.js";
+import { showPicture } from "./pictures.js";
 import { support } from "./support.js";
+import { startWiring } from "./wiring.js";
 
 /** @typedef {import("./tab.js").ConnectionTab} ConnectionTab */
 /** @typedef {import("./types").ConnectionView} ConnectionView */
@@ -20,6 +22,7 @@ export function startConnect(it) {
   choice.addEventListener("change", describe);
   describe();
 
+  startWiring();
   setHidden(byId("connection-unsupported"), can.why === "");
   setText(byId("connection-unsupported"), `${can.why} ${can.instead}`);
   const connect = async (/** @type {"serial" | "usb"} */ kind) => {
@@ -65,10 +68,16 @@ export function startConnect(it) {
   };
 }
 
+/** Where the explanations of a picture begin, if not at the socket. @type {Record<string, string>} */
+const EXPLAINED = { asleep: "transistor", dock: "waking", usb: "usb" };
+
 /** @param {ConnectionView["diagnosis"]} diagnosis */
 function showDiagnosis({ picture, caption, log }) {
-  setAttribute(byId("connection-picture"), "href", `#p-${picture}`);
+  if (changed(byId("connection-diagnosis"), "picture", picture)) byId("connection-diagnosis").scrollTop = 0;
+  void showPicture(byId("connection-picture"), picture);
+  setAttribute(byId("connection-diagnosis-wiring"), "data-wiring", EXPLAINED[picture] ?? "socket");
   setText(byId("connection-found"), caption.title);
   setText(byId("connection-remedy"), caption.note);
+  setHidden(byId("connection-remedy"), caption.note === "");
   if (changed(byId("connection-tried"), "log", log.join("\n"))) byId("connection-tried").replaceChildren(...log.map((line) => make("li", {}, line)));
 }

@@ -17,9 +17,17 @@ export const usbId = (...ids) => ids.flatMap((id) => (id === undefined ? [] : id
 /** Makers of the chips that adapters are built with, by USB vendor. @type {Record<string, string>} */
 const MAKERS = { "0403": "FTDI", "067b": "Prolific", "10c4": "CP210x", "1a86": "CH340", "2341": "Arduino", "2e8a": "Raspberry Pi", "303a": "Espressif" };
 
+// The USB vendor iRobot. A Roomba 980's micro USB socket is a CDC device 27a6:0002, "iRobot Roomba", as three owners list it:
+// github.com/Sunwood-ai-labs/OASIS (issue 61), github.com/skikozou/Termux-serial-tty, github.com/duck-5/CrazyRoomba (a 960).
+const IROBOT = "27a6:";
+
+/** Whether it is the USB port of a robot itself, which has neither a baud rate nor a BRC wire. @param {string} id */
+export const isOwnUsb = (id) => id.startsWith(IROBOT);
+
 /** The port's name on the page. @param {string} id */
 export function portName(id) {
   if (id === "") return "Serial port";
+  if (isOwnUsb(id)) return `Roomba's own USB port (${id})`;
   if (id.startsWith("bluetooth")) return "Bluetooth serial port";
   const maker = MAKERS[id.slice(0, 4)];
   return maker ? `${maker} adapter (${id})` : `USB adapter (${id})`;

@@ -31,6 +31,7 @@ export class RemoteLine {
       text: "",
       baud: 115200,
       can_baud: !isSocket,
+      is_own_usb: false,
       brc: "none",
       errors: { break: 0, framing: 0, parity: 0, overrun: 0 },
       returns: 0,

@@ -1,7 +1,7 @@
 // @ts-check
 // A line over a serial adapter, in this worker, which comes back when the adapter is plugged in again.
 import { takeLock } from "./lock.js";
-import { failure, findPort, portName } from "./ports.js";
+import { failure, findPort, isOwnUsb, portName } from "./ports.js";
 
 /** Interval of searches for a lost port if the browser doesn't report it, ms. */
 const LOOK_MS = 1000;
@@ -42,7 +42,8 @@ export class SerialLine {
       name: portName(this.#id),
       text: "",
       baud: 115200,
-      can_baud: true,
+      can_baud: !isOwnUsb(this.#id),
+      is_own_usb: isOwnUsb(this.#id),
       brc: "none",
       errors: { break: 0, framing: 0, parity: 0, overrun: 0 },
       returns: 0,
@@ -88,7 +89,7 @@ export class SerialLine {
 
   /** @param {boolean} isLow */
   async setBrc(isLow) {
-    if (await this.#line?.setBrc(isLow)) this.view.brc = isLow ? "low" : "high";
+    if (!this.view.is_own_usb && (await this.#line?.setBrc(isLow))) this.view.brc = isLow ? "low" : "high";
   }
 
   async close() {
@@ -115,7 +116,7 @@ export class SerialLine {
     }
     this.#line = line;
     this.#port = port;
-    this.view.brc = line.hasSignals ? "high" : "none";
+    this.view.brc = line.hasSignals && !this.view.is_own_usb ? "high" : "none";
     this.view.state = "open";
     this.view.text = "";
   }

@@ -53,6 +53,7 @@ export class SocketLine {
       text: "",
       baud: 115200,
       can_baud: false,
+      is_own_usb: false,
       brc: "none",
       errors: { break: 0, framing: 0, parity: 0, overrun: 0 },
       returns: 0,

@@ -32,6 +32,7 @@ export class VirtualLine {
       text: "",
       baud: 115200,
       can_baud: true,
+      is_own_usb: false,
       brc: "high",
       errors: { break: 0, framing: 0, parity: 0, overrun: 0 },
       returns: 0,

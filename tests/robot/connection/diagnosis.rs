@@ -1,7 +1,10 @@
 //! The diagnosis of every kind of robot.
 
 use super::wire::{Wire, hall, moves, setup_in};
-use robovac_link::{connection::Request, emulator::PERSONALITIES};
+use robovac_link::{
+    connection::{Request, TransportKind, TransportState, TransportView},
+    emulator::PERSONALITIES,
+};
 use robovac_sim::Conditions;
 
 fn opened(personality: &str, seconds: f64) -> Wire {
@@ -55,6 +58,31 @@ fn without_the_wire_the_user_is_asked_to_press_clean_and_that_is_enough() {
     assert!(view.diagnosis.remedy.contains("CLEAN"));
     wire.robot.press(roomba_oi::Buttons { clean: true, ..Default::default() });
     wire.pass_until(8.0, |wire| wire.view().phase == "connected");
+}
+
+#[test]
+fn a_line_without_a_rate_and_a_wire_is_asked_at_once_and_told_apart() {
+    for (personality, is_own_usb, picture) in [("silent", false, "asleep"), ("silent", true, "usb")] {
+        let mut wire = Wire::new(&setup_in(&hall(), Conditions::default(), 1), personality);
+        let (kind, state) = (TransportKind::Serial, TransportState::Open);
+        wire.link.set_transport(TransportView { kind, state, is_own_usb, ..Default::default() });
+        wire.link.opened(wire.now);
+        wire.pass(2.0);
+        let view = wire.view();
+        assert_eq!((view.phase, view.diagnosis.picture, view.statistics.baud), ("waiting", picture, 115_200));
+        assert!(view.diagnosis.log.iter().all(|line| !line.contains("BRC")), "{view:?}");
+    }
+}
+
+#[test]
+fn a_robot_that_falls_silent_is_not_taken_for_a_pulled_cable() {
+    let mut wire = Wire::connected();
+    let (kind, state) = (TransportKind::Serial, TransportState::Open);
+    wire.link.set_transport(TransportView { kind, state, ..Default::default() });
+    wire.link.tick(wire.now + 5.0);
+    let view = wire.link.view(wire.now + 5.0);
+    assert_eq!((view.phase, view.diagnosis.picture), ("lost", "asleep"));
+    assert!(view.diagnosis.caption.note.contains("CLEAN"), "{:?}", view.diagnosis.caption);
 }
 
 #[test]

@@ -10,6 +10,23 @@ const SOON_ASLEEP_S: f64 = 240.0;
 
 const LISTENING: &str = "Listening for a robot…";
 
+const FELL_SILENT: &str = "The robot no longer sends data.";
+const LOOK_AFTER_IT: &str =
+    "Press CLEAN once on the robot. If nothing changes, check that the plug is fully inserted and the battery charged.";
+
+// A Roomba 980 was driven with the packets of a Create 1 and sent nothing to a driver that asked for those of a Create 2
+// (github.com/AutonomyLab/create_robot/issues/106); a 960 answers a query for all of the latter
+// (github.com/duck-5/CrazyRoomba). Nobody has tried this page.
+const OWN_USB_SILENT: &str = "No answer over the robot's own USB port.";
+const OWN_USB_WAKE: &str = "Press CLEAN once on the robot; this page then continues automatically. If it starts cleaning, press \
+                            again. Still no answer? Pull out the USB plug and put it in again.";
+const OWN_USB_NO_STREAM: &str =
+    "The robot answers over its own USB port, but doesn't send the sensor data that this page asks for.";
+const OWN_USB_OTHER: &str = "This page can't drive it. A Roomba 980 was reported to work with ROS and the settings of a Create 1, \
+                             which this page doesn't have.";
+const OWN_USB_UNTRIED: &str =
+    "The robot's own USB port. This page was never tried with a Roomba 900: stay within reach.";
+
 /// A title and a note; both can be empty.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
@@ -58,8 +75,7 @@ impl ConnectionView {
         let or_listening =
             |text: &str| Caption::new(if text.is_empty() { LISTENING } else { text }, &*diagnosis.remedy);
         if self.is_lost() {
-            let why = if self.transport.text.is_empty() { &diagnosis.text } else { &self.transport.text };
-            return ("unplugged", or_listening(why));
+            return self.lost();
         }
         if self.phase == "diagnosing" {
             // While tests continue, no advice is given yet.
@@ -73,14 +89,32 @@ impl ConnectionView {
             return ("listening", Caption::new(trying, ""));
         }
         let picture = match diagnosis.finding {
+            "silence" if self.transport.is_own_usb => return ("usb", Caption::new(OWN_USB_SILENT, OWN_USB_WAKE)),
+            "no_stream" if self.transport.is_own_usb => return ("usb", Caption::new(OWN_USB_NO_STREAM, OWN_USB_OTHER)),
             "silence" => "asleep",
-            "stream" | "robot" | "text" | "no_stream" => "awake",
+            "stream" | "text" => "unheard",
             "charging" => "dock",
-            "booting" | "bootloader" => "boot",
+            "booting" => "booting",
+            "bootloader" => "bootloader",
             "garbage" => "speed",
+            "no_stream" => "older",
             _ => "listening",
         };
         (picture, or_listening(&diagnosis.text))
+    }
+
+    /// The same when the line or the robot on it has fallen silent.
+    fn lost(&self) -> (&'static str, Caption) {
+        let transport = &self.transport;
+        match (transport.state, transport.kind) {
+            // A recording has no line that could fail.
+            (TransportState::Open, kind) if kind != TransportKind::None => {
+                ("asleep", Caption::new(FELL_SILENT, LOOK_AFTER_IT))
+            }
+            (_, TransportKind::Socket) => ("listening", Caption::new(&*transport.text, "")),
+            _ if transport.text.is_empty() => ("unplugged", Caption::new("The connection is lost.", "")),
+            _ => ("unplugged", Caption::new(&*transport.text, "")),
+        }
     }
 
     /// Picture and caption of a robot that can't be controlled yet.
@@ -108,7 +142,13 @@ impl ConnectionView {
         match self.phase {
             "connected" => Caption::new(
                 if transport.name.is_empty() { "Connected" } else { &transport.name },
-                if transport.text.is_empty() { &*self.diagnosis.text } else { &transport.text },
+                if !transport.text.is_empty() {
+                    &*transport.text
+                } else if transport.is_own_usb {
+                    OWN_USB_UNTRIED
+                } else {
+                    &*self.diagnosis.text
+                },
             ),
             "waiting" => Caption::new(self.waited_for().0, &*transport.text),
             "lost" => Caption::new("Connection lost", &*transport.text),

@@ -18,6 +18,8 @@ pub struct TransportView {
     pub baud: u32,
     /// Whether the baud rate can be changed.
     pub can_baud: bool,
+    /// Whether it is the USB port of a robot itself, without an adapter.
+    pub is_own_usb: bool,
     /// The BRC wire at the adapter's RTS.
     pub brc: BrcWire,
     /// Errors that the adapter reported and recovered from.

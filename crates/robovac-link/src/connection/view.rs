@@ -74,7 +74,8 @@ pub struct ConnectionView {
 pub struct DiagnosisView {
     /// Current test: `listening`, `asking`, `waking`, `slow` (19200 baud), `create1` (57600 baud), `done`.
     pub step: &'static str,
-    /// Finding: `nothing` (yet), `silence`, `stream`, `charging`, `booting`, `bootloader`, `garbage`, `text`, `robot`.
+    /// Finding: `nothing` (yet), `silence`, `stream`, `charging`, `booting`, `bootloader`, `garbage`, `text`,
+    /// `no_stream`, `robot`.
     #[cfg_attr(
         feature = "types",
         ts(
@@ -90,7 +91,7 @@ pub struct DiagnosisView {
     pub log: Vec<String>,
     /// Whether it is shown, which is while not connected.
     pub is_shown: bool,
-    /// Its picture: `listening`, `asleep`, `awake`, `dock`, `boot`, `speed` or `unplugged`.
+    /// Its picture: a file in `www/connection/pictures/`, without `.svg`.
     pub picture: &'static str,
     /// The test or finding with advice, in words.
     pub caption: Caption,

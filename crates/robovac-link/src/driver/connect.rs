@@ -181,7 +181,7 @@ impl Driver {
                 self.classifier.clear();
             }
             (_, Finding::Bootloader) => self.wait(now),
-            (115_200, _) if self.is_rate_fixed && self.diagnosis.has_pulsed => self.wait(now),
+            _ if self.is_rate_fixed => self.wait(now),
             // Garbage means a robot that is awake at another rate.
             (115_200, finding) if !self.diagnosis.has_pulsed && finding != Finding::Garbage => {
                 self.line.push_back(LineRequest::Brc(true));

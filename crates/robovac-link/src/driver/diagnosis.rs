@@ -88,10 +88,11 @@ impl Finding {
     /// Advice; empty for none.
     pub fn remedy(self) -> &'static str {
         match self {
-            Self::Nothing | Self::Robot | Self::Stream => "",
+            Self::Nothing | Self::Robot => "",
             Self::Silence => {
                 "Press CLEAN once on the robot to wake it; this page then continues automatically. If it starts \
-                 cleaning, press again. Still no answer? Check that the plug is fully inserted and the battery is in."
+                 cleaning, press again. Still no answer? Check that the plug is fully inserted and the battery is in. If \
+                 it beeps when this page connects, its answer doesn't get through: see Cable and wiring, No telemetry."
             }
             Self::Charging => {
                 "Wait a moment. If nothing happens, take the robot off its dock and press CLEAN once: some robots fall \
@@ -103,7 +104,10 @@ impl Finding {
                 "Check that this is the robot's port and that no other program uses it. To reset the robot's baud \
                  rate, remove its battery for a moment."
             }
-            Self::Text => "Press CLEAN once on the robot. If nothing changes, check that this is the robot's port.",
+            Self::Stream | Self::Text => {
+                "Press CLEAN once on the robot. If nothing changes, close other programs that use the port, and check the \
+                 wire from the adapter's TXD to pin 3 of the robot's socket."
+            }
             Self::NoStream => {
                 "It may be a Create 1 or a Roomba 400, whose older protocol this page doesn't support. Otherwise, \
                  press CLEAN and connect again."

@@ -138,7 +138,7 @@ pub struct Driver {
     question: Option<Question>,
     /// Whether the robot was controlled on this line.
     was_in_control: bool,
-    /// Whether the baud rate is fixed, as with a bridge.
+    /// Whether the line has neither a baud rate to try nor a BRC wire, as a bridge or a robot's own USB port.
     is_rate_fixed: bool,
     /// Whether it only listens: another program drives the robot, and has its sensors streamed.
     is_watching: bool,
@@ -189,7 +189,7 @@ impl Driver {
         self.begin(now);
     }
 
-    /// Sets whether the baud rate of the line is fixed.
+    /// Sets whether the line has neither a baud rate to try nor a BRC wire, as a bridge or a robot's own USB port.
     pub fn fix_rate(&mut self, is_fixed: bool) {
         self.is_rate_fixed = is_fixed;
     }
