@@ -45,7 +45,8 @@ export async function choosePort(port) {
     const { name, message } = /** @type {Error} */ (error);
     // Dismissed: the user knows.
     if (name === "NotFoundError") return null;
-    if (/gesture/.test(message)) throw failure("denied", "The browser shows its list of ports only after a click.", "Press Connect.");
+    // Chromium speaks of a gesture, Firefox of activation.
+    if (/gesture|activation/.test(message)) throw failure("denied", "The browser shows its list of ports only after a click.", "Press Connect.");
     if (name === "SecurityError") throw failure("policy", "This site isn't allowed to use serial ports.", "Allow them in the browser's settings for this site, if they were blocked there.");
     throw failure("failed", `The browser couldn't list its ports (${message}).`, "");
   }
@@ -58,7 +59,7 @@ export async function choosePort(port) {
  */
 export async function findPort({ ids, index }) {
   // In a browser that has no serial ports in workers, there is nothing to be found.
-  if (!("serial" in navigator)) throw failure("unsupported", "This browser offers serial ports to pages, but not to web workers.", "Use Chrome or Edge on a computer.");
+  if (!("serial" in navigator)) throw failure("unsupported", "This browser offers serial ports to pages, but not to web workers.", "Use a recent Chrome, Edge, Opera or Firefox on a computer.");
   for (let tries = 0; tries < 5; tries++) {
     const ports = await navigator.serial.getPorts();
     if (ports.map(portId).join() === ids.join()) return ports[index];

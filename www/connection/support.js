@@ -18,6 +18,15 @@ export function support() {
     };
   }
   if (!navigator.serial) {
+    // Firefox has no ports where an organisation manages it and doesn't allow them (policy DefaultSerialGuardSetting).
+    if (Number(/ Firefox\/(\d+)/.exec(navigator.userAgent)?.[1]) >= 151 && !/Android/.test(navigator.userAgent)) {
+      return {
+        serial: false,
+        socket,
+        why: "Serial ports are switched off in this Firefox, by you or by the organisation that manages it.",
+        instead: `Switch on dom.webserial.enabled in about:config, or ask your organisation; or ${OTHERWISE}.`,
+      };
+    }
     const isApple = /iPhone|iPad|iPod/.test(navigator.userAgent) || (/Macintosh/.test(navigator.userAgent) && navigator.maxTouchPoints > 1);
     return {
       serial: false,

@@ -11,7 +11,7 @@ import { ends } from "../ends.mjs";
 import { launch } from "./devtools.mjs";
 
 const HERE = import.meta.dirname ?? path.dirname(new URL(import.meta.url).pathname);
-const page = (name) => fs.readFileSync(path.join(HERE, name), "utf8");
+export const page = (name) => fs.readFileSync(path.join(HERE, name), "utf8");
 
 /** Why there can be no real serial port here; "" if there can. */
 export function noSerial() {
@@ -42,7 +42,7 @@ async function wired() {
   const { server } = await (served ??= serve());
   const cable = path.join(os.tmpdir(), `robovac-e2e-${process.pid}-cable`);
   running.push(() => fs.rmSync(cable, { force: true }));
-  return { cable, executable: path.join(HERE, "chromium"), env: { ...process.env, SERIAL_PTY: cable, SERIAL_ORIGIN: new URL(server.url).origin, SERIAL_CHROMIUM: chromiumPath() } };
+  return { cable, executable: path.join(HERE, "browser"), env: { ...process.env, SERIAL_PTY: cable, SERIAL_ORIGIN: new URL(server.url).origin, SERIAL_BROWSER: chromiumPath() } };
 }
 
 let withPort;
