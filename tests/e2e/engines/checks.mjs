@@ -200,6 +200,7 @@ export const CHECKS = {
     assert.equal(await number(page, "connection-distance"), 0);
     await page.click("#connection-arm");
     await page.until(() => document.querySelector("#connection-modes .in[data-mode=Safe]"));
+    await seen(page, "#connection-go[aria-disabled=false]");
     await page.click("#connection-go");
     await grows(page, "connection-distance", 0.3);
     await page.press("Space");
