@@ -4,10 +4,11 @@ import { checkIn } from "./engines/suite.mjs";
 import { startWebKit } from "./engines/webkit.mjs";
 
 checkIn("WebKit", startWebKit, {
-  "Robot: there are no serial ports, and it says what works instead": async (page, url) => {
-    await page.open(`${url}#room=empty&tab=connection`);
-    await page.until(() => document.getElementById("connection-unsupported")?.checkVisibility());
-    const told = await page.evaluate(() => document.getElementById("connection-unsupported").textContent);
-    assert.match(told, /can't use serial ports.*Firefox 151.*bridge.*virtual robot/);
+  "there are no serial ports, and it is said what works instead": async ({ page, url }) => {
+    await page.open(`${url}desk.html`);
+    const { serial, why, instead } = await page.until(() => window.support?.());
+    assert.equal(serial, false);
+    assert.match(why, /can't use serial ports/);
+    assert.match(instead, /Firefox 151.*bridge.*virtual robot/);
   },
 });

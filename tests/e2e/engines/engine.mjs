@@ -1,4 +1,5 @@
 // A browser of any make, by the few things that its users do. Firefox and WebKit differ only in how they are started.
+import { spawnSync } from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
 import { ROOT } from "../browser.mjs";
@@ -9,6 +10,13 @@ const ELEMENT = "element-6066-11e4-a52e-4f735466cecf";
 
 /** How long a condition is waited for, ms. */
 const PATIENCE_MS = 30_000;
+
+/** Where the first of these programs is. */
+export function findProgram(...names) {
+  const { status, stdout } = spawnSync("sh", ["-c", 'for name; do command -v "$name" && exit; done; exit 1', "sh", ...names], { encoding: "utf8" });
+  if (status !== 0) throw new Error(`${names[0]} is missing: ./dev tools installs it`);
+  return stdout.trim();
+}
 
 export class Engine {
   /**
@@ -59,10 +67,10 @@ export class Engine {
     await this.send("ElementClick", { id: await this.#find(selector) });
   }
 
-  /** Chooses from a menu by its id. */
+  /** Chooses from a menu. */
   async choose(menu, value) {
-    await this.evaluate((id, wanted) => {
-      const node = document.getElementById(id);
+    await this.evaluate((selector, wanted) => {
+      const node = document.querySelector(selector);
       node.value = wanted;
       node.dispatchEvent(new Event("change", { bubbles: true }));
     }, menu, value);

@@ -1,17 +1,14 @@
 // Firefox without windows.
-import { execFileSync, spawn } from "node:child_process";
+import { spawn } from "node:child_process";
 import { once } from "node:events";
 import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
 import { createInterface } from "node:readline";
-import { Engine } from "./engine.mjs";
+import { Engine, findProgram } from "./engine.mjs";
 import { connect } from "./marionette.mjs";
 
-export function firefoxPath() {
-  if (process.env.FIREFOX) return process.env.FIREFOX;
-  return execFileSync("sh", ["-c", "command -v firefox-esr || command -v firefox"], { encoding: "utf8" }).trim();
-}
+export const firefoxPath = () => process.env.FIREFOX || findProgram("firefox-esr", "firefox");
 
 /** Starts Firefox, by `executable` if given, with further preferences. */
 export async function startFirefox({ executable = firefoxPath(), env = {}, preferences = {} } = {}) {
@@ -23,6 +20,7 @@ export async function startFirefox({ executable = firefoxPath(), env = {}, prefe
     env: { ...process.env, HOME: profile, MOZ_HEADLESS_WIDTH: "1000", MOZ_HEADLESS_HEIGHT: "740", ...env },
     stdio: ["ignore", "pipe", "ignore"],
   });
+  process.once("exit", () => child.kill());
   const port = await new Promise((resolve, reject) => {
     createInterface({ input: child.stdout }).on("line", (line) => {
       const found = /Marionette\s+INFO\s+Listening on port (\d+)/.exec(line);

@@ -9,7 +9,7 @@ export async function shown() {
 }
 
 /** Ten minutes of a behaviour with slip and noise: what the session tells of it, and a hash of its curve of coverage. */
-export async function reproduce() {
+export async function reproduced() {
   const { default: init, Playground } = await import(new URL("page.js", location.href).href);
   await init();
   const playground = new Playground(document.createElement("canvas"));

@@ -50,8 +50,8 @@ export function checkIn(name, start, own) {
     declare(title, async (t, browser, { url, problems }) => {
       const folder = fs.mkdtempSync(path.join(os.tmpdir(), "robovac-e2e-"));
       t.after(() => fs.rmSync(folder, { recursive: true }));
-      const inChromium = async (address, what) => (await openPage(t, { address })).page.evaluate(what);
-      await check(browser, url, inChromium, folder);
+      const inChromium = async (address, what) => (await openPage(t, { address })).page.evaluate(`(${what})()`);
+      await check({ page: browser, url, inChromium, folder, t });
       // What is on its way arrives before this does.
       await browser.evaluate(() => fetch("problem").then(() => undefined));
       assert.deepEqual(problems(), [], "the page reported problems");

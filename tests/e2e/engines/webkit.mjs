@@ -5,12 +5,13 @@ import fs from "node:fs";
 import net from "node:net";
 import os from "node:os";
 import path from "node:path";
-import { Engine } from "./engine.mjs";
+import { Engine, findProgram } from "./engine.mjs";
 import { connect } from "./webdriver.mjs";
 
 /** A screen; its number and what ends it. */
 async function startScreen() {
-  const child = spawn("Xvfb", ["-displayfd", "3", "-screen", "0", "1440x900x24", "-nolisten", "tcp"], { stdio: ["ignore", "ignore", "ignore", "pipe"] });
+  const child = spawn(findProgram("Xvfb"), ["-displayfd", "3", "-screen", "0", "1440x900x24", "-nolisten", "tcp"], { stdio: ["ignore", "ignore", "ignore", "pipe"] });
+  process.once("exit", () => child.kill());
   const [number] = await Promise.race([
     once(child.stdio[3], "data"),
     once(child, "exit").then(([code]) => Promise.reject(new Error(`Xvfb ended with ${code}`))),
@@ -44,7 +45,8 @@ export async function startWebKit() {
   const screen = await startScreen();
   const port = await freePort();
   const env = { ...process.env, HOME: home, XDG_RUNTIME_DIR: home, DISPLAY: screen.display, GDK_BACKEND: "x11", WEBKIT_DISABLE_DMABUF_RENDERER: "1", NO_AT_BRIDGE: "1", DBUS_SESSION_BUS_ADDRESS: "disabled:" };
-  const child = spawn("WebKitWebDriver", [`--port=${port}`, "--host=127.0.0.1"], { env, stdio: "ignore" });
+  const child = spawn(findProgram("WebKitWebDriver"), [`--port=${port}`, "--host=127.0.0.1"], { env, stdio: "ignore" });
+  process.once("exit", () => child.kill());
   const driver = `http://127.0.0.1:${port}`;
   await answered(driver, child);
   const send = await connect(driver, {});

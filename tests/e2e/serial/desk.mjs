@@ -11,7 +11,7 @@ import { ends } from "../ends.mjs";
 import { launch } from "./devtools.mjs";
 
 const HERE = import.meta.dirname ?? path.dirname(new URL(import.meta.url).pathname);
-export const page = (name) => fs.readFileSync(path.join(HERE, name), "utf8");
+const page = (name) => fs.readFileSync(path.join(HERE, name), "utf8");
 
 /** Why there can be no real serial port here; "" if there can. */
 export function noSerial() {
