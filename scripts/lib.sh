@@ -81,3 +81,12 @@ find_page_browser() {
     find_chromium
 }
 find_chromedriver() { command -v "${CHROMEDRIVER:-chromedriver}"; }
+# Firefox for tests: $FIREFOX if set.
+find_firefox() {
+    local name names=(firefox-esr firefox)
+    [[ -z ${FIREFOX:-} ]] || names=("$FIREFOX")
+    for name in "${names[@]}"; do
+        command -v "$name" && return
+    done
+    return 1
+}

@@ -81,13 +81,23 @@ install_drivers() {
     cp "$1" "$DRIVERS/.installed"
 }
 
-need_browser() {
-    { find_chromium && find_chromedriver; } >/dev/null && return
-    [[ -z ${CHROMIUM:-}${CHROMEDRIVER:-} ]] || die "CHROMIUM=${CHROMIUM:-} or CHROMEDRIVER=${CHROMEDRIVER:-} names a program that does not exist"
+# Chromium for all tests; Firefox and WebKit, the engine of Safari, for those of what must work everywhere.
+need_browsers() {
+    local name missing=()
+    for name in CHROMIUM CHROMEDRIVER FIREFOX; do
+        [[ -z ${!name:-} ]] || have "${!name}" || die "$name=${!name} names a program that does not exist"
+    done
     # Without a font the page's text is invisible in screenshots. The shell is Chromium without windows.
-    step "Installing Chromium and its driver" apt_install chromium chromium-driver chromium-headless-shell fonts-liberation
     { find_chromium && find_chromedriver; } >/dev/null ||
-        die "no browser for the tests: install Chromium and the chromedriver of the same version, or set CHROMIUM and CHROMEDRIVER to their paths"
+        missing+=(chromium chromium-driver chromium-headless-shell fonts-liberation)
+    find_firefox >/dev/null || missing+=(firefox-esr)
+    { have WebKitWebDriver && have Xvfb; } || missing+=(webkit2gtk-driver xvfb)
+    ((${#missing[@]})) || return 0
+    step "Installing browsers: ${missing[*]}" apt_install "${missing[@]}"
+    { find_chromium && find_chromedriver; } >/dev/null ||
+        die "no Chromium for the tests: install Chromium and the chromedriver of the same version, or set CHROMIUM and CHROMEDRIVER to their paths"
+    find_firefox >/dev/null || die "no Firefox for the tests: install Firefox 151 or later, or set FIREFOX to its path"
+    { have WebKitWebDriver && have Xvfb; } || die "no WebKit for the tests: install WebKitWebDriver (webkit2gtk-driver) and Xvfb"
 }
 
 apt_install() {

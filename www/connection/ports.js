@@ -57,7 +57,8 @@ export async function choosePort(access, port) {
     const { name, message } = /** @type {Error} */ (error);
     // Dismissed: the user knows.
     if (name === "NotFoundError") return null;
-    if (/gesture/.test(message)) throw failure("denied", "The browser shows its list of adapters only after a click.", "Press Connect.");
+    // Chromium speaks of a gesture, Firefox of activation.
+    if (/gesture|activation/.test(message)) throw failure("denied", "The browser shows its list of adapters only after a click.", "Press Connect.");
     if (name === "SecurityError") throw failure("policy", "This site isn't allowed to use serial adapters.", "Allow them in the browser's settings for this site, if they were blocked there.");
     throw failure("failed", `The browser couldn't list the adapters (${message}).`, "");
   }
@@ -72,7 +73,7 @@ export async function choosePort(access, port) {
  */
 export async function findPort(access, { ids, index }) {
   // In a browser that has none in workers, there is nothing to be found.
-  if (!(access.kind in navigator)) throw failure("unsupported", "This browser offers serial adapters to pages, but not to web workers.", "Use Chrome or Edge.");
+  if (!(access.kind in navigator)) throw failure("unsupported", "This browser offers serial adapters to pages, but not to web workers.", "Use a recent Chrome, Edge, Opera or Firefox on a computer.");
   for (let tries = 0; tries < 5; tries++) {
     const ports = await access.list();
     if (ports.map(access.id).join() === ids.join()) return ports[index];

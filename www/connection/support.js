@@ -10,11 +10,11 @@ const OTHERWISE = "reach the robot through a Wi-Fi bridge (WebSocket), or try th
 /**
  * What decides it about a browser. `serial` and `usb`: whether it has Web Serial and WebUSB, and whether the embedding page and
  * the server allow them.
- * @typedef {{ isSecure: boolean, serial: "absent" | "forbidden" | "here", usb: "absent" | "forbidden" | "here", isAndroid: boolean, isApple: boolean, socket: boolean }} Browser
+ * @typedef {{ isSecure: boolean, serial: "absent" | "forbidden" | "here", usb: "absent" | "forbidden" | "here", isAndroid: boolean, isApple: boolean, isNewFirefox: boolean, socket: boolean }} Browser
  */
 
 /** Connections that a browser supports. @param {Browser} browser @returns {import("./types").Support} */
-export function supportIn({ isSecure, serial, usb, isAndroid, isApple, socket }) {
+export function supportIn({ isSecure, serial, usb, isAndroid, isApple, isNewFirefox, socket }) {
   const none = { serial: false, usb: false, socket };
   if (!isSecure) {
     return {
@@ -31,6 +31,14 @@ export function supportIn({ isSecure, serial, usb, isAndroid, isApple, socket })
       ...none,
       why: "The embedding page or the server forbids serial ports here (permissions policy).",
       instead: `Open this page in a tab of its own, or ${OTHERWISE}.`,
+    };
+  }
+  // An organisation that manages Firefox can forbid them (policy DefaultSerialGuardSetting).
+  if (isNewFirefox) {
+    return {
+      ...none,
+      why: "Serial ports are switched off in this Firefox, by you or by the organisation that manages it.",
+      instead: `Switch on dom.webserial.enabled in about:config, or ask your organisation; or ${OTHERWISE}.`,
     };
   }
   return {
@@ -55,6 +63,7 @@ export function support() {
     usb: state("usb"),
     isAndroid: /Android/.test(userAgent),
     isApple: /iPhone|iPad|iPod/.test(userAgent) || (/Macintosh/.test(userAgent) && maxTouchPoints > 1),
+    isNewFirefox: Number(/ Firefox\/(\d+)/.exec(userAgent)?.[1]) >= 151 && !/Android/.test(userAgent),
     socket: "WebSocket" in window,
   });
 }

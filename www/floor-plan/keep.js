@@ -7,7 +7,8 @@ import { complain, toast } from "../messages.js";
 
 /**
  * @typedef {import("./tab.js").FloorPlanTab} FloorPlanTab
- * @typedef {{ format: number, files: File[] }} KeptFiles
+ * @typedef {{ format: number, files: KeptFile[] }} KeptFiles
+ * @typedef {{ name: string, bytes: ArrayBuffer }} KeptFile WebKit stores no `File` in private windows.
  * @typedef {{ format: number, settings: import("./types").FloorPlanSettings, sweeps: boolean, stage: number }} KeptChoices
  * @typedef {{ why: string, files: unknown, choices: unknown }} Aside Data that can't be restored.
  */
@@ -46,7 +47,7 @@ export function startKeeping(it) {
     toast(error instanceof DOMException && error.name === "QuotaExceededError" ? "This browser has no storage left for this floor plan: it won't survive a reload." : "This browser doesn't keep floor plans (a private window?): this one won't survive a reload.");
   };
 
-  const save = async () => {
+  const write = async () => {
     const { view } = it;
     if (!isKnown || !view) return;
     const now = JSON.stringify(choicesOf(view));
@@ -54,14 +55,19 @@ export function startKeeping(it) {
     const isNew = client.files !== files;
     [files, choices] = [client.files, now];
     try {
+      const contents = isNew ? await Promise.all(files.map(async (file) => ({ name: file.name, bytes: await file.arrayBuffer() }))) : [];
       const board = await store(BOARD);
-      const written = [done(board.put(choicesOf(view), "choices"))];
-      if (isNew) written.push(done(board.put({ format: FORMAT, files }, "files")));
-      await Promise.all(written);
+      const puts = [done(board.put(choicesOf(view), "choices"))];
+      if (isNew) puts.push(done(board.put({ format: FORMAT, files: contents }, "files")));
+      await Promise.all(puts);
     } catch (error) {
       warn(error);
     }
   };
+
+  let written = Promise.resolve();
+  /** One after the other, or else what was chosen last could be overwritten. */
+  const save = () => (written = written.then(write));
 
   /** @param {Aside} aside */
   const putAside = async (aside) => {
@@ -122,7 +128,7 @@ export function startKeeping(it) {
     // It made the worker fail, and has been set aside by now.
     if (!coming) return;
     coming = undefined;
-    if (why !== undefined && !it.view) return putAside({ why: `The floor plan ${names} can't be restored: ${why}`, files: list, choices: chosen });
+    if (why !== undefined && !it.view) return putAside({ why: `The floor plan ${names} can't be restored: ${why}`, files: kept.files, choices: chosen });
     if (why !== undefined || (chosen && !fits)) await putAside({ why: `The settings for ${names} were saved by another version of this page and don't fit this one${why === undefined ? "" : ` (${why})`}. They were reset, as for a new file.`, files: undefined, choices: chosen });
     else if (fits && chosen.sweeps && it.view?.room) {
       await it.ask({ type: "sweep" }, "Planning the sweep");
@@ -152,8 +158,11 @@ export function startKeeping(it) {
 /** @param {import("./types").FloorPlanView} view @returns {KeptChoices} */
 const choicesOf = ({ settings, sweep, stage }) => ({ format: FORMAT, settings, sweeps: sweep !== null, stage });
 
-/** The files, if it is files. @param {unknown} what @returns {File[] | undefined} */
-const filesOf = (what) => (Array.isArray(what) && what.every((file) => file instanceof File) ? what : undefined);
+/** The files, if it is files; earlier versions stored them as such. @param {unknown} what @returns {File[] | undefined} */
+function filesOf(what) {
+  const isFile = (/** @type {any} */ it) => it instanceof File || (typeof it?.name === "string" && it.bytes instanceof ArrayBuffer);
+  return Array.isArray(what) && what.every(isFile) ? what.map((it) => (it instanceof File ? it : new File([it.bytes], it.name))) : undefined;
+}
 
 /** @returns {Promise<IDBDatabase>} */
 function openDatabase() {

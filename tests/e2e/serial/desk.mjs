@@ -42,7 +42,7 @@ async function wired() {
   const { server } = await (served ??= serve());
   const cable = path.join(os.tmpdir(), `robovac-e2e-${process.pid}-cable`);
   running.push(() => fs.rmSync(cable, { force: true }));
-  return { cable, executable: path.join(HERE, "chromium"), env: { ...process.env, SERIAL_PTY: cable, SERIAL_ORIGIN: new URL(server.url).origin, SERIAL_CHROMIUM: chromiumPath() } };
+  return { cable, executable: path.join(HERE, "browser"), env: { ...process.env, SERIAL_PTY: cable, SERIAL_ORIGIN: new URL(server.url).origin, SERIAL_BROWSER: chromiumPath() } };
 }
 
 let withPort;

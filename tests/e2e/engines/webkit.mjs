@@ -1,0 +1,61 @@
+// WebKit, the engine of Safari, as its GTK port on a screen that nobody sees.
+import { spawn } from "node:child_process";
+import { once } from "node:events";
+import fs from "node:fs";
+import net from "node:net";
+import os from "node:os";
+import path from "node:path";
+import { Engine, findProgram } from "./engine.mjs";
+import { connect } from "./webdriver.mjs";
+
+/** A screen; its number and what ends it. */
+async function startScreen() {
+  const child = spawn(findProgram("Xvfb"), ["-displayfd", "3", "-screen", "0", "1440x900x24", "-nolisten", "tcp"], { stdio: ["ignore", "ignore", "ignore", "pipe"] });
+  process.once("exit", () => child.kill());
+  const [number] = await Promise.race([
+    once(child.stdio[3], "data"),
+    once(child, "exit").then(([code]) => Promise.reject(new Error(`Xvfb ended with ${code}`))),
+  ]);
+  return { display: `:${String(number).trim()}`, end: () => child.kill() };
+}
+
+async function freePort() {
+  const server = net.createServer().listen(0, "127.0.0.1");
+  await once(server, "listening");
+  const { port } = server.address();
+  server.close();
+  await once(server, "close");
+  return port;
+}
+
+/** Waits until the driver answers. */
+async function answered(driver, child) {
+  let failure;
+  child.once("error", (error) => (failure = error));
+  child.once("exit", (code, signal) => (failure ??= new Error(`WebKitWebDriver ended (${code ?? signal})`)));
+  while (!(await fetch(`${driver}/status`).then(({ ok }) => ok, () => false))) {
+    if (failure) throw failure;
+    await new Promise((later) => setTimeout(later, 20));
+  }
+}
+
+/** Starts the small browser that WebKit's own tests use. Needs Debian's webkit2gtk-driver and xvfb. */
+export async function startWebKit() {
+  const home = fs.mkdtempSync(path.join(os.tmpdir(), "robovac-webkit-"));
+  const screen = await startScreen();
+  const port = await freePort();
+  const env = { ...process.env, HOME: home, XDG_RUNTIME_DIR: home, DISPLAY: screen.display, GDK_BACKEND: "x11", WEBKIT_DISABLE_DMABUF_RENDERER: "1", NO_AT_BRIDGE: "1", DBUS_SESSION_BUS_ADDRESS: "disabled:" };
+  const child = spawn(findProgram("WebKitWebDriver"), [`--port=${port}`, "--host=127.0.0.1"], { env, stdio: "ignore" });
+  process.once("exit", () => child.kill());
+  const driver = `http://127.0.0.1:${port}`;
+  await answered(driver, child);
+  const send = await connect(driver, {});
+  return new Engine(send, async () => {
+    await send("DeleteSession");
+    const ended = once(child, "exit");
+    child.kill();
+    await ended;
+    screen.end();
+    fs.rmSync(home, { recursive: true, force: true });
+  });
+}
