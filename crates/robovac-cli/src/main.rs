@@ -31,6 +31,8 @@ mod output;
 #[cfg(not(target_arch = "wasm32"))]
 mod plan;
 #[cfg(not(target_arch = "wasm32"))]
+mod recording;
+#[cfg(not(target_arch = "wasm32"))]
 mod signals;
 #[cfg(not(target_arch = "wasm32"))]
 mod simulate;
@@ -56,7 +58,7 @@ fn main() -> std::process::ExitCode {
 mod native {
     use super::{
         bench, clean, compare, convert, failure::OK, list, locate, map, monitor, montecarlo, output::print, plan,
-        simulate, sweep, virtual_roomba,
+        recording, simulate, sweep, virtual_roomba,
     };
     use clap::{Parser, Subcommand};
     use std::{io::Write, process::ExitCode};
@@ -104,6 +106,7 @@ Exit codes:
         Bench(bench::Arguments),
         Map(map::Arguments),
         Monitor(monitor::Arguments),
+        Recording(recording::Arguments),
         VirtualRoomba(virtual_roomba::Arguments),
     }
 
@@ -126,6 +129,7 @@ Exit codes:
             Command::Bench(arguments) => bench::run(&arguments),
             Command::Map(arguments) => map::run(&arguments),
             Command::Monitor(arguments) => monitor::run(&arguments),
+            Command::Recording(arguments) => recording::run(&arguments),
             Command::VirtualRoomba(arguments) => virtual_roomba::run(&arguments),
         };
         match result.and_then(|text| print(&text)) {
