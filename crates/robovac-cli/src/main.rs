@@ -17,6 +17,7 @@ mod monitor;
 mod montecarlo;
 mod output;
 mod plan;
+mod recording;
 mod signals;
 mod simulate;
 mod source;
@@ -73,6 +74,7 @@ enum Command {
     Bridge(bridge::Arguments),
     Map(map::Arguments),
     Monitor(monitor::Arguments),
+    Recording(recording::Arguments),
     VirtualRoomba(virtual_roomba::Arguments),
 }
 
@@ -96,6 +98,7 @@ fn main() -> ExitCode {
         Command::Bridge(arguments) => bridge::run(&arguments),
         Command::Map(arguments) => map::run(&arguments),
         Command::Monitor(arguments) => monitor::run(&arguments),
+        Command::Recording(arguments) => recording::run(&arguments),
         Command::VirtualRoomba(arguments) => virtual_roomba::run(&arguments),
     };
     match result.and_then(|text| print(&text)) {

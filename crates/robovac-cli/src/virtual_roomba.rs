@@ -27,9 +27,9 @@ use std::{
 
 /// Time between two looks at the line: less than a byte at 4800 baud, a seventh of the robot's own refresh.
 const LOOK: Duration = Duration::from_millis(2);
-/// Bytes on their way to the robot above which nothing more is read: the host has to wait, as at a real port.
-const MOST_BACKLOG: usize = 256;
-/// Time for which it still answers when the host has said all that it will.
+/// Orders that are obeyed at one look at the line at most.
+const MOST_ORDERS: usize = 16;
+/// Time for which it still sends when a host has said all that it will and has its answers.
 const LAST_WORDS: Duration = Duration::from_millis(250);
 /// Longest time that is made up for after the machine was busy or asleep.
 const MOST_LAG: Duration = Duration::from_secs(2);
@@ -70,13 +70,14 @@ pub struct Arguments {
 #[derive(clap::Args)]
 #[group(required = true, multiple = false)]
 struct ProgramEnd {
-    /// Pseudo-terminal; LINK is a symbolic link to it
+    /// Pseudo-terminal; LINK is a symbolic link to it. What the robot sends while no program has it open is lost
     #[arg(long, value_name = "LINK")]
     pty: Option<PathBuf>,
     /// Standard input and output; messages go to standard error
     #[arg(long)]
     stdio: bool,
-    /// TCP port, such as 127.0.0.1:4000, carrying raw bytes; one client at a time
+    /// TCP port, such as 127.0.0.1:4000, carrying raw bytes; one client at a time. A client that has closed its half of the
+    /// connection still gets its answers
     #[arg(long, value_name = "ADDR")]
     tcp: Option<String>,
 }
@@ -87,6 +88,8 @@ struct ProgramEnd {
 struct ProgramState {
     /// Since ready, s.
     time_s: f64,
+    /// Whether a program has the line open.
+    connected: bool,
     /// Where it really is.
     pose: ScenarioPose,
     mode: String,
@@ -169,7 +172,7 @@ struct Host {
 impl Host {
     fn run(mut self, is_over: &AtomicBool) -> Result<(), Failure> {
         let mut last = Instant::now();
-        let (mut incoming, mut outgoing, mut hung_up) = (Vec::new(), Vec::new(), None);
+        let (mut incoming, mut outgoing, mut said_all) = (Vec::new(), Vec::new(), None);
         // Starts to record received commands.
         self.robot.take_heard();
         while !is_over.load(Ordering::Relaxed) {
@@ -177,7 +180,7 @@ impl Host {
             self.robot.advance((now - last).min(MOST_LAG).as_secs_f64());
             last = now;
             self.write_down();
-            while let Some(order) = self.control.next() {
+            for order in (0..MOST_ORDERS).map_while(|_| self.control.next()).collect::<Vec<_>>() {
                 match order {
                     Ok(Order::Quit) => return Ok(()),
                     Ok(order) => self.obey(order)?,
@@ -189,11 +192,11 @@ impl Host {
             self.robot.transmit(baud, &mut outgoing);
             self.line.write(&outgoing)?;
             incoming.clear();
-            if self.robot.backlog() < MOST_BACKLOG && !self.line.read(&mut incoming)? {
-                let since = *hung_up.get_or_insert(now);
-                if now - since > LAST_WORDS {
-                    return Ok(());
-                }
+            let room = self.robot.room(baud);
+            if room == 0 || self.line.read(room, &mut incoming)? || self.robot.is_answering() {
+                said_all = None;
+            } else if now - *said_all.get_or_insert(now) > LAST_WORDS && !self.line.next_host() {
+                return Ok(());
             }
             self.robot.receive(&incoming, baud);
             thread::sleep(LOOK);
@@ -253,6 +256,7 @@ impl Host {
         let (robot, (asked, speed)) = (&self.robot, self.wheels());
         ProgramState {
             time_s: robot.time_s(),
+            connected: self.line.has_host(),
             pose: robot.pose().into(),
             mode: robot.mode().to_string(),
             awake: robot.is_awake(),

@@ -31,6 +31,7 @@
 //!
 //! - [`driver`]: the host's end: identifies the robot, reads its sensors, stops it
 //! - [`connection`]: a driver with a controller, a view model and a recording
+//! - [`recording`]: what a recording of the line contains, in words and as a table
 //! - [`emulator`]: the robot's end
 //! - [`sensors`]: conversion between the sensor readings of the simulator and of the Open Interface
 
@@ -39,6 +40,7 @@ pub mod dashboard;
 pub mod driver;
 pub mod emulator;
 mod path_commands;
+pub mod recording;
 pub mod sensors;
 
 pub use path_commands::{TimedCommand, commands, commands_text};

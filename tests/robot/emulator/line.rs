@@ -100,9 +100,9 @@ fn bytes_take_their_time_to_the_robot() {
     lab.robot.advance(0.0005);
     assert_eq!(lab.robot.mode(), Mode::Off);
     lab.robot.advance(0.0003);
-    assert_eq!((lab.robot.mode(), lab.robot.backlog()), (Mode::Passive, 1));
+    assert_eq!((lab.robot.mode(), lab.robot.is_answering()), (Mode::Passive, true));
     lab.robot.advance(0.0003);
-    assert_eq!((lab.robot.mode(), lab.robot.backlog()), (Mode::Safe, 0));
+    assert_eq!((lab.robot.mode(), lab.robot.is_answering()), (Mode::Safe, false));
 }
 
 #[test]

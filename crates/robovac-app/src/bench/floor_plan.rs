@@ -33,7 +33,11 @@ pub fn floor_plan(bench: &mut Bench<'_>) {
     let entities = bench.size(ENTITIES, ENTITIES / 10);
     let files = [SourceFile { name: "office.dxf".to_owned(), bytes: office_drawing(entities) }];
     let mut board = None;
-    bench.take(&format!("read and trace {},000 entities", entities / 1000), &mut || board = DrawingSession::open(&files).ok(), None);
+    bench.take(
+        &format!("read and trace {},000 entities", entities / 1000),
+        &mut || board = DrawingSession::open(&files).ok(),
+        None,
+    );
     // Most of it is the number of rooms, which is the same in any case.
     if let Some(mut board) = board.filter(|_| !bench.once) {
         bench.take("sweep the room of that drawing", &mut || drop(board.sweep(go_on)), None);

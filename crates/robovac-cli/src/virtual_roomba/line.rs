@@ -24,11 +24,21 @@ pub trait HostLine {
     /// The host's baud rate.
     fn baud(&self) -> u32;
 
-    /// Appends received bytes; false at the end of input.
-    fn read(&mut self, bytes: &mut Vec<u8>) -> Result<bool, Failure>;
+    /// Whether a program has it open.
+    fn has_host(&self) -> bool {
+        true
+    }
+
+    /// Appends received bytes, at most `most`; false if the host has said all that it will.
+    fn read(&mut self, most: usize, bytes: &mut Vec<u8>) -> Result<bool, Failure>;
 
     /// Sends bytes; unread ones are dropped, the oldest first.
     fn write(&mut self, bytes: &[u8]) -> Result<(), Failure>;
+
+    /// Lets a host go that has said all; whether another one can come.
+    fn next_host(&mut self) -> bool {
+        false
+    }
 
     /// Pulls the cable out, or plugs it in again; whether that can be done.
     fn plug(&mut self, _is_plugged: bool) -> Result<bool, Failure> {
@@ -46,6 +56,8 @@ pub fn keep_latest(queue: &mut VecDeque<u8>, bytes: &[u8]) {
 pub struct StandardStreams {
     baud: u32,
     incoming: Receiver<Vec<u8>>,
+    /// What is read and not passed on yet.
+    rest: VecDeque<u8>,
     outgoing: Arc<(Mutex<VecDeque<u8>>, Condvar)>,
 }
 
@@ -77,7 +89,7 @@ impl StandardStreams {
                 }
             }
         });
-        Self { baud, incoming, outgoing }
+        Self { baud, incoming, rest: VecDeque::new(), outgoing }
     }
 }
 
@@ -90,12 +102,15 @@ impl HostLine for StandardStreams {
         self.baud
     }
 
-    fn read(&mut self, bytes: &mut Vec<u8>) -> Result<bool, Failure> {
-        match self.incoming.try_recv() {
-            Ok(more) => bytes.extend(more),
-            Err(TryRecvError::Empty) => {}
-            Err(TryRecvError::Disconnected) => return Ok(false),
+    fn read(&mut self, most: usize, bytes: &mut Vec<u8>) -> Result<bool, Failure> {
+        if self.rest.is_empty() {
+            match self.incoming.try_recv() {
+                Ok(more) => self.rest.extend(more),
+                Err(TryRecvError::Empty) => {}
+                Err(TryRecvError::Disconnected) => return Ok(false),
+            }
         }
+        bytes.extend(self.rest.drain(..most.min(self.rest.len())));
         Ok(true)
     }
 

@@ -54,17 +54,27 @@ impl HostLine for TcpLine {
         self.baud
     }
 
-    fn read(&mut self, bytes: &mut Vec<u8>) -> Result<bool, Failure> {
+    fn has_host(&self) -> bool {
+        self.client.is_some()
+    }
+
+    fn read(&mut self, most: usize, bytes: &mut Vec<u8>) -> Result<bool, Failure> {
         self.greet();
         let Some(client) = &mut self.client else { return Ok(true) };
         let mut buffer = [0; 512];
-        match client.read(&mut buffer) {
+        match client.read(buffer.get_mut(..most.min(512)).unwrap_or_default()) {
             Ok(count @ 1..) => bytes.extend(buffer.get(..count).unwrap_or_default()),
+            // It can have closed its half only, and still wait for answers.
+            Ok(0) => return Ok(false),
             Err(error) if is_busy(&error) => {}
-            // The host has gone; another one can connect.
-            Ok(0) | Err(_) => self.client = None,
+            Err(_) => self.client = None,
         }
         Ok(true)
+    }
+
+    fn next_host(&mut self) -> bool {
+        self.client = None;
+        true
     }
 
     fn write(&mut self, bytes: &[u8]) -> Result<(), Failure> {

@@ -11,7 +11,7 @@ use serde_json::Value;
 use std::{
     fs,
     io::{BufRead, BufReader, Read, Write},
-    net::TcpStream,
+    net::{Shutdown, TcpStream},
     os::fd::OwnedFd,
     path::PathBuf,
     process::{Child, ChildStdin, ChildStdout, Command, Stdio},
@@ -156,20 +156,101 @@ fn a_terminal_answers_drives_and_streams() {
 }
 
 #[test]
-fn programs_come_and_go_and_a_reader_that_isnt_there_blocks_nothing() {
+fn a_program_that_does_not_read_blocks_nothing() {
     let mut program = Program::start("absent", &[]);
     program.ready();
-    Terminal::open(&program).send(&[128, 148, 1, 100]);
+    let terminal = Terminal::open(&program);
+    terminal.send(&[128, 148, 1, 100]);
     // 5.6 kB a second aren't read for a while; the robot keeps running.
     let before = program.state()["time_s"].as_f64().unwrap();
     program.wait_for("time passes", |state| state["time_s"].as_f64().unwrap() > before + 3.0);
-    let terminal = Terminal::open(&program);
     terminal.send(&[150, 0]);
     let old = terminal.rest();
     assert!(old.len() < 1 << 17, "{}", old.len());
     terminal.send(&[142, 35]);
     assert_eq!(terminal.hear(1), [1]);
     program.quit();
+}
+
+#[test]
+fn stale_bytes_waited_for_the_next_program() {
+    let mut program = Program::start("stale", &[]);
+    program.ready();
+    let terminal = Terminal::open(&program);
+    terminal.send(&[128, 148, 1, 7]);
+    terminal.hear(6);
+    drop(terminal);
+    let closed = program.wait_for("closed", |state| state["connected"] == false);
+    // Frames of a robot on the floor, which nobody reads.
+    let then = closed["time_s"].as_f64().unwrap() + 0.5;
+    program.wait_for("time passes", |state| state["time_s"].as_f64().unwrap() > then);
+    program.order("lift");
+    program.wait_for("lifted", |state| state["lifted"] == true);
+    let terminal = Terminal::open(&program);
+    let heard = terminal.hear(12);
+    let frame = (0..heard.len()).find_map(|at| StreamFrame::parse(heard.get(at..at + 6)?).ok()).unwrap();
+    assert!(frame.values().eq([(Packet::BumpsAndDrops, 0b1100)]), "{heard:?}");
+    program.quit();
+}
+
+#[test]
+fn slow_bytes_blocked_the_line_after_the_rate_had_changed() {
+    let mut program = Program::start("blocked", &[]);
+    program.ready();
+    let terminal = Terminal::open(&program);
+    let mut settings = tcgetattr(&terminal.0).unwrap();
+    let mut set = |rate| {
+        settings.set_speed(rate).unwrap();
+        tcsetattr(&terminal.0, OptionalActions::Now, &settings).unwrap();
+    };
+    set(50);
+    // 140 s at this rate.
+    terminal.send(&[0; 700]);
+    program.wait_for("the first has arrived", |state| state["commands"].as_u64() > Some(0));
+    set(115_200);
+    terminal.send(&[128, 142, 35]);
+    assert_eq!(terminal.hear(1), [1]);
+    program.quit();
+}
+
+#[test]
+fn second_emulator_took_over_a_link_in_use() {
+    let mut program = Program::start("taken", &[]);
+    program.ready();
+    let terminal = Terminal::open(&program);
+    let link = program.link.to_str().unwrap();
+    let second = Command::new(env!("CARGO_BIN_EXE_robovac")).args(["virtual-roomba", "--pty", link]).output().unwrap();
+    let message = String::from_utf8(second.stderr).unwrap();
+    assert!(second.status.code() == Some(1) && message.contains("another virtual Roomba"), "{message}");
+    Terminal::open(&program).send(&[128, 142, 35]);
+    assert_eq!(terminal.hear(1), [1]);
+    // The link of one that was killed is free.
+    drop(terminal);
+    program.child.kill().unwrap();
+    program.child.wait().unwrap();
+    assert!(fs::symlink_metadata(&program.link).is_ok());
+    let mut next = Program::start("taken", &[]);
+    next.ready();
+    Terminal::open(&next).send(&[128]);
+    next.wait_for("it listens", |state| state["mode"] == "Passive");
+    next.quit();
+}
+
+#[test]
+fn flood_of_orders_stopped_the_robot() {
+    let mut program = Program::start("flood", &[]);
+    program.ready();
+    let mut orders = program.orders.take().unwrap();
+    let flood = std::thread::spawn(move || while orders.write_all(&b"state\n".repeat(1000)).is_ok() {});
+    let terminal = Terminal::open(&program);
+    terminal.send(&[128, 142, 35]);
+    let answers = std::thread::spawn(move || terminal.hear(1));
+    while !answers.is_finished() {
+        assert!(!program.line().is_empty(), "it runs");
+    }
+    assert_eq!(answers.join().unwrap(), [1]);
+    program.child.kill().unwrap();
+    flood.join().unwrap();
 }
 
 #[test]
@@ -279,6 +360,19 @@ fn tcp_clients_come_one_after_the_other() {
     }
     program.order("unplug-line");
     assert!(program.line().contains("can be unplugged"));
+    program.quit();
+}
+
+#[test]
+fn half_closed_client_lost_its_answers() {
+    let mut program = Program::start("half", &["--tcp", "127.0.0.1:0"]);
+    let mut client = TcpStream::connect(program.ready()).unwrap();
+    client.set_read_timeout(Some(PATIENCE)).unwrap();
+    client.write_all(&[&[128][..], &[142, 35].repeat(20)].concat()).unwrap();
+    client.shutdown(Shutdown::Write).unwrap();
+    let mut answers = Vec::new();
+    client.read_to_end(&mut answers).unwrap();
+    assert_eq!(answers, [1; 20]);
     program.quit();
 }
 

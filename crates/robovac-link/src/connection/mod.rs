@@ -38,7 +38,10 @@ use self::{
     traffic::Console,
     wheel_watch::WheelWatch,
 };
-use crate::driver::{ConnectionPhase, Driver};
+use crate::{
+    driver::{ConnectionPhase, Driver},
+    recording::LineEvent,
+};
 use robovac_core::{
     geometry::Pose,
     robot::{self, Odometry, OdometryModel, RobotModel, RobotPort},
@@ -103,6 +106,8 @@ pub struct Connection {
     trace: Vec<f64>,
     console: Console,
     recorder: Recorder,
+    /// What happens, if it is watched.
+    watched: Option<Vec<(f64, LineEvent)>>,
 }
 
 impl Default for Connection {
@@ -141,6 +146,7 @@ impl Connection {
             trace: Vec::new(),
             console: Console::default(),
             recorder: Recorder::default(),
+            watched: None,
         }
     }
 
@@ -292,6 +298,9 @@ impl Connection {
     fn listen(&mut self) {
         for (time_s, happening) in self.driver.take_happenings() {
             self.console.take(time_s, &happening);
+            if let Some(watched) = &mut self.watched {
+                watched.push((time_s, LineEvent::Happening(happening)));
+            }
         }
     }
 

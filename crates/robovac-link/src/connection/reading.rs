@@ -1,6 +1,7 @@
 //! Handling of a new sensor reading.
 
 use super::{Calibrating, Connection, LEFT_ALONE_S, MOST_TRACE, ODD_COUNTS, STICK_S};
+use crate::recording::{LineEvent, RecordedReading};
 use robovac_core::robot::{Drive, RobotPort, SensorReadings};
 use robovac_sim::controller::{Joystick as Stick, drive_on};
 use roomba_oi::motion::encoder_delta;
@@ -13,6 +14,18 @@ impl Connection {
         self.odometry.update(&sensed);
         let pose = self.odometry.pose();
         self.distance_m += (pose.position() - before.position()).norm();
+        if let Some(watched) = &mut self.watched {
+            let reading = RecordedReading {
+                readings: self.driver.readings().cloned().unwrap_or_default(),
+                contained: self.driver.contained(),
+                mode: self.driver.mode(),
+                loss: self.driver.dropped().cloned(),
+                pose,
+                distance_m: self.distance_m,
+                dt_s,
+            };
+            watched.push((now, LineEvent::Reading(Box::new(reading))));
+        }
         if self.trace.len() < MOST_TRACE {
             self.trace.extend([pose.x, pose.y, pose.heading, f64::from(felt(&sensed))]);
         }

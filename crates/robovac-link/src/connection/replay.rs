@@ -1,7 +1,9 @@
 //! Replay of a recording through the same driver.
 
 use super::{Connection, ConnectionView, LineRecording, RecordedEvent, Request, Traffic};
+use crate::recording::LineEvent;
 use robovac_core::geometry::Pose;
+use std::sync::Arc;
 
 /// Time between two ticks, s; the same as in the worker.
 const TICK_S: f64 = 0.01;
@@ -9,7 +11,7 @@ const TICK_S: f64 = 0.01;
 /// Playback of a recording. The robot's bytes are received again; the recorded commands are taken as sent, and the
 /// driver's own are discarded.
 pub struct Replay {
-    recording: LineRecording,
+    recording: Arc<LineRecording>,
     link: Connection,
     next: usize,
     time_s: f64,
@@ -17,8 +19,8 @@ pub struct Replay {
 
 impl Replay {
     /// At the start of the recording.
-    pub fn new(recording: LineRecording) -> Self {
-        Self { recording, link: replaying(), next: 0, time_s: 0.0 }
+    pub fn new(recording: impl Into<Arc<LineRecording>>) -> Self {
+        Self { recording: recording.into(), link: replaying(), next: 0, time_s: 0.0 }
     }
 
     /// Duration, s.
@@ -46,6 +48,7 @@ impl Replay {
             }
             self.time_s = self.time_s.max(at);
             let Some((at, entry)) = entry else { break };
+            self.link.replay_seen(*at, entry);
             match entry {
                 RecordedEvent::Received(bytes) => self.link.feed(*at, bytes),
                 RecordedEvent::Sent(bytes) => self.link.replay_sent(*at, bytes),
@@ -65,6 +68,16 @@ impl Replay {
     /// The view at the current time. No request is allowed.
     pub fn view(&mut self) -> ConnectionView {
         ConnectionView { can: super::ConnectionActions::default(), ..self.link.view(self.time_s) }
+    }
+
+    /// Keeps what happens from here on.
+    pub(crate) fn watch(&mut self) {
+        self.link.watched = Some(Vec::new());
+    }
+
+    /// What happened since the last call.
+    pub(crate) fn take_events(&mut self) -> Vec<(f64, LineEvent)> {
+        self.link.watched.as_mut().map(std::mem::take).unwrap_or_default()
     }
 
     /// See [`Connection::take_traffic`].
@@ -89,6 +102,15 @@ impl Connection {
         self.beat(now);
         self.tick(now);
         self.discard();
+    }
+
+    fn replay_seen(&mut self, now: f64, entry: &RecordedEvent) {
+        let Some(watched) = &mut self.watched else { return };
+        match entry {
+            RecordedEvent::Line(words) => watched.push((now, LineEvent::Line(words.clone()))),
+            RecordedEvent::Asked(json) => watched.push((now, LineEvent::Asked(json.clone()))),
+            RecordedEvent::Sent(_) | RecordedEvent::Received(_) => {}
+        }
     }
 
     fn replay_sent(&mut self, now: f64, bytes: &[u8]) {

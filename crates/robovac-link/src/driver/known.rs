@@ -1,7 +1,7 @@
 //! Known properties of a robot and its line.
 
 use super::{ConnectionPhase, Diagnosis, Driver, Happening, LinkStats, WheelCommand};
-use roomba_oi::{FRAMING, Packet, PacketId, Readings, StreamCounts, slot_bytes};
+use roomba_oi::{FRAMING, Packet, PacketId, PacketSet, Readings, StreamCounts, slot_bytes};
 
 impl Driver {
     /// Phase of the connection.
@@ -17,6 +17,11 @@ impl Driver {
     /// The latest value of every packet; `None` before the first frame.
     pub fn readings(&self) -> Option<&Readings> {
         self.has_read.then_some(&self.readings)
+    }
+
+    /// Packets that the last accepted frame contained; the others are of earlier frames.
+    pub fn contained(&self) -> PacketSet {
+        self.contained
     }
 
     /// Whether the robot has been silent for so long that it was stopped.

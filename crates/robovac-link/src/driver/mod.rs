@@ -24,6 +24,7 @@ mod mode_loss;
 mod modes;
 mod question;
 mod raw;
+mod refusal;
 mod wheels;
 
 pub use diagnosis::{Diagnosis, Finding, Step};
@@ -31,6 +32,7 @@ pub use filter::{Filter, FrameVerdict};
 pub use link_stats::LinkStats;
 pub use mode_loss::ModeLoss;
 pub use raw::RawRefusal;
+pub use refusal::FrameRefusal;
 pub use wheels::{DEAD_MAN_S, WheelCommand};
 
 use self::{
@@ -39,7 +41,7 @@ use self::{
     question::{Next, Question},
 };
 use robovac_core::robot::{DistanceAngle, Drive, RobotPort, SensorReadings};
-use roomba_oi::{Command, FRAMING, HEADER, Mode, Readings, Said, StreamEvent, StreamParser};
+use roomba_oi::{Command, FRAMING, HEADER, Mode, PacketSet, Readings, Said, StreamEvent, StreamParser};
 use std::collections::VecDeque;
 
 /// Nominal time between two frames, s.
@@ -96,7 +98,7 @@ pub enum Happening {
     /// An accepted frame.
     Frame(Vec<u8>),
     /// A refused frame, with the reason.
-    Refused(Vec<u8>, String),
+    Refused(Vec<u8>, FrameRefusal),
     /// Text from the robot.
     Text(String),
     /// The answer to a query, as bytes and in words.
@@ -119,6 +121,8 @@ pub struct Driver {
     poll: DistanceAnglePoll,
     readings: Readings,
     sensors: SensorReadings,
+    /// Packets of the last accepted frame.
+    contained: PacketSet,
     /// Readings of the previous frame.
     before: Readings,
     has_read: bool,
@@ -247,7 +251,8 @@ impl Driver {
             }
             if let Some(question) = self.question.as_mut().filter(|question| question.is_sent()) {
                 question.hear(byte);
-            } else if let Some(Believed { moved }) = self.take_byte(now, byte) {
+            } else if let Some(Believed { moved, contained }) = self.take_byte(now, byte) {
+                self.contained = contained;
                 self.reading_arrived(now, moved);
                 return index + 1;
             } else if self.poll.take_news() {
@@ -272,24 +277,22 @@ impl Driver {
                     };
                     let bytes = whole(frame.content());
                     match is_ours.then(|| filter.judge(now, frame)) {
-                        None => Happening::Refused(bytes, "it was not requested".to_owned()),
+                        None => Happening::Refused(bytes, FrameRefusal::NotRequested),
                         Some(verdict @ (FrameVerdict::Believed | FrameVerdict::Late)) => {
                             before.clone_from(readings);
-                            frame.apply(readings);
+                            let contained = frame.apply(readings);
                             let moved = poll.take(frame, readings, now, verdict == FrameVerdict::Late);
-                            read = Some(Believed { moved });
+                            read = Some(Believed { moved, contained });
                             Happening::Frame(bytes)
                         }
                         Some(verdict @ (FrameVerdict::Waits | FrameVerdict::Jumps)) => {
                             poll.hold(frame, verdict == FrameVerdict::Jumps);
-                            Happening::Refused(bytes, "its values jump: the next reading must confirm".to_owned())
+                            Happening::Refused(bytes, FrameRefusal::Unconfirmed)
                         }
-                        Some(FrameVerdict::Impossible) => {
-                            Happening::Refused(bytes, "its checksum is right, but its values are impossible".to_owned())
-                        }
+                        Some(FrameVerdict::Impossible) => Happening::Refused(bytes, FrameRefusal::Impossible),
                     }
                 }
-                StreamEvent::Refused { bytes, error } => Happening::Refused(bytes.to_vec(), error.to_string()),
+                StreamEvent::Refused { bytes, error } => Happening::Refused(bytes.to_vec(), error.into()),
                 StreamEvent::Text(text) => said(firmware, text.line),
             };
             happened(happenings, now, happening);
@@ -335,10 +338,8 @@ impl Driver {
             parser.idle(&mut |event| {
                 let happening = match event {
                     // Frames held back by a false header are outdated.
-                    StreamEvent::Frame(frame) => {
-                        Happening::Refused(whole(frame.content()), "it came too late".to_owned())
-                    }
-                    StreamEvent::Refused { bytes, error } => Happening::Refused(bytes.to_vec(), error.to_string()),
+                    StreamEvent::Frame(frame) => Happening::Refused(whole(frame.content()), FrameRefusal::TooLate),
+                    StreamEvent::Refused { bytes, error } => Happening::Refused(bytes.to_vec(), error.into()),
                     StreamEvent::Text(text) => said(firmware, text.line),
                 };
                 happened(happenings, now, happening);
@@ -419,6 +420,7 @@ impl RobotPort for Port<'_> {
 /// An accepted frame, with its distance and angle.
 struct Believed {
     moved: Option<DistanceAngle>,
+    contained: PacketSet,
 }
 
 /// Both wheels at rest.

@@ -16,6 +16,9 @@ const STREAM: u64 = 6;
 const BUFFER: usize = 1024;
 /// Most bytes sent and not fetched; the oldest are dropped first.
 const UNFETCHED: usize = 1 << 16;
+/// Time for which a host can hand over bytes in advance: a late computer leaves no gap in them, and a host that changes its
+/// rate doesn't wait for bytes of the old one (ours).
+const AHEAD: Nanos = ms(20);
 /// Time after a change of rate in which nothing is received or sent (opcode 129).
 const CHANGE: Nanos = ms(100);
 
@@ -100,9 +103,19 @@ impl SerialLine {
         }
     }
 
-    /// Bytes from the host that are still in transit.
-    pub fn backlog(&self) -> usize {
-        self.arriving.len()
+    /// Bytes that a host can hand over now at this rate: what the line carries in [`AHEAD`], or one if it is slower.
+    pub fn room(&self, now: Nanos, baud: u32) -> usize {
+        let time = byte_time(baud);
+        let room = match self.host_free.saturating_sub(now) {
+            0 => (AHEAD / time).max(1),
+            ahead => AHEAD.saturating_sub(ahead) / time,
+        };
+        usize::try_from(room).unwrap_or(usize::MAX)
+    }
+
+    /// Whether bytes from the host, and whether bytes to it, are in transit.
+    pub fn is_busy(&self) -> [bool; 2] {
+        [!self.arriving.is_empty(), !self.waiting.is_empty()]
     }
 
     /// Arrival time of the next byte from the host.

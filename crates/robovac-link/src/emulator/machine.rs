@@ -115,6 +115,12 @@ impl Machine {
         self.power == PowerState::Awake
     }
 
+    /// Whether bytes from the host are still in transit, or answers to them. Frames of the stream aren't answers.
+    pub fn is_answering(&self) -> bool {
+        let [hears, sends] = self.line.is_busy();
+        hears || !self.asked.is_empty() || (sends && !self.stream.is_on())
+    }
+
     /// Time of the next step.
     pub fn next_step(&self) -> Nanos {
         self.next_step

@@ -111,15 +111,21 @@ impl Emulator {
         Self { decoder: CommandDecoder::default(), machine: Machine::new(setup, who), rest: 0.0, heard: None }
     }
 
-    /// Takes bytes that a host starts to send now at `baud`, or after the earlier ones.
+    /// Takes bytes that a host starts to send now at `baud`, or after the earlier ones: see [`Self::room`].
     pub fn receive(&mut self, bytes: &[u8], baud: u32) {
         let machine = &mut self.machine;
         machine.line.receive(machine.now, bytes, baud);
     }
 
-    /// Bytes from the host that are still in transit; a host should wait while there are many.
-    pub fn backlog(&self) -> usize {
-        self.machine.line.backlog()
+    /// Bytes that a host at `baud` should pass at most now. More are taken, but keep the line busy at that rate, whatever
+    /// the host's next one is.
+    pub fn room(&self, baud: u32) -> usize {
+        self.machine.line.room(self.machine.now, baud)
+    }
+
+    /// Whether bytes from the host are still in transit, or answers to them. Frames of the stream aren't answers.
+    pub fn is_answering(&self) -> bool {
+        self.machine.is_answering()
     }
 
     /// Pulls the BRC wire low, or releases it.

@@ -2,6 +2,8 @@
 //!
 //! - In Passive it falls asleep after five minutes without a command, a button, a pulse on BRC or a built-in program;
 //!   in Safe and Full never. In Off the interface isn't running, and no source mentions sleep: it stays awake.
+//! - Power (133) puts it to sleep at once and leaves it in Passive. The specification names the mode and the sleep, but no
+//!   time; that it happens at once, and that unsent bytes are lost, is ours.
 //! - Asleep it is silent, and no byte wakes it. Its Clean button and the end of a low pulse on BRC do. Mode, rate and
 //!   stream are kept: sleep isn't among the documented ways into Off.
 //! - Three low pulses on BRC of 50 to 500 ms each, two seconds or more after power-on, set 19200 baud. That they follow each

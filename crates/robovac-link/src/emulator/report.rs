@@ -27,6 +27,13 @@ pub(super) struct Stream {
     pub is_paused: bool,
 }
 
+impl Stream {
+    /// Whether frames are sent.
+    pub fn is_on(&self) -> bool {
+        !self.is_paused && !self.packets.is_empty()
+    }
+}
+
 impl Machine {
     /// The packet or group with that number, if this robot supports it.
     pub fn packet(&self, id: u8) -> Option<PacketId> {
@@ -35,7 +42,7 @@ impl Machine {
 
     /// Sends pending answers and the stream's frame.
     pub fn report(&mut self) {
-        let has_stream = !self.stream.is_paused && !self.stream.packets.is_empty();
+        let has_stream = self.stream.is_on();
         if self.asked.is_empty() && !has_stream {
             return;
         }
