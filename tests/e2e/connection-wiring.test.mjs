@@ -45,7 +45,7 @@ for (const [where, options] of Object.entries(process.env.PICTURES ? { phone: PH
   test(`each finding shows what to do, in words and as a picture: ${where}`, async (t) => {
     const { page, screenshot } = await openTab(t, options);
     await page.evaluate(() => localStorage.setItem("connection-safety", "read"));
-    await page.locator(".connection-bridge summary").click();
+    await page.locator("#connection-bridge summary").click();
     for (const [address, name] of Object.entries(FOUND)) {
       await page.locator("#connection-url").fill(`ws://robot/${address}`);
       await page.locator("#connection-socket button").click();
@@ -88,7 +88,7 @@ test("the dialog explains cable and wiring, and begins where it is asked to", as
   }
   await page.keyboard.press("Escape");
   await page.evaluate(() => localStorage.setItem("connection-safety", "read"));
-  await page.locator(".connection-bridge summary").click();
+  await page.locator("#connection-bridge summary").click();
   await page.locator("#connection-url").fill("ws://robot/silence");
   await page.locator("#connection-socket button").click();
   await page.locator("#connection-diagnosis-wiring").click();

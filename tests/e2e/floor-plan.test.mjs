@@ -486,6 +486,7 @@ test("one screen on a laptop, in words too", async (t) => {
   assert.deepEqual(rails, [0, 0], "nothing to be scrolled");
   assert.match(await page.locator("#floor-plan-floor").getAttribute("aria-label"), /^Floor plan sample flat, \d+ strokes .* square metres/);
   // The link opens the same tab again, whether or not the drawing was kept by then.
+  await app.linked("tab");
   await page.reload();
   await page.locator("#floor-plan-empty").waitFor({ state: "attached" });
   assert.equal(await page.locator("#tab-floor-plan").getAttribute("aria-current"), "page");

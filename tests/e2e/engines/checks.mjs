@@ -68,6 +68,8 @@ export const CHECKS = {
     await grows(page, "n-coverage", coverage);
     assert.equal(await page.evaluate(() => document.getElementById("message").hidden), true);
     await painted(page, "#floor");
+    const line = await page.evaluate(() => getComputedStyle(document.querySelector(".term")).getPropertyValue("text-decoration-style"));
+    assert.equal(line, "dotted", "that a word has a definition can be seen");
   },
 
   "Explore: plans by menus, plays by keys; a wall is drawn and undone, and a reload keeps it": async ({ page, url }) => {

@@ -23,7 +23,9 @@ export function checkIn(name, start, own) {
       const browser = await (started ??= start());
       const server = await serveWatched();
       t.after(async () => {
-        if (!t.passed) await browser.screenshot(t.name.replace(/\W+/g, "-")).catch(() => {});
+        // Waited for in vain after some failures.
+        const patience = new Promise((resolve) => setTimeout(resolve, 5000).unref());
+        if (!t.passed) await Promise.race([patience, browser.screenshot(t.name.replace(/\W+/g, "-")).catch(() => {})]);
         await server.close();
       });
       await what(t, browser, server);
