@@ -62,7 +62,7 @@ checkIn("Firefox", start, {
     assert.equal(serial, false);
     assert.match(why, /switched off in this Firefox/);
     assert.match(instead, /dom\.webserial\.enabled.*bridge.*virtual robot/);
-    assert.deepEqual(await supportIf(true), { serial: true, socket: true, why: "", instead: "" });
+    assert.deepEqual(await supportIf(true), { serial: true, usb: false, socket: true, why: "", instead: "" });
   },
 
   "a port is chosen, and its robot connects, drives and stops": async ({ page, url, t }) => {
