@@ -270,6 +270,9 @@ state: "out" | "trying" | "done" | "failed",
 /** 0 to 1. */
 progress: number, message: string, };
 
+/** What an entry of a timeline is about. */
+export type EntryKind = "line" | "mode" | "hazard" | "frames" | "battery" | "command" | "robot";
+
 export type ExampleEntry = { room: string, why: string, };
 
 /** Progress of a film. */
@@ -1023,6 +1026,38 @@ low_s: number | null,
 median_s: number | null,
 /** Time by which nine runs in ten reached it, s. */
 high_s: number | null, };
+
+/** What happened in a recording, in order. */
+export type Timeline = {
+/** Duration of the recording, s. */
+duration_s: number,
+/** Readings of the sensors. */
+readings: number,
+/** Frames that were lost on the line, as far as their remains arrived. */
+lost_frames: number,
+/** Path driven by odometry, m. */
+distance_m: number,
+/** Times that the bumper was pressed. */
+bumps: number,
+/** Charge of the battery at the first and at the last reading, percent; `None` if it wasn't reported. */
+charge_percent: [number, number] | null,
+/** What happened. */
+entries: Array<TimelineEntry>,
+/** Entries that were left out, as there were too many. */
+left_out: number, };
+
+/** Something that happened in a recording. */
+export type TimelineEntry = {
+/** When it began, s since the start of the recording. */
+time_s: number,
+/** How long it lasted, s; 0 for a moment. */
+duration_s: number,
+/** What it is about. */
+kind: EntryKind,
+/** Whether something was wrong. */
+is_fault: boolean,
+/** A sentence. */
+text: string, };
 
 /** The resulting room. */
 export type TracedRoomView = {

@@ -1,13 +1,19 @@
 //! Replay of a recording.
 
-use robovac_link::connection::{LineRecording, Replay as Player};
+use robovac_link::{
+    connection::{LineRecording, Replay as Player},
+    recording::{Examination, csv},
+};
 use robovac_playground::wire::to_js;
+use std::{convert::Infallible, sync::Arc};
 use wasm_bindgen::prelude::*;
 
 /// Playback of a recording.
 #[wasm_bindgen]
 pub struct Replay {
+    recording: Arc<LineRecording>,
     player: Player,
+    examination: Examination,
     name: String,
 }
 
@@ -16,8 +22,9 @@ impl Replay {
     /// Reads a recording from the file of that name; throws a sentence for users that names the line if it isn't one.
     #[wasm_bindgen(constructor)]
     pub fn new(name: String, text: &str) -> Result<Self, JsValue> {
-        let recording = LineRecording::parse(text).map_err(|e| e.to_string())?;
-        Ok(Self { player: Player::new(recording), name })
+        let recording = Arc::new(LineRecording::parse(text).map_err(|e| e.to_string())?);
+        let (player, examination) = (Player::new(Arc::clone(&recording)), Examination::new(Arc::clone(&recording)));
+        Ok(Self { recording, player, examination, name })
     }
 
     /// Duration, s.
@@ -45,6 +52,32 @@ impl Replay {
     #[wasm_bindgen(unchecked_return_type = "rust.Traffic[]")]
     pub fn take_traffic(&mut self) -> Result<JsValue, JsValue> {
         to_js(&self.player.take_traffic())
+    }
+
+    /// Examines the next seconds of the recording, for [`Self::timeline`]; whether there is more.
+    pub fn examine(&mut self, seconds: f64) -> bool {
+        self.examination.go_on(seconds)
+    }
+
+    /// What happened, a `Timeline`, as far as it was examined.
+    #[wasm_bindgen(unchecked_return_type = "rust.Timeline")]
+    pub fn timeline(&self) -> Result<JsValue, JsValue> {
+        to_js(&self.examination.timeline())
+    }
+
+    /// Its figures in one line.
+    pub fn summary(&self) -> String {
+        self.examination.timeline().summary()
+    }
+
+    /// All readings as comma-separated values.
+    pub fn csv(&self) -> String {
+        let mut text = String::new();
+        let written: Result<(), Infallible> = csv(Arc::clone(&self.recording), |piece| {
+            text.push_str(piece);
+            Ok(())
+        });
+        written.map_or_else(|never| match never {}, |()| text)
     }
 
     /// As `Connection.take_trace`.

@@ -155,6 +155,17 @@ test("a session is recorded, and replayed", async (t) => {
   await page.locator("#replay-file").setInputFiles(file);
   await page.locator("#replay-speed").selectOption("16");
   await page.waitForFunction((metres) => Math.abs(Number(document.getElementById("connection-distance").textContent) - metres) < 0.11, driven);
+  // What happened leads to its moment, where it stands as it has ended.
+  await page.locator("#replay-play", { hasText: "Play" }).waitFor();
+  await page.locator("#replay-timeline button", { hasText: "Driven" }).click();
+  await robot.app.poll(() => robot.distance(), (metres) => metres < 0.01);
+  await robot.mode("Safe");
+  assert.match(await page.locator("#connection-doing-note").textContent(), /^Safe: the page was in control/);
+  assert.equal(await page.locator("#replay-timeline [aria-current=true]").count(), 1);
+  assert.match(await page.locator("#replay-summary").textContent(), / m driven, 0 bumps, battery /);
+  const [table] = await Promise.all([page.waitForEvent("download"), page.locator("#replay-csv").click()]);
+  assert.match(table.suggestedFilename(), /\.csv$/);
+  assert.match(fs.readFileSync(await table.path(), "utf8"), /^time \(s\),mode,pose_x \(m\),.*\n[\d.]+,Passive,/);
   await page.locator("#connection-close").click();
   await page.locator("#connection-welcome").waitFor();
 });

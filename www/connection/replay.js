@@ -2,11 +2,13 @@
 // A recorded session once more: shown as it was, with nothing to be driven.
 import { Replay } from "../../workshop.js";
 import { button, byId, changed, input, select, setHidden, setText } from "../dom.js";
+import { download } from "../files.js";
 import { clock } from "../format.js";
 import { textOf } from "../messages.js";
 import { atMostEvery } from "../shared/frame-pacer.js";
 import { startRange } from "../shared/range.js";
 import { fillSpeeds } from "../shared/time-line.js";
+import { startTimeline } from "./timeline.js";
 
 /** Milliseconds between views. */
 const PAUSE = 50;
@@ -32,6 +34,7 @@ export function startReplay(it, to) {
   let replay;
   let isPlaying = false;
   let last = 0;
+  let name = "";
   const isDue = atMostEvery(PAUSE);
 
   button("replay-open").addEventListener("click", () => file.click());
@@ -43,7 +46,8 @@ export function startReplay(it, to) {
       if (chosen.size > MOST) throw `"${chosen.name}" is too large for a recording.`;
       const read = new Replay(chosen.name, await chosen.text());
       end();
-      [replay, isPlaying] = [read, true];
+      [replay, isPlaying, name] = [read, true, chosen.name.replace(/\.[^.]*$/, "")];
+      timeline.begin(read);
       to.settle();
       setHidden(byId("replay"), false);
       last = performance.now();
@@ -65,6 +69,8 @@ export function startReplay(it, to) {
     replay.advance(time);
     look();
   };
+  const timeline = startTimeline(go);
+  button("replay-csv").addEventListener("click", () => replay && download(`${name}.csv`, replay.csv(), "text/csv"));
   const showRange = startRange("replay-at", go);
   const look = () => {
     if (!replay) return;
@@ -74,10 +80,12 @@ export function startReplay(it, to) {
     const [now, all] = [replay.time_s(), replay.duration_s()];
     showRange(all, now);
     setText(byId("replay-time"), `${clock(now)} of ${clock(all)}`);
+    timeline.mark(now);
   };
   /** Says whether there was one. */
   const end = () => {
     if (!replay) return false;
+    timeline.begin();
     replay.free();
     replay = undefined;
     setHidden(byId("replay"), true);
@@ -90,6 +98,7 @@ export function startReplay(it, to) {
     /** @param {number} now */
     frame(now) {
       if (!replay) return;
+      timeline.frame();
       const elapsed = Math.min(0.25, Math.max(0, (now - last) / 1000));
       last = now;
       if (isPlaying) {

@@ -11,6 +11,7 @@ use crate::{
 use robovac_link::{
     connection::{ConnectionView, LineRequest, Request, Traffic},
     emulator::{PersonalityView, VirtualView},
+    recording::Timeline,
 };
 use robovac_sim::montecarlo::Summary;
 use std::collections::BTreeMap;
@@ -60,6 +61,7 @@ pub fn declarations() -> String {
     all.visit::<StudyView<'static>>();
     all.visit::<Summary>();
     all.visit::<TableView>();
+    all.visit::<Timeline>();
     all.visit::<Traffic>();
     all.visit::<VirtualView>();
     let texts: Vec<String> = all.texts.into_values().collect();

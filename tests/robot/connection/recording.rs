@@ -116,7 +116,7 @@ fn a_timeline_tells_what_happened_and_what_went_wrong() {
     assert!(is_at(drop, lifted) && drop.is_fault && (drop.duration_s - 2.0).abs() < 0.1, "{drop:?}");
     let lost = entry(&timeline, "left Safe and stopped: both wheels have dropped");
     assert!(is_at(lost, lifted) && lost.is_fault, "{lost:?}");
-    let frames = entry(&timeline, "lost on the line");
+    let frames = entry(&timeline, " lost");
     assert!(is_at(frames, garbled) && frames.text.starts_with("3 frames"), "{frames:?}");
     assert_eq!(timeline.lost_frames, 3);
     let gap = entry(&timeline, "No sensor readings for 0.6 s.");

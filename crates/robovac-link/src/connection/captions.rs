@@ -165,7 +165,13 @@ impl ConnectionView {
         if self.is_recording {
             let then = going
                 .map_or(String::new(), |ride| format!(". Then: {}", title(ride.manual, &ride.title, "driven by hand")));
-            return Caption::new("Recording", format!("playback only{then}"));
+            let mode = match (self.phase, self.mode) {
+                ("connected", "Passive") => "Passive: the robot itself was in control",
+                ("connected", "Safe") => "Safe: the page was in control, guarded",
+                ("connected", "Full") => "Full: the page was in control, unguarded",
+                _ => "no sensor readings",
+            };
+            return Caption::new("Recording", format!("{mode}{then}"));
         }
         if !self.is_open {
             return Caption::new("No robot", "connect one, or try the virtual one");

@@ -378,7 +378,7 @@ impl Notes {
             duration,
             EntryKind::Frames,
             true,
-            format!("{frames} lost on the line{}.", lasting(duration).replacen(" for", " in", 1)),
+            format!("{frames} lost{}.", lasting(duration).replacen(" for", " in", 1)),
         );
     }
 
