@@ -34,11 +34,11 @@ pub trait Board: Ends {
     /// Milliseconds since the start.
     fn now_ms(&self) -> u64;
     /// Bytes of the robot that have arrived; how many there are in `buffer`.
-    fn from_robot(&mut self, buffer: &mut [u8]) -> usize;
+    fn receive(&mut self, buffer: &mut [u8]) -> usize;
     /// Sends bytes of the robot to all clients.
-    fn to_clients(&mut self, bytes: &[u8]);
+    fn broadcast(&mut self, bytes: &[u8]);
     /// The next event of the network, with its message in `buffer`.
-    fn from_network<'b>(&mut self, buffer: &'b mut [u8]) -> Option<Arrived<'b>>;
+    fn next_event<'b>(&mut self, buffer: &'b mut [u8]) -> Option<Arrived<'b>>;
 }
 
 /// The bridge with its buffers, 2 KB in all.
@@ -57,23 +57,25 @@ impl Firmware {
 
     /// One round: to be called for ever, at least every 10 ms.
     pub fn step(&mut self, board: &mut impl Board) {
-        let count = board.from_robot(&mut self.buffer);
+        let count = board.receive(&mut self.buffer);
         if let Some(bytes @ [_, ..]) = self.buffer.get(..count) {
-            board.to_clients(bytes);
+            board.broadcast(bytes);
         }
         let now_ms = board.now_ms();
-        match board.from_network(&mut self.buffer) {
-            Some(Arrived::Client(client)) => {
-                if self.bridge.joined(client, now_ms, board) == Err(Full) {
-                    board.close(client, "there are too many clients");
-                }
-            }
+        match board.next_event(&mut self.buffer) {
+            Some(Arrived::Client(client)) => self.greet(client, now_ms, board),
             Some(Arrived::Binary(client, bytes)) => self.bridge.bytes(client, bytes, now_ms, board),
             Some(Arrived::Text(client, text)) => self.bridge.text(client, text, now_ms, board),
             Some(Arrived::Gone(client)) => self.bridge.left(client, now_ms, board),
             None => {}
         }
         self.bridge.tick(now_ms, board);
+    }
+
+    fn greet(&mut self, client: ClientId, now_ms: u64, board: &mut impl Board) {
+        if self.bridge.joined(client, now_ms, board) == Err(Full) {
+            board.close(client, "there are too many clients");
+        }
     }
 
     /// The client that drives.
@@ -125,11 +127,11 @@ mod tests {
         fn now_ms(&self) -> u64 {
             self.now_ms
         }
-        fn from_robot(&mut self, _buffer: &mut [u8]) -> usize {
+        fn receive(&mut self, _buffer: &mut [u8]) -> usize {
             0
         }
-        fn to_clients(&mut self, _bytes: &[u8]) {}
-        fn from_network<'b>(&mut self, buffer: &'b mut [u8]) -> Option<Arrived<'b>> {
+        fn broadcast(&mut self, _bytes: &[u8]) {}
+        fn next_event<'b>(&mut self, buffer: &'b mut [u8]) -> Option<Arrived<'b>> {
             let (client, message) = self.arriving.pop()?;
             Some(match message {
                 None => Arrived::Client(client),
