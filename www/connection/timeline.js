@@ -16,13 +16,18 @@ export function startTimeline(go) {
   let examined = 0;
   /** Entries with their times. @type {[HTMLElement, number][]} */
   let entries = [];
+  /** The entry that was chosen last. */
+  let chosen = -1;
 
   const show = (/** @type {import("../../workshop.js").Replay} */ replay) => {
     const timeline = replay.timeline();
-    entries = timeline.entries.map(({ time_s: time, text, is_fault: isFault }) => {
+    entries = timeline.entries.map(({ time_s: time, text, is_fault: isFault }, index) => {
       const mark = isFault ? make("i", { title: "Fault" }, "!") : make("i");
       const entry = make("button", { type: "button", className: isFault ? "quiet fault" : "quiet" }, make("time", {}, clock(time)), mark, make("span", {}, text));
-      entry.addEventListener("click", () => go(time));
+      entry.addEventListener("click", () => {
+        chosen = index;
+        go(time);
+      });
       return [entry, time];
     });
     list.replaceChildren(...entries.map(([entry]) => make("li", {}, entry)));
@@ -33,7 +38,7 @@ export function startTimeline(go) {
   return {
     /** Begins with another recording, or none. @param {import("../../workshop.js").Replay} [other] */
     begin(other) {
-      [replay, examined, entries] = [other, 0, []];
+      [replay, examined, entries, chosen] = [other, 0, [], -1];
       list.replaceChildren();
     },
     /** Once a frame. */
@@ -45,10 +50,11 @@ export function startTimeline(go) {
       show(replay);
       replay = undefined;
     },
-    /** Marks the last entry before this time. @param {number} now */
+    /** Marks the last entry before this time; of several at one time, the one that was chosen. @param {number} now */
     mark(now) {
       const at = entries.filter(([, time]) => time <= now).length - 1;
-      for (const [index, [entry]] of entries.entries()) setAttribute(entry, "aria-current", String(index === at));
+      const marked = entries[chosen]?.[1] === entries[at]?.[1] ? chosen : at;
+      for (const [index, [entry]] of entries.entries()) setAttribute(entry, "aria-current", String(index === marked));
     },
   };
 }
