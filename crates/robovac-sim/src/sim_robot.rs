@@ -11,9 +11,9 @@ use robovac_core::{
     robot::{Drive, RobotModel, RobotPort, SensorReadings, WheelLayout, advance_sideways},
 };
 
-/// Ratio of emergency braking to normal acceleration: at 2.4 m/s² a Roomba that reaches an edge at its full 0.5 m/s
-/// stops within 52 mm, of the 154 mm between its cliff sensors and wheels (ours).
-const BRAKING: f64 = 3.0;
+/// Emergency braking, m/s²: a Roomba that reaches an edge at its full 0.5 m/s stops within 52 mm, of the 154 mm between its
+/// cliff sensors and wheels (ours).
+const BRAKING: f64 = 2.4;
 
 /// Body, wheels and sensors of one robot. It takes wheel speeds and reports the readings of the Open Interface.
 #[expect(clippy::struct_excessive_bools)]
@@ -194,8 +194,8 @@ impl SimRobot {
 
     /// The wheel speed one step later: towards `wanted`, within the motors' speed and acceleration.
     fn approach(&self, speed: f64, wanted: f64) -> f64 {
-        let braking = if self.is_braking { BRAKING } else { 1.0 };
-        let most = braking * self.model.acceleration * STEP_S;
+        let least = if self.is_braking { BRAKING } else { 0.0 };
+        let most = self.model.acceleration.max(least) * STEP_S;
         let wanted = if self.is_quantised { quantised(wanted, self.model.speed_steps) } else { wanted };
         let wanted = wanted.clamp(-self.model.max_wheel_speed, self.model.max_wheel_speed);
         speed + (wanted - speed).clamp(-most, most)

@@ -142,7 +142,10 @@ fn no_distance_counts_twice_after_a_false_header_or_a_signal_that_jumps() {
     };
     let (clean, _) = ride_with(None);
     let (resynced, statistics) = ride_with(Some(on_frames(|frame| match distance(frame) {
-        Some(_) => [&frame[..3], frame].concat(),
+        // One in 256 is a frame with a right checksum by chance, which takes the true one's bytes.
+        Some(_) => Some([&frame[..3], frame].concat())
+            .filter(|bytes| StreamFrame::parse(&bytes[..frame.len()]).is_err())
+            .unwrap_or_else(|| frame.to_vec()),
         None => frame.to_vec(),
     })));
     assert!(statistics.bad_checksums > 20 && (resynced - clean).abs() < 0.003, "{resynced} {clean} {statistics:?}");

@@ -52,6 +52,16 @@ fn drive_direct_takes_the_right_wheel_first() {
 }
 
 #[test]
+fn wheels_got_going_at_less_than_half_the_published_acceleration() {
+    let mut lab = Lab::in_mode(Mode::Safe);
+    lab.send(&[145, 1, 44, 0, 150]);
+    lab.wait(0.2);
+    let speed = lab.robot.robot().speed();
+    // 300 mm/s at 1.8 m/s² take a sixth of a second.
+    assert_eq!([speed.left, speed.right].map(|v| (1000.0 * v).round() as i32), [150, 300]);
+}
+
+#[test]
 fn drive_pwm_has_a_dead_zone_that_is_wider_on_carpet() {
     let mut lab = Lab::in_mode(Mode::Full);
     assert_eq!(speeds(&mut lab, &[146, 0, 20, 255, 236]), [0, 0]);

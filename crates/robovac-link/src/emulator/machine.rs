@@ -27,6 +27,11 @@ use std::sync::Arc;
 const PRESS: Nanos = SECOND / 6;
 /// Share of the charge below which a battery is low (ours).
 const LOW: f64 = 0.1;
+/// Acceleration of its wheels, m/s²: the only published figure, the default of `wheel_accel` in the robot description of
+/// the ROS driver `AutonomyLab/create_robot` (`create_description/urdf/create_base.urdf.xacro`); iRobot publishes none. It
+/// isn't known to be measured. Behaviours, in the simulator and on a real robot, count on the less that is in the robot
+/// model: whoever brakes for an edge must not count on too much.
+const WHEEL_ACCELERATION: f64 = 1.8;
 /// Gap between a robot on its dock and the dock's back, m: its contacts touch.
 const DOCK_GAP: f64 = 0.003;
 
@@ -75,7 +80,8 @@ impl Machine {
     pub fn new(setup: &RunSetup, who: &Personality) -> Self {
         let (world, start) = placed(setup, who);
         let life = Life::new(&world, &setup.floor, setup.seed);
-        let robot = SimRobot::new(&setup.robot, start, setup.conditions, setup.seed);
+        let body = RobotModel { acceleration: WHEEL_ACCELERATION, ..setup.robot.clone() };
+        let robot = SimRobot::new(&body, start, setup.conditions, setup.seed);
         Self {
             who: who.clone(),
             counts_offset: who.first_counts,
