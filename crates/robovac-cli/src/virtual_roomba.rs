@@ -27,8 +27,6 @@ use std::{
 
 /// Time between two looks at the line: less than a byte at 4800 baud, a seventh of the robot's own refresh.
 const LOOK: Duration = Duration::from_millis(2);
-/// Orders that are obeyed at one look at the line at most.
-const MOST_ORDERS: usize = 16;
 /// Time for which it still sends when a host has said all that it will and has its answers.
 const LAST_WORDS: Duration = Duration::from_millis(250);
 /// Longest time that is made up for after the machine was busy or asleep.
@@ -180,7 +178,7 @@ impl Host {
             self.robot.advance((now - last).min(MOST_LAG).as_secs_f64());
             last = now;
             self.write_down();
-            for order in (0..MOST_ORDERS).map_while(|_| self.control.next()).collect::<Vec<_>>() {
+            while let Some(order) = self.control.next() {
                 match order {
                     Ok(Order::Quit) => return Ok(()),
                     Ok(order) => self.obey(order)?,
