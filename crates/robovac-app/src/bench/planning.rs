@@ -15,7 +15,7 @@ const SIMULATED_STEPS: u32 = 120_000;
 
 /// Every planner on 100 x 100 cells and the fast ones on 1000 x 1000; the opening scene, and one of many runs.
 pub fn planning(bench: &mut Bench<'_>) {
-    for side in [bench.size(100, 30), bench.size(1000, 200)] {
+    for side in [bench.size(100, 30), bench.size(1000, 300)] {
         let Some(job) = hall(side) else { continue };
         for info in PLANNERS.iter().filter(|info| info.claims.fast || job.cells() <= SLOW_CELLS) {
             let planner = info.build(&Params::defaults(info.params));
