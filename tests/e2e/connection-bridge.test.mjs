@@ -120,6 +120,8 @@ test("the bridge that is ended stops the robot; one that was killed does so as s
     await bridge.end(signal);
     await desk.until((view) => view.transport.state === "lost");
     if (signal === "SIGKILL") {
+      // Else its own stop would be the next.
+      await desk.tab.evaluate(() => window.connection.close());
       robot.forget();
       const again = await Bridge.start(t, robot);
       await robot.rests();

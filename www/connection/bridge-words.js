@@ -9,8 +9,12 @@ const VERSION = "1";
 /** How often the bridge gets a sign of life, ms. It stops the robot after 200 ms without one. */
 export const ALIVE_MS = 50;
 
-/** The code with which the bridge closes a connection, with the reason in words. */
-export const CLOSED_BY_BRIDGE = 4000;
+/** The codes with which the bridge closes a connection, with the reason in words: one that may pass, or for good. */
+const CLOSED = 4000;
+const REFUSED = 4001;
+
+/** Why a connection was closed, and whether it is no use to try again. @param {CloseEvent} event */
+export const closure = ({ code, reason }) => ({ why: `The bridge closed the connection${code === CLOSED || code === REFUSED ? `: ${reason}.` : "."}`, isForGood: code === REFUSED });
 
 /** The bridge's TCP port, unless the address names another. */
 const PORT = 7626;

@@ -52,6 +52,7 @@ async function open(target) {
   const events = {
     onbytes: (bytes) => say({ type: "bytes", bytes }),
     onopened: () => say({ type: "opened", view: view() }),
+    onhalted: (why) => say({ type: "halted", why }),
     onlost: (why, forGood) => say({ type: "lost", why, forGood, view: view() }),
   };
   line = target.kind === "socket" ? new SocketLine(target.url, events) : new SerialLine(accessBy(target.kind), target.address, events);

@@ -106,6 +106,7 @@ export class RemoteLine {
     if (message.view) this.view = message.view;
     if (message.type === "beat") return;
     if (message.type === "opened") this.#events.onopened();
+    else if (message.type === "halted") this.#events.onhalted?.(message.why);
     else if (message.type === "lost") this.#events.onlost(message.why, message.forGood);
     else {
       this.#waiting.get(message.id)?.(message);

@@ -1,7 +1,7 @@
 // @ts-check
 // A line over a WebSocket, for bridges to the robot's serial line: `robovac bridge`, which watches this page and can set the
 // baud rate; or an ESP's firmware, or websockify before ser2net. Binary messages hold the robot's bytes as they are.
-import { ALIVE_MS, CLOSED_BY_BRIDGE, haltedBecause, isHello, wellFormed } from "./bridge-words.js";
+import { ALIVE_MS, closure, haltedBecause, isHello, wellFormed } from "./bridge-words.js";
 import { unreachable } from "./local-network.js";
 import { takeLock } from "./lock.js";
 import { failure } from "./ports.js";
@@ -16,9 +16,6 @@ const HELLO_MS = 150;
 
 /** When a bridge that was lost is tried again, ms. */
 const AGAIN_MS = 2000;
-
-/** How long it is shown that the bridge stopped the robot, ms. */
-const SHOWN_MS = 8000;
 
 /** @typedef {import("./types").Transport} Transport */
 
@@ -39,6 +36,8 @@ export class SocketLine {
   #stalledAt = Infinity;
   /** Whether it is `robovac bridge`. */
   #isOurs = false;
+  /** Why this page can't speak to the bridge. */
+  #refused = "";
   /** @type {ReturnType<typeof setInterval> | undefined} */
   #beating;
 
@@ -130,48 +129,59 @@ export class SocketLine {
       socket.close();
       throw await unreachable(address);
     }
-    if (closed) throw failure("denied", `The bridge closed the connection${closed.code === CLOSED_BY_BRIDGE ? `: ${closed.reason}.` : "."}`, "");
+    if (closed) {
+      const { why, isForGood } = closure(closed);
+      throw failure(isForGood ? "denied" : "unreachable", why, "");
+    }
     if (this.#isClosed) {
       socket.close();
       throw failure("failed", "The connection was closed before it was established.", "");
     }
-    try {
-      this.#isOurs = isHello(early[0]?.data);
-    } catch (why) {
-      socket.close();
-      throw failure("failed", String(why), "");
-    }
-    this.view.can_baud = this.#isOurs;
-    this.view.brc = this.#isOurs ? "high" : "none";
-    this.view.baud = 115200;
-    this.view.is_watching = false;
-    this.view.state = "open";
-    this.view.text = "";
+    this.#isOurs = false;
+    Object.assign(this.view, { can_baud: false, brc: "none", baud: 115200, is_watching: false, state: "open", text: "" });
     this.#socket = socket;
     socket.onmessage = ({ data }) => this.#socket === socket && this.#heard(data);
     socket.onerror = null;
-    socket.onclose = ({ code, reason }) => this.#socket === socket && this.#lose(code === CLOSED_BY_BRIDGE ? `The bridge closed the connection: ${reason}.` : "The bridge closed the connection.");
+    socket.onclose = (event) => this.#socket === socket && this.#lose(closure(event).why);
+    for (const { data } of early) this.#heard(data);
+    if (this.#refused) throw failure("failed", this.#refused, "");
+  }
+
+  /** The line of `robovac bridge`, as it is at the beginning. */
+  #greet() {
+    this.#isOurs = true;
+    this.view.can_baud = true;
+    // An earlier client may have left it otherwise.
+    void this.setBaud(115200);
+    void this.setBrc(false);
     clearInterval(this.#beating);
-    if (this.#isOurs) this.#beating = setInterval(() => this.#say("alive"), ALIVE_MS);
-    for (const { data } of this.#isOurs ? early.slice(1) : early) this.#heard(data);
+    this.#beating = setInterval(() => this.#say("alive"), ALIVE_MS);
   }
 
   /** @param {unknown} data */
   #heard(data) {
     if (typeof data !== "string") this.#events.onbytes(new Uint8Array(/** @type {ArrayBuffer} */ (data)));
-    else if (!this.#isOurs) this.#events.onbytes(new TextEncoder().encode(data));
-    else if (data === "watch") {
-      this.view.is_watching = true;
-      this.view.text = "Another client drives this robot. You are watching.";
-    } else if (data === "drive" && this.view.is_watching) {
-      this.view.is_watching = false;
-      this.view.text = "";
+    else if (!this.#isOurs) {
+      try {
+        if (isHello(data)) this.#greet();
+        else this.#events.onbytes(new TextEncoder().encode(data));
+      } catch (why) {
+        this.#refused = String(why);
+        this.#lose(this.#refused);
+      }
+    } else if (data === "watch") this.#watches(true);
+    else if (data === "drive" && this.view.is_watching) {
+      this.#watches(false);
+      this.#greet();
       // The robot is in this page's hands now, which begin as on any other line.
       this.#events.onopened();
-    } else if (data.startsWith("halted ")) {
-      const text = (this.view.text = haltedBecause(data.slice(7)));
-      setTimeout(() => this.view.text === text && (this.view.text = ""), SHOWN_MS);
-    }
+    } else if (data.startsWith("halted ") && !this.view.is_watching) this.#events.onhalted?.(haltedBecause(data.slice(7)));
+  }
+
+  /** @param {boolean} isWatching */
+  #watches(isWatching) {
+    this.view.is_watching = isWatching;
+    this.view.text = isWatching ? "Another client drives this robot. You are watching." : "";
   }
 
   /** @param {string} why */
@@ -193,8 +203,11 @@ export class SocketLine {
       if (this.#isClosed) return;
       try {
         await this.#connect();
-      } catch {
-        continue;
+      } catch (error) {
+        const { kind, what } = /** @type {import("./types").Failure} */ (error);
+        if (kind !== "denied") continue;
+        this.view.text = what;
+        return this.#events.onlost(what, true);
       }
       this.view.returns += 1;
       this.#events.onopened();

@@ -83,6 +83,7 @@ export type FromLine =
   | { type: "beat"; view?: TransportView }
   | { type: "bytes"; bytes: Uint8Array }
   | { type: "opened"; view?: TransportView }
+  | { type: "halted"; why: string; view?: TransportView }
   | { type: "lost"; why: string; forGood: boolean; view?: TransportView }
   | { type: "done"; id: number; view?: TransportView; failure?: Failure };
 
@@ -119,6 +120,8 @@ export type TransportEvents = {
   onbytes(bytes: Uint8Array): void;
   /** It came back by itself. */
   onopened(): void;
+  /** Someone on the way stopped the robot. */
+  onhalted?(why: string): void;
   /** It went away; `forGood` if it isn't waited for. */
   onlost(why: string, forGood: boolean): void;
 };

@@ -140,6 +140,7 @@ async function open(target) {
   const events = {
     onbytes: (bytes) => safely(() => connection.feed(now(), bytes)),
     onopened: () => opened(),
+    onhalted: (why) => safely(() => connection.leave(now(), why)),
     onlost: (why, forGood) => safely(() => connection.lost(now(), why, forGood)),
   };
   line = lineTo(target, mirror, holder, events);

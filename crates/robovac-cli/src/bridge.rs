@@ -9,16 +9,22 @@ use clients::{Clients, Heard};
 use gate::Gate;
 use robot_port::RobotPort;
 pub use robot_port::cannot_open;
-use roomba_bridge::{Bridge, ClientId, Ends, FromBridge, Full, Limits};
+use roomba_bridge::{Bridge, ClientId, Ends, FromBridge, Full, HALT, Limits};
 use std::{
     net::{SocketAddr, TcpListener, ToSocketAddrs},
-    sync::atomic::{AtomicBool, Ordering},
+    sync::{
+        LazyLock,
+        atomic::{AtomicBool, Ordering},
+        mpsc::{SyncSender, sync_channel},
+    },
     thread,
     time::{Duration, Instant},
 };
 
 /// Time between two attempts to open a serial port that is gone.
 const AGAIN: Duration = Duration::from_millis(500);
+/// Lines of the log that wait for a reader; later ones are dropped.
+const MOST_LINES: usize = 256;
 /// Time for the last messages to leave.
 const LAST_WORDS: Duration = Duration::from_millis(300);
 
@@ -124,6 +130,9 @@ struct Wires<'a> {
 impl Ends for Wires<'_> {
     fn robot(&mut self, bytes: &[u8]) {
         if let Some(port) = &mut self.port {
+            if bytes.starts_with(&HALT) {
+                port.discard();
+            }
             port.write(bytes);
         }
     }
@@ -155,8 +164,14 @@ impl Ends for Wires<'_> {
     }
 }
 
+/// Prints a line without ever waiting for whoever reads it: a terminal that stands still must not hold up a stop.
 fn report(began: Instant, text: &str) {
-    say(&format!("{:9.3}  {text}", began.elapsed().as_secs_f64()));
+    static PRINTER: LazyLock<SyncSender<String>> = LazyLock::new(|| {
+        let (sender, lines) = sync_channel::<String>(MOST_LINES);
+        thread::spawn(move || lines.into_iter().for_each(|line| say(&line)));
+        sender
+    });
+    let _ = PRINTER.try_send(format!("{:9.3}  {text}", began.elapsed().as_secs_f64()));
 }
 
 impl Host<'_> {
@@ -169,11 +184,15 @@ impl Host<'_> {
                 Some(Err(error)) => self.lost(&error.to_string()),
                 None => self.find_again(),
             }
+            // First, so that what waited while this program was held up is no sign of life.
+            let now_ms = self.now_ms();
+            let (bridge, mut wires) = self.parts();
+            bridge.tick(now_ms, &mut wires);
             for heard in self.clients.listen(self.port.as_mut().is_none_or(RobotPort::has_room)) {
                 self.take(heard);
             }
-            let now_ms = self.now_ms();
             let was_on = self.bridge.is_on();
+            let now_ms = self.now_ms();
             let (bridge, mut wires) = self.parts();
             bridge.tick(now_ms, &mut wires);
             if was_on && !self.bridge.is_on() {
@@ -214,8 +233,8 @@ impl Host<'_> {
             Heard::Bytes(client, bytes) => bridge.bytes(client, &bytes, now_ms, &mut wires),
             Heard::Text(client, text) => bridge.text(client, &text, now_ms, &mut wires),
             Heard::Left(client) => {
-                report(began, &format!("client {client} has left"));
                 bridge.left(client, now_ms, &mut wires);
+                report(began, &format!("client {client} has left"));
             }
             Heard::Refused(from, why) => report(began, &format!("refused {from}: {why}")),
         }

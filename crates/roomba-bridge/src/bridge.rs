@@ -4,7 +4,7 @@ use super::{
     motion::{HALT, Motion, STOP},
     words::{FromBridge, Halted, ToBridge},
 };
-use roomba_oi::CommandDecoder;
+use roomba_oi::{CommandDecoder, MAX_RECEIVED};
 
 /// Clients at once, at most.
 pub const MAX_CLIENTS: usize = 8;
@@ -91,6 +91,8 @@ impl Bridge {
     /// The serial port is open: the first that the robot gets is a stop.
     pub fn opened(&mut self, ends: &mut impl Ends) {
         self.motion = Motion::UNKNOWN;
+        // What was interrupted in the middle of a command would take the stop for its data. Zeros do nothing by themselves.
+        ends.robot(&[0; MAX_RECEIVED]);
         self.stop(ends);
     }
 
@@ -129,10 +131,11 @@ impl Bridge {
             return;
         }
         for &byte in bytes {
-            if let Some(received) = self.decoder.push(byte) {
-                if let Ok(command) = received.command {
-                    self.motion.sent(&command);
-                }
+            // Bytes that are no command stay here, since nobody knows what they would do.
+            if let Some(received) = self.decoder.push(byte)
+                && let Ok(command) = received.command
+            {
+                self.motion.sent(&command);
                 ends.robot(received.bytes);
             }
         }
@@ -145,7 +148,13 @@ impl Bridge {
         }
         match text.parse() {
             Ok(ToBridge::Alive) => {}
-            Ok(ToBridge::Baud(baud)) => ends.baud(baud),
+            Ok(ToBridge::Baud(baud)) => {
+                // At another rate, no stop would be understood.
+                if self.motion.is_on() || self.motion.is_host_driven {
+                    self.stop(ends);
+                }
+                ends.baud(baud);
+            }
             Ok(ToBridge::Brc { is_low }) => ends.brc(is_low),
             Err(_) => ends.tell(client, FromBridge::Unknown),
         }
@@ -276,7 +285,11 @@ mod tests {
     fn bridge() -> (Bridge, Wires) {
         let (mut bridge, mut wires) = (Bridge::new(Limits::default()), Wires::default());
         bridge.opened(&mut wires);
-        assert_eq!(wires.sent(), STOP, "the first bytes are a stop");
+        let sent = wires.sent();
+        assert!(
+            sent.ends_with(&STOP) && sent[..sent.len() - STOP.len()] == [0; MAX_RECEIVED],
+            "the first bytes are a stop"
+        );
         for client in [1, 2] {
             bridge.joined(client, 0, &mut wires).unwrap();
         }
@@ -412,7 +425,23 @@ mod tests {
         bridge.closed("the cable was pulled", &mut wires);
         assert_eq!((wires.sent(), bridge.clients().count()), (vec![], 0));
         bridge.opened(&mut wires);
-        assert_eq!(wires.sent(), STOP);
+        assert!(wires.sent().ends_with(&STOP));
+    }
+
+    #[test]
+    fn what_is_no_command_stays_here() {
+        let (mut bridge, mut wires) = bridge();
+        bridge.bytes(1, &[0, 255, 153, 7, 142, 35], 0, &mut wires);
+        assert_eq!(wires.sent(), [7, 142, 35]);
+    }
+
+    #[test]
+    fn the_robot_is_stopped_before_its_line_changes_its_rate() {
+        let (mut bridge, mut wires) = bridge();
+        bridge.bytes(1, &DRIVE, 0, &mut wires);
+        bridge.text(1, "baud 19200", 10, &mut wires);
+        assert!(wires.sent().ends_with(&STOP));
+        assert_eq!(wires.line, ["baud 19200"]);
     }
 
     #[test]

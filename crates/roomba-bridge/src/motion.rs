@@ -43,8 +43,9 @@ impl Motion {
                 self.motors = main_brush != 0 || side_brush != 0 || vacuum != 0;
             }
             Command::Control | Command::Safe | Command::Full => self.is_host_driven = true,
-            Command::Start
-            | Command::Stop
+            // That it stops the wheels isn't documented.
+            Command::Start => self.is_host_driven = false,
+            Command::Stop
             | Command::Reset
             | Command::Power
             | Command::Clean

@@ -16,6 +16,9 @@
 
 use roomba_bridge::{Bridge, ClientId, Ends, FromBridge, Full, Limits};
 
+/// Events of one round.
+const MOST_EVENTS: usize = 32;
+
 /// What has arrived from the network.
 #[derive(Debug, Clone, Copy)]
 pub enum Arrived<'a> {
@@ -62,12 +65,14 @@ impl Firmware {
             board.broadcast(bytes);
         }
         let now_ms = board.now_ms();
-        match board.next_event(&mut self.buffer) {
-            Some(Arrived::Client(client)) => self.greet(client, now_ms, board),
-            Some(Arrived::Binary(client, bytes)) => self.bridge.bytes(client, bytes, now_ms, board),
-            Some(Arrived::Text(client, text)) => self.bridge.text(client, text, now_ms, board),
-            Some(Arrived::Gone(client)) => self.bridge.left(client, now_ms, board),
-            None => {}
+        for _ in 0..MOST_EVENTS {
+            match board.next_event(&mut self.buffer) {
+                Some(Arrived::Client(client)) => self.greet(client, now_ms, board),
+                Some(Arrived::Binary(client, bytes)) => self.bridge.bytes(client, bytes, now_ms, board),
+                Some(Arrived::Text(client, text)) => self.bridge.text(client, text, now_ms, board),
+                Some(Arrived::Gone(client)) => self.bridge.left(client, now_ms, board),
+                None => break,
+            }
         }
         self.bridge.tick(now_ms, board);
     }
@@ -148,7 +153,7 @@ mod tests {
     fn a_silent_client_leaves_a_robot_that_stands() {
         let mut bench = Bench::default();
         let mut firmware = Firmware::start(&mut bench);
-        assert_eq!(bench.robot, STOP);
+        assert!(bench.robot.ends_with(&STOP));
         bench.arriving = vec![(1, Some(vec![131, 145, 0, 100, 0, 100])), (1, None)];
         for now_ms in (0..2000).step_by(10) {
             bench.now_ms = now_ms;

@@ -5,8 +5,8 @@ use crate::failure::Failure;
 use roomba_bridge::ClientId;
 use std::{
     collections::VecDeque,
-    io::ErrorKind,
-    net::{SocketAddr, TcpListener, TcpStream},
+    io::{self, ErrorKind, Read, Write},
+    net::{Shutdown, SocketAddr, TcpListener, TcpStream},
     thread,
     time::{Duration, Instant},
 };
@@ -21,15 +21,47 @@ const MOST: usize = 16;
 /// Time limit for the request of a connection, and for the end of one that is closed.
 const PATIENCE: Duration = Duration::from_secs(3);
 /// Messages of a connection that are read before the others have their turn.
-const MOST_AT_ONCE: usize = 16;
+const MOST_AT_ONCE: usize = 4;
+/// Bytes of a connection that are read in one round.
+const MOST_A_ROUND: usize = 4096;
 /// Longest message. The longest command has 513 bytes.
-const MOST_BYTES: usize = 4096;
+const MOST_BYTES: usize = 1024;
 /// Bytes that wait for a client that doesn't read; then it is dropped.
 const MOST_WAITING: usize = 1 << 16;
-/// The code of all closures by the bridge: one for private use.
-const CLOSED_BY_BRIDGE: u16 = 4000;
+/// Codes of closures by the bridge, of those for private use: for a reason that may pass, and for good.
+const CLOSED: u16 = 4000;
+const REFUSED: u16 = 4001;
 
-type Handshake = ServerHandshake<TcpStream, Gate>;
+type Handshake = ServerHandshake<Metered, Gate>;
+
+/// A connection that gives a few bytes a round, whatever arrives: the library reads on as long as there is something, and
+/// empty parts of a message are something for ever.
+struct Metered {
+    stream: TcpStream,
+    left: usize,
+}
+
+impl Read for Metered {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        if self.left == 0 {
+            return Err(ErrorKind::WouldBlock.into());
+        }
+        let most = buffer.len().min(self.left);
+        let count = self.stream.read(buffer.get_mut(..most).unwrap_or_default())?;
+        self.left -= count;
+        Ok(count)
+    }
+}
+
+impl Write for Metered {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.stream.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.stream.flush()
+    }
+}
 
 /// What the clients did.
 pub enum Heard {
@@ -60,9 +92,9 @@ struct Connection {
 enum Stage {
     /// Its request is still on its way.
     Asking(Option<Box<MidHandshake<Handshake>>>),
-    Open(Box<WebSocket<TcpStream>>),
+    Open(Box<WebSocket<Metered>>),
     /// The last message waits to be sent or answered.
-    Closing(Box<WebSocket<TcpStream>>),
+    Closing(Box<WebSocket<Metered>>),
     Gone,
 }
 
@@ -112,7 +144,7 @@ impl Clients {
 
     /// Disconnects a client; the reason reaches it.
     pub fn close(&mut self, client: ClientId, why: &str) {
-        self.connections.iter_mut().filter(|one| one.id == client).for_each(|one| one.close(why));
+        self.connections.iter_mut().filter(|one| one.id == client).for_each(|one| one.close(CLOSED, why));
     }
 
     /// Waits until the last messages were sent and answered, but not for ever.
@@ -125,7 +157,8 @@ impl Clients {
     }
 
     fn accept(&mut self) {
-        while let Ok((stream, from)) = self.listener.accept() {
+        for _ in 0..MOST_AT_ONCE {
+            let Ok((stream, from)) = self.listener.accept() else { return };
             // Dropped, which closes it: whoever comes in such numbers needs no reason.
             if self.connections.len() >= MOST || stream.set_nonblocking(true).is_err() {
                 continue;
@@ -134,6 +167,7 @@ impl Clients {
             let _ = stream.set_nodelay(true);
             self.last_id = self.last_id.wrapping_add(1);
             let gate = self.gate.for_next();
+            let stream = Metered { stream, left: MOST_A_ROUND };
             let stage = Stage::after(accept_hdr_with_config(stream, gate.clone(), Some(config())));
             let since = Instant::now();
             self.connections.push(Connection { id: self.last_id, from, since, gate, stage, is_known: false });
@@ -142,7 +176,7 @@ impl Clients {
 }
 
 impl Stage {
-    fn after(shaken: Result<WebSocket<TcpStream>, HandshakeError<Handshake>>) -> Self {
+    fn after(shaken: Result<WebSocket<Metered>, HandshakeError<Handshake>>) -> Self {
         match shaken {
             Ok(socket) => Self::Open(Box::new(socket)),
             Err(HandshakeError::Interrupted(rest)) => Self::Asking(Some(Box::new(rest))),
@@ -168,7 +202,7 @@ impl Connection {
                     None => heard.push(Heard::Joined(self.id, self.from)),
                     Some(why) => {
                         heard.push(Heard::Refused(self.from, why));
-                        self.close(why);
+                        self.close(REFUSED, why);
                     }
                 }
             }
@@ -179,8 +213,7 @@ impl Connection {
                 }
             }
             Stage::Closing(socket) => {
-                let mut rest = VecDeque::new();
-                let is_over = socket.flush().is_err_and(|e| !is_busy(&e)) || !drain(socket, &mut rest);
+                let is_over = socket.flush().is_err_and(|e| !is_busy(&e)) || !drain(socket, &mut VecDeque::new());
                 if is_over || self.since.elapsed() > PATIENCE {
                     self.stage = Stage::Gone;
                 }
@@ -197,14 +230,14 @@ impl Connection {
         match socket.send(message) {
             Err(error) if is_busy(&error) => {}
             // It doesn't read: closed here, so that the next read reports that it has left.
-            Err(_) => drop(socket.get_ref().shutdown(std::net::Shutdown::Both)),
+            Err(_) => drop(socket.get_ref().stream.shutdown(Shutdown::Both)),
             Ok(()) => {}
         }
     }
 
-    fn close(&mut self, why: &str) {
+    fn close(&mut self, code: u16, why: &str) {
         let Stage::Open(mut socket) = std::mem::replace(&mut self.stage, Stage::Gone) else { return };
-        let frame = CloseFrame { code: CloseCode::from(CLOSED_BY_BRIDGE), reason: why.into() };
+        let frame = CloseFrame { code: CloseCode::from(code), reason: why.into() };
         if socket.close(Some(frame)).map_or_else(|error| is_busy(&error), |()| true) {
             self.since = Instant::now();
             self.stage = Stage::Closing(socket);
@@ -213,7 +246,7 @@ impl Connection {
 }
 
 /// Reads messages; false at the end of the connection.
-fn read(id: ClientId, socket: &mut WebSocket<TcpStream>, heard: &mut Vec<Heard>) -> bool {
+fn read(id: ClientId, socket: &mut WebSocket<Metered>, heard: &mut Vec<Heard>) -> bool {
     let mut messages = VecDeque::new();
     let is_there = drain(socket, &mut messages);
     heard.extend(messages.into_iter().filter_map(|message| match message {
@@ -225,7 +258,8 @@ fn read(id: ClientId, socket: &mut WebSocket<TcpStream>, heard: &mut Vec<Heard>)
     is_there
 }
 
-fn drain(socket: &mut WebSocket<TcpStream>, messages: &mut VecDeque<Message>) -> bool {
+fn drain(socket: &mut WebSocket<Metered>, messages: &mut VecDeque<Message>) -> bool {
+    socket.get_mut().left = MOST_A_ROUND;
     for _ in 0..MOST_AT_ONCE {
         match socket.read() {
             Ok(message) => messages.push_back(message),

@@ -5,13 +5,15 @@ use serialport::{ClearBuffer, SerialPort, SerialPortType};
 use std::{
     io::{self, ErrorKind},
     thread,
-    time::Duration,
+    time::{Duration, Instant},
 };
 
 /// Time that a read waits for bytes: the interval at which everything else is looked at.
 const LOOK: Duration = Duration::from_millis(5);
 /// Time for which bytes may wait to leave, ms: a stop has to wait behind them.
 const MOST_WAITING_MS: u32 = 50;
+/// Time for the last bytes to leave before the rate changes or the program ends.
+const LAST_BYTES: Duration = Duration::from_millis(100);
 /// For how long the wake-up pin is pulled low. Shorter ones count for a change of the baud rate.
 const WAKE: Duration = Duration::from_millis(600);
 
@@ -52,14 +54,27 @@ impl RobotPort {
     }
 
     pub fn write(&mut self, bytes: &[u8]) {
-        let written = self.port.write_all(bytes);
-        self.note(written);
+        let (began, mut rest) = (Instant::now(), bytes);
+        while !rest.is_empty() {
+            match self.port.write(rest) {
+                Ok(count) => rest = rest.get(count..).unwrap_or_default(),
+                // The line is busy.
+                Err(error)
+                    if matches!(error.kind(), ErrorKind::TimedOut | ErrorKind::Interrupted | ErrorKind::WouldBlock)
+                        && began.elapsed() < LAST_BYTES => {}
+                Err(error) => return self.note(Err(error)),
+            }
+        }
+    }
+
+    /// Drops what hasn't left yet: a stop comes next.
+    pub fn discard(&mut self) {
+        let _ = self.port.clear(ClearBuffer::Output);
     }
 
     /// After all bytes so far have left.
     pub fn set_baud(&mut self, baud: u32) {
-        let flushed = self.port.flush();
-        self.note(flushed);
+        self.finish();
         let set = self.port.set_baud_rate(baud).map_err(io::Error::from);
         self.note(set);
         self.baud = baud;
@@ -85,9 +100,14 @@ impl RobotPort {
         self.port.bytes_to_write().is_ok_and(|waiting| waiting <= most.max(16))
     }
 
-    /// Waits until the last bytes have left.
+    /// Waits until the last bytes have left; not for ever, as waiting by the system's own means would.
     pub fn finish(&mut self) {
-        let _ = self.port.flush();
+        let began = Instant::now();
+        while self.port.bytes_to_write().is_ok_and(|waiting| waiting > 0) && began.elapsed() < LAST_BYTES {
+            thread::sleep(Duration::from_millis(1));
+        }
+        // The adapter itself holds a few.
+        thread::sleep(LOOK);
     }
 
     fn note(&mut self, result: io::Result<()>) {
