@@ -187,7 +187,7 @@ fn virtual_robot_is_connected_controlled_and_recorded() {
         }
         now
     };
-    link.opened(0.0);
+    link.opened(0.0, line()).unwrap();
     let now = pass(&mut link, 2.0);
     let view = link.view(now, line()).unwrap();
     assert_eq!(Reflect::get(&view, &"phase".into()).unwrap(), "connected");
