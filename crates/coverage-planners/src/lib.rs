@@ -52,6 +52,7 @@ mod trace;
 mod wavefront_distance;
 mod wavefront_path;
 
+pub mod lanes;
 pub mod metrics;
 pub mod stage;
 pub mod sweep;

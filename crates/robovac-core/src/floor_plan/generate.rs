@@ -1,5 +1,6 @@
 //! Random rooms from a seed, for tests and benchmarks.
 
+use super::{FloorPlan, Rect, Sketch};
 use crate::{
     grid::{Cell, Grid, reachable},
     rng::{Rng, seeded},
@@ -38,6 +39,72 @@ pub fn random_clutter(width: usize, height: usize, share: f64, seed: u64) -> Gri
     reachable(&free, START)
 }
 
+/// A furnished flat of `columns` x `rows` rooms with doors between them, solid furniture along the walls and in the open,
+/// tables on legs and round things. Cells of 5 cm; the robot starts in the lower left corner.
+pub fn random_flat(columns: u32, rows: u32, seed: u64) -> FloorPlan {
+    let mut rng = seeded(seed, 0);
+    let mut lines = |count: u32| -> Vec<f64> {
+        let mut line = 0.15;
+        let mut lines = vec![line];
+        for _ in 0..count {
+            line += f64::from(rng.random_range(50..100)) * 0.05 + 0.1;
+            lines.push(line);
+        }
+        lines
+    };
+    let (xs, ys) = (lines(columns), lines(rows));
+    let (width, height) = (xs[columns as usize] + 0.05, ys[rows as usize] + 0.05);
+    let mut sketch = Sketch::solid(width, height, 0.05);
+    let start = (xs[0] + 0.3, ys[0] + 0.3);
+    for column in 0..columns as usize {
+        for row in 0..rows as usize {
+            let room = [xs[column], ys[row], xs[column + 1] - 0.1, ys[row + 1] - 0.1];
+            sketch = sketch.carve(&[room]);
+            if column > 0 {
+                let y = rng.random_range(room[1] + 0.1..room[3] - 1.0);
+                sketch = sketch.carve(&[[room[0] - 0.1, y, room[0], y + 0.85]]);
+            }
+            if row > 0 && (column == 0 || rng.random_bool(0.4)) {
+                let x = rng.random_range(room[0] + 0.1..room[2] - 1.0);
+                sketch = sketch.carve(&[[x, room[1] - 0.1, x + 0.85, room[1]]]);
+            }
+        }
+    }
+    for column in 0..columns as usize {
+        for row in 0..rows as usize {
+            let room = [xs[column], ys[row], xs[column + 1] - 0.1, ys[row + 1] - 0.1];
+            sketch = furnish(sketch, room, &mut rng);
+        }
+    }
+    // The start stays free.
+    let place = [start.0 - 0.3, start.1 - 0.3, start.0 + 0.3, start.1 + 0.3];
+    sketch.carve(&[place]).start(start.0, start.1, 0.0).finish("Random flat", "")
+}
+
+/// Puts some furniture into a room: left, bottom, right and top edge.
+fn furnish(mut sketch: Sketch, [left, bottom, right, top]: Rect, rng: &mut Rng) -> Sketch {
+    for _ in 0..rng.random_range(2..6) {
+        let (wide, deep) = (rng.random_range(0.4..1.6), rng.random_range(0.3..0.8));
+        let (wide, deep) = if rng.random_bool(0.5) { (wide, deep) } else { (deep, wide) };
+        let x = rng.random_range(left..(right - wide).max(left + 0.05));
+        let y = rng.random_range(bottom..(top - deep).max(bottom + 0.05));
+        let rect = match rng.random_range(0..6) {
+            0 => [left, y, left + wide, y + deep],
+            1 => [right - wide, y, right, y + deep],
+            2 => [x, bottom, x + wide, bottom + deep],
+            3 => [x, top - deep, x + wide, top],
+            _ => [x, y, x + wide, y + deep],
+        };
+        let rect = [rect[0].max(left), rect[1].max(bottom), rect[2].min(right), rect[3].min(top)];
+        sketch = if rng.random_bool(0.3) { sketch.legs(&[rect]) } else { sketch.fill(&[rect]) };
+    }
+    if rng.random_bool(0.6) {
+        let (x, y) = (rng.random_range(left..right), rng.random_range(bottom..top));
+        sketch = sketch.disc(x, y, rng.random_range(0.05..0.25));
+    }
+    sketch
+}
+
 /// The cell that stays free.
 const START: Cell = Cell::new(0, 0);
 
@@ -67,6 +134,17 @@ mod tests {
         assert_eq!(reachable(&hall, START), hall);
         assert_eq!(random_hall(120, 80, 7), hall);
         assert_ne!(random_hall(120, 80, 8), hall);
+    }
+
+    #[test]
+    fn flats_are_told_by_their_seed_and_have_floor_at_the_start() {
+        for seed in 0..20 {
+            let flat = random_flat(2, 2, seed);
+            let start = flat.start.unwrap();
+            assert!(flat.occupancy[flat.cell_at(start.position())].is_free());
+            assert_eq!(random_flat(2, 2, seed), flat);
+        }
+        assert_ne!(random_flat(2, 1, 1), random_flat(2, 1, 2));
     }
 
     #[test]

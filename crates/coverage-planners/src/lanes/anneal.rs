@@ -1,0 +1,367 @@
+//! Simulated annealing of a finished path.
+
+use super::{
+    LanesObserver, LanesProgress, LanesSetup,
+    cost::MotionTimes,
+    free_space::FreeSpace,
+    moves::{Edit, FewPoints, SweptPath},
+    nearby::Nearby,
+    raster::SweptRaster,
+    scan::swept_share,
+};
+use rand::RngExt;
+use robovac_core::{
+    coverage::ReachableFloor,
+    geometry::{Point, Vector, nearest_on_segment},
+    math,
+    rng::{Rng, seeded},
+};
+
+/// Temperatures at the begin and at the end, s.
+const TEMPERATURES: (f64, f64) = (1.0, 0.02);
+/// Price of floor that isn't swept, s/m²: at first, and its limits.
+const PRICE: (f64, f64, f64) = (80.0, 20.0, 3000.0);
+/// Moves between two adjustments of the price.
+const ADJUST: u64 = 500;
+/// Moves between two reports.
+const REPORT: u64 = 4096;
+/// Shares of the search after which the best path is measured.
+const MEASURE: f64 = 0.02;
+/// Rounds of mending at the end, for a path that sweeps less than the samples say, and their share of the moves.
+const MENDING: (u32, f64) = (8, 0.01);
+/// Largest shift, m, halved up to so many times.
+const SHIFT: (f64, u32) = (0.4, 8);
+
+/// What a search needs.
+pub(super) struct Search<'a> {
+    pub floor: &'a ReachableFloor,
+    pub space: &'a FreeSpace,
+    pub times: MotionTimes,
+    pub heading: Vector,
+    pub setup: &'a LanesSetup,
+}
+
+/// A path that was measured.
+struct Measured {
+    points: Vec<Point>,
+    seconds: f64,
+    coverage: f64,
+    /// Seconds and the price of what is missing.
+    value: f64,
+}
+
+impl Search<'_> {
+    fn measure(&self, points: &[Point]) -> Measured {
+        let seconds = self.times.path(points, self.heading);
+        let coverage = swept_share(self.floor, points);
+        let missing = (self.setup.coverage - coverage).max(0.0) * self.floor.area();
+        Measured { points: points.to_vec(), seconds, coverage, value: seconds + PRICE.2 * missing }
+    }
+}
+
+/// Improves `points` until the effort is spent or the observer stops it; returns the best path that was measured.
+pub(super) fn anneal(search: &Search<'_>, raster: SweptRaster, points: Vec<Point>, observer: LanesObserver<'_>) -> Vec<Point> {
+    let Search { floor, setup, .. } = *search;
+    let mut best = search.measure(&points);
+    let mut tell = |done: f64, best: &Measured| {
+        observer(LanesProgress { done, path: &best.points, duration_s: best.seconds, coverage: best.coverage })
+    };
+    if tell(0.0, &best).is_break() {
+        return best.points;
+    }
+    let width = 2.0 * floor.tool_radius;
+    let metres = setup.coverage * floor.area() / width;
+    let total = (setup.effort * metres.max(1.0)) as u64;
+    if points.len() < 2 || total == 0 {
+        return best.points;
+    }
+    let mut walker = Walker {
+        path: SweptPath::new(points, raster, search.space, search.times, search.heading),
+        nearby: Nearby::default(),
+        rng: seeded(setup.seed, 0),
+        radius: floor.tool_radius,
+        price: PRICE.0,
+    };
+    let mut seconds = walker.path.seconds();
+    // The samples' floor that may stay unswept, m².
+    let all = walker.path.raster.floor_area();
+    let mut allowed = (1.0 - setup.coverage) * all;
+    let mut candidate: Option<(f64, Vec<Point>)> = None;
+    let mut next_measure = MEASURE;
+    let mending = (MENDING.1 * total as f64) as u64;
+    let last = total + u64::from(MENDING.0) * mending;
+    for step in 0..last {
+        if step % ADJUST == 0 {
+            let missing = walker.path.raster.unswept_area() - allowed;
+            let rate = (missing / (0.004 * all)).clamp(-1.0, 1.0);
+            walker.price = (walker.price * math::exp(0.05 * rate)).clamp(PRICE.1, PRICE.2);
+            walker.nearby.rebuild(&walker.path.points);
+        }
+        let done = step as f64 / total as f64;
+        let is_mending = step >= total && (step - total).is_multiple_of(mending.max(1));
+        if done >= next_measure && step < total || is_mending {
+            next_measure += MEASURE;
+            if let Some((_, points)) = candidate.take() {
+                let found = search.measure(&points);
+                let short = setup.coverage - found.coverage;
+                // The samples flatter, or are too strict.
+                allowed = (allowed - 0.7 * short.max(-2e-4) * all).max(0.0);
+                if found.value < best.value {
+                    best = found;
+                }
+            }
+            if is_mending && best.coverage >= setup.coverage {
+                break;
+            }
+        }
+        if step % REPORT == 0 && tell(done.min(1.0), &best).is_break() {
+            break;
+        }
+        let share = done.min(1.0);
+        let temperature = TEMPERATURES.0 * math::exp(share * math::ln(TEMPERATURES.1 / TEMPERATURES.0));
+        seconds += walker.try_move(temperature);
+        let is_swept = walker.path.raster.unswept_area() <= allowed;
+        if is_swept && candidate.as_ref().is_none_or(|(least, _)| seconds < least - 0.05) {
+            candidate = Some((seconds, walker.path.points.clone()));
+        }
+    }
+    if let Some((_, points)) = candidate {
+        let found = search.measure(&points);
+        if found.value < best.value {
+            best = found;
+        }
+    }
+    let _ = tell(1.0, &best);
+    best.points
+}
+
+/// The path at the present temperature.
+struct Walker<'a> {
+    path: SweptPath<'a>,
+    nearby: Nearby,
+    rng: Rng,
+    radius: f64,
+    /// s/m².
+    price: f64,
+}
+
+impl Walker<'_> {
+    /// Tries one move; returns by how much the path's time changes, s.
+    fn try_move(&mut self, temperature: f64) -> f64 {
+        let Some(edit) = self.propose() else { return 0.0 };
+        if !self.path.is_valid(&edit) {
+            return 0.0;
+        }
+        let limit = -temperature * math::ln(1.0 - self.rng.random::<f64>());
+        let seconds = self.path.seconds_by(&edit);
+        if seconds > limit {
+            // It must sweep enough anew, of what is left and of what its new pieces can reach.
+            let reach = 2.0 * self.radius * self.path.new_length(&edit) + 0.03;
+            if seconds - limit > self.price * self.path.raster.unswept_area().min(reach) {
+                return 0.0;
+            }
+        }
+        if !self.path.is_free(&edit) {
+            return 0.0;
+        }
+        let before = self.path.raster.unswept_area();
+        self.path.sweep(&edit);
+        let missed = self.path.raster.unswept_area() - before;
+        if seconds + self.price * missed <= limit {
+            self.path.apply(&edit);
+            seconds
+        } else {
+            self.path.unsweep(&edit);
+            0.0
+        }
+    }
+
+    fn below(&mut self, count: usize) -> usize {
+        ((self.rng.random::<f64>() * count as f64) as usize).min(count.saturating_sub(1))
+    }
+
+    /// A distance with either sign; small ones are as likely as large ones.
+    fn shift(&mut self) -> f64 {
+        let halvings = self.below(SHIFT.1 as usize) as i32;
+        (2.0 * self.rng.random::<f64>() - 1.0) * SHIFT.0 * 0.5_f64.powi(halvings)
+    }
+
+    fn propose(&mut self) -> Option<Edit> {
+        let kind = self.below(100);
+        match kind {
+            0..22 => self.shift_corner(),
+            22..30 => self.slide_corner(),
+            30..46 => self.shift_piece(),
+            46..58 => self.leave_out(),
+            58..63 => self.join_corners(),
+            63..68 => self.insert(),
+            68..80 => self.reach_for_floor(),
+            80..88 => self.reverse(),
+            _ => self.carry(),
+        }
+    }
+
+    fn splice(from: usize, to: usize, new: &[Point]) -> Option<Edit> {
+        Some(Edit::Splice { from, to, new: FewPoints::new(new) })
+    }
+
+    /// Any corner but the start.
+    fn corner(&mut self) -> Option<usize> {
+        let n = self.path.points.len();
+        (n > 1).then(|| 1 + self.below(n - 1))
+    }
+
+    fn shift_corner(&mut self) -> Option<Edit> {
+        let i = self.corner()?;
+        let by = Vector::new(self.shift(), self.shift());
+        Self::splice(i - 1, i + 1, &[self.path.points[i] + by])
+    }
+
+    /// Along one of its pieces, which keeps its direction.
+    fn slide_corner(&mut self) -> Option<Edit> {
+        let i = self.corner()?;
+        let p = &self.path.points;
+        let other = if i + 1 < p.len() && self.rng.random::<f64>() < 0.5 { p[i + 1] } else { p[i - 1] };
+        let along = self.path.points[i] - other;
+        let length = along.norm();
+        if length < 1e-6 {
+            return None;
+        }
+        let by = along * (self.shift() / length);
+        Self::splice(i - 1, i + 1, &[self.path.points[i] + by])
+    }
+
+    /// A piece sideways: both ends by the same vector, or along their other pieces.
+    fn shift_piece(&mut self) -> Option<Edit> {
+        let i = self.corner()?;
+        let n = self.path.points.len();
+        if i + 1 >= n {
+            return None;
+        }
+        let (a, b) = (self.path.points[i], self.path.points[i + 1]);
+        let along = b - a;
+        let length = along.norm();
+        if length < 1e-6 {
+            return None;
+        }
+        let aside = Vector::new(-along.y, along.x) / length;
+        let by = self.shift();
+        let slides = self.rng.random::<f64>() < 0.5;
+        // Along a neighbouring piece, so far that the shift across is the same.
+        let slide = |end: Point, other: Option<Point>| {
+            let way = other.map(|other| other - end).filter(|way| slides && way.dot(&aside).abs() > 0.3 * way.norm() && way.norm() > 1e-6);
+            way.map_or(aside * by, |way| way * (by / way.dot(&aside)))
+        };
+        let (before, after) = (self.path.points[i - 1], self.path.points.get(i + 2).copied());
+        Self::splice(i - 1, i + 2, &[a + slide(a, Some(before)), b + slide(b, after)])
+    }
+
+    fn leave_out(&mut self) -> Option<Edit> {
+        let i = self.corner()?;
+        let count = [1, 1, 1, 2, 2, 3, 4][self.below(7)];
+        Self::splice(i - 1, (i + count).min(self.path.points.len()), &[])
+    }
+
+    /// One corner instead of two or three.
+    fn join_corners(&mut self) -> Option<Edit> {
+        let i = self.corner()?;
+        let count = 2 + self.below(2);
+        if i + count > self.path.points.len() {
+            return None;
+        }
+        let (a, b) = (self.path.points[i], self.path.points[i + count - 1]);
+        let at = a + (b - a) * self.rng.random::<f64>() + Vector::new(self.shift(), self.shift()) * 0.3;
+        Self::splice(i - 1, i + count, &[at])
+    }
+
+    fn insert(&mut self) -> Option<Edit> {
+        let i = self.corner()?;
+        let (a, b) = (self.path.points[i - 1], self.path.points[i]);
+        let at = a + (b - a) * self.rng.random::<f64>() + Vector::new(self.shift(), self.shift());
+        Self::splice(i - 1, i, &[at])
+    }
+
+    /// Floor that isn't swept, and a piece near it: a corner of it, a new corner, a spur or a short lane.
+    fn reach_for_floor(&mut self) -> Option<Edit> {
+        let count = self.path.raster.floor().len();
+        let floor = (0..60).find_map(|_| {
+            let pick = self.below(count);
+            let index = self.path.raster.floor()[pick];
+            self.path.raster.is_unswept(index).then_some(index)
+        })?;
+        let goal = self.path.raster.sample(floor as usize);
+        let choice = self.below(3);
+        let mut near: Option<(f64, usize, Point)> = None;
+        for &piece in self.nearby.around(goal) {
+            let i = piece as usize;
+            if i == 0 || i >= self.path.points.len() {
+                continue;
+            }
+            let at = nearest_on_segment(self.path.points[i - 1], self.path.points[i], goal);
+            // Not always the nearest piece.
+            let distance = (at - goal).norm() * (1.0 + if choice == 0 { 0.0 } else { self.rng.random::<f64>() });
+            if near.is_none_or(|(least, ..)| distance < least) {
+                near = Some((distance, i, at));
+            }
+        }
+        let (_, i, at) = near?;
+        let way = goal - at;
+        let distance = way.norm();
+        if distance < 1e-6 {
+            return None;
+        }
+        // Where the tool's edge reaches the floor, or goes beyond.
+        let reach = at + way * (1.0 - self.radius * self.rng.random::<f64>() / distance);
+        let (a, b) = (self.path.points[i - 1], self.path.points[i]);
+        match self.below(6) {
+            0 | 1 if i > 1 && (at - a).norm() < (at - b).norm() => Self::splice(i - 2, i, &[a + (reach - at)]),
+            0 | 1 => Self::splice(i - 1, i + 1, &[b + (reach - at)]),
+            2 => Self::splice(i - 1, i, &[reach]),
+            3 => Self::splice(i - 1, i, &[at, reach, at]),
+            4 => {
+                let along = b - a;
+                let length = along.norm();
+                if length < 0.05 {
+                    return None;
+                }
+                let half = along * ((0.05 + self.shift().abs()) / length);
+                Self::splice(i - 1, i, &[reach - half, reach + half])
+            }
+            _ if i > 1 => Self::splice(i - 2, i + 1, &[a + (reach - at), b + (reach - at)]),
+            _ => None,
+        }
+    }
+
+    /// A corner, and one near it.
+    fn two_near(&mut self) -> Option<(usize, usize)> {
+        let i = self.corner()?;
+        let at = self.path.points[i];
+        let near = self.nearby.around(at);
+        if near.is_empty() {
+            return None;
+        }
+        let pick = ((self.rng.random::<f64>() * near.len() as f64) as usize).min(near.len() - 1);
+        let j = near[pick] as usize;
+        (j < self.path.points.len() && j != i).then_some((i, j))
+    }
+
+    fn reverse(&mut self) -> Option<Edit> {
+        let (i, j) = self.two_near()?;
+        if self.below(12) == 0 {
+            return Some(Edit::Reverse { first: i, last: self.path.points.len() - 1 });
+        }
+        let (i, j) = (i.min(j), i.max(j));
+        // The new pieces lead from i to j, or from i - 1 to j - 1.
+        let (first, last) = if self.rng.random::<f64>() < 0.5 { (i + 1, j) } else { (i, j - 1) };
+        Some(Edit::Reverse { first, last })
+    }
+
+    fn carry(&mut self) -> Option<Edit> {
+        let (i, j) = self.two_near()?;
+        let length = [1, 2, 2, 2, 3, 4, 4, 6, 8, 12][self.below(10)];
+        // The part begins or ends at i.
+        let (first, last) = if self.rng.random::<f64>() < 0.5 { (i, i + length - 1) } else { ((i + 1).checked_sub(length)?, i) };
+        let after = if self.rng.random::<f64>() < 0.7 { j.checked_sub(1)? } else { j };
+        Some(Edit::Carry { first, last, after, is_reversed: self.rng.random::<f64>() < 0.5 })
+    }
+}

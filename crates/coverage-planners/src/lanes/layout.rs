@@ -1,0 +1,307 @@
+//! The first lanes: parts of the room get a direction each, and lanes are laid as far apart as the tool allows.
+
+use super::{free_space::FreeSpace, scan::rotation};
+use robovac_core::{
+    coverage::ReachableFloor,
+    geometry::{Point, Vector},
+    math,
+};
+
+/// Spacing of samples in small rooms, m, and most samples.
+const SPACING: f64 = 0.0125;
+const MOST_SAMPLES: f64 = 6e6;
+/// Shortest lane that is laid for what other lanes miss, m; what is shorter is left to the search.
+const SHORTEST: f64 = 0.12;
+/// Lanes are joined over gaps of so much in which nothing is left to sweep, m.
+const JOINED: f64 = 0.35;
+/// A lane goes on where it sweeps at least this share of the tool's width anew.
+const WORTH: f64 = 0.5;
+/// Half the side of the square over which the better direction is averaged, m.
+const BLUR: f64 = 0.6;
+/// Difference of chords beyond which a direction isn't the better for it, m.
+const CLEARLY: f64 = 2.0;
+/// Directions tried, between 0 and a right angle.
+const DIRECTIONS: u32 = 18;
+
+/// Which lanes cover which part.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Directions {
+    /// All along the first direction.
+    First,
+    /// All across it.
+    Second,
+    /// Each part along its longer chords.
+    Both,
+}
+
+/// A straight pass, m.
+pub(super) type Lane = (Point, Point);
+
+/// Samples of floor and free space in a frame turned by the first direction.
+pub(super) struct Layout {
+    spacing: f64,
+    turn: Vector,
+    origin: Vector,
+    width: usize,
+    height: usize,
+    is_floor: Vec<bool>,
+    is_free: Vec<bool>,
+    radius: f64,
+}
+
+/// Free and floor samples seen row by row, or column by column.
+struct View<'a> {
+    layout: &'a Layout,
+    is_turned: bool,
+    width: usize,
+    height: usize,
+}
+
+impl Layout {
+    /// Samples in the direction, among some, in which the free space has the fewest chords.
+    pub fn new(floor: &ReachableFloor, space: &FreeSpace) -> Self {
+        let rough = (0..DIRECTIONS).map(|i| f64::from(i) * math::FRAC_PI_2 / f64::from(DIRECTIONS));
+        let best = rough.map(|angle| (chords(floor, angle), angle)).min_by(|a, b| a.0.total_cmp(&b.0));
+        Self::turned(floor, space, best.map_or(0.0, |(_, angle)| angle))
+    }
+
+    fn turned(floor: &ReachableFloor, space: &FreeSpace, angle: f64) -> Self {
+        let turn = rotation(angle);
+        let size = space.size();
+        let corners = [[0.0, 0.0], [size.x, 0.0], [0.0, size.y], [size.x, size.y]].map(|[x, y]| into(turn, Point::new(x, y)));
+        let low = corners.iter().fold(corners[0], |low, c| low.inf(c));
+        let high = corners.iter().fold(corners[0], |high, c| high.sup(c));
+        let extent = high - low;
+        let spacing = (extent.x * extent.y / MOST_SAMPLES).sqrt().max(SPACING);
+        let count = |metres: f64| (metres / spacing).ceil() as usize + 1;
+        let (width, height) = (count(extent.x), count(extent.y));
+        let mut layout = Self {
+            spacing,
+            turn,
+            origin: low + Vector::new(0.5, 0.5) * spacing,
+            width,
+            height,
+            is_floor: Vec::with_capacity(width * height),
+            is_free: Vec::with_capacity(width * height),
+            radius: floor.tool_radius,
+        };
+        for y in 0..height {
+            for x in 0..width {
+                let at = layout.point(x as f64, y as f64);
+                let cell = floor.cell_at(at);
+                layout.is_floor.push(floor.floor.is_set(cell));
+                // The body's centre is on floor that its tool sweeps.
+                layout.is_free.push(floor.floor.is_set(cell) && space.has_room(at));
+            }
+        }
+        layout
+    }
+
+    /// A point of the frame, in samples.
+    fn point(&self, x: f64, y: f64) -> Point {
+        let at = self.origin + Vector::new(x, y) * self.spacing;
+        Point::new(self.turn.x * at.x - self.turn.y * at.y, self.turn.y * at.x + self.turn.x * at.y)
+    }
+
+    fn view(&self, is_turned: bool) -> View<'_> {
+        let (width, height) = if is_turned { (self.height, self.width) } else { (self.width, self.height) };
+        View { layout: self, is_turned, width, height }
+    }
+
+    /// Lanes that sweep nearly all floor, in the order in which they were laid.
+    pub fn lanes(&self, directions: Directions) -> Vec<Lane> {
+        let mut left: Vec<bool> = self.is_floor.clone();
+        let mut lanes = Vec::new();
+        match directions {
+            Directions::First => self.view(false).lay(&mut left, |_| true, &mut lanes),
+            Directions::Second => self.view(true).lay(&mut left, |_| true, &mut lanes),
+            Directions::Both => {
+                let across = self.across();
+                self.view(false).lay(&mut left, |i| !across[i], &mut lanes);
+                self.view(true).lay(&mut left, |i| across[i], &mut lanes);
+                self.view(false).lay(&mut left, |_| true, &mut lanes);
+            }
+        }
+        lanes
+    }
+
+    /// Where chords in the second direction are longer, averaged over about a metre.
+    fn across(&self) -> Vec<bool> {
+        let (rows, columns) = (self.view(false).chord_lengths(), self.view(true).chord_lengths());
+        let score = |i: usize| {
+            let difference = (f64::from(columns[i]) - f64::from(rows[i])) * self.spacing;
+            if self.is_floor[i] { difference.clamp(-CLEARLY, CLEARLY) as f32 } else { 0.0 }
+        };
+        let mut scores: Vec<f32> = (0..self.is_floor.len()).map(score).collect();
+        let half = (BLUR / self.spacing) as usize;
+        for _ in 0..2 {
+            blur(&mut scores, self.width, half);
+        }
+        scores.iter().map(|&score| score > 0.0).collect()
+    }
+}
+
+impl View<'_> {
+    fn index(&self, x: usize, y: usize) -> usize {
+        if self.is_turned { x * self.layout.width + y } else { y * self.layout.width + x }
+    }
+
+    fn point(&self, x: f64, y: f64) -> Point {
+        if self.is_turned { self.layout.point(y, x) } else { self.layout.point(x, y) }
+    }
+
+    /// Length of the chord of free space through every sample, in samples; 0 off it.
+    fn chord_lengths(&self) -> Vec<u32> {
+        let mut lengths = vec![0; self.layout.is_free.len()];
+        for y in 0..self.height {
+            let mut x = 0;
+            while x < self.width {
+                let start = x;
+                while x < self.width && self.layout.is_floor[self.index(x, y)] {
+                    x += 1;
+                }
+                for column in start..x {
+                    lengths[self.index(column, y)] = (x - start) as u32;
+                }
+                x += 1;
+            }
+        }
+        lengths
+    }
+
+    /// Lays lanes from the lowest row up. A lane is laid where it's the last to sweep some floor below it.
+    fn lay(&self, left: &mut [bool], is_own: impl Fn(usize) -> bool, lanes: &mut Vec<Lane>) {
+        let layout = self.layout;
+        let radius = (layout.radius / layout.spacing) as usize;
+        let shortest = (SHORTEST / layout.spacing) as usize;
+        let joined = (JOINED / layout.spacing) as usize;
+        let worth = (WORTH * 2.0 * layout.radius / layout.spacing) as usize;
+        for y in 0..self.height {
+            let mut x = 0;
+            while x < self.width {
+                if !layout.is_free[self.index(x, y)] {
+                    x += 1;
+                    continue;
+                }
+                let start = x;
+                while x < self.width && layout.is_free[self.index(x, y)] {
+                    x += 1;
+                }
+                let chord = (start, x);
+                let is_due: Vec<bool> = (start..x).map(|x| self.is_due(x, y, radius, left, &is_own)).collect();
+                if !is_due.contains(&true) {
+                    continue;
+                }
+                let gain = |x: usize, left: &[bool]| {
+                    let low = y.saturating_sub(radius);
+                    (low..(y + radius + 1).min(self.height)).filter(|&y| left[self.index(x, y)] && is_own(self.index(x, y))).count()
+                };
+                // Stretches that are due or worth it, joined over short gaps.
+                let mut stretches: Vec<(usize, usize, usize)> = Vec::new();
+                for x in chord.0..chord.1 {
+                    let due = is_due[x - chord.0];
+                    if !due && gain(x, left) < worth.max(1) {
+                        continue;
+                    }
+                    match stretches.last_mut() {
+                        Some(last) if x - last.1 <= joined => {
+                            last.1 = x;
+                            last.2 += usize::from(due);
+                        }
+                        _ => stretches.push((x, x, usize::from(due))),
+                    }
+                }
+                for (from, to, due) in stretches {
+                    if due < shortest.min((to - from + 1) / 2 + 1) || to - from < shortest / 2 {
+                        continue;
+                    }
+                    lanes.push((self.point(from as f64, y as f64), self.point(to as f64, y as f64)));
+                    self.sweep(left, (from, to), y);
+                }
+            }
+        }
+    }
+
+    /// Whether a lane through a sample is the last that sweeps some floor of its column: the floor at the tool's lower
+    /// edge, or all of it where the free space ends above.
+    fn is_due(&self, x: usize, y: usize, radius: usize, left: &[bool], is_own: &impl Fn(usize) -> bool) -> bool {
+        let is_left = |y: usize| {
+            let i = self.index(x, y);
+            left[i] && is_own(i)
+        };
+        if y >= radius && is_left(y - radius) {
+            return true;
+        }
+        let ends = y + 1 >= self.height || !self.layout.is_free[self.index(x, y + 1)];
+        ends && (y.saturating_sub(radius)..(y + radius + 1).min(self.height)).any(is_left)
+    }
+
+    /// Takes what a lane sweeps off what is left.
+    fn sweep(&self, left: &mut [bool], (from, to): (usize, usize), y: usize) {
+        let radius = self.layout.radius / self.layout.spacing;
+        let reach = radius as i64;
+        for dy in -reach..=reach {
+            let row = y as i64 + dy;
+            if row < 0 || row >= self.height as i64 {
+                continue;
+            }
+            let half = (radius * radius - (dy * dy) as f64).max(0.0).sqrt() as usize;
+            for x in from.saturating_sub(half)..(to + half + 1).min(self.width) {
+                left[self.index(x, row as usize)] = false;
+            }
+        }
+    }
+}
+
+fn into(turn: Vector, p: Point) -> Vector {
+    Vector::new(turn.x * p.x + turn.y * p.y, turn.x * p.y - turn.y * p.x)
+}
+
+/// Number of ends of chords in a direction and across it, per metre of what separates lines.
+fn chords(floor: &ReachableFloor, angle: f64) -> f64 {
+    let turn = rotation(angle);
+    let size = Vector::new(floor.floor.width() as f64, floor.floor.height() as f64) * floor.resolution;
+    let (step, pitch) = (2.0 * floor.resolution, (2.0 * floor.tool_radius).max(2.0 * floor.resolution));
+    let reach = size.norm();
+    let middle = Point::from(size * 0.5);
+    let lines = (reach / pitch) as i32 / 2;
+    let samples = (reach / step) as i32 / 2;
+    let mut ends = [0_u32; 2];
+    for (way, ends) in [turn, Vector::new(-turn.y, turn.x)].into_iter().zip(&mut ends) {
+        let aside = Vector::new(-way.y, way.x);
+        for line in -lines..=lines {
+            let mut was_floor = false;
+            for sample in -samples..=samples {
+                let at = middle + aside * (f64::from(line) * pitch) + way * (f64::from(sample) * step);
+                let is_floor = floor.standing.is_set(floor.cell_at(at));
+                *ends += u32::from(is_floor != was_floor);
+                was_floor = is_floor;
+            }
+        }
+    }
+    // The walls' own direction has few chords one way or the other. Grids at an angle are a little ragged.
+    f64::from(ends[0].min(ends[1])) + 0.25 * f64::from(ends[0].max(ends[1]))
+}
+
+/// The mean over squares, rows then columns.
+fn blur(values: &mut [f32], width: usize, half: usize) {
+    let height = values.len() / width;
+    let mut line = Vec::new();
+    let mut pass = |values: &mut [f32], start: usize, stride: usize, count: usize| {
+        line.clear();
+        line.push(0.0_f64);
+        for i in 0..count {
+            line.push(line[i] + f64::from(values[start + i * stride]));
+        }
+        for i in 0..count {
+            let (low, high) = (i.saturating_sub(half), (i + half + 1).min(count));
+            values[start + i * stride] = (line[high] - line[low]) as f32;
+        }
+    };
+    for y in 0..height {
+        pass(values, y * width, 1, width);
+    }
+    for x in 0..width {
+        pass(values, x, width, height);
+    }
+}
