@@ -10,6 +10,7 @@ mod conditions;
 mod convert;
 mod drawing;
 mod failure;
+mod lanes;
 mod list;
 mod locate;
 mod map;
@@ -64,6 +65,7 @@ enum Command {
     Metrics,
     Plan(plan::Arguments),
     Sweep(sweep::Arguments),
+    Lanes(lanes::Arguments),
     Simulate(simulate::Arguments),
     Montecarlo(montecarlo::Arguments),
     Clean(clean::Arguments),
@@ -88,6 +90,7 @@ fn main() -> ExitCode {
         Command::Metrics => Ok(list::metrics()),
         Command::Plan(arguments) => plan::run(&arguments),
         Command::Sweep(arguments) => sweep::run(&arguments),
+        Command::Lanes(arguments) => lanes::run(&arguments),
         Command::Simulate(arguments) => simulate::run(&arguments),
         Command::Montecarlo(arguments) => montecarlo::run(&arguments),
         Command::Clean(arguments) => clean::run(&arguments),

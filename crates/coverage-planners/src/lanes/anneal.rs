@@ -16,21 +16,24 @@ use robovac_core::{
     math,
     rng::{Rng, seeded},
 };
+use std::ops::ControlFlow;
 
 /// Temperatures at the begin and at the end, s.
 const TEMPERATURES: (f64, f64) = (1.0, 0.02);
 /// Price of floor that isn't swept, s/m²: at first, and its limits.
 const PRICE: (f64, f64, f64) = (80.0, 20.0, 3000.0);
-/// Moves between two adjustments of the price.
+/// Moves between two adjustments of the price, and at least between two updates of what is near what.
 const ADJUST: u64 = 500;
 /// Moves between two reports.
 const REPORT: u64 = 4096;
 /// Shares of the search after which the best path is measured.
 const MEASURE: f64 = 0.02;
-/// Rounds of mending at the end, for a path that sweeps less than the samples say, and their share of the moves.
-const MENDING: (u32, f64) = (8, 0.01);
+/// Most rounds of mending at the end, for a path that sweeps less than the samples say, and the part of the moves for each.
+const MENDING: (u32, u64) = (8, 100);
+/// Improvements that are worth a copy of the path, as a share of its time.
+const WORTH_KEEPING: f64 = 3e-5;
 /// Largest shift, m, halved up to so many times.
-const SHIFT: (f64, u32) = (0.4, 8);
+const SHIFT: (f64, usize) = (0.4, 8);
 
 /// What a search needs.
 pub(super) struct Search<'a> {
@@ -60,7 +63,12 @@ impl Search<'_> {
 }
 
 /// Improves `points` until the effort is spent or the observer stops it; returns the best path that was measured.
-pub(super) fn anneal(search: &Search<'_>, raster: SweptRaster, points: Vec<Point>, observer: LanesObserver<'_>) -> Vec<Point> {
+pub(super) fn anneal(
+    search: &Search<'_>,
+    raster: SweptRaster,
+    points: Vec<Point>,
+    observer: LanesObserver<'_>,
+) -> Vec<Point> {
     let Search { floor, setup, .. } = *search;
     let mut best = search.measure(&points);
     let mut tell = |done: f64, best: &Measured| {
@@ -87,48 +95,65 @@ pub(super) fn anneal(search: &Search<'_>, raster: SweptRaster, points: Vec<Point
     let all = walker.path.raster.floor_area();
     let mut allowed = (1.0 - setup.coverage) * all;
     let mut candidate: Option<(f64, Vec<Point>)> = None;
-    let mut next_measure = MEASURE;
-    let mending = (MENDING.1 * total as f64) as u64;
-    let last = total + u64::from(MENDING.0) * mending;
-    for step in 0..last {
+    let (mut share, mut temperature, mut next_measure) = (0.0_f64, TEMPERATURES.0, MEASURE);
+    // Once the effort is spent: the moves of a round of mending, and when the next one ends.
+    let mut mending: Option<(u64, u64)> = None;
+    let mut rounds = 0;
+    let mut next_rebuild = 0;
+    for step in 0.. {
         if step % ADJUST == 0 {
-            let missing = walker.path.raster.unswept_area() - allowed;
-            let rate = (missing / (0.004 * all)).clamp(-1.0, 1.0);
-            walker.price = (walker.price * math::exp(0.05 * rate)).clamp(PRICE.1, PRICE.2);
-            walker.nearby.rebuild(&walker.path.points);
+            walker.adjust(allowed, all);
         }
-        let done = step as f64 / total as f64;
-        let is_mending = step >= total && (step - total).is_multiple_of(mending.max(1));
-        if done >= next_measure && step < total || is_mending {
-            next_measure += MEASURE;
-            if let Some((_, points)) = candidate.take() {
-                let found = search.measure(&points);
-                let short = setup.coverage - found.coverage;
-                // The samples flatter, or are too strict.
-                allowed = (allowed - 0.7 * short.max(-2e-4) * all).max(0.0);
-                if found.value < best.value {
-                    best = found;
-                }
+        if step >= next_rebuild {
+            walker.nearby.rebuild(&walker.path.points);
+            // In large rooms, seldom enough that it takes no time.
+            next_rebuild = step + ADJUST.max(walker.path.points.len() as u64);
+        }
+        if step % REPORT == 0 {
+            match tell(share, &best) {
+                ControlFlow::Continue(spent) => share = share.max(spent).max(step as f64 / total as f64).min(1.0),
+                ControlFlow::Break(()) => return best.points,
             }
-            if is_mending && best.coverage >= setup.coverage {
+            temperature = TEMPERATURES.0 * math::exp(share * math::ln(TEMPERATURES.1 / TEMPERATURES.0));
+        }
+        let ends_round = match mending {
+            None if share >= 1.0 => {
+                let moves = step / MENDING.1 + REPORT;
+                mending = Some((moves, step + moves));
+                true
+            }
+            Some((moves, end)) if step >= end => {
+                mending = Some((moves, step + moves));
+                true
+            }
+            _ => false,
+        };
+        if ends_round || mending.is_none() && share >= next_measure {
+            next_measure = share + MEASURE;
+            let found = match candidate.take() {
+                Some((_, points)) => {
+                    let found = search.measure(&points);
+                    // The samples flatter, or are too strict.
+                    let short = setup.coverage - found.coverage;
+                    allowed = (allowed - 0.7 * short.max(-2e-4) * all).max(0.0);
+                    found
+                }
+                // Perhaps no path sweeps enough.
+                None => search.measure(&walker.path.points),
+            };
+            let is_enough = found.coverage >= setup.coverage;
+            if found.value < best.value {
+                best = found;
+            }
+            rounds += u32::from(ends_round);
+            if ends_round && (is_enough || rounds > MENDING.0) {
                 break;
             }
         }
-        if step % REPORT == 0 && tell(done.min(1.0), &best).is_break() {
-            break;
-        }
-        let share = done.min(1.0);
-        let temperature = TEMPERATURES.0 * math::exp(share * math::ln(TEMPERATURES.1 / TEMPERATURES.0));
         seconds += walker.try_move(temperature);
         let is_swept = walker.path.raster.unswept_area() <= allowed;
-        if is_swept && candidate.as_ref().is_none_or(|(least, _)| seconds < least - 0.05) {
+        if is_swept && candidate.as_ref().is_none_or(|(least, _)| seconds < least * (1.0 - WORTH_KEEPING)) {
             candidate = Some((seconds, walker.path.points.clone()));
-        }
-    }
-    if let Some((_, points)) = candidate {
-        let found = search.measure(&points);
-        if found.value < best.value {
-            best = found;
         }
     }
     let _ = tell(1.0, &best);
@@ -154,26 +179,34 @@ impl Walker<'_> {
         }
         let limit = -temperature * math::ln(1.0 - self.rng.random::<f64>());
         let seconds = self.path.seconds_by(&edit);
+        let exchange = self.path.exchange(&edit);
         if seconds > limit {
             // It must sweep enough anew, of what is left and of what its new pieces can reach.
-            let reach = 2.0 * self.radius * self.path.new_length(&edit) + 0.03;
+            let reach = 2.0 * self.radius * exchange.new_length() + 0.03;
             if seconds - limit > self.price * self.path.raster.unswept_area().min(reach) {
                 return 0.0;
             }
         }
-        if !self.path.is_free(&edit) {
+        if !exchange.is_free(self.path.space) {
             return 0.0;
         }
         let before = self.path.raster.unswept_area();
-        self.path.sweep(&edit);
+        self.path.sweep(&exchange);
         let missed = self.path.raster.unswept_area() - before;
         if seconds + self.price * missed <= limit {
             self.path.apply(&edit);
             seconds
         } else {
-            self.path.unsweep(&edit);
+            self.path.sweep(&exchange.back());
             0.0
         }
+    }
+
+    /// Makes unswept floor dearer or cheaper, so that as much stays as is allowed, m²; `all` is the floor.
+    fn adjust(&mut self, allowed: f64, all: f64) {
+        let missing = self.path.raster.unswept_area() - allowed;
+        let rate = (missing / (0.004 * all)).clamp(-1.0, 1.0);
+        self.price = (self.price * math::exp(0.05 * rate)).clamp(PRICE.1, PRICE.2);
     }
 
     fn below(&mut self, count: usize) -> usize {
@@ -182,13 +215,12 @@ impl Walker<'_> {
 
     /// A distance with either sign; small ones are as likely as large ones.
     fn shift(&mut self) -> f64 {
-        let halvings = self.below(SHIFT.1 as usize) as i32;
-        (2.0 * self.rng.random::<f64>() - 1.0) * SHIFT.0 * 0.5_f64.powi(halvings)
+        let parts = 1_u32 << self.below(SHIFT.1);
+        (2.0 * self.rng.random::<f64>() - 1.0) * SHIFT.0 / f64::from(parts)
     }
 
     fn propose(&mut self) -> Option<Edit> {
-        let kind = self.below(100);
-        match kind {
+        match self.below(100) {
             0..22 => self.shift_corner(),
             22..30 => self.slide_corner(),
             30..46 => self.shift_piece(),
@@ -249,7 +281,9 @@ impl Walker<'_> {
         let slides = self.rng.random::<f64>() < 0.5;
         // Along a neighbouring piece, so far that the shift across is the same.
         let slide = |end: Point, other: Option<Point>| {
-            let way = other.map(|other| other - end).filter(|way| slides && way.dot(&aside).abs() > 0.3 * way.norm() && way.norm() > 1e-6);
+            let way = other
+                .map(|other| other - end)
+                .filter(|way| slides && way.dot(&aside).abs() > 0.3 * way.norm() && way.norm() > 1e-6);
             way.map_or(aside * by, |way| way * (by / way.dot(&aside)))
         };
         let (before, after) = (self.path.points[i - 1], self.path.points.get(i + 2).copied());
@@ -360,7 +394,8 @@ impl Walker<'_> {
         let (i, j) = self.two_near()?;
         let length = [1, 2, 2, 2, 3, 4, 4, 6, 8, 12][self.below(10)];
         // The part begins or ends at i.
-        let (first, last) = if self.rng.random::<f64>() < 0.5 { (i, i + length - 1) } else { ((i + 1).checked_sub(length)?, i) };
+        let (first, last) =
+            if self.rng.random::<f64>() < 0.5 { (i, i + length - 1) } else { ((i + 1).checked_sub(length)?, i) };
         let after = if self.rng.random::<f64>() < 0.7 { j.checked_sub(1)? } else { j };
         Some(Edit::Carry { first, last, after, is_reversed: self.rng.random::<f64>() < 0.5 })
     }

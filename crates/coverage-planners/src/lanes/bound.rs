@@ -93,9 +93,8 @@ mod tests {
         let mut rng = seeded(2, 0);
         for corners in [2, 3, 5, 20, 60] {
             for _ in 0..4 {
-                let path: Vec<Point> = (0..corners)
-                    .map(|_| Point::new(rng.random_range(0.2..2.8), rng.random_range(0.2..1.8)))
-                    .collect();
+                let path: Vec<Point> =
+                    (0..corners).map(|_| Point::new(rng.random_range(0.2..2.8), rng.random_range(0.2..1.8))).collect();
                 let bound = MetricBound::new(&floor, robot, swept_share(&floor, &path));
                 let length: f64 = path.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum();
                 let first = path[1] - path[0];

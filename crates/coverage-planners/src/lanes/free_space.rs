@@ -169,7 +169,8 @@ fn to_rectangle(low: Point, high: Point, a: Point, b: Point) -> f64 {
         (nearest_on_segment(a, b, p) - p).norm_squared()
     };
     let ends = end(a).min(end(b));
-    let corners = corner(low.x, low.y).min(corner(high.x, low.y)).min(corner(low.x, high.y)).min(corner(high.x, high.y));
+    let corners =
+        corner(low.x, low.y).min(corner(high.x, low.y)).min(corner(low.x, high.y)).min(corner(high.x, high.y));
     ends.min(corners).sqrt()
 }
 
@@ -216,7 +217,8 @@ fn rectangles(squares: &Grid<bool>, resolution: f64) -> Vec<(Point, Point)> {
     for y in 0..height {
         let mut x = 0;
         while x < width {
-            let is_new = |x: i32, y: i32, taken: &Grid<bool>| squares.is_set(Cell::new(x, y)) && !taken[Cell::new(x, y)];
+            let is_new =
+                |x: i32, y: i32, taken: &Grid<bool>| squares.is_set(Cell::new(x, y)) && !taken[Cell::new(x, y)];
             if !is_new(x, y, &taken) {
                 x += 1;
                 continue;

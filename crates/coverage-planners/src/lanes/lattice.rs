@@ -90,7 +90,12 @@ impl Lattice {
     }
 
     /// Searches from `from` in order of distance until `is_goal` returns something for a cell; it's given the distance.
-    pub fn search<T>(&mut self, space: &FreeSpace, from: Point, mut is_goal: impl FnMut(usize, f32) -> Option<T>) -> Option<T> {
+    pub fn search<T>(
+        &mut self,
+        space: &FreeSpace,
+        from: Point,
+        mut is_goal: impl FnMut(usize, f32) -> Option<T>,
+    ) -> Option<T> {
         self.search += 1;
         let mut heap = BinaryHeap::new();
         for port in self.ports(space, from) {

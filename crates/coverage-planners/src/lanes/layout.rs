@@ -68,7 +68,8 @@ impl Layout {
     fn turned(floor: &ReachableFloor, space: &FreeSpace, angle: f64) -> Self {
         let turn = rotation(angle);
         let size = space.size();
-        let corners = [[0.0, 0.0], [size.x, 0.0], [0.0, size.y], [size.x, size.y]].map(|[x, y]| into(turn, Point::new(x, y)));
+        let corners =
+            [[0.0, 0.0], [size.x, 0.0], [0.0, size.y], [size.x, size.y]].map(|[x, y]| into(turn, Point::new(x, y)));
         let low = corners.iter().fold(corners[0], |low, c| low.inf(c));
         let high = corners.iter().fold(corners[0], |high, c| high.sup(c));
         let extent = high - low;
@@ -108,8 +109,14 @@ impl Layout {
         View { layout: self, is_turned, width, height }
     }
 
-    /// Lanes that sweep nearly all floor, in the order in which they were laid.
-    pub fn lanes(&self, directions: Directions) -> Vec<Lane> {
+    /// Lanes in `space` that sweep nearly all floor, in the order in which they were laid.
+    pub fn lanes(&self, space: &FreeSpace, directions: Directions) -> Vec<Lane> {
+        let mut free = Vec::new();
+        self.laid(directions).into_iter().for_each(|lane| keep_free(space, lane, &mut free));
+        free
+    }
+
+    fn laid(&self, directions: Directions) -> Vec<Lane> {
         let mut left: Vec<bool> = self.is_floor.clone();
         let mut lanes = Vec::new();
         match directions {
@@ -194,7 +201,9 @@ impl View<'_> {
                 }
                 let gain = |x: usize, left: &[bool]| {
                     let low = y.saturating_sub(radius);
-                    (low..(y + radius + 1).min(self.height)).filter(|&y| left[self.index(x, y)] && is_own(self.index(x, y))).count()
+                    (low..(y + radius + 1).min(self.height))
+                        .filter(|&y| left[self.index(x, y)] && is_own(self.index(x, y)))
+                        .count()
                 };
                 // Stretches that are due or worth it, joined over short gaps.
                 let mut stretches: Vec<(usize, usize, usize)> = Vec::new();
@@ -250,6 +259,17 @@ impl View<'_> {
                 left[self.index(x, row as usize)] = false;
             }
         }
+    }
+}
+
+/// Keeps a lane, or the halves of it that are free: between samples it can meet an obstacle's corner.
+fn keep_free(space: &FreeSpace, (a, b): Lane, free: &mut Vec<Lane>) {
+    if space.is_free(a, b) {
+        free.push((a, b));
+    } else if (b - a).norm() > SHORTEST {
+        let middle = a + (b - a) * 0.5;
+        keep_free(space, (a, middle), free);
+        keep_free(space, (middle, b), free);
     }
 }
 

@@ -72,8 +72,10 @@ pub struct LanesProgress<'a> {
     pub coverage: f64,
 }
 
-/// Receives progress every few thousand moves; returns whether to continue. A search that is stopped returns its best path.
-pub type LanesObserver<'a> = &'a mut dyn FnMut(LanesProgress<'_>) -> ControlFlow<()>;
+/// Receives progress every few thousand moves. Returns whether to continue, and how much of a budget of its own, such as
+/// seconds, is spent, 0 to 1: the search ends when that or the effort is spent; 0 for none. A search that is stopped returns its
+/// best path.
+pub type LanesObserver<'a> = &'a mut dyn FnMut(LanesProgress<'_>) -> ControlFlow<(), f64>;
 
 /// A path with its numbers.
 #[derive(Debug, Clone, PartialEq)]
@@ -109,7 +111,7 @@ pub fn plan_lanes(
     let (space, clearance) = free_space(floor, setup.clearance);
     let heading = floor.start.direction();
     let times = MotionTimes::of(robot);
-    let cancelled = |flow: ControlFlow<()>| if flow.is_break() { Err(LanesError::Cancelled) } else { Ok(()) };
+    let cancelled = |flow: ControlFlow<(), f64>| if flow.is_break() { Err(LanesError::Cancelled) } else { Ok(()) };
     let mut report = |done: f64| observer(LanesProgress { done, path: &[], duration_s: 0.0, coverage: 0.0 });
     cancelled(report(0.0))?;
     let layout = Layout::new(floor, &space);
@@ -118,7 +120,7 @@ pub fn plan_lanes(
     let mut best: Option<(f64, Vec<Point>)> = None;
     for directions in [Directions::Both, Directions::First, Directions::Second] {
         cancelled(report(0.0))?;
-        let path = order::in_order(&space, &mut lattice, start, &layout.lanes(directions));
+        let path = order::in_order(&space, &mut lattice, start, &layout.lanes(&space, directions));
         // Lanes at full speed sweep so much; what is missed takes three times as long.
         let price = 3.0 / (robot.tool_width * robot.cruise_speed);
         let cost = times.path(&path, heading) + price * raster.left_by(&path);
@@ -152,12 +154,164 @@ fn free_space(floor: &ReachableFloor, clearance: f64) -> (FreeSpace, f64) {
 }
 
 impl LanesSetup {
+    /// The most effort.
+    pub const MOST_EFFORT: f64 = 1e9;
+
     fn check(&self) -> Result<(), LanesError> {
         let value = |what, value: f64, is_good: bool, expected| {
             if is_good { Ok(()) } else { Err(LanesError::Value { what, value, expected }) }
         };
         value("coverage", self.coverage, (0.0..=1.0).contains(&self.coverage), "0 to 1")?;
         value("clearance", self.clearance, (0.0..=1.0).contains(&self.clearance), "0 to 1 m")?;
-        value("effort", self.effort, (0.0..=1e9).contains(&self.effort), "0 to 1,000,000,000")
+        value("effort", self.effort, (0.0..=Self::MOST_EFFORT).contains(&self.effort), "0 to 1,000,000,000")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use robovac_core::{
+        floor_plan::{FloorPlan, Object, generate::random_flat},
+        geometry::{Pose, nearest_on_segment},
+        robot::model,
+    };
+
+    const EFFORT: f64 = 60.0;
+
+    fn floor(plan: &FloorPlan) -> ReachableFloor {
+        ReachableFloor::new(plan, model("roomba600").unwrap(), None).unwrap()
+    }
+
+    fn plan(floor: &ReachableFloor, setup: &LanesSetup) -> LanesPlan {
+        plan_lanes(floor, model("roomba600").unwrap(), setup, &mut |_| ControlFlow::Continue(0.0)).unwrap()
+    }
+
+    /// Swept share by samples 9 mm apart on a raster of its own, askew to plan, planner and measure.
+    fn sampled_share(floor: &ReachableFloor, path: &[Point]) -> f64 {
+        let turn = scan::rotation(0.23);
+        let size = floor.floor.width().max(floor.floor.height()) as f64 * floor.resolution;
+        let count = (1.5 * size / 0.009) as i32;
+        let (mut all, mut swept) = (0, 0);
+        for i in -count..count {
+            for j in -count..count {
+                let (x, y) = (f64::from(i) * 0.009, f64::from(j) * 0.009);
+                let at = Point::new(turn.x * x - turn.y * y, turn.y * x + turn.x * y);
+                if floor.floor.is_set(floor.cell_at(at)) {
+                    let near =
+                        |pair: &[Point]| (nearest_on_segment(pair[0], pair[1], at) - at).norm() <= floor.tool_radius;
+                    all += 1;
+                    swept += u32::from(path.windows(2).any(near));
+                }
+            }
+        }
+        f64::from(swept) / f64::from(all)
+    }
+
+    /// The room, now with a slanted sofa, a leg and stairs.
+    fn with_objects(mut plan: FloorPlan) -> FloorPlan {
+        let outline = |corners: [[f64; 2]; 4]| corners.map(|[x, y]| Point::new(x, y)).to_vec();
+        let (x, y) = (plan.width_m(), plan.height_m());
+        let sofa = outline([[1.2, 1.3], [1.9, 1.0], [2.1, 1.4], [1.4, 1.75]]);
+        let stairs = outline([[x - 0.6, y - 0.5], [x, y - 0.5], [x, y], [x - 0.6, y]]);
+        plan.objects.push(Object::Furniture { outline: sofa });
+        plan.objects.push(Object::Leg { at: Point::new(0.9, 1.9), radius: 0.02 });
+        plan.objects.push(Object::DropOff { outline: stairs });
+        plan
+    }
+
+    // slow: the contract over several rooms, each with its own search
+    #[test]
+    fn paths_keep_their_distance_and_sweep_what_they_claim() {
+        for seed in 0..4 {
+            let room = random_flat(1, 1, seed);
+            let room = if seed % 2 == 0 { room } else { with_objects(room) };
+            let floor = floor(&room);
+            let setup = LanesSetup { coverage: 0.97, effort: EFFORT, seed, ..LanesSetup::default() };
+            let found = plan(&floor, &setup);
+            let space = FreeSpace::new(floor.limits(), 0.0);
+            for piece in found.path.windows(2) {
+                let room = space.distance(piece[0], piece[1]) - floor.limits().body_radius;
+                assert!(room >= found.clearance - 1e-6, "seed {seed}: {} to {} has {room} m", piece[0], piece[1]);
+            }
+            assert_eq!(found.path[0], floor.start.position());
+            assert!((found.clearance - 0.003).abs() < 1e-12);
+            let sampled = sampled_share(&floor, &found.path);
+            assert!(
+                (found.coverage - sampled).abs() < 0.002,
+                "seed {seed}: {} claimed, {sampled} found",
+                found.coverage
+            );
+            assert!(found.coverage >= setup.coverage, "seed {seed}: {}", found.coverage);
+            assert!(found.excess[0] > 0.0 && found.excess[1] > 0.0, "no path beats its bound: {:?}", found.excess);
+            assert!(found.bound.length_m < found.length_m && found.bound.duration_s < found.duration_s);
+            let first = plan(&floor, &LanesSetup { effort: 0.0, ..setup });
+            assert!(found.duration_s < first.duration_s || first.coverage < setup.coverage, "the search helps");
+            if seed == 0 {
+                assert_eq!(plan(&floor, &setup), found, "same seed, same path");
+                assert_ne!(plan(&floor, &LanesSetup { seed: 9, ..setup }).path, found.path);
+            }
+        }
+    }
+
+    #[test]
+    fn a_search_that_is_stopped_returns_its_best_path() {
+        let floor = floor(&random_flat(1, 1, 5));
+        let robot = model("roomba600").unwrap();
+        let setup = LanesSetup { effort: LanesSetup::MOST_EFFORT, ..LanesSetup::default() };
+        for stop in 0..8 {
+            let mut reports = 0;
+            let mut last = Vec::new();
+            let result = plan_lanes(&floor, robot, &setup, &mut |progress| {
+                reports += 1;
+                last = progress.path.to_vec();
+                if reports > stop { ControlFlow::Break(()) } else { ControlFlow::Continue(0.0) }
+            });
+            assert_eq!(reports, stop + 1, "it isn't asked again");
+            match result {
+                Ok(plan) => assert_eq!(plan.path, last),
+                Err(error) => assert!(error == LanesError::Cancelled && last.is_empty()),
+            }
+        }
+        // The caller's own budget ends it, too.
+        let mut reports = 0.0;
+        let result = plan_lanes(&floor, robot, &setup, &mut |_| {
+            reports += 1.0;
+            ControlFlow::Continue(reports / 12.0)
+        });
+        assert!(result.is_ok());
+    }
+
+    #[test]
+    fn more_than_can_be_swept_is_swept_as_far_as_can_be() {
+        let floor = floor(&random_flat(1, 1, 2));
+        let setup = LanesSetup { coverage: 1.0, clearance: 0.05, effort: EFFORT, seed: 0 };
+        let found = plan(&floor, &setup);
+        let first = plan(&floor, &LanesSetup { effort: 0.0, ..setup });
+        assert!(found.coverage < 1.0 && found.coverage > first.coverage, "{} {}", found.coverage, first.coverage);
+    }
+
+    #[test]
+    fn a_start_near_a_wall_lowers_the_clearance() {
+        let mut room = random_flat(1, 1, 1);
+        room.start = Some(Pose::new(0.15 + 0.1775, 0.45, 0.0));
+        let floor = floor(&room);
+        let has = floor.start.x - 0.15 - floor.limits().body_radius;
+        let found = plan(&floor, &LanesSetup { clearance: 0.02, effort: 0.0, ..LanesSetup::default() });
+        assert!((found.clearance - has).abs() < 1e-9 && has < 0.02, "{} {has}", found.clearance);
+        assert!(found.path.len() > 10);
+    }
+
+    #[test]
+    fn values_out_of_range_are_named() {
+        let floor = floor(&random_flat(1, 1, 1));
+        let bad = [
+            LanesSetup { coverage: 99.0, ..LanesSetup::default() },
+            LanesSetup { clearance: -0.1, ..LanesSetup::default() },
+            LanesSetup { effort: f64::NAN, ..LanesSetup::default() },
+        ];
+        for (setup, name) in bad.iter().zip(["coverage", "clearance", "effort"]) {
+            let result = plan_lanes(&floor, model("roomba600").unwrap(), setup, &mut |_| ControlFlow::Continue(0.0));
+            assert!(result.unwrap_err().to_string().contains(name));
+        }
     }
 }

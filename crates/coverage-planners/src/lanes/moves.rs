@@ -45,11 +45,48 @@ impl FewPoints {
     }
 }
 
-/// A buffer for the strokes that an edit removes and adds.
-type Pieces = ([(Point, Point); 2 * MOST_NEW], usize);
+/// Straight pieces.
+type Pieces = ([(Point, Point); MOST_NEW + 1], usize);
+
+/// The pieces that an edit removes and adds.
+pub(super) struct Exchange {
+    old: Pieces,
+    new: Pieces,
+}
+
+impl Exchange {
+    fn old(&self) -> &[(Point, Point)] {
+        &self.old.0[..self.old.1]
+    }
+
+    fn new(&self) -> &[(Point, Point)] {
+        &self.new.0[..self.new.1]
+    }
+
+    /// Length of the new pieces, m.
+    pub fn new_length(&self) -> f64 {
+        self.new().iter().map(|(a, b)| (b - a).norm()).sum()
+    }
+
+    /// Whether all new pieces keep off the obstacles.
+    pub fn is_free(&self, space: &FreeSpace) -> bool {
+        self.new().iter().all(|stroke| self.old().contains(stroke) || space.is_free(stroke.0, stroke.1))
+    }
+
+    /// The same back.
+    pub fn back(self) -> Self {
+        Self { old: self.new, new: self.old }
+    }
+}
 
 impl<'a> SweptPath<'a> {
-    pub fn new(points: Vec<Point>, raster: SweptRaster, space: &'a FreeSpace, times: MotionTimes, heading: Vector) -> Self {
+    pub fn new(
+        points: Vec<Point>,
+        raster: SweptRaster,
+        space: &'a FreeSpace,
+        times: MotionTimes,
+        heading: Vector,
+    ) -> Self {
         let mut path = Self { points, raster, space, times, heading };
         for pair in path.points.windows(2) {
             path.raster.add(pair[0], pair[1]);
@@ -72,7 +109,9 @@ impl<'a> SweptPath<'a> {
     pub fn is_valid(&self, edit: &Edit) -> bool {
         let n = self.points.len();
         match *edit {
-            Edit::Splice { from, to, ref new } => from < to && to <= n && from < n && to - from <= MOST_NEW && (to < n || from + 1 + new.count > 1),
+            Edit::Splice { from, to, ref new } => {
+                from < to && to <= n && from < n && to - from <= MOST_NEW && (to < n || from + 1 + new.count > 1)
+            }
             Edit::Reverse { first, last } => first > 0 && first < last && last < n,
             Edit::Carry { first, last, after, .. } => {
                 // Neither end of the new place may be one of the old place's.
@@ -162,10 +201,10 @@ impl<'a> SweptPath<'a> {
         }
     }
 
-    /// Strokes that a valid edit removes and adds.
-    fn strokes(&self, edit: &Edit) -> (Pieces, Pieces) {
+    /// What a valid edit removes and adds.
+    pub fn exchange(&self, edit: &Edit) -> Exchange {
         let p = &self.points;
-        let mut old: Pieces = ([(Point::origin(), Point::origin()); 2 * MOST_NEW], 0);
+        let mut old: Pieces = ([(Point::origin(), Point::origin()); MOST_NEW + 1], 0);
         let mut new = old;
         let push = |pieces: &mut Pieces, a: Point, b: Point| {
             pieces.0[pieces.1] = (a, b);
@@ -200,36 +239,12 @@ impl<'a> SweptPath<'a> {
                 push(&mut new, leave, p[after + 1]);
             }
         }
-        (old, new)
-    }
-
-    /// Whether all new pieces keep off the obstacles.
-    pub fn is_free(&self, edit: &Edit) -> bool {
-        let (old, new) = self.strokes(edit);
-        let mut new = new.0[..new.1].iter();
-        new.all(|stroke| old.0[..old.1].contains(stroke) || self.space.is_free(stroke.0, stroke.1))
-    }
-
-    /// Length of the new pieces, m.
-    pub fn new_length(&self, edit: &Edit) -> f64 {
-        let (_, new) = self.strokes(edit);
-        new.0[..new.1].iter().map(|(a, b)| (b - a).norm()).sum()
+        Exchange { old, new }
     }
 
     /// Counts the new strokes instead of the old ones.
-    pub fn sweep(&mut self, edit: &Edit) {
-        let (old, new) = self.strokes(edit);
-        self.exchange(&old, &new);
-    }
-
-    /// The same back.
-    pub fn unsweep(&mut self, edit: &Edit) {
-        let (old, new) = self.strokes(edit);
-        self.exchange(&new, &old);
-    }
-
-    fn exchange(&mut self, old: &Pieces, new: &Pieces) {
-        let (old, new) = (&old.0[..old.1], &new.0[..new.1]);
+    pub fn sweep(&mut self, exchange: &Exchange) {
+        let (old, new) = (exchange.old(), exchange.new());
         if old.len() == new.len() && old.len() <= 3 {
             for (&was, &is) in old.iter().zip(new) {
                 if was != is {
@@ -326,7 +341,12 @@ mod tests {
                 }
                 edits.push(Edit::Reverse { first: a, last: b });
                 for after in 0..14 {
-                    edits.extend([false, true].map(|is_reversed| Edit::Carry { first: a, last: b, after, is_reversed }));
+                    edits.extend([false, true].map(|is_reversed| Edit::Carry {
+                        first: a,
+                        last: b,
+                        after,
+                        is_reversed,
+                    }));
                 }
             }
         }
@@ -338,7 +358,7 @@ mod tests {
             }
             let before = path.seconds();
             let by = path.seconds_by(&edit);
-            path.sweep(&edit);
+            path.sweep(&path.exchange(&edit));
             path.apply(&edit);
             assert!((path.seconds() - before - by).abs() < 1e-9, "{edit:?}: {by} s, not {}", path.seconds() - before);
             let fresh = SweptPath::new(path.points.clone(), raster.clone(), &space, path.times, heading);

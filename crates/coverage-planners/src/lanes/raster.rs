@@ -11,11 +11,11 @@ use robovac_core::{
 /// lanes can't hide between two rows of samples.
 const ANGLE: f64 = 0.417;
 /// Samples across the tool.
-const ACROSS: f64 = 12.0;
+const ACROSS: f64 = 10.0;
 /// Most samples.
 const MOST_SAMPLES: f64 = 12e6;
 
-/// Samples of the floor at a spacing of about a twelfth of the tool's width, and how often each is swept.
+/// Samples of the floor at a spacing of about a tenth of the tool's width, and how often each is swept.
 #[derive(Debug, Clone)]
 pub(super) struct SweptRaster {
     /// Metres between samples.
@@ -193,6 +193,8 @@ struct Stroke {
     length: f64,
     /// 1 over its components.
     inverse: Vector,
+    /// Between these heights a row meets neither disc, only the two long sides.
+    sides: (f64, f64),
 }
 
 impl Stroke {
@@ -203,7 +205,7 @@ impl Stroke {
         let length = (high - low).norm();
         let along = if length > 1e-9 { (high - low) / length } else { Vector::zeros() };
         let inverse = Vector::new(1.0 / along.x, 1.0 / along.y);
-        Self { low, high, radius, rows, along, length, inverse }
+        Self { low, high, radius, rows, along, length, inverse, sides: (low.y + radius, high.y - radius) }
     }
 
     #[inline]
@@ -215,6 +217,11 @@ impl Stroke {
     #[inline]
     fn run(&self, row: i32, width: i32) -> Run {
         let y = f64::from(row);
+        if y > self.sides.0 && y < self.sides.1 {
+            let middle = self.low.x + self.along.x * (y - self.low.y) * self.inverse.y;
+            let half = self.radius * self.inverse.y;
+            return (math::ceil(middle - half).max(0), (math::floor(middle + half) + 1).min(width));
+        }
         let (mut left, mut right) = (f64::MAX, f64::MIN);
         for end in [self.low, self.high] {
             let dy = y - end.y;
