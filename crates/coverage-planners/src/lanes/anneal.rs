@@ -233,6 +233,7 @@ impl Walker<'_> {
         }
     }
 
+    #[expect(clippy::unnecessary_wraps, reason = "every proposal is optional")]
     fn splice(from: usize, to: usize, new: &[Point]) -> Option<Edit> {
         Some(Edit::Splice { from, to, new: FewPoints::new(new) })
     }

@@ -8,7 +8,6 @@ const STRETCH: f64 = 1.55;
 
 /// Proven lower bounds on any path in metres that sweeps a given area, whatever obstacles there are.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct MetricBound {
     /// Length, m.
     pub length_m: f64,

@@ -7,14 +7,13 @@ use super::{
 };
 use robovac_core::geometry::Point;
 
-/// What a metre of way counts for at a lane's end that isn't the nearest: beyond the nearest end by this share and length, m,
-/// none is looked at.
+/// Ends of lanes are compared up to so many times the distance of the nearest, and so many metres more.
 const FARTHER: (f32, f32) = (1.4, 0.15);
-/// Cost of turning off the direction of the lane before, m a right angle.
+/// Metres that a lane at a right angle to the one before counts as farther.
 const TURN: f64 = 0.25;
 
-/// A path from `start` over all lanes that can be reached: always to the nearest end of a lane that is left, where lanes beside the
-/// last one are preferred.
+/// A path from `start` over all lanes that can be reached: always on to the nearest end of a lane that is left, with a
+/// preference for lanes parallel to the last one.
 pub(super) fn in_order(space: &FreeSpace, lattice: &mut Lattice, start: Point, lanes: &[Lane]) -> Vec<Point> {
     let mut ends: Vec<Vec<(u32, bool)>> = vec![Vec::new(); lattice.len()];
     for (number, &(a, b)) in lanes.iter().enumerate() {

@@ -37,9 +37,9 @@ pub fn swept_share(floor: &ReachableFloor, path: &[Point]) -> f64 {
         let (bottom, top) = (a.y.min(b.y) - floor.tool_radius, a.y.max(b.y) + floor.tool_radius);
         let first = math::ceil((bottom - low) / spacing - 0.5).max(0) as usize;
         let last = math::floor((top - low) / spacing - 0.5).min(lines as i32 - 1);
-        for line in first..(last + 1).max(0) as usize {
+        for (line, runs) in runs.iter_mut().enumerate().take((last + 1).max(0) as usize).skip(first) {
             let y = low + (line as f64 + 0.5) * spacing;
-            runs[line].extend(across(a, b, floor.tool_radius, y));
+            runs.extend(across(a, b, floor.tool_radius, y));
         }
     }
     let (mut all, mut swept) = (0.0, 0.0);

@@ -546,3 +546,34 @@ fn maps_are_measured_with_and_without_correction() {
     let (code, message) = failure(&["map", "--room", "bedroom", "--behaviour", "sleep"]);
     assert!(code == 2 && message.contains("sleep"), "{message}");
 }
+
+#[test]
+fn lanes_print_their_numbers_drive_and_write_files() {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("lanes");
+    fs::create_dir_all(&folder).unwrap();
+    let csv = folder.join("lanes.csv");
+    let out = csv.to_str().unwrap();
+    let common = ["lanes", "--room", "bedroom", "--coverage", "95", "--effort", "5"];
+    let json = text(&[&common[..], &["--drive", "--json", "--out", out]].concat());
+    let report: Value = serde_json::from_str(&json).unwrap();
+    let number = |key: &str| report[key].as_f64().unwrap();
+    assert!(number("coverage") >= 0.95 && number("clearance_m") == 0.003);
+    assert!(number("length_m") > number("bound_length_m") && number("duration_s") > number("bound_duration_s"));
+    assert!(number("excess_length") > 0.0 && number("excess_duration") > 0.0);
+    // The simulated robot waits at corners until its wheels stand still.
+    let driven = report["driven"]["duration_s"].as_f64().unwrap();
+    assert!((1.0..1.6).contains(&(driven / number("duration_s"))), "{report}");
+    assert!(report["driven"]["coverage"].as_f64().unwrap() > 0.94, "{report}");
+    assert!(fs::read_to_string(&csv).unwrap().lines().count() > 10);
+    let text = text(&common);
+    assert!(text.contains("Bound     at least") && text.contains("Excess"), "{text}");
+}
+
+#[test]
+fn lanes_say_what_is_wrong() {
+    let with = |more: &[&str]| failure(&[&["lanes", "--room", "bedroom"], more].concat());
+    assert!(with(&["--coverage", "990"]).1.contains("coverage can't be 9.9"));
+    assert_eq!(with(&["--coverage", "990"]).0, 2);
+    assert!(with(&["--out", "lanes.dxf"]).1.contains("unknown file extension"));
+    assert!(with(&["--robot", "nothing"]).1.contains("robovac robots"));
+}
