@@ -24,6 +24,10 @@ const CLEARLY: f64 = 2.0;
 const DIRECTIONS: u32 = 18;
 /// How often the step between directions is halved around the best.
 const FINER: u32 = 3;
+/// Most lines across the room by which directions are compared.
+const MOST_ACROSS: f64 = 400.0;
+/// Length of what may be an edge's raggedness on the grid, m.
+const RAGGED: f64 = 0.15;
 
 /// Which lanes cover which part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -285,29 +289,32 @@ fn into(turn: Vector, p: Point) -> Vector {
     Vector::new(turn.x * p.x + turn.y * p.y, turn.x * p.y - turn.y * p.x)
 }
 
-/// Number of ends of chords in a direction and across it, per metre of what separates lines.
+/// How ill a direction fits the room: the number of ends of chords along it, or across it if these are fewer.
 fn chords(floor: &ReachableFloor, angle: f64) -> f64 {
     let turn = rotation(angle);
     let size = Vector::new(floor.floor.width() as f64, floor.floor.height() as f64) * floor.resolution;
-    let (step, pitch) = (2.0 * floor.resolution, (2.0 * floor.tool_radius).max(2.0 * floor.resolution));
     let reach = size.norm();
+    let step = (2.0 * floor.resolution).max(reach / MOST_ACROSS);
     let middle = Point::from(size * 0.5);
-    let lines = (reach / pitch) as i32 / 2;
-    let samples = (reach / step) as i32 / 2;
+    let count = (reach / step) as i32 / 2;
+    // Walls askew are ragged on the grid: what is shorter than this is no end.
+    let ragged = (RAGGED / step).ceil() as u32;
     let mut ends = [0_u32; 2];
     for (way, ends) in [turn, Vector::new(-turn.y, turn.x)].into_iter().zip(&mut ends) {
         let aside = Vector::new(-way.y, way.x);
-        for line in -lines..=lines {
-            let mut was_floor = false;
-            for sample in -samples..=samples {
-                let at = middle + aside * (f64::from(line) * pitch) + way * (f64::from(sample) * step);
+        for line in -count..=count {
+            let (mut is_in, mut other) = (false, 0);
+            for sample in -count..=count {
+                let at = middle + aside * (f64::from(line) * step) + way * (f64::from(sample) * step);
                 let is_floor = floor.standing.is_set(floor.cell_at(at));
-                *ends += u32::from(is_floor != was_floor);
-                was_floor = is_floor;
+                other = if is_floor == is_in { 0 } else { other + 1 };
+                if other > ragged {
+                    (is_in, other) = (is_floor, 0);
+                    *ends += 1;
+                }
             }
         }
     }
-    // The walls' own direction has few chords one way or the other. Grids at an angle are a little ragged.
     f64::from(ends[0].min(ends[1])) + 0.25 * f64::from(ends[0].max(ends[1]))
 }
 

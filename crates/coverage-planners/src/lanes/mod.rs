@@ -186,15 +186,15 @@ mod tests {
         plan_lanes(floor, model("roomba600").unwrap(), setup, &mut |_| ControlFlow::Continue(0.0)).unwrap()
     }
 
-    /// Swept share by samples 9 mm apart on a raster of its own, askew to plan, planner and measure.
+    /// Swept share by samples 13 mm apart on a raster of its own, askew to plan, planner and measure.
     fn sampled_share(floor: &ReachableFloor, path: &[Point]) -> f64 {
         let turn = scan::rotation(0.23);
         let size = floor.floor.width().max(floor.floor.height()) as f64 * floor.resolution;
-        let count = (1.5 * size / 0.009) as i32;
+        let count = (1.5 * size / 0.013) as i32;
         let (mut all, mut swept) = (0, 0);
         for i in -count..count {
             for j in -count..count {
-                let (x, y) = (f64::from(i) * 0.009, f64::from(j) * 0.009);
+                let (x, y) = (f64::from(i) * 0.013, f64::from(j) * 0.013);
                 let at = Point::new(turn.x * x - turn.y * y, turn.y * x + turn.x * y);
                 if floor.floor.is_set(floor.cell_at(at)) {
                     let near =
