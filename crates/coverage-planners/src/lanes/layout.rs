@@ -294,18 +294,21 @@ fn chords(floor: &ReachableFloor, angle: f64) -> f64 {
     let turn = rotation(angle);
     let size = Vector::new(floor.floor.width() as f64, floor.floor.height() as f64) * floor.resolution;
     let reach = size.norm();
-    let step = (2.0 * floor.resolution).max(reach / MOST_ACROSS);
+    let pitch = (2.0 * floor.resolution).max(reach / MOST_ACROSS);
+    // Less than a cell: the steps of a wall askew, about a cell long, mustn't beat with the samples.
+    let step = 0.3 * pitch;
     let middle = Point::from(size * 0.5);
-    let count = (reach / step) as i32 / 2;
+    let lines = (reach / pitch) as i32 / 2;
+    let samples = (reach / step) as i32 / 2;
     // Walls askew are ragged on the grid: what is shorter than this is no end.
     let ragged = (RAGGED / step).ceil() as u32;
     let mut ends = [0_u32; 2];
     for (way, ends) in [turn, Vector::new(-turn.y, turn.x)].into_iter().zip(&mut ends) {
         let aside = Vector::new(-way.y, way.x);
-        for line in -count..=count {
+        for line in -lines..=lines {
             let (mut is_in, mut other) = (false, 0);
-            for sample in -count..=count {
-                let at = middle + aside * (f64::from(line) * step) + way * (f64::from(sample) * step);
+            for sample in -samples..=samples {
+                let at = middle + aside * (f64::from(line) * pitch) + way * (f64::from(sample) * step);
                 let is_floor = floor.standing.is_set(floor.cell_at(at));
                 other = if is_floor == is_in { 0 } else { other + 1 };
                 if other > ragged {
