@@ -233,7 +233,7 @@ impl View<'_> {
                     }
                 }
                 for (from, to, due) in stretches {
-                    if due < shortest.min((to - from + 1) / 2 + 1) || to - from < shortest / 2 {
+                    if due < shortest.min((to - from).div_ceil(2) + 1) || to - from < shortest / 2 {
                         continue;
                     }
                     lanes.push((self.point(from as f64, y as f64), self.point(to as f64, y as f64)));

@@ -55,22 +55,22 @@ pub(super) struct Exchange {
 }
 
 impl Exchange {
-    fn old(&self) -> &[(Point, Point)] {
+    fn removed(&self) -> &[(Point, Point)] {
         &self.old.0[..self.old.1]
     }
 
-    fn new(&self) -> &[(Point, Point)] {
+    fn added(&self) -> &[(Point, Point)] {
         &self.new.0[..self.new.1]
     }
 
     /// Length of the new pieces, m.
     pub fn new_length(&self) -> f64 {
-        self.new().iter().map(|(a, b)| (b - a).norm()).sum()
+        self.added().iter().map(|(a, b)| (b - a).norm()).sum()
     }
 
     /// Whether all new pieces keep off the obstacles.
     pub fn is_free(&self, space: &FreeSpace) -> bool {
-        self.new().iter().all(|stroke| self.old().contains(stroke) || space.is_free(stroke.0, stroke.1))
+        self.added().iter().all(|stroke| self.removed().contains(stroke) || space.is_free(stroke.0, stroke.1))
     }
 
     /// The same back.
@@ -244,7 +244,7 @@ impl<'a> SweptPath<'a> {
 
     /// Counts the new strokes instead of the old ones.
     pub fn sweep(&mut self, exchange: &Exchange) {
-        let (old, new) = (exchange.old(), exchange.new());
+        let (old, new) = (exchange.removed(), exchange.added());
         if old.len() == new.len() && old.len() <= 3 {
             for (&was, &is) in old.iter().zip(new) {
                 if was != is {
