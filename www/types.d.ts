@@ -383,7 +383,7 @@ strokes: number,
 role: Role, };
 
 /** Request to the transport. */
-export type LineRequest = { "baud": number } | { "brc": boolean };
+export type LineRequest = { "baud": number } | { "brc": boolean } | "stop";
 
 /** Actions that are allowed now. */
 export type MapActions = {

@@ -77,8 +77,8 @@ impl Connection {
         self.link.take_tx()
     }
 
-    /// Request to the line, to be executed before the next bytes are sent: `{ baud: 19200 }`, `{ brc: true }` or
-    /// `null`.
+    /// Request to the line, to be executed before the next bytes are sent: `{ baud: 19200 }`, `{ brc: true }`,
+    /// `"stop"` or `null`.
     #[wasm_bindgen(unchecked_return_type = "rust.LineRequest | null")]
     pub fn take_line(&mut self) -> Result<JsValue, JsValue> {
         to_js(&self.link.take_line())

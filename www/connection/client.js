@@ -208,7 +208,8 @@ export class ConnectionClient {
   /** Whether the robot moves, or can by requests since the latest view. */
   #mayMove() {
     if (!this.isOpen) return false;
-    const { mode, ride } = this.#view ?? { mode: "", ride: null };
+    const { mode, ride, transport } = this.#view ?? { mode: "", ride: null };
+    if (transport?.is_watching) return false;
     return mode === "Safe" || mode === "Full" || ride?.done === false || performance.now() < this.#movesUntil;
   }
 }

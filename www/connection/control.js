@@ -37,7 +37,8 @@ export function startControl(it) {
     const isThere = view.phase === "connected" && open;
     setHidden(button("connection-stop"), !open);
     button("connection-stop").classList.toggle("moving", view.is_moving || view.moves_alone);
-    for (const id of ["connection-control", "connection-ride"]) setHidden(byId(id), !isThere);
+    // Who only watches has nothing to choose.
+    for (const id of ["connection-control", "connection-ride"]) setHidden(byId(id), !isThere || view.transport.is_watching);
     for (const row of byId("connection-modes").children) {
       const isIn = row.getAttribute("data-mode") === view.mode;
       setAttribute(row, "class", isIn ? "in" : "");

@@ -191,7 +191,7 @@ impl Bridge {
             }
             let starts = starts(&command);
             if starts && now_ms.saturating_sub(self.alive_ms) >= self.limits.halt_ms {
-                return self.next_turn(Halted::Late, now_ms, ends);
+                return if self.is_on() { self.halt(now_ms, ends) } else { self.next_turn(Halted::Late, now_ms, ends) };
             }
             if !ends.robot(received.bytes) {
                 self.stop(&STOP, now_ms, ends);
@@ -281,9 +281,7 @@ impl Bridge {
             self.remove(driver, Halted::Lost, now_ms, ends);
             ends.close(driver, "the robot was stopped: nothing was heard of this client while it drove");
         } else if age_ms >= self.limits.halt_ms && self.is_taken {
-            ends.stop(&HALT);
-            self.repeat = Repeat::of(&HALT, now_ms);
-            self.next_turn(Halted::Silent, now_ms, ends);
+            self.halt(now_ms, ends);
         }
     }
 
@@ -325,6 +323,13 @@ impl Bridge {
             }
         }
         self.begin_turn(now_ms, ends);
+    }
+
+    /// Stops the wheels alone; the driver may be back at once.
+    fn halt(&mut self, now_ms: u64, ends: &mut impl Ends) {
+        ends.stop(&HALT);
+        self.repeat = Repeat::of(&HALT, now_ms);
+        self.next_turn(Halted::Silent, now_ms, ends);
     }
 
     /// The robot was stopped, or held back. What its driver sends is dropped until it has heard of that.
@@ -602,6 +607,17 @@ mod tests {
         wires.sent();
         bridge.tick(200, &mut wires);
         assert_eq!(wires.sent(), HALT);
+    }
+
+    #[test]
+    fn a_late_command_of_a_robot_that_drives_stops_it() {
+        let (mut bridge, mut wires) = bridge();
+        bridge.bytes(1, &DRIVE, 0, &mut wires);
+        wires.sent();
+        // The bridge itself was held up: no time has passed for it.
+        bridge.bytes(1, &DRIVE, 300, &mut wires);
+        assert_eq!(wires.sent(), [&[131][..], &HALT].concat());
+        assert_eq!(wires.told(1), ["drive 2", "halted silent"]);
     }
 
     #[test]

@@ -57,6 +57,8 @@ pub struct Wire {
     decoder: CommandDecoder,
     /// Commands that reached the robot, with their time.
     pub commands: Vec<(f64, Vec<u8>)>,
+    /// How often the bridge was told to stop the robot.
+    pub stops: u32,
 }
 
 impl Wire {
@@ -73,6 +75,7 @@ impl Wire {
             fault: None,
             decoder: CommandDecoder::default(),
             commands: Vec::new(),
+            stops: 0,
         };
         // Robots have stood around for a while.
         wire.robot.advance(10.0);
@@ -173,6 +176,7 @@ impl Wire {
             match request {
                 LineRequest::Baud(baud) => self.baud = baud,
                 LineRequest::Brc(is_low) => self.robot.set_brc(is_low),
+                LineRequest::Stop => self.stops += 1,
             }
         }
         let bytes = self.link.take_tx();

@@ -26,7 +26,7 @@ impl Connection {
         let sorry = |allowed: bool, why: &str| if allowed { Ok(()) } else { refuse(why) };
         if self.transport.is_watching && request.is_for_robot() {
             return refuse(
-                "Another client of the bridge drives this robot. You can watch; you can drive when it has left.",
+                "Another client of the bridge drives this robot. You can watch and stop it, and drive when that client has left.",
             );
         }
         let in_control = || sorry(can.drive, "Take control of the robot first.");
@@ -56,6 +56,11 @@ impl Connection {
                 self.end_ride("Control was released.");
                 self.motors_on = false;
                 self.driver.put_in(now, Mode::Passive);
+            }
+            Request::Stop if self.transport.is_watching => {
+                self.driver.stop_other();
+                let text = "The bridge was told to stop the robot. Whoever drives it has to take control again.";
+                self.say("notice", text.to_owned());
             }
             Request::Stop => {
                 self.end_ride("Stopped by the user.");

@@ -10,6 +10,8 @@ const SOON_ASLEEP_S: f64 = 240.0;
 
 const LISTENING: &str = "Listening for a robot…";
 
+const WATCHED: &str = "you are watching; Stop stops the robot";
+
 const FELL_SILENT: &str = "The robot no longer sends data.";
 const LOOK_AFTER_IT: &str =
     "Press CLEAN once on the robot. If nothing changes, check that the plug is fully inserted and the battery charged.";
@@ -188,6 +190,13 @@ impl ConnectionView {
         }
         if self.calibration.step == "moving" {
             return Caption::new("Calibrating", &*self.calibration.text);
+        }
+        if self.transport.is_watching {
+            return match (self.moves_alone, self.mode) {
+                (true, _) => Caption::new("Another client drives", WATCHED),
+                (false, "Safe" | "Full") => Caption::new("Another client is in control", WATCHED),
+                _ => Caption::new("Watching", "you can drive when the other client has left"),
+            };
         }
         let turns = self.wheels != [0.0; 2];
         // Manual control lasts a little longer than the touch; a robot at rest isn't driven.

@@ -269,6 +269,7 @@ impl Connection {
         let words = match request {
             LineRequest::Baud(baud) => format!("baud {baud}"),
             LineRequest::Brc(is_low) => format!("brc {}", if is_low { "low" } else { "high" }),
+            LineRequest::Stop => "stop".to_owned(),
         };
         self.recorder.note(self.now, RecordedEvent::Line(words));
         Some(request)

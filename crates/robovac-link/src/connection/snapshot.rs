@@ -55,7 +55,7 @@ impl Connection {
             transport: self.transport.clone(),
             statistics: self.statistics(now),
             sleeps_in_s: since(|m| m == Mode::Passive).filter(|_| !on_charger).map(|s| (SLEEP_S - s).max(0.0)),
-            awake_s: since(|m| m > Mode::Passive),
+            awake_s: since(|m| m > Mode::Passive).filter(|_| !self.transport.is_watching),
             drop: driver.dropped().map(|drop| DropView {
                 from: if drop.from == Mode::Full { "Full" } else { "Safe" },
                 text: drop.to_string(),

@@ -72,6 +72,8 @@ pub enum LineRequest {
     Baud(u32),
     /// Pull the BRC wire low (`true`: RTS asserted) or release it.
     Brc(bool),
+    /// Have the bridge stop the robot that another client drives.
+    Stop,
 }
 
 /// Phase of a connection.
@@ -198,7 +200,8 @@ impl Driver {
         self.is_rate_fixed = is_fixed;
     }
 
-    /// Sets whether it only listens: nothing is sent, and the stream that another program requested is taken for its own.
+    /// Sets whether it only listens: nothing is sent but a [stop](LineRequest::Stop), and the stream that another program
+    /// requested is taken for its own.
     pub fn watch(&mut self, is_watching: bool) {
         self.is_watching = is_watching;
     }
@@ -235,9 +238,14 @@ impl Driver {
     /// Request to the line, to be executed before the next bytes are sent.
     pub fn take_line(&mut self) -> Option<LineRequest> {
         if self.is_watching {
-            self.line.clear();
+            self.line.retain(|request| *request == LineRequest::Stop);
         }
         self.line.pop_front()
+    }
+
+    /// Stops a robot that another client of the bridge drives.
+    pub fn stop_other(&mut self) {
+        self.line.push_back(LineRequest::Stop);
     }
 
     /// Takes received bytes, up to the end of the next accepted frame, and returns their number. There can be a reading
