@@ -17,8 +17,12 @@ const LOOK: Duration = Duration::from_millis(5);
 const MOST_LEAVING_MS: u32 = 10;
 /// The same for the queue of commands, which a stop clears.
 const MOST_WAITING_MS: u32 = 100;
-/// Time for the last bytes to leave before the rate changes or the program ends.
-const LAST_BYTES: Duration = Duration::from_millis(100);
+/// Time limit for the last bytes to leave before the rate changes or the program ends, and time for those that the adapter
+/// itself still holds then.
+const LAST_BYTES: Duration = Duration::from_millis(500);
+const ADAPTER: Duration = Duration::from_millis(20);
+/// Time limit for a write while the line is busy.
+const BUSY: Duration = Duration::from_millis(100);
 /// For how long the wake-up pin is pulled low. Shorter ones count for a change of the baud rate.
 const WAKE: Duration = Duration::from_millis(600);
 
@@ -97,7 +101,7 @@ impl RobotPort {
                 // The line is busy.
                 Err(error)
                     if matches!(error.kind(), ErrorKind::TimedOut | ErrorKind::Interrupted | ErrorKind::WouldBlock)
-                        && began.elapsed() < LAST_BYTES => {}
+                        && began.elapsed() < BUSY => {}
                 Err(error) => return self.note(Err(error)),
             }
         }
@@ -128,8 +132,13 @@ impl RobotPort {
     }
 
     fn has_room(&self) -> bool {
-        let leaving = self.port.bytes_to_write().map_or(usize::MAX, |leaving| leaving as usize);
-        leaving.max(self.pace.leaving(Instant::now(), self.baud)) <= self.bytes_in(MOST_LEAVING_MS)
+        self.leaving() <= self.bytes_in(MOST_LEAVING_MS)
+    }
+
+    /// Bytes that are on their way, by the system and by the time since they were written.
+    fn leaving(&self) -> usize {
+        let waiting = self.port.bytes_to_write().map_or(0, |waiting| waiting as usize);
+        waiting.max(self.pace.leaving(Instant::now(), self.baud))
     }
 
     /// What the line carries in a time.
@@ -140,11 +149,10 @@ impl RobotPort {
     /// Waits until the last bytes have left; not for ever, as waiting by the system's own means would.
     pub fn finish(&mut self) {
         let began = Instant::now();
-        while self.port.bytes_to_write().is_ok_and(|waiting| waiting > 0) && began.elapsed() < LAST_BYTES {
+        while self.leaving() > 0 && began.elapsed() < LAST_BYTES {
             thread::sleep(Duration::from_millis(1));
         }
-        // The adapter itself holds a few.
-        thread::sleep(LOOK);
+        thread::sleep(ADAPTER);
     }
 
     fn note(&mut self, result: io::Result<()>) {
