@@ -10,7 +10,7 @@ use clients::{Clients, Heard};
 use gate::Gate;
 use robot_port::RobotPort;
 pub use robot_port::cannot_open;
-use roomba_bridge::{Bridge, ClientId, Ends, FromBridge, Full, Limits, MAX_CLIENTS};
+use roomba_bridge::{Bridge, ClientId, Ends, FromBridge, Full, Halted, Limits, MAX_CLIENTS};
 use service::Service;
 use std::{
     io,
@@ -92,7 +92,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     say(&format!("ready {}", address_for_users(address, token.as_deref())));
     let bridge = Bridge::new(Limits::default(), arguments.baud);
     let service = Service::from_environment();
-    Host { arguments, began: Instant::now(), clients, port: Some(port), bridge, service }.run(&is_over);
+    Host { arguments, began: Instant::now(), clients, port: Some(port), bridge, service, halted: None }.run(&is_over);
     Ok(String::new())
 }
 
@@ -141,6 +141,8 @@ struct Host<'a> {
     /// None while it is gone.
     port: Option<RobotPort>,
     service: Service,
+    /// Why the robot was stopped last, until that client or another one drives.
+    halted: Option<Halted>,
 }
 
 /// What the rules act on.
@@ -148,6 +150,7 @@ struct Wires<'a> {
     began: Instant,
     clients: &'a mut Clients,
     port: Option<&'a mut RobotPort>,
+    halted: &'a mut Option<Halted>,
 }
 
 impl Ends for Wires<'_> {
@@ -175,7 +178,14 @@ impl Ends for Wires<'_> {
 
     fn tell(&mut self, client: ClientId, word: FromBridge) {
         match word {
-            FromBridge::Drive(_) => report(self.began, &format!("client {client} may drive")),
+            FromBridge::Drive(_) => {
+                report(self.began, &format!("client {client} may drive"));
+                *self.halted = None;
+            }
+            // It is told to all clients.
+            FromBridge::Halted(why) if self.halted.replace(why).is_none() => {
+                report(self.began, &format!("the robot was stopped: {why}"));
+            }
             FromBridge::Watch => report(self.began, &format!("client {client} watches")),
             _ => {}
         }
@@ -209,11 +219,7 @@ impl Host<'_> {
                 Some(Err(error)) => self.lost(&error.to_string()),
                 None => self.find_again(),
             }
-            let was_on = self.bridge.is_on();
             self.round();
-            if was_on && !self.bridge.is_on() {
-                report(self.began, "the robot was stopped");
-            }
             let now_ms = self.now_ms();
             self.service.alive(now_ms);
         }
@@ -221,7 +227,11 @@ impl Host<'_> {
         let (bridge, mut wires) = self.parts();
         bridge.ended(now_ms, &mut wires);
         while (self.clients.is_closing() || self.bridge.is_stopping()) && ended.elapsed() < LAST_WORDS {
-            self.round();
+            // Whoever comes now comes too late.
+            let now_ms = self.now_ms();
+            self.clients.listen(now_ms);
+            let (bridge, mut wires) = self.parts();
+            bridge.tick(now_ms, &mut wires);
             thread::sleep(Duration::from_millis(2));
         }
         if let Some(port) = &mut self.port {
@@ -244,8 +254,8 @@ impl Host<'_> {
     }
 
     fn parts(&mut self) -> (&mut Bridge, Wires<'_>) {
-        let wires = Wires { began: self.began, clients: &mut self.clients, port: self.port.as_mut() };
-        (&mut self.bridge, wires)
+        let Self { began, clients, port, halted, bridge, .. } = self;
+        (bridge, Wires { began: *began, clients, port: port.as_mut(), halted })
     }
 
     fn now_ms(&self) -> u64 {

@@ -17,7 +17,7 @@
 //!   line can carry is stopped.
 //! - When the driver leaves, or the bridge starts or ends, the robot is stopped, and the line is as it was at first. A robot
 //!   that cleans by its own program goes on, as after a press of its button.
-//! - Every stop is repeated three times.
+//! - Every stop is repeated three times, or until somebody takes control again.
 //!
 //! Clients send the robot's bytes as binary messages of a WebSocket, and the words of [`ToBridge`] as text; they are
 //! answered likewise, with [`FromBridge`].
