@@ -46,7 +46,9 @@ impl Robot {
             165 => self.own_program |= data[0] != 0,
             137 if self.is_obeying => self.wheels = data[..2] != [0, 0],
             145 | 146 if self.is_obeying => self.wheels = *data != [0; 4],
-            138 | 144 if self.is_obeying => self.brushes = data.iter().any(|&byte| byte != 0),
+            // Its bits 5 to 7 are reserved.
+            138 if self.is_obeying => self.brushes = data[0] & 31 != 0,
+            144 if self.is_obeying => self.brushes = *data != [0; 3],
             _ => {}
         }
     }
