@@ -109,6 +109,8 @@ mod tests {
     use super::*;
     use roomba_bridge::STOP;
 
+    const DRIVE: &[u8] = &[131, 145, 0, 100, 0, 100];
+
     enum Message {
         Joins,
         Binary(&'static [u8]),
@@ -169,7 +171,6 @@ mod tests {
         let mut bench = Bench::default();
         let mut firmware = Firmware::start(&mut bench);
         assert!(bench.robot.ends_with(&STOP));
-        const DRIVE: &[u8] = &[131, 145, 0, 100, 0, 100];
         bench.arriving = vec![(1, Message::Binary(DRIVE)), (1, Message::Text("take 1")), (1, Message::Joins)];
         for now_ms in (0..2000).step_by(10) {
             bench.now_ms = now_ms;
