@@ -39,7 +39,7 @@ fn ride(wire: &mut Wire, corners: &[(f64, f64)]) {
     let start = setup.floor.start;
     let line: Arc<[Point]> = corners.iter().map(|&(x, y)| Point::new(x, y)).collect();
     let follower = FollowPath::new(&setup.robot, OdometryModel::Arc, start, line);
-    wire.link.ride(wire.now, "Line", Box::new(follower), start).unwrap();
+    wire.link.ride(wire.now, "Line", Box::new(follower), start, false).unwrap();
     wire.pass_until(300.0, |wire| wire.view().ride.unwrap().done);
     wire.pass(1.0);
 }
