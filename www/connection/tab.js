@@ -126,9 +126,9 @@ export function startConnection(app, module, guard) {
   new MutationObserver(() => {
     if (currentTab() === "connection") return;
     wasHere = false;
-    const { is_moving: moves, moves_alone: movesAlone, is_recording: isRecording } = it.view;
+    const { is_moving: moves, moves_alone: movesAlone, motors, is_recording: isRecording } = it.view;
     it.halt();
-    if ((moves || movesAlone) && !isRecording) connection.leave("You left the Robot tab.");
+    if ((moves || movesAlone || (motors & 7) !== 0) && !isRecording) connection.leave("You left the Robot tab.");
   }).observe(byId("panel-connection"), { attributes: true, attributeFilter: ["hidden"] });
 
   return {

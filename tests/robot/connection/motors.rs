@@ -45,10 +45,8 @@ fn motors(wire: &mut Wire) -> [u8; 2] {
 fn the_dirt_under_a_cleaning_ride_is_gone_and_stays_under_others() {
     let objects = vec![Object::Dirt { at: Point::new(3.7, 2.5), radius: 0.07 }];
     for cleans in [true, false] {
-        let mut wire = Wire::new(
-            &setup_in(&FloorPlan { objects: objects.clone(), ..hall() }, Conditions::default(), 1),
-            "model",
-        );
+        let mut wire =
+            Wire::new(&setup_in(&FloorPlan { objects: objects.clone(), ..hall() }, Conditions::default(), 1), "model");
         wire.connect();
         wire.arm();
         wire.link.ride(wire.now, "Line", ahead(), START, cleans).unwrap();

@@ -30,7 +30,7 @@ pub struct ConnectionView {
     pub odometry: &'static str,
     /// Path driven, m.
     pub distance_m: f64,
-    /// Brushes and vacuum that run by command, in the bits of [`Request::Motors`](super::Request::Motors).
+    /// Brushes and vacuum that run by command, as the bits of a request for motors.
     pub motors: u8,
     /// Their duty cycles in 1/128: main brush, side brush, vacuum.
     pub duty: [i8; 3],
