@@ -24,9 +24,8 @@ export function startSchedule(it) {
   const form = make("form", { className: "schedule" }, ...rows.map(({ node }) => node), make("div", { className: "connection-hand" }, set, clear));
   byId("connection-schedule").append(
     make("div", { className: "connection-sets" },
-      group("Clock", make("p", { className: "note" }, "The robot forgets clock and schedule when it loses power."), clock),
       group("Schedule", form),
-      group("Note", told),
+      group("Clock", make("p", { className: "note" }, "The robot forgets clock and schedule when it loses power."), clock, told),
     ),
   );
 
