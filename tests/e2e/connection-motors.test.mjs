@@ -16,6 +16,7 @@ const pressed = (page, panel) => page.locator(`#connection-${panel} .toggle[aria
 /** Waits for these toggles to be on, and no others. */
 const on = ({ page, app }, panel, wanted) => app.poll(() => pressed(page, panel), (names) => names.join() === wanted.join());
 
+// slow: two rides in real time
 test("the virtual robot's dirt is gone after a ride, and stays if brushes are off", async (t) => {
   const opened = await openRobot(t, { link: DIRTY });
   const { page, robot } = opened;

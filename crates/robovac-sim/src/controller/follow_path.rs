@@ -33,6 +33,9 @@ const STILL: u32 = 3;
 const STEER: (f64, f64) = (6.0, 0.5);
 /// Turn rate per radian of heading error, 1/s.
 const TURN_GAIN: f64 = 6.0;
+/// Least heading error that is corrected on the way by packets of distance and angle, rad: their whole degrees don't show
+/// smaller turns, so that it would turn again and again.
+const UNSEEN: f64 = 0.035;
 
 /// Speed back to the line per metre off it, 1/s, for a robot that moves in all directions.
 const SIDESTEP: f64 = 3.0;
@@ -227,7 +230,9 @@ impl FollowPath {
         let speed = self.braking_speed(left_over).min(self.cruise);
         // Limited by the speed, so that the robot doesn't oscillate where it stops.
         let sharpest = speed / self.robot.wheel_base;
-        let turn_rate = (TURN_GAIN * difference(pose.heading, heading)).clamp(-sharpest, sharpest);
+        let error = difference(pose.heading, heading);
+        let is_unseen = self.since_report.is_some() && error.abs() < UNSEEN;
+        let turn_rate = if is_unseen { 0.0 } else { (TURN_GAIN * error).clamp(-sharpest, sharpest) };
         Drive::from_twist(speed, turn_rate, self.robot.wheel_base)
     }
 
