@@ -8,7 +8,6 @@ use roomba_oi::{Command, CommandRefusal, Lamps, Mode, Motors, ScheduleLamps, Wee
 /// Most bytes of a raw command.
 const MOST_RAW: usize = 256;
 
-#[expect(clippy::needless_pass_by_value)]
 fn invalid(refusal: CommandRefusal) -> RequestRefused {
     RequestRefused(format!("Invalid command: {refusal}."))
 }
