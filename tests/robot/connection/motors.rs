@@ -182,7 +182,9 @@ fn motors_and_lights_are_shown_as_they_are() {
         Request::Motors { bits: 3 },
     ];
     let on = |wire: &mut Wire| {
-        all.iter().for_each(|request| wire.ask(request.clone()));
+        for request in all.clone() {
+            wire.ask(request);
+        }
         wire.pass(0.1);
         assert_eq!((lights(wire), wire.view().motors), ((5, "HI  ".into()), 3));
     };

@@ -350,7 +350,9 @@ impl Connection {
         self.mark(start);
         if cleans {
             self.send(now, Command::Motors(CLEANING))?;
-            self.ride.iter_mut().for_each(|ride| ride.cleans = true);
+            if let Some(ride) = &mut self.ride {
+                ride.cleans = true;
+            }
         }
         Ok(())
     }

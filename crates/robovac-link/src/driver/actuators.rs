@@ -98,7 +98,9 @@ mod tests {
 
     fn after(commands: &[Command<'_>]) -> Actuators {
         let mut actuators = Actuators::default();
-        commands.iter().for_each(|command| actuators.take(*command));
+        for command in commands {
+            actuators.take(*command);
+        }
         actuators
     }
 
