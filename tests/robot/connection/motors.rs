@@ -15,6 +15,9 @@ use robovac_sim::{
 };
 use roomba_oi::Mode;
 
+/// What happens to a robot, and its name.
+type Event = (&'static str, fn(&mut Wire));
+
 const START: Pose = Pose { x: 3.0, y: 2.5, heading: 0.0 };
 
 /// Drives 1.2 m ahead.
@@ -76,7 +79,6 @@ fn whatever_ends_a_cleaning_ride_stops_the_brushes() {
         wire.pass(0.2);
         assert_eq!(motors(&mut wire), [0; 2], "{request:?}");
     }
-    type Event = (&'static str, fn(&mut Wire));
     let events: [Event; 6] = [
         ("lifted", |wire| wire.robot.apply(Input::Lift)),
         ("charger", |wire| wire.robot.plug_charger(true)),
