@@ -158,6 +158,12 @@ pose: [number, number, number],
 odometry: string,
 /** Path driven, m. */
 distance_m: number,
+/** Brushes and vacuum that run by command, as the bits of a request for motors. */
+motors: number,
+/** Their duty cycles in 1/128: main brush, side brush, vacuum. */
+duty: [number, number, number],
+/** Lights that are on by command. */
+lights: LightsView,
 /** Requested wheel speeds that were sent last, left and right, m/s. */
 wheels: [number, number],
 /** Whether the robot is driven by this program, or is about to be. */
@@ -383,6 +389,19 @@ colour: string,
 strokes: number,
 /** Its role. */
 role: Role, };
+
+/** Lights that are on by command; all dark while the robot has them for itself. */
+export type LightsView = {
+/** Bits: debris, spot, dock, check. */
+lamps: number,
+/** Colour of the Clean button, 0 green to 255 red, and its brightness, 0 to 255. */
+clean_light: [number, number],
+/** The four digits. */
+digits: string,
+/** Bits, the lowest for Sunday. */
+weekdays: number,
+/** Bits: colon, PM, AM, clock, schedule. */
+schedule: number, };
 
 /** Request to the transport. */
 export type LineRequest = { "baud": number } | { "brc": boolean } | "stop";
@@ -685,7 +704,7 @@ overlap: number,
 overlap_m2: number, };
 
 /** Buttons of the robot on the page. */
-export type PressedButton = "clean" | "spot" | "dock" | "power";
+export type PressedButton = "clean" | "spot" | "max" | "dock" | "power";
 
 export type RaceView = { state: SessionState, time_s: number, end_s: number, planned_s: number, speed: number, lanes: Array<LaneView>, };
 
@@ -718,7 +737,27 @@ weekdays: number,
 /** Bits: colon, PM, AM, clock, schedule. */
 lamps: number, } | { "do": "motors",
 /** Bits: side brush, vacuum, main brush, side brush clockwise, main brush outward. */
-bits: number, } | { "do": "calibrate",
+bits: number, } | { "do": "pwm_motors",
+/** -127 to 127; inward positive. */
+main_brush: number,
+/** -127 to 127; counter-clockwise positive. */
+side_brush: number,
+/** 0 to 127. */
+vacuum: number, } | { "do": "drive_pwm",
+/** -255 to 255. */
+right: number,
+/** -255 to 255. */
+left: number, } | { "do": "clock",
+/** 0 Sunday to 6 Saturday. */
+day: number,
+/** 0 to 23. */
+hour: number,
+/** 0 to 59. */
+minute: number, } | { "do": "schedule",
+/** Bits, the lowest for Sunday; none for no schedule. */
+days: number,
+/** Hour and minute, from Sunday to Saturday. */
+times: [[number, number], [number, number], [number, number], [number, number], [number, number], [number, number], [number, number]], } | { "do": "calibrate",
 /** The calibration. */
 what: Calibration, } | { "do": "answer",
 /** Degrees or metres, as requested. */
@@ -1156,5 +1195,7 @@ export type VirtualView = {
 pose: [number, number, number], mode: string, awake: boolean, lifted: boolean, fallen: boolean, lamps: number,
 /** Colour, 0 green to 255 red, and brightness. */
 clean_light: [number, number], digits: string, weekdays: number, schedule: number, motors: number,
+/** Share of the room's dirt that is left; `None` in a room without any. */
+dirt_left: number | null,
 /** Tunes started since the last view: notes of MIDI number and 1/64 s. */
 tunes: Array<Array<[number, number]>>, };

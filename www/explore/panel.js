@@ -2,6 +2,7 @@
 // The forms: what cleans which room, made from the catalogue.
 import { button, byId, changed, fill, input, make, select, setHidden, setText, typed } from "../dom.js";
 import { explainer } from "../explainer.js";
+import { ODOMETRIES, ODOMETRY_TIP } from "../odometry.js";
 import { paramField } from "../params.js";
 
 /**
@@ -21,6 +22,8 @@ export function startPanel(app) {
   const algorithms = [...planners, ...behaviours];
   fill(select("room"), rooms.map(({ id, title }) => [id, title]));
   select("algorithm").replaceChildren(group("Path planners", planners), group("Reactive behaviours", behaviours));
+  fill(select("odometry"), ODOMETRIES);
+  byId("odometry-field").setAttribute("data-tip", ODOMETRY_TIP);
   fill(select("robot"), robots.map(({ id, title }) => [id, title]));
   fill(select("cell-size"), cell_sizes_m.map((size) => [String(size), `${+(size * 100).toFixed(2)} cm`]));
 

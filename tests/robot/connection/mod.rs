@@ -2,6 +2,7 @@
 
 mod calibrating;
 mod diagnosis;
+mod motors;
 mod noise;
 mod odometry;
 mod recording;

@@ -147,7 +147,7 @@ fn the_trace_says_where_a_program_sets_off() {
     let params = Params::defaults(info.params);
     let bounce = info.build(&Setup { robot: &roomba(), params: &params, seed: 1 }).unwrap();
     wire.pass(0.1);
-    wire.link.ride(wire.now, "Bounce", bounce, start).unwrap();
+    wire.link.ride(wire.now, "Bounce", bounce, start, false).unwrap();
     wire.pass(0.3);
     let (at, points) = set_off(wire.link.take_trace()).unwrap();
     assert_eq!(points[at][..3], [start.x, start.y, start.heading]);

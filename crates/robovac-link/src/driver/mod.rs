@@ -12,6 +12,7 @@
 //! - A robot that is silent for 250 ms, leaves its mode, or reports speeds other than commanded is sent stop commands
 //!   until it confirms; three times where it can't confirm, at 19200 baud.
 
+mod actuators;
 mod commands;
 mod connect;
 mod diagnosis;
@@ -27,6 +28,7 @@ mod raw;
 mod refusal;
 mod wheels;
 
+pub use actuators::Actuators;
 pub use diagnosis::{Diagnosis, Finding, Step};
 pub use filter::{Filter, FrameVerdict};
 pub use link_stats::LinkStats;
@@ -139,6 +141,7 @@ pub struct Driver {
     target_reached: bool,
     dropped: Option<ModeLoss>,
     wheels: WheelCommand,
+    actuators: Actuators,
     /// Whether encoder packets 43 and 44 are swapped on this robot.
     swapped: bool,
     question: Option<Question>,
@@ -220,7 +223,7 @@ impl Driver {
     pub fn closed(&mut self, now: f64, why: &str) {
         self.tx.clear();
         self.line.clear();
-        self.wheels = WheelCommand::default();
+        (self.wheels, self.actuators) = (WheelCommand::default(), Actuators::default());
         self.question = None;
         self.phase =
             if self.phase == ConnectionPhase::Closed { ConnectionPhase::Closed } else { ConnectionPhase::Lost };
@@ -394,6 +397,7 @@ impl Driver {
             self.revived_at = now;
             if self.was_in_control {
                 self.push(now, &STOP);
+                self.stop_brushes(now);
                 self.tell_mode(now);
             }
             self.subscribe(now);

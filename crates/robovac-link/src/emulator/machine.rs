@@ -185,7 +185,8 @@ impl Machine {
             _ => self.robot.brake(),
         }
         let brushes = self.running();
-        self.robot.set_sweeping(brushes != Brushes::default());
+        // Vacuum and side brush alone leave dirt where it is.
+        self.robot.set_sweeping(brushes.main > 0.0);
     }
 
     /// The brushes and the vacuum.
