@@ -3,7 +3,8 @@
 use coverage_planners::{PLANNERS, find, metrics::METRICS};
 use robovac_app::{
     compare::{
-        Comparison, ComparisonTable, MOST_LANES, MedianAndRange, PrintedRow, RoomChoice, Row, TrialProgress, to_csv, to_json,
+        Comparison, ComparisonTable, MOST_LANES, MedianAndRange, PrintedRow, RoomChoice, Row, TrialProgress, to_csv,
+        to_json,
     },
     explore::{Session, SessionState},
 };
@@ -289,7 +290,8 @@ fn table_2() -> (Comparison, ComparisonTable) {
 fn order_of_table_2_is_as_the_documentation_claims() {
     let (_, table) = table_2();
     let order = |value: &dyn Fn(&Row) -> Option<f64>| {
-        let mut rows: Vec<(f64, &str)> = table.rows.iter().map(|row| (value(row).expect("it is known"), row.entrant.id())).collect();
+        let mut rows: Vec<(f64, &str)> =
+            table.rows.iter().map(|row| (value(row).expect("it is known"), row.entrant.id())).collect();
         rows.sort_by(|a, b| a.0.total_cmp(&b.0));
         rows.into_iter().map(|(_, planner)| planner).collect::<Vec<_>>()
     };
@@ -302,7 +304,8 @@ fn order_of_table_2_is_as_the_documentation_claims() {
     assert_eq!(ours("direction_changes"), ["genetic", "snake", "spiral"]);
     assert_eq!(printed("direction_changes"), ["snake", "genetic", "spiral"]);
 
-    let page = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/planners.md")).expect("it can be read");
+    let page =
+        std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/planners.md")).expect("it can be read");
     for row in &table.rows {
         let PrintedRow { algorithm, turns, revisits, length_m, planner } = row.printed.expect("it is in the table");
         let [changes, again, length] =

@@ -204,7 +204,11 @@ impl<'a, 'b> Program<'a, 'b> {
             Found::CleanedOrBlocked if self.is_minimum_forward() => {
                 self.memory.raise(self.at);
                 self.stack.push(self.behind());
-                self.explain("Forward", self.facing, "The column ahead has a smaller index than both rows: straight on");
+                self.explain(
+                    "Forward",
+                    self.facing,
+                    "The column ahead has a smaller index than both rows: straight on",
+                );
                 self.at = self.ahead();
                 self.arrive()?;
                 self.memory.see_around(self.at);
@@ -220,7 +224,11 @@ impl<'a, 'b> Program<'a, 'b> {
             Found::Back => {
                 self.memory.raise(self.at);
                 self.stack.push(self.ahead());
-                self.explain("Back", self.facing, "Blocked on both sides: \"back\", to the cell ahead that was pushed last");
+                self.explain(
+                    "Back",
+                    self.facing,
+                    "Blocked on both sides: \"back\", to the cell ahead that was pushed last",
+                );
                 self.go_back()?;
                 Ok(self.call(Caller::SecondTurn))
             }
@@ -266,7 +274,8 @@ impl<'a, 'b> Program<'a, 'b> {
                 self.memory.raise(self.at);
                 self.memory.see_around(self.at);
                 self.stack.push(self.ahead());
-                let note = "A row has a smaller index than the column ahead: \"back\", to the cell ahead that was pushed last";
+                let note =
+                    "A row has a smaller index than the column ahead: \"back\", to the cell ahead that was pushed last";
                 self.explain("Back", self.facing, note);
                 self.go_back()?;
                 return Ok(self.call(Caller::AheadAfterBack));
@@ -430,7 +439,15 @@ impl<'a, 'b> Program<'a, 'b> {
             steps.pop();
         }
         let marks = self.memory.marks(self.at);
-        steps.push(TraceStep { step, rule: rule.into(), at: self.at, towards, marks, sides: None, note: note.to_owned() });
+        steps.push(TraceStep {
+            step,
+            rule: rule.into(),
+            at: self.at,
+            towards,
+            marks,
+            sides: None,
+            note: note.to_owned(),
+        });
     }
 }
 

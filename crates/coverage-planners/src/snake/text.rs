@@ -200,4 +200,3 @@ impl SnakeMemory {
         TraceStep { step, rule: "Shortest path".into(), at, towards, marks: self.marks(at), sides: None, note }
     }
 }
-
