@@ -37,7 +37,7 @@
 //!
 //! # The program itself
 //!
-//! *Rules* "program, as printed" does what the program does, with all of the above as in Appendix B, until it would
+//! *Rules* "program" does what the program does, with all of the above as in Appendix B, until it would
 //! leave the grid, enter a block, jump, or has visited all. A second transcription in the tests walks the same, step for
 //! step, in seeded rooms of 6 to 20 cells on a side.
 //!
@@ -83,7 +83,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
             label: "Rules",
             help: "The text's rules clean every cell. The printed program goes its own way and can stop early or go in \
                    circles.",
-            kind: ParamKind::Choice { options: &[("text", "text"), ("program", "program, as printed")] },
+            kind: ParamKind::Choice { options: &[("text", "text"), ("program", "program")] },
         },
         ParamSpec {
             id: "patience",
