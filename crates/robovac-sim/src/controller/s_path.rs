@@ -78,7 +78,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
             help: "Measure turns and distances by time, by the wheel encoders, or by the paper's times, which ignore \
                    that motors need time to get to speed.",
             kind: ParamKind::Choice {
-                options: &[("time", "by time"), ("encoder", "by encoders"), ("printed", "by time, as printed")],
+                options: &[("time", "by time"), ("encoder", "by encoders"), ("printed", "printed times")],
             },
         },
         ParamSpec {
