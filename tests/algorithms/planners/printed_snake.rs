@@ -7,7 +7,7 @@ use super::support::{EIGHT, drawn};
 use coverage_planners::{CoverageJob, CoveragePath, PlanContext, THE_END, TraceStep, find, metrics::WalkMetrics};
 use rand::RngExt;
 use robovac_core::{
-    floor_plan::generate::random_clutter,
+    floor_plan::{generate::random_clutter, room},
     grid::{Cell, Direction, Grid},
     registry::{ParamValue, Params},
     rng::seeded,
@@ -423,6 +423,17 @@ fn printed_program_makes_the_golden_walk() {
     }
     assert_eq!(text, fs::read_to_string(file).expect("the file is there"));
     assert_eq!(planned(&job(&drawn(EIGHT)), &mut PlanContext::new(0)).cells, walk);
+}
+
+/// In the room of Table 2 program and text come to the same.
+#[test]
+fn printed_program_cleans_our_room_of_table_2() {
+    let plan = (room("thesis226").expect("it ships").build)();
+    let free = plan.occupancy.map(|cell| cell.is_free());
+    let (walk, end) = Program::main(&free);
+    let info = find("snake").expect("the planner exists");
+    let text = info.build(&Params::defaults(info.params)).plan(&job(&free), &mut PlanContext::new(0));
+    assert_eq!((end, Ok(CoveragePath { cells: walk })), (End::All, text));
 }
 
 /// A square room with some blocks or with clutter; all its free cells are connected with the top-left one.
