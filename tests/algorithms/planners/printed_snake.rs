@@ -416,7 +416,9 @@ fn printed_program_makes_the_golden_walk() {
          ; column, row from the bottom; top-left to start with, facing right; 65 steps, 12 revisits, 32 changes of \
          direction\n",
     );
-    walk.iter().for_each(|cell| writeln!(text, "{} {}", cell.x, cell.y).expect("a string takes all"));
+    for cell in &walk {
+        writeln!(text, "{} {}", cell.x, cell.y).expect("a string takes all");
+    }
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/golden/snake_8x8_program.txt");
     if std::env::var_os("UPDATE").is_some() {
         fs::write(file, &text).expect("the file can be written");
