@@ -845,7 +845,9 @@ export type RowView = {
 /** Number of the planner in the view's `entrants`. */
 entrant: number, trials: number, missing: number, failure: string, values: Array<MedianAndRange | null>,
 /** Which values are the best of their columns. */
-best: Array<boolean>, };
+best: Array<boolean>,
+/** What a paper prints in the place of each value. */
+printed: Array<number | null>, };
 
 /** The choices of a scenario besides its room, as text that settings check. Missing ones stay unchanged. */
 export type ScenarioChoices = {

@@ -257,6 +257,7 @@ impl LiveMap {
             body: robot.body,
             radius: robot.radius,
             wheels: [robot.wheel_base, robot.wheel_radius],
+            castors: robot.castors,
             suite: robot.sensors,
             is_lifted: self.is_lifted,
             tool_width: robot.tool_width,

@@ -587,6 +587,22 @@ fn search_of_the_snake_follows_the_robot() {
 }
 
 #[test]
+fn search_says_why_a_walk_ends_early() {
+    let mut session = opened();
+    session.restore("room=room12ft&robot=cell&planner=snake&p.rules=program").unwrap();
+    session.show_search(true);
+    session.plan_now(|| 0.0);
+    session.seek(session.planned().unwrap().drive.duration_s * 2.0);
+    while session.state() != SessionState::Finished {
+        session.frame(1.0, &mut || true);
+    }
+    let planned = session.planned().unwrap();
+    assert!(planned.walk.visited_cells < planned.walk.reachable_cells);
+    let ending = session.search().unwrap().ending().expect("it ends early");
+    assert_eq!((ending.step, &session.view().search.text), (planned.walk.steps, &format!("{}.", ending.note)));
+}
+
+#[test]
 fn search_is_only_shown_where_there_is_one() {
     let mut session = opened();
     session.show_search(true);

@@ -72,6 +72,15 @@ pub struct Laser {
     pub rate_hz: f64,
 }
 
+/// A wheel that isn't driven and follows where the robot goes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Castor {
+    /// Where it touches the floor.
+    pub at: [f64; 2],
+    /// Its radius, m.
+    pub radius: f64,
+}
+
 /// A brush that sweeps dirt from beside the body under it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SideBrush {

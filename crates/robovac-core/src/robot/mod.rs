@@ -10,7 +10,7 @@ mod odometry;
 mod port;
 mod sensor_readings;
 
-pub use body::{Battery, Body, Bumper, Laser, LightBumper, SensorSuite, SideBrush, WheelLayout};
+pub use body::{Battery, Body, Bumper, Castor, Laser, LightBumper, SensorSuite, SideBrush, WheelLayout};
 pub use distance_angle::{DistanceAngle, DistanceAngleMeter, READINGS_PER_DISTANCE_ANGLE};
 pub use drive::Drive;
 pub use light_law::{MOST_LIGHT, apparent_distance, distance_of_light, light_at};

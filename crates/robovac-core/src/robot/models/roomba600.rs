@@ -33,6 +33,7 @@ pub(super) const ROOMBA_600: RobotModel = RobotModel {
         wheel_drops: true,
         laser: None,
     },
+    castors: &[],
     side_brushes: &[SideBrush { at: [0.092, -0.116], radius: 0.095 }],
     battery: Battery { capacity_mah: 2696.0, voltage: 14.4, charge_ma: 1232.0, has_gauge: true },
     tool_width: 0.17,
