@@ -4,6 +4,7 @@ use floor_drawing::{DrawingError, drawing_kind};
 use robovac_core::{
     floor_plan::{self, FloorPlan, MapError, Scenario, SourceFile},
     registry::Params,
+    robot::Twin,
 };
 use robovac_sim::{
     Noise, NoiseLevel, SensorKind,
@@ -27,6 +28,8 @@ pub struct Import {
 pub struct ScenarioChoices {
     /// Id of the robot.
     pub robot: Option<String>,
+    /// Figures of one particular robot in place of the model's; without them the robot is the model.
+    pub twin: Option<Twin>,
     /// Side of the planning cells, m.
     pub cell_size: Option<f64>,
     /// Id of the planner.
@@ -107,9 +110,10 @@ impl ScenarioChoices {
     /// The choices of `scenario`.
     pub fn of(scenario: &Scenario) -> Self {
         let text = |value: &serde_json::Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
-        let Scenario { robot, cell_size, planner, behaviour, slip, noise, quantised, odometry, .. } = scenario.clone();
+        let Scenario { robot, twin, cell_size, planner, behaviour, slip, noise, quantised, odometry, .. } = scenario.clone();
         Self {
             robot,
+            twin,
             cell_size,
             planner,
             behaviour,
@@ -131,6 +135,7 @@ impl ScenarioChoices {
         let noisy = noisy.filter(|&(_, level)| level != NoiseLevel::Off);
         Self {
             robot: Some(settings.robot.to_owned()),
+            twin: settings.twin,
             cell_size: Some(settings.cell_size),
             planner: algorithm.planner().map(|info| info.id.to_owned()),
             behaviour: algorithm.behaviour().map(|info| info.id.to_owned()),
@@ -153,6 +158,9 @@ impl ScenarioChoices {
         let mut settings = now.clone();
         if let Some(id) = &self.robot {
             at("robot", settings.select_robot(id))?;
+        }
+        if let Some(twin) = self.twin {
+            at("twin", settings.set_twin(twin))?;
         }
         if let Some(metres) = self.cell_size {
             at("cell_size", settings.set_cell_size(metres))?;
