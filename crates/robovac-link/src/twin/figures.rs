@@ -85,7 +85,7 @@ impl<'a> Found<'a> {
             wheel_base_mm: value(1),
             speed_factor: value(2).map(|percent| percent / 100.0),
             acceleration_m_s2: value(3),
-            light: self.law.map(|fitted| LightLaw {
+            light: self.law.filter(|fitted| fitted.is_better).map(|fitted| LightLaw {
                 gain_m2: rounded(fitted.law.gain_m2, 3),
                 offset_m: rounded(fitted.law.offset_m, 5),
             }),
@@ -244,6 +244,10 @@ impl<'a> Found<'a> {
             return [gain.of_model(why.to_owned()), offset.of_model(why.to_owned()), noise];
         };
         let met = counted(fitted.contacts, "wall");
+        if !fitted.is_better {
+            let why = format!("The model's, which explains {met} met head-on about as well as any.");
+            return [gain.of_model(why.clone()), offset.of_model(why), noise];
+        }
         [
             TwinFigure {
                 value: Some(fitted.law.gain_m2),

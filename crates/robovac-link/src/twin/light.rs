@@ -24,7 +24,9 @@ const ALIKE: f64 = 0.3;
 const USED: [f64; 2] = [60.0, 3700.0];
 /// Least number of readings of all contacts.
 const LEAST_POINTS: usize = 12;
-/// Tried offsets, m.
+/// Largest error of a law that is clearly better than the model's, as a share of the model's (ours).
+const CLEARLY: f64 = 0.8;
+/// Tried offsets, mm.
 const OFFSETS_MM: std::ops::RangeInclusive<u32> = 2..=60;
 /// Spreads of idle signals, between the lower fifth percent and the median, above which noise is typical and harsh: in
 /// the simulator they are 0, 14 and 71.
@@ -38,6 +40,8 @@ pub(super) struct FittedLaw {
     pub offset_deviation: f64,
     /// Walls that were met.
     pub contacts: usize,
+    /// Whether it explains them clearly better than the model's law.
+    pub is_better: bool,
 }
 
 /// Signals of the two middle beams at a distance of a wall ahead.
@@ -159,8 +163,13 @@ pub(super) fn fit(contacts: &[Vec<Point>], light: &LightBumper) -> Option<Fitted
         return None;
     }
     let [of_gain, of_offset] = [product(1, 1), product(0, 0)].map(|minor| (variance * minor / determinant).sqrt());
-    let contacts = contacts.len();
-    Some(FittedLaw { law, gain_deviation: law.gain_m2 * of_gain, offset_deviation: of_offset, contacts })
+    Some(FittedLaw {
+        law,
+        gain_deviation: law.gain_m2 * of_gain,
+        offset_deviation: of_offset,
+        contacts: contacts.len(),
+        is_better: squares(law) < CLEARLY * CLEARLY * squares(light.law),
+    })
 }
 
 /// Root mean square of the logarithm of measured over predicted signals.
