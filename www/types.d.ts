@@ -382,6 +382,13 @@ strokes: number,
 /** Its role. */
 role: Role, };
 
+/** A and d0 of the law. */
+export type LightLaw = {
+/** A: the signal of a white wall times the square of its distance from the light source, m². */
+gain_m2: number,
+/** d0: how far the light source is behind the body's edge, m. */
+offset_m: number, };
+
 /** Request to the transport. */
 export type LineRequest = { "baud": number } | { "brc": boolean };
 
@@ -561,6 +568,8 @@ message_kind: "" | "error" | "notice",
 room: RoomView,
 /** Id of the robot. */
 robot: string,
+/** Figures of a twin, as in links; empty for the model. */
+twin: string,
 /** Id of the planner or behaviour. */
 algorithm: string,
 /** `planner` or `behaviour`. */
@@ -679,6 +688,21 @@ coverage: number,
 overlap: number,
 /** Area swept again by later passes, m²; what is swept three times counts twice. */
 overlap_m2: number, };
+
+/** How far a twin's and its model's predictions are off. */
+export type Prediction = {
+/** What is predicted. */
+what: string,
+/** Unit of the errors. */
+unit: string,
+/** Digits after the point. */
+digits: number,
+/** Error of the twin. */
+twin: number,
+/** Error of the model. */
+model: number,
+/** From what: a sentence. */
+how: string, };
 
 /** Buttons of the robot on the page. */
 export type PressedButton = "clean" | "spot" | "dock" | "power";
@@ -805,6 +829,8 @@ best: Array<boolean>, };
 export type ScenarioChoices = {
 /** Id of the robot. */
 robot: string | null,
+/** Figures of one particular robot in place of the model's; without them the robot is the model. */
+twin: Twin | null,
 /** Side of the planning cells, m. */
 cell_size: number | null,
 /** Id of the planner. */
@@ -1133,6 +1159,36 @@ errors: TransportErrors,
 returns: number,
 /** Another client of the bridge drives: what is sent from here doesn't reach the robot. */
 is_watching: boolean, };
+
+/** Measured figures of one robot; the missing ones are its model's. */
+export type Twin = {
+/** Way of a wheel for one count of its encoder, mm. */
+mm_per_count: number | null,
+/** Distance between the wheels' contact points, mm. */
+wheel_base_mm: number | null,
+/** Speed over the floor divided by the commanded one. */
+speed_factor: number | null,
+/** Acceleration of the wheels, m/s². */
+acceleration_m_s2: number | null,
+/** How the light bumper's signal falls with distance. */
+light: LightLaw | null, };
+
+/** A figure of a twin, for people. */
+export type TwinFigure = {
+/** What it is. */
+name: string,
+/** Its value; `None` if there is neither a measurement nor a default. */
+value: number | null,
+/** Its standard deviation; `None` for a value that wasn't fitted. */
+uncertainty: number | null,
+/** The model's value; `None` if the model has none. */
+model: number | null,
+/** Unit, empty for none. */
+unit: string,
+/** Digits after the point. */
+digits: number,
+/** A sentence: what it was found from, or why it is the model's. */
+how: string, };
 
 /** A unit in the menu. */
 export type UnitView = {

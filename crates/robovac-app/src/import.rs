@@ -110,7 +110,8 @@ impl ScenarioChoices {
     /// The choices of `scenario`.
     pub fn of(scenario: &Scenario) -> Self {
         let text = |value: &serde_json::Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
-        let Scenario { robot, twin, cell_size, planner, behaviour, slip, noise, quantised, odometry, .. } = scenario.clone();
+        let Scenario { robot, twin, cell_size, planner, behaviour, slip, noise, quantised, odometry, .. } =
+            scenario.clone();
         Self {
             robot,
             twin,

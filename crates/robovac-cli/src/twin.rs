@@ -36,7 +36,8 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     }
     if let Some(path) = &arguments.check {
         let predictions = fit.check(read(path)?).map_err(|e| refuse(path, &e))?;
-        let _ = writeln!(text, "\nErrors of predictions for {}:\n{:34} {:>9} {:>9}", path.display(), "", "twin", "model");
+        let _ =
+            writeln!(text, "\nErrors of predictions for {}:\n{:34} {:>9} {:>9}", path.display(), "", "twin", "model");
         for Prediction { what, unit, digits, twin, model, how } in predictions {
             let digits = usize::from(digits);
             let _ = writeln!(text, "{what:34} {twin:9.digits$} {model:9.digits$} {unit:6}  {how}");

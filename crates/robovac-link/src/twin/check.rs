@@ -1,8 +1,7 @@
 //! How well a twin predicts a recording that it wasn't fitted to, beside its model.
 
 use super::{
-    counts_per_turn,
-    light,
+    counts_per_turn, light,
     log::{Measured, MotionLog},
     model_mm_per_count, turns,
     wheels::{self, Response},

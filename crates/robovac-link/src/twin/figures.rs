@@ -103,7 +103,8 @@ impl<'a> Found<'a> {
     fn count_figure(&self) -> TwinFigure {
         let figure = TwinFigure { model: Some(model_mm_per_count()), ..named("Way for one count", "mm", 4) };
         if let Some((mm, deviation, how)) = &self.count {
-            return TwinFigure { value: Some(*mm), uncertainty: Some(*deviation), how: how.clone(), ..figure }.rounded();
+            return TwinFigure { value: Some(*mm), uncertainty: Some(*deviation), how: how.clone(), ..figure }
+                .rounded();
         }
         let own = match self.claimed {
             Some(mm) => format!(" Its distance packets count on {mm:.3} mm, which is a figure of its program."),
@@ -189,7 +190,8 @@ impl<'a> Found<'a> {
         };
         let delay = TwinFigure {
             value: Some(1000.0 * response.delay_s),
-            how: "From a command to its effect in the readings, line included. Not part of the simulated robot.".to_owned(),
+            how: "From a command to its effect in the readings, line included. Not part of the simulated robot."
+                .to_owned(),
             ..delay
         };
         let noise = TwinFigure {
@@ -240,7 +242,8 @@ impl<'a> Found<'a> {
         };
         let noise = TwinFigure { how, ..named("Light bumper, noise", "", 0) };
         let Some(fitted) = self.law else {
-            let why = "The model's: no wall was met head-on. Drive straight at a wall until the bumper touches, three times.";
+            let why =
+                "The model's: no wall was met head-on. Drive straight at a wall until the bumper touches, three times.";
             return [gain.of_model(why.to_owned()), offset.of_model(why.to_owned()), noise];
         };
         let met = counted(fitted.contacts, "wall");

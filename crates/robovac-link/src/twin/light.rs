@@ -175,11 +175,8 @@ pub(super) fn fit(contacts: &[Vec<Point>], light: &LightBumper) -> Option<Fitted
 /// Root mean square of the logarithm of measured over predicted signals.
 pub(super) fn misfit(contacts: &[Vec<Point>], light: &LightBumper) -> Option<f64> {
     let cosine = math::cos(light.angles[MIDDLE[0]]);
-    let errors: Vec<f64> = contacts
-        .iter()
-        .flatten()
-        .map(|p| (p.light / light.light_at(p.distance, cosine).max(1e-3)).ln())
-        .collect();
+    let errors: Vec<f64> =
+        contacts.iter().flatten().map(|p| (p.light / light.light_at(p.distance, cosine).max(1e-3)).ln()).collect();
     let mean = errors.iter().map(|e| e * e).sum::<f64>() / errors.len().max(1) as f64;
     (errors.len() >= LEAST_POINTS).then(|| mean.sqrt())
 }

@@ -6,7 +6,7 @@
 
 use super::{
     counts_per_turn,
-    log::{MotionLog, Measured, Sample},
+    log::{Measured, MotionLog, Sample},
 };
 use robovac_core::math::PI;
 
@@ -14,6 +14,8 @@ use robovac_core::math::PI;
 const CHANNELS: usize = 6;
 /// Distance of points on a turn, counts (right less left): about a degree.
 const STEP: f64 = 9.0;
+/// Most points of a turn on the spot: about fifty full turns.
+const MOST_POINTS: usize = 20_000;
 /// Readings that are looked at together to see whether the robot turns, and their least counts.
 const TOGETHER: usize = 8;
 const LEAST: f64 = 8.0;
@@ -53,7 +55,9 @@ pub(super) struct FullTurn {
 pub(super) fn measure(log: &MotionLog) -> Option<FullTurn> {
     let single: Vec<(f64, f64)> = spins(&log.samples).iter().flat_map(Spin::turns).collect();
     let by_eye = log.measured.iter().filter_map(|measured| match *measured {
-        Measured::Turn(counts, degrees) => Some((counts * 360.0 / degrees, counts * 360.0 / degrees * BY_EYE_DEG / degrees)),
+        Measured::Turn(counts, degrees) => {
+            Some((counts * 360.0 / degrees, counts * 360.0 / degrees * BY_EYE_DEG / degrees))
+        }
         Measured::Way(..) => None,
     });
     let by_eye: Vec<(f64, f64)> = by_eye.collect();
@@ -142,9 +146,7 @@ fn spins(samples: &[Sample]) -> Vec<Spin> {
 impl Spin {
     fn of(samples: &[Sample]) -> Option<Self> {
         let (first, last) = (samples.first()?, samples.last()?);
-        let at = |sample: &Sample| {
-            ((sample.counts[1] - first.counts[1]) - (sample.counts[0] - first.counts[0])).abs()
-        };
+        let at = |sample: &Sample| ((sample.counts[1] - first.counts[1]) - (sample.counts[0] - first.counts[0])).abs();
         if at(last) < (TRIED[0] + OVERLAP) * counts_per_turn() {
             return None;
         }
@@ -154,7 +156,7 @@ impl Spin {
         let mut before = (at(first), roots(first));
         for sample in samples {
             let now = (at(sample), roots(sample));
-            while now.0 > before.0 && points.len() as f64 * STEP <= now.0 {
+            while now.0 > before.0 && points.len() < MOST_POINTS && points.len() as f64 * STEP <= now.0 {
                 let share = ((points.len() as f64 * STEP - before.0) / (now.0 - before.0)).clamp(0.0, 1.0);
                 points.push(std::array::from_fn(|k| before.1[k] + share * (now.1[k] - before.1[k])));
             }

@@ -12,6 +12,8 @@ use robovac_sim::kept_speed;
 const TOGETHER: usize = 4;
 /// Time after which the speed that a command gave no longer matters, s.
 const SETTLED_S: f64 = 0.5;
+/// Most stretches on which a fit is based: eight minutes of driving.
+const MOST: usize = 8000;
 /// Least counts of a wheel on which a fit is based: 30 cm.
 const LEAST_COUNTS: f64 = 700.0;
 /// Tried accelerations, m/s², and delays, s.
@@ -97,7 +99,7 @@ pub(super) fn compare(
         let mut stretches = stretches.iter().peekable();
         let (mut way, mut from) = (0.0, 0.0);
         for (index, pair) in log.samples.windows(2).enumerate() {
-            let [before, now] = pair else { continue };
+            let ([before, now], Some(_)) = (pair, stretches.peek()) else { break };
             if stretches.peek().is_some_and(|[first, _]| *first == index) {
                 from = way;
             }
@@ -113,7 +115,7 @@ pub(super) fn compare(
 
 /// Finds the response that explains the counts best; `None` if the robot wasn't driven far enough by commands.
 pub(super) fn fit(log: &MotionLog, robot: &RobotModel) -> Option<FittedResponse> {
-    let stretches = stretches(log, TOGETHER);
+    let stretches = moving(log, stretches(log, TOGETHER));
     let drive = Drive { log, robot, stretches: &stretches };
     let way: f64 = drive.compare(&Response::of(robot, 0.0)).iter().map(|c| c.counted.abs()).sum();
     if way < 2.0 * LEAST_COUNTS {
@@ -149,6 +151,19 @@ pub(super) fn fit(log: &MotionLog, robot: &RobotModel) -> Option<FittedResponse>
         noise_counts: (squares / number).sqrt(),
         is_quantised_known: less < CLEARLY * more,
     })
+}
+
+/// The first [`MOST`] stretches at which the wheels turned, or just before or after.
+fn moving(log: &MotionLog, mut stretches: Vec<[usize; 2]>) -> Vec<[usize; 2]> {
+    let has_turned = |&[first, last]: &[usize; 2]| log.samples[first].counts != log.samples[last].counts;
+    let turned: Vec<bool> = stretches.iter().map(has_turned).collect();
+    let mut index = 0;
+    stretches.retain(|_| {
+        index += 1;
+        turned.iter().take(index + 1).skip(index.saturating_sub(2)).any(|&turned| turned)
+    });
+    stretches.truncate(MOST);
+    stretches
 }
 
 /// Readings to compare with predictions.
